@@ -2,14 +2,14 @@
 //!
 //! Lengths are in units of half the element's side, as in [`crate::edges`]. An integrand of the radius that is singular only at
 //! the field point, `2m` half sides away, leaves the p-point rule an error of about `(4m)^(−2p)`: 2e-16 for m = 5, p = 6, below 4e-15 at
-//! every border of the table in [`ProductRule::at`].
+//! the other borders.
 
 use std::sync::LazyLock;
 
 use crate::gauss::{Node, legendre_of};
 
 /// Offsets (the larger of the two) from which the rules of 6, 5, 4, 3 and 2 points a direction hold.
-const BORDERS: [usize; 5] = [NEAREST, 8, 16, 64, 1024];
+const BORDERS: [usize; 5] = [NEAREST, 8, 20, 96, 2048];
 
 /// The smallest offset, in elements, at which a product rule can be used.
 pub(crate) const NEAREST: usize = 5;
@@ -61,8 +61,8 @@ mod tests {
         let count = |offset| ProductRule::at(offset).points(offset).count();
         assert_eq!(count([5, 0]), 36);
         assert_eq!(count([0, 9]), 25);
-        assert_eq!(count([63, 63]), 16);
-        assert_eq!(count([64, 1]), 9);
+        assert_eq!(count([95, 95]), 16);
+        assert_eq!(count([96, 1]), 9);
         assert_eq!(count([4095, 4095]), 4);
     }
 }
