@@ -62,6 +62,16 @@ pub enum InfluenceError {
         /// The absolute error that was reached, as estimated.
         found: f64,
     },
+    /// The direct quadrature of a coefficient oscillates too often to be affordable.
+    #[error(
+        "the direct quadrature of this coefficient has {found} oscillations, at most {largest} are affordable; radial tables have no such limit"
+    )]
+    TooManyOscillations {
+        /// Oscillations of the integrand in each of two directions.
+        found: f64,
+        /// The largest number taken.
+        largest: f64,
+    },
     /// The radial tables of this foundation cannot be made accurate enough.
     #[error(
         "the radial tables reach a relative accuracy of {found:e} at a radius of {radius:e} m, wanted {wanted:e}"

@@ -2,8 +2,10 @@
 mod chebyshev;
 mod coefficient_table;
 mod column_block;
+mod compensated;
 mod convolution;
 mod dense;
+pub mod direct;
 mod edges;
 mod error;
 mod gauss;
@@ -13,10 +15,12 @@ mod operator;
 mod padding;
 mod panels;
 mod product_rule;
+mod quadrature;
 mod radial;
 mod radial_tables;
 mod response;
 mod spectrum;
+mod symbol;
 mod window;
 
 pub use coefficient_table::CoefficientTable;
@@ -25,3 +29,4 @@ pub use dense::DenseOperator;
 pub use error::InfluenceError;
 pub use operator::ElasticOperator;
 pub use radial_tables::RadialTables;
+pub use symbol::PeriodicSymbol;

@@ -6,6 +6,7 @@
 
 use std::sync::LazyLock;
 
+use crate::compensated::Sum;
 use crate::gauss::{Node, legendre_of};
 
 /// L: `exp(−L²/4)` = 4e-19.
@@ -97,16 +98,18 @@ impl WindowRule {
             .nodes
             .partition_point(|node| node.x < one_beyond)
             .max(from);
-        let mut integral = Integral {
-            value: self.rest[to],
-            squares: 0.0,
-        };
+        let mut sum = Sum::default();
+        let mut squares = 0.0;
         for node in self.heads[octave].iter().chain(&self.nodes[from..to]) {
             let term = function(node) * node.weight;
-            integral.value += term;
-            integral.squares += term * term;
+            sum.add(term);
+            squares += term * term;
         }
-        integral
+        sum.add(self.rest[to]);
+        Integral {
+            value: sum.value(),
+            squares,
+        }
     }
 }
 
@@ -144,9 +147,11 @@ fn window(x: f64) -> f64 {
 }
 
 fn sums_to_the_end(nodes: &[WindowNode]) -> Vec<f64> {
+    let mut sum = Sum::default();
     let mut sums = vec![0.0];
     for node in nodes.iter().rev() {
-        sums.push(sums[sums.len() - 1] + node.weight);
+        sum.add(node.weight);
+        sums.push(sum.value());
     }
     sums.reverse();
     sums
