@@ -80,7 +80,8 @@ impl RadialFunctions {
         };
         let panels = Panels::fit(ends.map(f64::ln), at, allowed);
         let [start, end] = panels.range();
-        let series = series(response.even_taylor());
+        let precise = sampler.precise.as_ref().map(Precise::even_taylor);
+        let series = series(precise.unwrap_or_else(|| response.even_taylor()));
         let mut functions = Self {
             limit,
             slope: (at(start) - 1.0) / start.exp(),
@@ -238,7 +239,7 @@ fn scale(limit: f64, largest: f64, ln_t: f64) -> f64 {
 /// Values of T from the response.
 struct Sampler<'a> {
     response: &'a ResponseTable,
-    precise: Option<Precise<'a>>,
+    precise: Option<Precise>,
 }
 
 impl Sampler<'_> {

@@ -33,6 +33,11 @@ impl Twofold {
         tail: 0.0,
     };
 
+    /// A number with nothing behind its 16th digit.
+    pub(crate) const fn from_head(head: f64) -> Self {
+        Self { head, tail: 0.0 }
+    }
+
     /// The nearest `f64`.
     #[inline]
     pub(crate) fn rounded(self) -> f64 {
@@ -103,7 +108,7 @@ impl Twofold {
 impl From<f64> for Twofold {
     #[inline]
     fn from(head: f64) -> Self {
-        Self { head, tail: 0.0 }
+        Self::from_head(head)
     }
 }
 

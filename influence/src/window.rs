@@ -111,14 +111,6 @@ impl WindowRule {
             squares,
         }
     }
-
-    /// `∫ F(x) J0(x) dx` from 0 to `end`, which is 4 · 2^(−j) for some j, by one panel: F must be smooth there.
-    pub(crate) fn integrate_up_to(&self, end: f64, function: impl Fn(&WindowNode) -> f64) -> f64 {
-        let octave = (DOUBLING_END / end).log2().round().max(0.0) as usize;
-        let head = self.heads.get(octave).into_iter().flatten();
-        let terms: Sum = head.map(|node| function(node) * node.weight).collect();
-        terms.value()
-    }
 }
 
 /// A sum of independently rounded terms.

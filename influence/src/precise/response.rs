@@ -8,65 +8,95 @@
 
 use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
 
+use crate::chebyshev::taylor_weight;
 use crate::twofold::Twofold;
 
 /// Terms of an expansion.
-const TERMS: usize = 20;
+const TERMS: usize = 26;
 
-/// Width of a panel over ln s: half an octave, so that 20 terms give 20 digits where the nearest pole is at 45°.
+/// Width of a panel over ln s: half an octave, so that 26 terms give 24 digits where the nearest pole of Φ is at 45°.
 const WIDTH: f64 = std::f64::consts::LN_2 / 2.0;
 
-/// Φ over ln s as Chebyshev panels, from `start` on; `s = k H`.
+/// Φ(s), `s = k H`.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct PreciseResponse {
+    /// Over 0 ≤ s ≤ `reach`.
+    low: Vec<Twofold>,
+    reach: f64,
+    /// Lower end of the panels as ln s, half the reach.
     start: f64,
-    ln_start: f64,
-    panels: Vec<[Twofold; TERMS]>,
+    panels: Vec<Vec<Twofold>>,
 }
 
 impl PreciseResponse {
-    /// Tabulates Φ for s from `start` to `end`; beyond, it is 1.
-    pub(crate) fn new(foundation: &Foundation, [start, end]: [f64; 2]) -> Self {
-        let ln_start = start.ln();
-        let count = ((end.ln() - ln_start) / WIDTH).ceil() as usize;
+    /// Tabulates Φ, which is to be a low polynomial up to `reach` and 1 beyond `end`.
+    pub(crate) fn new(foundation: &Foundation, [reach, end]: [f64; 2]) -> Self {
+        let start = (reach / 2.0).ln();
+        let count = ((end.ln() - start) / WIDTH).ceil() as usize;
         let cosines = Cosines::new();
         let stack = Stack::new(foundation);
+        let low =
+            |node: Twofold| stack.value((Twofold::ONE + node) * Twofold::from(reach).scaled(0.5));
         let panels = (0..count).map(|panel| {
-            let centre = ln_start + WIDTH * (panel as f64 + 0.5);
-            cosines.expansion(|node| {
-                let ln_s = Twofold::from(centre) + Twofold::from(WIDTH / 2.0) * node;
-                stack.value(ln_s.exp())
-            })
+            let centre = Twofold::from(centre(start, panel));
+            cosines.expansion(|node| stack.value((centre + HALF_WIDTH * node).exp()))
         });
         Self {
+            low: cosines.expansion(low),
+            reach,
             start,
-            ln_start,
             panels: panels.collect(),
         }
     }
 
-    /// Where the table begins.
-    pub(crate) fn start(&self) -> f64 {
-        self.start
+    /// Up to this s, Φ is one polynomial.
+    pub(crate) fn reach(&self) -> f64 {
+        self.reach
     }
 
-    /// Φ at `ln s = ln x − ln t`; 1 beyond the table.
+    /// Φ at s.
     #[inline]
-    pub(crate) fn value(&self, ln_x: Twofold, ln_t: f64) -> Twofold {
-        let place = (ln_x.rounded() - ln_t - self.ln_start) / WIDTH;
-        let Some(coefficients) = self.panels.get(place.max(0.0) as usize) else {
+    pub(crate) fn value(&self, s: Twofold, ln_s: Twofold) -> Twofold {
+        let panel = (ln_s.rounded() - self.start) / WIDTH;
+        if panel < 0.0 {
+            return clenshaw(
+                &self.low,
+                s.scaled(2.0) / Twofold::from(self.reach) - Twofold::ONE,
+            );
+        }
+        let panel = panel as usize;
+        let Some(coefficients) = self.panels.get(panel) else {
             return Twofold::ONE;
         };
-        let centre = self.ln_start + WIDTH * (place.max(0.0).floor() + 0.5);
-        let position =
-            (ln_x - Twofold::from(ln_t) - Twofold::from(centre)) / Twofold::from(WIDTH / 2.0);
+        let position = (ln_s - Twofold::from(centre(self.start, panel))) / HALF_WIDTH;
         clenshaw(coefficients, position)
     }
+
+    /// The Taylor coefficients of s², s⁴, s⁶ and s⁸ at 0.
+    pub(crate) fn even_taylor(&self) -> [f64; 4] {
+        [2, 4, 6, 8].map(|power: u32| {
+            let terms = self.low.iter().enumerate();
+            let sum = terms.fold(Twofold::ZERO, |sum, (j, c)| {
+                // Weights are ratios of integers far below 2^106; 1e-16 of them is 1e-16 of a term that hardly cancels.
+                sum + *c * Twofold::from(taylor_weight(j, power))
+            });
+            sum.rounded() / self.reach.powi(power as i32)
+        })
+    }
+}
+
+/// Half of [`WIDTH`].
+const HALF_WIDTH: Twofold = Twofold::from_head(WIDTH / 2.0);
+
+/// Centre of a panel as ln s; computed in one way only, for fit and value must mean the same point.
+#[inline]
+fn centre(start: f64, panel: usize) -> f64 {
+    start + WIDTH * (panel as f64 + 0.5)
 }
 
 /// `Σ c_j T_j(x)`.
 #[inline]
-fn clenshaw(coefficients: &[Twofold; TERMS], x: Twofold) -> Twofold {
+fn clenshaw(coefficients: &[Twofold], x: Twofold) -> Twofold {
     let (mut near, mut far) = (Twofold::ZERO, Twofold::ZERO);
     let twice = x.scaled(2.0);
     for c in coefficients[1..].iter().rev() {
@@ -89,14 +119,15 @@ impl Cosines {
     }
 
     /// Coefficients of the expansion of a function on [−1, 1].
-    fn expansion(&self, function: impl Fn(Twofold) -> Twofold) -> [Twofold; TERMS] {
+    fn expansion(&self, function: impl Fn(Twofold) -> Twofold) -> Vec<Twofold> {
         let values = self.rows[1].map(function);
-        std::array::from_fn(|j| {
-            let terms = self.rows[j].iter().zip(&values);
+        let coefficient = |(j, row): (usize, &[Twofold; TERMS])| {
+            let terms = row.iter().zip(&values);
             let sum = terms.fold(Twofold::ZERO, |sum, (cosine, value)| sum + *cosine * *value);
             let scale = if j == 0 { 1.0 } else { 2.0 };
             sum.scaled(scale) / Twofold::from(TERMS as f64)
-        })
+        };
+        self.rows.iter().enumerate().map(coefficient).collect()
     }
 }
 

@@ -1,28 +1,30 @@
-//! The rule of [`crate::window`] in 32 digits, for x from 4 · 2⁻²⁰ on.
+//! The rule of [`crate::window`] in 32 digits.
 
 use std::sync::LazyLock;
 
 use super::bessel::{erfc, j0};
 use crate::gauss::{Node, legendre_of};
 use crate::twofold::Twofold;
-use crate::window::{CENTRE, DOUBLING_END, END, PANEL, SPREAD, STRIDE, WindowRule};
+use crate::window::{CENTRE, DOUBLING_END, END, PANEL, SPREAD, STRIDE};
 
-/// Doubling panels go down to 4 · 2⁻²⁰; smaller x matter only where Φ is small, and are left to the plain rule.
+/// Doubling panels go down to 4 · 2⁻²⁰: only radii beyond the smallest wavelengths of Φ need the precision.
 const OCTAVES: i32 = 20;
 
 /// One point of the rule.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PreciseNode {
+    pub x: Twofold,
     pub ln_x: Twofold,
     /// Gauss weight times `J0(x) w(x)`.
     pub weight: Twofold,
 }
 
-/// The rule, in panels from small x to large.
+/// The rule: one panel from 0, then panels that double, then panels of one period.
 #[derive(Debug)]
 pub(crate) struct PreciseRule {
-    /// Lower ends of the panels.
-    starts: Vec<f64>,
+    /// Entry j covers 0 to 4 · 2^(−j) at once.
+    heads: Vec<Vec<PreciseNode>>,
+    /// All the other panels, from small x to large.
     nodes: Vec<PreciseNode>,
 }
 
@@ -47,25 +49,19 @@ impl PreciseRule {
         let panels: Vec<[f64; 2]> = doubling.chain(uniform).collect();
         let line: Vec<(Twofold, Twofold)> = legendre_of::<PANEL>().iter().map(refined).collect();
         Self {
-            starts: panels.iter().map(|ends| ends[0]).collect(),
+            heads: (0..=OCTAVES)
+                .map(|octave| panel(&line, [0.0, end(octave)]))
+                .collect(),
             nodes: panels.iter().flat_map(|ends| panel(&line, *ends)).collect(),
         }
     }
 
-    /// Index of the first panel that begins at or beyond x, or of the first that does not double if that is beyond 4.
-    pub(crate) fn panel_from(&self, x: f64) -> usize {
-        let below = self.starts.partition_point(|start| *start < x);
-        below.min(OCTAVES as usize)
-    }
-
-    /// The nodes from that panel on.
-    pub(crate) fn nodes(&self, panel: usize) -> &[PreciseNode] {
-        &self.nodes[panel * PANEL..]
-    }
-
-    /// `∫ F(x) J0(x) dx` up to that panel by the plain rule; F is given x and ln x.
-    pub(crate) fn below(&self, panel: usize, function: impl Fn(f64, f64) -> f64) -> f64 {
-        WindowRule::shared().integrate_up_to(self.starts[panel], |node| function(node.x, node.ln_x))
+    /// The nodes of the rule for a function that is a low polynomial below `smooth_below`.
+    pub(crate) fn nodes(&self, smooth_below: f64) -> impl Iterator<Item = &PreciseNode> {
+        let octave = (DOUBLING_END / smooth_below).log2().ceil().max(0.0) as usize;
+        let octave = octave.min(self.heads.len() - 1);
+        let from = (self.heads.len() - 1 - octave) * PANEL;
+        self.heads[octave].iter().chain(&self.nodes[from..])
     }
 }
 
@@ -106,6 +102,7 @@ fn panel(line: &[(Twofold, Twofold)], [start, end]: [f64; 2]) -> Vec<PreciseNode
         let x = Twofold::from(start) + half_width * (Twofold::ONE + *position);
         let window = erfc((x - Twofold::from(CENTRE)) / Twofold::from(SPREAD)).scaled(0.5);
         PreciseNode {
+            x,
             ln_x: x.ln(),
             weight: half_width * *weight * j0(x) * window,
         }
