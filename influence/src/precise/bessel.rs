@@ -1,5 +1,7 @@
 //! The Bessel function J0 and the complementary error function to 30 digits.
 
+use std::sync::LazyLock;
+
 use crate::twofold::{PI, Twofold};
 
 /// `J0(x)` by Miller's backward recurrence (Olver 1964): from an order far beyond x down, normalised by `J0 + 2 Σ J_2k = 1`.
@@ -29,21 +31,31 @@ pub(crate) fn j0(x: Twofold) -> Twofold {
 /// A power of two by which the recurrence is scaled down.
 const SMALL: f64 = 1.0 / (1_u128 << 100) as f64;
 
-/// `erfc(z)` by the midpoint rule (Chiarella and Reichel 1968), whose error here is e^(−π²/h²) = 1e-47.
+/// Step h of the midpoint rule for the error function; its error is e^(−π²/h²) = 1e-47.
+const STEP: f64 = 0.3;
+
+/// Squares `u²` and `e^(−u²)` for the nodes `u = (n+½) h`.
+static GAUSSIAN: LazyLock<Vec<(Twofold, Twofold)>> = LazyLock::new(|| {
+    let node = |n: u8| {
+        let u = Twofold::from(STEP) * Twofold::from(f64::from(n) + 0.5);
+        (u * u, (-(u * u)).exp())
+    };
+    (0..30).map(node).collect()
+});
+
+/// `erfc(z)` by the midpoint rule (Chiarella and Reichel 1968).
 pub(crate) fn erfc(z: Twofold) -> Twofold {
-    const STEP: f64 = 0.3;
     if z.rounded() < 0.0 {
         return Twofold::from(2.0) - erfc(-z);
     }
     let step = Twofold::from(STEP);
     let square = z * z;
-    let mut sum = Twofold::ZERO;
-    for n in 0..30_u8 {
-        let node = step * Twofold::from(f64::from(n) + 0.5);
-        let node = node * node;
-        sum = sum + (-node).exp() / (node + square);
-    }
-    // 2hz/π e^(−z²) Σ e^(−u²)/(u² + z²) + 2/(1 + e^(2πz/h)), u = (n+½)h
+    let sum = GAUSSIAN
+        .iter()
+        .fold(Twofold::ZERO, |sum, (node, gaussian)| {
+            sum + *gaussian / (*node + square)
+        });
+    // 2hz/π e^(−z²) Σ e^(−u²)/(u² + z²) + 2/(1 + e^(2πz/h))
     let pole = (PI.scaled(-2.0) * z / step).exp();
     (step * z / PI).scaled(2.0) * (-square).exp() * sum + pole.scaled(2.0) / (Twofold::ONE + pole)
 }
