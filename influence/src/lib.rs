@@ -8,6 +8,7 @@ mod dense;
 pub mod direct;
 mod edges;
 mod error;
+mod far_field;
 mod gauss;
 pub mod love;
 mod near;
@@ -23,6 +24,7 @@ mod response;
 mod spectrum;
 mod symbol;
 mod twofold;
+mod whole;
 mod window;
 
 pub use coefficient_table::CoefficientTable;

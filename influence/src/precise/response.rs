@@ -11,6 +11,7 @@ use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
 use super::expansion::{Cosines, Expansion};
 use crate::chebyshev::taylor_weight;
 use crate::twofold::Twofold;
+use crate::whole;
 
 /// Width of a panel over ln s: half an octave, so that 26 terms give 24 digits where the nearest pole of Φ is at 45°.
 const WIDTH: f64 = std::f64::consts::LN_2 / 2.0;
@@ -30,7 +31,7 @@ impl PreciseResponse {
     /// Tabulates Φ, which is to be a low polynomial up to `reach` and 1 beyond `end`.
     pub(crate) fn new(foundation: &Foundation, [reach, end]: [f64; 2]) -> Self {
         let start = (reach / 2.0).ln();
-        let count = ((end.ln() - start) / WIDTH).ceil() as usize;
+        let count = whole::ceil((end.ln() - start) / WIDTH);
         let cosines = Cosines::new();
         let stack = Stack::new(foundation);
         let low =
@@ -61,7 +62,7 @@ impl PreciseResponse {
                 .low
                 .value(s.scaled(2.0) / Twofold::from(self.reach) - Twofold::ONE);
         }
-        let panel = panel as usize;
+        let panel = whole::floor(panel);
         let Some(expansion) = self.panels.get(panel) else {
             return Twofold::ONE;
         };
@@ -71,13 +72,13 @@ impl PreciseResponse {
 
     /// The Taylor coefficients of s², s⁴, s⁶ and s⁸ at 0.
     pub(crate) fn even_taylor(&self) -> [f64; 4] {
-        [2, 4, 6, 8].map(|power: u32| {
+        [2_i32, 4, 6, 8].map(|power| {
             let terms = self.low.coefficients().enumerate();
             let sum = terms.fold(Twofold::ZERO, |sum, (j, c)| {
                 // Weights are ratios of integers far below 2^106; 1e-16 of them is 1e-16 of a term that hardly cancels.
                 sum + c * Twofold::from(taylor_weight(j, power))
             });
-            sum.rounded() / self.reach.powi(power as i32)
+            sum.rounded() / self.reach.powi(power)
         })
     }
 }
@@ -241,7 +242,7 @@ impl Minors {
     fn normalised(self) -> Self {
         let size = (self.p + self.f + self.g + self.d).rounded();
         // An exact power of two, so that nothing is rounded.
-        let factor = 2_f64.powi(-(size.log2().round() as i32));
+        let factor = Twofold::power_of_two(-size.log2());
         Self {
             p: self.p.scaled(factor),
             q: self.q.scaled(factor),
