@@ -13,9 +13,9 @@ use super::sphere::{cap_height, half_chord};
 ///
 /// With n faces at the angle α to the axis, the sharp pyramid is `f = m max_k n_k·x`, `m = cot α`, where `n_k` are the horizontal
 /// directions that the faces rise in. A sphere and a plane touch in one point only, so a cap and flat faces alone cannot meet smoothly:
-/// something must join them. Here it is the smallest convex body that contains the tip sphere, radius R, and has the pyramid's faces: the
-/// sphere rolled through the pyramid, a Minkowski sum. In the language of slopes, the body's lower surface is the upper envelope of
-/// all planes that touch the sphere and are no steeper than the pyramid,
+/// something must join them. Here it is the smallest convex body that contains the tip sphere, radius R, and opens like the pyramid: a
+/// sharp pyramid with a ball of radius R about each of its points (a Minkowski sum). Its lower surface is the upper envelope of all
+/// planes that touch the sphere and whose slope s the pyramid has among its supporting planes,
 ///
 /// ```text
 /// f(x) = max over s in P of  s·x − R (√(1 + |s|²) − 1),      P the polygon with the corners m n_k
@@ -56,7 +56,7 @@ impl Pyramid {
     /// Face angle of the Vickers pyramid, 68°: half the angle of 136° between opposite faces.
     pub const VICKERS_FACE_ANGLE: f64 = 68.0_f64.to_radians();
 
-    /// Face angle of the corner of a cube, `arctan(1/√2)` = 35.264°, which the standards round to 35.26°.
+    /// Face angle of the corner of a cube, `arctan(1/√2)` = 35.264°, often rounded to 35.26°.
     pub const CUBE_CORNER_FACE_ANGLE: f64 = 0.615_479_708_670_387_3;
 
     /// The fewest faces that enclose a body.
