@@ -1,5 +1,7 @@
-//! Cross-crate evidence that Pellicle is right. The evidence stands in this package's `tests/`; the library holds only
-//! the example of the workspace's README, compiled and run as a documentation test.
+//! Cross-crate evidence that Pellicle is right: the scenes and the reference data that the test binaries share. The
+//! example of the workspace's README is compiled and run here as a documentation test.
 
+pub mod paper;
 #[cfg(doctest)]
 mod readme;
+pub mod reference_data;
