@@ -121,13 +121,7 @@ impl IndenterCase {
                 half_angle,
                 tip_radius,
             } => Cone::new(half_angle, tip_radius).map(Indenter::Cone),
-            Self::Berkovich(pyramid) => {
-                Pyramid::new(pyramid.face_angle, pyramid.tip_radius).map(Indenter::Pyramid)
-            }
-            Self::Vickers(pyramid) => {
-                Pyramid::new(pyramid.face_angle, pyramid.tip_radius).map(Indenter::Pyramid)
-            }
-            Self::CubeCorner(pyramid) => {
+            Self::Berkovich(pyramid) | Self::Vickers(pyramid) | Self::CubeCorner(pyramid) => {
                 Pyramid::new(pyramid.face_angle, pyramid.tip_radius).map(Indenter::Pyramid)
             }
         }

@@ -20,7 +20,7 @@ pub mod units;
 use std::path::Path;
 use std::sync::Arc;
 
-use pellicle_contact::Model;
+use pellicle_contact::{Model, default_side};
 use pellicle_influence::RadialTables;
 use serde::Serialize;
 
@@ -121,6 +121,18 @@ impl Case {
                 .map_or(Ok(SolverCase::default()), |table| SolverCase::read(&table))?,
             units: Units::of(root),
         })
+    }
+
+    /// Side of the domain: as given, or chosen from the load.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Contact`] if none can be chosen.
+    pub fn side(&self, model: &Model) -> Result<f64, Failure> {
+        match self.grid.side {
+            Some(side) => Ok(side),
+            None => Ok(default_side(model, &self.load.steps())?),
+        }
     }
 
     /// The model of the case, its radial tables built: the first real work on a case.
