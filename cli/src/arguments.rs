@@ -6,9 +6,9 @@ use clap::{Args, Parser, Subcommand};
 
 use crate::templates::Template;
 
-/// Contact of a rigid indenter with a layered, textured elastic body.
+/// Contact of a rigid indenter with a layered, textured elastic body: a case file in, a certified solution out.
 #[derive(Debug, Parser)]
-#[command(name = "pellicle", version, about, long_about = None, arg_required_else_help = true)]
+#[command(name = "pellicle", version, arg_required_else_help = true)]
 #[command(
     after_help = "Exit codes: 0 solved and certified, 1 not converged (result written and marked), \
                         2 the case or the command line is wrong."

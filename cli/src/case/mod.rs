@@ -124,15 +124,10 @@ impl Case {
     }
 
     /// Side of the domain: as given, or chosen from the load.
-    ///
-    /// # Errors
-    ///
-    /// [`Failure::Contact`] if none can be chosen.
-    pub fn side(&self, model: &Model) -> Result<f64, Failure> {
-        match self.grid.side {
-            Some(side) => Ok(side),
-            None => Ok(default_side(model, &self.load.steps())?),
-        }
+    #[must_use]
+    pub fn side(&self, model: &Model) -> f64 {
+        let chosen = || default_side(model, &self.load.steps());
+        self.grid.side.unwrap_or_else(chosen)
     }
 
     /// The model of the case, its radial tables built: the first real work on a case.

@@ -20,7 +20,7 @@ const BYTES_PER_ELEMENT: f64 = 400.0;
 pub fn check(arguments: &CaseArguments) -> Result<Outcome, Failure> {
     let mut case = Case::read(&arguments.path, &arguments.sets)?;
     let chosen = case.grid.side.is_none();
-    let side = case.side(&case.model()?)?;
+    let side = case.side(&case.model()?);
     case.grid.side = Some(side);
     let resolved = toml::to_string(&case)?;
     let estimates = estimates(&case, side, chosen);
@@ -66,7 +66,7 @@ fn estimates(case: &Case, side: f64, chosen: bool) -> String {
         "memory, about".to_owned(),
         format!("{} MB", significant(bytes / 1e6, 2)),
     ));
-    let line = |(name, value): &(String, String)| format!("# {name:<34}{value}\n");
+    let line = |(name, value): &(String, String)| format!("# {name:<38}{value}\n");
     lines.iter().map(line).collect()
 }
 

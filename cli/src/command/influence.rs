@@ -27,7 +27,7 @@ struct Row {
 pub fn influence(arguments: &InfluenceArguments) -> Result<Outcome, Failure> {
     let case = Case::read(&arguments.case.path, &arguments.case.sets)?;
     let model = case.model()?;
-    let element_side = case.side(&model)? / case.grid.elements as f64;
+    let element_side = case.side(&model) / case.grid.elements as f64;
     let row = |&offset: &[usize; 2]| {
         let coefficient = if arguments.direct {
             direct::coefficient(model.tables.foundation(), element_side, offset)?

@@ -3,13 +3,13 @@
 use std::path::Path;
 use std::time::Instant;
 
-use pellicle_contact::{LoadingPath, solve_path};
+use pellicle_contact::{LoadingPath, Model, Observer, solve_path};
 
 use crate::arguments::RunArguments;
 use crate::case::Case;
 use crate::failure::Failure;
 use crate::output::folder::{Existing, Folder};
-use crate::output::summary::Summary;
+use crate::output::summary::{Clock, Summary};
 use crate::output::{json, report, results};
 use crate::program::Outcome;
 use crate::progress::ProgressLine;
@@ -25,8 +25,17 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
     let case = Case::read(&arguments.case.path, &arguments.case.sets)?;
     let folder = claim(arguments)?;
     set_threads(arguments.threads)?;
-    let path = solve(&case, is_watched(arguments))?;
-    let summary = Summary::new(&case, &path, start.elapsed().as_secs_f64());
+    let mut line = progress_line(arguments);
+    let tables = Instant::now();
+    let model = case.model()?;
+    let tables_seconds = tables.elapsed().as_secs_f64();
+    let path = solve(&case, &model, &mut line)?;
+    drop(line);
+    let clock = Clock {
+        start,
+        tables_seconds,
+    };
+    let summary = Summary::new(&case, &path, clock);
     if let Some(folder) = &folder {
         folder.write(|folder| results::write(folder, &path, &summary))?;
     }
@@ -60,21 +69,19 @@ fn set_threads(threads: Option<u16>) -> Result<(), Failure> {
     Ok(pool.build_global()?)
 }
 
-fn solve(case: &Case, is_watched: bool) -> Result<LoadingPath, Failure> {
-    let mut line = if is_watched {
+fn progress_line(arguments: &RunArguments) -> ProgressLine {
+    if is_watched(arguments) {
         ProgressLine::new()
     } else {
         ProgressLine::hidden()
-    };
-    let model = case.model()?;
+    }
+}
+
+fn solve(case: &Case, model: &Model, observer: &mut dyn Observer) -> Result<LoadingPath, Failure> {
     let (loads, options) = (case.load.steps(), case.solver.options());
+    let (domain, elements) = (case.grid.domain(), case.grid.elements);
     Ok(solve_path(
-        &model,
-        case.grid.domain(),
-        case.grid.elements,
-        &loads,
-        &options,
-        &mut line,
+        model, domain, elements, &loads, &options, observer,
     )?)
 }
 

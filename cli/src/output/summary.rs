@@ -1,5 +1,7 @@
 //! `summary.json`: the numbers of a run, also the output of `run --json`.
 
+use std::time::Instant;
+
 use pellicle_contact::{Certificate, Estimate, GridError, LoadingPath, Step, Work};
 use serde::Serialize;
 
@@ -168,6 +170,15 @@ pub struct Timing {
     pub threads: usize,
 }
 
+/// What the solver does not see of a run's time.
+#[derive(Debug, Clone, Copy)]
+pub struct Clock {
+    /// When the case began to be read.
+    pub start: Instant,
+    /// For the radial tables, s.
+    pub tables_seconds: f64,
+}
+
 /// What should be known before the numbers are used.
 #[derive(Debug, Clone, Serialize)]
 pub struct WarningSummary {
@@ -180,7 +191,7 @@ pub struct WarningSummary {
 impl Summary {
     /// The summary of a solved case; the side of the domain is filled in where the case left it open.
     #[must_use]
-    pub fn new(case: &Case, path: &LoadingPath, total_seconds: f64) -> Self {
+    pub fn new(case: &Case, path: &LoadingPath, clock: Clock) -> Self {
         let mut case = case.clone();
         case.grid.side.get_or_insert(path.grid.side());
         let warning = |warning: &pellicle_contact::Warning| WarningSummary {
@@ -200,10 +211,10 @@ impl Summary {
             },
             steps: path.steps.iter().map(StepSummary::new).collect(),
             timing: Timing {
-                coefficients_seconds: path.coefficients_seconds,
+                coefficients_seconds: clock.tables_seconds + path.coefficients_seconds,
                 coefficients_from_cache: false,
                 solve_seconds: path.solve_seconds,
-                total_seconds,
+                total_seconds: clock.start.elapsed().as_secs_f64(),
                 threads: rayon::current_num_threads(),
             },
             warnings: path.warnings.iter().map(warning).collect(),
