@@ -53,7 +53,7 @@ pub struct RunArguments {
     /// The case, and what replaces its values.
     #[command(flatten)]
     pub case: CaseArguments,
-    /// Results folder [default: results/<name of the case>, numbered if that exists; none with --json]
+    /// Results folder [default: results/NAME after the case, numbered if that exists; none with --json]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// Replace an existing results folder

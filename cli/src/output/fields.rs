@@ -75,7 +75,7 @@ pub struct StoredFields {
 ///
 /// # Errors
 ///
-/// [`Failure::Damaged`] if the file is not one that [`write`] wrote.
+/// [`Failure::Damaged`] if the file is not one that [`write()`] wrote.
 pub fn read(path: &Path) -> Result<StoredFields, Failure> {
     let read = || -> Result<StoredFields, ReadNpzError> {
         let mut npz = NpzReader::new(File::open(path).map_err(ReadNpyError::Io)?)?;
