@@ -4,8 +4,9 @@ use pellicle_kernel::{Base, Foundation, Interface, KernelError, Layer, Material}
 use serde::Serialize;
 
 use super::diagnosis::Diagnosis;
+use super::field::Field;
 use super::quantity::Dimension;
-use super::reader::{Field, Reader};
+use super::reader::Reader;
 
 const SUBSTRATE: &str = "{ young_modulus = .., poisson_ratio = .. } or \"rigid\"";
 

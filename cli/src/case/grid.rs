@@ -4,8 +4,9 @@ use pellicle_contact::Domain;
 use serde::Serialize;
 
 use super::diagnosis::Diagnosis;
+use super::field::Sign;
 use super::quantity::Dimension;
-use super::reader::{Reader, Sign};
+use super::reader::Reader;
 
 /// Elements per side unless given.
 const DEFAULT_ELEMENTS: usize = 256;

@@ -4,8 +4,9 @@ use pellicle_contact::{Cone, ContactError, FlatPunch, Indenter, Paraboloid, Pyra
 use serde::Serialize;
 
 use super::diagnosis::Diagnosis;
+use super::field::Sign;
 use super::quantity::Dimension;
-use super::reader::{Reader, Sign};
+use super::reader::Reader;
 
 /// The indenter of a case, every value in SI units or the case's own.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -153,7 +154,7 @@ impl PyramidCase {
 
 fn tip_radius(table: &Reader<'_>) -> Result<f64, Diagnosis> {
     let read =
-        |field: super::reader::Field<'_>| field.quantity(Dimension::Length, Sign::NotNegative);
+        |field: super::field::Field<'_>| field.quantity(Dimension::Length, Sign::NotNegative);
     table.optional("tip_radius").map_or(Ok(0.0), read)
 }
 

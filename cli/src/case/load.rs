@@ -3,8 +3,9 @@
 use serde::Serialize;
 
 use super::diagnosis::{Diagnosis, Fault};
+use super::field::{Field, Sign};
 use super::quantity::Dimension;
-use super::reader::{Field, Reader, Sign};
+use super::reader::Reader;
 
 /// The four keys of which exactly one is given.
 const KEYS: [&str; 4] = ["force", "forces", "penetration", "penetrations"];

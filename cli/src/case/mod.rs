@@ -2,6 +2,7 @@
 
 pub mod diagnosis;
 pub mod document;
+pub mod field;
 pub mod foundation;
 pub mod grid;
 pub mod indenter;
@@ -11,6 +12,7 @@ pub mod place;
 pub mod quantity;
 pub mod reader;
 pub mod solver;
+pub mod spelling;
 pub mod surface;
 #[cfg(test)]
 mod testing;
@@ -103,7 +105,7 @@ impl Case {
             None => name.to_owned(),
         };
         let required = |key| table.required(key, &format!("a table [{key}]"))?.table();
-        let optional = |key| table.optional(key).map(reader::Field::table).transpose();
+        let optional = |key| table.optional(key).map(field::Field::table).transpose();
         let foundation = FoundationCase::read(&required("foundation")?)?;
         let surface = match optional("surface")? {
             Some(table) => SurfaceCase::read(&table, &foundation)?,

@@ -4,9 +4,10 @@ use pellicle_texture::{CylinderSpec, Cylinders, Film, Lattice, Relief, TextureEr
 use serde::Serialize;
 
 use super::diagnosis::Diagnosis;
+use super::field::Sign;
 use super::foundation::FoundationCase;
 use super::quantity::Dimension;
-use super::reader::{Reader, Sign};
+use super::reader::Reader;
 
 /// The surface of a case, every value in SI units or the case's own.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -170,7 +171,7 @@ fn offset(table: &Reader<'_>) -> Result<[f64; 2], Diagnosis> {
     let [x, y] = &field.list(WANTED)?[..] else {
         return Err(field.wanted(WANTED));
     };
-    let length = |field: &super::reader::Field<'_>| field.quantity(Dimension::Length, Sign::Any);
+    let length = |field: &super::field::Field<'_>| field.quantity(Dimension::Length, Sign::Any);
     Ok([length(x)?, length(y)?])
 }
 
