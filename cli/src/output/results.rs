@@ -24,6 +24,7 @@ pub fn write(folder: &Path, path: &LoadingPath, summary: &Summary) -> Result<(),
         let map = PressureMap {
             title: &summary.title,
             units: summary.case.units,
+            certified: step.solution.certificate.is_satisfied(),
             force: step.solution.force,
             penetration: step.solution.penetration,
             side: path.grid.side(),
@@ -58,6 +59,12 @@ struct StoredGrid {
 struct StoredStep {
     force: f64,
     penetration: f64,
+    certificate: StoredCertificate,
+}
+
+#[derive(Debug, Deserialize)]
+struct StoredCertificate {
+    satisfied: bool,
 }
 
 /// Draws the pictures of a results folder again, from its files alone; how many there are.
@@ -72,6 +79,7 @@ pub fn draw(folder: &Path) -> Result<usize, Failure> {
         let map = PressureMap {
             title: &stored.title,
             units,
+            certified: step.certificate.satisfied,
             force: step.force,
             penetration: step.penetration,
             side: stored.grid.side,

@@ -42,6 +42,8 @@ pub struct PressureMap<'a> {
     pub title: &'a str,
     /// Of the case.
     pub units: Units,
+    /// Whether the step's certificate is satisfied; a picture of one that is not says so.
+    pub certified: bool,
     /// `Q`, N.
     pub force: f64,
     /// `D`, m.
@@ -96,8 +98,13 @@ impl PressureMap<'_> {
 
     fn draw_head(&self, area: &Area<'_>, largest: f64) -> Drawn {
         let quantity = |value, unit| display::quantity(value, unit, self.units);
+        let mark = if self.certified {
+            ""
+        } else {
+            "NOT CONVERGED:  "
+        };
         let numbers = format!(
-            "Q = {},  D = {},  largest p = {}",
+            "{mark}Q = {},  D = {},  largest p = {}",
             quantity(self.force, Unit::Newton),
             quantity(self.penetration, Unit::Metre),
             quantity(largest, Unit::Pascal),
@@ -270,6 +277,7 @@ mod tests {
             let map = PressureMap {
                 title: &"a long title ".repeat(40),
                 units: Units::Si,
+                certified: false,
                 force: 0.0,
                 penetration: -1.0,
                 side: 1e-6,
