@@ -76,14 +76,13 @@ impl FoundationCase {
         let layer = layers.into_iter().map(LayerCase::read);
         let layer = layer.collect::<Result<Vec<_>, _>>()?;
         let substrate = table.required("substrate", SUBSTRATE)?;
-        let read = Substrate::read(substrate.clone())?;
         let foundation = Self {
-            substrate: read,
+            substrate: Substrate::read(substrate)?,
             layer,
         };
         match foundation.build() {
             Ok(_) => Ok(foundation),
-            Err(error) => Err(substrate.refused(&error)),
+            Err(error) => Err(blamed(table, &error)?.refused(&error)),
         }
     }
 
@@ -105,6 +104,20 @@ impl FoundationCase {
             (None, Substrate::Elastic(material)) => Some(material.young_modulus),
             (None, Substrate::Rigid) => None,
         }
+    }
+}
+
+/// The value to change where the layers and the substrate are right but do not go together.
+fn blamed<'a>(table: &Reader<'a>, error: &KernelError) -> Result<Field<'a>, Diagnosis> {
+    let in_layer = |i: usize, key| {
+        let layers = table.required("layer", "")?.items("")?;
+        let layer = layers.into_iter().nth(i).map(Field::table).transpose()?;
+        layer.unwrap_or_else(|| table.clone()).required(key, "")
+    };
+    match error {
+        KernelError::ModulusRatio { layer, .. } => in_layer(*layer, "young_modulus"),
+        KernelError::TotalThickness { layers, .. } => in_layer(layers - 1, "thickness"),
+        _ => table.required("substrate", SUBSTRATE),
     }
 }
 
@@ -132,14 +145,13 @@ impl Substrate {
 impl MaterialCase {
     fn read(table: &Reader<'_>) -> Result<Self, Diagnosis> {
         const RATIO: &str = "Poisson's ratio, a number in [0, 0.5]";
-        let young_modulus = table.positive("young_modulus", Dimension::Pressure)?;
-        let field = table.required("poisson_ratio", RATIO)?;
         let material = Self {
-            young_modulus,
-            poisson_ratio: field.number(RATIO)?,
+            young_modulus: table.positive("young_modulus", Dimension::Pressure)?,
+            poisson_ratio: table.required("poisson_ratio", RATIO)?.number(RATIO)?,
         };
         // The modulus is positive by now: what the kernel still refuses is the ratio.
-        material.build().map_err(|error| field.refused(&error))?;
+        let ratio = table.required("poisson_ratio", RATIO)?;
+        material.build().map_err(|error| ratio.refused(&error))?;
         Ok(material)
     }
 
