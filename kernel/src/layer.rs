@@ -1,0 +1,66 @@
+//! One elastic layer of a foundation.
+
+use crate::{Interface, KernelError, Material};
+
+/// An elastic layer: thickness `H` (m), material, and the interface with what lies *below* it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Layer {
+    thickness: f64,
+    material: Material,
+    interface: Interface,
+}
+
+impl Layer {
+    /// A layer of `thickness` (m, positive and finite) that touches what lies below by `interface`.
+    ///
+    /// # Errors
+    ///
+    /// [`KernelError::Thickness`] if the thickness is not positive and finite.
+    pub fn new(
+        thickness: f64,
+        material: Material,
+        interface: Interface,
+    ) -> Result<Self, KernelError> {
+        if !(thickness.is_finite() && thickness > 0.0) {
+            return Err(KernelError::Thickness { found: thickness });
+        }
+        Ok(Self {
+            thickness,
+            material,
+            interface,
+        })
+    }
+
+    /// Thickness `H`, m.
+    #[must_use]
+    pub fn thickness(&self) -> f64 {
+        self.thickness
+    }
+
+    /// What the layer is made of.
+    #[must_use]
+    pub fn material(&self) -> Material {
+        self.material
+    }
+
+    /// How the layer touches what lies below it.
+    #[must_use]
+    pub fn interface(&self) -> Interface {
+        self.interface
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_layer_without_thickness_is_refused_with_its_number() {
+        let material = Material::new(1.0, 0.3).unwrap();
+        for found in [0.0, -1e-6, f64::INFINITY] {
+            let layer = Layer::new(found, material, Interface::Bonded);
+            assert_eq!(layer, Err(KernelError::Thickness { found }));
+        }
+        assert!(Layer::new(f64::NAN, material, Interface::Bonded).is_err());
+    }
+}

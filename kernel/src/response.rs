@@ -1,0 +1,52 @@
+//! The response `Φ(k)` of a foundation, by the path that suits it.
+
+mod contrast;
+mod decay;
+mod junction;
+mod minors;
+mod one_layer;
+mod poisson;
+mod stack;
+
+use crate::{Base, Layer};
+use one_layer::OneLayer;
+use stack::Stack;
+
+/// The constants from which `Φ` is evaluated, prepared once per foundation.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Response {
+    /// Nothing but a half-space: `Φ = 1`.
+    HalfSpace,
+    /// One layer, any interface, any base: the closed form.
+    OneLayer(OneLayer),
+    /// Two layers or more: the recursion.
+    Stack(Stack),
+}
+
+impl Response {
+    pub(crate) fn new(layers: &[Layer], base: Base) -> Self {
+        match layers {
+            [] => Self::HalfSpace,
+            [layer] => Self::OneLayer(OneLayer::new(layer, base)),
+            layers => Self::Stack(Stack::new(layers, base)),
+        }
+    }
+
+    /// `Φ(k)`, `k > 0` in 1/m.
+    pub(crate) fn value(&self, wavenumber: f64) -> f64 {
+        match self {
+            Self::HalfSpace => 1.0,
+            Self::OneLayer(layer) => layer.value(wavenumber),
+            Self::Stack(stack) => stack.value(wavenumber),
+        }
+    }
+
+    /// `Φ(k) − 1`, `k > 0` in 1/m.
+    pub(crate) fn minus_one(&self, wavenumber: f64) -> f64 {
+        match self {
+            Self::HalfSpace => 0.0,
+            Self::OneLayer(layer) => layer.minus_one(wavenumber),
+            Self::Stack(stack) => stack.minus_one(wavenumber),
+        }
+    }
+}

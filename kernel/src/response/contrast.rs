@@ -1,0 +1,68 @@
+//! How far everything below a plane is from a half-space of the material above it.
+//!
+//! Four combinations of the [minors](super::minors) vanish on such a half-space:
+//!
+//! ```text
+//! c₁ = p − 2q − d    c₂ = g − f    c₃ = x S₁ − (f + g)    c₄ = g − w d    (S₁ = p + 2bq + ad)
+//! ```
+//!
+//! They are the minors of the reflected waves. Carried beside the minors, and not computed from
+//! them, they keep their digits however small they are, and `Φ − 1 = c₄ / (w d)`.
+
+use super::decay::Decay;
+use super::minors::Minors;
+use super::poisson::Poisson;
+
+/// The four combinations of minors that vanish on a half-space.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Contrast {
+    pub(crate) c1: f64,
+    pub(crate) c2: f64,
+    pub(crate) c3: f64,
+    pub(crate) c4: f64,
+}
+
+impl Contrast {
+    pub(crate) const NONE: Self = Self {
+        c1: 0.0,
+        c2: 0.0,
+        c3: 0.0,
+        c4: 0.0,
+    };
+
+    /// From the definitions; right where what lies below is nothing like a half-space.
+    pub(crate) fn of(minors: &Minors, poisson: &Poisson) -> Self {
+        let &Minors { p, q, f, g, d } = minors;
+        Self {
+            c1: p - 2.0 * q - d,
+            c2: g - f,
+            c3: poisson.x * minors.s1(poisson) - (f + g),
+            c4: g - poisson.w * d,
+        }
+    }
+
+    /// From the bottom of a layer to its top: every term carries `θ`.
+    pub(crate) fn through(&self, poisson: &Poisson, decay: &Decay) -> Self {
+        let &Self { c1, c2, c3, c4 } = self;
+        let &Decay { s, theta4, e, .. } = decay;
+        let x = poisson.x;
+        Self {
+            c1: theta4 * c1,
+            // c₂' = 4θ (c₂ + 2xs c₁)
+            c2: theta4 * (c2 + 2.0 * x * s * c1),
+            // c₃' = 4θ² c₃
+            c3: 0.25 * theta4 * theta4 * c3,
+            // c₄' = 4θ [c₄ + s c₂ + x (s + s²) c₁ + (1 − θ)/2 c₃]
+            c4: theta4 * (c4 + s * c2 + x * (s + s * s) * c1 + 0.5 * e * c3),
+        }
+    }
+
+    pub(crate) fn scaled(&self, factor: f64) -> Self {
+        Self {
+            c1: self.c1 * factor,
+            c2: self.c2 * factor,
+            c3: self.c3 * factor,
+            c4: self.c4 * factor,
+        }
+    }
+}

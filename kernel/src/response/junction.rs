@@ -1,0 +1,140 @@
+//! From the top of one body to the bottom of the layer above it.
+//!
+//! Tractions change their unit from `2 G₂ k` to `2 G₁ k`, `μ = G₁/G₂`; across a frictionless
+//! interface the minors start anew from the compliance `g/d` alone, with no shear on either side.
+
+use super::contrast::Contrast;
+use super::minors::Minors;
+use super::poisson::Poisson;
+use crate::{Base, Interface, Layer, Material};
+
+/// What a layer stands on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Junction {
+    /// Bonded to an elastic body.
+    Bonded(Step),
+    /// Sliding on an elastic body.
+    Frictionless(Step),
+    /// Bonded to a rigid body.
+    Clamped(Poisson),
+    /// Sliding on a rigid body.
+    Sliding(Poisson),
+}
+
+/// How two elastic bodies that touch differ.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Step {
+    /// `μ = G₁/G₂`, upper over lower
+    mu: f64,
+    /// `1/μ`
+    inverse_mu: f64,
+    /// `μ − 1`, without cancellation
+    mu_minus_one: f64,
+    /// `ν₁ − ν₂`
+    nu_difference: f64,
+    upper: Poisson,
+    lower: Poisson,
+}
+
+impl Junction {
+    pub(crate) fn new(layer: &Layer, below: Option<Material>) -> Self {
+        let upper = layer.material();
+        match (layer.interface(), below) {
+            (Interface::Bonded, Some(lower)) => Self::Bonded(Step::new(upper, lower)),
+            (Interface::Frictionless, Some(lower)) => Self::Frictionless(Step::new(upper, lower)),
+            (Interface::Bonded, None) => Self::Clamped(Poisson::new(upper)),
+            (Interface::Frictionless, None) => Self::Sliding(Poisson::new(upper)),
+        }
+    }
+
+    /// The junction of the lowest layer with the base.
+    pub(crate) fn with_base(layer: &Layer, base: Base) -> Self {
+        match base {
+            Base::HalfSpace(material) => Self::new(layer, Some(material)),
+            Base::Rigid => Self::new(layer, None),
+        }
+    }
+
+    /// What the base itself looks like from above; on a rigid one it is never asked.
+    pub(crate) fn base_minors(&self) -> Minors {
+        match self {
+            Self::Bonded(step) | Self::Frictionless(step) => Minors::half_space(&step.lower),
+            Self::Clamped(_) => Minors::CLAMPED,
+            Self::Sliding(_) => Minors::SLIDING,
+        }
+    }
+
+    /// The minors in the layer above, given those in the body below.
+    pub(crate) fn minors(&self, below: &Minors) -> Minors {
+        let &Minors { p, q, f, g, d } = below;
+        match self {
+            // Multiplied by μ throughout: a common factor means nothing.
+            Self::Bonded(Step { mu, inverse_mu, .. }) => Minors {
+                p: mu * p,
+                q,
+                f,
+                g,
+                d: inverse_mu * d,
+            },
+            // Columns (1, 0, 0, 0) and (0, g, 0, −d)
+            Self::Frictionless(Step { mu, .. }) => Minors {
+                p: mu * g,
+                q: 0.0,
+                f: d,
+                g: 0.0,
+                d: 0.0,
+            },
+            Self::Clamped(_) => Minors::CLAMPED,
+            Self::Sliding(_) => Minors::SLIDING,
+        }
+    }
+
+    /// The contrast with the layer above, given minors and contrast in the body below.
+    pub(crate) fn contrast(&self, below: &Minors, contrast: &Contrast) -> Contrast {
+        match self {
+            Self::Bonded(step) => step.contrast(below, contrast),
+            Self::Frictionless(Step { upper, .. })
+            | Self::Clamped(upper)
+            | Self::Sliding(upper) => Contrast::of(&self.minors(below), upper),
+        }
+    }
+}
+
+impl Step {
+    fn new(upper: Material, lower: Material) -> Self {
+        let (e1, nu1) = (upper.young_modulus(), upper.poisson_ratio());
+        let (e2, nu2) = (lower.young_modulus(), lower.poisson_ratio());
+        // μ = E₁ (1 + ν₂) / (E₂ (1 + ν₁))
+        let mu = (e1 / e2) * ((1.0 + nu2) / (1.0 + nu1));
+        // μ − 1 = [(E₁ − E₂)(1 + ν₂)/E₂ + ν₂ − ν₁] / (1 + ν₁)
+        let mu_minus_one = ((e1 - e2) / e2 * (1.0 + nu2) + (nu2 - nu1)) / (1.0 + nu1);
+        Self {
+            mu,
+            inverse_mu: 1.0 / mu,
+            mu_minus_one,
+            nu_difference: nu1 - nu2,
+            upper: Poisson::new(upper),
+            lower: Poisson::new(lower),
+        }
+    }
+
+    /// The definitions of [`Contrast`] with the lower body's contrast split off.
+    fn contrast(&self, below: &Minors, contrast: &Contrast) -> Contrast {
+        let &Contrast { c1, c2, c3, c4 } = contrast;
+        let &Minors { p, q, d, .. } = below;
+        let (excess, nu12) = (self.mu_minus_one, self.nu_difference);
+        let (upper, lower) = (&self.upper, &self.lower);
+        let d_up = self.inverse_mu * d;
+        Contrast {
+            // c₁ + (μ − 1)(p + d/μ)
+            c1: c1 + excess * (p + d_up),
+            c2,
+            // c₃ + x₁ [(μ − 1)(p − a₂ d/μ) − 4 (ν₁ − ν₂)(q + d/μ)] + 2 x₁ x₂ (ν₁ − ν₂) S₁
+            c3: c3
+                + upper.x * (excess * (p - lower.a * d_up) - 4.0 * nu12 * (q + d_up))
+                + 2.0 * upper.x * lower.x * nu12 * below.s1(lower),
+            // c₄ + [w₂ (μ − 1) + 2 (ν₁ − ν₂)] d/μ
+            c4: c4 + (lower.w * excess + 2.0 * nu12) * d_up,
+        }
+    }
+}
