@@ -66,6 +66,27 @@ pub(crate) fn integral(coefficients: &[f64]) -> Vec<f64> {
     result
 }
 
+/// Coefficient of `u^power` in `Σ c_j T_j(2u − 1)`.
+pub(crate) fn taylor(coefficients: &[f64], power: u32) -> f64 {
+    let terms = coefficients.iter().enumerate();
+    terms.map(|(j, c)| c * taylor_weight(j, power)).sum()
+}
+
+/// Coefficient of `u^power` in `T_j(2u − 1)`: `(−1)^(j+power) Π_(i<power) 2 (j² − i²) / ((2i+1)(i+1))`.
+pub(crate) fn taylor_weight(j: usize, power: u32) -> f64 {
+    let j_squared = (j * j) as f64;
+    let factor = |i: u32| {
+        let i = f64::from(i);
+        2.0 * (j_squared - i * i) / ((2.0 * i + 1.0) * (i + 1.0))
+    };
+    let sign = if (j + power as usize).is_multiple_of(2) {
+        1.0
+    } else {
+        -1.0
+    };
+    sign * (0..power).map(factor).product::<f64>()
+}
+
 /// Estimate of the error of a truncated expansion: the largest of its last three coefficients.
 pub(crate) fn tail(coefficients: &[f64]) -> f64 {
     let last = coefficients.iter().rev().take(3);
@@ -74,7 +95,7 @@ pub(crate) fn tail(coefficients: &[f64]) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{Transform, integral, nodes, sum, tail};
+    use super::{Transform, integral, nodes, sum, tail, taylor};
 
     fn exponential() -> Vec<f64> {
         let values: Vec<f64> = nodes(18).map(f64::exp).collect();
@@ -105,5 +126,15 @@ mod tests {
         let values: Vec<f64> = nodes(64).map(cubic).collect();
         let coefficients = Transform::new(64, 4).coefficients(&values);
         assert!((sum(&coefficients, 0.4) - cubic(0.4)).abs() < 1e-14);
+    }
+
+    #[test]
+    fn a_chebyshev_sum_becomes_its_powers() {
+        // T_3(2u−1) = 32u³ − 48u² + 18u − 1
+        let cubic = [0.0, 0.0, 0.0, 1.0];
+        assert_eq!(
+            [0, 1, 2, 3, 4].map(|n| taylor(&cubic, n)),
+            [-1.0, 18.0, -48.0, 32.0, 0.0]
+        );
     }
 }

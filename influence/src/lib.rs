@@ -14,6 +14,7 @@ mod near;
 mod operator;
 mod padding;
 mod panels;
+mod precise;
 mod product_rule;
 mod quadrature;
 mod radial;
@@ -21,6 +22,7 @@ mod radial_tables;
 mod response;
 mod spectrum;
 mod symbol;
+mod twofold;
 mod window;
 
 pub use coefficient_table::CoefficientTable;

@@ -4,7 +4,7 @@
 use pellicle_kernel::Material;
 
 use crate::edges::{Edge, edges};
-use crate::product_rule::ProductRule;
+use crate::product_rule::Borders;
 
 /// From this offset on the closed form would lose more than a digit to the cancellation between opposite edges.
 const CANCELLATION: usize = 8;
@@ -39,11 +39,13 @@ pub fn coefficient(material: &Material, element_side: f64, offset: [usize; 2]) -
 /// below 2e-15 (checked against 50 digits in the tests).
 #[must_use]
 pub fn shape_factor(offset: [usize; 2]) -> f64 {
-    if offset[0].max(offset[1]) < CANCELLATION {
-        edges(offset).iter().map(edge_integral).sum()
-    } else {
-        let points = ProductRule::at(offset).points(offset);
-        points.map(|(square, weight)| weight / square.sqrt()).sum()
+    let rule = Borders::HOMOGENEOUS.rule(offset);
+    match rule.filter(|_| offset[0].max(offset[1]) >= CANCELLATION) {
+        None => edges(offset).iter().map(edge_integral).sum(),
+        Some(rule) => {
+            let points = rule.points(offset);
+            points.map(|(square, weight)| weight / square.sqrt()).sum()
+        }
     }
 }
 

@@ -8,6 +8,8 @@ use pellicle_kernel::Foundation;
 
 use crate::chebyshev;
 use crate::panels::{Panel, Panels};
+use crate::precise::Precise;
+use crate::product_rule::Borders;
 use crate::response::ResponseTable;
 use crate::window::{Integral, WindowRule};
 
@@ -19,6 +21,10 @@ const FAR: f64 = 300.0;
 
 /// Wanted size of the expansions' tails, relative to the scale of T.
 const TOLERANCE: f64 = 1e-15;
+
+/// On a rigid base, where nothing is left far away, errors of T are kept below this share of what they would be allowed in a
+/// homogeneous body.
+const RIGID_FLOOR: f64 = 1e-2;
 
 /// `T` and `P` of one layered foundation.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,6 +45,7 @@ pub(crate) struct RadialFunctions {
     /// `∫₀^∞ (T − Φ(0)) dt`, the part of P that no radius changes any more.
     constant: f64,
     worst: Worst,
+    borders: Borders,
 }
 
 /// The largest estimated error of T over its scale, and where.
@@ -62,6 +69,7 @@ impl RadialFunctions {
         let response = ResponseTable::new(foundation);
         let sampler = Sampler {
             response: &response,
+            precise: Precise::for_soft(foundation, &response),
         };
         let ends = [NEAR * 24.0 / response.end(), FAR / response.reach()];
         let limit = response.limit();
@@ -72,7 +80,8 @@ impl RadialFunctions {
         };
         let panels = Panels::fit(ends.map(f64::ln), at, allowed);
         let [start, end] = panels.range();
-        let series = series(response.even_taylor());
+        let precise = sampler.precise.as_ref().map(Precise::even_taylor);
+        let series = series(precise.unwrap_or_else(|| response.even_taylor()));
         let mut functions = Self {
             limit,
             slope: (at(start) - 1.0) / start.exp(),
@@ -82,6 +91,11 @@ impl RadialFunctions {
             reduced_from: panels.panels().len(),
             constant: 0.0,
             worst: sampler.worst(&panels),
+            borders: Borders::new(if limit > 0.0 {
+                limit.min(1.0)
+            } else {
+                RIGID_FLOOR
+            }),
             panels,
         };
         functions.integrate();
@@ -91,6 +105,11 @@ impl RadialFunctions {
     /// The largest estimated error of T relative to its scale, `max(|T|, min(1, Φ(0)))`.
     pub(crate) fn worst(&self) -> Worst {
         self.worst
+    }
+
+    /// From which offsets product rules hold.
+    pub(crate) fn borders(&self) -> &Borders {
+        &self.borders
     }
 
     /// `T(t)`.
@@ -220,11 +239,23 @@ fn scale(limit: f64, largest: f64, ln_t: f64) -> f64 {
 /// Values of T from the response.
 struct Sampler<'a> {
     response: &'a ResponseTable,
+    precise: Option<Precise>,
 }
 
 impl Sampler<'_> {
-    /// `T = ∫₀^∞ Φ(x/t) J0(x) dx`.
+    /// `T = ∫₀^∞ Φ(x/t) J0(x) dx`, in more digits where rounding would show.
     fn at(&self, ln_t: f64) -> Integral {
+        let plain = self.plain(ln_t);
+        let scale = scale(self.response.limit(), plain.value.abs(), ln_t);
+        match &self.precise {
+            Some(precise) if plain.rounding() > TOLERANCE * scale => {
+                Integral::exact(precise.integral(ln_t))
+            }
+            _ => plain,
+        }
+    }
+
+    fn plain(&self, ln_t: f64) -> Integral {
         let t = ln_t.exp();
         let response = self.response;
         WindowRule::shared().integrate(

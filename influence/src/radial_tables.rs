@@ -6,7 +6,7 @@ use crate::coefficient_table::CoefficientTable;
 use crate::error::InfluenceError;
 use crate::love;
 use crate::near::near_integral;
-use crate::product_rule::{NEAREST, ProductRule};
+use crate::product_rule::ProductRule;
 use crate::radial::RadialFunctions;
 
 /// The largest estimated error, relative to the displacement's scale, that a table may have.
@@ -68,10 +68,9 @@ impl RadialTables {
         };
         let half_side = element_side / 2.0;
         let scale = half_side / self.foundation.thickness();
-        let integral = if offset[0].max(offset[1]) < NEAREST {
-            near_integral(functions, scale, offset)
-        } else {
-            far_integral(functions, scale, offset)
+        let integral = match functions.borders().rule(offset) {
+            Some(rule) => far_integral(functions, rule, scale, offset),
+            None => near_integral(functions, scale, offset),
         };
         // k = (1−ν1²)/(πE1) ∫ T(ρ/H)/ρ dA
         half_side * integral / (std::f64::consts::PI * surface.plane_strain_modulus())
@@ -110,13 +109,17 @@ impl CoefficientTable {
 }
 
 /// `∫ T/ρ dA` over a far element, in half sides; `scale` is half a side over the thickness.
-fn far_integral(functions: &RadialFunctions, scale: f64, offset: [usize; 2]) -> f64 {
-    let points = ProductRule::at(offset).points(offset);
+fn far_integral(
+    functions: &RadialFunctions,
+    rule: &ProductRule,
+    scale: f64,
+    offset: [usize; 2],
+) -> f64 {
     let term = |(square, weight): (f64, f64)| {
         let radius = square.sqrt();
         weight * functions.value(scale * radius) / radius
     };
-    points.map(term).sum()
+    rule.points(offset).map(term).sum()
 }
 
 /// Whether every layer is bonded to the next and made of the base's material.

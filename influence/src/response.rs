@@ -3,14 +3,14 @@
 
 use pellicle_kernel::{Base, Foundation};
 
-use crate::chebyshev::{Transform, nodes, sum, tail};
+use crate::chebyshev::{Transform, nodes, sum, tail, taylor};
 use crate::panels::Panels;
 
 /// Beyond this wavenumber, in units of 1/thickness of the top layer, `|Φ−1|` is below 4s² e^{−2s} = 3e-18.
 const NOTHING_BELOW: f64 = 24.0;
 
 /// Terms of the polynomial that is Φ at small wavenumbers.
-const LOW_TERMS: usize = 10;
+const LOW_TERMS: usize = 16;
 
 /// Samples it is fitted to: many, because rounding errors in Φ then average out.
 const LOW_SAMPLES: usize = 400;
@@ -94,8 +94,7 @@ impl ResponseTable {
 
     /// The Taylor coefficients of s², s⁴, s⁶ and s⁸ at 0.
     pub(crate) fn even_taylor(&self) -> [f64; 4] {
-        let taylor = taylor(&self.low);
-        [2, 4, 6, 8].map(|power: i32| taylor[power as usize] / self.reach.powi(power))
+        [2, 4, 6, 8].map(|power: u32| taylor(&self.low, power) / self.reach.powi(power as i32))
     }
 }
 
@@ -103,7 +102,7 @@ impl ResponseTable {
 fn low_polynomial(response: &impl Fn(f64) -> f64, limit: f64) -> (Vec<f64>, f64) {
     let transform = Transform::new(LOW_SAMPLES, LOW_TERMS);
     let fit = |reach: f64| -> Vec<f64> {
-        // The limit is known exactly: Φ(s) = Φ(0) + s (Φ(s) − Φ(0))/s would amplify rounding, so it only replaces what the fit says.
+        // Only the limit itself is known without rounding; the fit is shifted onto it.
         let values = nodes(LOW_SAMPLES).map(|x| response(reach * (1.0 + x) / 2.0) - limit);
         let mut coefficients = transform.coefficients(&values.collect::<Vec<_>>());
         coefficients[0] -= sum(&coefficients, -1.0);
@@ -121,38 +120,4 @@ fn low_polynomial(response: &impl Fn(f64) -> f64, limit: f64) -> (Vec<f64>, f64)
     }
     low[0] += limit;
     (low, reach)
-}
-
-/// Coefficients of the powers of u of `Σ c_j T_j(2u − 1)`.
-fn taylor(coefficients: &[f64]) -> Vec<f64> {
-    let count = coefficients.len();
-    let mut result = vec![0.0; count];
-    // T_0 = 1, T_1 = 2u − 1, T_(j+1) = (4u − 2) T_j − T_(j−1)
-    let (mut before, mut current) = (vec![0.0; count], vec![0.0; count]);
-    current[0] = 1.0;
-    for (j, c) in coefficients.iter().enumerate() {
-        for (power, entry) in result.iter_mut().enumerate() {
-            *entry += c * current[power];
-        }
-        let scale = if j == 0 { 1.0 } else { 2.0 };
-        let next = |power: usize| {
-            let lower = if power == 0 { 0.0 } else { current[power - 1] };
-            scale * (2.0 * lower - current[power]) - before[power]
-        };
-        let following = (0..count).map(next).collect();
-        before = std::mem::replace(&mut current, following);
-    }
-    result
-}
-
-#[cfg(test)]
-mod tests {
-    use super::taylor;
-
-    #[test]
-    fn a_chebyshev_sum_becomes_its_powers() {
-        // T_3(2u−1) = 32u³ − 48u² + 18u − 1
-        assert_eq!(taylor(&[0.0, 0.0, 0.0, 1.0]), [-1.0, 18.0, -48.0, 32.0]);
-        assert_eq!(taylor(&[2.0, 1.0]), [1.0, 2.0]);
-    }
 }

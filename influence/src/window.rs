@@ -10,22 +10,22 @@ use crate::compensated::Sum;
 use crate::gauss::{Node, legendre_of};
 
 /// L: `exp(−L²/4)` = 4e-19.
-const SPREAD: f64 = 13.0;
+pub(crate) const SPREAD: f64 = 13.0;
 
 /// X: `1 − w(0)` = ½ erfc(X/L) = 2e-19.
-const CENTRE: f64 = 82.0;
+pub(crate) const CENTRE: f64 = 82.0;
 
 /// Where the window is below 2e-19.
-const END: f64 = 164.0;
+pub(crate) const END: f64 = 164.0;
 
 /// Up to here the panels double in width, so that F may have detail at any scale towards 0.
-const DOUBLING_END: f64 = 4.0;
+pub(crate) const DOUBLING_END: f64 = 4.0;
 
 /// Doubling panels go down to 4 · 2⁻⁸⁰, so that the smallest radius of a table still sees the smallest wavenumber of its foundation.
 const OCTAVES: i32 = 80;
 
 /// Width of the panels beyond: about one period of the Bessel function.
-const STRIDE: f64 = 5.0;
+pub(crate) const STRIDE: f64 = 5.0;
 
 /// One point of the rule.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,7 +38,7 @@ pub(crate) struct WindowNode {
 }
 
 /// Nodes of one panel.
-const PANEL: usize = 16;
+pub(crate) const PANEL: usize = 16;
 
 /// The rule: one panel from 0, as wide as F is smooth there, then panels that double, then panels of one period.
 #[derive(Clone, Debug)]
@@ -121,6 +121,12 @@ pub(crate) struct Integral {
 }
 
 impl Integral {
+    /// A sum that was rounded once.
+    pub(crate) fn exact(value: f64) -> Self {
+        let squares = value * value;
+        Self { value, squares }
+    }
+
     /// Expected size of the rounding error: every term is wrong by about ε.
     pub(crate) fn rounding(&self) -> f64 {
         f64::EPSILON * self.squares.sqrt()
