@@ -3,7 +3,7 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-use pellicle_contact::ContactError;
+use pellicle_contact::{ContactError, IndenterError};
 use pellicle_influence::InfluenceError;
 use pellicle_kernel::KernelError;
 use pellicle_texture::TextureError;
@@ -33,6 +33,9 @@ pub enum Failure {
     /// The relief is refused.
     #[error("the surface is refused: {0}")]
     Texture(#[from] TextureError),
+    /// The indenter is refused.
+    #[error("the indenter is refused: {0}")]
+    Indenter(#[from] IndenterError),
     /// The contact problem cannot be posed or was cancelled.
     #[error(transparent)]
     Contact(#[from] ContactError),

@@ -1,6 +1,6 @@
 //! `[indenter]`: what is pressed into the surface.
 
-use pellicle_contact::{Cone, ContactError, FlatPunch, Indenter, Paraboloid, Pyramid, Sphere};
+use pellicle_contact::{Cone, FlatPunch, Indenter, IndenterError, Paraboloid, Pyramid, Sphere};
 use serde::Serialize;
 
 use super::diagnosis::Diagnosis;
@@ -112,19 +112,19 @@ impl IndenterCase {
     ///
     /// # Errors
     ///
-    /// [`ContactError`] if the indenter cannot be.
-    pub fn build(&self) -> Result<Indenter, ContactError> {
+    /// [`IndenterError`] if the indenter cannot be.
+    pub fn build(&self) -> Result<Indenter, IndenterError> {
         match *self {
-            Self::Paraboloid { radius } => Paraboloid::new(radius).map(Indenter::Paraboloid),
-            Self::Sphere { radius } => Sphere::new(radius).map(Indenter::Sphere),
-            Self::FlatPunch { radius } => FlatPunch::new(radius).map(Indenter::FlatPunch),
+            Self::Paraboloid { radius } => Paraboloid::new(radius).map(Indenter::from),
+            Self::Sphere { radius } => Sphere::new(radius).map(Indenter::from),
+            Self::FlatPunch { radius } => FlatPunch::new(radius).map(Indenter::from),
             Self::Cone {
                 half_angle,
                 tip_radius,
-            } => Cone::new(half_angle, tip_radius).map(Indenter::Cone),
-            Self::Berkovich(pyramid) | Self::Vickers(pyramid) | Self::CubeCorner(pyramid) => {
-                Pyramid::new(pyramid.face_angle, pyramid.tip_radius).map(Indenter::Pyramid)
-            }
+            } => Cone::new(half_angle, tip_radius).map(Indenter::from),
+            Self::Berkovich(pyramid) => pyramid.build(3),
+            Self::Vickers(pyramid) => pyramid.build(4),
+            Self::CubeCorner(pyramid) => pyramid.build(3),
         }
     }
 }
@@ -143,6 +143,10 @@ fn read_cone(table: &Reader<'_>) -> Result<IndenterCase, Diagnosis> {
 }
 
 impl PyramidCase {
+    fn build(self, faces: usize) -> Result<Indenter, IndenterError> {
+        Pyramid::new(faces, self.face_angle, self.tip_radius).map(Indenter::from)
+    }
+
     fn read(table: &Reader<'_>, standard: f64) -> Result<Self, Diagnosis> {
         table.only(&["kind", "tip_radius", "face_angle"])?;
         Ok(Self {
