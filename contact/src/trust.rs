@@ -8,8 +8,8 @@ use crate::{Model, Step, Warning, domain::slope};
 const FEWEST_ELEMENTS_PER_RADIUS: f64 = 4.0;
 /// A layer thinner than this part of an element changes no coefficient by more than about as much.
 const FEWEST_ELEMENTS_PER_THICKNESS: f64 = 0.02;
-/// A linear spring may shorten by this part of its height before the word strain needs care.
-const LARGEST_SHORTENING: f64 = 0.1;
+/// A spring cannot shorten by more than its height.
+const LARGEST_SHORTENING: f64 = 1.0;
 /// Slopes up to this are small: the error of linear theory is about the square.
 const LARGEST_SLOPE: f64 = 0.3;
 

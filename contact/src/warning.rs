@@ -12,7 +12,7 @@ pub enum Warning {
         /// Whole elements between the contact and the edge.
         elements: usize,
     },
-    /// The linear springs of the relief shorten by more than a tenth of their height.
+    /// The linear springs of the relief shorten by more than their height.
     FilmShortening {
         /// Loading step, counted from 0.
         step: usize,

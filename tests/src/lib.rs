@@ -1,6 +1,7 @@
 //! Cross-crate evidence that Pellicle is right: the scenes and the reference data that the test binaries share. The
 //! example of the workspace's README is compiled and run here as a documentation test.
 
+pub mod convergence;
 pub mod paper;
 #[cfg(doctest)]
 mod readme;

@@ -13,6 +13,7 @@ use pellicle_contact::{
 };
 use pellicle_influence::{CoefficientTable, ConvolutionOperator, PeriodicSymbol, RadialTables};
 use pellicle_kernel::{Foundation, Material};
+use pellicle_tests::convergence::{GRIDS, observed_order};
 use pellicle_tests::reference_data::{
     AxisymmetricContact, DiscreteContact, axisymmetric_contacts, discrete_contacts, number,
 };
@@ -181,39 +182,18 @@ fn penetration_error(case: &AxisymmetricContact, elements: usize) -> f64 {
     (solution.penetration - number(&case.delta)).abs() / number(&case.delta)
 }
 
-/// Elements per side of the convergence studies; many, because single errors scatter with how the grid meets the
-/// contact's edge.
-const GRIDS: [usize; 9] = [64, 80, 104, 128, 160, 208, 256, 320, 416];
-
 /// Side of the domain, in contact radii.
 const SIDE: f64 = 2.4;
 
-/// The error on the finest grid and the observed order over those whose elements are at most half as large as the coating is thick: minus the slope of ln error over ln elements, by least squares.
-fn observed_order(case: &AxisymmetricContact) -> (f64, f64) {
-    let grids = GRIDS
-        .iter()
-        .filter(|elements| SIDE / **elements as f64 <= number(&case.thickness) / 2.0);
-    let errors: Vec<(usize, f64)> = grids
-        .map(|elements| (*elements, penetration_error(case, *elements)))
+/// The observed order and the error on the finest grid, over the grids whose elements are at most half as large as
+/// the coating is thick.
+fn convergence(case: &AxisymmetricContact) -> (f64, f64) {
+    let fine = |elements: &usize| SIDE / *elements as f64 <= number(&case.thickness) / 2.0;
+    let grids = GRIDS.into_iter().filter(fine);
+    let errors: Vec<_> = grids
+        .map(|elements| (elements, penetration_error(case, elements)))
         .collect();
-    let points: Vec<(f64, f64)> = errors
-        .iter()
-        .map(|(elements, error)| ((*elements as f64).ln(), error.ln()))
-        .collect();
-    let count = points.len() as f64;
-    let mean = |of: fn(&(f64, f64)) -> f64| points.iter().map(of).sum::<f64>() / count;
-    let (x, y) = (mean(|point| point.0), mean(|point| point.1));
-    let covariance: f64 = points
-        .iter()
-        .map(|point| (point.0 - x) * (point.1 - y))
-        .sum();
-    let variance: f64 = points.iter().map(|point| (point.0 - x).powi(2)).sum();
-    let order = -covariance / variance;
-    println!(
-        "{} E1 = {}, H/a = {}: {errors:?}, order {order:.2}",
-        case.shape, case.e1, case.thickness
-    );
-    (order, errors[errors.len() - 1].1)
+    (observed_order(&errors), errors[errors.len() - 1].1)
 }
 
 #[test]
@@ -222,7 +202,7 @@ fn paraboloids_on_coatings_approach_the_continuum_with_order_two() {
         .iter()
         .filter(|case| case.shape.starts_with("paraboloid"))
     {
-        let (order, last) = observed_order(case);
+        let (order, last) = convergence(case);
         assert!(order > 1.7, "{case:?}: order {order}");
         assert!(last < 1e-5, "{case:?}: {last}");
     }
@@ -234,7 +214,7 @@ fn cones_on_coatings_approach_the_continuum_with_order_two() {
         .iter()
         .filter(|case| case.shape.starts_with("cone"))
     {
-        let (order, last) = observed_order(case);
+        let (order, last) = convergence(case);
         assert!(order > 1.7, "{case:?}: order {order}");
         assert!(last < 1e-5, "{case:?}: {last}");
     }
