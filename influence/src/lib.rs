@@ -1,4 +1,5 @@
 //! Influence coefficients.
+mod cache;
 mod chebyshev;
 mod coefficient_table;
 mod column_block;
@@ -27,6 +28,7 @@ mod twofold;
 mod whole;
 mod window;
 
+pub use cache::{Cache, CacheWarning, Cached, FileFault, Origin, Usage};
 pub use coefficient_table::CoefficientTable;
 pub use convolution::ConvolutionOperator;
 pub use dense::DenseOperator;
