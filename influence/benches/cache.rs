@@ -7,7 +7,7 @@ use pellicle_influence::{Cache, Origin, RadialTables};
 use pellicle_kernel::{Foundation, Material};
 use rayon::ThreadPoolBuilder;
 
-const SIZES: [usize; 7] = [32, 64, 128, 256, 512, 1024, 2048];
+const SIZES: [usize; 10] = [4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048];
 
 fn foundations() -> [(&'static str, Foundation); 2] {
     let material = |young_modulus, poisson_ratio| {

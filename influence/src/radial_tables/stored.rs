@@ -12,11 +12,6 @@ impl RadialTables {
         !is_homogeneous(foundation)
     }
 
-    /// Whether coefficients are interpolated at all, and not Love's.
-    pub(crate) fn are_filled(&self) -> bool {
-        self.functions.is_some()
-    }
-
     /// Everything but the foundation, as bytes.
     pub(crate) fn encode(&self) -> Vec<u8> {
         let mut encoder = Encoder::default();
