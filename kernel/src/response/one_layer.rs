@@ -36,7 +36,7 @@ impl OneLayer {
             numerator: [x * s1, f + g, g, 2.0 * x * (p - 2.0 * nu * q + b * d)],
             denominator: [x * s1, f + g, w * d, 2.0 * f, 2.0 * (q + d)],
             // c₄' of `Contrast::through`
-            difference: [c4, 0.5 * c3, c2 + x * c1, x * c1],
+            difference: [c4, 0.5 * c3, c2, x * c1],
         }
     }
 

@@ -79,6 +79,8 @@ impl Stack {
                 contrast = contrast.scaled(1.0 / magnitude);
             }
         }
-        contrast.c4 / (self.surface.w * minors.d)
+        let half = self.surface.w * minors.d;
+        if (minors.g - half).abs() > 0.25 * (minors.g + half) { return minors.g / half - 1.0; }
+        contrast.c4 / half
     }
 }
