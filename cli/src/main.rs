@@ -1,2 +1,7 @@
-//! Skeleton.
-fn main() {}
+//! The program `pellicle`.
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    pellicle_cli::program::main(std::env::args_os())
+}

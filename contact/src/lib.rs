@@ -1,1 +1,49 @@
-//! Skeleton.
+//! Unilateral contact of a rigid indenter with a layered, textured elastic half-space.
+//!
+#![doc = include_str!("../README.md")]
+#![cfg_attr(
+    test,
+    allow(
+        clippy::float_cmp,
+        reason = "tests compare numbers that are exact in binary"
+    )
+)]
+
+mod certificate;
+mod discrete_problem;
+mod domain;
+mod error;
+mod grid_error;
+mod indenter;
+mod levels;
+mod load;
+mod model;
+mod observer;
+mod path;
+pub mod reference;
+pub mod solver;
+mod summary;
+mod trust;
+mod warning;
+mod work;
+
+pub use certificate::{Certificate, Solution};
+pub use discrete_problem::DiscreteProblem;
+pub use domain::{Domain, default_side};
+pub use error::ContactError;
+pub use grid_error::{Estimate, GridError, LevelValues};
+pub use indenter::{
+    Cone, FlatPunch, Indenter, IndenterError, IndenterMap, IndenterQuantity, Paraboloid, Profile,
+    Pyramid, Sphere,
+};
+pub use load::Load;
+pub use model::{Model, SampledModel};
+pub use observer::{Observer, Progress, Signal};
+pub use path::{LoadingPath, Step, solve_path};
+pub use solver::{
+    Iterate, Method, Solver, SolverOptions, Watch, active_set::ActiveSetSolver,
+    gradient::GradientSolver,
+};
+pub use summary::Summary;
+pub use warning::Warning;
+pub use work::{LevelWork, Work};

@@ -1,1 +1,34 @@
-//! Skeleton.
+//! Influence coefficients.
+mod chebyshev;
+mod coefficient_table;
+mod column_block;
+mod compensated;
+mod convolution;
+mod dense;
+pub mod direct;
+mod edges;
+mod error;
+mod gauss;
+pub mod love;
+mod near;
+mod operator;
+mod padding;
+mod panels;
+mod precise;
+mod product_rule;
+mod quadrature;
+mod radial;
+mod radial_tables;
+mod response;
+mod spectrum;
+mod symbol;
+mod twofold;
+mod window;
+
+pub use coefficient_table::CoefficientTable;
+pub use convolution::ConvolutionOperator;
+pub use dense::DenseOperator;
+pub use error::InfluenceError;
+pub use operator::ElasticOperator;
+pub use radial_tables::RadialTables;
+pub use symbol::PeriodicSymbol;

@@ -1,0 +1,175 @@
+//! The command line.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand};
+
+use crate::templates::Template;
+
+/// Contact of a rigid indenter with a layered, textured elastic body: a case file in, a certified solution out.
+#[derive(Debug, Parser)]
+#[command(name = "pellicle", version, arg_required_else_help = true)]
+#[command(
+    after_help = "Exit codes: 0 solved and certified, 1 not converged (result written and marked), \
+                        2 the case or the command line is wrong."
+)]
+pub struct Arguments {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// What to do.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Solve a case and write a results folder
+    Run(RunArguments),
+    /// Resolve a case and say what solving it would take, without solving it
+    Check(CaseArguments),
+    /// Print a commented case that runs as it is
+    Init(InitArguments),
+    /// Print the compliance C(k) and the response Φ of the case's foundation
+    Kernel(KernelArguments),
+    /// Print influence coefficients of the case's foundation and grid
+    Influence(InfluenceArguments),
+    /// Draw the pictures of a results folder again
+    Plot(PlotArguments),
+}
+
+/// A case and what replaces its values.
+#[derive(Debug, Args)]
+pub struct CaseArguments {
+    /// The case file
+    #[arg(value_name = "CASE")]
+    pub path: PathBuf,
+    /// Replace one value of the case: --set load.force="3 mN" (repeatable)
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    pub sets: Vec<String>,
+}
+
+/// How to run a case.
+#[derive(Debug, Args)]
+pub struct RunArguments {
+    /// The case, and what replaces its values.
+    #[command(flatten)]
+    pub case: CaseArguments,
+    /// Results folder [default: results/NAME after the case, numbered if that exists; none with --json]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Replace an existing results folder
+    #[arg(long)]
+    pub force: bool,
+    /// Print the summary as JSON to standard output, and nothing else; a folder is written only with --out
+    #[arg(long)]
+    pub json: bool,
+    /// Number of threads [default: one a core]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
+    /// Print nothing but errors
+    #[arg(long, short)]
+    pub quiet: bool,
+}
+
+/// Which case to begin with.
+#[derive(Debug, Args)]
+pub struct InitArguments {
+    /// What the case is about
+    #[arg(value_enum, default_value_t)]
+    pub kind: Template,
+    /// Write it to a new file instead of standard output
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+    /// Replace an existing file
+    #[arg(long)]
+    pub force: bool,
+}
+
+/// At which wavenumbers.
+#[derive(Debug, Args)]
+pub struct KernelArguments {
+    /// The case, and what replaces its values.
+    #[command(flatten)]
+    pub case: CaseArguments,
+    /// Wavenumbers k, in 1/m or the case's own units; several by spaces, commas or repetition
+    #[arg(long = "wavenumber", value_name = "K", required = true, num_args = 1.., value_delimiter = ',')]
+    #[arg(allow_negative_numbers = true, value_parser = positive)]
+    pub wavenumbers: Vec<f64>,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// At which offsets.
+#[derive(Debug, Args)]
+pub struct InfluenceArguments {
+    /// The case, and what replaces its values.
+    #[command(flatten)]
+    pub case: CaseArguments,
+    /// Offsets in elements along x and y; several by spaces or repetition
+    #[arg(long = "offset", value_name = "M,N", required = true, num_args = 1.., value_parser = offset)]
+    pub offsets: Vec<[usize; 2]>,
+    /// Take the slow path: adaptive quadrature of the defining integral
+    #[arg(long)]
+    pub direct: bool,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Which results to draw.
+#[derive(Debug, Args)]
+pub struct PlotArguments {
+    /// The results folder
+    #[arg(value_name = "DIR")]
+    pub folder: PathBuf,
+}
+
+fn positive(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(k) if k > 0.0 && k.is_finite() => Ok(k),
+        _ => Err("wanted a positive number".into()),
+    }
+}
+
+fn offset(text: &str) -> Result<[usize; 2], String> {
+    let count = |text: &str| text.trim().parse().ok();
+    let both = text.split_once(',');
+    let both = both.and_then(|(m, n)| Some([count(m)?, count(n)?]));
+    both.ok_or_else(|| "wanted two integers of zero or more, such as 3,4".into())
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    use super::*;
+
+    #[test]
+    fn the_command_line_is_well_formed() {
+        Arguments::command().debug_assert();
+    }
+
+    #[test]
+    fn wavenumbers_and_offsets_come_in_every_form() {
+        let line = "pellicle kernel case.toml --wavenumber 1 2e3,3 --wavenumber 4";
+        let Command::Kernel(kernel) = Arguments::parse_from(line.split(' ')).command else {
+            panic!("not kernel")
+        };
+        assert_eq!(kernel.wavenumbers, [1.0, 2e3, 3.0, 4.0]);
+        let line = "pellicle influence case.toml --offset 0,0 3,4 --offset 1,2";
+        let Command::Influence(influence) = Arguments::parse_from(line.split(' ')).command else {
+            panic!("not influence")
+        };
+        assert_eq!(influence.offsets, [[0, 0], [3, 4], [1, 2]]);
+    }
+
+    #[test]
+    fn what_is_no_wavenumber_or_offset_is_refused() {
+        for text in ["0", "-1", "nan", "inf", "x", ""] {
+            assert!(positive(text).is_err(), "{text}");
+        }
+        for text in ["1", "1,", "1.5,2", "-1,2", "1,2,3", "a,b", ""] {
+            assert!(offset(text).is_err(), "{text}");
+        }
+    }
+}

@@ -1,0 +1,151 @@
+//! The one thing wrong with a case: which key, where, what was found and what is wanted.
+
+use std::fmt;
+use std::io::IsTerminal;
+
+use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, LabeledSpan, SourceCode};
+
+use super::place::Place;
+
+/// A line longer than this, in bytes, is not a line a person wrote: it is named, not drawn.
+const LONGEST_DRAWN_LINE: usize = 400;
+
+/// What is wrong at a place.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum Fault {
+    /// Something stands there that cannot be used.
+    #[error("found {found}, wanted {wanted}")]
+    Wrong {
+        /// What the user wrote, in words.
+        found: String,
+        /// What would be right, in words.
+        wanted: String,
+    },
+    /// A key that must be there is not.
+    #[error("found no such key, wanted {wanted}")]
+    Missing {
+        /// What would be right, in words.
+        wanted: String,
+    },
+    /// A key that means nothing here.
+    #[error("found an unknown key, wanted {wanted}")]
+    Unknown {
+        /// The keys that have a meaning here.
+        wanted: String,
+    },
+    /// A value that is of the right kind, but that the model refuses.
+    #[error("found {found}: {reason}")]
+    Refused {
+        /// What the user wrote.
+        found: String,
+        /// The sentence of the library that refused it: says what is wanted.
+        reason: String,
+    },
+}
+
+/// One diagnosis, drawn at its place in the case.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Diagnosis {
+    /// Dotted path of the key, such as `foundation.layer[0].thickness`; none if the whole file is meant.
+    pub key: Option<String>,
+    /// Where it stands.
+    pub place: Box<Place>,
+    /// What is wrong.
+    pub fault: Fault,
+    /// What to do about it, where that is more than the fault says.
+    pub help: Option<String>,
+}
+
+impl Diagnosis {
+    /// A fault of the whole text, or of a place in it that no key names.
+    #[must_use]
+    pub fn of_text(place: Place, fault: Fault) -> Self {
+        Self {
+            key: None,
+            place: Box::new(place),
+            fault,
+            help: None,
+        }
+    }
+
+    /// A fault of the key with this dotted path.
+    #[must_use]
+    pub fn of_key(key: impl Into<String>, place: Place, fault: Fault) -> Self {
+        Self {
+            key: Some(key.into()),
+            ..Self::of_text(place, fault)
+        }
+    }
+
+    /// The same, with a hint.
+    #[must_use]
+    pub fn with_help(mut self, help: impl Into<String>) -> Self {
+        self.help = Some(help.into());
+        self
+    }
+
+    /// The diagnosis with the line it is about, coloured if standard error is a terminal.
+    #[must_use]
+    pub fn render(&self) -> String {
+        let mut drawn = String::new();
+        let handler = GraphicalReportHandler::new_themed(theme());
+        // A String can always be written to; without the drawing the sentence still stands.
+        match handler
+            .with_wrap_lines(false)
+            .render_report(&mut drawn, self)
+        {
+            Ok(()) => drawn.trim_end().to_owned(),
+            Err(fmt::Error) => self.to_string(),
+        }
+    }
+
+    fn label(&self) -> &'static str {
+        match self.fault {
+            Fault::Wrong { .. } | Fault::Refused { .. } => "this",
+            Fault::Missing { .. } => "missing here",
+            Fault::Unknown { .. } => "unknown",
+        }
+    }
+}
+
+/// Colours and box characters for a terminal, plain ASCII for anything else.
+fn theme() -> GraphicalTheme {
+    let colourless = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
+    match (std::io::stderr().is_terminal(), colourless) {
+        (false, _) => GraphicalTheme::none(),
+        (true, true) => GraphicalTheme::unicode_nocolor(),
+        (true, false) => GraphicalTheme::unicode(),
+    }
+}
+
+impl fmt::Display for Diagnosis {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.place.source.name())?;
+        if self.place.source.name() != super::overrides::NAME {
+            write!(f, ", line {}", self.place.line())?;
+        }
+        if let Some(key) = &self.key {
+            write!(f, ", key `{key}`")?;
+        }
+        write!(f, ": {}", self.fault)
+    }
+}
+
+impl std::error::Error for Diagnosis {}
+
+impl Diagnostic for Diagnosis {
+    fn help<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
+        self.help.as_ref().map(|help| Box::new(help) as _)
+    }
+
+    fn source_code(&self) -> Option<&dyn SourceCode> {
+        let drawable = self.place.line_length() <= LONGEST_DRAWN_LINE;
+        drawable.then(|| self.place.source.as_ref() as _)
+    }
+
+    fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
+        let span = self.place.span.clone();
+        let label = LabeledSpan::new_with_span(Some(self.label().to_owned()), span);
+        Some(Box::new(std::iter::once(label)))
+    }
+}

@@ -1,0 +1,248 @@
+//! A case as a tree of TOML values that remember where each was written.
+
+use std::sync::Arc;
+
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use super::diagnosis::{Diagnosis, Fault};
+use super::place::{Place, Source};
+
+/// A value and where it was written.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Node {
+    /// The value.
+    pub value: Value,
+    /// Where it stands.
+    pub place: Place,
+}
+
+/// A TOML value.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Value {
+    /// A string.
+    Text(String),
+    /// An integer of 64 bits; a longer one is a float.
+    Integer(i64),
+    /// A float, `nan` and `inf` included.
+    Float(f64),
+    /// `true` or `false`.
+    Boolean(bool),
+    /// A date or a time: nothing in a case is one.
+    Datetime,
+    /// An array.
+    List(Vec<Node>),
+    /// A table, of any spelling.
+    Table(Table),
+}
+
+impl Value {
+    /// What it is, as a noun for a message.
+    #[must_use]
+    pub fn noun(&self) -> &'static str {
+        match self {
+            Self::Text(_) => "a string",
+            Self::Integer(_) => "an integer",
+            Self::Float(_) => "a number",
+            Self::Boolean(_) => "a boolean",
+            Self::Datetime => "a date",
+            Self::List(_) => "a list",
+            Self::Table(_) => "a table",
+        }
+    }
+}
+
+/// The entries of a table in the order of their keys.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Table {
+    /// The entries.
+    pub entries: Vec<Entry>,
+}
+
+/// One `key = value`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Entry {
+    /// The key.
+    pub key: String,
+    /// Where the key stands.
+    pub key_place: Place,
+    /// The value.
+    pub node: Node,
+}
+
+impl Table {
+    /// The entry of `key`.
+    #[must_use]
+    pub fn entry(&self, key: &str) -> Option<&Entry> {
+        self.entries.iter().find(|entry| entry.key == key)
+    }
+
+    /// The entry of `key`, to be changed.
+    pub fn entry_mut(&mut self, key: &str) -> Option<&mut Entry> {
+        self.entries.iter_mut().find(|entry| entry.key == key)
+    }
+}
+
+/// The tree of a TOML text.
+///
+/// # Errors
+///
+/// One [`Diagnosis`] if the text is empty or not TOML.
+pub fn parse(source: &Arc<Source>) -> Result<Node, Diagnosis> {
+    let root = DeTable::parse(source.inner()).map_err(|error| not_toml(source, &error))?;
+    let node = Node {
+        value: Value::Table(table(source, root.get_ref())),
+        place: Place::end_of(source),
+    };
+    refuse_empty(node)
+}
+
+fn refuse_empty(node: Node) -> Result<Node, Diagnosis> {
+    if !matches!(&node.value, Value::Table(table) if table.entries.is_empty()) {
+        return Ok(node);
+    }
+    let fault = Fault::Wrong {
+        found: "an empty file".into(),
+        wanted: "a case: [foundation], [indenter] and [load]".into(),
+    };
+    Err(Diagnosis::of_text(node.place, fault)
+        .with_help("`pellicle init > case.toml` writes one to start from"))
+}
+
+fn not_toml(source: &Arc<Source>, error: &toml::de::Error) -> Diagnosis {
+    let place = match error.span() {
+        Some(span) => Place::new(source, span),
+        None => Place::end_of(source),
+    };
+    let fault = Fault::Wrong {
+        found: error.message().to_owned(),
+        wanted: "TOML (https://toml.io)".into(),
+    };
+    Diagnosis::of_text(place, fault)
+}
+
+/// The tree of one parsed value whose text begins at byte `start` of the source.
+#[must_use]
+pub fn node(source: &Arc<Source>, start: usize, spanned: &Spanned<DeValue<'_>>) -> Node {
+    let span = spanned.span();
+    let place = Place::new(source, start + span.start..start + span.end);
+    let value = match spanned.get_ref() {
+        DeValue::String(text) => Value::Text(text.clone().into_owned()),
+        DeValue::Integer(digits) => i64::from_str_radix(digits.as_str(), digits.radix())
+            .map_or_else(|_| float(digits.as_str()), Value::Integer),
+        DeValue::Float(digits) => float(digits.as_str()),
+        DeValue::Boolean(value) => Value::Boolean(*value),
+        DeValue::Datetime(_) => Value::Datetime,
+        DeValue::Array(items) => {
+            Value::List(items.iter().map(|item| node(source, start, item)).collect())
+        }
+        DeValue::Table(entries) => Value::Table(table_at(source, start, entries)),
+    };
+    Node { value, place }
+}
+
+/// The parser has checked the spelling; what f64 cannot hold becomes infinite and is refused by the reader.
+fn float(digits: &str) -> Value {
+    Value::Float(digits.parse().unwrap_or(f64::NAN))
+}
+
+fn table(source: &Arc<Source>, entries: &DeTable<'_>) -> Table {
+    table_at(source, 0, entries)
+}
+
+fn table_at(source: &Arc<Source>, start: usize, entries: &DeTable<'_>) -> Table {
+    let entry = |(key, value): (&Spanned<_>, &Spanned<DeValue<'_>>)| {
+        let span = key.span();
+        let key: &std::borrow::Cow<'_, str> = key.get_ref();
+        Entry {
+            key: key.clone().into_owned(),
+            key_place: Place::new(source, start + span.start..start + span.end),
+            node: node(source, start, value),
+        }
+    };
+    Table {
+        entries: entries.iter().map(entry).collect(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn source(text: &str) -> Arc<Source> {
+        Arc::new(Source::new("case.toml", text.into()))
+    }
+
+    fn fault(text: &str) -> Diagnosis {
+        parse(&source(text)).unwrap_err()
+    }
+
+    #[test]
+    fn every_value_knows_its_place() {
+        let text = "title = \"a\"\n[foundation]\nsubstrate = { poisson_ratio = 0.3 }\n[[foundation.layer]]\nthickness = \"5 nm\"\n";
+        let root = parse(&source(text)).unwrap();
+        let Value::Table(table) = &root.value else {
+            panic!("{root:?}")
+        };
+        let foundation = &table.entry("foundation").unwrap().node;
+        assert_eq!(foundation.place.text(), "[foundation]");
+        let Value::Table(foundation) = &foundation.value else {
+            panic!("{foundation:?}")
+        };
+        let Value::List(layers) = &foundation.entry("layer").unwrap().node.value else {
+            panic!("{foundation:?}")
+        };
+        assert_eq!(layers[0].place.text(), "[[foundation.layer]]");
+        let Value::Table(layer) = &layers[0].value else {
+            panic!("{layers:?}")
+        };
+        let thickness = layer.entry("thickness").unwrap();
+        assert_eq!(thickness.key_place.text(), "thickness");
+        assert_eq!(thickness.node.place.text(), "\"5 nm\"");
+        assert_eq!(thickness.node.place.line(), 5);
+    }
+
+    #[test]
+    fn a_file_without_a_case_is_refused() {
+        for text in ["", "\n\n", "# nothing\n"] {
+            assert!(
+                fault(text).to_string().contains("found an empty file"),
+                "{text:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_text_that_is_not_toml_is_diagnosed_where_it_breaks() {
+        let diagnosis = fault("[load]\nforce = = 3\n");
+        assert_eq!(diagnosis.place.line(), 2);
+        assert!(diagnosis.to_string().contains("wanted TOML"));
+    }
+
+    #[test]
+    fn a_key_given_twice_is_diagnosed() {
+        assert_eq!(fault("[load]\nforce = 1\nforce = 2\n").place.line(), 3);
+    }
+
+    #[test]
+    fn nesting_without_end_is_refused_and_does_not_overflow_the_stack() {
+        fault(&format!("a = {}", "[".repeat(100_000)));
+    }
+
+    #[test]
+    fn numbers_of_every_spelling_are_read() {
+        let root = parse(&source(
+            "a = 0x10\nb = 1_000\nc = 1e400\nd = nan\ne = 99999999999999999999\n",
+        ))
+        .unwrap();
+        let Value::Table(table) = root.value else {
+            panic!("not a table")
+        };
+        let value = |key| &table.entry(key).unwrap().node.value;
+        assert_eq!(value("a"), &Value::Integer(16));
+        assert_eq!(value("b"), &Value::Integer(1000));
+        assert_eq!(value("c"), &Value::Float(f64::INFINITY));
+        assert!(matches!(value("d"), Value::Float(nan) if nan.is_nan()));
+        assert_eq!(value("e"), &Value::Float(1e20));
+    }
+}

@@ -1,0 +1,323 @@
+//! One value being read: what the user wrote under a key, as the type that is wanted there.
+
+use std::ops::RangeInclusive;
+
+use super::diagnosis::{Diagnosis, Fault};
+use super::document::{Node, Value};
+use super::quantity::{self, Dimension, QuantityError};
+use super::reader::Reader;
+use super::spelling::closest;
+
+/// The value of one key, and the dotted path that leads to it.
+#[derive(Debug, Clone)]
+pub struct Field<'a> {
+    path: String,
+    node: &'a Node,
+}
+
+/// The sign a quantity must have.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Sign {
+    /// Any finite number.
+    Any,
+    /// Zero or more.
+    NotNegative,
+    /// More than zero.
+    Positive,
+}
+
+impl Sign {
+    fn allows(self, value: f64) -> bool {
+        value.is_finite()
+            && match self {
+                Self::Any => true,
+                Self::NotNegative => value >= 0.0,
+                Self::Positive => value > 0.0,
+            }
+    }
+
+    /// What is wanted, in words: `a positive length such as "5 nm"`.
+    #[must_use]
+    pub fn wanted(self, dimension: Dimension) -> String {
+        let noun = dimension.noun();
+        let bare = noun.trim_start_matches("an ").trim_start_matches("a ");
+        let noun = match self {
+            Self::Any => format!("a finite {bare}"),
+            Self::NotNegative => format!("{noun} of zero or more"),
+            Self::Positive => format!("a positive {bare}"),
+        };
+        let or_bare = match dimension {
+            Dimension::Angle => "a bare number in radians",
+            _ => "a bare number",
+        };
+        format!("{noun} such as {}, or {or_bare}", dimension.example())
+    }
+}
+
+impl<'a> Field<'a> {
+    /// A value and the dotted path that leads to it.
+    #[must_use]
+    pub fn new(path: String, node: &'a Node) -> Self {
+        Self { path, node }
+    }
+
+    /// The dotted path that leads here.
+    #[must_use]
+    pub fn path(&self) -> &str {
+        &self.path
+    }
+
+    /// The value itself.
+    #[must_use]
+    pub fn value(&self) -> &'a Value {
+        &self.node.value
+    }
+
+    /// The diagnosis that something else is wanted here.
+    pub fn wanted(&self, wanted: impl Into<String>) -> Diagnosis {
+        let (found, wanted) = (self.found(), wanted.into());
+        self.diagnosis(Fault::Wrong { found, wanted })
+    }
+
+    /// The diagnosis that the model refuses this value, for this reason.
+    pub fn refused(&self, reason: &dyn std::error::Error) -> Diagnosis {
+        let (found, reason) = (self.found(), reason.to_string());
+        self.diagnosis(Fault::Refused { found, reason })
+    }
+
+    /// The diagnosis of a fault of this value.
+    #[must_use]
+    pub fn diagnosis(&self, fault: Fault) -> Diagnosis {
+        Diagnosis::of_key(self.path.clone(), self.node.place.clone(), fault)
+    }
+
+    /// What the user wrote, as it stands; a table or a long text only by its kind.
+    fn found(&self) -> String {
+        let written = self.node.place.text();
+        match &self.node.value {
+            Value::Table(_) => "a table".into(),
+            _ if written.is_empty() || written.len() > 60 || written.contains('\n') => {
+                self.node.value.noun().into()
+            }
+            _ => written.into(),
+        }
+    }
+
+    /// The table that stands here.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] if something else does.
+    pub fn table(self) -> Result<Reader<'a>, Diagnosis> {
+        let Value::Table(table) = &self.node.value else {
+            return Err(self.wanted("a table"));
+        };
+        Ok(Reader::new(self.path, table, &self.node.place))
+    }
+
+    /// Whether a table stands here.
+    #[must_use]
+    pub fn is_table(&self) -> bool {
+        matches!(self.node.value, Value::Table(_))
+    }
+
+    /// The items of the list that stands here.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] if something else does, or if the list is empty.
+    pub fn list(&self, wanted: &str) -> Result<Vec<Self>, Diagnosis> {
+        let items = self.items(wanted)?;
+        match items[..] {
+            [] => Err(self.wanted(wanted)),
+            _ => Ok(items),
+        }
+    }
+
+    /// The items of the list that stands here, which may be empty.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] if something else does.
+    pub fn items(&self, wanted: &str) -> Result<Vec<Self>, Diagnosis> {
+        let Value::List(items) = &self.node.value else {
+            return Err(self.wanted(wanted));
+        };
+        let item = |(i, node)| Self {
+            path: format!("{}[{i}]", self.path),
+            node,
+        };
+        Ok(items.iter().enumerate().map(item).collect())
+    }
+
+    /// The text that stands here.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] if something else does.
+    pub fn text(&self) -> Result<&'a str, Diagnosis> {
+        match &self.node.value {
+            Value::Text(text) => Ok(text),
+            _ => Err(self.wanted("a string")),
+        }
+    }
+
+    /// What the one of these words that stands here means.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] if none of them does, with a suggestion for a misspelt one.
+    pub fn choice<T: Copy>(&self, choices: &[(&str, T)]) -> Result<T, Diagnosis> {
+        let words: Vec<_> = choices.iter().map(|(word, _)| *word).collect();
+        let wanted = format!("one of \"{}\"", words.join("\", \""));
+        let Value::Text(found) = &self.node.value else {
+            return Err(self.wanted(wanted));
+        };
+        if let Some((_, meaning)) = choices.iter().find(|(word, _)| word == found) {
+            return Ok(*meaning);
+        }
+        let diagnosis = self.wanted(wanted);
+        Err(match closest(found, &words) {
+            Some(word) => diagnosis.with_help(format!("did you mean \"{word}\"?")),
+            None => diagnosis,
+        })
+    }
+
+    /// The integer of `range` that stands here; `why` follows what is wanted.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] if something else does.
+    pub fn count(&self, range: RangeInclusive<usize>, why: &str) -> Result<usize, Diagnosis> {
+        let count = match self.node.value {
+            Value::Integer(count) => usize::try_from(count).ok(),
+            _ => None,
+        };
+        count.filter(|count| range.contains(count)).ok_or_else(|| {
+            let (from, to) = range.into_inner();
+            self.wanted(format!("an integer from {from} to {to}{why}"))
+        })
+    }
+
+    /// The number without a dimension that stands here.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] if something else does, NaN and infinity included.
+    pub fn number(&self, wanted: &str) -> Result<f64, Diagnosis> {
+        self.bare_number()
+            .filter(|number| number.is_finite())
+            .ok_or_else(|| self.wanted(wanted))
+    }
+
+    /// The quantity that stands here, in SI units or the case's own.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] if something else does, if its unit is of another kind, or its sign is not allowed.
+    pub fn quantity(&self, dimension: Dimension, sign: Sign) -> Result<f64, Diagnosis> {
+        let value = match &self.node.value {
+            Value::Text(text) => quantity::parse(text, dimension)
+                .map_err(|error| self.not_a_quantity(dimension, sign, &error))?,
+            _ => (self.bare_number()).ok_or_else(|| self.wanted(sign.wanted(dimension)))?,
+        };
+        if !sign.allows(value) {
+            return Err(self.wanted(sign.wanted(dimension)));
+        }
+        Ok(value)
+    }
+
+    fn bare_number(&self) -> Option<f64> {
+        match self.node.value {
+            Value::Float(number) => Some(number),
+            Value::Integer(number) => Some(number as f64),
+            _ => None,
+        }
+    }
+
+    fn not_a_quantity(&self, dimension: Dimension, sign: Sign, error: &QuantityError) -> Diagnosis {
+        let found = format!("{} ({error})", self.found());
+        let wanted = sign.wanted(dimension);
+        let diagnosis = self.diagnosis(Fault::Wrong { found, wanted });
+        match error {
+            QuantityError::NoUnit => diagnosis.with_help("a bare number is written without quotes"),
+            _ => diagnosis,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::super::document;
+    use super::super::place::Source;
+    use super::*;
+
+    fn root(text: &str) -> Node {
+        document::parse(&Arc::new(Source::new("case.toml", text.into()))).unwrap()
+    }
+
+    fn quantity(text: &str, dimension: Dimension) -> Result<f64, String> {
+        let root = root(&format!("\na = {text}\n"));
+        let field = Reader::root(&root).unwrap().required("a", "").unwrap();
+        field
+            .quantity(dimension, Sign::Positive)
+            .map_err(|diagnosis| diagnosis.to_string())
+    }
+
+    #[test]
+    fn quantities_are_bare_numbers_or_strings_with_units() {
+        assert_eq!(quantity("70", Dimension::Pressure), Ok(70.0));
+        assert_eq!(quantity("1e-4", Dimension::Length), Ok(1e-4));
+        assert_eq!(quantity("\"70 GPa\"", Dimension::Pressure), Ok(70e9));
+    }
+
+    #[test]
+    fn a_unit_of_the_wrong_kind_says_found_and_wanted() {
+        assert_eq!(
+            quantity("\"5 nm\"", Dimension::Pressure).unwrap_err(),
+            "case.toml, line 2, key `a`: found \"5 nm\" (a length), \
+             wanted a positive pressure such as \"70 GPa\", or a bare number"
+        );
+    }
+
+    #[test]
+    fn numbers_no_quantity_can_be_are_refused() {
+        for text in [
+            "nan",
+            "inf",
+            "-inf",
+            "-1",
+            "0",
+            "\"nan nm\"",
+            "\"-5 nm\"",
+            "true",
+            "[1]",
+            "{}",
+        ] {
+            assert!(quantity(text, Dimension::Length).is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn counts_are_integers_within_their_range() {
+        for text in [
+            "0",
+            "1e9",
+            "1000000000",
+            "-3",
+            "256.0",
+            "\"256\"",
+            "9999999999999999999999",
+        ] {
+            let root = root(&format!("n = {text}"));
+            let field = Reader::root(&root).unwrap().required("n", "").unwrap();
+            let message = field.count(2..=8192, "").unwrap_err().to_string();
+            assert!(
+                message.contains("wanted an integer from 2 to 8192"),
+                "{message}"
+            );
+        }
+    }
+}

@@ -1,0 +1,86 @@
+//! `[grid]`: the square domain and its elements.
+
+use pellicle_contact::Domain;
+use serde::Serialize;
+
+use super::diagnosis::Diagnosis;
+use super::field::Sign;
+use super::quantity::Dimension;
+use super::reader::Reader;
+
+/// Elements per side unless given.
+const DEFAULT_ELEMENTS: usize = 256;
+
+/// Fewer is no field, more is beyond the memory of a workstation: 8192² elements with about twenty numbers each
+/// are eleven gigabytes.
+const ELEMENTS: std::ops::RangeInclusive<usize> = 2..=8192;
+
+/// The grid of a case.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct GridCase {
+    /// Side of the square domain, m; none until it is chosen from the load.
+    pub side: Option<f64>,
+    /// Elements per side.
+    pub elements: usize,
+}
+
+impl Default for GridCase {
+    fn default() -> Self {
+        Self {
+            side: None,
+            elements: DEFAULT_ELEMENTS,
+        }
+    }
+}
+
+impl GridCase {
+    /// Reads the table.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] of the first key that no grid can have.
+    pub fn read(table: &Reader<'_>) -> Result<Self, Diagnosis> {
+        table.only(&["side", "elements"])?;
+        let side = (table.optional("side"))
+            .map(|field| field.quantity(Dimension::Length, Sign::Positive))
+            .transpose()?;
+        let why = " per side (more do not fit in the memory of a workstation)";
+        let elements = (table.optional("elements"))
+            .map_or(Ok(DEFAULT_ELEMENTS), |field| field.count(ELEMENTS, why))?;
+        Ok(Self { side, elements })
+    }
+
+    /// The domain to solve on.
+    #[must_use]
+    pub fn domain(&self) -> Domain {
+        self.side.map_or(Domain::Automatic, Domain::Side)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::read_table;
+    use super::*;
+
+    fn read(text: &str) -> Result<GridCase, String> {
+        read_table(text, |table| GridCase::read(&table))
+    }
+
+    #[test]
+    fn everything_has_a_default() {
+        assert_eq!(read(""), Ok(GridCase::default()));
+    }
+
+    #[test]
+    fn grids_without_elements_or_beyond_memory_are_refused() {
+        for elements in ["0", "1", "-4", "1_000_000_000", "1e9", "nan"] {
+            let message = read(&format!("side = 1\nelements = {elements}")).unwrap_err();
+            let start = format!(
+                "case.toml, line 2, key `elements`: found {elements}, wanted an integer from 2 to 8192"
+            );
+            assert!(message.starts_with(&start), "{message}");
+        }
+        assert!(read("side = 0").is_err());
+        assert!(read("side = \"3 N\"").is_err());
+    }
+}

@@ -1,0 +1,233 @@
+//! `[indenter]`: what is pressed into the surface.
+
+use pellicle_contact::{Cone, FlatPunch, Indenter, IndenterError, Paraboloid, Pyramid, Sphere};
+use serde::Serialize;
+
+use super::diagnosis::Diagnosis;
+use super::field::Sign;
+use super::quantity::Dimension;
+use super::reader::Reader;
+
+/// The indenter of a case, every value in SI units or the case's own.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(tag = "kind", rename_all = "kebab-case")]
+pub enum IndenterCase {
+    /// `f = ρ²/(2R)`.
+    Paraboloid {
+        /// Radius of curvature `R`, m.
+        radius: f64,
+    },
+    /// A ball.
+    Sphere {
+        /// Its radius, m.
+        radius: f64,
+    },
+    /// A cone, sharp or with a rounded tip.
+    Cone {
+        /// Angle between the axis and the side, rad.
+        half_angle: f64,
+        /// Radius of the tip, m; 0 is sharp.
+        tip_radius: f64,
+    },
+    /// A three-sided pyramid.
+    Berkovich(PyramidCase),
+    /// A four-sided pyramid.
+    Vickers(PyramidCase),
+    /// Half a cube on its corner.
+    CubeCorner(PyramidCase),
+    /// A flat cylinder.
+    FlatPunch {
+        /// Its radius, m.
+        radius: f64,
+    },
+}
+
+/// The numbers of a pyramid.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct PyramidCase {
+    /// Radius of the tip, m; 0 is sharp.
+    pub tip_radius: f64,
+    /// Angle between the axis and a face, rad.
+    pub face_angle: f64,
+}
+
+#[derive(Clone, Copy)]
+enum Kind {
+    Paraboloid,
+    Sphere,
+    Cone,
+    Berkovich,
+    Vickers,
+    CubeCorner,
+    FlatPunch,
+    Map,
+}
+
+const KINDS: [(&str, Kind); 8] = [
+    ("paraboloid", Kind::Paraboloid),
+    ("sphere", Kind::Sphere),
+    ("cone", Kind::Cone),
+    ("berkovich", Kind::Berkovich),
+    ("vickers", Kind::Vickers),
+    ("cube-corner", Kind::CubeCorner),
+    ("flat-punch", Kind::FlatPunch),
+    ("map", Kind::Map),
+];
+
+const WANTED: &str = "\"paraboloid\", \"sphere\", \"cone\", \"berkovich\", \"vickers\", \"cube-corner\" or \"flat-punch\"";
+
+impl IndenterCase {
+    /// Reads the table.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] of the first key that no indenter of this kind can have.
+    pub fn read(table: &Reader<'_>) -> Result<Self, Diagnosis> {
+        let field = table.required("kind", WANTED)?;
+        let indenter = match field.choice(&KINDS)? {
+            Kind::Paraboloid => Self::Paraboloid {
+                radius: radius(table)?,
+            },
+            Kind::Sphere => Self::Sphere {
+                radius: radius(table)?,
+            },
+            Kind::FlatPunch => Self::FlatPunch {
+                radius: radius(table)?,
+            },
+            Kind::Cone => read_cone(table)?,
+            Kind::Berkovich => {
+                Self::Berkovich(PyramidCase::read(table, Pyramid::BERKOVICH_FACE_ANGLE)?)
+            }
+            Kind::Vickers => Self::Vickers(PyramidCase::read(table, Pyramid::VICKERS_FACE_ANGLE)?),
+            Kind::CubeCorner => {
+                Self::CubeCorner(PyramidCase::read(table, Pyramid::CUBE_CORNER_FACE_ANGLE)?)
+            }
+            Kind::Map => return Err(field.wanted(format!("{WANTED}: maps are not supported yet"))),
+        };
+        indenter.build().map_err(|error| field.refused(&error))?;
+        Ok(indenter)
+    }
+
+    /// The indenter itself.
+    ///
+    /// # Errors
+    ///
+    /// [`IndenterError`] if the indenter cannot be.
+    pub fn build(&self) -> Result<Indenter, IndenterError> {
+        match *self {
+            Self::Paraboloid { radius } => Paraboloid::new(radius).map(Indenter::from),
+            Self::Sphere { radius } => Sphere::new(radius).map(Indenter::from),
+            Self::FlatPunch { radius } => FlatPunch::new(radius).map(Indenter::from),
+            Self::Cone {
+                half_angle,
+                tip_radius,
+            } => Cone::new(half_angle, tip_radius).map(Indenter::from),
+            Self::Berkovich(pyramid) => pyramid.build(3),
+            Self::Vickers(pyramid) => pyramid.build(4),
+            Self::CubeCorner(pyramid) => pyramid.build(3),
+        }
+    }
+}
+
+fn radius(table: &Reader<'_>) -> Result<f64, Diagnosis> {
+    table.only(&["kind", "radius"])?;
+    table.positive("radius", Dimension::Length)
+}
+
+fn read_cone(table: &Reader<'_>) -> Result<IndenterCase, Diagnosis> {
+    table.only(&["kind", "half_angle", "tip_radius"])?;
+    Ok(IndenterCase::Cone {
+        half_angle: angle(table, "half_angle", None)?,
+        tip_radius: tip_radius(table)?,
+    })
+}
+
+impl PyramidCase {
+    fn build(self, faces: usize) -> Result<Indenter, IndenterError> {
+        Pyramid::new(faces, self.face_angle, self.tip_radius).map(Indenter::from)
+    }
+
+    fn read(table: &Reader<'_>, standard: f64) -> Result<Self, Diagnosis> {
+        table.only(&["kind", "tip_radius", "face_angle"])?;
+        Ok(Self {
+            tip_radius: tip_radius(table)?,
+            face_angle: angle(table, "face_angle", Some(standard))?,
+        })
+    }
+}
+
+fn tip_radius(table: &Reader<'_>) -> Result<f64, Diagnosis> {
+    let read =
+        |field: super::field::Field<'_>| field.quantity(Dimension::Length, Sign::NotNegative);
+    table.optional("tip_radius").map_or(Ok(0.0), read)
+}
+
+/// An angle from the axis, between 0 and 90 degrees.
+fn angle(table: &Reader<'_>, key: &str, default: Option<f64>) -> Result<f64, Diagnosis> {
+    const WANTED: &str = "an angle from the axis between 0 and 90 degrees, such as \"65.03 deg\", or a bare number in radians";
+    let field = match (table.optional(key), default) {
+        (Some(field), _) => field,
+        (None, Some(default)) => return Ok(default),
+        (None, None) => return Err(table.missing(key, WANTED.into())),
+    };
+    let angle = field.quantity(Dimension::Angle, Sign::Any)?;
+    if angle > 0.0 && angle < std::f64::consts::FRAC_PI_2 {
+        return Ok(angle);
+    }
+    Err(field.wanted(WANTED))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::read_table;
+    use super::*;
+
+    fn read(text: &str) -> Result<IndenterCase, String> {
+        read_table(text, |table| IndenterCase::read(&table))
+    }
+
+    #[test]
+    fn pyramids_have_their_standard_face_angle_and_a_sharp_tip() {
+        let standard = PyramidCase {
+            tip_radius: 0.0,
+            face_angle: Pyramid::BERKOVICH_FACE_ANGLE,
+        };
+        assert_eq!(
+            read("kind = \"berkovich\""),
+            Ok(IndenterCase::Berkovich(standard))
+        );
+    }
+
+    #[test]
+    fn angles_are_given_in_degrees_or_in_radians() {
+        let cone = |text: &str| match read(&format!("kind = \"cone\"\nhalf_angle = {text}")) {
+            Ok(IndenterCase::Cone { half_angle, .. }) => half_angle,
+            other => panic!("{other:?}"),
+        };
+        // One rounding in the factor of a degree.
+        assert!((cone("\"60 deg\"") - cone("1.0471975511965976")).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_bare_number_of_degrees_is_refused_with_the_reason() {
+        let message = read("kind = \"cone\"\nhalf_angle = 60").unwrap_err();
+        assert!(message.contains("a bare number in radians"), "{message}");
+    }
+
+    #[test]
+    fn what_is_no_indenter_is_refused() {
+        for text in [
+            "",
+            "kind = \"paraboloid\"",
+            "kind = \"parabola\"\nradius = 1",
+            "kind = \"paraboloid\"\nradius = 0",
+            "kind = \"paraboloid\"\nradius = 1\ntip_radius = 1",
+            "kind = \"vickers\"\ntip_radius = -1",
+            "kind = \"cone\"\nhalf_angle = \"90 deg\"",
+            "kind = \"cone\"",
+            "kind = \"map\"",
+        ] {
+            assert!(read(text).is_err(), "{text}");
+        }
+    }
+}

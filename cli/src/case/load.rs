@@ -1,0 +1,217 @@
+//! `[load]`: a force or a penetration, or a list of either.
+
+use serde::Serialize;
+
+use super::diagnosis::{Diagnosis, Fault};
+use super::field::{Field, Sign};
+use super::quantity::Dimension;
+use super::reader::Reader;
+
+/// The four keys of which exactly one is given.
+const KEYS: [&str; 4] = ["force", "forces", "penetration", "penetrations"];
+
+const WANTED: &str = "exactly one of force, forces, penetration, penetrations";
+
+/// More steps than this are not a curve but a mistake.
+const MOST_STEPS: usize = 10_000;
+
+/// The load of a case, every value in SI units or the case's own.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum LoadCase {
+    /// One force `Q`, in newtons.
+    Force(f64),
+    /// A curve over forces `Q`, in newtons.
+    Forces(Vec<f64>),
+    /// One penetration `D`, in metres.
+    Penetration(f64),
+    /// A curve over penetrations `D`, in metres.
+    Penetrations(Vec<f64>),
+}
+
+impl LoadCase {
+    /// Reads the table.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] unless exactly one load is given, a positive force or a finite penetration.
+    pub fn read(table: &Reader<'_>) -> Result<Self, Diagnosis> {
+        table.only(&KEYS)?;
+        let key = the_one_given(table)?;
+        let field = table.required(key, WANTED)?;
+        match key {
+            "force" => Ok(Self::Force(Quantity::FORCE.read(&field)?)),
+            "forces" => Ok(Self::Forces(Quantity::FORCE.read_all(&field)?)),
+            "penetration" => Ok(Self::Penetration(Quantity::PENETRATION.read(&field)?)),
+            _ => Ok(Self::Penetrations(Quantity::PENETRATION.read_all(&field)?)),
+        }
+    }
+
+    /// The loads one after the other.
+    #[must_use]
+    pub fn steps(&self) -> Vec<pellicle_contact::Load> {
+        use pellicle_contact::Load;
+        match self {
+            Self::Force(force) => vec![Load::Force(*force)],
+            Self::Forces(forces) => forces.iter().copied().map(Load::Force).collect(),
+            Self::Penetration(depth) => vec![Load::Penetration(*depth)],
+            Self::Penetrations(depths) => depths.iter().copied().map(Load::Penetration).collect(),
+        }
+    }
+}
+
+fn the_one_given(table: &Reader<'_>) -> Result<&'static str, Diagnosis> {
+    match table.given(&KEYS)[..] {
+        [key] => Ok(key),
+        [] => Err(table.missing("force", WANTED.into())),
+        [first, second, ..] => {
+            let field = table.required(second, WANTED)?;
+            Err(field.diagnosis(Fault::Wrong {
+                found: format!("{first} and {second}"),
+                wanted: WANTED.into(),
+            }))
+        }
+    }
+}
+
+/// What one value of the load may be.
+struct Quantity {
+    dimension: Dimension,
+    sign: Sign,
+}
+
+impl Quantity {
+    const FORCE: Self = Self {
+        dimension: Dimension::Force,
+        sign: Sign::Positive,
+    };
+
+    const PENETRATION: Self = Self {
+        dimension: Dimension::Length,
+        sign: Sign::Any,
+    };
+
+    fn read(&self, field: &Field<'_>) -> Result<f64, Diagnosis> {
+        field.quantity(self.dimension, self.sign)
+    }
+
+    fn read_all(&self, field: &Field<'_>) -> Result<Vec<f64>, Diagnosis> {
+        if field.is_table() {
+            return self.read_range(&field.clone().table()?);
+        }
+        let items = field.list("a list of values, or a table of from, to, count and spacing")?;
+        if items.len() > MOST_STEPS {
+            return Err(field.wanted(format!("at most {MOST_STEPS} values")));
+        }
+        items.iter().map(|item| self.read(item)).collect()
+    }
+
+    fn read_range(&self, table: &Reader<'_>) -> Result<Vec<f64>, Diagnosis> {
+        table.only(&["from", "to", "count", "spacing"])?;
+        let spacing = match table.optional("spacing") {
+            Some(field) => field.choice(&[("linear", Spacing::Linear), ("log", Spacing::Log)])?,
+            None => Spacing::Linear,
+        };
+        let sign = if spacing == Spacing::Log {
+            Sign::Positive
+        } else {
+            self.sign
+        };
+        let end = |key| {
+            let wanted = sign.wanted(self.dimension);
+            table.required(key, &wanted)?.quantity(self.dimension, sign)
+        };
+        let count = table.required("count", "how many values, an integer")?;
+        let count = count.count(2..=MOST_STEPS, " values")?;
+        Ok(spacing.between(end("from")?, end("to")?, count))
+    }
+}
+
+/// How the values of a range follow each other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Spacing {
+    Linear,
+    Log,
+}
+
+impl Spacing {
+    /// `count` ≥ 2 values from `from` to `to`, both ends exact.
+    fn between(self, from: f64, to: f64, count: usize) -> Vec<f64> {
+        let last = count - 1;
+        let value = |i| {
+            let t = i as f64 / last as f64;
+            match self {
+                _ if i == 0 => from,
+                _ if i == last => to,
+                Self::Linear => from + (to - from) * t,
+                Self::Log => from * (to / from).powf(t),
+            }
+        };
+        (0..count).map(value).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::read_table;
+    use super::*;
+
+    fn read(text: &str) -> Result<LoadCase, String> {
+        read_table(text, |table| LoadCase::read(&table))
+    }
+
+    #[test]
+    fn every_form_of_a_load_is_read() {
+        assert_eq!(read("force = \"2 mN\""), Ok(LoadCase::Force(2e-3)));
+        assert_eq!(read("penetration = -1"), Ok(LoadCase::Penetration(-1.0)));
+        assert_eq!(
+            read("forces = [1, 2.5]"),
+            Ok(LoadCase::Forces(vec![1.0, 2.5]))
+        );
+        assert_eq!(
+            read("forces = { from = 1, to = 100, count = 3, spacing = \"log\" }"),
+            Ok(LoadCase::Forces(vec![1.0, 10.0, 100.0]))
+        );
+        assert_eq!(
+            read("penetrations = { from = \"0 nm\", to = \"4 nm\", count = 3 }"),
+            Ok(LoadCase::Penetrations(vec![0.0, 2e-9, 4e-9]))
+        );
+    }
+
+    #[test]
+    fn a_load_is_given_once() {
+        let message = read("force = 1\npenetration = 2").unwrap_err();
+        assert_eq!(
+            message,
+            format!(
+                "case.toml, line 2, key `penetration`: found force and penetration, wanted {WANTED}"
+            )
+        );
+        assert!(
+            read("# none")
+                .unwrap_err()
+                .contains("wanted exactly one of")
+        );
+    }
+
+    #[test]
+    fn faulty_loads_are_refused() {
+        let faulty = [
+            "force = -1",
+            "force = 0",
+            "force = nan",
+            "force = \"3 GPa\"",
+            "forces = []",
+            "forces = 3",
+            "forces = [1, -1]",
+            "penetration = inf",
+            "forces = { from = 0, to = 1, count = 3, spacing = \"log\" }",
+            "forces = { from = 1, to = 2, count = 1 }",
+            "forces = { from = 1, to = 2 }",
+            "forces = { from = 1, to = 2, count = 3, spacing = \"cubic\" }",
+        ];
+        for text in faulty {
+            assert!(read(text).is_err(), "{text}");
+        }
+    }
+}

@@ -1,0 +1,240 @@
+//! The case file: one problem in TOML, read into numbers and checked, every default filled in.
+
+pub mod diagnosis;
+pub mod document;
+pub mod field;
+pub mod foundation;
+pub mod grid;
+pub mod indenter;
+pub mod load;
+pub mod overrides;
+pub mod place;
+pub mod quantity;
+pub mod reader;
+pub mod solver;
+pub mod spelling;
+pub mod surface;
+#[cfg(test)]
+mod testing;
+pub mod text;
+pub mod units;
+
+use std::path::Path;
+use std::sync::Arc;
+
+use pellicle_contact::{Model, default_side};
+use pellicle_influence::RadialTables;
+use serde::Serialize;
+
+use self::diagnosis::Diagnosis;
+use self::document::Node;
+use self::foundation::FoundationCase;
+use self::grid::GridCase;
+use self::indenter::IndenterCase;
+use self::load::LoadCase;
+use self::place::Source;
+use self::reader::Reader;
+use self::solver::SolverCase;
+use self::surface::SurfaceCase;
+use self::units::Units;
+use crate::failure::Failure;
+
+/// A problem as resolved: every default filled in, every value in SI units or the case's own consistent ones.
+///
+/// Written as TOML it is a case file again.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Case {
+    /// What it is called; the name of the file unless given.
+    pub title: String,
+    /// The elastic body.
+    pub foundation: FoundationCase,
+    /// What its surface carries.
+    pub surface: SurfaceCase,
+    /// What is pressed into it.
+    pub indenter: IndenterCase,
+    /// How hard, or how deep.
+    pub load: LoadCase,
+    /// On which grid.
+    pub grid: GridCase,
+    /// How it is solved.
+    pub solver: SolverCase,
+    /// What its numbers are measured in.
+    #[serde(skip)]
+    pub units: Units,
+}
+
+impl Case {
+    /// Reads the case file, with the values of `--set` in place of its own.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Unreadable`] if the file cannot be read, [`Failure::Case`] if it is no case.
+    pub fn read(path: &Path, sets: &[String]) -> Result<Self, Failure> {
+        let source = Arc::new(text::read(path)?);
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+        Ok(Self::parse(&source, &stem, sets)?)
+    }
+
+    /// Reads the text of a case.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] of the first thing wrong with it.
+    pub fn parse(source: &Arc<Source>, name: &str, sets: &[String]) -> Result<Self, Diagnosis> {
+        let mut root = document::parse(source)?;
+        for argument in sets {
+            overrides::set(&mut root, argument)?;
+        }
+        Self::resolve(&root, name)
+    }
+
+    fn resolve(root: &Node, name: &str) -> Result<Self, Diagnosis> {
+        const TABLES: [&str; 7] = [
+            "title",
+            "foundation",
+            "surface",
+            "indenter",
+            "load",
+            "grid",
+            "solver",
+        ];
+        let table = Reader::root(root)?;
+        table.only(&TABLES)?;
+        let title = match table.optional("title") {
+            Some(field) => field.text()?.to_owned(),
+            None => name.to_owned(),
+        };
+        let required = |key| table.required(key, &format!("a table [{key}]"))?.table();
+        let optional = |key| table.optional(key).map(field::Field::table).transpose();
+        let foundation = FoundationCase::read(&required("foundation")?)?;
+        let surface = match optional("surface")? {
+            Some(table) => SurfaceCase::read(&table, &foundation)?,
+            None => SurfaceCase::Bare,
+        };
+        Ok(Self {
+            title,
+            foundation,
+            surface,
+            indenter: IndenterCase::read(&required("indenter")?)?,
+            load: LoadCase::read(&required("load")?)?,
+            grid: optional("grid")?
+                .map_or(Ok(GridCase::default()), |table| GridCase::read(&table))?,
+            solver: (optional("solver")?)
+                .map_or(Ok(SolverCase::default()), |table| SolverCase::read(&table))?,
+            units: Units::of(root),
+        })
+    }
+
+    /// Side of the domain: as given, or chosen from the load.
+    #[must_use]
+    pub fn side(&self, model: &Model) -> f64 {
+        let chosen = || default_side(model, &self.load.steps());
+        self.grid.side.unwrap_or_else(chosen)
+    }
+
+    /// The model of the case, its radial tables built: the first real work on a case.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure`] if the tables of this foundation cannot be built.
+    pub fn model(&self) -> Result<Model, Failure> {
+        let foundation = self.foundation.build()?;
+        Ok(Model {
+            tables: Arc::new(RadialTables::build(&foundation)?),
+            relief: self.surface.build()?,
+            indenter: self.indenter.build()?,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str, sets: &[&str]) -> Result<Case, Diagnosis> {
+        let sets: Vec<_> = sets.iter().map(|&set| set.to_owned()).collect();
+        Case::parse(
+            &Arc::new(Source::new("case.toml", text.to_owned())),
+            "case",
+            &sets,
+        )
+    }
+
+    const CASE: &str = r#"
+[foundation]
+substrate = { young_modulus = "7 GPa", poisson_ratio = 0.4 }
+
+[[foundation.layer]]
+thickness = "10 nm"
+young_modulus = "70 GPa"
+poisson_ratio = 0.3
+
+[surface]
+kind = "cylinders"
+radius = "5 nm"
+height = "2 nm"
+period = "20 nm"
+
+[indenter]
+kind = "cone"
+half_angle = "70 deg"
+tip_radius = "400 nm"
+
+[load]
+forces = { from = "1 uN", to = "1 mN", count = 4, spacing = "log" }
+"#;
+
+    #[test]
+    fn the_resolved_case_is_a_case_file_again() {
+        let case = read(CASE, &[]).unwrap();
+        let written = toml::to_string(&case).unwrap();
+        let again = read(&written, &[]).unwrap();
+        // The numbers are the same; the units they were written in are gone.
+        assert_eq!(
+            Case {
+                units: case.units,
+                ..again
+            },
+            case
+        );
+    }
+
+    #[test]
+    fn a_value_set_on_the_command_line_replaces_that_of_the_file() {
+        let case = read(
+            CASE,
+            &["foundation.layer.0.thickness=3 um", "grid.elements=64"],
+        )
+        .unwrap();
+        assert_eq!(case.foundation.layer[0].thickness, 3e-6);
+        assert_eq!(case.grid.elements, 64);
+    }
+
+    #[test]
+    fn a_faulty_value_on_the_command_line_is_diagnosed_there() {
+        let message = read(CASE, &["foundation.layer.0.poisson_ratio=0.6"])
+            .unwrap_err()
+            .to_string();
+        assert!(
+            message.starts_with("--set, key `foundation.layer[0].poisson_ratio`: found 0.6"),
+            "{message}"
+        );
+    }
+
+    #[test]
+    fn a_misspelt_table_is_diagnosed_before_the_missing_one() {
+        let diagnosis = read(&CASE.replace("[load]", "[laod]"), &[]).unwrap_err();
+        assert_eq!(diagnosis.key.as_deref(), Some("laod"));
+        assert_eq!(diagnosis.help.as_deref(), Some("did you mean `load`?"));
+    }
+
+    #[test]
+    fn a_missing_table_is_diagnosed_at_the_end() {
+        let text = CASE.replace("[load]", "").replace("forces =", "# forces =");
+        let message = read(&text, &[]).unwrap_err().to_string();
+        assert!(
+            message.contains("key `load`: found no such key, wanted a table [load]"),
+            "{message}"
+        );
+    }
+}

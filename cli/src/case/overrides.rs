@@ -1,0 +1,149 @@
+//! `--set key=value`: one value of the case replaced on the command line.
+
+use std::sync::Arc;
+
+use toml::de::DeValue;
+
+use super::diagnosis::{Diagnosis, Fault};
+use super::document::{self, Entry, Node, Table, Value};
+use super::place::{Place, Source};
+
+/// Name of the command line's own text in messages.
+pub const NAME: &str = "--set";
+
+/// The tree with the value of `argument`, `key.of.table=value`, in place of what the file says.
+///
+/// The value is read as TOML, and as a string if it is none: `load.force=3 mN` needs no second pair of quotes.
+/// Lists are entered by number from 0: `foundation.layer.0.thickness`. A table that is not there is made.
+///
+/// # Errors
+///
+/// A [`Diagnosis`] naming `--set` if the argument has no key or the key leads through something that is no table.
+pub fn set(root: &mut Node, argument: &str) -> Result<(), Diagnosis> {
+    let source = Arc::new(Source::new(NAME, argument.to_owned()));
+    let (key, value) = argument.split_once('=').ok_or_else(|| malformed(&source))?;
+    let key_place = Place::new(&source, 0..key.len());
+    let steps = steps(key).ok_or_else(|| malformed(&source))?;
+    let value = read(
+        &source,
+        argument.len() - value.trim_start().len(),
+        value.trim(),
+    );
+    let blocked = |at: &str| {
+        let fault = Fault::Wrong {
+            found: format!("`{at}`, which is neither a table nor in the list"),
+            wanted: "a key that the case can have".into(),
+        };
+        Diagnosis::of_key(key.trim(), key_place.clone(), fault)
+    };
+    put(root, &steps, value, &key_place).map_err(blocked)
+}
+
+fn malformed(source: &Arc<Source>) -> Diagnosis {
+    let place = Place::new(source, 0..source.inner().len());
+    let fault = Fault::Wrong {
+        found: format!("`{}`", source.inner()),
+        wanted: "key=value, such as load.force=\"3 mN\"".into(),
+    };
+    Diagnosis::of_text(place, fault)
+}
+
+/// `foundation.layer[0].thickness` and `foundation.layer.0.thickness` as their four steps.
+fn steps(key: &str) -> Option<Vec<String>> {
+    let dotted = key.trim().replace('[', ".").replace(']', "");
+    let steps: Vec<_> = dotted.split('.').map(|s| s.trim().to_owned()).collect();
+    (steps.iter().all(|step| !step.is_empty())).then_some(steps)
+}
+
+fn read(source: &Arc<Source>, start: usize, text: &str) -> Node {
+    if let Ok(value) = DeValue::parse(text) {
+        return document::node(source, start, &value);
+    }
+    Node {
+        value: Value::Text(text.to_owned()),
+        place: Place::new(source, start..start + text.len()),
+    }
+}
+
+/// Puts the value at the end of the steps; the step that leads nowhere is the error.
+fn put<'s>(node: &mut Node, steps: &'s [String], value: Node, at: &Place) -> Result<(), &'s str> {
+    let Some((step, rest)) = steps.split_first() else {
+        *node = value;
+        return Ok(());
+    };
+    let next = match &mut node.value {
+        Value::Table(table) => entry(table, step, at),
+        Value::List(items) => step.parse().ok().and_then(|i: usize| items.get_mut(i)),
+        _ => None,
+    };
+    put(next.ok_or(step.as_str())?, rest, value, at)
+}
+
+/// The value of a key, made as an empty table if it is not there.
+fn entry<'t>(table: &'t mut Table, key: &str, at: &Place) -> Option<&'t mut Node> {
+    if table.entry(key).is_none() {
+        table.entries.push(Entry {
+            key: key.to_owned(),
+            key_place: at.clone(),
+            node: Node {
+                value: Value::Table(Table::default()),
+                place: at.clone(),
+            },
+        });
+    }
+    table.entry_mut(key).map(|entry| &mut entry.node)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::reader::Reader;
+    use super::*;
+
+    fn with(argument: &str) -> Result<Node, Diagnosis> {
+        let text = "[[foundation.layer]]\nthickness = 1\n[load]\nforce = 2\n";
+        let mut root = document::parse(&Arc::new(Source::new("case.toml", text.into()))).unwrap();
+        set(&mut root, argument).map(|()| root)
+    }
+
+    fn load(node: &Node, key: &str) -> Value {
+        let root = Reader::root(node).unwrap();
+        let load = root.required("load", "").unwrap().table().unwrap();
+        load.required(key, "").unwrap().value().clone()
+    }
+
+    #[test]
+    fn a_value_is_read_as_toml_or_else_as_text() {
+        let set = |argument| load(&with(argument).unwrap(), "force");
+        assert_eq!(set("load.force=3.5"), Value::Float(3.5));
+        assert_eq!(set("load.force = \"3 mN\""), Value::Text("3 mN".into()));
+        assert_eq!(set("load.force=3 mN"), Value::Text("3 mN".into()));
+        assert_eq!(set("load.force=true"), Value::Boolean(true));
+    }
+
+    #[test]
+    fn a_layer_is_reached_by_its_number() {
+        for key in [
+            "foundation.layer.0.thickness",
+            "foundation.layer[0].thickness",
+        ] {
+            let root = with(&format!("{key}=7")).unwrap();
+            assert!(format!("{root:?}").contains("Integer(7)"), "{root:?}");
+        }
+        assert!(with("foundation.layer.1.thickness=7").is_err());
+    }
+
+    #[test]
+    fn a_table_that_is_not_there_is_made() {
+        let root = with("grid.elements=64").unwrap();
+        let root = Reader::root(&root).unwrap();
+        assert!(root.optional("grid").unwrap().is_table());
+    }
+
+    #[test]
+    fn a_faulty_argument_is_diagnosed_and_names_the_option() {
+        for argument in ["load.force", "=3", "load..force=1", "load.force.x=1", ""] {
+            let message = with(argument).unwrap_err().to_string();
+            assert!(message.starts_with("--set"), "{message}");
+        }
+    }
+}

@@ -1,0 +1,218 @@
+//! A quantity with its unit, as a string: `"70 GPa"`, `"5 nm"`, `"2.3 mN"`, `"65.03 deg"`.
+
+use uom::si::f64::{Angle, Force, Length, Pressure};
+
+/// No number a person writes is longer than this, in bytes.
+const LONGEST_NUMBER: usize = 64;
+
+/// What a quantity measures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Dimension {
+    /// Metres.
+    Length,
+    /// Pascals: pressures and moduli.
+    Pressure,
+    /// Newtons.
+    Force,
+    /// Radians.
+    Angle,
+}
+
+/// Why a text is not a quantity of the dimension that is wanted.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum QuantityError {
+    /// The text does not begin with a number.
+    #[error("no number")]
+    NoNumber,
+    /// The number stands alone.
+    #[error("a number without a unit")]
+    NoUnit,
+    /// No dimension has this unit.
+    #[error("the unknown unit `{0}`")]
+    UnknownUnit(String),
+    /// The unit is one of another dimension.
+    #[error("{}", .0.noun())]
+    OtherDimension(Dimension),
+}
+
+impl Dimension {
+    const ALL: [Self; 4] = [Self::Length, Self::Pressure, Self::Force, Self::Angle];
+
+    /// What it is called in a message.
+    #[must_use]
+    pub fn noun(self) -> &'static str {
+        match self {
+            Self::Length => "a length",
+            Self::Pressure => "a pressure",
+            Self::Force => "a force",
+            Self::Angle => "an angle",
+        }
+    }
+
+    /// How one is written.
+    #[must_use]
+    pub fn example(self) -> &'static str {
+        match self {
+            Self::Length => "\"5 nm\"",
+            Self::Pressure => "\"70 GPa\"",
+            Self::Force => "\"2.3 mN\"",
+            Self::Angle => "\"65.03 deg\"",
+        }
+    }
+
+    /// One of `unit` in SI units; `None` if the unit is not of this dimension.
+    fn factor(self, unit: &str) -> Option<f64> {
+        let one = format!("1 {unit}");
+        match self {
+            Self::Length => one.parse::<Length>().ok().map(|length| length.value),
+            Self::Pressure => one.parse::<Pressure>().ok().map(|pressure| pressure.value),
+            Self::Force => one.parse::<Force>().ok().map(|force| force.value),
+            Self::Angle => one.parse::<Angle>().ok().map(|angle| angle.value),
+        }
+    }
+}
+
+/// The quantity in SI units (m, Pa, N, rad), correctly rounded where the unit is a decimal one.
+///
+/// # Errors
+///
+/// [`QuantityError`] if the text is not a number and a unit of this dimension.
+pub fn parse(text: &str, dimension: Dimension) -> Result<f64, QuantityError> {
+    let (number, unit) = split(text)?;
+    let unit = spelling(unit);
+    let factor = dimension.factor(&unit);
+    factor.map_or_else(
+        || Err(not_of_dimension(&unit)),
+        |factor| Ok(times(number, factor)),
+    )
+}
+
+/// The dimension of a text that is a quantity with a unit.
+#[must_use]
+pub fn dimension_of(text: &str) -> Option<Dimension> {
+    let (_, unit) = split(text).ok()?;
+    dimension_of_unit(&spelling(unit))
+}
+
+fn not_of_dimension(unit: &str) -> QuantityError {
+    dimension_of_unit(unit).map_or_else(
+        || QuantityError::UnknownUnit(unit.to_owned()),
+        QuantityError::OtherDimension,
+    )
+}
+
+fn dimension_of_unit(unit: &str) -> Option<Dimension> {
+    let has = |dimension: &Dimension| dimension.factor(unit).is_some();
+    Dimension::ALL.into_iter().find(has)
+}
+
+/// The longest beginning of the text that is a number, and what follows.
+fn split(text: &str) -> Result<(f64, &str), QuantityError> {
+    let text = text.trim();
+    let number = |end: usize| text.get(..end)?.parse::<f64>().ok().map(|x| (x, end));
+    let (number, end) = (1..=text.len().min(LONGEST_NUMBER))
+        .rev()
+        .find_map(number)
+        .ok_or(QuantityError::NoNumber)?;
+    match text.get(end..).map_or("", str::trim_start) {
+        "" => Err(QuantityError::NoUnit),
+        unit => Ok((number, unit)),
+    }
+}
+
+/// The library's spelling of a unit that people also spell otherwise: `um`, `μm` with a Greek mu, `deg`, `N/m^2`.
+fn spelling(unit: &str) -> String {
+    let unit = unit
+        .trim()
+        .replace('\u{3bc}', "\u{b5}")
+        .replace('\u{212b}', "\u{c5}")
+        .replace("^2", "²")
+        .replace("m2", "m²");
+    match unit.as_str() {
+        "um" | "uN" | "uPa" => unit.replacen('u', "\u{b5}", 1),
+        "deg" => "°".into(),
+        "angstrom" => "Å".into(),
+        "N/m²" => "Pa".into(),
+        _ => unit,
+    }
+}
+
+/// `number · factor`; a factor 10⁻ⁿ divides by 10ⁿ, which f64 holds exactly, so that `"10 nm"` is `1e-8`.
+fn times(number: f64, factor: f64) -> f64 {
+    let inverse = (1.0 / factor).round();
+    if inverse > 1.0 && (inverse * factor - 1.0).abs() <= 2.0 * f64::EPSILON {
+        number / inverse
+    } else {
+        number * factor
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn length(text: &str) -> Result<f64, QuantityError> {
+        parse(text, Dimension::Length)
+    }
+
+    #[test]
+    fn units_give_the_bits_of_the_bare_number() {
+        assert_eq!(length("10 nm"), Ok(1e-8));
+        assert_eq!(length("400 nm"), Ok(4e-7));
+        assert_eq!(length("0.3 um"), Ok(0.3e-6));
+        assert_eq!(parse("70 GPa", Dimension::Pressure), Ok(70e9));
+        assert_eq!(parse("0.14 GPa", Dimension::Pressure), Ok(0.14e9));
+        assert_eq!(parse("2.3 mN", Dimension::Force), Ok(2.3e-3));
+    }
+
+    #[test]
+    fn every_spelling_of_a_unit_is_read() {
+        for micron in [
+            "1 um",
+            "1 µm",
+            "1 μm",
+            "1um",
+            "1 micron",
+            "1 micrometer",
+            " 1e0  um ",
+        ] {
+            assert_eq!(length(micron), Ok(1e-6), "{micron}");
+        }
+        for angstrom in ["1 Å", "1 \u{212b}", "1 angstrom"] {
+            assert_eq!(length(angstrom), Ok(1e-10), "{angstrom}");
+        }
+        for modulus in ["2 N/m^2", "2 N/m2", "2 N/m²", "2 Pa", "2e-6 N/mm^2"] {
+            assert_eq!(parse(modulus, Dimension::Pressure), Ok(2.0), "{modulus}");
+        }
+        for angle in ["180 deg", "180°", "180 degrees", "200 gon"] {
+            let found = parse(angle, Dimension::Angle).unwrap();
+            // The library's factors have 17 digits: one rounding each.
+            assert!((found - std::f64::consts::PI).abs() < 1e-15, "{angle}");
+        }
+        assert_eq!(parse("3 uN", Dimension::Force), Ok(3e-6));
+    }
+
+    #[test]
+    fn a_unit_of_the_wrong_kind_is_named() {
+        let found = parse("5 nm", Dimension::Pressure);
+        assert_eq!(found, Err(QuantityError::OtherDimension(Dimension::Length)));
+    }
+
+    #[test]
+    fn what_is_not_a_quantity_is_refused() {
+        assert_eq!(length("five nm"), Err(QuantityError::NoNumber));
+        assert_eq!(length(""), Err(QuantityError::NoNumber));
+        assert_eq!(length("µ"), Err(QuantityError::NoNumber));
+        assert_eq!(length("5"), Err(QuantityError::NoUnit));
+        assert_eq!(
+            length("5 parsnips"),
+            Err(QuantityError::UnknownUnit("parsnips".into()))
+        );
+    }
+
+    #[test]
+    fn infinity_and_nan_are_left_to_the_reader() {
+        assert_eq!(length("inf nm"), Ok(f64::INFINITY));
+        assert!(length("nan nm").unwrap().is_nan());
+    }
+}

@@ -1,0 +1,112 @@
+//! `[solver]`: how exact, and by which method.
+
+use pellicle_contact::{Method, SolverOptions};
+use serde::Serialize;
+
+use super::diagnosis::Diagnosis;
+use super::reader::Reader;
+
+const DEFAULT_TOLERANCE: f64 = 1e-8;
+
+/// Below the lower end rounding decides, above the upper one the answer is not worth its name.
+const TOLERANCES: std::ops::RangeInclusive<f64> = 1e-13..=1e-2;
+
+/// How a case is solved.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct SolverCase {
+    /// On every line of the certificate.
+    pub tolerance: f64,
+    /// Which solver.
+    pub method: MethodCase,
+}
+
+/// Which solver.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum MethodCase {
+    /// Preconditioned projected gradients on the FFT operator.
+    Gradient,
+    /// The paper's active set on the dense system.
+    ActiveSet,
+}
+
+impl Default for SolverCase {
+    fn default() -> Self {
+        Self {
+            tolerance: DEFAULT_TOLERANCE,
+            method: MethodCase::Gradient,
+        }
+    }
+}
+
+impl SolverCase {
+    /// Reads the table.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] of the first key that no solver can have.
+    pub fn read(table: &Reader<'_>) -> Result<Self, Diagnosis> {
+        table.only(&["tolerance", "method"])?;
+        let mut solver = Self::default();
+        if let Some(field) = table.optional("tolerance") {
+            let wanted = format!(
+                "a number from {:e} to {:e}",
+                TOLERANCES.start(),
+                TOLERANCES.end()
+            );
+            solver.tolerance = field.number(&wanted)?;
+            if !TOLERANCES.contains(&solver.tolerance) {
+                return Err(field.wanted(wanted));
+            }
+        }
+        if let Some(field) = table.optional("method") {
+            solver.method = field.choice(&[
+                ("gradient", MethodCase::Gradient),
+                ("active-set", MethodCase::ActiveSet),
+            ])?;
+        }
+        Ok(solver)
+    }
+
+    /// The options of the solver.
+    #[must_use]
+    pub fn options(&self) -> SolverOptions {
+        let method = match self.method {
+            MethodCase::Gradient => Method::Gradient,
+            MethodCase::ActiveSet => Method::ActiveSet,
+        };
+        SolverOptions {
+            tolerance: self.tolerance,
+            method,
+            ..SolverOptions::default()
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::read_table;
+    use super::*;
+
+    fn read(text: &str) -> Result<SolverCase, String> {
+        read_table(text, |table| SolverCase::read(&table))
+    }
+
+    #[test]
+    fn everything_has_a_default() {
+        assert_eq!(read(""), Ok(SolverCase::default()));
+    }
+
+    #[test]
+    fn what_no_solver_can_have_is_refused() {
+        for text in [
+            "tolerance = 0",
+            "tolerance = -1",
+            "tolerance = nan",
+            "tolerance = 1",
+            "method = \"gradeint\"",
+        ] {
+            assert!(read(text).is_err(), "{text}");
+        }
+    }
+}

@@ -1,0 +1,262 @@
+//! `[surface]`: the relief of springs that the foundation carries.
+
+use pellicle_texture::{CylinderSpec, Cylinders, Film, Lattice, Relief, TextureError};
+use serde::Serialize;
+
+use super::diagnosis::Diagnosis;
+use super::field::Sign;
+use super::foundation::FoundationCase;
+use super::quantity::Dimension;
+use super::reader::Reader;
+
+/// The surface of a case, every value in SI units or the case's own.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(tag = "kind", rename_all = "kebab-case")]
+pub enum SurfaceCase {
+    /// The foundation's own plane surface.
+    Bare,
+    /// Periodic elastic cylinders.
+    Cylinders(CylindersCase),
+    /// A film that covers everything.
+    Film {
+        /// Thickness, m.
+        thickness: f64,
+        /// Young's modulus, Pa.
+        young_modulus: f64,
+    },
+}
+
+/// Periodic elastic cylinders.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct CylindersCase {
+    /// Arrangement of the axes.
+    pub lattice: LatticeCase,
+    /// Radius `r` of a cylinder, m.
+    pub radius: f64,
+    /// Height `h` of a cylinder, m.
+    pub height: f64,
+    /// Distance `T` between neighbouring axes, m.
+    pub period: f64,
+    /// Place of one axis relative to the indenter's, m.
+    pub offset: [f64; 2],
+    /// Young's modulus `E_a`, Pa; that of the surface unless given.
+    pub young_modulus: f64,
+}
+
+/// Arrangement of the cylinders.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum LatticeCase {
+    /// Four neighbours each.
+    Square,
+    /// Six neighbours each.
+    Hexagonal,
+}
+
+#[derive(Clone, Copy)]
+enum Kind {
+    Bare,
+    Cylinders,
+    Film,
+    Map,
+}
+
+const KINDS: [(&str, Kind); 4] = [
+    ("bare", Kind::Bare),
+    ("cylinders", Kind::Cylinders),
+    ("film", Kind::Film),
+    ("map", Kind::Map),
+];
+
+impl SurfaceCase {
+    /// Reads the table; the foundation gives the cylinders' modulus where the table does not.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] of the first key that no surface of this kind can have.
+    pub fn read(table: &Reader<'_>, foundation: &FoundationCase) -> Result<Self, Diagnosis> {
+        let kind = match table.optional("kind") {
+            Some(field) => field.choice(&KINDS)?,
+            None => Kind::Bare,
+        };
+        match kind {
+            Kind::Bare => table.only(&["kind"]).map(|()| Self::Bare),
+            Kind::Cylinders => CylindersCase::read(table, foundation).map(Self::Cylinders),
+            Kind::Film => Self::read_film(table),
+            Kind::Map => Err((table.required("kind", "")?)
+                .wanted("\"bare\", \"cylinders\" or \"film\": maps are not supported yet")),
+        }
+    }
+
+    fn read_film(table: &Reader<'_>) -> Result<Self, Diagnosis> {
+        table.only(&["kind", "thickness", "young_modulus"])?;
+        Ok(Self::Film {
+            thickness: table.positive("thickness", Dimension::Length)?,
+            young_modulus: table.positive("young_modulus", Dimension::Pressure)?,
+        })
+    }
+
+    /// The relief itself.
+    ///
+    /// # Errors
+    ///
+    /// [`TextureError`] if the relief cannot be.
+    pub fn build(&self) -> Result<Relief, TextureError> {
+        match *self {
+            Self::Bare => Ok(Relief::Bare),
+            Self::Cylinders(cylinders) => cylinders.build().map(Relief::Cylinders),
+            Self::Film {
+                thickness,
+                young_modulus,
+            } => Film::new(thickness, young_modulus).map(Relief::Film),
+        }
+    }
+}
+
+impl CylindersCase {
+    fn read(table: &Reader<'_>, foundation: &FoundationCase) -> Result<Self, Diagnosis> {
+        const KEYS: [&str; 7] = [
+            "kind",
+            "radius",
+            "height",
+            "period",
+            "lattice",
+            "offset",
+            "young_modulus",
+        ];
+        table.only(&KEYS)?;
+        let cylinders = Self {
+            lattice: lattice(table)?,
+            radius: table.positive("radius", Dimension::Length)?,
+            height: table.positive("height", Dimension::Length)?,
+            period: table.positive("period", Dimension::Length)?,
+            offset: offset(table)?,
+            young_modulus: young_modulus(table, foundation)?,
+        };
+        // Every number is in range by now: what the texture still refuses is the overlap.
+        let radius = table.required("radius", "")?;
+        cylinders.build().map_err(|error| radius.refused(&error))?;
+        Ok(cylinders)
+    }
+
+    fn build(self) -> Result<Cylinders, TextureError> {
+        let lattice = match self.lattice {
+            LatticeCase::Square => Lattice::Square,
+            LatticeCase::Hexagonal => Lattice::Hexagonal,
+        };
+        Cylinders::new(CylinderSpec {
+            lattice,
+            radius: self.radius,
+            height: self.height,
+            period: self.period,
+            offset: self.offset,
+            young_modulus: self.young_modulus,
+        })
+    }
+}
+
+fn lattice(table: &Reader<'_>) -> Result<LatticeCase, Diagnosis> {
+    let choices = [
+        ("square", LatticeCase::Square),
+        ("hexagonal", LatticeCase::Hexagonal),
+    ];
+    (table.optional("lattice")).map_or(Ok(LatticeCase::Square), |field| field.choice(&choices))
+}
+
+fn offset(table: &Reader<'_>) -> Result<[f64; 2], Diagnosis> {
+    const WANTED: &str = "a list of two lengths, [x, y]";
+    let Some(field) = table.optional("offset") else {
+        return Ok([0.0, 0.0]);
+    };
+    let [x, y] = &field.list(WANTED)?[..] else {
+        return Err(field.wanted(WANTED));
+    };
+    let length = |field: &super::field::Field<'_>| field.quantity(Dimension::Length, Sign::Any);
+    Ok([length(x)?, length(y)?])
+}
+
+fn young_modulus(table: &Reader<'_>, foundation: &FoundationCase) -> Result<f64, Diagnosis> {
+    match (
+        table.optional("young_modulus"),
+        foundation.surface_young_modulus(),
+    ) {
+        (None, Some(modulus)) => Ok(modulus),
+        _ => table.positive("young_modulus", Dimension::Pressure),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::foundation::{MaterialCase, Substrate};
+    use super::super::testing::read_table;
+    use super::*;
+
+    fn read(text: &str) -> Result<SurfaceCase, String> {
+        let material = MaterialCase {
+            young_modulus: 10.0,
+            poisson_ratio: 0.3,
+        };
+        let foundation = FoundationCase {
+            substrate: Substrate::Elastic(material),
+            layer: Vec::new(),
+        };
+        read_table(text, |table| SurfaceCase::read(&table, &foundation))
+    }
+
+    const CYLINDERS: &str = "kind = \"cylinders\"\nradius = 1\nheight = 2\nperiod = 3\n";
+
+    #[test]
+    fn cylinders_take_the_modulus_of_the_surface() {
+        let Ok(SurfaceCase::Cylinders(cylinders)) = read(CYLINDERS) else {
+            panic!("not cylinders")
+        };
+        assert_eq!(cylinders.young_modulus, 10.0);
+        assert_eq!(cylinders.offset, [0.0, 0.0]);
+    }
+
+    #[test]
+    fn a_surface_is_bare_unless_it_says_otherwise() {
+        assert_eq!(read(""), Ok(SurfaceCase::Bare));
+    }
+
+    #[test]
+    fn overlapping_cylinders_are_diagnosed_at_their_radius() {
+        let message = read(&CYLINDERS.replace("radius = 1", "radius = 1.6")).unwrap_err();
+        assert!(
+            message.starts_with("case.toml, line 2, key `radius`: found 1.6"),
+            "{message}"
+        );
+        assert!(message.contains("overlap"), "{message}");
+    }
+
+    #[test]
+    fn keys_of_another_kind_are_unknown() {
+        let message =
+            read("kind = \"film\"\nthickness = 1\nyoung_modulus = 1\nradius = 3").unwrap_err();
+        assert!(
+            message.starts_with("case.toml, line 4, key `radius`: found an unknown key"),
+            "{message}"
+        );
+    }
+
+    #[test]
+    fn what_is_no_surface_is_refused() {
+        for text in [
+            "kind = \"cilinders\"",
+            "kind = 3",
+            "kind = \"map\"",
+            "kind = \"film\"\nthickness = 1",
+            "radius = 1",
+        ] {
+            assert!(read(text).is_err(), "{text}");
+        }
+        for change in [
+            "offset = [1]",
+            "offset = 1",
+            "offset = [1, nan]",
+            "lattice = \"cubic\"",
+        ] {
+            assert!(read(&format!("{CYLINDERS}{change}")).is_err(), "{change}");
+        }
+    }
+}

@@ -1,0 +1,74 @@
+//! What the numbers of a case are measured in.
+
+use super::document::{Node, Value};
+use super::quantity::{Dimension, dimension_of};
+
+/// The system of units of a case.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Units {
+    /// At least one length, pressure or force carries a unit: metres, pascals, newtons.
+    Si,
+    /// Bare numbers only: any consistent system, which only the author knows.
+    #[default]
+    Consistent,
+}
+
+impl Units {
+    /// The units of a case: SI as soon as one value carries a unit.
+    #[must_use]
+    pub fn of(root: &Node) -> Self {
+        if names_a_unit(&root.value) {
+            Self::Si
+        } else {
+            Self::Consistent
+        }
+    }
+
+    /// Name of a quantity's unit, `N`, `m`, `Pa`; that of no unit in a consistent system.
+    #[must_use]
+    pub fn name(self, si: &'static str) -> &'static str {
+        match self {
+            Self::Si => si,
+            Self::Consistent => "case units",
+        }
+    }
+}
+
+fn names_a_unit(value: &Value) -> bool {
+    match value {
+        Value::Text(text) => dimension_of(text).is_some_and(|found| found != Dimension::Angle),
+        Value::List(items) => items.iter().any(|item| names_a_unit(&item.value)),
+        // The title is prose, even where it begins like a quantity.
+        Value::Table(table) => {
+            let mut entries = table.entries.iter().filter(|entry| entry.key != "title");
+            entries.any(|entry| names_a_unit(&entry.node.value))
+        }
+        _ => false,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::super::document;
+    use super::super::place::Source;
+    use super::*;
+
+    fn units(text: &str) -> Units {
+        Units::of(&document::parse(&Arc::new(Source::new("", text.into()))).unwrap())
+    }
+
+    #[test]
+    fn one_unit_makes_a_case_si() {
+        assert_eq!(units("a = 1\nb = [{ c = \"5 nm\" }]"), Units::Si);
+    }
+
+    #[test]
+    fn neither_a_title_nor_an_angle_does() {
+        assert_eq!(
+            units("title = \"5 nm\"\nhalf_angle = \"70 deg\""),
+            Units::Consistent
+        );
+    }
+}

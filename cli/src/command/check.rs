@@ -1,0 +1,85 @@
+//! `pellicle check`: the case as resolved, and what solving it would take.
+
+use crate::arguments::CaseArguments;
+use crate::case::Case;
+use crate::case::surface::SurfaceCase;
+use crate::case::units::Units;
+use crate::display::{Unit, quantity, significant};
+use crate::failure::Failure;
+use crate::program::Outcome;
+use crate::terminal;
+
+/// Memory of a run per element, in bytes: coefficients, spectra, fields and the solver's vectors.
+const BYTES_PER_ELEMENT: f64 = 400.0;
+
+/// Prints the case with every default filled in, and below it what the grid makes of it.
+///
+/// # Errors
+///
+/// [`Failure`] if the case is wrong.
+pub fn check(arguments: &CaseArguments) -> Result<Outcome, Failure> {
+    let mut case = Case::read(&arguments.path, &arguments.sets)?;
+    let chosen = case.grid.side.is_none();
+    let side = case.side(&case.model()?);
+    case.grid.side = Some(side);
+    let resolved = toml::to_string(&case)?;
+    let estimates = estimates(&case, side, chosen);
+    terminal::print(&format!("{}\n{resolved}\n{estimates}", heading(case.units)))?;
+    Ok(Outcome::Done)
+}
+
+fn heading(units: Units) -> &'static str {
+    match units {
+        Units::Si => "# The case as resolved, in m, Pa, N and rad.",
+        Units::Consistent => "# The case as resolved, in its own units.",
+    }
+}
+
+/// What the grid makes of the case, as comments, so that the whole is a case file again.
+fn estimates(case: &Case, side: f64, chosen: bool) -> String {
+    let elements = case.grid.elements;
+    let element_side = side / elements as f64;
+    let metres = |value| quantity(value, Unit::Metre, case.units);
+    let how = if chosen {
+        "chosen from the load"
+    } else {
+        "as given"
+    };
+    let bytes = BYTES_PER_ELEMENT * (elements * elements) as f64;
+    let per_feature = features(case).into_iter().map(|(name, length)| {
+        let count = significant(length / element_side, 3);
+        (format!("elements per {name}"), count)
+    });
+    let mut lines = vec![
+        (
+            "side of the domain".to_owned(),
+            format!("{} ({how})", metres(side)),
+        ),
+        ("element side".to_owned(), metres(element_side)),
+    ];
+    lines.extend(per_feature);
+    lines.push((
+        "loading steps".to_owned(),
+        case.load.steps().len().to_string(),
+    ));
+    lines.push((
+        "memory, about".to_owned(),
+        format!("{} MB", significant(bytes / 1e6, 2)),
+    ));
+    let line = |(name, value): &(String, String)| format!("# {name:<38}{value}\n");
+    lines.iter().map(line).collect()
+}
+
+/// The lengths that a grid should resolve.
+fn features(case: &Case) -> Vec<(String, f64)> {
+    let layers = case.foundation.layer.iter().enumerate();
+    let thickness = layers.map(|(i, layer)| (format!("thickness of layer {i}"), layer.thickness));
+    let relief = match case.surface {
+        SurfaceCase::Cylinders(cylinders) => vec![
+            ("radius of a cylinder".to_owned(), cylinders.radius),
+            ("period of the cylinders".to_owned(), cylinders.period),
+        ],
+        SurfaceCase::Bare | SurfaceCase::Film { .. } => Vec::new(),
+    };
+    thickness.chain(relief).collect()
+}

@@ -1,0 +1,68 @@
+//! `pellicle influence`: influence coefficients of a foundation on the case's own elements.
+
+use pellicle_influence::direct;
+use serde::Serialize;
+
+use crate::arguments::InfluenceArguments;
+use crate::case::Case;
+use crate::case::units::Units;
+use crate::failure::Failure;
+use crate::program::Outcome;
+use crate::{output, terminal};
+
+/// One offset.
+#[derive(Debug, Clone, Copy, Serialize)]
+struct Row {
+    /// Distance in elements along x and y.
+    offset: [usize; 2],
+    /// Displacement there for unit pressure on one element, m/Pa.
+    coefficient: f64,
+}
+
+/// Prints a row for each offset.
+///
+/// # Errors
+///
+/// [`Failure`] if the case cannot be read or a coefficient cannot be computed to its accuracy.
+pub fn influence(arguments: &InfluenceArguments) -> Result<Outcome, Failure> {
+    let case = Case::read(&arguments.case.path, &arguments.case.sets)?;
+    let model = case.model()?;
+    let element_side = case.side(&model) / case.grid.elements as f64;
+    let row = |&offset: &[usize; 2]| {
+        let coefficient = if arguments.direct {
+            direct::coefficient(model.tables.foundation(), element_side, offset)?
+        } else {
+            model.tables.coefficient(element_side, offset)
+        };
+        Ok(Row {
+            offset,
+            coefficient,
+        })
+    };
+    let rows = arguments
+        .offsets
+        .iter()
+        .map(row)
+        .collect::<Result<Vec<_>, Failure>>()?;
+    let text = if arguments.json {
+        output::json(&rows)?
+    } else {
+        table(&rows, element_side, case.units)
+    };
+    terminal::print(&text)?;
+    Ok(Outcome::Done)
+}
+
+fn table(rows: &[Row], element_side: f64, units: Units) -> String {
+    let (metre, metre_per_pascal) = (units.name("m"), units.name("m/Pa"));
+    let coefficient = format!("k [{metre_per_pascal}]");
+    let row = |row: &Row| {
+        let ([m, n], coefficient) = (row.offset, row.coefficient);
+        format!("{m:>8}{n:>8}{coefficient:>26e}\n")
+    };
+    let rows: String = rows.iter().map(row).collect();
+    format!(
+        "element side {element_side:e} {metre}\n{:>8}{:>8}{coefficient:>26}\n{rows}",
+        "m", "n"
+    )
+}

@@ -1,0 +1,8 @@
+//! The commands, one a file.
+
+pub mod check;
+pub mod influence;
+pub mod init;
+pub mod kernel;
+pub mod plot;
+pub mod run;

@@ -1,0 +1,116 @@
+//! `pellicle run`: a case solved, certified and written down.
+
+use std::path::Path;
+use std::time::Instant;
+
+use pellicle_contact::{LoadingPath, Model, Observer, solve_path};
+
+use crate::arguments::RunArguments;
+use crate::case::Case;
+use crate::failure::Failure;
+use crate::output::folder::{Existing, Folder};
+use crate::output::summary::{Clock, Summary};
+use crate::output::{json, report, results};
+use crate::program::Outcome;
+use crate::progress::ProgressLine;
+use crate::terminal;
+
+/// Solves the case, writes its results folder and says what came out.
+///
+/// # Errors
+///
+/// [`Failure`] if the case is wrong, the results cannot be written, or the contact cannot be computed at all.
+pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
+    let start = Instant::now();
+    let case = Case::read(&arguments.case.path, &arguments.case.sets)?;
+    let folder = claim(arguments)?;
+    set_threads(arguments.threads)?;
+    let mut line = progress_line(arguments);
+    let tables = Instant::now();
+    let model = case.model()?;
+    let tables_seconds = tables.elapsed().as_secs_f64();
+    let path = solve(&case, &model, &mut line)?;
+    drop(line);
+    let clock = Clock {
+        start,
+        tables_seconds,
+    };
+    let summary = Summary::new(&case, &path, clock);
+    if let Some(folder) = &folder {
+        folder.write(|folder| results::write(folder, &path, &summary))?;
+    }
+    tell(arguments, &summary, folder.as_ref().map(Folder::path));
+    if arguments.json {
+        terminal::print(&json(&summary)?)?;
+    }
+    Ok(outcome(&summary))
+}
+
+/// Where the results go: nowhere with `--json` alone.
+fn claim(arguments: &RunArguments) -> Result<Option<Folder>, Failure> {
+    let existing = if arguments.force {
+        Existing::Replace
+    } else {
+        Existing::Keep
+    };
+    let name = arguments.case.path.file_stem().unwrap_or_default();
+    match &arguments.out {
+        Some(path) => Folder::claim(path, existing).map(Some),
+        None if arguments.json => Ok(None),
+        None => Folder::claim_default(&name.to_string_lossy(), existing).map(Some),
+    }
+}
+
+fn set_threads(threads: Option<u16>) -> Result<(), Failure> {
+    let Some(threads) = threads else {
+        return Ok(());
+    };
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.into());
+    Ok(pool.build_global()?)
+}
+
+fn progress_line(arguments: &RunArguments) -> ProgressLine {
+    if is_watched(arguments) {
+        ProgressLine::new()
+    } else {
+        ProgressLine::hidden()
+    }
+}
+
+fn solve(case: &Case, model: &Model, observer: &mut dyn Observer) -> Result<LoadingPath, Failure> {
+    let (loads, options) = (case.load.steps(), case.solver.options());
+    let (domain, elements) = (case.grid.domain(), case.grid.elements);
+    Ok(solve_path(
+        model, domain, elements, &loads, &options, observer,
+    )?)
+}
+
+fn is_watched(arguments: &RunArguments) -> bool {
+    !arguments.quiet && !arguments.json
+}
+
+/// The summary in words, the warnings, and where the results are.
+fn tell(arguments: &RunArguments, summary: &Summary, folder: Option<&Path>) {
+    if is_watched(arguments) {
+        terminal::tell(report::text(summary).trim_end());
+    }
+    if !arguments.quiet && !summary.warnings.is_empty() {
+        terminal::tell(&report::warnings(summary));
+    }
+    if !summary.is_certified() {
+        terminal::tell(
+            "Error: not converged: the certificate is not satisfied, do not use these numbers",
+        );
+    }
+    if let (true, Some(folder)) = (is_watched(arguments), folder) {
+        terminal::tell(&format!("written to {}", folder.display()));
+    }
+}
+
+fn outcome(summary: &Summary) -> Outcome {
+    if summary.is_certified() {
+        Outcome::Done
+    } else {
+        Outcome::NotConverged
+    }
+}

@@ -1,0 +1,173 @@
+//! Numbers as people read them: an SI prefix, a few digits.
+
+use crate::case::units::Units;
+
+/// The prefixes of 10⁻¹⁸, 10⁻¹⁵ … 10¹².
+const PREFIXES: [&str; 11] = ["a", "f", "p", "n", "µ", "m", "", "k", "M", "G", "T"];
+
+/// What a quantity is measured in, before any prefix.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Unit {
+    /// m
+    Metre,
+    /// m²
+    SquareMetre,
+    /// Pa
+    Pascal,
+    /// N
+    Newton,
+}
+
+impl Unit {
+    fn symbol(self) -> &'static str {
+        match self {
+            Self::Metre => "m",
+            Self::SquareMetre => "m²",
+            Self::Pascal => "Pa",
+            Self::Newton => "N",
+        }
+    }
+
+    /// How often the prefix counts: 1 µm² is (10⁻⁶ m)².
+    fn power(self) -> i32 {
+        if self == Self::SquareMetre { 2 } else { 1 }
+    }
+}
+
+/// A scale on which numbers of some size are easy to read.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scale {
+    /// A value is divided by this.
+    pub divisor: f64,
+    /// What the quotient is measured in: `µm`, `10⁻³ case units`; empty for bare case units.
+    pub label: String,
+}
+
+impl Scale {
+    /// The scale for values up to `largest`.
+    #[must_use]
+    pub fn of(largest: f64, unit: Unit, units: Units) -> Self {
+        let power = unit.power();
+        let magnitude = if largest == 0.0 || !largest.is_finite() {
+            0.0
+        } else {
+            largest.abs().log10()
+        };
+        // The slack keeps 10⁻⁶ m, whose logarithm may round down, at 1 µm.
+        let step = ((magnitude + 1e-9) / f64::from(3 * power)).floor();
+        match units {
+            Units::Si => Self::prefixed(step, unit),
+            Units::Consistent => Self::power_of_ten(magnitude),
+        }
+    }
+
+    fn prefixed(step: f64, unit: Unit) -> Self {
+        #[expect(
+            clippy::cast_possible_truncation,
+            reason = "clamped to the eleven prefixes"
+        )]
+        let step = step.clamp(-6.0, 4.0) as i32;
+        let prefix = PREFIXES[step.abs_diff(-6) as usize];
+        Self {
+            divisor: 10_f64.powi(3 * step * unit.power()),
+            label: format!("{prefix}{}", unit.symbol()),
+        }
+    }
+
+    fn power_of_ten(magnitude: f64) -> Self {
+        if (-3.0..4.0).contains(&magnitude) {
+            return Self {
+                divisor: 1.0,
+                label: String::new(),
+            };
+        }
+        #[expect(
+            clippy::cast_possible_truncation,
+            reason = "the logarithm of an f64 is below 309"
+        )]
+        let exponent = 3 * ((magnitude + 1e-9) / 3.0).floor() as i32;
+        Self {
+            divisor: 10_f64.powi(exponent),
+            label: format!("10{} case units", superscript(exponent)),
+        }
+    }
+
+    /// The value with five digits and its unit: `1.2346 µm`.
+    #[must_use]
+    pub fn with_unit(&self, value: f64) -> String {
+        format!("{} {}", significant(value / self.divisor, 5), self.label)
+    }
+}
+
+/// The value on its own scale, with its unit.
+#[must_use]
+pub fn quantity(value: f64, unit: Unit, units: Units) -> String {
+    match units {
+        Units::Si => Scale::of(value, unit, units).with_unit(value),
+        Units::Consistent => significant(value, 5),
+    }
+}
+
+/// The value with this many significant digits.
+#[must_use]
+pub fn significant(value: f64, digits: usize) -> String {
+    let size = value.abs();
+    if value == 0.0 || !value.is_finite() {
+        return value.to_string();
+    }
+    if !(1e-3..1e6).contains(&size) {
+        return format!("{value:.*e}", digits - 1);
+    }
+    // Digits before the point, negative for zeros behind it: between -2 and 6.
+    let before = size.log10().floor() + 1.0;
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "between 0 and 20"
+    )]
+    let after = (digits as f64 - before).clamp(0.0, 20.0) as usize;
+    format!("{value:.after$}")
+}
+
+/// An integer as an exponent: `⁻³`.
+fn superscript(exponent: i32) -> String {
+    const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    let raise = |c: char| c.to_digit(10).map_or('⁻', |digit| DIGITS[digit as usize]);
+    exponent.to_string().chars().map(raise).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn si(value: f64, unit: Unit) -> String {
+        quantity(value, unit, Units::Si)
+    }
+
+    #[test]
+    fn si_values_have_the_prefix_that_suits_them() {
+        assert_eq!(si(1.01301e-6, Unit::Metre), "1.0130 µm");
+        assert_eq!(si(1e-6, Unit::Metre), "1.0000 µm");
+        assert_eq!(si(471.336e6, Unit::Pascal), "471.34 MPa");
+        assert_eq!(si(2.3e-3, Unit::Newton), "2.3000 mN");
+        assert_eq!(si(3.18245e-8, Unit::SquareMetre), "31825 µm²");
+        assert_eq!(si(0.0, Unit::Metre), "0 m");
+        assert_eq!(si(-5e-9, Unit::Metre), "-5.0000 nm");
+        assert_eq!(si(1e-30, Unit::Metre), "1.0000e-12 am");
+        assert_eq!(si(f64::INFINITY, Unit::Metre), "inf m");
+    }
+
+    #[test]
+    fn no_unit_is_invented_for_a_case_without_units() {
+        assert_eq!(
+            quantity(6.38e-4, Unit::Metre, Units::Consistent),
+            "6.3800e-4"
+        );
+        assert_eq!(Scale::of(0.05, Unit::Metre, Units::Consistent).label, "");
+        let small = Scale::of(2e-5, Unit::Pascal, Units::Consistent);
+        assert_eq!(
+            (small.divisor, small.label.as_str()),
+            (1e-6, "10⁻⁶ case units")
+        );
+    }
+}

@@ -1,0 +1,24 @@
+//! The program `pellicle`: a case file in, a certified contact solution out.
+//!
+//! [`program::main`] goes from the command line to the exit code; [`case::Case`] is a case file as read; a command is a function of
+//! its arguments in [`command`]; [`output`] and [`picture`] are what a run leaves behind.
+
+#![cfg_attr(
+    test,
+    allow(
+        clippy::float_cmp,
+        reason = "a number read from a case must be the number written in it, to the last bit"
+    )
+)]
+
+pub mod arguments;
+pub mod case;
+pub mod command;
+pub mod display;
+pub mod failure;
+pub mod output;
+pub mod picture;
+pub mod program;
+pub mod progress;
+pub mod templates;
+pub mod terminal;

@@ -1,0 +1,80 @@
+//! `curve.csv`: one row a loading step, units in the header.
+
+use super::summary::{StepSummary, Summary};
+use crate::case::units::Units;
+
+/// Name of the file in a results folder.
+pub const FILE: &str = "curve.csv";
+
+/// A column: its name, its SI unit if it has one, and its value in a step.
+type Column = (
+    &'static str,
+    Option<&'static str>,
+    fn(&StepSummary) -> String,
+);
+
+const COLUMNS: [Column; 12] = [
+    ("force", Some("N"), |step| number(step.force)),
+    ("penetration", Some("m"), |step| number(step.penetration)),
+    ("max pressure", Some("Pa"), |step| number(step.max_pressure)),
+    ("mean pressure", Some("Pa"), |step| {
+        number(step.mean_pressure)
+    }),
+    ("contact area", Some("m^2"), |step| {
+        number(step.contact_area)
+    }),
+    ("contact area on relief", Some("m^2"), |step| {
+        number(step.contact_area_on_relief)
+    }),
+    ("contact area between", Some("m^2"), |step| {
+        number(step.contact_area_between)
+    }),
+    ("contact radius", Some("m"), |step| {
+        number(step.contact_radius)
+    }),
+    ("contact elements", None, |step| {
+        step.contact_elements.to_string()
+    }),
+    ("certificate worst", None, |step| {
+        number(step.certificate.worst)
+    }),
+    ("certificate satisfied", None, |step| {
+        step.certificate.satisfied.to_string()
+    }),
+    ("operator applications", None, |step| {
+        step.work.operator_applications.to_string()
+    }),
+];
+
+/// The curve as comma-separated values.
+#[must_use]
+pub fn csv(summary: &Summary) -> String {
+    let units = summary.case.units;
+    let head = |(name, unit, _): Column| match unit {
+        Some(unit) => format!(",{name} [{}]", units.name(unit)),
+        None => format!(",{name}"),
+    };
+    let header = COLUMNS.map(head).concat();
+    let row = |(i, step): (usize, &StepSummary)| {
+        let values = COLUMNS.map(|(_, _, value)| format!(",{}", value(step)));
+        format!("{i}{}\n", values.concat())
+    };
+    let rows: String = summary.steps.iter().enumerate().map(row).collect();
+    format!("step{header}\n{rows}")
+}
+
+/// The units of a curve, by its header.
+#[must_use]
+pub fn units(csv: &str) -> Units {
+    let header = csv.lines().next().unwrap_or_default();
+    if header.contains("[N]") {
+        Units::Si
+    } else {
+        Units::Consistent
+    }
+}
+
+/// The shortest text that reads back as the same number.
+fn number(value: f64) -> String {
+    format!("{value:e}")
+}

@@ -1,0 +1,24 @@
+//! What a run leaves behind: the summary, the curve, the fields, and the folder that holds them.
+
+pub mod curve;
+pub mod fields;
+pub mod file;
+pub mod folder;
+pub mod report;
+pub mod results;
+pub mod summary;
+
+use serde::Serialize;
+
+use crate::failure::Failure;
+
+/// The value as JSON with a line end, numbers in their shortest exact form; what is not finite is `null`.
+///
+/// # Errors
+///
+/// [`Failure::Json`] if the value has no JSON form.
+pub fn json(value: &impl Serialize) -> Result<String, Failure> {
+    let mut text = serde_json::to_string_pretty(value)?;
+    text.push('\n');
+    Ok(text)
+}

@@ -1,0 +1,308 @@
+//! `summary.json`: the numbers of a run, also the output of `run --json`.
+
+use std::time::Instant;
+
+use pellicle_contact::{Certificate, Estimate, GridError, LoadingPath, Step, Work};
+use serde::Serialize;
+
+use crate::case::Case;
+
+/// Name of the file in a results folder.
+pub const FILE: &str = "summary.json";
+
+/// Name and version of the layout.
+const SCHEMA: &str = "pellicle-summary/1";
+
+/// The numbers of a run, in SI units or the case's own.
+#[derive(Debug, Clone, Serialize)]
+pub struct Summary {
+    /// Name and version of this layout.
+    pub schema: &'static str,
+    /// What wrote it.
+    pub program: &'static str,
+    /// Version of the program.
+    pub version: &'static str,
+    /// What the case is called.
+    pub title: String,
+    /// The case as resolved.
+    pub case: Case,
+    /// The grid it was solved on.
+    pub grid: GridSummary,
+    /// The loading steps.
+    pub steps: Vec<StepSummary>,
+    /// How long it took.
+    pub timing: Timing,
+    /// What should be known before the numbers are used.
+    pub warnings: Vec<WarningSummary>,
+}
+
+/// The grid of a run.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub struct GridSummary {
+    /// Side of the square domain, m.
+    pub side: f64,
+    /// Elements per side.
+    pub elements: usize,
+    /// Side `2a` of an element, m.
+    pub element_side: f64,
+}
+
+/// One loading step.
+#[derive(Debug, Clone, Serialize)]
+pub struct StepSummary {
+    /// `Q`, N.
+    pub force: f64,
+    /// `D`, m.
+    pub penetration: f64,
+    /// Largest pressure, Pa.
+    pub max_pressure: f64,
+    /// Centre of the element that has it, m.
+    pub max_pressure_at: [f64; 2],
+    /// Force over contact area, Pa.
+    pub mean_pressure: f64,
+    /// Contact area, m².
+    pub contact_area: f64,
+    /// Elements in contact.
+    pub contact_elements: usize,
+    /// Contact area on the tops of the relief, m².
+    pub contact_area_on_relief: f64,
+    /// Contact area between the tops, m².
+    pub contact_area_between: f64,
+    /// Distance of the farthest element in contact from the axis, m.
+    pub contact_radius: f64,
+    /// How well the solution satisfies the contact conditions.
+    pub certificate: CertificateSummary,
+    /// What the solution took.
+    pub work: WorkSummary,
+    /// What the grid costs.
+    pub grid_error: GridErrorSummary,
+}
+
+/// The certificate of one step; every line but the pressure is a number without scale.
+#[derive(Debug, Clone, Copy, Serialize)]
+#[expect(
+    missing_docs,
+    reason = "the lines of pellicle_contact::Certificate, described there"
+)]
+pub struct CertificateSummary {
+    pub complementarity: f64,
+    pub gap_in_contact: f64,
+    pub overlap: f64,
+    pub load: f64,
+    pub min_pressure: f64,
+    pub worst: f64,
+    pub satisfied: bool,
+}
+
+/// The work of one step.
+#[derive(Debug, Clone, Serialize)]
+pub struct WorkSummary {
+    /// Iterations on the finest grid.
+    pub iterations: usize,
+    /// Products with `K` on the finest grid.
+    pub operator_applications: usize,
+    /// Time, s.
+    pub seconds: f64,
+    /// All grids, coarsest first.
+    pub levels: Vec<LevelWorkSummary>,
+}
+
+/// The work on one grid.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub struct LevelWorkSummary {
+    /// Elements per side.
+    pub elements: usize,
+    /// Iterations.
+    pub iterations: usize,
+    /// Products with `K`.
+    pub operator_applications: usize,
+}
+
+/// The estimated errors of the grid; none where there was no coarser one.
+#[derive(Debug, Clone, Serialize)]
+pub struct GridErrorSummary {
+    /// Of the penetration, m.
+    pub penetration: Option<EstimateSummary>,
+    /// Of the contact area, m².
+    pub contact_area: Option<EstimateSummary>,
+    /// Of the largest pressure, Pa.
+    pub max_pressure: Option<EstimateSummary>,
+    /// The values on all grids, coarsest first.
+    pub levels: Vec<LevelSummary>,
+}
+
+/// The estimated error of one number.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub struct EstimateSummary {
+    /// In the unit of the number.
+    pub estimate: f64,
+    /// Observed order of convergence.
+    pub order: Option<f64>,
+    /// Whether the estimate means something.
+    pub resolved: bool,
+}
+
+/// The values on one grid.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub struct LevelSummary {
+    /// Elements per side.
+    pub elements: usize,
+    /// Penetration, m.
+    pub penetration: f64,
+    /// Contact area, m².
+    pub contact_area: f64,
+    /// Largest pressure, Pa.
+    pub max_pressure: f64,
+}
+
+/// How long a run took, and on how many threads.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub struct Timing {
+    /// For the influence coefficients, s.
+    pub coefficients_seconds: f64,
+    /// Whether the coefficients were read instead of computed.
+    pub coefficients_from_cache: bool,
+    /// For the solution of all steps, s.
+    pub solve_seconds: f64,
+    /// From the reading of the case, s.
+    pub total_seconds: f64,
+    /// Threads used.
+    pub threads: usize,
+}
+
+/// What the solver does not see of a run's time.
+#[derive(Debug, Clone, Copy)]
+pub struct Clock {
+    /// When the case began to be read.
+    pub start: Instant,
+    /// For the radial tables, s.
+    pub tables_seconds: f64,
+}
+
+/// What should be known before the numbers are used.
+#[derive(Debug, Clone, Serialize)]
+pub struct WarningSummary {
+    /// A word for programs.
+    pub code: &'static str,
+    /// A sentence for people.
+    pub message: String,
+}
+
+impl Summary {
+    /// The summary of a solved case; the side of the domain is filled in where the case left it open.
+    #[must_use]
+    pub fn new(case: &Case, path: &LoadingPath, clock: Clock) -> Self {
+        let mut case = case.clone();
+        case.grid.side.get_or_insert(path.grid.side());
+        let warning = |warning: &pellicle_contact::Warning| WarningSummary {
+            code: warning.code(),
+            message: warning.to_string(),
+        };
+        Self {
+            schema: SCHEMA,
+            program: "pellicle",
+            version: env!("CARGO_PKG_VERSION"),
+            title: case.title.clone(),
+            case,
+            grid: GridSummary {
+                side: path.grid.side(),
+                elements: path.grid.size(),
+                element_side: path.grid.element_side(),
+            },
+            steps: path.steps.iter().map(StepSummary::new).collect(),
+            timing: Timing {
+                coefficients_seconds: clock.tables_seconds + path.coefficients_seconds,
+                coefficients_from_cache: false,
+                solve_seconds: path.solve_seconds,
+                total_seconds: clock.start.elapsed().as_secs_f64(),
+                threads: rayon::current_num_threads(),
+            },
+            warnings: path.warnings.iter().map(warning).collect(),
+        }
+    }
+
+    /// Whether every step is certified.
+    #[must_use]
+    pub fn is_certified(&self) -> bool {
+        self.steps.iter().all(|step| step.certificate.satisfied)
+    }
+}
+
+impl StepSummary {
+    fn new(step: &Step) -> Self {
+        let (solution, summary) = (&step.solution, &step.summary);
+        Self {
+            force: solution.force,
+            penetration: solution.penetration,
+            max_pressure: summary.max_pressure,
+            max_pressure_at: summary.max_pressure_at,
+            mean_pressure: summary.mean_pressure,
+            contact_area: summary.contact_area,
+            contact_elements: summary.contact_elements,
+            contact_area_on_relief: summary.contact_area_on_relief,
+            contact_area_between: summary.contact_area_between,
+            contact_radius: summary.contact_radius,
+            certificate: (&solution.certificate).into(),
+            work: (&step.work).into(),
+            grid_error: (&step.grid_error).into(),
+        }
+    }
+}
+
+impl From<&Certificate> for CertificateSummary {
+    fn from(certificate: &Certificate) -> Self {
+        Self {
+            complementarity: certificate.complementarity,
+            gap_in_contact: certificate.gap_in_contact,
+            overlap: certificate.overlap,
+            load: certificate.load,
+            min_pressure: certificate.min_pressure,
+            worst: certificate.worst(),
+            satisfied: certificate.is_satisfied(),
+        }
+    }
+}
+
+impl From<&Work> for WorkSummary {
+    fn from(work: &Work) -> Self {
+        let level = |level: &pellicle_contact::LevelWork| LevelWorkSummary {
+            elements: level.elements,
+            iterations: level.iterations,
+            operator_applications: level.operator_applications,
+        };
+        Self {
+            iterations: work.iterations,
+            operator_applications: work.operator_applications,
+            seconds: work.seconds,
+            levels: work.levels.iter().map(level).collect(),
+        }
+    }
+}
+
+impl From<&GridError> for GridErrorSummary {
+    fn from(error: &GridError) -> Self {
+        let estimate = |estimate: Option<Estimate>| estimate.map(EstimateSummary::from);
+        let level = |level: &pellicle_contact::LevelValues| LevelSummary {
+            elements: level.elements,
+            penetration: level.penetration,
+            contact_area: level.contact_area,
+            max_pressure: level.max_pressure,
+        };
+        Self {
+            penetration: estimate(error.penetration),
+            contact_area: estimate(error.contact_area),
+            max_pressure: estimate(error.max_pressure),
+            levels: error.levels.iter().map(level).collect(),
+        }
+    }
+}
+
+impl From<Estimate> for EstimateSummary {
+    fn from(estimate: Estimate) -> Self {
+        Self {
+            estimate: estimate.estimate,
+            order: estimate.order,
+            resolved: estimate.resolved,
+        }
+    }
+}

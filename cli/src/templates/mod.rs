@@ -1,0 +1,62 @@
+//! The commented cases of `pellicle init`, each of which runs as it is.
+
+use clap::ValueEnum;
+
+/// A case to begin with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+pub enum Template {
+    /// A ball on a coating with a pattern of pillars
+    #[default]
+    Cylinders,
+    /// A Berkovich pyramid on a coating with a soft film
+    Film,
+    /// A ball on a hard coating, a load-penetration curve
+    Coating,
+    /// A Berkovich pyramid on a bare half-space
+    Berkovich,
+    /// A rounded cone on a coating
+    Cone,
+    /// A flat punch on an elastic layer with a rigid base
+    FlatPunch,
+    /// A ball on a half-space, to compare with the closed form
+    Hertz,
+}
+
+impl Template {
+    /// The text of the case.
+    #[must_use]
+    pub fn text(self) -> &'static str {
+        match self {
+            Self::Cylinders => include_str!("cylinders.toml"),
+            Self::Film => include_str!("film.toml"),
+            Self::Coating => include_str!("coating.toml"),
+            Self::Berkovich => include_str!("berkovich.toml"),
+            Self::Cone => include_str!("cone.toml"),
+            Self::FlatPunch => include_str!("flat-punch.toml"),
+            Self::Hertz => include_str!("hertz.toml"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::case::Case;
+    use crate::case::place::Source;
+    use crate::case::units::Units;
+
+    #[test]
+    fn every_template_is_a_case_with_units_and_comments() {
+        for template in Template::value_variants() {
+            let source = Arc::new(Source::new(
+                format!("{template:?}"),
+                template.text().to_owned(),
+            ));
+            let case = Case::parse(&source, "", &[]).unwrap_or_else(|e| panic!("{e}"));
+            assert_eq!(case.units, Units::Si, "{template:?}");
+            assert!(template.text().starts_with("# "), "{template:?}");
+        }
+    }
+}

@@ -1,0 +1,158 @@
+//! `run` and `plot`: the results folder, whole or not at all.
+
+use std::fs;
+
+use ndarray::{Array1, Array2};
+use ndarray_npy::NpzReader;
+use serde_json::Value;
+
+use crate::runner::{CASE, Folder, names};
+
+const FILES: [&str; 4] = [
+    "curve.csv",
+    "fields-000.npz",
+    "pressure-000.png",
+    "summary.json",
+];
+
+#[test]
+fn a_run_leaves_a_folder_named_after_the_case_and_numbers_the_next() {
+    let folder = Folder::with_case(CASE);
+    for _ in 0..2 {
+        let ran = folder.run(&["run", "case.toml"]);
+        assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+        assert_eq!(ran.stdout, "");
+    }
+    assert_eq!(names(&folder.path("results")), ["case", "case-2"]);
+    for name in ["case", "case-2"] {
+        assert_eq!(names(&folder.path("results").join(name)), FILES);
+    }
+}
+
+#[test]
+fn a_results_folder_is_replaced_only_with_force() {
+    let folder = Folder::with_case(CASE);
+    let run = |more: &[&str]| folder.run(&[&["run", "case.toml", "--out", "a"], more].concat());
+    assert_eq!(run(&[]).code, Some(0));
+    let old = fs::read(folder.path("a/summary.json")).unwrap();
+    let refused = run(&[]);
+    assert_eq!(refused.code, Some(2));
+    assert!(refused.stderr.contains("--force"), "{}", refused.stderr);
+    assert_eq!(fs::read(folder.path("a/summary.json")).unwrap(), old);
+    assert_eq!(run(&["--force", "--set", "title=again"]).code, Some(0));
+    assert!(
+        fs::read_to_string(folder.path("a/summary.json"))
+            .unwrap()
+            .contains("again")
+    );
+    assert_eq!(folder.names(), ["a", "case.toml"]);
+}
+
+#[test]
+fn a_folder_of_something_else_is_never_replaced() {
+    let folder = Folder::with_case(CASE);
+    let ran = folder.run(&["run", "case.toml", "--out", ".", "--force"]);
+    assert_eq!(ran.code, Some(2), "{}", ran.stderr);
+    assert_eq!(folder.names(), ["case.toml"]);
+}
+
+#[test]
+fn json_alone_prints_the_summary_and_writes_nothing() {
+    let folder = Folder::with_case(CASE);
+    let ran = folder.run(&["run", "case.toml", "--json"]);
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    assert_eq!(folder.names(), ["case.toml"]);
+    let summary: Value = serde_json::from_str(&ran.stdout).unwrap();
+    let keys: Vec<_> = summary.as_object().unwrap().keys().collect();
+    let wanted = [
+        "case", "grid", "program", "schema", "steps", "timing", "title", "version", "warnings",
+    ];
+    assert_eq!(keys, wanted);
+    assert_eq!(summary["case"]["foundation"]["layer"][0]["thickness"], 1e-8);
+    assert_eq!(summary["grid"]["elements"], 32);
+    assert_eq!(summary["steps"][0]["certificate"]["satisfied"], true);
+}
+
+#[test]
+fn quiet_is_silent_and_json_with_a_folder_does_both() {
+    let folder = Folder::with_case(CASE);
+    let ran = folder.run(&["run", "case.toml", "--quiet"]);
+    assert_eq!(
+        (ran.code, ran.stdout.as_str(), ran.stderr.as_str()),
+        (Some(0), "", "")
+    );
+    let ran = folder.run(&["run", "case.toml", "--json", "--out", "b"]);
+    assert_eq!(
+        ran.stdout,
+        fs::read_to_string(folder.path("b/summary.json")).unwrap()
+    );
+}
+
+#[test]
+fn the_curve_has_units_in_its_header_and_a_row_a_step() {
+    let folder = Folder::with_case(CASE);
+    let ran = folder.run(&[
+        "run",
+        "case.toml",
+        "--out",
+        "a",
+        "--set",
+        "load={forces=[\"1 uN\", \"2 uN\", \"4 uN\"]}",
+    ]);
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    let curve = fs::read_to_string(folder.path("a/curve.csv")).unwrap();
+    let lines: Vec<_> = curve.lines().collect();
+    assert!(
+        lines[0].starts_with("step,force [N],penetration [m],max pressure [Pa]"),
+        "{curve}"
+    );
+    assert_eq!(lines.len(), 4);
+    let columns = |line: &str| line.split(',').count();
+    assert!(
+        lines.iter().all(|line| columns(line) == columns(lines[0])),
+        "{curve}"
+    );
+    assert_eq!(names(&folder.path("a")).len(), 2 + 2 * 3);
+}
+
+#[test]
+fn the_fields_are_arrays_of_the_grid() {
+    let folder = Folder::with_case(CASE);
+    folder.run(&["run", "case.toml", "--out", "a"]);
+    let mut npz = NpzReader::new(fs::File::open(folder.path("a/fields-000.npz")).unwrap()).unwrap();
+    let x: Array1<f64> = npz.by_name("x").unwrap();
+    assert_eq!(
+        (
+            x.len(),
+            npz.by_name::<ndarray::OwnedRepr<f64>, ndarray::Ix1>("y")
+                .unwrap()
+        ),
+        (32, x)
+    );
+    for name in ["pressure", "displacement", "gap", "shortening", "profile"] {
+        let field: Array2<f64> = npz.by_name(name).unwrap();
+        assert_eq!(field.dim(), (32, 32), "{name}");
+    }
+    let mask: Array2<bool> = npz.by_name("mask").unwrap();
+    let pressure: Array2<f64> = npz.by_name("pressure").unwrap();
+    // A cylinder stands on the axis, and carries something.
+    assert!(mask[[16, 16]] && pressure[[16, 16]] > 0.0);
+    let area = (400e-9_f64 / 32.0).powi(2);
+    // The force of the certificate, to its tolerance.
+    assert!((pressure.sum() * area / 1e-6 - 1.0).abs() < 1e-8);
+}
+
+#[test]
+fn pictures_are_drawn_again_from_the_files_alone() {
+    let folder = Folder::with_case(CASE);
+    folder.run(&["run", "case.toml", "--out", "a"]);
+    let picture = folder.path("a/pressure-000.png");
+    let before = fs::read(&picture).unwrap();
+    fs::remove_file(&picture).unwrap();
+    assert_eq!(folder.run(&["plot", "a"]).code, Some(0));
+    assert_eq!(fs::read(&picture).unwrap(), before);
+    fs::write(folder.path("a/fields-000.npz"), "damaged").unwrap();
+    let ran = folder.run(&["plot", "a"]);
+    assert_eq!(ran.code, Some(2));
+    assert!(ran.stderr.contains("fields-000.npz"), "{}", ran.stderr);
+}

@@ -1,0 +1,12 @@
+//! The program as a user meets it: its exit codes, what it prints where, and what it leaves behind.
+
+#![expect(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "a test that cannot go on has failed"
+)]
+
+mod bad_input;
+mod files;
+mod runner;
+mod tables;

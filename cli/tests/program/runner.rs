@@ -1,0 +1,100 @@
+//! Runs the binary in a folder of its own.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+use tempfile::TempDir;
+
+/// A small case that is right: every test of a wrong one changes one thing in it.
+pub const CASE: &str = r#"title = "Test"
+
+[foundation]
+substrate = { young_modulus = "7 GPa", poisson_ratio = 0.4 }
+
+[[foundation.layer]]
+thickness = "10 nm"
+young_modulus = "70 GPa"
+poisson_ratio = 0.3
+
+[surface]
+kind = "cylinders"
+radius = "20 nm"
+height = "2 nm"
+period = "50 nm"
+
+[indenter]
+kind = "paraboloid"
+radius = "4 um"
+
+[load]
+force = "1 uN"
+
+[grid]
+side = "400 nm"
+elements = 32
+"#;
+
+/// A folder to run the program in.
+pub struct Folder(TempDir);
+
+/// What the program did.
+pub struct Ran {
+    pub code: Option<i32>,
+    pub stdout: String,
+    pub stderr: String,
+}
+
+impl Folder {
+    pub fn new() -> Self {
+        Self(tempfile::tempdir().unwrap())
+    }
+
+    /// A folder that holds `case.toml` with this text.
+    pub fn with_case(text: impl AsRef<[u8]>) -> Self {
+        let folder = Self::new();
+        fs::write(folder.path("case.toml"), text).unwrap();
+        folder
+    }
+
+    pub fn path(&self, name: &str) -> PathBuf {
+        self.0.path().join(name)
+    }
+
+    /// Names of everything in the folder, hidden or not.
+    pub fn names(&self) -> Vec<String> {
+        names(self.0.path())
+    }
+
+    pub fn command(&self, arguments: &[&str]) -> Command {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_pellicle"));
+        command
+            .args(arguments)
+            .current_dir(self.0.path())
+            .stdin(Stdio::null());
+        command
+    }
+
+    pub fn run(&self, arguments: &[&str]) -> Ran {
+        let Output {
+            status,
+            stdout,
+            stderr,
+        } = self.command(arguments).output().unwrap();
+        Ran {
+            code: status.code(),
+            stdout: String::from_utf8(stdout).unwrap(),
+            stderr: String::from_utf8(stderr).unwrap(),
+        }
+    }
+}
+
+/// Names of everything in a folder, in order.
+pub fn names(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).unwrap();
+    let mut names: Vec<_> = entries
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    names.sort();
+    names
+}

@@ -1,0 +1,139 @@
+//! `kernel`, `influence`, `check` and `init`: what they print.
+
+use serde_json::Value;
+
+use crate::runner::{CASE, Folder};
+
+fn json(folder: &Folder, arguments: &[&str]) -> Value {
+    let ran = folder.run(arguments);
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    assert_eq!(ran.stderr, "");
+    serde_json::from_str(&ran.stdout).unwrap()
+}
+
+fn keys(value: &Value) -> Vec<&str> {
+    value
+        .as_object()
+        .unwrap()
+        .keys()
+        .map(String::as_str)
+        .collect()
+}
+
+#[test]
+fn kernel_prints_wavenumber_compliance_and_response() {
+    let folder = Folder::with_case(CASE);
+    let line = [
+        "kernel",
+        "case.toml",
+        "--json",
+        "--wavenumber",
+        "1e6",
+        "2e7,3e8",
+        "--wavenumber",
+        "4e9",
+    ];
+    let rows = json(&folder, &line);
+    let rows = rows.as_array().unwrap();
+    assert_eq!(rows.len(), 4);
+    for (row, k) in rows.iter().zip([1e6, 2e7, 3e8, 4e9]) {
+        assert_eq!(keys(row), ["compliance", "response", "wavenumber"]);
+        assert_eq!(row["wavenumber"].as_f64(), Some(k));
+        assert!(row["compliance"].as_f64().unwrap() > 0.0);
+    }
+}
+
+#[test]
+fn influence_prints_offset_and_coefficient() {
+    let folder = Folder::with_case(CASE);
+    let line = ["influence", "case.toml", "--json", "--offset", "0,0", "3,1"];
+    let rows = json(&folder, &line);
+    let rows = rows.as_array().unwrap();
+    assert_eq!(rows.len(), 2);
+    assert_eq!(keys(&rows[1]), ["coefficient", "offset"]);
+    assert_eq!(rows[1]["offset"], serde_json::json!([3, 1]));
+    let at = |i: usize| rows[i]["coefficient"].as_f64().unwrap();
+    assert!(at(0) > at(1));
+}
+
+#[test]
+fn tables_for_people_name_their_units() {
+    let folder = Folder::with_case(CASE);
+    let kernel = folder.run(&["kernel", "case.toml", "--wavenumber", "1e6"]);
+    assert!(kernel.stdout.contains("C(k) [m/Pa]"), "{}", kernel.stdout);
+    let influence = folder.run(&["influence", "case.toml", "--offset", "0,0"]);
+    assert!(
+        influence.stdout.contains("k [m/Pa]"),
+        "{}",
+        influence.stdout
+    );
+}
+
+#[test]
+fn check_prints_a_case_with_every_default_filled_in() {
+    let folder = Folder::with_case(CASE);
+    let checked = folder.run(&["check", "case.toml"]);
+    assert_eq!(checked.code, Some(0), "{}", checked.stderr);
+    for text in [
+        "tolerance = ",
+        "lattice = \"square\"",
+        "interface = \"bonded\"",
+        "# elements per radius of a cylinder",
+    ] {
+        assert!(
+            checked.stdout.contains(text),
+            "{text} in: {}",
+            checked.stdout
+        );
+    }
+    let again = Folder::with_case(checked.stdout).run(&["check", "case.toml"]);
+    assert_eq!(again.code, Some(0), "{}", again.stderr);
+}
+
+#[test]
+fn every_template_passes_its_check() {
+    for kind in [
+        "cylinders",
+        "film",
+        "coating",
+        "berkovich",
+        "cone",
+        "flat-punch",
+        "hertz",
+    ] {
+        let template = Folder::new().run(&["init", kind]);
+        assert_eq!(template.code, Some(0), "{}", template.stderr);
+        let checked = Folder::with_case(template.stdout).run(&["check", "case.toml"]);
+        assert_eq!(checked.code, Some(0), "{kind}: {}", checked.stderr);
+    }
+}
+
+#[test]
+fn a_template_never_replaces_a_file_unless_told() {
+    let folder = Folder::with_case("mine");
+    assert_eq!(folder.run(&["init", "--out", "case.toml"]).code, Some(2));
+    assert_eq!(
+        std::fs::read_to_string(folder.path("case.toml")).unwrap(),
+        "mine"
+    );
+    assert_eq!(
+        folder.run(&["init", "--out", "case.toml", "--force"]).code,
+        Some(0)
+    );
+    assert_eq!(folder.names(), ["case.toml"]);
+}
+
+#[test]
+fn a_reader_that_leaves_early_is_no_error() {
+    let folder = Folder::with_case(CASE);
+    let mut child = folder
+        .command(&["init"])
+        .stdout(std::process::Stdio::piped())
+        .stderr(std::process::Stdio::piped())
+        .spawn()
+        .unwrap();
+    drop(child.stdout.take());
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(0));
+    assert_eq!(String::from_utf8_lossy(&output.stderr), "");
+}

@@ -1,0 +1,182 @@
+//! The proof that a pressure solves the contact problem, computed afresh from the pressure alone.
+//!
+//! With `v = K p + η p + g0` and `D = Σ p v / Σ p` (or the prescribed penetration), `g = v − D`, every line is
+//! a number without scale:
+//!
+//! ```text
+//! complementarity = Σ p |g| / (D Σ p)        gap_in_contact = max over p > 0 of |g| / D
+//! overlap = max(0, −min g) / D               load = |4a² Σ p − Q| / Q
+//! ```
+//!
+//! and the smallest pressure, which must not be negative. Nothing is taken from an iteration's own residual.
+
+use crate::{DiscreteProblem, Load};
+
+/// Residuals of the complementarity problem at a pressure; all dimensionless but the smallest pressure.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Certificate {
+    /// `Σ p |g| / (D Σ p)`.
+    pub complementarity: f64,
+    /// `max |g| / D` over the elements with `p > 0`.
+    pub gap_in_contact: f64,
+    /// `max(0, −min g) / D` over all elements.
+    pub overlap: f64,
+    /// `|4a² Σ p − Q| / Q`; 0 where the penetration is prescribed, since `g` is then taken from it.
+    pub load: f64,
+    /// Smallest pressure of all elements, in Pa; must be ≥ 0.
+    pub min_pressure: f64,
+    /// The bound on every line.
+    pub tolerance: f64,
+}
+
+impl Certificate {
+    /// The largest of the dimensionless lines; NaN where one of them is.
+    #[must_use]
+    pub fn worst(&self) -> f64 {
+        let lines = [
+            self.complementarity,
+            self.gap_in_contact,
+            self.overlap,
+            self.load,
+        ];
+        // f64::max drops NaN, which must not pass for a small number here.
+        lines.into_iter().fold(0.0, |worst: f64, line| {
+            if line.is_nan() {
+                f64::NAN
+            } else {
+                worst.max(line)
+            }
+        })
+    }
+
+    /// Whether every line keeps to the tolerance and the pressure is finite and nowhere negative.
+    #[must_use]
+    pub fn is_satisfied(&self) -> bool {
+        self.worst() <= self.tolerance && self.min_pressure >= 0.0 && self.min_pressure.is_finite()
+    }
+}
+
+/// A pressure judged: the certificate and the fields that it was computed from.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Solution {
+    /// Penetration `D`, in m.
+    pub penetration: f64,
+    /// Force `Q = 4a² Σ p`, in N.
+    pub force: f64,
+    /// Pressure `p` of each element, in Pa; N² values.
+    pub pressure: Vec<f64>,
+    /// Elastic displacement `u = K p` of each element's centre, in m, positive into the body; N² values.
+    pub displacement: Vec<f64>,
+    /// Shortening `w* = η p` of the relief (3.3), in m; N² values.
+    pub shortening: Vec<f64>,
+    /// Gap `g = u + w* + g0 − D`, in m; +∞ where the indenter has no surface; N² values.
+    pub gap: Vec<f64>,
+    /// How well this solves the problem.
+    pub certificate: Certificate,
+}
+
+impl Solution {
+    /// Judges `pressure` (N² values, in Pa) by one fresh product with `K`.
+    #[must_use]
+    pub fn judge(
+        problem: &mut DiscreteProblem,
+        load: Load,
+        pressure: Vec<f64>,
+        tolerance: f64,
+    ) -> Self {
+        let mut displacement = vec![0.0; pressure.len()];
+        problem
+            .operator_mut()
+            .apply_into(&pressure, &mut displacement);
+        let shortening: Vec<f64> = pressure
+            .iter()
+            .zip(problem.relief_compliance())
+            .map(|(p, eta)| eta * p)
+            .collect();
+        // v = K p + η p + g0
+        let mut gap: Vec<f64> = (0..pressure.len())
+            .map(|i| displacement[i] + shortening[i] + problem.initial_gap()[i])
+            .collect();
+        let total: f64 = pressure.iter().sum();
+        let penetration = match load {
+            Load::Penetration(penetration) => penetration,
+            // D = Σ p v / Σ p
+            Load::Force(_) => weighted(&pressure, &gap) / total,
+        };
+        gap.iter_mut().for_each(|g| *g -= penetration);
+        let force = total * problem.element_area();
+        let certificate = Certificate {
+            load: match load {
+                Load::Force(wanted) => (force - wanted).abs() / wanted,
+                Load::Penetration(_) => 0.0,
+            },
+            tolerance,
+            ..residuals(&pressure, &gap, penetration, total)
+        };
+        Self {
+            penetration,
+            force,
+            pressure,
+            displacement,
+            shortening,
+            gap,
+            certificate,
+        }
+    }
+}
+
+/// The lines that need no load.
+fn residuals(pressure: &[f64], gap: &[f64], penetration: f64, total: f64) -> Certificate {
+    let in_contact = || pressure.iter().zip(gap).filter(|(p, _)| **p != 0.0);
+    let weighted_gap: f64 = in_contact().map(|(p, g)| p * g.abs()).sum();
+    let largest_gap = in_contact().map(|(_, g)| g.abs()).fold(0.0, largest);
+    let overlap = gap.iter().map(|g| -g).fold(0.0, largest);
+    // Without pressure nothing is weighed; without penetration nothing sets a scale, and only zeros pass.
+    let relative = |length: f64| {
+        if length == 0.0 {
+            0.0
+        } else {
+            length / penetration.abs()
+        }
+    };
+    Certificate {
+        complementarity: if total == 0.0 {
+            0.0
+        } else {
+            relative(weighted_gap / total)
+        },
+        gap_in_contact: relative(largest_gap),
+        overlap: relative(overlap),
+        load: 0.0,
+        min_pressure: pressure.iter().copied().fold(f64::INFINITY, smallest),
+        tolerance: 0.0,
+    }
+}
+
+/// `Σ p v` over the elements with pressure (`v` is infinite where the indenter ends).
+fn weighted(pressure: &[f64], values: &[f64]) -> f64 {
+    pressure
+        .iter()
+        .zip(values)
+        .filter(|(p, _)| **p != 0.0)
+        .map(|(p, v)| p * v)
+        .sum()
+}
+
+/// The larger of two, NaN if either is.
+fn largest(a: f64, b: f64) -> f64 {
+    if a.is_nan() || b.is_nan() {
+        f64::NAN
+    } else {
+        a.max(b)
+    }
+}
+
+/// The smaller of two, NaN if either is.
+fn smallest(a: f64, b: f64) -> f64 {
+    if a.is_nan() || b.is_nan() {
+        f64::NAN
+    } else {
+        a.min(b)
+    }
+}

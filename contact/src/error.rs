@@ -1,0 +1,103 @@
+//! What can go wrong between a model and its solution.
+
+use pellicle_influence::InfluenceError;
+use pellicle_texture::TextureError;
+use thiserror::Error;
+
+/// Errors of the crate. A solution that misses its tolerance is not among them where a
+/// [`Step`](crate::Step) can carry it: its certificate says so.
+#[derive(Debug, Error)]
+pub enum ContactError {
+    /// A force that is not positive and finite.
+    #[error("force must be positive and finite, got {force}")]
+    Force {
+        /// Value found, in N.
+        force: f64,
+    },
+    /// A penetration that is not finite.
+    #[error("penetration must be finite, got {penetration}")]
+    Penetration {
+        /// Value found, in m.
+        penetration: f64,
+    },
+    /// A tolerance outside (0, 0.1].
+    #[error("tolerance must lie in (0, 0.1], got {tolerance}")]
+    Tolerance {
+        /// Value found.
+        tolerance: f64,
+    },
+    /// A field whose length is not that of the grid.
+    #[error("{field} must have {wanted} values, one per element, got {found}")]
+    FieldLength {
+        /// Which field.
+        field: &'static str,
+        /// Values found.
+        found: usize,
+        /// Values wanted.
+        wanted: usize,
+    },
+    /// A field with a value that no surface can have.
+    #[error("{field} of element {element} must be {wanted}, got {found}")]
+    FieldValue {
+        /// Which field.
+        field: &'static str,
+        /// Index of the element.
+        element: usize,
+        /// What is wanted.
+        wanted: &'static str,
+        /// Value found.
+        found: f64,
+    },
+    /// An element area that is not positive and finite.
+    #[error("area of an element must be positive and finite, got {area}")]
+    ElementArea {
+        /// Value found, in m².
+        area: f64,
+    },
+    /// More elements than the dense active set is meant for.
+    #[error(
+        "the active set stores a dense matrix: at most {largest} elements per side, got {elements}; use the gradient method"
+    )]
+    TooLargeForActiveSet {
+        /// Elements per side found.
+        elements: usize,
+        /// Most elements per side.
+        largest: usize,
+    },
+    /// The dense system of a working set is not positive definite, so its coefficients are wrong.
+    #[error("the elastic system of {elements} elements in contact is not positive definite")]
+    NotPositiveDefinite {
+        /// Elements in the working set.
+        elements: usize,
+    },
+    /// No element can come into contact, whatever the force.
+    #[error(
+        "the indenter's profile is infinite on all {elements} elements of the grid: nothing can touch"
+    )]
+    NothingCanTouch {
+        /// Number of elements.
+        elements: usize,
+    },
+    /// The observer asked to stop.
+    #[error("cancelled at loading step {step}")]
+    Cancelled {
+        /// Loading step under way, counted from 0.
+        step: usize,
+    },
+    /// The contact outgrew every domain tried.
+    #[error(
+        "contact still reaches the edge of a domain of side {side} after {enlargements} enlargements"
+    )]
+    DomainTooSmall {
+        /// Side of the last domain tried, in m.
+        side: f64,
+        /// Number of times that the domain was enlarged.
+        enlargements: usize,
+    },
+    /// From the grid or the relief.
+    #[error(transparent)]
+    Texture(#[from] TextureError),
+    /// From the influence coefficients.
+    #[error(transparent)]
+    Influence(#[from] InfluenceError),
+}

@@ -1,0 +1,149 @@
+//! One of the indenters, whichever the case asks for.
+
+use super::{Cone, FlatPunch, IndenterMap, Paraboloid, Profile, Pyramid, Sphere};
+
+/// A rigid indenter of any of the known shapes.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Indenter {
+    /// `ρ²/(2R)`.
+    Paraboloid(Paraboloid),
+    /// A sphere up to its equator.
+    Sphere(Sphere),
+    /// A cone, sharp or with a spherical tip.
+    Cone(Cone),
+    /// The flat end of a circular cylinder.
+    FlatPunch(FlatPunch),
+    /// A regular pyramid, sharp or rounded.
+    Pyramid(Pyramid),
+    /// A measured surface.
+    Map(IndenterMap),
+}
+
+impl Indenter {
+    /// The shape behind the name.
+    fn shape(&self) -> &dyn Profile {
+        match self {
+            Self::Paraboloid(shape) => shape,
+            Self::Sphere(shape) => shape,
+            Self::Cone(shape) => shape,
+            Self::FlatPunch(shape) => shape,
+            Self::Pyramid(shape) => shape,
+            Self::Map(shape) => shape,
+        }
+    }
+
+    /// Height f(x, y), m; see [`Profile::height`].
+    #[must_use]
+    pub fn height(&self, x: f64, y: f64) -> f64 {
+        self.shape().height(x, y)
+    }
+
+    /// Average height over a circle, m; see [`Profile::mean_profile`].
+    #[must_use]
+    pub fn mean_profile(&self, radius: f64) -> f64 {
+        self.shape().mean_profile(radius)
+    }
+}
+
+impl Profile for Indenter {
+    fn height(&self, x: f64, y: f64) -> f64 {
+        self.shape().height(x, y)
+    }
+
+    fn mean_profile(&self, radius: f64) -> f64 {
+        self.shape().mean_profile(radius)
+    }
+}
+
+impl From<Paraboloid> for Indenter {
+    fn from(shape: Paraboloid) -> Self {
+        Self::Paraboloid(shape)
+    }
+}
+
+impl From<Sphere> for Indenter {
+    fn from(shape: Sphere) -> Self {
+        Self::Sphere(shape)
+    }
+}
+
+impl From<Cone> for Indenter {
+    fn from(shape: Cone) -> Self {
+        Self::Cone(shape)
+    }
+}
+
+impl From<FlatPunch> for Indenter {
+    fn from(shape: FlatPunch) -> Self {
+        Self::FlatPunch(shape)
+    }
+}
+
+impl From<Pyramid> for Indenter {
+    fn from(shape: Pyramid) -> Self {
+        Self::Pyramid(shape)
+    }
+}
+
+impl From<IndenterMap> for Indenter {
+    fn from(shape: IndenterMap) -> Self {
+        Self::Map(shape)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pellicle_texture::{Grid, HeightMap};
+
+    fn all() -> [Indenter; 6] {
+        let bowl = vec![2.0, 1.0, 2.0, 1.0, 0.5, 1.0, 2.0, 1.0, 2.0];
+        [
+            Paraboloid::new(2.0).unwrap().into(),
+            Sphere::new(2.0).unwrap().into(),
+            Cone::new(1.2, 0.3).unwrap().into(),
+            FlatPunch::new(0.5).unwrap().into(),
+            Pyramid::vickers(0.3).unwrap().into(),
+            IndenterMap::new(HeightMap::new(bowl, [3, 3], [3.0, 3.0]).unwrap()).into(),
+        ]
+    }
+
+    #[test]
+    fn every_indenter_touches_the_origin_and_nothing_below_it() {
+        for indenter in all() {
+            assert_eq!(indenter.height(0.0, 0.0), 0.0, "{indenter:?}");
+            for k in 0..200 {
+                let (x, y) = (f64::from(k % 20) / 7.0 - 1.4, f64::from(k / 20) / 3.5 - 1.4);
+                assert!(indenter.height(x, y) >= 0.0, "{indenter:?} at {x}, {y}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_mean_over_a_circle_is_the_mean_of_many_heights() {
+        for indenter in all() {
+            let turn = |k: i32| (f64::from(k) * std::f64::consts::TAU / 9001.0).sin_cos();
+            let heights = (0..9001)
+                .map(turn)
+                .map(|(sine, cosine)| indenter.height(0.9 * cosine, 0.9 * sine));
+            let mean = heights.sum::<f64>() / 9001.0;
+            let error = (indenter.mean_profile(0.9) - mean).abs();
+            // A profile of height about 1 with a few kinks on 360 angles: some 1/360² of it each.
+            assert!(
+                mean.is_infinite() || error < 3e-5,
+                "{indenter:?}: {error:e}"
+            );
+            assert_eq!(mean.is_infinite(), indenter.mean_profile(0.9).is_infinite());
+        }
+    }
+
+    #[test]
+    fn the_samples_lie_on_the_grid_x_first() {
+        let indenter = Indenter::from(IndenterMap::new(
+            HeightMap::new(vec![0.0, 1.0], [2, 1], [2.0, 2.0]).unwrap(),
+        ));
+        // The lowest sample, at x = −½ of the map, stands on the origin, so the map spans x from −½ to 3/2.
+        let grid = Grid::new(2.0, 2).unwrap();
+        assert_eq!(indenter.sample(&grid), [0.0, 0.0, 0.5, 0.5]);
+    }
+}

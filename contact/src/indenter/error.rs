@@ -1,0 +1,100 @@
+//! What can be wrong with an indenter, with the numbers that show it.
+
+use std::fmt;
+
+use thiserror::Error;
+
+/// A number that the constructor of an indenter checks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum IndenterQuantity {
+    /// Radius of a paraboloid, sphere or flat punch, m.
+    Radius,
+    /// Radius of a rounded tip, m.
+    TipRadius,
+    /// Angle between the axis and the side of a cone, rad.
+    HalfAngle,
+    /// Angle between the axis and the faces of a pyramid, rad.
+    FaceAngle,
+}
+
+impl fmt::Display for IndenterQuantity {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(match self {
+            Self::Radius => "the indenter's radius",
+            Self::TipRadius => "the radius of the indenter's tip",
+            Self::HalfAngle => "the half-angle of the cone",
+            Self::FaceAngle => "the angle between the pyramid's axis and faces",
+        })
+    }
+}
+
+/// Why an indenter cannot be built.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum IndenterError {
+    /// A length that must be positive and finite is not.
+    #[error("{quantity} must be positive and finite, got {found}")]
+    NotPositive {
+        /// Which length.
+        quantity: IndenterQuantity,
+        /// Its value, m.
+        found: f64,
+    },
+    /// A length that must be zero or positive, and finite, is not.
+    #[error("{quantity} must be finite and not negative, got {found}")]
+    Negative {
+        /// Which length.
+        quantity: IndenterQuantity,
+        /// Its value, m.
+        found: f64,
+    },
+    /// An angle is not between 0 and π/2.
+    #[error(
+        "{quantity} must lie between 0 and π/2 (90°), got {found} rad ({:.4}°)",
+        found.to_degrees()
+    )]
+    Angle {
+        /// Which angle.
+        quantity: IndenterQuantity,
+        /// Its value, rad.
+        found: f64,
+    },
+    /// A pyramid has too few faces to close, or more than a cone could tell.
+    #[error("a pyramid must have {least} to {most} faces, got {found}")]
+    FaceCount {
+        /// Number asked for.
+        found: usize,
+        /// The fewest.
+        least: usize,
+        /// The most.
+        most: usize,
+    },
+}
+
+/// The length itself, if it is positive and finite.
+pub(super) fn positive(quantity: IndenterQuantity, found: f64) -> Result<f64, IndenterError> {
+    if found > 0.0 && found.is_finite() {
+        Ok(found)
+    } else {
+        Err(IndenterError::NotPositive { quantity, found })
+    }
+}
+
+/// The length itself, if it is zero or positive, and finite.
+pub(super) fn not_negative(quantity: IndenterQuantity, found: f64) -> Result<f64, IndenterError> {
+    if found >= 0.0 && found.is_finite() {
+        Ok(found)
+    } else {
+        Err(IndenterError::Negative { quantity, found })
+    }
+}
+
+/// The angle itself, if it lies strictly between 0 and π/2.
+pub(super) fn acute(quantity: IndenterQuantity, found: f64) -> Result<f64, IndenterError> {
+    if found > 0.0 && found < std::f64::consts::FRAC_PI_2 {
+        Ok(found)
+    } else {
+        Err(IndenterError::Angle { quantity, found })
+    }
+}

@@ -1,0 +1,85 @@
+//! An indenter measured point by point.
+
+use pellicle_texture::HeightMap;
+
+use super::Profile;
+
+/// A measured indenter: a height map, placed so that its lowest sample stands on the origin at height 0.
+///
+/// Between samples the height is bilinear. Beyond the map's rectangle the indenter ends, `f = +∞`: a contact that reaches the
+/// rim of the measurement is bounded by it as by the rim of a punch.
+#[derive(Clone, Debug, PartialEq)]
+pub struct IndenterMap {
+    map: HeightMap,
+    lowest: f64,
+    lowest_point: [f64; 2],
+}
+
+impl IndenterMap {
+    /// An indenter from heights (m, upwards, above any plane) of its lower surface.
+    ///
+    /// Of several equally low samples the one nearest to the middle of the map is put on the origin.
+    #[must_use]
+    pub fn new(map: HeightMap) -> Self {
+        let (lowest, lowest_point) = (map.lowest(), map.lowest_point());
+        Self {
+            map,
+            lowest,
+            lowest_point,
+        }
+    }
+
+    /// The map as given.
+    #[must_use]
+    pub fn map(&self) -> &HeightMap {
+        &self.map
+    }
+}
+
+impl Profile for IndenterMap {
+    fn height(&self, x: f64, y: f64) -> f64 {
+        let point = [x + self.lowest_point[0], y + self.lowest_point[1]];
+        if self.map.covers(point) {
+            self.map.height(point) - self.lowest
+        } else {
+            f64::INFINITY
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::indenter::Paraboloid;
+
+    #[test]
+    fn the_lowest_sample_stands_on_the_origin_and_the_rim_is_the_end() {
+        let map = HeightMap::new(vec![9.0, 7.0, 8.0], [3, 1], [3.0, 1.0]).unwrap();
+        let indenter = IndenterMap::new(map);
+        assert_eq!(
+            [-1.0, 0.0, 0.5, 1.0].map(|x| indenter.height(x, 0.0)),
+            [2.0, 0.0, 0.5, 1.0]
+        );
+        assert_eq!(
+            [indenter.height(1.6, 0.0), indenter.height(0.0, 0.6)],
+            [f64::INFINITY; 2]
+        );
+    }
+
+    #[test]
+    fn a_sampled_paraboloid_returns_to_second_order() {
+        let paraboloid = Paraboloid::new(1.0).unwrap();
+        let error = |n: i32| {
+            let at = |i: i32| (f64::from(i) + 0.5) * 2.0 / f64::from(n) - 1.0;
+            let heights = (0..n * n)
+                .map(|k| paraboloid.height(at(k / n), at(k % n)))
+                .collect();
+            let shape = [n.unsigned_abs() as usize; 2];
+            let indenter = IndenterMap::new(HeightMap::new(heights, shape, [2.0, 2.0]).unwrap());
+            (indenter.height(0.1, 0.2) - paraboloid.height(0.1, 0.2)).abs()
+        };
+        // 0.1 and 0.2 lie halfway between samples for n = 5 · odd: the error there is h²/8 · 2, h = 2/n.
+        let order = (error(5) / error(15)).log(3.0);
+        assert!((order - 2.0).abs() < 0.05, "order {order}");
+    }
+}

@@ -1,0 +1,202 @@
+//! Regular pyramids whose tip and ridges are rounded with one radius: the shape, its derivation and the standard face angles.
+
+use std::f64::consts::PI;
+
+use super::Profile;
+use super::cone::root_minus_one;
+use super::error::{IndenterError, IndenterQuantity, acute, not_negative};
+use super::sphere::{cap_height, half_chord};
+
+/// A regular pyramid, one ridge along +x, with tip and ridges sharp or rounded with one radius.
+///
+/// # Shape
+///
+/// With n faces at the angle α to the axis, the sharp pyramid is `f = m max_k n_k·x`, `m = cot α`, where `n_k` are the horizontal
+/// directions that the faces rise in. A sphere and a plane touch in one point only, so a cap and flat faces alone cannot meet smoothly:
+/// something must join them. Here it is the smallest convex body that contains the tip sphere, radius R, and opens like the pyramid: a
+/// sharp pyramid with a ball of radius R about each of its points (a Minkowski sum). Its lower surface is the upper envelope of all
+/// planes that touch the sphere and whose slope s the pyramid has among its supporting planes,
+///
+/// ```text
+/// f(x) = max over s in P of  s·x − R (√(1 + |s|²) − 1),      P the polygon with the corners m n_k
+/// ```
+///
+/// As a maximum of planes f is convex; as the conjugate of a strictly convex function it is C¹ everywhere (its curvature at most
+/// `1/(R sin³ α)`), and `R → 0` gives the sharp pyramid. Let u ≥ 0 be the distance from the axis along the nearest ridge, v ≥ 0
+/// the distance across it, `c = m cos(π/n)` the slope of a ridge, `q = √(1 + c²)` and `w = √(R² − v²)`. The maximum lies
+///
+/// ```text
+/// inside P           the sphere        f = ρ²/(R + √(R² − ρ²))             v < v₁ and q u < c w
+/// on an edge of P    a round ridge     f = c u − R (q − 1) + q v²/(R + w)  v < v₁ and q u ≥ c w
+/// in a corner of P   a flat face       f = m (u cos(π/n) + v sin(π/n)) − R (1/sin α − 1)   v ≥ v₁ = R cos α sin(π/n)
+/// ```
+///
+/// A ridge is a cylinder of radius R whose axis runs parallel to it; the faces are those of the sharp pyramid with its apex at the depth
+/// `R (1/sin α − 1)` below the tip, the same as for a [`Cone`](super::Cone), to which the pyramid tends with n.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pyramid {
+    face_angle: f64,
+    tip_radius: f64,
+    /// Horizontal directions of the ridges.
+    ridges: Vec<[f64; 2]>,
+}
+
+/// Midpoints between a ridge and the middle of a face for the average over a circle.
+const ANGLES: u32 = 48;
+
+impl Pyramid {
+    /// Face angle of the Berkovich pyramid, 65.03°: three faces with the Vickers ratio of true surface area to depth².
+    ///
+    /// That of the original (E. S. Berkovich, Zavodskaya Laboratoriya 16, 1950, 345–347).
+    pub const BERKOVICH_FACE_ANGLE: f64 = 65.03_f64.to_radians();
+
+    /// Face angle of the modified Berkovich pyramid, 65.27°: three faces with the Vickers ratio of projected area to depth², 24.50.
+    pub const MODIFIED_BERKOVICH_FACE_ANGLE: f64 = 65.27_f64.to_radians();
+
+    /// Face angle of the Vickers pyramid, 68°: half the angle of 136° between opposite faces.
+    pub const VICKERS_FACE_ANGLE: f64 = 68.0_f64.to_radians();
+
+    /// Face angle of the corner of a cube, `arctan(1/√2)` = 35.264°, often rounded to 35.26°.
+    pub const CUBE_CORNER_FACE_ANGLE: f64 = 0.615_479_708_670_387_3;
+
+    /// The fewest faces that enclose a body.
+    pub const FEWEST_FACES: usize = 3;
+
+    /// The most faces: 360 differ from a cone by less than 4e-5 of its height.
+    pub const MOST_FACES: usize = 360;
+
+    /// A pyramid with `faces` equal faces at the angle `face_angle` (rad) to its axis, and the radius `tip_radius` (m) of its tip
+    /// and ridges, 0 for sharp ones.
+    ///
+    /// # Errors
+    ///
+    /// [`IndenterError::FaceCount`] if there are fewer than 3 or more than 360 faces, [`IndenterError::Angle`] if the face angle
+    /// does not lie in (0, π/2), [`IndenterError::Negative`] if the tip radius is negative or not finite.
+    pub fn new(faces: usize, face_angle: f64, tip_radius: f64) -> Result<Self, IndenterError> {
+        let (least, most) = (Self::FEWEST_FACES, Self::MOST_FACES);
+        if !(least..=most).contains(&faces) {
+            return Err(IndenterError::FaceCount {
+                found: faces,
+                least,
+                most,
+            });
+        }
+        let face_angle = acute(IndenterQuantity::FaceAngle, face_angle)?;
+        let tip_radius = not_negative(IndenterQuantity::TipRadius, tip_radius)?;
+        let direction = |k: usize| (2.0 * PI * k as f64 / faces as f64).sin_cos();
+        let ridges = (0..faces)
+            .map(direction)
+            .map(|(sine, cosine)| [cosine, sine])
+            .collect();
+        Ok(Self {
+            face_angle,
+            tip_radius,
+            ridges,
+        })
+    }
+
+    /// The Berkovich pyramid at 65.03° with the given tip radius (m).
+    ///
+    /// # Errors
+    ///
+    /// [`IndenterError::Negative`] if the tip radius is negative or not finite.
+    pub fn berkovich(tip_radius: f64) -> Result<Self, IndenterError> {
+        Self::new(3, Self::BERKOVICH_FACE_ANGLE, tip_radius)
+    }
+
+    /// The modified Berkovich pyramid at 65.27° with the given tip radius (m).
+    ///
+    /// # Errors
+    ///
+    /// [`IndenterError::Negative`] if the tip radius is negative or not finite.
+    pub fn modified_berkovich(tip_radius: f64) -> Result<Self, IndenterError> {
+        Self::new(3, Self::MODIFIED_BERKOVICH_FACE_ANGLE, tip_radius)
+    }
+
+    /// The Vickers pyramid with the given tip radius (m).
+    ///
+    /// # Errors
+    ///
+    /// [`IndenterError::Negative`] if the tip radius is negative or not finite.
+    pub fn vickers(tip_radius: f64) -> Result<Self, IndenterError> {
+        Self::new(4, Self::VICKERS_FACE_ANGLE, tip_radius)
+    }
+
+    /// The corner of a cube with the given tip radius (m).
+    ///
+    /// # Errors
+    ///
+    /// [`IndenterError::Negative`] if the tip radius is negative or not finite.
+    pub fn cube_corner(tip_radius: f64) -> Result<Self, IndenterError> {
+        Self::new(3, Self::CUBE_CORNER_FACE_ANGLE, tip_radius)
+    }
+
+    /// Number of faces n.
+    #[must_use]
+    pub fn faces(&self) -> usize {
+        self.ridges.len()
+    }
+
+    /// Angle α between the axis and the faces, rad.
+    #[must_use]
+    pub fn face_angle(&self) -> f64 {
+        self.face_angle
+    }
+
+    /// Radius R of tip and ridges, m; 0 for sharp ones.
+    #[must_use]
+    pub fn tip_radius(&self) -> f64 {
+        self.tip_radius
+    }
+
+    /// Half the angle that a face takes up about the axis, π/n.
+    fn half_sector(&self) -> f64 {
+        PI / self.ridges.len() as f64
+    }
+
+    /// Distances along (u) and across (v) the nearest ridge.
+    fn ridge_coordinates(&self, x: f64, y: f64) -> (f64, f64) {
+        let along_and_across =
+            |[cosine, sine]: &[f64; 2]| (x * cosine + y * sine, (y * cosine - x * sine).abs());
+        let candidates = self.ridges.iter().map(along_and_across);
+        candidates
+            .max_by(|a, b| a.0.total_cmp(&b.0))
+            .unwrap_or((0.0, 0.0))
+    }
+
+    /// Height at the distances u along and v across a ridge.
+    fn height_at(&self, (along, across): (f64, f64)) -> f64 {
+        let (sine, cosine) = self.half_sector().sin_cos();
+        let (slope, radius) = (self.face_angle.tan().recip(), self.tip_radius);
+        // A face: f = m (u cos(π/n) + v sin(π/n)) − R (√(1 + m²) − 1), beyond v = R cos α sin(π/n).
+        if across >= radius * self.face_angle.cos() * sine {
+            return slope * (along * cosine + across * sine) - radius * root_minus_one(slope);
+        }
+        let (ridge_slope, chord) = (slope * cosine, half_chord(radius, across));
+        let stretch = 1.0_f64.hypot(ridge_slope);
+        // The sphere: its slope towards the ridge, u/√(R² − ρ²), is below that of the ridge.
+        if stretch * along < ridge_slope * chord {
+            return cap_height(radius, along.hypot(across));
+        }
+        // A ridge: f = c u − R (q − 1) + q v²/(R + w).
+        ridge_slope * along - radius * root_minus_one(ridge_slope)
+            + stretch * cap_height(radius, across)
+    }
+}
+
+impl Profile for Pyramid {
+    fn height(&self, x: f64, y: f64) -> f64 {
+        self.height_at(self.ridge_coordinates(x, y))
+    }
+
+    fn mean_profile(&self, radius: f64) -> f64 {
+        let height = |k: u32| {
+            let angle = (f64::from(k) + 0.5) / f64::from(ANGLES) * self.half_sector();
+            self.height_at((radius * angle.cos(), radius * angle.sin()))
+        };
+        (0..ANGLES).map(height).sum::<f64>() / f64::from(ANGLES)
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,76 @@
+//! What is pressed into what, before any grid; and the same on a grid.
+
+use std::sync::Arc;
+
+use pellicle_influence::{CoefficientTable, ConvolutionOperator, PeriodicSymbol, RadialTables};
+use pellicle_texture::{Grid, Relief, SampledRelief};
+
+use crate::{ContactError, DiscreteProblem, Indenter};
+
+/// A rigid indenter above a relief on an elastic foundation, with no grid and no load yet.
+#[derive(Debug, Clone)]
+pub struct Model {
+    /// Radial tables of the foundation; shared, because they do not depend on the grid.
+    pub tables: Arc<RadialTables>,
+    /// What the surface carries.
+    pub relief: Relief,
+    /// What is pressed into it.
+    pub indenter: Indenter,
+}
+
+/// The geometry of a [`Model`] sampled at the element centres of a grid; fields hold N² values.
+#[derive(Debug, Clone)]
+pub struct SampledModel {
+    /// The grid.
+    pub grid: Grid,
+    /// Mask, profile `f*` and compliance `η` of the relief.
+    pub relief: SampledRelief,
+    /// Indenter profile `f`, in m.
+    pub indenter_profile: Vec<f64>,
+}
+
+impl Model {
+    /// Samples the geometry on a grid of `size` × `size` elements over a square of side `side` (m).
+    ///
+    /// # Errors
+    /// A side or size that is no grid.
+    pub fn sample(&self, side: f64, size: usize) -> Result<SampledModel, ContactError> {
+        let grid = Grid::new(side, size)?;
+        let relief = self.relief.sample(&grid);
+        let indenter_profile = (0..grid.len())
+            .map(|e| {
+                self.indenter
+                    .height(grid.centre(e / size), grid.centre(e % size))
+            })
+            .collect();
+        Ok(SampledModel {
+            grid,
+            relief,
+            indenter_profile,
+        })
+    }
+
+    /// The discrete problem of a sampled model: coefficients, operator, symbol, `η` and `g0 = f − f*`.
+    ///
+    /// # Errors
+    /// Coefficients that cannot be had to their accuracy on this grid; an indenter that misses the grid.
+    pub fn discretize(&self, sampled: &SampledModel) -> Result<DiscreteProblem, ContactError> {
+        let grid = &sampled.grid;
+        let table = CoefficientTable::assemble(&self.tables, grid.element_side(), grid.size())?;
+        let symbol =
+            PeriodicSymbol::new(self.tables.foundation(), grid.element_side(), grid.size());
+        // g0 = f − f*
+        let initial_gap = sampled
+            .indenter_profile
+            .iter()
+            .zip(sampled.relief.profile())
+            .map(|(f, relief)| f - relief)
+            .collect();
+        let operator = Box::new(ConvolutionOperator::new(&table));
+        let compliance = sampled.relief.compliance().to_vec();
+        Ok(
+            DiscreteProblem::new(operator, compliance, initial_gap, grid.element_area())?
+                .with_symbol(symbol),
+        )
+    }
+}

@@ -1,0 +1,39 @@
+//! How a caller watches a solution grow, and stops it.
+
+/// Where the work stands, told once per iteration.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Progress {
+    /// Loading step under way, counted from 0.
+    pub step: usize,
+    /// Number of loading steps.
+    pub steps: usize,
+    /// Elements per side of the grid level under way.
+    pub elements: usize,
+    /// Iteration on this level, counted from 0.
+    pub iteration: usize,
+    /// Largest line of the certificate at this iterate, by the iteration's own residual; dimensionless.
+    pub residual: f64,
+    /// Elements with positive pressure.
+    pub contact_elements: usize,
+}
+
+/// The observer's answer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Signal {
+    /// Go on.
+    Continue,
+    /// Stop at once; the solution ends in [`ContactError::Cancelled`](crate::ContactError::Cancelled).
+    Cancel,
+}
+
+/// Receives the progress of a solution. `()` is the observer that looks away.
+pub trait Observer {
+    /// Called once per iteration.
+    fn progress(&mut self, progress: &Progress) -> Signal;
+}
+
+impl Observer for () {
+    fn progress(&mut self, _: &Progress) -> Signal {
+        Signal::Continue
+    }
+}

@@ -1,0 +1,69 @@
+//! A paraboloid on a Winkler foundation: independent springs of one compliance on a rigid base.
+
+use std::f64::consts::PI;
+
+/// The contact of a paraboloid `f = ρ²/2R` with springs of compliance η, `p = (D − f)/η`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WinklerContact {
+    /// Force Q, N.
+    pub force: f64,
+    /// Penetration D, m.
+    pub penetration: f64,
+    /// Contact radius a, m.
+    pub contact_radius: f64,
+    /// Contact area, m².
+    pub contact_area: f64,
+    /// Pressure on the axis, the largest, Pa.
+    pub peak_pressure: f64,
+}
+
+/// The contact at a penetration D (m), for the indenter's radius R (m) and the springs' compliance η (m/Pa).
+#[must_use]
+pub fn from_penetration(radius: f64, compliance: f64, penetration: f64) -> WinklerContact {
+    // πa² = 2πRD
+    let contact_area = 2.0 * PI * radius * penetration;
+    WinklerContact {
+        // Q = πRD²/η
+        force: PI * radius * penetration * penetration / compliance,
+        penetration,
+        contact_radius: (2.0 * radius * penetration).sqrt(),
+        contact_area,
+        peak_pressure: penetration / compliance,
+    }
+}
+
+/// The contact under a force Q (N), for the indenter's radius R (m) and the springs' compliance η (m/Pa).
+#[must_use]
+pub fn from_force(radius: f64, compliance: f64, force: f64) -> WinklerContact {
+    // D = √(ηQ/πR)
+    let penetration = (compliance * force / (PI * radius)).sqrt();
+    WinklerContact {
+        force,
+        ..from_penetration(radius, compliance, penetration)
+    }
+}
+
+impl WinklerContact {
+    /// Pressure at the distance ρ (m) from the axis, Pa: `p = (D − ρ²/2R)/η`, 0 outside the contact.
+    #[must_use]
+    pub fn pressure(&self, distance: f64) -> f64 {
+        let share = distance / self.contact_radius;
+        if share < 1.0 {
+            self.peak_pressure * (1.0 - share) * (1.0 + share)
+        } else {
+            0.0
+        }
+    }
+
+    /// Mean pressure over the contact, Pa: half the peak.
+    #[must_use]
+    pub fn mean_pressure(&self) -> f64 {
+        0.5 * self.peak_pressure
+    }
+
+    /// Energy stored in the springs, J: `U = QD/3`.
+    #[must_use]
+    pub fn strain_energy(&self) -> f64 {
+        self.force * self.penetration / 3.0
+    }
+}

@@ -1,0 +1,62 @@
+//! What the two ways of loading ask of a pressure: a given total, or nothing but a given penetration.
+
+use super::vector::{dot, sum};
+use crate::Load;
+
+/// The prescribed quantity in the solver's terms.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Control {
+    /// `Σ p = Q/(4a²)`, in Pa.
+    Total(f64),
+    /// The penetration `D`, in m.
+    Penetration(f64),
+}
+
+impl Control {
+    /// The control that a load means on elements of the given area (m²).
+    pub fn new(load: Load, element_area: f64) -> Self {
+        match load {
+            Load::Force(force) => Self::Total(force / element_area),
+            Load::Penetration(penetration) => Self::Penetration(penetration),
+        }
+    }
+
+    /// `D = Σ p v / Σ p`, the multiplier of the total; or the penetration itself.
+    pub fn penetration(self, pressure: &[f64], v: &[f64]) -> f64 {
+        match self {
+            Self::Total(_) => dot(pressure, v) / sum(pressure),
+            Self::Penetration(penetration) => penetration,
+        }
+    }
+
+    /// Brings a pressure ≥ 0 to the prescribed total by a factor.
+    pub fn rescale(self, pressure: &mut [f64]) {
+        if let Self::Total(total) = self {
+            let factor = total / sum(pressure);
+            pressure.iter_mut().for_each(|p| *p *= factor);
+        }
+    }
+
+    /// The energy `½ p·(v + g0)`, less `D Σ p` where the penetration is prescribed.
+    pub fn energy(self, pressure: &[f64], v: &[f64], initial_gap: &[f64]) -> f64 {
+        let stored = pressure
+            .iter()
+            .zip(v)
+            .zip(initial_gap)
+            .map(|((p, v), g0)| p * (v + g0))
+            .sum::<f64>()
+            / 2.0;
+        match self {
+            Self::Total(_) => stored,
+            Self::Penetration(penetration) => stored - penetration * sum(pressure),
+        }
+    }
+
+    /// The slope `s·∂E` of the energy along a step that keeps to the control.
+    pub fn slope(self, step: &[f64], v: &[f64]) -> f64 {
+        match self {
+            Self::Total(_) => dot(step, v),
+            Self::Penetration(penetration) => dot(step, v) - penetration * sum(step),
+        }
+    }
+}

@@ -1,0 +1,118 @@
+//! Solvers of one grid's complementarity problem, behind one interface.
+
+pub mod active_set;
+pub mod gradient;
+
+use crate::{ContactError, DiscreteProblem, Load, Observer, Progress, Signal};
+
+/// Which algorithm solves a grid's problem.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Method {
+    /// Preconditioned projected gradients with FFT products: any grid.
+    #[default]
+    Gradient,
+    /// The paper's active set on the dense system, completed: small grids, to rounding.
+    ActiveSet,
+}
+
+/// How to solve. The defaults certify to 1e-8.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SolverOptions {
+    /// Bound on every line of the certificate.
+    pub tolerance: f64,
+    /// The algorithm.
+    pub method: Method,
+    /// Products with `K` on one grid level after which a solver gives up and returns its best iterate.
+    pub max_applications: usize,
+}
+
+impl Default for SolverOptions {
+    fn default() -> Self {
+        Self {
+            tolerance: 1e-8,
+            method: Method::Gradient,
+            max_applications: 2000,
+        }
+    }
+}
+
+impl SolverOptions {
+    /// Checks the tolerance, and that the method can solve a grid of `elements` per side.
+    ///
+    /// # Errors
+    /// [`ContactError::Tolerance`] unless it lies in (0, 0.1]; [`ContactError::TooLargeForActiveSet`].
+    pub fn checked_for(self, elements: usize) -> Result<Self, ContactError> {
+        let tolerance = self.tolerance;
+        if !(tolerance > 0.0 && tolerance <= 0.1) {
+            return Err(ContactError::Tolerance { tolerance });
+        }
+        if self.method == Method::ActiveSet {
+            active_set::check_size(elements)?;
+        }
+        Ok(self)
+    }
+}
+
+/// A pressure that a solver ended with, and the work it took. Whether it solves the problem, only a
+/// [`Certificate`](crate::Certificate) says.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Iterate {
+    /// Pressure, in Pa; N² values, all ≥ 0.
+    pub pressure: Vec<f64>,
+    /// Iterations.
+    pub iterations: usize,
+    /// Products with `K`.
+    pub operator_applications: usize,
+    /// Largest line of the certificate at each iteration, by the iteration's own residual.
+    pub residuals: Vec<f64>,
+}
+
+/// One algorithm for one grid's problem.
+pub trait Solver {
+    /// Solves from the pressure `start` (N² values, in Pa; all zero for a cold start).
+    ///
+    /// # Errors
+    /// [`ContactError::Cancelled`] by the observer; a matrix that is not positive definite. A tolerance not met is
+    /// no error here: the iterate is returned and judged by its certificate.
+    fn solve(
+        &self,
+        problem: &mut DiscreteProblem,
+        load: Load,
+        start: &[f64],
+        watch: &mut Watch<'_>,
+    ) -> Result<Iterate, ContactError>;
+}
+
+/// The observer of a whole loading path, with the place of the present solution in it.
+pub struct Watch<'a> {
+    /// Who watches.
+    pub observer: &'a mut dyn Observer,
+    /// Loading step under way, counted from 0.
+    pub step: usize,
+    /// Number of loading steps.
+    pub steps: usize,
+}
+
+impl Watch<'_> {
+    /// Tells the observer; an error if it cancels.
+    pub(crate) fn tell(
+        &mut self,
+        elements: usize,
+        iteration: usize,
+        residual: f64,
+        contact_elements: usize,
+    ) -> Result<(), ContactError> {
+        let Self { step, steps, .. } = *self;
+        match self.observer.progress(&Progress {
+            step,
+            steps,
+            elements,
+            iteration,
+            residual,
+            contact_elements,
+        }) {
+            Signal::Continue => Ok(()),
+            Signal::Cancel => Err(ContactError::Cancelled { step }),
+        }
+    }
+}

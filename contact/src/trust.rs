@@ -1,0 +1,91 @@
+//! Doubts about a result: what the grid and the model cannot be trusted with.
+
+use pellicle_texture::{Grid, Relief};
+
+use crate::{Model, Step, Warning, domain::slope};
+
+/// Fewer elements than this per cylinder radius leave its outline to chance.
+const FEWEST_ELEMENTS_PER_RADIUS: f64 = 4.0;
+/// A layer thinner than this part of an element changes no coefficient by more than about as much.
+const FEWEST_ELEMENTS_PER_THICKNESS: f64 = 0.02;
+/// A spring cannot shorten by more than its height.
+const LARGEST_SHORTENING: f64 = 1.0;
+/// Slopes up to this are small: the error of linear theory is about the square.
+const LARGEST_SLOPE: f64 = 0.3;
+
+/// Whole elements between the contact and the nearest edge of the domain; none without contact.
+pub(crate) fn elements_to_edge(pressure: &[f64], grid: &Grid) -> Option<usize> {
+    let last = grid.size() - 1;
+    let in_contact = pressure.iter().enumerate().filter(|(_, p)| **p > 0.0);
+    let to_edge = |e: usize| {
+        let (i, j) = (e / grid.size(), e % grid.size());
+        i.min(j).min(last - i).min(last - j)
+    };
+    in_contact.map(|(e, _)| to_edge(e)).min()
+}
+
+/// Doubts that hold for every load.
+pub(crate) fn model_warnings(model: &Model, grid: &Grid) -> Vec<Warning> {
+    let mut warnings = Vec::new();
+    if let Relief::Cylinders(cylinders) = &model.relief {
+        let elements_per_radius = cylinders.radius() / grid.element_side();
+        if elements_per_radius < FEWEST_ELEMENTS_PER_RADIUS {
+            warnings.push(Warning::TextureUnderResolved {
+                elements_per_radius,
+            });
+        }
+    }
+    for (layer, found) in model.tables.foundation().layers().iter().enumerate() {
+        let elements_per_thickness = found.thickness() / grid.element_side();
+        if elements_per_thickness < FEWEST_ELEMENTS_PER_THICKNESS {
+            warnings.push(Warning::LayerUnderResolved {
+                layer,
+                elements_per_thickness,
+            });
+        }
+    }
+    warnings
+}
+
+/// Doubts about one loading step.
+pub(crate) fn step_warnings(model: &Model, index: usize, step: &Step) -> Vec<Warning> {
+    let certificate = &step.solution.certificate;
+    let not_converged = (!certificate.is_satisfied()).then(|| Warning::NotConverged {
+        step: index,
+        worst: certificate.worst(),
+        tolerance: certificate.tolerance,
+    });
+    [
+        not_converged,
+        shortening(model, index, step),
+        peak(index, step),
+        steepness(model, index, step),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
+}
+
+fn shortening(model: &Model, index: usize, step: &Step) -> Option<Warning> {
+    let height = model.relief.height()?;
+    let times = step.solution.shortening.iter().copied().fold(0.0, f64::max) / height;
+    (times > LARGEST_SHORTENING).then_some(Warning::FilmShortening { step: index, times })
+}
+
+fn peak(index: usize, step: &Step) -> Option<Warning> {
+    let estimate = step
+        .grid_error
+        .max_pressure
+        .filter(|estimate| !estimate.resolved)?;
+    Some(Warning::PeakNotResolved {
+        step: index,
+        change: estimate.estimate / step.summary.max_pressure,
+    })
+}
+
+fn steepness(model: &Model, index: usize, step: &Step) -> Option<Warning> {
+    let radius = step.summary.contact_radius;
+    let slope = slope(&model.indenter, radius);
+    (radius > 0.0 && slope.is_finite() && slope > LARGEST_SLOPE)
+        .then_some(Warning::SteepIndenter { step: index, slope })
+}

@@ -1,0 +1,25 @@
+//! The work that a solution took, counted in products with `K`.
+
+/// Work of one loading step.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Work {
+    /// Iterations on the finest grid.
+    pub iterations: usize,
+    /// Every product with `K` on the finest grid, the certificate's own included.
+    pub operator_applications: usize,
+    /// Wall-clock time of the step on all its grids, in s.
+    pub seconds: f64,
+    /// Work per grid level, coarsest first, the finest included.
+    pub levels: Vec<LevelWork>,
+}
+
+/// Work on one grid level.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct LevelWork {
+    /// Elements per side.
+    pub elements: usize,
+    /// Iterations.
+    pub iterations: usize,
+    /// Products with `K`.
+    pub operator_applications: usize,
+}

@@ -1,0 +1,220 @@
+//! Loading paths: domains that hold the contact, levels that help, warnings that are said.
+
+#![expect(
+    clippy::unwrap_used,
+    reason = "a scene that cannot be built fails its test"
+)]
+
+use std::sync::Arc;
+
+use pellicle_contact::{
+    ContactError, Domain, Indenter, Load, LoadingPath, Method, Model, Observer, Paraboloid,
+    Progress, Signal, SolverOptions, default_side, solve_path,
+};
+use pellicle_influence::RadialTables;
+use pellicle_kernel::{Foundation, Material};
+use pellicle_texture::{CylinderSpec, Cylinders, Film, Lattice, Relief};
+
+/// A paraboloid of radius 1 on a homogeneous body of plane-strain modulus 1 under `relief`.
+fn model(relief: Relief) -> Model {
+    let foundation = Foundation::half_space(Material::new(1.0, 0.0).unwrap());
+    Model {
+        tables: Arc::new(RadialTables::build(&foundation).unwrap()),
+        relief,
+        indenter: Indenter::Paraboloid(Paraboloid::new(1.0).unwrap()),
+    }
+}
+
+fn solve(model: &Model, domain: Domain, elements: usize, loads: &[Load]) -> LoadingPath {
+    solve_path(
+        model,
+        domain,
+        elements,
+        loads,
+        &SolverOptions::default(),
+        &mut (),
+    )
+    .unwrap()
+}
+
+/// Force of the Hertzian contact radius `a`.
+fn hertz_force(a: f64) -> Load {
+    Load::Force(4.0 / 3.0 * a.powi(3))
+}
+
+fn codes(path: &LoadingPath) -> Vec<&'static str> {
+    path.warnings
+        .iter()
+        .map(pellicle_contact::Warning::code)
+        .collect()
+}
+
+#[test]
+fn the_default_side_of_a_hertzian_contact_is_three_radii() {
+    for a in [1e-6, 0.1] {
+        let side = default_side(
+            &model(Relief::Bare),
+            &[hertz_force(a), hertz_force(0.5 * a)],
+        );
+        // The search stops within a hundredth; the quadrature over 64 points adds little.
+        approx::assert_relative_eq!(side, 3.0 * a, max_relative = 0.02);
+    }
+}
+
+#[test]
+fn an_automatic_domain_holds_the_contact_of_every_load() {
+    let loads = [hertz_force(0.05), hertz_force(0.1)];
+    let path = solve(&model(Relief::Bare), Domain::Automatic, 48, &loads);
+    for step in &path.steps {
+        assert!(step.solution.certificate.is_satisfied());
+        assert!(
+            step.summary.contact_radius < 0.5 * path.grid.side() - 3.0 * path.grid.element_side()
+        );
+    }
+}
+
+#[test]
+fn an_automatic_domain_grows_with_a_relief_that_spreads_the_contact() {
+    let film = Relief::Film(Film::new(0.02, 0.01).unwrap());
+    let path = solve(&model(film), Domain::Automatic, 48, &[hertz_force(0.1)]);
+    let step = &path.steps[0];
+    assert!(step.summary.contact_radius > 0.12, "{:?}", step.summary);
+    assert!(!codes(&path).contains(&"domain-edge"));
+}
+
+#[test]
+fn a_given_domain_that_is_too_small_is_kept_and_warned_about() {
+    let path = solve(
+        &model(Relief::Bare),
+        Domain::Side(0.2),
+        48,
+        &[hertz_force(0.1)],
+    );
+    approx::assert_relative_eq!(path.grid.side(), 0.2);
+    assert!(codes(&path).contains(&"domain-edge"), "{:?}", path.warnings);
+}
+
+#[test]
+fn penetrations_without_contact_are_legal_and_have_no_force() {
+    let loads = [-0.1, 0.0, 0.01].map(Load::Penetration);
+    let path = solve(&model(Relief::Bare), Domain::Automatic, 48, &loads);
+    assert!(
+        path.steps
+            .iter()
+            .all(|step| step.solution.certificate.is_satisfied())
+    );
+    assert_eq!(path.steps[0].summary.contact_elements, 0);
+    // Touching at a point presses on nothing.
+    assert!(path.steps[1].solution.force.abs() < 1e-12);
+    assert!(path.steps[2].solution.force > 0.0);
+    approx::assert_relative_eq!(path.steps[2].solution.penetration, 0.01);
+}
+
+#[test]
+fn a_film_shortened_beyond_its_thickness_is_warned_about() {
+    let film = Relief::Film(Film::new(1e-4, 0.01).unwrap());
+    let path = solve(&model(film), Domain::Automatic, 48, &[hertz_force(0.1)]);
+    assert!(
+        codes(&path).contains(&"film-shortening"),
+        "{:?}",
+        path.warnings
+    );
+}
+
+#[test]
+fn coarse_cylinders_are_warned_about() {
+    let spec = CylinderSpec {
+        lattice: Lattice::Square,
+        radius: 0.008,
+        height: 1e-3,
+        period: 0.02,
+        offset: [0.0, 0.0],
+        young_modulus: 1.0,
+    };
+    let relief = Relief::Cylinders(Cylinders::new(spec).unwrap());
+    let path = solve(&model(relief), Domain::Side(0.4), 64, &[hertz_force(0.1)]);
+    assert!(
+        codes(&path).contains(&"texture-under-resolved"),
+        "{:?}",
+        path.warnings
+    );
+}
+
+#[test]
+fn the_grid_error_of_a_smooth_contact_covers_the_true_error() {
+    let path = solve(
+        &model(Relief::Bare),
+        Domain::Side(0.3),
+        256,
+        &[hertz_force(0.1)],
+    );
+    let error = path.steps[0].grid_error.penetration.unwrap();
+    let true_error = (path.steps[0].solution.penetration - 0.01).abs();
+    // Hertz: D = a²/R = 0.01. Estimates scatter with how the grid meets the contact's edge.
+    assert!(
+        true_error < 5.0 * error.estimate && error.estimate < 1e-4,
+        "{true_error:e} {error:?}"
+    );
+    assert_eq!(path.steps[0].grid_error.levels.len(), 4);
+}
+
+#[test]
+fn the_active_set_solves_a_path_and_refuses_a_grid_too_large_for_it() {
+    let options = SolverOptions {
+        method: Method::ActiveSet,
+        ..SolverOptions::default()
+    };
+    let model = model(Relief::Bare);
+    let load = [hertz_force(0.1)];
+    let path = solve_path(&model, Domain::Side(0.3), 40, &load, &options, &mut ()).unwrap();
+    assert!(path.steps[0].solution.certificate.is_satisfied());
+    let refused = solve_path(&model, Domain::Side(0.3), 512, &load, &options, &mut ());
+    assert!(matches!(
+        refused,
+        Err(ContactError::TooLargeForActiveSet { elements: 512, .. })
+    ));
+}
+
+#[test]
+fn a_step_that_may_not_go_on_is_returned_and_marked() {
+    let options = SolverOptions {
+        max_applications: 3,
+        ..SolverOptions::default()
+    };
+    let path = solve_path(
+        &model(Relief::Bare),
+        Domain::Side(0.3),
+        64,
+        &[hertz_force(0.1)],
+        &options,
+        &mut (),
+    )
+    .unwrap();
+    assert!(!path.steps[0].solution.certificate.is_satisfied());
+    assert!(codes(&path).contains(&"not-converged"));
+}
+
+#[test]
+fn the_observer_sees_every_level_and_step() {
+    #[derive(Default)]
+    struct Log(Vec<(usize, usize)>);
+    impl Observer for Log {
+        fn progress(&mut self, progress: &Progress) -> Signal {
+            self.0.push((progress.step, progress.elements));
+            Signal::Continue
+        }
+    }
+    let mut log = Log::default();
+    let loads = [hertz_force(0.05), hertz_force(0.1)];
+    solve_path(
+        &model(Relief::Bare),
+        Domain::Side(0.3),
+        64,
+        &loads,
+        &SolverOptions::default(),
+        &mut log,
+    )
+    .unwrap();
+    log.0.dedup();
+    assert_eq!(log.0, [(0, 32), (0, 64), (1, 32), (1, 64)]);
+}

@@ -1,0 +1,167 @@
+//! The influence coefficients of one grid, by offset.
+
+use rayon::prelude::*;
+
+use crate::error::InfluenceError;
+
+/// The largest number of elements a side: 16,384² elements are 2 GB of pressure alone.
+const LARGEST_SIZE: usize = 1 << 14;
+
+/// The coefficients `k(m, n)` of the square elements of an N × N grid, m/Pa, by the offset in elements.
+///
+/// Translation and the symmetry of the square leave `0 ≤ n ≤ m < N`: N(N+1)/2 numbers, 4 bytes an element of the grid.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CoefficientTable {
+    element_side: f64,
+    size: usize,
+    /// Row m holds n = 0 … m.
+    triangle: Vec<f64>,
+}
+
+impl CoefficientTable {
+    /// The table of any kernel: `coefficient(offset)` is called once for every offset with `offset[1] ≤ offset[0]`, in parallel.
+    ///
+    /// ```
+    /// use pellicle_influence::{CoefficientTable, love};
+    /// use pellicle_kernel::Material;
+    ///
+    /// let steel = Material::new(210e9, 0.3)?;
+    /// let table = CoefficientTable::from_fn(1e-6, 64, |offset| love::coefficient(&steel, 1e-6, offset))?;
+    /// assert_eq!(table.coefficient([3, 17]), table.coefficient([17, 3]));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// A side that is not finite and positive, a size of 0 or beyond 16,384, a coefficient that is not finite.
+    pub fn from_fn(
+        element_side: f64,
+        size: usize,
+        coefficient: impl Fn([usize; 2]) -> f64 + Sync,
+    ) -> Result<Self, InfluenceError> {
+        check(element_side, size)?;
+        let mut triangle = vec![0.0; size * (size + 1) / 2];
+        let mut rows = split_rows(&mut triangle);
+        rows.par_iter_mut().enumerate().for_each(|(m, row)| {
+            for (n, entry) in row.iter_mut().enumerate() {
+                *entry = coefficient([m, n]);
+            }
+        });
+        let table = Self {
+            element_side,
+            size,
+            triangle,
+        };
+        table.check_finite()?;
+        Ok(table)
+    }
+
+    /// `k` for two elements `offset` apart, m/Pa; the sign and the order of the offsets do not matter.
+    ///
+    /// # Panics
+    ///
+    /// If an offset is not below [`Self::size`].
+    #[must_use]
+    pub fn coefficient(&self, offset: [usize; 2]) -> f64 {
+        let [m, n] = [offset[0].max(offset[1]), offset[0].min(offset[1])];
+        assert!(m < self.size, "offset {m} in a table of size {}", self.size);
+        self.triangle[m * (m + 1) / 2 + n]
+    }
+
+    /// Number of elements N along one side of the grid.
+    #[must_use]
+    pub fn size(&self) -> usize {
+        self.size
+    }
+
+    /// Side of an element, m.
+    #[must_use]
+    pub fn element_side(&self) -> f64 {
+        self.element_side
+    }
+
+    fn check_finite(&self) -> Result<(), InfluenceError> {
+        let offsets = (0..self.size).flat_map(|m| (0..=m).map(move |n| [m, n]));
+        let mut entries = offsets.zip(self.triangle.iter().copied());
+        match entries.find(|(_, found)| !found.is_finite()) {
+            Some((offset, found)) => Err(InfluenceError::CoefficientNotFinite { offset, found }),
+            None => Ok(()),
+        }
+    }
+}
+
+fn check(element_side: f64, size: usize) -> Result<(), InfluenceError> {
+    check_element_side(element_side)?;
+    if (1..=LARGEST_SIZE).contains(&size) {
+        return Ok(());
+    }
+    Err(InfluenceError::TableSize {
+        found: size,
+        largest: LARGEST_SIZE,
+    })
+}
+
+/// Refuses a side that is not a finite positive length.
+pub(crate) fn check_element_side(element_side: f64) -> Result<(), InfluenceError> {
+    if element_side.is_finite() && element_side > 0.0 {
+        return Ok(());
+    }
+    Err(InfluenceError::ElementSide {
+        found: element_side,
+    })
+}
+
+/// The rows of the triangle, of 1, 2, 3 … entries.
+fn split_rows(triangle: &mut [f64]) -> Vec<&mut [f64]> {
+    let mut rows = Vec::new();
+    let mut rest = triangle;
+    while !rest.is_empty() {
+        let (row, after) = rest.split_at_mut(rows.len() + 1);
+        rows.push(row);
+        rest = after;
+    }
+    rows
+}
+
+#[cfg(test)]
+mod tests {
+    use super::CoefficientTable;
+    use crate::error::InfluenceError;
+
+    #[test]
+    fn every_offset_is_asked_once_and_found_again() {
+        let table = CoefficientTable::from_fn(1.0, 7, |[m, n]| (10 * m + n) as f64).unwrap();
+        for m in 0..7 {
+            for n in 0..7 {
+                let expected = (10 * m.max(n) + m.min(n)) as f64;
+                assert!((table.coefficient([m, n]) - expected).abs() < f64::EPSILON);
+            }
+        }
+    }
+
+    #[test]
+    fn nonsense_is_refused_with_its_numbers() {
+        let build = |side, size| CoefficientTable::from_fn(side, size, |_| 1.0);
+        assert!(matches!(
+            build(-1.0, 4),
+            Err(InfluenceError::ElementSide { found }) if found < 0.0
+        ));
+        assert!(matches!(
+            build(f64::NAN, 4),
+            Err(InfluenceError::ElementSide { .. })
+        ));
+        assert!(matches!(
+            build(1.0, 0),
+            Err(InfluenceError::TableSize { found: 0, .. })
+        ));
+    }
+
+    #[test]
+    fn a_coefficient_that_is_not_finite_is_refused() {
+        let found = CoefficientTable::from_fn(1.0, 4, |[m, n]| 1.0 / (m + n) as f64);
+        assert!(matches!(
+            found,
+            Err(InfluenceError::CoefficientNotFinite { offset: [0, 0], .. })
+        ));
+    }
+}

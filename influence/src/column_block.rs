@@ -1,0 +1,163 @@
+//! The columns of the zero-padded field, a cache-sized block at a time: pad, transform, multiply by the spectrum, invert, keep N.
+//!
+//! A column of N numbers, padded to L = 2M, has even frequencies that are the M-point transform of the column itself, and odd ones
+//! that are the M-point transform of the column times `exp(−2πi n/L)`. Since only the first N numbers of the inverse are wanted, it
+//! too splits into an even and an odd half:
+//!
+//! `y_n = Σ_j Y_2j e^{2πi jn/M} + e^{2πi n/L} Σ_j Y_(2j+1) e^{2πi jn/M}`.
+//!
+//! So the half of the padded column that is zero is never stored, and never transformed.
+
+use std::sync::Arc;
+
+use rustfft::num_complex::Complex64;
+use rustfft::{Fft, FftPlanner};
+
+/// Columns in a block: 16 complex numbers are four cache lines.
+pub(crate) const WIDTH: usize = 16;
+
+/// Extra numbers between columns, so that the columns of a block do not all fall into one cache set when M is a power of two.
+const SKEW: usize = 8;
+
+/// The work on the columns of one grid size.
+pub(crate) struct ColumnTransform {
+    size: usize,
+    half: usize,
+    forward: Arc<dyn Fft<f64>>,
+    inverse: Arc<dyn Fft<f64>>,
+    /// `exp(−2πi n/L)` for n < N.
+    twiddles: Vec<Complex64>,
+}
+
+impl ColumnTransform {
+    /// For columns of `size` numbers, padded to twice `half`.
+    pub(crate) fn new(size: usize, half: usize) -> Self {
+        let mut planner = FftPlanner::new();
+        let turn = |n: usize| -std::f64::consts::PI * n as f64 / half as f64;
+        Self {
+            size,
+            half,
+            forward: planner.plan_fft_forward(half),
+            inverse: planner.plan_fft_inverse(half),
+            twiddles: (0..size).map(|n| Complex64::cis(turn(n))).collect(),
+        }
+    }
+
+    /// Length of the buffer `columns` of [`Self::multiply`].
+    pub(crate) fn buffer_length(&self) -> usize {
+        2 * WIDTH * self.pitch()
+    }
+
+    /// Length of the buffer `scratch` of [`Self::multiply`].
+    pub(crate) fn scratch_length(&self) -> usize {
+        let forward = self.forward.get_inplace_scratch_len();
+        forward.max(self.inverse.get_inplace_scratch_len())
+    }
+
+    /// Multiplies the columns of `block` (row after row, N rows) by their spectra, in place.
+    pub(crate) fn multiply<'a>(
+        &self,
+        block: &mut [Complex64],
+        spectrum: impl Fn(usize) -> &'a [f64],
+        columns: &mut [Complex64],
+        scratch: &mut [Complex64],
+    ) {
+        let width = block.len() / self.size;
+        self.gather(block, columns, width);
+        for (index, pair) in self.pairs(columns).take(width).enumerate() {
+            let (even, odd) = pair.split_at_mut(self.pitch());
+            let values = spectrum(index);
+            self.filter(&mut even[..self.half], even_values(values), scratch);
+            self.filter(&mut odd[..self.half], odd_values(values), scratch);
+        }
+        self.scatter(columns, block, width);
+    }
+
+    /// Transforms one half-column, multiplies it and transforms it back.
+    fn filter(
+        &self,
+        column: &mut [Complex64],
+        values: impl Iterator<Item = f64>,
+        scratch: &mut [Complex64],
+    ) {
+        self.forward.process_with_scratch(column, scratch);
+        for (entry, value) in column.iter_mut().zip(values) {
+            *entry *= value;
+        }
+        self.inverse.process_with_scratch(column, scratch);
+    }
+
+    /// Copies every column of the block, once as it is and once turned by the twiddles, and pads both.
+    fn gather(&self, block: &[Complex64], columns: &mut [Complex64], width: usize) {
+        for pair in self.pairs(columns).take(width) {
+            let (even, odd) = pair.split_at_mut(self.pitch());
+            even[self.size..self.half].fill(Complex64::default());
+            odd[self.size..self.half].fill(Complex64::default());
+        }
+        let pitch = self.pitch();
+        for ((n, row), twiddle) in block.chunks_exact(width).enumerate().zip(&self.twiddles) {
+            for (index, entry) in row.iter().enumerate() {
+                columns[2 * index * pitch + n] = *entry;
+                columns[(2 * index + 1) * pitch + n] = entry * twiddle;
+            }
+        }
+    }
+
+    /// Adds the even half and the odd half, turned back, of every column into the block.
+    fn scatter(&self, columns: &[Complex64], block: &mut [Complex64], width: usize) {
+        let pitch = self.pitch();
+        let rows = block.chunks_exact_mut(width).enumerate();
+        for ((n, row), twiddle) in rows.zip(&self.twiddles) {
+            for (index, entry) in row.iter_mut().enumerate() {
+                let odd = columns[(2 * index + 1) * pitch + n];
+                *entry = columns[2 * index * pitch + n] + odd * twiddle.conj();
+            }
+        }
+    }
+
+    /// The even and the odd half of each column, one behind the other.
+    fn pairs<'a>(
+        &self,
+        columns: &'a mut [Complex64],
+    ) -> impl Iterator<Item = &'a mut [Complex64]> + use<'a> {
+        columns.chunks_exact_mut(2 * self.pitch())
+    }
+
+    fn pitch(&self) -> usize {
+        self.half + SKEW
+    }
+}
+
+/// Spectrum at the frequencies 0, 2, 4 … L − 2, of which those beyond M mirror those before.
+fn even_values(quarter: &[f64]) -> impl Iterator<Item = f64> {
+    let half = quarter.len() - 1;
+    let rising = quarter.iter().step_by(2);
+    let falling = quarter[..half].iter().rev().skip(1 - half % 2).step_by(2);
+    rising.chain(falling).copied()
+}
+
+/// Spectrum at the frequencies 1, 3, 5 … L − 1.
+fn odd_values(quarter: &[f64]) -> impl Iterator<Item = f64> {
+    let half = quarter.len() - 1;
+    let rising = quarter.iter().skip(1).step_by(2);
+    let falling = quarter[..half].iter().rev().skip(half % 2).step_by(2);
+    rising.chain(falling).copied()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{even_values, odd_values};
+
+    #[test]
+    fn mirrored_frequencies_are_those_of_the_whole_spectrum() {
+        for half in [1, 2, 3, 4, 9] {
+            let quarter: Vec<f64> = (0..=half).map(f64::from).collect();
+            let whole = (0..2 * half).map(|f| f64::from(f.min(2 * half - f)));
+            let mut even: Vec<f64> = even_values(&quarter).collect();
+            even.truncate(half as usize);
+            let odd: Vec<f64> = odd_values(&quarter).take(half as usize).collect();
+            assert_eq!(even, whole.clone().step_by(2).collect::<Vec<_>>());
+            assert_eq!(odd, whole.skip(1).step_by(2).collect::<Vec<_>>());
+        }
+    }
+}

@@ -1,0 +1,47 @@
+//! Sums whose rounding error does not grow with their length.
+
+/// A running sum with its rounding error carried along (Neumaier 1974, *Rundungsfehleranalyse einiger Verfahren zur Summation
+/// endlicher Summen*, ZAMM 54, 39–51).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Sum {
+    sum: f64,
+    lost: f64,
+}
+
+impl Sum {
+    /// Adds one term.
+    #[inline]
+    pub(crate) fn add(&mut self, term: f64) {
+        let next = self.sum + term;
+        // Both halves of what was rounded away, whichever operand is the larger (Knuth's TwoSum).
+        let shadow = next - self.sum;
+        self.lost += (self.sum - (next - shadow)) + (term - shadow);
+        self.sum = next;
+    }
+
+    /// The sum so far.
+    #[inline]
+    pub(crate) fn value(self) -> f64 {
+        self.sum + self.lost
+    }
+}
+
+impl FromIterator<f64> for Sum {
+    fn from_iter<I: IntoIterator<Item = f64>>(terms: I) -> Self {
+        let mut sum = Self::default();
+        terms.into_iter().for_each(|term| sum.add(term));
+        sum
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Sum;
+
+    #[test]
+    fn what_a_plain_sum_loses_is_kept() {
+        let terms = [1.0, 1e100, 1.0, -1e100];
+        assert_eq!(Sum::from_iter(terms).value(), 2.0);
+        assert_eq!(terms.iter().sum::<f64>(), 0.0);
+    }
+}

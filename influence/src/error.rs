@@ -1,0 +1,87 @@
+//! Everything that can go wrong in this crate, with its numbers.
+
+use thiserror::Error;
+
+/// Why coefficients, tables or integrals could not be given.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum InfluenceError {
+    /// The side of an element is not a finite positive length.
+    #[error("the side of an element must be finite and positive, got {found} m")]
+    ElementSide {
+        /// The side given, m.
+        found: f64,
+    },
+    /// A table of coefficients needs at least one element a side, and no more than fit in memory.
+    #[error("a table of coefficients takes 1 to {largest} elements a side, got {found}")]
+    TableSize {
+        /// The number of elements a side that was asked for.
+        found: usize,
+        /// The largest number of elements a side.
+        largest: usize,
+    },
+    /// A coefficient is NaN or infinite.
+    #[error("the influence coefficient at offset ({}, {}) is not finite: {found}", offset[0], offset[1])]
+    CoefficientNotFinite {
+        /// The offset in elements.
+        offset: [usize; 2],
+        /// What came out.
+        found: f64,
+    },
+    /// The integrand was NaN or infinite somewhere.
+    #[error("the integrand is {value} at {at}, in the interval from {lower} to {upper}")]
+    IntegrandNotFinite {
+        /// Where.
+        at: f64,
+        /// Its value there.
+        value: f64,
+        /// Lower end of the interval.
+        lower: f64,
+        /// Upper end of the interval.
+        upper: f64,
+    },
+    /// An interval that is empty, reversed, or not finite.
+    #[error("an integral needs finite limits in ascending order, got {lower} to {upper}")]
+    IntegrationLimits {
+        /// Lower end of the interval.
+        lower: f64,
+        /// Upper end of the interval.
+        upper: f64,
+    },
+    /// The adaptive quadrature used up its intervals before it reached the tolerance.
+    #[error(
+        "the integral from {lower} to {upper} has an estimated error of {found:e}, wanted {wanted:e}"
+    )]
+    QuadratureTolerance {
+        /// Lower end of the interval.
+        lower: f64,
+        /// Upper end of the interval.
+        upper: f64,
+        /// The absolute error asked for.
+        wanted: f64,
+        /// The absolute error that was reached, as estimated.
+        found: f64,
+    },
+    /// The direct quadrature of a coefficient oscillates too often to be affordable.
+    #[error(
+        "the direct quadrature of this coefficient has {found} oscillations, at most {largest} are affordable; radial tables have no such limit"
+    )]
+    TooManyOscillations {
+        /// Oscillations of the integrand in each of two directions.
+        found: f64,
+        /// The largest number taken.
+        largest: f64,
+    },
+    /// The radial tables of this foundation cannot be made accurate enough.
+    #[error(
+        "the radial tables reach a relative accuracy of {found:e} at a radius of {radius:e} m, wanted {wanted:e}"
+    )]
+    TableAccuracy {
+        /// The largest relative error allowed.
+        wanted: f64,
+        /// The relative error as estimated.
+        found: f64,
+        /// The radius at which it was found, m.
+        radius: f64,
+    },
+}

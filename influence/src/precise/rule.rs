@@ -1,0 +1,111 @@
+//! The rule of [`crate::window`] in 32 digits.
+
+use std::sync::LazyLock;
+
+use super::bessel::{erfc, j0};
+use crate::gauss::{Node, legendre_of};
+use crate::twofold::Twofold;
+use crate::window::{CENTRE, DOUBLING_END, END, PANEL, SPREAD, STRIDE};
+
+/// Doubling panels go down to 4 · 2⁻²⁰: only radii beyond the smallest wavelengths of Φ need the precision.
+const OCTAVES: i32 = 20;
+
+/// One point of the rule.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct PreciseNode {
+    pub x: Twofold,
+    pub ln_x: Twofold,
+    /// Gauss weight times `J0(x) w(x)`.
+    pub weight: Twofold,
+}
+
+/// The rule: one panel from 0, then panels that double, then panels of one period.
+#[derive(Debug)]
+pub(crate) struct PreciseRule {
+    /// Entry j covers 0 to 4 · 2^(−j) at once.
+    heads: Vec<Vec<PreciseNode>>,
+    /// All the other panels, from small x to large.
+    nodes: Vec<PreciseNode>,
+}
+
+static RULE: LazyLock<PreciseRule> = LazyLock::new(PreciseRule::new);
+
+impl PreciseRule {
+    /// The rule, made once.
+    pub(crate) fn shared() -> &'static Self {
+        &RULE
+    }
+
+    fn new() -> Self {
+        let end = |octave: i32| DOUBLING_END * 0.5_f64.powi(octave);
+        let doubling = (0..OCTAVES)
+            .rev()
+            .map(|octave| [end(octave + 1), end(octave)]);
+        let strides = ((END - DOUBLING_END) / STRIDE).ceil() as u32;
+        let uniform = (0..strides).map(|stride| {
+            let start = DOUBLING_END + STRIDE * f64::from(stride);
+            [start, start + STRIDE]
+        });
+        let panels: Vec<[f64; 2]> = doubling.chain(uniform).collect();
+        let line: Vec<(Twofold, Twofold)> = legendre_of::<PANEL>().iter().map(refined).collect();
+        Self {
+            heads: (0..=OCTAVES)
+                .map(|octave| panel(&line, [0.0, end(octave)]))
+                .collect(),
+            nodes: panels.iter().flat_map(|ends| panel(&line, *ends)).collect(),
+        }
+    }
+
+    /// The nodes of the rule for a function that is a low polynomial below `smooth_below`.
+    pub(crate) fn nodes(&self, smooth_below: f64) -> impl Iterator<Item = &PreciseNode> {
+        let octave = (DOUBLING_END / smooth_below).log2().ceil().max(0.0) as usize;
+        let octave = octave.min(self.heads.len() - 1);
+        let from = (self.heads.len() - 1 - octave) * PANEL;
+        self.heads[octave].iter().chain(&self.nodes[from..])
+    }
+}
+
+/// Position and weight of a Gauss–Legendre node in 32 digits, by Newton's method from 16.
+fn refined(node: &Node) -> (Twofold, Twofold) {
+    let mut x = Twofold::from(node.position);
+    let mut slope = Twofold::ONE;
+    for _ in 0..2 {
+        let (value, derivative) = legendre_polynomial(x);
+        x = x - value / derivative;
+        slope = derivative;
+    }
+    // w = 2/((1−x²) P'²)
+    (
+        x,
+        Twofold::from(2.0) / ((Twofold::ONE - x * x) * slope * slope),
+    )
+}
+
+/// `P_n` and its derivative, n = [`PANEL`].
+fn legendre_polynomial(x: Twofold) -> (Twofold, Twofold) {
+    let (mut before, mut current) = (Twofold::ONE, x);
+    for n in 2..=PANEL {
+        let n = n as f64;
+        // n P_n = (2n−1) x P_(n−1) − (n−1) P_(n−2)
+        let next = x * current * Twofold::from(2.0 * n - 1.0) - before * Twofold::from(n - 1.0);
+        (before, current) = (current, next / Twofold::from(n));
+    }
+    // P_n' = n (x P_n − P_(n−1))/(x²−1)
+    let degree = Twofold::from(PANEL as f64);
+    let derivative = degree * (x * current - before) / (x * x - Twofold::ONE);
+    (current, derivative)
+}
+
+fn panel(line: &[(Twofold, Twofold)], [start, end]: [f64; 2]) -> Vec<PreciseNode> {
+    let half_width = Twofold::from((end - start) / 2.0);
+    let node = |(position, weight): &(Twofold, Twofold)| {
+        let x = Twofold::from(start) + half_width * (Twofold::ONE + *position);
+        let window = erfc((x - Twofold::from(CENTRE)) / Twofold::from(SPREAD)).scaled(0.5);
+        PreciseNode {
+            x,
+            ln_x: x.ln(),
+            weight: half_width * *weight * j0(x) * window,
+        }
+    };
+    line.iter().map(node).collect()
+}

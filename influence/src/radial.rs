@@ -1,0 +1,281 @@
+//! The displacement around a point force on a layered foundation, as two functions of the dimensionless radius `t = r/H`.
+//!
+//! `T(t) = t ∫₀^∞ Φ(s) J0(st) ds` is the displacement over that of a homogeneous body of the surface's material; with `x = st`,
+//! `T(t) = ∫₀^∞ Φ(x/t) J0(x) dx`. Its integral `P(t) = ∫₀^t T dt'` turns area integrals into edge integrals, because
+//! `div(r P/r²) = T/r`. (`P = t W` with the `W(t) = ∫ Φ(s) J1(st)/s ds` of the transform.)
+
+use pellicle_kernel::Foundation;
+
+use crate::chebyshev;
+use crate::panels::{Panel, Panels};
+use crate::precise::Precise;
+use crate::product_rule::Borders;
+use crate::response::ResponseTable;
+use crate::window::{Integral, WindowRule};
+
+/// Below this many thicknesses of the top layer `T = 1 + g t` to 1e-17: the next term is t³.
+const NEAR: f64 = 1.0 / 262_144.0;
+
+/// From this many reciprocals of the reach of Φ's Taylor series on, four even terms of it give T to rounding.
+const FAR: f64 = 300.0;
+
+/// Wanted size of the expansions' tails, relative to the scale of T.
+const TOLERANCE: f64 = 1e-15;
+
+/// On a rigid base, where nothing is left far away, errors of T are kept below this share of what they would be allowed in a
+/// homogeneous body.
+const RIGID_FLOOR: f64 = 1e-2;
+
+/// `T` and `P` of one layered foundation.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct RadialFunctions {
+    limit: f64,
+    /// g in `T = 1 + g t`, left of the panels.
+    slope: f64,
+    /// T over ln t.
+    panels: Panels,
+    /// P over ln t, in the same panels.
+    integrals: Vec<Vec<f64>>,
+    /// Ends of the panels as t.
+    ends: [f64; 2],
+    /// Coefficients of t⁻², t⁻⁴, t⁻⁶, t⁻⁸ in `T − Φ(0)`, right of the panels.
+    series: [f64; 4],
+    /// From this panel on, `integrals` hold P less `constant`.
+    reduced_from: usize,
+    /// `∫₀^∞ (T − Φ(0)) dt`, the part of P that no radius changes any more.
+    constant: f64,
+    worst: Worst,
+    borders: Borders,
+}
+
+/// The largest estimated error of T over its scale, and where.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Worst {
+    pub error: f64,
+    pub t: f64,
+}
+
+/// P for the far and near parts of one element alike.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Area {
+    /// P itself.
+    Whole,
+    /// P less `∫₀^∞ (T − Φ(0)) dt`, which is a point force's share that only the loaded element itself feels.
+    Reduced,
+}
+
+impl RadialFunctions {
+    pub(crate) fn new(foundation: &Foundation) -> Self {
+        let response = ResponseTable::new(foundation);
+        let sampler = Sampler {
+            response: &response,
+            precise: Precise::for_soft(foundation, &response),
+        };
+        let ends = [NEAR * 24.0 / response.end(), FAR / response.reach()];
+        let limit = response.limit();
+        let at = |ln_t: f64| sampler.at(ln_t).value;
+        let allowed = |largest: f64, ln_t: f64| {
+            let scale = scale(limit, largest, ln_t);
+            (TOLERANCE * scale).max(2.0 * sampler.at(ln_t).rounding())
+        };
+        let panels = Panels::fit(ends.map(f64::ln), at, allowed);
+        let [start, end] = panels.range();
+        let precise = sampler.precise.as_ref().map(Precise::even_taylor);
+        let series = series(precise.unwrap_or_else(|| response.even_taylor()));
+        let mut functions = Self {
+            limit,
+            slope: (at(start) - 1.0) / start.exp(),
+            integrals: Vec::new(),
+            ends: [start.exp(), end.exp()],
+            series,
+            reduced_from: panels.panels().len(),
+            constant: 0.0,
+            worst: sampler.worst(&panels),
+            borders: Borders::new(if limit > 0.0 {
+                limit.min(1.0)
+            } else {
+                RIGID_FLOOR
+            }),
+            panels,
+        };
+        functions.integrate();
+        functions
+    }
+
+    /// The largest estimated error of T relative to its scale, `max(|T|, min(1, Φ(0)))`.
+    pub(crate) fn worst(&self) -> Worst {
+        self.worst
+    }
+
+    /// From which offsets product rules hold.
+    pub(crate) fn borders(&self) -> &Borders {
+        &self.borders
+    }
+
+    /// `T(t)`.
+    #[inline]
+    pub(crate) fn value(&self, t: f64) -> f64 {
+        if t < self.ends[0] {
+            1.0 + self.slope * t
+        } else if t < self.ends[1] {
+            self.panels.value(t.ln())
+        } else {
+            self.far_value(t)
+        }
+    }
+
+    /// The constant by which [`Area::Reduced`] is less than [`Area::Whole`].
+    pub(crate) fn constant(&self) -> f64 {
+        self.constant
+    }
+
+    /// Which form of P is the smaller for all radii from `t` on.
+    pub(crate) fn area_from(&self, t: f64) -> Area {
+        let panels = self.panels.panels();
+        let beyond = |panel: &Panel| t.ln() >= panel.centre - panel.half_width;
+        match panels.get(self.reduced_from) {
+            Some(first) if beyond(first) => Area::Reduced,
+            _ => Area::Whole,
+        }
+    }
+
+    /// `P(t)` in the form wanted.
+    pub(crate) fn area(&self, t: f64, form: Area) -> f64 {
+        let (value, held) = self.area_as_held(t);
+        match (form, held) {
+            (Area::Whole, Area::Reduced) => value + self.constant,
+            (Area::Reduced, Area::Whole) => value - self.constant,
+            _ => value,
+        }
+    }
+
+    fn area_as_held(&self, t: f64) -> (f64, Area) {
+        if t < self.ends[0] {
+            return (t * (1.0 + self.slope * t / 2.0), Area::Whole);
+        }
+        if t >= self.ends[1] {
+            return (self.far_area(t), Area::Reduced);
+        }
+        let ln_t = t.ln();
+        let index = self.panels.index(ln_t);
+        let position = self.panels.panels()[index].position(ln_t);
+        let form = if index < self.reduced_from {
+            Area::Whole
+        } else {
+            Area::Reduced
+        };
+        (chebyshev::sum(&self.integrals[index], position), form)
+    }
+
+    /// `T = Φ(0) + Σ b_j t^(−j)`.
+    fn far_value(&self, t: f64) -> f64 {
+        let u = 1.0 / (t * t);
+        let [b2, b4, b6, b8] = self.series;
+        self.limit + u * (b2 + u * (b4 + u * (b6 + u * b8)))
+    }
+
+    /// `Φ(0) t − ∫_t^∞ (T − Φ(0)) dt' = Φ(0) t − Σ b_j t^(1−j)/(j−1)`.
+    fn far_area(&self, t: f64) -> f64 {
+        let u = 1.0 / (t * t);
+        let [b2, b4, b6, b8] = self.series;
+        self.limit * t - (b2 + u * (b4 / 3.0 + u * (b6 / 5.0 + u * b8 / 7.0))) / t
+    }
+
+    /// Fills in P from left to right, and takes the constant out from where it is more than half of P.
+    ///
+    /// The constant's own error does not matter: what is left out is added again, and only what is left must be accurate.
+    fn integrate(&mut self) {
+        let growth: Vec<Vec<f64>> = self.panels.panels().iter().map(integral).collect();
+        let [start, end] = self.ends;
+        let mut at_edge = start * (1.0 + self.slope * start / 2.0);
+        let at_edges = growth.iter().map(|p| {
+            let before = at_edge;
+            at_edge += chebyshev::sum(p, 1.0);
+            before
+        });
+        let at_edges: Vec<f64> = at_edges.collect();
+        self.constant = at_edge - self.far_area(end);
+        let smaller = |p: &&f64| (**p - self.constant).abs() < p.abs();
+        self.reduced_from = growth.len() - at_edges.iter().rev().take_while(smaller).count();
+        let mut at_edge = at_edges[0];
+        for (index, mut p) in growth.into_iter().enumerate() {
+            if index == self.reduced_from {
+                at_edge -= self.constant;
+            }
+            p[0] += at_edge;
+            at_edge = chebyshev::sum(&p, 1.0);
+            self.integrals.push(p);
+        }
+    }
+}
+
+/// Chebyshev coefficients of `∫ T dt` from the panel's left end, over ln t.
+fn integral(panel: &Panel) -> Vec<f64> {
+    let transform = chebyshev::Transform::new(crate::panels::TERMS, crate::panels::TERMS);
+    // dt = t d ln t
+    let integrand = panel.samples().map(|ln_t| panel.value(ln_t) * ln_t.exp());
+    let coefficients = transform.coefficients(&integrand.collect::<Vec<_>>());
+    let mut integral = chebyshev::integral(&coefficients);
+    integral.iter_mut().for_each(|c| *c *= panel.half_width);
+    integral
+}
+
+/// `t ∫ s^j J0(st) ds` of the Taylor terms: 0 for odd j; `(−1)^(j/2) ((j−1)!!)² t^(−j)` for even.
+fn series([c2, c4, c6, c8]: [f64; 4]) -> [f64; 4] {
+    [-c2, 9.0 * c4, -225.0 * c6, 11_025.0 * c8]
+}
+
+/// What an error of T is measured against.
+fn scale(limit: f64, largest: f64, ln_t: f64) -> f64 {
+    // On a rigid base nothing is left far away; there an element's own coefficient, about H/a = 1/t of Love's, is the measure.
+    let floor = if limit > 0.0 {
+        limit.min(1.0)
+    } else {
+        (-ln_t).exp().min(1.0)
+    };
+    largest.max(floor)
+}
+
+/// Values of T from the response.
+struct Sampler<'a> {
+    response: &'a ResponseTable,
+    precise: Option<Precise>,
+}
+
+impl Sampler<'_> {
+    /// `T = ∫₀^∞ Φ(x/t) J0(x) dx`, in more digits where rounding would show.
+    fn at(&self, ln_t: f64) -> Integral {
+        let plain = self.plain(ln_t);
+        let scale = scale(self.response.limit(), plain.value.abs(), ln_t);
+        match &self.precise {
+            Some(precise) if plain.rounding() > TOLERANCE * scale => {
+                Integral::exact(precise.integral(ln_t))
+            }
+            _ => plain,
+        }
+    }
+
+    fn plain(&self, ln_t: f64) -> Integral {
+        let t = ln_t.exp();
+        let response = self.response;
+        WindowRule::shared().integrate(
+            |node| response.value(node.x / t, node.ln_x - ln_t),
+            response.reach() / 2.0 * t,
+            response.end() * t,
+        )
+    }
+
+    /// Tails and rounding of all panels.
+    fn worst(&self, panels: &Panels) -> Worst {
+        let error = |panel: &Panel| {
+            let rounding = self.at(panel.centre).rounding();
+            let scale = scale(self.response.limit(), panel.bound(), panel.centre);
+            let error = (panel.tail() + rounding) / scale + self.response.error();
+            let t = panel.centre.exp();
+            Worst { error, t }
+        };
+        let larger = |a: Worst, b: Worst| if b.error > a.error { b } else { a };
+        let none = Worst { error: 0.0, t: 1.0 };
+        panels.panels().iter().map(error).fold(none, larger)
+    }
+}

@@ -1,0 +1,117 @@
+//! The analytic symbol of `K` on a periodic grid, from which preconditioners are made.
+
+use std::f64::consts::PI;
+
+use pellicle_kernel::Foundation;
+use rayon::prelude::*;
+
+use crate::direct::sinc;
+
+/// `∫∫ dA/k` over a square of side 1 centred at k = 0: 4 ln(1+√2). The mean of `1/k` over the zero frequency's cell, in units of that at its
+/// neighbour.
+const MEAN_OF_RECIPROCAL: f64 = 3.525_494_348_078_172;
+
+/// `C(k) sinc(k_x a) sinc(k_y a)`, m/Pa, at the frequencies of an unpadded, periodic N × N grid of elements of side 2a.
+///
+/// The displacement of the element centres under a periodic pressure of one wavenumber, aliases left out. Only a
+/// preconditioner should use it: the domain it describes is periodic, the true one is not.
+///
+/// A quarter is stored, frequencies 0 … N/2 in both directions; the others mirror these. At zero frequency, where C is infinite on a
+/// half-space, stands the mean of `1/k` over that frequency's cell, 4 ln(1+√2) times the value at the smallest wavenumber: finite, positive,
+/// and right for a pressure that fills the domain once.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PeriodicSymbol {
+    size: usize,
+    quarter: Vec<f64>,
+}
+
+impl PeriodicSymbol {
+    /// The symbol for `size` × `size` elements of side `element_side`, m.
+    #[must_use]
+    pub fn new(foundation: &Foundation, element_side: f64, size: usize) -> Self {
+        let width = size / 2 + 1;
+        // k = 2π i/(N h)
+        let step = 2.0 * PI / (size as f64 * element_side);
+        let half_side = element_side / 2.0;
+        let mut quarter = vec![0.0; width * width];
+        let rows = quarter.par_chunks_exact_mut(width).enumerate();
+        rows.for_each(|(i, row)| {
+            let kx = step * i as f64;
+            for (j, entry) in row.iter_mut().enumerate() {
+                let ky = step * j as f64;
+                let wavenumber = kx.hypot(ky);
+                if wavenumber > 0.0 {
+                    let element = sinc(kx * half_side) * sinc(ky * half_side);
+                    *entry = foundation.compliance(wavenumber) * element;
+                }
+            }
+        });
+        quarter[0] = MEAN_OF_RECIPROCAL * foundation.compliance(step);
+        Self { size, quarter }
+    }
+
+    /// Number of elements N along one side of the grid.
+    #[must_use]
+    pub fn size(&self) -> usize {
+        self.size
+    }
+
+    /// The symbol at frequencies i and j, each 0 … N−1 (beyond N/2: negative frequencies), m/Pa.
+    ///
+    /// # Panics
+    ///
+    /// If a frequency is not below N.
+    #[must_use]
+    pub fn value(&self, frequency: [usize; 2]) -> f64 {
+        let [i, j] = frequency.map(|f| f.min(self.size - f));
+        self.quarter[i * (self.size / 2 + 1) + j]
+    }
+
+    /// The stored quarter: frequencies i = 0 … N/2, of each all j = 0 … N/2, at index `i (N/2 + 1) + j`.
+    #[must_use]
+    pub fn quarter(&self) -> &[f64] {
+        &self.quarter
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use pellicle_kernel::{Foundation, Material};
+
+    use super::PeriodicSymbol;
+
+    fn symbol(size: usize) -> PeriodicSymbol {
+        let steel = Material::new(1.0, 0.0).unwrap();
+        PeriodicSymbol::new(&Foundation::half_space(steel), 0.5, size)
+    }
+
+    #[test]
+    fn frequencies_beyond_the_middle_mirror_those_before() {
+        for size in [6, 7] {
+            let symbol = symbol(size);
+            for i in 1..size {
+                for j in 1..size {
+                    let (direct, mirrored) = (symbol.value([i, j]), symbol.value([size - i, j]));
+                    assert!((direct - mirrored).abs() < f64::EPSILON);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn one_wave_has_the_compliance_of_the_half_space() {
+        // C = 2/k at ν = 0, E = 1; k = 2π/(8·½); sinc(k/4) once, for half a side of ¼.
+        let k = std::f64::consts::FRAC_PI_2;
+        let expected = 2.0 / k * (k / 4.0).sin() / (k / 4.0);
+        let found = symbol(8).value([0, 1]);
+        assert!((found / expected - 1.0).abs() < 1e-14);
+    }
+
+    #[test]
+    fn the_zero_frequency_is_finite_and_the_largest() {
+        let symbol = symbol(8);
+        let others = symbol.quarter()[1..].iter().copied();
+        assert!(symbol.value([0, 0]).is_finite());
+        assert!(others.fold(0.0, f64::max) < symbol.value([0, 0]));
+    }
+}

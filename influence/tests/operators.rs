@@ -1,0 +1,112 @@
+//! The product `K p`: two implementations, one answer.
+
+use std::iter::successors;
+
+use pellicle_influence::{
+    CoefficientTable, ConvolutionOperator, DenseOperator, ElasticOperator, love,
+};
+use pellicle_kernel::Material;
+
+fn steel_table(size: usize) -> CoefficientTable {
+    let steel = Material::new(210e9, 0.3).unwrap();
+    CoefficientTable::from_fn(1e-6, size, |offset| love::coefficient(&steel, 1e-6, offset)).unwrap()
+}
+
+/// Numbers between 0 and 1 without pattern, the same every time.
+fn scattered(count: usize) -> Vec<f64> {
+    let next = |state: &u64| {
+        Some(
+            state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1),
+        )
+    };
+    let states = successors(Some(42_u64), next).skip(1).take(count);
+    states
+        .map(|state| (state >> 11) as f64 / (1_u64 << 53) as f64)
+        .collect()
+}
+
+fn apply(operator: &mut dyn ElasticOperator, pressure: &[f64]) -> Vec<f64> {
+    let mut displacement = vec![f64::NAN; pressure.len()];
+    operator.apply_into(pressure, &mut displacement);
+    displacement
+}
+
+fn largest(field: &[f64]) -> f64 {
+    field
+        .iter()
+        .fold(0.0, |largest: f64, value| largest.max(value.abs()))
+}
+
+#[test]
+fn both_operators_agree_to_rounding() {
+    for size in [1, 2, 3, 5, 16, 17, 31, 48, 67] {
+        let table = steel_table(size);
+        let pressure = scattered(size * size);
+        let fast = apply(&mut ConvolutionOperator::new(&table), &pressure);
+        let dense = apply(&mut DenseOperator::new(&table), &pressure);
+        let difference: Vec<f64> = fast.iter().zip(&dense).map(|(a, b)| a - b).collect();
+        // Rounding of transforms of up to 144² numbers and of sums of up to 67² terms.
+        assert!(largest(&difference) < 1e-13 * largest(&dense), "N = {size}");
+    }
+}
+
+#[test]
+fn a_second_product_does_not_remember_the_first() {
+    let table = steel_table(20);
+    let mut operator = ConvolutionOperator::new(&table);
+    let pressure = scattered(400);
+    let first = apply(&mut operator, &pressure);
+    let nothing = apply(&mut operator, &[0.0; 400]);
+    assert!(nothing.iter().all(|u| *u == 0.0));
+    assert_eq!(apply(&mut operator, &pressure), first);
+}
+
+#[test]
+fn one_loaded_element_gives_the_coefficients_themselves() {
+    let size = 24;
+    let table = steel_table(size);
+    let mut pressure = vec![0.0; size * size];
+    pressure[5 * size + 7] = 1.0;
+    let found = apply(&mut ConvolutionOperator::new(&table), &pressure);
+    for i in 0..size {
+        for j in 0..size {
+            let expected = table.coefficient([i.abs_diff(5), j.abs_diff(7)]);
+            // Rounding of the transforms, relative to the largest coefficient.
+            assert!((found[i * size + j] - expected).abs() < 1e-14 * table.coefficient([0, 0]));
+        }
+    }
+}
+
+#[test]
+fn the_result_has_the_same_bits_for_every_number_of_threads() {
+    let table = steel_table(150);
+    let pressure = scattered(150 * 150);
+    let with_threads = |threads| {
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()
+            .unwrap();
+        pool.install(|| apply(&mut ConvolutionOperator::new(&table), &pressure))
+    };
+    let alone = with_threads(1);
+    for threads in [2, 3, 7] {
+        assert_eq!(with_threads(threads), alone);
+    }
+}
+
+#[test]
+fn the_product_is_symmetric() {
+    let size = 32;
+    let mut operator = ConvolutionOperator::new(&steel_table(size));
+    let p = scattered(size * size);
+    let q: Vec<f64> = p.iter().rev().map(|value| value * value).collect();
+    let dot = |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).map(|(a, b)| a * b).sum() };
+    let (left, right) = (
+        dot(&q, &apply(&mut operator, &p)),
+        dot(&p, &apply(&mut operator, &q)),
+    );
+    // Rounding of two products and two sums of 1024 terms.
+    assert!((left / right - 1.0).abs() < 1e-13);
+}

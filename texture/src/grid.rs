@@ -1,0 +1,133 @@
+//! The square domain Ω* cut into N × N square elements.
+
+use crate::error::{Quantity, TextureError, positive};
+
+/// A square domain centred on the origin, cut into N × N square elements of side `h = 2a`.
+///
+/// Element `(i, j)` has its centre at `(x_i, x_j)`, `x_i = (i + ½) h − side/2`, and the index `i * N + j` in every field on the
+/// grid: the first index runs along x, the second along y.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Grid {
+    side: f64,
+    size: usize,
+}
+
+impl Grid {
+    /// The most elements per side: one field of 32 768² values takes 8 GiB, and a solution needs about ten.
+    pub const LARGEST_SIZE: usize = 32_768;
+
+    /// A grid of `size` × `size` elements on a square of the given `side` (m).
+    ///
+    /// # Errors
+    ///
+    /// [`TextureError::NotPositive`] if `side` is not positive and finite, [`TextureError::GridSize`] if `size` is 0 or above
+    /// [`Grid::LARGEST_SIZE`].
+    pub fn new(side: f64, size: usize) -> Result<Self, TextureError> {
+        let side = positive(Quantity::Side, side)?;
+        if size == 0 || size > Self::LARGEST_SIZE {
+            return Err(TextureError::GridSize {
+                found: size,
+                largest: Self::LARGEST_SIZE,
+            });
+        }
+        Ok(Self { side, size })
+    }
+
+    /// Side of the square domain, m.
+    #[must_use]
+    pub fn side(&self) -> f64 {
+        self.side
+    }
+
+    /// Number of elements per side, N.
+    #[must_use]
+    pub fn size(&self) -> usize {
+        self.size
+    }
+
+    /// Number of elements, N².
+    #[must_use]
+    #[expect(
+        clippy::len_without_is_empty,
+        reason = "a grid has at least one element"
+    )]
+    pub fn len(&self) -> usize {
+        self.size * self.size
+    }
+
+    /// Side of one element, `h = 2a`, m.
+    #[must_use]
+    pub fn element_side(&self) -> f64 {
+        self.side / self.size as f64
+    }
+
+    /// Area of one element, `h² = 4a²`, m².
+    #[must_use]
+    pub fn element_area(&self) -> f64 {
+        self.element_side().powi(2)
+    }
+
+    /// Coordinate `x_i` (or `y_i`) of the centre of element `i`, m; mirror elements have exactly opposite coordinates.
+    #[must_use]
+    pub fn centre(&self, i: usize) -> f64 {
+        // x_i = (i + ½) h − side/2 = (2i + 1 − N) h/2, the bracket exact.
+        ((2 * i + 1) as f64 - self.size as f64) * (0.5 * self.element_side())
+    }
+
+    /// Centres `[x, y]` of all elements in the order of their index `i * N + j`.
+    pub fn centres(&self) -> impl Iterator<Item = [f64; 2]> + '_ {
+        (0..self.size)
+            .flat_map(move |i| (0..self.size).map(move |j| [self.centre(i), self.centre(j)]))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn centres_are_symmetric_to_the_last_bit_and_one_element_apart() {
+        for size in [1, 2, 7, 256, 1000] {
+            let grid = Grid::new(0.12, size).unwrap();
+            for i in 0..size {
+                assert_eq!(grid.centre(i), -grid.centre(size - 1 - i));
+            }
+            let first = 0.5 * grid.element_side() - 0.5 * grid.side();
+            // Three roundings of numbers below 0.12.
+            assert!((grid.centre(0) - first).abs() <= 4.0 * f64::EPSILON * 0.12);
+        }
+    }
+
+    #[test]
+    fn the_second_index_runs_along_y() {
+        let grid = Grid::new(2.0, 4).unwrap();
+        let centres: Vec<_> = grid.centres().collect();
+        assert_eq!(centres.len(), grid.len());
+        assert_eq!(centres[4 + 3], [-0.25, 0.75]);
+    }
+
+    #[test]
+    fn a_grid_without_elements_or_without_extent_is_refused() {
+        let largest = Grid::LARGEST_SIZE;
+        assert_eq!(
+            Grid::new(1.0, 0),
+            Err(TextureError::GridSize { found: 0, largest })
+        );
+        assert_eq!(
+            Grid::new(1.0, 1_000_000_000),
+            Err(TextureError::GridSize {
+                found: 1_000_000_000,
+                largest
+            })
+        );
+        for side in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            assert!(matches!(
+                Grid::new(side, 8),
+                Err(TextureError::NotPositive {
+                    quantity: Quantity::Side,
+                    ..
+                })
+            ));
+        }
+    }
+}

@@ -1,0 +1,121 @@
+//! What lies on top of the layered foundation.
+
+use crate::cylinders::Cylinders;
+use crate::film::Film;
+use crate::grid::Grid;
+use crate::relief_map::ReliefMap;
+use crate::sampled::SampledRelief;
+
+/// What lies on top of the foundation.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum Relief {
+    /// Nothing: the foundation's own plane surface.
+    #[default]
+    Bare,
+    /// Equal cylinders on a lattice.
+    Cylinders(Cylinders),
+    /// A film over the whole surface.
+    Film(Film),
+    /// A measured height map.
+    Map(ReliefMap),
+}
+
+impl Relief {
+    /// Mask, surface profile and compliance at the centres of the grid's elements.
+    #[must_use]
+    pub fn sample(&self, grid: &Grid) -> SampledRelief {
+        SampledRelief::collect(grid.centres().map(|centre| self.at(centre)))
+    }
+
+    /// Fraction of the plane that carries relief: closed form for cylinders, 1 for a film or a map, 0 for a bare surface.
+    #[must_use]
+    pub fn area_fraction(&self) -> f64 {
+        match self {
+            Self::Bare => 0.0,
+            Self::Cylinders(cylinders) => cylinders.area_fraction(),
+            Self::Film(_) | Self::Map(_) => 1.0,
+        }
+    }
+
+    /// Height h of the cylinders or thickness of the film, m; none for a bare surface and for a map, where it varies.
+    #[must_use]
+    pub fn height(&self) -> Option<f64> {
+        match self {
+            Self::Bare | Self::Map(_) => None,
+            Self::Cylinders(cylinders) => Some(cylinders.height()),
+            Self::Film(film) => Some(film.thickness()),
+        }
+    }
+
+    /// Mask, `f*` and η at one point.
+    fn at(&self, point: [f64; 2]) -> (bool, f64, f64) {
+        match self {
+            Self::Bare => (false, 0.0, 0.0),
+            Self::Cylinders(cylinders) if cylinders.contains(point) => {
+                (true, 0.0, cylinders.compliance())
+            }
+            Self::Cylinders(cylinders) => (false, -cylinders.height(), 0.0),
+            Self::Film(film) => (true, 0.0, film.compliance()),
+            Self::Map(map) => (true, map.profile_at(point), map.compliance_at(point)),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{CylinderSpec, HeightMap, Lattice, MapCompliance};
+
+    #[test]
+    fn a_bare_surface_is_flat_and_rigid_and_a_film_is_flat_and_soft() {
+        let grid = Grid::new(1.0, 3).unwrap();
+        let bare = Relief::Bare.sample(&grid);
+        assert_eq!(
+            (bare.mask(), bare.profile(), bare.compliance()),
+            (&[false; 9][..], &[0.0; 9][..], &[0.0; 9][..])
+        );
+        let film = Relief::Film(Film::new(2.0, 8.0).unwrap());
+        let sampled = film.sample(&grid);
+        assert_eq!(
+            (sampled.mask(), sampled.profile(), sampled.compliance()),
+            (&[true; 9][..], &[0.0; 9][..], &[0.25; 9][..])
+        );
+        assert_eq!(
+            (film.height(), film.area_fraction(), sampled.mask_fraction()),
+            (Some(2.0), 1.0, 1.0)
+        );
+    }
+
+    #[test]
+    fn the_first_index_runs_along_x() {
+        // One cylinder at x = −1, y = 0 of a 3 × 3 grid: element (0, 1), index 1.
+        let spec = CylinderSpec {
+            lattice: Lattice::Square,
+            radius: 0.4,
+            height: 2.0,
+            period: 50.0,
+            offset: [-1.0, 0.0],
+            young_modulus: 4.0,
+        };
+        let relief = Relief::Cylinders(Cylinders::new(spec).unwrap());
+        let sampled = relief.sample(&Grid::new(3.0, 3).unwrap());
+        let only = |hit: f64, miss: f64| {
+            (0..9)
+                .map(|n| if n == 1 { hit } else { miss })
+                .collect::<Vec<_>>()
+        };
+        assert_eq!(sampled.profile(), only(0.0, -2.0));
+        assert_eq!(sampled.compliance(), only(0.5, 0.0));
+        assert!(sampled.mask()[1] && sampled.mask_fraction() == 1.0 / 9.0);
+    }
+
+    #[test]
+    fn a_map_on_its_own_grid_returns_its_samples() {
+        let heights = vec![-1.0, -2.0, 0.0, -4.0, -5.0, -3.0, -6.0, -7.0, -8.0];
+        let map = HeightMap::new(heights.clone(), [3, 3], [1.5, 1.5]).unwrap();
+        let relief = Relief::Map(ReliefMap::new(map, MapCompliance::Uniform(0.1)).unwrap());
+        let sampled = relief.sample(&Grid::new(1.5, 3).unwrap());
+        assert_eq!(sampled.profile(), heights);
+        assert_eq!(sampled.compliance(), [0.1; 9]);
+    }
+}

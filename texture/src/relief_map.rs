@@ -1,0 +1,135 @@
+//! A relief given by a measured height map.
+
+use crate::error::{Quantity, TextureError, not_negative, positive};
+use crate::grid::Grid;
+use crate::height_map::HeightMap;
+
+/// How soft a measured relief is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum MapCompliance {
+    /// The same compliance η everywhere, m/Pa; 0 for a rigid relief.
+    Uniform(f64),
+    /// Young's modulus E, Pa: `η = (height above the deepest sample) / E`, so the deepest point is rigid.
+    YoungModulus(f64),
+}
+
+/// A measured relief: a height map whose highest sample is level with the plane of the tops, and its compliance.
+///
+/// Outside the map's rectangle the height of its rim continues outwards, so that a domain may be larger than the measurement;
+/// [`ReliefMap::covers`] tells whether it is.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ReliefMap {
+    map: HeightMap,
+    compliance: MapCompliance,
+    lowest: f64,
+    highest: f64,
+}
+
+impl ReliefMap {
+    /// A relief from a map, whose heights may be above any plane, and its compliance.
+    ///
+    /// # Errors
+    ///
+    /// [`TextureError::Negative`] if a uniform compliance is negative or not finite, [`TextureError::NotPositive`] if Young's
+    /// modulus is not positive and finite.
+    pub fn new(map: HeightMap, compliance: MapCompliance) -> Result<Self, TextureError> {
+        match compliance {
+            MapCompliance::Uniform(found) => not_negative(Quantity::Compliance, found)?,
+            MapCompliance::YoungModulus(found) => positive(Quantity::YoungModulus, found)?,
+        };
+        let (lowest, highest) = (map.lowest(), map.highest());
+        Ok(Self {
+            map,
+            compliance,
+            lowest,
+            highest,
+        })
+    }
+
+    /// The map as given.
+    #[must_use]
+    pub fn map(&self) -> &HeightMap {
+        &self.map
+    }
+
+    /// The compliance as given.
+    #[must_use]
+    pub fn compliance(&self) -> MapCompliance {
+        self.compliance
+    }
+
+    /// Distance from the deepest to the highest sample, m.
+    #[must_use]
+    pub fn peak_to_valley(&self) -> f64 {
+        self.highest - self.lowest
+    }
+
+    /// Whether every element centre of the grid lies in the map's rectangle.
+    #[must_use]
+    pub fn covers(&self, grid: &Grid) -> bool {
+        let corner = grid.centre(grid.size() - 1);
+        self.map.covers([corner, corner])
+    }
+
+    /// Surface profile `f*` at a point (m): 0 at the highest sample, negative elsewhere.
+    #[must_use]
+    pub fn profile_at(&self, point: [f64; 2]) -> f64 {
+        self.map.height(point) - self.highest
+    }
+
+    /// Compliance η at a point, m/Pa.
+    #[must_use]
+    pub fn compliance_at(&self, point: [f64; 2]) -> f64 {
+        match self.compliance {
+            MapCompliance::Uniform(compliance) => compliance,
+            // η = (height above the deepest point) / E
+            MapCompliance::YoungModulus(modulus) => {
+                (self.map.height(point) - self.lowest) / modulus
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn ramp() -> HeightMap {
+        HeightMap::new(vec![5.0, 6.0, 7.0], [3, 1], [3.0, 3.0]).unwrap()
+    }
+
+    #[test]
+    fn the_highest_sample_is_level_with_the_tops_and_the_deepest_is_rigid() {
+        let relief = ReliefMap::new(ramp(), MapCompliance::YoungModulus(4.0)).unwrap();
+        assert_eq!(
+            [-1.0, 0.0, 1.0].map(|x| relief.profile_at([x, 0.0])),
+            [-2.0, -1.0, 0.0]
+        );
+        assert_eq!(
+            [-1.0, 0.0, 1.0].map(|x| relief.compliance_at([x, 0.0])),
+            [0.0, 0.25, 0.5]
+        );
+        assert_eq!(relief.peak_to_valley(), 2.0);
+    }
+
+    #[test]
+    fn a_domain_beyond_the_measurement_is_told() {
+        let relief = ReliefMap::new(ramp(), MapCompliance::Uniform(0.0)).unwrap();
+        assert!(relief.covers(&Grid::new(3.0, 10).unwrap()));
+        assert!(!relief.covers(&Grid::new(4.0, 10).unwrap()));
+        assert_eq!(relief.profile_at([40.0, 0.0]), 0.0);
+    }
+
+    #[test]
+    fn a_negative_compliance_is_refused() {
+        let error = TextureError::Negative {
+            quantity: Quantity::Compliance,
+            found: -1.0,
+        };
+        assert_eq!(
+            ReliefMap::new(ramp(), MapCompliance::Uniform(-1.0)),
+            Err(error)
+        );
+        assert!(ReliefMap::new(ramp(), MapCompliance::YoungModulus(f64::NAN)).is_err());
+    }
+}

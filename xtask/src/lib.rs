@@ -1,0 +1,16 @@
+//! The chores of the workspace, as functions: [`tidy`] checks the house rules on a [`Tree`] of files.
+//!
+//! The binary `xtask` only parses its command line and prints what these functions return, so that the test
+//! `tests/workspace.rs` checks the real workspace by the same path as `cargo xtask tidy`.
+
+mod error;
+mod manifest;
+mod markdown;
+mod tidy;
+mod tree;
+mod violation;
+
+pub use error::XtaskError;
+pub use tidy::tidy;
+pub use tree::{File, Tree};
+pub use violation::Violation;
