@@ -47,6 +47,12 @@ pub enum KernelError {
         /// The largest ratio accepted.
         largest: f64,
     },
+    /// The transformed equations of one layer have no unique solution in floating point.
+    #[error("the transformed equations at s = k H = {s:e} are singular")]
+    Singular {
+        /// Wavenumber times thickness.
+        s: f64,
+    },
     /// A rigid base without any layer: nothing can deform.
     #[error("a foundation on a rigid base needs at least one elastic layer, got 0")]
     NothingElastic,

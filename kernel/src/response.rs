@@ -3,13 +3,16 @@
 mod contrast;
 mod decay;
 mod junction;
-mod minors;
+pub(crate) mod minors;
 mod one_layer;
 mod poisson;
 mod stack;
 
 use crate::{Base, Layer};
 use one_layer::OneLayer;
+/// One layer on what lies directly below it.
+pub(crate) use one_layer::OneLayer as FirstInterface;
+pub(crate) use poisson::Poisson;
 use stack::Stack;
 
 /// The constants from which `Φ` is evaluated, prepared once per foundation.

@@ -53,25 +53,90 @@ fn number(text: &str) -> f64 {
     text.parse().unwrap()
 }
 
+fn one_layer() -> Vec<Case> {
+    cases(include_str!("data/one_layer.txt"))
+}
+
+fn stacks() -> Vec<Case> {
+    cases(include_str!("data/stacks.txt"))
+}
+
+fn assert_response(case: &Case, tolerance: f64) {
+    let found = case.foundation.response(case.wavenumber);
+    let error = (found - case.response).abs() / case.response;
+    assert!(
+        error <= tolerance,
+        "Φ = {found:e}, error {error:e}, {:?}",
+        case.foundation
+    );
+}
+
 #[test]
-fn explore() {
-    for text in [include_str!("data/one_layer.txt"), include_str!("data/stacks.txt")] {
-        let mut r: Vec<(f64, usize)> = vec![];
-        let mut m: Vec<(f64, usize)> = vec![];
-        for (i, c) in cases(text).iter().enumerate() {
-            let phi = c.foundation.response(c.wavenumber);
-            let s = c.wavenumber * c.foundation.thickness();
-            r.push((((phi - c.response) / c.response).abs(), i));
-            let d = c.foundation.response_minus_one(c.wavenumber);
-            let e = (d - c.minus_one).abs() / (c.minus_one.abs() * (1.0 + 2.0 * s));
-            m.push((if c.minus_one.abs() < 1e-290 { 0.0 } else { e }, i));
-        }
-        r.sort_by(|a, b| b.0.total_cmp(&a.0));
-        m.sort_by(|a, b| b.0.total_cmp(&a.0));
-        let lines: Vec<_> = text.lines().filter(|l| !l.starts_with('#')).collect();
-        println!("Φ {:?}", &r[..8]);
-        println!("{}\n{}\n{}", lines[r[0].1], lines[r[1].1], lines[r[2].1]);
-        println!("Φ−1 {:?}", &m[..8]);
-        println!("{}\n{}\n{}", lines[m[0].1], lines[m[1].1], lines[m[2].1]);
+fn one_layer_of_any_kind_has_a_response_to_the_last_digits() {
+    for case in one_layer() {
+        // Measured 4.7e-16: a sum of positive terms in numerator and denominator.
+        assert_response(&case, 1.5e-15);
+    }
+}
+
+#[test]
+fn one_layer_of_any_kind_differs_from_one_to_the_last_digits() {
+    for case in one_layer() {
+        let found = case.foundation.response_minus_one(case.wavenumber);
+        let s = case.wavenumber * case.foundation.thickness();
+        // Measured 5.1e-16; e^{−2s} magnifies the rounding of s by 2s.
+        let bound = 2e-15 * (1.0 + 2.0 * s) * case.minus_one.abs();
+        let error = (found - case.minus_one).abs();
+        assert!(error <= bound, "{found:e} {error:e} {:?}", case.foundation);
+    }
+}
+
+#[test]
+fn stacks_of_any_kind_have_a_response_to_the_last_digits() {
+    for case in stacks() {
+        // Measured 1.1e-15 with up to eight layers.
+        assert_response(&case, 4e-15);
+    }
+}
+
+#[test]
+fn stacks_differ_from_one_without_cancellation() {
+    for case in stacks() {
+        let found = case.foundation.response_minus_one(case.wavenumber);
+        let s = case.wavenumber * case.foundation.thickness();
+        let magnified = (1.0 + 2.0 * s) * case.minus_one.abs();
+        // What the lower layers send back cancels in part, to a rounding of the largest part,
+        // which has decayed like e^{−2s}.
+        let bound = 1e-13 * magnified + 4e-16 * (-2.0 * s).exp();
+        let error = (found - case.minus_one).abs();
+        assert!(
+            error <= bound,
+            "{found:e} {:e} {error:e} {:?}",
+            case.minus_one,
+            case.foundation
+        );
+    }
+}
+
+#[test]
+fn two_hundred_layers_keep_every_digit() {
+    let layer = |i: u32| {
+        let material = Material::new(1.0 + f64::from(i) / 8.0, f64::from(i % 65) / 128.0);
+        Layer::new(1.0 / 128.0, material.unwrap(), Interface::Bonded).unwrap()
+    };
+    let half_space = Base::HalfSpace(Material::new(100.0, 0.25).unwrap());
+    let foundation = Foundation::new((0..200).map(layer).collect(), half_space).unwrap();
+    for line in include_str!("data/ramp.txt")
+        .lines()
+        .filter(|line| !line.starts_with('#'))
+    {
+        let [k, response, minus_one] = fields(line, ' ').map(number);
+        // Hundreds of layers of a few roundings each, which do not add up in one direction.
+        assert!(
+            (foundation.response(k) / response - 1.0).abs() <= 1e-14,
+            "{line}"
+        );
+        let found = foundation.response_minus_one(k);
+        assert!((found / minus_one - 1.0).abs() <= 1e-13, "{line} {found}");
     }
 }

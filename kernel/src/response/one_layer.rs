@@ -40,6 +40,14 @@ impl OneLayer {
         }
     }
 
+    /// `α`, `β`, `γ` of `Φ − 1 → e^{−2s} (α + β s + γ s²)` for large `s`.
+    pub(crate) fn short_wave_coefficients(&self) -> [f64; 3] {
+        let [m0, m1, m2, m3] = self.difference;
+        let [d0, d1, ..] = self.denominator;
+        // 4θ [c₄ + c₃/2 + c₂ s + x c₁ s²] / D with e, q₁, q₂ → 1 and θ → 0 in D
+        [m0 + m1, m2, m3].map(|numerator| 4.0 * numerator / (d0 + d1))
+    }
+
     /// `Φ = N / D`
     pub(crate) fn value(&self, wavenumber: f64) -> f64 {
         let decay = Decay::new(wavenumber * self.thickness);
