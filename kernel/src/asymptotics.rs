@@ -16,7 +16,7 @@
 //! **Short waves.** What comes back from the first interface has decayed like `e^{−2s}`, `s = k H₁`:
 //! `Φ − 1 → e^{−2s} (α + β s + γ s²)`, from the contrast of the two materials there.
 
-use crate::response::FirstInterface;
+use crate::response::OneLayer;
 use crate::{Base, Foundation, Interface, Layer, Material};
 
 /// `C(k) = A/k + B + O(k)` for `k → 0`.
@@ -88,7 +88,7 @@ impl Foundation {
             .map_or(self.base(), |layer| Base::HalfSpace(layer.material()));
         Some(ShortWaves {
             thickness: first.thickness(),
-            coefficients: FirstInterface::new(first, below).short_wave_coefficients(),
+            coefficients: OneLayer::new(first, below).short_wave_coefficients(),
         })
     }
 }

@@ -9,11 +9,10 @@ mod poisson;
 mod stack;
 
 use crate::{Base, Layer};
-use one_layer::OneLayer;
-/// One layer on what lies directly below it.
-pub(crate) use one_layer::OneLayer as FirstInterface;
+pub(crate) use minors::Minors;
+pub(crate) use one_layer::OneLayer;
 pub(crate) use poisson::Poisson;
-use stack::Stack;
+pub(crate) use stack::Stack;
 
 /// The constants from which `Φ` is evaluated, prepared once per foundation.
 #[derive(Debug, Clone, PartialEq)]

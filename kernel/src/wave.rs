@@ -8,7 +8,7 @@
 //! ```
 
 use crate::response::Poisson;
-use nalgebra::{Matrix4, RowVector4, Vector4};
+use nalgebra::{Matrix4, Matrix4x2, RowVector4, Vector4};
 
 /// Horizontal displacement `U`.
 pub(crate) const U: usize = 0;
@@ -66,19 +66,94 @@ fn difference(t: f64, cosh: f64, sinh: f64) -> f64 {
     sum * (-t.abs()).exp()
 }
 
-/// The wave inside one layer, held by the state at mid-depth so that nothing grows.
+/// Four independent waves of one layer, none of which grows beyond 1 inside it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Basis {
+    /// The state at mid-depth: for thin layers, where decaying and growing waves look alike.
+    Middle,
+    /// Two waves that decay from the top and two that decay from the bottom: for thick layers.
+    Faces,
+}
+
+/// From this `s = k H` on a layer is thick: the waves of its two faces differ enough, and those of
+/// the middle begin to lose digits like `s²`. Both are as good between 1 and 4.
+const THICK: f64 = 2.0;
+
+/// The states that the four waves of a layer have at one depth, as columns.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Waves {
+    poisson: Poisson,
+    s: f64,
+    basis: Basis,
+}
+
+impl Waves {
+    /// The waves of a layer of `s = k H`.
+    pub(crate) fn new(poisson: &Poisson, s: f64) -> Self {
+        let basis = if s < THICK {
+            Basis::Middle
+        } else {
+            Basis::Faces
+        };
+        Self {
+            poisson: *poisson,
+            s,
+            basis,
+        }
+    }
+
+    /// The four states at `ζ = k z` below the top.
+    pub(crate) fn at(&self, zeta: f64) -> Matrix4<f64> {
+        match self.basis {
+            Basis::Middle => {
+                let t = zeta - 0.5 * self.s;
+                propagator(&self.poisson, t) * (t.abs() - 0.5 * self.s).exp()
+            }
+            Basis::Faces => self.faces(zeta),
+        }
+    }
+
+    fn faces(&self, zeta: f64) -> Matrix4<f64> {
+        let down = decaying(&self.poisson, zeta);
+        let up = decaying(&self.poisson, self.s - zeta);
+        // The mirror image z → −z changes the signs of V and τ.
+        let mirror = Matrix4::from_diagonal(&Vector4::new(1.0, -1.0, -1.0, 1.0));
+        let up = mirror * up;
+        Matrix4::from_columns(&[down.column(0), down.column(1), up.column(0), up.column(1)])
+    }
+}
+
+/// The two waves that decay downward, at `ζ`: `e^{−ζ} [1 + ζ (A + 1)]` on the states that a half-space
+/// allows, `p τ = −(g U + q V)`, `p σ = −(q U + f V)`.
+pub(crate) fn decaying(poisson: &Poisson, zeta: f64) -> Matrix4x2<f64> {
+    let &Poisson { a, b, w, .. } = poisson;
+    #[rustfmt::skip]
+    let allowed = Matrix4x2::new(
+        a,   0.0,
+        0.0, a,
+        -w, -b,
+        -b, -w,
+    );
+    let slope = generator(poisson) + Matrix4::identity();
+    // For ζ beyond 745 the exponential is 0 and ζ could be infinite.
+    let decay = (-zeta).exp();
+    if decay == 0.0 {
+        return Matrix4x2::zeros();
+    }
+    (allowed + slope * allowed * zeta) * decay
+}
+
+/// The wave inside one layer.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct LayerWave {
-    poisson: Poisson,
-    half: f64,
-    middle: Vector4<f64>,
+    waves: Waves,
+    amplitudes: Vector4<f64>,
 }
 
 /// The four equations of one layer: loads on its top, what holds its bottom.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct LayerEquations {
-    poisson: Poisson,
-    half: f64,
+    waves: Waves,
     pub(crate) matrix: Matrix4<f64>,
     pub(crate) load: Vector4<f64>,
 }
@@ -92,18 +167,16 @@ impl LayerEquations {
         tractions: [f64; 2],
         bottom: [RowVector4<f64>; 2],
     ) -> Self {
-        let half = 0.5 * s;
-        let to_top = propagator(poisson, -half);
-        let to_bottom = propagator(poisson, half);
+        let waves = Waves::new(poisson, s);
+        let (on_top, on_bottom) = (waves.at(0.0), waves.at(s));
         let rows = [
-            to_top.row(TAU).into_owned(),
-            to_top.row(SIGMA).into_owned(),
-            bottom[0] * to_bottom,
-            bottom[1] * to_bottom,
+            on_top.row(TAU).into_owned(),
+            on_top.row(SIGMA).into_owned(),
+            bottom[0] * on_bottom,
+            bottom[1] * on_bottom,
         ];
         Self {
-            poisson: *poisson,
-            half,
+            waves,
             matrix: Matrix4::from_rows(&rows),
             load: Vector4::new(tractions[0], tractions[1], 0.0, 0.0),
         }
@@ -111,11 +184,9 @@ impl LayerEquations {
 
     /// Solves by LU with partial pivoting; `None` if a pivot vanishes.
     pub(crate) fn solve(&self) -> Option<LayerWave> {
-        let middle = self.matrix.lu().solve(&self.load)?;
         Some(LayerWave {
-            poisson: self.poisson,
-            half: self.half,
-            middle,
+            waves: self.waves,
+            amplitudes: self.matrix.lu().solve(&self.load)?,
         })
     }
 }
@@ -123,19 +194,7 @@ impl LayerEquations {
 impl LayerWave {
     /// The state at `ζ = k z` below the top of the layer.
     pub(crate) fn at(&self, zeta: f64) -> Vector4<f64> {
-        let t = zeta - self.half;
-        // The middle carries the factor e^{−s/2} of the equations, the propagator e^{−|t|}.
-        propagator(&self.poisson, t) * self.middle * (t.abs() - self.half).exp()
-    }
-
-    /// The state on the top.
-    pub(crate) fn top(&self) -> Vector4<f64> {
-        propagator(&self.poisson, -self.half) * self.middle
-    }
-
-    /// The state on the bottom.
-    pub(crate) fn bottom(&self) -> Vector4<f64> {
-        propagator(&self.poisson, self.half) * self.middle
+        self.waves.at(zeta) * self.amplitudes
     }
 }
 
@@ -165,5 +224,14 @@ mod tests {
             let nilpotent = a * a - Matrix4::identity();
             assert!((nilpotent * nilpotent).norm() < 1e-14);
         }
+    }
+
+    #[test]
+    fn the_waves_of_the_faces_are_carried_by_the_propagator() {
+        let poisson = Poisson::new(Material::new(1.0, 0.37).unwrap());
+        let waves = Waves::new(&poisson, 2.5);
+        let step = propagator(&poisson, 0.7) * 0.7_f64.exp();
+        // e^{0.7} magnifies a few roundings.
+        assert!((step * waves.at(1.0) - waves.at(1.7)).norm() < 1e-14);
     }
 }

@@ -61,6 +61,21 @@ impl Stack {
         minors.g / (self.surface.w * minors.d)
     }
 
+    /// How what lies below holds the bottom of every layer, surface first, in the layer's units.
+    pub(crate) fn held_bottoms(&self, wavenumber: f64) -> Vec<Minors> {
+        let mut top = self.base;
+        let mut bottoms = Vec::with_capacity(self.steps.len());
+        for step in &self.steps {
+            let bottom = step.junction.minors(&top);
+            let decay = Decay::new(wavenumber * step.thickness);
+            let above = bottom.through(&step.poisson, &decay);
+            top = above.scaled(rescaling(&above));
+            bottoms.push(bottom);
+        }
+        bottoms.reverse();
+        bottoms
+    }
+
     /// `Φ − 1 = c₄ / (w d)` on the surface, or `(g − w d) / (w d)` where that loses nothing.
     pub(crate) fn minus_one(&self, wavenumber: f64) -> f64 {
         let (mut minors, mut contrast) = (self.base, Contrast::NONE);
