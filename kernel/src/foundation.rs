@@ -171,7 +171,7 @@ fn check_ratios(layers: &[Layer], base: Base) -> Result<(), KernelError> {
     let below = layers.iter().skip(1).map(Layer::material).chain(base);
     for (layer, (upper, lower)) in layers.iter().zip(below).enumerate() {
         let found = upper.material().shear_modulus() / lower.shear_modulus();
-        if !(found <= LARGEST_RATIO && found >= 1.0 / LARGEST_RATIO) {
+        if !(1.0 / LARGEST_RATIO..=LARGEST_RATIO).contains(&found) {
             return Err(KernelError::ModulusRatio {
                 layer,
                 found,
