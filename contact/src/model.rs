@@ -2,9 +2,7 @@
 
 use std::sync::Arc;
 
-use pellicle_influence::{
-    Cache, Cached, ConvolutionOperator, PeriodicSymbol, RadialTables,
-};
+use pellicle_influence::{Cache, Cached, ConvolutionOperator, PeriodicSymbol, RadialTables};
 use pellicle_texture::{Grid, Relief, SampledRelief};
 
 use crate::{ContactError, DiscreteProblem, Indenter};
