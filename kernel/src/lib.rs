@@ -48,6 +48,10 @@
 //!
 //! `response/minors.rs` holds the one idea of the crate: what lies below a plane as five numbers.
 
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
+
 mod asymptotics;
 mod base;
 mod error;
