@@ -48,10 +48,6 @@
 //!
 //! `response/minors.rs` holds the one idea of the crate: what lies below a plane as five numbers.
 
-#[cfg(doctest)]
-#[doc = include_str!("../README.md")]
-struct Readme;
-
 mod asymptotics;
 mod base;
 mod error;
@@ -62,6 +58,8 @@ mod interior;
 mod layer;
 mod material;
 mod paper;
+#[cfg(doctest)]
+mod readme;
 mod response;
 mod system;
 mod wave;

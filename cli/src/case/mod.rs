@@ -111,16 +111,17 @@ impl Case {
             Some(table) => SurfaceCase::read(&table, &foundation)?,
             None => SurfaceCase::Bare,
         };
+        let grid = optional("grid")?;
+        let grid = grid.map_or(Ok(GridCase::default()), |table| GridCase::read(&table))?;
+        let read_solver = |table| SolverCase::read(&table, grid.elements);
         Ok(Self {
             title,
             foundation,
             surface,
             indenter: IndenterCase::read(&required("indenter")?)?,
             load: LoadCase::read(&required("load")?)?,
-            grid: optional("grid")?
-                .map_or(Ok(GridCase::default()), |table| GridCase::read(&table))?,
-            solver: (optional("solver")?)
-                .map_or(Ok(SolverCase::default()), |table| SolverCase::read(&table))?,
+            grid,
+            solver: optional("solver")?.map_or(Ok(SolverCase::default()), read_solver)?,
             units: Units::of(root),
         })
     }

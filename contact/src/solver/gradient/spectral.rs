@@ -126,7 +126,8 @@ impl SpectralSteps {
 
     /// `α = s·y / (y·M⁻¹_I y)` within its bounds.
     fn next_alpha(&mut self, preconditioner: &mut Preconditioner, set: &WorkingSet) -> f64 {
-        preconditioner.apply_into(&self.image, set, &mut self.direction);
+        self.direction.copy_from_slice(&self.image);
+        preconditioner.apply(set, &mut self.direction);
         let curvature = dot(&self.step, &self.image);
         let alpha = curvature / dot(&self.image, &self.direction);
         if alpha.is_finite() {
