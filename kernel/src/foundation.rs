@@ -143,8 +143,9 @@ impl Foundation {
     ///
     /// Accuracy, `s = k` times the total thickness: for one layer a relative error below
     /// `2e-15 (1 + 2s)`, where the factor is what `e^{−2s}` makes of the rounding of `s`; for stacks
-    /// `1e-13 (1 + 2s)` and, near a zero of `Φ − 1`, an absolute error below `4e-16 e^{−2s}`
-    /// (`tests/reference.rs`). Below the smallest normal number, `s > 350`, digits end.
+    /// `1e-13 (1 + 2s)` or, near a zero of `Φ − 1`, an absolute error of the roundings of `Φ` in `n`
+    /// layers, at most `(4 + n) 1e-15 (Φ + 1)` (`tests/reference.rs`, `tests/property.rs`). Below the
+    /// smallest normal number, `s > 350`, digits end.
     #[must_use]
     pub fn response_minus_one(&self, wavenumber: f64) -> f64 {
         if wavenumber == 0.0 {
