@@ -100,8 +100,9 @@ impl BarePair {
             inverse
                 .process_with_scratch(transformed, row, &mut self.scratch)
                 .expect("lengths");
-            row.iter_mut()
-                .for_each(|value| *value /= (length * length) as f64);
+            for value in row {
+                *value /= (length * length) as f64;
+            }
         }
     }
 }

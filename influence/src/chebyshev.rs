@@ -31,7 +31,7 @@ impl Transform {
         }
     }
 
-    /// Coefficients c_j of `Σ c_j T_j(x)` from the values at the nodes.
+    /// Coefficients `c_j` of `Σ c_j T_j(x)` from the values at the nodes.
     pub(crate) fn coefficients(&self, values: &[f64]) -> Vec<f64> {
         let dot = |row: &[f64]| row.iter().zip(values).map(|(m, v)| m * v).sum();
         self.matrix.chunks_exact(self.samples).map(dot).collect()
@@ -67,19 +67,19 @@ pub(crate) fn integral(coefficients: &[f64]) -> Vec<f64> {
 }
 
 /// Coefficient of `u^power` in `Σ c_j T_j(2u − 1)`.
-pub(crate) fn taylor(coefficients: &[f64], power: u32) -> f64 {
+pub(crate) fn taylor(coefficients: &[f64], power: i32) -> f64 {
     let terms = coefficients.iter().enumerate();
     terms.map(|(j, c)| c * taylor_weight(j, power)).sum()
 }
 
 /// Coefficient of `u^power` in `T_j(2u − 1)`: `(−1)^(j+power) Π_(i<power) 2 (j² − i²) / ((2i+1)(i+1))`.
-pub(crate) fn taylor_weight(j: usize, power: u32) -> f64 {
+pub(crate) fn taylor_weight(j: usize, power: i32) -> f64 {
     let j_squared = (j * j) as f64;
-    let factor = |i: u32| {
+    let factor = |i: i32| {
         let i = f64::from(i);
         2.0 * (j_squared - i * i) / ((2.0 * i + 1.0) * (i + 1.0))
     };
-    let sign = if (j + power as usize).is_multiple_of(2) {
+    let sign = if j.is_multiple_of(2) == (power % 2 == 0) {
         1.0
     } else {
         -1.0
@@ -132,9 +132,8 @@ mod tests {
     fn a_chebyshev_sum_becomes_its_powers() {
         // T_3(2u−1) = 32u³ − 48u² + 18u − 1
         let cubic = [0.0, 0.0, 0.0, 1.0];
-        assert_eq!(
-            [0, 1, 2, 3, 4].map(|n| taylor(&cubic, n)),
-            [-1.0, 18.0, -48.0, 32.0, 0.0]
-        );
+        for (power, expected) in [(0, -1.0), (1, 18.0), (2, -48.0), (3, 32.0), (4, 0.0)] {
+            assert!((taylor(&cubic, power) - expected).abs() < 1e-13);
+        }
     }
 }

@@ -150,12 +150,11 @@ mod tests {
 
     #[test]
     fn mirrored_frequencies_are_those_of_the_whole_spectrum() {
-        for half in [1, 2, 3, 4, 9] {
-            let quarter: Vec<f64> = (0..=half).map(f64::from).collect();
-            let whole = (0..2 * half).map(|f| f64::from(f.min(2 * half - f)));
-            let mut even: Vec<f64> = even_values(&quarter).collect();
-            even.truncate(half as usize);
-            let odd: Vec<f64> = odd_values(&quarter).take(half as usize).collect();
+        for half in [1_usize, 2, 3, 4, 9] {
+            let quarter: Vec<f64> = (0..=half).map(|f| f as f64).collect();
+            let whole = (0..2 * half).map(|f| f.min(2 * half - f) as f64);
+            let even: Vec<f64> = even_values(&quarter).take(half).collect();
+            let odd: Vec<f64> = odd_values(&quarter).take(half).collect();
             assert_eq!(even, whole.clone().step_by(2).collect::<Vec<_>>());
             assert_eq!(odd, whole.skip(1).step_by(2).collect::<Vec<_>>());
         }

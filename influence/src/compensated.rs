@@ -41,7 +41,7 @@ mod tests {
     #[test]
     fn what_a_plain_sum_loses_is_kept() {
         let terms = [1.0, 1e100, 1.0, -1e100];
-        assert_eq!(Sum::from_iter(terms).value(), 2.0);
-        assert_eq!(terms.iter().sum::<f64>(), 0.0);
+        assert!((Sum::from_iter(terms).value() - 2.0).abs() < f64::EPSILON);
+        assert!(terms.iter().sum::<f64>().abs() < f64::EPSILON);
     }
 }

@@ -16,6 +16,7 @@ use crate::coefficient_table::check_element_side;
 use crate::error::InfluenceError;
 use crate::love;
 use crate::quadrature::integrate;
+use crate::whole;
 
 /// `Φ − 1` is below 3e-18 beyond this wavenumber, in units of 1/thickness of the top layer.
 const LAST_WAVENUMBER: f64 = 24.0;
@@ -125,7 +126,7 @@ fn inner_integral(gamma: f64, offset: [usize; 2], tolerance: f64) -> Result<f64,
 /// Intervals of about two oscillations.
 fn pieces(length: f64, offset: [usize; 2]) -> usize {
     let oscillations = length * (2 * (offset[0] + offset[1]) + 2) as f64 / (2.0 * PI);
-    (oscillations / 2.0) as usize + 1
+    whole::floor(oscillations / 2.0) + 1
 }
 
 /// `sin x / x`.

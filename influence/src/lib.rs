@@ -1,4 +1,5 @@
 //! Influence coefficients.
+mod cache;
 mod chebyshev;
 mod coefficient_table;
 mod column_block;
@@ -8,6 +9,7 @@ mod dense;
 pub mod direct;
 mod edges;
 mod error;
+mod far_field;
 mod gauss;
 pub mod love;
 mod near;
@@ -23,8 +25,10 @@ mod response;
 mod spectrum;
 mod symbol;
 mod twofold;
+mod whole;
 mod window;
 
+pub use cache::{Cache, CacheWarning, Cached, FileFault, Origin, Usage};
 pub use coefficient_table::CoefficientTable;
 pub use convolution::ConvolutionOperator;
 pub use dense::DenseOperator;

@@ -4,7 +4,12 @@
 ///
 /// Any L = 2M ≥ 2N − 1 makes the circulant embedding exact.
 pub(crate) fn half_length(size: usize) -> usize {
-    (size.max(1)..).find(|half| is_fast(*half)).unwrap_or(size)
+    let mut half = size.max(1);
+    // A power of two is never far.
+    while !is_fast(half) {
+        half += 1;
+    }
+    half
 }
 
 /// Whether only few of the factors of `length` are odd, and these 3 or 5.

@@ -1,8 +1,11 @@
 //! A function of the logarithm of a positive variable, as Chebyshev panels of adaptive width.
 
+mod stored;
+
 use std::f64::consts::LN_2;
 
 use crate::chebyshev::{Transform, nodes, sum, tail};
+use crate::whole;
 
 /// Terms of a panel's expansion.
 pub(crate) const TERMS: usize = 20;
@@ -60,8 +63,8 @@ pub(crate) struct Panels {
     start: f64,
     end: f64,
     /// Panel of each cell of the finest width.
-    cells: Vec<u32>,
-    panels: Vec<Panel>,
+    cells: Vec<usize>,
+    all: Vec<Panel>,
 }
 
 impl Panels {
@@ -72,15 +75,15 @@ impl Panels {
         function: impl Fn(f64) -> f64,
         allowed: impl Fn(f64, f64) -> f64,
     ) -> Self {
-        let count = ((end - start) / LN_2).ceil().max(1.0);
+        let count = whole::ceil((end - start) / LN_2).max(1);
         let mut fitted = Self {
             start,
-            end: start + count * LN_2,
+            end: start + count as f64 * LN_2,
             cells: Vec::new(),
-            panels: Vec::new(),
+            all: Vec::new(),
         };
         let transform = Transform::new(TERMS, TERMS);
-        let total = count as usize * FINEST;
+        let total = count * FINEST;
         while fitted.cells.len() < total {
             let left = fitted.cells.len();
             // The widest panel that begins here: the largest power of two that divides its place.
@@ -92,9 +95,9 @@ impl Panels {
                 }
                 cells /= 2;
             };
-            let index = fitted.panels.len() as u32;
+            let index = fitted.all.len();
             fitted.cells.resize(left + cells, index);
-            fitted.panels.push(panel);
+            fitted.all.push(panel);
         }
         fitted
     }
@@ -126,20 +129,20 @@ impl Panels {
 
     /// The panels from left to right.
     pub(crate) fn panels(&self) -> &[Panel] {
-        &self.panels
+        &self.all
     }
 
     /// Index of the panel that holds ln x; the nearest one outside the range.
     #[inline]
     pub(crate) fn index(&self, ln_x: f64) -> usize {
-        let cell = ((ln_x - self.start) / CELL) as usize;
-        self.cells[cell.min(self.cells.len() - 1)] as usize
+        let cell = whole::floor((ln_x - self.start) / CELL);
+        self.cells[cell.min(self.cells.len() - 1)]
     }
 
     /// The function at ln x inside the range.
     #[inline]
     pub(crate) fn value(&self, ln_x: f64) -> f64 {
-        self.panels[self.index(ln_x)].value(ln_x)
+        self.all[self.index(ln_x)].value(ln_x)
     }
 }
 

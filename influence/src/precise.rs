@@ -1,6 +1,7 @@
 //! `T(t) = ∫ Φ(x/t) J0(x) dx` in 32 digits, where the terms of the sum are very much larger than the sum.
 
 mod bessel;
+mod expansion;
 mod response;
 mod rule;
 

@@ -10,6 +10,7 @@ use std::f64::consts::E;
 use std::sync::LazyLock;
 
 use crate::gauss::{Node, legendre_of};
+use crate::whole;
 
 /// Points a direction of the rules, and the offsets (the larger of the two) from which the singularity allows them.
 const RULES: [(i32, usize); 5] = [(6, 5), (5, 8), (4, 20), (3, 96), (2, 2048)];
@@ -44,7 +45,7 @@ impl Borders {
             // c_p (2p/(eρ))^(2p) = tolerance · floor
             let ratio = error_constant(points) / (TOLERANCE * floor);
             let distance = power / E * ratio.powf(1.0 / power);
-            border.max((distance / 2.0).ceil() as usize)
+            border.max(whole::ceil(distance / 2.0))
         }))
     }
 

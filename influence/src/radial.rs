@@ -4,9 +4,12 @@
 //! `T(t) = ∫₀^∞ Φ(x/t) J0(x) dx`. Its integral `P(t) = ∫₀^t T dt'` turns area integrals into edge integrals, because
 //! `div(r P/r²) = T/r`. (`P = t W` with the `W(t) = ∫ Φ(s) J1(st)/s ds` of the transform.)
 
+mod stored;
+
 use pellicle_kernel::Foundation;
 
 use crate::chebyshev;
+use crate::far_field::FarField;
 use crate::panels::{Panel, Panels};
 use crate::precise::Precise;
 use crate::product_rule::Borders;
@@ -46,6 +49,7 @@ pub(crate) struct RadialFunctions {
     constant: f64,
     worst: Worst,
     borders: Borders,
+    far_field: Option<FarField>,
 }
 
 /// The largest estimated error of T over its scale, and where.
@@ -91,14 +95,12 @@ impl RadialFunctions {
             reduced_from: panels.panels().len(),
             constant: 0.0,
             worst: sampler.worst(&panels),
-            borders: Borders::new(if limit > 0.0 {
-                limit.min(1.0)
-            } else {
-                RIGID_FLOOR
-            }),
+            borders: borders(limit),
+            far_field: None,
             panels,
         };
         functions.integrate();
+        functions.tabulate_far_field();
         functions
     }
 
@@ -122,6 +124,16 @@ impl RadialFunctions {
         } else {
             self.far_value(t)
         }
+    }
+
+    /// `T(√u)/√u`, the quick way.
+    #[inline]
+    pub(crate) fn over_root(&self, u: f64) -> f64 {
+        let table = self.far_field.as_ref();
+        table.and_then(|table| table.value(u)).unwrap_or_else(|| {
+            let t = u.sqrt();
+            self.value(t) / t
+        })
     }
 
     /// The constant by which [`Area::Reduced`] is less than [`Area::Whole`].
@@ -181,6 +193,14 @@ impl RadialFunctions {
         self.limit * t - (b2 + u * (b4 / 3.0 + u * (b6 / 5.0 + u * b8 / 7.0))) / t
     }
 
+    fn tabulate_far_field(&mut self) {
+        let value = |t: f64| self.value(t);
+        let scale = |t: f64| scale(self.limit, value(t).abs(), t.ln());
+        let table = FarField::new(self.ends, value, scale);
+        self.worst.error += table.error();
+        self.far_field = Some(table);
+    }
+
     /// Fills in P from left to right, and takes the constant out from where it is more than half of P.
     ///
     /// The constant's own error does not matter: what is left out is added again, and only what is left must be accurate.
@@ -209,6 +229,15 @@ impl RadialFunctions {
     }
 }
 
+/// From which offsets product rules hold over a base of this `Φ(0)`.
+fn borders(limit: f64) -> Borders {
+    Borders::new(if limit > 0.0 {
+        limit.min(1.0)
+    } else {
+        RIGID_FLOOR
+    })
+}
+
 /// Chebyshev coefficients of `∫ T dt` from the panel's left end, over ln t.
 fn integral(panel: &Panel) -> Vec<f64> {
     let transform = chebyshev::Transform::new(crate::panels::TERMS, crate::panels::TERMS);
@@ -216,7 +245,9 @@ fn integral(panel: &Panel) -> Vec<f64> {
     let integrand = panel.samples().map(|ln_t| panel.value(ln_t) * ln_t.exp());
     let coefficients = transform.coefficients(&integrand.collect::<Vec<_>>());
     let mut integral = chebyshev::integral(&coefficients);
-    integral.iter_mut().for_each(|c| *c *= panel.half_width);
+    for c in &mut integral {
+        *c *= panel.half_width;
+    }
     integral
 }
 

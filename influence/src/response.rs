@@ -94,7 +94,7 @@ impl ResponseTable {
 
     /// The Taylor coefficients of s², s⁴, s⁶ and s⁸ at 0.
     pub(crate) fn even_taylor(&self) -> [f64; 4] {
-        [2, 4, 6, 8].map(|power: u32| taylor(&self.low, power) / self.reach.powi(power as i32))
+        [2, 4, 6, 8].map(|power| taylor(&self.low, power) / self.reach.powi(power))
     }
 }
 

@@ -32,7 +32,9 @@ impl Spectrum {
             line.transform(|m| along[m * (half + 1) + frequency], size, column);
         });
         let factor = 1.0 / (4 * half * half) as f64;
-        values.iter_mut().for_each(|value| *value *= factor);
+        for value in &mut values {
+            *value *= factor;
+        }
         Self { half, values }
     }
 

@@ -8,6 +8,7 @@ use std::sync::LazyLock;
 
 use crate::compensated::Sum;
 use crate::gauss::{Node, legendre_of};
+use crate::whole;
 
 /// L: `exp(−L²/4)` = 4e-19.
 pub(crate) const SPREAD: f64 = 13.0;
@@ -64,9 +65,9 @@ impl WindowRule {
         let doubling = (0..OCTAVES)
             .rev()
             .map(|octave| [end(octave + 1), end(octave)]);
-        let strides = ((END - DOUBLING_END) / STRIDE).ceil() as u32;
+        let strides = whole::ceil((END - DOUBLING_END) / STRIDE);
         let uniform = (0..strides).map(|stride| {
-            let start = DOUBLING_END + STRIDE * f64::from(stride);
+            let start = DOUBLING_END + STRIDE * stride as f64;
             [start, start + STRIDE]
         });
         let line = legendre_of::<PANEL>();
@@ -91,7 +92,7 @@ impl WindowRule {
         smooth_below: f64,
         one_beyond: f64,
     ) -> Integral {
-        let octave = (DOUBLING_END / smooth_below).log2().ceil().max(0.0) as usize;
+        let octave = whole::ceil((DOUBLING_END / smooth_below).log2());
         let octave = octave.min(self.heads.len() - 1);
         let from = (self.heads.len() - 1 - octave) * PANEL;
         let to = self

@@ -8,8 +8,9 @@ use pellicle_influence::{
 use pellicle_kernel::Material;
 
 fn steel_table(size: usize) -> CoefficientTable {
-    let steel = Material::new(210e9, 0.3).unwrap();
-    CoefficientTable::from_fn(1e-6, size, |offset| love::coefficient(&steel, 1e-6, offset)).unwrap()
+    let steel = Material::new(210e9, 0.3).expect("valid input");
+    CoefficientTable::from_fn(1e-6, size, |offset| love::coefficient(&steel, 1e-6, offset))
+        .expect("valid input")
 }
 
 /// Numbers between 0 and 1 without pattern, the same every time.

@@ -121,7 +121,7 @@ fn the_dense_active_set_and_the_gradient_method_agree_on_the_textured_cases() {
     let n = 48;
     for panel in figure_2() {
         let sampled = panel.model.sample(panel.side, n).unwrap();
-        let mut problem = panel.model.discretize(&sampled).unwrap();
+        let mut problem = panel.model.discretize(&sampled).unwrap().value;
         let mut solve = |solver: &dyn Solver| {
             let mut watch = Watch {
                 observer: &mut (),

@@ -11,7 +11,9 @@ use pellicle_contact::{
     Cone, DiscreteProblem, Domain, GradientSolver, Indenter, Load, Model, Paraboloid, Solution,
     Solver, SolverOptions, Watch, solve_path,
 };
-use pellicle_influence::{CoefficientTable, ConvolutionOperator, PeriodicSymbol, RadialTables};
+use pellicle_influence::{
+    Cache, CoefficientTable, ConvolutionOperator, PeriodicSymbol, RadialTables,
+};
 use pellicle_kernel::{Foundation, Material};
 use pellicle_tests::convergence::{GRIDS, observed_order};
 use pellicle_tests::reference_data::{
@@ -161,6 +163,7 @@ fn penetration_error(case: &AxisymmetricContact, elements: usize) -> f64 {
         tables: Arc::new(RadialTables::build(&foundation).unwrap()),
         relief: Relief::Bare,
         indenter,
+        cache: Cache::none(),
     };
     let load = Load::Force(number(&case.load));
     let path = solve_path(

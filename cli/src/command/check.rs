@@ -7,7 +7,7 @@ use crate::case::units::Units;
 use crate::display::{Unit, quantity, significant};
 use crate::failure::Failure;
 use crate::program::Outcome;
-use crate::terminal;
+use crate::{cache, terminal};
 
 /// Memory of a run per element, in bytes, measured as the resident set of fig2c at N = 512, 1024 and 2048: 250, 230 and 223
 /// with one step, of which a step's four fields are 32.
@@ -23,12 +23,14 @@ const BYTES_PER_ELEMENT_AND_STEP: f64 = 32.0;
 /// [`Failure`] if the case is wrong.
 pub fn check(arguments: &CaseArguments) -> Result<Outcome, Failure> {
     let mut case = Case::read(&arguments.path, &arguments.sets)?;
+    let cache = cache::open();
     let chosen = case.grid.side.is_none();
-    let side = case.side(&case.model()?);
+    let side = case.side(&case.model(&cache)?.value);
     case.grid.side = Some(side);
     let resolved = toml::to_string(&case)?;
     let estimates = estimates(&case, side, chosen);
     terminal::print(&format!("{}\n{resolved}\n{estimates}", heading(case.units)))?;
+    cache::tell_warnings(&cache);
     Ok(Outcome::Done)
 }
 

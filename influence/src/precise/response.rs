@@ -8,11 +8,10 @@
 
 use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
 
+use super::expansion::{Cosines, Expansion};
 use crate::chebyshev::taylor_weight;
 use crate::twofold::Twofold;
-
-/// Terms of an expansion.
-const TERMS: usize = 26;
+use crate::whole;
 
 /// Width of a panel over ln s: half an octave, so that 26 terms give 24 digits where the nearest pole of Φ is at 45°.
 const WIDTH: f64 = std::f64::consts::LN_2 / 2.0;
@@ -21,18 +20,18 @@ const WIDTH: f64 = std::f64::consts::LN_2 / 2.0;
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct PreciseResponse {
     /// Over 0 ≤ s ≤ `reach`.
-    low: Vec<Twofold>,
+    low: Expansion,
     reach: f64,
     /// Lower end of the panels as ln s, half the reach.
     start: f64,
-    panels: Vec<Vec<Twofold>>,
+    panels: Vec<Expansion>,
 }
 
 impl PreciseResponse {
     /// Tabulates Φ, which is to be a low polynomial up to `reach` and 1 beyond `end`.
     pub(crate) fn new(foundation: &Foundation, [reach, end]: [f64; 2]) -> Self {
         let start = (reach / 2.0).ln();
-        let count = ((end.ln() - start) / WIDTH).ceil() as usize;
+        let count = whole::ceil((end.ln() - start) / WIDTH);
         let cosines = Cosines::new();
         let stack = Stack::new(foundation);
         let low =
@@ -59,28 +58,27 @@ impl PreciseResponse {
     pub(crate) fn value(&self, s: Twofold, ln_s: Twofold) -> Twofold {
         let panel = (ln_s.rounded() - self.start) / WIDTH;
         if panel < 0.0 {
-            return clenshaw(
-                &self.low,
-                s.scaled(2.0) / Twofold::from(self.reach) - Twofold::ONE,
-            );
+            return self
+                .low
+                .value(s.scaled(2.0) / Twofold::from(self.reach) - Twofold::ONE);
         }
-        let panel = panel as usize;
-        let Some(coefficients) = self.panels.get(panel) else {
+        let panel = whole::floor(panel);
+        let Some(expansion) = self.panels.get(panel) else {
             return Twofold::ONE;
         };
         let position = (ln_s - Twofold::from(centre(self.start, panel))) / HALF_WIDTH;
-        clenshaw(coefficients, position)
+        expansion.value(position)
     }
 
     /// The Taylor coefficients of s², s⁴, s⁶ and s⁸ at 0.
     pub(crate) fn even_taylor(&self) -> [f64; 4] {
-        [2, 4, 6, 8].map(|power: u32| {
-            let terms = self.low.iter().enumerate();
+        [2_i32, 4, 6, 8].map(|power| {
+            let terms = self.low.coefficients().enumerate();
             let sum = terms.fold(Twofold::ZERO, |sum, (j, c)| {
                 // Weights are ratios of integers far below 2^106; 1e-16 of them is 1e-16 of a term that hardly cancels.
-                sum + *c * Twofold::from(taylor_weight(j, power))
+                sum + c * Twofold::from(taylor_weight(j, power))
             });
-            sum.rounded() / self.reach.powi(power as i32)
+            sum.rounded() / self.reach.powi(power)
         })
     }
 }
@@ -92,43 +90,6 @@ const HALF_WIDTH: Twofold = Twofold::from_head(WIDTH / 2.0);
 #[inline]
 fn centre(start: f64, panel: usize) -> f64 {
     start + WIDTH * (panel as f64 + 0.5)
-}
-
-/// `Σ c_j T_j(x)`.
-#[inline]
-fn clenshaw(coefficients: &[Twofold], x: Twofold) -> Twofold {
-    let (mut near, mut far) = (Twofold::ZERO, Twofold::ZERO);
-    let twice = x.scaled(2.0);
-    for c in coefficients[1..].iter().rev() {
-        (near, far) = (twice * near + (*c - far), near);
-    }
-    coefficients[0] + (x * near - far)
-}
-
-/// `cos(π j (2i+1)/2n)`, from which nodes and expansions are made.
-struct Cosines {
-    rows: Vec<[Twofold; TERMS]>,
-}
-
-impl Cosines {
-    fn new() -> Self {
-        let row = |j: usize| std::array::from_fn(|i| Twofold::cos_pi(j * (2 * i + 1), 2 * TERMS));
-        Self {
-            rows: (0..TERMS).map(row).collect(),
-        }
-    }
-
-    /// Coefficients of the expansion of a function on [−1, 1].
-    fn expansion(&self, function: impl Fn(Twofold) -> Twofold) -> Vec<Twofold> {
-        let values = self.rows[1].map(function);
-        let coefficient = |(j, row): (usize, &[Twofold; TERMS])| {
-            let terms = row.iter().zip(&values);
-            let sum = terms.fold(Twofold::ZERO, |sum, (cosine, value)| sum + *cosine * *value);
-            let scale = if j == 0 { 1.0 } else { 2.0 };
-            sum.scaled(scale) / Twofold::from(TERMS as f64)
-        };
-        self.rows.iter().enumerate().map(coefficient).collect()
-    }
 }
 
 /// The minors of what lies below a plane.
@@ -281,7 +242,7 @@ impl Minors {
     fn normalised(self) -> Self {
         let size = (self.p + self.f + self.g + self.d).rounded();
         // An exact power of two, so that nothing is rounded.
-        let factor = 2_f64.powi(-(size.log2().round() as i32));
+        let factor = Twofold::power_of_two(-size.log2());
         Self {
             p: self.p.scaled(factor),
             q: self.q.scaled(factor),

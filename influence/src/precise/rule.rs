@@ -5,6 +5,7 @@ use std::sync::LazyLock;
 use super::bessel::{erfc, j0};
 use crate::gauss::{Node, legendre_of};
 use crate::twofold::Twofold;
+use crate::whole;
 use crate::window::{CENTRE, DOUBLING_END, END, PANEL, SPREAD, STRIDE};
 
 /// Doubling panels go down to 4 · 2⁻²⁰: only radii beyond the smallest wavelengths of Φ need the precision.
@@ -41,9 +42,9 @@ impl PreciseRule {
         let doubling = (0..OCTAVES)
             .rev()
             .map(|octave| [end(octave + 1), end(octave)]);
-        let strides = ((END - DOUBLING_END) / STRIDE).ceil() as u32;
+        let strides = whole::ceil((END - DOUBLING_END) / STRIDE);
         let uniform = (0..strides).map(|stride| {
-            let start = DOUBLING_END + STRIDE * f64::from(stride);
+            let start = DOUBLING_END + STRIDE * stride as f64;
             [start, start + STRIDE]
         });
         let panels: Vec<[f64; 2]> = doubling.chain(uniform).collect();
@@ -58,7 +59,7 @@ impl PreciseRule {
 
     /// The nodes of the rule for a function that is a low polynomial below `smooth_below`.
     pub(crate) fn nodes(&self, smooth_below: f64) -> impl Iterator<Item = &PreciseNode> {
-        let octave = (DOUBLING_END / smooth_below).log2().ceil().max(0.0) as usize;
+        let octave = whole::ceil((DOUBLING_END / smooth_below).log2());
         let octave = octave.min(self.heads.len() - 1);
         let from = (self.heads.len() - 1 - octave) * PANEL;
         self.heads[octave].iter().chain(&self.nodes[from..])
