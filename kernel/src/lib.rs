@@ -58,6 +58,8 @@ mod interior;
 mod layer;
 mod material;
 mod paper;
+#[cfg(doctest)]
+mod readme;
 mod response;
 mod system;
 mod wave;
