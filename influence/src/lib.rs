@@ -1,3 +1,5 @@
+//! Influence coefficients of layered elastic half-spaces, and the product of their matrix with a pressure.
+//!
 #![doc = include_str!("../README.md")]
 //!
 //! # Three layers
