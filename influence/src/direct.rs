@@ -27,12 +27,16 @@ const TOLERANCE: f64 = 1e-11;
 /// The inner integrals get this share of the error.
 const INNER_SHARE: f64 = 0.1;
 
+/// Absolute error below which no inner integral, of order one, can be had in 16 digits.
+const ROUNDING: f64 = 1e-15;
+
 /// More oscillations than this in either direction are refused: their square is the cost.
 const LARGEST_OSCILLATIONS: f64 = 400.0;
 
 /// Influence coefficient `k`, m/Pa, of a square element of side `element_side` (m), `offset` elements away, by adaptive quadrature.
 ///
-/// Error at most 1e-11 of [`love::coefficient`] at the same offset. Cost: the square of the number of oscillations, about `8 (m+n+1) a/h1`
+/// Error at most 1e-11 of [`love::coefficient`] at the same offset, and the rounding of the inner integrals, some 1e-15 of
+/// Love's coefficient at offset 0 times the largest `|Φ − 1|`. Cost: the square of the number of oscillations, about `8 (m+n+1) a/h1`
 /// with a half a side and h1 the thickness of the top layer: some 10 ms for one, minutes for the 400 at which the
 /// integral is refused. [`crate::RadialTables`] has no such limits; this is the independent check of it.
 ///
@@ -92,7 +96,7 @@ fn outer_integral(
         let response = foundation.response_minus_one(gamma / half_side);
         // An inner integral need not be better than its factor asks for.
         let wanted = inner_tolerance / response.abs().max(f64::MIN_POSITIVE);
-        match inner_integral(gamma, offset, wanted.min(TOLERANCE)) {
+        match inner_integral(gamma, offset, wanted.clamp(ROUNDING, TOLERANCE)) {
             Ok(inner) => response * inner,
             Err(error) => {
                 failure.set(Some(error));
