@@ -1,4 +1,4 @@
-//! Influence coefficients of layered elastic half-spaces, and the product of their matrix with a pressure.
+//! Influence coefficients of square elements on layered elastic bodies, and their product with a pressure.
 //!
 #![doc = include_str!("../README.md")]
 //!
