@@ -34,6 +34,11 @@ pub enum Command {
     Influence(InfluenceArguments),
     /// Draw the pictures of a results folder again
     Plot(PlotArguments),
+    /// Show where coefficients are kept between runs and how much there is, or remove them
+    #[command(
+        after_help = "PELLICLE_CACHE names the folder; set but empty, it turns the cache on disk off."
+    )]
+    Cache(CacheArguments),
 }
 
 /// A case and what replaces its values.
@@ -122,6 +127,17 @@ pub struct PlotArguments {
     /// The results folder
     #[arg(value_name = "DIR")]
     pub folder: PathBuf,
+}
+
+/// What to do with the cache.
+#[derive(Debug, Args)]
+pub struct CacheArguments {
+    /// Remove the cache's files, and no others
+    #[arg(long)]
+    pub clear: bool,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
 }
 
 fn positive(text: &str) -> Result<f64, String> {

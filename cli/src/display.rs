@@ -99,6 +99,22 @@ impl Scale {
     }
 }
 
+/// An error of two digits on the scale of the value it belongs to: `± 0.29 µm²`.
+#[must_use]
+pub fn error_of(value: f64, error: f64, unit: Unit, units: Units) -> String {
+    let error_on = |scale: Scale| {
+        format!(
+            "± {} {}",
+            significant(error / scale.divisor, 2),
+            scale.label
+        )
+    };
+    match units {
+        Units::Si => error_on(Scale::of(value, unit, units)),
+        Units::Consistent => format!("± {}", significant(error, 2)),
+    }
+}
+
 /// The value on its own scale, with its unit.
 #[must_use]
 pub fn quantity(value: f64, unit: Unit, units: Units) -> String {
@@ -118,15 +134,15 @@ pub fn significant(value: f64, digits: usize) -> String {
     if !(1e-3..1e6).contains(&size) {
         return format!("{value:.*e}", digits - 1);
     }
-    // Digits before the point, negative for zeros behind it: between -2 and 6.
-    let before = size.log10().floor() + 1.0;
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "between 0 and 20"
-    )]
-    let after = (digits as f64 - before).clamp(0.0, 20.0) as usize;
-    format!("{value:.after$}")
+    // The exponent after rounding: 9.99999 has that of 10.
+    let rounded = format!("{value:.*e}", digits - 1);
+    let exponent = rounded
+        .rsplit('e')
+        .next()
+        .and_then(|text| text.parse().ok());
+    let digits = i32::try_from(digits).unwrap_or(i32::MAX);
+    let after = digits.saturating_sub(1 + exponent.unwrap_or(0));
+    format!("{value:.*}", usize::try_from(after).unwrap_or(0))
 }
 
 /// An integer as an exponent: `⁻³`.
@@ -148,6 +164,7 @@ mod tests {
     fn si_values_have_the_prefix_that_suits_them() {
         assert_eq!(si(1.01301e-6, Unit::Metre), "1.0130 µm");
         assert_eq!(si(1e-6, Unit::Metre), "1.0000 µm");
+        assert_eq!(si(9.999_999_99, Unit::Newton), "10.000 N");
         assert_eq!(si(471.336e6, Unit::Pascal), "471.34 MPa");
         assert_eq!(si(2.3e-3, Unit::Newton), "2.3000 mN");
         assert_eq!(si(3.18245e-8, Unit::SquareMetre), "31825 µm²");
@@ -155,6 +172,16 @@ mod tests {
         assert_eq!(si(-5e-9, Unit::Metre), "-5.0000 nm");
         assert_eq!(si(1e-30, Unit::Metre), "1.0000e-12 am");
         assert_eq!(si(f64::INFINITY, Unit::Metre), "inf m");
+    }
+
+    #[test]
+    fn an_error_is_told_in_the_unit_of_its_value() {
+        let error = error_of(9.96e-11, 2.94e-13, Unit::SquareMetre, Units::Si);
+        assert_eq!(error, "± 0.29 µm²");
+        assert_eq!(
+            error_of(0.2, 0.0123, Unit::Pascal, Units::Consistent),
+            "± 0.012"
+        );
     }
 
     #[test]

@@ -59,6 +59,14 @@ pub enum Failure {
         /// What the system says.
         cause: io::Error,
     },
+    /// The folder of the cache cannot be listed, or a file in it not removed.
+    #[error("{}: the cache cannot be listed or cleared: {cause}", path.display())]
+    Cache {
+        /// The folder.
+        path: PathBuf,
+        /// What the system says.
+        cause: io::Error,
+    },
     /// A file of a results folder is missing or not what a run writes.
     #[error("{}: not a file of a results folder: {reason}", path.display())]
     Damaged {

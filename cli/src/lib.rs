@@ -12,6 +12,7 @@
 )]
 
 pub mod arguments;
+pub mod cache;
 pub mod case;
 pub mod command;
 pub mod display;

@@ -42,6 +42,7 @@ fn execute(command: Command) -> Result<Outcome, Failure> {
         Command::Kernel(arguments) => command::kernel::kernel(&arguments),
         Command::Influence(arguments) => command::influence::influence(&arguments),
         Command::Plot(arguments) => command::plot::plot(&arguments),
+        Command::Cache(arguments) => command::cache::cache(&arguments),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use pellicle_influence::{CoefficientTable, ConvolutionOperator, PeriodicSymbol, RadialTables};
+use pellicle_influence::{Cache, Cached, ConvolutionOperator, PeriodicSymbol, RadialTables};
 use pellicle_texture::{Grid, Relief, SampledRelief};
 
 use crate::{ContactError, DiscreteProblem, Indenter};
@@ -16,6 +16,9 @@ pub struct Model {
     pub relief: Relief,
     /// What is pressed into it.
     pub indenter: Indenter,
+    /// Where coefficients are looked for and kept, across the grids of a path and the paths of a model;
+    /// [`Cache::none`] if nothing is to be kept.
+    pub cache: Cache,
 }
 
 /// The geometry of a [`Model`] sampled at the element centres of a grid; fields hold N² values.
@@ -50,13 +53,20 @@ impl Model {
         })
     }
 
-    /// The discrete problem of a sampled model: coefficients, operator, symbol, `η` and `g0 = f − f*`.
+    /// The discrete problem of a sampled model: coefficients, operator, symbol, `η` and `g0 = f − f*`; and where the
+    /// coefficients came from.
     ///
     /// # Errors
     /// Coefficients that cannot be had to their accuracy on this grid; an indenter that misses the grid.
-    pub fn discretize(&self, sampled: &SampledModel) -> Result<DiscreteProblem, ContactError> {
+    pub fn discretize(
+        &self,
+        sampled: &SampledModel,
+    ) -> Result<Cached<DiscreteProblem>, ContactError> {
         let grid = &sampled.grid;
-        let table = CoefficientTable::assemble(&self.tables, grid.element_side(), grid.size())?;
+        let Cached {
+            value: table,
+            origin,
+        } = (self.cache).coefficients(&self.tables, grid.element_side(), grid.size())?;
         let symbol =
             PeriodicSymbol::new(self.tables.foundation(), grid.element_side(), grid.size());
         // g0 = f − f*
@@ -68,9 +78,10 @@ impl Model {
             .collect();
         let operator = Box::new(ConvolutionOperator::new(&table));
         let compliance = sampled.relief.compliance().to_vec();
-        Ok(
-            DiscreteProblem::new(operator, compliance, initial_gap, grid.element_area())?
-                .with_symbol(symbol),
-        )
+        let problem = DiscreteProblem::new(operator, compliance, initial_gap, grid.element_area())?;
+        Ok(Cached {
+            value: problem.with_symbol(symbol),
+            origin,
+        })
     }
 }

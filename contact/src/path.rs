@@ -2,6 +2,7 @@
 
 use std::time::Instant;
 
+use pellicle_influence::{Cached, Origin};
 use pellicle_texture::{Grid, SampledRelief};
 
 use crate::{
@@ -34,6 +35,8 @@ pub struct LoadingPath {
     pub warnings: Vec<Warning>,
     /// Time spent on coefficients of all grids, in s; the radial tables are built before.
     pub coefficients_seconds: f64,
+    /// Where the coefficients of all grids together came from; the radial tables are not among them.
+    pub coefficients_origin: Origin,
     /// Time spent in solvers, in s.
     pub solve_seconds: f64,
 }
@@ -94,6 +97,7 @@ pub fn solve_path(
 struct Level {
     sampled: SampledModel,
     problem: DiscreteProblem,
+    coefficients_origin: Origin,
 }
 
 /// What one level ended with.
@@ -209,8 +213,15 @@ impl PathRun {
         })
     }
 
+    /// Where the coefficients of all levels together came from.
+    fn coefficients_origin(&self) -> Origin {
+        let origins = self.coarse.iter().map(|level| level.coefficients_origin);
+        origins.fold(self.finest.coefficients_origin, Origin::max)
+    }
+
     /// Adds the warnings that need whole solutions and hands the path over.
     fn finish(self, model: &Model) -> LoadingPath {
+        let coefficients_origin = self.coefficients_origin();
         let SampledModel {
             grid,
             relief,
@@ -227,6 +238,7 @@ impl PathRun {
             indenter_profile,
             warnings,
             coefficients_seconds: self.coefficients_seconds,
+            coefficients_origin,
             solve_seconds: self.steps.iter().map(|step| step.work.seconds).sum(),
             steps: self.steps,
         }
@@ -236,8 +248,12 @@ impl PathRun {
 impl Level {
     fn new(model: &Model, side: f64, size: usize) -> Result<Self, ContactError> {
         let sampled = model.sample(side, size)?;
-        let problem = model.discretize(&sampled)?;
-        Ok(Self { sampled, problem })
+        let Cached { value, origin } = model.discretize(&sampled)?;
+        Ok(Self {
+            sampled,
+            problem: value,
+            coefficients_origin: origin,
+        })
     }
 
     /// Solves from a coarser level's solution, and judges the result afresh.

@@ -11,7 +11,7 @@ use pellicle_contact::{
     ContactError, Domain, Indenter, Load, LoadingPath, Method, Model, Observer, Paraboloid,
     Progress, Signal, SolverOptions, default_side, solve_path,
 };
-use pellicle_influence::RadialTables;
+use pellicle_influence::{Cache, RadialTables};
 use pellicle_kernel::{Foundation, Material};
 use pellicle_texture::{CylinderSpec, Cylinders, Film, Lattice, Relief};
 
@@ -22,6 +22,7 @@ fn model(relief: Relief) -> Model {
         tables: Arc::new(RadialTables::build(&foundation).unwrap()),
         relief,
         indenter: Indenter::Paraboloid(Paraboloid::new(1.0).unwrap()),
+        cache: Cache::in_memory(),
     }
 }
 

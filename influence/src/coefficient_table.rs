@@ -1,5 +1,7 @@
 //! The influence coefficients of one grid, by offset.
 
+mod stored;
+
 use rayon::prelude::*;
 
 use crate::error::InfluenceError;

@@ -3,6 +3,8 @@
 //! The panel and the place in it are read off the bits of u: its exponent and the first [`BITS`] bits of its fraction number the
 //! panel, the rest is the place. So a value costs no logarithm, no root and no division, only a polynomial of degree 8.
 
+mod stored;
+
 use crate::chebyshev::{Transform, nodes};
 
 /// Panels to an octave of u, as a power of two: 16, each 3 % wide in t.

@@ -70,6 +70,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod cache;
 mod chebyshev;
 mod coefficient_table;
 mod column_block;
@@ -98,6 +99,7 @@ mod twofold;
 mod whole;
 mod window;
 
+pub use cache::{Cache, CacheWarning, Cached, FileFault, Origin, Usage};
 pub use coefficient_table::CoefficientTable;
 pub use convolution::ConvolutionOperator;
 pub use dense::DenseOperator;

@@ -1,5 +1,7 @@
 //! A function of the logarithm of a positive variable, as Chebyshev panels of adaptive width.
 
+mod stored;
+
 use std::f64::consts::LN_2;
 
 use crate::chebyshev::{Transform, nodes, sum, tail};

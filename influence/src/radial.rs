@@ -4,6 +4,8 @@
 //! `T(t) = ∫₀^∞ Φ(x/t) J0(x) dx`. Its integral `P(t) = ∫₀^t T dt'` turns area integrals into edge integrals, because
 //! `div(r P/r²) = T/r`. (`P = t W` with the `W(t) = ∫ Φ(s) J1(st)/s ds` of the transform.)
 
+mod stored;
+
 use pellicle_kernel::Foundation;
 
 use crate::chebyshev;
@@ -93,11 +95,7 @@ impl RadialFunctions {
             reduced_from: panels.panels().len(),
             constant: 0.0,
             worst: sampler.worst(&panels),
-            borders: Borders::new(if limit > 0.0 {
-                limit.min(1.0)
-            } else {
-                RIGID_FLOOR
-            }),
+            borders: borders(limit),
             far_field: None,
             panels,
         };
@@ -229,6 +227,15 @@ impl RadialFunctions {
             self.integrals.push(p);
         }
     }
+}
+
+/// From which offsets product rules hold over a base of this `Φ(0)`.
+fn borders(limit: f64) -> Borders {
+    Borders::new(if limit > 0.0 {
+        limit.min(1.0)
+    } else {
+        RIGID_FLOOR
+    })
 }
 
 /// Chebyshev coefficients of `∫ T dt` from the panel's left end, over ln t.

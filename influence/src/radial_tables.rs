@@ -1,5 +1,7 @@
 //! The fast path to influence coefficients: two functions of the radius, tabulated once for a foundation, whatever the grid.
 
+mod stored;
+
 use pellicle_kernel::{Base, Foundation, Interface};
 
 use crate::coefficient_table::CoefficientTable;

@@ -47,6 +47,30 @@ pub enum KernelError {
         /// The largest ratio accepted.
         largest: f64,
     },
+    /// A wavenumber is zero, negative, infinite or not a number where a wave is needed.
+    #[error("the wavenumber must be positive and finite, got {found}")]
+    Wavenumber {
+        /// The wavenumber given, 1/m.
+        found: f64,
+    },
+    /// The transformed equations of one layer have no unique solution in floating point.
+    #[error("the transformed equations at s = k H = {s:e} are singular")]
+    Singular {
+        /// Wavenumber times thickness.
+        s: f64,
+    },
+    /// A graded layer was split as finely as allowed and its compliance had not converged.
+    #[error(
+        "{sublayers} sublayers leave a relative error of {reached:e} in the compliance, wanted {wanted:e}"
+    )]
+    Grading {
+        /// How many sublayers there were.
+        sublayers: usize,
+        /// Estimated relative error of `C(k)` that halving all of them would leave.
+        reached: f64,
+        /// The tolerance asked for.
+        wanted: f64,
+    },
     /// A rigid base without any layer: nothing can deform.
     #[error("a foundation on a rigid base needs at least one elastic layer, got 0")]
     NothingElastic,

@@ -112,11 +112,14 @@ impl Foundation {
 
     /// Compliance `C(k) = 2 (1 − ν₁²) / (E₁ k) · Φ(k)`, m/Pa, at the wavenumber `k` (1/m).
     ///
-    /// As accurate as [`response`](Self::response). At `k = 0` it is infinite on a half-space; on
-    /// a rigid base `C` stays finite as `k → 0` and should be asked for at a small `k`.
+    /// As accurate as [`response`](Self::response). `C(0)` is the limit: infinite on a half-space, the
+    /// compliance of a bed of springs on a rigid base ([`long_waves`](Self::long_waves)).
     #[must_use]
     pub fn compliance(&self, wavenumber: f64) -> f64 {
-        let modulus = self.surface_material().plane_strain_modulus();
+        if wavenumber == 0.0 {
+            return self.long_waves().compliance(0.0);
+        }
+        let modulus = self.surface_material.plane_strain_modulus();
         // C = 2 (1 − ν₁²) / (E₁ k) · Φ
         2.0 / (modulus * wavenumber.abs()) * self.response(wavenumber)
     }
@@ -125,6 +128,9 @@ impl Foundation {
     ///
     /// `Φ → 1` for large `k` and [`response_at_zero`](Self::response_at_zero) for `k → 0`. `k` is
     /// the length of the wave vector, 1/m; its sign does not matter.
+    ///
+    /// Accuracy: relative error below 1.5e-15 for one layer, 4e-15 for a stack, 1e-14 for 200 layers
+    /// (`tests/reference.rs`). About 40 ns for one layer, 60 ns a layer in a stack.
     #[must_use]
     pub fn response(&self, wavenumber: f64) -> f64 {
         if wavenumber == 0.0 {
@@ -134,6 +140,12 @@ impl Foundation {
     }
 
     /// `Φ(k) − 1` without cancellation: relatively accurate also where `Φ` is almost 1.
+    ///
+    /// Accuracy, `s = k` times the total thickness: for one layer a relative error below
+    /// `2e-15 (1 + 2s)`, where the factor is what `e^{−2s}` makes of the rounding of `s`; for stacks
+    /// `1e-13 (1 + 2s)` or, near a zero of `Φ − 1`, an absolute error of the roundings of `Φ` in `n`
+    /// layers, at most `(4 + n) 1e-15 (Φ + 1)` (`tests/reference.rs`, `tests/property.rs`). Below the
+    /// smallest normal number, `s > 350`, digits end.
     #[must_use]
     pub fn response_minus_one(&self, wavenumber: f64) -> f64 {
         if wavenumber == 0.0 {
@@ -171,7 +183,7 @@ fn check_ratios(layers: &[Layer], base: Base) -> Result<(), KernelError> {
     let below = layers.iter().skip(1).map(Layer::material).chain(base);
     for (layer, (upper, lower)) in layers.iter().zip(below).enumerate() {
         let found = upper.material().shear_modulus() / lower.shear_modulus();
-        if !(found <= LARGEST_RATIO && found >= 1.0 / LARGEST_RATIO) {
+        if !(1.0 / LARGEST_RATIO..=LARGEST_RATIO).contains(&found) {
             return Err(KernelError::ModulusRatio {
                 layer,
                 found,
@@ -181,4 +193,96 @@ fn check_ratios(layers: &[Layer], base: Base) -> Result<(), KernelError> {
         }
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn material(young: f64, poisson: f64) -> Material {
+        Material::new(young, poisson).unwrap()
+    }
+
+    #[test]
+    fn a_rigid_base_alone_is_refused() {
+        assert_eq!(
+            Foundation::new(vec![], Base::Rigid),
+            Err(KernelError::NothingElastic)
+        );
+    }
+
+    #[test]
+    fn layers_that_add_up_to_infinity_are_refused() {
+        let layer = Layer::new(f64::MAX, material(1.0, 0.3), Interface::Bonded).unwrap();
+        let refused = Foundation::new(vec![layer; 2], Base::Rigid);
+        let found = f64::INFINITY;
+        assert_eq!(
+            refused,
+            Err(KernelError::TotalThickness { layers: 2, found })
+        );
+    }
+
+    #[test]
+    fn neighbours_beyond_any_material_are_refused_with_their_ratio() {
+        let refused = Foundation::coated(1.0, material(1e40, 0.3), material(1.0, 0.3));
+        let Err(KernelError::ModulusRatio { layer, found, .. }) = refused else {
+            panic!("{refused:?}");
+        };
+        // a rounding or two
+        assert!(layer == 0 && (found / 1e40 - 1.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn equal_materials_are_exactly_a_half_space() {
+        let coated = Foundation::coated(1.0, material(0.7, 0.31), material(0.7, 0.31)).unwrap();
+        for k in [0.0, 1e-8, 0.3, 1.0, 7.0, 1e6] {
+            assert!(coated.response_minus_one(k).abs() <= 0.0, "{k}");
+            // Numerator and denominator are rounded separately.
+            assert!((coated.response(k) - 1.0).abs() <= 1e-15, "{k}");
+        }
+    }
+
+    #[test]
+    fn the_shortest_waves_see_the_surface_alone() {
+        let coated = Foundation::coated(1.0, material(1e6, 0.5), material(1.0, 0.0)).unwrap();
+        for k in [1e6, 1e300, f64::INFINITY] {
+            // One rounding each of numerator and denominator.
+            assert!((coated.response(k) - 1.0).abs() <= 5e-16);
+            assert!(coated.response_minus_one(k).abs() <= 0.0);
+        }
+    }
+
+    #[test]
+    fn the_longest_waves_see_the_base_alone() {
+        let (coating, base) = (material(10.0, 0.3), material(1.0, 0.4));
+        let coated = Foundation::coated(1.0, coating, base).unwrap();
+        // χ (1 − ν₂²) / (1 − ν₁²), a few roundings
+        assert!((coated.response_at_zero() / (10.0 * 0.84 / 0.91) - 1.0).abs() < 1e-15);
+        assert!((coated.response(0.0) - coated.response_at_zero()).abs() <= 0.0);
+        // Φ − Φ(0) is of order χ s.
+        assert!((coated.response(1e-17) / coated.response_at_zero() - 1.0).abs() < 1e-15);
+        assert!(coated.compliance(0.0).is_infinite());
+    }
+
+    #[test]
+    fn the_longest_waves_on_a_rigid_base_see_springs() {
+        let layer = Layer::new(2.0, material(3.0, 0.25), Interface::Bonded).unwrap();
+        let foundation = Foundation::new(vec![layer], Base::Rigid).unwrap();
+        assert!(foundation.response(0.0).abs() <= 0.0);
+        let (limit, near) = (foundation.compliance(0.0), foundation.compliance(1e-9));
+        // The next term is of second order in k H.
+        assert!((near / limit - 1.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn the_sign_of_the_wavenumber_does_not_matter() {
+        let coated = Foundation::coated(1.0, material(10.0, 0.3), material(1.0, 0.4)).unwrap();
+        assert!((coated.compliance(-0.7) - coated.compliance(0.7)).abs() <= 0.0);
+    }
+
+    #[test]
+    fn foundations_can_be_shared_between_threads() {
+        fn shared<T: Send + Sync + Clone>(_: &T) {}
+        shared(&Foundation::half_space(material(1.0, 0.3)));
+    }
 }

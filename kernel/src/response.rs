@@ -3,14 +3,16 @@
 mod contrast;
 mod decay;
 mod junction;
-mod minors;
+pub(crate) mod minors;
 mod one_layer;
 mod poisson;
 mod stack;
 
 use crate::{Base, Layer};
-use one_layer::OneLayer;
-use stack::Stack;
+pub(crate) use minors::Minors;
+pub(crate) use one_layer::OneLayer;
+pub(crate) use poisson::Poisson;
+pub(crate) use stack::Stack;
 
 /// The constants from which `Φ` is evaluated, prepared once per foundation.
 #[derive(Debug, Clone, PartialEq)]

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use pellicle_contact::{Indenter, Load, Model, Paraboloid};
-use pellicle_influence::RadialTables;
+use pellicle_influence::{Cache, RadialTables};
 use pellicle_kernel::{Foundation, Material};
 use pellicle_texture::{CylinderSpec, Cylinders, Lattice, Relief};
 
@@ -61,5 +61,6 @@ fn model<E: std::fmt::Debug>(
         tables: Arc::new(RadialTables::build(&foundation).expect("within the tables' reach")),
         relief: Relief::Cylinders(Cylinders::new(spec).expect("apart")),
         indenter: Indenter::Paraboloid(Paraboloid::new(1.0).expect("positive")),
+        cache: Cache::in_memory(),
     }
 }

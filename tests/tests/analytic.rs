@@ -12,7 +12,7 @@ use pellicle_contact::{
     Cone, Domain, FlatPunch, Indenter, Load, LoadingPath, Model, Paraboloid, SolverOptions,
     reference, solve_path,
 };
-use pellicle_influence::RadialTables;
+use pellicle_influence::{Cache, RadialTables};
 use pellicle_kernel::{Foundation, Material};
 use pellicle_tests::convergence::{GRIDS, observed_order};
 use pellicle_texture::{Film, Relief};
@@ -27,6 +27,7 @@ fn model(foundation: &Foundation, relief: Relief, indenter: Indenter) -> Model {
         tables: Arc::new(RadialTables::build(foundation).unwrap()),
         relief,
         indenter,
+        cache: Cache::none(),
     }
 }
 

@@ -51,12 +51,15 @@ fn difference(one: &[f64], other: impl Fn(usize) -> f64) -> f64 {
         / peak
 }
 
+/// Where a symmetry takes the element `(i, j)`, given the last index.
+type Image = fn(usize, usize, usize) -> (usize, usize);
+
 #[test]
 fn textured_solutions_have_the_eight_symmetries_of_the_square() {
     let n = 64;
     for panel in figure_2() {
         let pressure = &solve(&panel, n, &[panel.load], 1e-10)[0].solution.pressure;
-        let images: [fn(usize, usize, usize) -> (usize, usize); 8] = [
+        let images: [Image; 8] = [
             |i, j, _| (i, j),
             |i, j, l| (l - i, j),
             |i, j, l| (i, l - j),
@@ -118,7 +121,7 @@ fn the_dense_active_set_and_the_gradient_method_agree_on_the_textured_cases() {
     let n = 48;
     for panel in figure_2() {
         let sampled = panel.model.sample(panel.side, n).unwrap();
-        let mut problem = panel.model.discretize(&sampled).unwrap();
+        let mut problem = panel.model.discretize(&sampled).unwrap().value;
         let mut solve = |solver: &dyn Solver| {
             let mut watch = Watch {
                 observer: &mut (),

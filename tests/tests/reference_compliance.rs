@@ -1,5 +1,11 @@
 //! `Φ` and `C` against 40-digit reference data (`tests/data/compliance_*.json`).
 
+#![expect(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "reference data that cannot be read fail their test"
+)]
+
 use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
 use serde_json::Value;
 
@@ -21,6 +27,9 @@ fn one_layer(entry: &Value, interface: Interface, rigid: bool) -> Foundation {
     Foundation::new(vec![Layer::new(1.0, coating, interface).unwrap()], base).unwrap()
 }
 
+/// A dozen roundings, no cancellation: measured 9e-16 with one layer.
+const LAST_DIGITS: f64 = 2e-15;
+
 /// Largest error of `Φ` relative to `|Φ|` over one column of the two-layer data.
 fn worst_in(column: &str, interface: Interface, rigid: bool) -> f64 {
     let data: Value = serde_json::from_str(TWO_LAYER).unwrap();
@@ -41,31 +50,26 @@ fn worst_in(column: &str, interface: Interface, rigid: bool) -> f64 {
 
 #[test]
 fn a_bonded_layer_on_a_half_space() {
-    // A dozen roundings, no cancellation.
     let worst = worst_in("Phi", Interface::Bonded, false);
-    println!("worst {worst:e}");
-    assert!(worst <= 5e-15, "{worst:e}");
+    assert!(worst <= LAST_DIGITS, "{worst:e}");
 }
 
 #[test]
 fn a_frictionless_layer_on_a_half_space() {
     let worst = worst_in("Phi_slip", Interface::Frictionless, false);
-    println!("worst {worst:e}");
-    assert!(worst <= 5e-15, "{worst:e}");
+    assert!(worst <= LAST_DIGITS, "{worst:e}");
 }
 
 #[test]
 fn a_bonded_layer_on_a_rigid_base() {
     let worst = worst_in("Phi_rigid_bonded", Interface::Bonded, true);
-    println!("worst {worst:e}");
-    assert!(worst <= 5e-15, "{worst:e}");
+    assert!(worst <= LAST_DIGITS, "{worst:e}");
 }
 
 #[test]
 fn a_frictionless_layer_on_a_rigid_base() {
     let worst = worst_in("Phi_rigid_slip", Interface::Frictionless, true);
-    println!("worst {worst:e}");
-    assert!(worst <= 5e-15, "{worst:e}");
+    assert!(worst <= LAST_DIGITS, "{worst:e}");
 }
 
 #[test]
@@ -105,19 +109,13 @@ fn stack(description: &Value) -> Foundation {
 #[test]
 fn stacks_of_layers() {
     let data: Value = serde_json::from_str(N_LAYERS).unwrap();
-    let mut worst: f64 = 0.0;
     for entry in data["values"].as_array().unwrap() {
         let foundation = stack(&data["stacks"][entry["stack"].as_str().unwrap()]);
         let k = number(&entry["k"]);
         let compliance = foundation.compliance(k) / number(&entry["C"]) - 1.0;
         let response = foundation.response(k) / number(&entry["Phi"]) - 1.0;
-        println!("{} {k} {compliance:e} {response:e}", entry["stack"]);
-        worst = worst.max(compliance.abs()).max(response.abs());
-        // Three layers, a few dozen roundings each.
-        assert!(
-            compliance.abs() <= 1e-14 && response.abs() <= 1e-14,
-            "{entry}"
-        );
+        let worst = compliance.abs().max(response.abs());
+        // Three layers, a dozen roundings each: measured 4.5e-16.
+        assert!(worst <= LAST_DIGITS, "{worst:e} {entry}");
     }
-    println!("worst {worst:e}");
 }

@@ -11,9 +11,8 @@ use super::reader::Reader;
 /// Elements per side unless given.
 const DEFAULT_ELEMENTS: usize = 256;
 
-/// Fewer is no field, more is beyond the memory of a workstation: 8192² elements with about twenty numbers each
-/// are eleven gigabytes.
-const ELEMENTS: std::ops::RangeInclusive<usize> = 2..=8192;
+/// None is no field; more than 8192² are beyond the memory of a workstation: at some 240 bytes each they take 16 GB.
+const ELEMENTS: std::ops::RangeInclusive<usize> = 1..=8192;
 
 /// The grid of a case.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -73,10 +72,10 @@ mod tests {
 
     #[test]
     fn grids_without_elements_or_beyond_memory_are_refused() {
-        for elements in ["0", "1", "-4", "1_000_000_000", "1e9", "nan"] {
+        for elements in ["0", "8193", "-4", "1_000_000_000", "1e9", "nan"] {
             let message = read(&format!("side = 1\nelements = {elements}")).unwrap_err();
             let start = format!(
-                "case.toml, line 2, key `elements`: found {elements}, wanted an integer from 2 to 8192"
+                "case.toml, line 2, key `elements`: found {elements}, wanted an integer from 1 to 8192"
             );
             assert!(message.starts_with(&start), "{message}");
         }

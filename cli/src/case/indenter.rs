@@ -122,9 +122,8 @@ impl IndenterCase {
                 half_angle,
                 tip_radius,
             } => Cone::new(half_angle, tip_radius).map(Indenter::from),
-            Self::Berkovich(pyramid) => pyramid.build(3),
+            Self::Berkovich(pyramid) | Self::CubeCorner(pyramid) => pyramid.build(3),
             Self::Vickers(pyramid) => pyramid.build(4),
-            Self::CubeCorner(pyramid) => pyramid.build(3),
         }
     }
 }

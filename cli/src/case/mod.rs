@@ -23,7 +23,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use pellicle_contact::{Model, default_side};
-use pellicle_influence::RadialTables;
+use pellicle_influence::{Cache, Cached};
 use serde::Serialize;
 
 use self::diagnosis::Diagnosis;
@@ -111,16 +111,17 @@ impl Case {
             Some(table) => SurfaceCase::read(&table, &foundation)?,
             None => SurfaceCase::Bare,
         };
+        let grid = optional("grid")?;
+        let grid = grid.map_or(Ok(GridCase::default()), |table| GridCase::read(&table))?;
+        let read_solver = |table| SolverCase::read(&table, grid.elements);
         Ok(Self {
             title,
             foundation,
             surface,
             indenter: IndenterCase::read(&required("indenter")?)?,
             load: LoadCase::read(&required("load")?)?,
-            grid: optional("grid")?
-                .map_or(Ok(GridCase::default()), |table| GridCase::read(&table))?,
-            solver: (optional("solver")?)
-                .map_or(Ok(SolverCase::default()), |table| SolverCase::read(&table))?,
+            grid,
+            solver: optional("solver")?.map_or(Ok(SolverCase::default()), read_solver)?,
             units: Units::of(root),
         })
     }
@@ -132,18 +133,21 @@ impl Case {
         self.grid.side.unwrap_or_else(chosen)
     }
 
-    /// The model of the case, its radial tables built: the first real work on a case.
+    /// The model of the case and where its radial tables came from: the first real work on a case.
     ///
     /// # Errors
     ///
     /// [`Failure`] if the tables of this foundation cannot be built.
-    pub fn model(&self) -> Result<Model, Failure> {
+    pub fn model(&self, cache: &Cache) -> Result<Cached<Model>, Failure> {
         let foundation = self.foundation.build()?;
-        Ok(Model {
-            tables: Arc::new(RadialTables::build(&foundation)?),
-            relief: self.surface.build()?,
-            indenter: self.indenter.build()?,
-        })
+        let (relief, indenter) = (self.surface.build()?, self.indenter.build()?);
+        let tables = cache.radial_tables(&foundation)?;
+        Ok(tables.map(|tables| Model {
+            tables,
+            relief,
+            indenter,
+            cache: cache.clone(),
+        }))
     }
 }
 

@@ -6,8 +6,6 @@ use serde::Serialize;
 use super::diagnosis::Diagnosis;
 use super::reader::Reader;
 
-const DEFAULT_TOLERANCE: f64 = 1e-8;
-
 /// Below the lower end rounding decides, above the upper one the answer is not worth its name.
 const TOLERANCES: std::ops::RangeInclusive<f64> = 1e-13..=1e-2;
 
@@ -33,19 +31,19 @@ pub enum MethodCase {
 impl Default for SolverCase {
     fn default() -> Self {
         Self {
-            tolerance: DEFAULT_TOLERANCE,
+            tolerance: SolverOptions::default().tolerance,
             method: MethodCase::Gradient,
         }
     }
 }
 
 impl SolverCase {
-    /// Reads the table.
+    /// Reads the table for a grid of so many elements per side.
     ///
     /// # Errors
     ///
-    /// A [`Diagnosis`] of the first key that no solver can have.
-    pub fn read(table: &Reader<'_>) -> Result<Self, Diagnosis> {
+    /// A [`Diagnosis`] of the first key that no solver can have, or not on this grid.
+    pub fn read(table: &Reader<'_>, elements: usize) -> Result<Self, Diagnosis> {
         table.only(&["tolerance", "method"])?;
         let mut solver = Self::default();
         if let Some(field) = table.optional("tolerance") {
@@ -64,6 +62,8 @@ impl SolverCase {
                 ("gradient", MethodCase::Gradient),
                 ("active-set", MethodCase::ActiveSet),
             ])?;
+            let checked = solver.options().checked_for(elements);
+            checked.map_err(|error| field.refused(&error))?;
         }
         Ok(solver)
     }
@@ -89,12 +89,20 @@ mod tests {
     use super::*;
 
     fn read(text: &str) -> Result<SolverCase, String> {
-        read_table(text, |table| SolverCase::read(&table))
+        read_table(text, |table| SolverCase::read(&table, 256))
     }
 
     #[test]
     fn everything_has_a_default() {
         assert_eq!(read(""), Ok(SolverCase::default()));
+    }
+
+    #[test]
+    fn a_grid_too_large_for_the_dense_system_is_diagnosed_at_the_method() {
+        let message = read("method = \"active-set\"").unwrap_err();
+        let start = "case.toml, line 1, key `method`: found \"active-set\"";
+        assert!(message.starts_with(start), "{message}");
+        assert!(message.contains("got 256"), "{message}");
     }
 
     #[test]

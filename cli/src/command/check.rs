@@ -7,10 +7,14 @@ use crate::case::units::Units;
 use crate::display::{Unit, quantity, significant};
 use crate::failure::Failure;
 use crate::program::Outcome;
-use crate::terminal;
+use crate::{cache, terminal};
 
-/// Memory of a run per element, in bytes: coefficients, spectra, fields and the solver's vectors.
-const BYTES_PER_ELEMENT: f64 = 400.0;
+/// Memory of a run per element, in bytes, measured as the resident set of fig2c at N = 512, 1024 and 2048: 250, 230 and 223
+/// with one step, of which a step's four fields are 32.
+const BYTES_PER_ELEMENT: f64 = 210.0;
+
+/// Memory of a loading step per element, in bytes: four fields.
+const BYTES_PER_ELEMENT_AND_STEP: f64 = 32.0;
 
 /// Prints the case with every default filled in, and below it what the grid makes of it.
 ///
@@ -19,12 +23,14 @@ const BYTES_PER_ELEMENT: f64 = 400.0;
 /// [`Failure`] if the case is wrong.
 pub fn check(arguments: &CaseArguments) -> Result<Outcome, Failure> {
     let mut case = Case::read(&arguments.path, &arguments.sets)?;
+    let cache = cache::open();
     let chosen = case.grid.side.is_none();
-    let side = case.side(&case.model()?);
+    let side = case.side(&case.model(&cache)?.value);
     case.grid.side = Some(side);
     let resolved = toml::to_string(&case)?;
     let estimates = estimates(&case, side, chosen);
     terminal::print(&format!("{}\n{resolved}\n{estimates}", heading(case.units)))?;
+    cache::tell_warnings(&cache);
     Ok(Outcome::Done)
 }
 
@@ -45,7 +51,9 @@ fn estimates(case: &Case, side: f64, chosen: bool) -> String {
     } else {
         "as given"
     };
-    let bytes = BYTES_PER_ELEMENT * (elements * elements) as f64;
+    let steps = case.load.steps().len();
+    let per_element = BYTES_PER_ELEMENT + BYTES_PER_ELEMENT_AND_STEP * steps as f64;
+    let bytes = per_element * (elements * elements) as f64;
     let per_feature = features(case).into_iter().map(|(name, length)| {
         let count = significant(length / element_side, 3);
         (format!("elements per {name}"), count)
@@ -58,10 +66,7 @@ fn estimates(case: &Case, side: f64, chosen: bool) -> String {
         ("element side".to_owned(), metres(element_side)),
     ];
     lines.extend(per_feature);
-    lines.push((
-        "loading steps".to_owned(),
-        case.load.steps().len().to_string(),
-    ));
+    lines.push(("loading steps".to_owned(), steps.to_string()));
     lines.push((
         "memory, about".to_owned(),
         format!("{} MB", significant(bytes / 1e6, 2)),

@@ -8,7 +8,7 @@ use crate::case::Case;
 use crate::case::units::Units;
 use crate::failure::Failure;
 use crate::program::Outcome;
-use crate::{output, terminal};
+use crate::{cache, output, terminal};
 
 /// One offset.
 #[derive(Debug, Clone, Copy, Serialize)]
@@ -26,7 +26,9 @@ struct Row {
 /// [`Failure`] if the case cannot be read or a coefficient cannot be computed to its accuracy.
 pub fn influence(arguments: &InfluenceArguments) -> Result<Outcome, Failure> {
     let case = Case::read(&arguments.case.path, &arguments.case.sets)?;
-    let model = case.model()?;
+    let cache = cache::open();
+    let model = case.model(&cache)?.value;
+    cache::tell_warnings(&cache);
     let element_side = case.side(&model) / case.grid.elements as f64;
     let row = |&offset: &[usize; 2]| {
         let coefficient = if arguments.direct {

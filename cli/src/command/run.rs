@@ -13,7 +13,7 @@ use crate::output::summary::{Clock, Summary};
 use crate::output::{json, report, results};
 use crate::program::Outcome;
 use crate::progress::ProgressLine;
-use crate::terminal;
+use crate::{cache, terminal};
 
 /// Solves the case, writes its results folder and says what came out.
 ///
@@ -27,15 +27,17 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
     set_threads(arguments.threads)?;
     let mut line = progress_line(arguments);
     let tables = Instant::now();
-    let model = case.model()?;
+    let cache = cache::open();
+    let model = case.model(&cache)?;
     let tables_seconds = tables.elapsed().as_secs_f64();
-    let path = solve(&case, &model, &mut line)?;
+    let path = solve(&case, &model.value, &mut line)?;
     drop(line);
     let clock = Clock {
         start,
         tables_seconds,
+        tables_origin: model.origin,
     };
-    let summary = Summary::new(&case, &path, clock);
+    let summary = Summary::new(&case, &path, clock, &cache.take_warnings());
     if let Some(folder) = &folder {
         folder.write(|folder| results::write(folder, &path, &summary))?;
     }

@@ -1,15 +1,16 @@
 //! A summary in words, for the person at the terminal.
 
 use super::summary::{EstimateSummary, StepSummary, Summary};
+use crate::case::surface::SurfaceCase;
 use crate::case::units::Units;
-use crate::display::{Unit, quantity, significant};
+use crate::display::{Unit, error_of, quantity, significant};
 
 /// The summary of a run as a few lines; a curve as a table with one line a step.
 #[must_use]
 pub fn text(summary: &Summary) -> String {
     let mut text = format!("{}\n{}", summary.title, grid(summary));
     match &summary.steps[..] {
-        [step] => text.push_str(&single(step, summary.case.units)),
+        [step] => text.push_str(&single(step, &summary.case.surface, summary.case.units)),
         steps => text.push_str(&table(steps, summary.case.units)),
     }
     text
@@ -33,64 +34,79 @@ fn grid(summary: &Summary) -> String {
     )
 }
 
-fn single(step: &StepSummary, units: Units) -> String {
-    let of = |value, unit| quantity(value, unit, units);
-    let error = |estimate: Option<EstimateSummary>, unit| match estimate {
-        Some(error) if error.resolved => format!("± {} (grid)", of(error.estimate, unit)),
-        Some(_) => "not resolved by the grid".into(),
-        None => String::new(),
-    };
-    let [x, y] = step.max_pressure_at.map(|x| of(x, Unit::Metre));
-    let rows = [
-        ("force Q", of(step.force, Unit::Newton), String::new()),
-        (
-            "penetration D",
-            of(step.penetration, Unit::Metre),
-            error(step.grid_error.penetration, Unit::Metre),
-        ),
-        (
-            "largest pressure",
-            of(step.max_pressure, Unit::Pascal),
-            error(step.grid_error.max_pressure, Unit::Pascal),
-        ),
-        ("  at x, y", format!("{x}, {y}"), String::new()),
-        (
-            "mean pressure",
-            of(step.mean_pressure, Unit::Pascal),
-            String::new(),
-        ),
-        (
-            "contact area",
-            of(step.contact_area, Unit::SquareMetre),
-            error(step.grid_error.contact_area, Unit::SquareMetre),
-        ),
-        (
-            "  on the relief",
-            of(step.contact_area_on_relief, Unit::SquareMetre),
-            String::new(),
-        ),
-        (
-            "  between",
-            of(step.contact_area_between, Unit::SquareMetre),
-            String::new(),
-        ),
-        (
-            "contact radius",
-            of(step.contact_radius, Unit::Metre),
-            String::new(),
-        ),
-        (
-            "certificate",
-            certificate(step),
-            format!("worst line {:.1e}", step.certificate.worst),
-        ),
-        ("work", work(step), String::new()),
-    ];
-    let line = |(name, value, note): &(&str, String, String)| {
+/// Lines of name, value and note, in columns.
+struct Lines {
+    units: Units,
+    text: String,
+}
+
+impl Lines {
+    fn push(&mut self, name: &str, value: &str, note: &str) {
         let line = format!("  {name:<18}{value:<28}{note}");
-        format!("{}\n", line.trim_end())
-    };
-    rows.iter().map(line).collect()
+        self.text.push_str(line.trim_end());
+        self.text.push('\n');
+    }
+
+    fn quantity(&mut self, name: &str, value: f64, unit: Unit) {
+        self.push(name, &quantity(value, unit, self.units), "");
+    }
+
+    fn estimated(&mut self, name: &str, value: f64, unit: Unit, error: Option<EstimateSummary>) {
+        let note = match error {
+            Some(error) if error.resolved => {
+                format!(
+                    "{} (grid)",
+                    error_of(value, error.estimate, unit, self.units)
+                )
+            }
+            Some(_) => "not resolved by the grid".into(),
+            None => String::new(),
+        };
+        self.push(name, &quantity(value, unit, self.units), &note);
+    }
+}
+
+fn single(step: &StepSummary, surface: &SurfaceCase, units: Units) -> String {
+    let text = String::new();
+    let mut lines = Lines { units, text };
+    let error = &step.grid_error;
+    lines.quantity("force Q", step.force, Unit::Newton);
+    lines.estimated(
+        "penetration D",
+        step.penetration,
+        Unit::Metre,
+        error.penetration,
+    );
+    lines.estimated(
+        "largest pressure",
+        step.max_pressure,
+        Unit::Pascal,
+        error.max_pressure,
+    );
+    let [x, y] = step
+        .max_pressure_at
+        .map(|x| quantity(x, Unit::Metre, units));
+    lines.push("  at x, y", &format!("{x}, {y}"), "");
+    lines.quantity("mean pressure", step.mean_pressure, Unit::Pascal);
+    lines.estimated(
+        "contact area",
+        step.contact_area,
+        Unit::SquareMetre,
+        error.contact_area,
+    );
+    if *surface != SurfaceCase::Bare {
+        lines.quantity(
+            "  on the relief",
+            step.contact_area_on_relief,
+            Unit::SquareMetre,
+        );
+        lines.quantity("  between", step.contact_area_between, Unit::SquareMetre);
+    }
+    lines.quantity("contact radius", step.contact_radius, Unit::Metre);
+    let worst = format!("worst line {:.1e}", step.certificate.worst);
+    lines.push("certificate", &certificate(step), &worst);
+    lines.push("work", &work(step), "");
+    lines.text
 }
 
 fn certificate(step: &StepSummary) -> String {

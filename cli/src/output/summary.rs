@@ -3,6 +3,7 @@
 use std::time::Instant;
 
 use pellicle_contact::{Certificate, Estimate, GridError, LoadingPath, Step, Work};
+use pellicle_influence::{CacheWarning, Origin};
 use serde::Serialize;
 
 use crate::case::Case;
@@ -160,7 +161,7 @@ pub struct LevelSummary {
 pub struct Timing {
     /// For the influence coefficients, s.
     pub coefficients_seconds: f64,
-    /// Whether the coefficients were read instead of computed.
+    /// Whether coefficients were read instead of computed: all that are worth keeping, the radial tables included.
     pub coefficients_from_cache: bool,
     /// For the solution of all steps, s.
     pub solve_seconds: f64,
@@ -177,6 +178,8 @@ pub struct Clock {
     pub start: Instant,
     /// For the radial tables, s.
     pub tables_seconds: f64,
+    /// Where the radial tables came from.
+    pub tables_origin: Origin,
 }
 
 /// What should be known before the numbers are used.
@@ -191,13 +194,17 @@ pub struct WarningSummary {
 impl Summary {
     /// The summary of a solved case; the side of the domain is filled in where the case left it open.
     #[must_use]
-    pub fn new(case: &Case, path: &LoadingPath, clock: Clock) -> Self {
+    pub fn new(
+        case: &Case,
+        path: &LoadingPath,
+        clock: Clock,
+        cache_warnings: &[CacheWarning],
+    ) -> Self {
         let mut case = case.clone();
         case.grid.side.get_or_insert(path.grid.side());
-        let warning = |warning: &pellicle_contact::Warning| WarningSummary {
-            code: warning.code(),
-            message: warning.to_string(),
-        };
+        let origin = clock.tables_origin.max(path.coefficients_origin);
+        let warnings = path.warnings.iter().map(WarningSummary::from);
+        let cache_warnings = cache_warnings.iter().map(WarningSummary::from);
         Self {
             schema: SCHEMA,
             program: "pellicle",
@@ -212,12 +219,12 @@ impl Summary {
             steps: path.steps.iter().map(StepSummary::new).collect(),
             timing: Timing {
                 coefficients_seconds: clock.tables_seconds + path.coefficients_seconds,
-                coefficients_from_cache: false,
+                coefficients_from_cache: origin.is_cache(),
                 solve_seconds: path.solve_seconds,
                 total_seconds: clock.start.elapsed().as_secs_f64(),
                 threads: rayon::current_num_threads(),
             },
-            warnings: path.warnings.iter().map(warning).collect(),
+            warnings: warnings.chain(cache_warnings).collect(),
         }
     }
 
@@ -225,6 +232,24 @@ impl Summary {
     #[must_use]
     pub fn is_certified(&self) -> bool {
         self.steps.iter().all(|step| step.certificate.satisfied)
+    }
+}
+
+impl From<&pellicle_contact::Warning> for WarningSummary {
+    fn from(warning: &pellicle_contact::Warning) -> Self {
+        Self {
+            code: warning.code(),
+            message: warning.to_string(),
+        }
+    }
+}
+
+impl From<&CacheWarning> for WarningSummary {
+    fn from(warning: &CacheWarning) -> Self {
+        Self {
+            code: warning.code(),
+            message: warning.to_string(),
+        }
     }
 }
 

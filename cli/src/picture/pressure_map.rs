@@ -30,10 +30,11 @@ const HEIGHT: u32 = TITLE + MAP + BOTTOM;
 /// Colours in the bar.
 const SHADES: u32 = 256;
 
-/// Heights of the title, the line below it and all other texts, in pixels.
+/// Heights of the title, the line below it, the axes' texts and the legend, in pixels.
 const LARGE: u32 = 27;
 const MEDIUM: u32 = 22;
 const SMALL: u32 = 21;
+const TINY: u32 = 18;
 
 /// What is drawn.
 #[derive(Debug, Clone, Copy)]
@@ -92,6 +93,7 @@ impl PressureMap<'_> {
         self.draw_head(&head, largest)?;
         self.draw_map(&map, largest)?;
         self.draw_bar(&bar, largest)?;
+        self.draw_legend(&root)?;
         root.present()?;
         Ok(())
     }
@@ -225,6 +227,21 @@ impl PressureMap<'_> {
             .y_label_formatter(&|p| format!(" {}", axis::label(*p, top)))
             .y_desc(axis::title("pressure p", &scale.label))
             .draw()?;
+        Ok(())
+    }
+
+    /// What grey means, below the bar.
+    fn draw_legend(&self, area: &Area<'_>) -> Drawn {
+        if !self.mask.contains(&true) {
+            return Ok(());
+        }
+        let (left, top) = (
+            i32::try_from(LEFT + MAP + GAP)?,
+            i32::try_from(HEIGHT - BOTTOM / 2)?,
+        );
+        let swatch = [(left, top), (left + 16, top + 16)];
+        area.draw(&Rectangle::new(swatch, colours::RELIEF.filled()))?;
+        area.draw(&Text::new("free relief", (left + 24, top), text(TINY)))?;
         Ok(())
     }
 

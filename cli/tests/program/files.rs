@@ -57,6 +57,26 @@ fn a_folder_of_something_else_is_never_replaced() {
 }
 
 #[test]
+fn a_result_that_did_not_converge_is_written_and_marked() {
+    let folder = Folder::with_case(CASE);
+    // The smallest force that a number can hold: spread over the elements it is no number any more.
+    let ran = folder.run(&[
+        "run",
+        "case.toml",
+        "--out",
+        "a",
+        "--set",
+        "load.force=5e-324 N",
+    ]);
+    assert_eq!(ran.code, Some(1), "{}", ran.stderr);
+    assert!(ran.stderr.contains("not converged"), "{}", ran.stderr);
+    assert_eq!(names(&folder.path("a")), FILES);
+    let summary = fs::read_to_string(folder.path("a/summary.json")).unwrap();
+    let summary: Value = serde_json::from_str(&summary).unwrap();
+    assert_eq!(summary["steps"][0]["certificate"]["satisfied"], false);
+}
+
+#[test]
 fn json_alone_prints_the_summary_and_writes_nothing() {
     let folder = Folder::with_case(CASE);
     let ran = folder.run(&["run", "case.toml", "--json"]);

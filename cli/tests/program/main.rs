@@ -7,6 +7,8 @@
 )]
 
 mod bad_input;
+mod cache;
+mod cases;
 mod files;
 mod runner;
 mod tables;

@@ -66,21 +66,27 @@ impl Folder {
         names(self.0.path())
     }
 
+    /// The program without a cache on disk, not yet started.
     pub fn command(&self, arguments: &[&str]) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_pellicle"));
         command
             .args(arguments)
             .current_dir(self.0.path())
+            .env("PELLICLE_CACHE", "")
             .stdin(Stdio::null());
         command
     }
 
     pub fn run(&self, arguments: &[&str]) -> Ran {
+        Self::ran(&mut self.command(arguments))
+    }
+
+    pub fn ran(command: &mut Command) -> Ran {
         let Output {
             status,
             stdout,
             stderr,
-        } = self.command(arguments).output().unwrap();
+        } = command.output().unwrap();
         Ran {
             code: status.code(),
             stdout: String::from_utf8(stdout).unwrap(),

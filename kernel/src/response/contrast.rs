@@ -3,7 +3,8 @@
 //! Four combinations of the [minors](super::minors) vanish on such a half-space:
 //!
 //! ```text
-//! c₁ = p − 2q − d    c₂ = g − f    c₃ = x S₁ − (f + g)    c₄ = g − w d    (S₁ = p + 2bq + ad)
+//! c₁ = p − 2q − d            c₃ = x S₁ − (f + g)       S₁ = p + 2bq + ad
+//! c₂ = g − f + x c₁          c₄ = g − w d               x = 1/w, w = 2 (1 − ν)
 //! ```
 //!
 //! They are the minors of the reflected waves. Carried beside the minors, and not computed from
@@ -33,9 +34,10 @@ impl Contrast {
     /// From the definitions; right where what lies below is nothing like a half-space.
     pub(crate) fn of(minors: &Minors, poisson: &Poisson) -> Self {
         let &Minors { p, q, f, g, d } = minors;
+        let c1 = p - 2.0 * q - d;
         Self {
-            c1: p - 2.0 * q - d,
-            c2: g - f,
+            c1,
+            c2: g - f + poisson.x * c1,
             c3: poisson.x * minors.s1(poisson) - (f + g),
             c4: g - poisson.w * d,
         }
@@ -52,8 +54,8 @@ impl Contrast {
             c2: theta4 * (c2 + 2.0 * x * s * c1),
             // c₃' = 4θ² c₃
             c3: 0.25 * theta4 * theta4 * c3,
-            // c₄' = 4θ [c₄ + s c₂ + x (s + s²) c₁ + (1 − θ)/2 c₃]
-            c4: theta4 * (c4 + s * c2 + x * (s + s * s) * c1 + 0.5 * e * c3),
+            // c₄' = 4θ [c₄ + s c₂ + x s² c₁ + (1 − θ)/2 c₃]
+            c4: theta4 * (c4 + s * (c2 + x * s * c1) + 0.5 * e * c3),
         }
     }
 

@@ -87,22 +87,23 @@ fn horner(coefficients: &[f64; TERMS], z: f64) -> f64 {
 const TERMS: usize = 12;
 
 /// `1 / (2n + 3)!`
-const SINH_TAIL: [f64; TERMS] = inverse_factorials(3);
+const SINH_TAIL: [f64; TERMS] = inverse_factorials(3.0);
 
 /// `1 / (2n + 4)!`
-const COSH_TAIL: [f64; TERMS] = inverse_factorials(4);
+const COSH_TAIL: [f64; TERMS] = inverse_factorials(4.0);
 
-const fn inverse_factorials(first: u32) -> [f64; TERMS] {
+/// `1 / (2n + first)!`
+const fn inverse_factorials(first: f64) -> [f64; TERMS] {
     let mut values = [0.0; TERMS];
-    let mut factorial = 1.0;
-    let mut factor = 1;
+    let (mut last, mut factor, mut factorial) = (first, 1.0, 1.0);
     let mut n = 0;
     while n < TERMS {
-        while factor < first + 2 * (n as u32) {
-            factor += 1;
-            factorial *= factor as f64;
+        while factor < last {
+            factor += 1.0;
+            factorial *= factor;
         }
         values[n] = 1.0 / factorial;
+        last += 2.0;
         n += 1;
     }
     values

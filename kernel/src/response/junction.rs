@@ -92,10 +92,10 @@ impl Junction {
     /// The contrast with the layer above, given minors and contrast in the body below.
     pub(crate) fn contrast(&self, below: &Minors, contrast: &Contrast) -> Contrast {
         match self {
-            Self::Bonded(step) => step.contrast(below, contrast),
-            Self::Frictionless(Step { upper, .. })
-            | Self::Clamped(upper)
-            | Self::Sliding(upper) => Contrast::of(&self.minors(below), upper),
+            Self::Bonded(step) => step.bonded_contrast(below, contrast),
+            Self::Frictionless(step) => step.frictionless_contrast(below, contrast),
+            Self::Clamped(poisson) => Contrast::of(&Minors::CLAMPED, poisson),
+            Self::Sliding(poisson) => Contrast::of(&Minors::SLIDING, poisson),
         }
     }
 }
@@ -119,22 +119,41 @@ impl Step {
     }
 
     /// The definitions of [`Contrast`] with the lower body's contrast split off.
-    fn contrast(&self, below: &Minors, contrast: &Contrast) -> Contrast {
+    fn bonded_contrast(&self, below: &Minors, contrast: &Contrast) -> Contrast {
         let &Contrast { c1, c2, c3, c4 } = contrast;
         let &Minors { p, q, d, .. } = below;
         let (excess, nu12) = (self.mu_minus_one, self.nu_difference);
-        let (upper, lower) = (&self.upper, &self.lower);
+        let (x1, x2) = (self.upper.x, self.lower.x);
         let d_up = self.inverse_mu * d;
+        // c₁' − c₁ = (μ − 1)(p + d/μ)
+        let step1 = excess * (p + d_up);
+        // x₁ − x₂ = 2 x₁ x₂ (ν₁ − ν₂)
+        let x12 = 2.0 * x1 * x2 * nu12;
+        // x₁ [(μ − 1)(p − a₂ d/μ) − 4 (ν₁ − ν₂)(q + d/μ)] + (x₁ − x₂) S₁
+        let step3 = x1 * (excess * (p - self.lower.a * d_up) - 4.0 * nu12 * (q + d_up))
+            + x12 * below.s1(&self.lower);
         Contrast {
-            // c₁ + (μ − 1)(p + d/μ)
-            c1: c1 + excess * (p + d_up),
-            c2,
-            // c₃ + x₁ [(μ − 1)(p − a₂ d/μ) − 4 (ν₁ − ν₂)(q + d/μ)] + 2 x₁ x₂ (ν₁ − ν₂) S₁
-            c3: c3
-                + upper.x * (excess * (p - lower.a * d_up) - 4.0 * nu12 * (q + d_up))
-                + 2.0 * upper.x * lower.x * nu12 * below.s1(lower),
-            // c₄ + [w₂ (μ − 1) + 2 (ν₁ − ν₂)] d/μ
-            c4: c4 + (lower.w * excess + 2.0 * nu12) * d_up,
+            c1: c1 + step1,
+            c2: c2 + x12 * c1 + x1 * step1,
+            c3: c3 + step3,
+            c4: c4 + self.softening() * d_up,
         }
+    }
+
+    /// The definitions for `p = μg`, `f = d`, `q = g = d = 0`, with `g = w₂ d + c₄`.
+    fn frictionless_contrast(&self, below: &Minors, contrast: &Contrast) -> Contrast {
+        // x₁ μ g − d = x₁ [(μ w₂ − w₁) d + μ c₄]
+        let excess = self.upper.x * (self.softening() * below.d + self.mu * contrast.c4);
+        Contrast {
+            c1: self.mu * below.g,
+            c2: excess,
+            c3: excess,
+            c4: 0.0,
+        }
+    }
+
+    /// `μ w₂ − w₁ = w₂ (μ − 1) + 2 (ν₁ − ν₂)`
+    fn softening(&self) -> f64 {
+        self.lower.w * self.mu_minus_one + 2.0 * self.nu_difference
     }
 }

@@ -36,8 +36,16 @@ impl OneLayer {
             numerator: [x * s1, f + g, g, 2.0 * x * (p - 2.0 * nu * q + b * d)],
             denominator: [x * s1, f + g, w * d, 2.0 * f, 2.0 * (q + d)],
             // c₄' of `Contrast::through`
-            difference: [c4, 0.5 * c3, c2 + x * c1, x * c1],
+            difference: [c4, 0.5 * c3, c2, x * c1],
         }
+    }
+
+    /// `α`, `β`, `γ` of `Φ − 1 → e^{−2s} (α + β s + γ s²)` for large `s`.
+    pub(crate) fn short_wave_coefficients(&self) -> [f64; 3] {
+        let [m0, m1, m2, m3] = self.difference;
+        let [d0, d1, ..] = self.denominator;
+        // 4θ [c₄ + c₃/2 + c₂ s + x c₁ s²] / D with e, q₁, q₂ → 1 and θ → 0 in D
+        [m0 + m1, m2, m3].map(|numerator| 4.0 * numerator / (d0 + d1))
     }
 
     /// `Φ = N / D`

@@ -5,19 +5,25 @@
 //! would pull is clipped at zero pressure; the set then changes and the directions are forgotten.
 
 use super::{
-    super::super::DiscreteProblem,
-    iterate::State,
-    preconditioner::Preconditioner,
-    vector::{add_scaled, dot},
-    working_set::WorkingSet,
+    super::super::DiscreteProblem, iterate::State, preconditioner::Preconditioner,
+    segment::Segment, vector::dot, working_set::WorkingSet,
 };
+
+/// Whether a step stayed inside the set it was made for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Course {
+    /// All pressures of the set stayed positive: the directions go on.
+    Kept,
+    /// Some would have pulled: the set is another one now, and the next step must not be conjugate.
+    Left,
+}
 
 /// The conjugate directions' memory and buffers.
 pub struct ConjugateDirections {
     /// Whether `direction` and `residual_before` belong to the present set.
     running: bool,
     direction: Vec<f64>,
-    image: Vec<f64>,
+    segment: Segment,
     preconditioned: Vec<f64>,
     residual_before: Vec<f64>,
     product_before: f64,
@@ -29,7 +35,7 @@ impl ConjugateDirections {
         Self {
             running: false,
             direction: field(),
-            image: field(),
+            segment: Segment::new(elements),
             preconditioned: field(),
             residual_before: field(),
             product_before: 0.0,
@@ -48,7 +54,7 @@ impl ConjugateDirections {
         preconditioner: &mut Preconditioner,
         state: &mut State,
         set: &WorkingSet,
-    ) {
+    ) -> Course {
         preconditioner.direction_into(state, set, &mut self.preconditioned);
         let product = self.residual_product(state);
         let beta = if self.running {
@@ -60,11 +66,11 @@ impl ConjugateDirections {
             *d = z + beta * *d;
         }
         self.remember(state, set, product);
-        state.image_into(problem, &self.direction, &mut self.image);
-        // α = r·d / d·(K + η)d, with r·d = −s·∂E
-        let alpha =
-            -state.control.slope(&self.direction, &state.v) / dot(&self.direction, &self.image);
-        self.take(alpha, problem, state);
+        let Segment { image, .. } = &mut self.segment;
+        state.image_into(problem, &self.direction, image);
+        // α = r·d / d·(K + η)d, with r·d = −d·∂E
+        let alpha = -state.control.slope(&self.direction, &state.v) / dot(&self.direction, image);
+        self.take(alpha, problem, state)
     }
 
     /// `r·z`, the residual being `r = D − v`; `z` sums to zero or `D` is prescribed.
@@ -89,21 +95,19 @@ impl ConjugateDirections {
         (self.product_before, self.running) = (product, true);
     }
 
-    /// `p ← p + α d`, clipped at zero; without clipping `v` follows from the known image.
-    fn take(&mut self, alpha: f64, problem: &mut DiscreteProblem, state: &mut State) {
-        let pulls = state
-            .pressure
-            .iter()
-            .zip(&self.direction)
-            .any(|(p, d)| p + alpha * d < 0.0);
-        if !pulls {
-            state.advance(alpha, &self.direction, &self.image);
-            return;
+    /// `p ← p + α d`; where that would pull, clipped, as far as the energy does not rise.
+    fn take(&mut self, alpha: f64, problem: &mut DiscreteProblem, state: &mut State) -> Course {
+        let pulls = |(p, d): (&f64, &f64)| p + alpha * d < 0.0;
+        if !alpha.is_finite() {
+            return Course::Left;
         }
-        add_scaled(&mut state.pressure, alpha, &self.direction);
-        state.pressure.iter_mut().for_each(|p| *p = p.max(0.0));
-        state.control.rescale(&mut state.pressure);
-        state.refresh(problem);
-        self.restart();
+        if !state.pressure.iter().zip(&self.direction).any(pulls) {
+            state.advance(alpha, &self.direction, &self.segment.image);
+            return Course::Kept;
+        }
+        self.segment.clip(state, alpha, &self.direction);
+        let ceiling = state.energy();
+        self.segment.take(problem, state, ceiling);
+        Course::Left
     }
 }

@@ -5,8 +5,8 @@
 //! conjugate gradients finish the linear system on it (Polonsky and Keer 1999 for the projected form, Rey, Anciaux
 //! and Molinari 2017 and Bugnicourt, Sainsot and Lubrecht 2018 for Fourier-space preconditioning).
 //!
-//! **Why it ends.** Every accepted step lowers the energy, or keeps it below the largest of the last few steps. A
-//! preconditioned step that would not is cut back by an exact line search on the segment to it, which costs no
+//! **Why it ends.** A conjugate step never raises the energy, and a spectral step keeps it below the largest of the last
+//! few. One that would not is cut back by an exact line search on the segment to it, which costs no
 //! product because the energy is quadratic and both ends are known; a step that does not even start downhill is
 //! replaced by a projection of the plain gradient onto the admissible pressures, which always does.
 
@@ -16,13 +16,18 @@ mod iterate;
 mod periodic_filter;
 mod preconditioner;
 mod projection;
+mod segment;
 mod spectral;
 mod vector;
 mod working_set;
 
 use self::{
-    conjugate::ConjugateDirections, control::Control, iterate::State,
-    preconditioner::Preconditioner, spectral::SpectralSteps, working_set::WorkingSet,
+    conjugate::{ConjugateDirections, Course},
+    control::Control,
+    iterate::State,
+    preconditioner::Preconditioner,
+    spectral::SpectralSteps,
+    working_set::WorkingSet,
 };
 use super::{Iterate, Solver, SolverOptions, Watch};
 use crate::{ContactError, DiscreteProblem, Load};
@@ -52,6 +57,7 @@ impl Solver for GradientSolver {
         let mut working_set = WorkingSet::of(&state);
         let mut spectral = SpectralSteps::new(state.elements());
         let mut conjugate = ConjugateDirections::new(state.elements());
+        let mut course = Course::Kept;
         let mut residuals = Vec::new();
         let goal = TOLERANCE_MARGIN * self.options.tolerance;
         loop {
@@ -61,12 +67,13 @@ impl Solver for GradientSolver {
             if residual <= goal || state.applications() >= self.options.max_applications {
                 return Ok(state.into_iterate(residuals));
             }
-            if working_set.stands_still() {
-                conjugate.step(problem, &mut preconditioner, &mut state, &working_set);
+            course = if working_set.stands_still() && course == Course::Kept {
+                conjugate.step(problem, &mut preconditioner, &mut state, &working_set)
             } else {
                 conjugate.restart();
                 spectral.step(problem, &mut preconditioner, &mut state, &working_set);
-            }
+                Course::Kept
+            };
             working_set.update(&state);
         }
     }

@@ -43,19 +43,18 @@ impl Preconditioner {
         self.mean_compliance = members.map(|(eta, _)| eta).sum::<f64>() / set.len() as f64;
         let mut even = std::mem::take(&mut self.even);
         even.fill(1.0);
-        let ones = even.clone();
-        self.apply_into(&ones, set, &mut even);
+        self.apply(set, &mut even);
         self.even = even;
         self.even_is_current = true;
     }
 
-    /// Writes `M⁻¹_I r` into `z`; the values of `r` outside the set do not matter.
-    pub fn apply_into(&mut self, residual: &[f64], set: &WorkingSet, z: &mut [f64]) {
-        restrict_into(residual, set, z);
+    /// `r ← M⁻¹_I r`, in place; the values of `r` outside the set do not matter.
+    pub fn apply(&mut self, set: &WorkingSet, residual: &mut [f64]) {
+        clear_outside(set, residual);
         if let Some(filter) = &mut self.filter {
             let mean = self.mean_compliance;
-            filter.apply(z, |symbol| 1.0 / (symbol + mean));
-            clear_outside(set, z);
+            filter.apply(residual, |symbol| 1.0 / (symbol + mean));
+            clear_outside(set, residual);
         }
     }
 
@@ -63,21 +62,16 @@ impl Preconditioner {
     /// is prescribed: the projection `z ← z − (Σz/Σw) w` in the preconditioner's own inner product.
     pub fn direction_into(&mut self, state: &State, set: &WorkingSet, z: &mut [f64]) {
         self.refresh(set);
-        let residual: Vec<f64> = state.v.iter().map(|v| state.penetration - v).collect();
-        self.apply_into(&residual, set, z);
+        for (z, v) in z.iter_mut().zip(&state.v) {
+            *z = state.penetration - v;
+        }
+        self.apply(set, z);
         if let Control::Total(_) = state.control {
             let shift = sum(z) / sum(&self.even);
             z.iter_mut()
                 .zip(&self.even)
                 .for_each(|(z, w)| *z -= shift * w);
         }
-    }
-}
-
-/// `z = r` on the set, 0 elsewhere.
-fn restrict_into(residual: &[f64], set: &WorkingSet, z: &mut [f64]) {
-    for ((z, r), member) in z.iter_mut().zip(residual).zip(set.mask()) {
-        *z = if *member { *r } else { 0.0 };
     }
 }
 

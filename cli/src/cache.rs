@@ -1,0 +1,57 @@
+//! Where the program keeps radial tables and coefficients: in the folder that `PELLICLE_CACHE` names, or else in the platform's.
+
+use std::env;
+use std::ffi::OsString;
+use std::path::PathBuf;
+
+use directories::ProjectDirs;
+use pellicle_influence::{Cache, CacheWarning};
+
+use crate::terminal;
+
+/// Environment variable that names the folder; empty for no cache on disk.
+pub const VARIABLE: &str = "PELLICLE_CACHE";
+
+/// The cache of this run.
+#[must_use]
+pub fn open() -> Cache {
+    folder(env::var_os(VARIABLE), platform_folder).map_or_else(Cache::in_memory, Cache::at)
+}
+
+/// Tells the person at the terminal what has gone wrong with the cache.
+pub fn tell_warnings(cache: &Cache) {
+    let tell = |warning: CacheWarning| terminal::tell(&format!("warning: {warning}"));
+    cache.take_warnings().into_iter().for_each(tell);
+}
+
+/// The folder named, none if its name is empty, that of the platform if nothing is said.
+fn folder(
+    named: Option<OsString>,
+    platform_folder: impl FnOnce() -> Option<PathBuf>,
+) -> Option<PathBuf> {
+    match named {
+        Some(name) if name.is_empty() => None,
+        Some(name) => Some(name.into()),
+        None => platform_folder(),
+    }
+}
+
+/// `~/.cache/pellicle`, `~/Library/Caches/pellicle` or `%LOCALAPPDATA%\pellicle\cache`; none where there is no home.
+fn platform_folder() -> Option<PathBuf> {
+    let folders = ProjectDirs::from("", "", "pellicle")?;
+    Some(folders.cache_dir().to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_variable_goes_before_the_platform_and_an_empty_one_means_none() {
+        let platform = || Some("platform".into());
+        assert_eq!(folder(None, platform), Some("platform".into()));
+        assert_eq!(folder(Some("".into()), platform), None);
+        assert_eq!(folder(Some("own".into()), platform), Some("own".into()));
+        assert_eq!(folder(None, || None), None);
+    }
+}

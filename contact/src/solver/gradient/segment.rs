@@ -1,0 +1,61 @@
+//! A step from one admissible pressure towards another, and how much of it to take.
+
+use super::{
+    iterate::State,
+    vector::{add_scaled, dot},
+};
+use crate::DiscreteProblem;
+
+/// A step `s` that keeps to the control, with `p + s ≥ 0`, and its image `y = (K + η) s`. Every part `t ∈ [0, 1]` of it
+/// leads to an admissible pressure, and the energy there is known without a product:
+/// `E(p + t s) = E(p) + t s·∂E + ½ t² s·y`.
+pub struct Segment {
+    pub step: Vec<f64>,
+    pub image: Vec<f64>,
+}
+
+impl Segment {
+    pub fn new(elements: usize) -> Self {
+        Self {
+            step: vec![0.0; elements],
+            image: vec![0.0; elements],
+        }
+    }
+
+    /// `s = max(p + α d, 0)`, brought to the prescribed total, less `p`.
+    pub fn clip(&mut self, state: &State, alpha: f64, direction: &[f64]) {
+        for ((s, d), p) in self.step.iter_mut().zip(direction).zip(&state.pressure) {
+            *s = (p + alpha * d).max(0.0);
+        }
+        state.control.rescale(&mut self.step);
+        add_scaled(&mut self.step, -1.0, &state.pressure);
+    }
+
+    /// `s·∂E`: negative where the step starts downhill.
+    pub fn slope(&self, state: &State) -> f64 {
+        state.control.slope(&self.step, &state.v)
+    }
+
+    /// `s·y`.
+    pub fn curvature(&self) -> f64 {
+        dot(&self.step, &self.image)
+    }
+
+    /// Takes the step: all of it unless the energy would rise above `ceiling`, then up to its minimum on the segment. One
+    /// product.
+    pub fn take(&mut self, problem: &mut DiscreteProblem, state: &mut State, ceiling: f64) {
+        state.image_into(problem, &self.step, &mut self.image);
+        let (slope, curvature) = (self.slope(state), self.curvature());
+        let whole = state.energy() + slope + curvature / 2.0 <= ceiling;
+        // t = −s·∂E / (s·y)
+        let part = if whole {
+            1.0
+        } else {
+            (-slope / curvature).clamp(0.0, 1.0)
+        };
+        // A step of nothing has no curvature, and no part of it is worth taking.
+        let part = if part.is_finite() { part } else { 0.0 };
+        state.advance(part, &self.step, &self.image);
+        state.pressure.iter_mut().for_each(|p| *p = p.max(0.0));
+    }
+}

@@ -1,0 +1,33 @@
+//! Radial tables as the cache keeps them: without the foundation, which belongs to the key.
+
+use pellicle_kernel::Foundation;
+
+use super::{RadialTables, is_homogeneous};
+use crate::cache::encoding::{Decoder, Encoder};
+use crate::radial::RadialFunctions;
+
+impl RadialTables {
+    /// Whether there is anything to tabulate.
+    pub(crate) fn are_needed_for(foundation: &Foundation) -> bool {
+        !is_homogeneous(foundation)
+    }
+
+    /// Everything but the foundation, as bytes.
+    pub(crate) fn encode(&self) -> Vec<u8> {
+        let mut encoder = Encoder::default();
+        if let Some(functions) = &self.functions {
+            functions.encode(&mut encoder);
+        }
+        encoder.into_bytes()
+    }
+
+    /// The tables of this foundation from their bytes, or none if those are not in order.
+    pub(crate) fn decode(foundation: &Foundation, bytes: &[u8]) -> Option<Self> {
+        let mut decoder = Decoder::new(bytes);
+        let functions = RadialFunctions::decode(&mut decoder)?;
+        decoder.finish(Self {
+            foundation: foundation.clone(),
+            functions: Some(functions),
+        })
+    }
+}

@@ -1,0 +1,274 @@
+//! `Φ` and `C` for waves much longer and much shorter than the layers are thick.
+//!
+//! **Long waves.** Through layers much thinner than the wave the pressure passes unchanged; the base
+//! gives `A/k`, and each layer adds its shortening, which depends on the in-plane strain `ε` per
+//! pressure it is given (`n = ν/(1−ν)`, `E' = E/(1−ν²)`, `M = (1−2ν)(1+ν)/((1−ν)E)`):
+//!
+//! ```text
+//! C(k) = A/k + B + O(k)      A = 2 (1 − ν₀²)/E₀      B = Σ H (M + 2 n ε − E' ε²)
+//! ```
+//!
+//! Layers bonded to the base take its strain, `ε = −(1 − 2ν₀)(1 + ν₀)/E₀` on a half-space, 0 on a
+//! rigid base. Layers above a frictionless interface stretch freely together, `ε = Σ H n / Σ H E'`
+//! over those bonded to each other. (The second term in `2 n ε` is the work of the in-plane force
+//! on the base, by reciprocity.)
+//!
+//! **Short waves.** What comes back from the first interface has decayed like `e^{−2s}`, `s = k H₁`:
+//! `Φ − 1 → e^{−2s} (α + β s + γ s²)`, from the contrast of the two materials there.
+
+use crate::response::OneLayer;
+use crate::{Base, Foundation, Interface, Layer, Material};
+
+/// `C(k) = A/k + B + O(k)` for `k → 0`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LongWaves {
+    inverse: f64,
+    constant: f64,
+}
+
+/// `Φ(k) − 1 = e^{−2s} (α + β s + γ s²)`, `s = k H₁`, for `k → ∞`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ShortWaves {
+    thickness: f64,
+    coefficients: [f64; 3],
+}
+
+impl Foundation {
+    /// How the compliance behaves for waves much longer than the layers are thick.
+    ///
+    /// The remainder is `O(k)`, with a factor that grows with the contrast of the moduli: a coating
+    /// `χ` times as stiff as its base needs `k H χ ≪ 1` (`the_remainder_is_of_first_order`).
+    ///
+    /// ```
+    /// use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
+    ///
+    /// let film = Layer::new(1e-6, Material::new(1e9, 0.25)?, Interface::Bonded)?;
+    /// let foundation = Foundation::new(vec![film], Base::Rigid)?;
+    /// // A confined film is a bed of springs: B = H (1 − 2ν)(1 + ν)/((1 − ν) E), a few roundings.
+    /// let springs = foundation.long_waves().constant();
+    /// assert!((springs / (1e-15 * 0.5 * 1.25 / 0.75) - 1.0).abs() < 1e-14);
+    /// # Ok::<(), pellicle_kernel::KernelError>(())
+    /// ```
+    #[must_use]
+    pub fn long_waves(&self) -> LongWaves {
+        let (inverse, base_strain) = match self.base() {
+            Base::HalfSpace(base) => (2.0 / base.plane_strain_modulus(), surface_strain(base)),
+            Base::Rigid => (0.0, 0.0),
+        };
+        let mut groups = self
+            .layers()
+            .split_inclusive(|layer| layer.interface() == Interface::Frictionless)
+            .peekable();
+        let mut constant = 0.0;
+        while let Some(group) = groups.next() {
+            let held = groups.peek().is_none() && is_bonded_below(group);
+            let strain = if held {
+                base_strain
+            } else {
+                free_strain(group)
+            };
+            constant += group
+                .iter()
+                .map(|layer| shortening(layer, strain))
+                .sum::<f64>();
+        }
+        LongWaves { inverse, constant }
+    }
+
+    /// How the response behaves for waves much shorter than the first layer is thick; `None` for a
+    /// half-space, where `Φ − 1 = 0`.
+    ///
+    /// Only the first layer and what lies directly below it matter. The relative error is
+    /// `O(s⁴ e^{−2s})` plus, if there is a second layer, `O(e^{−2 k H₂})` with powers of `k H₂`.
+    #[must_use]
+    pub fn short_waves(&self) -> Option<ShortWaves> {
+        let (first, rest) = self.layers().split_first()?;
+        let below = rest
+            .first()
+            .map_or(self.base(), |layer| Base::HalfSpace(layer.material()));
+        Some(ShortWaves {
+            thickness: first.thickness(),
+            coefficients: OneLayer::new(first, below).short_wave_coefficients(),
+        })
+    }
+}
+
+impl LongWaves {
+    /// `A`, 1/Pa: the base's `2 (1 − ν₀²) / E₀`, 0 for a rigid base.
+    #[must_use]
+    pub fn inverse(&self) -> f64 {
+        self.inverse
+    }
+
+    /// `B`, m/Pa: the shortening of the layers per pressure.
+    #[must_use]
+    pub fn constant(&self) -> f64 {
+        self.constant
+    }
+
+    /// `A/k + B`, the compliance of a long wave, m/Pa; `B` at `k = 0` on a rigid base.
+    #[must_use]
+    pub fn compliance(&self, wavenumber: f64) -> f64 {
+        if self.inverse == 0.0 {
+            return self.constant;
+        }
+        self.inverse / wavenumber.abs() + self.constant
+    }
+}
+
+impl ShortWaves {
+    /// `α`, `β`, `γ`.
+    #[must_use]
+    pub fn coefficients(&self) -> [f64; 3] {
+        self.coefficients
+    }
+
+    /// `e^{−2s} (α + β s + γ s²)`, `s = k H₁`.
+    #[must_use]
+    pub fn response_minus_one(&self, wavenumber: f64) -> f64 {
+        let s = wavenumber.abs() * self.thickness;
+        let [alpha, beta, gamma] = self.coefficients;
+        let decay = (-2.0 * s).exp();
+        if decay == 0.0 {
+            return 0.0;
+        }
+        decay * (alpha + s * (beta + s * gamma))
+    }
+}
+
+fn is_bonded_below(group: &[Layer]) -> bool {
+    group
+        .last()
+        .is_none_or(|layer| layer.interface() == Interface::Bonded)
+}
+
+/// In-plane strain per pressure of a half-space's surface: `−(1 − 2ν)(1 + ν)/E`.
+fn surface_strain(material: Material) -> f64 {
+    let nu = material.poisson_ratio();
+    -(1.0 - 2.0 * nu) * (1.0 + nu) / material.young_modulus()
+}
+
+/// `n = ν / (1 − ν)`
+fn widening(layer: &Layer) -> f64 {
+    let nu = layer.material().poisson_ratio();
+    nu / (1.0 - nu)
+}
+
+/// In-plane strain per pressure of layers that nothing holds in the plane: `Σ H n / Σ H E'`.
+fn free_strain(group: &[Layer]) -> f64 {
+    let force: f64 = group.iter().map(|l| l.thickness() * widening(l)).sum();
+    let stiffness: f64 = group
+        .iter()
+        .map(|l| l.thickness() * l.material().plane_strain_modulus())
+        .sum();
+    force / stiffness
+}
+
+/// `H (M + 2 n ε − E' ε²)`, m/Pa
+fn shortening(layer: &Layer, strain: f64) -> f64 {
+    let material = layer.material();
+    let nu = material.poisson_ratio();
+    // M = (1 − 2ν)(1 + ν) / ((1 − ν) E)
+    let confined = (1.0 - 2.0 * nu) * (1.0 + nu) / ((1.0 - nu) * material.young_modulus());
+    let stretched = strain * (2.0 * widening(layer) - material.plane_strain_modulus() * strain);
+    layer.thickness() * (confined + stretched)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn layer(thickness: f64, young: f64, poisson: f64, interface: Interface) -> Layer {
+        let material = Material::new(young, poisson).unwrap();
+        Layer::new(thickness, material, interface).unwrap()
+    }
+
+    fn foundations() -> Vec<Foundation> {
+        use Interface::{Bonded, Frictionless};
+        let half_space = Base::HalfSpace(Material::new(1.0, 0.2).unwrap());
+        let stacks = [
+            vec![layer(1.0, 3.0, 0.3, Bonded)],
+            vec![layer(1.0, 0.2, 0.5, Frictionless)],
+            vec![layer(0.3, 2.0, 0.0, Bonded), layer(0.7, 0.5, 0.45, Bonded)],
+            vec![
+                layer(0.3, 2.0, 0.1, Bonded),
+                layer(0.2, 0.7, 0.4, Frictionless),
+                layer(0.5, 3.0, 0.3, Bonded),
+            ],
+        ];
+        let on = |base: Base| {
+            stacks
+                .clone()
+                .map(|layers| Foundation::new(layers, base).unwrap())
+        };
+        [on(half_space), on(Base::Rigid)].concat()
+    }
+
+    #[test]
+    fn the_remainder_is_of_first_order() {
+        for foundation in foundations() {
+            let long = foundation.long_waves();
+            let remainder = |k: f64| (foundation.compliance(k) - long.compliance(k)).abs();
+            let (coarse, fine) = (remainder(2e-3), remainder(1e-3));
+            // O(k) or better: halving k at least halves it, up to the next order, 1 %.
+            assert!(fine <= 0.505 * coarse, "{coarse:e} {fine:e} {foundation:?}");
+            // and it is small: a wrong B would leave a remainder of order 1
+            assert!(fine < 3e-2, "{fine:e} {foundation:?}");
+        }
+    }
+
+    #[test]
+    fn the_confined_and_the_free_film_on_a_rigid_base_are_springs() {
+        let springs = |interface| {
+            let film = layer(2.0, 1.0, 0.25, interface);
+            Foundation::new(vec![film], Base::Rigid)
+                .unwrap()
+                .long_waves()
+                .compliance(0.0)
+        };
+        // H (1 − 2ν)(1 + ν)/((1 − ν) E) and H (1 − ν²)/E; a few roundings
+        assert!((springs(Interface::Bonded) - 2.0 * 0.5 * 1.25 / 0.75).abs() < 1e-14);
+        assert!((springs(Interface::Frictionless) - 2.0 * 0.9375).abs() < 1e-14);
+    }
+
+    #[test]
+    fn short_waves_leave_an_exponentially_small_remainder() {
+        for foundation in foundations() {
+            let short = foundation.short_waves().unwrap();
+            let thinnest = foundation
+                .layers()
+                .iter()
+                .map(Layer::thickness)
+                .fold(f64::MAX, f64::min);
+            let remainder = |s: f64| {
+                let (k, s1) = (
+                    s / thinnest,
+                    s / thinnest * foundation.layers()[0].thickness(),
+                );
+                let scale = (1.0 + s1 * s1) * (-2.0 * s1).exp();
+                (foundation.response_minus_one(k) - short.response_minus_one(k)).abs() / scale
+            };
+            let (s, t) = (8.0_f64, 12.0_f64);
+            // The next reflection is e^{−2s} smaller, with powers of s up to the fourth.
+            let bound = |s: f64| 100.0 * s.powi(4) * (-2.0 * s).exp() + 1e-13;
+            assert!(
+                remainder(s) <= bound(s),
+                "{:e} {foundation:?}",
+                remainder(s)
+            );
+            assert!(
+                remainder(t) <= bound(t),
+                "{:e} {foundation:?}",
+                remainder(t)
+            );
+        }
+    }
+
+    #[test]
+    fn a_homogeneous_half_space_has_no_layer_to_be_short_in() {
+        let half_space = Foundation::half_space(Material::new(1.0, 0.3).unwrap());
+        assert_eq!(half_space.short_waves(), None);
+        // C = A/k exactly
+        assert!(half_space.long_waves().constant().abs() <= 0.0);
+    }
+}

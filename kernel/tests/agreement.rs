@@ -1,0 +1,76 @@
+//! The independent paths to `Φ` agree over the whole range of parameters.
+
+#![allow(
+    clippy::unwrap_used,
+    reason = "helpers of tests are tests too; a failed unwrap is a failed test"
+)]
+
+use pellicle_kernel::{Base, Foundation, Interface, Layer, Material, TransformedSystem};
+
+const RATIOS: [f64; 9] = [1e-6, 1e-4, 1e-2, 0.3, 1.0, 3.0, 1e2, 1e4, 1e6];
+const POISSON: [f64; 5] = [0.0, 0.2, 0.37, 0.499, 0.5];
+
+/// Calls `check(s, layer, half-space)` for `s` in [1e-8, 1e3], `χ` in [1e-6, 1e6], `ν` in [0, 0.5].
+fn everywhere(mut check: impl FnMut(f64, Material, Material)) {
+    for step in 0..=44 {
+        let s = 10_f64.powf(-8.0 + 0.25 * f64::from(step));
+        for chi in RATIOS {
+            for nu1 in POISSON {
+                for nu2 in POISSON {
+                    let layer = Material::new(chi, nu1).unwrap();
+                    check(s, layer, Material::new(1.0, nu2).unwrap());
+                }
+            }
+        }
+    }
+}
+
+fn relative(found: f64, wanted: f64) -> f64 {
+    (found / wanted - 1.0).abs()
+}
+
+#[test]
+fn the_closed_form_solves_the_transformed_system() {
+    everywhere(|s, layer, half_space| {
+        let closed = Foundation::coated(1.0, layer, half_space)
+            .unwrap()
+            .response(s);
+        let system = TransformedSystem::new(s, layer, half_space)
+            .response()
+            .unwrap();
+        // The error is the elimination's: a few tens of roundings, and for large s the square of
+        // the size s of the linear parts of its waves.
+        let bound = 1e-14 + 3.3e-16 * s * s;
+        assert!(
+            relative(system, closed) <= bound,
+            "s = {s:e}, {layer:?}, {half_space:?}"
+        );
+    });
+}
+
+/// The layer cut where a thickness of 1 is divided into exact doubles.
+fn cut(layer: Material, half_space: Material) -> Foundation {
+    let pieces = [0.25, 0.5, 0.25];
+    let layers = pieces.map(|h| Layer::new(h, layer, Interface::Bonded).unwrap());
+    Foundation::new(layers.to_vec(), Base::HalfSpace(half_space)).unwrap()
+}
+
+#[test]
+fn the_recursion_through_three_pieces_is_the_closed_form() {
+    everywhere(|s, layer, half_space| {
+        let closed = Foundation::coated(1.0, layer, half_space).unwrap();
+        let pieces = cut(layer, half_space);
+        // Measured 1e-15: roundings only, three layers instead of one.
+        assert!(
+            relative(pieces.response(s), closed.response(s)) <= 3e-15,
+            "s = {s:e}, {layer:?}"
+        );
+        let (found, wanted) = (pieces.response_minus_one(s), closed.response_minus_one(s));
+        // e^{−2s} magnifies roundings by 2s; below the smallest normal number digits end.
+        let bound = 1e-13 * (1.0 + 2.0 * s) * wanted.abs() + f64::MIN_POSITIVE;
+        assert!(
+            (found - wanted).abs() <= bound,
+            "s = {s:e}, {layer:?} {half_space:?} {found:e} {wanted:e}"
+        );
+    });
+}

@@ -1,0 +1,52 @@
+//! The paper's textured cases at N = 256: what they cost, what they give, where they touch.
+
+#![expect(
+    clippy::unwrap_used,
+    reason = "a scene that cannot be built fails its test"
+)]
+
+use pellicle_contact::{Domain, SolverOptions, Step, solve_path};
+use pellicle_tests::paper::{Panel, figure_2};
+
+fn solve(panel: &Panel) -> Step {
+    let domain = Domain::Side(panel.side);
+    let options = SolverOptions::default();
+    let path = solve_path(&panel.model, domain, 256, &[panel.load], &options, &mut ()).unwrap();
+    path.steps[0].clone()
+}
+
+/// Penetrations of an independent prototype on the same grid, in units of R, and the most products that each may take: what
+/// it took when this was written, and a tenth more.
+const EXPECTED: [(f64, usize); 4] = [
+    (2.0219e-4, 13),
+    (8.137e-4, 41),
+    (6.380e-4, 18),
+    (2.6594e-3, 43),
+];
+
+#[test]
+fn the_textured_cases_are_certified_within_their_products() {
+    for (panel, (penetration, products)) in figure_2().iter().zip(EXPECTED) {
+        let step = solve(panel);
+        let solution = &step.solution;
+        assert!(
+            solution.certificate.is_satisfied(),
+            "{}: {:?}",
+            panel.name,
+            solution.certificate
+        );
+        // The prototype's numbers are rounded to the fourth or fifth digit.
+        approx::assert_relative_eq!(solution.penetration, penetration, max_relative = 1e-4);
+        let taken = step.work.operator_applications;
+        assert!(taken <= products, "{}: {taken} products", panel.name);
+    }
+}
+
+#[test]
+fn large_loads_touch_between_the_cylinders_and_the_soft_coatings_small_load_does_not() {
+    let [small_soft, _, large_soft, large_stiff] = figure_2();
+    let between = |panel: &Panel| solve(panel).summary.contact_area_between;
+    assert_eq!(between(&small_soft).to_bits(), 0.0_f64.to_bits());
+    assert!(between(&large_soft) > 0.0);
+    assert!(between(&large_stiff) > 0.0);
+}
