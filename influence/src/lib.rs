@@ -1,3 +1,5 @@
+//! Influence coefficients of square elements on layered elastic bodies, and their product with a pressure.
+//!
 #![doc = include_str!("../README.md")]
 //!
 //! # Three layers

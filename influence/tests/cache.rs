@@ -134,6 +134,35 @@ fn what_is_read_is_what_was_computed_to_the_bit() {
 }
 
 #[test]
+fn the_algorithm_has_the_version_of_its_numbers() {
+    // If this fails after a change of the arithmetic, put the new numbers here and raise `ALGORITHM` in `src/cache/key.rs`: files that were
+    // written before must not be read any more. Length of the file of the tables, and two coefficients of each foundation.
+    const WANTED: [(u64, [f64; 2]); 3] = [
+        (88_736, [0.027_990_277_932_129_31, 0.015_399_846_106_460_89]),
+        (
+            75_776,
+            [0.016_093_420_222_857_147, -4.869_525_496_913_644e-5],
+        ),
+        (
+            94_856,
+            [0.865_603_989_171_769_5, -0.024_999_332_493_193_194],
+        ),
+    ];
+    for (foundation, (length, coefficients)) in foundations().iter().zip(WANTED) {
+        let folder = tempfile::tempdir().unwrap();
+        let cache = Cache::at(folder.path());
+        let tables = cache.radial_tables(foundation).unwrap().value;
+        let found = [[1, 0], [4, 3]].map(|offset| tables.coefficient(0.3, offset));
+        assert_eq!(cache.usage().unwrap().bytes, length);
+        for (found, wanted) in found.iter().zip(coefficients) {
+            // Exponentials and logarithms differ in the last place between platforms.
+            let error = (found - wanted).abs() / coefficients[0];
+            assert!(error < 1e-14, "{found:e}, {wanted:e}");
+        }
+    }
+}
+
+#[test]
 fn memory_is_shared_by_clones_and_asked_first() {
     let (folder, file) = filled();
     let cache = Cache::at(folder.path());
