@@ -4,6 +4,7 @@ mod bessel;
 mod expansion;
 mod response;
 mod rule;
+mod stack;
 
 use pellicle_kernel::Foundation;
 

@@ -4,6 +4,7 @@
 //! `T(t) = ∫₀^∞ Φ(x/t) J0(x) dx`. Its integral `P(t) = ∫₀^t T dt'` turns area integrals into edge integrals, because
 //! `div(r P/r²) = T/r`. (`P = t W` with the `W(t) = ∫ Φ(s) J1(st)/s ds` of the transform.)
 
+mod sampler;
 mod stored;
 
 use pellicle_kernel::Foundation;
@@ -11,10 +12,9 @@ use pellicle_kernel::Foundation;
 use crate::chebyshev;
 use crate::far_field::FarField;
 use crate::panels::{Panel, Panels};
-use crate::precise::Precise;
 use crate::product_rule::Borders;
 use crate::response::ResponseTable;
-use crate::window::{Integral, WindowRule};
+use sampler::{Sampler, scale};
 
 /// Below this many thicknesses of the top layer `T = 1 + g t` to 1e-17: the next term is t³.
 const NEAR: f64 = 1.0 / 262_144.0;
@@ -71,10 +71,7 @@ pub(crate) enum Area {
 impl RadialFunctions {
     pub(crate) fn new(foundation: &Foundation) -> Self {
         let response = ResponseTable::new(foundation);
-        let sampler = Sampler {
-            response: &response,
-            precise: Precise::for_soft(foundation, &response),
-        };
+        let sampler = Sampler::new(foundation, &response);
         let ends = [NEAR * 24.0 / response.end(), FAR / response.reach()];
         let limit = response.limit();
         let at = |ln_t: f64| sampler.at(ln_t).value;
@@ -84,8 +81,7 @@ impl RadialFunctions {
         };
         let panels = Panels::fit(ends.map(f64::ln), at, allowed);
         let [start, end] = panels.range();
-        let precise = sampler.precise.as_ref().map(Precise::even_taylor);
-        let series = series(precise.unwrap_or_else(|| response.even_taylor()));
+        let series = series(sampler.even_taylor());
         let mut functions = Self {
             limit,
             slope: (at(start) - 1.0) / start.exp(),
@@ -254,59 +250,4 @@ fn integral(panel: &Panel) -> Vec<f64> {
 /// `t ∫ s^j J0(st) ds` of the Taylor terms: 0 for odd j; `(−1)^(j/2) ((j−1)!!)² t^(−j)` for even.
 fn series([c2, c4, c6, c8]: [f64; 4]) -> [f64; 4] {
     [-c2, 9.0 * c4, -225.0 * c6, 11_025.0 * c8]
-}
-
-/// What an error of T is measured against.
-fn scale(limit: f64, largest: f64, ln_t: f64) -> f64 {
-    // On a rigid base nothing is left far away; there an element's own coefficient, about H/a = 1/t of Love's, is the measure.
-    let floor = if limit > 0.0 {
-        limit.min(1.0)
-    } else {
-        (-ln_t).exp().min(1.0)
-    };
-    largest.max(floor)
-}
-
-/// Values of T from the response.
-struct Sampler<'a> {
-    response: &'a ResponseTable,
-    precise: Option<Precise>,
-}
-
-impl Sampler<'_> {
-    /// `T = ∫₀^∞ Φ(x/t) J0(x) dx`, in more digits where rounding would show.
-    fn at(&self, ln_t: f64) -> Integral {
-        let plain = self.plain(ln_t);
-        let scale = scale(self.response.limit(), plain.value.abs(), ln_t);
-        match &self.precise {
-            Some(precise) if plain.rounding() > TOLERANCE * scale => {
-                Integral::exact(precise.integral(ln_t))
-            }
-            _ => plain,
-        }
-    }
-
-    fn plain(&self, ln_t: f64) -> Integral {
-        let t = ln_t.exp();
-        let response = self.response;
-        WindowRule::shared().integrate(
-            |node| response.value(node.x / t, node.ln_x - ln_t),
-            response.reach() / 2.0 * t,
-            response.end() * t,
-        )
-    }
-
-    /// Tails and rounding of all panels.
-    fn worst(&self, panels: &Panels) -> Worst {
-        let error = |panel: &Panel| {
-            let rounding = self.at(panel.centre).rounding();
-            let scale = scale(self.response.limit(), panel.bound(), panel.centre);
-            let error = (panel.tail() + rounding) / scale + self.response.error();
-            let t = panel.centre.exp();
-            Worst { error, t }
-        };
-        let larger = |a: Worst, b: Worst| if b.error > a.error { b } else { a };
-        let none = Worst { error: 0.0, t: 1.0 };
-        panels.panels().iter().map(error).fold(none, larger)
-    }
 }
