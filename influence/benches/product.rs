@@ -1,14 +1,15 @@
 //! `K p` beside its floor: the bare zero-padded pair of transforms, 2N × 2N real to complex and back, with the same library.
 
 use std::hint::black_box;
+use std::sync::Arc;
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use pellicle_influence::{CoefficientTable, ConvolutionOperator, ElasticOperator, love};
 use pellicle_kernel::Material;
 use rayon::ThreadPoolBuilder;
-use realfft::RealFftPlanner;
-use rustfft::FftPlanner;
+use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 use rustfft::num_complex::Complex64;
+use rustfft::{Fft, FftPlanner};
 
 const SIZES: [usize; 5] = [128, 256, 512, 1024, 2048];
 
@@ -56,6 +57,10 @@ fn bare_pair(criterion: &mut Criterion) {
 
 struct BarePair {
     length: usize,
+    forward: Arc<dyn RealToComplex<f64>>,
+    inverse: Arc<dyn ComplexToReal<f64>>,
+    there: Arc<dyn Fft<f64>>,
+    back: Arc<dyn Fft<f64>>,
     field: Vec<f64>,
     rows: Vec<Complex64>,
     columns: Vec<Complex64>,
@@ -65,8 +70,13 @@ struct BarePair {
 impl BarePair {
     fn new(length: usize) -> Self {
         let half = length / 2 + 1;
+        let (mut real, mut complex) = (RealFftPlanner::new(), FftPlanner::new());
         Self {
             length,
+            forward: real.plan_fft_forward(length),
+            inverse: real.plan_fft_inverse(length),
+            there: complex.plan_fft_forward(length),
+            back: complex.plan_fft_inverse(length),
             field: vec![1.0; length * length],
             rows: vec![Complex64::default(); length * half],
             columns: vec![Complex64::default(); length * half],
@@ -76,28 +86,23 @@ impl BarePair {
 
     fn run(&mut self) {
         let (length, half) = (self.length, self.length / 2 + 1);
-        let mut real = RealFftPlanner::new();
-        let (forward, inverse) = (real.plan_fft_forward(length), real.plan_fft_inverse(length));
-        let mut complex = FftPlanner::new();
-        let (there, back) = (
-            complex.plan_fft_forward(length),
-            complex.plan_fft_inverse(length),
-        );
         let rows = self.field.chunks_exact_mut(length);
         for (row, transformed) in rows.zip(self.rows.chunks_exact_mut(half)) {
-            forward
+            self.forward
                 .process_with_scratch(row, transformed, &mut self.scratch)
                 .expect("lengths");
         }
         transpose(&self.rows, &mut self.columns, half, length);
-        there.process_with_scratch(&mut self.columns, &mut self.scratch);
-        back.process_with_scratch(&mut self.columns, &mut self.scratch);
+        self.there
+            .process_with_scratch(&mut self.columns, &mut self.scratch);
+        self.back
+            .process_with_scratch(&mut self.columns, &mut self.scratch);
         transpose(&self.columns, &mut self.rows, length, half);
         let rows = self.field.chunks_exact_mut(length);
         for (row, transformed) in rows.zip(self.rows.chunks_exact_mut(half)) {
             transformed[0].im = 0.0;
             transformed[half - 1].im = 0.0;
-            inverse
+            self.inverse
                 .process_with_scratch(transformed, row, &mut self.scratch)
                 .expect("lengths");
             for value in row {
