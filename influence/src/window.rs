@@ -41,6 +41,24 @@ pub(crate) struct WindowNode {
 /// Nodes of one panel.
 pub(crate) const PANEL: usize = 16;
 
+/// Where the panels end that double down to 0: `4 · 2^(−octave)`.
+pub(crate) fn head_end(octave: i32) -> f64 {
+    DOUBLING_END * 0.5_f64.powi(octave)
+}
+
+/// The ends of all panels from small x to large: `octaves` that double, then those of one period.
+pub(crate) fn panel_ends(octaves: i32) -> impl Iterator<Item = [f64; 2]> {
+    let doubling = (0..octaves)
+        .rev()
+        .map(|octave| [head_end(octave + 1), head_end(octave)]);
+    let strides = whole::ceil((END - DOUBLING_END) / STRIDE);
+    let uniform = (0..strides).map(|stride| {
+        let start = DOUBLING_END + STRIDE * stride as f64;
+        [start, start + STRIDE]
+    });
+    doubling.chain(uniform)
+}
+
 /// The rule: one panel from 0, as wide as F is smooth there, then panels that double, then panels of one period.
 #[derive(Clone, Debug)]
 pub(crate) struct WindowRule {
@@ -61,23 +79,13 @@ impl WindowRule {
     }
 
     fn new() -> Self {
-        let end = |octave: i32| DOUBLING_END * 0.5_f64.powi(octave);
-        let doubling = (0..OCTAVES)
-            .rev()
-            .map(|octave| [end(octave + 1), end(octave)]);
-        let strides = whole::ceil((END - DOUBLING_END) / STRIDE);
-        let uniform = (0..strides).map(|stride| {
-            let start = DOUBLING_END + STRIDE * stride as f64;
-            [start, start + STRIDE]
-        });
         let line = legendre_of::<PANEL>();
-        let nodes: Vec<WindowNode> = doubling
-            .chain(uniform)
+        let nodes: Vec<WindowNode> = panel_ends(OCTAVES)
             .flat_map(|ends| panel(&line, ends))
             .collect();
         Self {
             heads: (0..=OCTAVES)
-                .map(|octave| panel(&line, [0.0, end(octave)]))
+                .map(|octave| panel(&line, [0.0, head_end(octave)]))
                 .collect(),
             rest: sums_to_the_end(&nodes),
             nodes,

@@ -6,7 +6,7 @@ use super::bessel::{erfc, j0};
 use crate::gauss::{Node, legendre_of};
 use crate::twofold::Twofold;
 use crate::whole;
-use crate::window::{CENTRE, DOUBLING_END, END, PANEL, SPREAD, STRIDE};
+use crate::window::{CENTRE, DOUBLING_END, PANEL, SPREAD, head_end, panel_ends};
 
 /// Doubling panels go down to 4 · 2⁻²⁰: only radii beyond the smallest wavelengths of Φ need the precision.
 const OCTAVES: i32 = 20;
@@ -38,20 +38,11 @@ impl PreciseRule {
     }
 
     fn new() -> Self {
-        let end = |octave: i32| DOUBLING_END * 0.5_f64.powi(octave);
-        let doubling = (0..OCTAVES)
-            .rev()
-            .map(|octave| [end(octave + 1), end(octave)]);
-        let strides = whole::ceil((END - DOUBLING_END) / STRIDE);
-        let uniform = (0..strides).map(|stride| {
-            let start = DOUBLING_END + STRIDE * stride as f64;
-            [start, start + STRIDE]
-        });
-        let panels: Vec<[f64; 2]> = doubling.chain(uniform).collect();
+        let panels: Vec<[f64; 2]> = panel_ends(OCTAVES).collect();
         let line: Vec<(Twofold, Twofold)> = legendre_of::<PANEL>().iter().map(refined).collect();
         Self {
             heads: (0..=OCTAVES)
-                .map(|octave| panel(&line, [0.0, end(octave)]))
+                .map(|octave| panel(&line, [0.0, head_end(octave)]))
                 .collect(),
             nodes: panels.iter().flat_map(|ends| panel(&line, *ends)).collect(),
         }
