@@ -4,6 +4,8 @@ Its tolerances are absolute: a gap, a force on an element and a relative change 
 tolerance is turned into all three by the Hertzian approach and peak pressure. The package of PyPI is serial.
 """
 
+from importlib.metadata import version
+
 import ContactMechanics
 import numpy as np
 from SurfaceTopography import Topography
@@ -38,4 +40,4 @@ def read(state, result):
     }
 
 
-driver.run(ContactMechanics.__version__, setup, solve, read)
+driver.run(version("ContactMechanics"), setup, solve, read)

@@ -4,6 +4,8 @@ Its tolerance bounds the relative change of the pressure in one step. Products a
 Threads are FFTW's; the rest is serial. Planning the transforms is part of the setup.
 """
 
+from importlib.metadata import version
+
 import numpy as np
 import slippy
 import slippy.core as core
@@ -46,4 +48,4 @@ def read(state, result):
     return {"pressure": pressure, "products": state[3].calls, "converged": not failed, "own_error": None}
 
 
-driver.run(slippy.__version__, setup, solve, read)
+driver.run(version("slippy"), setup, solve, read)

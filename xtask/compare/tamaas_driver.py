@@ -10,6 +10,7 @@ import os
 import re
 import sys
 import tempfile
+from importlib.metadata import version
 
 import numpy as np
 import tamaas
@@ -77,4 +78,4 @@ def read(state, result):
     }
 
 
-driver.run(tamaas.__version__, setup, solve, read)
+driver.run(version("tamaas"), setup, solve, read)

@@ -39,6 +39,6 @@ impl Contest<'_> {
 
     fn title(&self) -> String {
         let (case, elements) = (self.problem.case(), self.problem.elements());
-        format!("{case} {elements}, {} threads", self.threads)
+        format!("{case}, n = {elements}, threads = {}", self.threads)
     }
 }

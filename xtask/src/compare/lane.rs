@@ -81,7 +81,7 @@ impl Lane {
 
     /// The last event, for people.
     fn line(&self) -> String {
-        let name = self.entrant.name();
+        let name = format!("{} at {:e}", self.entrant.name(), self.entrant.tolerance());
         match (&self.end, self.runs.last()) {
             (Some(Outcome::Stopped(seconds)), _) => format!("{name}: stopped after {seconds} s"),
             (Some(Outcome::Missing(reason)), _) => format!("{name}: missing ({reason})"),

@@ -48,7 +48,7 @@ impl Rival {
         match self {
             // From source; Eigen's headers must be installed.
             Self::Aspher => &[&["aspher", "numpy"]],
-            // Its own requirements cannot be met on current Pythons: the last versions that it works with.
+            // Its own requirements cannot be met on current Pythons: versions that it works with, without asking it.
             Self::Slippy => &[
                 &[
                     "numpy==1.23.5",
@@ -56,6 +56,9 @@ impl Rival {
                     "scipy==1.10.1",
                     "pyfftw==0.13.1",
                     "matplotlib==3.7.5",
+                    "scikit-image==0.21.0",
+                    "sympy",
+                    "tinydb",
                 ],
                 &["--no-deps", "slippy"],
             ],
