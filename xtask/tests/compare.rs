@@ -31,11 +31,8 @@ fn root() -> &'static Path {
 
 /// Says that a test did nothing, past the capture of the test runner.
 fn skip() {
-    writeln!(
-        std::io::stderr(),
-        "skipped: no Python with numpy and scipy; `cargo xtask compare` makes one"
-    )
-    .unwrap();
+    let line = b"skipped: no Python with numpy and scipy; `cargo xtask compare` makes one\n";
+    std::io::stderr().write_all(line).unwrap();
 }
 
 fn judged(python: &Path, case: Case, elements: usize, pressure: &Path) -> Certificate {

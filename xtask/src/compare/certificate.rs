@@ -30,7 +30,7 @@ pub struct Certificate {
 }
 
 /// The longest that one product may take.
-const PATIENCE: Duration = Duration::from_secs(600);
+const PATIENCE: Duration = Duration::from_mins(10);
 
 impl Certificate {
     /// The largest of the four lines.

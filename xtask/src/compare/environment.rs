@@ -18,7 +18,7 @@ pub(super) enum Environment {
 }
 
 /// The longest that one installation may take; those built from source need minutes.
-const PATIENCE: Duration = Duration::from_secs(1800);
+const PATIENCE: Duration = Duration::from_mins(30);
 /// Kept in an environment that is complete: what was asked for.
 const MARK: &str = "requirements.txt";
 

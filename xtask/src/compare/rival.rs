@@ -4,7 +4,7 @@ use std::fmt;
 
 use clap::ValueEnum;
 
-/// A program that solves the same problems, from PyPI.
+/// A program that solves the same problems, from the Python Package Index.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, ValueEnum)]
 pub enum Rival {
     /// aspher, with nested grids and its full-grid preconditioner.
@@ -75,7 +75,7 @@ impl Rival {
         }
     }
 
-    /// Whether the package of PyPI can use more than one thread.
+    /// Whether the package of the index can use more than one thread.
     pub(super) fn is_threaded(self) -> bool {
         match self {
             Self::Aspher | Self::Slippy => true,

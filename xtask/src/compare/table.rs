@@ -19,8 +19,8 @@ const HEAD: [&str; 15] = [
     "load",
     "time / Pellicle's",
 ];
-/// Columns after the program's name that hold what a run brought.
-const RESULTS: usize = 10;
+/// Columns from the time on, that hold what a program's runs brought.
+const RESULTS: usize = 9;
 
 /// The table, with a line for every row, in which an absent result says why it is absent.
 pub(super) fn table(rows: &[Row]) -> String {
@@ -77,9 +77,8 @@ fn cells(row: &Row) -> Vec<String> {
 
 /// A reason in place of the first result.
 fn because(reason: &str) -> Vec<String> {
-    let mut cells = vec![String::new(); RESULTS - 1];
-    cells[0] = reason.to_owned();
-    cells
+    let rest = (1..RESULTS).map(|_| String::new());
+    std::iter::once(reason.to_owned()).chain(rest).collect()
 }
 
 fn results(solved: &Solved) -> Vec<String> {
