@@ -1,6 +1,7 @@
 //! The runs of one program on one problem, one at a time, within its budget.
 
 use std::path::PathBuf;
+use std::process::Command;
 use std::time::{Duration, Instant};
 
 use super::contest::Contest;
@@ -34,16 +35,36 @@ impl Lane {
     /// # Errors
     /// Files or processes that the system refuses.
     pub(super) fn run_once(&mut self, contest: &Contest<'_>) -> Result<Option<String>, XtaskError> {
-        let left = contest.arguments.budget().saturating_sub(self.spent);
-        let completed = u32::try_from(self.runs.len()).unwrap_or(u32::MAX);
-        let is_next_too_long = completed > 0 && self.spent / completed > left;
-        if self.end.is_some() || is_next_too_long {
-            return Ok(None);
-        }
         if contest.threads > 1 && !self.entrant.is_threaded() {
             self.end = Some(Outcome::Serial);
+        }
+        if self.end.is_some() || !self.has_time(contest) {
             return Ok(None);
         }
+        match self.command(contest) {
+            Err(reason) => self.end = Some(Outcome::Missing(reason)),
+            Ok(mut command) => {
+                let clock = Instant::now();
+                let log = self.pressure(contest).with_extension("log");
+                let ending = run_within(&mut command, self.time_left(contest), &log)?;
+                self.spent += clock.elapsed();
+                self.take(ending);
+            }
+        }
+        Ok(Some(self.line()))
+    }
+
+    fn time_left(&self, contest: &Contest<'_>) -> Duration {
+        contest.arguments.budget().saturating_sub(self.spent)
+    }
+
+    /// Whether a run as long as those so far would still end within the budget.
+    fn has_time(&self, contest: &Contest<'_>) -> bool {
+        let runs = u32::try_from(self.runs.len()).unwrap_or(u32::MAX);
+        runs == 0 || self.spent / runs <= self.time_left(contest)
+    }
+
+    fn command(&self, contest: &Contest<'_>) -> Result<Command, String> {
         let pressure = self.pressure(contest);
         let Contest {
             workshop,
@@ -51,16 +72,7 @@ impl Lane {
             threads,
             ..
         } = *contest;
-        match self.entrant.command(workshop, problem, threads, &pressure) {
-            Err(reason) => self.end = Some(Outcome::Missing(reason)),
-            Ok(mut command) => {
-                let clock = Instant::now();
-                let ending = run_within(&mut command, left, &pressure.with_extension("log"))?;
-                self.spent += clock.elapsed();
-                self.take(ending);
-            }
-        }
-        Ok(Some(self.line()))
+        self.entrant.command(workshop, problem, threads, &pressure)
     }
 
     /// Keeps what a run brought. A later run that fails or is stopped does not undo those that were good.

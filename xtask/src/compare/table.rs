@@ -2,7 +2,7 @@
 
 use super::{Certificate, Outcome, Row, Solved};
 
-const HEAD: [&str; 15] = [
+const HEAD: [&str; 16] = [
     "case",
     "n",
     "threads",
@@ -10,6 +10,7 @@ const HEAD: [&str; 15] = [
     "version",
     "tolerance",
     "time, s",
+    "fastest, s",
     "solve, s",
     "products",
     "memory, MiB",
@@ -20,7 +21,7 @@ const HEAD: [&str; 15] = [
     "time / Pellicle's",
 ];
 /// Columns from the time on, that hold what a program's runs brought.
-const RESULTS: usize = 9;
+const RESULTS: usize = 10;
 
 /// The table, with a line for every row, in which an absent result says why it is absent.
 pub(super) fn table(rows: &[Row]) -> String {
@@ -90,6 +91,7 @@ fn results(solved: &Solved) -> Vec<String> {
             } else {
                 " (not converged)"
             },
+        seconds(solved.fastest_seconds()),
         seconds(run.solve_seconds),
         or_dash(run.products),
         or_dash(run.peak_bytes.map(|bytes| bytes.div_ceil(1 << 20))),
@@ -153,7 +155,7 @@ mod tests {
     #[test]
     fn a_solved_row_shows_time_work_memory_and_certificate() {
         let table = table(&[row("aspher", solved())]);
-        let expected = "| hertz | 512 | 1 | aspher | 1.0 | 1e-8 | 0.250 | 0.250 | 7 | 1 | 1.2e-9 | 4.5e-9 | 0.0e0 | \
+        let expected = "| hertz | 512 | 1 | aspher | 1.0 | 1e-8 | 0.250 | 0.250 | 0.250 | 7 | 1 | 1.2e-9 | 4.5e-9 | 0.0e0 | \
                         1.0e-16 | – |";
         assert_eq!(table.lines().nth(2), Some(expected));
     }
