@@ -41,10 +41,11 @@ impl Environment {
             return Ok(Self::Ready(inside));
         }
         let log = folder.with_extension("log");
+        let name = folder.file_stem().unwrap_or_default().display();
         create_folder(folder.parent().unwrap_or(folder))?;
         for command in &mut commands(folder, python, &inside, requirements) {
             if let Some(reason) = failure(command, &log)? {
-                return Ok(Self::Missing(reason));
+                return Ok(Self::Missing(format!("{reason} (whole log: {name}.err)")));
             }
         }
         write(&folder.join(MARK), &wanted)?;

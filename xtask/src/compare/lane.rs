@@ -114,11 +114,7 @@ impl Lane {
     /// # Errors
     /// Files or processes that the system refuses.
     pub(super) fn finish(self, contest: &Contest<'_>) -> Result<Row, XtaskError> {
-        let certificate = if self.runs.is_empty() {
-            None
-        } else {
-            self.certificate(contest)?
-        };
+        let certificate = self.certificate(contest)?;
         let entrant = self.entrant;
         let outcome = match (Solved::of(self.runs, certificate), self.end) {
             (Some(solved), _) => Outcome::Solved(Box::new(solved)),
@@ -135,11 +131,17 @@ impl Lane {
         })
     }
 
-    fn certificate(&self, contest: &Contest<'_>) -> Result<Option<Certificate>, XtaskError> {
-        let Ok(command) = contest.workshop.certificate() else {
-            return Ok(None);
-        };
-        let judged = Certificate::judge(command, contest.problem, &self.pressure(contest))?;
-        Ok(judged.ok())
+    /// The certificate of the last run, or why there is none.
+    fn certificate(
+        &self,
+        contest: &Contest<'_>,
+    ) -> Result<Result<Certificate, String>, XtaskError> {
+        if self.runs.is_empty() {
+            return Ok(Err("it has no pressure".to_owned()));
+        }
+        match contest.workshop.certificate() {
+            Ok(command) => Certificate::judge(command, contest.problem, &self.pressure(contest)),
+            Err(reason) => Ok(Err(reason)),
+        }
     }
 }

@@ -44,16 +44,25 @@ pub struct Solved {
     pub median: Measurement,
     /// Total times of all runs, in s, in the order of the runs.
     pub seconds: Vec<f64>,
-    /// Certificate of the last run; none where no Python was there to compute it.
+    /// Certificate of the last run; none if it could not be computed.
     pub certificate: Option<Certificate>,
+    /// Why there is no certificate.
+    pub uncertified: Option<String>,
     /// Its median total time over Pellicle's on the same problem with as many threads.
     pub times_pellicle: Option<f64>,
 }
 
 impl Solved {
-    /// The summary of `runs`; none without a run.
+    /// The summary of `runs`, whose last one got the certificate or the reason why it got none; none without a run.
     #[must_use]
-    pub fn of(mut runs: Vec<Measurement>, certificate: Option<Certificate>) -> Option<Self> {
+    pub fn of(
+        mut runs: Vec<Measurement>,
+        certificate: Result<Certificate, String>,
+    ) -> Option<Self> {
+        let (certificate, uncertified) = match certificate {
+            Ok(certificate) => (Some(certificate), None),
+            Err(reason) => (None, Some(reason)),
+        };
         let seconds = runs.iter().map(Measurement::total_seconds).collect();
         runs.sort_by(|a, b| a.total_seconds().total_cmp(&b.total_seconds()));
         let middle = runs.len() / 2;
@@ -61,6 +70,7 @@ impl Solved {
             median: runs.into_iter().nth(middle)?,
             seconds,
             certificate,
+            uncertified,
             times_pellicle: None,
         })
     }
@@ -122,7 +132,8 @@ pub(super) mod tests {
     }
 
     fn solved(seconds: &[f64]) -> Solved {
-        Solved::of(seconds.iter().copied().map(measurement).collect(), None).unwrap()
+        let runs = seconds.iter().copied().map(measurement).collect();
+        Solved::of(runs, Err("no Python".into())).unwrap()
     }
 
     #[test]
@@ -131,7 +142,7 @@ pub(super) mod tests {
         assert_eq!(odd.median, measurement(2.0));
         assert_eq!(odd.seconds, [5.0, 1.0, 2.0]);
         assert_eq!(solved(&[1.0, 4.0]).median, measurement(4.0));
-        assert_eq!(Solved::of(Vec::new(), None), None);
+        assert_eq!(Solved::of(Vec::new(), Err(String::new())), None);
     }
 
     #[test]

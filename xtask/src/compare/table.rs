@@ -34,11 +34,16 @@ pub(super) fn table(rows: &[Row]) -> String {
 pub(super) fn missing(rows: &[Row]) -> String {
     let mut lines: Vec<String> = Vec::new();
     for row in rows {
-        if let Outcome::Missing(reason) = &row.outcome {
-            let line = format!("- {}: {}\n", row.program, reason);
-            if !lines.contains(&line) {
-                lines.push(line);
-            }
+        let line = match &row.outcome {
+            Outcome::Missing(reason) => format!("- {}: {reason}\n", row.program),
+            Outcome::Solved(solved) => match &solved.uncertified {
+                Some(reason) => format!("- certificate: {reason}\n"),
+                None => continue,
+            },
+            Outcome::Stopped(_) | Outcome::Failed(_) | Outcome::Serial => continue,
+        };
+        if !lines.contains(&line) {
+            lines.push(line);
         }
     }
     lines.concat()
@@ -148,7 +153,7 @@ mod tests {
             penetration: 0.0225,
             contact_elements: 9,
         };
-        let solved = Solved::of(vec![measurement(0.25)], Some(certificate));
+        let solved = Solved::of(vec![measurement(0.25)], Ok(certificate));
         Outcome::Solved(Box::new(solved.unwrap()))
     }
 
@@ -177,8 +182,16 @@ mod tests {
     #[test]
     fn what_is_missing_is_named_once_with_its_reason() {
         let absent = row("slippy", Outcome::Missing("no wheel".into()));
-        let rows = [absent.clone(), row("b", Outcome::Serial), absent];
-        assert_eq!(missing(&rows), "- slippy: no wheel\n");
+        let unjudged = Solved::of(vec![measurement(0.25)], Err("no Python".into())).unwrap();
+        let rows = [
+            absent.clone(),
+            row("a", solved()),
+            row("b", Outcome::Solved(Box::new(unjudged))),
+            row("c", Outcome::Serial),
+            absent,
+        ];
+        let expected = "- slippy: no wheel\n- certificate: no Python\n";
+        assert_eq!(missing(&rows), expected);
     }
 
     #[test]
