@@ -36,27 +36,13 @@ impl Workshop {
         tell: &mut dyn FnMut(&str),
     ) -> Result<Self, XtaskError> {
         let results = root.join(&arguments.out);
-        create_folder(&results)?;
-        let unwritable = |source| XtaskError::Write {
-            path: results.clone(),
-            source,
-        };
-        let scratch = TempDir::new_in(&results).map_err(unwritable)?;
-        let mut prepared = |name: &str, requirements| {
-            let folder = root.join(&arguments.environments).join(name);
-            tell(&format!("environment of {name}"));
-            let environment = Environment::prepare(&folder, &arguments.python, requirements);
-            if let Ok(Environment::Missing(reason)) = &environment {
-                tell(&format!("{name} is missing: {reason}"));
-            }
-            environment
-        };
-        let certificate = prepared("the-certificate", CERTIFICATE_REQUIREMENTS)?;
-        let rivals = arguments
-            .peers
-            .iter()
-            .map(|&rival| Ok((rival, prepared(&rival.to_string(), rival.requirements())?)));
-        let rivals = rivals.collect::<Result<_, XtaskError>>()?;
+        let scratch = scratch_in(&results)?;
+        let mut prepare =
+            |name: &str, list| prepare_environment(name, list, arguments, root, &mut *tell);
+        let certificate = prepare("the-certificate", CERTIFICATE_REQUIREMENTS)?;
+        let rivals = (arguments.peers.iter())
+            .map(|rival| Ok((*rival, prepare(&rival.to_string(), rival.requirements())?)))
+            .collect::<Result<_, XtaskError>>()?;
         tell("building Pellicle");
         Ok(Self {
             pellicle: build(root)?,
@@ -113,6 +99,32 @@ impl Workshop {
             Environment::Missing(reason) => Err(reason.clone()),
         }
     }
+}
+
+/// A folder in that of the results which disappears with the workshop.
+fn scratch_in(results: &Path) -> Result<TempDir, XtaskError> {
+    create_folder(results)?;
+    TempDir::new_in(results).map_err(|source| XtaskError::Write {
+        path: results.into(),
+        source,
+    })
+}
+
+/// The environment `name`, with word of what is missing.
+fn prepare_environment(
+    name: &str,
+    requirements: &[&[&str]],
+    arguments: &CompareArguments,
+    root: &Path,
+    tell: &mut dyn FnMut(&str),
+) -> Result<Environment, XtaskError> {
+    tell(&format!("environment of {name}"));
+    let folder = root.join(&arguments.environments).join(name);
+    let environment = Environment::prepare(&folder, &arguments.python, requirements)?;
+    if let Environment::Missing(reason) = &environment {
+        tell(&format!("{name} is missing: {reason}"));
+    }
+    Ok(environment)
 }
 
 /// Builds xtask itself in release, which holds Pellicle's runner; its executable.
