@@ -52,13 +52,11 @@ impl<'a> Hierarchy<'a> {
 
     /// The geometry on the finest grid.
     pub fn into_sampled(mut self) -> Result<SampledModel, ContactError> {
-        match self.levels.pop().flatten() {
-            Some(finest) => Ok(finest.sampled),
-            None => {
-                let elements = self.sizes.last().copied().unwrap_or_default();
-                self.model.sample(self.side, elements)
-            }
+        if let Some(finest) = self.levels.pop().flatten() {
+            return Ok(finest.sampled);
         }
+        let elements = self.sizes.last().copied().unwrap_or_default();
+        self.model.sample(self.side, elements)
     }
 
     /// Solves one load from the coarsest grid to the finest.

@@ -44,7 +44,8 @@ pub use model::{Model, SampledModel};
 pub use observer::{Observer, Progress, Signal};
 pub use path::{LoadingPath, Step, solve_path};
 pub use solver::{
-    Iterate, Method, Solver, SolverOptions, Watch, active_set::ActiveSetSolver,
+    Iterate, Method, Solver, SolverOptions, Watch,
+    active_set::{ActiveSetSolver, DropOnlySolver},
     gradient::GradientSolver,
 };
 pub use summary::Summary;

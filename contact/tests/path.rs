@@ -219,3 +219,50 @@ fn the_observer_sees_every_level_and_step() {
     log.0.dedup();
     assert_eq!(log.0, [(0, 32), (0, 64), (1, 32), (1, 64)]);
 }
+
+#[test]
+fn a_path_unloads_as_it_loads_and_its_stiffness_is_the_slope_of_its_curve() {
+    let forces = [0.1, 0.1002, 0.1004, 0.14, 0.1002].map(hertz_force);
+    let path = solve(&model(Relief::Bare), Domain::Side(0.5), 96, &forces);
+    let step = |i: usize| &path.steps[i].solution;
+    // Elastic: the same load, the same state, to what the tolerance leaves.
+    approx::assert_relative_eq!(
+        step(1).penetration,
+        step(4).penetration,
+        max_relative = 1e-7
+    );
+    // The contact is one set of elements over this interval, so the curve is straight there.
+    let slope = (step(2).force - step(0).force) / (step(2).penetration - step(0).penetration);
+    let stiffness = path.steps[1].contact_stiffness.unwrap();
+    // The set may change by a few of 1200 elements of least pressure.
+    approx::assert_relative_eq!(stiffness, slope, max_relative = 2e-3);
+    // Hertz: dQ/dD = 2 E* a, on a grid of 19 elements a radius.
+    approx::assert_relative_eq!(stiffness, 2.0 * 0.1002, max_relative = 5e-3);
+}
+
+#[test]
+fn a_cancelled_path_keeps_the_steps_that_it_finished() {
+    struct AtTheSecond;
+    impl Observer for AtTheSecond {
+        fn progress(&mut self, progress: &Progress) -> Signal {
+            if progress.step == 1 && progress.elements == 64 {
+                Signal::Cancel
+            } else {
+                Signal::Continue
+            }
+        }
+    }
+    let loads = [0.05, 0.08, 0.1].map(hertz_force);
+    let path = solve_path(
+        &model(Relief::Bare),
+        Domain::Side(0.3),
+        64,
+        &loads,
+        &SolverOptions::default(),
+        &mut AtTheSecond,
+    )
+    .unwrap();
+    assert!(path.interrupted);
+    assert_eq!(path.steps.len(), 1);
+    assert!(path.steps[0].solution.certificate.is_satisfied());
+}

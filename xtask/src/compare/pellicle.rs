@@ -41,6 +41,8 @@ pub fn run_pellicle(arguments: &PellicleArguments) -> Result<Measurement, XtaskE
         .build()?;
     let options = SolverOptions {
         tolerance: arguments.tolerance,
+        // The rivals do not compute it.
+        contact_stiffness: false,
         ..SolverOptions::default()
     };
     pool.install(|| solve(warm_up, &options))?;

@@ -8,7 +8,7 @@ use faer::{
     linalg::solvers::{Llt, Solve as _},
 };
 
-use crate::{ContactError, DiscreteProblem, Load};
+use crate::{ContactError, DiscreteProblem, Iterate, Load};
 
 /// A pressure or gap counts as infeasible beyond this part of its scale: the rounding of a dense solve whose
 /// condition is at most some 10⁴.
@@ -33,6 +33,8 @@ pub struct Trial {
     pub gap: Vec<f64>,
     /// Members that pull and others that overlap.
     pub infeasible: Vec<usize>,
+    /// Contact stiffness `dQ/dD = 4a² Σ a` of the set, in N/m.
+    pub stiffness: f64,
     penetration: f64,
 }
 
@@ -117,7 +119,9 @@ impl DenseSystem {
         for (i, member) in members.iter().enumerate() {
             pressure[*member] = penetration * solved[(i, 0)] - solved[(i, 1)];
         }
-        Ok(self.trial(members, pressure, penetration))
+        let mut trial = self.trial(members, pressure, penetration);
+        trial.stiffness = self.element_area * column(0);
+        Ok(trial)
     }
 
     /// Gap everywhere and infeasible elements of a solution on `members`.
@@ -148,6 +152,7 @@ impl DenseSystem {
             pressure,
             gap,
             infeasible,
+            stiffness: 0.0,
             penetration,
         }
     }
@@ -165,8 +170,16 @@ impl Trial {
             .fold(0.0, f64::max)
     }
 
-    /// The pressure with rounding's negative traces cut off.
-    pub fn into_admissible_pressure(self) -> Vec<f64> {
-        self.pressure.into_iter().map(|p| p.max(0.0)).collect()
+    /// The iterate that ends here, with rounding's negative traces cut off; the coefficients took one product.
+    pub fn into_iterate(self, residuals: Vec<f64>) -> Iterate {
+        Iterate {
+            iterations: residuals.len(),
+            operator_applications: 1,
+            residuals,
+            contact_stiffness: (self.stiffness > 0.0).then_some(self.stiffness),
+            stiffness_applications: 0,
+            reached_border: false,
+            pressure: self.pressure.into_iter().map(|p| p.max(0.0)).collect(),
+        }
     }
 }

@@ -11,7 +11,10 @@
 //! set occurs twice (Nocedal and Wright 2006, section 16.5).
 
 mod dense_system;
+mod drop_only;
 mod exchange;
+
+pub use drop_only::DropOnlySolver;
 
 use self::{dense_system::DenseSystem, exchange::Exchange};
 use super::{Iterate, Solver, SolverOptions, Watch};
@@ -61,17 +64,7 @@ impl Solver for ActiveSetSolver {
             residuals.push(trial.residual());
             let given_up = residuals.len() > self.options.max_applications;
             if trial.infeasible.is_empty() || given_up {
-                let iterations = residuals.len();
-                let pressure = trial.into_admissible_pressure();
-                return Ok(Iterate {
-                    pressure,
-                    iterations,
-                    operator_applications: 1,
-                    residuals,
-                    contact_stiffness: None,
-                    stiffness_applications: 0,
-                    reached_border: false,
-                });
+                return Ok(trial.into_iterate(residuals));
             }
             exchange.advance(&system, &trial);
         }

@@ -6,7 +6,7 @@
 
 use super::{
     preconditioner::Preconditioner,
-    vector::{add_scaled, dot, sum, update},
+    vector::{add_scaled, dot, update},
     working_set::WorkingSet,
 };
 use crate::DiscreteProblem;
@@ -25,7 +25,7 @@ pub fn pressure_sum_per_penetration(
     let field = || vec![0.0; problem.elements()];
     let (mut residual, mut direction, mut image, mut z) = (field(), field(), field(), field());
     update(&mut residual, set.mask(), |r, member| {
-        *r = f64::from(u8::from(*member))
+        *r = f64::from(u8::from(*member));
     });
     let (mut total, mut product_before) = (0.0, f64::INFINITY);
     for step in 1..=MOST_STEPS {
@@ -53,6 +53,5 @@ pub fn pressure_sum_per_penetration(
         add_scaled(&mut residual, -alpha, &image);
         product_before = product;
     }
-    debug_assert!(sum(&residual).is_finite(), "the residual stays finite");
     (None, MOST_STEPS)
 }

@@ -21,7 +21,7 @@ use pellicle_influence::SurfaceElasticity;
 use rayon::prelude::*;
 
 use self::{
-    order::{Rank, earlier_offsets},
+    order::{COLOURS, Rank, earlier_offsets},
     row::{LocalSystem, class},
 };
 use super::working_set::WorkingSet;
@@ -101,7 +101,7 @@ impl SparseFactor {
             .collect();
         let mut fresh: Vec<Pattern> = Vec::new();
         for (element, pattern) in unknown.into_iter().flatten() {
-            let next = (self.rows.len() + fresh.len()) as u32;
+            let next = u32::try_from(self.rows.len() + fresh.len()).unwrap_or(OUTSIDE);
             row_of[element] = *self.known.entry(pattern).or_insert_with_key(|pattern| {
                 fresh.push(pattern.clone());
                 next
@@ -133,9 +133,9 @@ impl SparseFactor {
         let (i, j) = (index(element / self.size), index(element % self.size));
         let Rank { level, colour } = Rank::of(i, j);
         pattern.clear();
-        pattern.push(3 * level + colour as u32);
+        pattern.push(COLOURS * level + colour);
         pattern.push(u32::from(self.classes[element]));
-        for (place, [x, y]) in (0..).zip(&self.offsets[colour]) {
+        for (place, [x, y]) in (0..).zip(&self.offsets[colour as usize]) {
             let (Some(i), Some(j)) = (self.within(i, x << level), self.within(j, y << level))
             else {
                 continue;
@@ -158,16 +158,17 @@ impl SparseFactor {
 
     /// Computes the row of a pattern.
     fn row(&self, pattern: &[u32]) -> Row {
-        let (level, colour) = (pattern[0] / 3, (pattern[0] % 3) as usize);
-        let offset =
-            |entry: &u32| self.offsets[colour][(entry >> 16) as usize].map(|along| along << level);
+        let (level, colour) = (pattern[0] / COLOURS, pattern[0] % COLOURS);
+        let offset = |entry: &u32| {
+            self.offsets[colour as usize][(entry >> 16) as usize].map(|along| along << level)
+        };
         let places: Vec<[i32; 2]> = pattern[2..].iter().map(offset).collect();
-        let classes: Vec<u16> = pattern[2..].iter().map(|entry| *entry as u16).collect();
+        let classes: Vec<u16> = pattern[2..].iter().map(|entry| class_in(*entry)).collect();
         let mut values = LocalSystem {
             elasticity: &self.elasticity,
             places: &places,
             classes: &classes,
-            own_class: pattern[1] as u16,
+            own_class: class_in(pattern[1]),
         }
         .row();
         let diagonal = values.pop().unwrap_or_default();
@@ -208,6 +209,12 @@ impl SparseFactor {
             }
         });
     }
+}
+
+/// The class of compliance in the lower half of a pattern's entry.
+fn class_in(entry: u32) -> u16 {
+    let [_, _, high, low] = entry.to_be_bytes();
+    u16::from_be_bytes([high, low])
 }
 
 /// A grid index as a signed number; grids end at 16,384 elements per side.

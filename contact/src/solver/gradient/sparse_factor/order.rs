@@ -5,13 +5,16 @@
 //! odd, then those with the first odd, then the rest; within a colour by index. Which offsets lead to earlier elements then
 //! depends on the colour alone, in units of 2ˡ.
 
+/// Number of colours.
+pub const COLOURS: u32 = 3;
+
 /// Where an element stands in the order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Rank {
     /// `l`: the spacing of elements of this level and above is 2ˡ.
     pub level: u32,
     /// Parities (odd, odd), (odd, even), (even, odd).
-    pub colour: usize,
+    pub colour: u32,
 }
 
 /// A level above all of any grid, for the element (0, 0).
@@ -30,7 +33,7 @@ impl Rank {
 }
 
 /// The `count` offsets, nearest first and in units of the level's spacing, that lead from an element of `colour` to earlier elements.
-pub fn earlier_offsets(colour: usize, count: usize) -> Vec<[i32; 2]> {
+pub fn earlier_offsets(colour: u32, count: usize) -> Vec<[i32; 2]> {
     let mut offsets = Vec::new();
     let mut reach = 4;
     while offsets.len() < count {
@@ -43,14 +46,14 @@ pub fn earlier_offsets(colour: usize, count: usize) -> Vec<[i32; 2]> {
 }
 
 /// The offsets to earlier elements within a circle.
-fn within(colour: usize, reach: i32) -> Vec<[i32; 2]> {
+fn within(colour: u32, reach: i32) -> Vec<[i32; 2]> {
     let places = (-reach..=reach).flat_map(|x| (-reach..=reach).map(move |y| [x, y]));
     places
         .filter(|[x, y]| x * x + y * y <= reach * reach && is_earlier(colour, [*x, *y]))
         .collect()
 }
 
-fn is_earlier(colour: usize, [x, y]: [i32; 2]) -> bool {
+fn is_earlier(colour: u32, [x, y]: [i32; 2]) -> bool {
     match (colour, x & 1, y & 1) {
         // The same colour: by index.
         (_, 0, 0) => x < 0 || (x == 0 && y < 0),
@@ -65,7 +68,7 @@ mod tests {
     use super::{Rank, earlier_offsets};
 
     /// The whole order as one number, smallest first.
-    fn place(i: i32, j: i32) -> (u32, usize, i32, i32) {
+    fn place(i: i32, j: i32) -> (u32, u32, i32, i32) {
         let Rank { level, colour } = Rank::of(i, j);
         (20 - level, colour, i, j)
     }

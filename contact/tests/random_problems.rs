@@ -1,0 +1,166 @@
+//! Random problems, from the soft extreme to the stiff: each is certified or refused with a reason.
+//!
+//! 1000 of them by default; `PELLICLE_RANDOM_PROBLEMS=10000 cargo test --release -p pellicle-contact --test random_problems` for more.
+
+#![expect(
+    clippy::unwrap_used,
+    reason = "a scene that cannot be built fails its test"
+)]
+
+use std::sync::Arc;
+
+use pellicle_contact::{
+    ContactError, DiscreteProblem, GradientSolver, Load, Solution, Solver, SolverOptions, Watch,
+};
+use pellicle_influence::{CoefficientTable, RadialTables, SurfaceElasticity};
+use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
+use rayon::prelude::*;
+
+/// Foundations that the problems share: their tables take longer than a solution.
+const FOUNDATIONS: u64 = 24;
+
+/// Evenly distributed numbers from a seed (the generator `SplitMix64`; Steele, Lea and Flood 2014).
+struct Random(u64);
+
+impl Random {
+    fn bits(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        mixed ^ (mixed >> 31)
+    }
+
+    /// In [0, 1).
+    fn unit(&mut self) -> f64 {
+        (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    /// Between two positive numbers, evenly in the logarithm.
+    fn decades(&mut self, low: f64, high: f64) -> f64 {
+        low * (high / low).powf(self.unit())
+    }
+
+    fn below(&mut self, count: usize) -> usize {
+        usize::try_from(self.bits() % count as u64).unwrap()
+    }
+}
+
+/// Up to three layers, some sliding, moduli over twelve decades, on a half-space or a rigid base.
+fn foundation(seed: u64) -> Foundation {
+    let mut random = Random(seed);
+    let count = random.below(4);
+    let mut layers = Vec::new();
+    for _ in 0..count {
+        let material = Material::new(
+            random.decades(1e-6, 1e6),
+            [0.0, 0.3, 0.49, 0.5][random.below(4)],
+        );
+        let thickness = random.decades(1e-3, 1.0);
+        layers.push(Layer::new(thickness, material.unwrap(), Interface::Bonded).unwrap());
+    }
+    let base = if count > 0 && random.below(6) == 0 {
+        Base::Rigid
+    } else {
+        Base::HalfSpace(Material::new(1.0, 0.5 * random.unit()).unwrap())
+    };
+    Foundation::new(layers, base).unwrap()
+}
+
+/// One problem on a foundation: a blunt or flat or rough indenter over springs of many kinds, under a load of one of eight decades.
+fn problem(random: &mut Random, tables: &RadialTables) -> (DiscreteProblem, Load) {
+    let size = 8 + random.below(57);
+    let side = random.decades(1e-2, 10.0) / size as f64;
+    let table = CoefficientTable::assemble(tables, side, size).unwrap();
+    let elasticity = SurfaceElasticity::new(Arc::new(table), tables.foundation().clone());
+    let own = elasticity.coefficient([0, 0]);
+    let extent = side * size as f64;
+    let roughness = extent * random.decades(1e-6, 1e-1) * f64::from(u8::from(random.below(2) == 0));
+    let rim = if random.below(5) == 0 {
+        0.3
+    } else {
+        f64::INFINITY
+    };
+    let flat = random.below(6) == 0;
+    let mut gap = Vec::new();
+    for e in 0..size * size {
+        let place = |i: usize| (i as f64 + 0.5) / size as f64 - 0.45;
+        let (x, y) = (place(e / size), place(e % size));
+        let smooth = if flat { 0.0 } else { extent * (x * x + y * y) };
+        let gap_here = smooth + roughness * random.unit();
+        gap.push(if x.hypot(y) < rim {
+            gap_here
+        } else {
+            f64::INFINITY
+        });
+    }
+    let kind = random.below(4);
+    let spring = own * random.decades(1e-4, 1e4);
+    let springs = (0..size * size).map(|_| match kind {
+        0 => 0.0,
+        1 => spring,
+        2 => spring * f64::from(u8::from(random.below(2) == 0)),
+        _ => spring * random.unit(),
+    });
+    let springs = springs.collect();
+    let force = extent * extent * extent / own * side * random.decades(1e-9, 1e-1);
+    let load = if random.below(3) == 0 {
+        Load::Penetration(extent * (random.unit() - 0.1))
+    } else {
+        Load::Force(force)
+    };
+    let elasticity = Arc::new(elasticity);
+    let problem = DiscreteProblem::elastic(elasticity, size, springs, gap, side * side);
+    (problem.unwrap(), load)
+}
+
+/// What became of a problem.
+fn outcome(problem: &mut DiscreteProblem, load: Load) -> Result<Solution, ContactError> {
+    let solver = GradientSolver {
+        options: SolverOptions::default(),
+    };
+    let start = vec![0.0; problem.elements()];
+    let mut watch = Watch {
+        observer: &mut (),
+        step: 0,
+        steps: 1,
+    };
+    let iterate = solver.solve(problem, load, &start, &mut watch)?;
+    Ok(Solution::judge(problem, load, iterate.pressure, 1e-8))
+}
+
+#[test]
+fn every_random_problem_is_certified_or_refused_with_a_reason() {
+    let problems: u64 =
+        std::env::var("PELLICLE_RANDOM_PROBLEMS").map_or(1000, |count| count.parse().unwrap());
+    let all_tables: Vec<RadialTables> = (0..FOUNDATIONS)
+        .into_par_iter()
+        .filter_map(|seed| RadialTables::build(&foundation(seed)).ok())
+        .collect();
+    assert!(
+        all_tables.len() as u64 > FOUNDATIONS / 2,
+        "{} tables",
+        all_tables.len()
+    );
+    let failures: Vec<String> = (0..problems)
+        .into_par_iter()
+        .filter_map(|seed| {
+            let mut random = Random(seed.wrapping_mul(0x2545_f491_4f6c_dd1d));
+            let tables = &all_tables[random.below(all_tables.len())];
+            let (mut problem, load) = problem(&mut random, tables);
+            match outcome(&mut problem, load) {
+                Ok(solution) if solution.certificate.is_satisfied() => None,
+                Ok(solution) => Some(format!(
+                    "{seed}: {load:?}, N = {}, {:?}, {:?}",
+                    problem.size(),
+                    solution.certificate,
+                    tables.foundation()
+                )),
+                Err(reason) => Some(format!("{seed}: {reason}")),
+            }
+        })
+        .collect();
+    for failure in &failures {
+        eprintln!("{failure}");
+    }
+    assert!(failures.is_empty(), "{} of {problems}", failures.len());
+}
