@@ -1,17 +1,16 @@
 //! A results folder: what is written into it, and what is read back to draw it again.
 
-use std::fs;
 use std::io::Write;
 use std::path::Path;
 
 use pellicle_contact::LoadingPath;
-use serde::Deserialize;
 
+use super::fields::Fields;
+use super::npz::StoredFields;
+use super::record::Record;
 use super::summary::Summary;
-use super::{curve, fields, file, json, summary};
-use crate::case::units::Units;
+use super::{curve, file, gsf, json, netcdf, npz, pictures, summary, vti};
 use crate::failure::Failure;
-use crate::picture::pressure_map::{self, PressureMap};
 
 /// Writes everything a run leaves behind into an empty folder.
 ///
@@ -19,52 +18,46 @@ use crate::picture::pressure_map::{self, PressureMap};
 ///
 /// [`Failure`] if a file cannot be written.
 pub fn write(folder: &Path, path: &LoadingPath, summary: &Summary) -> Result<(), Failure> {
+    let text = json(summary)?;
+    let record = Record::parse(&text, summary.case.units)?;
     for (i, step) in path.steps.iter().enumerate() {
-        fields::write(&folder.join(fields::file(i)), path, &step.solution)?;
-        let map = PressureMap {
-            title: &summary.title,
-            units: summary.case.units,
-            certified: step.solution.certificate.is_satisfied(),
-            force: step.solution.force,
-            penetration: step.solution.penetration,
-            side: path.grid.side(),
-            size: path.grid.size(),
-            pressure: &step.solution.pressure,
-            mask: path.relief.mask(),
-        };
-        map.write(&folder.join(pressure_map::file(i)))?;
+        let fields = Fields::of(path, &step.solution);
+        let (packed, (written, drawn)) = rayon::join(
+            || npz::write(&folder.join(npz::file(i)), &fields),
+            || {
+                (
+                    write_fields(folder, &record, i, &fields),
+                    pictures::write_step(folder, &record, i, fields),
+                )
+            },
+        );
+        packed.and(written).and(drawn)?;
     }
+    pictures::write_run(folder, &record)?;
     write_text(&folder.join(curve::FILE), &curve::csv(summary))?;
-    write_text(&folder.join(summary::FILE), &json(summary)?)
+    write_text(&folder.join(summary::FILE), &text)
 }
 
-fn write_text(path: &Path, text: &str) -> Result<(), Failure> {
+/// The fields of a step for other programs.
+fn write_fields(
+    folder: &Path,
+    record: &Record,
+    step: usize,
+    fields: &Fields<'_>,
+) -> Result<(), Failure> {
+    let units = record.units;
+    vti::write(&folder.join(vti::file(step)), fields, units)?;
+    gsf::write(&folder.join(gsf::file(step)), fields, units)?;
+    netcdf::write(&folder.join(netcdf::file(step)), fields, record, step)
+}
+
+/// Writes a text file, whole or not at all.
+///
+/// # Errors
+///
+/// [`Failure::Write`] if it cannot be written.
+pub fn write_text(path: &Path, text: &str) -> Result<(), Failure> {
     file::write_whole(path, |file| file.write_all(text.as_bytes()))
-}
-
-/// What a picture needs of a summary.
-#[derive(Debug, Deserialize)]
-struct Stored {
-    title: String,
-    grid: StoredGrid,
-    steps: Vec<StoredStep>,
-}
-
-#[derive(Debug, Deserialize)]
-struct StoredGrid {
-    side: f64,
-}
-
-#[derive(Debug, Deserialize)]
-struct StoredStep {
-    force: f64,
-    penetration: f64,
-    certificate: StoredCertificate,
-}
-
-#[derive(Debug, Deserialize)]
-struct StoredCertificate {
-    satisfied: bool,
 }
 
 /// Draws the pictures of a results folder again, from its files alone; how many there are.
@@ -73,33 +66,11 @@ struct StoredCertificate {
 ///
 /// [`Failure`] if the folder holds no results or a picture cannot be written.
 pub fn draw(folder: &Path) -> Result<usize, Failure> {
-    let (stored, units) = read(folder)?;
-    for (i, step) in stored.steps.iter().enumerate() {
-        let fields = fields::read(&folder.join(fields::file(i)))?;
-        let map = PressureMap {
-            title: &stored.title,
-            units,
-            certified: step.certificate.satisfied,
-            force: step.force,
-            penetration: step.penetration,
-            side: stored.grid.side,
-            size: fields.size,
-            pressure: &fields.pressure,
-            mask: &fields.mask,
-        };
-        map.write(&folder.join(pressure_map::file(i)))?;
+    let record = Record::read(folder)?;
+    let mut count = pictures::write_run(folder, &record)?;
+    for i in 0..record.steps.len() {
+        let fields = StoredFields::read(&folder.join(npz::file(i)))?;
+        count += pictures::write_step(folder, &record, i, fields.fields(record.grid.side))?;
     }
-    Ok(stored.steps.len())
-}
-
-fn read(folder: &Path) -> Result<(Stored, Units), Failure> {
-    let path = folder.join(summary::FILE);
-    let text = read_text(&path)?;
-    let stored = serde_json::from_str(&text).map_err(|cause| Failure::damaged(&path, &cause))?;
-    let curve = read_text(&folder.join(curve::FILE))?;
-    Ok((stored, curve::units(&curve)))
-}
-
-fn read_text(path: &Path) -> Result<String, Failure> {
-    fs::read_to_string(path).map_err(|cause| Failure::damaged(path, &cause))
+    Ok(count)
 }
