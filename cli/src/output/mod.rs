@@ -8,6 +8,7 @@ pub mod gsf;
 pub mod netcdf;
 pub mod npz;
 mod null;
+pub mod page;
 pub mod pictures;
 pub mod record;
 pub mod report;

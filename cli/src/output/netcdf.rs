@@ -2,7 +2,7 @@
 //!
 //! Dimensions `x` and `y`; variables `pressure`, `contacting_points`, `gap`, `displacement` over `(x, y)`, and beside them the
 //! coordinates, `shortening` and `profile`; global attributes `mean_pressure`, `total_contact_area` and `type` with the meaning
-//! they have there: force over the whole domain, and the part of the domain in contact. The file is NetCDF's classic format
+//! they have there: force over the whole domain, and the part of the domain in contact. The file is of the classic format
 //! with 64-bit offsets: a header of big-endian numbers and padded names, then the variables one after the other.
 
 use std::io::{self, Write};

@@ -1,11 +1,11 @@
-//! The pictures of a results folder, each as SVG and as PNG.
+//! The pictures of a results folder, each as SVG and as PNG, and the parts of the report that are made of them.
 
+use std::io::Write;
 use std::path::Path;
-
-use rayon::prelude::*;
 
 use super::fields::Fields;
 use super::file::write_whole;
+use super::page::{RunPart, StepPart, surface};
 use super::record::Record;
 use super::results::write_text;
 use crate::failure::Failure;
@@ -15,7 +15,7 @@ use crate::picture::{convergence, curve, png, pressure_map, pressure_view, secti
 /// From a step to SVG.
 type Draw = fn(&Subject<'_>) -> String;
 
-/// Writes the pictures of one loading step; how many there are.
+/// Writes the three pictures of one loading step; what the report shows of them.
 ///
 /// # Errors
 ///
@@ -25,55 +25,50 @@ pub fn write_step(
     record: &Record,
     step: usize,
     fields: Fields<'_>,
-) -> Result<usize, Failure> {
-    let subject = subject(record, step, fields);
-    let pictures: [(String, Draw); 3] = [
-        (pressure_map::name(step), pressure_map::draw),
-        (section::name(step), section::draw),
-        (pressure_view::name(step), pressure_view::draw),
-    ];
-    let write = |(name, draw): &(String, Draw)| write(folder, name, &draw(&subject));
-    pictures.par_iter().try_for_each(write)?;
-    Ok(pictures.len())
-}
-
-/// Writes the pictures of the run as a whole; how many there are.
-///
-/// # Errors
-///
-/// [`Failure::Write`] if a picture cannot be written.
-pub fn write_run(folder: &Path, record: &Record) -> Result<usize, Failure> {
-    let pictures = [
-        (curve::NAME, curve::draw(record)),
-        (convergence::NAME, convergence::draw(record)),
-    ];
-    let mut count = 0;
-    for (name, picture) in pictures {
-        if let Some(svg) = picture {
-            write(folder, name, &svg)?;
-            count += 1;
-        }
-    }
-    Ok(count)
-}
-
-/// What the pictures of a step show.
-#[must_use]
-pub fn subject<'a>(record: &'a Record, step: usize, fields: Fields<'a>) -> Subject<'a> {
-    Subject {
+) -> Result<StepPart, Failure> {
+    let subject = Subject {
         title: &record.title,
         units: record.units,
         relief_height: record.relief_height(),
         step: &record.steps[step],
         fields,
-    }
+    };
+    let draw = |name: String, draw: Draw| write(folder, &name, draw(&subject));
+    let (map, (section, view)) = rayon::join(
+        || draw(pressure_map::name(step), pressure_map::draw),
+        || {
+            rayon::join(
+                || draw(section::name(step), section::draw),
+                || draw(pressure_view::name(step), pressure_view::draw),
+            )
+        },
+    );
+    view?;
+    Ok(StepPart {
+        step,
+        map: map?,
+        section: section?,
+        surface: surface::figure(&subject),
+    })
 }
 
-fn write(folder: &Path, name: &str, svg: &str) -> Result<(), Failure> {
-    write_text(&folder.join(format!("{name}.svg")), svg)?;
-    let path = folder.join(format!("{name}.png"));
-    write_whole(&path, |file| {
-        use std::io::Write as _;
-        file.write_all(&png::render(svg)?)
+/// Writes the pictures of the run as a whole, those that there are; what the report shows of them.
+///
+/// # Errors
+///
+/// [`Failure::Write`] if a picture cannot be written.
+pub fn write_run(folder: &Path, record: &Record) -> Result<RunPart, Failure> {
+    let write = |name, svg: Option<String>| svg.map(|svg| write(folder, name, svg)).transpose();
+    Ok(RunPart {
+        curve: write(curve::NAME, curve::draw(record))?,
+        convergence: write(convergence::NAME, convergence::draw(record))?,
     })
+}
+
+/// Writes a drawing as it is and rendered, and gives it back.
+fn write(folder: &Path, name: &str, svg: String) -> Result<String, Failure> {
+    write_text(&folder.join(format!("{name}.svg")), &svg)?;
+    let path = folder.join(format!("{name}.png"));
+    write_whole(&path, |file| file.write_all(&png::render(&svg)?))?;
+    Ok(svg)
 }

@@ -7,10 +7,17 @@ use pellicle_contact::LoadingPath;
 
 use super::fields::Fields;
 use super::npz::StoredFields;
+use super::page::{self, StepPart};
 use super::record::Record;
 use super::summary::Summary;
 use super::{curve, file, gsf, json, netcdf, npz, pictures, summary, vti};
 use crate::failure::Failure;
+
+/// Most loading steps on the report's page: some 100 kB each.
+const STEPS_IN_REPORT: usize = 24;
+
+/// Pictures of a loading step.
+const PICTURES: usize = 3;
 
 /// Writes everything a run leaves behind into an empty folder.
 ///
@@ -20,22 +27,23 @@ use crate::failure::Failure;
 pub fn write(folder: &Path, path: &LoadingPath, summary: &Summary) -> Result<(), Failure> {
     let text = json(summary)?;
     let record = Record::parse(&text, summary.case.units)?;
+    let mut parts = Vec::new();
     for (i, step) in path.steps.iter().enumerate() {
         let fields = Fields::of(path, &step.solution);
-        let (packed, (written, drawn)) = rayon::join(
+        // What is packed takes about as long as all the rest.
+        let (packed, others) = rayon::join(
             || npz::write(&folder.join(npz::file(i)), &fields),
             || {
-                (
-                    write_fields(folder, &record, i, &fields),
-                    pictures::write_step(folder, &record, i, fields),
-                )
+                write_fields(folder, &record, i, &fields)?;
+                pictures::write_step(folder, &record, i, fields)
             },
         );
-        packed.and(written).and(drawn)?;
+        packed?;
+        keep(&mut parts, others?, path.steps.len());
     }
-    pictures::write_run(folder, &record)?;
     write_text(&folder.join(curve::FILE), &curve::csv(summary))?;
-    write_text(&folder.join(summary::FILE), &text)
+    write_text(&folder.join(summary::FILE), &text)?;
+    write_page(folder, &record, &parts).map(drop)
 }
 
 /// The fields of a step for other programs.
@@ -51,6 +59,40 @@ fn write_fields(
     netcdf::write(&folder.join(netcdf::file(step)), fields, record, step)
 }
 
+/// Draws the pictures and the report of a results folder again, from its files alone; how many pictures there are.
+///
+/// # Errors
+///
+/// [`Failure`] if the folder holds no results or a picture cannot be written.
+pub fn draw(folder: &Path) -> Result<usize, Failure> {
+    let record = Record::read(folder)?;
+    let steps = record.steps.len();
+    let mut parts = Vec::new();
+    for i in 0..steps {
+        let fields = StoredFields::read(&folder.join(npz::file(i)))?;
+        let part = pictures::write_step(folder, &record, i, fields.fields(record.grid.side))?;
+        keep(&mut parts, part, steps);
+    }
+    Ok(PICTURES * steps + write_page(folder, &record, &parts)?)
+}
+
+/// Keeps a step for the report, if it is one of those that the page has room for: first, last and evenly between.
+fn keep(parts: &mut Vec<StepPart>, part: StepPart, steps: usize) {
+    let most = STEPS_IN_REPORT.min(steps);
+    let is_kept = |i| i == parts.len() * (steps - 1) / (most - 1).max(1);
+    if is_kept(part.step) {
+        parts.push(part);
+    }
+}
+
+/// The pictures of the run as a whole, and the report; how many pictures there are.
+fn write_page(folder: &Path, record: &Record, parts: &[StepPart]) -> Result<usize, Failure> {
+    let run = pictures::write_run(folder, record)?;
+    let page = page::html(record, parts, &run);
+    write_text(&folder.join(page::FILE), &page)?;
+    Ok(usize::from(run.curve.is_some()) + usize::from(run.convergence.is_some()))
+}
+
 /// Writes a text file, whole or not at all.
 ///
 /// # Errors
@@ -60,17 +102,33 @@ pub fn write_text(path: &Path, text: &str) -> Result<(), Failure> {
     file::write_whole(path, |file| file.write_all(text.as_bytes()))
 }
 
-/// Draws the pictures of a results folder again, from its files alone; how many there are.
-///
-/// # Errors
-///
-/// [`Failure`] if the folder holds no results or a picture cannot be written.
-pub fn draw(folder: &Path) -> Result<usize, Failure> {
-    let record = Record::read(folder)?;
-    let mut count = pictures::write_run(folder, &record)?;
-    for i in 0..record.steps.len() {
-        let fields = StoredFields::read(&folder.join(npz::file(i)))?;
-        count += pictures::write_step(folder, &record, i, fields.fields(record.grid.side))?;
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn kept(steps: usize) -> Vec<usize> {
+        let mut parts = Vec::new();
+        for step in 0..steps {
+            let empty = String::new;
+            let part = StepPart {
+                step,
+                map: empty(),
+                section: empty(),
+                surface: empty(),
+            };
+            keep(&mut parts, part, steps);
+        }
+        parts.into_iter().map(|part| part.step).collect()
     }
-    Ok(count)
+
+    #[test]
+    fn a_long_curve_has_its_ends_and_steps_between_in_the_report() {
+        assert_eq!(kept(1), [0]);
+        assert_eq!(kept(3), [0, 1, 2]);
+        for steps in [24, 25, 47, 1000] {
+            let kept = kept(steps);
+            assert_eq!(kept.len(), STEPS_IN_REPORT);
+            assert_eq!((kept[0], kept[23]), (0, steps - 1));
+        }
+    }
 }

@@ -9,7 +9,7 @@ use serde_json::Value;
 use crate::runner::{CASE, Folder, names};
 
 /// What a run of one step on one grid leaves behind.
-const FILES: [&str; 12] = [
+const FILES: [&str; 13] = [
     "curve.csv",
     "fields-000.nc",
     "fields-000.npz",
@@ -19,6 +19,7 @@ const FILES: [&str; 12] = [
     "pressure-000.svg",
     "pressure-3d-000.png",
     "pressure-3d-000.svg",
+    "report.html",
     "section-000.png",
     "section-000.svg",
     "summary.json",
@@ -186,7 +187,7 @@ fn pictures_are_drawn_again_from_the_files_alone() {
     let pictures = || {
         let names = FILES
             .iter()
-            .filter(|name| name.ends_with("png") || name.ends_with("svg"));
+            .filter(|name| ["png", "svg", "html"].iter().any(|end| name.ends_with(end)));
         let read = |name: &&str| {
             (
                 name.to_string(),
@@ -205,4 +206,31 @@ fn pictures_are_drawn_again_from_the_files_alone() {
     let ran = folder.run(&["plot", "a"]);
     assert_eq!(ran.code, Some(2));
     assert!(ran.stderr.contains("fields-000.npz"), "{}", ran.stderr);
+}
+
+#[test]
+fn the_report_holds_everything_it_shows_and_says_warnings_aloud() {
+    let folder = Folder::with_case(CASE);
+    folder.run(&[
+        "run",
+        "case.toml",
+        "--out",
+        "a",
+        "--set",
+        "title=<b>5 & 6</b>",
+    ]);
+    let page = fs::read_to_string(folder.path("a/report.html")).unwrap();
+    // The name of SVG's vocabulary is the only address on the page, and nothing is fetched from it.
+    let addresses = page.replace("http://www.w3.org/2000/svg", "");
+    assert!(!addresses.contains("http:") && !addresses.contains("https:"));
+    assert!(page.contains("<title>&lt;b&gt;5 &amp; 6&lt;/b&gt;</title>"));
+    let summary = fs::read_to_string(folder.path("a/summary.json")).unwrap();
+    let summary: Value = serde_json::from_str(&summary).unwrap();
+    let warnings = summary["warnings"].as_array().unwrap();
+    assert!(!warnings.is_empty());
+    for warning in warnings {
+        let message = warning["message"].as_str().unwrap();
+        assert!(page.contains(&message.replace('\'', "&#39;")), "{warning}");
+    }
+    assert!(page.contains("Satisfied: the worst of these"));
 }
