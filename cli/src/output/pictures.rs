@@ -1,13 +1,12 @@
 //! The pictures of a results folder, each as SVG and as PNG, and the parts of the report that are made of them.
 
-use std::io::Write;
+use std::fs;
 use std::path::Path;
 
 use super::fields::Fields;
-use super::file::write_whole;
+use super::file::create_whole;
 use super::page::{RunPart, StepPart, surface};
 use super::record::Record;
-use super::results::write_text;
 use crate::failure::Failure;
 use crate::picture::subject::Subject;
 use crate::picture::{convergence, curve, png, pressure_map, pressure_view, section};
@@ -65,10 +64,10 @@ pub fn write_run(folder: &Path, record: &Record) -> Result<RunPart, Failure> {
     })
 }
 
-/// Writes a drawing as it is and rendered, and gives it back.
+/// Writes a drawing as it is and rendered, and gives it back. Neither is forced onto the disk: they can be drawn again.
 fn write(folder: &Path, name: &str, svg: String) -> Result<String, Failure> {
-    write_text(&folder.join(format!("{name}.svg")), &svg)?;
-    let path = folder.join(format!("{name}.png"));
-    write_whole(&path, |file| file.write_all(&png::render(&svg)?))?;
+    let file = |ending| folder.join(format!("{name}.{ending}"));
+    create_whole(&file("svg"), |path| fs::write(path, &svg))?;
+    create_whole(&file("png"), |path| fs::write(path, png::render(&svg)?))?;
     Ok(svg)
 }

@@ -1,5 +1,6 @@
 //! A results folder: what is written into it, and what is read back to draw it again.
 
+use std::fs;
 use std::io::Write;
 use std::path::Path;
 
@@ -89,16 +90,11 @@ fn keep(parts: &mut Vec<StepPart>, part: StepPart, steps: usize) {
 fn write_page(folder: &Path, record: &Record, parts: &[StepPart]) -> Result<usize, Failure> {
     let run = pictures::write_run(folder, record)?;
     let page = page::html(record, parts, &run);
-    write_text(&folder.join(page::FILE), &page)?;
+    file::create_whole(&folder.join(page::FILE), |path| fs::write(path, page))?;
     Ok(usize::from(run.curve.is_some()) + usize::from(run.convergence.is_some()))
 }
 
-/// Writes a text file, whole or not at all.
-///
-/// # Errors
-///
-/// [`Failure::Write`] if it cannot be written.
-pub fn write_text(path: &Path, text: &str) -> Result<(), Failure> {
+fn write_text(path: &Path, text: &str) -> Result<(), Failure> {
     file::write_whole(path, |file| file.write_all(text.as_bytes()))
 }
 

@@ -41,7 +41,7 @@ const LIT_LEFT: f64 = 0.74;
 const LIT_FRONT: f64 = 0.88;
 
 /// Pixels of the raster per pixel of the drawing, before it is halved.
-const FINENESS: f64 = 3.0;
+const FINENESS: f64 = 2.0;
 
 /// Name of the picture of a step, without ending.
 #[must_use]
@@ -200,7 +200,7 @@ impl Frame {
         let (x, y) = VIEW.at([-1.32, -0.1, 0.0]);
         svg.text((x, y), 18.0, Anchor::End, &self.y.title);
         let (x, y) = VIEW.at([-1.0, 1.0, 1.0]);
-        svg.text((x, y - 26.0), 18.0, Anchor::Middle, &self.z.title);
+        svg.text((x - 62.0, y - 26.0), 18.0, Anchor::Start, &self.z.title);
     }
 }
 
