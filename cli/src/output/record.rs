@@ -7,7 +7,7 @@ use serde::Deserialize;
 use serde_json::Value;
 
 use super::curve;
-use super::summary::{self, GridSummary, StepSummary, Timing, WarningSummary};
+use super::summary::{self, GridSummary, StepSummary, Timing};
 use crate::case::units::Units;
 use crate::failure::Failure;
 
@@ -30,7 +30,14 @@ pub struct Record {
     /// How long it took.
     pub timing: Timing,
     /// What should be known before the numbers are used.
-    pub warnings: Vec<WarningSummary>,
+    pub warnings: Vec<StoredWarning>,
+}
+
+/// A warning as read back.
+#[derive(Debug, Clone, Deserialize)]
+pub struct StoredWarning {
+    /// A sentence for people.
+    pub message: String,
 }
 
 impl Record {

@@ -210,10 +210,10 @@ pub struct Clock {
 }
 
 /// What should be known before the numbers are used.
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone, Serialize)]
 pub struct WarningSummary {
     /// A word for programs.
-    pub code: String,
+    pub code: &'static str,
     /// A sentence for people.
     pub message: String,
 }
@@ -265,7 +265,7 @@ impl Summary {
 impl From<&pellicle_contact::Warning> for WarningSummary {
     fn from(warning: &pellicle_contact::Warning) -> Self {
         Self {
-            code: warning.code().to_owned(),
+            code: warning.code(),
             message: warning.to_string(),
         }
     }
@@ -274,7 +274,7 @@ impl From<&pellicle_contact::Warning> for WarningSummary {
 impl From<&CacheWarning> for WarningSummary {
     fn from(warning: &CacheWarning) -> Self {
         Self {
-            code: warning.code().to_owned(),
+            code: warning.code(),
             message: warning.to_string(),
         }
     }

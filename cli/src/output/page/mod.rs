@@ -4,8 +4,8 @@ mod case_table;
 mod step;
 pub mod surface;
 
-use super::record::Record;
-use super::summary::{StepSummary, WarningSummary};
+use super::record::{Record, StoredWarning};
+use super::summary::StepSummary;
 use crate::display::{Unit, quantity, significant};
 use crate::picture::svg::escaped;
 
@@ -95,7 +95,7 @@ fn warnings(record: &Record) -> String {
     if record.warnings.is_empty() {
         return String::new();
     }
-    let line = |warning: &WarningSummary| format!("<li>{}</li>\n", escaped(&warning.message));
+    let line = |warning: &StoredWarning| format!("<li>{}</li>\n", escaped(&warning.message));
     let lines: String = record.warnings.iter().map(line).collect();
     format!(
         "<div class=\"warnings\" role=\"alert\"><strong>Before these numbers are used:</strong>\n<ul>\n{lines}</ul></div>\n"
