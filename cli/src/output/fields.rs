@@ -1,100 +1,116 @@
-//! `fields-NNN.npz`: the fields of one loading step, for `numpy.load`.
+//! The fields of one loading step, as writers and pictures take them.
 
-use std::fs::File;
-use std::io;
-use std::path::Path;
-
-use ndarray::{Array1, Array2, ArrayView2, ShapeError};
-use ndarray_npy::{NpzReader, NpzWriter, ReadNpyError, ReadNpzError, WriteNpyError, WriteNpzError};
 use pellicle_contact::{LoadingPath, Solution};
 
-use super::file::write_whole;
-use crate::failure::Failure;
-
-/// Name of the file of a step in a results folder.
-#[must_use]
-pub fn file(step: usize) -> String {
-    format!("fields-{step:03}.npz")
-}
-
-/// Writes `x`, `y` (N values each), and `pressure`, `displacement`, `gap`, `shortening`, `profile`, `mask` (N × N, the
-/// first index along x).
-///
-/// # Errors
-///
-/// [`Failure::Write`] if the file cannot be written.
-pub fn write(file: &Path, path: &LoadingPath, solution: &Solution) -> Result<(), Failure> {
-    write_whole(file, |file| {
-        npz(file, path, solution).map_err(io::Error::other)
-    })
-}
-
-fn npz(
-    file: &mut io::BufWriter<File>,
-    path: &LoadingPath,
-    solution: &Solution,
-) -> Result<(), WriteNpzError> {
-    let grid = &path.grid;
-    let size = grid.size();
-    let centres: Array1<f64> = (0..size).map(|i| grid.centre(i)).collect();
-    let mut npz = NpzWriter::new_compressed(file);
-    npz.add_array("x", &centres)?;
-    npz.add_array("y", &centres)?;
-    let fields = [
-        ("pressure", &solution.pressure[..]),
-        ("displacement", &solution.displacement),
-        ("gap", &solution.gap),
-        ("shortening", &solution.shortening),
-        ("profile", path.relief.profile()),
-    ];
-    for (name, field) in fields {
-        npz.add_array(name, &square(size, field)?)?;
-    }
-    npz.add_array("mask", &square(size, path.relief.mask())?)?;
-    npz.finish()?;
-    Ok(())
-}
-
-fn square<T>(size: usize, field: &[T]) -> Result<ArrayView2<'_, T>, WriteNpzError> {
-    ArrayView2::from_shape((size, size), field)
-        .map_err(|error: ShapeError| WriteNpyError::Io(io::Error::other(error)).into())
-}
-
-/// What a picture needs of the fields of a step.
-#[derive(Debug, Clone, PartialEq)]
-pub struct StoredFields {
-    /// Elements per side.
+/// N × N values each, element `(i, j)` at index `i N + j`: the first index runs along x.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Fields<'a> {
+    /// Side of the square domain, m.
+    pub side: f64,
+    /// Elements per side, N.
     pub size: usize,
-    /// Pressure, Pa; N² values.
-    pub pressure: Vec<f64>,
-    /// Whether an element belongs to the relief; N² values.
-    pub mask: Vec<bool>,
+    /// Pressure `p`, Pa.
+    pub pressure: &'a [f64],
+    /// Displacement `u` of the body's surface, m, positive into the body.
+    pub displacement: &'a [f64],
+    /// Gap `g`, m; +∞ where the indenter has no surface.
+    pub gap: &'a [f64],
+    /// Shortening `w*` of the relief, m.
+    pub shortening: &'a [f64],
+    /// Profile `f*` of the relief, m: 0 on the tops, negative between them.
+    pub profile: &'a [f64],
+    /// Whether an element belongs to the relief.
+    pub mask: &'a [bool],
 }
 
-/// Reads the fields of a step back.
-///
-/// # Errors
-///
-/// [`Failure::Damaged`] if the file is not one that [`write()`] wrote.
-pub fn read(path: &Path) -> Result<StoredFields, Failure> {
-    let read = || -> Result<StoredFields, ReadNpzError> {
-        let mut npz = NpzReader::new(File::open(path).map_err(ReadNpyError::Io)?)?;
-        let pressure: Array2<f64> = npz.by_name("pressure")?;
-        let mask: Array2<bool> = npz.by_name("mask")?;
-        Ok(StoredFields {
-            size: pressure.nrows(),
-            pressure: pressure.into_iter().collect(),
-            mask: mask.into_iter().collect(),
-        })
-    };
-    let fields = read().map_err(|cause| Failure::damaged(path, &cause))?;
-    let StoredFields {
-        size,
-        pressure,
-        mask,
-    } = &fields;
-    if pressure.len() != size * size || mask.len() != pressure.len() {
-        return Err(Failure::damaged(path, &"the fields are not square"));
+/// What a field of lengths or pressures is called and measured in.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Named<'a> {
+    /// Its name in every file.
+    pub name: &'static str,
+    /// Its unit in SI.
+    pub unit: &'static str,
+    /// What it is, in words.
+    pub meaning: &'static str,
+    /// Its values.
+    pub values: &'a [f64],
+}
+
+impl<'a> Fields<'a> {
+    /// The fields of a solution on the path's grid.
+    #[must_use]
+    pub fn of(path: &'a LoadingPath, solution: &'a Solution) -> Self {
+        Self {
+            side: path.grid.side(),
+            size: path.grid.size(),
+            pressure: &solution.pressure,
+            displacement: &solution.displacement,
+            gap: &solution.gap,
+            shortening: &solution.shortening,
+            profile: path.relief.profile(),
+            mask: path.relief.mask(),
+        }
     }
-    Ok(fields)
+
+    /// The fields of numbers, in the order in which files hold them.
+    #[must_use]
+    pub fn named(&self) -> [Named<'a>; 5] {
+        let named = |name, unit, meaning, values| Named {
+            name,
+            unit,
+            meaning,
+            values,
+        };
+        [
+            named(
+                "pressure",
+                "Pa",
+                "pressure p, compression positive",
+                self.pressure,
+            ),
+            named(
+                "displacement",
+                "m",
+                "displacement u of the body's surface, positive into the body",
+                self.displacement,
+            ),
+            named(
+                "gap",
+                "m",
+                "gap g between the indenter and the surface",
+                self.gap,
+            ),
+            named(
+                "shortening",
+                "m",
+                "shortening w* of the relief",
+                self.shortening,
+            ),
+            named(
+                "profile",
+                "m",
+                "profile f* of the relief: 0 on the tops, negative between them",
+                self.profile,
+            ),
+        ]
+    }
+
+    /// Coordinate of the lower side of element `i`, m; `i` may lie outside the domain.
+    #[must_use]
+    pub fn edge(&self, i: usize) -> f64 {
+        self.side * (i as f64 / self.size as f64 - 0.5)
+    }
+
+    /// Coordinate of the centre of element `i`, m.
+    #[must_use]
+    pub fn centre(&self, i: usize) -> f64 {
+        // x_i = (2i + 1 − N) h/2, the bracket exact.
+        ((2 * i + 1) as f64 - self.size as f64) * (0.5 * self.element_side())
+    }
+
+    /// Side of an element, m.
+    #[must_use]
+    pub fn element_side(&self) -> f64 {
+        self.side / self.size as f64
+    }
 }

@@ -4,9 +4,17 @@ pub mod curve;
 pub mod fields;
 pub mod file;
 pub mod folder;
+pub mod gsf;
+pub mod netcdf;
+pub mod npz;
+mod null;
+pub mod page;
+pub mod pictures;
+pub mod record;
 pub mod report;
 pub mod results;
 pub mod summary;
+pub mod vti;
 
 use serde::Serialize;
 

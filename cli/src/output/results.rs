@@ -5,13 +5,20 @@ use std::io::Write;
 use std::path::Path;
 
 use pellicle_contact::LoadingPath;
-use serde::Deserialize;
 
+use super::fields::Fields;
+use super::npz::StoredFields;
+use super::page::{self, StepPart};
+use super::record::Record;
 use super::summary::Summary;
-use super::{curve, fields, file, json, summary};
-use crate::case::units::Units;
+use super::{curve, file, gsf, json, netcdf, npz, pictures, summary, vti};
 use crate::failure::Failure;
-use crate::picture::pressure_map::{self, PressureMap};
+
+/// Most loading steps on the report's page: some 100 kB each.
+const STEPS_IN_REPORT: usize = 24;
+
+/// Pictures of a loading step.
+const PICTURES: usize = 3;
 
 /// Writes everything a run leaves behind into an empty folder.
 ///
@@ -19,87 +26,105 @@ use crate::picture::pressure_map::{self, PressureMap};
 ///
 /// [`Failure`] if a file cannot be written.
 pub fn write(folder: &Path, path: &LoadingPath, summary: &Summary) -> Result<(), Failure> {
+    let text = json(summary)?;
+    let record = Record::parse(&text, summary.case.units)?;
+    let mut parts = Vec::new();
     for (i, step) in path.steps.iter().enumerate() {
-        fields::write(&folder.join(fields::file(i)), path, &step.solution)?;
-        let map = PressureMap {
-            title: &summary.title,
-            units: summary.case.units,
-            certified: step.solution.certificate.is_satisfied(),
-            force: step.solution.force,
-            penetration: step.solution.penetration,
-            side: path.grid.side(),
-            size: path.grid.size(),
-            pressure: &step.solution.pressure,
-            mask: path.relief.mask(),
-        };
-        map.write(&folder.join(pressure_map::file(i)))?;
+        let fields = Fields::of(path, &step.solution);
+        // What is packed takes about as long as all the rest.
+        let (packed, others) = rayon::join(
+            || npz::write(&folder.join(npz::file(i)), &fields),
+            || {
+                write_fields(folder, &record, i, &fields)?;
+                pictures::write_step(folder, &record, i, fields)
+            },
+        );
+        packed?;
+        keep(&mut parts, others?, path.steps.len());
     }
     write_text(&folder.join(curve::FILE), &curve::csv(summary))?;
-    write_text(&folder.join(summary::FILE), &json(summary)?)
+    write_text(&folder.join(summary::FILE), &text)?;
+    write_page(folder, &record, &parts).map(drop)
+}
+
+/// The fields of a step for other programs.
+fn write_fields(
+    folder: &Path,
+    record: &Record,
+    step: usize,
+    fields: &Fields<'_>,
+) -> Result<(), Failure> {
+    let units = record.units;
+    vti::write(&folder.join(vti::file(step)), fields, units)?;
+    gsf::write(&folder.join(gsf::file(step)), fields, units)?;
+    netcdf::write(&folder.join(netcdf::file(step)), fields, record, step)
+}
+
+/// Draws the pictures and the report of a results folder again, from its files alone; how many pictures there are.
+///
+/// # Errors
+///
+/// [`Failure`] if the folder holds no results or a picture cannot be written.
+pub fn draw(folder: &Path) -> Result<usize, Failure> {
+    let record = Record::read(folder)?;
+    let steps = record.steps.len();
+    let mut parts = Vec::new();
+    for i in 0..steps {
+        let fields = StoredFields::read(&folder.join(npz::file(i)))?;
+        let part = pictures::write_step(folder, &record, i, fields.fields(record.grid.side))?;
+        keep(&mut parts, part, steps);
+    }
+    Ok(PICTURES * steps + write_page(folder, &record, &parts)?)
+}
+
+/// Keeps a step for the report, if it is one of those that the page has room for: first, last and evenly between.
+fn keep(parts: &mut Vec<StepPart>, part: StepPart, steps: usize) {
+    let most = STEPS_IN_REPORT.min(steps);
+    let is_kept = |i| i == parts.len() * (steps - 1) / (most - 1).max(1);
+    if is_kept(part.step) {
+        parts.push(part);
+    }
+}
+
+/// The pictures of the run as a whole, and the report; how many pictures there are.
+fn write_page(folder: &Path, record: &Record, parts: &[StepPart]) -> Result<usize, Failure> {
+    let run = pictures::write_run(folder, record)?;
+    let page = page::html(record, parts, &run);
+    file::create_whole(&folder.join(page::FILE), |path| fs::write(path, page))?;
+    Ok(usize::from(run.curve.is_some()) + usize::from(run.convergence.is_some()))
 }
 
 fn write_text(path: &Path, text: &str) -> Result<(), Failure> {
     file::write_whole(path, |file| file.write_all(text.as_bytes()))
 }
 
-/// What a picture needs of a summary.
-#[derive(Debug, Deserialize)]
-struct Stored {
-    title: String,
-    grid: StoredGrid,
-    steps: Vec<StoredStep>,
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-#[derive(Debug, Deserialize)]
-struct StoredGrid {
-    side: f64,
-}
-
-#[derive(Debug, Deserialize)]
-struct StoredStep {
-    force: f64,
-    penetration: f64,
-    certificate: StoredCertificate,
-}
-
-#[derive(Debug, Deserialize)]
-struct StoredCertificate {
-    satisfied: bool,
-}
-
-/// Draws the pictures of a results folder again, from its files alone; how many there are.
-///
-/// # Errors
-///
-/// [`Failure`] if the folder holds no results or a picture cannot be written.
-pub fn draw(folder: &Path) -> Result<usize, Failure> {
-    let (stored, units) = read(folder)?;
-    for (i, step) in stored.steps.iter().enumerate() {
-        let fields = fields::read(&folder.join(fields::file(i)))?;
-        let map = PressureMap {
-            title: &stored.title,
-            units,
-            certified: step.certificate.satisfied,
-            force: step.force,
-            penetration: step.penetration,
-            side: stored.grid.side,
-            size: fields.size,
-            pressure: &fields.pressure,
-            mask: &fields.mask,
-        };
-        map.write(&folder.join(pressure_map::file(i)))?;
+    fn kept(steps: usize) -> Vec<usize> {
+        let mut parts = Vec::new();
+        for step in 0..steps {
+            let empty = String::new;
+            let part = StepPart {
+                step,
+                map: empty(),
+                section: empty(),
+                surface: empty(),
+            };
+            keep(&mut parts, part, steps);
+        }
+        parts.into_iter().map(|part| part.step).collect()
     }
-    Ok(stored.steps.len())
-}
 
-fn read(folder: &Path) -> Result<(Stored, Units), Failure> {
-    let path = folder.join(summary::FILE);
-    let text = read_text(&path)?;
-    let stored = serde_json::from_str(&text).map_err(|cause| Failure::damaged(&path, &cause))?;
-    let curve = read_text(&folder.join(curve::FILE))?;
-    Ok((stored, curve::units(&curve)))
-}
-
-fn read_text(path: &Path) -> Result<String, Failure> {
-    fs::read_to_string(path).map_err(|cause| Failure::damaged(path, &cause))
+    #[test]
+    fn a_long_curve_has_its_ends_and_steps_between_in_the_report() {
+        assert_eq!(kept(1), [0]);
+        assert_eq!(kept(3), [0, 1, 2]);
+        for steps in [24, 25, 47, 1000] {
+            let kept = kept(steps);
+            assert_eq!(kept.len(), STEPS_IN_REPORT);
+            assert_eq!((kept[0], kept[23]), (0, steps - 1));
+        }
+    }
 }

@@ -4,7 +4,9 @@ use std::time::Instant;
 
 use pellicle_contact::{Certificate, Estimate, GridError, LoadingPath, Step, Work};
 use pellicle_influence::{CacheWarning, Origin};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
+
+use super::null;
 
 use crate::case::Case;
 
@@ -38,38 +40,49 @@ pub struct Summary {
 }
 
 /// The grid of a run.
-#[derive(Debug, Clone, Copy, Serialize)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub struct GridSummary {
     /// Side of the square domain, m.
+    #[serde(deserialize_with = "null::or_nan")]
     pub side: f64,
     /// Elements per side.
     pub elements: usize,
     /// Side `2a` of an element, m.
+    #[serde(deserialize_with = "null::or_nan")]
     pub element_side: f64,
 }
 
 /// One loading step.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct StepSummary {
     /// `Q`, N.
+    #[serde(deserialize_with = "null::or_nan")]
     pub force: f64,
     /// `D`, m.
+    #[serde(deserialize_with = "null::or_nan")]
     pub penetration: f64,
     /// Largest pressure, Pa.
+    #[serde(deserialize_with = "null::or_nan")]
     pub max_pressure: f64,
     /// Centre of the element that has it, m.
+    #[serde(deserialize_with = "null::pair_or_nan")]
     pub max_pressure_at: [f64; 2],
     /// Force over contact area, Pa.
+    #[serde(deserialize_with = "null::or_nan")]
     pub mean_pressure: f64,
     /// Contact area, m².
+    #[serde(deserialize_with = "null::or_nan")]
     pub contact_area: f64,
     /// Elements in contact.
     pub contact_elements: usize,
     /// Contact area on the tops of the relief, m².
+    #[serde(deserialize_with = "null::or_nan")]
     pub contact_area_on_relief: f64,
     /// Contact area between the tops, m².
+    #[serde(deserialize_with = "null::or_nan")]
     pub contact_area_between: f64,
     /// Distance of the farthest element in contact from the axis, m.
+    #[serde(deserialize_with = "null::or_nan")]
     pub contact_radius: f64,
     /// How well the solution satisfies the contact conditions.
     pub certificate: CertificateSummary,
@@ -80,36 +93,43 @@ pub struct StepSummary {
 }
 
 /// The certificate of one step; every line but the pressure is a number without scale.
-#[derive(Debug, Clone, Copy, Serialize)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 #[expect(
     missing_docs,
     reason = "the lines of pellicle_contact::Certificate, described there"
 )]
 pub struct CertificateSummary {
+    #[serde(deserialize_with = "null::or_nan")]
     pub complementarity: f64,
+    #[serde(deserialize_with = "null::or_nan")]
     pub gap_in_contact: f64,
+    #[serde(deserialize_with = "null::or_nan")]
     pub overlap: f64,
+    #[serde(deserialize_with = "null::or_nan")]
     pub load: f64,
+    #[serde(deserialize_with = "null::or_nan")]
     pub min_pressure: f64,
+    #[serde(deserialize_with = "null::or_nan")]
     pub worst: f64,
     pub satisfied: bool,
 }
 
 /// The work of one step.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct WorkSummary {
     /// Iterations on the finest grid.
     pub iterations: usize,
     /// Products with `K` on the finest grid.
     pub operator_applications: usize,
     /// Time, s.
+    #[serde(deserialize_with = "null::or_nan")]
     pub seconds: f64,
     /// All grids, coarsest first.
     pub levels: Vec<LevelWorkSummary>,
 }
 
 /// The work on one grid.
-#[derive(Debug, Clone, Copy, Serialize)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub struct LevelWorkSummary {
     /// Elements per side.
     pub elements: usize,
@@ -120,7 +140,7 @@ pub struct LevelWorkSummary {
 }
 
 /// The estimated errors of the grid; none where there was no coarser one.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct GridErrorSummary {
     /// Of the penetration, m.
     pub penetration: Option<EstimateSummary>,
@@ -133,9 +153,10 @@ pub struct GridErrorSummary {
 }
 
 /// The estimated error of one number.
-#[derive(Debug, Clone, Copy, Serialize)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub struct EstimateSummary {
     /// In the unit of the number.
+    #[serde(deserialize_with = "null::or_nan")]
     pub estimate: f64,
     /// Observed order of convergence.
     pub order: Option<f64>,
@@ -144,28 +165,34 @@ pub struct EstimateSummary {
 }
 
 /// The values on one grid.
-#[derive(Debug, Clone, Copy, Serialize)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub struct LevelSummary {
     /// Elements per side.
     pub elements: usize,
     /// Penetration, m.
+    #[serde(deserialize_with = "null::or_nan")]
     pub penetration: f64,
     /// Contact area, m².
+    #[serde(deserialize_with = "null::or_nan")]
     pub contact_area: f64,
     /// Largest pressure, Pa.
+    #[serde(deserialize_with = "null::or_nan")]
     pub max_pressure: f64,
 }
 
 /// How long a run took, and on how many threads.
-#[derive(Debug, Clone, Copy, Serialize)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub struct Timing {
     /// For the influence coefficients, s.
+    #[serde(deserialize_with = "null::or_nan")]
     pub coefficients_seconds: f64,
     /// Whether coefficients were read instead of computed: all that are worth keeping, the radial tables included.
     pub coefficients_from_cache: bool,
     /// For the solution of all steps, s.
+    #[serde(deserialize_with = "null::or_nan")]
     pub solve_seconds: f64,
     /// From the reading of the case, s.
+    #[serde(deserialize_with = "null::or_nan")]
     pub total_seconds: f64,
     /// Threads used.
     pub threads: usize,

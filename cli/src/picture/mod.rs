@@ -1,7 +1,21 @@
-//! Pictures of a solution, readable in print and by the colour-blind.
+//! Pictures of a solution, readable in print and by the colour-blind: each is drawn as SVG and rendered from that to PNG.
 
 pub mod axis;
+pub mod coarse;
+pub mod colour_bar;
 pub mod colours;
-pub mod font;
+pub mod convergence;
+pub mod curve;
+pub mod heading;
+pub mod outline;
+pub mod panel;
+pub mod png;
 pub mod pressure_map;
+pub mod pressure_view;
+pub mod projection;
+pub mod raster;
+pub mod section;
+pub mod subject;
+pub mod svg;
+pub mod ticks;
 pub mod window;

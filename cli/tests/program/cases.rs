@@ -39,7 +39,7 @@ fn every_case_runs_to_a_satisfied_certificate() {
 }
 
 #[test]
-fn the_case_of_the_readme_leaves_its_four_files() {
+fn the_case_of_the_readme_leaves_its_files() {
     let case = Path::new(env!("CARGO_MANIFEST_DIR")).join("../cases/fig2c.toml");
     let folder = Folder::new();
     let ran = folder.run(&["run", case.to_str().unwrap(), "--out", "results"]);
@@ -49,6 +49,8 @@ fn the_case_of_the_readme_leaves_its_four_files() {
         "curve.csv",
         "fields-000.npz",
         "pressure-000.png",
+        "convergence.png",
+        "convergence.svg",
     ] {
         let length = fs::metadata(folder.path("results").join(file))
             .unwrap()

@@ -8,10 +8,20 @@ use serde_json::Value;
 
 use crate::runner::{CASE, Folder, names};
 
-const FILES: [&str; 4] = [
+/// What a run of one step on one grid leaves behind.
+const FILES: [&str; 13] = [
     "curve.csv",
+    "fields-000.nc",
     "fields-000.npz",
+    "fields-000.vti",
+    "pressure-000.gsf",
     "pressure-000.png",
+    "pressure-000.svg",
+    "pressure-3d-000.png",
+    "pressure-3d-000.svg",
+    "report.html",
+    "section-000.png",
+    "section-000.svg",
     "summary.json",
 ];
 
@@ -132,7 +142,15 @@ fn the_curve_has_units_in_its_header_and_a_row_a_step() {
         lines.iter().all(|line| columns(line) == columns(lines[0])),
         "{curve}"
     );
-    assert_eq!(names(&folder.path("a")).len(), 2 + 2 * 3);
+    let names = names(&folder.path("a"));
+    for name in [
+        "curve.png",
+        "curve.svg",
+        "section-002.png",
+        "fields-002.npz",
+    ] {
+        assert!(names.contains(&name.to_owned()), "{name} in {names:?}");
+    }
 }
 
 #[test]
@@ -166,13 +184,53 @@ fn the_fields_are_arrays_of_the_grid() {
 fn pictures_are_drawn_again_from_the_files_alone() {
     let folder = Folder::with_case(CASE);
     folder.run(&["run", "case.toml", "--out", "a"]);
-    let picture = folder.path("a/pressure-000.png");
-    let before = fs::read(&picture).unwrap();
-    fs::remove_file(&picture).unwrap();
+    let pictures = || {
+        let names = FILES
+            .iter()
+            .filter(|name| ["png", "svg", "html"].iter().any(|end| name.ends_with(end)));
+        let read = |name: &&str| {
+            (
+                name.to_string(),
+                fs::read(folder.path("a").join(name)).unwrap(),
+            )
+        };
+        names.map(read).collect::<Vec<_>>()
+    };
+    let before = pictures();
+    for (name, _) in &before {
+        fs::remove_file(folder.path("a").join(name)).unwrap();
+    }
     assert_eq!(folder.run(&["plot", "a"]).code, Some(0));
-    assert_eq!(fs::read(&picture).unwrap(), before);
+    assert!(pictures() == before, "the pictures drawn again are others");
     fs::write(folder.path("a/fields-000.npz"), "damaged").unwrap();
     let ran = folder.run(&["plot", "a"]);
     assert_eq!(ran.code, Some(2));
     assert!(ran.stderr.contains("fields-000.npz"), "{}", ran.stderr);
+}
+
+#[test]
+fn the_report_holds_everything_it_shows_and_says_warnings_aloud() {
+    let folder = Folder::with_case(CASE);
+    folder.run(&[
+        "run",
+        "case.toml",
+        "--out",
+        "a",
+        "--set",
+        "title=<b>5 & 6</b>",
+    ]);
+    let page = fs::read_to_string(folder.path("a/report.html")).unwrap();
+    // The name of SVG's vocabulary is the only address on the page, and nothing is fetched from it.
+    let addresses = page.replace("http://www.w3.org/2000/svg", "");
+    assert!(!addresses.contains("http:") && !addresses.contains("https:"));
+    assert!(page.contains("<title>&lt;b&gt;5 &amp; 6&lt;/b&gt;</title>"));
+    let summary = fs::read_to_string(folder.path("a/summary.json")).unwrap();
+    let summary: Value = serde_json::from_str(&summary).unwrap();
+    let warnings = summary["warnings"].as_array().unwrap();
+    assert!(!warnings.is_empty());
+    for warning in warnings {
+        let message = warning["message"].as_str().unwrap();
+        assert!(page.contains(&message.replace('\'', "&#39;")), "{warning}");
+    }
+    assert!(page.contains("Satisfied: the worst of these"));
 }

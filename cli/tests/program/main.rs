@@ -10,5 +10,6 @@ mod bad_input;
 mod cache;
 mod cases;
 mod files;
+mod read_back;
 mod runner;
 mod tables;

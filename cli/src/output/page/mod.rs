@@ -1,0 +1,225 @@
+//! `report.html`: a run on one page that needs no network. Drawings can be moved and zoomed, the pressure can be turned.
+
+mod case_table;
+mod step;
+pub mod surface;
+
+use super::record::{Record, StoredWarning};
+use super::summary::StepSummary;
+use crate::display::{Unit, quantity, significant};
+use crate::picture::svg::escaped;
+
+/// Name of the file in a results folder.
+pub const FILE: &str = "report.html";
+
+const STYLE: &str = include_str!("style.css");
+const SCRIPT: &str = include_str!("script.js");
+
+/// Nothing may be loaded from anywhere; what the page needs stands in it.
+const POLICY: &str =
+    "default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
+
+const TOOLS: &str = "<div class=\"tools\"><button type=\"button\" data-act=\"in\" title=\"larger\">+</button>\
+                     <button type=\"button\" data-act=\"out\" title=\"smaller\">−</button>\
+                     <button type=\"button\" data-act=\"whole\" title=\"as it was\">⟲</button></div>";
+
+/// The pictures of one loading step.
+#[derive(Debug, Clone)]
+pub struct StepPart {
+    /// Which step, counted from 0.
+    pub step: usize,
+    /// The map of the pressure, as SVG.
+    pub map: String,
+    /// The section, as SVG.
+    pub section: String,
+    /// The beginning of the figure that is turned, by [`surface::figure`].
+    pub surface: String,
+}
+
+/// The pictures of the run as a whole, as SVG.
+#[derive(Debug, Clone, Default)]
+pub struct RunPart {
+    /// Force over penetration, pressure over force.
+    pub curve: Option<String>,
+    /// Values from grid to grid.
+    pub convergence: Option<String>,
+}
+
+/// The page.
+#[must_use]
+pub fn html(record: &Record, steps: &[StepPart], run: &RunPart) -> String {
+    let title = escaped(&record.title);
+    let body = [
+        head(record),
+        warnings(record),
+        curve(record, run),
+        choice(record, steps),
+        steps
+            .iter()
+            .map(|part| step_section(record, part))
+            .collect(),
+        convergence(run),
+        case(record),
+        timing(record),
+    ];
+    format!(
+        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta http-equiv=\"Content-Security-Policy\" content=\"{POLICY}\">\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+         <link rel=\"icon\" href=\"data:,\">\n\
+         <title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n{}<script>\n{SCRIPT}</script>\n</body>\n</html>\n",
+        body.concat()
+    )
+}
+
+fn head(record: &Record) -> String {
+    let (title, version) = (escaped(&record.title), escaped(&record.version));
+    let metres = |value| quantity(value, Unit::Metre, record.units);
+    let grid = &record.grid;
+    let (elements, side, element) = (grid.elements, metres(grid.side), metres(grid.element_side));
+    let failed = record.steps.iter().any(|step| !step.certificate.satisfied);
+    let failure = if failed {
+        "<p class=\"failure\" role=\"alert\">Not converged: the certificate of at least one loading step is not satisfied. \
+         Do not use its numbers.</p>\n"
+    } else {
+        ""
+    };
+    format!(
+        "<header>\n<h1>{title}</h1>\n<p class=\"muted\">Pellicle {version}, {elements} × {elements} elements on a square of side {side}, \
+         element side {element}</p>\n</header>\n{failure}"
+    )
+}
+
+/// The warnings, before any number.
+fn warnings(record: &Record) -> String {
+    if record.warnings.is_empty() {
+        return String::new();
+    }
+    let line = |warning: &StoredWarning| format!("<li>{}</li>\n", escaped(&warning.message));
+    let lines: String = record.warnings.iter().map(line).collect();
+    format!(
+        "<div class=\"warnings\" role=\"alert\"><strong>Before these numbers are used:</strong>\n<ul>\n{lines}</ul></div>\n"
+    )
+}
+
+fn curve(record: &Record, run: &RunPart) -> String {
+    let Some(curve) = &run.curve else {
+        return String::new();
+    };
+    let rows = record.steps.iter().enumerate();
+    let rows: Vec<_> = rows.map(|(i, step)| curve_row(record, i, step)).collect();
+    let rows = rows.concat();
+    format!(
+        "<h2>Curve</h2>\n{}<div class=\"wide\"><table><thead><tr><th>step</th><th>force Q</th><th>penetration D</th>\
+         <th>largest pressure</th><th>contact area</th><th>certificate</th></tr></thead>\n<tbody>\n{rows}</tbody></table></div>\n",
+        drawing(
+            curve,
+            "Force over penetration, and largest pressure over force."
+        )
+    )
+}
+
+fn curve_row(record: &Record, i: usize, step: &StepSummary) -> String {
+    let cells = [
+        quantity(step.force, Unit::Newton, record.units),
+        quantity(step.penetration, Unit::Metre, record.units),
+        quantity(step.max_pressure, Unit::Pascal, record.units),
+        quantity(step.contact_area, Unit::SquareMetre, record.units),
+    ];
+    let cells = cells
+        .map(|cell| format!("<td class=\"number\">{cell}</td>"))
+        .concat();
+    let verdict = if step.certificate.satisfied {
+        "satisfied"
+    } else {
+        "<strong>NOT SATISFIED</strong>"
+    };
+    format!("<tr><td>{i}</td>{cells}<td>{verdict}</td></tr>\n")
+}
+
+/// The choice of the step that is shown.
+fn choice(record: &Record, steps: &[StepPart]) -> String {
+    if steps.len() < 2 {
+        return String::new();
+    }
+    let option = |part: &StepPart| {
+        let force = quantity(record.steps[part.step].force, Unit::Newton, record.units);
+        let step = part.step;
+        format!("<option value=\"step-{step}\">step {step}, Q = {force}</option>\n")
+    };
+    let options: String = steps.iter().map(option).collect();
+    let all = record.steps.len();
+    let some = match steps.len() {
+        shown if shown < all => {
+            format!(" {shown} of {all} steps are on this page; the pictures of all are beside it.")
+        }
+        _ => String::new(),
+    };
+    format!(
+        "<p class=\"choice\"><label>Loading step: <select id=\"choice\">\n{options}</select></label>{some}</p>\n"
+    )
+}
+
+fn step_section(record: &Record, part: &StepPart) -> String {
+    let step = &record.steps[part.step];
+    let tolerance = record.case["solver"]["tolerance"]
+        .as_f64()
+        .unwrap_or(f64::NAN);
+    let heading = match record.steps.len() {
+        1 => "Result".to_owned(),
+        _ => format!("Loading step {}", part.step),
+    };
+    let turned = format!(
+        "{}{TOOLS}<figcaption>The pressure in three dimensions: drag to turn; + and − to zoom, also the wheel after a click.</figcaption></figure>\n",
+        part.surface
+    );
+    [
+        format!("<section class=\"step\" id=\"step-{}\">\n<h2>{heading}</h2>\n", part.step),
+        step::numbers(record, step),
+        format!("<h3>Certificate</h3>\n{}", step::certificate(&step.certificate, tolerance)),
+        "<h3>Pressure</h3>\n".into(),
+        drawing(&part.map, "The pressure on the surface. Black: outline of the contact; grey: outline of the relief."),
+        turned,
+        "<h3>Section</h3>\n".into(),
+        drawing(&part.section, "The section along x through the axis. Depth is positive into the body and drawn larger than x."),
+        "</section>\n".into(),
+    ]
+    .concat()
+}
+
+fn convergence(run: &RunPart) -> String {
+    let Some(convergence) = &run.convergence else {
+        return String::new();
+    };
+    let caption = "What the numbers were on the coarser grids, against the finest. A line that does not level off is not resolved.";
+    format!("<h2>Grids</h2>\n{}", drawing(convergence, caption))
+}
+
+fn case(record: &Record) -> String {
+    let rows = case_table::rows(&record.case, record.units);
+    format!(
+        "<h2>Case</h2>\n<p>As resolved, every default filled in.</p>\n<div class=\"wide\"><table>\n{rows}</table></div>\n"
+    )
+}
+
+fn timing(record: &Record) -> String {
+    let timing = &record.timing;
+    let seconds = |value| significant(value, 3);
+    let origin = if timing.coefficients_from_cache {
+        "read from the cache"
+    } else {
+        "computed"
+    };
+    format!(
+        "<h2>Time</h2>\n<p>Coefficients {} s ({origin}), solution {} s, {} threads.</p>\n",
+        seconds(timing.coefficients_seconds),
+        seconds(timing.solve_seconds),
+        timing.threads
+    )
+}
+
+fn drawing(svg: &str, caption: &str) -> String {
+    format!(
+        "<figure class=\"drawing\" tabindex=\"0\">\n{svg}{TOOLS}<figcaption>{caption}</figcaption></figure>\n"
+    )
+}

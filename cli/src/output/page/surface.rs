@@ -1,0 +1,96 @@
+//! The pressure of one loading step as the report's script takes it, to be turned by hand.
+
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
+
+use crate::display;
+use crate::picture::axis;
+use crate::picture::coarse::Coarse;
+use crate::picture::colours::{self, Colour};
+use crate::picture::subject::Subject;
+use crate::picture::svg::escaped;
+use crate::picture::window::Window;
+
+/// Most columns along a side: what a browser turns without delay.
+const CELLS: usize = 96;
+
+/// The numbers of a cell: nothing, relief without pressure, the first and the last pressure.
+const BARE: u16 = 0;
+const RELIEF: u16 = 1;
+const PRESSURES: [u16; 2] = [2, u16::MAX];
+
+/// A figure whose data the script draws.
+#[must_use]
+pub fn figure(subject: &Subject<'_>) -> String {
+    let fields = &subject.fields;
+    let window = Window::around_contact(fields.pressure, fields.size);
+    let coarse = Coarse::new(fields, &window, CELLS);
+    let largest = subject.largest_pressure();
+    let values = STANDARD.encode(values(&coarse, largest));
+    let labels = escaped(&labels(subject, &coarse).to_string());
+    let (cells, palette) = (coarse.cells, STANDARD.encode(palette()));
+    format!(
+        "<figure class=\"surface\" tabindex=\"0\" data-cells=\"{cells}\" data-values=\"{values}\" \
+         data-palette=\"{palette}\" data-labels=\"{labels}\">\n\
+         <canvas width=\"1400\" height=\"980\" role=\"img\" aria-label=\"Pressure in three dimensions\"></canvas>\n"
+    )
+}
+
+/// Two bytes a cell, the lower first.
+fn values(coarse: &Coarse, largest: f64) -> Vec<u8> {
+    let cells = (0..coarse.cells).flat_map(|i| (0..coarse.cells).map(move |j| (i, j)));
+    let value = |(i, j)| value(coarse.pressure(i, j) / largest, coarse.is_relief(i, j));
+    cells.flat_map(|cell| value(cell).to_le_bytes()).collect()
+}
+
+fn value(fraction: f64, is_relief: bool) -> u16 {
+    let [first, last] = PRESSURES.map(f64::from);
+    match (fraction > 0.0, is_relief) {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "clamped to the numbers of pressures"
+        )]
+        (true, _) => (first + (last - first) * fraction).clamp(first, last) as u16,
+        (false, true) => RELIEF,
+        (false, false) => BARE,
+    }
+}
+
+fn palette() -> Vec<u8> {
+    let shade = |shade: u8| {
+        let Colour(red, green, blue) = colours::of_fraction(f64::from(shade) / 255.0);
+        [red, green, blue]
+    };
+    (0..=u8::MAX).flat_map(shade).collect()
+}
+
+/// The ends and the names of the axes.
+fn labels(subject: &Subject<'_>, coarse: &Coarse) -> serde_json::Value {
+    let metres = subject.metres(coarse.farthest());
+    let (pascals, top) = subject.pressures();
+    let along = |[from, to]: [f64; 2], symbol| {
+        let end = |x: f64| axis::label(x / metres.divisor, (to - from) / metres.divisor);
+        [end(from), end(to), axis::title(symbol, &metres.label)]
+    };
+    let top = display::significant(top, 4);
+    serde_json::json!({
+        "x": along(coarse.x, "x"),
+        "y": along(coarse.y, "y"),
+        "p": format!("p up to {}", format!("{top} {}", pascals.label).trim_end()),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pressures_are_told_from_what_carries_none() {
+        assert_eq!(value(0.0, false), BARE);
+        assert_eq!(value(0.0, true), RELIEF);
+        assert_eq!(value(f64::NAN, true), RELIEF);
+        assert_eq!(value(1e-9, false), PRESSURES[0]);
+        assert_eq!(value(1.0, true), PRESSURES[1]);
+    }
+}

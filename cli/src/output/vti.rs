@@ -1,0 +1,100 @@
+//! `fields-NNN.vti`: the fields of one loading step, for `ParaView` and everything else that reads VTK's XML.
+//!
+//! An image of N × N cells; the numbers follow the text as they are, each array after its length in bytes. They have single
+//! precision, which no picture tells from double and which halves the file; `fields-NNN.npz` holds them in full.
+
+use std::io::{self, Write};
+use std::path::Path;
+
+use super::fields::{Fields, Named};
+use super::file::write_whole;
+use crate::case::units::Units;
+use crate::failure::Failure;
+
+/// Bytes of an array's length.
+const LENGTH: usize = size_of::<u64>();
+
+/// Name of the file of a step in a results folder.
+#[must_use]
+pub fn file(step: usize) -> String {
+    format!("fields-{step:03}.vti")
+}
+
+/// Writes the five fields of numbers and the mask as data of cells, with their units.
+///
+/// # Errors
+///
+/// [`Failure::Write`] if the file cannot be written.
+pub fn write(path: &Path, fields: &Fields<'_>, units: Units) -> Result<(), Failure> {
+    write_whole(path, |file| {
+        file.write_all(head(fields, units).as_bytes())?;
+        for field in fields.named() {
+            write_numbers(file, fields, field.values)?;
+        }
+        write_mask(file, fields)?;
+        file.write_all(b"\n  </AppendedData>\n</VTKFile>\n")
+    })
+}
+
+/// Everything before the first array.
+fn head(fields: &Fields<'_>, units: Units) -> String {
+    let size = fields.size;
+    let extent = format!("0 {size} 0 {size} 0 0");
+    let (low, side) = (fields.edge(0), fields.element_side());
+    let arrays = fields.named();
+    let each = LENGTH + size_of::<f32>() * size * size;
+    let numbers = arrays.iter().enumerate();
+    let numbers: String = numbers
+        .map(|(i, field)| array(field, units, i * each))
+        .collect();
+    let offset = arrays.len() * each;
+    format!(
+        r#"<?xml version="1.0"?>
+<VTKFile type="ImageData" version="1.0" byte_order="LittleEndian" header_type="UInt64">
+  <ImageData WholeExtent="{extent}" Origin="{low:e} {low:e} 0" Spacing="{side:e} {side:e} {side:e}">
+    <Piece Extent="{extent}">
+      <CellData Scalars="pressure">
+{numbers}        <DataArray type="UInt8" Name="mask" format="appended" offset="{offset}"/>
+      </CellData>
+    </Piece>
+  </ImageData>
+  <AppendedData encoding="raw">
+_"#
+    )
+}
+
+fn array(field: &Named<'_>, units: Units, offset: usize) -> String {
+    let (name, unit) = (field.name, units.name(field.unit));
+    format!(
+        r#"        <DataArray type="Float32" Name="{name}" format="appended" offset="{offset}">
+          <InformationKey name="UNITS_LABEL" location="vtkDataArray">{unit}</InformationKey>
+        </DataArray>
+"#
+    )
+}
+
+fn write_numbers(file: &mut impl Write, fields: &Fields<'_>, values: &[f64]) -> io::Result<()> {
+    write_length(file, size_of::<f32>() * values.len())?;
+    for e in along_x(fields.size) {
+        #[expect(clippy::cast_possible_truncation, reason = "single precision is meant")]
+        file.write_all(&(values[e] as f32).to_le_bytes())?;
+    }
+    Ok(())
+}
+
+fn write_mask(file: &mut impl Write, fields: &Fields<'_>) -> io::Result<()> {
+    write_length(file, fields.mask.len())?;
+    for e in along_x(fields.size) {
+        file.write_all(&[u8::from(fields.mask[e])])?;
+    }
+    Ok(())
+}
+
+fn write_length(file: &mut impl Write, bytes: usize) -> io::Result<()> {
+    file.write_all(&(bytes as u64).to_le_bytes())
+}
+
+/// The elements in VTK's order: along x first.
+fn along_x(size: usize) -> impl Iterator<Item = usize> {
+    (0..size).flat_map(move |j| (0..size).map(move |i| i * size + j))
+}

@@ -1,0 +1,36 @@
+//! What the colours of a picture mean: a bar with the pressure beside it.
+
+use super::panel::LABEL;
+use super::raster::Raster;
+use super::svg::{Anchor, Direction, Place, Stroke, Svg};
+use super::{axis, colours, ticks};
+use crate::display::Scale;
+
+/// Width of the labels and the title beside the bar, in pixels.
+pub const BESIDE: f64 = 112.0;
+
+/// Colours in the bar.
+const SHADES: usize = 256;
+
+const TITLE: f64 = 18.0;
+const TICK: f64 = 6.0;
+
+/// Draws the bar for pressures from 0 to `top` on this scale.
+pub fn draw(svg: &mut Svg, place: Place, scale: &Scale, top: f64) {
+    let shade = |_, j| colours::of_fraction((SHADES - 1 - j) as f64 / (SHADES - 1) as f64);
+    svg.image(place, &Raster::of(1, SHADES, shade));
+    let stroke = Stroke {
+        colour: colours::INK,
+        width: 1.2,
+    };
+    let right = place.right();
+    for tick in ticks::linear(0.0, top, 6) {
+        let y = place.bottom() - place.height * tick / top;
+        svg.line(&[(right, y), (right + TICK, y)], stroke);
+        let label = axis::label(tick, top);
+        svg.text((right + TICK + 5.0, y), LABEL, Anchor::Start, &label);
+    }
+    let title = axis::title("pressure p", &scale.label);
+    let middle = (right + BESIDE - TITLE, place.top.midpoint(place.bottom()));
+    svg.directed_text(middle, TITLE, Anchor::Middle, Direction::Up, &title);
+}

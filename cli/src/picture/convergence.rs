@@ -1,0 +1,176 @@
+//! How penetration, contact area and largest pressure change from grid to grid.
+
+use super::colours::{self, Colour};
+use super::heading;
+use super::panel::{Axis, Panel};
+use super::svg::{Anchor, Place, Stroke, Svg};
+use crate::case::units::Units;
+use crate::display::{Unit, error_of, quantity};
+use crate::output::record::Record;
+use crate::output::summary::{EstimateSummary, GridErrorSummary, LevelSummary, StepSummary};
+
+/// Name of the picture, without ending.
+pub const NAME: &str = "convergence";
+
+const LEFT: f64 = 100.0;
+const TOP: f64 = heading::HEIGHT + 56.0;
+const PANEL_WIDTH: f64 = 290.0;
+const PANEL_HEIGHT: f64 = 340.0;
+const BETWEEN: f64 = 82.0;
+const WIDTH: f64 = LEFT + 3.0 * PANEL_WIDTH + 2.0 * BETWEEN + 30.0;
+const HEIGHT: f64 = TOP + PANEL_HEIGHT + 72.0;
+
+/// Above and below the lines, as a part of their extent.
+const MARGIN: f64 = 0.1;
+
+/// The lightest part of viridis is not seen on white.
+const LIGHTEST: f64 = 0.85;
+
+/// A number of a run that has a value on every grid.
+#[derive(Clone, Copy)]
+struct Number {
+    name: &'static str,
+    unit: Unit,
+    on_level: fn(&LevelSummary) -> f64,
+    value: fn(&StepSummary) -> f64,
+    estimate: fn(&GridErrorSummary) -> Option<EstimateSummary>,
+}
+
+const NUMBERS: [Number; 3] = [
+    Number {
+        name: "penetration D",
+        unit: Unit::Metre,
+        on_level: |level| level.penetration,
+        value: |step| step.penetration,
+        estimate: |error| error.penetration,
+    },
+    Number {
+        name: "contact area",
+        unit: Unit::SquareMetre,
+        on_level: |level| level.contact_area,
+        value: |step| step.contact_area,
+        estimate: |error| error.contact_area,
+    },
+    Number {
+        name: "largest pressure",
+        unit: Unit::Pascal,
+        on_level: |level| level.max_pressure,
+        value: |step| step.max_pressure,
+        estimate: |error| error.max_pressure,
+    },
+];
+
+/// The picture as SVG; none of a run on one grid.
+#[must_use]
+pub fn draw(record: &Record) -> Option<String> {
+    if record
+        .steps
+        .iter()
+        .all(|step| step.grid_error.levels.len() < 2)
+    {
+        return None;
+    }
+    let mut svg = Svg::new(WIDTH, HEIGHT);
+    let numbers = match record.steps.len() {
+        1 => "change against the finest grid".to_owned(),
+        steps => {
+            format!("change against the finest grid; {steps} loading steps, from dark to light")
+        }
+    };
+    heading::draw(&mut svg, LEFT, WIDTH - LEFT, &record.title, &numbers);
+    for (i, number) in NUMBERS.into_iter().enumerate() {
+        let left = LEFT + i as f64 * (PANEL_WIDTH + BETWEEN);
+        draw_panel(&mut svg, record, left, number);
+    }
+    Some(svg.finish())
+}
+
+fn draw_panel(svg: &mut Svg, record: &Record, left: f64, number: Number) {
+    let changes: Vec<_> = record
+        .steps
+        .iter()
+        .map(|step| changes(step, number))
+        .collect();
+    let title = if left > LEFT { "" } else { "change, %" };
+    let panel = Panel {
+        place: Place {
+            left,
+            top: TOP,
+            width: PANEL_WIDTH,
+            height: PANEL_HEIGHT,
+        },
+        x: grids(record),
+        y: percent(&changes, title),
+    };
+    svg.text((left, TOP - 40.0), 18.0, Anchor::Start, number.name);
+    if let [step] = &record.steps[..] {
+        let note = note(step, number, record.units);
+        svg.text((left, TOP - 16.0), 15.0, Anchor::Start, &note);
+    }
+    panel.draw_mesh(svg);
+    for (i, line) in changes.iter().enumerate() {
+        let colour = colour(i, changes.len());
+        let points = panel.all_at(line.iter().copied());
+        svg.line(&points, Stroke { colour, width: 2.0 });
+        for point in points {
+            svg.circle(point, 4.0, colour, colour);
+        }
+    }
+    panel.draw_axes(svg);
+}
+
+/// Elements per side and change against the finest grid in percent.
+fn changes(step: &StepSummary, number: Number) -> Vec<(f64, f64)> {
+    let levels = &step.grid_error.levels;
+    let finest = levels.last().map_or(f64::NAN, number.on_level);
+    let change = |level: &LevelSummary| 100.0 * ((number.on_level)(level) / finest - 1.0);
+    let points = levels
+        .iter()
+        .map(|level| (level.elements as f64, change(level)));
+    points.filter(|(_, change)| change.is_finite()).collect()
+}
+
+/// The value and its error, as the grids tell it.
+fn note(step: &StepSummary, number: Number, units: Units) -> String {
+    let value = (number.value)(step);
+    let text = quantity(value, number.unit, units);
+    match (number.estimate)(&step.grid_error) {
+        Some(estimate) if estimate.resolved => {
+            format!(
+                "{text} {}",
+                error_of(value, estimate.estimate, number.unit, units)
+            )
+        }
+        Some(_) => format!("{text}, not resolved"),
+        None => text,
+    }
+}
+
+/// The grids, each as far from the next as its elements are in ratio.
+fn grids(record: &Record) -> Axis {
+    let levels = record.steps.iter().flat_map(|step| &step.grid_error.levels);
+    let mut elements: Vec<_> = levels.map(|level| level.elements).collect();
+    elements.sort_unstable();
+    elements.dedup();
+    let ticks = elements.iter().map(|n| (*n as f64, n.to_string()));
+    let (first, last) = (elements.first().copied(), elements.last().copied());
+    Axis {
+        from: first.unwrap_or(1) as f64 / 1.25,
+        to: last.unwrap_or(1) as f64 * 1.25,
+        title: "elements per side N".into(),
+        ticks: ticks.collect(),
+        is_logarithmic: true,
+    }
+}
+
+fn percent(changes: &[Vec<(f64, f64)>], title: &str) -> Axis {
+    let values = || changes.iter().flatten().map(|(_, change)| *change);
+    let (low, high) = (values().fold(0.0, f64::min), values().fold(0.0, f64::max));
+    let length = if high > low { high - low } else { 1.0 };
+    let (low, high) = (low - MARGIN * length, high + MARGIN * length);
+    Axis::new(low, high, title.to_owned(), 6)
+}
+
+fn colour(step: usize, steps: usize) -> Colour {
+    colours::of_fraction(LIGHTEST * step as f64 / (steps.max(2) - 1) as f64)
+}

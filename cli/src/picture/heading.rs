@@ -1,0 +1,46 @@
+//! The two lines above a picture: the case, and the numbers of what is shown.
+
+use super::svg::{Anchor, Svg};
+
+/// Room for the two lines, in pixels.
+pub const HEIGHT: f64 = 84.0;
+
+/// Sizes of the letters, in pixels.
+const TITLE: f64 = 23.0;
+const NUMBERS: f64 = 18.0;
+
+/// A letter is about this much as wide as it is high.
+const LETTER: f64 = 0.6;
+
+/// Draws both lines, cut to the width.
+pub fn draw(svg: &mut Svg, left: f64, width: f64, title: &str, numbers: &str) {
+    let title = fitted(title, width, TITLE);
+    svg.text((left, 26.0), TITLE, Anchor::Start, &title);
+    svg.text((left, 60.0), NUMBERS, Anchor::Start, numbers);
+}
+
+/// The text cut to a width.
+fn fitted(text: &str, width: f64, size: f64) -> String {
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a number of letters on a sheet"
+    )]
+    let room = (width / (LETTER * size)) as usize;
+    if text.chars().count() <= room {
+        return text.to_owned();
+    }
+    let cut: String = text.chars().take(room.saturating_sub(1)).collect();
+    format!("{}…", cut.trim_end())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_title_is_cut_where_the_picture_ends() {
+        assert_eq!(fitted("short", 100.0, 10.0), "short");
+        assert_eq!(fitted("much too long a title", 60.0, 10.0), "much too…");
+    }
+}

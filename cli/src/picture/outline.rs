@@ -1,0 +1,162 @@
+//! The outline of a set of elements: the sides between one that is in the set and one that is not, joined to long lines.
+
+/// Right, up, left, down: walking so, the set lies on the left hand.
+const DIRECTIONS: [(isize, isize); 4] = [(1, 0), (0, 1), (-1, 0), (0, -1)];
+
+/// Sides of elements, as ways that leave a corner: bit `d` of a corner is the way in direction `d`.
+struct Ways {
+    corners: usize,
+    leaving: Vec<u8>,
+}
+
+/// The outlines of the elements for which `inside(i, j)` holds, of `cells` × `cells`: lines through corners of elements, each
+/// with its first corner at its end if it is closed. The rim of the field is no outline.
+#[must_use]
+pub fn trace(cells: usize, inside: impl Fn(usize, usize) -> bool) -> Vec<Vec<(usize, usize)>> {
+    let mut ways = Ways::new(cells, inside);
+    let mut lines = Vec::new();
+    // Lines that begin at the rim first, so that none of them is begun in its middle.
+    for corner in ways.beginnings() {
+        while ways.leaving[corner] != 0 {
+            lines.push(ways.follow(corner));
+        }
+    }
+    for corner in 0..ways.leaving.len() {
+        while ways.leaving[corner] != 0 {
+            lines.push(ways.follow(corner));
+        }
+    }
+    lines
+}
+
+impl Ways {
+    fn new(cells: usize, inside: impl Fn(usize, usize) -> bool) -> Self {
+        let corners = cells + 1;
+        let leaving = vec![0; corners * corners];
+        let mut ways = Self { corners, leaving };
+        for i in 0..cells {
+            for j in 0..cells {
+                if inside(i, j) {
+                    ways.add(0, (i, j), j > 0 && !inside(i, j - 1));
+                    ways.add(1, (i + 1, j), i + 1 < cells && !inside(i + 1, j));
+                    ways.add(2, (i + 1, j + 1), j + 1 < cells && !inside(i, j + 1));
+                    ways.add(3, (i, j + 1), i > 0 && !inside(i - 1, j));
+                }
+            }
+        }
+        ways
+    }
+
+    fn add(&mut self, direction: usize, (i, j): (usize, usize), is_side: bool) {
+        self.leaving[i * self.corners + j] |= u8::from(is_side) << direction;
+    }
+
+    /// Corners on the rim that ways leave.
+    fn beginnings(&self) -> Vec<usize> {
+        let last = self.corners - 1;
+        let on_rim = |e: usize| {
+            let (i, j) = (e / self.corners, e % self.corners);
+            i == 0 || j == 0 || i == last || j == last
+        };
+        let leaves = |e: &usize| self.leaving[*e] != 0 && on_rim(*e);
+        (0..self.leaving.len()).filter(leaves).collect()
+    }
+
+    /// Walks from a corner until no way goes on or the corner is met again; the ways walked are used up.
+    fn follow(&mut self, start: usize) -> Vec<(usize, usize)> {
+        let mut line = vec![self.place(start)];
+        let (mut at, mut heading) = (start, None);
+        while let Some(direction) = self.next(at, heading) {
+            if heading.is_some_and(|before| before != direction) {
+                line.push(self.place(at));
+            }
+            self.leaving[at] &= !(1 << direction);
+            at = self.neighbour(at, direction);
+            heading = Some(direction);
+            if at == start {
+                break;
+            }
+        }
+        line.push(self.place(at));
+        line
+    }
+
+    /// The way on: to the left where there is a choice, so that elements that meet in a corner stay apart.
+    fn next(&self, at: usize, heading: Option<usize>) -> Option<usize> {
+        let first = heading.map_or(0, |heading| heading + 1);
+        let turns = [first, first + 3, first + 2, first + 1].map(|direction| direction % 4);
+        turns
+            .into_iter()
+            .find(|direction| self.leaving[at] & (1 << direction) != 0)
+    }
+
+    fn neighbour(&self, at: usize, direction: usize) -> usize {
+        let (i, j) = self.place(at);
+        let (di, dj) = DIRECTIONS[direction];
+        i.saturating_add_signed(di) * self.corners + j.saturating_add_signed(dj)
+    }
+
+    fn place(&self, corner: usize) -> (usize, usize) {
+        (corner / self.corners, corner % self.corners)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn outlines(rows: &[&str]) -> Vec<Vec<(usize, usize)>> {
+        trace(rows.len(), |i, j| rows[j].as_bytes()[i] == b'x')
+    }
+
+    #[test]
+    fn a_block_has_four_corners_and_is_closed() {
+        let lines = outlines(&["....", ".xx.", ".xx.", "...."]);
+        assert_eq!(lines, [[(1, 1), (3, 1), (3, 3), (1, 3), (1, 1)]]);
+    }
+
+    #[test]
+    fn elements_that_meet_in_a_corner_have_outlines_of_their_own() {
+        let lines = outlines(&["....", ".x..", "..x.", "...."]);
+        assert_eq!(lines.len(), 2);
+        assert!(
+            lines
+                .iter()
+                .all(|line| line.len() == 5 && line[0] == line[4])
+        );
+    }
+
+    #[test]
+    fn a_hole_has_an_outline_and_the_rim_has_none() {
+        assert_eq!(outlines(&["xxx", "x.x", "xxx"]).len(), 1);
+        assert!(outlines(&["xx", "xx"]).is_empty());
+    }
+
+    #[test]
+    fn an_outline_that_ends_at_the_rim_is_one_open_line() {
+        assert_eq!(
+            outlines(&["xx..", "xx..", "xx..", "xx.."]),
+            [[(2, 0), (2, 4)]]
+        );
+    }
+
+    #[test]
+    fn every_side_is_walked_once() {
+        let inside = |i: usize, j: usize| (i * 7 + j * 5 + i * j).is_multiple_of(3);
+        let lines = trace(20, inside);
+        let length = |line: &Vec<(usize, usize)>| -> usize {
+            let side = |pair: &[(usize, usize)]| {
+                pair[0].0.abs_diff(pair[1].0) + pair[0].1.abs_diff(pair[1].1)
+            };
+            line.windows(2).map(side).sum()
+        };
+        let sides = (0..20).flat_map(|i| (0..19).map(move |j| (i, j)));
+        let wanted: usize = sides
+            .map(|(i, j)| {
+                usize::from(inside(i, j) != inside(i, j + 1))
+                    + usize::from(inside(j, i) != inside(j + 1, i))
+            })
+            .sum();
+        assert_eq!(lines.iter().map(length).sum::<usize>(), wanted);
+    }
+}

@@ -1,0 +1,202 @@
+//! A rectangle with axes, in which values have places.
+
+use super::colours;
+use super::svg::{Anchor, Direction, Place, Stroke, Svg};
+use super::{axis, ticks};
+use crate::display;
+
+/// Sizes of the letters of labels and titles, in pixels.
+pub const LABEL: f64 = 17.0;
+const TITLE: f64 = 18.0;
+
+/// Length of a tick, in pixels.
+const TICK: f64 = 6.0;
+
+/// From an axis to its title, in pixels.
+const TITLE_BELOW: f64 = 48.0;
+const TITLE_LEFT: f64 = 84.0;
+
+/// One axis of a panel.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Axis {
+    /// The value at its left or lower end.
+    pub from: f64,
+    /// The value at its other end, above or below the first.
+    pub to: f64,
+    /// What it shows, with the unit.
+    pub title: String,
+    /// Values that are marked, with their labels.
+    pub ticks: Vec<(f64, String)>,
+    /// Whether equal lengths are equal ratios; all values are positive then.
+    pub is_logarithmic: bool,
+}
+
+impl Axis {
+    /// An axis with about `count` round ticks.
+    #[must_use]
+    pub fn new(from: f64, to: f64, title: String, count: usize) -> Self {
+        let length = (to - from).abs();
+        let labelled = |tick| (tick, axis::label(tick, length));
+        let ticks = ticks::linear(from, to, count);
+        Self {
+            from,
+            to,
+            title,
+            ticks: ticks.into_iter().map(labelled).collect(),
+            is_logarithmic: false,
+        }
+    }
+
+    /// A logarithmic axis that holds these two positive values, with a tick at every 1, 2 and 5 times a power of ten.
+    #[must_use]
+    pub fn logarithmic(smallest: f64, largest: f64, title: String) -> Self {
+        let (from, to) = (smallest / 1.3, largest * 1.3);
+        let labelled = |tick| (tick, display::significant(tick, 1));
+        let ticks = ticks::logarithmic(from, to);
+        Self {
+            from,
+            to,
+            title,
+            ticks: ticks.into_iter().map(labelled).collect(),
+            is_logarithmic: true,
+        }
+    }
+
+    /// The axis with its ticks, but without words: those of the panel below are meant.
+    #[must_use]
+    pub fn unlabelled(self) -> Self {
+        let ticks = self.ticks.into_iter();
+        Self {
+            title: String::new(),
+            ticks: ticks.map(|(tick, _)| (tick, String::new())).collect(),
+            ..self
+        }
+    }
+
+    /// How far along the axis a value is: 0 at its first end, 1 at its last.
+    #[must_use]
+    pub fn fraction(&self, value: f64) -> f64 {
+        if self.is_logarithmic {
+            return (value / self.from).ln() / (self.to / self.from).ln();
+        }
+        (value - self.from) / (self.to - self.from)
+    }
+}
+
+/// A rectangle with two axes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Panel {
+    /// Where the rectangle is; labels stand outside it.
+    pub place: Place,
+    /// The axis below.
+    pub x: Axis,
+    /// The axis on the left.
+    pub y: Axis,
+}
+
+impl Panel {
+    /// Where on the sheet a point is.
+    #[must_use]
+    pub fn at(&self, x: f64, y: f64) -> (f64, f64) {
+        let Place {
+            left,
+            width,
+            height,
+            ..
+        } = self.place;
+        (
+            left + width * self.x.fraction(x),
+            self.place.bottom() - height * self.y.fraction(y),
+        )
+    }
+
+    /// The places of many points.
+    pub fn all_at(&self, points: impl IntoIterator<Item = (f64, f64)>) -> Vec<(f64, f64)> {
+        points.into_iter().map(|(x, y)| self.at(x, y)).collect()
+    }
+
+    /// Draws the mesh, below what the panel shows.
+    pub fn draw_mesh(&self, svg: &mut Svg) {
+        let stroke = Stroke {
+            colour: colours::GRID,
+            width: 1.0,
+        };
+        let across = self.x.ticks.iter().map(|(x, _)| {
+            let (x, _) = self.at(*x, self.y.from);
+            [(x, self.place.top), (x, self.place.bottom())]
+        });
+        let along = self.y.ticks.iter().map(|(y, _)| {
+            let (_, y) = self.at(self.x.from, *y);
+            [(self.place.left, y), (self.place.right(), y)]
+        });
+        svg.lines(&across.chain(along).collect::<Vec<_>>(), stroke);
+    }
+
+    /// Draws frame, ticks, labels and titles, above what the panel shows.
+    pub fn draw_axes(&self, svg: &mut Svg) {
+        let Place { left, top, .. } = self.place;
+        let (right, bottom) = (self.place.right(), self.place.bottom());
+        let stroke = Stroke {
+            colour: colours::INK,
+            width: 1.2,
+        };
+        let frame = [
+            (left, top),
+            (left, bottom),
+            (right, bottom),
+            (right, top),
+            (left, top),
+        ];
+        svg.line(&frame, stroke);
+        self.draw_x_ticks(svg, stroke);
+        self.draw_y_ticks(svg, stroke);
+        let middle = left.midpoint(right);
+        svg.text(
+            (middle, bottom + TITLE_BELOW),
+            TITLE,
+            Anchor::Middle,
+            &self.x.title,
+        );
+        let place = (left - TITLE_LEFT, top.midpoint(bottom));
+        svg.directed_text(place, TITLE, Anchor::Middle, Direction::Up, &self.y.title);
+    }
+
+    fn draw_x_ticks(&self, svg: &mut Svg, stroke: Stroke) {
+        let bottom = self.place.bottom();
+        for (value, label) in &self.x.ticks {
+            let (x, _) = self.at(*value, self.y.from);
+            svg.line(&[(x, bottom), (x, bottom + TICK)], stroke);
+            svg.text((x, bottom + TICK + 14.0), LABEL, Anchor::Middle, label);
+        }
+    }
+
+    fn draw_y_ticks(&self, svg: &mut Svg, stroke: Stroke) {
+        let left = self.place.left;
+        for (value, label) in &self.y.ticks {
+            let (_, y) = self.at(self.x.from, *value);
+            svg.line(&[(left - TICK, y), (left, y)], stroke);
+            svg.text((left - TICK - 5.0, y), LABEL, Anchor::End, label);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_have_their_places_also_on_an_axis_that_runs_down() {
+        let panel = Panel {
+            place: Place {
+                left: 10.0,
+                top: 20.0,
+                width: 100.0,
+                height: 50.0,
+            },
+            x: Axis::new(-1.0, 1.0, String::new(), 5),
+            y: Axis::new(4.0, 0.0, String::new(), 5),
+        };
+        assert_eq!(panel.at(0.0, 4.0), (60.0, 70.0));
+        assert_eq!(panel.at(1.0, 0.0), (110.0, 20.0));
+    }
+}

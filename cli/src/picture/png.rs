@@ -1,0 +1,123 @@
+//! A drawing rendered to pixels, with the typeface that the program carries.
+
+use std::io;
+use std::sync::{Arc, LazyLock};
+
+use resvg::{tiny_skia, usvg};
+
+use super::svg::FAMILY;
+
+/// Pixels of a picture per unit of its drawing. Twice as many take twice as long, some 0.1 s a picture; the drawing itself is
+/// what is sharp at any size.
+const ZOOM: f32 = 1.0;
+
+/// Pixels per metre of paper: 150 per inch, so that the widest picture fits a page.
+const DENSITY: u32 = 5906;
+
+/// What the bytes of a pixel are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// Red, green, blue.
+    Rgb,
+    /// Red, green, blue, opacity.
+    Rgba,
+}
+
+static OPTIONS: LazyLock<usvg::Options<'static>> = LazyLock::new(|| {
+    let mut options = usvg::Options {
+        font_family: FAMILY.to_owned(),
+        ..usvg::Options::default()
+    };
+    Arc::make_mut(&mut options.fontdb).load_font_data(dejavu::sans::regular().to_vec());
+    options
+});
+
+/// The drawing as a PNG file.
+///
+/// # Errors
+///
+/// Whatever stands against rendering it: a drawing of this program that is not SVG, or no memory for its pixels.
+pub fn render(svg: &str) -> io::Result<Vec<u8>> {
+    let tree = usvg::Tree::from_str(svg, &OPTIONS).map_err(io::Error::other)?;
+    let size = tree.size().to_int_size().scale_by(ZOOM);
+    let pixels = size.and_then(|size| tiny_skia::Pixmap::new(size.width(), size.height()));
+    let mut pixels = pixels.ok_or_else(|| io::Error::other("no memory for the picture"))?;
+    let zoom = tiny_skia::Transform::from_scale(ZOOM, ZOOM);
+    resvg::render(&tree, zoom, &mut pixels.as_mut());
+    // The sheet is opaque: what is left of a pixel is its colour.
+    let rgb: Vec<u8> = (pixels.data().chunks_exact(4))
+        .flat_map(|pixel| [pixel[0], pixel[1], pixel[2]])
+        .collect();
+    let (width, height) = (pixels.width() as usize, pixels.height() as usize);
+    Ok(encode(width, height, Kind::Rgb, &rgb))
+}
+
+/// Pixels as a PNG file; an empty one where the sides do not fit the pixels.
+#[must_use]
+pub fn encode(width: usize, height: usize, kind: Kind, pixels: &[u8]) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    // Writing to memory fails only where the sides do not fit the pixels.
+    drop(try_encode(&mut bytes, width, height, kind, pixels));
+    bytes
+}
+
+fn try_encode(
+    bytes: &mut Vec<u8>,
+    width: usize,
+    height: usize,
+    kind: Kind,
+    pixels: &[u8],
+) -> Result<(), png::EncodingError> {
+    let side = |side: usize| u32::try_from(side).unwrap_or(u32::MAX);
+    let mut encoder = png::Encoder::new(bytes, side(width), side(height));
+    encoder.set_color(match kind {
+        Kind::Rgb => png::ColorType::Rgb,
+        Kind::Rgba => png::ColorType::Rgba,
+    });
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_compression(png::Compression::Fast);
+    encoder.set_pixel_dims(Some(png::PixelDimensions {
+        xppu: DENSITY,
+        yppu: DENSITY,
+        unit: png::Unit::Meter,
+    }));
+    encoder.write_header()?.write_image_data(pixels)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::colours::Colour;
+    use super::super::svg::{Anchor, Place, Svg};
+    use super::*;
+
+    fn pixels(svg: Svg) -> (usize, Vec<u8>) {
+        let png = render(&svg.finish()).unwrap();
+        let mut reader = png::Decoder::new(io::Cursor::new(png)).read_info().unwrap();
+        let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+        let info = reader.next_frame(&mut pixels).unwrap();
+        (info.width as usize, pixels)
+    }
+
+    #[test]
+    fn a_rectangle_has_its_colour_and_its_place() {
+        let mut svg = Svg::new(20.0, 10.0);
+        let place = Place {
+            left: 10.0,
+            top: 0.0,
+            width: 10.0,
+            height: 10.0,
+        };
+        svg.rectangle(place, Colour(10, 20, 30));
+        let (width, pixels) = pixels(svg);
+        assert_eq!(width, 20);
+        assert_eq!(pixels[..3], [255, 255, 255]);
+        assert_eq!(pixels[3 * 19..3 * 20], [10, 20, 30]);
+    }
+
+    #[test]
+    fn letters_are_drawn_without_any_typeface_of_the_system() {
+        let mut svg = Svg::new(40.0, 20.0);
+        svg.text((20.0, 10.0), 16.0, Anchor::Middle, "pµ²");
+        assert!(pixels(svg).1.iter().any(|channel| *channel < 100));
+    }
+}

@@ -1,0 +1,259 @@
+//! The section along x through the axis: indenter, tops of the relief, surface of the body, and the pressure above them.
+
+use std::ops::Range;
+
+use super::colours::{self, Colour};
+use super::panel::{Axis, Panel};
+use super::subject::Subject;
+use super::svg::{Anchor, Place, Stroke, Svg};
+use super::window::Window;
+use super::{axis, heading};
+use crate::display::{Scale, Unit, quantity};
+
+const LEFT: f64 = 112.0;
+const PANEL_WIDTH: f64 = 940.0;
+const WIDTH: f64 = LEFT + PANEL_WIDTH + 40.0;
+const PRESSURE: Place = Place {
+    left: LEFT,
+    top: heading::HEIGHT,
+    width: PANEL_WIDTH,
+    height: 230.0,
+};
+/// Between the panels: the legend.
+const BETWEEN: f64 = 44.0;
+const DEPTH: Place = Place {
+    left: LEFT,
+    top: PRESSURE.top + PRESSURE.height + BETWEEN,
+    width: PANEL_WIDTH,
+    height: 420.0,
+};
+const HEIGHT: f64 = DEPTH.top + DEPTH.height + 72.0;
+
+/// What the depth axis shows above the highest point of the surface and below the deepest, as parts of the depth between.
+const ABOVE: f64 = 0.3;
+const BELOW: f64 = 0.12;
+
+const LINE: f64 = 2.2;
+
+/// Name of the picture of a step, without ending.
+#[must_use]
+pub fn name(step: usize) -> String {
+    format!("section-{step:03}")
+}
+
+/// Depths below the undeformed plane of the tops, m, along one row of elements.
+struct Depths<'a> {
+    subject: &'a Subject<'a>,
+    /// The row.
+    row: usize,
+    /// The elements of it that are shown.
+    elements: Range<usize>,
+}
+
+/// The picture as SVG.
+#[must_use]
+pub fn draw(subject: &Subject<'_>) -> String {
+    let fields = &subject.fields;
+    let row = fields.size / 2;
+    let depths = Depths {
+        subject,
+        row,
+        elements: Window::around_contact(fields.pressure, fields.size).x,
+    };
+    let mut svg = Svg::new(WIDTH, HEIGHT);
+    let at = quantity(fields.centre(row), Unit::Metre, subject.units);
+    let numbers = format!("{},  section at y = {at}", subject.numbers());
+    heading::draw(&mut svg, LEFT, PANEL_WIDTH, subject.title, &numbers);
+    depths.draw_pressure(&mut svg);
+    depths.draw_legend(&mut svg);
+    depths.draw_depths(&mut svg);
+    svg.finish()
+}
+
+impl Depths<'_> {
+    fn element(&self, i: usize) -> usize {
+        i * self.subject.fields.size + self.row
+    }
+
+    /// What the indenter meets: `u + w* − f*`.
+    fn top(&self, i: usize) -> f64 {
+        let (fields, e) = (&self.subject.fields, self.element(i));
+        fields.displacement[e] + fields.shortening[e] - fields.profile[e]
+    }
+
+    /// The indenter: `D − f = u + w* − f* − g`; not finite where it ends.
+    fn indenter(&self, i: usize) -> f64 {
+        self.top(i) - self.subject.fields.gap[self.element(i)]
+    }
+
+    /// The surface of the body, `u + h`; what the indenter meets where the relief has no one height.
+    fn body(&self, i: usize) -> f64 {
+        let displacement = self.subject.fields.displacement[self.element(i)];
+        (self.subject.relief_height).map_or_else(|| self.top(i), |height| displacement + height)
+    }
+
+    /// Whether relief and body are drawn apart.
+    fn has_relief(&self) -> bool {
+        self.subject
+            .relief_height
+            .is_some_and(|height| height > 0.0)
+            && self.subject.fields.mask.contains(&true)
+    }
+
+    fn ends(&self) -> [f64; 2] {
+        [self.elements.start, self.elements.end].map(|i| self.subject.fields.edge(i))
+    }
+
+    /// The highest and the deepest point of the surface, tops and body, the undeformed plane of the tops included.
+    fn extent(&self) -> [f64; 2] {
+        let elements = self.elements.clone();
+        let surfaces = elements.flat_map(|i| [self.body(i), self.top(i)]);
+        surfaces.fold([0.0, 0.0], |[high, deep], z| {
+            [f64::min(high, z), f64::max(deep, z)]
+        })
+    }
+
+    fn x_axis(&self) -> (Axis, Scale) {
+        let [from, to] = self.ends();
+        let scale = self.subject.metres(from.abs().max(to.abs()));
+        let title = axis::title("x", &scale.label);
+        let (from, to) = (from / scale.divisor, to / scale.divisor);
+        (Axis::new(from, to, title, 8), scale)
+    }
+
+    fn draw_pressure(&self, svg: &mut Svg) {
+        let (x, metres) = self.x_axis();
+        let (scale, top) = self.subject.pressures();
+        let panel = Panel {
+            place: PRESSURE,
+            x: x.unlabelled(),
+            y: Axis::new(0.0, 1.08 * top, axis::title("p", &scale.label), 5),
+        };
+        // The pressure is constant over an element.
+        let steps = self.elements.clone().flat_map(|i| {
+            let pressure = self.subject.fields.pressure[self.element(i)] / scale.divisor;
+            let edge = |i| self.subject.fields.edge(i) / metres.divisor;
+            [(edge(i), pressure), (edge(i + 1), pressure)]
+        });
+        let line = panel.all_at(steps);
+        panel.draw_mesh(svg);
+        let ground = PRESSURE.bottom();
+        svg.area(&closed(&line, ground), Colour(200, 220, 236));
+        svg.line(&line, stroke(colours::BLUE, 1.6));
+        panel.draw_axes(svg);
+    }
+
+    fn draw_depths(&self, svg: &mut Svg) {
+        let (x, metres) = self.x_axis();
+        let [highest, deepest] = self.extent();
+        let scale = self.subject.metres(deepest.max(-highest));
+        let [highest, deepest] = [highest, deepest].map(|depth| depth / scale.divisor);
+        let span = deepest - highest;
+        let span = if span > 0.0 && span.is_finite() {
+            span
+        } else {
+            1.0
+        };
+        let title = axis::title("depth z", &scale.label);
+        let panel = Panel {
+            place: DEPTH,
+            x,
+            y: Axis::new(deepest + BELOW * span, highest - ABOVE * span, title, 7),
+        };
+        let lines =
+            |depth: &dyn Fn(usize) -> f64, runs: Vec<Range<usize>>| -> Vec<Vec<(f64, f64)>> {
+                let line = |run: Range<usize>| self.line(run, depth, metres.divisor, scale.divisor);
+                runs.into_iter()
+                    .map(|run| panel.all_at(line(run)))
+                    .collect()
+            };
+        let bodies = lines(&|i| self.body(i), self.runs(|_| true));
+        let tops = lines(&|i| self.top(i), self.runs(|i| self.is_relief(i)));
+        let feet = lines(&|i| self.body(i), self.runs(|i| self.is_relief(i)));
+        let indenters = lines(
+            &|i| self.indenter(i),
+            self.runs(|i| self.indenter(i).is_finite()),
+        );
+        svg.within(DEPTH, |svg| {
+            for body in &bodies {
+                svg.area(&closed(body, DEPTH.bottom()), colours::BODY);
+            }
+            for (top, foot) in tops.iter().zip(&feet) {
+                let outline = top.iter().chain(foot.iter().rev()).copied();
+                svg.area(&outline.collect::<Vec<_>>(), colours::SPRINGS);
+            }
+            for indenter in &indenters {
+                svg.area(&closed(indenter, DEPTH.top), colours::INDENTER);
+            }
+            svg.lines(&bodies, stroke(colours::ORANGE, LINE));
+            svg.lines(&tops, stroke(colours::BLUE, LINE));
+            svg.lines(&indenters, stroke(colours::INK, LINE));
+            let plane = panel.all_at([(panel.x.from, 0.0), (panel.x.to, 0.0)]);
+            svg.line(&plane, stroke(colours::RELIEF_OUTLINE, 1.0));
+        });
+        panel.draw_axes(svg);
+    }
+
+    fn is_relief(&self, i: usize) -> bool {
+        self.has_relief() && self.subject.fields.mask[self.element(i)]
+    }
+
+    /// The longest runs of elements shown for which something holds.
+    fn runs(&self, holds: impl Fn(usize) -> bool) -> Vec<Range<usize>> {
+        let mut runs: Vec<Range<usize>> = Vec::new();
+        for i in self.elements.clone().filter(|i| holds(*i)) {
+            match runs.last_mut() {
+                Some(run) if run.end == i => run.end = i + 1,
+                _ => runs.push(i..i + 1),
+            }
+        }
+        runs
+    }
+
+    /// A line through the centres of a run, to its ends.
+    fn line(
+        &self,
+        run: Range<usize>,
+        depth: &dyn Fn(usize) -> f64,
+        metres: f64,
+        divisor: f64,
+    ) -> Vec<(f64, f64)> {
+        let fields = &self.subject.fields;
+        let first = (fields.edge(run.start), depth(run.start));
+        let last = (fields.edge(run.end), depth(run.end - 1));
+        let centres = run.map(|i| (fields.centre(i), depth(i)));
+        let line = std::iter::once(first).chain(centres).chain([last]);
+        line.map(|(x, z)| (x / metres, z / divisor)).collect()
+    }
+
+    fn draw_legend(&self, svg: &mut Svg) {
+        let surface = if self.has_relief() {
+            "surface of the body"
+        } else {
+            "surface"
+        };
+        let mut entries = vec![(colours::INK, "indenter"), (colours::ORANGE, surface)];
+        if self.has_relief() {
+            entries.insert(1, (colours::BLUE, "tops of the relief"));
+        }
+        let y = DEPTH.top - 22.0;
+        for (i, (colour, name)) in entries.into_iter().enumerate() {
+            let x = LEFT + 230.0 * i as f64;
+            svg.line(&[(x, y), (x + 34.0, y)], stroke(colour, 3.0));
+            svg.text((x + 42.0, y), 17.0, Anchor::Start, name);
+        }
+    }
+}
+
+fn stroke(colour: Colour, width: f64) -> Stroke {
+    Stroke { colour, width }
+}
+
+/// The area between a line and a level.
+fn closed(line: &[(f64, f64)], level: f64) -> Vec<(f64, f64)> {
+    let (Some(first), Some(last)) = (line.first(), line.last()) else {
+        return Vec::new();
+    };
+    let ends = [(last.0, level), (first.0, level)];
+    line.iter().copied().chain(ends).collect()
+}

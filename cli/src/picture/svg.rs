@@ -1,0 +1,278 @@
+//! A drawing as SVG text: lines, areas, words and rasters, in the order in which they are drawn.
+
+use super::colours::{self, Colour};
+use super::raster::Raster;
+
+/// The typeface, embedded in the program; Verdana has the same widths where a browser has no `DejaVu Sans`.
+pub const FAMILY: &str = "DejaVu Sans";
+
+/// Which point of a text its place is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Anchor {
+    /// Its beginning.
+    Start,
+    /// Its middle.
+    Middle,
+    /// Its end.
+    End,
+}
+
+/// Which way a text runs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Direction {
+    /// From left to right.
+    Across,
+    /// From below to above.
+    Up,
+}
+
+/// How a line is drawn.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stroke {
+    /// Its colour.
+    pub colour: Colour,
+    /// Its width, in pixels.
+    pub width: f64,
+}
+
+/// A rectangle, in pixels from the top left.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Place {
+    /// Left side.
+    pub left: f64,
+    /// Upper side.
+    pub top: f64,
+    /// Extent to the right.
+    pub width: f64,
+    /// Extent downwards.
+    pub height: f64,
+}
+
+impl Place {
+    /// Its right side.
+    #[must_use]
+    pub fn right(&self) -> f64 {
+        self.left + self.width
+    }
+
+    /// Its lower side.
+    #[must_use]
+    pub fn bottom(&self) -> f64 {
+        self.top + self.height
+    }
+}
+
+/// A drawing under way; lengths are in pixels, y runs downwards.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Svg {
+    text: String,
+}
+
+impl Svg {
+    /// A white sheet.
+    #[must_use]
+    pub fn new(width: f64, height: f64) -> Self {
+        let text = format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w}\" height=\"{h}\" viewBox=\"0 0 {w} {h}\" \
+             font-family=\"{FAMILY}, Verdana, sans-serif\">\n",
+            w = number(width),
+            h = number(height)
+        );
+        let mut svg = Self { text };
+        let sheet = Place {
+            left: 0.0,
+            top: 0.0,
+            width,
+            height,
+        };
+        svg.rectangle(sheet, colours::WHITE);
+        svg
+    }
+
+    /// The whole document.
+    #[must_use]
+    pub fn finish(mut self) -> String {
+        self.text.push_str("</svg>\n");
+        self.text
+    }
+
+    /// A filled rectangle.
+    pub fn rectangle(&mut self, place: Place, colour: Colour) {
+        let place = attributes(place);
+        self.push(&format!("<rect {place} fill=\"{colour}\"/>"));
+    }
+
+    /// A line through points.
+    pub fn line(&mut self, points: &[(f64, f64)], stroke: Stroke) {
+        if points.len() > 1 {
+            self.lines(&[points], stroke);
+        }
+    }
+
+    /// Many lines of one kind, as one element.
+    pub fn lines(&mut self, lines: &[impl AsRef<[(f64, f64)]>], stroke: Stroke) {
+        let path: String = lines.iter().map(|line| path(line.as_ref())).collect();
+        let Stroke { colour, width } = stroke;
+        if !path.is_empty() {
+            let width = number(width);
+            self.push(&format!(
+                "<path d=\"{path}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"{width}\" \
+                 stroke-linejoin=\"round\"/>"
+            ));
+        }
+    }
+
+    /// A filled area.
+    pub fn area(&mut self, points: &[(f64, f64)], colour: Colour) {
+        let path = path(points);
+        if !path.is_empty() {
+            self.push(&format!("<path d=\"{path}Z\" fill=\"{colour}\"/>"));
+        }
+    }
+
+    /// A filled circle.
+    pub fn circle(&mut self, (x, y): (f64, f64), radius: f64, fill: Colour, edge: Colour) {
+        let [x, y, radius] = [x, y, radius].map(number);
+        self.push(&format!(
+            "<circle cx=\"{x}\" cy=\"{y}\" r=\"{radius}\" fill=\"{fill}\" stroke=\"{edge}\" stroke-width=\"2\"/>"
+        ));
+    }
+
+    /// A text, its middle line at the height of the point.
+    pub fn text(&mut self, (x, y): (f64, f64), size: f64, anchor: Anchor, text: &str) {
+        self.directed_text((x, y), size, anchor, Direction::Across, text);
+    }
+
+    /// A text that runs in a direction.
+    pub fn directed_text(
+        &mut self,
+        (x, y): (f64, f64),
+        size: f64,
+        anchor: Anchor,
+        direction: Direction,
+        text: &str,
+    ) {
+        if text.is_empty() {
+            return;
+        }
+        let turn = match direction {
+            Direction::Across => String::new(),
+            Direction::Up => format!(" transform=\"rotate(-90 {} {})\"", number(x), number(y)),
+        };
+        let anchor = match anchor {
+            Anchor::Start => "start",
+            Anchor::Middle => "middle",
+            Anchor::End => "end",
+        };
+        // The middle of lower-case letters is about a third of the size above the line they stand on.
+        let [x, y, size] = [x, y + 0.35 * size, size].map(number);
+        let (ink, text) = (colours::INK, escaped(text));
+        self.push(&format!(
+            "<text x=\"{x}\" y=\"{y}\" font-size=\"{size}\" text-anchor=\"{anchor}\" fill=\"{ink}\"{turn}>{text}</text>"
+        ));
+    }
+
+    /// A raster stretched over a place, its pixels sharp.
+    pub fn image(&mut self, place: Place, raster: &Raster) {
+        let (place, address) = (attributes(place), raster.data_address());
+        self.push(&format!(
+            "<image {place} preserveAspectRatio=\"none\" style=\"image-rendering:pixelated\" href=\"{address}\"/>"
+        ));
+    }
+
+    /// What is drawn within a place and cut off at its sides.
+    pub fn within(&mut self, place: Place, draw: impl FnOnce(&mut Self)) {
+        let attributes = attributes(place);
+        let [left, top, width, height] =
+            [place.left, place.top, place.width, place.height].map(number);
+        self.push(&format!(
+            "<svg {attributes} viewBox=\"{left} {top} {width} {height}\" overflow=\"hidden\">"
+        ));
+        draw(self);
+        self.push("</svg>");
+    }
+
+    fn push(&mut self, element: &str) {
+        self.text.push_str(element);
+        self.text.push('\n');
+    }
+}
+
+fn attributes(place: Place) -> String {
+    let [x, y, width, height] = [place.left, place.top, place.width, place.height].map(number);
+    format!("x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\"")
+}
+
+/// The path through the points; nothing where there are none.
+fn path(points: &[(f64, f64)]) -> String {
+    let command = |i| if i == 0 { 'M' } else { 'L' };
+    let step =
+        |(i, (x, y)): (usize, &(f64, f64))| format!("{}{} {}", command(i), number(*x), number(*y));
+    points.iter().enumerate().map(step).collect()
+}
+
+/// A coordinate to a hundredth of a pixel, in the fewest letters.
+fn number(value: f64) -> String {
+    let text = format!("{value:.2}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" {
+        "0".into()
+    } else {
+        text.into()
+    }
+}
+
+/// The text with the five letters replaced that mean something in XML; what XML cannot hold is left out.
+#[must_use]
+pub fn escaped(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for letter in text.chars() {
+        match letter {
+            '&' => escaped.push_str("&amp;"),
+            '<' => escaped.push_str("&lt;"),
+            '>' => escaped.push_str("&gt;"),
+            '"' => escaped.push_str("&quot;"),
+            '\'' => escaped.push_str("&#39;"),
+            letter if letter.is_control() || matches!(letter, '\u{FFFE}' | '\u{FFFF}') => {
+                escaped.push(' ');
+            }
+            letter => escaped.push(letter),
+        }
+    }
+    escaped
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn coordinates_are_short() {
+        assert_eq!(number(3.0), "3");
+        assert_eq!(number(-0.001), "0");
+        assert_eq!(number(12.3456), "12.35");
+        assert_eq!(number(100.0), "100");
+    }
+
+    #[test]
+    fn no_text_breaks_the_document() {
+        let mut svg = Svg::new(10.0, 10.0);
+        svg.text((1.0, 1.0), 5.0, Anchor::Start, "<a> & \"b\" \u{1} 'c'");
+        let text = svg.finish();
+        assert!(text.contains("&lt;a&gt; &amp; &quot;b&quot;   &#39;c&#39;</text>"));
+    }
+
+    #[test]
+    fn many_lines_are_one_element() {
+        let mut svg = Svg::new(10.0, 10.0);
+        let stroke = Stroke {
+            colour: colours::INK,
+            width: 1.0,
+        };
+        svg.lines(
+            &[vec![(0.0, 0.0), (1.0, 2.5)], vec![(3.0, 3.0), (4.0, 4.0)]],
+            stroke,
+        );
+        assert!(svg.finish().contains("d=\"M0 0L1 2.5M3 3L4 4\""));
+    }
+}

@@ -1,0 +1,196 @@
+//! Every file of a results folder read back by the tool it is written for. The tools are Python packages, installed once into a
+//! folder of the build; where there is no Python or no network, the tests say so on standard error and pass.
+
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use std::sync::OnceLock;
+
+use crate::runner::{CASE, Folder};
+
+/// What the scripts import; VTK without the plotting libraries that it only asks for.
+const PACKAGES: [&str; 5] = ["numpy", "scipy", "xarray", "gsffile", "jsonschema"];
+const ALONE: &str = "vtk";
+
+/// Another number here makes another installation, for another list of packages.
+const INSTALLATION: &str = "read-back-1";
+
+/// The interpreter that has the packages; none where they cannot be had.
+fn python() -> Option<&'static Path> {
+    static PYTHON: OnceLock<Option<PathBuf>> = OnceLock::new();
+    let python = PYTHON.get_or_init(|| {
+        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(INSTALLATION);
+        let installed = if folder.is_dir() {
+            Ok(())
+        } else {
+            install(&folder)
+        };
+        match installed {
+            Ok(()) => Some(interpreter(&folder)),
+            Err(reason) => {
+                say(&format!("files are not read back by their tools: {reason}"));
+                None
+            }
+        }
+    });
+    python.as_deref()
+}
+
+/// Written past the test harness, which keeps to itself what a test that passes prints.
+fn say(line: &str) {
+    let mut stderr = std::io::stderr();
+    writeln!(stderr, "SKIPPED: {line}").unwrap();
+}
+
+fn interpreter(folder: &Path) -> PathBuf {
+    folder.join(if cfg!(windows) {
+        "Scripts/python.exe"
+    } else {
+        "bin/python"
+    })
+}
+
+/// Makes the installation beside its place and moves it there when it is complete.
+fn install(folder: &Path) -> Result<(), String> {
+    let parent = folder.parent().unwrap();
+    fs::create_dir_all(parent).unwrap();
+    let scratch = tempfile::tempdir_in(parent).unwrap();
+    let place = scratch.path().join("python");
+    let python = if cfg!(windows) { "python" } else { "python3" };
+    succeed(Command::new(python).args(["-m", "venv"]).arg(&place))?;
+    let pip = |more: &[&str]| {
+        let mut command = Command::new(interpreter(&place));
+        command.args([
+            "-m",
+            "pip",
+            "install",
+            "--quiet",
+            "--disable-pip-version-check",
+        ]);
+        command.args([
+            "--only-binary",
+            ":all:",
+            "--retries",
+            "1",
+            "--timeout",
+            "20",
+        ]);
+        succeed(command.args(more))
+    };
+    pip(&PACKAGES)?;
+    pip(&["--no-deps", ALONE])?;
+    // Another process may have been quicker: its installation serves as well.
+    match fs::rename(&place, folder) {
+        Err(error) if !folder.is_dir() => Err(error.to_string()),
+        _ => Ok(()),
+    }
+}
+
+fn succeed(command: &mut Command) -> Result<(), String> {
+    let Output { status, stderr, .. } = command.output().map_err(|error| error.to_string())?;
+    if status.success() {
+        return Ok(());
+    }
+    let stderr = String::from_utf8_lossy(&stderr);
+    Err(stderr
+        .lines()
+        .last()
+        .unwrap_or("no reason given")
+        .to_owned())
+}
+
+/// Runs a script of `tests/read_back`; it fails where the files are not what they should be.
+fn read_back(script: &str, arguments: &[PathBuf]) {
+    let Some(python) = python() else { return };
+    let scripts = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/read_back");
+    let mut command = Command::new(python);
+    let output = command
+        .arg(scripts.join(script))
+        .args(arguments)
+        .output()
+        .unwrap();
+    let stderr = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{script}: {stderr}");
+}
+
+/// A curve of two steps on two grids, and a punch, outside of which the gap is infinite.
+fn check_both_cases(script: &str) {
+    let folder = Folder::with_case(CASE);
+    let curve = [
+        "--set",
+        "load={forces=[\"1 uN\", \"2 uN\"]}",
+        "--set",
+        "grid.elements=64",
+    ];
+    let punch = ["--set", "indenter={kind=\"flat-punch\", radius=\"90 nm\"}"];
+    for (name, more) in [("curve", &curve[..]), ("punch", &punch[..])] {
+        let line = [&["run", "case.toml", "--quiet", "--out", name], more].concat();
+        let ran = folder.run(&line);
+        assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+        read_back(script, &[folder.path(name)]);
+    }
+}
+
+#[test]
+fn numpy_reads_the_npz() {
+    check_both_cases("numpy_npz.py");
+}
+
+#[test]
+fn gwyddions_simple_field_is_read_as_written() {
+    check_both_cases("gwyddion_gsf.py");
+}
+
+#[test]
+fn vtk_reads_the_vti_with_its_units() {
+    check_both_cases("vtk_image.py");
+}
+
+#[test]
+fn xarray_reads_the_netcdf_in_the_layout_of_contact_engineering() {
+    check_both_cases("xarray_netcdf.py");
+}
+
+#[test]
+fn every_summary_keeps_to_its_schema() {
+    let folder = Folder::with_case(CASE);
+    let runs = [
+        vec!["case.toml"],
+        vec![
+            "case.toml",
+            "--set",
+            "load={penetrations=[\"1 nm\", \"2 nm\"]}",
+            "--set",
+            "grid.elements=128",
+        ],
+        vec!["case.toml", "--set", "load.force=5e-324 N"],
+        vec![
+            "case.toml",
+            "--set",
+            "surface={kind=\"film\", thickness=\"5 nm\", young_modulus=\"1 GPa\"}",
+        ],
+        vec![
+            "case.toml",
+            "--set",
+            "surface={kind=\"bare\"}",
+            "--set",
+            "foundation.substrate=\"rigid\"",
+        ],
+        vec!["case.toml", "--set", "indenter={kind=\"vickers\"}"],
+        vec![
+            "case.toml",
+            "--set",
+            "indenter={kind=\"cone\", half_angle=\"80 deg\"}",
+        ],
+    ];
+    let schema = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/summary.schema.json");
+    let mut arguments = vec![schema];
+    for (i, run) in runs.iter().enumerate() {
+        let ran = folder.run(&[&["run", "--json"], &run[..]].concat());
+        assert_ne!(ran.stdout, "", "{run:?}: {}", ran.stderr);
+        arguments.push(folder.path(&format!("{i}.json")));
+        fs::write(arguments.last().unwrap(), ran.stdout).unwrap();
+    }
+    read_back("schema.py", &arguments);
+}
