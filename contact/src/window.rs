@@ -192,7 +192,8 @@ mod tests {
         assert_eq!(window.spread(&part), mask);
         // The elements lie at the grid's end along y, but nowhere else at the window's border.
         let last = window.size() - 1;
-        let border = |e: &usize| [0, last].contains(&(e / window.size())) || e % window.size() == 0;
+        let border =
+            |e: &usize| [0, last].contains(&(e / window.size())) || e.is_multiple_of(window.size());
         assert!((0..part.len()).filter(border).all(|e| part[e] == 0.0));
     }
 

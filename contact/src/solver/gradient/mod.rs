@@ -6,10 +6,15 @@
 //! throughout, a product a step and no preconditioner; Vollebregt (2014) and Rey, Anciaux and Molinari (2017) precondition in Fourier
 //! space, Bugnicourt, Sainsot and Lubrecht (2018) bring conjugate gradients to a contact whose set changes. Different here: spectral steps until the set
 //! is found, because a conjugate direction is worth nothing on another set; the exact line search only where the energy asks
-//! for it; and a second preconditioner, [`sparse_factor`], where a stiff coat spoils the first.
+//! for it; starts that respect the outline of the relief; and products on the smallest square that holds the contact.
 //!
-//! **Newton.** Where the fast steps stall, as on a thin stiff coat whose contact shrinks to rings and edges, [`newton`] solves
-//! on the set and exchanges all elements on the wrong side at once.
+//! **Preconditioners.** The reciprocal of the analytic symbol on the periodic grid, restricted to the set, by FFT: cheap, and good on homogeneous
+//! and soft surfaces. Under a stiff coat a factorised sparse approximate inverse `Gᵀ G` of the restricted system itself (Kaporin 1994;
+//! Schäfer, Katzfuss and Owhadi 2021): each element's row from the small dense system of its twenty nearest predecessors in an order from coarse to
+//! fine. Equal neighbourhoods share a row, which makes building it cheaper than a product or two.
+//!
+//! **Newton.** Where the fast steps stall, as on a thin stiff coat whose contact shrinks to rings and edges, a semismooth Newton method solves
+//! the linear system on the set to a tenth and exchanges all elements on the wrong side at once (Hintermüller, Ito and Kunisch 2003).
 //!
 //! **Why it ends.** A conjugate step never raises the energy, and a spectral step keeps it below the largest of the last
 //! few. One that would not is cut back by an exact line search on the segment to it, which costs no
