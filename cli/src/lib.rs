@@ -17,6 +17,8 @@ pub mod case;
 pub mod command;
 pub mod display;
 pub mod failure;
+pub mod interrupt;
+pub mod map;
 pub mod output;
 pub mod picture;
 pub mod program;

@@ -79,12 +79,12 @@ fn estimates(case: &Case, side: f64, chosen: bool) -> String {
 fn features(case: &Case) -> Vec<(String, f64)> {
     let layers = case.foundation.layer.iter().enumerate();
     let thickness = layers.map(|(i, layer)| (format!("thickness of layer {i}"), layer.thickness));
-    let relief = match case.surface {
+    let relief = match &case.surface {
         SurfaceCase::Cylinders(cylinders) => vec![
             ("radius of a cylinder".to_owned(), cylinders.radius),
             ("period of the cylinders".to_owned(), cylinders.period),
         ],
-        SurfaceCase::Bare | SurfaceCase::Film { .. } => Vec::new(),
+        SurfaceCase::Bare | SurfaceCase::Film { .. } | SurfaceCase::Map(_) => Vec::new(),
     };
     thickness.chain(relief).collect()
 }

@@ -25,7 +25,7 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
     let case = Case::read(&arguments.case.path, &arguments.case.sets)?;
     let folder = claim(arguments)?;
     set_threads(arguments.threads)?;
-    let mut line = progress_line(arguments);
+    let mut line = progress_line(arguments, case.solver.tolerance);
     let tables = Instant::now();
     let cache = cache::open();
     let model = case.model(&cache)?;
@@ -71,9 +71,9 @@ fn set_threads(threads: Option<u16>) -> Result<(), Failure> {
     Ok(pool.build_global()?)
 }
 
-fn progress_line(arguments: &RunArguments) -> ProgressLine {
+fn progress_line(arguments: &RunArguments, tolerance: f64) -> ProgressLine {
     if is_watched(arguments) {
-        ProgressLine::new()
+        ProgressLine::new(tolerance)
     } else {
         ProgressLine::hidden()
     }

@@ -14,6 +14,10 @@ pub enum Template {
     Coating,
     /// A Berkovich pyramid on a bare half-space
     Berkovich,
+    /// A Vickers pyramid on a coated steel
+    Vickers,
+    /// A cube corner on a film that slides on a rigid base
+    CubeCorner,
     /// A rounded cone on a coating
     Cone,
     /// A flat punch on an elastic layer with a rigid base
@@ -31,6 +35,8 @@ impl Template {
             Self::Film => include_str!("film.toml"),
             Self::Coating => include_str!("coating.toml"),
             Self::Berkovich => include_str!("berkovich.toml"),
+            Self::Vickers => include_str!("vickers.toml"),
+            Self::CubeCorner => include_str!("cube-corner.toml"),
             Self::Cone => include_str!("cone.toml"),
             Self::FlatPunch => include_str!("flat-punch.toml"),
             Self::Hertz => include_str!("hertz.toml"),
@@ -40,6 +46,7 @@ impl Template {
 
 #[cfg(test)]
 mod tests {
+    use std::path::Path;
     use std::sync::Arc;
 
     use super::*;
@@ -54,7 +61,8 @@ mod tests {
                 format!("{template:?}"),
                 template.text().to_owned(),
             ));
-            let case = Case::parse(&source, "", &[]).unwrap_or_else(|e| panic!("{e}"));
+            let case =
+                Case::parse(&source, "", Path::new(""), &[]).unwrap_or_else(|e| panic!("{e}"));
             assert_eq!(case.units, Units::Si, "{template:?}");
             assert!(template.text().starts_with("# "), "{template:?}");
         }

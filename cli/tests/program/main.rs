@@ -10,5 +10,6 @@ mod bad_input;
 mod cache;
 mod cases;
 mod files;
+mod maps;
 mod runner;
 mod tables;

@@ -97,6 +97,8 @@ fn every_template_passes_its_check() {
         "film",
         "coating",
         "berkovich",
+        "vickers",
+        "cube-corner",
         "cone",
         "flat-punch",
         "hertz",
