@@ -23,5 +23,6 @@ pub mod output;
 pub mod picture;
 pub mod program;
 pub mod progress;
+pub mod study;
 pub mod templates;
 pub mod terminal;

@@ -112,7 +112,11 @@ impl Case {
             "solver",
         ];
         let table = Reader::root(root)?;
-        table.only(&TABLES)?;
+        let is_study = table.optional("study").is_some();
+        table.only(&TABLES).map_err(|diagnosis| match is_study {
+            true => diagnosis.with_help("a file with [study] is solved with `pellicle study FILE`"),
+            false => diagnosis,
+        })?;
         let title = match table.optional("title") {
             Some(field) => field.text()?.to_owned(),
             None => name.to_owned(),

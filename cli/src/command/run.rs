@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::time::Instant;
 
-use pellicle_contact::{LoadingPath, Model, Observer, solve_path};
+use pellicle_contact::{ContactError, LoadingPath, Model, Observer, solve_path};
 
 use crate::arguments::RunArguments;
 use crate::case::Case;
@@ -13,7 +13,7 @@ use crate::output::summary::{Clock, Summary};
 use crate::output::{json, report, results};
 use crate::program::Outcome;
 use crate::progress::ProgressLine;
-use crate::{cache, terminal};
+use crate::{cache, interrupt, terminal};
 
 /// Solves the case, writes its results folder and says what came out.
 ///
@@ -25,13 +25,19 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
     let case = Case::read(&arguments.case.path, &arguments.case.sets)?;
     let folder = claim(arguments)?;
     set_threads(arguments.threads)?;
+    interrupt::listen();
     let mut line = progress_line(arguments, case.solver.tolerance);
     let tables = Instant::now();
     let cache = cache::open();
     let model = case.model(&cache)?;
     let tables_seconds = tables.elapsed().as_secs_f64();
-    let path = solve(&case, &model.value, &mut line)?;
+    let solved = solve(&case, &model.value, &mut line);
     drop(line);
+    let path = match solved {
+        Err(Failure::Contact(ContactError::Cancelled { step })) => return Ok(stopped(step)),
+        solved => solved?,
+    };
+    interrupt::hold();
     let clock = Clock {
         start,
         tables_seconds,
@@ -85,6 +91,13 @@ fn solve(case: &Case, model: &Model, observer: &mut dyn Observer) -> Result<Load
     Ok(solve_path(
         model, domain, elements, &loads, &options, observer,
     )?)
+}
+
+fn stopped(step: usize) -> Outcome {
+    terminal::tell(&format!(
+        "stopped at loading step {step}; nothing is written"
+    ));
+    Outcome::Stopped
 }
 
 fn is_watched(arguments: &RunArguments) -> bool {

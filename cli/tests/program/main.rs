@@ -12,4 +12,5 @@ mod cases;
 mod files;
 mod maps;
 mod runner;
+mod study;
 mod tables;
