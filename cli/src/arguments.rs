@@ -91,6 +91,10 @@ pub struct RunArguments {
 
 /// How to run a study.
 #[derive(Debug, Args)]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is a switch of the command line"
+)]
 pub struct StudyArguments {
     /// The study file
     #[arg(value_name = "STUDY")]

@@ -17,6 +17,7 @@ pub mod case;
 pub mod command;
 pub mod display;
 pub mod failure;
+pub mod forecast;
 pub mod interrupt;
 pub mod map;
 pub mod output;

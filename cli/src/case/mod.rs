@@ -112,10 +112,11 @@ impl Case {
             "solver",
         ];
         let table = Reader::root(root)?;
-        let is_study = table.optional("study").is_some();
-        table.only(&TABLES).map_err(|diagnosis| match is_study {
-            true => diagnosis.with_help("a file with [study] is solved with `pellicle study FILE`"),
-            false => diagnosis,
+        table.only(&TABLES).map_err(|diagnosis| {
+            if table.optional("study").is_none() {
+                return diagnosis;
+            }
+            diagnosis.with_help("a file with [study] is solved with `pellicle study FILE`")
         })?;
         let title = match table.optional("title") {
             Some(field) => field.text()?.to_owned(),

@@ -57,3 +57,39 @@ fn print(text: &[u8]) -> Result<Outcome, Failure> {
     terminal::print(&String::from_utf8_lossy(text))?;
     Ok(Outcome::Done)
 }
+
+#[cfg(test)]
+mod tests {
+    use clap::ValueEnum;
+
+    use super::*;
+
+    #[test]
+    fn every_shell_knows_every_command() {
+        for shell in clap_complete::Shell::value_variants() {
+            let mut text = Vec::new();
+            clap_complete::generate(*shell, &mut Arguments::command(), "pellicle", &mut text);
+            let text = String::from_utf8(text).unwrap();
+            for command in Arguments::command().get_subcommands() {
+                assert!(
+                    text.contains(command.get_name()),
+                    "{shell}: {}",
+                    command.get_name()
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn the_manual_page_has_a_section_for_every_command() {
+        let command = Arguments::command().disable_help_subcommand(true);
+        let mut text = Vec::new();
+        page(&command, &mut text).unwrap();
+        let text = String::from_utf8(text).unwrap();
+        for command in command.get_subcommands() {
+            let heading = format!(".SH \"PELLICLE {}\"", command.get_name().to_uppercase());
+            assert!(text.contains(&heading), "{heading}");
+        }
+        assert!(text.contains("\\-\\-shard"));
+    }
+}

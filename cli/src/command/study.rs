@@ -140,16 +140,17 @@ pub fn words(tally: Tally, cases: usize) -> String {
         not_converged,
         failed,
     } = tally;
-    let mut words = format!("{cases} cases: {certified} certified");
-    let mut add = |count: usize, word: &str| {
-        if count > 0 {
-            words.push_str(&format!(", {count} {word}"));
-        }
-    };
-    add(not_converged, "not converged");
-    add(failed, "failed");
-    add(cases - tally.done(), "to do");
-    words
+    let others = [
+        (not_converged, "not converged"),
+        (failed, "failed"),
+        (cases - tally.done(), "to do"),
+    ];
+    let others = others.into_iter().filter(|(count, _)| *count > 0);
+    let others = others.map(|(count, word)| format!(", {count} {word}"));
+    format!(
+        "{cases} cases: {certified} certified{}",
+        others.collect::<String>()
+    )
 }
 
 fn list(study: &Study, shard: Shard) -> Result<Outcome, Failure> {

@@ -5,6 +5,9 @@ use ndarray_npy::{ReadNpyError, ReadNpyExt, ReadableElement};
 
 use super::{MapError, MapFile};
 
+/// Reads an array of one kind of numbers.
+type Reader = fn(&[u8]) -> Result<Array2<f64>, ReadNpyError>;
+
 /// Reads the array, of floats or integers in either order of bytes and of axes.
 ///
 /// # Errors
@@ -12,7 +15,7 @@ use super::{MapError, MapFile};
 /// [`MapError::Npy`] if there is no such array; an array of objects or of complex numbers is none.
 pub fn parse(bytes: &[u8]) -> Result<MapFile, MapError> {
     check_length(bytes)?;
-    let readers: [fn(&[u8]) -> Result<Array2<f64>, ReadNpyError>; 8] = [
+    let readers: [Reader; 8] = [
         |bytes| array::<f64>(bytes, |x| x),
         |bytes| array::<f32>(bytes, f64::from),
         |bytes| array::<i16>(bytes, f64::from),

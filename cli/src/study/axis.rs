@@ -7,6 +7,8 @@ use crate::case::place::Place;
 use crate::case::quantity::{self, Dimension};
 use crate::case::reader::Reader;
 use crate::case::spacing::{self, Spacing};
+use crate::case::units::Units;
+use crate::display::{self, Unit, significant};
 
 /// More values of one key than this are a mistake.
 const MOST_VALUES: usize = 100_000;
@@ -22,6 +24,8 @@ pub struct Axis {
     pub key_place: Place,
     /// Its values, in order.
     pub values: Vec<Node>,
+    /// Whether nobody wrote them one by one.
+    is_range: bool,
 }
 
 impl Axis {
@@ -45,6 +49,7 @@ impl Axis {
             key,
             key_place,
             values,
+            is_range: matches!(node.value, Value::Table(_)),
         })
     }
 
@@ -82,13 +87,32 @@ impl Axis {
         }
     }
 
-    /// The `i`-th value as a person wrote it.
+    /// The `i`-th value as a person wrote it or would have written it.
     #[must_use]
     pub fn words(&self, i: usize) -> String {
-        self.values
-            .get(i)
-            .map_or_else(String::new, |node| words(&node.value))
+        let value = self.values.get(i).map(|node| &node.value);
+        match (value, self.dimension()) {
+            (Some(Value::Text(text)), Some(dimension)) if self.is_range => {
+                rounded(text, dimension).unwrap_or_else(|| text.clone())
+            }
+            (Some(Value::Float(number)), _) => significant(*number, 5),
+            (value, _) => value.map_or_else(String::new, words),
+        }
     }
+}
+
+/// A quantity with five digits and the prefix that suits it.
+fn rounded(text: &str, dimension: Dimension) -> Option<String> {
+    let value = quantity::parse(text, dimension).ok()?;
+    let with_prefix = |unit| display::quantity(value, unit, Units::Si);
+    Some(match dimension {
+        Dimension::Length => with_prefix(Unit::Metre),
+        Dimension::Pressure => with_prefix(Unit::Pascal),
+        Dimension::Force => with_prefix(Unit::Newton),
+        Dimension::Angle | Dimension::Compliance => {
+            format!("{} {}", significant(value, 5), dimension.si_unit())
+        }
+    })
 }
 
 fn words(value: &Value) -> String {
@@ -121,7 +145,7 @@ fn range(table: &Reader<'_>, place: &Place) -> Result<Vec<Node>, Diagnosis> {
     if from.dimension != to.dimension {
         return Err(field.wanted("a value with a unit of the same kind as that of from"));
     }
-    if spacing == Spacing::Log && !(from.number * to.number > 0.0) {
+    if spacing == Spacing::Log && from.number * to.number <= 0.0 {
         return Err(field.diagnosis(Fault::Wrong {
             found: "a range with spacing = \"log\" that is not on one side of zero".into(),
             wanted: "from and to both positive, or both negative".into(),

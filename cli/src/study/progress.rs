@@ -14,7 +14,7 @@ use crate::terminal;
 /// The lines of a study.
 #[derive(Debug)]
 pub struct Lines {
-    lines: Option<MultiProgress>,
+    terminal: Option<MultiProgress>,
     total: usize,
     start: Instant,
     /// Cases done before this run, and since.
@@ -26,7 +26,7 @@ impl Lines {
     #[must_use]
     pub fn new(total: usize, before: usize, watched: bool) -> Self {
         Self {
-            lines: watched.then(MultiProgress::new),
+            terminal: watched.then(MultiProgress::new),
             total,
             start: Instant::now(),
             done: Mutex::new((before, 0)),
@@ -36,7 +36,7 @@ impl Lines {
     /// The line of a case under way.
     #[must_use]
     pub fn case(&self, study: &Study, case: usize) -> ProgressLine {
-        match &self.lines {
+        match &self.terminal {
             Some(lines) => {
                 let words = format!("case {}: {}; ", case + 1, study.words(case));
                 let tolerance = SolverOptions::default().tolerance;
@@ -49,7 +49,7 @@ impl Lines {
     /// Tells that a case has ended.
     pub fn ended(&self, study: &Study, case: usize, done: &Done) {
         let (count, left) = self.count();
-        let Some(lines) = &self.lines else {
+        let Some(lines) = &self.terminal else {
             return;
         };
         let left = left.map_or_else(String::new, |left| format!(", {} left", in_words(left)));

@@ -45,6 +45,15 @@ impl Template {
             Self::Study => include_str!("study.toml"),
         }
     }
+
+    /// The command that solves it.
+    #[must_use]
+    pub fn command(self) -> &'static str {
+        match self {
+            Self::Study => "study",
+            _ => "run",
+        }
+    }
 }
 
 #[cfg(test)]

@@ -9,7 +9,9 @@
 mod bad_input;
 mod cache;
 mod cases;
+mod damage;
 mod files;
+mod interrupt;
 mod maps;
 mod runner;
 mod study;

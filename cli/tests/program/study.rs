@@ -208,7 +208,7 @@ fn the_cases_can_be_listed_and_have_folders_of_their_own() {
     assert_eq!(lines.len(), 8);
     assert_eq!(
         lines[2],
-        "case 3: load.force = 5e-7 N, surface.radius = 20 nm"
+        "case 3: load.force = 500.00 nN, surface.radius = 20 nm"
     );
     let ran = study(&folder, &["--folders"]);
     assert_eq!(ran.code, Some(1), "{}", ran.stderr);
