@@ -11,7 +11,8 @@ use crate::interrupt;
 #[derive(Debug)]
 pub struct ProgressLine {
     line: ProgressBar,
-    prefix: String,
+    /// What stands before and behind the progress.
+    around: [String; 2],
     clock: Clock,
 }
 
@@ -19,7 +20,7 @@ impl ProgressLine {
     /// A line that is there until it is dropped; it says that the coefficients come first.
     #[must_use]
     pub fn new(tolerance: f64) -> Self {
-        Self::on(ProgressBar::new_spinner(), String::new(), tolerance)
+        Self::on(ProgressBar::new_spinner(), Default::default(), tolerance)
     }
 
     /// No line at all.
@@ -27,15 +28,16 @@ impl ProgressLine {
     pub fn hidden() -> Self {
         Self {
             line: ProgressBar::hidden(),
-            prefix: String::new(),
+            around: Default::default(),
             clock: Clock::start(1.0),
         }
     }
 
-    /// A line of somebody else's, beginning with these words.
+    /// A line of somebody else's, with these words before and behind the progress.
     #[must_use]
-    pub fn on(line: ProgressBar, prefix: String, tolerance: f64) -> Self {
-        line.set_message(format!("{prefix}influence coefficients"));
+    pub fn on(line: ProgressBar, around: [String; 2], tolerance: f64) -> Self {
+        let [before, behind] = &around;
+        line.set_message(format!("{before}influence coefficients{behind}"));
         // The template is a constant: were it faulty, the default style would stand.
         if let Ok(style) = ProgressStyle::with_template("{spinner} {elapsed} {msg}") {
             line.set_style(style);
@@ -43,7 +45,7 @@ impl ProgressLine {
         line.enable_steady_tick(Duration::from_millis(100));
         Self {
             line,
-            prefix,
+            around,
             clock: Clock::start(tolerance),
         }
     }
@@ -62,8 +64,8 @@ impl Observer for ProgressLine {
         }
         if !self.line.is_hidden() {
             let left = self.clock.remaining(progress, Instant::now());
-            self.line
-                .set_message(format!("{}{}", self.prefix, message(progress, left)));
+            let ([before, behind], message) = (&self.around, message(progress, left));
+            self.line.set_message(format!("{before}{message}{behind}"));
         }
         interrupt::signal()
     }
@@ -76,13 +78,13 @@ fn message(progress: &Progress, left: Option<Duration>) -> String {
         elements,
         iteration,
         residual,
-        contact_elements,
+        ..
     } = progress;
     let step = step + 1;
     let left = left.map_or_else(String::new, |left| format!(", {} left", in_words(left)));
     format!(
         "step {step}/{steps}, grid {elements} × {elements}, iteration {iteration}, \
-         residual {residual:.1e}, {contact_elements} elements in contact{left}"
+         residual {residual:.1e}{left}"
     )
 }
 
@@ -91,7 +93,7 @@ fn message(progress: &Progress, left: Option<Duration>) -> String {
 pub fn in_words(time: Duration) -> String {
     let seconds = time.as_secs_f64();
     if seconds < 99.5 {
-        format!("{} s", seconds.ceil())
+        format!("{} s", seconds.ceil().max(1.0))
     } else if seconds < 5970.0 {
         format!("{} min", (seconds / 60.0).round())
     } else {
@@ -199,7 +201,7 @@ mod tests {
         let left = Some(Duration::from_secs(12));
         assert_eq!(
             message(&progress(0, 3, 5, 1.5e-4), left),
-            "step 1/3, grid 64 × 64, iteration 5, residual 1.5e-4, 120 elements in contact, 12 s left"
+            "step 1/3, grid 64 × 64, iteration 5, residual 1.5e-4, 12 s left"
         );
     }
 

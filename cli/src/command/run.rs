@@ -9,7 +9,7 @@ use crate::arguments::RunArguments;
 use crate::case::Case;
 use crate::failure::Failure;
 use crate::output::folder::{Existing, Folder};
-use crate::output::summary::{Clock, Summary};
+use crate::output::summary::{Clock, Summary, WarningSummary};
 use crate::output::{json, report, results};
 use crate::program::Outcome;
 use crate::progress::ProgressLine;
@@ -35,6 +35,7 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
     drop(line);
     let path = match solved {
         Err(Failure::Contact(ContactError::Cancelled { step })) => return Ok(stopped(step)),
+        Ok(path) if path.steps.is_empty() => return Ok(stopped(0)),
         solved => solved?,
     };
     interrupt::hold();
@@ -43,7 +44,9 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
         tables_seconds,
         tables_origin: model.origin,
     };
-    let summary = Summary::new(&case, &path, clock, &cache.take_warnings());
+    let mut summary = Summary::new(&case, &path, clock, &cache.take_warnings());
+    let steps = case.load.steps().len();
+    summary.warnings.extend(unfinished(path.steps.len(), steps));
     if let Some(folder) = &folder {
         folder.write(|folder| results::write(folder, &path, &summary))?;
     }
@@ -51,7 +54,15 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
     if arguments.json {
         terminal::print(&json(&summary)?)?;
     }
-    Ok(outcome(&summary))
+    Ok(outcome(&summary, steps))
+}
+
+/// What a path that the user stopped has to say of itself.
+fn unfinished(done: usize, steps: usize) -> Option<WarningSummary> {
+    (done < steps).then(|| WarningSummary {
+        code: "stopped",
+        message: format!("stopped by the user after {done} of {steps} loading steps"),
+    })
 }
 
 /// Where the results go: nowhere with `--json` alone.
@@ -122,8 +133,10 @@ fn tell(arguments: &RunArguments, summary: &Summary, folder: Option<&Path>) {
     }
 }
 
-fn outcome(summary: &Summary) -> Outcome {
-    if summary.is_certified() {
+fn outcome(summary: &Summary, steps: usize) -> Outcome {
+    if summary.steps.len() < steps {
+        Outcome::Stopped
+    } else if summary.is_certified() {
         Outcome::Done
     } else {
         Outcome::NotConverged

@@ -38,9 +38,10 @@ impl Lines {
     pub fn case(&self, study: &Study, case: usize) -> ProgressLine {
         match &self.terminal {
             Some(lines) => {
-                let words = format!("case {}: {}; ", case + 1, study.words(case));
+                let before = format!("case {}: ", case + 1);
+                let around = [before, format!("; {}", study.words(case))];
                 let tolerance = SolverOptions::default().tolerance;
-                ProgressLine::on(lines.add(ProgressBar::new_spinner()), words, tolerance)
+                ProgressLine::on(lines.add(ProgressBar::new_spinner()), around, tolerance)
             }
             None => ProgressLine::hidden(),
         }

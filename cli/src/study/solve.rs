@@ -41,7 +41,7 @@ pub struct Done {
 }
 
 impl Kit<'_> {
-    /// Solves a case; none if the observer cancels it.
+    /// Solves a case; none if the user stops it, and what it had by then is not kept.
     ///
     /// # Errors
     ///
@@ -49,7 +49,7 @@ impl Kit<'_> {
     pub fn solve(&self, case: usize, observer: &mut dyn Observer) -> Result<Option<Done>, Failure> {
         let solved = catch_unwind(AssertUnwindSafe(|| self.attempt(case, observer)));
         match solved {
-            Ok(Ok(done)) => Ok(Some(done)),
+            Ok(Ok(done)) => Ok(done),
             Ok(Err(Failure::Contact(ContactError::Cancelled { .. }))) => Ok(None),
             Ok(Err(failure @ (Failure::Write { .. } | Failure::NoResults { .. }))) => Err(failure),
             Ok(Err(failure)) => Ok(Some(self.failed(case, &failure.to_string()))),
@@ -65,19 +65,17 @@ impl Kit<'_> {
         }
     }
 
-    fn attempt(&self, number: usize, observer: &mut dyn Observer) -> Result<Done, Failure> {
+    fn attempt(&self, number: usize, observer: &mut dyn Observer) -> Result<Option<Done>, Failure> {
         let start = Instant::now();
         let case = self.study.case(number)?;
         let model = case.model(&self.cache)?;
         let tables_seconds = start.elapsed().as_secs_f64();
-        let path = solve_path(
-            &model.value,
-            case.grid.domain(),
-            case.grid.elements,
-            &case.load.steps(),
-            &case.solver.options(),
-            observer,
-        )?;
+        let (loads, options) = (case.load.steps(), case.solver.options());
+        let (domain, elements) = (case.grid.domain(), case.grid.elements);
+        let path = solve_path(&model.value, domain, elements, &loads, &options, observer)?;
+        if path.steps.len() < loads.len() {
+            return Ok(None);
+        }
         let clock = Clock {
             start,
             tables_seconds,
@@ -92,11 +90,11 @@ impl Kit<'_> {
                 &summary,
             )?;
         }
-        Ok(Done {
+        Ok(Some(Done {
             status: status(&summary),
             rows: self.columns.solved(self.study, number, &summary),
             words: words(&case, &summary),
-        })
+        }))
     }
 }
 
