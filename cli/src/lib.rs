@@ -18,6 +18,8 @@ pub mod command;
 pub mod display;
 pub mod failure;
 pub mod forecast;
+#[cfg(doctest)]
+mod guide;
 pub mod interrupt;
 pub mod map;
 pub mod output;

@@ -11,6 +11,7 @@ mod cache;
 mod cases;
 mod damage;
 mod files;
+mod guide;
 mod interrupt;
 mod maps;
 mod runner;
