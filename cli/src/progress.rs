@@ -14,6 +14,7 @@ pub struct ProgressLine {
     /// What stands before and behind the progress.
     around: [String; 2],
     clock: Clock,
+    keeps_steps: bool,
 }
 
 impl ProgressLine {
@@ -30,7 +31,15 @@ impl ProgressLine {
             line: ProgressBar::hidden(),
             around: Default::default(),
             clock: Clock::start(1.0),
+            keeps_steps: false,
         }
+    }
+
+    /// The same for a path whose finished steps are written even if the user stops it.
+    #[must_use]
+    pub fn keeping_steps(mut self) -> Self {
+        self.keeps_steps = true;
+        self
     }
 
     /// A line of somebody else's, with these words before and behind the progress.
@@ -47,6 +56,7 @@ impl ProgressLine {
             line,
             around,
             clock: Clock::start(tolerance),
+            keeps_steps: false,
         }
     }
 }
@@ -59,7 +69,7 @@ impl Drop for ProgressLine {
 
 impl Observer for ProgressLine {
     fn progress(&mut self, progress: &Progress) -> Signal {
-        if progress.step > 0 {
+        if self.keeps_steps && progress.step > 0 {
             interrupt::hold();
         }
         if !self.line.is_hidden() {

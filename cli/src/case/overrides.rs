@@ -68,7 +68,8 @@ fn malformed(source: &Arc<Source>) -> Diagnosis {
 }
 
 /// `foundation.layer[0].thickness` and `foundation.layer.0.thickness` as their four steps.
-fn steps(key: &str) -> Option<Vec<String>> {
+#[must_use]
+pub fn steps(key: &str) -> Option<Vec<String>> {
     let dotted = key.trim().replace('[', ".").replace(']', "");
     let steps: Vec<_> = dotted.split('.').map(|s| s.trim().to_owned()).collect();
     (steps.iter().all(|step| !step.is_empty())).then_some(steps)

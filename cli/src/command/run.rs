@@ -89,11 +89,12 @@ fn set_threads(threads: Option<u16>) -> Result<(), Failure> {
 }
 
 fn progress_line(arguments: &RunArguments, tolerance: f64) -> ProgressLine {
-    if is_watched(arguments) {
+    let line = if is_watched(arguments) {
         ProgressLine::new(tolerance)
     } else {
         ProgressLine::hidden()
-    }
+    };
+    line.keeping_steps()
 }
 
 fn solve(case: &Case, model: &Model, observer: &mut dyn Observer) -> Result<LoadingPath, Failure> {

@@ -53,10 +53,11 @@ pub fn study(arguments: &StudyArguments) -> Result<Outcome, Failure> {
         .map_or_else(runner::default_threads, usize::from);
     runner::run(&kit, &to_do, threads, &mut table, &lines)?;
     cache::tell_warnings(&kit.cache);
-    if table.done().len() == cases.len() {
+    let (tally, path) = (table.tally(), table.path().to_owned());
+    if tally.done() == cases.len() {
         table.finish(&plan.identity)?;
     }
-    report(arguments, &table, cases.len())
+    report(arguments, tally, &path, cases.len())
 }
 
 fn is_watched(arguments: &StudyArguments) -> bool {
@@ -112,12 +113,16 @@ struct Report {
     table: String,
 }
 
-fn report(arguments: &StudyArguments, table: &Table, cases: usize) -> Result<Outcome, Failure> {
-    let tally = table.tally();
+fn report(
+    arguments: &StudyArguments,
+    tally: Tally,
+    table: &Path,
+    cases: usize,
+) -> Result<Outcome, Failure> {
     let report = Report {
         cases,
         tally,
-        table: table.path().display().to_string(),
+        table: table.display().to_string(),
     };
     if arguments.json {
         terminal::print(&output::json(&report)?)?;

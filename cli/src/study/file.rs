@@ -140,6 +140,15 @@ fn check(axes: &[Axis], combine: Combine) -> Result<(), Diagnosis> {
     let Some(first) = axes.first() else {
         return Ok(());
     };
+    let is_given_before = |(i, axis): &(usize, &Axis)| {
+        let steps = overrides::steps(&axis.key);
+        axes[..*i]
+            .iter()
+            .any(|other| overrides::steps(&other.key) == steps)
+    };
+    if let Some((_, axis)) = axes.iter().enumerate().find(is_given_before) {
+        return wrong(axis, "the same key twice".into(), "each key once".into());
+    }
     let wanted = first.values.len();
     let other = axes.iter().find(|axis| axis.values.len() != wanted);
     if let (Combine::Zip, Some(other)) = (combine, other) {

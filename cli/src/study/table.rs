@@ -6,7 +6,7 @@
 
 use std::collections::BTreeMap;
 use std::fs::{self, File, OpenOptions, TryLockError};
-use std::io::{self, Write};
+use std::io::{self, Read, Seek, Write};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
@@ -54,7 +54,7 @@ impl Table {
             file.set_len(0).map_err(failed)?;
         }
         identity.write(folder)?;
-        let text = fs::read(&path).map_err(failed)?;
+        let text = whole(&file).map_err(failed)?;
         let blocks = Blocks::of(&text, identity)
             .ok_or_else(|| Failure::damaged(&path, &"its first line is not that of this study"))?;
         let mut table = Self {
@@ -111,20 +111,30 @@ impl Table {
         &self.path
     }
 
-    /// Puts the cases in order, once all are there.
+    /// Puts the cases in order, once all are there, and closes the table.
     ///
     /// # Errors
     ///
     /// [`Failure`] if the table cannot be read or written.
-    pub fn finish(&self, identity: &Identity) -> Result<(), Failure> {
-        let text = read(&self.path)?;
+    pub fn finish(self, identity: &Identity) -> Result<(), Failure> {
+        let text = whole(&self.file).map_err(|cause| Failure::damaged(&self.path, &cause))?;
         let blocks = Blocks::of(&text, identity)
             .ok_or_else(|| Failure::damaged(&self.path, &"it has changed meanwhile"))?;
         if blocks.are_in_order() {
             return Ok(());
         }
+        // Some systems replace no file that is open.
+        drop(self.file);
         write_in_order(&self.path, &identity.header, &blocks.in_order(&text))
     }
+}
+
+/// Everything in an open file.
+fn whole(mut file: &File) -> io::Result<Vec<u8>> {
+    let mut text = Vec::new();
+    file.rewind()?;
+    file.read_to_end(&mut text)?;
+    Ok(text)
 }
 
 /// The bytes of a table.

@@ -126,6 +126,10 @@ fn what_is_no_study_is_told_with_its_key() {
             "key `a.to`: found \"1 N\", wanted a value with a unit of the same kind",
         ),
         (
+            "[study]\ncase = \"base.toml\"\n[study.vary]\na.0.b = [1]\n\"a[0].b\" = [2]",
+            "key `a[0].b`: found the same key twice",
+        ),
+        (
             "[study]\ncase = \"base.toml\"\n[study.vary]\na = [1]\n[load]\nforce = 1",
             "key `load`: found an unknown key, wanted one of study",
         ),
