@@ -1,7 +1,7 @@
 //! What solving a case will take and what its model is worth, judged by a trial on a coarse grid.
 //!
-//! The trial solves for the largest load alone, on at most 64 × 64 elements, which takes some milliseconds. It finds the domain that the
-//! solution will need, the contact's size, and what the solution's own warnings would say of the model.
+//! The trial solves for the smallest and the largest load, on at most 64 × 64 elements, which takes some milliseconds. It finds the domain
+//! that the solution will need, the contact's size, and what the solution's own warnings would say of the model.
 
 use pellicle_contact::{
     ContactError, Load, LoadingPath, Method, Model, SolverOptions, Step, Warning, default_side,
@@ -26,6 +26,10 @@ const FEWEST_PER_RADIUS: f64 = 4.0;
 /// Fewer elements than this per thickness of a layer draw the solution's warning.
 const FEWEST_PER_THICKNESS: f64 = 0.02;
 
+/// Fewer elements than this from the middle of a contact to its edge leave an area uncertain by a tenth and more: a circle of radius 5 holds
+/// some 80 elements, of which 30 are cut by its rim.
+const FEWEST_PER_CONTACT: f64 = 5.0;
+
 /// What a trial found.
 #[derive(Debug)]
 pub struct Forecast {
@@ -33,7 +37,7 @@ pub struct Forecast {
     pub side: f64,
     /// Elements per side of the trial.
     pub trial: usize,
-    /// The largest load on them; none if the trial failed.
+    /// The solution of the largest load on them; none if the trial failed.
     pub step: Option<Step>,
     /// What the solution will warn of, as far as the trial can tell.
     pub warnings: Vec<String>,
@@ -55,14 +59,19 @@ impl Forecast {
         );
         let mut warnings = resolution(model, side / case.grid.elements as f64);
         match &path {
-            Ok(path) => warnings.extend(path.warnings.iter().filter_map(of_the_model)),
+            Ok(path) => {
+                warnings.extend(smallest(path, side / case.grid.elements as f64));
+                let last = path.steps.len().saturating_sub(1);
+                let warns = |warning| of_the_model(warning, last);
+                warnings.extend(path.warnings.iter().filter_map(warns));
+            }
             Err(error) => warnings.push(format!("the trial failed: {error}")),
         }
         warnings.extend(maps(case, side));
         Self {
             side,
             trial,
-            step: path.ok().and_then(|path| path.steps.into_iter().next()),
+            step: path.ok().and_then(|mut path| path.steps.pop()),
             warnings,
         }
     }
@@ -83,37 +92,48 @@ fn solve(case: &Case, model: &Model, elements: usize) -> Result<LoadingPath, Con
         max_applications: MOST_PRODUCTS,
         ..case.solver.options()
     };
-    let load = largest(&case.load.steps());
-    solve_path(
-        model,
-        case.grid.domain(),
-        elements,
-        &[load],
-        &options,
-        &mut (),
-    )
+    let (domain, loads) = (case.grid.domain(), extremes(&case.load.steps()));
+    solve_path(model, domain, elements, &loads, &options, &mut ())
 }
 
-fn largest(loads: &[Load]) -> Load {
+/// The smallest load and the largest; the one if there is but one.
+fn extremes(loads: &[Load]) -> Vec<Load> {
     let size = |load: &Load| match load {
         Load::Force(value) | Load::Penetration(value) => *value,
     };
+    let smallest = loads.iter().min_by(|a, b| size(a).total_cmp(&size(b)));
     let largest = loads.iter().max_by(|a, b| size(a).total_cmp(&size(b)));
-    largest.copied().unwrap_or(Load::Penetration(0.0))
+    let mut extremes: Vec<_> = smallest.into_iter().chain(largest).copied().collect();
+    extremes.dedup();
+    extremes
 }
 
-/// What the trial says of the model and not of its own coarse grid.
-fn of_the_model(warning: &Warning) -> Option<String> {
-    let is_of_the_grid = matches!(
-        warning,
-        Warning::TextureUnderResolved { .. }
-            | Warning::LayerUnderResolved { .. }
-            | Warning::PeakNotResolved { .. }
-            | Warning::NotConverged { .. }
-    );
+/// Whether the domain that the largest load needs leaves the smallest too few elements.
+fn smallest(path: &LoadingPath, element_side: f64) -> Option<String> {
+    let [first, .., _] = &path.steps[..] else {
+        return None;
+    };
+    let elements = first.summary.contact_radius / element_side;
+    (elements > 0.0 && elements < FEWEST_PER_CONTACT).then(|| {
+        format!(
+            "at the smallest load, the contact's radius is some {elements:.0} elements: solve small loads by themselves, or with more elements"
+        )
+    })
+}
+
+/// What the trial's last step says of the model and not of its own coarse grid.
+fn of_the_model(warning: &Warning, last: usize) -> Option<String> {
+    let (Warning::DomainEdge { step, .. }
+    | Warning::FilmShortening { step, .. }
+    | Warning::SteepIndenter { step, .. }) = *warning
+    else {
+        return None;
+    };
     let words = warning.to_string();
-    let words = words.strip_prefix("step 0: ").unwrap_or(&words);
-    (!is_of_the_grid).then(|| format!("at the largest load, {words}"))
+    let words = words
+        .strip_prefix(&format!("step {step}: "))
+        .unwrap_or(&words);
+    (step == last).then(|| format!("at the largest load, {words}"))
 }
 
 /// What elements of this side will not resolve.

@@ -119,6 +119,11 @@ fn check_warns_of_what_the_solution_would_warn_of() {
         &["load.force=200 uN"],
         "at the largest load, the contact comes within",
     );
+    let small = "load={forces=[\"1 nN\", \"1 uN\"]}";
+    warns(
+        &[small],
+        "at the smallest load, the contact's radius is some",
+    );
     let film = "surface={kind=\"film\", thickness=\"1 nm\", young_modulus=\"1 MPa\"}";
     warns(&[film], "at the largest load, the relief shortens by");
     let cone = "indenter={kind=\"cone\", half_angle=\"45 deg\"}";
