@@ -33,6 +33,9 @@ pub struct MapFile {
     pub height_unit: Option<String>,
 }
 
+/// Reads the bytes of a file of one format.
+type Parser = fn(&[u8]) -> Result<MapFile, MapError>;
+
 impl MapFile {
     /// Reads the file, by the ending of its name.
     ///
@@ -41,7 +44,7 @@ impl MapFile {
     /// A [`MapError`] if the file cannot be read or is not what its name says.
     pub fn read(path: &Path) -> Result<Self, MapError> {
         let ending = path.extension().unwrap_or_default().to_string_lossy();
-        let parse: fn(&[u8]) -> Result<Self, MapError> = match ending.to_lowercase().as_str() {
+        let parse: Parser = match ending.to_lowercase().as_str() {
             "npy" => npy::parse,
             "csv" | "txt" | "dat" => text::parse,
             "gsf" => gsf::parse,
@@ -95,6 +98,61 @@ mod tests {
         let map = MapFile::from_picture(3, &[1.0, 2.0, 3.0, 4.0, 5.0, 6.0]);
         assert_eq!(map.shape, [3, 2]);
         assert_eq!(map.heights, [4.0, 1.0, 5.0, 2.0, 6.0, 3.0]);
+    }
+
+    /// Small files of the three formats, which are right.
+    fn right() -> [(Parser, Vec<u8>); 3] {
+        use ndarray_npy::WriteNpyExt;
+        let mut npy = Vec::new();
+        let array = ndarray::array![[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]];
+        array.write_npy(&mut npy).unwrap();
+        let mut gsf =
+            b"Gwyddion Simple Field 1.0\nXRes = 2\nYRes = 3\nXReal = 1e-6\nYReal = 2e-6\n".to_vec();
+        gsf.resize((gsf.len() / 4 + 1) * 4, 0);
+        gsf.extend([0; 24]);
+        [
+            (npy::parse as Parser, npy),
+            (gsf::parse, gsf),
+            (text::parse, b"# Height\n1,2\n3,4\n5,6\n".to_vec()),
+        ]
+    }
+
+    proptest::proptest! {
+        #[test]
+        fn a_damaged_file_is_read_or_refused_and_never_more(
+            changes in proptest::collection::vec((0.0..1.0, proptest::num::u8::ANY), 1..8),
+            length in 0.0..1.5_f64,
+        ) {
+            for (parse, mut bytes) in right() {
+                #[expect(
+                    clippy::cast_possible_truncation,
+                    clippy::cast_sign_loss,
+                    reason = "a place in a small file"
+                )]
+                let at = |x: f64, length: usize| (x * length as f64) as usize;
+                for (place, byte) in &changes {
+                    let place = at(*place, bytes.len());
+                    bytes[place] = *byte;
+                }
+                let kept = at(length, bytes.len()).min(bytes.len());
+                if let Ok(map) = parse(&bytes[..kept]) {
+                    proptest::prop_assert_eq!(map.heights.len(), map.shape[0] * map.shape[1]);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn nesting_without_end_does_not_overflow_the_stack() {
+        let shape = "'shape': (1, 1), ";
+        for open in ["(", "[", "{"] {
+            let header = format!("{{{shape}'descr': {}", open.repeat(60_000));
+            let mut bytes = b"\x93NUMPY\x01\x00".to_vec();
+            bytes.extend(u16::try_from(header.len()).unwrap().to_le_bytes());
+            bytes.extend(header.bytes());
+            bytes.extend([0; 8]);
+            assert!(npy::parse(&bytes).is_err(), "{open}");
+        }
     }
 
     #[test]
