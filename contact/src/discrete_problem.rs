@@ -4,17 +4,21 @@
 //! paper in our signs. It is the minimum of the energy `½ p·(K + η) p + g0·p` over the pressures of the given
 //! force, or of that energy less `D Σ p` where the penetration is given.
 
-use pellicle_influence::{ElasticOperator, PeriodicSymbol};
+use std::sync::Arc;
 
-use crate::ContactError;
+use pellicle_influence::{ElasticOperator, SurfaceElasticity};
+
+use crate::{ContactError, window::Window};
 
 /// One grid's problem. Fields hold N² values, index `i N + j`, first index along x.
 pub struct DiscreteProblem {
     operator: Box<dyn ElasticOperator>,
-    symbol: Option<PeriodicSymbol>,
+    elasticity: Option<Arc<SurfaceElasticity>>,
     relief_compliance: Vec<f64>,
     initial_gap: Vec<f64>,
     element_area: f64,
+    /// Elements per side of the grid that this one is a window of, or its own.
+    grid_size: usize,
 }
 
 impl DiscreteProblem {
@@ -30,7 +34,8 @@ impl DiscreteProblem {
         initial_gap: Vec<f64>,
         element_area: f64,
     ) -> Result<Self, ContactError> {
-        let elements = operator.size() * operator.size();
+        let size = operator.size();
+        let elements = size * size;
         check_length("relief compliance", relief_compliance.len(), elements)?;
         check_length("initial gap", initial_gap.len(), elements)?;
         check_values(
@@ -50,24 +55,50 @@ impl DiscreteProblem {
         }
         Ok(Self {
             operator,
-            symbol: None,
+            elasticity: None,
             relief_compliance,
             initial_gap,
             element_area,
+            grid_size: size,
         })
     }
 
-    /// The same problem with the operator's symbol on the periodic grid, which solvers may precondition with.
+    /// The same problem with what the operator was made from, which solvers may precondition with.
     #[must_use]
-    pub fn with_symbol(mut self, symbol: PeriodicSymbol) -> Self {
-        self.symbol = Some(symbol);
+    pub fn with_elasticity(mut self, elasticity: Arc<SurfaceElasticity>) -> Self {
+        self.elasticity = Some(elasticity);
         self
     }
 
-    /// The symbol of `K` on the periodic grid, where one was given.
+    /// What the operator was made from, where that is known.
     #[must_use]
-    pub fn symbol(&self) -> Option<&PeriodicSymbol> {
-        self.symbol.as_ref()
+    pub fn elasticity(&self) -> Option<&Arc<SurfaceElasticity>> {
+        self.elasticity.as_ref()
+    }
+
+    /// The same problem on a window of the grid, with an operator of the window's own size; none where the elasticity is not known.
+    ///
+    /// What lies outside is held to be without pressure.
+    pub(crate) fn window(&self, window: &Window) -> Option<Self> {
+        let elasticity = self.elasticity.clone()?;
+        Some(Self {
+            operator: Box::new(elasticity.operator(window.size())),
+            elasticity: Some(elasticity),
+            relief_compliance: window.cut(&self.relief_compliance),
+            initial_gap: window.cut(&self.initial_gap),
+            element_area: self.element_area,
+            grid_size: self.grid_size,
+        })
+    }
+
+    /// Elements per side of the grid that this one is a window of, or its own.
+    pub(crate) fn grid_size(&self) -> usize {
+        self.grid_size
+    }
+
+    /// Whether the grid is a window of a larger one, so that contact on its border means that the window is too small.
+    pub(crate) fn is_window(&self) -> bool {
+        self.size() < self.grid_size
     }
 
     /// Elements per side, N.

@@ -3,6 +3,8 @@
 //! The coarser grids give the finest one its start, and their solutions, which cost little, show how every number
 //! changes with the grid.
 
+use rayon::prelude::*;
+
 /// The coarsest grid worth a level: below it nothing of an indenter's shape is left.
 const COARSEST: usize = 32;
 /// Coarser grids are solved to this, or to the finest grid's tolerance if that is looser: far below their own
@@ -20,33 +22,75 @@ pub fn coarser_sizes(finest: usize) -> Vec<usize> {
     sizes
 }
 
-/// The pressure of a grid of `from` × `from` elements at the centres of `to` × `to` elements over the same square,
-/// bilinear between centres and constant beyond the outermost.
+/// A field of a level with the outline of its relief; N² values each.
+pub struct Field<'a> {
+    pub values: &'a [f64],
+    pub mask: &'a [bool],
+}
+
+/// The field at the centres of `to` × `to` elements over the same square, whose relief has the outline `mask`.
+///
+/// Bilinear between the centres of elements on the same side of the outline, constant beyond the outermost; 0 where the four centres around
+/// lie all on the other side.
 #[must_use]
-pub fn prolong(pressure: &[f64], from: usize, to: usize) -> Vec<f64> {
-    let places: Vec<(usize, usize, f64)> = (0..to).map(|i| place(i, from, to)).collect();
-    let mut fine = Vec::with_capacity(to * to);
-    for (low_x, high_x, x) in &places {
-        for (low_y, high_y, y) in &places {
-            let along_y = |row: usize| {
-                (1.0 - y) * pressure[row * from + low_y] + y * pressure[row * from + high_y]
-            };
-            fine.push((1.0 - x) * along_y(*low_x) + x * along_y(*high_x));
+pub fn prolong(field: &Field<'_>, to: usize, mask: &[bool]) -> Vec<f64> {
+    let from = field.values.len().isqrt();
+    let places: Vec<Place> = (0..to).map(|i| Place::of(i, from, to)).collect();
+    let mut fine = vec![0.0; to * to];
+    let rows = fine.par_chunks_mut(to).zip(mask.par_chunks(to));
+    rows.zip(&places).for_each(|((row, mask), x)| {
+        for ((value, side), y) in row.iter_mut().zip(mask).zip(&places) {
+            *value = interpolate(field, from, *side, [x, y]);
         }
-    }
+    });
     fine
 }
 
-/// The two coarse centres around the `i`-th fine centre and the weight of the second.
-fn place(i: usize, from: usize, to: usize) -> (usize, usize, f64) {
-    let position = ((i as f64 + 0.5) * from as f64 / to as f64 - 0.5).clamp(0.0, (from - 1) as f64);
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "clamped to 0 ..= from − 1"
-    )]
-    let low = position as usize;
-    (low, (low + 1).min(from - 1), position - low as f64)
+/// The mean of the four values around a place that lie on one side of the outline, by their bilinear weights.
+fn interpolate(field: &Field<'_>, from: usize, side: bool, [x, y]: [&Place; 2]) -> f64 {
+    let (mut sum, mut weights) = (0.0, 0.0);
+    for (i, along_x) in x.ends() {
+        for (j, along_y) in y.ends() {
+            let e = i * from + j;
+            if field.mask[e] == side {
+                sum += along_x * along_y * field.values[e];
+                weights += along_x * along_y;
+            }
+        }
+    }
+    if weights > 0.0 { sum / weights } else { 0.0 }
+}
+
+/// A fine centre between two coarse ones along one axis.
+struct Place {
+    low: usize,
+    high: usize,
+    /// Weight of the second.
+    weight: f64,
+}
+
+impl Place {
+    /// The place of the `i`-th of `to` centres among `from`.
+    fn of(i: usize, from: usize, to: usize) -> Self {
+        let position =
+            ((i as f64 + 0.5) * from as f64 / to as f64 - 0.5).clamp(0.0, (from - 1) as f64);
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "clamped to 0 ..= from − 1"
+        )]
+        let low = position as usize;
+        Self {
+            low,
+            high: (low + 1).min(from - 1),
+            weight: position - low as f64,
+        }
+    }
+
+    /// Both centres with their weights.
+    fn ends(&self) -> [(usize, f64); 2] {
+        [(self.low, 1.0 - self.weight), (self.high, self.weight)]
+    }
 }
 
 #[cfg(test)]
@@ -69,9 +113,31 @@ mod tests {
         let coarse: Vec<f64> = (0..from * from)
             .map(|e| plane(e / from, e % from, from))
             .collect();
-        let fine = prolong(&coarse, from, to);
+        let field = Field {
+            values: &coarse,
+            mask: &vec![true; from * from],
+        };
+        let fine = prolong(&field, to, &vec![true; to * to]);
         for (i, j) in [(1, 1), (7, 3), (13, 9)] {
             approx::assert_relative_eq!(fine[i * to + j], plane(i, j, to), max_relative = 1e-14);
+        }
+    }
+
+    #[test]
+    fn nothing_is_interpolated_across_an_outline() {
+        let (from, to) = (16, 32);
+        let mask = |n: usize| (0..n * n).map(|e| 4 * (e / n) < n).collect::<Vec<bool>>();
+        let coarse: Vec<f64> = mask(from)
+            .iter()
+            .map(|on| if *on { 3.0 } else { -1.0 })
+            .collect();
+        let field = Field {
+            values: &coarse,
+            mask: &mask(from),
+        };
+        let fine = prolong(&field, to, &mask(to));
+        for (value, on) in fine.iter().zip(mask(to)) {
+            approx::assert_relative_eq!(*value, if on { 3.0 } else { -1.0 });
         }
     }
 }

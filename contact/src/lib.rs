@@ -15,6 +15,7 @@ mod domain;
 mod error;
 mod grid_error;
 mod indenter;
+mod level;
 mod levels;
 mod load;
 mod model;
@@ -25,6 +26,7 @@ pub mod solver;
 mod summary;
 mod trust;
 mod warning;
+mod window;
 mod work;
 
 pub use certificate::{Certificate, Solution};

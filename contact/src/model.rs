@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use pellicle_influence::{Cache, Cached, ConvolutionOperator, PeriodicSymbol, RadialTables};
+use pellicle_influence::{Cache, Cached, RadialTables, SurfaceElasticity};
 use pellicle_texture::{Grid, Relief, SampledRelief};
 
 use crate::{ContactError, DiscreteProblem, Indenter};
@@ -67,8 +67,7 @@ impl Model {
             value: table,
             origin,
         } = (self.cache).coefficients(&self.tables, grid.element_side(), grid.size())?;
-        let symbol =
-            PeriodicSymbol::new(self.tables.foundation(), grid.element_side(), grid.size());
+        let elasticity = SurfaceElasticity::new(table, self.tables.foundation().clone());
         // g0 = f − f*
         let initial_gap = sampled
             .indenter_profile
@@ -76,11 +75,11 @@ impl Model {
             .zip(sampled.relief.profile())
             .map(|(f, relief)| f - relief)
             .collect();
-        let operator = Box::new(ConvolutionOperator::new(&table));
+        let operator = Box::new(elasticity.operator(grid.size()));
         let compliance = sampled.relief.compliance().to_vec();
         let problem = DiscreteProblem::new(operator, compliance, initial_gap, grid.element_area())?;
         Ok(Cached {
-            value: problem.with_symbol(symbol),
+            value: problem.with_elasticity(Arc::new(elasticity)),
             origin,
         })
     }

@@ -2,14 +2,14 @@
 
 use std::time::Instant;
 
-use pellicle_influence::{Cached, Origin};
+use pellicle_influence::Origin;
 use pellicle_texture::{Grid, SampledRelief};
 
 use crate::{
-    ActiveSetSolver, ContactError, DiscreteProblem, Domain, GradientSolver, GridError, LevelValues,
-    LevelWork, Load, Method, Model, Observer, SampledModel, Solution, Solver, SolverOptions,
+    ContactError, Domain, GridError, Load, Model, Observer, SampledModel, Solution, SolverOptions,
     Summary, Warning, Work, default_side,
-    levels::{COARSE_TOLERANCE, coarser_sizes, prolong},
+    level::{Level, LevelResult},
+    levels::{COARSE_TOLERANCE, Field, coarser_sizes},
     solver::Watch,
     trust,
 };
@@ -39,6 +39,8 @@ pub struct LoadingPath {
     pub coefficients_origin: Origin,
     /// Time spent in solvers, in s.
     pub solve_seconds: f64,
+    /// Whether the observer cancelled, so that only the loads before it are solved.
+    pub interrupted: bool,
 }
 
 /// One load's solution. It is converged if its certificate is satisfied.
@@ -54,15 +56,17 @@ pub struct Step {
     pub grid_error: GridError,
     /// Largest line of the certificate at each iteration on the finest grid, by the iteration's own residual.
     pub residuals: Vec<f64>,
+    /// Contact stiffness `dQ/dD`, in N/m; none without contact, or where it was not asked for or not found.
+    pub contact_stiffness: Option<f64>,
 }
 
 /// Solves `model` for every one of `loads` on `elements` × `elements` elements.
 ///
-/// A step that misses its tolerance is in the path with an unsatisfied certificate and a warning, not an error.
+/// A step that misses its tolerance is in the path with an unsatisfied certificate and a warning, not an error. If the observer
+/// cancels, the path holds the steps finished until then.
 ///
 /// # Errors
-/// A load, tolerance, side or grid that makes no sense; coefficients that miss their accuracy; a cancelled
-/// observer; a contact that outgrows every domain.
+/// A load, tolerance, side or grid that makes no sense; coefficients that miss their accuracy; a contact that outgrows every domain.
 pub fn solve_path(
     model: &Model,
     domain: Domain,
@@ -93,21 +97,6 @@ pub fn solve_path(
     })
 }
 
-/// One grid level of a run.
-struct Level {
-    sampled: SampledModel,
-    problem: DiscreteProblem,
-    coefficients_origin: Origin,
-}
-
-/// What one level ended with.
-struct LevelResult {
-    solution: Solution,
-    summary: Summary,
-    work: LevelWork,
-    residuals: Vec<f64>,
-}
-
 /// A path under way on one domain.
 struct PathRun {
     options: SolverOptions,
@@ -117,6 +106,15 @@ struct PathRun {
     steps: Vec<Step>,
     warnings: Vec<Warning>,
     coefficients_seconds: f64,
+    interrupted: bool,
+}
+
+/// The field of a solved level.
+fn field<'a>((values, level): &'a (Vec<f64>, &Level)) -> Field<'a> {
+    Field {
+        values,
+        mask: level.mask(),
+    }
 }
 
 impl PathRun {
@@ -139,6 +137,7 @@ impl PathRun {
             steps: Vec::new(),
             warnings: Vec::new(),
             coefficients_seconds: clock.elapsed().as_secs_f64(),
+            interrupted: false,
         })
     }
 
@@ -155,7 +154,13 @@ impl PathRun {
                 step: index,
                 steps: loads.len(),
             };
-            let step = self.solve_step(*load, &mut watch)?;
+            let step = match self.solve_step(*load, &mut watch) {
+                Err(ContactError::Cancelled { .. }) => {
+                    self.interrupted = true;
+                    return Ok(true);
+                }
+                outcome => outcome?,
+            };
             let to_edge =
                 trust::elements_to_edge(&step.solution.pressure, &self.finest.sampled.grid);
             if let Some(elements) = to_edge.filter(|elements| *elements < EDGE_MARGIN) {
@@ -177,24 +182,26 @@ impl PathRun {
         let clock = Instant::now();
         let coarse_options = SolverOptions {
             tolerance: self.options.tolerance.max(COARSE_TOLERANCE),
+            contact_stiffness: false,
             ..self.options
         };
         let (mut levels, mut values) = (Vec::new(), Vec::new());
-        let mut start = None;
+        let mut coarser: Option<(Vec<f64>, &Level)> = None;
         for level in &mut self.coarse {
-            let result = level.solve(load, start.as_ref(), coarse_options, watch)?;
+            let start = coarser.as_ref().map(field);
+            let result = level.solve(load, start, coarse_options, watch)?;
             levels.push(result.work);
             values.push(result.values());
-            start = Some(result.solution);
+            coarser = Some((result.field, level));
         }
-        let result = self
-            .finest
-            .solve(load, start.as_ref(), self.options, watch)?;
+        let start = coarser.as_ref().map(field);
+        let result = self.finest.solve(load, start, self.options, watch)?;
         levels.push(result.work);
         values.push(result.values());
         let work = Work {
             iterations: result.work.iterations,
             operator_applications: result.work.operator_applications,
+            stiffness_applications: result.work.stiffness_applications,
             seconds: clock.elapsed().as_secs_f64(),
             levels,
         };
@@ -202,6 +209,7 @@ impl PathRun {
             solution,
             summary,
             residuals,
+            contact_stiffness,
             ..
         } = result;
         Ok(Step {
@@ -210,6 +218,7 @@ impl PathRun {
             work,
             grid_error: GridError::new(values),
             residuals,
+            contact_stiffness,
         })
     }
 
@@ -222,6 +231,7 @@ impl PathRun {
     /// Adds the warnings that need whole solutions and hands the path over.
     fn finish(self, model: &Model) -> LoadingPath {
         let coefficients_origin = self.coefficients_origin();
+        let interrupted = self.interrupted;
         let SampledModel {
             grid,
             relief,
@@ -241,65 +251,7 @@ impl PathRun {
             coefficients_origin,
             solve_seconds: self.steps.iter().map(|step| step.work.seconds).sum(),
             steps: self.steps,
+            interrupted,
         }
-    }
-}
-
-impl Level {
-    fn new(model: &Model, side: f64, size: usize) -> Result<Self, ContactError> {
-        let sampled = model.sample(side, size)?;
-        let Cached { value, origin } = model.discretize(&sampled)?;
-        Ok(Self {
-            sampled,
-            problem: value,
-            coefficients_origin: origin,
-        })
-    }
-
-    /// Solves from a coarser level's solution, and judges the result afresh.
-    fn solve(
-        &mut self,
-        load: Load,
-        coarser: Option<&Solution>,
-        options: SolverOptions,
-        watch: &mut Watch<'_>,
-    ) -> Result<LevelResult, ContactError> {
-        let size = self.problem.size();
-        let start = match coarser {
-            None => vec![0.0; self.problem.elements()],
-            Some(solution) => prolong(&solution.pressure, solution.pressure.len().isqrt(), size),
-        };
-        let iterate = solver(options).solve(&mut self.problem, load, &start, watch)?;
-        let solution =
-            Solution::judge(&mut self.problem, load, iterate.pressure, options.tolerance);
-        Ok(LevelResult {
-            summary: Summary::new(&solution, &self.sampled.grid, &self.sampled.relief),
-            solution,
-            work: LevelWork {
-                elements: size,
-                iterations: iterate.iterations,
-                operator_applications: iterate.operator_applications + 1,
-            },
-            residuals: iterate.residuals,
-        })
-    }
-}
-
-impl LevelResult {
-    fn values(&self) -> LevelValues {
-        LevelValues {
-            elements: self.work.elements,
-            penetration: self.solution.penetration,
-            contact_area: self.summary.contact_area,
-            max_pressure: self.summary.max_pressure,
-        }
-    }
-}
-
-/// The solver that the options name.
-fn solver(options: SolverOptions) -> Box<dyn Solver> {
-    match options.method {
-        Method::Gradient => Box::new(GradientSolver { options }),
-        Method::ActiveSet => Box::new(ActiveSetSolver { options }),
     }
 }

@@ -6,7 +6,11 @@ pub struct Work {
     /// Iterations on the finest grid.
     pub iterations: usize,
     /// Every product with `K` on the finest grid, the certificate's own included.
+    ///
+    /// A product on a window that holds the contact counts as one.
     pub operator_applications: usize,
+    /// Products on the finest grid for the contact stiffness, beside those for the solution.
+    pub stiffness_applications: usize,
     /// Wall-clock time of the step on all its grids, in s.
     pub seconds: f64,
     /// Work per grid level, coarsest first, the finest included.
@@ -22,4 +26,6 @@ pub struct LevelWork {
     pub iterations: usize,
     /// Products with `K`.
     pub operator_applications: usize,
+    /// Products with `K` for the contact stiffness.
+    pub stiffness_applications: usize,
 }

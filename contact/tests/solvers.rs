@@ -9,7 +9,9 @@ use pellicle_contact::{
     ActiveSetSolver, ContactError, DiscreteProblem, GradientSolver, Load, Observer, Progress,
     Signal, Solution, Solver, SolverOptions, Watch,
 };
-use pellicle_influence::{CoefficientTable, ConvolutionOperator, PeriodicSymbol, RadialTables};
+use std::sync::Arc;
+
+use pellicle_influence::{CoefficientTable, RadialTables, SurfaceElasticity};
 use pellicle_kernel::{Foundation, Material};
 use proptest::prelude::*;
 
@@ -34,14 +36,15 @@ fn problem(
             .map(|e| f(centre(e / size), centre(e % size)))
             .collect()
     };
+    let elasticity = SurfaceElasticity::new(Arc::new(table), foundation);
     DiscreteProblem::new(
-        Box::new(ConvolutionOperator::new(&table)),
+        Box::new(elasticity.operator(size)),
         sample(&eta),
         sample(&gap),
         side * side,
     )
     .unwrap()
-    .with_symbol(PeriodicSymbol::new(&foundation, side, size))
+    .with_elasticity(Arc::new(elasticity))
 }
 
 fn paraboloid(x: f64, y: f64) -> f64 {

@@ -55,7 +55,15 @@ impl ConvolutionOperator {
     /// The operator of the grid the table was made for.
     #[must_use]
     pub fn new(table: &CoefficientTable) -> Self {
-        let size = table.size();
+        Self::windowed(table, table.size())
+    }
+
+    /// The operator of a window of `size` × `size` elements of that grid; the coefficients depend on the offset alone.
+    ///
+    /// # Panics
+    /// If `size` is above the table's.
+    #[must_use]
+    pub fn windowed(table: &CoefficientTable, size: usize) -> Self {
         let half = half_length(size);
         let mut planner = RealFftPlanner::new();
         let forward = planner.plan_fft_forward(2 * half);
@@ -77,7 +85,7 @@ impl ConvolutionOperator {
         Self {
             size,
             half,
-            spectrum: Spectrum::new(table, half),
+            spectrum: Spectrum::new(table, size, half),
             forward,
             inverse,
             columns,

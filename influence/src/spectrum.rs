@@ -18,10 +18,9 @@ pub(crate) struct Spectrum {
 }
 
 impl Spectrum {
-    /// The spectrum of `table` embedded in 2`half` × 2`half`, divided by the number of padded elements, which is the factor an unnormalised forward
+    /// The spectrum of a window of `size` × `size` elements, embedded in 2`half` × 2`half`, divided by the number of padded elements, which is the factor an unnormalised forward
     /// and inverse transform leave behind.
-    pub(crate) fn new(table: &CoefficientTable, half: usize) -> Self {
-        let size = table.size();
+    pub(crate) fn new(table: &CoefficientTable, size: usize, half: usize) -> Self {
         let line = EvenTransform::new(half);
         let mut along = vec![0.0; size * (half + 1)];
         let rows = along.par_chunks_exact_mut(half + 1).enumerate();
@@ -83,7 +82,7 @@ mod tests {
     fn a_diagonal_matrix_has_a_constant_spectrum() {
         let own = |[m, n]: [usize; 2]| if m + n == 0 { 3.0 } else { 0.0 };
         let table = CoefficientTable::from_fn(1.0, 5, own).unwrap();
-        let spectrum = Spectrum::new(&table, 6);
+        let spectrum = Spectrum::new(&table, 5, 6);
         for frequency in 0..=6 {
             for value in spectrum.column(frequency) {
                 // Rounding of two transforms of length 12.
@@ -100,7 +99,7 @@ mod tests {
         let sum: f64 = offsets()
             .flat_map(|m| offsets().map(move |n| 1.0 / (1.0 + f64::from(m * m + n * n))))
             .sum();
-        let found = Spectrum::new(&table, 4).column(0)[0] * 64.0;
+        let found = Spectrum::new(&table, 4, 4).column(0)[0] * 64.0;
         // Rounding of 49 terms.
         assert!((found - sum).abs() < 1e-14 * sum);
     }

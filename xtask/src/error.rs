@@ -1,11 +1,16 @@
-//! What can go wrong before a rule is checked.
+//! What can go wrong before a rule is checked or a program compared.
 
 use std::io;
 use std::path::PathBuf;
+use std::process::ExitStatus;
 
+use pellicle_contact::{ContactError, IndenterError};
+use pellicle_influence::InfluenceError;
+use pellicle_kernel::KernelError;
+use pellicle_texture::TextureError;
 use thiserror::Error;
 
-/// Why the workspace could not be read.
+/// Why a chore could not be done.
 #[derive(Debug, Error)]
 pub enum XtaskError {
     /// A file or folder could not be read.
@@ -22,4 +27,58 @@ pub enum XtaskError {
         /// The folder that was given.
         root: PathBuf,
     },
+    /// A file or folder could not be written.
+    #[error("cannot write {path}: {source}", path = path.display())]
+    Write {
+        /// The file or folder.
+        path: PathBuf,
+        /// What the operating system said.
+        source: io::Error,
+    },
+    /// A program could not be started or waited for.
+    #[error("cannot run {program}: {source}", program = program.display())]
+    Start {
+        /// The program.
+        program: PathBuf,
+        /// What the operating system said.
+        source: io::Error,
+    },
+    /// The release build of Pellicle's runner failed.
+    #[error("cargo could not build xtask in release ({status})")]
+    Build {
+        /// How cargo ended.
+        status: ExitStatus,
+    },
+    /// A number of elements that whole periods of pillars do not fill.
+    #[error("elements per side must be a positive multiple of {period}, got {found}")]
+    Size {
+        /// Elements per side found.
+        found: usize,
+        /// Elements per period of the pillars.
+        period: usize,
+    },
+    /// A material or foundation that cannot be.
+    #[error(transparent)]
+    Kernel(#[from] KernelError),
+    /// From the influence coefficients.
+    #[error(transparent)]
+    Influence(#[from] InfluenceError),
+    /// A relief that cannot be.
+    #[error(transparent)]
+    Texture(#[from] TextureError),
+    /// An indenter that cannot be.
+    #[error(transparent)]
+    Indenter(#[from] IndenterError),
+    /// Pellicle refused the problem.
+    #[error(transparent)]
+    Contact(#[from] ContactError),
+    /// The threads of a run could not be started.
+    #[error(transparent)]
+    Threads(#[from] rayon::ThreadPoolBuildError),
+    /// A pressure could not be written.
+    #[error(transparent)]
+    Pressure(#[from] ndarray_npy::WriteNpyError),
+    /// A result could not be written as JSON.
+    #[error(transparent)]
+    Json(#[from] serde_json::Error),
 }

@@ -1,8 +1,11 @@
-//! The chores of the workspace, as functions: [`tidy`] checks the house rules on a [`Tree`] of files.
+//! The chores of the workspace, as functions: [`tidy`] checks the house rules on a [`Tree`] of files, [`compare`] runs
+//! Pellicle beside its rivals.
 //!
 //! The binary `xtask` only parses its command line and prints what these functions return, so that the test
 //! `tests/workspace.rs` checks the real workspace by the same path as `cargo xtask tidy`.
 
+mod arguments;
+mod compare;
 mod error;
 mod manifest;
 mod markdown;
@@ -10,6 +13,11 @@ mod tidy;
 mod tree;
 mod violation;
 
+pub use arguments::{Arguments, Command};
+pub use compare::{
+    Case, Certificate, CompareArguments, Measurement, Outcome, PellicleArguments, Problem, Report,
+    Rival, Row, Solved, compare, run_pellicle,
+};
 pub use error::XtaskError;
 pub use tidy::tidy;
 pub use tree::{File, Tree};

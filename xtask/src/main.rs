@@ -1,4 +1,4 @@
-//! The chores of the workspace on the command line: `cargo xtask tidy`.
+//! The chores of the workspace on the command line: `cargo xtask tidy`, `cargo xtask compare`.
 
 #![expect(
     clippy::print_stdout,
@@ -9,43 +9,51 @@
 use std::path::Path;
 use std::process::ExitCode;
 
-use xtask::{Tree, Violation, XtaskError};
-
-const USAGE: &str = "usage: cargo xtask tidy    check the house rules of the workspace";
+use clap::Parser;
+use xtask::{Arguments, Command, CompareArguments, PellicleArguments, Tree, XtaskError};
 
 fn main() -> ExitCode {
-    let arguments: Vec<String> = std::env::args().skip(1).collect();
-    match arguments.as_slice() {
-        [command] if command == "tidy" => tidy(),
-        _ => {
-            eprintln!("{USAGE}");
-            ExitCode::from(2)
-        }
-    }
+    let done = match Arguments::parse().command {
+        Command::Tidy => tidy(),
+        Command::Compare(arguments) => compare(&arguments),
+        Command::Pellicle(arguments) => pellicle(&arguments),
+    };
+    done.unwrap_or_else(|error| {
+        eprintln!("{error}");
+        ExitCode::from(2)
+    })
 }
 
-/// Prints what breaks a house rule; exit code 1 if anything does, 2 if the workspace cannot be read.
-fn tidy() -> ExitCode {
-    match violations() {
-        Ok(found) if found.is_empty() => {
-            println!("tidy");
-            ExitCode::SUCCESS
-        }
-        Ok(found) => {
-            for violation in &found {
-                eprintln!("{violation}");
-            }
-            eprintln!("{} broken house rules", found.len());
-            ExitCode::FAILURE
-        }
-        Err(error) => {
-            eprintln!("{error}");
-            ExitCode::from(2)
-        }
-    }
+/// The root of the workspace.
+fn root() -> &'static Path {
+    let package = Path::new(env!("CARGO_MANIFEST_DIR"));
+    package.parent().unwrap_or(package)
 }
 
-fn violations() -> Result<Vec<Violation>, XtaskError> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    Ok(xtask::tidy(&Tree::read(&root)?))
+/// Prints what breaks a house rule; exit code 1 if anything does.
+fn tidy() -> Result<ExitCode, XtaskError> {
+    let found = xtask::tidy(&Tree::read(root())?);
+    if found.is_empty() {
+        println!("tidy");
+        return Ok(ExitCode::SUCCESS);
+    }
+    for violation in &found {
+        eprintln!("{violation}");
+    }
+    eprintln!("{} broken house rules", found.len());
+    Ok(ExitCode::FAILURE)
+}
+
+/// Prints the table of Pellicle beside its rivals, and on standard error what is going on.
+fn compare(arguments: &CompareArguments) -> Result<ExitCode, XtaskError> {
+    let report = xtask::compare(arguments, root(), &mut |line| eprintln!("{line}"))?;
+    print!("{report}");
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Prints the measurement of one run of Pellicle as one line of JSON.
+fn pellicle(arguments: &PellicleArguments) -> Result<ExitCode, XtaskError> {
+    let measurement = xtask::run_pellicle(arguments)?;
+    println!("{}", serde_json::to_string(&measurement)?);
+    Ok(ExitCode::SUCCESS)
 }

@@ -24,6 +24,8 @@ pub struct SolverOptions {
     pub method: Method,
     /// Products with `K` on one grid level after which a solver gives up and returns its best iterate.
     pub max_applications: usize,
+    /// Whether to find the contact stiffness `dQ/dD` of each solution, by one more linear system.
+    pub contact_stiffness: bool,
 }
 
 impl Default for SolverOptions {
@@ -32,6 +34,7 @@ impl Default for SolverOptions {
             tolerance: 1e-8,
             method: Method::Gradient,
             max_applications: 2000,
+            contact_stiffness: true,
         }
     }
 }
@@ -65,6 +68,12 @@ pub struct Iterate {
     pub operator_applications: usize,
     /// Largest line of the certificate at each iteration, by the iteration's own residual.
     pub residuals: Vec<f64>,
+    /// Contact stiffness `dQ/dD`, in N/m, where it was asked for and found.
+    pub contact_stiffness: Option<f64>,
+    /// Products with `K` for the contact stiffness, beside the others.
+    pub stiffness_applications: usize,
+    /// Whether the solver stopped because the contact reached the border of a window of a larger grid.
+    pub(crate) reached_border: bool,
 }
 
 /// One algorithm for one grid's problem.

@@ -68,6 +68,9 @@ impl Solver for ActiveSetSolver {
                     iterations,
                     operator_applications: 1,
                     residuals,
+                    contact_stiffness: None,
+                    stiffness_applications: 0,
+                    reached_border: false,
                 });
             }
             exchange.advance(&system, &trial);

@@ -1,6 +1,6 @@
 //! What the two ways of loading ask of a pressure: a given total, or nothing but a given penetration.
 
-use super::vector::{dot, sum};
+use super::vector::{by_parts, dot, sum};
 use crate::Load;
 
 /// The prescribed quantity in the solver's terms.
@@ -39,13 +39,13 @@ impl Control {
 
     /// The energy `½ p·(v + g0)`, less `D Σ p` where the penetration is prescribed.
     pub fn energy(self, pressure: &[f64], v: &[f64], initial_gap: &[f64]) -> f64 {
-        let stored = pressure
-            .iter()
-            .zip(v)
-            .zip(initial_gap)
-            .map(|((p, v), g0)| p * (v + g0))
-            .sum::<f64>()
-            / 2.0;
+        let stored: f64 = by_parts(pressure.len(), |part| {
+            let fields = pressure[part.clone()].iter().zip(&v[part.clone()]);
+            let terms = fields.zip(&initial_gap[part]);
+            terms.map(|((p, v), g0)| p * (v + g0)).sum::<f64>() / 2.0
+        })
+        .iter()
+        .sum();
         match self {
             Self::Total(_) => stored,
             Self::Penetration(penetration) => stored - penetration * sum(pressure),

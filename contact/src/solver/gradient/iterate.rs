@@ -1,16 +1,17 @@
 //! The state of the iteration: a pressure, what it deforms, and how far it is from a solution.
 
 use super::{
-    super::Iterate,
     control::Control,
-    vector::{add_scaled, sum},
+    vector::{add_scaled, by_parts, sum, update},
 };
 use crate::DiscreteProblem;
 
 /// Stands for an infinite initial gap: finite, so that `0 · g0` stays 0, and beyond any displacement.
 const NEVER: f64 = 1e300;
 
-/// A pressure `p ≥ 0` that keeps to the control, with `v = (K + η) p + g0` and the penetration `D` up to date.
+/// A pressure that keeps to the control, with `v = (K + η) p + g0` and the penetration `D` up to date.
+///
+/// The pressure is ≥ 0, but for the inner steps of Newton's method.
 pub struct State {
     pub control: Control,
     pub pressure: Vec<f64>,
@@ -22,25 +23,26 @@ pub struct State {
     applications: usize,
 }
 
+/// Sums and extremes that the residual is made of.
+#[derive(Clone, Copy, Default)]
+struct Lines {
+    weighted: f64,
+    total: f64,
+    largest: f64,
+    overlap: f64,
+    pulls: bool,
+}
+
 impl State {
     /// Starts from a pressure, or evenly over all that can touch where that is zero: one product.
     pub fn start(problem: &mut DiscreteProblem, control: Control, start: &[f64]) -> Self {
-        let initial_gap: Vec<f64> = problem
-            .initial_gap()
-            .iter()
-            .map(|g0| g0.min(NEVER))
-            .collect();
+        let gaps = problem.initial_gap().iter();
+        let initial_gap: Vec<f64> = gaps.map(|g0| g0.min(NEVER)).collect();
         let admit = |p: f64, g0: f64| if g0 < NEVER { p.max(0.0) } else { 0.0 };
-        let mut pressure: Vec<f64> = start
-            .iter()
-            .zip(&initial_gap)
-            .map(|(p, g0)| admit(*p, *g0))
-            .collect();
+        let fields = start.iter().zip(&initial_gap);
+        let mut pressure: Vec<f64> = fields.map(|(p, g0)| admit(*p, *g0)).collect();
         if matches!(control, Control::Total(_)) && sum(&pressure) == 0.0 {
-            pressure
-                .iter_mut()
-                .zip(&initial_gap)
-                .for_each(|(p, g0)| *p = admit(1.0, *g0));
+            update(&mut pressure, &initial_gap, |p, g0| *p = admit(1.0, *g0));
         }
         control.rescale(&mut pressure);
         let v = vec![0.0; pressure.len()];
@@ -96,38 +98,60 @@ impl State {
         self.update_penetration();
     }
 
+    /// `p ← max(p, 0)`, brought to the prescribed total: one product.
+    pub fn clip(&mut self, problem: &mut DiscreteProblem) {
+        self.pressure.iter_mut().for_each(|p| *p = p.max(0.0));
+        self.control.rescale(&mut self.pressure);
+        self.refresh(problem);
+    }
+
     pub fn energy(&self) -> f64 {
         self.control
             .energy(&self.pressure, &self.v, &self.initial_gap)
     }
 
-    /// The largest line of the certificate, by the running `v`.
-    pub fn residual(&self) -> f64 {
-        let (mut weighted, mut largest, mut overlap) = (0.0, 0.0_f64, 0.0_f64);
-        for (p, v) in self.pressure.iter().zip(&self.v) {
-            let gap = v - self.penetration;
-            overlap = overlap.max(-gap);
-            if *p > 0.0 {
-                weighted += p * gap.abs();
-                largest = largest.max(gap.abs());
-            }
-        }
-        let total = sum(&self.pressure);
-        let complementarity = if total > 0.0 { weighted / total } else { 0.0 };
-        let length = complementarity.max(largest).max(overlap);
-        if length == 0.0 {
+    /// The largest line of the certificate, by the running `v`; whether no element pulls.
+    pub fn residual(&self) -> (f64, bool) {
+        let lines = by_parts(self.elements(), |part| self.lines(part));
+        let lines = lines.into_iter().fold(Lines::default(), Lines::and);
+        let complementarity = if lines.total > 0.0 {
+            lines.weighted / lines.total
+        } else {
+            0.0
+        };
+        let length = complementarity.max(lines.largest).max(lines.overlap);
+        let residual = if length == 0.0 {
             0.0
         } else {
             length / self.penetration.abs()
-        }
+        };
+        (residual, !lines.pulls)
     }
 
-    pub fn into_iterate(self, residuals: Vec<f64>) -> Iterate {
-        Iterate {
-            iterations: residuals.len() - 1,
-            operator_applications: self.applications,
-            pressure: self.pressure,
-            residuals,
+    fn lines(&self, part: std::ops::Range<usize>) -> Lines {
+        let mut lines = Lines::default();
+        for (p, v) in self.pressure[part.clone()].iter().zip(&self.v[part]) {
+            let gap = v - self.penetration;
+            lines.overlap = lines.overlap.max(-gap);
+            lines.total += p;
+            lines.pulls |= *p < 0.0;
+            if *p > 0.0 {
+                lines.weighted += p * gap.abs();
+                lines.largest = lines.largest.max(gap.abs());
+            }
+        }
+        lines
+    }
+}
+
+impl Lines {
+    fn and(self, other: Self) -> Self {
+        Self {
+            weighted: self.weighted + other.weighted,
+            total: self.total + other.total,
+            largest: self.largest.max(other.largest),
+            overlap: self.overlap.max(other.overlap),
+            pulls: self.pulls || other.pulls,
         }
     }
 }

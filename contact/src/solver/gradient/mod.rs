@@ -1,32 +1,50 @@
 //! Preconditioned projected gradients: any grid, one product with `K` a step.
 //!
-//! While the working set `I = {p > 0} ∪ {g < 0}` changes, each iteration is one spectral step
+//! **Fast steps.** While the working set `I = {p > 0} ∪ {g < 0}` changes, each iteration is one spectral step
 //! (Barzilai and Borwein 1988) along the preconditioned residual; once `I` stands still, preconditioned
-//! conjugate gradients finish the linear system on it (Polonsky and Keer 1999 for the projected form, Rey, Anciaux
-//! and Molinari 2017 and Bugnicourt, Sainsot and Lubrecht 2018 for Fourier-space preconditioning).
+//! conjugate gradients finish the linear system on it. Polonsky and Keer (1999) is the projected form of these, with conjugate steps
+//! throughout, a product a step and no preconditioner; Vollebregt (2014) and Rey, Anciaux and Molinari (2017) precondition in Fourier
+//! space, Bugnicourt, Sainsot and Lubrecht (2018) bring conjugate gradients to a contact whose set changes. Different here: spectral steps until the set
+//! is found, because a conjugate direction is worth nothing on another set; the exact line search only where the energy asks
+//! for it; and a second preconditioner, [`sparse_factor`], where a stiff coat spoils the first.
+//!
+//! **Newton.** Where the fast steps stall, as on a thin stiff coat whose contact shrinks to rings and edges, [`newton`] solves
+//! on the set and exchanges all elements on the wrong side at once.
 //!
 //! **Why it ends.** A conjugate step never raises the energy, and a spectral step keeps it below the largest of the last
 //! few. One that would not is cut back by an exact line search on the segment to it, which costs no
 //! product because the energy is quadratic and both ends are known; a step that does not even start downhill is
-//! replaced by a projection of the plain gradient onto the admissible pressures, which always does.
+//! replaced by a projection of the plain gradient onto the admissible pressures, which always does. Newton's method has no such
+//! proof: after sixteen exchanges without gain it gives way to a stretch of these descents, each twice as long as the
+//! one before, so that whatever Newton does, the descents prevail; the strictly convex problem has one minimum, and they reach it. The
+//! number of products is bounded besides, and the best pressure met is returned.
 
+mod best;
 mod conjugate;
 mod control;
 mod iterate;
+mod newton;
 mod periodic_filter;
 mod preconditioner;
 mod projection;
 mod segment;
+mod sparse_factor;
 mod spectral;
+mod stiffness;
+mod strategy;
 mod vector;
 mod working_set;
 
 use self::{
+    best::Best,
     conjugate::{ConjugateDirections, Course},
     control::Control,
     iterate::State,
+    newton::{Newton, Turn},
     preconditioner::Preconditioner,
+    segment::Part,
     spectral::SpectralSteps,
+    strategy::{Phase, Strategy},
     working_set::WorkingSet,
 };
 use super::{Iterate, Solver, SolverOptions, Watch};
@@ -52,29 +70,192 @@ impl Solver for GradientSolver {
         watch: &mut Watch<'_>,
     ) -> Result<Iterate, ContactError> {
         let control = Control::new(load, problem.element_area());
-        let mut preconditioner = Preconditioner::new(problem);
-        let mut state = State::start(problem, control, start);
-        let mut working_set = WorkingSet::of(&state);
-        let mut spectral = SpectralSteps::new(state.elements());
-        let mut conjugate = ConjugateDirections::new(state.elements());
-        let mut course = Course::Kept;
+        let mut iteration = Iteration::start(problem, control, start);
+        let mut best = Best::new();
         let mut residuals = Vec::new();
-        let goal = TOLERANCE_MARGIN * self.options.tolerance;
-        loop {
-            let residual = state.residual();
-            watch.tell(problem.size(), residuals.len(), residual, working_set.len())?;
+        let (ending, residual) = loop {
+            let (residual, is_admissible) = iteration.state.residual();
+            let contact = iteration.working_set.len();
+            watch.tell(problem.grid_size(), residuals.len(), residual, contact)?;
             residuals.push(residual);
-            if residual <= goal || state.applications() >= self.options.max_applications {
-                return Ok(state.into_iterate(residuals));
+            if is_admissible {
+                best.offer(&iteration.state, residual);
             }
-            course = if working_set.stands_still() && course == Course::Kept {
-                conjugate.step(problem, &mut preconditioner, &mut state, &working_set)
+            match self.ending(problem, &iteration, residual, is_admissible) {
+                Some(ending) => break (ending, residual),
+                None => iteration.step(problem, residual),
+            }
+        };
+        let (contact_stiffness, stiffness_applications) =
+            if ending == Ending::Solved && self.options.contact_stiffness {
+                iteration.contact_stiffness(problem)
             } else {
-                conjugate.restart();
-                spectral.step(problem, &mut preconditioner, &mut state, &working_set);
-                Course::Kept
+                (None, 0)
             };
-            working_set.update(&state);
+        Ok(Iterate {
+            iterations: residuals.len() - 1,
+            operator_applications: iteration.state.applications(),
+            pressure: best.or(iteration.state, residual),
+            residuals,
+            contact_stiffness,
+            stiffness_applications,
+            reached_border: ending == Ending::ReachedBorder,
+        })
+    }
+}
+
+/// Why an iteration stops.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Ending {
+    Solved,
+    GivenUp,
+    ReachedBorder,
+}
+
+impl GradientSolver {
+    fn ending(
+        &self,
+        problem: &DiscreteProblem,
+        iteration: &Iteration,
+        residual: f64,
+        is_admissible: bool,
+    ) -> Option<Ending> {
+        let set = &iteration.working_set;
+        if problem.is_window() && set.touches_border(problem.size()) {
+            Some(Ending::ReachedBorder)
+        } else if is_admissible && residual <= TOLERANCE_MARGIN * self.options.tolerance {
+            Some(Ending::Solved)
+        } else {
+            let applications = iteration.state.applications();
+            (applications >= self.options.max_applications).then_some(Ending::GivenUp)
         }
+    }
+}
+
+/// Everything that one solution carries from step to step.
+struct Iteration {
+    state: State,
+    working_set: WorkingSet,
+    preconditioner: Preconditioner,
+    strategy: Strategy,
+    spectral: SpectralSteps,
+    conjugate: ConjugateDirections,
+    course: Course,
+    newton: Option<Newton>,
+}
+
+impl Iteration {
+    fn start(problem: &mut DiscreteProblem, control: Control, start: &[f64]) -> Self {
+        let state = State::start(problem, control, start);
+        Self {
+            working_set: WorkingSet::of(&state),
+            preconditioner: Preconditioner::new(problem),
+            strategy: Strategy::new(),
+            spectral: SpectralSteps::new(state.elements()),
+            conjugate: ConjugateDirections::new(state.elements()),
+            course: Course::Left(Part::Whole),
+            newton: None,
+            state,
+        }
+    }
+
+    fn step(&mut self, problem: &mut DiscreteProblem, residual: f64) {
+        let changes = match self.phase() {
+            Phase::Newton(_) => {
+                let turn = self.newton_step(problem);
+                self.strategy.after_newton(residual, turn)
+            }
+            Phase::Fast | Phase::Descent(_) => {
+                let part = self.fast_step(problem);
+                self.strategy.after_fast(residual, part)
+            }
+        };
+        if changes {
+            self.change_phase(problem);
+        }
+    }
+
+    fn phase(&self) -> Phase {
+        self.strategy.phase()
+    }
+
+    /// A conjugate step on a set that stands still, else a spectral one.
+    fn fast_step(&mut self, problem: &mut DiscreteProblem) -> Part {
+        let Self {
+            state,
+            working_set,
+            preconditioner,
+            ..
+        } = self;
+        let part = if working_set.stands_still() && self.course == Course::Kept {
+            self.course = self
+                .conjugate
+                .step_within(problem, preconditioner, state, working_set);
+            match self.course {
+                Course::Kept => Part::Whole,
+                Course::Left(part) => part,
+            }
+        } else {
+            self.conjugate.restart();
+            self.course = Course::Kept;
+            self.spectral
+                .step(problem, preconditioner, state, working_set)
+        };
+        working_set.update(state);
+        if !working_set.stands_still() {
+            preconditioner.outdate();
+        }
+        part
+    }
+
+    fn newton_step(&mut self, problem: &mut DiscreteProblem) -> Turn {
+        let elements = self.state.elements();
+        let newton = self.newton.get_or_insert_with(|| Newton::new(elements));
+        newton.step(
+            problem,
+            &mut self.preconditioner,
+            &mut self.state,
+            &mut self.working_set,
+        )
+    }
+
+    /// Prepares the phase that has just begun.
+    fn change_phase(&mut self, problem: &mut DiscreteProblem) {
+        if let Phase::Newton(failures) = self.phase() {
+            if self.preconditioner.turn_to_factor(problem, 1 + failures) {
+                if let Some(newton) = &mut self.newton {
+                    newton.restart(i32::try_from(failures).unwrap_or(i32::MAX));
+                }
+                return;
+            }
+            self.strategy.only_fast();
+        }
+        self.begin_descent(problem);
+    }
+
+    /// `dQ/dD` (N/m) on the elements that press, and the products that it takes; none where nothing presses.
+    fn contact_stiffness(&mut self, problem: &mut DiscreteProblem) -> (Option<f64>, usize) {
+        self.working_set.keep_pressing(&self.state);
+        if self.working_set.len() == 0 {
+            return (None, 0);
+        }
+        let (sum, applications) = stiffness::pressure_sum_per_penetration(
+            problem,
+            &mut self.preconditioner,
+            &self.working_set,
+        );
+        (sum.map(|sum| sum * problem.element_area()), applications)
+    }
+
+    /// Back to an admissible pressure and steps without memory.
+    fn begin_descent(&mut self, problem: &mut DiscreteProblem) {
+        if self.state.pressure.iter().any(|p| *p < 0.0) {
+            self.state.clip(problem);
+        }
+        self.spectral.restart();
+        self.conjugate.restart();
+        self.course = Course::Left(Part::Whole);
+        self.working_set.update(&self.state);
+        self.preconditioner.outdate();
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{
     iterate::State,
-    vector::{add_scaled, dot},
+    vector::{add_scaled, dot, update_with},
 };
 use crate::DiscreteProblem;
 
@@ -12,6 +12,14 @@ use crate::DiscreteProblem;
 pub struct Segment {
     pub step: Vec<f64>,
     pub image: Vec<f64>,
+}
+
+/// How much of a step was taken.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Part {
+    Whole,
+    /// Up to the minimum of the energy on the segment.
+    Cut,
 }
 
 impl Segment {
@@ -24,9 +32,9 @@ impl Segment {
 
     /// `s = max(p + α d, 0)`, brought to the prescribed total, less `p`.
     pub fn clip(&mut self, state: &State, alpha: f64, direction: &[f64]) {
-        for ((s, d), p) in self.step.iter_mut().zip(direction).zip(&state.pressure) {
+        update_with(&mut self.step, direction, &state.pressure, |s, d, p| {
             *s = (p + alpha * d).max(0.0);
-        }
+        });
         state.control.rescale(&mut self.step);
         add_scaled(&mut self.step, -1.0, &state.pressure);
     }
@@ -43,7 +51,7 @@ impl Segment {
 
     /// Takes the step: all of it unless the energy would rise above `ceiling`, then up to its minimum on the segment. One
     /// product.
-    pub fn take(&mut self, problem: &mut DiscreteProblem, state: &mut State, ceiling: f64) {
+    pub fn take(&mut self, problem: &mut DiscreteProblem, state: &mut State, ceiling: f64) -> Part {
         state.image_into(problem, &self.step, &mut self.image);
         let (slope, curvature) = (self.slope(state), self.curvature());
         let whole = state.energy() + slope + curvature / 2.0 <= ceiling;
@@ -57,5 +65,6 @@ impl Segment {
         let part = if part.is_finite() { part } else { 0.0 };
         state.advance(part, &self.step, &self.image);
         state.pressure.iter_mut().for_each(|p| *p = p.max(0.0));
+        if whole { Part::Whole } else { Part::Cut }
     }
 }

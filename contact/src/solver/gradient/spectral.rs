@@ -5,14 +5,14 @@
 //! metric).
 
 use super::{
-    super::super::DiscreteProblem,
     iterate::State,
-    preconditioner::Preconditioner,
+    preconditioner::{Preconditioner, residual_into},
     projection::project,
-    segment::Segment,
+    segment::{Part, Segment},
     vector::{add_scaled, dot},
     working_set::WorkingSet,
 };
+use crate::DiscreteProblem;
 
 /// Bounds of the step `α`; 1 is the preconditioner's own idea. Steps seen in practice lie between 0.02 and 3.
 const STEP_BOUNDS: [f64; 2] = [0.02, 4.0];
@@ -38,6 +38,12 @@ impl SpectralSteps {
         }
     }
 
+    /// Forgets the steps and energies before.
+    pub fn restart(&mut self) {
+        self.alpha = 1.0;
+        self.energies.clear();
+    }
+
     /// One step of the state; one product, two where it must fall back.
     pub fn step(
         &mut self,
@@ -45,11 +51,12 @@ impl SpectralSteps {
         preconditioner: &mut Preconditioner,
         state: &mut State,
         set: &WorkingSet,
-    ) {
+    ) -> Part {
         self.remember_energy(state.energy());
         preconditioner.direction_into(state, set, &mut self.direction);
         self.segment.clip(state, self.alpha, &self.direction);
-        if self.segment.slope(state) >= 0.0 {
+        let downhill = self.segment.slope(state) < 0.0;
+        if !downhill {
             self.project_plain_gradient(problem, state, set);
         }
         let ceiling = self
@@ -57,8 +64,9 @@ impl SpectralSteps {
             .iter()
             .copied()
             .fold(f64::NEG_INFINITY, f64::max);
-        self.segment.take(problem, state, ceiling);
+        let part = self.segment.take(problem, state, ceiling);
         self.alpha = self.next_alpha(preconditioner, set);
+        if downhill { part } else { Part::Cut }
     }
 
     fn remember_energy(&mut self, energy: f64) {
@@ -76,9 +84,7 @@ impl SpectralSteps {
         state: &mut State,
         set: &WorkingSet,
     ) {
-        for ((r, v), member) in self.direction.iter_mut().zip(&state.v).zip(set.mask()) {
-            *r = if *member { state.penetration - v } else { 0.0 };
-        }
+        residual_into(state, set, &mut self.direction);
         let Segment { step, image } = &mut self.segment;
         state.image_into(problem, &self.direction, image);
         let alpha = dot(&self.direction, &self.direction) / dot(&self.direction, image);

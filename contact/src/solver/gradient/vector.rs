@@ -1,10 +1,34 @@
-//! Sums over fields, in one fixed order, so that every number of threads gives the same bits.
+//! Sums and updates of fields, by several threads in parts of one fixed length, so that every number of threads gives the same bits.
 
+use std::ops::Range;
+
+use rayon::prelude::*;
+
+/// Elements in one part: enough to be worth a thread, few enough to stay in its cache.
+const PART: usize = 1 << 13;
 /// Partial sums that let the processor add independent numbers at once.
 const LANES: usize = 8;
 
+/// What `of_part` says of each part of `0 … length`, in order.
+pub fn by_parts<T: Send>(length: usize, of_part: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
+    let part = |first: usize| of_part(first * PART..((first + 1) * PART).min(length));
+    if length <= PART {
+        return vec![part(0)];
+    }
+    (0..length.div_ceil(PART))
+        .into_par_iter()
+        .map(part)
+        .collect()
+}
+
 /// `Σ aᵢ bᵢ`.
 pub fn dot(a: &[f64], b: &[f64]) -> f64 {
+    by_parts(a.len(), |part| dot_of_part(&a[part.clone()], &b[part]))
+        .iter()
+        .sum()
+}
+
+fn dot_of_part(a: &[f64], b: &[f64]) -> f64 {
     let (a_lanes, a_rest) = a.as_chunks::<LANES>();
     let (b_lanes, b_rest) = b.as_chunks::<LANES>();
     let mut sums = [0.0; LANES];
@@ -19,6 +43,10 @@ pub fn dot(a: &[f64], b: &[f64]) -> f64 {
 
 /// `Σ aᵢ`.
 pub fn sum(a: &[f64]) -> f64 {
+    by_parts(a.len(), |part| sum_of_part(&a[part])).iter().sum()
+}
+
+fn sum_of_part(a: &[f64]) -> f64 {
     let (lanes, rest) = a.as_chunks::<LANES>();
     let mut sums = [0.0; LANES];
     for x in lanes {
@@ -31,5 +59,49 @@ pub fn sum(a: &[f64]) -> f64 {
 
 /// `y ← y + α x`.
 pub fn add_scaled(y: &mut [f64], alpha: f64, x: &[f64]) {
-    y.iter_mut().zip(x).for_each(|(y, x)| *y += alpha * x);
+    update(y, x, |y, x| *y += alpha * x);
+}
+
+/// Applies `rule` to every pair of elements.
+pub fn update<T: Sync>(y: &mut [f64], x: &[T], rule: impl Fn(&mut f64, &T) + Sync) {
+    let parts = y.par_chunks_mut(PART).zip(x.par_chunks(PART));
+    parts.for_each(|(y, x)| y.iter_mut().zip(x).for_each(|(y, x)| rule(y, x)));
+}
+
+/// Applies `rule` to every triple of elements.
+pub fn update_with<S: Sync, T: Sync>(
+    z: &mut [f64],
+    x: &[S],
+    y: &[T],
+    rule: impl Fn(&mut f64, &S, &T) + Sync,
+) {
+    let parts = z
+        .par_chunks_mut(PART)
+        .zip(x.par_chunks(PART).zip(y.par_chunks(PART)));
+    parts.for_each(|(z, (x, y))| {
+        let others = x.iter().zip(y);
+        z.iter_mut()
+            .zip(others)
+            .for_each(|(z, (x, y))| rule(z, x, y));
+    });
+}
+
+#[cfg(test)]
+mod tests {
+    use rayon::ThreadPoolBuilder;
+
+    use super::{dot, sum};
+
+    #[test]
+    fn sums_have_the_same_bits_for_every_number_of_threads() {
+        let a: Vec<f64> = (0..100_000).map(|i| f64::from(i).sin()).collect();
+        let b: Vec<f64> = (0..100_000).map(|i| (1.7 * f64::from(i)).cos()).collect();
+        let with = |threads| {
+            let pool = ThreadPoolBuilder::new().num_threads(threads).build();
+            pool.unwrap()
+                .install(|| (sum(&a).to_bits(), dot(&a, &b).to_bits()))
+        };
+        assert_eq!(with(1), with(2));
+        assert_eq!(with(1), with(5));
+    }
 }

@@ -1,0 +1,242 @@
+//! One grid of a loading path: its problem, and the solution of one load on it after the other.
+
+use pellicle_influence::{Cached, Origin};
+
+use crate::{
+    ActiveSetSolver, ContactError, DiscreteProblem, GradientSolver, Iterate, LevelValues,
+    LevelWork, Load, Method, Model, SampledModel, Solution, Solver, SolverOptions, Summary,
+    levels::{Field, prolong},
+    solver::Watch,
+    window::Window,
+};
+
+/// Pressure that stands for a gap, as a part of what closes the gap alone: halfway between contact that ends at the last element
+/// that presses and at the first that does not. From 0.2 to 1 it matters little.
+const PRESSURE_PER_GAP: f64 = 0.5;
+/// Gaps beyond this (m) are as good as infinite.
+const FAR: f64 = 1e30;
+
+/// A grid of a path.
+pub struct Level {
+    pub sampled: SampledModel,
+    pub coefficients_origin: Origin,
+    problem: DiscreteProblem,
+    /// The window of the last load, and the problem on it.
+    window: Option<(Window, DiscreteProblem)>,
+    before: Option<Before>,
+}
+
+/// The last load's solution, to start the next from.
+struct Before {
+    /// What the coarser level suggested.
+    suggested: Vec<f64>,
+    /// What came out.
+    field: Vec<f64>,
+}
+
+/// What one level ended with.
+pub struct LevelResult {
+    pub solution: Solution,
+    pub summary: Summary,
+    pub work: LevelWork,
+    pub residuals: Vec<f64>,
+    pub contact_stiffness: Option<f64>,
+    /// Pressure, and where there is none the gap as a negative pressure.
+    pub field: Vec<f64>,
+}
+
+impl Level {
+    pub fn new(model: &Model, side: f64, size: usize) -> Result<Self, ContactError> {
+        let sampled = model.sample(side, size)?;
+        let Cached { value, origin } = model.discretize(&sampled)?;
+        Ok(Self {
+            sampled,
+            problem: value,
+            coefficients_origin: origin,
+            window: None,
+            before: None,
+        })
+    }
+
+    pub fn size(&self) -> usize {
+        self.problem.size()
+    }
+
+    /// Solves from a coarser level's field, and judges the result afresh.
+    pub fn solve(
+        &mut self,
+        load: Load,
+        coarser: Option<Field<'_>>,
+        options: SolverOptions,
+        watch: &mut Watch<'_>,
+    ) -> Result<LevelResult, ContactError> {
+        let suggested = coarser.map(|field| prolong(&field, self.size(), self.mask()));
+        let start = self.start(suggested.as_deref());
+        let (solution, effort) = self.solve_from(&start, load, options, watch)?;
+        let field = self.signed_field(&solution);
+        if watch.steps > 1 {
+            self.before = Some(Before {
+                suggested: suggested.unwrap_or_default(),
+                field: field.clone(),
+            });
+        }
+        Ok(LevelResult {
+            summary: Summary::new(&solution, &self.sampled.grid, &self.sampled.relief),
+            solution,
+            work: LevelWork {
+                elements: self.size(),
+                iterations: effort.iterations,
+                operator_applications: effort.operator_applications,
+                stiffness_applications: effort.stiffness_applications,
+            },
+            residuals: effort.residuals,
+            contact_stiffness: effort.contact_stiffness,
+            field,
+        })
+    }
+
+    /// The relief's outline, across which nothing is interpolated.
+    pub fn mask(&self) -> &[bool] {
+        self.sampled.relief.mask()
+    }
+
+    /// What the coarser level suggests, corrected by how far its suggestion for the load before was from the truth; without one,
+    /// the solution of the load before; empty on the first grid of the first load.
+    fn start(&self, suggested: Option<&[f64]>) -> Vec<f64> {
+        match (suggested, &self.before) {
+            (Some(now), Some(Before { suggested, field })) => {
+                let fields = now.iter().zip(suggested).zip(field);
+                fields
+                    .map(|((now, then), truth)| now + (truth - then))
+                    .collect()
+            }
+            (Some(now), None) => now.to_vec(),
+            (None, Some(before)) => before.field.clone(),
+            (None, None) => Vec::new(),
+        }
+    }
+
+    /// Solves on a window that holds the contact, enlarged as long as it does not.
+    fn solve_from(
+        &mut self,
+        start: &[f64],
+        load: Load,
+        options: SolverOptions,
+        watch: &mut Watch<'_>,
+    ) -> Result<(Solution, Effort), ContactError> {
+        let size = self.size();
+        let old = self.window.as_ref().map(|(window, _)| *window);
+        let presses = |e: usize| start.get(e).is_some_and(|p| *p > 0.0);
+        let mut window = Window::around(size, presses, old);
+        let mut pressure = start.to_vec();
+        pressure.resize(size * size, 0.0);
+        let mut effort = Effort::default();
+        loop {
+            let iterate = self.solve_in(&mut window, &pressure, load, options, watch)?;
+            let reached_border = iterate.reached_border;
+            pressure = effort.take(iterate);
+            if reached_border {
+                window = window.grown();
+                continue;
+            }
+            let solution = Solution::judge(&mut self.problem, load, pressure, options.tolerance);
+            effort.operator_applications += 1;
+            if window.is_whole() || solution.certificate.overlap <= options.tolerance {
+                return Ok((solution, effort));
+            }
+            let presses = |e: usize| solution.pressure[e] > 0.0 || solution.gap[e] < 0.0;
+            window = window.wider(Window::around(size, presses, None));
+            pressure = solution.pressure;
+        }
+    }
+
+    /// Solves on a window, which becomes the whole grid where there is no operator of its size; the pressure is that of the whole grid.
+    fn solve_in(
+        &mut self,
+        window: &mut Window,
+        start: &[f64],
+        load: Load,
+        options: SolverOptions,
+        watch: &mut Watch<'_>,
+    ) -> Result<Iterate, ContactError> {
+        if options.method == Method::ActiveSet {
+            *window = Window::whole(self.size());
+        }
+        let known = self.window.take_if(|(known, _)| known == window);
+        let part = match known {
+            Some((_, problem)) => Some(problem),
+            None if window.is_whole() => None,
+            None => self.problem.window(window),
+        };
+        let Some(mut part) = part else {
+            *window = Window::whole(self.size());
+            return solver(options).solve(&mut self.problem, load, start, watch);
+        };
+        let iterate = solver(options).solve(&mut part, load, &window.cut(start), watch);
+        self.window = Some((*window, part));
+        let iterate = iterate?;
+        Ok(Iterate {
+            pressure: window.spread(&iterate.pressure),
+            ..iterate
+        })
+    }
+
+    /// Pressure, and where there is none the gap as a negative pressure.
+    fn signed_field(&self, solution: &Solution) -> Vec<f64> {
+        let Some(elasticity) = self.problem.elasticity() else {
+            return solution.pressure.clone();
+        };
+        let per_gap = PRESSURE_PER_GAP / elasticity.coefficient([0, 0]);
+        let fields = solution.pressure.iter().zip(&solution.gap);
+        fields
+            .map(|(p, g)| {
+                if *p > 0.0 {
+                    *p
+                } else {
+                    -per_gap * g.clamp(0.0, FAR)
+                }
+            })
+            .collect()
+    }
+}
+
+/// The work of several windows together.
+#[derive(Default)]
+struct Effort {
+    iterations: usize,
+    operator_applications: usize,
+    stiffness_applications: usize,
+    residuals: Vec<f64>,
+    contact_stiffness: Option<f64>,
+}
+
+impl Effort {
+    /// Adds an iterate's, and returns its pressure.
+    fn take(&mut self, iterate: Iterate) -> Vec<f64> {
+        self.iterations += iterate.iterations;
+        self.operator_applications += iterate.operator_applications;
+        self.stiffness_applications += iterate.stiffness_applications;
+        self.residuals.extend(iterate.residuals);
+        self.contact_stiffness = iterate.contact_stiffness;
+        iterate.pressure
+    }
+}
+
+impl LevelResult {
+    pub fn values(&self) -> LevelValues {
+        LevelValues {
+            elements: self.work.elements,
+            penetration: self.solution.penetration,
+            contact_area: self.summary.contact_area,
+            max_pressure: self.summary.max_pressure,
+        }
+    }
+}
+
+/// The solver that the options name.
+fn solver(options: SolverOptions) -> Box<dyn Solver> {
+    match options.method {
+        Method::Gradient => Box::new(GradientSolver { options }),
+        Method::ActiveSet => Box::new(ActiveSetSolver { options }),
+    }
+}

@@ -1,0 +1,39 @@
+//! The best admissible pressure met so far, which is what a solver that has to give up returns.
+
+use super::iterate::State;
+
+/// A residual is worth a copy of the pressure if it is smaller by this factor.
+const WORTH_A_COPY: f64 = 0.5;
+
+/// A pressure and its residual.
+pub struct Best {
+    pressure: Vec<f64>,
+    residual: f64,
+}
+
+impl Best {
+    pub fn new() -> Self {
+        Self {
+            pressure: Vec::new(),
+            residual: f64::INFINITY,
+        }
+    }
+
+    /// Keeps the state's pressure if its residual is much the smallest so far.
+    pub fn offer(&mut self, state: &State, residual: f64) {
+        if residual < WORTH_A_COPY * self.residual {
+            self.residual = residual;
+            self.pressure.clone_from(&state.pressure);
+        }
+    }
+
+    /// The pressure kept, or the state's where it is admissible and its residual no larger, or nothing was kept.
+    pub fn or(self, state: State, residual: f64) -> Vec<f64> {
+        let is_admissible = state.pressure.iter().all(|p| *p >= 0.0);
+        if (is_admissible && residual <= self.residual) || self.pressure.is_empty() {
+            state.pressure
+        } else {
+            self.pressure
+        }
+    }
+}

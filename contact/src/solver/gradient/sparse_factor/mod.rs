@@ -1,0 +1,226 @@
+//! A factorised sparse approximate inverse of the system on the working set, `(K + η)_II⁻¹ ≈ Gᵀ G`.
+//!
+//! The elements are ordered from coarse to fine. Each is given its nearest *earlier* elements, and its row of `G` is the
+//! last row of the inverse Cholesky factor of the small dense system of these and itself (Kaporin 1994; Vecchia's
+//! approximation, optimal in the Kullback–Leibler sense: Schäfer, Katzfuss and Owhadi 2021):
+//!
+//! ```text
+//! (K + η)_nn = L Lᵀ,    Lᵀ g = e_last
+//! ```
+//!
+//! Coefficients depend on the offset alone, so elements with neighbours in the same places and of the same compliances share one
+//! row; inside a contact nearly all of them do. Rows once computed are kept while the set changes. Building it for 10⁵ elements
+//! takes some 30 ms, updating it 20 ms (20 neighbours, one thread).
+
+mod order;
+mod row;
+
+use std::{collections::HashMap, sync::Arc};
+
+use pellicle_influence::SurfaceElasticity;
+use rayon::prelude::*;
+
+use self::{
+    order::{Rank, earlier_offsets},
+    row::{LocalSystem, class},
+};
+use super::working_set::WorkingSet;
+
+/// Stands for the row of an element outside the set.
+const OUTSIDE: u32 = u32::MAX;
+/// Places looked at for each neighbour wanted: an island's outermost elements find few nearby.
+const PLACES_PER_NEIGHBOUR: usize = 8;
+/// Elements that look for their rows together: one part of a fixed length, for every number of threads.
+const PART: usize = 1 << 12;
+
+/// The factor `G` on one grid's working set.
+pub struct SparseFactor {
+    size: usize,
+    neighbours: usize,
+    elasticity: Arc<SurfaceElasticity>,
+    /// Class of `η/K₀₀` of every element.
+    classes: Vec<u16>,
+    /// Of each colour: where earlier elements lie.
+    offsets: [Vec<[i32; 2]>; 3],
+    /// The row of each pattern met so far.
+    known: HashMap<Pattern, u32>,
+    rows: Vec<Row>,
+    /// Row of each element.
+    row_of: Vec<u32>,
+    product: Vec<f64>,
+}
+
+/// What decides a row: level and colour, the element's class, and of each neighbour the index of its offset and its class.
+type Pattern = Box<[u32]>;
+
+/// A row of `G`.
+struct Row {
+    diagonal: f64,
+    /// Entries by distance in the field's index.
+    entries: Vec<(i32, f64)>,
+}
+
+impl SparseFactor {
+    /// A factor with `neighbours` entries a row beside the diagonal, for a grid of `size` elements per side.
+    pub fn new(
+        elasticity: Arc<SurfaceElasticity>,
+        size: usize,
+        relief_compliance: &[f64],
+        neighbours: usize,
+    ) -> Self {
+        let own = elasticity.coefficient([0, 0]);
+        let places = PLACES_PER_NEIGHBOUR * neighbours;
+        Self {
+            size,
+            neighbours,
+            elasticity,
+            classes: relief_compliance
+                .iter()
+                .map(|eta| class(eta / own))
+                .collect(),
+            offsets: [0, 1, 2].map(|colour| earlier_offsets(colour, places)),
+            known: HashMap::new(),
+            rows: Vec::new(),
+            row_of: vec![OUTSIDE; size * size],
+            product: vec![0.0; size * size],
+        }
+    }
+
+    /// Finds the row of every element of the set, and computes those not met before.
+    pub fn update(&mut self, set: &WorkingSet) {
+        let mut row_of = std::mem::take(&mut self.row_of);
+        let parts = row_of.par_chunks_mut(PART).enumerate();
+        let unknown: Vec<Vec<(usize, Pattern)>> = parts
+            .map(|(part, rows)| self.look_up(part * PART, rows, set.mask()))
+            .collect();
+        let mut fresh: Vec<Pattern> = Vec::new();
+        for (element, pattern) in unknown.into_iter().flatten() {
+            let next = (self.rows.len() + fresh.len()) as u32;
+            row_of[element] = *self.known.entry(pattern).or_insert_with_key(|pattern| {
+                fresh.push(pattern.clone());
+                next
+            });
+        }
+        let rows: Vec<Row> = fresh.par_iter().map(|pattern| self.row(pattern)).collect();
+        self.rows.extend(rows);
+        self.row_of = row_of;
+    }
+
+    /// Writes the rows of the elements from `first` on; returns those of unknown patterns.
+    fn look_up(&self, first: usize, rows: &mut [u32], mask: &[bool]) -> Vec<(usize, Pattern)> {
+        let mut unknown = Vec::new();
+        let mut pattern = Vec::new();
+        for (element, row) in (first..).zip(rows) {
+            *row = OUTSIDE;
+            if mask[element] {
+                self.pattern_into(element, mask, &mut pattern);
+                match self.known.get(pattern.as_slice()) {
+                    Some(known) => *row = *known,
+                    None => unknown.push((element, pattern.clone().into_boxed_slice())),
+                }
+            }
+        }
+        unknown
+    }
+
+    fn pattern_into(&self, element: usize, mask: &[bool], pattern: &mut Vec<u32>) {
+        let (i, j) = (index(element / self.size), index(element % self.size));
+        let Rank { level, colour } = Rank::of(i, j);
+        pattern.clear();
+        pattern.push(3 * level + colour as u32);
+        pattern.push(u32::from(self.classes[element]));
+        for (place, [x, y]) in (0..).zip(&self.offsets[colour]) {
+            let (Some(i), Some(j)) = (self.within(i, x << level), self.within(j, y << level))
+            else {
+                continue;
+            };
+            let neighbour = i * self.size + j;
+            if mask[neighbour] {
+                pattern.push(place << 16 | u32::from(self.classes[neighbour]));
+                if pattern.len() == self.neighbours + 2 {
+                    return;
+                }
+            }
+        }
+    }
+
+    /// The index `offset` from `index`, if it lies on the grid.
+    fn within(&self, index: i32, offset: i32) -> Option<usize> {
+        let place = usize::try_from(index + offset).ok()?;
+        (place < self.size).then_some(place)
+    }
+
+    /// Computes the row of a pattern.
+    fn row(&self, pattern: &[u32]) -> Row {
+        let (level, colour) = (pattern[0] / 3, (pattern[0] % 3) as usize);
+        let offset =
+            |entry: &u32| self.offsets[colour][(entry >> 16) as usize].map(|along| along << level);
+        let places: Vec<[i32; 2]> = pattern[2..].iter().map(offset).collect();
+        let classes: Vec<u16> = pattern[2..].iter().map(|entry| *entry as u16).collect();
+        let mut values = LocalSystem {
+            elasticity: &self.elasticity,
+            places: &places,
+            classes: &classes,
+            own_class: pattern[1] as u16,
+        }
+        .row();
+        let diagonal = values.pop().unwrap_or_default();
+        let distances = places.iter().map(|[x, y]| x * index(self.size) + y);
+        Row {
+            diagonal,
+            entries: distances.zip(values).collect(),
+        }
+    }
+
+    /// `r ← Gᵀ G r`; values outside the set become 0.
+    pub fn apply(&mut self, field: &mut [f64]) {
+        self.multiply(field);
+        field.fill(0.0);
+        for (element, (row, value)) in self.row_of.iter().zip(&self.product).enumerate() {
+            if *row != OUTSIDE {
+                let Row { diagonal, entries } = &self.rows[*row as usize];
+                field[element] += diagonal * value;
+                for (distance, g) in entries {
+                    field[at(element, *distance)] += g * value;
+                }
+            }
+        }
+    }
+
+    /// `G r`, into the buffer.
+    fn multiply(&mut self, field: &[f64]) {
+        let rows = &self.rows;
+        let parts = self.product.par_chunks_mut(PART);
+        let parts = parts.zip(self.row_of.par_chunks(PART)).enumerate();
+        parts.for_each(|(part, (product, row_of))| {
+            for (element, (product, row)) in (part * PART..).zip(product.iter_mut().zip(row_of)) {
+                if *row != OUTSIDE {
+                    let Row { diagonal, entries } = &rows[*row as usize];
+                    let terms = entries.iter().map(|(d, g)| g * field[at(element, *d)]);
+                    *product = diagonal * field[element] + terms.sum::<f64>();
+                }
+            }
+        });
+    }
+}
+
+/// A grid index as a signed number; grids end at 16,384 elements per side.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    reason = "indices of a grid lie far below 2³¹"
+)]
+fn index(index: usize) -> i32 {
+    index as i32
+}
+
+/// The element at a distance in the field's index, which lies on the grid.
+#[expect(
+    clippy::cast_sign_loss,
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    reason = "a place on the grid, below 2²⁸"
+)]
+fn at(element: usize, distance: i32) -> usize {
+    (element as i32 + distance) as usize
+}

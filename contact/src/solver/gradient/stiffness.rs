@@ -1,0 +1,58 @@
+//! The contact stiffness `dQ/dD`: how the force grows with the penetration while the set of elements in contact stays.
+//!
+//! Differentiating `(K + η) p + g0 = D` on the contact `I` gives `(K + η)_II q = 1` for `q = dp/dD`, and `dQ/dD = 4a² Σ q`. Conjugate
+//! gradients from zero raise `Σ q = qᵀ (K + η) q` at each step by `α r·z` to its largest value, so the error of the sum is the square
+//! of that of the solution.
+
+use super::{
+    preconditioner::Preconditioner,
+    vector::{add_scaled, dot, sum, update},
+    working_set::WorkingSet,
+};
+use crate::DiscreteProblem;
+
+/// The last step's part of the sum at which to stop; what is left is smaller still.
+const SMALLEST_GAIN: f64 = 1e-9;
+/// Steps after which the stiffness is held not to be found.
+const MOST_STEPS: usize = 300;
+
+/// `Σ q`, in Pa/m, on a set that is not empty, and the products that it took; none if the system does not converge.
+pub fn pressure_sum_per_penetration(
+    problem: &mut DiscreteProblem,
+    preconditioner: &mut Preconditioner,
+    set: &WorkingSet,
+) -> (Option<f64>, usize) {
+    let field = || vec![0.0; problem.elements()];
+    let (mut residual, mut direction, mut image, mut z) = (field(), field(), field(), field());
+    update(&mut residual, set.mask(), |r, member| {
+        *r = f64::from(u8::from(*member))
+    });
+    let (mut total, mut product_before) = (0.0, f64::INFINITY);
+    for step in 1..=MOST_STEPS {
+        z.copy_from_slice(&residual);
+        preconditioner.apply(set, &mut z);
+        let product = dot(&residual, &z);
+        let beta = product / product_before;
+        update(&mut direction, &z, |d, z| *d = z + beta * *d);
+        problem.deform_into(&direction, &mut image);
+        update(&mut image, set.mask(), |y, member| {
+            if !member {
+                *y = 0.0;
+            }
+        });
+        // α = r·z / d·(K + η)d;  Σq grows by α r·d = α r·z
+        let alpha = product / dot(&direction, &image);
+        let gain = alpha * product;
+        if !gain.is_finite() {
+            return (None, step);
+        }
+        total += gain;
+        if gain <= SMALLEST_GAIN * total {
+            return (Some(total), step);
+        }
+        add_scaled(&mut residual, -alpha, &image);
+        product_before = product;
+    }
+    debug_assert!(sum(&residual).is_finite(), "the residual stays finite");
+    (None, MOST_STEPS)
+}

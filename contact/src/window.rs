@@ -1,0 +1,188 @@
+//! A square part of a grid that holds the whole contact, on which products cost as much less as it is smaller.
+//!
+//! Only elements with pressure or overlap take part in an iteration; the rest of the grid is looked at once, by the
+//! certificate.
+
+use pellicle_influence::SurfaceElasticity;
+
+/// Elements between the contact expected and the window's border, at least, and as a part of the contact's extent.
+const MARGIN: usize = 3;
+const MARGIN_PART: usize = 24;
+/// A window of more than this part of the grid's side saves less than it costs.
+const LARGEST_PART: f64 = 0.9;
+/// An old window is good enough while it is larger than a new one by no more than this factor of the side.
+const LOOSE: f64 = 1.15;
+
+/// A window of a grid of N × N elements.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Window {
+    origin: [usize; 2],
+    size: usize,
+    grid: usize,
+}
+
+/// First and last index of some elements along both axes.
+#[derive(Debug, Clone, Copy)]
+struct Extent {
+    first: [usize; 2],
+    last: [usize; 2],
+}
+
+impl Window {
+    /// The window that is all of the grid.
+    pub fn whole(grid: usize) -> Self {
+        Self {
+            origin: [0, 0],
+            size: grid,
+            grid,
+        }
+    }
+
+    /// The smallest window of a fast size around the elements that belong, or the old one if it will do; the whole grid where none belongs.
+    pub fn around(grid: usize, belongs: impl Fn(usize) -> bool, old: Option<Self>) -> Self {
+        let Some(extent) = Extent::of(grid, belongs) else {
+            return Self::whole(grid);
+        };
+        let longest = [0, 1].map(|axis: usize| extent.last[axis] + 1 - extent.first[axis]);
+        let longest = longest[0].max(longest[1]);
+        let margin = MARGIN.max(longest / MARGIN_PART);
+        let size = SurfaceElasticity::fast_size(longest + 2 * margin);
+        if let Some(old) = old.filter(|old| old.suits(&extent, size)) {
+            return old;
+        }
+        if size as f64 > LARGEST_PART * grid as f64 {
+            return Self::whole(grid);
+        }
+        let origin = [0, 1].map(|axis: usize| {
+            let twice_centre = extent.first[axis] + extent.last[axis] + 1;
+            (twice_centre.saturating_sub(size) / 2).min(grid - size)
+        });
+        Self { origin, size, grid }
+    }
+
+    /// Whether an extent lies within, away from the border, and the window is not much larger than it need be.
+    fn suits(&self, extent: &Extent, size: usize) -> bool {
+        let inside = |axis: usize| {
+            let (first, end) = (self.origin[axis], self.origin[axis] + self.size);
+            (first == 0 || extent.first[axis] >= first + MARGIN)
+                && (end == self.grid || extent.last[axis] + MARGIN < end)
+        };
+        inside(0) && inside(1) && self.size as f64 <= LOOSE * size as f64
+    }
+
+    /// The window of twice the side around the same centre.
+    pub fn grown(&self) -> Self {
+        let size = SurfaceElasticity::fast_size(2 * self.size);
+        if size as f64 > LARGEST_PART * self.grid as f64 {
+            return Self::whole(self.grid);
+        }
+        let origin = self.origin.map(|first| {
+            first
+                .saturating_sub((size - self.size) / 2)
+                .min(self.grid - size)
+        });
+        Self {
+            origin,
+            size,
+            grid: self.grid,
+        }
+    }
+
+    /// The other window if it is the larger, else the whole grid.
+    pub fn wider(&self, other: Self) -> Self {
+        if other.size > self.size {
+            other
+        } else {
+            Self::whole(self.grid)
+        }
+    }
+
+    pub fn is_whole(&self) -> bool {
+        self.size == self.grid
+    }
+
+    /// Elements per side.
+    pub fn size(&self) -> usize {
+        self.size
+    }
+
+    /// The part of a field of the grid that lies in the window.
+    pub fn cut(&self, field: &[f64]) -> Vec<f64> {
+        let [first, left] = self.origin;
+        let rows = field.chunks_exact(self.grid).skip(first).take(self.size);
+        rows.flat_map(|row| &row[left..left + self.size])
+            .copied()
+            .collect()
+    }
+
+    /// The field of the grid that is `part` in the window and 0 outside.
+    pub fn spread(&self, part: &[f64]) -> Vec<f64> {
+        let [first, left] = self.origin;
+        let mut field = vec![0.0; self.grid * self.grid];
+        let rows = field.chunks_exact_mut(self.grid).skip(first);
+        for (row, values) in rows.zip(part.chunks_exact(self.size)) {
+            row[left..left + self.size].copy_from_slice(values);
+        }
+        field
+    }
+}
+
+impl Extent {
+    fn of(grid: usize, belongs: impl Fn(usize) -> bool) -> Option<Self> {
+        let mut extent: Option<Self> = None;
+        for e in (0..grid * grid).filter(|e| belongs(*e)) {
+            let place = [e / grid, e % grid];
+            let known = extent.get_or_insert(Self {
+                first: place,
+                last: place,
+            });
+            for axis in [0, 1] {
+                known.first[axis] = known.first[axis].min(place[axis]);
+                known.last[axis] = known.last[axis].max(place[axis]);
+            }
+        }
+        extent
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Window;
+
+    #[test]
+    fn a_window_holds_what_belongs_with_a_margin() {
+        let belongs = |e: usize| (e / 200) / 10 == 7 && (e % 200) / 20 == 9;
+        let window = Window::around(200, belongs, None);
+        let mask: Vec<f64> = (0..200 * 200)
+            .map(|e| f64::from(u8::from(belongs(e))))
+            .collect();
+        let part = window.cut(&mask);
+        assert!(window.size() < 40 && !window.is_whole());
+        assert_eq!(window.spread(&part), mask);
+        // The elements lie at the grid's end along y, but nowhere else at the window's border.
+        let last = window.size() - 1;
+        let border = |e: &usize| [0, last].contains(&(e / window.size())) || e % window.size() == 0;
+        assert!((0..part.len()).filter(border).all(|e| part[e] == 0.0));
+    }
+
+    #[test]
+    fn a_window_grows_until_it_is_the_whole_grid() {
+        let mut window = Window::around(500, |e| e == 250 * 500 + 3, None);
+        for _ in 0..8 {
+            window = window.grown();
+        }
+        assert_eq!(window, Window::whole(500));
+        assert!(Window::around(500, |_| false, None).is_whole());
+    }
+
+    #[test]
+    fn an_old_window_is_kept_while_it_suits() {
+        let inside = |first: usize, last: usize| {
+            move |e: usize| (first..last).contains(&(e / 400)) && (first..last).contains(&(e % 400))
+        };
+        let old = Window::around(400, inside(150, 250), None);
+        assert_eq!(Window::around(400, inside(151, 251), Some(old)), old);
+        assert_ne!(Window::around(400, inside(190, 210), Some(old)), old);
+        assert_ne!(Window::around(400, inside(140, 260), Some(old)), old);
+    }
+}

@@ -1,0 +1,75 @@
+//! The elasticity of a surface of square elements: what operators and preconditioners of any part of a grid are made from.
+
+use std::sync::Arc;
+
+use pellicle_kernel::Foundation;
+
+use crate::{CoefficientTable, ConvolutionOperator, PeriodicSymbol, padding::half_length};
+
+/// The influence coefficients of elements of one size, and all that follows from them for square windows of a grid.
+///
+/// The coefficients depend on the offset alone, so one table serves every window: [`Self::operator`] makes `K p` for
+/// a window of any size up to the table's, at that window's cost.
+///
+/// ```
+/// use std::sync::Arc;
+/// use pellicle_influence::{CoefficientTable, ElasticOperator, SurfaceElasticity, love};
+/// use pellicle_kernel::{Foundation, Material};
+///
+/// let steel = Material::new(210e9, 0.3)?;
+/// let table = CoefficientTable::from_fn(1e-6, 64, |offset| love::coefficient(&steel, 1e-6, offset))?;
+/// let surface = SurfaceElasticity::new(Arc::new(table), Foundation::half_space(steel));
+/// let mut displacement = vec![0.0; 16 * 16];
+/// surface.operator(16).apply_into(&[1e9; 16 * 16], &mut displacement);
+/// assert!(displacement[8 * 16 + 8] > displacement[0]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct SurfaceElasticity {
+    table: Arc<CoefficientTable>,
+    foundation: Foundation,
+}
+
+impl SurfaceElasticity {
+    /// The elasticity of the foundation that `table` holds the coefficients of.
+    #[must_use]
+    pub fn new(table: Arc<CoefficientTable>, foundation: Foundation) -> Self {
+        Self { table, foundation }
+    }
+
+    /// Elements per side of the largest window.
+    #[must_use]
+    pub fn size(&self) -> usize {
+        self.table.size()
+    }
+
+    /// The coefficient `k` of two elements `offset` apart, m/Pa.
+    ///
+    /// # Panics
+    /// If an offset is not below [`Self::size`].
+    #[must_use]
+    pub fn coefficient(&self, offset: [usize; 2]) -> f64 {
+        self.table.coefficient(offset)
+    }
+
+    /// The smallest size ≥ `size` whose products are fast: nothing is padded beyond twice of it.
+    #[must_use]
+    pub fn fast_size(size: usize) -> usize {
+        half_length(size)
+    }
+
+    /// `K p` on a window of `size` × `size` elements.
+    ///
+    /// # Panics
+    /// If `size` is above [`Self::size`].
+    #[must_use]
+    pub fn operator(&self, size: usize) -> ConvolutionOperator {
+        ConvolutionOperator::windowed(&self.table, size)
+    }
+
+    /// The analytic symbol on a periodic grid of `size` × `size` elements, for preconditioners.
+    #[must_use]
+    pub fn symbol(&self, size: usize) -> PeriodicSymbol {
+        PeriodicSymbol::new(&self.foundation, self.table.element_side(), size)
+    }
+}

@@ -1,0 +1,43 @@
+"""ContactMechanics: its constrained conjugate gradients on its free (non-periodic) half-space.
+
+Its tolerances are absolute: a gap, a force on an element and a relative change of the total force. One relative
+tolerance is turned into all three by the Hertzian approach and peak pressure. The package of PyPI is serial.
+"""
+
+from importlib.metadata import version
+
+import ContactMechanics
+import numpy as np
+from SurfaceTopography import Topography
+
+import driver
+from problem import FORCE, HERTZ_APPROACH, MODULUS, PEAK_PRESSURE, SIDE
+
+LONGEST = 20000
+
+
+def setup(problem, tolerance, threads):
+    sides = (SIDE, SIDE)
+    half_space = ContactMechanics.FreeFFTElasticHalfSpace((problem.n, problem.n), MODULUS, sides)
+    surface = Topography(-problem.gap, physical_sizes=sides)
+    return problem, tolerance, ContactMechanics.make_system(substrate=half_space, surface=surface)
+
+
+def solve(state):
+    problem, tolerance, system = state
+    return system.minimize_proxy(
+        external_force=FORCE, maxiter=LONGEST, pentol=tolerance * HERTZ_APPROACH,
+        forcetol=tolerance * PEAK_PRESSURE * problem.element_side**2, thermotol=tolerance,
+    )
+
+
+def read(state, result):
+    return {
+        "pressure": np.asarray(result.jac) / state[0].element_side ** 2,
+        "products": int(result.nfev),
+        "converged": result.success,
+        "own_error": float(result.maxcv["max_pen"] / HERTZ_APPROACH),
+    }
+
+
+driver.run(version("ContactMechanics"), setup, solve, read)

@@ -1,0 +1,54 @@
+"""What the drivers of all rivals share: the command line, the clock, the peak of memory, the one line of JSON.
+
+    python aspher_driver.py CASE N THREADS TOLERANCE PRESSURE_FILE
+
+The caller sets the thread variables of the environment before the process starts. A rival is three functions:
+
+    setup(problem, tolerance, threads)  -> state                everything that must be built before it can solve
+    solve(state)                        -> result               from its own cold start
+    read(state, result)                 -> dict                 pressure (n, n), products, converged, own_error
+
+A small problem is solved first, so that libraries are loaded, threads started and functions compiled; then everything
+is built anew and timed once. The geometry (the array `problem.gap`) is given and not timed.
+"""
+
+import json
+import resource
+import sys
+import time
+
+import numpy as np
+
+from problem import Problem
+
+WARM_UP_ELEMENTS = 64
+
+
+def run(version, setup, solve, read):
+    """Solves the problem of the command line, writes its pressure and prints its measurement."""
+    case, n, threads, tolerance, pressure_file = sys.argv[1:]
+    arguments = float(tolerance), int(threads)
+    warm_up = setup(Problem(case, WARM_UP_ELEMENTS), *arguments)
+    solve(warm_up)
+    del warm_up
+    problem = Problem(case, int(n))
+
+    start = time.perf_counter()
+    state = setup(problem, *arguments)
+    built = time.perf_counter()
+    result = solve(state)
+    solved = time.perf_counter()
+    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+
+    answer = read(state, result)
+    np.save(pressure_file, np.asarray(answer["pressure"], dtype=float).reshape(problem.n, problem.n))
+    sys.stdout.flush()
+    print(json.dumps({
+        "version": version,
+        "setup_seconds": built - start,
+        "solve_seconds": solved - built,
+        "products": answer["products"],
+        "peak_bytes": peak * (1 if sys.platform == "darwin" else 1024),
+        "converged": bool(answer["converged"]),
+        "own_error": answer["own_error"],
+    }))

@@ -1,0 +1,81 @@
+"""Tamaas: Polonsky-Keer with pressure as unknown on its non-periodic operator.
+
+The operator must be registered and also set: with the first call alone it solves the periodic problem. Its tolerance
+bounds its own relative complementarity error; not reaching it is not raised. It does not count products: two an
+iteration and two before the first are taken, the iterations read from its log. The package of PyPI is serial.
+"""
+
+import contextlib
+import os
+import re
+import sys
+import tempfile
+from importlib.metadata import version
+
+import numpy as np
+import tamaas
+
+import driver
+from problem import MODULUS, SIDE
+
+LONGEST = 20000
+OPERATOR = "dcfft"
+
+
+@contextlib.contextmanager
+def everything_printed():
+    """Gives a file that receives what this process prints, by Python or by a library."""
+    with tempfile.TemporaryFile() as file:
+        sys.stdout.flush()
+        kept = [(stream, os.dup(stream)) for stream in (1, 2)]
+        for stream, _ in kept:
+            os.dup2(file.fileno(), stream)
+        try:
+            yield file
+        finally:
+            for stream, copy in kept:
+                os.dup2(copy, stream)
+                os.close(copy)
+
+
+def setup(problem, tolerance, threads):
+    tamaas.initialize(threads)
+    tamaas.set_log_level(tamaas.LogLevel.warning)
+    model = tamaas.Model(tamaas.model_type.basic_2d, [SIDE, SIDE], [problem.n, problem.n])
+    model.E, model.nu = MODULUS, 0.0
+    tamaas.ModelFactory.registerNonPeriodic(model, OPERATOR)
+    solver = tamaas.PolonskyKeerRey(model, -problem.gap, tolerance)
+    solver.setIntegralOperator(OPERATOR)
+    solver.max_iter, solver.dump_freq = LONGEST, 1
+    return problem, tolerance, model, solver
+
+
+def solve(state):
+    problem, _, _, solver = state
+    tamaas.set_log_level(tamaas.LogLevel.info)
+    with everything_printed() as file:
+        error = solver.solve(problem.mean_pressure)
+        file.seek(0)
+        log = file.read().decode(errors="replace")
+    return error, log
+
+
+def iterations(log):
+    """The number of the last line of three numbers: iteration, cost, error."""
+    lines = re.findall(r"^\s*(\d+)\s+[-+0-9.e]+\s+[-+0-9.e]+\s*$", log, re.MULTILINE)
+    return max(map(int, lines), default=None)
+
+
+def read(state, result):
+    _, tolerance, model, _ = state
+    error, log = result
+    last = iterations(log)
+    return {
+        "pressure": np.array(model.traction),
+        "products": None if last is None else 2 * (last + 1),
+        "converged": error <= tolerance,
+        "own_error": float(error),
+    }
+
+
+driver.run(version("tamaas"), setup, solve, read)
