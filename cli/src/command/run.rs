@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::time::Instant;
 
-use pellicle_contact::{ContactError, LoadingPath, Model, Observer, solve_path};
+use pellicle_contact::{LoadingPath, Model, Observer, solve_path};
 
 use crate::arguments::RunArguments;
 use crate::case::Case;
@@ -31,13 +31,11 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
     let cache = cache::open();
     let model = case.model(&cache)?;
     let tables_seconds = tables.elapsed().as_secs_f64();
-    let solved = solve(&case, &model.value, &mut line);
+    let path = solve(&case, &model.value, &mut line)?;
     drop(line);
-    let path = match solved {
-        Err(Failure::Contact(ContactError::Cancelled { step })) => return Ok(stopped(step)),
-        Ok(path) if path.steps.is_empty() => return Ok(stopped(0)),
-        solved => solved?,
-    };
+    if path.interrupted && path.steps.is_empty() {
+        return Ok(stopped_at_once());
+    }
     interrupt::hold();
     let clock = Clock {
         start,
@@ -45,8 +43,7 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
         tables_origin: model.origin,
     };
     let mut summary = Summary::new(&case, &path, clock, &cache.take_warnings());
-    let steps = case.load.steps().len();
-    summary.warnings.extend(unfinished(path.steps.len(), steps));
+    summary.warnings.extend(unfinished(&case, &path));
     if let Some(folder) = &folder {
         folder.write(|folder| results::write(folder, &path, &summary))?;
     }
@@ -54,12 +51,13 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
     if arguments.json {
         terminal::print(&json(&summary)?)?;
     }
-    Ok(outcome(&summary, steps))
+    Ok(outcome(&path, &summary))
 }
 
 /// What a path that the user stopped has to say of itself.
-fn unfinished(done: usize, steps: usize) -> Option<WarningSummary> {
-    (done < steps).then(|| WarningSummary {
+fn unfinished(case: &Case, path: &LoadingPath) -> Option<WarningSummary> {
+    let (done, steps) = (path.steps.len(), case.load.steps().len());
+    path.interrupted.then(|| WarningSummary {
         code: "stopped",
         message: format!("stopped by the user after {done} of {steps} loading steps"),
     })
@@ -105,10 +103,8 @@ fn solve(case: &Case, model: &Model, observer: &mut dyn Observer) -> Result<Load
     )?)
 }
 
-fn stopped(step: usize) -> Outcome {
-    terminal::tell(&format!(
-        "stopped at loading step {step}; nothing is written"
-    ));
+fn stopped_at_once() -> Outcome {
+    terminal::tell("stopped before the first loading step was solved; nothing is written");
     Outcome::Stopped
 }
 
@@ -134,8 +130,8 @@ fn tell(arguments: &RunArguments, summary: &Summary, folder: Option<&Path>) {
     }
 }
 
-fn outcome(summary: &Summary, steps: usize) -> Outcome {
-    if summary.steps.len() < steps {
+fn outcome(path: &LoadingPath, summary: &Summary) -> Outcome {
+    if path.interrupted {
         Outcome::Stopped
     } else if summary.is_certified() {
         Outcome::Done

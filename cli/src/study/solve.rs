@@ -4,7 +4,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use pellicle_contact::{ContactError, LoadingPath, Observer, solve_path};
+use pellicle_contact::{LoadingPath, Observer, solve_path};
 use pellicle_influence::Cache;
 
 use super::Study;
@@ -50,7 +50,6 @@ impl Kit<'_> {
         let solved = catch_unwind(AssertUnwindSafe(|| self.attempt(case, observer)));
         match solved {
             Ok(Ok(done)) => Ok(done),
-            Ok(Err(Failure::Contact(ContactError::Cancelled { .. }))) => Ok(None),
             Ok(Err(failure @ (Failure::Write { .. } | Failure::NoResults { .. }))) => Err(failure),
             Ok(Err(failure)) => Ok(Some(self.failed(case, &failure.to_string()))),
             Err(_) => Ok(Some(self.failed(case, "an error of the program itself"))),
@@ -73,7 +72,7 @@ impl Kit<'_> {
         let (loads, options) = (case.load.steps(), case.solver.options());
         let (domain, elements) = (case.grid.domain(), case.grid.elements);
         let path = solve_path(&model.value, domain, elements, &loads, &options, observer)?;
-        if path.steps.len() < loads.len() {
+        if path.interrupted {
             return Ok(None);
         }
         let clock = Clock {

@@ -6,6 +6,8 @@ use std::process::{Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
+use serde_json::Value;
+
 use crate::runner::{CASE, Folder, Ran};
 
 /// More work than any test waits for.
@@ -64,6 +66,41 @@ fn ctrl_c_ends_a_run_within_a_second_with_130_and_leaves_nothing_half_written() 
         assert!(ran.stderr.contains("stopp"), "{}", ran.stderr);
         assert!(!folder.names().iter().any(|name| name.starts_with('.')));
     }
+}
+
+#[test]
+fn ctrl_c_keeps_the_finished_steps_of_a_curve_and_says_that_it_is_not_whole() {
+    let folder = Folder::with_case(CASE);
+    // Some milliseconds a step: the whole takes a minute, the first less than the start of the program.
+    let curve = "load={forces={from=\"0.9 uN\", to=\"1 uN\", count=10000}}";
+    let line = [
+        "run",
+        "case.toml",
+        "--out",
+        "a",
+        "--set",
+        curve,
+        "--set",
+        "grid.elements=64",
+    ];
+    let (ran, _) = interrupted(&folder, &line, "-INT", || true);
+    assert_eq!(ran.code, Some(130), "{}", ran.stderr);
+    let summary = fs::read_to_string(folder.path("a/summary.json")).unwrap();
+    let summary: Value = serde_json::from_str(&summary).unwrap();
+    let steps = summary["steps"].as_array().unwrap();
+    assert!((1..10_000).contains(&steps.len()), "{}", steps.len());
+    assert!(
+        steps
+            .iter()
+            .all(|step| step["certificate"]["satisfied"] == true)
+    );
+    let warnings = summary["warnings"].as_array().unwrap();
+    assert!(warnings.iter().any(|warning| warning["code"] == "stopped"));
+    assert!(
+        ran.stderr.contains("stopped by the user after"),
+        "{}",
+        ran.stderr
+    );
 }
 
 #[test]
