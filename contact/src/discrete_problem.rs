@@ -6,19 +6,41 @@
 
 use std::sync::Arc;
 
-use pellicle_influence::{ElasticOperator, SurfaceElasticity};
+use pellicle_influence::{ConvolutionOperator, ElasticOperator, SurfaceElasticity};
 
-use crate::{ContactError, window::Window};
+use crate::{ContactError, solver::gradient::Workspace, window::Window};
+
+/// What answers a pressure with a displacement.
+enum Body {
+    /// An operator of which nothing more is known.
+    Operator(Box<dyn ElasticOperator>),
+    /// Coefficients, and the operator made from them when it is first needed.
+    Surface {
+        elasticity: Arc<SurfaceElasticity>,
+        operator: Option<Box<ConvolutionOperator>>,
+    },
+}
+
+impl Body {
+    fn of(elasticity: Arc<SurfaceElasticity>) -> Self {
+        Self::Surface {
+            elasticity,
+            operator: None,
+        }
+    }
+}
 
 /// One grid's problem. Fields hold N² values, index `i N + j`, first index along x.
 pub struct DiscreteProblem {
-    operator: Box<dyn ElasticOperator>,
-    elasticity: Option<Arc<SurfaceElasticity>>,
+    body: Body,
+    size: usize,
     relief_compliance: Vec<f64>,
     initial_gap: Vec<f64>,
     element_area: f64,
     /// Elements per side of the grid that this one is a window of, or its own.
     grid_size: usize,
+    /// What the gradient method keeps from load to load.
+    workspace: Option<Box<Workspace>>,
 }
 
 impl DiscreteProblem {
@@ -35,6 +57,37 @@ impl DiscreteProblem {
         element_area: f64,
     ) -> Result<Self, ContactError> {
         let size = operator.size();
+        let body = Body::Operator(operator);
+        Self::checked(body, size, relief_compliance, initial_gap, element_area)
+    }
+
+    /// The problem of a grid of `size` elements per side whose elasticity is known, so that solvers may take windows of the grid and
+    /// precondition; the other fields as for [`Self::new`].
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    ///
+    /// # Panics
+    /// If `size` is above the elasticity's.
+    pub fn elastic(
+        elasticity: Arc<SurfaceElasticity>,
+        size: usize,
+        relief_compliance: Vec<f64>,
+        initial_gap: Vec<f64>,
+        element_area: f64,
+    ) -> Result<Self, ContactError> {
+        assert!(size <= elasticity.size(), "a grid within the coefficients");
+        let body = Body::of(elasticity);
+        Self::checked(body, size, relief_compliance, initial_gap, element_area)
+    }
+
+    fn checked(
+        body: Body,
+        size: usize,
+        relief_compliance: Vec<f64>,
+        initial_gap: Vec<f64>,
+        element_area: f64,
+    ) -> Result<Self, ContactError> {
         let elements = size * size;
         check_length("relief compliance", relief_compliance.len(), elements)?;
         check_length("initial gap", initial_gap.len(), elements)?;
@@ -54,41 +107,48 @@ impl DiscreteProblem {
             return Err(ContactError::NothingCanTouch { elements });
         }
         Ok(Self {
-            operator,
-            elasticity: None,
+            body,
+            size,
             relief_compliance,
             initial_gap,
             element_area,
             grid_size: size,
+            workspace: None,
         })
-    }
-
-    /// The same problem with what the operator was made from, which solvers may precondition with.
-    #[must_use]
-    pub fn with_elasticity(mut self, elasticity: Arc<SurfaceElasticity>) -> Self {
-        self.elasticity = Some(elasticity);
-        self
     }
 
     /// What the operator was made from, where that is known.
     #[must_use]
     pub fn elasticity(&self) -> Option<&Arc<SurfaceElasticity>> {
-        self.elasticity.as_ref()
+        match &self.body {
+            Body::Operator(_) => None,
+            Body::Surface { elasticity, .. } => Some(elasticity),
+        }
     }
 
     /// The same problem on a window of the grid, with an operator of the window's own size; none where the elasticity is not known.
     ///
     /// What lies outside is held to be without pressure.
     pub(crate) fn window(&self, window: &Window) -> Option<Self> {
-        let elasticity = self.elasticity.clone()?;
         Some(Self {
-            operator: Box::new(elasticity.operator(window.size())),
-            elasticity: Some(elasticity),
+            body: Body::of(self.elasticity()?.clone()),
+            size: window.size(),
             relief_compliance: window.cut(&self.relief_compliance),
             initial_gap: window.cut(&self.initial_gap),
             element_area: self.element_area,
             grid_size: self.grid_size,
+            workspace: None,
         })
+    }
+
+    /// What the last solution on this problem left, if it came to its end.
+    pub(crate) fn take_workspace(&mut self) -> Option<Box<Workspace>> {
+        self.workspace.take()
+    }
+
+    /// Keeps what the next solution on this problem can use.
+    pub(crate) fn keep_workspace(&mut self, workspace: Box<Workspace>) {
+        self.workspace = Some(workspace);
     }
 
     /// Elements per side of the grid that this one is a window of, or its own.
@@ -104,7 +164,7 @@ impl DiscreteProblem {
     /// Elements per side, N.
     #[must_use]
     pub fn size(&self) -> usize {
-        self.operator.size()
+        self.size
     }
 
     /// Number of elements, N².
@@ -133,12 +193,27 @@ impl DiscreteProblem {
 
     /// The operator `K`; exclusive, because a product uses the operator's own buffers.
     pub fn operator_mut(&mut self) -> &mut dyn ElasticOperator {
-        self.operator.as_mut()
+        match &mut self.body {
+            Body::Operator(operator) => operator.as_mut(),
+            Body::Surface {
+                elasticity,
+                operator,
+            } => operator
+                .get_or_insert_with(|| Box::new(elasticity.operator(self.size)))
+                .as_mut(),
+        }
+    }
+
+    /// Gives back the memory of an operator that can be made again.
+    pub(crate) fn release_operator(&mut self) {
+        if let Body::Surface { operator, .. } = &mut self.body {
+            *operator = None;
+        }
     }
 
     /// Writes `(K + η) p` (m) of the pressure `p` (Pa) into `deformation`: one product with `K`.
     pub fn deform_into(&mut self, pressure: &[f64], deformation: &mut [f64]) {
-        self.operator.apply_into(pressure, deformation);
+        self.operator_mut().apply_into(pressure, deformation);
         for ((v, eta), p) in deformation
             .iter_mut()
             .zip(&self.relief_compliance)

@@ -1,13 +1,14 @@
 //! One grid of a loading path: its problem, and the solution of one load on it after the other.
 
 use pellicle_influence::{Cached, Origin};
+use rayon::prelude::*;
 
 use crate::{
     ActiveSetSolver, ContactError, DiscreteProblem, GradientSolver, Iterate, LevelValues,
     LevelWork, Load, Method, Model, SampledModel, Solution, Solver, SolverOptions, Summary,
     levels::{Field, prolong},
     solver::Watch,
-    window::Window,
+    window::{Room, Window},
 };
 
 /// Pressure that stands for a gap, as a part of what closes the gap alone: halfway between contact that ends at the last element
@@ -71,12 +72,12 @@ impl Level {
         watch: &mut Watch<'_>,
     ) -> Result<LevelResult, ContactError> {
         let suggested = coarser.map(|field| prolong(&field, self.size(), self.mask()));
-        let start = self.start(suggested.as_deref());
-        let (solution, effort) = self.solve_from(&start, load, options, watch)?;
+        let (start, suggested) = self.start(suggested, watch.steps > 1);
+        let (solution, effort) = self.solve_from(start, load, options, watch)?;
         let field = self.signed_field(&solution);
-        if watch.steps > 1 {
+        if let Some(suggested) = suggested {
             self.before = Some(Before {
-                suggested: suggested.unwrap_or_default(),
+                suggested,
                 field: field.clone(),
             });
         }
@@ -101,51 +102,63 @@ impl Level {
     }
 
     /// What the coarser level suggests, corrected by how far its suggestion for the load before was from the truth; without one,
-    /// the solution of the load before; empty on the first grid of the first load.
-    fn start(&self, suggested: Option<&[f64]>) -> Vec<f64> {
-        match (suggested, &self.before) {
-            (Some(now), Some(Before { suggested, field })) => {
-                let fields = now.iter().zip(suggested).zip(field);
-                fields
-                    .map(|((now, then), truth)| now + (truth - then))
-                    .collect()
+    /// the solution of the load before; zero on the first grid of the first load. The suggestion itself besides, if it is to be kept.
+    fn start(&self, suggested: Option<Vec<f64>>, keep: bool) -> (Vec<f64>, Option<Vec<f64>>) {
+        let copy = keep.then(|| suggested.clone().unwrap_or_default());
+        let start = match (suggested, &self.before) {
+            (Some(mut now), Some(Before { suggested, field })) => {
+                let before = field.par_iter().zip(suggested);
+                now.par_iter_mut()
+                    .zip(before)
+                    .for_each(|(now, (truth, then))| *now += truth - then);
+                now
             }
-            (Some(now), None) => now.to_vec(),
+            (Some(now), None) => now,
             (None, Some(before)) => before.field.clone(),
-            (None, None) => Vec::new(),
-        }
+            (None, None) => vec![0.0; self.size() * self.size()],
+        };
+        (start, copy)
     }
 
     /// Solves on a window that holds the contact, enlarged as long as it does not.
     fn solve_from(
         &mut self,
-        start: &[f64],
+        start: Vec<f64>,
         load: Load,
         options: SolverOptions,
         watch: &mut Watch<'_>,
     ) -> Result<(Solution, Effort), ContactError> {
         let size = self.size();
         let old = self.window.as_ref().map(|(window, _)| *window);
-        let presses = |e: usize| start.get(e).is_some_and(|p| *p > 0.0);
-        let mut window = Window::around(size, presses, old);
-        let mut pressure = start.to_vec();
-        pressure.resize(size * size, 0.0);
+        let room = if watch.steps > 1 {
+            Room::ForMany
+        } else {
+            Room::ForOne
+        };
+        let mut window = Window::around(size, |e| start[e] > 0.0, old, room);
+        let mut pressure = start;
         let mut effort = Effort::default();
         loop {
-            let iterate = self.solve_in(&mut window, &pressure, load, options, watch)?;
+            let iterate = self.solve_in(&mut window, pressure, load, options, watch)?;
             let reached_border = iterate.reached_border;
             pressure = effort.take(iterate);
             if reached_border {
                 window = window.grown();
                 continue;
             }
+            if watch.steps == 1 {
+                self.window = None;
+            }
             let solution = Solution::judge(&mut self.problem, load, pressure, options.tolerance);
             effort.operator_applications += 1;
             if window.is_whole() || solution.certificate.overlap <= options.tolerance {
+                if watch.steps == 1 {
+                    self.problem.release_operator();
+                }
                 return Ok((solution, effort));
             }
             let presses = |e: usize| solution.pressure[e] > 0.0 || solution.gap[e] < 0.0;
-            window = window.wider(Window::around(size, presses, None));
+            window = window.wider(Window::around(size, presses, None, room));
             pressure = solution.pressure;
         }
     }
@@ -154,7 +167,7 @@ impl Level {
     fn solve_in(
         &mut self,
         window: &mut Window,
-        start: &[f64],
+        start: Vec<f64>,
         load: Load,
         options: SolverOptions,
         watch: &mut Watch<'_>,
@@ -170,9 +183,11 @@ impl Level {
         };
         let Some(mut part) = part else {
             *window = Window::whole(self.size());
-            return solver(options).solve(&mut self.problem, load, start, watch);
+            return solver(options).solve(&mut self.problem, load, &start, watch);
         };
-        let iterate = solver(options).solve(&mut part, load, &window.cut(start), watch);
+        let part_of_start = window.cut(&start);
+        drop(start);
+        let iterate = solver(options).solve(&mut part, load, &part_of_start, watch);
         self.window = Some((*window, part));
         let iterate = iterate?;
         Ok(Iterate {
@@ -187,7 +202,7 @@ impl Level {
             return solution.pressure.clone();
         };
         let per_gap = PRESSURE_PER_GAP / elasticity.coefficient([0, 0]);
-        let fields = solution.pressure.iter().zip(&solution.gap);
+        let fields = solution.pressure.par_iter().zip(&solution.gap);
         fields
             .map(|(p, g)| {
                 if *p > 0.0 {

@@ -14,6 +14,7 @@ mod discrete_problem;
 mod domain;
 mod error;
 mod grid_error;
+mod hierarchy;
 mod indenter;
 mod level;
 mod levels;

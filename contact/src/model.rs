@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use pellicle_influence::{Cache, Cached, RadialTables, SurfaceElasticity};
 use pellicle_texture::{Grid, Relief, SampledRelief};
+use rayon::prelude::*;
 
 use crate::{ContactError, DiscreteProblem, Indenter};
 
@@ -41,6 +42,7 @@ impl Model {
         let grid = Grid::new(side, size)?;
         let relief = self.relief.sample(&grid);
         let indenter_profile = (0..grid.len())
+            .into_par_iter()
             .map(|e| {
                 self.indenter
                     .height(grid.centre(e / size), grid.centre(e % size))
@@ -71,15 +73,20 @@ impl Model {
         // g0 = f − f*
         let initial_gap = sampled
             .indenter_profile
-            .iter()
+            .par_iter()
             .zip(sampled.relief.profile())
             .map(|(f, relief)| f - relief)
             .collect();
-        let operator = Box::new(elasticity.operator(grid.size()));
         let compliance = sampled.relief.compliance().to_vec();
-        let problem = DiscreteProblem::new(operator, compliance, initial_gap, grid.element_area())?;
+        let (elasticity, area) = (Arc::new(elasticity), grid.element_area());
         Ok(Cached {
-            value: problem.with_elasticity(Arc::new(elasticity)),
+            value: DiscreteProblem::elastic(
+                elasticity,
+                grid.size(),
+                compliance,
+                initial_gap,
+                area,
+            )?,
             origin,
         })
     }

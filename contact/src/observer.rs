@@ -26,8 +26,8 @@ pub enum Signal {
     Cancel,
 }
 
-/// Receives the progress of a solution. `()` is the observer that looks away.
-pub trait Observer {
+/// Receives the progress of a solution, on a thread of the pool that computes it. `()` is the observer that looks away.
+pub trait Observer: Send {
     /// Called once per iteration.
     fn progress(&mut self, progress: &Progress) -> Signal;
 }

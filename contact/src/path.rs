@@ -1,17 +1,11 @@
 //! A loading path: many loads on one model, each from coarse to fine, on a domain that holds the contact.
 
-use std::time::Instant;
-
 use pellicle_influence::Origin;
 use pellicle_texture::{Grid, SampledRelief};
 
 use crate::{
     ContactError, Domain, GridError, Load, Model, Observer, SampledModel, Solution, SolverOptions,
-    Summary, Warning, Work, default_side,
-    level::{Level, LevelResult},
-    levels::{COARSE_TOLERANCE, Field, coarser_sizes},
-    solver::Watch,
-    trust,
+    Summary, Warning, Work, default_side, hierarchy::Hierarchy, solver::Watch, trust,
 };
 
 /// How often an automatic domain may grow, and by how much each time.
@@ -79,15 +73,32 @@ pub fn solve_path(
     for load in loads {
         load.checked()?;
     }
+    // On a thread of the pool from beginning to end: every parallel loop entered from outside would cost two changes of thread.
+    rayon::scope(|_| solve_on_domains(model, domain, elements, loads, options, observer))
+}
+
+/// Solves the path on ever larger domains, until one holds the contact.
+fn solve_on_domains(
+    model: &Model,
+    domain: Domain,
+    elements: usize,
+    loads: &[Load],
+    options: SolverOptions,
+    observer: &mut dyn Observer,
+) -> Result<LoadingPath, ContactError> {
     let mut side = match domain {
         Domain::Side(side) => side,
         Domain::Automatic => default_side(model, loads),
     };
     for _ in 0..=ENLARGEMENTS {
-        let mut run = PathRun::start(model, side, elements, options)?;
-        let contained = run.solve_all(loads, domain, observer)?;
-        if contained {
-            return Ok(run.finish(model));
+        let mut run = PathRun {
+            hierarchy: Hierarchy::new(model, side, elements, loads.len()),
+            steps: Vec::new(),
+            warnings: Vec::new(),
+            interrupted: false,
+        };
+        if run.solve_all(loads, domain, options, observer)? {
+            return run.finish(model);
         }
         side *= ENLARGEMENT;
     }
@@ -98,54 +109,20 @@ pub fn solve_path(
 }
 
 /// A path under way on one domain.
-struct PathRun {
-    options: SolverOptions,
-    /// Coarsest first.
-    coarse: Vec<Level>,
-    finest: Level,
+struct PathRun<'a> {
+    hierarchy: Hierarchy<'a>,
     steps: Vec<Step>,
     warnings: Vec<Warning>,
-    coefficients_seconds: f64,
     interrupted: bool,
 }
 
-/// The field of a solved level.
-fn field<'a>((values, level): &'a (Vec<f64>, &Level)) -> Field<'a> {
-    Field {
-        values,
-        mask: level.mask(),
-    }
-}
-
-impl PathRun {
-    /// Samples the model and assembles the coefficients on every level.
-    fn start(
-        model: &Model,
-        side: f64,
-        elements: usize,
-        options: SolverOptions,
-    ) -> Result<Self, ContactError> {
-        let clock = Instant::now();
-        let level = |size: usize| Level::new(model, side, size);
-        Ok(Self {
-            options,
-            finest: level(elements)?,
-            coarse: coarser_sizes(elements)
-                .into_iter()
-                .map(level)
-                .collect::<Result<_, _>>()?,
-            steps: Vec::new(),
-            warnings: Vec::new(),
-            coefficients_seconds: clock.elapsed().as_secs_f64(),
-            interrupted: false,
-        })
-    }
-
+impl PathRun<'_> {
     /// Solves every load; false as soon as an automatic domain turns out too small.
     fn solve_all(
         &mut self,
         loads: &[Load],
         domain: Domain,
+        options: SolverOptions,
         observer: &mut dyn Observer,
     ) -> Result<bool, ContactError> {
         for (index, load) in loads.iter().enumerate() {
@@ -154,15 +131,14 @@ impl PathRun {
                 step: index,
                 steps: loads.len(),
             };
-            let step = match self.solve_step(*load, &mut watch) {
+            let step = match self.hierarchy.solve(*load, options, &mut watch) {
                 Err(ContactError::Cancelled { .. }) => {
                     self.interrupted = true;
                     return Ok(true);
                 }
                 outcome => outcome?,
             };
-            let to_edge =
-                trust::elements_to_edge(&step.solution.pressure, &self.finest.sampled.grid);
+            let to_edge = trust::elements_to_edge(&step.solution.pressure);
             if let Some(elements) = to_edge.filter(|elements| *elements < EDGE_MARGIN) {
                 if domain == Domain::Automatic {
                     return Ok(false);
@@ -177,81 +153,30 @@ impl PathRun {
         Ok(true)
     }
 
-    /// Solves one load from the coarsest level to the finest.
-    fn solve_step(&mut self, load: Load, watch: &mut Watch<'_>) -> Result<Step, ContactError> {
-        let clock = Instant::now();
-        let coarse_options = SolverOptions {
-            tolerance: self.options.tolerance.max(COARSE_TOLERANCE),
-            contact_stiffness: false,
-            ..self.options
-        };
-        let (mut levels, mut values) = (Vec::new(), Vec::new());
-        let mut coarser: Option<(Vec<f64>, &Level)> = None;
-        for level in &mut self.coarse {
-            let start = coarser.as_ref().map(field);
-            let result = level.solve(load, start, coarse_options, watch)?;
-            levels.push(result.work);
-            values.push(result.values());
-            coarser = Some((result.field, level));
-        }
-        let start = coarser.as_ref().map(field);
-        let result = self.finest.solve(load, start, self.options, watch)?;
-        levels.push(result.work);
-        values.push(result.values());
-        let work = Work {
-            iterations: result.work.iterations,
-            operator_applications: result.work.operator_applications,
-            stiffness_applications: result.work.stiffness_applications,
-            seconds: clock.elapsed().as_secs_f64(),
-            levels,
-        };
-        let LevelResult {
-            solution,
-            summary,
-            residuals,
-            contact_stiffness,
-            ..
-        } = result;
-        Ok(Step {
-            solution,
-            summary,
-            work,
-            grid_error: GridError::new(values),
-            residuals,
-            contact_stiffness,
-        })
-    }
-
-    /// Where the coefficients of all levels together came from.
-    fn coefficients_origin(&self) -> Origin {
-        let origins = self.coarse.iter().map(|level| level.coefficients_origin);
-        origins.fold(self.finest.coefficients_origin, Origin::max)
-    }
-
     /// Adds the warnings that need whole solutions and hands the path over.
-    fn finish(self, model: &Model) -> LoadingPath {
-        let coefficients_origin = self.coefficients_origin();
-        let interrupted = self.interrupted;
+    fn finish(self, model: &Model) -> Result<LoadingPath, ContactError> {
+        let coefficients_seconds = self.hierarchy.coefficients_seconds();
+        let coefficients_origin = self.hierarchy.coefficients_origin();
         let SampledModel {
             grid,
             relief,
             indenter_profile,
-        } = self.finest.sampled;
+        } = self.hierarchy.into_sampled()?;
         let mut warnings = self.warnings;
         warnings.extend(trust::model_warnings(model, &grid));
         for (index, step) in self.steps.iter().enumerate() {
             warnings.extend(trust::step_warnings(model, index, step));
         }
-        LoadingPath {
+        Ok(LoadingPath {
             grid,
             relief,
             indenter_profile,
             warnings,
-            coefficients_seconds: self.coefficients_seconds,
+            coefficients_seconds,
             coefficients_origin,
             solve_seconds: self.steps.iter().map(|step| step.work.seconds).sum(),
             steps: self.steps,
-            interrupted,
-        }
+            interrupted: self.interrupted,
+        })
     }
 }

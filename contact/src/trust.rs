@@ -14,11 +14,12 @@ const LARGEST_SHORTENING: f64 = 1.0;
 const LARGEST_SLOPE: f64 = 0.3;
 
 /// Whole elements between the contact and the nearest edge of the domain; none without contact.
-pub(crate) fn elements_to_edge(pressure: &[f64], grid: &Grid) -> Option<usize> {
-    let last = grid.size() - 1;
+pub(crate) fn elements_to_edge(pressure: &[f64]) -> Option<usize> {
+    let size = pressure.len().isqrt();
+    let last = size - 1;
     let in_contact = pressure.iter().enumerate().filter(|(_, p)| **p > 0.0);
     let to_edge = |e: usize| {
-        let (i, j) = (e / grid.size(), e % grid.size());
+        let (i, j) = (e / size, e % size);
         i.min(j).min(last - i).min(last - j)
     };
     in_contact.map(|(e, _)| to_edge(e)).min()

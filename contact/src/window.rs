@@ -5,13 +5,37 @@
 
 use pellicle_influence::SurfaceElasticity;
 
-/// Elements between the contact expected and the window's border, at least, and as a part of the contact's extent.
+/// Elements between the contact expected and the window's border, at least.
 const MARGIN: usize = 3;
-const MARGIN_PART: usize = 24;
 /// A window of more than this part of the grid's side saves less than it costs.
 const LARGEST_PART: f64 = 0.9;
-/// An old window is good enough while it is larger than a new one by no more than this factor of the side.
-const LOOSE: f64 = 1.15;
+
+/// What a window is for: it is made anew when the contact has outgrown it or left most of it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Room {
+    /// One load, whose contact is known to an element or two.
+    ForOne,
+    /// A path of loads.
+    ForMany,
+}
+
+impl Room {
+    /// The margin around the contact expected is its extent over this.
+    fn part(self) -> usize {
+        match self {
+            Self::ForOne => 24,
+            Self::ForMany => 10,
+        }
+    }
+
+    /// An old window is good enough while it is larger than a new one by no more than this factor of the side.
+    fn loose(self) -> f64 {
+        match self {
+            Self::ForOne => 1.1,
+            Self::ForMany => 1.35,
+        }
+    }
+}
 
 /// A window of a grid of N × N elements.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -39,15 +63,22 @@ impl Window {
     }
 
     /// The smallest window of a fast size around the elements that belong, or the old one if it will do; the whole grid where none belongs.
-    pub fn around(grid: usize, belongs: impl Fn(usize) -> bool, old: Option<Self>) -> Self {
+    ///
+    /// Where a path of loads is to come, the window leaves room for the contact to grow.
+    pub fn around(
+        grid: usize,
+        belongs: impl Fn(usize) -> bool,
+        old: Option<Self>,
+        room: Room,
+    ) -> Self {
         let Some(extent) = Extent::of(grid, belongs) else {
             return Self::whole(grid);
         };
         let longest = [0, 1].map(|axis: usize| extent.last[axis] + 1 - extent.first[axis]);
         let longest = longest[0].max(longest[1]);
-        let margin = MARGIN.max(longest / MARGIN_PART);
+        let margin = MARGIN.max(longest / room.part());
         let size = SurfaceElasticity::fast_size(longest + 2 * margin);
-        if let Some(old) = old.filter(|old| old.suits(&extent, size)) {
+        if let Some(old) = old.filter(|old| old.suits(&extent, size, room)) {
             return old;
         }
         if size as f64 > LARGEST_PART * grid as f64 {
@@ -61,13 +92,13 @@ impl Window {
     }
 
     /// Whether an extent lies within, away from the border, and the window is not much larger than it need be.
-    fn suits(&self, extent: &Extent, size: usize) -> bool {
+    fn suits(&self, extent: &Extent, size: usize, room: Room) -> bool {
         let inside = |axis: usize| {
             let (first, end) = (self.origin[axis], self.origin[axis] + self.size);
             (first == 0 || extent.first[axis] >= first + MARGIN)
                 && (end == self.grid || extent.last[axis] + MARGIN < end)
         };
-        inside(0) && inside(1) && self.size as f64 <= LOOSE * size as f64
+        inside(0) && inside(1) && self.size as f64 <= room.loose() * size as f64
     }
 
     /// The window of twice the side around the same centre.
@@ -147,12 +178,12 @@ impl Extent {
 
 #[cfg(test)]
 mod tests {
-    use super::Window;
+    use super::{Room, Window};
 
     #[test]
     fn a_window_holds_what_belongs_with_a_margin() {
         let belongs = |e: usize| (e / 200) / 10 == 7 && (e % 200) / 20 == 9;
-        let window = Window::around(200, belongs, None);
+        let window = Window::around(200, belongs, None, Room::ForOne);
         let mask: Vec<f64> = (0..200 * 200)
             .map(|e| f64::from(u8::from(belongs(e))))
             .collect();
@@ -167,12 +198,12 @@ mod tests {
 
     #[test]
     fn a_window_grows_until_it_is_the_whole_grid() {
-        let mut window = Window::around(500, |e| e == 250 * 500 + 3, None);
+        let mut window = Window::around(500, |e| e == 250 * 500 + 3, None, Room::ForOne);
         for _ in 0..8 {
             window = window.grown();
         }
         assert_eq!(window, Window::whole(500));
-        assert!(Window::around(500, |_| false, None).is_whole());
+        assert!(Window::around(500, |_| false, None, Room::ForOne).is_whole());
     }
 
     #[test]
@@ -180,9 +211,18 @@ mod tests {
         let inside = |first: usize, last: usize| {
             move |e: usize| (first..last).contains(&(e / 400)) && (first..last).contains(&(e % 400))
         };
-        let old = Window::around(400, inside(150, 250), None);
-        assert_eq!(Window::around(400, inside(151, 251), Some(old)), old);
-        assert_ne!(Window::around(400, inside(190, 210), Some(old)), old);
-        assert_ne!(Window::around(400, inside(140, 260), Some(old)), old);
+        let old = Window::around(400, inside(150, 250), None, Room::ForMany);
+        assert_eq!(
+            Window::around(400, inside(151, 251), Some(old), Room::ForMany),
+            old
+        );
+        assert_ne!(
+            Window::around(400, inside(190, 210), Some(old), Room::ForMany),
+            old
+        );
+        assert_ne!(
+            Window::around(400, inside(140, 260), Some(old), Room::ForMany),
+            old
+        );
     }
 }

@@ -37,14 +37,8 @@ fn problem(
             .collect()
     };
     let elasticity = SurfaceElasticity::new(Arc::new(table), foundation);
-    DiscreteProblem::new(
-        Box::new(elasticity.operator(size)),
-        sample(&eta),
-        sample(&gap),
-        side * side,
-    )
-    .unwrap()
-    .with_elasticity(Arc::new(elasticity))
+    let (eta, gap) = (sample(&eta), sample(&gap));
+    DiscreteProblem::elastic(Arc::new(elasticity), size, eta, gap, side * side).unwrap()
 }
 
 fn paraboloid(x: f64, y: f64) -> f64 {

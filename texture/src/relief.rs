@@ -24,7 +24,9 @@ impl Relief {
     /// Mask, surface profile and compliance at the centres of the grid's elements.
     #[must_use]
     pub fn sample(&self, grid: &Grid) -> SampledRelief {
-        SampledRelief::collect(grid.centres().map(|centre| self.at(centre)))
+        SampledRelief::collect(grid.size(), |i, j| {
+            self.at([grid.centre(i), grid.centre(j)])
+        })
     }
 
     /// Fraction of the plane that carries relief: closed form for cylinders, 1 for a film or a map, 0 for a bare surface.

@@ -1,5 +1,7 @@
 //! A relief as a solver sees it: three fields on a grid.
 
+use rayon::prelude::*;
+
 /// The relief at the centres of a grid's elements: mask, surface profile and compliance, N² values each, index `i * N + j`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SampledRelief {
@@ -9,11 +11,22 @@ pub struct SampledRelief {
 }
 
 impl SampledRelief {
-    /// Gathers `[mask, f*, η]` of every element in order.
-    pub(crate) fn collect(elements: impl Iterator<Item = (bool, f64, f64)>) -> Self {
-        let (mask, (profile, compliance)) = elements
-            .map(|(on, profile, compliance)| (on, (profile, compliance)))
-            .unzip();
+    /// Gathers mask, `f*` and η of `size` × `size` elements, row by row in parallel.
+    pub(crate) fn collect(
+        size: usize,
+        at: impl Fn(usize, usize) -> (bool, f64, f64) + Sync,
+    ) -> Self {
+        let elements = size * size;
+        let mut mask = vec![false; elements];
+        let mut profile = vec![0.0; elements];
+        let mut compliance = vec![0.0; elements];
+        let rows = mask.par_chunks_mut(size).zip(profile.par_chunks_mut(size));
+        let rows = rows.zip(compliance.par_chunks_mut(size)).enumerate();
+        rows.for_each(|(i, ((mask, profile), compliance))| {
+            for j in 0..size {
+                (mask[j], profile[j], compliance[j]) = at(i, j);
+            }
+        });
         Self {
             mask,
             profile,

@@ -92,10 +92,14 @@ impl Solver for GradientSolver {
             } else {
                 (None, 0)
             };
+        let Iteration {
+            state, workspace, ..
+        } = iteration;
+        problem.keep_workspace(workspace);
         Ok(Iterate {
             iterations: residuals.len() - 1,
-            operator_applications: iteration.state.applications(),
-            pressure: best.or(iteration.state, residual),
+            operator_applications: state.applications(),
+            pressure: best.or(state, residual),
             residuals,
             contact_stiffness,
             stiffness_applications,
@@ -132,35 +136,62 @@ impl GradientSolver {
     }
 }
 
+/// What a solution needs beside its state: allocated once for all loads on one problem.
+pub struct Workspace {
+    preconditioner: Preconditioner,
+    spectral: SpectralSteps,
+    conjugate: ConjugateDirections,
+    newton: Option<Newton>,
+}
+
+impl Workspace {
+    fn new(problem: &DiscreteProblem) -> Self {
+        Self {
+            preconditioner: Preconditioner::new(problem),
+            spectral: SpectralSteps::new(problem.elements()),
+            conjugate: ConjugateDirections::new(problem.elements()),
+            newton: None,
+        }
+    }
+
+    /// Forgets the load before.
+    fn restart(&mut self) {
+        self.preconditioner.outdate();
+        self.spectral.restart();
+        self.conjugate.restart();
+        if let Some(newton) = &mut self.newton {
+            newton.restart(0);
+        }
+    }
+}
+
 /// Everything that one solution carries from step to step.
 struct Iteration {
     state: State,
     working_set: WorkingSet,
-    preconditioner: Preconditioner,
     strategy: Strategy,
-    spectral: SpectralSteps,
-    conjugate: ConjugateDirections,
     course: Course,
-    newton: Option<Newton>,
+    workspace: Box<Workspace>,
 }
 
 impl Iteration {
     fn start(problem: &mut DiscreteProblem, control: Control, start: &[f64]) -> Self {
+        let mut workspace = problem
+            .take_workspace()
+            .unwrap_or_else(|| Box::new(Workspace::new(problem)));
+        workspace.restart();
         let state = State::start(problem, control, start);
         Self {
             working_set: WorkingSet::of(&state),
-            preconditioner: Preconditioner::new(problem),
             strategy: Strategy::new(),
-            spectral: SpectralSteps::new(state.elements()),
-            conjugate: ConjugateDirections::new(state.elements()),
             course: Course::Left(Part::Whole),
-            newton: None,
+            workspace,
             state,
         }
     }
 
     fn step(&mut self, problem: &mut DiscreteProblem, residual: f64) {
-        let changes = match self.phase() {
+        let changes = match self.strategy.phase() {
             Phase::Newton(_) => {
                 let turn = self.newton_step(problem);
                 self.strategy.after_newton(residual, turn)
@@ -175,34 +206,28 @@ impl Iteration {
         }
     }
 
-    fn phase(&self) -> Phase {
-        self.strategy.phase()
-    }
-
     /// A conjugate step on a set that stands still, else a spectral one.
     fn fast_step(&mut self, problem: &mut DiscreteProblem) -> Part {
-        let Self {
-            state,
-            working_set,
+        let (state, set) = (&mut self.state, &mut self.working_set);
+        let Workspace {
             preconditioner,
+            spectral,
+            conjugate,
             ..
-        } = self;
-        let part = if working_set.stands_still() && self.course == Course::Kept {
-            self.course = self
-                .conjugate
-                .step_within(problem, preconditioner, state, working_set);
+        } = &mut *self.workspace;
+        let part = if set.stands_still() && self.course == Course::Kept {
+            self.course = conjugate.step_within(problem, preconditioner, state, set);
             match self.course {
                 Course::Kept => Part::Whole,
                 Course::Left(part) => part,
             }
         } else {
-            self.conjugate.restart();
+            conjugate.restart();
             self.course = Course::Kept;
-            self.spectral
-                .step(problem, preconditioner, state, working_set)
+            spectral.step(problem, preconditioner, state, set)
         };
-        working_set.update(state);
-        if !working_set.stands_still() {
+        set.update(state);
+        if !set.stands_still() {
             preconditioner.outdate();
         }
         part
@@ -210,10 +235,14 @@ impl Iteration {
 
     fn newton_step(&mut self, problem: &mut DiscreteProblem) -> Turn {
         let elements = self.state.elements();
-        let newton = self.newton.get_or_insert_with(|| Newton::new(elements));
-        newton.step(
+        let Workspace {
+            preconditioner,
+            newton,
+            ..
+        } = &mut *self.workspace;
+        newton.get_or_insert_with(|| Newton::new(elements)).step(
             problem,
-            &mut self.preconditioner,
+            preconditioner,
             &mut self.state,
             &mut self.working_set,
         )
@@ -221,9 +250,14 @@ impl Iteration {
 
     /// Prepares the phase that has just begun.
     fn change_phase(&mut self, problem: &mut DiscreteProblem) {
-        if let Phase::Newton(failures) = self.phase() {
-            if self.preconditioner.turn_to_factor(problem, 1 + failures) {
-                if let Some(newton) = &mut self.newton {
+        if let Phase::Newton(failures) = self.strategy.phase() {
+            let Workspace {
+                preconditioner,
+                newton,
+                ..
+            } = &mut *self.workspace;
+            if preconditioner.turn_to_factor(problem, 1 + failures) {
+                if let Some(newton) = newton {
                     newton.restart(i32::try_from(failures).unwrap_or(i32::MAX));
                 }
                 return;
@@ -231,6 +265,16 @@ impl Iteration {
             self.strategy.only_fast();
         }
         self.begin_descent(problem);
+    }
+
+    /// Back to an admissible pressure and steps without memory.
+    fn begin_descent(&mut self, problem: &mut DiscreteProblem) {
+        if self.state.pressure.iter().any(|p| *p < 0.0) {
+            self.state.clip(problem);
+        }
+        self.workspace.restart();
+        self.course = Course::Left(Part::Whole);
+        self.working_set.update(&self.state);
     }
 
     /// `dQ/dD` (N/m) on the elements that press, and the products that it takes; none where nothing presses.
@@ -241,21 +285,9 @@ impl Iteration {
         }
         let (sum, applications) = stiffness::pressure_sum_per_penetration(
             problem,
-            &mut self.preconditioner,
+            &mut self.workspace.preconditioner,
             &self.working_set,
         );
         (sum.map(|sum| sum * problem.element_area()), applications)
-    }
-
-    /// Back to an admissible pressure and steps without memory.
-    fn begin_descent(&mut self, problem: &mut DiscreteProblem) {
-        if self.state.pressure.iter().any(|p| *p < 0.0) {
-            self.state.clip(problem);
-        }
-        self.spectral.restart();
-        self.conjugate.restart();
-        self.course = Course::Left(Part::Whole);
-        self.working_set.update(&self.state);
-        self.preconditioner.outdate();
     }
 }

@@ -6,19 +6,20 @@ use rayon::prelude::*;
 
 /// Elements in one part: enough to be worth a thread, few enough to stay in its cache.
 const PART: usize = 1 << 13;
+/// Fields up to this length are one thread's work: waking another takes as long.
+const SHORT: usize = 1 << 15;
 /// Partial sums that let the processor add independent numbers at once.
 const LANES: usize = 8;
 
 /// What `of_part` says of each part of `0 … length`, in order.
 pub fn by_parts<T: Send>(length: usize, of_part: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
     let part = |first: usize| of_part(first * PART..((first + 1) * PART).min(length));
-    if length <= PART {
-        return vec![part(0)];
+    let parts = 0..length.div_ceil(PART);
+    if length <= SHORT {
+        parts.map(part).collect()
+    } else {
+        parts.into_par_iter().map(part).collect()
     }
-    (0..length.div_ceil(PART))
-        .into_par_iter()
-        .map(part)
-        .collect()
 }
 
 /// `Σ aᵢ bᵢ`.
@@ -64,8 +65,13 @@ pub fn add_scaled(y: &mut [f64], alpha: f64, x: &[f64]) {
 
 /// Applies `rule` to every pair of elements.
 pub fn update<T: Sync>(y: &mut [f64], x: &[T], rule: impl Fn(&mut f64, &T) + Sync) {
-    let parts = y.par_chunks_mut(PART).zip(x.par_chunks(PART));
-    parts.for_each(|(y, x)| y.iter_mut().zip(x).for_each(|(y, x)| rule(y, x)));
+    let of_part = |(y, x): (&mut [f64], &[T])| y.iter_mut().zip(x).for_each(|(y, x)| rule(y, x));
+    if y.len() <= SHORT {
+        of_part((y, x));
+    } else {
+        let parts = y.par_chunks_mut(PART).zip(x.par_chunks(PART));
+        parts.for_each(of_part);
+    }
 }
 
 /// Applies `rule` to every triple of elements.
@@ -75,15 +81,18 @@ pub fn update_with<S: Sync, T: Sync>(
     y: &[T],
     rule: impl Fn(&mut f64, &S, &T) + Sync,
 ) {
-    let parts = z
-        .par_chunks_mut(PART)
-        .zip(x.par_chunks(PART).zip(y.par_chunks(PART)));
-    parts.for_each(|(z, (x, y))| {
+    let of_part = |(z, (x, y)): (&mut [f64], (&[S], &[T]))| {
         let others = x.iter().zip(y);
         z.iter_mut()
             .zip(others)
             .for_each(|(z, (x, y))| rule(z, x, y));
-    });
+    };
+    if z.len() <= SHORT {
+        of_part((z, (x, y)));
+    } else {
+        let others = x.par_chunks(PART).zip(y.par_chunks(PART));
+        z.par_chunks_mut(PART).zip(others).for_each(of_part);
+    }
 }
 
 #[cfg(test)]

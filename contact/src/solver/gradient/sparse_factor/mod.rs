@@ -30,6 +30,8 @@ use super::working_set::WorkingSet;
 const OUTSIDE: u32 = u32::MAX;
 /// Places looked at for each neighbour wanted: an island's outermost elements find few nearby.
 const PLACES_PER_NEIGHBOUR: usize = 8;
+/// Rows beyond which all are forgotten, some 0.5 GB with 20 neighbours: a path of many loads meets ever new ones.
+const MOST_ROWS: usize = 1 << 20;
 /// Elements that look for their rows together: one part of a fixed length, for every number of threads.
 const PART: usize = 1 << 12;
 
@@ -88,6 +90,10 @@ impl SparseFactor {
 
     /// Finds the row of every element of the set, and computes those not met before.
     pub fn update(&mut self, set: &WorkingSet) {
+        if self.rows.len() > MOST_ROWS {
+            self.known.clear();
+            self.rows.clear();
+        }
         let mut row_of = std::mem::take(&mut self.row_of);
         let parts = row_of.par_chunks_mut(PART).enumerate();
         let unknown: Vec<Vec<(usize, Pattern)>> = parts

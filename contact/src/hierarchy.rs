@@ -1,0 +1,155 @@
+//! The grids of a path, from the coarsest to the finest, each made when it is first needed.
+
+use std::time::Instant;
+
+use pellicle_influence::Origin;
+
+use crate::{
+    ContactError, GridError, Load, Model, SampledModel, SolverOptions, Step, Work,
+    level::{Level, LevelResult},
+    levels::{COARSE_TOLERANCE, Field, coarser_sizes},
+    solver::Watch,
+};
+
+/// All grids over one square.
+pub struct Hierarchy<'a> {
+    model: &'a Model,
+    side: f64,
+    /// Elements per side, coarsest first.
+    sizes: Vec<usize>,
+    /// The grids at hand; where only one load is to come, none but the one in use and the finest, whose memory is most of all.
+    levels: Vec<Option<Level>>,
+    keep: bool,
+    coefficients_seconds: f64,
+    coefficients_origin: Option<Origin>,
+}
+
+impl<'a> Hierarchy<'a> {
+    /// The grids for `loads` loads on a square of side `side` (m), the finest of `elements` elements per side.
+    pub fn new(model: &'a Model, side: f64, elements: usize, loads: usize) -> Self {
+        let mut sizes = coarser_sizes(elements);
+        sizes.push(elements);
+        Self {
+            model,
+            side,
+            levels: sizes.iter().map(|_| None).collect(),
+            sizes,
+            keep: loads > 1,
+            coefficients_seconds: 0.0,
+            coefficients_origin: None,
+        }
+    }
+
+    /// Time spent on coefficients and sampling, in s.
+    pub fn coefficients_seconds(&self) -> f64 {
+        self.coefficients_seconds
+    }
+
+    /// Where the coefficients of all grids together came from.
+    pub fn coefficients_origin(&self) -> Origin {
+        self.coefficients_origin.unwrap_or(Origin::Computed)
+    }
+
+    /// The geometry on the finest grid.
+    pub fn into_sampled(mut self) -> Result<SampledModel, ContactError> {
+        match self.levels.pop().flatten() {
+            Some(finest) => Ok(finest.sampled),
+            None => {
+                let elements = self.sizes.last().copied().unwrap_or_default();
+                self.model.sample(self.side, elements)
+            }
+        }
+    }
+
+    /// Solves one load from the coarsest grid to the finest.
+    pub fn solve(
+        &mut self,
+        load: Load,
+        options: SolverOptions,
+        watch: &mut Watch<'_>,
+    ) -> Result<Step, ContactError> {
+        let (clock, spent_before) = (Instant::now(), self.coefficients_seconds);
+        let (mut levels, mut values) = (Vec::new(), Vec::new());
+        let mut coarser: Option<(Vec<f64>, Vec<bool>)> = None;
+        let finest = self.sizes.len() - 1;
+        for index in 0..finest {
+            let start = coarser.as_ref().map(field);
+            let options = coarse_options(options);
+            let (result, mask) = self.solve_level(index, load, start, options, watch)?;
+            levels.push(result.work);
+            values.push(result.values());
+            coarser = Some((result.field, mask));
+        }
+        let start = coarser.as_ref().map(field);
+        let (result, _) = self.solve_level(finest, load, start, options, watch)?;
+        levels.push(result.work);
+        values.push(result.values());
+        let on_coefficients = self.coefficients_seconds - spent_before;
+        Ok(Step {
+            work: Work {
+                iterations: result.work.iterations,
+                operator_applications: result.work.operator_applications,
+                stiffness_applications: result.work.stiffness_applications,
+                seconds: clock.elapsed().as_secs_f64() - on_coefficients,
+                levels,
+            },
+            solution: result.solution,
+            summary: result.summary,
+            grid_error: GridError::new(values),
+            residuals: result.residuals,
+            contact_stiffness: result.contact_stiffness,
+        })
+    }
+
+    /// Solves on one grid; returns the outline of its relief besides.
+    fn solve_level(
+        &mut self,
+        index: usize,
+        load: Load,
+        start: Option<Field<'_>>,
+        options: SolverOptions,
+        watch: &mut Watch<'_>,
+    ) -> Result<(LevelResult, Vec<bool>), ContactError> {
+        let mut level = match self.levels[index].take() {
+            Some(level) => level,
+            None => self.make(index)?,
+        };
+        let result = level.solve(load, start, options, watch);
+        let is_finest = index + 1 == self.sizes.len();
+        let mask = if is_finest {
+            Vec::new()
+        } else {
+            level.mask().to_vec()
+        };
+        if self.keep || is_finest {
+            self.levels[index] = Some(level);
+        }
+        Ok((result?, mask))
+    }
+
+    fn make(&mut self, index: usize) -> Result<Level, ContactError> {
+        let clock = Instant::now();
+        let level = Level::new(self.model, self.side, self.sizes[index])?;
+        self.coefficients_seconds += clock.elapsed().as_secs_f64();
+        let origin = level.coefficients_origin;
+        self.coefficients_origin = Some(match self.coefficients_origin {
+            Some(others) => others.max(origin),
+            None => origin,
+        });
+        Ok(level)
+    }
+}
+
+/// Coarse grids are solved no further than is worth it.
+fn coarse_options(options: SolverOptions) -> SolverOptions {
+    SolverOptions {
+        tolerance: options.tolerance.max(COARSE_TOLERANCE),
+        contact_stiffness: false,
+        ..options
+    }
+}
+
+/// The field of a solved level.
+fn field((values, mask): &(Vec<f64>, Vec<bool>)) -> Field<'_> {
+    Field { values, mask }
+}
