@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
 
+use crate::study::shard::Shard;
 use crate::templates::Template;
 
 /// Contact of a rigid indenter with a layered, textured elastic body: a case file in, a certified solution out.
@@ -11,7 +12,7 @@ use crate::templates::Template;
 #[command(name = "pellicle", version, arg_required_else_help = true)]
 #[command(
     after_help = "Exit codes: 0 solved and certified, 1 not converged (result written and marked), \
-                        2 the case or the command line is wrong."
+                        2 the case or the command line is wrong, 130 stopped by Ctrl-C."
 )]
 pub struct Arguments {
     /// What to do.
@@ -24,6 +25,15 @@ pub struct Arguments {
 pub enum Command {
     /// Solve a case and write a results folder
     Run(RunArguments),
+    /// Solve a case for many values of its keys, in parallel; killed at any moment, the same command goes on where it stopped
+    #[command(
+        after_help = "A study file is a table [study] with the keys that vary, and the base case: `pellicle init study` prints one.\n\
+                            Exit codes: 0 every case is certified, 1 some case is not (the others are there), \
+                            2 the study or the command line is wrong, 130 stopped by Ctrl-C."
+    )]
+    Study(StudyArguments),
+    /// Put the tables of a study's parts (--shard) together
+    Gather(GatherArguments),
     /// Resolve a case and say what solving it would take, without solving it
     Check(CaseArguments),
     /// Print a commented case that runs as it is
@@ -39,6 +49,10 @@ pub enum Command {
         after_help = "PELLICLE_CACHE names the folder; set but empty, it turns the cache on disk off."
     )]
     Cache(CacheArguments),
+    /// Print completions for a shell
+    Completions(CompletionsArguments),
+    /// Print the manual page: pellicle man | man -l -
+    Man,
 }
 
 /// A case and what replaces its values.
@@ -73,6 +87,69 @@ pub struct RunArguments {
     /// Print nothing but errors
     #[arg(long, short)]
     pub quiet: bool,
+}
+
+/// How to run a study.
+#[derive(Debug, Args)]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is a switch of the command line"
+)]
+pub struct StudyArguments {
+    /// The study file
+    #[arg(value_name = "STUDY")]
+    pub path: PathBuf,
+    /// Replace one value of the base case: --set grid.elements=64 (repeatable)
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    pub sets: Vec<String>,
+    /// Folder of the results [default: results/NAME after the study]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Go on where it stopped (the default)
+    #[arg(long, conflicts_with = "fresh")]
+    pub resume: bool,
+    /// Begin again and forget what is there
+    #[arg(long)]
+    pub fresh: bool,
+    /// Only part I of N, from 1; `pellicle gather` puts the parts together
+    #[arg(
+        long,
+        value_name = "I/N",
+        default_value = "1/1",
+        hide_default_value = true
+    )]
+    pub shard: Shard,
+    /// Print the cases and solve none
+    #[arg(long)]
+    pub list: bool,
+    /// Write a whole results folder for every case too, in cases/
+    #[arg(long)]
+    pub folders: bool,
+    /// Print how the cases ended as JSON to standard output
+    #[arg(long)]
+    pub json: bool,
+    /// Number of threads, and of cases at a time [default: one a core]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
+    /// Print nothing but errors
+    #[arg(long, short)]
+    pub quiet: bool,
+}
+
+/// Which parts to put together.
+#[derive(Debug, Args)]
+pub struct GatherArguments {
+    /// The folder of the study
+    #[arg(value_name = "DIR")]
+    pub folder: PathBuf,
+}
+
+/// Which shell.
+#[derive(Debug, Args)]
+pub struct CompletionsArguments {
+    /// The shell
+    #[arg(value_enum)]
+    pub shell: clap_complete::Shell,
 }
 
 /// Which case to begin with.

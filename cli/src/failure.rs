@@ -51,6 +51,21 @@ pub enum Failure {
         /// What is there.
         path: PathBuf,
     },
+    /// A study has no cases.
+    #[error("the study has no cases")]
+    NoCases,
+    /// A table is there, of a study with other values or of another version of the program.
+    #[error("{} holds results of another study or of another version: give --fresh to begin again, or another --out", path.display())]
+    OtherStudy {
+        /// The table.
+        path: PathBuf,
+    },
+    /// Another process is at work on a table.
+    #[error("{}: another process is writing to it", path.display())]
+    Busy {
+        /// The table.
+        path: PathBuf,
+    },
     /// A file or folder cannot be written.
     #[error("{}: cannot be written: {cause}", path.display())]
     Write {

@@ -17,9 +17,15 @@ pub mod case;
 pub mod command;
 pub mod display;
 pub mod failure;
+pub mod forecast;
+#[cfg(doctest)]
+mod guide;
+pub mod interrupt;
+pub mod map;
 pub mod output;
 pub mod picture;
 pub mod program;
 pub mod progress;
+pub mod study;
 pub mod templates;
 pub mod terminal;

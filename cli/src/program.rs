@@ -7,15 +7,17 @@ use clap::Parser;
 
 use crate::arguments::{Arguments, Command};
 use crate::failure::Failure;
-use crate::{command, terminal};
+use crate::{command, interrupt, terminal};
 
 /// How a command ended that did not fail.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Outcome {
     /// Everything asked for is there, and certified where it is a solution.
     Done,
-    /// The result is there, and marked as not converged.
+    /// The result is there, and marked as not converged; in a study, a case has no certified result.
     NotConverged,
+    /// The user asked to stop; what was finished is there.
+    Stopped,
 }
 
 /// Runs the program with these arguments, the first being its name.
@@ -27,6 +29,7 @@ pub fn main(arguments: impl IntoIterator<Item = impl Into<OsString> + Clone>) ->
     match execute(arguments.command) {
         Ok(Outcome::Done) => ExitCode::SUCCESS,
         Ok(Outcome::NotConverged) => ExitCode::from(1),
+        Ok(Outcome::Stopped) => ExitCode::from(interrupt::EXIT_CODE),
         Err(failure) => {
             terminal::tell(&failure.render());
             ExitCode::from(failure.exit_code())
@@ -43,6 +46,10 @@ fn execute(command: Command) -> Result<Outcome, Failure> {
         Command::Influence(arguments) => command::influence::influence(&arguments),
         Command::Plot(arguments) => command::plot::plot(&arguments),
         Command::Cache(arguments) => command::cache::cache(&arguments),
+        Command::Study(arguments) => command::study::study(&arguments),
+        Command::Gather(arguments) => command::gather::gather(&arguments),
+        Command::Completions(arguments) => command::completions::completions(&arguments),
+        Command::Man => command::completions::man(),
     }
 }
 

@@ -1,40 +1,63 @@
 //! One line on the terminal while a case is being solved.
 
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
 use pellicle_contact::{Observer, Progress, Signal};
 
-/// Shows the progress of a solution on standard error, if that is a terminal.
+use crate::interrupt;
+
+/// Shows the progress of a solution on standard error, if that is a terminal, and passes Ctrl-C on.
 #[derive(Debug)]
 pub struct ProgressLine {
     line: ProgressBar,
+    /// What stands before and behind the progress.
+    around: [String; 2],
+    clock: Clock,
+    keeps_steps: bool,
 }
 
 impl ProgressLine {
     /// A line that is there until it is dropped; it says that the coefficients come first.
     #[must_use]
-    pub fn new() -> Self {
-        let line = ProgressBar::new_spinner().with_message("influence coefficients");
-        // The template is a constant: were it faulty, the default style would stand.
-        if let Ok(style) = ProgressStyle::with_template("{spinner} {elapsed} {msg}") {
-            line.set_style(style);
-        }
-        line.enable_steady_tick(Duration::from_millis(100));
-        Self { line }
+    pub fn new(tolerance: f64) -> Self {
+        Self::on(ProgressBar::new_spinner(), Default::default(), tolerance)
     }
 
     /// No line at all.
     #[must_use]
     pub fn hidden() -> Self {
-        let line = ProgressBar::hidden();
-        Self { line }
+        Self {
+            line: ProgressBar::hidden(),
+            around: Default::default(),
+            clock: Clock::start(1.0),
+            keeps_steps: false,
+        }
     }
-}
 
-impl Default for ProgressLine {
-    fn default() -> Self {
-        Self::new()
+    /// The same for a path whose finished steps are written even if the user stops it.
+    #[must_use]
+    pub fn keeping_steps(mut self) -> Self {
+        self.keeps_steps = true;
+        self
+    }
+
+    /// A line of somebody else's, with these words before and behind the progress.
+    #[must_use]
+    pub fn on(line: ProgressBar, around: [String; 2], tolerance: f64) -> Self {
+        let [before, behind] = &around;
+        line.set_message(format!("{before}influence coefficients{behind}"));
+        // The template is a constant: were it faulty, the default style would stand.
+        if let Ok(style) = ProgressStyle::with_template("{spinner} {elapsed} {msg}") {
+            line.set_style(style);
+        }
+        line.enable_steady_tick(Duration::from_millis(100));
+        Self {
+            line,
+            around,
+            clock: Clock::start(tolerance),
+            keeps_steps: false,
+        }
     }
 }
 
@@ -46,46 +69,175 @@ impl Drop for ProgressLine {
 
 impl Observer for ProgressLine {
     fn progress(&mut self, progress: &Progress) -> Signal {
-        if !self.line.is_hidden() {
-            self.line.set_message(message(progress));
+        if self.keeps_steps && progress.step > 0 {
+            interrupt::hold();
         }
-        Signal::Continue
+        if !self.line.is_hidden() {
+            let left = self.clock.remaining(progress, Instant::now());
+            let ([before, behind], message) = (&self.around, message(progress, left));
+            self.line.set_message(format!("{before}{message}{behind}"));
+        }
+        interrupt::signal()
     }
 }
 
-fn message(progress: &Progress) -> String {
+fn message(progress: &Progress, left: Option<Duration>) -> String {
     let Progress {
         step,
         steps,
         elements,
         iteration,
         residual,
-        contact_elements,
+        ..
     } = progress;
     let step = step + 1;
+    let left = left.map_or_else(String::new, |left| format!(", {} left", in_words(left)));
     format!(
         "step {step}/{steps}, grid {elements} × {elements}, iteration {iteration}, \
-         residual {residual:.1e}, {contact_elements} elements in contact"
+         residual {residual:.1e}{left}"
     )
+}
+
+/// A time as people say it: `40 s`, `3 min`, `2.5 h`.
+#[must_use]
+pub fn in_words(time: Duration) -> String {
+    let seconds = time.as_secs_f64();
+    if seconds < 99.5 {
+        format!("{} s", seconds.ceil().max(1.0))
+    } else if seconds < 5970.0 {
+        format!("{} min", (seconds / 60.0).round())
+    } else {
+        format!("{:.1} h", seconds / 3600.0)
+    }
+}
+
+/// How long the rest will take, judged by what is done.
+///
+/// Steps to come take as long as those that are done did. Within a step only the finest grid counts, which takes nearly all the time: its
+/// residual is taken to fall by the same factor in every iteration.
+#[derive(Debug, Clone, Copy)]
+struct Clock {
+    tolerance: f64,
+    /// When the first step began.
+    start: Option<Instant>,
+    /// When the present step began, and which it is.
+    step: (Instant, usize),
+    /// Where the present grid began.
+    level: Mark,
+}
+
+/// The first iteration on a grid.
+#[derive(Debug, Clone, Copy)]
+struct Mark {
+    elements: usize,
+    iteration: usize,
+    residual: f64,
+    time: Instant,
+}
+
+impl Clock {
+    fn start(tolerance: f64) -> Self {
+        let now = Instant::now();
+        Self {
+            tolerance,
+            start: None,
+            step: (now, usize::MAX),
+            level: Mark {
+                elements: 0,
+                iteration: 0,
+                residual: 1.0,
+                time: now,
+            },
+        }
+    }
+
+    /// The time left at this progress; none while there is nothing to judge it by.
+    fn remaining(&mut self, progress: &Progress, now: Instant) -> Option<Duration> {
+        let start = *self.start.get_or_insert(now);
+        let new_step = self.step.1 != progress.step;
+        if new_step {
+            self.step = (now, progress.step);
+        }
+        if new_step || self.level.elements != progress.elements {
+            self.level = Mark {
+                elements: progress.elements,
+                iteration: progress.iteration,
+                residual: progress.residual,
+                time: now,
+            };
+        }
+        let to_come = progress.steps - progress.step - 1;
+        let of_this = self.of_this_grid(progress, now);
+        if progress.step == 0 {
+            return if to_come == 0 { of_this } else { None };
+        }
+        let each = (self.step.0 - start).div_f64(progress.step as f64);
+        let elapsed = now - self.step.0;
+        Some(each.saturating_sub(elapsed) + each.mul_f64(to_come as f64))
+    }
+
+    fn of_this_grid(&self, progress: &Progress, now: Instant) -> Option<Duration> {
+        // ln r₀/r in so many iterations, ln r/tolerance still to come
+        let fallen = (self.level.residual / progress.residual).ln();
+        let to_fall = (progress.residual / self.tolerance).ln().max(0.0);
+        let share = to_fall / fallen;
+        let done = progress.iteration.saturating_sub(self.level.iteration);
+        let judged = done >= 3 && fallen > 0.0 && share.is_finite();
+        judged.then(|| (now - self.level.time).mul_f64(share.min(1e6)))
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    fn progress(step: usize, steps: usize, iteration: usize, residual: f64) -> Progress {
+        Progress {
+            step,
+            steps,
+            elements: 64,
+            iteration,
+            residual,
+            contact_elements: 120,
+        }
+    }
+
+    fn after(start: Instant, seconds: f64) -> Instant {
+        start + Duration::from_secs_f64(seconds)
+    }
+
     #[test]
     fn progress_counts_steps_from_one() {
-        let progress = Progress {
-            step: 0,
-            steps: 3,
-            elements: 64,
-            iteration: 5,
-            residual: 1.5e-4,
-            contact_elements: 120,
-        };
+        let left = Some(Duration::from_secs(12));
         assert_eq!(
-            message(&progress),
-            "step 1/3, grid 64 × 64, iteration 5, residual 1.5e-4, 120 elements in contact"
+            message(&progress(0, 3, 5, 1.5e-4), left),
+            "step 1/3, grid 64 × 64, iteration 5, residual 1.5e-4, 12 s left"
+        );
+    }
+
+    #[test]
+    fn a_residual_that_has_fallen_half_way_takes_as_long_again() {
+        let (mut clock, start) = (Clock::start(1e-8), Instant::now());
+        assert_eq!(clock.remaining(&progress(0, 1, 0, 1.0), start), None);
+        let left = clock.remaining(&progress(0, 1, 10, 1e-4), after(start, 5.0));
+        assert!((left.unwrap().as_secs_f64() - 5.0).abs() < 1e-6);
+    }
+
+    #[test]
+    fn steps_to_come_take_as_long_as_those_before() {
+        let (mut clock, start) = (Clock::start(1e-8), Instant::now());
+        assert_eq!(clock.remaining(&progress(0, 4, 0, 1.0), start), None);
+        clock.remaining(&progress(1, 4, 0, 1.0), after(start, 10.0));
+        let left = clock.remaining(&progress(1, 4, 3, 0.1), after(start, 14.0));
+        assert!((left.unwrap().as_secs_f64() - 26.0).abs() < 1e-6);
+    }
+
+    #[test]
+    fn times_are_told_in_the_unit_that_suits_them() {
+        let words = |seconds| in_words(Duration::from_secs_f64(seconds));
+        assert_eq!(
+            [0.2, 59.2, 300.0, 9000.0].map(words),
+            ["1 s", "60 s", "5 min", "2.5 h"]
         );
     }
 }

@@ -4,6 +4,7 @@ use std::ops::RangeInclusive;
 
 use super::diagnosis::{Diagnosis, Fault};
 use super::document::{Node, Value};
+use super::place::Place;
 use super::quantity::{self, Dimension, QuantityError};
 use super::reader::Reader;
 use super::spelling::closest;
@@ -73,6 +74,12 @@ impl<'a> Field<'a> {
         &self.node.value
     }
 
+    /// Where it stands.
+    #[must_use]
+    pub fn place(&self) -> &'a Place {
+        &self.node.place
+    }
+
     /// The diagnosis that something else is wanted here.
     pub fn wanted(&self, wanted: impl Into<String>) -> Diagnosis {
         let (found, wanted) = (self.found(), wanted.into());
@@ -83,6 +90,12 @@ impl<'a> Field<'a> {
     pub fn refused(&self, reason: &dyn std::error::Error) -> Diagnosis {
         let (found, reason) = (self.found(), reason.to_string());
         self.diagnosis(Fault::Refused { found, reason })
+    }
+
+    /// The diagnosis that this value cannot be used, for a reason that follows what the user wrote.
+    pub fn unusable(&self, reason: &dyn std::fmt::Display, wanted: impl Into<String>) -> Diagnosis {
+        let (found, wanted) = (format!("{}, {reason}", self.found()), wanted.into());
+        self.diagnosis(Fault::Wrong { found, wanted })
     }
 
     /// The diagnosis of a fault of this value.

@@ -1,15 +1,20 @@
 //! `[indenter]`: what is pressed into the surface.
 
-use pellicle_contact::{Cone, FlatPunch, Indenter, IndenterError, Paraboloid, Pyramid, Sphere};
+use std::path::Path;
+
+use pellicle_contact::{
+    Cone, FlatPunch, Indenter, IndenterError, IndenterMap, Paraboloid, Pyramid, Sphere,
+};
 use serde::Serialize;
 
 use super::diagnosis::Diagnosis;
 use super::field::Sign;
+use super::map::MapCase;
 use super::quantity::Dimension;
 use super::reader::Reader;
 
 /// The indenter of a case, every value in SI units or the case's own.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(tag = "kind", rename_all = "kebab-case")]
 pub enum IndenterCase {
     /// `f = ρ²/(2R)`.
@@ -40,6 +45,8 @@ pub enum IndenterCase {
         /// Its radius, m.
         radius: f64,
     },
+    /// A measured surface.
+    Map(MapCase),
 }
 
 /// The numbers of a pyramid.
@@ -74,15 +81,15 @@ const KINDS: [(&str, Kind); 8] = [
     ("map", Kind::Map),
 ];
 
-const WANTED: &str = "\"paraboloid\", \"sphere\", \"cone\", \"berkovich\", \"vickers\", \"cube-corner\" or \"flat-punch\"";
+const WANTED: &str = "\"paraboloid\", \"sphere\", \"cone\", \"berkovich\", \"vickers\", \"cube-corner\", \"flat-punch\" or \"map\"";
 
 impl IndenterCase {
-    /// Reads the table.
+    /// Reads the table, and a map's file by its path from `folder`.
     ///
     /// # Errors
     ///
     /// A [`Diagnosis`] of the first key that no indenter of this kind can have.
-    pub fn read(table: &Reader<'_>) -> Result<Self, Diagnosis> {
+    pub fn read(table: &Reader<'_>, folder: &Path) -> Result<Self, Diagnosis> {
         let field = table.required("kind", WANTED)?;
         let indenter = match field.choice(&KINDS)? {
             Kind::Paraboloid => Self::Paraboloid {
@@ -102,7 +109,11 @@ impl IndenterCase {
             Kind::CubeCorner => {
                 Self::CubeCorner(PyramidCase::read(table, Pyramid::CUBE_CORNER_FACE_ANGLE)?)
             }
-            Kind::Map => return Err(field.wanted(format!("{WANTED}: maps are not supported yet"))),
+            // What a map can be refused for is checked where it is read.
+            Kind::Map => {
+                table.only(&MapCase::KEYS)?;
+                return MapCase::read(table, folder).map(Self::Map);
+            }
         };
         indenter.build().map_err(|error| field.refused(&error))?;
         Ok(indenter)
@@ -114,16 +125,26 @@ impl IndenterCase {
     ///
     /// [`IndenterError`] if the indenter cannot be.
     pub fn build(&self) -> Result<Indenter, IndenterError> {
-        match *self {
-            Self::Paraboloid { radius } => Paraboloid::new(radius).map(Indenter::from),
-            Self::Sphere { radius } => Sphere::new(radius).map(Indenter::from),
-            Self::FlatPunch { radius } => FlatPunch::new(radius).map(Indenter::from),
+        match self {
+            Self::Paraboloid { radius } => Paraboloid::new(*radius).map(Indenter::from),
+            Self::Sphere { radius } => Sphere::new(*radius).map(Indenter::from),
+            Self::FlatPunch { radius } => FlatPunch::new(*radius).map(Indenter::from),
             Self::Cone {
                 half_angle,
                 tip_radius,
-            } => Cone::new(half_angle, tip_radius).map(Indenter::from),
+            } => Cone::new(*half_angle, *tip_radius).map(Indenter::from),
             Self::Berkovich(pyramid) | Self::CubeCorner(pyramid) => pyramid.build(3),
             Self::Vickers(pyramid) => pyramid.build(4),
+            Self::Map(map) => Ok(IndenterMap::new(map.heights()).into()),
+        }
+    }
+
+    /// The measured map, if the indenter is one.
+    #[must_use]
+    pub fn map(&self) -> Option<&MapCase> {
+        match self {
+            Self::Map(map) => Some(map),
+            _ => None,
         }
     }
 }
@@ -142,7 +163,7 @@ fn read_cone(table: &Reader<'_>) -> Result<IndenterCase, Diagnosis> {
 }
 
 impl PyramidCase {
-    fn build(self, faces: usize) -> Result<Indenter, IndenterError> {
+    fn build(&self, faces: usize) -> Result<Indenter, IndenterError> {
         Pyramid::new(faces, self.face_angle, self.tip_radius).map(Indenter::from)
     }
 
@@ -182,7 +203,7 @@ mod tests {
     use super::*;
 
     fn read(text: &str) -> Result<IndenterCase, String> {
-        read_table(text, |table| IndenterCase::read(&table))
+        read_table(text, |table| IndenterCase::read(&table, Path::new("")))
     }
 
     #[test]
@@ -225,6 +246,7 @@ mod tests {
             "kind = \"cone\"\nhalf_angle = \"90 deg\"",
             "kind = \"cone\"",
             "kind = \"map\"",
+            "kind = \"map\"\nfile = \"a.npy\"\nyoung_modulus = 1",
         ] {
             assert!(read(text).is_err(), "{text}");
         }

@@ -6,6 +6,7 @@ use super::diagnosis::{Diagnosis, Fault};
 use super::field::{Field, Sign};
 use super::quantity::Dimension;
 use super::reader::Reader;
+use super::spacing::{self, Spacing};
 
 /// The four keys of which exactly one is given.
 const KEYS: [&str; 4] = ["force", "forces", "penetration", "penetrations"];
@@ -107,11 +108,8 @@ impl Quantity {
     }
 
     fn read_range(&self, table: &Reader<'_>) -> Result<Vec<f64>, Diagnosis> {
-        table.only(&["from", "to", "count", "spacing"])?;
-        let spacing = match table.optional("spacing") {
-            Some(field) => field.choice(&[("linear", Spacing::Linear), ("log", Spacing::Log)])?,
-            None => Spacing::Linear,
-        };
+        table.only(&spacing::KEYS)?;
+        let spacing = Spacing::read(table)?;
         let sign = if spacing == Spacing::Log {
             Sign::Positive
         } else {
@@ -124,30 +122,6 @@ impl Quantity {
         let count = table.required("count", "how many values, an integer")?;
         let count = count.count(2..=MOST_STEPS, " values")?;
         Ok(spacing.between(end("from")?, end("to")?, count))
-    }
-}
-
-/// How the values of a range follow each other.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Spacing {
-    Linear,
-    Log,
-}
-
-impl Spacing {
-    /// `count` ≥ 2 values from `from` to `to`, both ends exact.
-    fn between(self, from: f64, to: f64, count: usize) -> Vec<f64> {
-        let last = count - 1;
-        let value = |i| {
-            let t = i as f64 / last as f64;
-            match self {
-                _ if i == 0 => from,
-                _ if i == last => to,
-                Self::Linear => from + (to - from) * t,
-                Self::Log => from * (to / from).powf(t),
-            }
-        };
-        (0..count).map(value).collect()
     }
 }
 

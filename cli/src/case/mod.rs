@@ -7,11 +7,13 @@ pub mod foundation;
 pub mod grid;
 pub mod indenter;
 pub mod load;
+pub mod map;
 pub mod overrides;
 pub mod place;
 pub mod quantity;
 pub mod reader;
 pub mod solver;
+pub mod spacing;
 pub mod spelling;
 pub mod surface;
 #[cfg(test)]
@@ -72,23 +74,34 @@ impl Case {
     pub fn read(path: &Path, sets: &[String]) -> Result<Self, Failure> {
         let source = Arc::new(text::read(path)?);
         let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-        Ok(Self::parse(&source, &stem, sets)?)
+        let folder = path.parent().unwrap_or(Path::new(""));
+        Ok(Self::parse(&source, &stem, folder, sets)?)
     }
 
-    /// Reads the text of a case.
+    /// Reads the text of a case whose files are named from `folder`.
     ///
     /// # Errors
     ///
     /// A [`Diagnosis`] of the first thing wrong with it.
-    pub fn parse(source: &Arc<Source>, name: &str, sets: &[String]) -> Result<Self, Diagnosis> {
+    pub fn parse(
+        source: &Arc<Source>,
+        name: &str,
+        folder: &Path,
+        sets: &[String],
+    ) -> Result<Self, Diagnosis> {
         let mut root = document::parse(source)?;
         for argument in sets {
             overrides::set(&mut root, argument)?;
         }
-        Self::resolve(&root, name)
+        Self::resolve(&root, name, folder)
     }
 
-    fn resolve(root: &Node, name: &str) -> Result<Self, Diagnosis> {
+    /// Reads a case from the tree of its text; `name` is its title unless it has one.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] of the first thing wrong with it.
+    pub fn resolve(root: &Node, name: &str, folder: &Path) -> Result<Self, Diagnosis> {
         const TABLES: [&str; 7] = [
             "title",
             "foundation",
@@ -99,7 +112,12 @@ impl Case {
             "solver",
         ];
         let table = Reader::root(root)?;
-        table.only(&TABLES)?;
+        table.only(&TABLES).map_err(|diagnosis| {
+            if table.optional("study").is_none() {
+                return diagnosis;
+            }
+            diagnosis.with_help("a file with [study] is solved with `pellicle study FILE`")
+        })?;
         let title = match table.optional("title") {
             Some(field) => field.text()?.to_owned(),
             None => name.to_owned(),
@@ -108,21 +126,25 @@ impl Case {
         let optional = |key| table.optional(key).map(field::Field::table).transpose();
         let foundation = FoundationCase::read(&required("foundation")?)?;
         let surface = match optional("surface")? {
-            Some(table) => SurfaceCase::read(&table, &foundation)?,
+            Some(table) => SurfaceCase::read(&table, &foundation, folder)?,
             None => SurfaceCase::Bare,
         };
         let grid = optional("grid")?;
         let grid = grid.map_or(Ok(GridCase::default()), |table| GridCase::read(&table))?;
         let read_solver = |table| SolverCase::read(&table, grid.elements);
+        let indenter = IndenterCase::read(&required("indenter")?, folder)?;
+        let maps = [surface.map(), indenter.map()];
+        let units = maps.into_iter().flatten().map(|map| map.units);
+        let units = units.fold(Units::of(root), Units::or);
         Ok(Self {
             title,
             foundation,
             surface,
-            indenter: IndenterCase::read(&required("indenter")?)?,
+            indenter,
             load: LoadCase::read(&required("load")?)?,
             grid,
             solver: optional("solver")?.map_or(Ok(SolverCase::default()), read_solver)?,
-            units: Units::of(root),
+            units,
         })
     }
 
@@ -160,6 +182,7 @@ mod tests {
         Case::parse(
             &Arc::new(Source::new("case.toml", text.to_owned())),
             "case",
+            Path::new(""),
             &sets,
         )
     }

@@ -23,20 +23,39 @@ pub fn set(root: &mut Node, argument: &str) -> Result<(), Diagnosis> {
     let source = Arc::new(Source::new(NAME, argument.to_owned()));
     let (key, value) = argument.split_once('=').ok_or_else(|| malformed(&source))?;
     let key_place = Place::new(&source, 0..key.len());
-    let steps = steps(key).ok_or_else(|| malformed(&source))?;
     let value = read(
         &source,
         argument.len() - value.trim_start().len(),
         value.trim(),
     );
-    let blocked = |at: &str| {
-        let fault = Fault::Wrong {
-            found: format!("`{at}`, which is neither a table nor in the list"),
-            wanted: "a key that the case can have".into(),
-        };
-        Diagnosis::of_key(key.trim(), key_place.clone(), fault)
+    match steps(key) {
+        Some(_) => replace(root, key, &key_place, value),
+        None => Err(malformed(&source)),
+    }
+}
+
+/// Puts a value in place of that of a key, `foundation.layer[0].thickness`; a table that is not there is made.
+///
+/// # Errors
+///
+/// A [`Diagnosis`] if there is no such key and none can be made.
+pub fn replace(
+    root: &mut Node,
+    key: &str,
+    key_place: &Place,
+    value: Node,
+) -> Result<(), Diagnosis> {
+    let diagnosis = |found| {
+        let wanted = "a key that the case can have".into();
+        Diagnosis::of_key(
+            key.trim(),
+            key_place.clone(),
+            Fault::Wrong { found, wanted },
+        )
     };
-    put(root, &steps, value, &key_place).map_err(blocked)
+    let steps = steps(key).ok_or_else(|| diagnosis(format!("`{key}`")))?;
+    put(root, &steps, value, key_place)
+        .map_err(|at| diagnosis(format!("`{at}`, which is neither a table nor in the list")))
 }
 
 fn malformed(source: &Arc<Source>) -> Diagnosis {
@@ -49,7 +68,8 @@ fn malformed(source: &Arc<Source>) -> Diagnosis {
 }
 
 /// `foundation.layer[0].thickness` and `foundation.layer.0.thickness` as their four steps.
-fn steps(key: &str) -> Option<Vec<String>> {
+#[must_use]
+pub fn steps(key: &str) -> Option<Vec<String>> {
     let dotted = key.trim().replace('[', ".").replace(']', "");
     let steps: Vec<_> = dotted.split('.').map(|s| s.trim().to_owned()).collect();
     (steps.iter().all(|step| !step.is_empty())).then_some(steps)

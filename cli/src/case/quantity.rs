@@ -16,6 +16,8 @@ pub enum Dimension {
     Force,
     /// Radians.
     Angle,
+    /// Metres per pascal: a length over a pressure.
+    Compliance,
 }
 
 /// Why a text is not a quantity of the dimension that is wanted.
@@ -36,7 +38,13 @@ pub enum QuantityError {
 }
 
 impl Dimension {
-    const ALL: [Self; 4] = [Self::Length, Self::Pressure, Self::Force, Self::Angle];
+    const ALL: [Self; 5] = [
+        Self::Length,
+        Self::Pressure,
+        Self::Force,
+        Self::Angle,
+        Self::Compliance,
+    ];
 
     /// What it is called in a message.
     #[must_use]
@@ -46,6 +54,19 @@ impl Dimension {
             Self::Pressure => "a pressure",
             Self::Force => "a force",
             Self::Angle => "an angle",
+            Self::Compliance => "a compliance",
+        }
+    }
+
+    /// Its SI unit.
+    #[must_use]
+    pub fn si_unit(self) -> &'static str {
+        match self {
+            Self::Length => "m",
+            Self::Pressure => "Pa",
+            Self::Force => "N",
+            Self::Angle => "rad",
+            Self::Compliance => "m/Pa",
         }
     }
 
@@ -57,6 +78,7 @@ impl Dimension {
             Self::Pressure => "\"70 GPa\"",
             Self::Force => "\"2.3 mN\"",
             Self::Angle => "\"65.03 deg\"",
+            Self::Compliance => "\"5 nm/GPa\"",
         }
     }
 
@@ -68,11 +90,16 @@ impl Dimension {
             Self::Pressure => one.parse::<Pressure>().ok().map(|pressure| pressure.value),
             Self::Force => one.parse::<Force>().ok().map(|force| force.value),
             Self::Angle => one.parse::<Angle>().ok().map(|angle| angle.value),
+            Self::Compliance => {
+                let (length, pressure) = unit.split_once('/')?;
+                let length = Self::Length.factor(&spelling(length))?;
+                Some(length / Self::Pressure.factor(&spelling(pressure))?)
+            }
         }
     }
 }
 
-/// The quantity in SI units (m, Pa, N, rad), correctly rounded where the unit is a decimal one.
+/// The quantity in SI units (m, Pa, N, rad, m/Pa), correctly rounded where the unit is a decimal one.
 ///
 /// # Errors
 ///
@@ -85,6 +112,15 @@ pub fn parse(text: &str, dimension: Dimension) -> Result<f64, QuantityError> {
         || Err(not_of_dimension(&unit)),
         |factor| Ok(times(number, factor)),
     )
+}
+
+/// One of this unit in SI units.
+///
+/// # Errors
+///
+/// [`QuantityError`] if there is no such unit of this dimension.
+pub fn one(unit: &str, dimension: Dimension) -> Result<f64, QuantityError> {
+    parse(&format!("1 {unit}"), dimension)
 }
 
 /// The dimension of a text that is a quantity with a unit.
@@ -190,6 +226,17 @@ mod tests {
             assert!((found - std::f64::consts::PI).abs() < 1e-15, "{angle}");
         }
         assert_eq!(parse("3 uN", Dimension::Force), Ok(3e-6));
+    }
+
+    #[test]
+    fn a_compliance_is_a_length_over_a_pressure() {
+        let compliance = |text| parse(text, Dimension::Compliance);
+        assert_eq!(compliance("5 nm/GPa"), Ok(5e-18));
+        assert_eq!(compliance("2 um/MPa"), Ok(2e-12));
+        assert_eq!(compliance("3 m / Pa"), Ok(3.0));
+        let found = Err(QuantityError::OtherDimension(Dimension::Compliance));
+        assert_eq!(length("5 nm/GPa"), found);
+        assert!(compliance("5 nm/um").is_err() && compliance("5 N/mm^2").is_err());
     }
 
     #[test]

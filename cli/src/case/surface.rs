@@ -1,16 +1,21 @@
 //! `[surface]`: the relief of springs that the foundation carries.
 
-use pellicle_texture::{CylinderSpec, Cylinders, Film, Lattice, Relief, TextureError};
+use std::path::Path;
+
+use pellicle_texture::{
+    CylinderSpec, Cylinders, Film, Lattice, MapCompliance, Relief, ReliefMap, TextureError,
+};
 use serde::Serialize;
 
-use super::diagnosis::Diagnosis;
+use super::diagnosis::{Diagnosis, Fault};
 use super::field::Sign;
 use super::foundation::FoundationCase;
+use super::map::MapCase;
 use super::quantity::Dimension;
 use super::reader::Reader;
 
 /// The surface of a case, every value in SI units or the case's own.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(tag = "kind", rename_all = "kebab-case")]
 pub enum SurfaceCase {
     /// The foundation's own plane surface.
@@ -24,6 +29,29 @@ pub enum SurfaceCase {
         /// Young's modulus, Pa.
         young_modulus: f64,
     },
+    /// A measured relief.
+    Map(ReliefMapCase),
+}
+
+/// A measured relief and how soft it is.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ReliefMapCase {
+    /// Its heights.
+    #[serde(flatten)]
+    pub map: MapCase,
+    /// Its softness.
+    #[serde(flatten)]
+    pub compliance: ComplianceCase,
+}
+
+/// How soft a measured relief is.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum ComplianceCase {
+    /// `η`, m/Pa, the same everywhere; 0 is rigid.
+    Compliance(f64),
+    /// Young's modulus, Pa: `η` is the height above the deepest sample over it.
+    YoungModulus(f64),
 }
 
 /// Periodic elastic cylinders.
@@ -69,12 +97,17 @@ const KINDS: [(&str, Kind); 4] = [
 ];
 
 impl SurfaceCase {
-    /// Reads the table; the foundation gives the cylinders' modulus where the table does not.
+    /// Reads the table, and a map's file by its path from `folder`; the foundation gives the cylinders' modulus where the table does
+    /// not.
     ///
     /// # Errors
     ///
     /// A [`Diagnosis`] of the first key that no surface of this kind can have.
-    pub fn read(table: &Reader<'_>, foundation: &FoundationCase) -> Result<Self, Diagnosis> {
+    pub fn read(
+        table: &Reader<'_>,
+        foundation: &FoundationCase,
+        folder: &Path,
+    ) -> Result<Self, Diagnosis> {
         let kind = match table.optional("kind") {
             Some(field) => field.choice(&KINDS)?,
             None => Kind::Bare,
@@ -83,8 +116,7 @@ impl SurfaceCase {
             Kind::Bare => table.only(&["kind"]).map(|()| Self::Bare),
             Kind::Cylinders => CylindersCase::read(table, foundation).map(Self::Cylinders),
             Kind::Film => Self::read_film(table),
-            Kind::Map => Err((table.required("kind", "")?)
-                .wanted("\"bare\", \"cylinders\" or \"film\": maps are not supported yet")),
+            Kind::Map => ReliefMapCase::read(table, folder).map(Self::Map),
         }
     }
 
@@ -102,13 +134,65 @@ impl SurfaceCase {
     ///
     /// [`TextureError`] if the relief cannot be.
     pub fn build(&self) -> Result<Relief, TextureError> {
-        match *self {
+        match self {
             Self::Bare => Ok(Relief::Bare),
             Self::Cylinders(cylinders) => cylinders.build().map(Relief::Cylinders),
             Self::Film {
                 thickness,
                 young_modulus,
-            } => Film::new(thickness, young_modulus).map(Relief::Film),
+            } => Film::new(*thickness, *young_modulus).map(Relief::Film),
+            Self::Map(map) => map.build().map(Relief::Map),
+        }
+    }
+
+    /// The measured map, if the surface is one.
+    #[must_use]
+    pub fn map(&self) -> Option<&MapCase> {
+        match self {
+            Self::Map(map) => Some(&map.map),
+            _ => None,
+        }
+    }
+}
+
+impl ReliefMapCase {
+    fn read(table: &Reader<'_>, folder: &Path) -> Result<Self, Diagnosis> {
+        table.only(&[&MapCase::KEYS[..], &ComplianceCase::KEYS].concat())?;
+        Ok(Self {
+            compliance: ComplianceCase::read(table)?,
+            map: MapCase::read(table, folder)?,
+        })
+    }
+
+    fn build(&self) -> Result<ReliefMap, TextureError> {
+        let compliance = match self.compliance {
+            ComplianceCase::Compliance(compliance) => MapCompliance::Uniform(compliance),
+            ComplianceCase::YoungModulus(modulus) => MapCompliance::YoungModulus(modulus),
+        };
+        ReliefMap::new(self.map.heights(), compliance)
+    }
+}
+
+impl ComplianceCase {
+    const KEYS: [&str; 2] = ["compliance", "young_modulus"];
+
+    fn read(table: &Reader<'_>) -> Result<Self, Diagnosis> {
+        const WANTED: &str = "exactly one of compliance (0 for a rigid relief) and young_modulus";
+        match table.given(&Self::KEYS)[..] {
+            ["compliance"] => table
+                .required("compliance", WANTED)?
+                .quantity(Dimension::Compliance, Sign::NotNegative)
+                .map(Self::Compliance),
+            ["young_modulus"] => table
+                .positive("young_modulus", Dimension::Pressure)
+                .map(Self::YoungModulus),
+            [] => Err(table.missing("young_modulus", WANTED.into())),
+            _ => Err(table
+                .required("compliance", WANTED)?
+                .diagnosis(Fault::Wrong {
+                    found: "compliance and young_modulus".into(),
+                    wanted: WANTED.into(),
+                })),
         }
     }
 }
@@ -139,7 +223,7 @@ impl CylindersCase {
         Ok(cylinders)
     }
 
-    fn build(self) -> Result<Cylinders, TextureError> {
+    fn build(&self) -> Result<Cylinders, TextureError> {
         let lattice = match self.lattice {
             LatticeCase::Square => Lattice::Square,
             LatticeCase::Hexagonal => Lattice::Hexagonal,
@@ -200,7 +284,9 @@ mod tests {
             substrate: Substrate::Elastic(material),
             layer: Vec::new(),
         };
-        read_table(text, |table| SurfaceCase::read(&table, &foundation))
+        read_table(text, |table| {
+            SurfaceCase::read(&table, &foundation, Path::new(""))
+        })
     }
 
     const CYLINDERS: &str = "kind = \"cylinders\"\nradius = 1\nheight = 2\nperiod = 3\n";
@@ -245,6 +331,9 @@ mod tests {
             "kind = \"cilinders\"",
             "kind = 3",
             "kind = \"map\"",
+            "kind = \"map\"\nfile = \"a.npy\"",
+            "kind = \"map\"\ncompliance = 0",
+            "kind = \"map\"\nfile = \"a.npy\"\ncompliance = 0\nyoung_modulus = 1",
             "kind = \"film\"\nthickness = 1",
             "radius = 1",
         ] {

@@ -24,6 +24,15 @@ impl Units {
         }
     }
 
+    /// The units of a case that has parts in either.
+    #[must_use]
+    pub fn or(self, other: Self) -> Self {
+        match (self, other) {
+            (Self::Consistent, Self::Consistent) => Self::Consistent,
+            _ => Self::Si,
+        }
+    }
+
     /// Name of a quantity's unit, `N`, `m`, `Pa`; that of no unit in a consistent system.
     #[must_use]
     pub fn name(self, si: &'static str) -> &'static str {
@@ -34,13 +43,19 @@ impl Units {
     }
 }
 
+/// Keys whose text is no quantity.
+const PROSE: [&str; 2] = ["title", "file"];
+
 fn names_a_unit(value: &Value) -> bool {
     match value {
         Value::Text(text) => dimension_of(text).is_some_and(|found| found != Dimension::Angle),
         Value::List(items) => items.iter().any(|item| names_a_unit(&item.value)),
-        // The title is prose, even where it begins like a quantity.
+        // The title and the name of a file are prose, even where they begin like a quantity.
         Value::Table(table) => {
-            let mut entries = table.entries.iter().filter(|entry| entry.key != "title");
+            let mut entries = table
+                .entries
+                .iter()
+                .filter(|entry| !PROSE.contains(&entry.key.as_str()));
             entries.any(|entry| names_a_unit(&entry.node.value))
         }
         _ => false,

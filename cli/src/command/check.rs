@@ -1,11 +1,15 @@
 //! `pellicle check`: the case as resolved, and what solving it would take.
 
+use pellicle_contact::Step;
+
 use crate::arguments::CaseArguments;
 use crate::case::Case;
+use crate::case::map::MapCase;
 use crate::case::surface::SurfaceCase;
 use crate::case::units::Units;
 use crate::display::{Unit, quantity, significant};
 use crate::failure::Failure;
+use crate::forecast::Forecast;
 use crate::program::Outcome;
 use crate::{cache, terminal};
 
@@ -16,7 +20,7 @@ const BYTES_PER_ELEMENT: f64 = 210.0;
 /// Memory of a loading step per element, in bytes: four fields.
 const BYTES_PER_ELEMENT_AND_STEP: f64 = 32.0;
 
-/// Prints the case with every default filled in, and below it what the grid makes of it.
+/// Prints the case with every default filled in, below it what the grid makes of it, and what the solution would warn of.
 ///
 /// # Errors
 ///
@@ -25,11 +29,14 @@ pub fn check(arguments: &CaseArguments) -> Result<Outcome, Failure> {
     let mut case = Case::read(&arguments.path, &arguments.sets)?;
     let cache = cache::open();
     let chosen = case.grid.side.is_none();
-    let side = case.side(&case.model(&cache)?.value);
-    case.grid.side = Some(side);
+    let forecast = Forecast::new(&case, &case.model(&cache)?.value);
+    case.grid.side = Some(forecast.side);
     let resolved = toml::to_string(&case)?;
-    let estimates = estimates(&case, side, chosen);
+    let estimates = estimates(&case, &forecast, chosen);
     terminal::print(&format!("{}\n{resolved}\n{estimates}", heading(case.units)))?;
+    for warning in &forecast.warnings {
+        terminal::tell(&format!("warning: {warning}"));
+    }
     cache::tell_warnings(&cache);
     Ok(Outcome::Done)
 }
@@ -42,49 +49,91 @@ fn heading(units: Units) -> &'static str {
 }
 
 /// What the grid makes of the case, as comments, so that the whole is a case file again.
-fn estimates(case: &Case, side: f64, chosen: bool) -> String {
-    let elements = case.grid.elements;
-    let element_side = side / elements as f64;
+fn estimates(case: &Case, forecast: &Forecast, chosen: bool) -> String {
+    let element_side = forecast.side / case.grid.elements as f64;
     let metres = |value| quantity(value, Unit::Metre, case.units);
     let how = if chosen {
         "chosen from the load"
     } else {
         "as given"
     };
-    let steps = case.load.steps().len();
+    let mut lines = Lines::default();
+    lines.add(
+        "side of the domain",
+        &format!("{} ({how})", metres(forecast.side)),
+    );
+    lines.add("element side", &metres(element_side));
+    for (name, length) in features(case) {
+        let count = significant(length / element_side, 3);
+        lines.add(&format!("elements per {name}"), &count);
+    }
+    lines.add("loading steps", &case.load.steps().len().to_string());
+    lines.add("memory, about", &memory(case));
+    if let Some([least, most]) = forecast.products(case.grid.elements) {
+        lines.add(
+            "products with K a step, about",
+            &format!("{least:.0} to {most:.0}"),
+        );
+    }
+    if let Some(step) = &forecast.step {
+        lines.trial(step, forecast.trial, element_side, case.units);
+    }
+    lines.lines.concat()
+}
+
+fn memory(case: &Case) -> String {
+    let (elements, steps) = (case.grid.elements, case.load.steps().len());
     let per_element = BYTES_PER_ELEMENT + BYTES_PER_ELEMENT_AND_STEP * steps as f64;
     let bytes = per_element * (elements * elements) as f64;
-    let per_feature = features(case).into_iter().map(|(name, length)| {
-        let count = significant(length / element_side, 3);
-        (format!("elements per {name}"), count)
-    });
-    let mut lines = vec![
-        (
-            "side of the domain".to_owned(),
-            format!("{} ({how})", metres(side)),
-        ),
-        ("element side".to_owned(), metres(element_side)),
-    ];
-    lines.extend(per_feature);
-    lines.push(("loading steps".to_owned(), steps.to_string()));
-    lines.push((
-        "memory, about".to_owned(),
-        format!("{} MB", significant(bytes / 1e6, 2)),
-    ));
-    let line = |(name, value): &(String, String)| format!("# {name:<38}{value}\n");
-    lines.iter().map(line).collect()
+    format!("{} MB", significant(bytes / 1e6, 2))
+}
+
+/// Comments of name and value, in columns.
+#[derive(Default)]
+struct Lines {
+    lines: Vec<String>,
+}
+
+impl Lines {
+    fn add(&mut self, name: &str, value: &str) {
+        self.lines.push(format!("# {name:<38}{value}\n"));
+    }
+
+    /// What the largest load does on a coarse grid.
+    fn trial(&mut self, step: &Step, elements: usize, element_side: f64, units: Units) {
+        let (solution, summary) = (&step.solution, &step.summary);
+        let of = |value, unit| quantity(value, unit, units);
+        let radius = summary.contact_radius;
+        self.add(
+            "elements per contact radius, about",
+            &significant(radius / element_side, 2),
+        );
+        self.lines.push(format!(
+            "# a trial of the largest load on {elements} × {elements} elements: Q = {}, D = {}, largest pressure {}\n",
+            of(solution.force, Unit::Newton),
+            of(solution.penetration, Unit::Metre),
+            of(summary.max_pressure, Unit::Pascal),
+        ));
+    }
 }
 
 /// The lengths that a grid should resolve.
 fn features(case: &Case) -> Vec<(String, f64)> {
     let layers = case.foundation.layer.iter().enumerate();
     let thickness = layers.map(|(i, layer)| (format!("thickness of layer {i}"), layer.thickness));
-    let relief = match case.surface {
+    let relief = match &case.surface {
         SurfaceCase::Cylinders(cylinders) => vec![
             ("radius of a cylinder".to_owned(), cylinders.radius),
             ("period of the cylinders".to_owned(), cylinders.period),
         ],
+        SurfaceCase::Map(map) => vec![("sample of the map".to_owned(), sample(&map.map))],
         SurfaceCase::Bare | SurfaceCase::Film { .. } => Vec::new(),
     };
     thickness.chain(relief).collect()
+}
+
+/// The shorter side of a pixel, m.
+fn sample(map: &MapCase) -> f64 {
+    let [x, y] = map.shape().map(|samples| samples as f64);
+    (map.sides[0] / x).min(map.sides[1] / y)
 }

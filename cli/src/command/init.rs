@@ -6,6 +6,7 @@ use std::path::Path;
 use crate::arguments::InitArguments;
 use crate::failure::Failure;
 use crate::program::Outcome;
+use crate::templates::Template;
 use crate::{output, terminal};
 
 /// Prints the template, or writes it to a new file.
@@ -14,21 +15,21 @@ use crate::{output, terminal};
 ///
 /// [`Failure`] if the file exists or cannot be written.
 pub fn init(arguments: &InitArguments) -> Result<Outcome, Failure> {
-    let text = arguments.kind.text();
     match &arguments.out {
-        Some(path) => write(path, text, arguments.force)?,
-        None => terminal::print(text)?,
+        Some(path) => write(path, arguments.kind, arguments.force)?,
+        None => terminal::print(arguments.kind.text())?,
     }
     Ok(Outcome::Done)
 }
 
-fn write(path: &Path, text: &str, force: bool) -> Result<(), Failure> {
+fn write(path: &Path, kind: Template, force: bool) -> Result<(), Failure> {
     if path.exists() && !force {
         let path = path.to_owned();
         return Err(Failure::Exists { path });
     }
-    output::file::write_whole(path, |file| file.write_all(text.as_bytes()))?;
+    output::file::write_whole(path, |file| file.write_all(kind.text().as_bytes()))?;
     let path = path.display();
-    terminal::tell(&format!("wrote {path}; now: pellicle run {path}"));
+    let command = kind.command();
+    terminal::tell(&format!("wrote {path}; now: pellicle {command} {path}"));
     Ok(())
 }

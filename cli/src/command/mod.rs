@@ -2,8 +2,11 @@
 
 pub mod cache;
 pub mod check;
+pub mod completions;
+pub mod gather;
 pub mod influence;
 pub mod init;
 pub mod kernel;
 pub mod plot;
 pub mod run;
+pub mod study;

@@ -9,11 +9,11 @@ use crate::arguments::RunArguments;
 use crate::case::Case;
 use crate::failure::Failure;
 use crate::output::folder::{Existing, Folder};
-use crate::output::summary::{Clock, Summary};
+use crate::output::summary::{Clock, Summary, WarningSummary};
 use crate::output::{json, report, results};
 use crate::program::Outcome;
 use crate::progress::ProgressLine;
-use crate::{cache, terminal};
+use crate::{cache, interrupt, terminal};
 
 /// Solves the case, writes its results folder and says what came out.
 ///
@@ -25,19 +25,25 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
     let case = Case::read(&arguments.case.path, &arguments.case.sets)?;
     let folder = claim(arguments)?;
     set_threads(arguments.threads)?;
-    let mut line = progress_line(arguments);
+    interrupt::listen();
+    let mut line = progress_line(arguments, case.solver.tolerance);
     let tables = Instant::now();
     let cache = cache::open();
     let model = case.model(&cache)?;
     let tables_seconds = tables.elapsed().as_secs_f64();
     let path = solve(&case, &model.value, &mut line)?;
     drop(line);
+    if path.interrupted && path.steps.is_empty() {
+        return Ok(stopped_at_once());
+    }
+    interrupt::hold();
     let clock = Clock {
         start,
         tables_seconds,
         tables_origin: model.origin,
     };
-    let summary = Summary::new(&case, &path, clock, &cache.take_warnings());
+    let mut summary = Summary::new(&case, &path, clock, &cache.take_warnings());
+    summary.warnings.extend(unfinished(&case, &path));
     if let Some(folder) = &folder {
         folder.write(|folder| results::write(folder, &path, &summary))?;
     }
@@ -45,7 +51,16 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
     if arguments.json {
         terminal::print(&json(&summary)?)?;
     }
-    Ok(outcome(&summary))
+    Ok(outcome(&path, &summary))
+}
+
+/// What a path that the user stopped has to say of itself.
+fn unfinished(case: &Case, path: &LoadingPath) -> Option<WarningSummary> {
+    let (done, steps) = (path.steps.len(), case.load.steps().len());
+    path.interrupted.then(|| WarningSummary {
+        code: "stopped",
+        message: format!("stopped by the user after {done} of {steps} loading steps"),
+    })
 }
 
 /// Where the results go: nowhere with `--json` alone.
@@ -71,12 +86,13 @@ fn set_threads(threads: Option<u16>) -> Result<(), Failure> {
     Ok(pool.build_global()?)
 }
 
-fn progress_line(arguments: &RunArguments) -> ProgressLine {
-    if is_watched(arguments) {
-        ProgressLine::new()
+fn progress_line(arguments: &RunArguments, tolerance: f64) -> ProgressLine {
+    let line = if is_watched(arguments) {
+        ProgressLine::new(tolerance)
     } else {
         ProgressLine::hidden()
-    }
+    };
+    line.keeping_steps()
 }
 
 fn solve(case: &Case, model: &Model, observer: &mut dyn Observer) -> Result<LoadingPath, Failure> {
@@ -85,6 +101,11 @@ fn solve(case: &Case, model: &Model, observer: &mut dyn Observer) -> Result<Load
     Ok(solve_path(
         model, domain, elements, &loads, &options, observer,
     )?)
+}
+
+fn stopped_at_once() -> Outcome {
+    terminal::tell("stopped before the first loading step was solved; nothing is written");
+    Outcome::Stopped
 }
 
 fn is_watched(arguments: &RunArguments) -> bool {
@@ -109,8 +130,10 @@ fn tell(arguments: &RunArguments, summary: &Summary, folder: Option<&Path>) {
     }
 }
 
-fn outcome(summary: &Summary) -> Outcome {
-    if summary.is_certified() {
+fn outcome(path: &LoadingPath, summary: &Summary) -> Outcome {
+    if path.interrupted {
+        Outcome::Stopped
+    } else if summary.is_certified() {
         Outcome::Done
     } else {
         Outcome::NotConverged

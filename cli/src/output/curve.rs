@@ -49,18 +49,27 @@ const COLUMNS: [Column; 12] = [
 /// The curve as comma-separated values.
 #[must_use]
 pub fn csv(summary: &Summary) -> String {
-    let units = summary.case.units;
-    let head = |(name, unit, _): Column| match unit {
-        Some(unit) => format!(",{name} [{}]", units.name(unit)),
-        None => format!(",{name}"),
-    };
-    let header = COLUMNS.map(head).concat();
-    let row = |(i, step): (usize, &StepSummary)| {
-        let values = COLUMNS.map(|(_, _, value)| format!(",{}", value(step)));
-        format!("{i}{}\n", values.concat())
-    };
+    let row = |(i, step): (usize, &StepSummary)| row(i, step).join(",") + "\n";
     let rows: String = summary.steps.iter().enumerate().map(row).collect();
-    format!("step{header}\n{rows}")
+    header(summary.case.units).join(",") + "\n" + &rows
+}
+
+/// Names of the columns, with units.
+#[must_use]
+pub fn header(units: Units) -> Vec<String> {
+    let name = |(name, unit, _): Column| match unit {
+        Some(unit) => format!("{name} [{}]", units.name(unit)),
+        None => name.to_owned(),
+    };
+    let names = COLUMNS.into_iter().map(name);
+    std::iter::once("step".to_owned()).chain(names).collect()
+}
+
+/// The values of one step, without commas.
+#[must_use]
+pub fn row(i: usize, step: &StepSummary) -> Vec<String> {
+    let values = COLUMNS.into_iter().map(|(_, _, value)| value(step));
+    std::iter::once(i.to_string()).chain(values).collect()
 }
 
 /// The units of a curve, by its header.

@@ -14,12 +14,18 @@ pub enum Template {
     Coating,
     /// A Berkovich pyramid on a bare half-space
     Berkovich,
+    /// A Vickers pyramid on a coated steel
+    Vickers,
+    /// A cube corner on a film that slides on a rigid base
+    CubeCorner,
     /// A rounded cone on a coating
     Cone,
     /// A flat punch on an elastic layer with a rigid base
     FlatPunch,
     /// A ball on a half-space, to compare with the closed form
     Hertz,
+    /// A parameter study: a ball on coatings of several thicknesses under several loads
+    Study,
 }
 
 impl Template {
@@ -31,15 +37,28 @@ impl Template {
             Self::Film => include_str!("film.toml"),
             Self::Coating => include_str!("coating.toml"),
             Self::Berkovich => include_str!("berkovich.toml"),
+            Self::Vickers => include_str!("vickers.toml"),
+            Self::CubeCorner => include_str!("cube-corner.toml"),
             Self::Cone => include_str!("cone.toml"),
             Self::FlatPunch => include_str!("flat-punch.toml"),
             Self::Hertz => include_str!("hertz.toml"),
+            Self::Study => include_str!("study.toml"),
+        }
+    }
+
+    /// The command that solves it.
+    #[must_use]
+    pub fn command(self) -> &'static str {
+        match self {
+            Self::Study => "study",
+            _ => "run",
         }
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use std::path::Path;
     use std::sync::Arc;
 
     use super::*;
@@ -50,11 +69,15 @@ mod tests {
     #[test]
     fn every_template_is_a_case_with_units_and_comments() {
         for template in Template::value_variants() {
+            if *template == Template::Study {
+                continue;
+            }
             let source = Arc::new(Source::new(
                 format!("{template:?}"),
                 template.text().to_owned(),
             ));
-            let case = Case::parse(&source, "", &[]).unwrap_or_else(|e| panic!("{e}"));
+            let case =
+                Case::parse(&source, "", Path::new(""), &[]).unwrap_or_else(|e| panic!("{e}"));
             assert_eq!(case.units, Units::Si, "{template:?}");
             assert!(template.text().starts_with("# "), "{template:?}");
         }

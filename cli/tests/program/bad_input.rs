@@ -216,14 +216,15 @@ fn a_value_of_the_wrong_type_is_refused() {
 }
 
 #[test]
-fn what_is_not_supported_yet_is_refused_with_one_sentence() {
+fn a_map_that_cannot_be_read_is_refused_with_one_sentence() {
     let names = Names {
-        key: "`indenter.kind`",
-        line: 18,
-        found: "\"map\"",
-        wanted: "maps are not supported yet",
+        key: "`indenter.file`",
+        line: 19,
+        found: "\"tip.gsf\", which cannot be read: No such file",
+        wanted: "wanted a height map (.npy, .csv, .txt or .gsf)",
     };
-    refuses("\"paraboloid\"", "\"map\"", &names);
+    let map = "kind = \"map\"\nfile = \"tip.gsf\"";
+    refuses("kind = \"paraboloid\"\nradius = \"4 um\"", map, &names);
 }
 
 #[test]

@@ -9,7 +9,12 @@
 mod bad_input;
 mod cache;
 mod cases;
+mod damage;
 mod files;
+mod guide;
+mod interrupt;
+mod maps;
 mod read_back;
 mod runner;
+mod study;
 mod tables;

@@ -82,11 +82,22 @@ impl Folder {
     }
 
     pub fn ran(command: &mut Command) -> Ran {
+        Self::read(command.output().unwrap())
+    }
+
+    /// The same with standard output going elsewhere.
+    #[cfg(target_os = "linux")]
+    pub fn ran_with_stdout(command: &mut Command, stdout: impl Into<Stdio>) -> Ran {
+        let child = command.stdout(stdout).stderr(Stdio::piped()).spawn();
+        Self::read(child.unwrap().wait_with_output().unwrap())
+    }
+
+    fn read(output: Output) -> Ran {
         let Output {
             status,
             stdout,
             stderr,
-        } = command.output().unwrap();
+        } = output;
         Ran {
             code: status.code(),
             stdout: String::from_utf8(stdout).unwrap(),

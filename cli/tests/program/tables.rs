@@ -79,6 +79,10 @@ fn check_prints_a_case_with_every_default_filled_in() {
         "lattice = \"square\"",
         "interface = \"bonded\"",
         "# elements per radius of a cylinder",
+        "# elements per contact radius, about",
+        "# products with K a step, about",
+        "# memory, about",
+        "# a trial of the largest load on 32 × 32 elements: Q = 1.0000 µN",
     ] {
         assert!(
             checked.stdout.contains(text),
@@ -91,12 +95,59 @@ fn check_prints_a_case_with_every_default_filled_in() {
 }
 
 #[test]
+fn check_warns_of_what_the_solution_would_warn_of() {
+    let folder = Folder::with_case(CASE);
+    let warns = |sets: &[&str], words: &str| {
+        let sets: Vec<_> = sets.iter().flat_map(|set| ["--set", set]).collect();
+        let checked = folder.run(&[&["check", "case.toml"][..], &sets].concat());
+        assert_eq!(checked.code, Some(0), "{}", checked.stderr);
+        assert!(
+            checked.stderr.contains(words),
+            "{words} in: {}",
+            checked.stderr
+        );
+    };
+    warns(
+        &["surface.radius=5 nm"],
+        "0.4 elements per cylinder radius are few",
+    );
+    warns(
+        &["foundation.layer.0.thickness=0.1 nm"],
+        "layer 0 is 0.008 elements thick",
+    );
+    warns(
+        &["load.force=200 uN"],
+        "at the largest load, the contact comes within",
+    );
+    let small = "load={forces=[\"1 nN\", \"1 uN\"]}";
+    warns(
+        &[small],
+        "at the smallest load, the contact's radius is some",
+    );
+    let film = "surface={kind=\"film\", thickness=\"1 nm\", young_modulus=\"1 MPa\"}";
+    warns(&[film], "at the largest load, the relief shortens by");
+    let cone = "indenter={kind=\"cone\", half_angle=\"45 deg\"}";
+    warns(&[cone], "beyond small strains");
+    let quiet = folder.run(&["check", "case.toml"]);
+    assert_eq!(
+        quiet
+            .stderr
+            .lines()
+            .filter(|line| !line.contains("cylinder radius"))
+            .count(),
+        0
+    );
+}
+
+#[test]
 fn every_template_passes_its_check() {
     for kind in [
         "cylinders",
         "film",
         "coating",
         "berkovich",
+        "vickers",
+        "cube-corner",
         "cone",
         "flat-punch",
         "hertz",

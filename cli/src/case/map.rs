@@ -1,0 +1,221 @@
+//! A height map that a case names: `file`, and what the file does not say of it.
+//!
+//! `side` is its length along x, with square pixels, `sides` the lengths along x and y; a `.gsf` file says them itself, and what the case
+//! says goes before. `height_unit` is the length that a 1 in the file stands for: `"nm"`, `"0.5 um"` or a bare number, negative to turn
+//! heights into depths. Without it heights are in the unit that the file names, or in metres, or in the case's own unit of length.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use pellicle_texture::HeightMap;
+use serde::Serialize;
+
+use super::diagnosis::{Diagnosis, Fault};
+use super::document::Value;
+use super::field::{Field, Sign};
+use super::quantity::{self, Dimension};
+use super::reader::Reader;
+use super::units::Units;
+use crate::map::MapFile;
+
+const FILE: &str =
+    "a height map (.npy, .csv, .txt or .gsf) by its path from the folder of the case file";
+
+/// A height map of a case. Written down it is the keys that give it again; the heights themselves stay in the file.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct MapCase {
+    /// Path of the file, from the folder of the case.
+    pub file: String,
+    /// Sides along x and along y, m.
+    pub sides: [f64; 2],
+    /// What a 1 in the file stands for, m.
+    pub height_unit: f64,
+    /// SI if the file names a unit.
+    #[serde(skip)]
+    pub units: Units,
+    #[serde(skip)]
+    heights: Arc<HeightMap>,
+}
+
+impl MapCase {
+    /// Every key of a map; a surface has some more.
+    pub const KEYS: [&str; 5] = ["kind", "file", "side", "sides", "height_unit"];
+
+    /// Reads the keys and the file, by its path from `folder`.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] of the first key that no map can have, or of the file if it is no map.
+    pub fn read(table: &Reader<'_>, folder: &Path) -> Result<Self, Diagnosis> {
+        let field = table.required("file", FILE)?;
+        let name = field.text()?;
+        let read = MapFile::read(&folder.join(name));
+        let file = read.map_err(|error| field.unusable(&error, FILE))?;
+        let sides = sides(table, &field, &file)?;
+        let height_unit = height_unit(table, &field, &file)?;
+        let heights = file.heights.iter().map(|height| height * height_unit);
+        let heights = HeightMap::new(heights.collect(), file.shape, sides);
+        Ok(Self {
+            file: name.to_owned(),
+            sides,
+            height_unit,
+            units: units(&file),
+            heights: Arc::new(heights.map_err(|error| field.refused(&error))?),
+        })
+    }
+
+    /// The map itself.
+    #[must_use]
+    pub fn heights(&self) -> HeightMap {
+        self.heights.as_ref().clone()
+    }
+
+    /// Samples along x and along y.
+    #[must_use]
+    pub fn shape(&self) -> [usize; 2] {
+        self.heights.shape()
+    }
+}
+
+fn units(file: &MapFile) -> Units {
+    if file.lateral_unit.is_some() || file.height_unit.is_some() {
+        Units::Si
+    } else {
+        Units::Consistent
+    }
+}
+
+/// The sides as the case gives them, or else the file.
+fn sides(table: &Reader<'_>, field: &Field<'_>, file: &MapFile) -> Result<[f64; 2], Diagnosis> {
+    const WANTED: &str =
+        "side, the length of the map along x, or sides = [x, y], since the file does not say it";
+    const LENGTHS: &str = "a list of two positive lengths, [x, y]";
+    let length = |field: &Field<'_>| field.quantity(Dimension::Length, Sign::Positive);
+    match (table.optional("side"), table.optional("sides")) {
+        (Some(_), Some(sides)) => Err(sides.diagnosis(Fault::Wrong {
+            found: "side and sides".into(),
+            wanted: "one of them".into(),
+        })),
+        (Some(side), None) => {
+            let [along_x, along_y] = file.shape.map(|samples| samples as f64);
+            let side = length(&side)?;
+            // Square pixels.
+            Ok([side, side * along_y / along_x])
+        }
+        (None, Some(sides)) => match &sides.list(LENGTHS)?[..] {
+            [x, y] => Ok([length(x)?, length(y)?]),
+            _ => Err(sides.wanted(LENGTHS)),
+        },
+        (None, None) => match file.sides {
+            Some(sides) => {
+                let unit = unit(field, "lateral", file.lateral_unit.as_deref())?;
+                Ok(sides.map(|side| side * unit))
+            }
+            None => Err(table.missing("side", WANTED.into())),
+        },
+    }
+}
+
+/// What a 1 in the file stands for, by the case or else by the file.
+fn height_unit(table: &Reader<'_>, field: &Field<'_>, file: &MapFile) -> Result<f64, Diagnosis> {
+    const WANTED: &str = "the length that a 1 in the file stands for, such as \"nm\" or \"0.5 um\", or a bare number other than 0";
+    let Some(given) = table.optional("height_unit") else {
+        return unit(field, "height", file.height_unit.as_deref());
+    };
+    let alone = match given.value() {
+        Value::Text(text) => quantity::one(text, Dimension::Length).ok(),
+        _ => None,
+    };
+    let length = alone.map_or_else(|| given.quantity(Dimension::Length, Sign::Any), Ok)?;
+    if length == 0.0 {
+        return Err(given.wanted(WANTED));
+    }
+    Ok(length)
+}
+
+/// One of the unit that the file names, m; 1 if it names none.
+fn unit(field: &Field<'_>, what: &str, name: Option<&str>) -> Result<f64, Diagnosis> {
+    let Some(name) = name else {
+        return Ok(1.0);
+    };
+    quantity::one(name, Dimension::Length).map_err(|_| {
+        let reason = format!("whose header has the {what} unit \"{name}\", which is no length");
+        field.unusable(
+            &reason,
+            "a map of heights, or the key that says it otherwise",
+        )
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use tempfile::TempDir;
+
+    use super::super::testing::read_table;
+    use super::*;
+
+    fn folder() -> TempDir {
+        let folder = tempfile::tempdir().unwrap();
+        fs::write(folder.path().join("a.csv"), "1,2,3\n4,5,6\n").unwrap();
+        let mut gsf = b"Gwyddion Simple Field 1.0\nXRes = 1\nYRes = 1\nXReal = 2\nYReal = 4\nXYUnits = um\nZUnits = V\n".to_vec();
+        gsf.resize((gsf.len() / 4 + 1) * 4, 0);
+        gsf.extend(7.0_f32.to_le_bytes());
+        fs::write(folder.path().join("volts.gsf"), gsf).unwrap();
+        folder
+    }
+
+    fn read(text: &str) -> Result<MapCase, String> {
+        let folder = folder();
+        read_table(text, |table| MapCase::read(&table, folder.path()))
+    }
+
+    #[test]
+    fn one_side_means_square_pixels() {
+        let map = read("file = \"a.csv\"\nside = \"3 um\"\nheight_unit = \"nm\"").unwrap();
+        assert_eq!((map.shape(), map.sides), ([3, 2], [3e-6, 2e-6]));
+        assert_eq!((map.height_unit, map.units), (1e-9, Units::Consistent));
+        let heights = map.heights();
+        // One rounding each.
+        let [lowest, highest] = [heights.lowest() - 1e-9, heights.highest() - 6e-9];
+        assert!(lowest.abs() < 1e-24 && highest.abs() < 1e-24);
+    }
+
+    #[test]
+    fn what_the_case_says_goes_before_what_the_file_says() {
+        let map = read("file = \"volts.gsf\"\nheight_unit = \"-0.5 um\"").unwrap();
+        assert_eq!((map.sides, map.units), ([2e-6, 4e-6], Units::Si));
+        assert_eq!(
+            (map.height_unit, map.heights().lowest()),
+            (-0.5e-6, -3.5e-6)
+        );
+        let map = read("file = \"volts.gsf\"\nheight_unit = 1\nsides = [1, 2]").unwrap();
+        assert_eq!(map.sides, [1.0, 2.0]);
+    }
+
+    #[test]
+    fn what_is_no_map_is_told_with_key_file_found_and_wanted() {
+        let message = |text: &str| read(text).unwrap_err();
+        let found = message("file = \"b.csv\"\nside = 1");
+        let start =
+            "case.toml, line 1, key `file`: found \"b.csv\", which cannot be read: No such file";
+        assert!(found.starts_with(start), "{found}");
+        assert!(found.ends_with(&format!("wanted {FILE}")), "{found}");
+        let found = message("file = \"a.csv\"");
+        assert!(found.contains("key `side`: found no such key, wanted side, the length"));
+        let found = message("file = \"volts.gsf\"");
+        assert!(found.contains("found \"volts.gsf\", whose header has the height unit \"V\""));
+        for text in [
+            "file = 3",
+            "file = \"a.csv\"\nside = 0",
+            "file = \"a.csv\"\nside = 1\nsides = [1, 2]",
+            "file = \"a.csv\"\nsides = [1]",
+            "file = \"a.csv\"\nside = 1\nheight_unit = 0",
+            "file = \"a.csv\"\nside = 1\nheight_unit = \"GPa\"",
+            "file = \"a.csv\"\nside = 1\nheight_unit = nan",
+        ] {
+            assert!(read(text).is_err(), "{text}");
+        }
+    }
+}

@@ -1,0 +1,69 @@
+//! Ranges of values: `{ from, to, count, spacing = "linear" | "log" }`.
+
+use super::diagnosis::Diagnosis;
+use super::reader::Reader;
+
+/// The keys of a range.
+pub const KEYS: [&str; 4] = ["from", "to", "count", "spacing"];
+
+/// How the values of a range follow each other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Spacing {
+    /// By the same difference.
+    Linear,
+    /// By the same factor.
+    Log,
+}
+
+impl Spacing {
+    /// Reads the key `spacing`, linear unless given.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] if it is neither of the two words.
+    pub fn read(table: &Reader<'_>) -> Result<Self, Diagnosis> {
+        match table.optional("spacing") {
+            Some(field) => field.choice(&[("linear", Self::Linear), ("log", Self::Log)]),
+            None => Ok(Self::Linear),
+        }
+    }
+
+    /// `count` ≥ 2 values from `from` to `to`, both ends exact, the others to 15 digits: 0.3 and not 0.30000000000000004.
+    #[must_use]
+    pub fn between(self, from: f64, to: f64, count: usize) -> Vec<f64> {
+        let last = count - 1;
+        let value = |i| {
+            let t = i as f64 / last as f64;
+            match self {
+                _ if i == 0 => from,
+                _ if i == last => to,
+                Self::Linear => rounded(from + (to - from) * t),
+                Self::Log => rounded(from * (to / from).powf(t)),
+            }
+        };
+        (0..count).map(value).collect()
+    }
+}
+
+/// The nearest number of 15 digits.
+fn rounded(value: f64) -> f64 {
+    format!("{value:.14e}").parse().unwrap_or(value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_between_are_those_a_person_would_write() {
+        assert_eq!(
+            Spacing::Linear.between(0.1, 0.5, 5),
+            [0.1, 0.2, 0.3, 0.4, 0.5]
+        );
+        assert_eq!(
+            Spacing::Log.between(1e-3, 8e-3, 4),
+            [1e-3, 2e-3, 4e-3, 8e-3]
+        );
+        assert_eq!(Spacing::Linear.between(-1.0, 1.0, 3), [-1.0, 0.0, 1.0]);
+    }
+}

@@ -1,0 +1,42 @@
+//! `pellicle gather`: the parts of a study put together.
+
+use crate::arguments::GatherArguments;
+use crate::command::study::words;
+use crate::failure::Failure;
+use crate::program::Outcome;
+use crate::study::gather;
+use crate::terminal;
+
+/// How many missing cases are named.
+const MOST_NAMED: usize = 10;
+
+/// Writes the whole table if every case is there, and says which are not otherwise.
+///
+/// # Errors
+///
+/// [`Failure`] if there are no parts or they do not go together.
+pub fn gather(arguments: &GatherArguments) -> Result<Outcome, Failure> {
+    let found = gather::gather(&arguments.folder)?;
+    let cases = found.tally.done() + found.missing.len();
+    terminal::tell(&words(found.tally, cases));
+    let Some(table) = found.table else {
+        let first = found.missing.iter().take(MOST_NAMED);
+        let names: Vec<_> = first.map(|case| (case + 1).to_string()).collect();
+        let more = if found.missing.len() > MOST_NAMED {
+            ", …"
+        } else {
+            ""
+        };
+        let names = names.join(", ");
+        terminal::tell(&format!(
+            "Error: nothing is written: cases {names}{more} are missing"
+        ));
+        return Ok(Outcome::NotConverged);
+    };
+    terminal::tell(&format!("written to {}", table.display()));
+    Ok(if found.tally.is_certified() {
+        Outcome::Done
+    } else {
+        Outcome::NotConverged
+    })
+}

@@ -1,0 +1,74 @@
+//! Why a file is no height map.
+
+use std::io;
+
+/// What is wrong with the file of a map, as the words that follow its name.
+#[derive(Debug, thiserror::Error)]
+pub enum MapError {
+    /// The file cannot be read.
+    #[error("which cannot be read: {0}")]
+    Unreadable(#[from] io::Error),
+    /// The file is larger than any map.
+    #[error("which is larger than {} GiB", largest >> 30)]
+    TooLarge {
+        /// Most bytes.
+        largest: u64,
+    },
+    /// The ending of the name is that of no format known here.
+    #[error("a file of the unknown kind \".{found}\"")]
+    Ending {
+        /// The ending, without its dot.
+        found: String,
+    },
+    /// Not an array that NumPy saved, or not one of numbers in two dimensions.
+    #[error("which is no NumPy array of numbers in two dimensions: {0}")]
+    Npy(String),
+    /// Not text.
+    #[error("which is not text: its byte {at} is no UTF-8")]
+    NotText {
+        /// Bytes before it.
+        at: usize,
+    },
+    /// A word where a number should be.
+    #[error("where line {line} holds \"{found}\", which is no number")]
+    NotANumber {
+        /// Line, from 1.
+        line: usize,
+        /// The word.
+        found: String,
+    },
+    /// A line of another length than those before.
+    #[error("where line {line} holds {found} numbers and those before {wanted}")]
+    Ragged {
+        /// Line, from 1.
+        line: usize,
+        /// Numbers on it.
+        found: usize,
+        /// Numbers on the first.
+        wanted: usize,
+    },
+    /// No number at all.
+    #[error("which holds no numbers")]
+    Empty,
+    /// Not a Gwyddion Simple Field.
+    #[error("which does not begin with the line \"Gwyddion Simple Field 1.0\"")]
+    NotGsf,
+    /// A field of the header that is missing or makes no sense.
+    #[error("whose header has {key} = {found}, not {wanted}")]
+    Header {
+        /// Its name.
+        key: &'static str,
+        /// Its value.
+        found: String,
+        /// What is wanted.
+        wanted: &'static str,
+    },
+    /// Fewer data than the header says.
+    #[error("which holds {found} bytes of data where its header says {wanted}")]
+    Short {
+        /// Bytes found.
+        found: usize,
+        /// Bytes wanted.
+        wanted: usize,
+    },
+}

@@ -1,0 +1,212 @@
+//! One key of a study and the values it takes: a list, or a range.
+
+use crate::case::diagnosis::{Diagnosis, Fault};
+use crate::case::document::{Node, Value};
+use crate::case::field::Field;
+use crate::case::place::Place;
+use crate::case::quantity::{self, Dimension};
+use crate::case::reader::Reader;
+use crate::case::spacing::{self, Spacing};
+use crate::case::units::Units;
+use crate::display::{self, Unit, significant};
+
+/// More values of one key than this are a mistake.
+const MOST_VALUES: usize = 100_000;
+
+const WANTED: &str = "a list of values, or a table of from, to, count and spacing";
+
+/// One key and its values.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Axis {
+    /// Dotted path of the key in the case, such as `foundation.layer[0].thickness`.
+    pub key: String,
+    /// Where the key stands in the study.
+    pub key_place: Place,
+    /// Its values, in order.
+    pub values: Vec<Node>,
+    /// Whether nobody wrote them one by one.
+    is_range: bool,
+}
+
+impl Axis {
+    /// Reads the values of a key.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] if they are neither a list nor a range.
+    pub fn read(key: String, key_place: Place, node: &Node) -> Result<Self, Diagnosis> {
+        let field = Field::new(key.clone(), node);
+        let values = match &node.value {
+            Value::List(items) if !items.is_empty() => items.clone(),
+            Value::Table(_) => range(&field.table()?, &node.place)?,
+            _ => return Err(field.wanted(WANTED)),
+        };
+        if values.len() > MOST_VALUES {
+            let field = Field::new(key, node);
+            return Err(field.wanted(format!("at most {MOST_VALUES} values")));
+        }
+        Ok(Self {
+            key,
+            key_place,
+            values,
+            is_range: matches!(node.value, Value::Table(_)),
+        })
+    }
+
+    /// What the values measure, if all of them are quantities of one dimension.
+    fn dimension(&self) -> Option<Dimension> {
+        let dimension = |node: &Node| match &node.value {
+            Value::Text(text) => quantity::dimension_of(text),
+            _ => None,
+        };
+        let first = self.values.first().and_then(dimension)?;
+        let same = |node: &Node| dimension(node) == Some(first);
+        self.values.iter().all(same).then_some(first)
+    }
+
+    /// Name of its column in a table, with the unit of what is in it.
+    #[must_use]
+    pub fn heading(&self) -> String {
+        match self.dimension() {
+            Some(dimension) => format!("{} [{}]", self.key, dimension.si_unit()),
+            None => self.key.clone(),
+        }
+    }
+
+    /// The `i`-th value as a table has it: in SI units if it has a unit, as a bare number or as it was written.
+    #[must_use]
+    pub fn cell(&self, i: usize) -> String {
+        let Some(node) = self.values.get(i) else {
+            return String::new();
+        };
+        match (&node.value, self.dimension()) {
+            (Value::Text(text), Some(dimension)) => {
+                quantity::parse(text, dimension).map_or_else(|_| text.clone(), |x| format!("{x:e}"))
+            }
+            (value, _) => words(value),
+        }
+    }
+
+    /// The `i`-th value as a person wrote it or would have written it.
+    #[must_use]
+    pub fn words(&self, i: usize) -> String {
+        let value = self.values.get(i).map(|node| &node.value);
+        match (value, self.dimension()) {
+            (Some(Value::Text(text)), Some(dimension)) if self.is_range => {
+                rounded(text, dimension).unwrap_or_else(|| text.clone())
+            }
+            (Some(Value::Float(number)), _) => significant(*number, 5),
+            (value, _) => value.map_or_else(String::new, words),
+        }
+    }
+}
+
+/// A quantity with five digits and the prefix that suits it.
+fn rounded(text: &str, dimension: Dimension) -> Option<String> {
+    let value = quantity::parse(text, dimension).ok()?;
+    let with_prefix = |unit| display::quantity(value, unit, Units::Si);
+    Some(match dimension {
+        Dimension::Length => with_prefix(Unit::Metre),
+        Dimension::Pressure => with_prefix(Unit::Pascal),
+        Dimension::Force => with_prefix(Unit::Newton),
+        Dimension::Angle | Dimension::Compliance => {
+            format!("{} {}", significant(value, 5), dimension.si_unit())
+        }
+    })
+}
+
+fn words(value: &Value) -> String {
+    let list = |items: Vec<String>| items.join(", ");
+    match value {
+        Value::Text(text) => text.clone(),
+        Value::Integer(number) => number.to_string(),
+        Value::Float(number) => format!("{number:e}"),
+        Value::Boolean(value) => value.to_string(),
+        Value::Datetime => "a date".into(),
+        Value::List(items) => {
+            let items = items.iter().map(|node| words(&node.value)).collect();
+            format!("[{}]", list(items))
+        }
+        Value::Table(table) => {
+            let entry = |entry: &crate::case::document::Entry| {
+                format!("{} = {}", entry.key, words(&entry.node.value))
+            };
+            format!("{{ {} }}", list(table.entries.iter().map(entry).collect()))
+        }
+    }
+}
+
+/// The values of `{ from, to, count, spacing }`, all written at its place.
+fn range(table: &Reader<'_>, place: &Place) -> Result<Vec<Node>, Diagnosis> {
+    table.only(&spacing::KEYS)?;
+    let spacing = Spacing::read(table)?;
+    let [from, to] = [End::read(table, "from")?, End::read(table, "to")?];
+    let field = table.required("to", WANTED)?;
+    if from.dimension != to.dimension {
+        return Err(field.wanted("a value with a unit of the same kind as that of from"));
+    }
+    if spacing == Spacing::Log && from.number * to.number <= 0.0 {
+        return Err(field.diagnosis(Fault::Wrong {
+            found: "a range with spacing = \"log\" that is not on one side of zero".into(),
+            wanted: "from and to both positive, or both negative".into(),
+        }));
+    }
+    let count = table.required("count", "how many values, an integer")?;
+    let count = count.count(2..=MOST_VALUES, " values")?;
+    let integers = from.is_integer && to.is_integer;
+    let node = |number: f64| Node {
+        value: value(number, from.dimension, integers),
+        place: place.clone(),
+    };
+    let numbers = spacing.between(from.number, to.number, count);
+    Ok(numbers.into_iter().map(node).collect())
+}
+
+/// One value of a range; one that is an integer up to rounding stays one between integers.
+fn value(number: f64, dimension: Option<Dimension>, integers: bool) -> Value {
+    let nearest = number.round();
+    match dimension {
+        Some(dimension) => Value::Text(format!("{number:e} {}", dimension.si_unit())),
+        #[expect(
+            clippy::cast_possible_truncation,
+            reason = "between two integers of 64 bits"
+        )]
+        None if integers && (number - nearest).abs() <= 1e-9 * nearest.abs() => {
+            Value::Integer(nearest as i64)
+        }
+        None => Value::Float(number),
+    }
+}
+
+/// One end of a range.
+struct End {
+    number: f64,
+    dimension: Option<Dimension>,
+    is_integer: bool,
+}
+
+impl End {
+    fn read(table: &Reader<'_>, key: &str) -> Result<Self, Diagnosis> {
+        const WANTED: &str = "a number, or a quantity such as \"5 nm\"";
+        let field = table.required(key, WANTED)?;
+        let bare = |number, is_integer| Self {
+            number,
+            dimension: None,
+            is_integer,
+        };
+        let end = match field.value() {
+            Value::Integer(number) => Some(bare(*number as f64, true)),
+            Value::Float(number) => Some(bare(*number, false)),
+            Value::Text(text) => quantity::dimension_of(text).and_then(|dimension| {
+                Some(Self {
+                    number: quantity::parse(text, dimension).ok()?,
+                    dimension: Some(dimension),
+                    is_integer: false,
+                })
+            }),
+            _ => None,
+        };
+        end.filter(|end| end.number.is_finite())
+            .ok_or_else(|| field.wanted(WANTED))
+    }
+}

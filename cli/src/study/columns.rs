@@ -1,0 +1,106 @@
+//! The columns of a study's table: case, status, the keys that vary, and those of a curve.
+
+use super::Study;
+use super::status::Status;
+use crate::case::units::Units;
+use crate::output::curve;
+use crate::output::summary::Summary;
+
+/// The columns, with units.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Columns {
+    names: Vec<String>,
+    /// How many of them a curve has.
+    curve: usize,
+}
+
+impl Columns {
+    /// The columns of a study whose cases have these units.
+    #[must_use]
+    pub fn new(study: &Study, units: Units) -> Self {
+        let curve = curve::header(units);
+        let keys = study.axes().iter().map(super::axis::Axis::heading);
+        let metres = format!("domain side [{}]", units.name("m"));
+        let first = ["case".to_owned(), "status".to_owned()];
+        let last = [metres, "warnings".to_owned(), "message".to_owned()];
+        Self {
+            names: first
+                .into_iter()
+                .chain(keys)
+                .chain(curve.iter().cloned())
+                .chain(last)
+                .collect(),
+            curve: curve.len(),
+        }
+    }
+
+    /// The first line of the table, without its end.
+    #[must_use]
+    pub fn header(&self) -> String {
+        line(&self.names)
+    }
+
+    /// The rows of a case that has a result: one a loading step.
+    #[must_use]
+    pub fn solved(&self, study: &Study, case: usize, summary: &Summary) -> String {
+        let status = status(summary);
+        let side = format!("{:e}", summary.grid.side);
+        let codes = summary.warnings.iter().map(|warning| warning.code);
+        let mut codes: Vec<_> = codes.filter(|code| !code.starts_with("cache")).collect();
+        codes.sort_unstable();
+        codes.dedup();
+        let last = [side, codes.join(" "), String::new()];
+        let steps = summary.steps.iter().enumerate();
+        let row = |(i, step)| {
+            let cells = [
+                first(study, case, status),
+                curve::row(i, step),
+                last.to_vec(),
+            ];
+            line(&cells.concat()) + "\n"
+        };
+        steps.map(row).collect()
+    }
+
+    /// The one row of a case that has none.
+    #[must_use]
+    pub fn failed(&self, study: &Study, case: usize, message: &str) -> String {
+        let empty = vec![String::new(); self.curve + 2];
+        // A row is a line: what is read back is cut at its end.
+        let message = message.split_whitespace().collect::<Vec<_>>().join(" ");
+        let cells = [first(study, case, Status::Failed), empty, vec![message]];
+        line(&cells.concat()) + "\n"
+    }
+}
+
+/// How a case ended that has a result.
+#[must_use]
+pub fn status(summary: &Summary) -> Status {
+    if summary.is_certified() {
+        Status::Certified
+    } else {
+        Status::NotConverged
+    }
+}
+
+fn first(study: &Study, case: usize, status: Status) -> Vec<String> {
+    let choice = study.choice(case);
+    let cells = study.axes().iter().zip(choice);
+    let cells = cells.map(|(axis, i)| axis.cell(i));
+    [(case + 1).to_string(), status.word().to_owned()]
+        .into_iter()
+        .chain(cells)
+        .collect()
+}
+
+/// The cells as one line, those with commas or quotes quoted.
+fn line(cells: &[String]) -> String {
+    let cell = |cell: &String| {
+        if cell.contains([',', '"']) {
+            format!("\"{}\"", cell.replace('"', "\"\""))
+        } else {
+            cell.clone()
+        }
+    };
+    cells.iter().map(cell).collect::<Vec<_>>().join(",")
+}

@@ -1,0 +1,169 @@
+//! The study file: `[study]`, and the base case in the same file or in one of its own.
+//!
+//! ```toml
+//! [study]
+//! case = "coating.toml"        # from the folder of this file; without it the rest of this file is the base case
+//! combine = "product"          # every value with every other, the last key fastest; or "zip": the first of all, the second of all, …
+//!
+//! [study.vary]                 # any key of the case: a list, or a range; a key with brackets in quotes
+//! "foundation.layer[0].thickness" = ["1 um", "2 um"]
+//! load.force = { from = "1 mN", to = "10 mN", count = 5, spacing = "log" }
+//! ```
+
+use std::path::Path;
+use std::sync::Arc;
+
+use super::axis::Axis;
+use super::{Combine, Study};
+use crate::case::diagnosis::{Diagnosis, Fault};
+use crate::case::document::{self, Node, Table, Value};
+use crate::case::place::Source;
+use crate::case::reader::Reader;
+use crate::case::{overrides, text};
+use crate::failure::Failure;
+
+/// More cases than this are a mistake.
+const MOST_CASES: usize = 1_000_000;
+
+/// Reads the file, and the base case with the values of `sets` in place of its own.
+///
+/// # Errors
+///
+/// [`Failure`] if a file cannot be read or is no study.
+pub fn read(path: &Path, sets: &[String]) -> Result<Study, Failure> {
+    let root = parse(path)?;
+    let parts = Parts::of(&root)?;
+    let here = path.parent().unwrap_or(Path::new(""));
+    let (mut base, case) = match parts.case {
+        Some(case) => (parse(&here.join(case))?, here.join(case)),
+        None => (without_study(&root), path.to_owned()),
+    };
+    for argument in sets {
+        overrides::set(&mut base, argument)?;
+    }
+    let stem = |path: &Path| {
+        path.file_stem()
+            .unwrap_or_default()
+            .to_string_lossy()
+            .into()
+    };
+    Ok(Study {
+        name: stem(path),
+        case_name: stem(&case),
+        folder: case.parent().unwrap_or(Path::new("")).to_owned(),
+        base,
+        combine: parts.combine,
+        axes: parts.axes,
+    })
+}
+
+fn parse(path: &Path) -> Result<Node, Failure> {
+    let source: Arc<Source> = Arc::new(text::read(path)?);
+    Ok(document::parse(&source)?)
+}
+
+fn without_study(root: &Node) -> Node {
+    let mut base = root.clone();
+    if let Value::Table(table) = &mut base.value {
+        table.entries.retain(|entry| entry.key != "study");
+    }
+    base
+}
+
+/// What the table `[study]` says.
+struct Parts<'a> {
+    case: Option<&'a str>,
+    combine: Combine,
+    axes: Vec<Axis>,
+}
+
+impl<'a> Parts<'a> {
+    fn of(root: &'a Node) -> Result<Self, Diagnosis> {
+        let root = Reader::root(root)?;
+        let study = root.required("study", "a table [study]")?.table()?;
+        study.only(&["case", "combine", "vary"])?;
+        let case = study
+            .optional("case")
+            .map(|field| field.text())
+            .transpose()?;
+        if case.is_some() {
+            root.only(&["study"])?;
+        }
+        let combine = match study.optional("combine") {
+            Some(field) => field.choice(&[("product", Combine::Product), ("zip", Combine::Zip)])?,
+            None => Combine::Product,
+        };
+        let vary = study.required("vary", "a table of keys, each with a list or a range")?;
+        let Value::Table(table) = vary.value() else {
+            return Err(vary.wanted("a table of keys, each with a list or a range"));
+        };
+        let mut axes = Vec::new();
+        collect("", table, &mut axes)?;
+        axes.sort_by_key(|axis| axis.key_place.span.start);
+        if axes.is_empty() {
+            return Err(vary.wanted("at least one key with a list or a range"));
+        }
+        check(&axes, combine)?;
+        Ok(Self {
+            case,
+            combine,
+            axes,
+        })
+    }
+}
+
+/// The keys of a table and of the tables in it: `load.force = …` is the key `force` of the table `load`.
+fn collect(path: &str, table: &Table, axes: &mut Vec<Axis>) -> Result<(), Diagnosis> {
+    for entry in &table.entries {
+        let key = match path {
+            "" => entry.key.clone(),
+            path => format!("{path}.{}", entry.key),
+        };
+        match &entry.node.value {
+            Value::Table(inner) if inner.entry("from").is_none() => collect(&key, inner, axes)?,
+            _ => axes.push(Axis::read(key, entry.key_place.clone(), &entry.node)?),
+        }
+    }
+    Ok(())
+}
+
+/// Refuses lists of different lengths that are to be zipped, and more cases than anybody wants.
+fn check(axes: &[Axis], combine: Combine) -> Result<(), Diagnosis> {
+    let wrong = |axis: &Axis, found: String, wanted: String| {
+        let fault = Fault::Wrong { found, wanted };
+        Err(Diagnosis::of_key(
+            axis.key.clone(),
+            axis.key_place.clone(),
+            fault,
+        ))
+    };
+    let Some(first) = axes.first() else {
+        return Ok(());
+    };
+    let is_given_before = |(i, axis): &(usize, &Axis)| {
+        let steps = overrides::steps(&axis.key);
+        axes[..*i]
+            .iter()
+            .any(|other| overrides::steps(&other.key) == steps)
+    };
+    if let Some((_, axis)) = axes.iter().enumerate().find(is_given_before) {
+        return wrong(axis, "the same key twice".into(), "each key once".into());
+    }
+    let wanted = first.values.len();
+    let other = axes.iter().find(|axis| axis.values.len() != wanted);
+    if let (Combine::Zip, Some(other)) = (combine, other) {
+        let found = format!("{} values", other.values.len());
+        let wanted = format!("{wanted}, as many as `{}` has, to be zipped", first.key);
+        return wrong(other, found, wanted);
+    }
+    let lengths = axes.iter().map(|axis| axis.values.len());
+    let cases = lengths.fold(1, usize::saturating_mul);
+    if combine == Combine::Product && cases > MOST_CASES {
+        return wrong(
+            first,
+            format!("{cases} cases"),
+            format!("at most {MOST_CASES}"),
+        );
+    }
+    Ok(())
+}

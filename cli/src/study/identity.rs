@@ -1,0 +1,104 @@
+//! `study.json`: what makes a study this one and no other, beside the table of its results.
+
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+
+use super::Study;
+use super::shard::Shard;
+use crate::failure::Failure;
+use crate::output::{file, json};
+
+/// Name and version of the layout.
+const SCHEMA: &str = "pellicle-study/1";
+
+/// A study and its part, as remembered in its folder.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Identity {
+    /// Name and version of this layout.
+    pub schema: String,
+    /// Version of the program.
+    pub version: String,
+    /// Name of the study.
+    pub study: String,
+    /// Which part of it the table beside this file holds.
+    pub shard: Shard,
+    /// Hash of everything that the results depend on: version, cases, maps.
+    pub fingerprint: String,
+    /// First line of the table.
+    pub header: String,
+    /// Rows of every case, part or not, unless it fails: one a loading step.
+    pub rows: Vec<usize>,
+}
+
+impl Identity {
+    /// The identity of a study with this hash, these rows and this header.
+    #[must_use]
+    pub fn new(
+        study: &Study,
+        fingerprint: String,
+        rows: Vec<usize>,
+        header: String,
+        shard: Shard,
+    ) -> Self {
+        Self {
+            schema: SCHEMA.into(),
+            version: env!("CARGO_PKG_VERSION").into(),
+            study: study.name.clone(),
+            shard,
+            fingerprint,
+            header,
+            rows,
+        }
+    }
+
+    /// Where it is kept.
+    #[must_use]
+    pub fn path(folder: &Path, shard: Shard) -> PathBuf {
+        folder.join(shard.file("study", "json"))
+    }
+
+    /// Where the table of results is kept.
+    #[must_use]
+    pub fn table(&self, folder: &Path) -> PathBuf {
+        folder.join(self.shard.file("results", "csv"))
+    }
+
+    /// The cases of this part, counted from 0.
+    #[must_use]
+    pub fn cases(&self) -> Vec<usize> {
+        let all = 0..self.rows.len();
+        all.filter(|case| self.shard.holds(*case)).collect()
+    }
+
+    /// Writes it.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Write`] if it cannot be written.
+    pub fn write(&self, folder: &Path) -> Result<(), Failure> {
+        let text = json(self)?;
+        let path = Self::path(folder, self.shard);
+        file::write_whole(&path, |file| file.write_all(text.as_bytes()))
+    }
+
+    /// Reads one; none if it is not there.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Damaged`] if it is there and is not what [`Self::write`] writes.
+    pub fn read(path: &Path) -> Result<Option<Self>, Failure> {
+        if !path.exists() {
+            return Ok(None);
+        }
+        let text = fs::read_to_string(path).map_err(|cause| Failure::damaged(path, &cause))?;
+        let read: Self =
+            serde_json::from_str(&text).map_err(|cause| Failure::damaged(path, &cause))?;
+        if read.schema != SCHEMA || read.shard.index == 0 || read.shard.index > read.shard.count {
+            return Err(Failure::damaged(path, &"it is of another version"));
+        }
+        Ok(Some(read))
+    }
+}

@@ -1,0 +1,83 @@
+//! What a study tells the person at the terminal: a line a case under way, and one for every case that ends.
+
+use std::sync::Mutex;
+use std::time::{Duration, Instant};
+
+use indicatif::{MultiProgress, ProgressBar};
+use pellicle_contact::SolverOptions;
+
+use super::Study;
+use super::solve::Done;
+use crate::progress::{ProgressLine, in_words};
+use crate::terminal;
+
+/// The lines of a study.
+#[derive(Debug)]
+pub struct Lines {
+    terminal: Option<MultiProgress>,
+    total: usize,
+    start: Instant,
+    /// Cases done before this run, and since.
+    done: Mutex<(usize, usize)>,
+}
+
+impl Lines {
+    /// Lines for a part of this many cases, of which some are done; none at all if nobody watches.
+    #[must_use]
+    pub fn new(total: usize, before: usize, watched: bool) -> Self {
+        Self {
+            terminal: watched.then(MultiProgress::new),
+            total,
+            start: Instant::now(),
+            done: Mutex::new((before, 0)),
+        }
+    }
+
+    /// The line of a case under way.
+    #[must_use]
+    pub fn case(&self, study: &Study, case: usize) -> ProgressLine {
+        match &self.terminal {
+            Some(lines) => {
+                let before = format!("case {}: ", case + 1);
+                let around = [before, format!("; {}", study.words(case))];
+                let tolerance = SolverOptions::default().tolerance;
+                ProgressLine::on(lines.add(ProgressBar::new_spinner()), around, tolerance)
+            }
+            None => ProgressLine::hidden(),
+        }
+    }
+
+    /// Tells that a case has ended.
+    pub fn ended(&self, study: &Study, case: usize, done: &Done) {
+        let (count, left) = self.count();
+        let Some(lines) = &self.terminal else {
+            return;
+        };
+        let left = left.map_or_else(String::new, |left| format!(", {} left", in_words(left)));
+        let (total, case_number, words) = (self.total, case + 1, study.words(case));
+        let line = format!(
+            "{count}/{total}  case {case_number}: {words}: {}{left}",
+            done.words
+        );
+        if lines.is_hidden() {
+            terminal::tell(&line);
+        } else {
+            // The terminal is gone: nobody is left to tell.
+            drop(lines.println(line));
+        }
+    }
+
+    /// Counts one more; how many are done, and how long the others will take if they take as long.
+    fn count(&self) -> (usize, Option<Duration>) {
+        let mut done = self
+            .done
+            .lock()
+            .unwrap_or_else(std::sync::PoisonError::into_inner);
+        done.1 += 1;
+        let (before, since) = *done;
+        let to_do = self.total - before - since;
+        let each = self.start.elapsed().div_f64(since as f64);
+        let left = (to_do > 0).then(|| each.mul_f64(to_do as f64));
+        (before + since, left)
+    }
+}

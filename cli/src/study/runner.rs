@@ -1,0 +1,105 @@
+//! Solves the cases of a study that are not done, as many at a time as there are threads.
+
+use std::num::NonZero;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
+use std::thread;
+
+use super::progress::Lines;
+use super::solve::Kit;
+use super::table::Table;
+use crate::failure::Failure;
+use crate::interrupt;
+
+/// Solves `cases` and adds each to the table as soon as it is done. Returns early, without an error, if the user asks to stop.
+///
+/// Every case has its own threads, one if there are more cases than threads: cases do not wait for each other, and results do not
+/// depend on the number of threads.
+///
+/// # Errors
+///
+/// [`Failure`] of the first thing that keeps results from being written: the others would fare no better.
+pub fn run(
+    kit: &Kit<'_>,
+    cases: &[usize],
+    threads: usize,
+    table: &mut Table,
+    lines: &Lines,
+) -> Result<(), Failure> {
+    let workers = threads.min(cases.len());
+    if workers == 0 {
+        return Ok(());
+    }
+    let queue = Queue {
+        cases,
+        next: AtomicUsize::new(0),
+        is_closed: AtomicBool::new(false),
+    };
+    let table = Mutex::new(table);
+    let failure = Mutex::new(None);
+    thread::scope(|scope| {
+        for worker in 0..workers {
+            // The first workers take what is left over.
+            let own = threads / workers + usize::from(worker < threads % workers);
+            let (queue, table, failure) = (&queue, &table, &failure);
+            scope.spawn(move || {
+                if let Err(first) = work(kit, queue, own, table, lines) {
+                    queue.is_closed.store(true, Ordering::SeqCst);
+                    let mut failure = failure.lock().unwrap_or_else(PoisonError::into_inner);
+                    failure.get_or_insert(first);
+                }
+            });
+        }
+    });
+    let failure = failure.into_inner().unwrap_or_else(PoisonError::into_inner);
+    failure.map_or(Ok(()), Err)
+}
+
+/// Threads to use unless told: one a core.
+#[must_use]
+pub fn default_threads() -> usize {
+    thread::available_parallelism().map_or(1, NonZero::get)
+}
+
+/// The cases to do, in order.
+struct Queue<'a> {
+    cases: &'a [usize],
+    next: AtomicUsize,
+    is_closed: AtomicBool,
+}
+
+impl Queue<'_> {
+    fn take(&self) -> Option<usize> {
+        if self.is_closed.load(Ordering::SeqCst) || interrupt::is_requested() {
+            return None;
+        }
+        let next = self.next.fetch_add(1, Ordering::SeqCst);
+        self.cases.get(next).copied()
+    }
+}
+
+fn work(
+    kit: &Kit<'_>,
+    queue: &Queue<'_>,
+    threads: usize,
+    table: &Mutex<&mut Table>,
+    lines: &Lines,
+) -> Result<(), Failure> {
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(threads)
+        .build()?;
+    while let Some(case) = queue.take() {
+        let solve = || {
+            let mut line = lines.case(kit.study, case);
+            kit.solve(case, &mut line)
+        };
+        let Some(done) = pool.install(solve)? else {
+            return Ok(());
+        };
+        let mut table = table.lock().unwrap_or_else(PoisonError::into_inner);
+        table.add(case, done.status, &done.rows)?;
+        drop(table);
+        lines.ended(kit.study, case, &done);
+    }
+    Ok(())
+}

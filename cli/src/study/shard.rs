@@ -1,0 +1,114 @@
+//! A part of a study: every n-th case.
+
+use std::fmt;
+use std::str::FromStr;
+
+use serde::{Deserialize, Serialize};
+
+/// Part `index` of `count` parts, counted from 1.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Shard {
+    /// Which part, from 1.
+    pub index: usize,
+    /// How many parts there are.
+    pub count: usize,
+}
+
+impl Shard {
+    /// The study undivided.
+    pub const WHOLE: Self = Self { index: 1, count: 1 };
+
+    /// Whether a case, counted from 0, belongs to this part.
+    ///
+    /// Each of `count` neighbours goes to another part, so that the parts are equally large, in an order that changes irregularly, so
+    /// that no part has all the cases of one value, which may be the large grids.
+    #[must_use]
+    pub fn holds(self, case: usize) -> bool {
+        let (round, place) = (case / self.count, case % self.count);
+        (place + mixed(round) % self.count) % self.count == self.index - 1
+    }
+
+    /// Name of a file of this part: `results.csv`, or `results-2-of-8.csv`.
+    #[must_use]
+    pub fn file(self, stem: &str, ending: &str) -> String {
+        match self {
+            Self::WHOLE => format!("{stem}.{ending}"),
+            Self { index, count } => format!("{stem}-{index}-of-{count}.{ending}"),
+        }
+    }
+}
+
+/// A number that looks like chance: the finalizer of `SplitMix64` (Steele, Lea, Flood 2014).
+#[expect(clippy::cast_possible_truncation, reason = "any 32 bits will do")]
+fn mixed(number: usize) -> usize {
+    let mut z = (number as u64).wrapping_add(0x9e37_79b9_7f4a_7c15);
+    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    (z ^ (z >> 31)) as u32 as usize
+}
+
+impl fmt::Display for Shard {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}/{}", self.index, self.count)
+    }
+}
+
+impl FromStr for Shard {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let both = text.split_once('/');
+        let both = both.and_then(|(i, n)| Some((i.trim().parse().ok()?, n.trim().parse().ok()?)));
+        both.filter(|(index, count)| (1..=*count).contains(index))
+            .map(|(index, count)| Self { index, count })
+            .ok_or_else(|| "wanted part i of n parts, from 1, such as 2/8".into())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_case_belongs_to_exactly_one_part() {
+        for count in 1..9 {
+            for case in 0..40 {
+                let holds = |index: &usize| {
+                    Shard {
+                        index: *index,
+                        count,
+                    }
+                    .holds(case)
+                };
+                assert_eq!((1..=count).filter(holds).count(), 1, "{case} of {count}");
+            }
+        }
+    }
+
+    #[test]
+    fn parts_are_equally_large_and_none_has_all_cases_of_one_value() {
+        for index in 1..=4 {
+            let shard = Shard { index, count: 4 };
+            let held: Vec<_> = (0..400).filter(|case| shard.holds(*case)).collect();
+            assert_eq!(held.len(), 100);
+            for value in 0..4 {
+                let count = held.iter().filter(|case| *case % 4 == value).count();
+                // A quarter of 100, and three times the deviation of chance.
+                assert!((12..=38).contains(&count), "{count}");
+            }
+        }
+    }
+
+    #[test]
+    fn parts_are_counted_from_one() {
+        assert_eq!("2/8".parse(), Ok(Shard { index: 2, count: 8 }));
+        for text in ["0/8", "9/8", "2", "a/b", "", "1/0", "-1/2"] {
+            assert!(text.parse::<Shard>().is_err(), "{text}");
+        }
+        let file = |text: &str| text.parse::<Shard>().unwrap().file("results", "csv");
+        assert_eq!(
+            (file("1/1"), file("2/8")),
+            ("results.csv".into(), "results-2-of-8.csv".into())
+        );
+    }
+}

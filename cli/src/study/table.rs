@@ -1,0 +1,284 @@
+//! The table of a study's results, safe from a kill at any moment.
+//!
+//! A case is a block of lines, one a loading step, handed to the system in one write and then forced to the disk. What a kill can leave is a block
+//! that is cut off at the end of the file; it is recognised because its last line has no end or because lines of it are missing, and
+//! removed when the study goes on. When every case is there the blocks are put in order, in a new file that takes the place of the old one.
+
+use std::collections::BTreeMap;
+use std::fs::{self, File, OpenOptions, TryLockError};
+use std::io::{self, Read, Seek, Write};
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+use super::identity::Identity;
+use super::status::{Status, Tally};
+use crate::failure::Failure;
+use crate::output::file;
+
+/// What to do with a table that is there.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Begin {
+    /// Go on with it.
+    Resume,
+    /// Empty it first.
+    Again,
+}
+
+/// The table on disk, open for this process alone.
+#[derive(Debug)]
+pub struct Table {
+    path: PathBuf,
+    file: File,
+    header: String,
+    done: BTreeMap<usize, Status>,
+}
+
+impl Table {
+    /// Opens the table of a study's part and removes what a kill has left half-written; begins it if it is not there or is to be begun
+    /// again.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure`] if it cannot be opened, if another process has it open, or if it is the table of something else.
+    pub fn open(folder: &Path, identity: &Identity, begin: Begin) -> Result<Self, Failure> {
+        let path = identity.table(folder);
+        let failed = |cause| write_failure(&path, cause);
+        let open = OpenOptions::new()
+            .read(true)
+            .append(true)
+            .create(true)
+            .open(&path);
+        let file = open.map_err(failed)?;
+        lock(&path, &file)?;
+        if begin == Begin::Again {
+            file.set_len(0).map_err(failed)?;
+        }
+        identity.write(folder)?;
+        let text = whole(&file).map_err(failed)?;
+        let blocks = Blocks::of(&text, identity)
+            .ok_or_else(|| Failure::damaged(&path, &"its first line is not that of this study"))?;
+        let mut table = Self {
+            header: identity.header.clone(),
+            done: blocks.statuses(),
+            file,
+            path: path.clone(),
+        };
+        table.mend(&text, blocks.end).map_err(failed)?;
+        Ok(table)
+    }
+
+    /// Cuts off what is half-written, and writes the first line if it is not there.
+    fn mend(&mut self, text: &[u8], end: usize) -> io::Result<()> {
+        if end < text.len() {
+            self.file.set_len(end as u64)?;
+        }
+        if end == 0 {
+            self.file
+                .write_all(format!("{}\n", self.header).as_bytes())?;
+        }
+        self.file.sync_all()
+    }
+
+    /// Adds the rows of a case, which are on the disk when this returns.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Write`] if they are not.
+    pub fn add(&mut self, case: usize, status: Status, rows: &str) -> Result<(), Failure> {
+        let written = self.file.write_all(rows.as_bytes());
+        written
+            .and_then(|()| self.file.sync_data())
+            .map_err(|cause| write_failure(&self.path, cause))?;
+        self.done.insert(case, status);
+        Ok(())
+    }
+
+    /// The cases that are there, and how they ended.
+    #[must_use]
+    pub fn done(&self) -> &BTreeMap<usize, Status> {
+        &self.done
+    }
+
+    /// How many ended in which way.
+    #[must_use]
+    pub fn tally(&self) -> Tally {
+        Tally::of(self.done.values().copied())
+    }
+
+    /// Where it is.
+    #[must_use]
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Puts the cases in order, once all are there, and closes the table.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure`] if the table cannot be read or written.
+    pub fn finish(self, identity: &Identity) -> Result<(), Failure> {
+        let text = whole(&self.file).map_err(|cause| Failure::damaged(&self.path, &cause))?;
+        let blocks = Blocks::of(&text, identity)
+            .ok_or_else(|| Failure::damaged(&self.path, &"it has changed meanwhile"))?;
+        if blocks.are_in_order() {
+            return Ok(());
+        }
+        // Some systems replace no file that is open.
+        drop(self.file);
+        write_in_order(&self.path, &identity.header, &blocks.in_order(&text))
+    }
+}
+
+/// Everything in an open file.
+fn whole(mut file: &File) -> io::Result<Vec<u8>> {
+    let mut text = Vec::new();
+    file.rewind()?;
+    file.read_to_end(&mut text)?;
+    Ok(text)
+}
+
+/// The bytes of a table.
+///
+/// # Errors
+///
+/// [`Failure::Damaged`] if there is none.
+pub fn read(path: &Path) -> Result<Vec<u8>, Failure> {
+    fs::read(path).map_err(|cause| Failure::damaged(path, &cause))
+}
+
+/// Writes a table of these blocks, in the order of their cases.
+///
+/// # Errors
+///
+/// [`Failure::Write`] if it cannot be written.
+pub fn write_in_order(
+    path: &Path,
+    header: &str,
+    blocks: &BTreeMap<usize, &[u8]>,
+) -> Result<(), Failure> {
+    file::write_whole(path, |file| {
+        writeln!(file, "{header}")?;
+        blocks.values().try_for_each(|rows| file.write_all(rows))
+    })
+}
+
+fn write_failure(path: &Path, cause: io::Error) -> Failure {
+    let path = path.to_owned();
+    Failure::Write { path, cause }
+}
+
+/// Two processes on one table would lose each other's rows. Where the file system knows no locks, nothing is locked.
+fn lock(path: &Path, file: &File) -> Result<(), Failure> {
+    match file.try_lock() {
+        Err(TryLockError::WouldBlock) => Err(Failure::Busy {
+            path: path.to_owned(),
+        }),
+        Ok(()) | Err(TryLockError::Error(_)) => Ok(()),
+    }
+}
+
+/// The whole blocks of a table.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Blocks {
+    /// Case, how it ended, and where its lines are, in the order of the file.
+    blocks: Vec<(usize, Status, Range<usize>)>,
+    /// Bytes up to the end of the last of them; 0 if not even the first line is whole.
+    pub end: usize,
+}
+
+impl Blocks {
+    /// The blocks of a text that stand before anything half-written; none if the first line is not that of this study.
+    #[must_use]
+    pub fn of(text: &[u8], identity: &Identity) -> Option<Self> {
+        let (mut blocks, mut end) = (Vec::new(), 0);
+        let mut lines = Lines { text, at: 0 };
+        let Some(first) = lines.next() else {
+            return identity
+                .header
+                .as_bytes()
+                .starts_with(text)
+                .then_some(Self { blocks, end });
+        };
+        if text[first.clone()] != *identity.header.as_bytes() {
+            return None;
+        }
+        end = lines.at;
+        let columns = fields(identity.header.as_bytes())?.len();
+        while let Some((case, status)) = lines.block(columns, identity) {
+            blocks.push((case, status, end..lines.at));
+            end = lines.at;
+        }
+        Some(Self { blocks, end })
+    }
+
+    /// How the cases ended.
+    #[must_use]
+    pub fn statuses(&self) -> BTreeMap<usize, Status> {
+        let statuses = self.blocks.iter();
+        statuses.map(|(case, status, _)| (*case, *status)).collect()
+    }
+
+    /// The lines of every case; of a case that is there twice, the last.
+    #[must_use]
+    pub fn in_order<'t>(&self, text: &'t [u8]) -> BTreeMap<usize, &'t [u8]> {
+        let blocks = self.blocks.iter();
+        blocks
+            .map(|(case, _, range)| (*case, &text[range.clone()]))
+            .collect()
+    }
+
+    fn are_in_order(&self) -> bool {
+        self.blocks.is_sorted_by(|a, b| a.0 < b.0)
+    }
+}
+
+/// The whole lines of a text, one after the other.
+struct Lines<'t> {
+    text: &'t [u8],
+    at: usize,
+}
+
+impl Lines<'_> {
+    /// The next line that has an end, without it.
+    fn next(&mut self) -> Option<Range<usize>> {
+        let rest = &self.text[self.at..];
+        let length = rest.iter().position(|byte| *byte == b'\n')?;
+        let line = self.at..self.at + length;
+        self.at = line.end + 1;
+        Some(line)
+    }
+
+    /// The next block, if it is whole: all lines of one case of this part.
+    fn block(&mut self, columns: usize, identity: &Identity) -> Option<(usize, Status)> {
+        let (case, status) = self.row(columns)?;
+        let rows = *identity
+            .rows
+            .get(case)
+            .filter(|_| identity.shard.holds(case))?;
+        let rows = if status == Status::Failed { 1 } else { rows };
+        for _ in 1..rows {
+            self.row(columns).filter(|row| *row == (case, status))?;
+        }
+        Some((case, status))
+    }
+
+    /// Case and status of the next line.
+    fn row(&mut self, columns: usize) -> Option<(usize, Status)> {
+        let line = self.next()?;
+        let fields = fields(&self.text[line])?;
+        if fields.len() != columns {
+            return None;
+        }
+        let case = fields.first()?.parse::<usize>().ok()?.checked_sub(1)?;
+        Some((case, Status::of(fields.get(1)?)?))
+    }
+}
+
+/// The cells of one line; none if it is no text.
+fn fields(line: &[u8]) -> Option<Vec<String>> {
+    let mut reader = csv::ReaderBuilder::new()
+        .has_headers(false)
+        .from_reader(line);
+    let record = reader.records().next()?.ok()?;
+    Some(record.iter().map(str::to_owned).collect())
+}

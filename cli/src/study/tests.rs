@@ -1,0 +1,289 @@
+//! What a study makes of its file, and what is left of a table after a kill.
+
+use std::fs;
+use std::path::Path;
+
+use tempfile::TempDir;
+
+use super::gather::gather;
+use super::identity::Identity;
+use super::plan::Plan;
+use super::shard::Shard;
+use super::status::Status;
+use super::table::{Begin, Blocks, Table};
+use super::{Study, file};
+
+const BASE: &str = r#"
+[foundation]
+substrate = { young_modulus = "7 GPa", poisson_ratio = 0.4 }
+
+[[foundation.layer]]
+thickness = "10 nm"
+young_modulus = "70 GPa"
+poisson_ratio = 0.3
+
+[indenter]
+kind = "paraboloid"
+radius = "4 um"
+
+[load]
+forces = ["1 uN", "2 uN"]
+"#;
+
+fn study(text: &str) -> Result<Study, String> {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("study.toml");
+    fs::write(folder.path().join("base.toml"), BASE).unwrap();
+    fs::write(&path, text).unwrap();
+    let named = |error: crate::failure::Failure| {
+        error
+            .to_string()
+            .replace(&folder.path().display().to_string(), "")
+    };
+    file::read(&path, &[]).map_err(named)
+}
+
+fn plan(text: &str, shard: Shard) -> Plan {
+    Plan::new(&study(text).unwrap(), shard).unwrap()
+}
+
+const TWO_KEYS: &str = r#"
+[study]
+case = "base.toml"
+
+[study.vary]
+"foundation.layer[0].thickness" = ["10 nm", "20 nm", "30 nm"]
+grid.elements = { from = 32, to = 128, count = 3, spacing = "log" }
+"#;
+
+#[test]
+fn a_product_changes_the_last_key_fastest_and_integers_stay_integers() {
+    let study = study(TWO_KEYS).unwrap();
+    assert_eq!(study.len(), 9);
+    assert_eq!(
+        study.words(0),
+        "foundation.layer[0].thickness = 10 nm, grid.elements = 32"
+    );
+    assert_eq!(
+        study.words(5),
+        "foundation.layer[0].thickness = 20 nm, grid.elements = 128"
+    );
+    let case = study.case(5).unwrap();
+    assert_eq!(
+        (case.foundation.layer[0].thickness, case.grid.elements),
+        (20e-9, 128)
+    );
+}
+
+#[test]
+fn a_zip_takes_the_values_together() {
+    let zipped = study(&TWO_KEYS.replace("[study]", "[study]\ncombine = \"zip\"")).unwrap();
+    assert_eq!(zipped.len(), 3);
+    assert_eq!(
+        zipped.words(1),
+        "foundation.layer[0].thickness = 20 nm, grid.elements = 64"
+    );
+}
+
+#[test]
+fn the_base_case_may_stand_in_the_same_file_and_ranges_carry_units() {
+    let text = format!(
+        "[study.vary]\nload.force = {{ from = \"1 uN\", to = \"1 mN\", count = 4, spacing = \"log\" }}\n{BASE}"
+    );
+    let study = study(&text.replace("forces = [\"1 uN\", \"2 uN\"]", "")).unwrap();
+    let force = |i| match study.case(i).unwrap().load {
+        crate::case::load::LoadCase::Force(force) => force,
+        other => panic!("{other:?}"),
+    };
+    // Both ends are exact; between them, one rounding of the power.
+    assert_eq!([force(0), force(3)], [1e-6, 1e-3]);
+    assert!((force(1) / 1e-5 - 1.0).abs() < 1e-15);
+    assert_eq!(study.axes()[0].heading(), "load.force [N]");
+}
+
+#[test]
+fn what_is_no_study_is_told_with_its_key() {
+    for (text, wanted) in [
+        ("[load]\nforce = 1", "key `study`: found no such key"),
+        (
+            "[study]\ncase = \"base.toml\"",
+            "key `study.vary`: found no such key",
+        ),
+        (
+            "[study]\ncase = \"base.toml\"\n[study.vary]\nload.force = 3",
+            "key `load.force`: found 3, wanted a list of values",
+        ),
+        (
+            "[study]\ncase = \"base.toml\"\ncombine = \"zip\"\n[study.vary]\na = [1]\nb = [1, 2]",
+            "key `b`: found 2 values, wanted 1, as many as `a` has",
+        ),
+        (
+            "[study]\ncase = \"base.toml\"\n[study.vary]\na = { from = 0, to = 1, count = 3, spacing = \"log\" }",
+            "key `a.to`: found a range",
+        ),
+        (
+            "[study]\ncase = \"base.toml\"\n[study.vary]\na = { from = \"1 nm\", to = \"1 N\", count = 3 }",
+            "key `a.to`: found \"1 N\", wanted a value with a unit of the same kind",
+        ),
+        (
+            "[study]\ncase = \"base.toml\"\n[study.vary]\na.0.b = [1]\n\"a[0].b\" = [2]",
+            "key `a[0].b`: found the same key twice",
+        ),
+        (
+            "[study]\ncase = \"base.toml\"\n[study.vary]\na = [1]\n[load]\nforce = 1",
+            "key `load`: found an unknown key, wanted one of study",
+        ),
+    ] {
+        let message = study(text).unwrap_err();
+        assert!(message.contains(wanted), "{wanted} in {message}");
+    }
+    let nowhere = study("[study]\ncase = \"no.toml\"\n[study.vary]\na = [1]").unwrap_err();
+    assert!(nowhere.contains("no.toml"), "{nowhere}");
+}
+
+#[test]
+fn a_key_that_no_case_can_have_is_told_before_any_work() {
+    let text = TWO_KEYS.replace("grid.elements", "grid.elemnts");
+    let study = study(&text).unwrap();
+    let message = Plan::new(&study, Shard::WHOLE).unwrap_err().to_string();
+    assert!(
+        message.contains("study.toml, line 7, key `grid.elemnts`"),
+        "{message}"
+    );
+}
+
+#[test]
+fn other_values_make_another_study_and_other_words_do_not() {
+    let fingerprint = |text: &str| plan(text, Shard::WHOLE).identity.fingerprint;
+    let first = fingerprint(TWO_KEYS);
+    assert_eq!(first, fingerprint(&format!("# a comment\n{TWO_KEYS}")));
+    assert_eq!(
+        first,
+        fingerprint(&TWO_KEYS.replace("\"20 nm\"", "\"0.02 um\""))
+    );
+    assert_ne!(
+        first,
+        fingerprint(&TWO_KEYS.replace("\"20 nm\"", "\"21 nm\""))
+    );
+}
+
+/// Two rows for a case, one for a failed one.
+fn rows(columns: usize, case: usize, status: Status) -> String {
+    let cells = ",x".repeat(columns - 2);
+    let row = format!("{},{}{cells}\n", case + 1, status.word());
+    if status == Status::Failed {
+        row
+    } else {
+        row.repeat(2)
+    }
+}
+
+fn table(folder: &Path, identity: &Identity) -> Table {
+    Table::open(folder, identity, Begin::Resume).unwrap()
+}
+
+#[test]
+fn a_table_cut_at_any_byte_keeps_its_whole_cases_and_no_other() {
+    let identity = plan(TWO_KEYS, Shard::WHOLE).identity;
+    let columns = identity.header.split(',').count();
+    let order = [4, 0, 7, 2];
+    let status = |case| {
+        if case == 7 {
+            Status::Failed
+        } else {
+            Status::Certified
+        }
+    };
+    let mut text = format!("{}\n", identity.header);
+    let mut ends = vec![text.len()];
+    for case in order {
+        text += &rows(columns, case, status(case));
+        ends.push(text.len());
+    }
+    for cut in 0..=text.len() {
+        let blocks = Blocks::of(&text.as_bytes()[..cut], &identity).unwrap();
+        let whole = ends.iter().filter(|end| **end <= cut).count();
+        assert_eq!(blocks.statuses().len(), whole.saturating_sub(1), "{cut}");
+        assert_eq!(
+            blocks.end,
+            ends[..whole].last().copied().unwrap_or(0),
+            "{cut}"
+        );
+    }
+}
+
+#[test]
+fn a_table_is_mended_gone_on_with_and_put_in_order() {
+    let folder = tempfile::tempdir().unwrap();
+    let identity = plan(TWO_KEYS, Shard::WHOLE).identity;
+    let columns = identity.header.split(',').count();
+    let block = |case| rows(columns, case, Status::Certified);
+    let path = identity.table(folder.path());
+    fs::write(&path, format!("{}\n{}9,certi", identity.header, block(3))).unwrap();
+    let mut opened = table(folder.path(), &identity);
+    let done: Vec<_> = opened.done().keys().copied().collect();
+    assert_eq!(done, [3]);
+    for case in [8, 7, 6, 5, 4, 2, 1, 0] {
+        opened.add(case, Status::Certified, &block(case)).unwrap();
+    }
+    opened.finish(&identity).unwrap();
+    let all: String = (0..9).map(block).collect();
+    assert_eq!(
+        fs::read_to_string(&path).unwrap(),
+        format!("{}\n{all}", identity.header)
+    );
+}
+
+#[test]
+fn a_table_of_something_else_is_not_touched() {
+    let folder = tempfile::tempdir().unwrap();
+    let identity = plan(TWO_KEYS, Shard::WHOLE).identity;
+    let path = identity.table(folder.path());
+    fs::write(&path, "mine\n").unwrap();
+    assert!(Table::open(folder.path(), &identity, Begin::Resume).is_err());
+    assert_eq!(fs::read_to_string(&path).unwrap(), "mine\n");
+}
+
+#[test]
+fn a_table_is_open_for_one_process() {
+    let folder = tempfile::tempdir().unwrap();
+    let identity = plan(TWO_KEYS, Shard::WHOLE).identity;
+    let _first = table(folder.path(), &identity);
+    let second = Table::open(folder.path(), &identity, Begin::Again);
+    assert!(second.unwrap_err().to_string().contains("another process"));
+}
+
+/// Writes the parts `done` of three.
+fn parts(folder: &TempDir, done: &[usize]) {
+    for index in 1..=3 {
+        let identity = plan(TWO_KEYS, Shard { index, count: 3 }).identity;
+        let columns = identity.header.split(',').count();
+        let mut table = table(folder.path(), &identity);
+        for case in identity.cases() {
+            if done.contains(&case) {
+                let rows = rows(columns, case, Status::Certified);
+                table.add(case, Status::Certified, &rows).unwrap();
+            }
+        }
+    }
+}
+
+#[test]
+fn parts_are_gathered_only_when_no_case_is_missing() {
+    let folder = tempfile::tempdir().unwrap();
+    parts(&folder, &[0, 1, 2, 3, 4, 5, 6, 8]);
+    let found = gather(folder.path()).unwrap();
+    assert_eq!((found.missing, found.table), (vec![7], None));
+    parts(&folder, &[7]);
+    let table = gather(folder.path()).unwrap().table.unwrap();
+    let identity = plan(TWO_KEYS, Shard::WHOLE).identity;
+    let columns = identity.header.split(',').count();
+    let all: String = (0..9)
+        .map(|case| rows(columns, case, Status::Certified))
+        .collect();
+    assert_eq!(
+        fs::read_to_string(table).unwrap(),
+        format!("{}\n{all}", identity.header)
+    );
+    assert!(gather(Path::new("nowhere")).is_err());
+}

@@ -1,0 +1,65 @@
+//! The guide: its commands, run one after the other as they stand there.
+#![cfg(unix)]
+
+use std::env;
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+use crate::runner::{Folder, names};
+
+const GUIDE: &str = include_str!("../../../docs/guide.md");
+
+/// The blocks of the guide: language and text.
+fn blocks() -> Vec<(&'static str, &'static str)> {
+    let blocks = GUIDE.split("```").skip(1).step_by(2);
+    blocks.filter_map(|block| block.split_once('\n')).collect()
+}
+
+/// The program's folder before all others.
+fn path() -> String {
+    let folder = Path::new(env!("CARGO_BIN_EXE_pellicle")).parent().unwrap();
+    format!("{}:{}", folder.display(), env::var("PATH").unwrap())
+}
+
+#[test]
+fn every_command_of_the_guide_does_what_it_says() {
+    let (folder, path) = (Folder::new(), path());
+    for (language, text) in blocks() {
+        // A case with a name is saved under it.
+        let name = text.strip_prefix("# ").and_then(|text| text.lines().next());
+        match (language, name) {
+            ("toml", Some(name)) => fs::write(folder.path(name), text).unwrap(),
+            ("sh", _) => text.lines().for_each(|line| run(&folder, &path, line)),
+            _ => {}
+        }
+    }
+    let studies = ["results/thickness", "results/study"].map(|study| names(&folder.path(study)));
+    assert_eq!(studies[0], ["results.csv", "study.json"]);
+    assert_eq!(studies[1].len(), 6);
+}
+
+fn run(folder: &Folder, path: &str, line: &str) {
+    let mut command = Command::new("sh");
+    let command = command.args(["-c", line]).current_dir(folder.path("."));
+    let ran = Folder::ran(command.env("PATH", path).env("PELLICLE_CACHE", ""));
+    assert_eq!(ran.code, Some(0), "{line}: {}", ran.stderr);
+}
+
+#[test]
+fn the_first_case_of_the_guide_is_that_of_the_template() {
+    let template = Folder::new().run(&["init", "coating"]).stdout;
+    let case = blocks()
+        .into_iter()
+        .find(|(language, _)| *language == "toml");
+    let lines = |text: &str| -> Vec<String> {
+        let lines = text
+            .lines()
+            .filter(|line| !line.starts_with('#') && !line.is_empty());
+        lines
+            .filter(|line| !line.starts_with("title"))
+            .map(str::to_owned)
+            .collect()
+    };
+    assert_eq!(lines(case.unwrap().1), lines(&template));
+}

@@ -1,0 +1,128 @@
+//! Ctrl-C: the exit code, how long it takes, and what is left.
+#![cfg(unix)]
+
+use std::fs;
+use std::process::{Command, Stdio};
+use std::thread::sleep;
+use std::time::{Duration, Instant};
+
+use serde_json::Value;
+
+use crate::runner::{CASE, Folder, Ran};
+
+/// More work than any test waits for.
+const LONG: [&str; 4] = [
+    "--set",
+    "grid.elements=2048",
+    "--set",
+    "solver.tolerance=1e-13",
+];
+
+/// Starts the program, sends it a signal when `ready`, and waits for its end: what it did, and how long after the signal.
+fn interrupted(
+    folder: &Folder,
+    line: &[&str],
+    signal: &str,
+    ready: impl Fn() -> bool,
+) -> (Ran, Duration) {
+    let mut command = folder.command(line);
+    let child = command
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let start = Instant::now();
+    while !ready() || start.elapsed() < Duration::from_millis(300) {
+        assert!(start.elapsed() < Duration::from_mins(1), "never ready");
+        sleep(Duration::from_millis(10));
+    }
+    let id = child.id().to_string();
+    let sent = Instant::now();
+    assert!(
+        Command::new("kill")
+            .args([signal, &id])
+            .status()
+            .unwrap()
+            .success()
+    );
+    let output = child.wait_with_output().unwrap();
+    let ran = Ran {
+        code: output.status.code(),
+        stdout: String::from_utf8(output.stdout).unwrap(),
+        stderr: String::from_utf8(output.stderr).unwrap(),
+    };
+    (ran, sent.elapsed())
+}
+
+#[test]
+fn ctrl_c_ends_a_run_within_a_second_with_130_and_leaves_nothing_half_written() {
+    let folder = Folder::with_case(CASE);
+    for signal in ["-INT", "-TERM"] {
+        let line = [&["run", "case.toml"][..], &LONG].concat();
+        let (ran, time) = interrupted(&folder, &line, signal, || true);
+        assert_eq!(ran.code, Some(130), "{}", ran.stderr);
+        // A second, and what a busy machine takes to start and end a process.
+        assert!(time < Duration::from_secs(3), "{time:?}");
+        assert!(ran.stderr.contains("stopp"), "{}", ran.stderr);
+        assert!(!folder.names().iter().any(|name| name.starts_with('.')));
+    }
+}
+
+#[test]
+fn ctrl_c_keeps_the_finished_steps_of_a_curve_and_says_that_it_is_not_whole() {
+    let folder = Folder::with_case(CASE);
+    // Some tens of milliseconds a step: in a second some are done, and never all.
+    let start = Instant::now();
+    let a_second = || start.elapsed() > Duration::from_secs(1);
+    let curve = "load={forces={from=\"0.9 uN\", to=\"1 uN\", count=10000}}";
+    let line = [
+        "run",
+        "case.toml",
+        "--out",
+        "a",
+        "--set",
+        curve,
+        "--set",
+        "grid.elements=128",
+    ];
+    let (ran, _) = interrupted(&folder, &line, "-INT", a_second);
+    assert_eq!(ran.code, Some(130), "{}", ran.stderr);
+    let summary = fs::read_to_string(folder.path("a/summary.json")).unwrap();
+    let summary: Value = serde_json::from_str(&summary).unwrap();
+    let steps = summary["steps"].as_array().unwrap();
+    assert!((1..10_000).contains(&steps.len()), "{}", steps.len());
+    assert!(
+        steps
+            .iter()
+            .all(|step| step["certificate"]["satisfied"] == true)
+    );
+    let warnings = summary["warnings"].as_array().unwrap();
+    assert!(warnings.iter().any(|warning| warning["code"] == "stopped"));
+    assert!(
+        ran.stderr.contains("stopped by the user after"),
+        "{}",
+        ran.stderr
+    );
+}
+
+#[test]
+fn ctrl_c_keeps_the_finished_cases_of_a_study() {
+    let folder = Folder::with_case(CASE);
+    let study =
+        "[study]\ncase = \"case.toml\"\n[study.vary]\ngrid.elements = [32, 64, 2048, 2048]\n";
+    fs::write(folder.path("study.toml"), study).unwrap();
+    let table = folder.path("results/study/results.csv");
+    let rows = || fs::read_to_string(&table).map_or(0, |text| text.lines().count());
+    let line = [
+        "study",
+        "study.toml",
+        "--threads",
+        "1",
+        "--set",
+        "solver.tolerance=1e-13",
+    ];
+    let (ran, time) = interrupted(&folder, &line, "-INT", || rows() >= 3);
+    assert_eq!(ran.code, Some(130), "{}", ran.stderr);
+    assert!(time < Duration::from_secs(3), "{time:?}");
+    assert_eq!(rows(), 3);
+}

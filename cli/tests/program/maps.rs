@@ -1,0 +1,137 @@
+//! Height maps of `.npy`, `.csv` and `.gsf` as indenter and as surface.
+
+use std::fs;
+
+use ndarray::Array2;
+use ndarray_npy::WriteNpyExt;
+use serde_json::Value;
+
+use crate::runner::{CASE, Folder, Ran};
+
+/// Samples of the map along x and y, and its sides.
+const SHAPE: [usize; 2] = [40, 30];
+const SIDES: [f64; 2] = [600e-9, 450e-9];
+
+/// A paraboloid of radius 4 µm with a bump on its positive x and y, in m.
+fn height(i: usize, j: usize) -> f64 {
+    let at = |axis: usize, i: usize| ((i as f64 + 0.5) / SHAPE[axis] as f64 - 0.5) * SIDES[axis];
+    let (x, y) = (at(0, i), at(1, j));
+    let bump = if x > 50e-9 && y > 20e-9 { 0.6e-9 } else { 0.0 };
+    (x * x + y * y) / 8e-6 - bump
+}
+
+/// A folder with the case and the same map in three formats: metres, nanometres, micrometres.
+fn folder() -> Folder {
+    let folder = Folder::with_case(CASE);
+    let map = Array2::from_shape_fn(SHAPE, |(i, j)| height(i, j));
+    map.write_npy(fs::File::create(folder.path("tip.npy")).unwrap())
+        .unwrap();
+    let rows = (0..SHAPE[1]).rev();
+    let row = |j: usize| {
+        let words = (0..SHAPE[0]).map(|i| format!("{:e}", height(i, j) * 1e9));
+        words.collect::<Vec<_>>().join(", ") + "\n"
+    };
+    let csv: String = rows.clone().map(row).collect();
+    fs::write(folder.path("tip.csv"), csv).unwrap();
+    let mut gsf = format!(
+        "Gwyddion Simple Field 1.0\nXRes = {}\nYRes = {}\nXReal = {}\nYReal = {}\nXYUnits = m\nZUnits = um\n",
+        SHAPE[0], SHAPE[1], SIDES[0], SIDES[1]
+    )
+    .into_bytes();
+    gsf.resize((gsf.len() / 4 + 1) * 4, 0);
+    for j in rows {
+        #[expect(clippy::cast_possible_truncation, reason = "the format holds f32")]
+        gsf.extend((0..SHAPE[0]).flat_map(|i| ((height(i, j) * 1e6) as f32).to_le_bytes()));
+    }
+    fs::write(folder.path("tip.gsf"), gsf).unwrap();
+    folder
+}
+
+const INDENTERS: [&str; 3] = [
+    "indenter={kind=\"map\", file=\"tip.npy\", sides=[\"600 nm\", \"450 nm\"]}",
+    "indenter={kind=\"map\", file=\"tip.csv\", side=\"600 nm\", height_unit=\"nm\"}",
+    "indenter={kind=\"map\", file=\"tip.gsf\"}",
+];
+
+fn run(folder: &Folder, set: &str) -> Value {
+    summary(&folder.run(&["run", "case.toml", "--json", "--set", set]))
+}
+
+fn summary(ran: &Ran) -> Value {
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    serde_json::from_str(&ran.stdout).unwrap()
+}
+
+fn penetration(summary: &Value) -> f64 {
+    summary["steps"][0]["penetration"].as_f64().unwrap()
+}
+
+#[test]
+fn the_three_formats_give_the_same_indenter() {
+    let folder = folder();
+    let [npy, csv, gsf] = INDENTERS.map(|set| run(&folder, set));
+    assert!(npy["steps"][0]["max_pressure_at"][0].as_f64().unwrap() > 0.0);
+    // A rounding of the heights.
+    assert!((penetration(&csv) / penetration(&npy) - 1.0).abs() < 1e-9);
+    // Heights of four bytes: 6e-8 of the highest, 15 nm, in 1 nm of penetration.
+    let ratio = penetration(&gsf) / penetration(&npy);
+    assert!((ratio - 1.0).abs() < 1e-6, "{ratio} {}", penetration(&npy));
+    let at = |summary: &Value| summary["steps"][0]["max_pressure_at"].clone();
+    assert_eq!((at(&npy), at(&npy)), (at(&csv), at(&gsf)));
+}
+
+#[test]
+fn a_map_is_found_from_the_folder_of_the_case_and_its_resolved_case_is_a_case_again() {
+    let folder = folder();
+    fs::create_dir(folder.path("elsewhere")).unwrap();
+    let mut command = folder.command(&[
+        "check",
+        "../case.toml",
+        "--set",
+        "surface={kind=\"map\", file=\"tip.gsf\", compliance=\"20 nm/GPa\"}",
+    ]);
+    let checked = Folder::ran(command.current_dir(folder.path("elsewhere")));
+    assert_eq!(checked.code, Some(0), "{}", checked.stderr);
+    for line in [
+        "file = \"tip.gsf\"",
+        "height_unit = 0.000001",
+        "compliance = 0.00000000000000002",
+    ] {
+        assert!(
+            checked.stdout.contains(line),
+            "{line} in {}",
+            checked.stdout
+        );
+    }
+    fs::write(folder.path("again.toml"), checked.stdout).unwrap();
+    summary(&folder.run(&["run", "again.toml", "--json"]));
+}
+
+#[test]
+fn a_rigid_relief_pressed_by_a_paraboloid_is_a_paraboloid_pressed_by_the_relief_upside_down() {
+    let folder = folder();
+    // f − f*: it does not matter which side has the height, but for the place of the lowest point.
+    let flat = "surface={kind=\"bare\"}";
+    let bump = folder.run(&[
+        "run",
+        "case.toml",
+        "--json",
+        "--set",
+        flat,
+        "--set",
+        INDENTERS[0],
+    ]);
+    let on_relief = folder.run(&[
+        "run",
+        "case.toml",
+        "--json",
+        "--set",
+        "surface={kind=\"map\", file=\"tip.npy\", sides=[\"600 nm\", \"450 nm\"], height_unit=-1, compliance=0}",
+        "--set",
+        "indenter={kind=\"flat-punch\", radius=\"1 um\"}",
+    ]);
+    let [bump, on_relief] = [bump, on_relief].map(|ran| summary(&ran));
+    let ratio = penetration(&bump) / penetration(&on_relief);
+    // The indenter is moved so that its lowest sample stands on the axis, by less than an element.
+    assert!((ratio - 1.0).abs() < 0.02, "{ratio}");
+}

@@ -1,0 +1,228 @@
+//! `study` and `gather`: killed at random moments, in parts, with cases that fail.
+
+use std::fs;
+use std::process::Child;
+use std::thread::sleep;
+use std::time::{Duration, Instant};
+
+use serde_json::Value;
+
+use crate::runner::{CASE, Folder, Ran, names};
+
+/// 40 cases, of which the four with the widest cylinders overlap.
+const STUDY: &str = r#"[study]
+case = "case.toml"
+
+[study.vary]
+load.force = { from = "0.5 uN", to = "5 uN", count = 10, spacing = "log" }
+surface.radius = ["10 nm", "15 nm", "20 nm", "26 nm"]
+"#;
+
+const CASES: usize = 40;
+const FAILED: usize = 10;
+
+fn folder() -> Folder {
+    let folder = Folder::with_case(CASE.replace("elements = 32", "elements = 64"));
+    fs::write(folder.path("many.toml"), STUDY).unwrap();
+    folder
+}
+
+fn study(folder: &Folder, more: &[&str]) -> Ran {
+    folder.run(&[&["study", "many.toml", "--quiet"], more].concat())
+}
+
+fn table(folder: &Folder, name: &str) -> String {
+    fs::read_to_string(folder.path(&format!("results/many/{name}"))).unwrap()
+}
+
+/// The table of an undisturbed study.
+fn undisturbed() -> String {
+    let folder = folder();
+    let ran = study(&folder, &["--threads", "2"]);
+    assert_eq!(ran.code, Some(1), "{}", ran.stderr);
+    table(&folder, "results.csv")
+}
+
+/// A sequence of numbers in [0, 1) that looks like chance and is the same every time.
+struct Chance(u64);
+
+impl Chance {
+    fn next(&mut self) -> f64 {
+        // Knuth's MMIX generator.
+        let Self(state) = self;
+        *state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        (*state >> 11) as f64 / (1_u64 << 53) as f64
+    }
+}
+
+#[test]
+fn a_study_killed_at_ten_moments_ends_with_the_table_of_one_left_alone() {
+    let (folder, expected) = (folder(), undisturbed());
+    let whole = {
+        let start = Instant::now();
+        let other = self::folder();
+        study(&other, &["--threads", "2"]);
+        start.elapsed()
+    };
+    let mut chance = Chance(1);
+    let mut kills = 0;
+    for _ in 0..10 {
+        let mut child = start(&folder);
+        // Somewhere in the first fifth: so that work is left for the kills that follow.
+        sleep(whole.mul_f64(0.02 + 0.18 * chance.next()));
+        if child.try_wait().unwrap().is_none() {
+            kills += 1;
+        }
+        child.kill().unwrap();
+        child.wait().unwrap();
+    }
+    assert!(kills >= 3, "{kills}");
+    let ran = study(&folder, &["--threads", "2"]);
+    assert_eq!(ran.code, Some(1), "{}", ran.stderr);
+    assert_eq!(table(&folder, "results.csv"), expected);
+    assert_eq!(
+        names(&folder.path("results/many")),
+        ["results.csv", "study.json"]
+    );
+}
+
+fn start(folder: &Folder) -> Child {
+    let line = ["study", "many.toml", "--quiet", "--threads", "2"];
+    folder.command(&line).spawn().unwrap()
+}
+
+#[test]
+fn a_failed_case_is_recorded_and_does_not_stop_the_others() {
+    let folder = folder();
+    let ran = folder.run(&["study", "many.toml", "--json"]);
+    assert_eq!((ran.code, ran.stderr.as_str()), (Some(1), ""));
+    let report: Value = serde_json::from_str(&ran.stdout).unwrap();
+    assert_eq!(
+        (&report["cases"], &report["failed"]),
+        (&CASES.into(), &FAILED.into())
+    );
+    assert_eq!(report["certified"], CASES - FAILED);
+    let table = table(&folder, "results.csv");
+    let lines: Vec<_> = table.lines().collect();
+    assert!(lines[0].starts_with(
+        "case,status,load.force [N],surface.radius [m],step,force [N],penetration [m]"
+    ));
+    assert_eq!(lines.len(), 1 + CASES);
+    assert!(
+        lines[1].starts_with("1,certified,5e-7,1e-8,0,5e-7,"),
+        "{}",
+        lines[1]
+    );
+    assert!(
+        lines[4].starts_with("4,failed,5e-7,2.6e-8,,"),
+        "{}",
+        lines[4]
+    );
+    assert!(lines[4].contains("overlap"), "{}", lines[4]);
+    // What is done is not done again.
+    let again = Instant::now();
+    assert_eq!(study(&folder, &[]).code, Some(1));
+    assert!(again.elapsed() < Duration::from_secs(5));
+    assert_eq!(self::table(&folder, "results.csv"), table);
+}
+
+#[test]
+fn two_parts_gathered_are_the_whole_and_share_no_case() {
+    let (folder, expected) = (folder(), undisturbed());
+    assert_eq!(study(&folder, &["--shard", "1/2"]).code, Some(1));
+    let early = folder.run(&["gather", "results/many"]);
+    assert_eq!(early.code, Some(1), "{}", early.stderr);
+    assert!(early.stderr.contains("20 to do"), "{}", early.stderr);
+    assert_eq!(study(&folder, &["--shard", "2/2"]).code, Some(1));
+    let [first, second] = [1, 2].map(|i| {
+        table(&folder, &format!("results-{i}-of-2.csv"))
+            .lines()
+            .count()
+    });
+    assert_eq!((first, second), (1 + CASES / 2, 1 + CASES / 2));
+    let gathered = folder.run(&["gather", "results/many"]);
+    assert_eq!(gathered.code, Some(1), "{}", gathered.stderr);
+    assert_eq!(table(&folder, "results.csv"), expected);
+    // The whole study knows that it is done.
+    assert_eq!(study(&folder, &[]).code, Some(1));
+    assert_eq!(table(&folder, "results.csv"), expected);
+}
+
+#[test]
+fn results_of_another_study_are_kept_unless_it_is_begun_again() {
+    let folder = folder();
+    let small = STUDY
+        .replace("count = 10", "count = 2")
+        .replace(", \"26 nm\"", "");
+    fs::write(folder.path("many.toml"), &small).unwrap();
+    assert_eq!(study(&folder, &[]).code, Some(0));
+    let first = table(&folder, "results.csv");
+    fs::write(folder.path("many.toml"), small.replace("15 nm", "16 nm")).unwrap();
+    let refused = study(&folder, &[]);
+    assert_eq!(refused.code, Some(2));
+    assert!(refused.stderr.contains("--fresh"), "{}", refused.stderr);
+    assert_eq!(table(&folder, "results.csv"), first);
+    assert_eq!(study(&folder, &["--fresh"]).code, Some(0));
+    assert_ne!(table(&folder, "results.csv"), first);
+}
+
+#[test]
+fn a_study_that_is_wrong_leaves_nothing() {
+    let folder = folder();
+    for (from, to) in [
+        ("load.force", "load.froce"),
+        ("case.toml", "nothing.toml"),
+        ("count = 10", "count = 0"),
+        ("[study.vary]", "[study.varies]"),
+    ] {
+        fs::write(folder.path("many.toml"), STUDY.replace(from, to)).unwrap();
+        let ran = study(&folder, &[]);
+        assert_eq!(ran.code, Some(2), "{to}: {}", ran.stderr);
+        assert_eq!(folder.names(), ["case.toml", "many.toml"]);
+    }
+    let run = folder.run(&["run", "many.toml"]);
+    assert_eq!(run.code, Some(2));
+    assert!(run.stderr.contains("pellicle study FILE"), "{}", run.stderr);
+}
+
+#[test]
+fn a_folder_of_something_else_is_no_place_for_a_study() {
+    let folder = folder();
+    let ran = study(&folder, &["--out", "."]);
+    assert_eq!(ran.code, Some(2), "{}", ran.stderr);
+    assert_eq!(folder.names(), ["case.toml", "many.toml"]);
+}
+
+#[test]
+fn the_cases_can_be_listed_and_have_folders_of_their_own() {
+    let folder = folder();
+    fs::write(
+        folder.path("many.toml"),
+        STUDY.replace("count = 10", "count = 2"),
+    )
+    .unwrap();
+    let listed = study(&folder, &["--list"]).stdout;
+    let lines: Vec<_> = listed.lines().collect();
+    assert_eq!(lines.len(), 8);
+    assert_eq!(
+        lines[2],
+        "case 3: load.force = 500.00 nN, surface.radius = 20 nm"
+    );
+    let ran = study(&folder, &["--folders"]);
+    assert_eq!(ran.code, Some(1), "{}", ran.stderr);
+    let cases = folder.path("results/many/cases");
+    // The fourth and the eighth fail.
+    assert_eq!(names(&cases).len(), 6);
+    assert!(cases.join("case-0007/summary.json").exists());
+}
+
+#[test]
+fn the_template_of_a_study_is_one() {
+    let folder = Folder::new();
+    let template = folder.run(&["init", "study", "--out", "study.toml"]);
+    assert_eq!(template.code, Some(0));
+    let listed = folder.run(&["study", "study.toml", "--list"]);
+    assert_eq!((listed.code, listed.stdout.lines().count()), (Some(0), 12));
+}
