@@ -16,6 +16,8 @@ pub enum Unit {
     Pascal,
     /// N
     Newton,
+    /// N/m
+    NewtonPerMetre,
 }
 
 impl Unit {
@@ -25,6 +27,7 @@ impl Unit {
             Self::SquareMetre => "m²",
             Self::Pascal => "Pa",
             Self::Newton => "N",
+            Self::NewtonPerMetre => "N/m",
         }
     }
 

@@ -11,9 +11,7 @@ use pellicle_contact::{
     Cone, DiscreteProblem, Domain, GradientSolver, Indenter, Load, Model, Paraboloid, Solution,
     Solver, SolverOptions, Watch, solve_path,
 };
-use pellicle_influence::{
-    Cache, CoefficientTable, ConvolutionOperator, PeriodicSymbol, RadialTables,
-};
+use pellicle_influence::{Cache, CoefficientTable, RadialTables, SurfaceElasticity};
 use pellicle_kernel::{Foundation, Material};
 use pellicle_tests::convergence::{GRIDS, observed_order};
 use pellicle_tests::reference_data::{
@@ -28,6 +26,7 @@ const OPTIONS: SolverOptions = SolverOptions {
         tolerance: 0.0,
         method: pellicle_contact::Method::Gradient,
         max_applications: 2000,
+        contact_stiffness: false,
     }
 };
 
@@ -60,14 +59,10 @@ fn solve_discrete(case: &DiscreteContact) -> Solution {
     let gap = (0..elements)
         .map(|e| surface(case, centre(e / case.size), centre(e % case.size)))
         .collect();
-    let mut problem = DiscreteProblem::new(
-        Box::new(ConvolutionOperator::new(&table)),
-        vec![0.0; elements],
-        gap,
-        side * side,
-    )
-    .unwrap()
-    .with_symbol(PeriodicSymbol::new(&foundation, side, case.size));
+    let elasticity = Arc::new(SurfaceElasticity::new(Arc::new(table), foundation));
+    let springs = vec![0.0; elements];
+    let mut problem =
+        DiscreteProblem::elastic(elasticity, case.size, springs, gap, side * side).unwrap();
     let load = if case.given == "P" {
         Load::Force(number(&case.load))
     } else {

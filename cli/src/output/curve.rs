@@ -13,7 +13,7 @@ type Column = (
     fn(&StepSummary) -> String,
 );
 
-const COLUMNS: [Column; 12] = [
+const COLUMNS: [Column; 13] = [
     ("force", Some("N"), |step| number(step.force)),
     ("penetration", Some("m"), |step| number(step.penetration)),
     ("max pressure", Some("Pa"), |step| number(step.max_pressure)),
@@ -34,6 +34,9 @@ const COLUMNS: [Column; 12] = [
     }),
     ("contact elements", None, |step| {
         step.contact_elements.to_string()
+    }),
+    ("contact stiffness", Some("N/m"), |step| {
+        step.contact_stiffness.map_or_else(String::new, number)
     }),
     ("certificate worst", None, |step| {
         number(step.certificate.worst)

@@ -103,6 +103,8 @@ fn single(step: &StepSummary, surface: &SurfaceCase, units: Units) -> String {
         lines.quantity("  between", step.contact_area_between, Unit::SquareMetre);
     }
     lines.quantity("contact radius", step.contact_radius, Unit::Metre);
+    let stiffness = step.contact_stiffness.unwrap_or(0.0);
+    lines.quantity("contact stiffness", stiffness, Unit::NewtonPerMetre);
     let worst = format!("worst line {:.1e}", step.certificate.worst);
     lines.push("certificate", &certificate(step), &worst);
     lines.push("work", &work(step), "");

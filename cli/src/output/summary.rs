@@ -84,6 +84,9 @@ pub struct StepSummary {
     /// Distance of the farthest element in contact from the axis, m.
     #[serde(deserialize_with = "null::or_nan")]
     pub contact_radius: f64,
+    /// Contact stiffness `dQ/dD`, N/m; none without contact.
+    #[serde(default)]
+    pub contact_stiffness: Option<f64>,
     /// How well the solution satisfies the contact conditions.
     pub certificate: CertificateSummary,
     /// What the solution took.
@@ -294,6 +297,7 @@ impl StepSummary {
             contact_area_on_relief: summary.contact_area_on_relief,
             contact_area_between: summary.contact_area_between,
             contact_radius: summary.contact_radius,
+            contact_stiffness: step.contact_stiffness,
             certificate: (&solution.certificate).into(),
             work: (&step.work).into(),
             grid_error: (&step.grid_error).into(),

@@ -44,6 +44,11 @@ pub fn numbers(record: &Record, step: &StepSummary) -> String {
             error.contact_area,
         ),
         plain("contact radius", step.contact_radius, Unit::Metre),
+        plain(
+            "contact stiffness",
+            step.contact_stiffness.unwrap_or(0.0),
+            Unit::NewtonPerMetre,
+        ),
         row(
             "elements in contact",
             &step.contact_elements.to_string(),
