@@ -10,7 +10,12 @@
 //!
 //! and the smallest pressure, which must not be negative. Nothing is taken from an iteration's own residual.
 
-use crate::{DiscreteProblem, Load};
+use rayon::prelude::*;
+
+use crate::{
+    DiscreteProblem, Load,
+    vector::{by_parts, sum},
+};
 
 /// Residuals of the complementarity problem at a pressure; all dimensionless but the smallest pressure.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -89,21 +94,24 @@ impl Solution {
             .operator_mut()
             .apply_into(&pressure, &mut displacement);
         let shortening: Vec<f64> = pressure
-            .iter()
+            .par_iter()
             .zip(problem.relief_compliance())
             .map(|(p, eta)| eta * p)
             .collect();
         // v = K p + η p + g0
-        let mut gap: Vec<f64> = (0..pressure.len())
-            .map(|i| displacement[i] + shortening[i] + problem.initial_gap()[i])
+        let mut gap: Vec<f64> = displacement
+            .par_iter()
+            .zip(&shortening)
+            .zip(problem.initial_gap())
+            .map(|((u, w), g0)| u + w + g0)
             .collect();
-        let total: f64 = pressure.iter().sum();
+        let total = sum(&pressure);
         let penetration = match load {
             Load::Penetration(penetration) => penetration,
             // D = Σ p v / Σ p
             Load::Force(_) => weighted(&pressure, &gap) / total,
         };
-        gap.iter_mut().for_each(|g| *g -= penetration);
+        gap.par_iter_mut().for_each(|g| *g -= penetration);
         let force = total * problem.element_area();
         let certificate = Certificate {
             load: match load {
@@ -127,10 +135,10 @@ impl Solution {
 
 /// The lines that need no load.
 fn residuals(pressure: &[f64], gap: &[f64], penetration: f64, total: f64) -> Certificate {
-    let in_contact = || pressure.iter().zip(gap).filter(|(p, _)| **p != 0.0);
-    let weighted_gap: f64 = in_contact().map(|(p, g)| p * g.abs()).sum();
-    let largest_gap = in_contact().map(|(_, g)| g.abs()).fold(0.0, largest);
-    let overlap = gap.iter().map(|g| -g).fold(0.0, largest);
+    let parts = by_parts(pressure.len(), |part| {
+        Extremes::of(&pressure[part.clone()], &gap[part])
+    });
+    let found = parts.into_iter().fold(Extremes::NONE, Extremes::and);
     // Without pressure nothing is weighed; without penetration nothing sets a scale, and only zeros pass.
     let relative = |length: f64| {
         if length == 0.0 {
@@ -143,24 +151,64 @@ fn residuals(pressure: &[f64], gap: &[f64], penetration: f64, total: f64) -> Cer
         complementarity: if total == 0.0 {
             0.0
         } else {
-            relative(weighted_gap / total)
+            relative(found.weighted_gap / total)
         },
-        gap_in_contact: relative(largest_gap),
-        overlap: relative(overlap),
+        gap_in_contact: relative(found.largest_gap),
+        overlap: relative(found.overlap),
         load: 0.0,
-        min_pressure: pressure.iter().copied().fold(f64::INFINITY, smallest),
+        min_pressure: found.min_pressure,
         tolerance: 0.0,
+    }
+}
+
+/// Sums and extremes over some elements; NaN where one of them is.
+#[derive(Clone, Copy)]
+struct Extremes {
+    weighted_gap: f64,
+    largest_gap: f64,
+    overlap: f64,
+    min_pressure: f64,
+}
+
+impl Extremes {
+    const NONE: Self = Self {
+        weighted_gap: 0.0,
+        largest_gap: 0.0,
+        overlap: 0.0,
+        min_pressure: f64::INFINITY,
+    };
+
+    fn of(pressure: &[f64], gap: &[f64]) -> Self {
+        let mut found = Self::NONE;
+        for (p, g) in pressure.iter().zip(gap) {
+            if *p != 0.0 {
+                found.weighted_gap += p * g.abs();
+                found.largest_gap = largest(found.largest_gap, g.abs());
+            }
+            found.overlap = largest(found.overlap, -g);
+            found.min_pressure = smallest(found.min_pressure, *p);
+        }
+        found
+    }
+
+    fn and(self, other: Self) -> Self {
+        Self {
+            weighted_gap: self.weighted_gap + other.weighted_gap,
+            largest_gap: largest(self.largest_gap, other.largest_gap),
+            overlap: largest(self.overlap, other.overlap),
+            min_pressure: smallest(self.min_pressure, other.min_pressure),
+        }
     }
 }
 
 /// `Σ p v` over the elements with pressure (`v` is infinite where the indenter ends).
 fn weighted(pressure: &[f64], values: &[f64]) -> f64 {
-    pressure
-        .iter()
-        .zip(values)
-        .filter(|(p, _)| **p != 0.0)
-        .map(|(p, v)| p * v)
-        .sum()
+    let parts = by_parts(pressure.len(), |part| {
+        let fields = pressure[part.clone()].iter().zip(&values[part]);
+        let pressed = fields.filter(|(p, _)| **p != 0.0);
+        pressed.map(|(p, v)| p * v).sum::<f64>()
+    });
+    parts.into_iter().sum()
 }
 
 /// The larger of two, NaN if either is.

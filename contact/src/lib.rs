@@ -26,6 +26,7 @@ pub mod reference;
 pub mod solver;
 mod summary;
 mod trust;
+mod vector;
 mod warning;
 mod window;
 mod work;

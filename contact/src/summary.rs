@@ -2,7 +2,7 @@
 
 use pellicle_texture::{Grid, SampledRelief};
 
-use crate::Solution;
+use crate::{Solution, vector::by_parts};
 
 /// Largest and mean pressure, contact area and extent. An element is in contact where its pressure is positive.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,27 +30,24 @@ impl Summary {
     #[must_use]
     pub fn new(solution: &Solution, grid: &Grid, relief: &SampledRelief) -> Self {
         let pressure = &solution.pressure;
-        let in_contact = || {
-            pressure
-                .iter()
-                .enumerate()
-                .filter(|(_, p)| **p > 0.0)
-                .map(|(e, _)| e)
-        };
         let place = |e: usize| [grid.centre(e / grid.size()), grid.centre(e % grid.size())];
-        let largest = in_contact().fold(0, |best, e| {
-            if pressure[e] > pressure[best] {
-                e
-            } else {
-                best
+        let parts = by_parts(pressure.len(), |part| {
+            let mut found = Contact::default();
+            for e in part.filter(|e| pressure[*e] > 0.0) {
+                found.add(e, pressure[e], relief.mask()[e], place(e));
             }
+            found
         });
-        let contact_elements = in_contact().count();
-        let on_relief = in_contact().filter(|e| relief.mask()[*e]).count();
+        let Contact {
+            largest: (max_pressure, largest),
+            elements: contact_elements,
+            on_relief,
+            radius: contact_radius,
+        } = parts.into_iter().fold(Contact::default(), Contact::and);
         let area = |elements: usize| elements as f64 * grid.element_area();
         let contact_area = area(contact_elements);
         Self {
-            max_pressure: pressure[largest],
+            max_pressure,
             max_pressure_at: place(largest),
             mean_pressure: if contact_elements == 0 {
                 0.0
@@ -61,10 +58,43 @@ impl Summary {
             contact_elements,
             contact_area_on_relief: area(on_relief),
             contact_area_between: area(contact_elements - on_relief),
-            contact_radius: in_contact()
-                .map(place)
-                .map(|[x, y]| x.hypot(y))
-                .fold(0.0, f64::max),
+            contact_radius,
+        }
+    }
+}
+
+/// What is counted over some elements.
+#[derive(Clone, Copy, Default)]
+struct Contact {
+    /// The largest pressure and the first element that has it.
+    largest: (f64, usize),
+    elements: usize,
+    on_relief: usize,
+    radius: f64,
+}
+
+impl Contact {
+    fn add(&mut self, element: usize, pressure: f64, is_on_relief: bool, [x, y]: [f64; 2]) {
+        if pressure > self.largest.0 {
+            self.largest = (pressure, element);
+        }
+        self.elements += 1;
+        self.on_relief += usize::from(is_on_relief);
+        self.radius = self.radius.max(x.hypot(y));
+    }
+
+    /// Both, the other after the one.
+    fn and(self, other: Self) -> Self {
+        let other_is_larger = other.largest.0 > self.largest.0;
+        Self {
+            largest: if other_is_larger {
+                other.largest
+            } else {
+                self.largest
+            },
+            elements: self.elements + other.elements,
+            on_relief: self.on_relief + other.on_relief,
+            radius: self.radius.max(other.radius),
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Doubts about a result: what the grid and the model cannot be trusted with.
 
 use pellicle_texture::{Grid, Relief};
+use rayon::prelude::*;
 
 use crate::{Model, Step, Warning, domain::slope};
 
@@ -17,7 +18,7 @@ const LARGEST_SLOPE: f64 = 0.3;
 pub(crate) fn elements_to_edge(pressure: &[f64]) -> Option<usize> {
     let size = pressure.len().isqrt();
     let last = size - 1;
-    let in_contact = pressure.iter().enumerate().filter(|(_, p)| **p > 0.0);
+    let in_contact = pressure.par_iter().enumerate().filter(|(_, p)| **p > 0.0);
     let to_edge = |e: usize| {
         let (i, j) = (e / size, e % size);
         i.min(j).min(last - i).min(last - j)

@@ -4,6 +4,7 @@
 //! certificate.
 
 use pellicle_influence::SurfaceElasticity;
+use rayon::prelude::*;
 
 /// Elements between the contact expected and the window's border, at least.
 const MARGIN: usize = 3;
@@ -67,7 +68,7 @@ impl Window {
     /// Where a path of loads is to come, the window leaves room for the contact to grow.
     pub fn around(
         grid: usize,
-        belongs: impl Fn(usize) -> bool,
+        belongs: impl Fn(usize) -> bool + Sync,
         old: Option<Self>,
         room: Room,
     ) -> Self {
@@ -159,20 +160,25 @@ impl Window {
 }
 
 impl Extent {
-    fn of(grid: usize, belongs: impl Fn(usize) -> bool) -> Option<Self> {
-        let mut extent: Option<Self> = None;
-        for e in (0..grid * grid).filter(|e| belongs(*e)) {
-            let place = [e / grid, e % grid];
-            let known = extent.get_or_insert(Self {
-                first: place,
-                last: place,
-            });
-            for axis in [0, 1] {
-                known.first[axis] = known.first[axis].min(place[axis]);
-                known.last[axis] = known.last[axis].max(place[axis]);
-            }
+    fn of(grid: usize, belongs: impl Fn(usize) -> bool + Sync) -> Option<Self> {
+        let rows = (0..grid).into_par_iter();
+        let of_row = |i: usize| {
+            let first = (0..grid).find(|j| belongs(i * grid + j))?;
+            let last = (first..grid).rfind(|j| belongs(i * grid + j))?;
+            Some(Self {
+                first: [i, first],
+                last: [i, last],
+            })
+        };
+        rows.filter_map(of_row).reduce_with(Self::and)
+    }
+
+    /// The smallest extent that holds both.
+    fn and(self, other: Self) -> Self {
+        Self {
+            first: [0, 1].map(|axis: usize| self.first[axis].min(other.first[axis])),
+            last: [0, 1].map(|axis: usize| self.last[axis].max(other.last[axis])),
         }
-        extent
     }
 }
 

@@ -3,14 +3,21 @@
 //! On the set `I` and the pressures of one total, minimise the energy: `d ← z + β d` with the projected
 //! preconditioned residual `z`, `α = r·z / d·(K + η)d`, `β` by Polak and Ribière, never negative.
 
+use rayon::prelude::*;
+
 use super::{
     iterate::State,
     preconditioner::{Preconditioner, residual_into},
     segment::{Part, Segment},
-    vector::{dot, update},
     working_set::WorkingSet,
 };
-use crate::DiscreteProblem;
+use crate::{
+    DiscreteProblem,
+    vector::{dot, update},
+};
+
+/// Elements worth a thread of their own.
+const MIN_PART: usize = 1 << 14;
 
 /// What became of a step that may not pull.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -64,7 +71,8 @@ impl ConjugateDirections {
             return Course::Left(Part::Cut);
         }
         let pulls = |(p, d): (&f64, &f64)| p + alpha * d < 0.0;
-        if !state.pressure.iter().zip(&self.direction).any(pulls) {
+        let steps = state.pressure.par_iter().zip(&self.direction);
+        if !steps.with_min_len(MIN_PART).any(pulls) {
             state.advance(alpha, &self.direction, &self.segment.image);
             return Course::Kept;
         }

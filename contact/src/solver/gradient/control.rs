@@ -1,7 +1,7 @@
 //! What the two ways of loading ask of a pressure: a given total, or nothing but a given penetration.
 
-use super::vector::{by_parts, dot, sum};
 use crate::Load;
+use crate::vector::{by_parts, dot, each, sum};
 
 /// The prescribed quantity in the solver's terms.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,7 +33,7 @@ impl Control {
     pub fn rescale(self, pressure: &mut [f64]) {
         if let Self::Total(total) = self {
             let factor = total / sum(pressure);
-            pressure.iter_mut().for_each(|p| *p *= factor);
+            each(pressure, |p| *p *= factor);
         }
     }
 

@@ -1,10 +1,10 @@
 //! The state of the iteration: a pressure, what it deforms, and how far it is from a solution.
 
-use super::{
-    control::Control,
-    vector::{add_scaled, by_parts, sum, update},
+use super::control::Control;
+use crate::{
+    DiscreteProblem,
+    vector::{add_scaled, by_parts, each, sum, update},
 };
-use crate::DiscreteProblem;
 
 /// Stands for an infinite initial gap: finite, so that `0 · g0` stays 0, and beyond any displacement.
 const NEVER: f64 = 1e300;
@@ -100,7 +100,7 @@ impl State {
 
     /// `p ← max(p, 0)`, brought to the prescribed total: one product.
     pub fn clip(&mut self, problem: &mut DiscreteProblem) {
-        self.pressure.iter_mut().for_each(|p| *p = p.max(0.0));
+        each(&mut self.pressure, |p| *p = p.max(0.0));
         self.control.rescale(&mut self.pressure);
         self.refresh(problem);
     }

@@ -37,7 +37,6 @@ mod sparse_factor;
 mod spectral;
 mod stiffness;
 mod strategy;
-mod vector;
 mod working_set;
 
 use self::{

@@ -10,10 +10,12 @@ use super::{
     conjugate::ConjugateDirections,
     iterate::State,
     preconditioner::{Preconditioner, residual_into},
-    vector::{dot, sum},
     working_set::WorkingSet,
 };
-use crate::DiscreteProblem;
+use crate::{
+    DiscreteProblem,
+    vector::{dot, sum},
+};
 
 /// The part of the smallest residual to which the first linear system is solved.
 const FORCING: f64 = 0.1;

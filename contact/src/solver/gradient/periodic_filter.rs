@@ -10,7 +10,7 @@ use rayon::prelude::*;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 use rustfft::{Fft, FftPlanner, num_complex::Complex32};
 
-use super::vector::by_parts;
+use crate::vector::by_parts;
 
 /// Columns transformed together: their N values each fit the second-level cache up to N = 4096.
 const BLOCK: usize = 16;

@@ -9,14 +9,13 @@
 use pellicle_influence::PeriodicSymbol;
 
 use super::{
-    control::Control,
-    iterate::State,
-    periodic_filter::PeriodicFilter,
-    sparse_factor::SparseFactor,
-    vector::{sum, update, update_with},
+    control::Control, iterate::State, periodic_filter::PeriodicFilter, sparse_factor::SparseFactor,
     working_set::WorkingSet,
 };
-use crate::DiscreteProblem;
+use crate::{
+    DiscreteProblem,
+    vector::{sum, update, update_with},
+};
 
 /// Response to the longest wave over that to the shortest from which on a coat counts as stiff. Both preconditioners are
 /// equally good on a homogeneous body, 1; under a coat ten times as stiff as what it lies on, 2 to 10, the factor takes half the products.

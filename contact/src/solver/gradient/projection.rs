@@ -1,6 +1,7 @@
 //! The Euclidean projection onto the admissible pressures.
 
-use super::{control::Control, vector::sum};
+use super::control::Control;
+use crate::vector::sum;
 
 /// Replaces `x` by the nearest pressure `p ≥ 0` that keeps to the control: `p = max(x − θ, 0)`, where `θ` gives
 /// the prescribed total (0 where none is prescribed).

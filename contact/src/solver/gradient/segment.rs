@@ -1,10 +1,10 @@
 //! A step from one admissible pressure towards another, and how much of it to take.
 
-use super::{
-    iterate::State,
-    vector::{add_scaled, dot, update_with},
+use super::iterate::State;
+use crate::{
+    DiscreteProblem,
+    vector::{add_scaled, dot, each, update_with},
 };
-use crate::DiscreteProblem;
 
 /// A step `s` that keeps to the control, with `p + s ≥ 0`, and its image `y = (K + η) s`. Every part `t ∈ [0, 1]` of it
 /// leads to an admissible pressure, and the energy there is known without a product:
@@ -64,7 +64,7 @@ impl Segment {
         // A step of nothing has no curvature, and no part of it is worth taking.
         let part = if part.is_finite() { part } else { 0.0 };
         state.advance(part, &self.step, &self.image);
-        state.pressure.iter_mut().for_each(|p| *p = p.max(0.0));
+        each(&mut state.pressure, |p| *p = p.max(0.0));
         if whole { Part::Whole } else { Part::Cut }
     }
 }

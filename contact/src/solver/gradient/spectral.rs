@@ -9,10 +9,12 @@ use super::{
     preconditioner::{Preconditioner, residual_into},
     projection::project,
     segment::{Part, Segment},
-    vector::{add_scaled, dot},
     working_set::WorkingSet,
 };
-use crate::DiscreteProblem;
+use crate::{
+    DiscreteProblem,
+    vector::{add_scaled, dot},
+};
 
 /// Bounds of the step `α`; 1 is the preconditioner's own idea. Steps seen in practice lie between 0.02 and 3.
 const STEP_BOUNDS: [f64; 2] = [0.02, 4.0];

@@ -4,12 +4,11 @@
 //! gradients from zero raise `Σ q = qᵀ (K + η) q` at each step by `α r·z` to its largest value, so the error of the sum is the square
 //! of that of the solution.
 
-use super::{
-    preconditioner::Preconditioner,
+use super::{preconditioner::Preconditioner, working_set::WorkingSet};
+use crate::{
+    DiscreteProblem,
     vector::{add_scaled, dot, update},
-    working_set::WorkingSet,
 };
-use crate::DiscreteProblem;
 
 /// The last step's part of the sum at which to stop; what is left is smaller still.
 const SMALLEST_GAIN: f64 = 1e-9;

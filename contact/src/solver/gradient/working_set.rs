@@ -1,6 +1,11 @@
 //! The working set: the elements in contact and those about to be.
 
+use rayon::prelude::*;
+
 use super::iterate::State;
+
+/// Elements that one thread looks at together.
+const PART: usize = 1 << 14;
 
 /// A mask over the grid of the elements whose pressures are free.
 pub struct WorkingSet {
@@ -44,14 +49,23 @@ impl WorkingSet {
         self.revise_by(state, |_, p, _| p > 0.0);
     }
 
-    fn revise_by(&mut self, state: &State, belongs: impl Fn(bool, f64, f64) -> bool) {
-        (self.len, self.changed) = (0, 0);
-        for ((member, p), v) in self.mask.iter_mut().zip(&state.pressure).zip(&state.v) {
-            let belongs = belongs(*member, *p, *v);
-            self.changed += usize::from(belongs != *member);
-            self.len += usize::from(belongs);
-            *member = belongs;
-        }
+    fn revise_by(&mut self, state: &State, belongs: impl Fn(bool, f64, f64) -> bool + Sync) {
+        let fields = state
+            .pressure
+            .par_chunks(PART)
+            .zip(state.v.par_chunks(PART));
+        let parts = self.mask.par_chunks_mut(PART).zip(fields);
+        let counts = parts.map(|(mask, (pressure, v))| {
+            let (mut len, mut changed) = (0, 0);
+            for ((member, p), v) in mask.iter_mut().zip(pressure).zip(v) {
+                let belongs = belongs(*member, *p, *v);
+                changed += usize::from(belongs != *member);
+                len += usize::from(belongs);
+                *member = belongs;
+            }
+            (len, changed)
+        });
+        (self.len, self.changed) = counts.reduce(|| (0, 0), |a, b| (a.0 + b.0, a.1 + b.1));
     }
 
     /// Whether the last revision changed nothing.

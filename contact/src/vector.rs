@@ -58,6 +58,16 @@ fn sum_of_part(a: &[f64]) -> f64 {
     sums.iter().sum::<f64>() + rest.iter().sum::<f64>()
 }
 
+/// Applies `rule` to every element.
+pub fn each(y: &mut [f64], rule: impl Fn(&mut f64) + Sync) {
+    if y.len() <= SHORT {
+        y.iter_mut().for_each(rule);
+    } else {
+        y.par_chunks_mut(PART)
+            .for_each(|y| y.iter_mut().for_each(&rule));
+    }
+}
+
 /// `y ← y + α x`.
 pub fn add_scaled(y: &mut [f64], alpha: f64, x: &[f64]) {
     update(y, x, |y, x| *y += alpha * x);
