@@ -170,7 +170,8 @@ impl Extent {
                 last: [i, last],
             })
         };
-        rows.filter_map(of_row).reduce_with(Self::and)
+        let extents: Vec<Self> = rows.filter_map(of_row).collect();
+        extents.into_iter().reduce(Self::and)
     }
 
     /// The smallest extent that holds both.

@@ -56,7 +56,7 @@ use crate::{ContactError, DiscreteProblem, Load};
 
 /// The iteration stops at this part of the tolerance, so that rounding between its running residual and the
 /// freshly computed certificate cannot decide.
-const TOLERANCE_MARGIN: f64 = 0.5;
+const TOLERANCE_MARGIN: f64 = 0.8;
 
 /// The gradient method; see the module's page.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

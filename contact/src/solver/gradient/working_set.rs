@@ -65,7 +65,9 @@ impl WorkingSet {
             }
             (len, changed)
         });
-        (self.len, self.changed) = counts.reduce(|| (0, 0), |a, b| (a.0 + b.0, a.1 + b.1));
+        let counts: Vec<(usize, usize)> = counts.collect();
+        self.len = counts.iter().map(|(len, _)| len).sum();
+        self.changed = counts.iter().map(|(_, changed)| changed).sum();
     }
 
     /// Whether the last revision changed nothing.
