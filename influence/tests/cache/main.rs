@@ -1,0 +1,12 @@
+//! The cache: what comes out is what was put in, to the bit, and whatever happens to the disk costs no more than time.
+
+#![expect(
+    clippy::unwrap_used,
+    reason = "a scene that cannot be built fails its test"
+)]
+
+mod contents;
+mod damage;
+mod folder;
+mod scene;
+mod together;
