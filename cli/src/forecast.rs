@@ -5,8 +5,9 @@
 
 use pellicle_contact::{
     ContactError, Load, LoadingPath, Method, Model, SolverOptions, Step, Warning, default_side,
-    solve_path,
+    model_warnings, solve_path,
 };
+use pellicle_texture::Grid;
 
 use crate::case::Case;
 
@@ -19,12 +20,6 @@ const MOST_PRODUCTS: usize = 150;
 /// By how much the products of a hard case grow when the elements are halved; those of an easy case hardly do. *Measured* on the cases of
 /// Fig. 2 of the paper, N = 128 to 1024: 1.0 to 1.1 on soft coatings, 1.2 to 1.6 on stiff ones.
 const GROWTH: f64 = 1.5;
-
-/// Fewer elements than this per radius of a cylinder draw the solution's warning.
-const FEWEST_PER_RADIUS: f64 = 4.0;
-
-/// Fewer elements than this per thickness of a layer draw the solution's warning.
-const FEWEST_PER_THICKNESS: f64 = 0.02;
 
 /// Fewer elements than this from the middle of a contact to its edge leave an area uncertain by a tenth and more: a circle of radius 5 holds
 /// some 80 elements, of which 30 are cut by its rim.
@@ -57,7 +52,7 @@ impl Forecast {
             },
             |path| path.grid.side(),
         );
-        let mut warnings = resolution(model, side / case.grid.elements as f64);
+        let mut warnings = resolution(model, side, case.grid.elements);
         match &path {
             Ok(path) => {
                 warnings.extend(smallest(path, side / case.grid.elements as f64));
@@ -136,26 +131,11 @@ fn of_the_model(warning: &Warning, last: usize) -> Option<String> {
     (step == last).then(|| format!("at the largest load, {words}"))
 }
 
-/// What elements of this side will not resolve.
-fn resolution(model: &Model, element_side: f64) -> Vec<String> {
-    let mut warnings = Vec::new();
-    if let pellicle_texture::Relief::Cylinders(cylinders) = &model.relief {
-        let elements_per_radius = cylinders.radius() / element_side;
-        if elements_per_radius < FEWEST_PER_RADIUS {
-            warnings.push(Warning::TextureUnderResolved {
-                elements_per_radius,
-            });
-        }
-    }
-    let layers = model.tables.foundation().layers().iter().enumerate();
-    warnings.extend(layers.filter_map(|(layer, found)| {
-        let elements_per_thickness = found.thickness() / element_side;
-        let few = elements_per_thickness < FEWEST_PER_THICKNESS;
-        few.then_some(Warning::LayerUnderResolved {
-            layer,
-            elements_per_thickness,
-        })
-    }));
+/// What elements of the case will not resolve on a domain of this side; nothing of a side that is none.
+fn resolution(model: &Model, side: f64, elements: usize) -> Vec<String> {
+    let grid = Grid::new(side, elements);
+    let warnings = grid.map(|grid| model_warnings(model, &grid));
+    let warnings = warnings.unwrap_or_default();
     warnings.iter().map(ToString::to_string).collect()
 }
 

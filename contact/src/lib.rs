@@ -50,5 +50,6 @@ pub use solver::{
     gradient::GradientSolver,
 };
 pub use summary::Summary;
+pub use trust::model_warnings;
 pub use warning::Warning;
 pub use work::{LevelWork, Work};

@@ -26,8 +26,9 @@ pub(crate) fn elements_to_edge(pressure: &[f64]) -> Option<usize> {
     in_contact.map(|(e, _)| to_edge(e)).min()
 }
 
-/// Doubts that hold for every load.
-pub(crate) fn model_warnings(model: &Model, grid: &Grid) -> Vec<Warning> {
+/// Doubts about a model on a grid that hold for every load: a texture or a layer that the elements do not resolve.
+#[must_use]
+pub fn model_warnings(model: &Model, grid: &Grid) -> Vec<Warning> {
     let mut warnings = Vec::new();
     if let Relief::Cylinders(cylinders) = &model.relief {
         let elements_per_radius = cylinders.radius() / grid.element_side();

@@ -13,9 +13,12 @@ use crate::forecast::Forecast;
 use crate::program::Outcome;
 use crate::{cache, terminal};
 
-/// Memory of a run per element, in bytes, measured as the resident set of fig2c at N = 512, 1024 and 2048: 250, 230 and 223
-/// with one step, of which a step's four fields are 32.
-const BYTES_PER_ELEMENT: f64 = 210.0;
+/// Memory of a run of one step per element, in bytes, without the step's fields: the resident set of fig2c at N = 512, 1024 and
+/// 2048 is 102 to 112 with them.
+const BYTES_PER_ELEMENT: f64 = 80.0;
+
+/// The same of a run of several steps, which keeps its grids and windows: 290 with three steps' fields at N = 1024.
+const BYTES_PER_ELEMENT_OF_MANY: f64 = 195.0;
 
 /// Memory of a loading step per element, in bytes: four fields.
 const BYTES_PER_ELEMENT_AND_STEP: f64 = 32.0;
@@ -83,7 +86,12 @@ fn estimates(case: &Case, forecast: &Forecast, chosen: bool) -> String {
 
 fn memory(case: &Case) -> String {
     let (elements, steps) = (case.grid.elements, case.load.steps().len());
-    let per_element = BYTES_PER_ELEMENT + BYTES_PER_ELEMENT_AND_STEP * steps as f64;
+    let kept = if steps > 1 {
+        BYTES_PER_ELEMENT_OF_MANY
+    } else {
+        BYTES_PER_ELEMENT
+    };
+    let per_element = kept + BYTES_PER_ELEMENT_AND_STEP * steps as f64;
     let bytes = per_element * (elements * elements) as f64;
     format!("{} MB", significant(bytes / 1e6, 2))
 }
