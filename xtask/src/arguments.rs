@@ -1,5 +1,7 @@
 //! The command line of `cargo xtask`.
 
+use std::ffi::OsString;
+
 use clap::{Parser, Subcommand};
 
 use crate::{CompareArguments, PellicleArguments};
@@ -23,6 +25,13 @@ pub enum Command {
     /// One run of Pellicle for `compare`, which times it in a process of its own.
     #[command(hide = true)]
     Pellicle(PellicleArguments),
+    /// The program `pellicle` itself, with its own command line: what the tests run instead of a release build.
+    #[command(hide = true, disable_help_flag = true)]
+    Program {
+        /// Its command line.
+        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+        arguments: Vec<OsString>,
+    },
 }
 
 #[cfg(test)]

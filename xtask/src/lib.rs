@@ -9,6 +9,7 @@ mod compare;
 mod error;
 mod manifest;
 mod markdown;
+mod paper;
 mod tidy;
 mod tree;
 mod violation;
@@ -19,6 +20,7 @@ pub use compare::{
     Rival, Row, Solved, compare, run_pellicle,
 };
 pub use error::XtaskError;
+pub use paper::{Keep, PaperCase, PaperRun, Program, Request, Runner};
 pub use tidy::tidy;
 pub use tree::{File, Tree};
 pub use violation::Violation;

@@ -17,6 +17,10 @@ fn main() -> ExitCode {
         Command::Tidy => tidy(),
         Command::Compare(arguments) => compare(&arguments),
         Command::Pellicle(arguments) => pellicle(&arguments),
+        Command::Program { arguments } => {
+            let line = std::iter::once("pellicle".into()).chain(arguments);
+            Ok(pellicle_cli::program::main(line))
+        }
     };
     done.unwrap_or_else(|error| {
         eprintln!("{error}");
