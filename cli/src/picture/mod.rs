@@ -14,6 +14,7 @@ pub mod pressure_map;
 pub mod pressure_view;
 pub mod projection;
 pub mod raster;
+pub mod scene;
 pub mod section;
 pub mod subject;
 pub mod svg;
