@@ -6,6 +6,8 @@
 mod arguments;
 mod chart;
 mod figure;
+mod figure_2;
+mod figure_5;
 mod line;
 mod loading;
 mod note;
@@ -86,10 +88,10 @@ fn draw(
         tell,
     };
     match figure {
-        Figure::Two => pressures::figure_2(&mut studio),
+        Figure::Two => figure_2::draw(&mut studio),
         Figure::Three => profiles::figure_3(&mut studio),
         Figure::Four => loading::figure_4(&mut studio),
-        Figure::Five => pressures::figure_5(&mut studio),
+        Figure::Five => figure_5::draw(&mut studio),
         Figure::Six => loading::figure_6(&mut studio),
     }
 }

@@ -6,9 +6,8 @@ use pellicle_cli::picture::svg::{Anchor, Place, Stroke, Svg};
 use super::line::Line;
 
 /// Sizes of letters, width of lines and marks, in pixels.
-const TITLE: f64 = 18.0;
+const TITLE: f64 = 17.0;
 const LEGEND: f64 = 17.0;
-const WIDTH: f64 = 2.2;
 const MARK: f64 = 3.2;
 
 /// Length of a line in the legend, and from there to its words.
@@ -40,7 +39,7 @@ fn draw_line(svg: &mut Svg, panel: &Panel, line: &Line) {
         &parts,
         Stroke {
             colour,
-            width: WIDTH,
+            width: line.width,
         },
         line.dash,
     );

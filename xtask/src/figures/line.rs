@@ -12,6 +12,8 @@ pub(super) struct Line {
     pub name: String,
     pub colour: Colour,
     pub dash: Dash,
+    /// In pixels.
+    pub width: f64,
     /// Whether its points are marked.
     pub is_marked: bool,
     /// The parts, each a list of points.
@@ -19,6 +21,9 @@ pub(super) struct Line {
 }
 
 impl Line {
+    /// The width of most lines.
+    pub(super) const WIDTH: f64 = 2.2;
+
     /// All its points.
     pub(super) fn points(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
         self.parts.iter().flatten().copied()
@@ -56,6 +61,7 @@ mod tests {
             name: "a, b".into(),
             colour: Colour(0, 0, 0),
             dash: Dash::Solid,
+            width: Line::WIDTH,
             is_marked: false,
             parts: vec![vec![(1.0, third)], vec![(2.0, -third)]],
         };

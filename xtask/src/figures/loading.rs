@@ -7,7 +7,7 @@ use pellicle_cli::picture::colours::{self, Colour};
 use pellicle_cli::picture::svg::{Dash, Place};
 
 use super::line::{self, Line};
-use super::parameters::Parameters;
+use super::parameters::{Parameters, short};
 use super::picture::Picture;
 use super::sheet::Sheet;
 use super::studio::{PEAK, PENETRATION, Studio};
@@ -20,6 +20,10 @@ const SIDE: f64 = 500.0;
 const COLUMN: f64 = LEFT + SIDE + 36.0;
 const LEGEND: f64 = 66.0;
 const HEIGHT: f64 = LEGEND + 44.0 + SIDE + 76.0;
+
+/// The coating with and without film.
+pub(super) const FILM: Colour = colours::SKY;
+pub(super) const BARE: Colour = colours::AMBER;
 
 /// A curve of a figure: the run, its name, how it is drawn.
 struct Curve {
@@ -126,8 +130,8 @@ pub(super) fn figure_6(studio: &mut Studio<'_>) -> Result<Vec<Picture>, XtaskErr
         })
     };
     let curves = [
-        curve(PaperCase::Fig6Film, "with film", colours::SKY)?,
-        curve(PaperCase::Fig6Bare, "without film", colours::AMBER)?,
+        curve(PaperCase::Fig6Film, "with film", FILM)?,
+        curve(PaperCase::Fig6Bare, "without film", BARE)?,
     ];
     let views = [
         View {
@@ -147,17 +151,18 @@ pub(super) fn figure_6(studio: &mut Studio<'_>) -> Result<Vec<Picture>, XtaskErr
     };
     let film = Parameters::of(&curves[0].run);
     let subtitle = format!(
-        "{}{}; coating {}, {}, {}; film {}",
+        "{}tip radius {}; coating {}; film {}",
         studio.quality.mark(),
         film.tip_radius(),
-        film.modulus(),
-        film.materials(),
         film.thickness(),
         film.film()
     );
     let force = quantity(curves[0].run.last().force, Unit::Newton, Units::Si);
     let remark = format!(
-        "The last load, {force}, is that of Fig. 5. The film shortens by more than its thickness, as printed."
+        "coating: {}, {}. The last load, {}, is that of Fig. 5; the film shortens by more than its thickness, as printed.",
+        film.modulus(),
+        film.materials(),
+        short(&force)
     );
     let notes = notes(remark, &curves, true);
     let title = "Fig. 6: Berkovich pyramid with a rounded tip, with and without film";
@@ -213,6 +218,7 @@ fn lines(curves: &[Curve], load: &LoadAxis, view: &View) -> Vec<Line> {
         name: curve.name.to_owned(),
         colour: curve.colour,
         dash: curve.dash,
+        width: Line::WIDTH,
         is_marked: true,
         parts: vec![points(&curve.run, load, view)],
     };

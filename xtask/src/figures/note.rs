@@ -3,15 +3,20 @@
 use pellicle_cli::display::significant;
 use pellicle_cli::output::summary::{EstimateSummary, LevelSummary, StepSummary};
 
+use super::number::power;
 use crate::PaperRun;
+
+/// What the brackets in the notes of steps mean.
+pub(super) const BRACKETS: &str =
+    "[…]: not resolved by the grids; the change from the next coarser grid";
 
 /// The note of one loading step.
 pub(super) fn of_step(run: &PaperRun, step: &StepSummary) -> String {
     let errors = &step.grid_error;
     format!(
-        "{}, certificate {}; grid error: D {}, area {}, largest p {}",
+        "{}, certificate {}; grid error of D {}, of the area {}, of the largest p {}",
         grid(run),
-        significant(step.certificate.worst, 1),
+        power(step.certificate.worst, 1),
         error(
             step.penetration,
             errors.penetration,
@@ -44,7 +49,7 @@ pub(super) fn of_path(run: &PaperRun, with_peak: bool) -> String {
         "{}, {} loads, certificates ≤ {}; change of D from the next coarser grid ≤ {}{peak}",
         grid(run),
         run.steps().len(),
-        significant(run.worst(), 1),
+        power(run.worst(), 1),
         percent(penetration),
     )
 }
@@ -58,7 +63,7 @@ fn grid(run: &PaperRun) -> String {
 fn error(value: f64, estimate: Option<EstimateSummary>, change: f64) -> String {
     match estimate {
         Some(error) if error.resolved => format!("± {}", percent(error.estimate / value)),
-        _ if change.is_finite() => format!("not resolved (last change {})", percent(change)),
+        _ if change.is_finite() => format!("[{}]", percent(change)),
         _ => "unknown".into(),
     }
 }
@@ -91,10 +96,7 @@ mod tests {
             })
         };
         assert_eq!(error(2.0, estimate(true), 0.5), "± 1.0 %");
-        assert_eq!(
-            error(2.0, estimate(false), 0.31),
-            "not resolved (last change 31 %)"
-        );
+        assert_eq!(error(2.0, estimate(false), 0.31), "[31 %]");
         assert_eq!(error(2.0, None, f64::NAN), "unknown");
     }
 }

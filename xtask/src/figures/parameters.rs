@@ -54,19 +54,18 @@ impl<'a> Parameters<'a> {
         format!("T = R/{}", power(1.0 / self.number("/surface/period"), 4))
     }
 
-    /// `5 nm, 140 MPa` of a film.
+    /// `5 nm thick, modulus 140 MPa`, of a film.
     pub(super) fn film(&self) -> String {
-        let modulus = self.number("/surface/young_modulus");
+        let modulus = self.in_words(self.number("/surface/young_modulus"), Unit::Pascal);
         format!(
-            "H_w = {}, E_w = {}",
-            self.length("/surface/thickness"),
-            self.in_words(modulus, Unit::Pascal)
+            "{} thick, modulus {modulus}",
+            self.length("/surface/thickness")
         )
     }
 
     /// The radius of a pyramid's tip.
     pub(super) fn tip_radius(&self) -> String {
-        format!("R_b = {}", self.length("/indenter/tip_radius"))
+        self.length("/indenter/tip_radius")
     }
 
     fn length(&self, place: &str) -> String {
@@ -91,7 +90,7 @@ impl<'a> Parameters<'a> {
 }
 
 /// `10.000 nm` as `10 nm`.
-fn short(quantity: &str) -> String {
+pub(super) fn short(quantity: &str) -> String {
     match quantity.split_once(' ') {
         Some((number, unit)) if number.contains('.') => {
             let number = number.trim_end_matches('0').trim_end_matches('.');
@@ -118,8 +117,8 @@ mod tests {
         };
         assert_eq!(parameters.materials(), "E₁/E₂ = 10, ν₁ = 0.3, ν₂ = 0.4");
         assert_eq!(parameters.thickness(), "H = 10 nm");
-        assert_eq!(parameters.film(), "H_w = 5 nm, E_w = 140 MPa");
+        assert_eq!(parameters.film(), "5 nm thick, modulus 140 MPa");
         assert_eq!(parameters.period(), "T = R/80");
-        assert_eq!(parameters.tip_radius(), "R_b = NaN m");
+        assert_eq!(parameters.tip_radius(), "NaN m");
     }
 }

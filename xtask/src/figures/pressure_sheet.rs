@@ -48,8 +48,10 @@ pub(super) struct Shown<'a> {
     pub fields: Fields<'a>,
     /// The unit of its pressures.
     pub pascals: Scale,
-    /// The end of its pressures' axis and of its colours, in that unit.
+    /// The end of its pressures' axis, in that unit.
     pub top: f64,
+    /// The end of the colours of its map, in that unit; what is above has the last colour.
+    pub brightest: f64,
 }
 
 /// What is the same in all panels.
@@ -120,7 +122,7 @@ fn draw_map(
         x: common.axis("x", 6),
         y: common.axis("y", 6),
     };
-    let largest = shown.top * shown.pascals.divisor;
+    let largest = shown.brightest * shown.pascals.divisor;
     svg.within(place, |svg| {
         pressure_map::draw_field(svg, &panel, coarse, (common.metres.divisor, largest));
     });
@@ -130,7 +132,7 @@ fn draw_map(
         width: BAR,
         ..place
     };
-    colour_bar::draw(svg, bar, &shown.pascals, shown.top);
+    colour_bar::draw(svg, bar, &shown.pascals, shown.brightest);
 }
 
 /// The pressures as columns over the surface.

@@ -41,19 +41,19 @@ pub(super) fn figure_3(studio: &mut Studio<'_>) -> Result<Vec<Picture>, XtaskErr
     };
     let panels = [
         (
-            "compliant coating, loads of Fig. 2",
+            "compliant, Q as in Fig. 2",
             loads([(PaperCase::Fig2a, 0), (PaperCase::Fig2c, 0)])?,
         ),
         (
-            "stiff coating, loads of Fig. 2",
+            "stiff, Q as in Fig. 2",
             loads([(PaperCase::Fig2b, 0), (PaperCase::Fig2d, 0)])?,
         ),
         (
-            "compliant coating, loads as labelled",
+            "compliant, Q as labelled",
             loads([(PaperCase::Fig3Soft, 0), (PaperCase::Fig3Soft, 1)])?,
         ),
         (
-            "stiff coating, loads as labelled",
+            "stiff, Q as labelled",
             loads([(PaperCase::Fig3Stiff, 0), (PaperCase::Fig3Stiff, 1)])?,
         ),
     ];
@@ -87,16 +87,17 @@ fn sheet(studio: &Studio<'_>, panels: &[(&str, Vec<Load>); 4]) -> Sheet {
         compliant.period()
     );
     let materials = format!(
-        "compliant coating: {}; stiff coating: {}. Depths are measured from the undeformed tops; their axes differ.",
+        "compliant coating: {}; stiff coating: {}. Depths are measured from the undeformed tops; their axes differ. {}.",
         compliant.materials(),
-        stiff.materials()
+        stiff.materials(),
+        note::BRACKETS
     );
     let data = panels.iter().flat_map(|(_, loads)| loads);
     let data = data.map(|(run, step)| {
         let (name, step) = (run.request.case.name(), &run.steps()[*step]);
         format!(
             "{name}, Q = {}: {}",
-            power(step.force, 5),
+            power(step.force, 4),
             note::of_step(run, step)
         )
     });
@@ -114,17 +115,17 @@ fn draw_panel(sheet: &mut Sheet, i: usize, name: &str, loads: &[Load], lines: &[
     };
     let forces: Vec<_> = loads
         .iter()
-        .map(|(run, step)| power(run.steps()[*step].force, 5))
+        .map(|(run, step)| power(run.steps()[*step].force, 4))
         .collect();
     let title = format!("{name}: {} E₁R²", forces.join(" and "));
     let radius = loads
         .iter()
         .map(|(run, step)| run.steps()[*step].contact_radius);
     let reach = 1.12 * radius.fold(0.0, f64::max);
-    let depth = loads
-        .iter()
-        .map(|(run, step)| run.steps()[*step].penetration / DEPTH);
-    let depth = depth.fold(0.0, f64::max);
+    let is_shown = |(x, _): &(f64, f64)| x.abs() <= reach;
+    let surface = lines.iter().filter(|line| line.colour != colours::INK);
+    let depths = surface.flat_map(Line::points).filter(is_shown);
+    let depth = depths.map(|(_, depth)| depth).fold(0.0, f64::max);
     let axes = (
         Axis::new(-reach, reach, "x, R".into(), 6),
         Axis::new(
@@ -150,20 +151,29 @@ fn lines(loads: &[Load]) -> Result<Vec<Line>, XtaskError> {
             fields: stored.fields(run.side()),
             height,
         };
-        let line = |name: &str, colour, parts| Line {
+        let line = |name: &str, colour, width, parts| Line {
             name: format!("{name}, {which} load"),
             colour,
             dash,
+            width,
             is_marked: false,
             parts,
         };
+        // In contact the indenter lies on what it touches, and is drawn below it.
+        let [thin, thick] = [1.4, 2.6];
+        lines.push(line("indenter", colours::INK, thin, section.indenter()));
         lines.push(line(
             "surface of the layer",
             colours::ORANGE,
+            Line::WIDTH,
             section.layer(),
         ));
-        lines.push(line("tops of the elements", colours::BLUE, section.tops()));
-        lines.push(line("indenter", colours::INK, section.indenter()));
+        lines.push(line(
+            "tops of the elements",
+            colours::BLUE,
+            thick,
+            section.tops(),
+        ));
     }
     Ok(lines)
 }

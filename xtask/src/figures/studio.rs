@@ -23,10 +23,17 @@ pub(super) const PEAK: Drawn = |step| (step.max_pressure, step.grid_error.max_pr
 /// The grid error, as a part of the value, below which a curve needs no finer grid: well below the width of its line.
 const ENOUGH: f64 = 1e-3;
 
+/// The domain of Fig. 2(c), for the small loads of Fig. 2(a) and (b).
+const WIDER: &str = "grid.side=0.12";
+
 impl Studio<'_> {
-    /// A run whose fields are drawn.
+    /// A run whose fields are drawn. All of Fig. 2 is drawn on axes of one length, so its smaller domains are widened.
     pub(super) fn fields(&mut self, case: PaperCase) -> Result<PaperRun, XtaskError> {
         let request = Request::fields(case, self.quality.fields);
+        let request = match case {
+            PaperCase::Fig2a | PaperCase::Fig2b => request.with(WIDER),
+            _ => request,
+        };
         self.runner.run(&request, &mut *self.tell)
     }
 
