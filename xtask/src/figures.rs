@@ -11,7 +11,6 @@ mod figure_5;
 mod line;
 mod loading;
 mod note;
-mod number;
 mod parameters;
 mod picture;
 mod pressure_sheet;

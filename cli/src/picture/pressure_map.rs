@@ -20,7 +20,8 @@ const MAP: Place = Place {
 const BELOW: f64 = 72.0;
 const GAP: f64 = 28.0;
 const BAR: f64 = 30.0;
-const WIDTH: f64 = MAP.left + MAP.width + GAP + BAR + colour_bar::BESIDE;
+/// Width of the picture, in pixels.
+pub const WIDTH: f64 = MAP.left + MAP.width + GAP + BAR + colour_bar::BESIDE;
 const HEIGHT: f64 = MAP.top + MAP.height + BELOW;
 
 /// Most cells that are drawn along a side: about one a pixel.
@@ -50,6 +51,7 @@ pub fn draw(subject: &Subject<'_>) -> String {
         subject.title,
         &subject.numbers(),
     );
+    heading::draw_trust(&mut svg, MAP.left, &subject.trust());
     draw_map(&mut svg, subject, &coarse, top * scale.divisor);
     draw_bar(&mut svg, &scale, top);
     draw_legend(&mut svg, fields.mask.contains(&true));

@@ -56,6 +56,7 @@ pub fn draw(subject: &Subject<'_>) -> String {
         subject.title,
         &subject.numbers(),
     );
+    heading::draw_trust(&mut svg, HEADING_LEFT, &subject.trust());
     let metres = subject.metres(coarse.farthest());
     let along = |[from, to]: [f64; 2], symbol: &str| {
         let title = axis::title(symbol, &metres.label);

@@ -1,13 +1,17 @@
 //! Fig. 2: pressure under the paraboloid on the compliant (a, c) and the stiff (b, d) coating, small and large load.
 
 use pellicle_cli::display::Scale;
+use pellicle_cli::picture::number::power;
+use pellicle_cli::picture::subject::Subject;
+use pellicle_cli::picture::svg::Dash;
+use pellicle_cli::picture::{colours, pressure_map, section};
 
+use super::line::{self, Line};
 use super::note;
-use super::number::power;
 use super::parameters::Parameters;
 use super::picture::Picture;
 use super::pressure_sheet::{Common, Shown, maps, surfaces};
-use super::pressures::{Loaded, reach, rounded_up};
+use super::pressures::{Loaded, TOLD_APART, reach, rounded_up};
 use super::studio::Studio;
 use crate::{PaperCase, XtaskError};
 
@@ -36,14 +40,48 @@ pub(super) fn draw(studio: &mut Studio<'_>) -> Result<Vec<Picture>, XtaskError> 
         reach: reach(&loaded),
     };
     let panels = panels(&loaded);
+    let [map, section] = of_the_readme(&common, &loaded[2], &panels[2]);
     Ok(vec![
         maps("fig2-map", &common, &panels),
         surfaces("fig2-surface", &common, &panels),
+        map,
+        section,
     ])
 }
 
+/// The map and the section of Fig. 2(c) as the program draws them.
+fn of_the_readme(common: &Common<'_>, loaded: &Loaded, shown: &Shown<'_>) -> [Picture; 2] {
+    let record = &loaded.run.record;
+    let subject = Subject {
+        title: &record.title,
+        units: record.units,
+        relief_height: record.relief_height(),
+        step: loaded.run.last(),
+        fields: shown.fields,
+    };
+    let profile = Line {
+        name: shown.title.clone(),
+        colour: colours::BLUE,
+        dash: Dash::Solid,
+        width: Line::WIDTH,
+        is_marked: false,
+        parts: vec![common.profile(shown)],
+    };
+    let csv = line::csv([("pressure along x", [profile].as_slice())]);
+    let picture = |name, svg, width| Picture {
+        name,
+        svg,
+        width,
+        csv: csv.clone(),
+    };
+    [
+        picture("fig2c", pressure_map::draw(&subject), pressure_map::WIDTH),
+        picture("fig2c-section", section::draw(&subject), section::WIDTH),
+    ]
+}
+
 /// Heights are the same pressure in all panels, colours of the maps in those of one coating.
-fn panels(loaded: &[Loaded]) -> Vec<Shown<'_>> {
+fn panels<'a>(loaded: &'a [Loaded]) -> Vec<Shown<'a>> {
     let peaks = loaded
         .iter()
         .zip(MODULI)
@@ -53,21 +91,14 @@ fn panels(loaded: &[Loaded]) -> Vec<Shown<'_>> {
         let panels = [&loaded[coating], &loaded[coating + 2]];
         rounded_up(panels.into_iter().map(Loaded::common_peak))
     });
-    let panel =
-        |(i, loaded): (usize, &'_ Loaded)| (title(i, loaded), top / MODULI[i], brightest[i % 2]);
-    let panels = loaded
-        .iter()
-        .enumerate()
-        .map(|(i, loaded)| (loaded, panel((i, loaded))));
-    panels
-        .map(|(loaded, (title, top, brightest))| Shown {
-            title,
-            fields: loaded.stored.fields(loaded.run.side()),
-            pascals: in_units_of("E₁"),
-            top,
-            brightest,
-        })
-        .collect()
+    let panel = |(i, loaded): (usize, &'a Loaded)| Shown {
+        title: title(i, loaded),
+        fields: loaded.stored.fields(loaded.run.side()),
+        pascals: in_units_of("E₁"),
+        top: top / MODULI[i],
+        brightest: brightest[i % 2],
+    };
+    loaded.iter().enumerate().map(panel).collect()
 }
 
 fn title(i: usize, loaded: &Loaded) -> String {
@@ -94,7 +125,7 @@ fn notes(loaded: &[Loaded]) -> Vec<String> {
         format!("compliant coating: {compliant}; stiff coating: {stiff}. Grey: relief that carries nothing."),
         "E₁ of (a), (c) is a tenth of E₁ of (b), (d): equal heights are equal pressures in all panels. A cell has the largest of its elements."
             .into(),
-        format!("Colours of the maps end where 99 % of the contact lies below. {}.", note::BRACKETS),
+        format!("Colours of the maps end where {} % of the contact lies below. {}.", power(100.0 * TOLD_APART, 2), note::BRACKETS),
     ];
     let data = loaded
         .iter()

@@ -110,7 +110,7 @@ fn profiles(common: &Common<'_>, panels: &[Shown<'_>]) -> Picture {
             dash: Dash::Solid,
             width: Line::WIDTH,
             is_marked: false,
-            parts: vec![profile(common, shown)],
+            parts: vec![common.profile(shown)],
         })
         .collect();
     let axes = (
@@ -122,7 +122,7 @@ fn profiles(common: &Common<'_>, panels: &[Shown<'_>]) -> Picture {
         ),
         Axis::new(
             0.0,
-            panels[0].top,
+            1.06 * panels[0].top,
             format!("p beside the axis, {}", panels[0].pascals.label),
             5,
         ),
@@ -137,14 +137,4 @@ fn profiles(common: &Common<'_>, panels: &[Shown<'_>]) -> Picture {
     );
     let csv = line::csv([("along x", lines.as_slice())]);
     sheet.finish("fig5-profile", csv)
-}
-
-/// The pressure is constant over an element.
-fn profile(common: &Common<'_>, shown: &Shown<'_>) -> Vec<(f64, f64)> {
-    let fields = &shown.fields;
-    let step = |i: usize| {
-        let pressure = fields.pressure[i * fields.size + fields.size / 2] / shown.pascals.divisor;
-        [i, i + 1].map(|i| (fields.edge(i) / common.metres.divisor, pressure))
-    };
-    (0..fields.size).flat_map(step).collect()
 }

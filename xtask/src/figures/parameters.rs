@@ -2,9 +2,9 @@
 
 use pellicle_cli::case::units::Units;
 use pellicle_cli::display::{Unit, quantity};
+use pellicle_cli::picture::number::power;
 use serde_json::Value;
 
-use super::number::power;
 use crate::PaperRun;
 
 /// The case as the run resolved it.

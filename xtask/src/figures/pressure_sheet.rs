@@ -77,6 +77,17 @@ impl Common<'_> {
         Coarse::new(&shown.fields, &window, cells)
     }
 
+    /// The pressure along x beside the axis, constant over an element, in the units of axes.
+    pub(super) fn profile(&self, shown: &Shown<'_>) -> Vec<(f64, f64)> {
+        let fields = &shown.fields;
+        let step = |i: usize| {
+            let pressure = fields.pressure[i * fields.size + fields.size / 2];
+            let pressure = pressure / shown.pascals.divisor;
+            [i, i + 1].map(|i| (fields.edge(i) / self.metres.divisor, pressure))
+        };
+        (0..fields.size).flat_map(step).collect()
+    }
+
     fn sheet(&self, panels: usize, (column, row): (f64, f64)) -> Sheet {
         let rows = panels.div_ceil(COLUMNS) as f64;
         let size = (COLUMNS as f64 * column, rows * row);

@@ -11,7 +11,7 @@ const MARGIN: f64 = 1.06;
 
 /// The part of the elements in contact whose pressures the colours of a map tell apart: an edge peak would leave the same
 /// dark colour to all the rest.
-const TOLD_APART: f64 = 0.99;
+pub(super) const TOLD_APART: f64 = 0.95;
 
 /// A run and the fields of its only step.
 pub(super) struct Loaded {

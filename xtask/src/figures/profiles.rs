@@ -1,5 +1,6 @@
 //! Fig. 3: the deformed layer and the tops of the elements along the axis, read both ways.
 
+use pellicle_cli::picture::number::power;
 use std::ops::Range;
 
 use pellicle_cli::output::fields::Fields;
@@ -8,7 +9,6 @@ use pellicle_cli::picture::panel::Axis;
 use pellicle_cli::picture::svg::{Dash, Place};
 
 use super::line::{self, Line};
-use super::number::power;
 use super::parameters::Parameters;
 use super::picture::Picture;
 use super::sheet::Sheet;
@@ -87,9 +87,12 @@ fn sheet(studio: &Studio<'_>, panels: &[(&str, Vec<Load>); 4]) -> Sheet {
         compliant.period()
     );
     let materials = format!(
-        "compliant coating: {}; stiff coating: {}. Depths are measured from the undeformed tops; their axes differ. {}.",
+        "compliant coating: {}; stiff coating: {}",
         compliant.materials(),
         stiff.materials(),
+    );
+    let axes = format!(
+        "Depths are measured from the undeformed tops; their axes differ. {}.",
         note::BRACKETS
     );
     let data = panels.iter().flat_map(|(_, loads)| loads);
@@ -101,7 +104,7 @@ fn sheet(studio: &Studio<'_>, panels: &[(&str, Vec<Load>); 4]) -> Sheet {
             note::of_step(run, step)
         )
     });
-    let notes: Vec<_> = std::iter::once(materials).chain(data).collect();
+    let notes: Vec<_> = [materials, axes].into_iter().chain(data).collect();
     let title = "Fig. 3: deformed layer and tops of the elements along the axis";
     Sheet::new((2.0 * COLUMN, LEGEND + 2.0 * ROW), title, &subtitle, &notes)
 }

@@ -20,8 +20,8 @@ pub(super) struct Sheet {
 }
 
 impl Sheet {
-    /// Where panels begin, from the top.
-    pub(super) const TOP: f64 = heading::HEIGHT;
+    /// Where panels begin, from the top: the notes are below, not in the heading.
+    pub(super) const TOP: f64 = heading::HEIGHT - 22.0;
 
     /// A sheet of this width whose panels need this height, with a title, a line on what is the same in all panels, and
     /// notes.

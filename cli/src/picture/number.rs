@@ -1,9 +1,10 @@
 //! Numbers as a picture writes them.
 
-use pellicle_cli::display::superscript;
+use crate::display::superscript;
 
 /// The value with at most this many significant digits and a power of ten where it is far from 1: `3.571·10⁻⁵`, `0.3`.
-pub(super) fn power(value: f64, digits: usize) -> String {
+#[must_use]
+pub fn power(value: f64, digits: usize) -> String {
     let text = format!("{value:.*e}", digits.saturating_sub(1));
     let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
     let exponent: i32 = exponent.parse().unwrap_or(0);
