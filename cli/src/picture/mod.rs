@@ -9,6 +9,7 @@ pub mod curve;
 pub mod heading;
 pub mod number;
 pub mod outline;
+pub mod palette;
 pub mod panel;
 pub mod png;
 pub mod pressure_map;

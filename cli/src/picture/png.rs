@@ -5,6 +5,7 @@ use std::sync::{Arc, LazyLock};
 
 use resvg::{tiny_skia, usvg};
 
+use super::palette;
 use super::svg::FAMILY;
 
 /// Pixels of a picture per unit of its drawing. Twice as many take twice as long, some 0.1 s a picture; the drawing itself is
@@ -49,10 +50,7 @@ pub fn render(svg: &str) -> io::Result<Vec<u8>> {
 /// Those of [`render`].
 pub fn render_small(svg: &str, zoom: f32) -> io::Result<Vec<u8>> {
     let (width, height, rgb) = pixels(svg, zoom)?;
-    let mut bytes = Vec::new();
-    let packing = png::Compression::High;
-    try_encode(&mut bytes, width, height, (Kind::Rgb, packing), &rgb).map_err(io::Error::other)?;
-    Ok(bytes)
+    palette::encode(width, height, &rgb)
 }
 
 /// Width, height and the bytes of the pixels, three each.
@@ -63,10 +61,9 @@ fn pixels(svg: &str, zoom: f32) -> io::Result<(usize, usize, Vec<u8>)> {
     let mut pixels = pixels.ok_or_else(|| io::Error::other("no memory for the picture"))?;
     let zoom = tiny_skia::Transform::from_scale(zoom, zoom);
     resvg::render(&tree, zoom, &mut pixels.as_mut());
-    // The sheet is opaque: what is left of a pixel is its colour.
-    let rgb = (pixels.data().chunks_exact(4))
-        .flat_map(|pixel| [pixel[0], pixel[1], pixel[2]])
-        .collect();
+    // The last row and column may reach past the sheet: on paper what is not covered is white.
+    let on_paper = |pixel: &[u8]| [0, 1, 2].map(|i: usize| pixel[i].saturating_add(255 - pixel[3]));
+    let rgb = pixels.data().chunks_exact(4).flat_map(on_paper).collect();
     Ok((pixels.width() as usize, pixels.height() as usize, rgb))
 }
 
@@ -75,14 +72,7 @@ fn pixels(svg: &str, zoom: f32) -> io::Result<(usize, usize, Vec<u8>)> {
 pub fn encode(width: usize, height: usize, kind: Kind, pixels: &[u8]) -> Vec<u8> {
     let mut bytes = Vec::new();
     // Writing to memory fails only where the sides do not fit the pixels.
-    let packing = png::Compression::Fast;
-    drop(try_encode(
-        &mut bytes,
-        width,
-        height,
-        (kind, packing),
-        pixels,
-    ));
+    drop(try_encode(&mut bytes, width, height, kind, pixels));
     bytes
 }
 
@@ -90,23 +80,33 @@ fn try_encode(
     bytes: &mut Vec<u8>,
     width: usize,
     height: usize,
-    (kind, packing): (Kind, png::Compression),
+    kind: Kind,
     pixels: &[u8],
 ) -> Result<(), png::EncodingError> {
-    let side = |side: usize| u32::try_from(side).unwrap_or(u32::MAX);
-    let mut encoder = png::Encoder::new(bytes, side(width), side(height));
+    let mut encoder = encoder(bytes, width, height);
     encoder.set_color(match kind {
         Kind::Rgb => png::ColorType::Rgb,
         Kind::Rgba => png::ColorType::Rgba,
     });
     encoder.set_depth(png::BitDepth::Eight);
-    encoder.set_compression(packing);
+    encoder.set_compression(png::Compression::Fast);
+    encoder.write_header()?.write_image_data(pixels)
+}
+
+/// An encoder that knows the sides and the density.
+pub(super) fn encoder(
+    bytes: &mut Vec<u8>,
+    width: usize,
+    height: usize,
+) -> png::Encoder<'_, &mut Vec<u8>> {
+    let side = |side: usize| u32::try_from(side).unwrap_or(u32::MAX);
+    let mut encoder = png::Encoder::new(bytes, side(width), side(height));
     encoder.set_pixel_dims(Some(png::PixelDimensions {
         xppu: DENSITY,
         yppu: DENSITY,
         unit: png::Unit::Meter,
     }));
-    encoder.write_header()?.write_image_data(pixels)
+    encoder
 }
 
 #[cfg(test)]
