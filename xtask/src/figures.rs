@@ -7,7 +7,10 @@ mod arguments;
 mod chart;
 mod figure;
 mod figure_2;
+mod figure_3;
+mod figure_4;
 mod figure_5;
+mod figure_6;
 mod line;
 mod loading;
 mod note;
@@ -15,8 +18,8 @@ mod parameters;
 mod picture;
 mod pressure_sheet;
 mod pressures;
-mod profiles;
 mod quality;
+mod section;
 mod sheet;
 mod studio;
 
@@ -88,9 +91,9 @@ fn draw(
     };
     match figure {
         Figure::Two => figure_2::draw(&mut studio),
-        Figure::Three => profiles::figure_3(&mut studio),
-        Figure::Four => loading::figure_4(&mut studio),
+        Figure::Three => figure_3::draw(&mut studio),
+        Figure::Four => figure_4::draw(&mut studio),
         Figure::Five => figure_5::draw(&mut studio),
-        Figure::Six => loading::figure_6(&mut studio),
+        Figure::Six => figure_6::draw(&mut studio),
     }
 }

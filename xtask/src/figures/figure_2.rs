@@ -31,7 +31,9 @@ pub(super) fn draw(studio: &mut Studio<'_>) -> Result<Vec<Picture>, XtaskError> 
         PaperCase::Fig2d,
     ];
     let loaded = Loaded::all(studio, cases)?;
-    let (subtitle, notes) = (subtitle(studio, &loaded), notes(&loaded));
+    let case = Parameters::of(&loaded[0].run).textured_coating();
+    let subtitle = format!("{}{case}", studio.quality.mark());
+    let notes = notes(&loaded);
     let common = Common {
         title: "Fig. 2: pressure on a textured coating",
         subtitle: &subtitle,
@@ -106,17 +108,6 @@ fn title(i: usize, loaded: &Loaded) -> String {
     let coating = ["compliant", "stiff"][i % 2];
     let (name, force, depth) = (PANELS[i], power(step.force, 5), power(step.penetration, 4));
     format!("{name} {coating} coating, Q = {force} E₁R², D = {depth} R")
-}
-
-fn subtitle(studio: &Studio<'_>, loaded: &[Loaded]) -> String {
-    let case = Parameters::of(&loaded[0].run);
-    format!(
-        "{}paraboloid of radius R; coating {}; cylinders {}, {}",
-        studio.quality.mark(),
-        case.thickness(),
-        case.cylinders(),
-        case.period()
-    )
 }
 
 fn notes(loaded: &[Loaded]) -> Vec<String> {

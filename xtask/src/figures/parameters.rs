@@ -37,6 +37,16 @@ impl<'a> Parameters<'a> {
         format!("E₁ = {}", self.in_words(modulus, Unit::Pascal))
     }
 
+    /// What figures 2 and 3 have in common.
+    pub(super) fn textured_coating(&self) -> String {
+        format!(
+            "paraboloid of radius R; coating {}; cylinders {}, {}",
+            self.thickness(),
+            self.cylinders(),
+            self.period()
+        )
+    }
+
     /// `H = 10⁻⁴ R`.
     pub(super) fn thickness(&self) -> String {
         format!("H = {}", self.length("/foundation/layer/0/thickness"))
