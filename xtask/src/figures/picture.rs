@@ -1,6 +1,7 @@
 //! A picture as files: the drawing, its pixels, and its numbers.
 
 use std::fs;
+use std::io;
 use std::path::Path;
 
 use pellicle_cli::output::file::create_whole;
@@ -10,6 +11,8 @@ use crate::XtaskError;
 
 /// Width of a small version, in pixels: a page of documentation.
 const SMALL_WIDTH: f64 = 940.0;
+/// Most bytes of a small version: it is kept in the repository.
+const SMALL_BYTES: usize = 100_000;
 
 /// A drawing and what is drawn.
 pub(super) struct Picture {
@@ -37,16 +40,26 @@ impl Picture {
         Ok(names)
     }
 
-    /// Writes a PNG no wider than a page of documentation.
+    /// Writes a PNG no wider than a page of documentation and no larger than [`SMALL_BYTES`].
     pub(super) fn write_small(&self, folder: &Path) -> Result<(), XtaskError> {
         create_folder(folder)?;
-        #[expect(clippy::cast_possible_truncation, reason = "between 0 and 1")]
-        let zoom = (SMALL_WIDTH / self.width).min(1.0) as f32;
         let path = folder.join(format!("{}.png", self.name));
-        create_whole(&path, |path| {
-            fs::write(path, png::render_small(&self.svg, zoom)?)
-        })?;
+        create_whole(&path, |path| fs::write(path, self.small()?))?;
         Ok(())
+    }
+
+    /// The widest small version that is not too large.
+    fn small(&self) -> io::Result<Vec<u8>> {
+        let mut width = SMALL_WIDTH.min(self.width);
+        loop {
+            #[expect(clippy::cast_possible_truncation, reason = "between 0 and 1")]
+            let zoom = (width / self.width) as f32;
+            let bytes = png::render_small(&self.svg, zoom)?;
+            if bytes.len() <= SMALL_BYTES || width < 0.5 * SMALL_WIDTH {
+                return Ok(bytes);
+            }
+            width *= 0.93;
+        }
     }
 }
 
