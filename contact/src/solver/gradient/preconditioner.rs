@@ -36,7 +36,7 @@ enum Inverse {
     /// The identity on the working set, where nothing is known of the operator.
     Identity,
     Filter(Box<RestrictedFilter>),
-    Factor(SparseFactor),
+    Factor(Box<SparseFactor>),
 }
 
 /// `w = M⁻¹_I 1`.
@@ -172,9 +172,8 @@ impl Preconditioner {
 fn factor(problem: &DiscreteProblem, neighbours: usize) -> Option<Inverse> {
     let elasticity = problem.elasticity()?.clone();
     let (size, compliance) = (problem.size(), problem.relief_compliance());
-    Some(Inverse::Factor(SparseFactor::new(
-        elasticity, size, compliance, neighbours,
-    )))
+    let factor = SparseFactor::new(elasticity, size, compliance, neighbours);
+    Some(Inverse::Factor(Box::new(factor)))
 }
 
 /// Whether long waves meet a much softer body than short ones do.
