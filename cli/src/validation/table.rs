@@ -1,0 +1,57 @@
+//! The validation as a table for people.
+
+use super::{Row, Section, Value, Verdict};
+use crate::display::significant;
+
+/// Digits of a number in the table; JSON has all.
+const DIGITS: usize = 9;
+
+/// The names of the columns.
+#[must_use]
+pub fn heading() -> String {
+    let cells = ["reference", "computed", "error", "tolerance", "verdict"];
+    line("check", cells)
+}
+
+/// A section: its name, its rows, and where its references and tolerances come from.
+#[must_use]
+pub fn section_text(section: &Section) -> String {
+    let rows: String = section.rows.iter().map(row).collect();
+    let Section {
+        name,
+        source,
+        because,
+        ..
+    } = section;
+    format!("\n{name}\n{rows}  reference: {source}\n  error: {because}\n")
+}
+
+fn row(row: &Row) -> String {
+    let verdict = match row.verdict {
+        Verdict::Pass => "pass",
+        Verdict::Fail => "FAIL",
+    };
+    let (reference, computed) = (value(&row.reference), value(&row.computed));
+    let [error, tolerance] = [row.error, row.tolerance].map(small);
+    let cells = [&reference, &computed, &error, &tolerance, verdict];
+    line(&format!("  {}", row.check), cells)
+}
+
+fn line(check: &str, [reference, computed, error, tolerance, verdict]: [&str; 5]) -> String {
+    format!("{check:<54}{reference:>16}{computed:>16}{error:>10}{tolerance:>11}  {verdict}\n")
+}
+
+fn value(value: &Value) -> String {
+    match value {
+        Value::Number(number) => significant(*number, DIGITS),
+        Value::Word(word) => word.clone(),
+    }
+}
+
+fn small(number: f64) -> String {
+    if number == 0.0 {
+        "0".into()
+    } else {
+        format!("{number:.1e}")
+    }
+}
