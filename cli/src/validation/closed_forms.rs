@@ -25,6 +25,8 @@ const SECOND_ORDER: f64 = 2e-5;
 const PEAK: f64 = 2e-4;
 /// The edge of the contact is a staircase: 1/85 times what its ups and downs leave.
 const STAIRCASE: f64 = 5e-3;
+/// Without elasticity there is no error of the grid: what the certificate's 1e-8 leaves, and the body's 1e-9.
+const CERTIFIED: f64 = 1e-7;
 
 fn rows(scene: &Scene) -> Result<Vec<Row>, Trouble> {
     let parts = [hertz_rows, sphere_rows, cone_rows, punch_rows, winkler_rows];
@@ -184,6 +186,10 @@ fn winkler_rows(scene: &Scene) -> Result<Vec<Row>, Trouble> {
             step.solution.force,
             SECOND_ORDER,
         ),
-        Row::worst("Winkler: pressure of every element".into(), compared, 1e-8),
+        Row::worst(
+            "Winkler: pressure of every element".into(),
+            compared,
+            CERTIFIED,
+        ),
     ])
 }

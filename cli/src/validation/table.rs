@@ -6,6 +6,9 @@ use crate::display::significant;
 /// Digits of a number in the table; JSON has all.
 const DIGITS: usize = 9;
 
+/// Characters of the longest word that fits its column.
+const LONGEST_WORD: usize = 14;
+
 /// The names of the columns.
 #[must_use]
 pub fn heading() -> String {
@@ -32,9 +35,15 @@ fn row(row: &Row) -> String {
         Verdict::Fail => "FAIL",
     };
     let (reference, computed) = (value(&row.reference), value(&row.computed));
+    // What went wrong has a line of its own.
+    let (computed, reason) = if computed.chars().count() > LONGEST_WORD {
+        ("none".to_owned(), format!("      {computed}\n"))
+    } else {
+        (computed, String::new())
+    };
     let [error, tolerance] = [row.error, row.tolerance].map(small);
     let cells = [&reference, &computed, &error, &tolerance, verdict];
-    line(&format!("  {}", row.check), cells)
+    line(&format!("  {}", row.check), cells) + &reason
 }
 
 fn line(check: &str, [reference, computed, error, tolerance, verdict]: [&str; 5]) -> String {
