@@ -168,7 +168,7 @@ pub struct ValidateArguments {
         default_value_t = 0.0,
         hide_default_value = true
     )]
-    #[arg(help_heading = "Test hook", allow_negative_numbers = true, value_parser = perturbation)]
+    #[arg(help_heading = "Test hook", allow_hyphen_values = true, value_parser = perturbation)]
     pub perturb_coefficients: f64,
 }
 
