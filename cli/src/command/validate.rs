@@ -21,19 +21,19 @@ pub fn validate(arguments: &ValidateArguments) -> Result<Outcome, Failure> {
     let scene = Scene {
         perturbation: arguments.perturb_coefficients,
     };
-    warn_of_hook(&scene);
+    warn_of_hook(scene);
     if !arguments.json {
         terminal::print(&heading())?;
     }
     let mut sections = Vec::new();
     for (count, plan) in PLANS.iter().enumerate() {
-        let section = watched(plan, count, &scene);
+        let section = watched(plan, count, scene);
         if !arguments.json {
             terminal::print(&section_text(&section))?;
         }
         sections.push(section);
     }
-    let report = Report::new(&scene, &sections, start.elapsed().as_secs_f64());
+    let report = Report::new(scene, &sections, start.elapsed().as_secs_f64());
     terminal::print(&if arguments.json {
         output::json(&report)?
     } else {
@@ -46,7 +46,7 @@ pub fn validate(arguments: &ValidateArguments) -> Result<Outcome, Failure> {
     Ok(Outcome::Refuted)
 }
 
-fn warn_of_hook(scene: &Scene) {
+fn warn_of_hook(scene: Scene) {
     let by = scene.perturbation;
     if by.abs() > 0.0 {
         terminal::tell(&format!(
@@ -56,7 +56,7 @@ fn warn_of_hook(scene: &Scene) {
 }
 
 /// Computes a section with a line on the terminal meanwhile.
-fn watched(plan: &Plan, count: usize, scene: &Scene) -> Section {
+fn watched(plan: &Plan, count: usize, scene: Scene) -> Section {
     let line = ProgressBar::new_spinner();
     // The template is a constant: were it faulty, the default style would stand.
     if let Ok(style) = ProgressStyle::with_template("{spinner} {elapsed} {msg}") {

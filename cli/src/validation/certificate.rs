@@ -23,7 +23,7 @@ type Spoil = fn(&mut Vec<f64>);
 
 const SPOILT: [(&str, Spoil); 8] = [
     ("all pressures larger by a millionth", |p| {
-        p.iter_mut().for_each(|p| *p *= 1.0 + SMALL)
+        p.iter_mut().for_each(|p| *p *= 1.0 + SMALL);
     }),
     ("one pressure larger by a millionth", |p| {
         let largest = largest(p);
@@ -43,7 +43,7 @@ const SPOILT: [(&str, Spoil); 8] = [
         p[least] = 0.0;
     }),
     ("an element pressed far from the contact", |p| {
-        p[0] = SMALL * p[largest(p)]
+        p[0] = SMALL * p[largest(p)];
     }),
     ("one pressure no number", |p| {
         let largest = largest(p);
@@ -51,7 +51,7 @@ const SPOILT: [(&str, Spoil); 8] = [
     }),
 ];
 
-fn rows(scene: &Scene) -> Result<Vec<Row>, Trouble> {
+fn rows(scene: Scene) -> Result<Vec<Row>, Trouble> {
     let contact = textured()?;
     let right = scene.solve(&contact)?.steps.remove(0).solution.pressure;
     let mut court = Court::new(scene, &contact)?;
@@ -127,7 +127,7 @@ struct Court {
 }
 
 impl Court {
-    fn new(scene: &Scene, contact: &Contact) -> Result<Self, Trouble> {
+    fn new(scene: Scene, contact: &Contact) -> Result<Self, Trouble> {
         let model = scene.model(contact)?;
         let sampled = model.sample(contact.side, contact.elements)?;
         Ok(Self {

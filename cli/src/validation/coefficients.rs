@@ -22,7 +22,7 @@ const ROUNDING: f64 = 1e-14;
 /// What the quadrature asks of itself.
 const QUADRATURE: f64 = 1e-11;
 
-fn rows(scene: &Scene) -> Result<Vec<Row>, Trouble> {
+fn rows(scene: Scene) -> Result<Vec<Row>, Trouble> {
     let data = [two_layer()?, extreme()?];
     let mut rows = vec![homogeneous(scene, &data[0])?];
     for data in &data {
@@ -37,7 +37,7 @@ fn rows(scene: &Scene) -> Result<Vec<Row>, Trouble> {
 }
 
 /// `k E1/a` of a coating, the worst of all its offsets and thicknesses.
-fn coated(scene: &Scene, data: &Coefficients, name: &str) -> Result<Row, Trouble> {
+fn coated(scene: Scene, data: &Coefficients, name: &str) -> Result<Row, Trouble> {
     let coating = data.cases.get(name).ok_or(Trouble::NoSolution)?;
     let tables = scene.tables(&coating.foundation()?)?;
     let at_zero = tables.foundation().response_at_zero();
@@ -57,7 +57,7 @@ fn coated(scene: &Scene, data: &Coefficients, name: &str) -> Result<Row, Trouble
 }
 
 /// `k E1/a` of half-spaces, the worst of all offsets.
-fn homogeneous(scene: &Scene, data: &Coefficients) -> Result<Row, Trouble> {
+fn homogeneous(scene: Scene, data: &Coefficients) -> Result<Row, Trouble> {
     let mut found = Vec::new();
     for value in &data.values {
         let coating = data.cases.get(&value.case).ok_or(Trouble::NoSolution)?;
@@ -71,7 +71,7 @@ fn homogeneous(scene: &Scene, data: &Coefficients) -> Result<Row, Trouble> {
 }
 
 /// One coefficient of the paper's stiff coating in two ways.
-fn by_quadrature(scene: &Scene, offset: [usize; 2]) -> Result<Row, Trouble> {
+fn by_quadrature(scene: Scene, offset: [usize; 2]) -> Result<Row, Trouble> {
     let (coating, substrate) = (Material::new(1.0, 0.3)?, Material::new(0.1, 0.4)?);
     let foundation = Foundation::coated(1.0, coating, substrate)?;
     let reference = direct::coefficient(&foundation, 1.0, offset)?;

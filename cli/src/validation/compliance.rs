@@ -19,7 +19,7 @@ const ROUNDING: f64 = 2e-15;
 /// The same and one more for `Φ − 1`, which two cancelling terms make.
 const DIFFERENCE: f64 = 1e-14;
 
-fn rows(_: &Scene) -> Result<Vec<Row>, Trouble> {
+fn rows(_: Scene) -> Result<Vec<Row>, Trouble> {
     let values = one_layer()?;
     Ok(vec![
         row("bonded to a half-space", &values, |value| {

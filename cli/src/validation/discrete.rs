@@ -26,12 +26,12 @@ const CERTIFIED: f64 = 1e-12;
 /// `CERTIFIED` times a condition of some 1e2.
 const COMPARED: f64 = 1e-10;
 
-fn rows(scene: &Scene) -> Result<Vec<Row>, Trouble> {
+fn rows(scene: Scene) -> Result<Vec<Row>, Trouble> {
     let cases = discrete()?;
     Ok(cases.par_iter().map(|case| row(scene, case)).collect())
 }
 
-fn row(scene: &Scene, case: &DiscreteContact) -> Row {
+fn row(scene: Scene, case: &DiscreteContact) -> Row {
     let surface = match case.surface {
         Surface::Paraboloid => "paraboloid",
         Surface::Wavy => "waves",
@@ -53,7 +53,7 @@ fn row(scene: &Scene, case: &DiscreteContact) -> Row {
 }
 
 /// The certified solution of the grid's problem, from a cold start.
-fn solve(scene: &Scene, case: &DiscreteContact) -> Result<Solution, Trouble> {
+fn solve(scene: Scene, case: &DiscreteContact) -> Result<Solution, Trouble> {
     let mut problem = problem(scene, case)?;
     let load = match case.given {
         Given::Force => Load::Force(case.force),
@@ -80,7 +80,7 @@ fn solve(scene: &Scene, case: &DiscreteContact) -> Result<Solution, Trouble> {
     }
 }
 
-fn problem(scene: &Scene, case: &DiscreteContact) -> Result<DiscreteProblem, Trouble> {
+fn problem(scene: Scene, case: &DiscreteContact) -> Result<DiscreteProblem, Trouble> {
     let coating = Material::new(case.e1, case.nu1)?;
     let substrate = Material::new(case.e2, case.nu2)?;
     let foundation = Foundation::coated(case.thickness, coating, substrate)?;

@@ -15,7 +15,7 @@ pub const PLAN: Plan = Plan {
     rows,
 };
 
-fn rows(scene: &Scene) -> Result<Vec<Row>, Trouble> {
+fn rows(scene: Scene) -> Result<Vec<Row>, Trouble> {
     let punch = Indenter::FlatPunch(FlatPunch::new(0.1)?);
     let said = |indenter| -> Result<&str, Trouble> {
         let path = scene.solve(&contact(indenter)?)?;

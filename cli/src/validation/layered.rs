@@ -26,12 +26,12 @@ const SIDE: f64 = 2.4;
 /// (1/107)² = 9e-5 times a factor that scatters with how the grid meets the contact's edge.
 const SECOND_ORDER: f64 = 1e-5;
 
-fn rows(scene: &Scene) -> Result<Vec<Row>, Trouble> {
+fn rows(scene: Scene) -> Result<Vec<Row>, Trouble> {
     let cases = axisymmetric()?;
     Ok(cases.par_iter().map(|case| row(scene, case)).collect())
 }
 
-fn row(scene: &Scene, case: &AxisymmetricContact) -> Row {
+fn row(scene: Scene, case: &AxisymmetricContact) -> Row {
     let shape = match case.shape {
         Shape::Paraboloid => "paraboloid",
         Shape::Cone => "cone",

@@ -21,49 +21,47 @@ const CERTIFIED: f64 = 1e-7;
 /// some ratio of moduli.
 const MILLIONTH: f64 = 1e-5;
 
-fn rows(scene: &Scene) -> Result<Vec<Row>, Trouble> {
-    let limits: [(&str, f64, fn() -> Result<[Contact; 2], Trouble>); 8] = [
-        ("χ → 1, equal ν: the half-space", CERTIFIED, equal_materials),
-        ("thick coating: the coating alone", MILLIONTH, thick),
-        ("thin coating: the substrate alone", MILLIONTH, thin),
-        (
-            "stiff substrate: the rigid base",
-            MILLIONTH,
-            stiff_substrate,
-        ),
-        ("a layer cut in two: the layer", CERTIFIED, cut_in_two),
-        (
-            "film of no compliance: the bare surface",
-            CERTIFIED,
-            hard_film,
-        ),
-        (
-            "relief of no height: the bare surface",
-            CERTIFIED,
-            low_relief,
-        ),
-        ("SI units: the same in units of R and E", CERTIFIED, units),
-    ];
-    let mut rows = Vec::new();
-    for (check, tolerance, contacts) in limits {
-        rows.push(
-            limit(scene, check, tolerance, contacts)
-                .unwrap_or_else(|trouble| Row::failed(check.into(), &trouble)),
-        );
-    }
+/// Two contacts with one answer.
+type Pair = fn() -> Result<[Contact; 2], Trouble>;
+
+/// What becomes what, the tolerance, and both.
+const LIMITS: [(&str, f64, Pair); 8] = [
+    ("χ → 1, equal ν: the half-space", CERTIFIED, equal_materials),
+    ("thick coating: the coating alone", MILLIONTH, thick),
+    ("thin coating: the substrate alone", MILLIONTH, thin),
+    (
+        "stiff substrate: the rigid base",
+        MILLIONTH,
+        stiff_substrate,
+    ),
+    ("a layer cut in two: the layer", CERTIFIED, cut_in_two),
+    (
+        "film of no compliance: the bare surface",
+        CERTIFIED,
+        hard_film,
+    ),
+    (
+        "relief of no height: the bare surface",
+        CERTIFIED,
+        low_relief,
+    ),
+    ("SI units: the same in units of R and E", CERTIFIED, units),
+];
+
+fn rows(scene: Scene) -> Result<Vec<Row>, Trouble> {
+    let limits = LIMITS.iter().map(|(check, tolerance, pair)| {
+        limit(scene, check, *tolerance, *pair)
+            .unwrap_or_else(|trouble| Row::failed((*check).into(), &trouble))
+    });
+    let mut rows: Vec<_> = limits.collect();
     rows.push(there_and_back(scene)?);
     rows.push(two_methods(scene)?);
     Ok(rows)
 }
 
 /// Penetrations of two contacts, each over its own side.
-fn limit(
-    scene: &Scene,
-    check: &str,
-    tolerance: f64,
-    contacts: fn() -> Result<[Contact; 2], Trouble>,
-) -> Result<Row, Trouble> {
-    let [wanted, found] = contacts()?;
+fn limit(scene: Scene, check: &str, tolerance: f64, pair: Pair) -> Result<Row, Trouble> {
+    let [wanted, found] = pair()?;
     let reference = scene.penetration(&wanted)? / wanted.side;
     let computed = scene.penetration(&found)? / found.side;
     Ok(Row::relative(check.into(), reference, computed, tolerance))
@@ -195,7 +193,7 @@ fn textured() -> Result<Contact, Trouble> {
 }
 
 /// The force of a penetration of a force.
-fn there_and_back(scene: &Scene) -> Result<Row, Trouble> {
+fn there_and_back(scene: Scene) -> Result<Row, Trouble> {
     let by_force = textured()?;
     let there = scene.solve(&by_force)?.steps.remove(0).solution;
     let load = Load::Penetration(there.penetration);
@@ -209,7 +207,7 @@ fn there_and_back(scene: &Scene) -> Result<Row, Trouble> {
 }
 
 /// Gradients and the paper's active set on the dense system.
-fn two_methods(scene: &Scene) -> Result<Row, Trouble> {
+fn two_methods(scene: Scene) -> Result<Row, Trouble> {
     let contact = textured()?;
     let options = SolverOptions {
         method: Method::ActiveSet,

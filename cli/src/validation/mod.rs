@@ -43,7 +43,7 @@ pub struct Plan {
     pub name: &'static str,
     source: &'static str,
     because: &'static str,
-    rows: fn(&Scene) -> Result<Vec<Row>, Trouble>,
+    rows: fn(Scene) -> Result<Vec<Row>, Trouble>,
 }
 
 /// All sections, from the kernel up.
@@ -62,7 +62,7 @@ pub const PLANS: [Plan; 9] = [
 impl Plan {
     /// Computes the section. What cannot be computed is a row that fails.
     #[must_use]
-    pub fn carry_out(&self, scene: &Scene) -> Section {
+    pub fn carry_out(&self, scene: Scene) -> Section {
         let rows = (self.rows)(scene)
             .unwrap_or_else(|trouble| vec![Row::failed(self.name.into(), &trouble)]);
         Section {

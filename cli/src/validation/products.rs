@@ -16,7 +16,7 @@ pub const PLAN: Plan = Plan {
 /// Rounding of transforms of up to 96² numbers.
 const ROUNDING: f64 = 1e-13;
 
-fn rows(scene: &Scene) -> Result<Vec<Row>, Trouble> {
+fn rows(scene: Scene) -> Result<Vec<Row>, Trouble> {
     let half_space = Foundation::half_space(Material::new(1.0, 0.3)?);
     let soft = Foundation::coated(1.0, Material::new(1e-3, 0.49)?, Material::new(1.0, 0.3)?)?;
     [("half-space", half_space), ("soft coating", soft)]
@@ -26,7 +26,7 @@ fn rows(scene: &Scene) -> Result<Vec<Row>, Trouble> {
 }
 
 /// The worst element of a pressure without symmetry.
-fn product(scene: &Scene, name: &str, foundation: &Foundation) -> Result<Row, Trouble> {
+fn product(scene: Scene, name: &str, foundation: &Foundation) -> Result<Row, Trouble> {
     let size = 37;
     let table = CoefficientTable::assemble(&scene.tables(foundation)?, 0.3, size)?;
     // Every value of the chaotic sequence is in (0, 1); its start is no rational.

@@ -32,7 +32,7 @@ struct SectionReport<'a> {
 impl<'a> Report<'a> {
     /// The report of these sections, which took so many seconds.
     #[must_use]
-    pub fn new(scene: &Scene, sections: &'a [Section], seconds: f64) -> Self {
+    pub fn new(scene: Scene, sections: &'a [Section], seconds: f64) -> Self {
         let rows = || sections.iter().flat_map(|section| &section.rows);
         let passed = rows().filter(|row| row.passes()).count();
         let failed = rows().count() - passed;

@@ -61,7 +61,7 @@ impl Scene {
     ///
     /// # Errors
     /// As [`RadialTables::build`].
-    pub fn tables(&self, foundation: &Foundation) -> Result<RadialTables, Trouble> {
+    pub fn tables(self, foundation: &Foundation) -> Result<RadialTables, Trouble> {
         Ok(RadialTables::build(foundation)?.perturbed(self.perturbation))
     }
 
@@ -69,7 +69,7 @@ impl Scene {
     ///
     /// # Errors
     /// As [`Self::tables`].
-    pub fn model(&self, contact: &Contact) -> Result<Model, Trouble> {
+    pub fn model(self, contact: &Contact) -> Result<Model, Trouble> {
         Ok(Model {
             tables: Arc::new(self.tables(&contact.foundation)?),
             relief: contact.relief.clone(),
@@ -82,7 +82,7 @@ impl Scene {
     ///
     /// # Errors
     /// What the crates refuse, and [`Trouble::NotCertified`].
-    pub fn solve(&self, contact: &Contact) -> Result<LoadingPath, Trouble> {
+    pub fn solve(self, contact: &Contact) -> Result<LoadingPath, Trouble> {
         self.solve_with(contact, SolverOptions::default())
     }
 
@@ -91,7 +91,7 @@ impl Scene {
     /// # Errors
     /// As [`Self::solve`].
     pub fn solve_with(
-        &self,
+        self,
         contact: &Contact,
         options: SolverOptions,
     ) -> Result<LoadingPath, Trouble> {
@@ -111,7 +111,7 @@ impl Scene {
     ///
     /// # Errors
     /// As [`Self::solve`].
-    pub fn penetration(&self, contact: &Contact) -> Result<f64, Trouble> {
+    pub fn penetration(self, contact: &Contact) -> Result<f64, Trouble> {
         Ok(self.solve(contact)?.steps[0].solution.penetration)
     }
 }

@@ -67,7 +67,7 @@ fn errors_down_to_the_thirteenth_digit_are_seen_with_either_sign() {
         let scene = Scene { perturbation };
         let failed = |name: &str| {
             let plan = PLANS.iter().find(|plan| plan.name == name).unwrap();
-            let rows = plan.carry_out(&scene).rows;
+            let rows = plan.carry_out(scene).rows;
             rows.iter().filter(|row| !row.passes()).count()
         };
         // The quadrature's two rows see no more than its own 1e-11.
