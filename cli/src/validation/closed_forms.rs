@@ -1,5 +1,7 @@
 //! Indenters with a closed form: Hertz, Sneddon, Winkler.
 
+use std::f64::consts::PI;
+
 use pellicle_contact::reference::{cone, flat_punch, hertz, sphere, winkler};
 use pellicle_contact::{Cone, FlatPunch, Indenter, Load, Sphere};
 use pellicle_kernel::{Foundation, Material};
@@ -48,49 +50,36 @@ fn on_half_space(indenter: Indenter, side: f64, load: Load) -> Result<Contact, T
 
 fn hertz_rows(scene: Scene) -> Result<Vec<Row>, Trouble> {
     let wanted = hertz::from_contact_radius(1.0, 1.0, 0.1);
-    let contact = |load| on_half_space(paraboloid(1.0)?, 0.3, load);
-    let by_force = scene.solve(&contact(Load::Force(wanted.force))?)?;
-    let by_penetration = scene.solve(&contact(Load::Penetration(wanted.penetration))?)?;
-    let (step, row) = (&by_force.steps[0], Row::relative);
-    let name = |what: &str| format!("Hertz: {what}");
-    let area = std::f64::consts::PI * wanted.contact_radius.powi(2);
-    let stiffness = step.contact_stiffness.unwrap_or(f64::NAN);
+    let solve = |load| {
+        let path = scene.solve(&on_half_space(paraboloid(1.0)?, 0.3, load)?)?;
+        Ok::<_, Trouble>(path.steps.into_iter().next())
+    };
+    let by_force = solve(Load::Force(wanted.force))?.ok_or(Trouble::NoSolution)?;
+    let by_depth = solve(Load::Penetration(wanted.penetration))?.ok_or(Trouble::NoSolution)?;
+    let row = |what: &str, wanted, found, tolerance| {
+        Row::relative(format!("Hertz: {what}"), wanted, found, tolerance)
+    };
+    let (depth, force) = (by_force.solution.penetration, by_depth.solution.force);
+    let (peak, area) = (by_force.summary.max_pressure, by_force.summary.contact_area);
+    let stiffness = by_force.contact_stiffness.unwrap_or(f64::NAN);
+    let a = wanted.contact_radius;
     Ok(vec![
         row(
-            name("penetration under a force"),
+            "penetration under a force",
             wanted.penetration,
-            step.solution.penetration,
+            depth,
             SECOND_ORDER,
         ),
-        row(
-            name("force at a penetration"),
-            wanted.force,
-            by_penetration.steps[0].solution.force,
-            SECOND_ORDER,
-        ),
-        row(
-            name("largest pressure"),
-            wanted.peak_pressure,
-            step.summary.max_pressure,
-            PEAK,
-        ),
-        row(
-            name("contact area"),
-            area,
-            step.summary.contact_area,
-            STAIRCASE,
-        ),
-        row(
-            name("contact stiffness"),
-            2.0 * wanted.contact_radius,
-            stiffness,
-            STAIRCASE,
-        ),
+        row("force at a penetration", wanted.force, force, SECOND_ORDER),
+        row("largest pressure", wanted.peak_pressure, peak, PEAK),
+        row("contact area", PI * a * a, area, STAIRCASE),
+        // dQ/dD = 2 E* a
+        row("contact stiffness", 2.0 * a, stiffness, STAIRCASE),
     ])
 }
 
 fn sphere_rows(scene: Scene) -> Result<Vec<Row>, Trouble> {
-    // So deep that the paraboloid's penetration would be 4 % off.
+    // So deep that Hertz's penetration under the same force is 0.9 % off.
     let wanted = sphere::from_contact_radius(1.0, 1.0, 0.35);
     let indenter = Indenter::Sphere(Sphere::new(1.0)?);
     let found = scene.penetration(&on_half_space(indenter, 1.05, Load::Force(wanted.force))?)?;
