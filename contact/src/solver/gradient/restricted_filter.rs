@@ -3,11 +3,20 @@
 //! `F = F⁻¹ 1/(K̂ + η̄) F` by FFT, with `K̂` the symbol of `K` and `η̄` the mean compliance of the relief over the set; restricted to the set, with the
 //! [band](super::edge_band) outside that sees to it that nothing is answered there. (The symbol is positive; the padded operator's own spectrum is
 //! not where a coat is stiff, and must not be inverted.)
+//!
+//! Where compliances `η` differ, as between the elements of a relief and beside them, short waves are right to one of them and wrong to the other. With
+//! `κ = 1/F(0) − η̄`, the body's own compliance to what one element feels, the filter is flanked by powers of the ratio of both:
+//!
+//! ```text
+//! M⁻¹ = S F S,    S = ((κ + η̄)/(κ + η))^¼
+//! ```
+//!
+//! The power that would set the short waves right, ½, spoils the long ones; half of it takes a fifth fewer products than none.
 
 use pellicle_influence::PeriodicSymbol;
 
 use super::{edge_band::EdgeBand, periodic_filter::PeriodicFilter, working_set::WorkingSet};
-use crate::vector::by_parts;
+use crate::vector::{by_parts, update};
 
 /// The filter is made anew when the mean compliance has changed by more than this part.
 const MEAN_DRIFT: f64 = 0.1;
@@ -19,6 +28,8 @@ pub struct RestrictedFilter {
     largest_multiplier: f64,
     /// `η̄` that the filter is made for; NaN before the first.
     mean_compliance: f64,
+    /// `S` of each element.
+    flank: Vec<f64>,
     band: EdgeBand,
     answer: Vec<f64>,
 }
@@ -30,6 +41,7 @@ impl RestrictedFilter {
             filter: PeriodicFilter::new(symbol),
             largest_multiplier: 1.0,
             mean_compliance: f64::NAN,
+            flank: vec![1.0; size * size],
             band: EdgeBand::new(size),
             answer: vec![0.0; size * size],
         }
@@ -40,22 +52,28 @@ impl RestrictedFilter {
         let mean = mean_over(set, relief_compliance);
         let fits = (mean - self.mean_compliance).abs() <= MEAN_DRIFT * mean;
         if !fits {
-            self.tune(mean);
+            self.tune(mean, relief_compliance);
         }
         self.band.surround(set);
     }
 
-    fn tune(&mut self, mean: f64) {
+    fn tune(&mut self, mean: f64, relief_compliance: &[f64]) {
         self.mean_compliance = mean;
         self.largest_multiplier = self.filter.multiply_by(|symbol| 1.0 / (symbol + mean));
         self.answer.fill(0.0);
         self.answer[0] = 1.0;
         self.filter.apply(&mut self.answer, self.largest_multiplier);
         self.band.take_coefficients(&self.answer);
+        let both = 1.0 / self.answer[0];
+        let own = both - mean;
+        update(&mut self.flank, relief_compliance, |s, eta| {
+            *s = (both / (own + eta)).sqrt().sqrt();
+        });
     }
 
     /// `r ← M⁻¹_I r`, in place, for an `r` that is 0 outside the set.
     pub fn apply(&mut self, set: &WorkingSet, residual: &mut [f64]) {
+        update(residual, &self.flank, |r, s| *r *= s);
         if !self.band.is_empty() {
             self.answer.copy_from_slice(residual);
             self.filter.apply(&mut self.answer, self.largest_multiplier);
@@ -63,6 +81,7 @@ impl RestrictedFilter {
         }
         self.filter.apply(residual, self.largest_multiplier);
         set.clear_outside(residual);
+        update(residual, &self.flank, |z, s| *z *= s);
     }
 }
 
