@@ -1,8 +1,10 @@
 //! The command line of `cargo xtask`.
 
+use std::ffi::OsString;
+
 use clap::{Parser, Subcommand};
 
-use crate::{CompareArguments, PellicleArguments};
+use crate::{CompareArguments, FiguresArguments, PellicleArguments};
 
 /// The chores of the workspace.
 #[derive(Debug, Parser)]
@@ -20,9 +22,18 @@ pub enum Command {
     Tidy,
     /// Run Pellicle and its rivals on the same problems and print the table.
     Compare(CompareArguments),
+    /// Draw the figures of the paper from its cases: SVG, PNG and CSV.
+    Figures(FiguresArguments),
     /// One run of Pellicle for `compare`, which times it in a process of its own.
     #[command(hide = true)]
     Pellicle(PellicleArguments),
+    /// The program `pellicle` itself, with its own command line: what the tests run instead of a release build.
+    #[command(hide = true, disable_help_flag = true)]
+    Program {
+        /// Its command line.
+        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+        arguments: Vec<OsString>,
+    },
 }
 
 #[cfg(test)]

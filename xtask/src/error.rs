@@ -4,6 +4,7 @@ use std::io;
 use std::path::PathBuf;
 use std::process::ExitStatus;
 
+use pellicle_cli::failure::Failure;
 use pellicle_contact::{ContactError, IndenterError};
 use pellicle_influence::InfluenceError;
 use pellicle_kernel::KernelError;
@@ -43,9 +44,11 @@ pub enum XtaskError {
         /// What the operating system said.
         source: io::Error,
     },
-    /// The release build of Pellicle's runner failed.
-    #[error("cargo could not build xtask in release ({status})")]
+    /// A release build failed.
+    #[error("cargo could not build {package} in release ({status})")]
     Build {
+        /// What was built.
+        package: &'static str,
         /// How cargo ended.
         status: ExitStatus,
     },
@@ -57,6 +60,23 @@ pub enum XtaskError {
         /// Elements per period of the pillars.
         period: usize,
     },
+    /// A run of a case of the paper did not converge: nothing may be said from it.
+    #[error("not certified: {run}: nothing is drawn or claimed from it")]
+    NotCertified {
+        /// The case, its elements and values.
+        run: String,
+    },
+    /// The program refused a case of the paper.
+    #[error("pellicle refused {run}: {message}")]
+    Refused {
+        /// The case, its elements and values.
+        run: String,
+        /// What the program said.
+        message: String,
+    },
+    /// Results of a run that cannot be read.
+    #[error(transparent)]
+    Results(#[from] Failure),
     /// A material or foundation that cannot be.
     #[error(transparent)]
     Kernel(#[from] KernelError),

@@ -7,8 +7,10 @@
 mod arguments;
 mod compare;
 mod error;
+mod figures;
 mod manifest;
 mod markdown;
+mod paper;
 mod tidy;
 mod tree;
 mod violation;
@@ -19,6 +21,8 @@ pub use compare::{
     Rival, Row, Solved, compare, run_pellicle,
 };
 pub use error::XtaskError;
+pub use figures::{Figure, FiguresArguments, Quality, draw_figure, figures};
+pub use paper::{Keep, PaperCase, PaperRun, Program, Request, Runner};
 pub use tidy::tidy;
 pub use tree::{File, Tree};
 pub use violation::Violation;

@@ -10,13 +10,20 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use clap::Parser;
-use xtask::{Arguments, Command, CompareArguments, PellicleArguments, Tree, XtaskError};
+use xtask::{
+    Arguments, Command, CompareArguments, FiguresArguments, PellicleArguments, Tree, XtaskError,
+};
 
 fn main() -> ExitCode {
     let done = match Arguments::parse().command {
         Command::Tidy => tidy(),
         Command::Compare(arguments) => compare(&arguments),
+        Command::Figures(arguments) => figures(&arguments),
         Command::Pellicle(arguments) => pellicle(&arguments),
+        Command::Program { arguments } => {
+            let line = std::iter::once("pellicle".into()).chain(arguments);
+            Ok(pellicle_cli::program::main(line))
+        }
     };
     done.unwrap_or_else(|error| {
         eprintln!("{error}");
@@ -48,6 +55,13 @@ fn tidy() -> Result<ExitCode, XtaskError> {
 fn compare(arguments: &CompareArguments) -> Result<ExitCode, XtaskError> {
     let report = xtask::compare(arguments, root(), &mut |line| eprintln!("{line}"))?;
     print!("{report}");
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Draws the paper's figures, and says on standard error what is going on.
+fn figures(arguments: &FiguresArguments) -> Result<ExitCode, XtaskError> {
+    let count = xtask::figures(arguments, root(), &mut |line| eprintln!("{line}"))?;
+    eprintln!("{count} pictures in {}", arguments.folder().display());
     Ok(ExitCode::SUCCESS)
 }
 

@@ -5,6 +5,7 @@ use std::sync::{Arc, LazyLock};
 
 use resvg::{tiny_skia, usvg};
 
+use super::palette;
 use super::svg::FAMILY;
 
 /// Pixels of a picture per unit of its drawing. Twice as many take twice as long, some 0.1 s a picture; the drawing itself is
@@ -38,18 +39,32 @@ static OPTIONS: LazyLock<usvg::Options<'static>> = LazyLock::new(|| {
 ///
 /// Whatever stands against rendering it: a drawing of this program that is not SVG, or no memory for its pixels.
 pub fn render(svg: &str) -> io::Result<Vec<u8>> {
+    let (width, height, rgb) = pixels(svg, ZOOM)?;
+    Ok(encode(width, height, Kind::Rgb, &rgb))
+}
+
+/// The drawing as a PNG file with `zoom` pixels per unit of it, as few bytes as may be.
+///
+/// # Errors
+///
+/// Those of [`render`].
+pub fn render_small(svg: &str, zoom: f32) -> io::Result<Vec<u8>> {
+    let (width, height, rgb) = pixels(svg, zoom)?;
+    palette::encode(width, height, &rgb)
+}
+
+/// Width, height and the bytes of the pixels, three each.
+fn pixels(svg: &str, zoom: f32) -> io::Result<(usize, usize, Vec<u8>)> {
     let tree = usvg::Tree::from_str(svg, &OPTIONS).map_err(io::Error::other)?;
-    let size = tree.size().to_int_size().scale_by(ZOOM);
+    let size = tree.size().to_int_size().scale_by(zoom);
     let pixels = size.and_then(|size| tiny_skia::Pixmap::new(size.width(), size.height()));
     let mut pixels = pixels.ok_or_else(|| io::Error::other("no memory for the picture"))?;
-    let zoom = tiny_skia::Transform::from_scale(ZOOM, ZOOM);
+    let zoom = tiny_skia::Transform::from_scale(zoom, zoom);
     resvg::render(&tree, zoom, &mut pixels.as_mut());
-    // The sheet is opaque: what is left of a pixel is its colour.
-    let rgb: Vec<u8> = (pixels.data().chunks_exact(4))
-        .flat_map(|pixel| [pixel[0], pixel[1], pixel[2]])
-        .collect();
-    let (width, height) = (pixels.width() as usize, pixels.height() as usize);
-    Ok(encode(width, height, Kind::Rgb, &rgb))
+    // The last row and column may reach past the sheet: on paper what is not covered is white.
+    let on_paper = |pixel: &[u8]| [0, 1, 2].map(|i: usize| pixel[i].saturating_add(255 - pixel[3]));
+    let rgb = pixels.data().chunks_exact(4).flat_map(on_paper).collect();
+    Ok((pixels.width() as usize, pixels.height() as usize, rgb))
 }
 
 /// Pixels as a PNG file; an empty one where the sides do not fit the pixels.
@@ -68,20 +83,30 @@ fn try_encode(
     kind: Kind,
     pixels: &[u8],
 ) -> Result<(), png::EncodingError> {
-    let side = |side: usize| u32::try_from(side).unwrap_or(u32::MAX);
-    let mut encoder = png::Encoder::new(bytes, side(width), side(height));
+    let mut encoder = encoder(bytes, width, height);
     encoder.set_color(match kind {
         Kind::Rgb => png::ColorType::Rgb,
         Kind::Rgba => png::ColorType::Rgba,
     });
     encoder.set_depth(png::BitDepth::Eight);
     encoder.set_compression(png::Compression::Fast);
+    encoder.write_header()?.write_image_data(pixels)
+}
+
+/// An encoder that knows the sides and the density.
+pub(super) fn encoder(
+    bytes: &mut Vec<u8>,
+    width: usize,
+    height: usize,
+) -> png::Encoder<'_, &mut Vec<u8>> {
+    let side = |side: usize| u32::try_from(side).unwrap_or(u32::MAX);
+    let mut encoder = png::Encoder::new(bytes, side(width), side(height));
     encoder.set_pixel_dims(Some(png::PixelDimensions {
         xppu: DENSITY,
         yppu: DENSITY,
         unit: png::Unit::Meter,
     }));
-    encoder.write_header()?.write_image_data(pixels)
+    encoder
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! Every file in `cases/`: it runs as it stands, is certified, and opens with a comment.
+//! Every file in `cases/` and `cases/paper/`: it runs as it stands, is certified, and opens with a comment.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -8,9 +8,10 @@ use serde_json::Value;
 use crate::runner::Folder;
 
 fn cases() -> Vec<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../cases");
-    let mut cases: Vec<_> = fs::read_dir(folder)
-        .unwrap()
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let mut cases: Vec<_> = ["cases", "cases/paper"]
+        .iter()
+        .flat_map(|folder| fs::read_dir(root.join(folder)).unwrap())
         .map(|entry| entry.unwrap().path())
         .filter(|path| path.extension().is_some_and(|ending| ending == "toml"))
         .collect();
@@ -21,7 +22,7 @@ fn cases() -> Vec<PathBuf> {
 #[test]
 fn every_case_runs_to_a_satisfied_certificate() {
     let cases = cases();
-    assert!(cases.len() >= 7, "{cases:?}");
+    assert!(cases.len() >= 15, "{cases:?}");
     for case in cases {
         let ran = Folder::new().run(&["run", case.to_str().unwrap(), "--json", "--quiet"]);
         assert_eq!(ran.code, Some(0), "{}: {}", case.display(), ran.stderr);

@@ -141,7 +141,10 @@ fn build(root: &Path) -> Result<PathBuf, XtaskError> {
             source,
         })?;
     if !status.success() {
-        return Err(XtaskError::Build { status });
+        return Err(XtaskError::Build {
+            package: "xtask",
+            status,
+        });
     }
     let name = format!("xtask{}", env::consts::EXE_SUFFIX);
     Ok(target.join("release").join(name))

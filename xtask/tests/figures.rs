@@ -1,0 +1,85 @@
+//! Figures on tiny grids: every picture as three files, with the certificate of its data, drawn again to the same bytes.
+
+#![expect(
+    clippy::unwrap_used,
+    reason = "a test that cannot prepare itself has failed"
+)]
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use tempfile::TempDir;
+use xtask::{Figure, Program, Quality, Runner, draw_figure};
+
+/// Elements per side: few enough for a test, and a multiple of four, so that there is a coarser grid.
+const TINY: Quality = Quality {
+    fields: 32,
+    path: 32,
+    finest_path: 32,
+    is_quick: true,
+};
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+fn runner(results: &TempDir) -> Runner {
+    let program = Program::at(Path::new(env!("CARGO_BIN_EXE_xtask")), &["program"]).unwrap();
+    Runner::new(&root(), results.path().join("runs"), program)
+}
+
+/// The files of a figure, by name.
+fn drawn(figure: Figure, results: &TempDir, folder: &str) -> BTreeMap<String, Vec<u8>> {
+    let out = results.path().join(folder);
+    let names = draw_figure(figure, &runner(results), TINY, &out).unwrap();
+    let file = |name: String| (name.clone(), fs::read(out.join(name)).unwrap());
+    names.into_iter().map(file).collect()
+}
+
+fn text<'a>(files: &'a BTreeMap<String, Vec<u8>>, name: &str) -> &'a str {
+    std::str::from_utf8(&files[name]).unwrap()
+}
+
+#[test]
+fn a_figure_is_drawing_pixels_and_table_with_its_certificate() {
+    let results = tempfile::tempdir().unwrap();
+    let files = drawn(Figure::Six, &results, "first");
+    let names: Vec<_> = files.keys().map(String::as_str).collect();
+    assert_eq!(names, ["fig6.csv", "fig6.png", "fig6.svg"]);
+    assert!(files["fig6.png"].starts_with(b"\x89PNG"));
+    let svg = text(&files, "fig6.svg");
+    for words in [
+        "QUICK",
+        "32 × 32 elements",
+        "certificates ≤",
+        "Q, mN",
+        "D, nm",
+        "largest p, GPa",
+    ] {
+        assert!(svg.contains(words), "{words}");
+    }
+    // Two panels, two curves, a row a load.
+    let loads = 19;
+    assert_eq!(text(&files, "fig6.csv").lines().count(), 1 + 2 * 2 * loads);
+}
+
+#[test]
+fn a_figure_drawn_again_from_what_is_kept_has_the_same_bytes() {
+    let results = tempfile::tempdir().unwrap();
+    let first = drawn(Figure::Two, &results, "first");
+    assert!(first.contains_key("fig2-map.png") && first.contains_key("fig2-surface.svg"));
+    assert!(text(&first, "fig2-map.svg").contains("certificate"));
+    assert_eq!(first, drawn(Figure::Two, &results, "second"));
+}
+
+#[test]
+fn no_figure_is_drawn_from_a_run_that_is_missing() {
+    let results = tempfile::tempdir().unwrap();
+    let nowhere = TempDir::new().unwrap();
+    let program = Program::at(Path::new(env!("CARGO_BIN_EXE_xtask")), &["program"]).unwrap();
+    let runner = Runner::new(nowhere.path(), results.path().join("runs"), program);
+    let out = results.path().join("out");
+    assert!(draw_figure(Figure::Five, &runner, TINY, &out).is_err());
+    assert!(!out.exists());
+}
