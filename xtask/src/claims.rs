@@ -8,6 +8,8 @@ mod arguments;
 mod checker;
 mod checks;
 mod contact_fields;
+#[cfg(test)]
+mod controls;
 mod curve;
 mod cylinders;
 mod document;
@@ -78,11 +80,16 @@ fn judge(
     for claim in file.chosen(&arguments.only)? {
         match arguments.grids(claim) {
             [] => report.left_out.push(claim.id.clone()),
-            grids => report.evaluations.push(evaluation::evaluate(claim, grids, evidence)?),
+            grids => report
+                .evaluations
+                .push(evaluation::evaluate(claim, grids, evidence)?),
         }
     }
     if arguments.is_everything() {
-        let refined = file.refinements.iter().map(|one| refinement::refine(one, evidence));
+        let refined = file
+            .refinements
+            .iter()
+            .map(|one| refinement::refine(one, evidence));
         report.refined = refined.collect::<Result<_, _>>()?;
     }
     Ok(report)

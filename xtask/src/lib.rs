@@ -17,8 +17,8 @@ mod violation;
 
 pub use arguments::{Arguments, Command};
 pub use claims::{
-    Checker, Claim, ClaimsArguments, ClaimsError, ClaimsFile, ClaimsReport, Contradiction, Evaluation, Finding, Refinement, Source,
-    Verdict, claims,
+    Checker, Claim, ClaimsArguments, ClaimsError, ClaimsFile, ClaimsReport, Contradiction,
+    Evaluation, Finding, Refinement, Source, Verdict, claims,
 };
 pub use compare::{
     Case, Certificate, CompareArguments, Measurement, Outcome, PellicleArguments, Problem, Report,

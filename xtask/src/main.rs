@@ -10,7 +10,9 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use clap::Parser;
-use xtask::{Arguments, ClaimsArguments, Command, CompareArguments, PellicleArguments, Tree, XtaskError};
+use xtask::{
+    Arguments, ClaimsArguments, Command, CompareArguments, PellicleArguments, Tree, XtaskError,
+};
 
 fn main() -> ExitCode {
     let done = match Arguments::parse().command {

@@ -23,6 +23,10 @@ impl ClaimsArguments {
 
     /// The grids on which a claim is evaluated; none if it needs finer ones than are asked for.
     pub(super) fn grids<'a>(&self, claim: &'a Claim) -> &'a [usize] {
-        if self.quick { &claim.quick } else { &claim.elements }
+        if self.quick {
+            &claim.quick
+        } else {
+            &claim.elements
+        }
     }
 }

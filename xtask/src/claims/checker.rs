@@ -122,7 +122,9 @@ impl Checker {
             Self::LayerTouchesNearAxis => Check::Fields(incomplete::layer_touches_near_axis),
             Self::PeaksAtEdges => Check::Cylinders(edges::peaks_at_edges),
             Self::LargestAtCentralEdge => Check::PeakPlace(edges::largest_at_central_edge),
-            Self::MeanEdgeIsLargestAtCentre => Check::Cylinders(edges::mean_edge_is_largest_at_centre),
+            Self::MeanEdgeIsLargestAtCentre => {
+                Check::Cylinders(edges::mean_edge_is_largest_at_centre)
+            }
             Self::LayerIsCurved => Check::Cylinders(section::layer_is_curved),
             Self::LargestBesideElements => Check::Cylinders(section::largest_beside_elements),
             Self::LargestUnderEdges => Check::Cylinders(section::largest_under_edges),

@@ -32,7 +32,10 @@ impl ContactFields {
             self.indenter.len(),
             self.relief.len(),
         ];
-        match lengths.into_iter().find(|&found| found != wanted || found == 0) {
+        match lengths
+            .into_iter()
+            .find(|&found| found != wanted || found == 0)
+        {
             Some(found) => Err(ClaimsError::Fields { wanted, found }),
             None => Ok(self),
         }

@@ -32,7 +32,11 @@ impl Curve {
         ];
         let complete = others.iter().all(|list| list.len() == points);
         let rising = self.force.windows(2).all(|pair| pair[0] < pair[1]);
-        let positive = self.force.iter().chain(&self.gradient).all(|&x| x > 0.0 && x.is_finite());
+        let positive = self
+            .force
+            .iter()
+            .chain(&self.gradient)
+            .all(|&x| x > 0.0 && x.is_finite());
         if points < 3 || !complete || !rising || !positive {
             return Err(ClaimsError::Curve { points });
         }
@@ -46,7 +50,10 @@ impl Curve {
 
     /// One of the curve's lists at a force between its first and last, on straight lines between the points.
     pub(super) fn at(&self, force: f64, list: &[f64]) -> f64 {
-        let above = self.force.partition_point(|&q| q < force).clamp(1, self.force.len() - 1);
+        let above = self
+            .force
+            .partition_point(|&q| q < force)
+            .clamp(1, self.force.len() - 1);
         let [q0, q1] = [self.force[above - 1], self.force[above]];
         let [y0, y1] = [list[above - 1], list[above]];
         y0 + (y1 - y0) * (force - q0) / (q1 - q0)

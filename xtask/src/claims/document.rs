@@ -40,22 +40,49 @@ element's edge is at r = 0.005); `between` is the share of the contact area that
 
 /// The document over all claims.
 pub(super) fn document(file: &ClaimsFile, report: &ClaimsReport) -> String {
-    let of = |source| report.evaluations.iter().filter(move |one| one.claim.source == source);
+    let of = |source| {
+        report
+            .evaluations
+            .iter()
+            .filter(move |one| one.claim.source == source)
+    };
     [
         format!("{OPENING}\n{}", count(of(Source::Paper))),
         format!("## What the paper says\n\n{}", table(of(Source::Paper))),
-        format!("## Where we disagree\n\n{}", disagreements(of(Source::Paper))),
-        REFINED.to_owned() + &report.refined.iter().map(|one| one.markdown() + "\n").collect::<String>(),
-        format!("What follows from it, checked like the paper's sentences:\n\n{}", table(of(Source::Pellicle))),
-        format!("## Where the paper contradicts itself\n\n{}", contradictions(&file.contradictions)),
-        format!("## How each is decided\n\n{}", decisions(&report.evaluations)),
+        format!(
+            "## Where we disagree\n\n{}",
+            disagreements(of(Source::Paper))
+        ),
+        REFINED.to_owned()
+            + &report
+                .refined
+                .iter()
+                .map(|one| one.markdown() + "\n")
+                .collect::<String>(),
+        format!(
+            "What follows from it, checked like the paper's sentences:\n\n{}",
+            table(of(Source::Pellicle))
+        ),
+        format!(
+            "## Where the paper contradicts itself\n\n{}",
+            contradictions(&file.contradictions)
+        ),
+        format!(
+            "## How each is decided\n\n{}",
+            decisions(&report.evaluations)
+        ),
     ]
     .join("\n")
 }
 
 fn count<'a>(evaluations: impl Iterator<Item = &'a Evaluation>) -> String {
     let verdicts: Vec<Verdict> = evaluations.map(|one| one.verdict).collect();
-    let of = |wanted| verdicts.iter().filter(|&&verdict| verdict == wanted).count();
+    let of = |wanted| {
+        verdicts
+            .iter()
+            .filter(|&&verdict| verdict == wanted)
+            .count()
+    };
     format!(
         "Of {} sentences {} are borne out, {} are not, {} depend on the grid.\n",
         verdicts.len(),
@@ -68,13 +95,26 @@ fn count<'a>(evaluations: impl Iterator<Item = &'a Evaluation>) -> String {
 fn table<'a>(evaluations: impl Iterator<Item = &'a Evaluation>) -> String {
     let lines = evaluations.map(|one| {
         let claim = &one.claim;
-        format!("| `{}` | {} | {} | {} | **{}** |\n", claim.id, claim.place, claim.sentence, measured(one), one.verdict)
+        format!(
+            "| `{}` | {} | {} | {} | **{}** |\n",
+            claim.id,
+            claim.place,
+            claim.sentence,
+            measured(one),
+            one.verdict
+        )
     });
-    format!("| claim | place | sentence | found | verdict |\n|---|---|---|---|---|\n{}", lines.collect::<String>())
+    format!(
+        "| claim | place | sentence | found | verdict |\n|---|---|---|---|---|\n{}",
+        lines.collect::<String>()
+    )
 }
 
 fn measured(evaluation: &Evaluation) -> String {
-    let grids = evaluation.findings.iter().map(|(n, finding)| format!("N = {n}: {}", finding.measured));
+    let grids = evaluation
+        .findings
+        .iter()
+        .map(|(n, finding)| format!("N = {n}: {}", finding.measured));
     grids.collect::<Vec<_>>().join("<br>")
 }
 
@@ -82,7 +122,10 @@ fn disagreements<'a>(evaluations: impl Iterator<Item = &'a Evaluation>) -> Strin
     let contested = evaluations.filter(|one| one.verdict != Verdict::BorneOut);
     let items = contested.map(|one| {
         let claim = &one.claim;
-        let grids = one.findings.iter().map(|(n, finding)| format!("N = {n}: {}", finding.measured));
+        let grids = one
+            .findings
+            .iter()
+            .map(|(n, finding)| format!("N = {n}: {}", finding.measured));
         format!(
             "- {}, `{}`, **{}**: *{}.* {} Found: {}.\n",
             claim.place,
@@ -97,8 +140,13 @@ fn disagreements<'a>(evaluations: impl Iterator<Item = &'a Evaluation>) -> Strin
 }
 
 fn contradictions(contradictions: &[Contradiction]) -> String {
-    let lines = contradictions.iter().map(|one| format!("| {} | {} | {} |\n", one.place, one.paper, one.done));
-    format!("| place | the paper | what we did |\n|---|---|---|\n{}", lines.collect::<String>())
+    let lines = contradictions
+        .iter()
+        .map(|one| format!("| {} | {} | {} |\n", one.place, one.paper, one.done));
+    format!(
+        "| place | the paper | what we did |\n|---|---|---|\n{}",
+        lines.collect::<String>()
+    )
 }
 
 fn decisions(evaluations: &[Evaluation]) -> String {

@@ -52,7 +52,9 @@ pub enum ClaimsError {
         found: usize,
     },
     /// A curve that cannot be judged.
-    #[error("a curve of {points} loads: at least three rising ones are wanted, with as many finite numbers of each kind")]
+    #[error(
+        "a curve of {points} loads: at least three rising ones are wanted, with as many finite numbers of each kind"
+    )]
     Curve {
         /// Its loads.
         points: usize,

@@ -37,7 +37,10 @@ pub(super) fn evaluate(
     for &elements in grids {
         findings.push((elements, find(claim, elements, evidence)?));
     }
-    let all: Vec<Finding> = findings.iter().map(|(_, finding)| finding.clone()).collect();
+    let all: Vec<Finding> = findings
+        .iter()
+        .map(|(_, finding)| finding.clone())
+        .collect();
     let verdict = Verdict::of(&all).unwrap_or(Verdict::NotBorneOut);
     Ok(Evaluation {
         claim: claim.clone(),
@@ -47,14 +50,24 @@ pub(super) fn evaluate(
 }
 
 /// What the claim's check finds on one grid.
-fn find(claim: &Claim, elements: usize, evidence: &mut dyn Evidence) -> Result<Finding, XtaskError> {
+fn find(
+    claim: &Claim,
+    elements: usize,
+    evidence: &mut dyn Evidence,
+) -> Result<Finding, XtaskError> {
     let subject = |index: usize| Subject::parse(&claim.cases[index], &claim.set, elements);
     let first = subject(0)?;
     let limit = claim.threshold;
     Ok(match claim.checker.check() {
         Check::Fields(check) => check(&*evidence.fields(first)?, limit),
-        Check::Cylinders(check) => check(&*evidence.fields(first)?, evidence.cylinders(first)?, limit),
-        Check::TwoFields(check) => check(&*evidence.fields(first)?, &*evidence.fields(subject(1)?)?, limit),
+        Check::Cylinders(check) => {
+            check(&*evidence.fields(first)?, evidence.cylinders(first)?, limit)
+        }
+        Check::TwoFields(check) => check(
+            &*evidence.fields(first)?,
+            &*evidence.fields(subject(1)?)?,
+            limit,
+        ),
         Check::ShareBetween(check) => {
             let numbers = evidence.numbers(first)?;
             check(numbers.contact_area_between / numbers.contact_area, limit)
@@ -64,13 +77,18 @@ fn find(claim: &Claim, elements: usize, evidence: &mut dyn Evidence) -> Result<F
             check(at, evidence.cylinders(first)?)
         }
         Check::PeakGrowth(check) => {
-            let [coarse, fine] = [elements / 2, elements].map(|elements| Subject { elements, ..first });
+            let [coarse, fine] =
+                [elements / 2, elements].map(|elements| Subject { elements, ..first });
             let mut peak = |subject: Subject<'_>| -> Result<_, XtaskError> {
                 Ok((subject.elements, evidence.numbers(subject)?.max_pressure))
             };
             check(peak(coarse)?, peak(fine)?, limit)
         }
         Check::Curve(check) => check(&*evidence.curve(first)?, limit),
-        Check::TwoCurves(check) => check(&*evidence.curve(first)?, &*evidence.curve(subject(1)?)?, limit),
+        Check::TwoCurves(check) => check(
+            &*evidence.curve(first)?,
+            &*evidence.curve(subject(1)?)?,
+            limit,
+        ),
     })
 }

@@ -23,7 +23,11 @@ impl<'a> Subject<'a> {
     ///
     /// # Errors
     /// [`ClaimsError::Case`] if the step is no number.
-    pub(super) fn parse(called: &'a str, set: &'a [String], elements: usize) -> Result<Self, ClaimsError> {
+    pub(super) fn parse(
+        called: &'a str,
+        set: &'a [String],
+        elements: usize,
+    ) -> Result<Self, ClaimsError> {
         let (case, step) = called.split_once(':').unwrap_or((called, "0"));
         let step = step.parse().map_err(|_| ClaimsError::Case {
             found: called.to_owned(),

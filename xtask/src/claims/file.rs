@@ -144,7 +144,9 @@ impl ClaimsFile {
     /// # Errors
     /// [`ClaimsError::Unknown`] for a name that no claim has.
     pub(super) fn chosen(&self, names: &[String]) -> Result<Vec<&Claim>, ClaimsError> {
-        let unknown = names.iter().find(|name| !self.claims().any(|claim| claim.is_named(name)));
+        let unknown = names
+            .iter()
+            .find(|name| !self.claims().any(|claim| claim.is_named(name)));
         if let Some(found) = unknown {
             let known: Vec<&str> = self.claims().map(|claim| claim.id.as_str()).collect();
             return Err(ClaimsError::Unknown {
@@ -152,7 +154,8 @@ impl ClaimsFile {
                 known: known.join(", "),
             });
         }
-        let is_chosen = |claim: &&Claim| names.is_empty() || names.iter().any(|name| claim.is_named(name));
+        let is_chosen =
+            |claim: &&Claim| names.is_empty() || names.iter().any(|name| claim.is_named(name));
         Ok(self.claims().filter(is_chosen).collect())
     }
 }
@@ -166,21 +169,36 @@ impl Claim {
 
     /// What is wrong with it: found and wanted.
     fn problem(&self) -> Option<String> {
-        let texts = [&self.id, &self.place, &self.sentence, &self.quantity, &self.because, &self.reason];
+        let texts = [
+            &self.id,
+            &self.place,
+            &self.sentence,
+            &self.quantity,
+            &self.because,
+            &self.reason,
+        ];
         if texts.iter().any(|text| text.trim().is_empty()) {
             return Some("one of its texts is empty".to_owned());
         }
         let [found, wanted] = [self.cases.len(), self.checker.check().cases()];
         if found != wanted {
-            return Some(format!("it names {found} cases, its checker looks at {wanted}"));
+            return Some(format!(
+                "it names {found} cases, its checker looks at {wanted}"
+            ));
         }
-        if let Some(grids) = [&self.elements, &self.quick].into_iter().find(|grids| !is_refined(grids)) {
-            return Some(format!("its grids are {grids:?}, at least two are wanted, each finer than the one before"));
+        if let Some(grids) = [&self.elements, &self.quick]
+            .into_iter()
+            .find(|grids| !is_refined(grids))
+        {
+            return Some(format!(
+                "its grids are {grids:?}, at least two are wanted, each finer than the one before"
+            ));
         }
         if self.elements.is_empty() {
             return Some("it has no grids, at least two are wanted".to_owned());
         }
-        (!self.threshold.is_finite()).then(|| format!("its threshold is {}, a number is wanted", self.threshold))
+        (!self.threshold.is_finite())
+            .then(|| format!("its threshold is {}, a number is wanted", self.threshold))
     }
 }
 
@@ -210,14 +228,19 @@ reason = "the share is nothing"
 "#;
 
     fn complaint(text: &str) -> String {
-        ClaimsFile::parse(text).expect_err("the text is wrong").to_string()
+        ClaimsFile::parse(text)
+            .expect_err("the text is wrong")
+            .to_string()
     }
 
     #[test]
     fn a_complete_claim_is_read() {
         let file = ClaimsFile::parse(GOOD).unwrap();
         let claim = file.claims().next().unwrap();
-        assert_eq!((claim.checker, claim.verdict), (Checker::OnlyElementsTouch, Verdict::BorneOut));
+        assert_eq!(
+            (claim.checker, claim.verdict),
+            (Checker::OnlyElementsTouch, Verdict::BorneOut)
+        );
         assert_eq!(claim.source, Source::Paper);
     }
 
@@ -229,7 +252,10 @@ reason = "the share is nothing"
             ("threshold", "treshold", "line 11"),
         ] {
             let complaint = complaint(&GOOD.replacen(good, bad, 1));
-            assert!(complaint.contains(line) && complaint.contains(bad), "{complaint}");
+            assert!(
+                complaint.contains(line) && complaint.contains(bad),
+                "{complaint}"
+            );
         }
     }
 
@@ -237,14 +263,20 @@ reason = "the share is nothing"
     fn a_claim_on_one_grid_or_on_no_finer_one_is_refused() {
         for bad in ["[512]", "[1024, 512]", "[]"] {
             let complaint = complaint(&GOOD.replacen("[512, 1024]", bad, 1));
-            assert!(complaint.contains("2a-tops") && complaint.contains("line 2"), "{complaint}");
+            assert!(
+                complaint.contains("2a-tops") && complaint.contains("line 2"),
+                "{complaint}"
+            );
         }
     }
 
     #[test]
     fn a_claim_with_too_many_cases_or_an_empty_reason_is_refused() {
         let two = complaint(&GOOD.replacen(r#"["fig2a"]"#, r#"["fig2a", "fig2b"]"#, 1));
-        assert!(two.contains("it names 2 cases, its checker looks at 1"), "{two}");
+        assert!(
+            two.contains("it names 2 cases, its checker looks at 1"),
+            "{two}"
+        );
         let empty = complaint(&GOOD.replacen("the share is nothing", " ", 1));
         assert!(empty.contains("one of its texts is empty"), "{empty}");
     }
@@ -252,7 +284,10 @@ reason = "the share is nothing"
     #[test]
     fn an_id_that_stands_twice_is_refused_at_its_second_place() {
         let complaint = complaint(&format!("{GOOD}{GOOD}"));
-        assert!(complaint.contains("line 16") && complaint.contains("twice"), "{complaint}");
+        assert!(
+            complaint.contains("line 16") && complaint.contains("twice"),
+            "{complaint}"
+        );
     }
 
     #[test]

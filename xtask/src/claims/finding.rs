@@ -24,8 +24,14 @@ impl Finding {
     }
 }
 
+/// Smaller fractions are shown as 0: solutions are certified to 1e-8, and their differences mean less than that.
+const NOTHING: f64 = 1e-7;
+
 /// A fraction as a percentage with three significant digits.
 pub(super) fn percent(fraction: f64) -> String {
+    if fraction.abs() < NOTHING {
+        return "0 %".into();
+    }
     format!("{} %", significant(100.0 * fraction, 3))
 }
 
@@ -62,5 +68,6 @@ mod tests {
     fn a_share_is_shown_in_percent() {
         assert_eq!(percent(0.011_084_9), "1.11 %");
         assert_eq!(percent(1.0), "100 %");
+        assert_eq!(percent(-3e-16), "0 %");
     }
 }

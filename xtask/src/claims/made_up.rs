@@ -17,7 +17,10 @@ const SIDE: f64 = 5.0;
 pub(super) fn pressed(pressure: impl Fn(f64, f64) -> f64) -> ContactFields {
     let mut fields = blank();
     for index in 0..ELEMENTS * ELEMENTS {
-        let [radius, relative] = [fields.radius(index), CYLINDERS.relative_distance(fields.point(index))];
+        let [radius, relative] = [
+            fields.radius(index),
+            CYLINDERS.relative_distance(fields.point(index)),
+        ];
         fields.pressure[index] = pressure(radius, relative);
         fields.indenter[index] = radius;
     }
@@ -60,4 +63,17 @@ pub(super) fn power_law(scale: f64, exponent: f64) -> Curve {
         force: force.clone(),
     };
     curve.checked().unwrap()
+}
+
+/// The curve of a half-space, `D ~ Q^(2/3)`, with a film whose effect on everything is `1/(2 + 20 Q)`.
+pub(super) fn with_fading_film() -> Curve {
+    let mut film = power_law(1.0, 2.0 / 3.0);
+    for (i, force) in film.force.iter().enumerate() {
+        let effect = 0.5 / (1.0 + 10.0 * force);
+        film.penetration[i] *= 1.0 + effect;
+        film.gradient[i] *= 1.0 + effect;
+        film.contact_area[i] *= 1.0 + effect;
+        film.max_pressure[i] *= 1.0 - effect;
+    }
+    film
 }

@@ -17,7 +17,10 @@ pub(super) struct Refined {
 ///
 /// # Errors
 /// Whatever stands against the evidence.
-pub(super) fn refine(refinement: &Refinement, evidence: &mut dyn Evidence) -> Result<Refined, XtaskError> {
+pub(super) fn refine(
+    refinement: &Refinement,
+    evidence: &mut dyn Evidence,
+) -> Result<Refined, XtaskError> {
     let mut grids = Vec::new();
     for &elements in &refinement.elements {
         let subject = Subject::parse(&refinement.case, &refinement.set, elements)?;
@@ -39,14 +42,21 @@ impl Refined {
     pub(super) fn markdown(&self) -> String {
         let lines = (0..self.grids.len()).map(|index| self.line(index));
         let title = &self.refinement.title;
-        format!("### {title}\n\n{HEAD}{}\n{}\n", lines.collect::<String>(), self.fits())
+        format!(
+            "### {title}\n\n{HEAD}{}\n{}\n",
+            lines.collect::<String>(),
+            self.fits()
+        )
     }
 
     fn line(&self, index: usize) -> String {
         let (elements, numbers) = self.grids[index];
         let [x, y] = numbers.max_pressure_at;
         let growth = match index.checked_sub(1).map(|before| self.peak(before)) {
-            Some(before) => format!("N^{}", significant(growth::exponent(before, self.peak(index)), 2)),
+            Some(before) => format!(
+                "N^{}",
+                significant(growth::exponent(before, self.peak(index)), 2)
+            ),
             None => "–".to_owned(),
         };
         format!(
@@ -68,7 +78,10 @@ impl Refined {
             });
             let peaks: Vec<_> = grids.map(|index| self.peak(index)).collect();
             let exponent = growth::fitted_exponent(&peaks);
-            exponent.map_or_else(|| "too few grids".to_owned(), |m| format!("N^{}", significant(m, 2)))
+            exponent.map_or_else(
+                || "too few grids".to_owned(),
+                |m| format!("N^{}", significant(m, 2)),
+            )
         };
         format!(
             "Fitted over the grids with elements larger than ℓ: {}; smaller than ℓ: {}.\n",

@@ -20,7 +20,9 @@ pub struct ClaimsReport {
 impl ClaimsReport {
     /// The claims whose computed verdict is not the one recorded.
     pub fn changed(&self) -> impl Iterator<Item = &Evaluation> {
-        self.evaluations.iter().filter(|evaluation| !evaluation.is_as_recorded())
+        self.evaluations
+            .iter()
+            .filter(|evaluation| !evaluation.is_as_recorded())
     }
 
     /// Success if every computed verdict is the one recorded, failure if one is not.
@@ -46,13 +48,23 @@ impl ClaimsReport {
 
 impl fmt::Display for ClaimsReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let width = |column: &dyn Fn(&Evaluation) -> usize| self.evaluations.iter().map(column).max().unwrap_or(0);
+        let width = |column: &dyn Fn(&Evaluation) -> usize| {
+            self.evaluations.iter().map(column).max().unwrap_or(0)
+        };
         let id_width = width(&|evaluation| evaluation.claim.id.chars().count());
         let verdict_width = width(&|evaluation| evaluation.verdict.to_string().chars().count());
         for evaluation in &self.evaluations {
-            let mark = if evaluation.is_as_recorded() { " " } else { "!" };
+            let mark = if evaluation.is_as_recorded() {
+                " "
+            } else {
+                "!"
+            };
             let verdict = evaluation.verdict.to_string();
-            writeln!(f, "{mark} {:id_width$}  {verdict:verdict_width$}  {}", evaluation.claim.id, evaluation.claim.place)?;
+            writeln!(
+                f,
+                "{mark} {:id_width$}  {verdict:verdict_width$}  {}",
+                evaluation.claim.id, evaluation.claim.place
+            )?;
             writeln!(f, "    {}", evaluation.claim.sentence)?;
             for (elements, finding) in &evaluation.findings {
                 writeln!(f, "    N = {elements:4}: {}", finding.measured)?;
@@ -65,7 +77,11 @@ impl fmt::Display for ClaimsReport {
 impl ClaimsReport {
     fn closing(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if !self.left_out.is_empty() {
-            writeln!(f, "left out, they need the full grids: {}", self.left_out.join(", "))?;
+            writeln!(
+                f,
+                "left out, they need the full grids: {}",
+                self.left_out.join(", ")
+            )?;
         }
         let (all, changed) = (self.evaluations.len(), self.changed().count());
         writeln!(f, "{} of {all} verdicts as recorded", all - changed)

@@ -14,7 +14,7 @@ pub(super) struct Runs<'a> {
     runner: Runner,
     tell: &'a mut dyn FnMut(&str),
     /// Runs of this session by their request's folder; one with fields also answers for its numbers.
-    runs: BTreeMap<String, Rc<PaperRun>>,
+    solved: BTreeMap<String, Rc<PaperRun>>,
     /// The fields looked at last: claims about one case stand together, and fields are large.
     last: Option<(String, Rc<ContactFields>)>,
 }
@@ -25,7 +25,7 @@ impl<'a> Runs<'a> {
         Self {
             runner,
             tell,
-            runs: BTreeMap::new(),
+            solved: BTreeMap::new(),
             last: None,
         }
     }
@@ -42,12 +42,14 @@ impl<'a> Runs<'a> {
             keep: Keep::Fields,
             ..request.clone()
         };
-        let known = [&name, &with_fields.folder()].into_iter().find_map(|name| self.runs.get(name));
+        let known = [&name, &with_fields.folder()]
+            .into_iter()
+            .find_map(|name| self.solved.get(name));
         if let Some(run) = known {
             return Ok(Rc::clone(run));
         }
         let run = Rc::new(self.runner.run(&request, self.tell)?);
-        self.runs.insert(name, Rc::clone(&run));
+        self.solved.insert(name, Rc::clone(&run));
         Ok(run)
     }
 }
@@ -91,7 +93,9 @@ impl Evidence for Runs<'_> {
     fn curve(&mut self, subject: Subject<'_>) -> Result<Rc<Curve>, XtaskError> {
         let run = self.run(subject, Keep::Numbers)?;
         let steps = run.steps();
-        let gradient = steps.iter().map(|step| step.contact_stiffness.map_or(f64::NAN, f64::recip));
+        let gradient = steps
+            .iter()
+            .map(|step| step.contact_stiffness.map_or(f64::NAN, f64::recip));
         let curve = Curve {
             force: steps.iter().map(|step| step.force).collect(),
             penetration: steps.iter().map(|step| step.penetration).collect(),
@@ -125,7 +129,9 @@ fn contact_fields(run: &PaperRun, subject: Subject<'_>) -> Result<ContactFields,
     let fields = stored.fields(run.side());
     // g = u + w* + f − f* − D
     let indenter = (0..fields.pressure.len()).map(|i| {
-        fields.gap[i] - fields.displacement[i] - fields.shortening[i] + fields.profile[i] + penetration
+        fields.gap[i] - fields.displacement[i] - fields.shortening[i]
+            + fields.profile[i]
+            + penetration
     });
     let contact = ContactFields {
         elements: fields.size,
@@ -143,7 +149,8 @@ fn contact_fields(run: &PaperRun, subject: Subject<'_>) -> Result<ContactFields,
 fn spring_length(run: &PaperRun, subject: Subject<'_>) -> Result<f64, ClaimsError> {
     let case = &run.record.case;
     let layer = &case["foundation"]["layer"][0];
-    let [young, poisson] = ["young_modulus", "poisson_ratio"].map(|key| number(&layer[key], subject, key));
+    let [young, poisson] =
+        ["young_modulus", "poisson_ratio"].map(|key| number(&layer[key], subject, key));
     let springs = number(&case["surface"]["young_modulus"], subject, "young_modulus")?;
     let height = run.record.relief_height();
     let height = height.ok_or_else(|| wrong(subject, "its relief has no one height".to_owned()))?;

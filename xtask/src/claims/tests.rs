@@ -87,7 +87,12 @@ fn every_claim_and_refinement_names_cases_that_exist() {
     let claims = file.claims().flat_map(|claim| claim.cases.iter());
     for called in claims.chain(file.refinements.iter().map(|one| &one.case)) {
         let subject = Subject::parse(called, &[], 64).unwrap();
-        assert!(PaperCase::ALL.iter().any(|case| case.name() == subject.case), "{called}");
+        assert!(
+            PaperCase::ALL
+                .iter()
+                .any(|case| case.name() == subject.case),
+            "{called}"
+        );
     }
 }
 
@@ -96,12 +101,33 @@ fn every_claim_and_refinement_names_cases_that_exist() {
 fn no_sentence_that_was_asked_for_is_missing() {
     let file = recorded();
     for id in [
-        "2a-incomplete", "2b-incomplete", "2a-elements-only", "2b-elements-only", "2c-between-near-axis",
-        "2d-between-near-axis", "2a-edge-peaks", "2b-edge-peaks", "2c-edge-peaks", "2d-edge-peaks",
-        "2a-largest-at-centre", "2b-largest-at-centre", "2c-largest-at-centre", "2d-largest-at-centre", "3-2a-curved",
-        "3-2b-beside-elements", "4-soft-60-nonlinear", "4-stiff-80-gradient-falls", "4-stiff-80-gradient-constant",
-        "4-soft-smaller-period", "4-stiff-smaller-period", "4-similar", "5-larger-area", "5-lower-peak",
-        "5-more-pyramidal", "6-gradients-differ", "6-effect-fades",
+        "2a-incomplete",
+        "2b-incomplete",
+        "2a-elements-only",
+        "2b-elements-only",
+        "2c-between-near-axis",
+        "2d-between-near-axis",
+        "2a-edge-peaks",
+        "2b-edge-peaks",
+        "2c-edge-peaks",
+        "2d-edge-peaks",
+        "2a-largest-at-centre",
+        "2b-largest-at-centre",
+        "2c-largest-at-centre",
+        "2d-largest-at-centre",
+        "3-2a-curved",
+        "3-2b-beside-elements",
+        "4-soft-60-nonlinear",
+        "4-stiff-80-gradient-falls",
+        "4-stiff-80-gradient-constant",
+        "4-soft-smaller-period",
+        "4-stiff-smaller-period",
+        "4-similar",
+        "5-larger-area",
+        "5-lower-peak",
+        "5-more-pyramidal",
+        "6-gradients-differ",
+        "6-effect-fades",
     ] {
         assert!(file.claims().any(|claim| claim.is_named(id)), "{id}");
     }
@@ -113,15 +139,24 @@ fn verdicts_as_recorded_succeed() {
     let report = judged(CLAIM);
     assert_eq!(report.exit_code(), ExitCode::SUCCESS);
     assert_eq!(report.complaints(), "");
-    assert!(report.to_string().ends_with("1 of 1 verdicts as recorded\n"), "{report}");
+    assert!(
+        report
+            .to_string()
+            .ends_with("1 of 1 verdicts as recorded\n"),
+        "{report}"
+    );
 }
 
 #[test]
 fn an_altered_recorded_verdict_fails_and_is_named() {
     for altered in ["not borne out", "depends on the grid"] {
-        let report = judged(&CLAIM.replace(r#"verdict = "borne out""#, &format!("verdict = \"{altered}\"")));
+        let report = judged(&CLAIM.replace(
+            r#"verdict = "borne out""#,
+            &format!("verdict = \"{altered}\""),
+        ));
         assert_eq!(report.exit_code(), ExitCode::FAILURE);
-        let expected = format!("claim `2a-elements-only`: recorded as {altered}, computed as borne out\n");
+        let expected =
+            format!("claim `2a-elements-only`: recorded as {altered}, computed as borne out\n");
         assert_eq!(report.complaints(), expected);
     }
 }
@@ -147,7 +182,11 @@ fn every_claim_of_the_file_can_be_judged_and_shown() {
     assert_eq!(report.exit_code(), ExitCode::FAILURE);
     let document = document::document(&file, &report);
     for claim in file.claims() {
-        assert!(document.contains(&format!("| `{}` |", claim.id)), "{}", claim.id);
+        assert!(
+            document.contains(&format!("| `{}` |", claim.id)),
+            "{}",
+            claim.id
+        );
     }
 }
 
@@ -156,8 +195,13 @@ fn only_the_named_claims_are_judged_and_an_unknown_name_is_an_error() {
     let file = recorded();
     let report = judge(&file, &only("4-similar"), &mut MadeUp).unwrap();
     assert_eq!(report.evaluations.len(), 2);
-    let error = judge(&file, &only("7-nothing"), &mut MadeUp).unwrap_err().to_string();
-    assert!(error.starts_with("no claim is called `7-nothing`; there are: 2a-"), "{error}");
+    let error = judge(&file, &only("7-nothing"), &mut MadeUp)
+        .unwrap_err()
+        .to_string();
+    assert!(
+        error.starts_with("no claim is called `7-nothing`; there are: 2a-"),
+        "{error}"
+    );
 }
 
 /// Fails if a sentence or a recorded verdict was edited without `cargo xtask claims` having been run since.
@@ -169,6 +213,10 @@ fn the_document_shows_every_sentence_and_recorded_verdict() {
         let start = format!("| `{}` | {} | {} |", claim.id, claim.place, claim.sentence);
         let line = document.lines().find(|line| line.starts_with(&start));
         let verdict = format!("**{}** |", claim.verdict);
-        assert!(line.is_some_and(|line| line.ends_with(&verdict)), "{}", claim.id);
+        assert!(
+            line.is_some_and(|line| line.ends_with(&verdict)),
+            "{}",
+            claim.id
+        );
     }
 }

@@ -32,7 +32,10 @@ impl Loaded {
         if pressure > self.peak {
             (self.peak, self.peak_at) = (pressure, distance);
         }
-        for (band, belongs) in [(&mut self.middle, distance < MIDDLE), (&mut self.edge, distance >= EDGE)] {
+        for (band, belongs) in [
+            (&mut self.middle, distance < MIDDLE),
+            (&mut self.edge, distance >= EDGE),
+        ] {
             if belongs {
                 *band = (band.0 + pressure, band.1 + 1);
             }
@@ -60,14 +63,21 @@ fn cylinders(fields: &ContactFields, cylinders: Cylinders) -> BTreeMap<[i64; 2],
 }
 
 /// Holds if at least `threshold` of the elements that are wholly in contact carry their largest pressure at their edge.
-pub(in super::super) fn peaks_at_edges(fields: &ContactFields, lattice: Cylinders, threshold: f64) -> Finding {
+pub(in super::super) fn peaks_at_edges(
+    fields: &ContactFields,
+    lattice: Cylinders,
+    threshold: f64,
+) -> Finding {
     let loaded = cylinders(fields, lattice);
     let full: Vec<&Loaded> = loaded.values().filter(|one| one.is_full()).collect();
     if full.is_empty() {
         return Finding::nothing("element wholly in contact");
     }
     let at_edge = full.iter().filter(|one| one.peak_at >= EDGE).count();
-    let largest = full.iter().map(|one| one.peak / mean(one.middle)).fold(0.0, f64::max);
+    let largest = full
+        .iter()
+        .map(|one| one.peak / mean(one.middle))
+        .fold(0.0, f64::max);
     Finding::new(
         at_edge as f64 >= threshold * full.len() as f64,
         format!(
@@ -85,7 +95,10 @@ pub(in super::super) fn largest_at_central_edge(point: [f64; 2], lattice: Cylind
     let relative = lattice.relative_distance(point);
     let holds = central && (EDGE..=1.0).contains(&relative);
     let radii = x.hypot(y) / lattice.radius;
-    Finding::new(holds, format!("at {} radii from the axis", significant(radii, 3)))
+    Finding::new(
+        holds,
+        format!("at {} radii from the axis", significant(radii, 3)),
+    )
 }
 
 /// Holds if the mean pressure over the edge is largest at the central element, by more than `threshold` of it.
@@ -98,11 +111,18 @@ pub(in super::super) fn mean_edge_is_largest_at_centre(
     let Some(central) = loaded.remove(&[0, 0]).filter(|one| one.touching > 0) else {
         return Finding::nothing("pressure on the central element");
     };
-    let others = loaded.values().map(|one| mean(one.edge)).fold(0.0, f64::max);
+    let others = loaded
+        .values()
+        .map(|one| mean(one.edge))
+        .fold(0.0, f64::max);
     let lead = 1.0 - others / mean(central.edge);
     Finding::new(
         lead > threshold,
-        format!("central {}, by {}", significant(mean(central.edge), 3), percent(lead)),
+        format!(
+            "central {}, by {}",
+            significant(mean(central.edge), 3),
+            percent(lead)
+        ),
     )
 }
 
@@ -113,13 +133,17 @@ mod tests {
 
     /// A dish on every element, less pressure the farther from the axis.
     fn dishes() -> ContactFields {
-        pressed(|radius, relative| f64::from(relative < 1.0) * (1.0 + relative.powi(4)) * (5.0 - radius))
+        pressed(|radius, relative| {
+            f64::from(relative < 1.0) * (1.0 + relative.powi(4)) * (5.0 - radius)
+        })
     }
 
     /// Where the largest pressure is.
     fn peak(fields: &ContactFields) -> [f64; 2] {
         let pressure = |&index: &usize| fields.pressure[index];
-        let largest = fields.contact().max_by(|a, b| pressure(a).total_cmp(&pressure(b)));
+        let largest = fields
+            .contact()
+            .max_by(|a, b| pressure(a).total_cmp(&pressure(b)));
         fields.point(largest.unwrap())
     }
 
@@ -141,7 +165,8 @@ mod tests {
     #[test]
     fn a_peak_at_another_element_is_not_at_the_central_one() {
         assert!(!largest_at_central_edge([1.2, 0.0], CYLINDERS).holds);
-        let outward = pressed(|radius, relative| f64::from(relative < 1.0) * (1.0 + relative + radius));
+        let outward =
+            pressed(|radius, relative| f64::from(relative < 1.0) * (1.0 + relative + radius));
         assert!(!mean_edge_is_largest_at_centre(&outward, CYLINDERS, 0.0).holds);
     }
 

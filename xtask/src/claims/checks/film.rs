@@ -21,23 +21,42 @@ pub(in super::super) fn peak_is_lower(film: &Curve, bare: &Curve, threshold: f64
 }
 
 /// Holds if `∂D/∂Q` at the smallest load differs with and without the film by more than `threshold`.
-pub(in super::super) fn gradients_differ_at_first(film: &Curve, bare: &Curve, threshold: f64) -> Finding {
+pub(in super::super) fn gradients_differ_at_first(
+    film: &Curve,
+    bare: &Curve,
+    threshold: f64,
+) -> Finding {
     let effect = effects(film, bare, |curve| &curve.gradient)[0];
-    Finding::new(effect.abs() > threshold, format!("∂D/∂Q {} with the film", changed(effect)))
+    Finding::new(
+        effect.abs() > threshold,
+        format!("∂D/∂Q {} with the film", changed(effect)),
+    )
 }
 
 /// Holds if the film's effect on `∂D/∂Q` at the largest load is below `threshold` of that at the smallest.
-pub(in super::super) fn effect_on_gradient_fades(film: &Curve, bare: &Curve, threshold: f64) -> Finding {
+pub(in super::super) fn effect_on_gradient_fades(
+    film: &Curve,
+    bare: &Curve,
+    threshold: f64,
+) -> Finding {
     fades(&effects(film, bare, |curve| &curve.gradient), threshold)
 }
 
 /// Holds if the film's effect on the largest pressure at the largest load is below `threshold` of that at the smallest.
-pub(in super::super) fn effect_on_peak_fades(film: &Curve, bare: &Curve, threshold: f64) -> Finding {
+pub(in super::super) fn effect_on_peak_fades(
+    film: &Curve,
+    bare: &Curve,
+    threshold: f64,
+) -> Finding {
     fades(&effects(film, bare, |curve| &curve.max_pressure), threshold)
 }
 
 /// Holds if the film's effect on penetration at the largest load is below `threshold` of that at the smallest.
-pub(in super::super) fn effect_on_penetration_fades(film: &Curve, bare: &Curve, threshold: f64) -> Finding {
+pub(in super::super) fn effect_on_penetration_fades(
+    film: &Curve,
+    bare: &Curve,
+    threshold: f64,
+) -> Finding {
     fades(&effects(film, bare, |curve| &curve.penetration), threshold)
 }
 
@@ -45,23 +64,36 @@ pub(in super::super) fn effect_on_penetration_fades(film: &Curve, bare: &Curve, 
 ///
 /// How near: the squared correlation of the pressure with the height of the indenter over the contact. On springs alone
 /// `p = (D − f)/η`, a pyramid turned over, and it is 1.
-pub(in super::super) fn is_more_pyramidal(film: &ContactFields, bare: &ContactFields, threshold: f64) -> Finding {
+pub(in super::super) fn is_more_pyramidal(
+    film: &ContactFields,
+    bare: &ContactFields,
+    threshold: f64,
+) -> Finding {
     let (Some(with), Some(without)) = (likeness(film), likeness(bare)) else {
         return Finding::nothing("pressure to compare");
     };
     Finding::new(
         with - without > threshold,
-        format!("r² {} with, {} without", significant(with, 3), significant(without, 3)),
+        format!(
+            "r² {} with, {} without",
+            significant(with, 3),
+            significant(without, 3)
+        ),
     )
 }
 
 /// Squared correlation of pressure and height over the contact; none where one of them is constant.
 fn likeness(fields: &ContactFields) -> Option<f64> {
-    let contact: Vec<[f64; 2]> = fields.contact().map(|i| [fields.pressure[i], fields.indenter[i]]).collect();
+    let contact: Vec<[f64; 2]> = fields
+        .contact()
+        .map(|i| [fields.pressure[i], fields.indenter[i]])
+        .collect();
     let count = contact.len() as f64;
     let mean = [0, 1].map(|k| contact.iter().map(|pair| pair[k]).sum::<f64>() / count);
     let product = |j: usize, k: usize| {
-        let products = contact.iter().map(|pair| (pair[j] - mean[j]) * (pair[k] - mean[k]));
+        let products = contact
+            .iter()
+            .map(|pair| (pair[j] - mean[j]) * (pair[k] - mean[k]));
         products.sum::<f64>()
     };
     let squares = product(0, 0) * product(1, 1);
@@ -71,14 +103,20 @@ fn likeness(fields: &ContactFields) -> Option<f64> {
 /// By how much a quantity is larger with the film than without, at each load of the film's curve.
 fn effects(film: &Curve, bare: &Curve, list: impl Fn(&Curve) -> &[f64]) -> Vec<f64> {
     let pairs = film.force.iter().zip(list(film));
-    pairs.map(|(&force, with)| with / bare.at(force, list(bare)) - 1.0).collect()
+    pairs
+        .map(|(&force, with)| with / bare.at(force, list(bare)) - 1.0)
+        .collect()
 }
 
 fn fades(effects: &[f64], threshold: f64) -> Finding {
     let [first, last] = [effects[0], last(effects)];
     Finding::new(
         last.abs() < threshold * first.abs(),
-        format!("{} at the smallest load, {} at the largest", changed(first), changed(last)),
+        format!(
+            "{} at the smallest load, {} at the largest",
+            changed(first),
+            changed(last)
+        ),
     )
 }
 
@@ -92,26 +130,19 @@ fn last(list: &[f64]) -> f64 {
 }
 
 fn range(list: &[f64]) -> [f64; 2] {
-    [list.iter().copied().fold(f64::INFINITY, f64::min), list.iter().copied().fold(f64::NEG_INFINITY, f64::max)]
+    [
+        list.iter().copied().fold(f64::INFINITY, f64::min),
+        list.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+    ]
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::made_up::{power_law, pressed};
+    use super::super::super::made_up::{power_law, pressed, with_fading_film};
     use super::*;
 
-    /// A bare curve, and one with a film whose effect is `1/(1 + 10 Q)` of everything.
     fn pair() -> [Curve; 2] {
-        let bare = power_law(1.0, 2.0 / 3.0);
-        let mut film = bare.clone();
-        for (i, force) in bare.force.iter().enumerate() {
-            let effect = 0.5 / (1.0 + 10.0 * force);
-            film.penetration[i] *= 1.0 + effect;
-            film.gradient[i] *= 1.0 + effect;
-            film.contact_area[i] *= 1.0 + effect;
-            film.max_pressure[i] *= 1.0 - effect;
-        }
-        [film, bare]
+        [with_fading_film(), power_law(1.0, 2.0 / 3.0)]
     }
 
     #[test]
@@ -120,7 +151,11 @@ mod tests {
         assert!(area_is_larger(&film, &bare, 0.01).holds);
         assert!(peak_is_lower(&film, &bare, 0.01).holds);
         assert!(gradients_differ_at_first(&film, &bare, 0.1).holds);
-        for fades in [effect_on_gradient_fades, effect_on_peak_fades, effect_on_penetration_fades] {
+        for fades in [
+            effect_on_gradient_fades,
+            effect_on_peak_fades,
+            effect_on_penetration_fades,
+        ] {
             assert!(fades(&film, &bare, 0.5).holds);
         }
     }
@@ -138,10 +173,18 @@ mod tests {
     fn a_film_that_matters_the_same_at_every_load_does_not_fade() {
         let [_, bare] = pair();
         let mut film = bare.clone();
-        for list in [&mut film.gradient, &mut film.penetration, &mut film.max_pressure] {
+        for list in [
+            &mut film.gradient,
+            &mut film.penetration,
+            &mut film.max_pressure,
+        ] {
             list.iter_mut().for_each(|value| *value *= 1.3);
         }
-        for fades in [effect_on_gradient_fades, effect_on_peak_fades, effect_on_penetration_fades] {
+        for fades in [
+            effect_on_gradient_fades,
+            effect_on_peak_fades,
+            effect_on_penetration_fades,
+        ] {
             assert!(!fades(&film, &bare, 0.5).holds);
         }
         assert!(!peak_is_lower(&film, &bare, 0.01).holds);

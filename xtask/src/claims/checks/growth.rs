@@ -7,11 +7,19 @@ use super::super::finding::significant;
 ///
 /// On a half-space the pressure under a rigid edge grows as `ρ^(−1/2)` towards it, so the largest element mean as
 /// `N^(1/2)`; a line load, which is what a plate gives, as `N`; a pressure that is finite at the edge as `N^0`.
-pub(in super::super) fn peak_settles(coarse: (usize, f64), fine: (usize, f64), threshold: f64) -> Finding {
+pub(in super::super) fn peak_settles(
+    coarse: (usize, f64),
+    fine: (usize, f64),
+    threshold: f64,
+) -> Finding {
     let exponent = exponent(coarse, fine);
     Finding::new(
         exponent.abs() < threshold,
-        format!("{}, grows as N^{}", significant(fine.1, 4), significant(exponent, 2)),
+        format!(
+            "{}, grows as N^{}",
+            significant(fine.1, 4),
+            significant(exponent, 2)
+        ),
     )
 }
 
@@ -23,10 +31,16 @@ pub(in super::super) fn exponent(coarse: (usize, f64), fine: (usize, f64)) -> f6
 /// The exponent that fits the largest pressures on several grids best, by least squares of the logarithms; none for
 /// fewer than two grids.
 pub(in super::super) fn fitted_exponent(peaks: &[(usize, f64)]) -> Option<f64> {
-    let points: Vec<[f64; 2]> = peaks.iter().map(|&(n, p)| [(n as f64).ln(), p.ln()]).collect();
+    let points: Vec<[f64; 2]> = peaks
+        .iter()
+        .map(|&(n, p)| [(n as f64).ln(), p.ln()])
+        .collect();
     let count = points.len() as f64;
     let mean = [0, 1].map(|k| points.iter().map(|point| point[k]).sum::<f64>() / count);
-    let covariance: f64 = points.iter().map(|[x, y]| (x - mean[0]) * (y - mean[1])).sum();
+    let covariance: f64 = points
+        .iter()
+        .map(|[x, y]| (x - mean[0]) * (y - mean[1]))
+        .sum();
     let variance: f64 = points.iter().map(|[x, _]| (x - mean[0]).powi(2)).sum();
     (variance > 0.0).then(|| covariance / variance)
 }
@@ -39,7 +53,10 @@ mod tests {
     fn a_singular_peak_does_not_settle() {
         let root = |n: usize| (n, (n as f64).sqrt());
         assert!(!peak_settles(root(512), root(1024), 0.1).holds);
-        assert!((exponent(root(512), root(1024)) - 0.5).abs() < 1e-12, "exact but for rounding");
+        assert!(
+            (exponent(root(512), root(1024)) - 0.5).abs() < 1e-12,
+            "exact but for rounding"
+        );
     }
 
     #[test]
@@ -49,7 +66,9 @@ mod tests {
 
     #[test]
     fn the_fit_finds_the_exponent_of_a_power_law_and_none_of_one_point() {
-        let peaks: Vec<_> = [64, 128, 256, 512].map(|n| (n, 3.0 * (n as f64).powf(0.7))).to_vec();
+        let peaks: Vec<_> = [64, 128, 256, 512]
+            .map(|n| (n, 3.0 * (n as f64).powf(0.7)))
+            .to_vec();
         // Exact but for rounding of the logarithms.
         assert!((fitted_exponent(&peaks).unwrap() - 0.7).abs() < 1e-12);
         assert_eq!(fitted_exponent(&peaks[..1]), None);

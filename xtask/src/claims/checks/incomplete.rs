@@ -12,7 +12,10 @@ pub(in super::super) fn gaps_stay_open(fields: &ContactFields, threshold: f64) -
     if between.is_empty() {
         return Finding::nothing("layer between elements inside the contact");
     }
-    let open = between.iter().filter(|&&index| fields.pressure[index] <= 0.0).count();
+    let open = between
+        .iter()
+        .filter(|&&index| fields.pressure[index] <= 0.0)
+        .count();
     let share = open as f64 / between.len() as f64;
     Finding::new(share > threshold, format!("{} open", percent(share)))
 }
@@ -33,7 +36,11 @@ pub(in super::super) fn layer_touches_near_axis(fields: &ContactFields, threshol
     }
     Finding::new(
         relative < threshold,
-        format!("{} between, up to {} of the contact's radius", percent(share), percent(relative)),
+        format!(
+            "{} between, up to {} of the contact's radius",
+            percent(share),
+            percent(relative)
+        ),
     )
 }
 
@@ -61,7 +68,10 @@ mod tests {
         let fields = pressed(|_, _| 1.0);
         assert!(!gaps_stay_open(&fields, 0.05).holds);
         assert!(!only_elements_touch(share_between(&fields), 1e-3).holds);
-        assert!(!layer_touches_near_axis(&fields, 0.9).holds, "it reaches the rim");
+        assert!(
+            !layer_touches_near_axis(&fields, 0.9).holds,
+            "it reaches the rim"
+        );
     }
 
     #[test]
@@ -84,6 +94,6 @@ mod tests {
         assert!(!gaps_stay_open(&fields, 0.05).holds);
         assert!(!layer_touches_near_axis(&fields, 0.9).holds);
         // The summary's areas are then both nothing.
-        assert!(!only_elements_touch(0.0 / 0.0, 1e-3).holds);
+        assert!(!only_elements_touch(f64::NAN, 1e-3).holds);
     }
 }

@@ -13,7 +13,9 @@ struct Stretch(Vec<f64>);
 impl Stretch {
     /// The layer between the central element and its neighbour.
     fn between(fields: &ContactFields, lattice: Cylinders) -> Self {
-        Self::of(fields, |x| x > lattice.radius && x < lattice.period - lattice.radius)
+        Self::of(fields, |x| {
+            x > lattice.radius && x < lattice.period - lattice.radius
+        })
     }
 
     /// The layer under the central element.
@@ -25,7 +27,11 @@ impl Stretch {
     fn of(fields: &ContactFields, belongs: impl Fn(f64) -> bool) -> Self {
         let row = fields.elements / 2;
         let inside = (0..fields.elements).filter(|&i| belongs(fields.centre(i)));
-        Self(inside.map(|i| fields.displacement[i * fields.elements + row]).collect())
+        Self(
+            inside
+                .map(|i| fields.displacement[i * fields.elements + row])
+                .collect(),
+        )
     }
 
     /// First and last displacement; none on a stretch of fewer than three of the grid's elements.
@@ -40,8 +46,19 @@ impl Stretch {
     fn rise(&self) -> Option<f64> {
         let [first, last] = self.ends()?;
         let steps = (self.0.len() - 1) as f64;
-        let rises = self.0.iter().enumerate().map(|(i, u)| first + (last - first) * i as f64 / steps - u);
+        let rises = self
+            .0
+            .iter()
+            .enumerate()
+            .map(|(i, u)| first + (last - first) * i as f64 / steps - u);
         rises.max_by(|a, b| a.abs().total_cmp(&b.abs()))
+    }
+
+    /// The smallest and the largest displacement.
+    fn extremes(&self) -> [f64; 2] {
+        let lowest = self.0.iter().copied().fold(f64::INFINITY, f64::min);
+        let largest = self.0.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        [lowest, largest]
     }
 
     /// Where the largest displacement is, as a share of the stretch: 0 at the first end, 1 at the last.
@@ -53,7 +70,11 @@ impl Stretch {
 }
 
 /// Holds if the layer between the elements departs from a straight line by more than `threshold` of its displacement.
-pub(in super::super) fn layer_is_curved(fields: &ContactFields, lattice: Cylinders, threshold: f64) -> Finding {
+pub(in super::super) fn layer_is_curved(
+    fields: &ContactFields,
+    lattice: Cylinders,
+    threshold: f64,
+) -> Finding {
     let stretch = Stretch::between(fields, lattice);
     let (Some(rise), Some([first, last])) = (stretch.rise(), stretch.ends()) else {
         return Finding::nothing("three points between the elements");
@@ -66,14 +87,18 @@ pub(in super::super) fn layer_is_curved(fields: &ContactFields, lattice: Cylinde
     )
 }
 
-/// Holds if the layer between the elements is displaced most near a boundary of an element, and there by more than
-/// `threshold` of the displacement farther than in the middle of the gap.
+/// Holds if the layer between the elements is displaced most near a boundary of an element, and beside both elements by
+/// more than `threshold` of that farther than somewhere between them: a mere slope has one such end only.
 pub(in super::super) fn largest_beside_elements(
     fields: &ContactFields,
     lattice: Cylinders,
     threshold: f64,
 ) -> Finding {
-    near_an_end(&Stretch::between(fields, lattice), threshold, "across the gap")
+    near_the_ends(
+        &Stretch::between(fields, lattice),
+        threshold,
+        "across the gap",
+    )
 }
 
 /// The same for the layer under the central element.
@@ -82,19 +107,28 @@ pub(in super::super) fn largest_under_edges(
     lattice: Cylinders,
     threshold: f64,
 ) -> Finding {
-    near_an_end(&Stretch::under_central(fields, lattice), threshold, "across the element")
+    near_the_ends(
+        &Stretch::under_central(fields, lattice),
+        threshold,
+        "across the element",
+    )
 }
 
-fn near_an_end(stretch: &Stretch, threshold: f64, place: &str) -> Finding {
-    let Some(at) = stretch.largest_at() else {
+fn near_the_ends(stretch: &Stretch, threshold: f64, place: &str) -> Finding {
+    let (Some(at), Some(ends)) = (stretch.largest_at(), stretch.ends()) else {
         return Finding::nothing("three points on the stretch");
     };
-    let largest = stretch.0.iter().copied().fold(f64::MIN, f64::max);
-    let excess = 1.0 - stretch.0[stretch.0.len() / 2] / largest;
+    let [lowest, largest] = stretch.extremes();
+    let above = ends.map(|end| (end - lowest) / largest);
     let near = at.min(1.0 - at) <= NEAR;
     Finding::new(
-        near && excess > threshold,
-        format!("largest at {} {place}, {} above the middle", percent(at), percent(excess)),
+        near && above.into_iter().all(|above| above > threshold),
+        format!(
+            "largest at {} {place}; the ends {} and {} above the lowest",
+            percent(at),
+            percent(above[0]),
+            percent(above[1])
+        ),
     )
 }
 
@@ -114,6 +148,11 @@ mod tests {
     fn a_plane_layer_is_not_curved_even_if_it_slopes() {
         let fields = displaced(|x| 1.0 - 0.2 * x);
         assert!(!layer_is_curved(&fields, CYLINDERS, 0.01).holds);
+    }
+
+    #[test]
+    fn a_mere_slope_is_not_deepest_beside_both_elements() {
+        assert!(!largest_beside_elements(&displaced(|x| 1.0 - 0.2 * x), CYLINDERS, 0.01).holds);
     }
 
     #[test]
