@@ -65,11 +65,11 @@ pub(super) fn power_law(scale: f64, exponent: f64) -> Curve {
     curve.checked().unwrap()
 }
 
-/// The curve of a half-space, `D ~ Q^(2/3)`, with a film whose effect on everything is `1/(2 + 20 Q)`.
+/// The curve of a half-space, `D ~ Q^(2/3)`, with a film whose effect on everything is `1/(2 + 10 Q)`.
 pub(super) fn with_fading_film() -> Curve {
     let mut film = power_law(1.0, 2.0 / 3.0);
     for (i, force) in film.force.iter().enumerate() {
-        let effect = 0.5 / (1.0 + 10.0 * force);
+        let effect = 0.5 / (1.0 + 5.0 * force);
         film.penetration[i] *= 1.0 + effect;
         film.gradient[i] *= 1.0 + effect;
         film.contact_area[i] *= 1.0 + effect;
