@@ -149,7 +149,8 @@ pub fn significant(value: f64, digits: usize) -> String {
 }
 
 /// An integer as an exponent: `⁻³`.
-fn superscript(exponent: i32) -> String {
+#[must_use]
+pub fn superscript(exponent: i32) -> String {
     const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     let raise = |c: char| c.to_digit(10).map_or('⁻', |digit| DIGITS[digit as usize]);
     exponent.to_string().chars().map(raise).collect()

@@ -4,7 +4,7 @@ use std::ffi::OsString;
 
 use clap::{Parser, Subcommand};
 
-use crate::{ClaimsArguments, CompareArguments, PellicleArguments};
+use crate::{ClaimsArguments, CompareArguments, FiguresArguments, PellicleArguments};
 
 /// The chores of the workspace.
 #[derive(Debug, Parser)]
@@ -24,6 +24,8 @@ pub enum Command {
     Claims(ClaimsArguments),
     /// Run Pellicle and its rivals on the same problems and print the table.
     Compare(CompareArguments),
+    /// Draw the figures of the paper from its cases: SVG, PNG and CSV.
+    Figures(FiguresArguments),
     /// One run of Pellicle for `compare`, which times it in a process of its own.
     #[command(hide = true)]
     Pellicle(PellicleArguments),

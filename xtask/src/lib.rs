@@ -8,6 +8,7 @@ mod arguments;
 mod claims;
 mod compare;
 mod error;
+mod figures;
 mod manifest;
 mod markdown;
 mod paper;
@@ -25,6 +26,7 @@ pub use compare::{
     Rival, Row, Solved, compare, run_pellicle,
 };
 pub use error::XtaskError;
+pub use figures::{Figure, FiguresArguments, Quality, draw_figure, figures};
 pub use paper::{Keep, PaperCase, PaperRun, Program, Request, Runner};
 pub use tidy::tidy;
 pub use tree::{File, Tree};

@@ -11,7 +11,8 @@ use std::process::ExitCode;
 
 use clap::Parser;
 use xtask::{
-    Arguments, ClaimsArguments, Command, CompareArguments, PellicleArguments, Tree, XtaskError,
+    Arguments, ClaimsArguments, Command, CompareArguments, FiguresArguments, PellicleArguments,
+    Tree, XtaskError,
 };
 
 fn main() -> ExitCode {
@@ -19,6 +20,7 @@ fn main() -> ExitCode {
         Command::Tidy => tidy(),
         Command::Claims(arguments) => claims(&arguments),
         Command::Compare(arguments) => compare(&arguments),
+        Command::Figures(arguments) => figures(&arguments),
         Command::Pellicle(arguments) => pellicle(&arguments),
         Command::Program { arguments } => {
             let line = std::iter::once("pellicle".into()).chain(arguments);
@@ -63,6 +65,13 @@ fn claims(arguments: &ClaimsArguments) -> Result<ExitCode, XtaskError> {
 fn compare(arguments: &CompareArguments) -> Result<ExitCode, XtaskError> {
     let report = xtask::compare(arguments, root(), &mut |line| eprintln!("{line}"))?;
     print!("{report}");
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Draws the paper's figures, and says on standard error what is going on.
+fn figures(arguments: &FiguresArguments) -> Result<ExitCode, XtaskError> {
+    let count = xtask::figures(arguments, root(), &mut |line| eprintln!("{line}"))?;
+    eprintln!("{count} pictures in {}", arguments.folder().display());
     Ok(ExitCode::SUCCESS)
 }
 

@@ -13,6 +13,8 @@ pub const BESIDE: f64 = 112.0;
 const SHADES: usize = 256;
 
 const TITLE: f64 = 18.0;
+/// A digit of a label is about this wide.
+const DIGIT: f64 = 0.64 * LABEL;
 const TICK: f64 = 6.0;
 
 /// Draws the bar for pressures from 0 to `top` on this scale.
@@ -24,13 +26,19 @@ pub fn draw(svg: &mut Svg, place: Place, scale: &Scale, top: f64) {
         width: 1.2,
     };
     let right = place.right();
-    for tick in ticks::linear(0.0, top, 6) {
+    let ticks = ticks::linear(0.0, top, 6);
+    let labels: Vec<_> = ticks.iter().map(|tick| axis::label(*tick, top)).collect();
+    for (tick, label) in ticks.iter().zip(&labels) {
         let y = place.bottom() - place.height * tick / top;
         svg.line(&[(right, y), (right + TICK, y)], stroke);
-        let label = axis::label(tick, top);
-        svg.text((right + TICK + 5.0, y), LABEL, Anchor::Start, &label);
+        svg.text((right + TICK + 5.0, y), LABEL, Anchor::Start, label);
     }
+    let longest = labels.iter().map(|label| label.chars().count()).max();
+    let beside = TICK + 5.0 + DIGIT * longest.unwrap_or(0) as f64 + TITLE;
     let title = axis::title("pressure p", &scale.label);
-    let middle = (right + BESIDE - TITLE, place.top.midpoint(place.bottom()));
+    let middle = (
+        right + beside.min(BESIDE - TITLE),
+        place.top.midpoint(place.bottom()),
+    );
     svg.directed_text(middle, TITLE, Anchor::Middle, Direction::Up, &title);
 }

@@ -30,6 +30,18 @@ pub const BLUE: Colour = Colour(0, 114, 178);
 /// Vermilion of the same palette.
 pub const ORANGE: Colour = Colour(213, 94, 0);
 
+/// Bluish green of the same palette.
+pub const GREEN: Colour = Colour(0, 158, 115);
+
+/// Reddish purple of the same palette.
+pub const PURPLE: Colour = Colour(204, 121, 167);
+
+/// Sky blue of the same palette.
+pub const SKY: Colour = Colour(86, 180, 233);
+
+/// Orange of the same palette, which is yellower than [`ORANGE`].
+pub const AMBER: Colour = Colour(230, 159, 0);
+
 /// The indenter in a section.
 pub const INDENTER: Colour = Colour(205, 210, 216);
 

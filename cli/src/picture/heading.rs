@@ -1,18 +1,24 @@
-//! The two lines above a picture: the case, and the numbers of what is shown.
+//! The lines above a picture: the case, the numbers of what is shown, and how far to trust them.
 
 use super::svg::{Anchor, Svg};
 
-/// Room for the two lines, in pixels.
-pub const HEIGHT: f64 = 84.0;
+/// Room for the lines, in pixels.
+pub const HEIGHT: f64 = 106.0;
 
 /// Sizes of the letters, in pixels.
 const TITLE: f64 = 23.0;
 const NUMBERS: f64 = 18.0;
+const TRUST: f64 = 14.0;
 
 /// A letter is about this much as wide as it is high.
 const LETTER: f64 = 0.6;
 
-/// Draws both lines, cut to the width.
+/// Draws a small third line below the two of [`draw`].
+pub fn draw_trust(svg: &mut Svg, left: f64, trust: &str) {
+    svg.text((left, 88.0), TRUST, Anchor::Start, trust);
+}
+
+/// Draws title and numbers, the title cut to the width.
 pub fn draw(svg: &mut Svg, left: f64, width: f64, title: &str, numbers: &str) {
     let title = fitted(title, width, TITLE);
     svg.text((left, 26.0), TITLE, Anchor::Start, &title);

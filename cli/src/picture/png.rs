@@ -38,18 +38,36 @@ static OPTIONS: LazyLock<usvg::Options<'static>> = LazyLock::new(|| {
 ///
 /// Whatever stands against rendering it: a drawing of this program that is not SVG, or no memory for its pixels.
 pub fn render(svg: &str) -> io::Result<Vec<u8>> {
+    let (width, height, rgb) = pixels(svg, ZOOM)?;
+    Ok(encode(width, height, Kind::Rgb, &rgb))
+}
+
+/// The drawing as a PNG file with `zoom` pixels per unit of it, as few bytes as may be.
+///
+/// # Errors
+///
+/// Those of [`render`].
+pub fn render_small(svg: &str, zoom: f32) -> io::Result<Vec<u8>> {
+    let (width, height, rgb) = pixels(svg, zoom)?;
+    let mut bytes = Vec::new();
+    let packing = png::Compression::High;
+    try_encode(&mut bytes, width, height, (Kind::Rgb, packing), &rgb).map_err(io::Error::other)?;
+    Ok(bytes)
+}
+
+/// Width, height and the bytes of the pixels, three each.
+fn pixels(svg: &str, zoom: f32) -> io::Result<(usize, usize, Vec<u8>)> {
     let tree = usvg::Tree::from_str(svg, &OPTIONS).map_err(io::Error::other)?;
-    let size = tree.size().to_int_size().scale_by(ZOOM);
+    let size = tree.size().to_int_size().scale_by(zoom);
     let pixels = size.and_then(|size| tiny_skia::Pixmap::new(size.width(), size.height()));
     let mut pixels = pixels.ok_or_else(|| io::Error::other("no memory for the picture"))?;
-    let zoom = tiny_skia::Transform::from_scale(ZOOM, ZOOM);
+    let zoom = tiny_skia::Transform::from_scale(zoom, zoom);
     resvg::render(&tree, zoom, &mut pixels.as_mut());
     // The sheet is opaque: what is left of a pixel is its colour.
-    let rgb: Vec<u8> = (pixels.data().chunks_exact(4))
+    let rgb = (pixels.data().chunks_exact(4))
         .flat_map(|pixel| [pixel[0], pixel[1], pixel[2]])
         .collect();
-    let (width, height) = (pixels.width() as usize, pixels.height() as usize);
-    Ok(encode(width, height, Kind::Rgb, &rgb))
+    Ok((pixels.width() as usize, pixels.height() as usize, rgb))
 }
 
 /// Pixels as a PNG file; an empty one where the sides do not fit the pixels.
@@ -57,7 +75,14 @@ pub fn render(svg: &str) -> io::Result<Vec<u8>> {
 pub fn encode(width: usize, height: usize, kind: Kind, pixels: &[u8]) -> Vec<u8> {
     let mut bytes = Vec::new();
     // Writing to memory fails only where the sides do not fit the pixels.
-    drop(try_encode(&mut bytes, width, height, kind, pixels));
+    let packing = png::Compression::Fast;
+    drop(try_encode(
+        &mut bytes,
+        width,
+        height,
+        (kind, packing),
+        pixels,
+    ));
     bytes
 }
 
@@ -65,7 +90,7 @@ fn try_encode(
     bytes: &mut Vec<u8>,
     width: usize,
     height: usize,
-    kind: Kind,
+    (kind, packing): (Kind, png::Compression),
     pixels: &[u8],
 ) -> Result<(), png::EncodingError> {
     let side = |side: usize| u32::try_from(side).unwrap_or(u32::MAX);
@@ -75,7 +100,7 @@ fn try_encode(
         Kind::Rgba => png::ColorType::Rgba,
     });
     encoder.set_depth(png::BitDepth::Eight);
-    encoder.set_compression(png::Compression::Fast);
+    encoder.set_compression(packing);
     encoder.set_pixel_dims(Some(png::PixelDimensions {
         xppu: DENSITY,
         yppu: DENSITY,

@@ -20,7 +20,8 @@ const MAP: Place = Place {
 const BELOW: f64 = 72.0;
 const GAP: f64 = 28.0;
 const BAR: f64 = 30.0;
-const WIDTH: f64 = MAP.left + MAP.width + GAP + BAR + colour_bar::BESIDE;
+/// Width of the picture, in pixels.
+pub const WIDTH: f64 = MAP.left + MAP.width + GAP + BAR + colour_bar::BESIDE;
 const HEIGHT: f64 = MAP.top + MAP.height + BELOW;
 
 /// Most cells that are drawn along a side: about one a pixel.
@@ -50,6 +51,7 @@ pub fn draw(subject: &Subject<'_>) -> String {
         subject.title,
         &subject.numbers(),
     );
+    heading::draw_trust(&mut svg, MAP.left, &subject.trust());
     draw_map(&mut svg, subject, &coarse, top * scale.divisor);
     draw_bar(&mut svg, &scale, top);
     draw_legend(&mut svg, fields.mask.contains(&true));
@@ -67,26 +69,44 @@ fn draw_map(svg: &mut Svg, subject: &Subject<'_>, coarse: &Coarse, largest: f64)
         x: along(coarse.x, "x"),
         y: along(coarse.y, "y"),
     };
+    draw_field(svg, &panel, coarse, (scale.divisor, largest));
+    panel.draw_axes(svg);
+}
+
+/// Draws pressure, relief and outlines where a panel's axes have them; coordinates are divided by `divisor`, and the
+/// brightest colour is that of the pressure `largest`.
+pub fn draw_field(svg: &mut Svg, panel: &Panel, coarse: &Coarse, (divisor, largest): (f64, f64)) {
+    let [[left, right], [low, high]] = [coarse.x, coarse.y].map(|ends| ends.map(|x| x / divisor));
+    let ((left, top), (right, bottom)) = (panel.at(left, high), panel.at(right, low));
+    let place = Place {
+        left,
+        top,
+        width: right - left,
+        height: bottom - top,
+    };
     let cells = coarse.cells;
     let colour = |i, j: usize| colour(coarse, i, cells - 1 - j, largest);
-    svg.image(MAP, &Raster::of(cells, cells, colour));
+    svg.image(place, &Raster::of(cells, cells, colour));
     let relief = |i, j| coarse.is_relief(i, j);
-    draw_outline(svg, cells, relief, colours::RELIEF_OUTLINE);
+    draw_outline(svg, place, cells, relief, colours::RELIEF_OUTLINE);
     let contact = |i, j| coarse.pressure(i, j) > 0.0;
-    draw_outline(svg, cells, contact, colours::INK);
-    panel.draw_axes(svg);
+    draw_outline(svg, place, cells, contact, colours::INK);
 }
 
 fn draw_outline(
     svg: &mut Svg,
+    field: Place,
     cells: usize,
     inside: impl Fn(usize, usize) -> bool,
     colour: Colour,
 ) {
-    let cell = MAP.width / cells as f64;
+    let (width, height) = (field.width / cells as f64, field.height / cells as f64);
     let place = |(i, j)| {
         let [i, j]: [usize; 2] = [i, j];
-        (MAP.left + cell * i as f64, MAP.bottom() - cell * j as f64)
+        (
+            field.left + width * i as f64,
+            field.bottom() - height * j as f64,
+        )
     };
     let lines = outline::trace(cells, inside).into_iter();
     let lines: Vec<Vec<_>> = lines

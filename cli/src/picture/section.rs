@@ -12,7 +12,8 @@ use crate::display::{Scale, Unit, quantity};
 
 const LEFT: f64 = 112.0;
 const PANEL_WIDTH: f64 = 940.0;
-const WIDTH: f64 = LEFT + PANEL_WIDTH + 40.0;
+/// Width of the picture, in pixels.
+pub const WIDTH: f64 = LEFT + PANEL_WIDTH + 40.0;
 const PRESSURE: Place = Place {
     left: LEFT,
     top: heading::HEIGHT,
@@ -64,6 +65,7 @@ pub fn draw(subject: &Subject<'_>) -> String {
     let at = quantity(fields.centre(row), Unit::Metre, subject.units);
     let numbers = format!("{},  section at y = {at}", subject.numbers());
     heading::draw(&mut svg, LEFT, PANEL_WIDTH, subject.title, &numbers);
+    heading::draw_trust(&mut svg, LEFT, &subject.trust());
     depths.draw_pressure(&mut svg);
     depths.draw_legend(&mut svg);
     depths.draw_depths(&mut svg);

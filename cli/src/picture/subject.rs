@@ -1,5 +1,6 @@
 //! What a picture of one loading step shows.
 
+use super::trust;
 use crate::case::units::Units;
 use crate::display::{self, Scale, Unit};
 use crate::output::fields::Fields;
@@ -36,6 +37,12 @@ impl Subject<'_> {
             quantity(self.step.penetration, Unit::Metre),
             quantity(self.largest_pressure(), Unit::Pascal),
         )
+    }
+
+    /// The third line of a heading: grid, certificate, grid error.
+    #[must_use]
+    pub fn trust(&self) -> String {
+        trust::of_step(self.fields.size, self.step)
     }
 
     /// The largest pressure, Pa; 0 without contact.

@@ -35,6 +35,15 @@ pub struct Stroke {
     pub width: f64,
 }
 
+/// Whether a line is broken.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Dash {
+    /// It is not.
+    Solid,
+    /// Into dashes.
+    Dashed,
+}
+
 /// A rectangle, in pixels from the top left.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Place {
@@ -111,13 +120,22 @@ impl Svg {
 
     /// Many lines of one kind, as one element.
     pub fn lines(&mut self, lines: &[impl AsRef<[(f64, f64)]>], stroke: Stroke) {
+        self.broken_lines(lines, stroke, Dash::Solid);
+    }
+
+    /// Many lines of one kind, broken or not, as one element.
+    pub fn broken_lines(&mut self, lines: &[impl AsRef<[(f64, f64)]>], stroke: Stroke, dash: Dash) {
+        let dash = match dash {
+            Dash::Solid => "",
+            Dash::Dashed => " stroke-dasharray=\"8 5\"",
+        };
         let path: String = lines.iter().map(|line| path(line.as_ref())).collect();
         let Stroke { colour, width } = stroke;
         if !path.is_empty() {
             let width = number(width);
             self.push(&format!(
                 "<path d=\"{path}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"{width}\" \
-                 stroke-linejoin=\"round\"/>"
+                 stroke-linejoin=\"round\"{dash}/>"
             ));
         }
     }

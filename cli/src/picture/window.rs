@@ -18,6 +18,23 @@ pub struct Window {
 }
 
 impl Window {
+    /// The square around the axis that reaches `part` of the way from it to the edge of a field of `size` × `size`, which is
+    /// all of it from 1 on.
+    #[must_use]
+    pub fn around_axis(size: usize, part: f64) -> Self {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "between 0 and half the size"
+        )]
+        let reach = (part.clamp(0.0, 1.0) * (size / 2) as f64).ceil() as usize;
+        let range = size / 2 - reach..(size / 2 + reach).max(1);
+        Self {
+            x: range.clone(),
+            y: range,
+        }
+    }
+
     /// The square around the elements under pressure of a field of `size` × `size`; all of it if there are none.
     #[must_use]
     pub fn around_contact(pressure: &[f64], size: usize) -> Self {
@@ -84,6 +101,13 @@ mod tests {
                 y: 37..63
             }
         );
+    }
+
+    #[test]
+    fn a_part_of_the_way_to_the_edge_is_that_part_of_the_elements() {
+        assert_eq!(Window::around_axis(100, 0.5).x, 25..75);
+        assert_eq!(Window::around_axis(100, 7.0).y, 0..100);
+        assert_eq!(Window::around_axis(8, 0.01).x, 3..5);
     }
 
     #[test]

@@ -1,0 +1,78 @@
+//! What a picture says of its data: grid, certificate, grid error.
+
+use super::number::power;
+use crate::display::significant;
+use crate::output::summary::{EstimateSummary, LevelSummary, StepSummary};
+
+/// What the brackets of [`of_step`] mean.
+pub const BRACKETS: &str = "[…]: not resolved by the grids; the change from the next coarser grid";
+
+/// The certificate of a step on `elements` × `elements` elements, and the errors of its numbers: `± 0.1 %` where the grids tell
+/// it, else in brackets the change from the next coarser grid.
+#[must_use]
+pub fn of_step(elements: usize, step: &StepSummary) -> String {
+    let errors = &step.grid_error;
+    format!(
+        "{elements} × {elements} elements, certificate {}; grid error of D {}, of the area {}, of the largest p {}",
+        power(step.certificate.worst, 1),
+        error(
+            step.penetration,
+            errors.penetration,
+            last_change(step, |level| level.penetration)
+        ),
+        error(
+            step.contact_area,
+            errors.contact_area,
+            last_change(step, |level| level.contact_area)
+        ),
+        error(
+            step.max_pressure,
+            errors.max_pressure,
+            last_change(step, |level| level.max_pressure)
+        ),
+    )
+}
+
+/// The estimated error, or, where there is none that means something, the change from the next coarser grid.
+fn error(value: f64, estimate: Option<EstimateSummary>, change: f64) -> String {
+    match estimate {
+        Some(error) if error.resolved => format!("± {}", percent(error.estimate / value)),
+        _ if change.is_finite() => format!("[{}]", percent(change)),
+        _ => "unknown".into(),
+    }
+}
+
+/// By how much a number changed from the next coarser grid to the finest, as a part of it; not a number on a single grid.
+#[must_use]
+pub fn last_change(step: &StepSummary, value: fn(&LevelSummary) -> f64) -> f64 {
+    match step.grid_error.levels.as_slice() {
+        [.., coarser, finest] => 1.0 - value(coarser) / value(finest),
+        _ => f64::NAN,
+    }
+}
+
+/// A part as percent with two digits.
+#[must_use]
+pub fn percent(part: f64) -> String {
+    let text = significant(100.0 * part, 2).replace('-', "−");
+    format!("{text} %")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_error_that_is_not_resolved_is_not_given_as_an_error() {
+        let estimate = |resolved| {
+            Some(EstimateSummary {
+                estimate: 0.02,
+                order: None,
+                resolved,
+            })
+        };
+        assert_eq!(error(2.0, estimate(true), 0.5), "± 1.0 %");
+        assert_eq!(error(2.0, estimate(false), 0.31), "[31 %]");
+        assert_eq!(error(2.0, None, f64::NAN), "unknown");
+    }
+}

@@ -1,0 +1,99 @@
+//! What `cargo xtask figures` is asked for.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+use super::{Figure, Quality};
+
+/// Draws the paper's figures from its cases.
+#[derive(Debug, Clone, Args)]
+pub struct FiguresArguments {
+    /// Only these figures of the paper, 2 to 6.
+    #[arg(long, value_name = "FIGURE,…", value_delimiter = ',')]
+    pub only: Vec<Figure>,
+    /// Coarse grids, for a look only; the pictures say so.
+    #[arg(long)]
+    pub quick: bool,
+    /// Write small versions into docs/figures too.
+    #[arg(long, conflicts_with = "quick")]
+    pub docs: bool,
+    /// Folder of the pictures, relative to the workspace [default: target/paper/figures, with --quick target/paper/quick].
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+}
+
+impl FiguresArguments {
+    /// The figures asked for, each once, in the paper's order.
+    #[must_use]
+    pub fn figures(&self) -> Vec<Figure> {
+        let is_wanted = |figure: &Figure| self.only.is_empty() || self.only.contains(figure);
+        Figure::ALL.into_iter().filter(is_wanted).collect()
+    }
+
+    /// How fine the grids are.
+    #[must_use]
+    pub fn quality(&self) -> Quality {
+        if self.quick {
+            Quality::QUICK
+        } else {
+            Quality::FULL
+        }
+    }
+
+    /// Folder of the pictures.
+    #[must_use]
+    pub fn folder(&self) -> PathBuf {
+        let default = if self.quick { "quick" } else { "figures" };
+        let default = || PathBuf::from("target/paper").join(default);
+        self.out.clone().unwrap_or_else(default)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::Parser;
+
+    use super::*;
+
+    #[derive(Debug, Parser)]
+    struct Line {
+        #[command(flatten)]
+        figures: FiguresArguments,
+    }
+
+    fn parsed(line: &str) -> Result<FiguresArguments, clap::Error> {
+        let words = std::iter::once("figures").chain(line.split_whitespace());
+        Line::try_parse_from(words).map(|line| line.figures)
+    }
+
+    #[test]
+    fn without_options_all_figures_are_drawn_at_full_resolution() {
+        let arguments = parsed("").unwrap();
+        assert_eq!(arguments.figures(), Figure::ALL);
+        assert_eq!(arguments.quality(), Quality::FULL);
+    }
+
+    #[test]
+    fn figures_can_be_chosen_and_come_in_order() {
+        let arguments = parsed("--only 6,4 --only 4 --quick").unwrap();
+        assert_eq!(arguments.figures(), [Figure::Four, Figure::Six]);
+        assert_eq!(arguments.quality(), Quality::QUICK);
+        assert_ne!(arguments.folder(), parsed("").unwrap().folder());
+    }
+
+    #[test]
+    fn a_figure_that_the_paper_has_not_is_refused_in_one_sentence() {
+        for figure in ["7", "1", "four", ""] {
+            let sentence = parsed(&format!("--only={figure}")).unwrap_err().to_string();
+            let first = sentence.lines().next().unwrap();
+            assert!(first.contains(&format!("'{figure}'")), "{first}");
+            assert!(first.contains("wanted 2, 3, 4, 5 or 6"), "{first}");
+        }
+    }
+
+    #[test]
+    fn coarse_pictures_never_become_those_of_the_documents() {
+        assert!(parsed("--quick --docs").is_err());
+    }
+}
