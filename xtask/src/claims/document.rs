@@ -57,7 +57,7 @@ pub(super) fn document(file: &ClaimsFile, report: &ClaimsReport) -> String {
             + &report
                 .refined
                 .iter()
-                .map(|one| one.markdown() + "\n")
+                .map(|one| one.markdown())
                 .collect::<String>(),
         format!(
             "What follows from it, checked like the paper's sentences:\n\n{}",
@@ -84,7 +84,7 @@ fn count<'a>(evaluations: impl Iterator<Item = &'a Evaluation>) -> String {
             .count()
     };
     format!(
-        "Of {} sentences {} are borne out, {} are not, {} depend on the grid.\n",
+        "Of {} sentences of the paper: borne out {}, not borne out {}, depends on the grid {}.\n",
         verdicts.len(),
         of(Verdict::BorneOut),
         of(Verdict::NotBorneOut),
@@ -118,22 +118,32 @@ fn measured(evaluation: &Evaluation) -> String {
     grids.collect::<Vec<_>>().join("<br>")
 }
 
+/// An item for every reason, with all claims that share it.
 fn disagreements<'a>(evaluations: impl Iterator<Item = &'a Evaluation>) -> String {
-    let contested = evaluations.filter(|one| one.verdict != Verdict::BorneOut);
-    let items = contested.map(|one| {
-        let claim = &one.claim;
-        let grids = one
-            .findings
-            .iter()
-            .map(|(n, finding)| format!("N = {n}: {}", finding.measured));
+    let contested: Vec<&Evaluation> = evaluations
+        .filter(|one| one.verdict != Verdict::BorneOut)
+        .collect();
+    let same = |one: &&Evaluation, next: &&Evaluation| one.claim.reason == next.claim.reason;
+    let items = contested.chunk_by(same).map(|group| {
+        let claim = &group[0].claim;
+        let found = group.iter().map(|one| {
+            let grids = one
+                .findings
+                .iter()
+                .map(|(n, finding)| format!("N = {n}: {}", finding.measured));
+            format!(
+                "  - {}, `{}`: {}\n",
+                one.claim.place,
+                one.claim.id,
+                grids.collect::<Vec<_>>().join("; ")
+            )
+        });
         format!(
-            "- {}, `{}`, **{}**: *{}.* {} Found: {}.\n",
-            claim.place,
-            claim.id,
-            one.verdict,
+            "- *{}*: **{}**. {}\n{}",
             claim.sentence,
+            group[0].verdict,
             claim.reason,
-            grids.collect::<Vec<_>>().join("; ")
+            found.collect::<String>()
         )
     });
     items.collect()
