@@ -57,7 +57,7 @@ pub(super) fn document(file: &ClaimsFile, report: &ClaimsReport) -> String {
             + &report
                 .refined
                 .iter()
-                .map(|one| one.markdown())
+                .map(super::refinement::Refined::markdown)
                 .collect::<String>(),
         format!(
             "What follows from it, checked like the paper's sentences:\n\n{}",
