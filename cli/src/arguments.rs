@@ -49,6 +49,14 @@ pub enum Command {
         after_help = "PELLICLE_CACHE names the folder; set but empty, it turns the cache on disk off."
     )]
     Cache(CacheArguments),
+    /// Compare the program with what is known: closed forms, data of many digits, limits, and pressures that its certificate must refuse
+    #[command(
+        after_help = "Takes some seconds, reads and writes no files. The error of each row is as the line below its section says; \
+                            in the certificate's negative controls it is the worst line of a wrong pressure's certificate and must exceed \
+                            the tolerance.\n\
+                            Exit codes: 0 every row passes, 1 some row fails, 2 the command line is wrong."
+    )]
+    Validate(ValidateArguments),
     /// Print completions for a shell
     Completions(CompletionsArguments),
     /// Print the manual page: pellicle man | man -l -
@@ -144,6 +152,26 @@ pub struct GatherArguments {
     pub folder: PathBuf,
 }
 
+/// How to validate.
+#[derive(Debug, Args)]
+pub struct ValidateArguments {
+    /// Print JSON to standard output
+    #[arg(long)]
+    pub json: bool,
+    /// Number of threads [default: one a core]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
+    /// Multiply every influence coefficient by 1 + EPS, to see that the validation fails: 1e-3, 1e-6, 1e-12
+    #[arg(
+        long,
+        value_name = "EPS",
+        default_value_t = 0.0,
+        hide_default_value = true
+    )]
+    #[arg(help_heading = "Test hook", allow_hyphen_values = true, value_parser = perturbation)]
+    pub perturb_coefficients: f64,
+}
+
 /// Which shell.
 #[derive(Debug, Args)]
 pub struct CompletionsArguments {
@@ -221,6 +249,13 @@ fn positive(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(k) if k > 0.0 && k.is_finite() => Ok(k),
         _ => Err("wanted a positive number".into()),
+    }
+}
+
+fn perturbation(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(by) if by > -1.0 && by.is_finite() => Ok(by),
+        _ => Err("wanted a number above -1, such as 1e-6".into()),
     }
 }
 

@@ -16,6 +16,8 @@ pub enum Outcome {
     Done,
     /// The result is there, and marked as not converged; in a study, a case has no certified result.
     NotConverged,
+    /// The program disagrees with what is known: a row of its validation fails.
+    Refuted,
     /// The user asked to stop; what was finished is there.
     Stopped,
 }
@@ -28,7 +30,7 @@ pub fn main(arguments: impl IntoIterator<Item = impl Into<OsString> + Clone>) ->
     };
     match execute(arguments.command) {
         Ok(Outcome::Done) => ExitCode::SUCCESS,
-        Ok(Outcome::NotConverged) => ExitCode::from(1),
+        Ok(Outcome::NotConverged | Outcome::Refuted) => ExitCode::from(1),
         Ok(Outcome::Stopped) => ExitCode::from(interrupt::EXIT_CODE),
         Err(failure) => {
             terminal::tell(&failure.render());
@@ -48,6 +50,7 @@ fn execute(command: Command) -> Result<Outcome, Failure> {
         Command::Cache(arguments) => command::cache::cache(&arguments),
         Command::Study(arguments) => command::study::study(&arguments),
         Command::Gather(arguments) => command::gather::gather(&arguments),
+        Command::Validate(arguments) => command::validate::validate(&arguments),
         Command::Completions(arguments) => command::completions::completions(&arguments),
         Command::Man => command::completions::man(),
     }

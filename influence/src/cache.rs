@@ -135,7 +135,13 @@ impl Cache {
         element_side: f64,
         size: usize,
     ) -> Result<Cached<Arc<CoefficientTable>>, InfluenceError> {
-        self.get(&CoefficientsOf::new(tables, element_side, size)?)
+        let recipe = CoefficientsOf::new(tables, element_side, size)?;
+        if tables.is_perturbed() {
+            let value = Arc::new(recipe.compute()?);
+            let origin = Origin::Computed;
+            return Ok(Cached { value, origin });
+        }
+        self.get(&recipe)
     }
 
     /// The folder on disk, if there is to be one.

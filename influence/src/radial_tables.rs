@@ -32,6 +32,8 @@ pub struct RadialTables {
     foundation: Foundation,
     /// None for a homogeneous body, whose coefficients are Love's.
     functions: Option<RadialFunctions>,
+    /// What every coefficient is multiplied by: 1 but for a test of tests.
+    factor: f64,
 }
 
 impl RadialTables {
@@ -55,7 +57,24 @@ impl RadialTables {
         Ok(Self {
             foundation: foundation.clone(),
             functions,
+            factor: 1.0,
         })
+    }
+
+    /// The same with every coefficient multiplied by `1 + relative`: wrong on purpose, so that a check can be seen to fail.
+    ///
+    /// A [`Cache`](crate::Cache) neither keeps nor finds what is made from them.
+    #[must_use]
+    pub fn perturbed(&self, relative: f64) -> Self {
+        Self {
+            factor: self.factor * (1.0 + relative),
+            ..self.clone()
+        }
+    }
+
+    /// Whether the coefficients are wrong on purpose.
+    pub(crate) fn is_perturbed(&self) -> bool {
+        self.factor.to_bits() != 1_f64.to_bits()
     }
 
     /// Influence coefficient `k`, m/Pa: displacement of the centre of one square element, of side `element_side` (m), for unit pressure on
@@ -64,6 +83,10 @@ impl RadialTables {
     /// Error: see [`Self::error_estimate`].
     #[must_use]
     pub fn coefficient(&self, element_side: f64, offset: [usize; 2]) -> f64 {
+        self.factor * self.true_coefficient(element_side, offset)
+    }
+
+    fn true_coefficient(&self, element_side: f64, offset: [usize; 2]) -> f64 {
         let surface = self.foundation.surface_material();
         let Some(functions) = &self.functions else {
             return love::coefficient(&surface, element_side, offset);

@@ -1,8 +1,46 @@
-//! Observed orders of convergence.
+//! Orders of convergence: observed, and demanded.
 
 /// Elements per side of the convergence studies; many, because single errors scatter with how the grid meets the
 /// contact's edge.
 pub const GRIDS: [usize; 9] = [64, 80, 104, 128, 160, 208, 256, 320, 416];
+
+/// Why a sequence of errors does not converge as it should.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Refusal {
+    /// The order is too low.
+    Order {
+        /// Observed.
+        found: f64,
+        /// The least that passes.
+        wanted: f64,
+    },
+    /// The last error is too large, whatever the order.
+    Error {
+        /// On the finest grid.
+        found: f64,
+        /// The largest that passes.
+        wanted: f64,
+    },
+}
+
+/// Demands of errors, by elements per side, an order of at least `order` and a last error of at most `error`; returns the order.
+///
+/// # Errors
+/// [`Refusal`], also of what is no number.
+pub fn demand(errors: &[(usize, f64)], order: f64, error: f64) -> Result<f64, Refusal> {
+    let found = observed_order(errors);
+    if found.is_nan() || found < order {
+        let wanted = order;
+        return Err(Refusal::Order { found, wanted });
+    }
+    match errors.last() {
+        Some((_, last)) if *last <= error => Ok(found),
+        last => Err(Refusal::Error {
+            found: last.map_or(f64::NAN, |last| last.1),
+            wanted: error,
+        }),
+    }
+}
 
 /// The order `o` of `error ∝ elements⁻ᵒ`: minus the slope of ln error over ln elements, by least squares.
 #[must_use]
@@ -22,11 +60,45 @@ pub fn observed_order(errors: &[(usize, f64)]) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{GRIDS, observed_order};
+    use super::{GRIDS, Refusal, demand, observed_order};
+
+    /// `0.1 (N/64)⁻ᵒ` on all grids, and a part that no grid takes away.
+    fn errors(order: f64, rest: f64) -> [(usize, f64); 9] {
+        GRIDS.map(|elements| (elements, 0.1 * (elements as f64 / 64.0).powf(-order) + rest))
+    }
 
     #[test]
     fn a_power_law_shows_its_exponent() {
-        let errors = GRIDS.map(|elements| (elements, 3.0 * (elements as f64).powf(-1.5)));
-        assert!((observed_order(&errors) - 1.5).abs() < 1e-13);
+        assert!((observed_order(&errors(1.5, 0.0)) - 1.5).abs() < 1e-13);
+    }
+
+    #[test]
+    fn second_order_passes_and_first_order_is_refused() {
+        assert!(demand(&errors(2.0, 0.0), 1.7, 1.0).is_ok());
+        let refused = demand(&errors(1.0, 0.0), 1.7, 1.0);
+        assert!(
+            matches!(refused, Err(Refusal::Order { found, .. }) if (found - 1.0).abs() < 1e-13)
+        );
+    }
+
+    #[test]
+    fn second_order_to_a_wrong_limit_is_refused() {
+        // A tenth of the first error remains.
+        let refused = demand(&errors(2.0, 0.01), 1.7, 1.0);
+        assert!(matches!(refused, Err(Refusal::Order { .. })), "{refused:?}");
+    }
+
+    #[test]
+    fn an_error_that_is_large_everywhere_is_refused_whatever_its_order() {
+        let refused = demand(&errors(2.0, 0.0), 1.7, 1e-3);
+        assert!(matches!(refused, Err(Refusal::Error { .. })));
+    }
+
+    #[test]
+    fn what_is_no_number_is_refused() {
+        let mut broken = errors(2.0, 0.0);
+        broken[4].1 = f64::NAN;
+        assert!(demand(&broken, 1.7, 1.0).is_err());
+        assert!(demand(&[], 1.7, 1.0).is_err());
     }
 }

@@ -1,8 +1,8 @@
-//! Cross-crate evidence that Pellicle is right: the scenes and the reference data that the test binaries share. The
-//! example of the workspace's README is compiled and run here as a documentation test.
+//! Cross-crate evidence that Pellicle is right: the scenes that the test binaries share. The example of the workspace's README is
+//! compiled and run here as a documentation test.
 
 pub mod convergence;
 pub mod paper;
 #[cfg(doctest)]
 mod readme;
-pub mod reference_data;
+pub mod scene;

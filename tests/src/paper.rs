@@ -1,11 +1,10 @@
 //! The paper's textured surfaces, Fig. 2(a)–(d), in its units: indenter radius 1, coating modulus 1.
 
-use std::sync::Arc;
+use pellicle_contact::{Load, Model};
+use pellicle_influence::Cache;
+use pellicle_kernel::Material;
 
-use pellicle_contact::{Indenter, Load, Model, Paraboloid};
-use pellicle_influence::{Cache, RadialTables};
-use pellicle_kernel::{Foundation, Material};
-use pellicle_texture::{CylinderSpec, Cylinders, Lattice, Relief};
+use crate::scene::{coated, cylinders, material, model, paraboloid};
 
 /// One panel of Fig. 2.
 #[derive(Debug, Clone)]
@@ -21,13 +20,10 @@ pub struct Panel {
 }
 
 /// The four panels.
-///
-/// # Panics
-/// Never: the numbers are the paper's.
 #[must_use]
 pub fn figure_2() -> [Panel; 4] {
-    let soft = || model(Material::new(1.0, 0.4), Material::new(10.0, 0.3));
-    let stiff = || model(Material::new(1.0, 0.3), Material::new(0.1, 0.4));
+    let soft = || textured(material(1.0, 0.4), material(10.0, 0.3));
+    let stiff = || textured(material(1.0, 0.3), material(0.1, 0.4));
     let panel = |name, model, side, force| Panel {
         name,
         model,
@@ -43,24 +39,10 @@ pub fn figure_2() -> [Panel; 4] {
 }
 
 /// Coating `H = 1e-4` with cylinders `r = 5e-3`, `h = 1e-4`, period 1/80 of its own modulus 1.
-fn model<E: std::fmt::Debug>(
-    coating: Result<Material, E>,
-    substrate: Result<Material, E>,
-) -> Model {
-    let (coating, substrate) = (coating.expect("legal"), substrate.expect("legal"));
-    let foundation = Foundation::coated(1e-4, coating, substrate).expect("legal");
-    let spec = CylinderSpec {
-        lattice: Lattice::Square,
-        radius: 5e-3,
-        height: 1e-4,
-        period: 1.0 / 80.0,
-        offset: [0.0, 0.0],
-        young_modulus: 1.0,
-    };
+fn textured(coating: Material, substrate: Material) -> Model {
+    let relief = cylinders(5e-3, 1e-4, 1.0 / 80.0, 1.0);
     Model {
-        tables: Arc::new(RadialTables::build(&foundation).expect("within the tables' reach")),
-        relief: Relief::Cylinders(Cylinders::new(spec).expect("apart")),
-        indenter: Indenter::Paraboloid(Paraboloid::new(1.0).expect("positive")),
         cache: Cache::in_memory(),
+        ..model(&coated(1e-4, coating, substrate), relief, paraboloid(1.0))
     }
 }

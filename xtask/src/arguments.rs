@@ -4,7 +4,7 @@ use std::ffi::OsString;
 
 use clap::{Parser, Subcommand};
 
-use crate::{CompareArguments, FiguresArguments, PellicleArguments};
+use crate::{ClaimsArguments, CompareArguments, FiguresArguments, PellicleArguments};
 
 /// The chores of the workspace.
 #[derive(Debug, Parser)]
@@ -20,6 +20,8 @@ pub struct Arguments {
 pub enum Command {
     /// Check the house rules of the workspace.
     Tidy,
+    /// Compute what becomes of each claim of the paper and compare it with what is recorded; exit code 1 if one changed.
+    Claims(ClaimsArguments),
     /// Run Pellicle and its rivals on the same problems and print the table.
     Compare(CompareArguments),
     /// Draw the figures of the paper from its cases: SVG, PNG and CSV.

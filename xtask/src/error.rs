@@ -11,6 +11,8 @@ use pellicle_kernel::KernelError;
 use pellicle_texture::TextureError;
 use thiserror::Error;
 
+use crate::ClaimsError;
+
 /// Why a chore could not be done.
 #[derive(Debug, Error)]
 pub enum XtaskError {
@@ -77,6 +79,9 @@ pub enum XtaskError {
     /// Results of a run that cannot be read.
     #[error(transparent)]
     Results(#[from] Failure),
+    /// A claim that could not be judged.
+    #[error(transparent)]
+    Claims(#[from] ClaimsError),
     /// A material or foundation that cannot be.
     #[error(transparent)]
     Kernel(#[from] KernelError),

@@ -5,6 +5,7 @@
 //! `tests/workspace.rs` checks the real workspace by the same path as `cargo xtask tidy`.
 
 mod arguments;
+mod claims;
 mod compare;
 mod error;
 mod figures;
@@ -16,6 +17,10 @@ mod tree;
 mod violation;
 
 pub use arguments::{Arguments, Command};
+pub use claims::{
+    Checker, Claim, ClaimsArguments, ClaimsError, ClaimsFile, ClaimsReport, Contradiction,
+    Evaluation, Finding, Refinement, Source, Verdict, claims,
+};
 pub use compare::{
     Case, Certificate, CompareArguments, Measurement, Outcome, PellicleArguments, Problem, Report,
     Rival, Row, Solved, compare, run_pellicle,

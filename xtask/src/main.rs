@@ -11,12 +11,14 @@ use std::process::ExitCode;
 
 use clap::Parser;
 use xtask::{
-    Arguments, Command, CompareArguments, FiguresArguments, PellicleArguments, Tree, XtaskError,
+    Arguments, ClaimsArguments, Command, CompareArguments, FiguresArguments, PellicleArguments,
+    Tree, XtaskError,
 };
 
 fn main() -> ExitCode {
     let done = match Arguments::parse().command {
         Command::Tidy => tidy(),
+        Command::Claims(arguments) => claims(&arguments),
         Command::Compare(arguments) => compare(&arguments),
         Command::Figures(arguments) => figures(&arguments),
         Command::Pellicle(arguments) => pellicle(&arguments),
@@ -49,6 +51,14 @@ fn tidy() -> Result<ExitCode, XtaskError> {
     }
     eprintln!("{} broken house rules", found.len());
     Ok(ExitCode::FAILURE)
+}
+
+/// Prints every verdict, and on standard error what is solved and what changed; exit code 1 if a verdict changed.
+fn claims(arguments: &ClaimsArguments) -> Result<ExitCode, XtaskError> {
+    let report = xtask::claims(arguments, root(), &mut |line| eprintln!("{line}"))?;
+    print!("{report}");
+    eprint!("{}", report.complaints());
+    Ok(report.exit_code())
 }
 
 /// Prints the table of Pellicle beside its rivals, and on standard error what is going on.

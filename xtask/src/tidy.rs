@@ -4,6 +4,7 @@ mod architecture;
 mod cases;
 mod crate_roots;
 mod dependencies;
+mod evidence;
 mod headers;
 mod inheritance;
 mod links;
@@ -17,7 +18,7 @@ use crate::{Tree, Violation};
 /// A house rule: everything in the tree that breaks it.
 type Rule = fn(&Tree) -> Vec<Violation>;
 
-const RULES: [Rule; 11] = [
+const RULES: [Rule; 12] = [
     dependencies::point_downward,
     versions::stand_in_the_root,
     inheritance::of_package_fields,
@@ -27,6 +28,7 @@ const RULES: [Rule; 11] = [
     links::resolve,
     traces::are_removed,
     cases::say_what_they_show,
+    evidence::names_tests_that_exist,
     architecture::stays_short,
     test_command::is_what_ci_runs,
 ];

@@ -10,3 +10,4 @@ pub mod kernel;
 pub mod plot;
 pub mod run;
 pub mod study;
+pub mod validate;

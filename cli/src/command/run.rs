@@ -13,7 +13,7 @@ use crate::output::summary::{Clock, Summary, WarningSummary};
 use crate::output::{json, report, results};
 use crate::program::Outcome;
 use crate::progress::ProgressLine;
-use crate::{cache, interrupt, terminal};
+use crate::{cache, interrupt, terminal, threads};
 
 /// Solves the case, writes its results folder and says what came out.
 ///
@@ -24,7 +24,7 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
     let start = Instant::now();
     let case = Case::read(&arguments.case.path, &arguments.case.sets)?;
     let folder = claim(arguments)?;
-    set_threads(arguments.threads)?;
+    threads::set(arguments.threads)?;
     interrupt::listen();
     let mut line = progress_line(arguments, case.solver.tolerance);
     let tables = Instant::now();
@@ -76,14 +76,6 @@ fn claim(arguments: &RunArguments) -> Result<Option<Folder>, Failure> {
         None if arguments.json => Ok(None),
         None => Folder::claim_default(&name.to_string_lossy(), existing).map(Some),
     }
-}
-
-fn set_threads(threads: Option<u16>) -> Result<(), Failure> {
-    let Some(threads) = threads else {
-        return Ok(());
-    };
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.into());
-    Ok(pool.build_global()?)
 }
 
 fn progress_line(arguments: &RunArguments, tolerance: f64) -> ProgressLine {

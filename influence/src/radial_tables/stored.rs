@@ -28,6 +28,7 @@ impl RadialTables {
         decoder.finish(Self {
             foundation: foundation.clone(),
             functions: Some(functions),
+            factor: 1.0,
         })
     }
 }

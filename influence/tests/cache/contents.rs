@@ -138,3 +138,20 @@ fn errors_are_those_of_the_computation() {
     ));
     assert_eq!(cache.usage().unwrap().files, 0);
 }
+
+#[test]
+fn what_is_wrong_on_purpose_is_wrong_by_the_factor_and_never_kept() {
+    let folder = tempfile::tempdir().unwrap();
+    let cache = Cache::at(folder.path());
+    let get = |tables: &RadialTables| cache.coefficients(tables, ELEMENT_SIDE, SIZE).unwrap();
+    let wrong = get(&plain().perturbed(1e-3)).value;
+    assert_eq!(cache.usage().unwrap().files, 0);
+    let right = get(&plain());
+    assert_eq!(right.origin, Origin::Computed);
+    let ratio = wrong.coefficient([5, 2]) / right.value.coefficient([5, 2]);
+    // Two roundings.
+    assert!((ratio - 1.001).abs() < 1e-15);
+    // Nor is what is right found for it.
+    let again = get(&plain().perturbed(1e-3)).value;
+    assert_eq!(bits(&again), bits(&wrong));
+}

@@ -35,15 +35,17 @@ pub struct Preconditioner {
 enum Inverse {
     /// The identity on the working set, where nothing is known of the operator.
     Identity,
-    Filter(RestrictedFilter),
-    Factor(SparseFactor),
+    Filter(Box<RestrictedFilter>),
+    Factor(Box<SparseFactor>),
 }
 
 /// `w = M⁻¹_I 1`.
 struct Even {
     values: Vec<f64>,
     total: f64,
-    /// Whether it belongs to the present set.
+    /// The total on the set that it was made for.
+    exact_total: f64,
+    /// Whether that is the present set.
     is_exact: bool,
 }
 
@@ -65,7 +67,7 @@ impl Preconditioner {
                 if is_stiff(&symbol) {
                     factor(problem, NEIGHBOURS).unwrap_or(Inverse::Identity)
                 } else {
-                    Inverse::Filter(RestrictedFilter::new(symbol))
+                    Inverse::Filter(Box::new(RestrictedFilter::new(symbol)))
                 }
             }
         };
@@ -75,6 +77,7 @@ impl Preconditioner {
             even: Even {
                 values: vec![0.0; problem.elements()],
                 total: 0.0,
+                exact_total: 0.0,
                 is_exact: false,
             },
             is_current: false,
@@ -112,14 +115,17 @@ impl Preconditioner {
             set.clear_outside(&mut self.even.values);
             self.even.total = sum(&self.even.values);
         }
-        let will_do = projection == Projection::Oblique && self.even.total > 0.0;
+        let most_is_there = self.even.total > self.even.exact_total / 2.0;
+        let will_do = projection == Projection::Oblique && most_is_there;
         if !(self.even.is_exact || will_do) {
             let mut values = std::mem::take(&mut self.even.values);
             values.fill(1.0);
             self.apply(set, &mut values);
+            let total = sum(&values);
             self.even = Even {
-                total: sum(&values),
                 values,
+                total,
+                exact_total: total,
                 is_exact: true,
             };
         }
@@ -166,9 +172,8 @@ impl Preconditioner {
 fn factor(problem: &DiscreteProblem, neighbours: usize) -> Option<Inverse> {
     let elasticity = problem.elasticity()?.clone();
     let (size, compliance) = (problem.size(), problem.relief_compliance());
-    Some(Inverse::Factor(SparseFactor::new(
-        elasticity, size, compliance, neighbours,
-    )))
+    let factor = SparseFactor::new(elasticity, size, compliance, neighbours);
+    Some(Inverse::Factor(Box::new(factor)))
 }
 
 /// Whether long waves meet a much softer body than short ones do.

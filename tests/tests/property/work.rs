@@ -1,10 +1,5 @@
 //! What solutions cost, counted in products with `K`, where methods are known to fail; and that threads change no bit.
 
-#![expect(
-    clippy::unwrap_used,
-    reason = "a scene that cannot be built fails its test"
-)]
-
 use std::sync::Arc;
 
 use pellicle_contact::{

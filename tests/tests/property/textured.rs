@@ -1,10 +1,5 @@
 //! The paper's textured cases at N = 256: what they cost, what they give, where they touch.
 
-#![expect(
-    clippy::unwrap_used,
-    reason = "a scene that cannot be built fails its test"
-)]
-
 use pellicle_contact::{Domain, SolverOptions, Step, solve_path};
 use pellicle_tests::paper::{Panel, figure_2};
 

@@ -1,0 +1,163 @@
+//! Negative controls of the certificate: pressures that are wrong on purpose.
+
+use pellicle_contact::{Certificate, DiscreteProblem, Load, Solution, SolverOptions};
+use pellicle_kernel::{Foundation, Material};
+use pellicle_texture::{CylinderSpec, Cylinders, Lattice, Relief};
+
+use super::scene::{Contact, paraboloid};
+use super::{Plan, Row, Scene, Trouble};
+
+/// The section.
+pub const PLAN: Plan = Plan {
+    name: "The certificate's negative controls",
+    source: "a solution of a textured contact, spoilt on purpose: the certificate must refuse it",
+    because: "the error is the worst line of the certificate, the tolerance the certificate's: here the error must exceed it",
+    rows,
+};
+
+/// A change that is still small, and a hundred times what the certificate allows.
+const SMALL: f64 = 1e-6;
+
+/// What is done to a right pressure.
+type Spoil = fn(&mut Vec<f64>);
+
+const SPOILT: [(&str, Spoil); 8] = [
+    ("all pressures larger by a millionth", |p| {
+        p.iter_mut().for_each(|p| *p *= 1.0 + SMALL);
+    }),
+    ("one pressure larger by a millionth", |p| {
+        let largest = largest(p);
+        p[largest] *= 1.0 + SMALL;
+    }),
+    ("shifted by one element", |p| p.rotate_right(1)),
+    ("two pressures exchanged", |p| {
+        let (least, largest) = (least(p), largest(p));
+        p.swap(least, largest);
+    }),
+    ("one element negative", |p| {
+        let least = least(p);
+        p[least] = -p[least];
+    }),
+    ("the least pressed element removed", |p| {
+        let least = least(p);
+        p[least] = 0.0;
+    }),
+    ("an element pressed far from the contact", |p| {
+        p[0] = SMALL * p[largest(p)];
+    }),
+    ("one pressure no number", |p| {
+        let largest = largest(p);
+        p[largest] = f64::NAN;
+    }),
+];
+
+fn rows(scene: Scene) -> Result<Vec<Row>, Trouble> {
+    let contact = textured()?;
+    let right = scene.solve(&contact)?.steps.remove(0).solution.pressure;
+    let mut court = Court::new(scene, &contact)?;
+    let mut rows = vec![Row::accepted(
+        "as solved".into(),
+        &court.judge(right.clone()),
+    )];
+    for (check, spoil) in SPOILT {
+        let mut wrong = right.clone();
+        spoil(&mut wrong);
+        rows.push(Row::refused(check.into(), &court.judge(wrong)));
+    }
+    let other_load = Load::Force(FORCE * (1.0 + SMALL));
+    let found = court.judge_under(other_load, right);
+    rows.push(Row::refused(
+        "for a force larger by a millionth".into(),
+        &found,
+    ));
+    let perturbation = (1.0 + scene.perturbation) * (1.0 + SMALL) - 1.0;
+    let other_body = Scene { perturbation }
+        .solve(&contact)?
+        .steps
+        .remove(0)
+        .solution;
+    let found = court.judge(other_body.pressure);
+    rows.push(Row::refused(
+        "for coefficients larger by a millionth".into(),
+        &found,
+    ));
+    let options = SolverOptions {
+        tolerance: 1e-4,
+        ..SolverOptions::default()
+    };
+    let loose = scene
+        .solve_with(&contact, options)?
+        .steps
+        .remove(0)
+        .solution;
+    rows.push(Row::refused(
+        "solved to 1e-4 only".into(),
+        &court.judge(loose.pressure),
+    ));
+    Ok(rows)
+}
+
+/// Force on the contact.
+const FORCE: f64 = 2e-3;
+
+/// A paraboloid on the paper's stiff coating with cylinders, islands of contact within 64 × 64 elements.
+fn textured() -> Result<Contact, Trouble> {
+    let spec = CylinderSpec {
+        lattice: Lattice::Square,
+        radius: 0.02,
+        height: 2e-3,
+        period: 0.05,
+        offset: [0.0, 0.0],
+        young_modulus: 10.0,
+    };
+    Ok(Contact {
+        foundation: Foundation::coated(0.05, Material::new(10.0, 0.3)?, Material::new(1.0, 0.4)?)?,
+        relief: Relief::Cylinders(Cylinders::new(spec)?),
+        indenter: paraboloid(1.0)?,
+        side: 0.5,
+        elements: 64,
+        load: Load::Force(FORCE),
+    })
+}
+
+/// The problem that pressures are judged by.
+struct Court {
+    problem: DiscreteProblem,
+    load: Load,
+}
+
+impl Court {
+    fn new(scene: Scene, contact: &Contact) -> Result<Self, Trouble> {
+        let model = scene.model(contact)?;
+        let sampled = model.sample(contact.side, contact.elements)?;
+        Ok(Self {
+            problem: model.discretize(&sampled)?.value,
+            load: contact.load,
+        })
+    }
+
+    fn judge(&mut self, pressure: Vec<f64>) -> Certificate {
+        self.judge_under(self.load, pressure)
+    }
+
+    fn judge_under(&mut self, load: Load, pressure: Vec<f64>) -> Certificate {
+        let tolerance = SolverOptions::default().tolerance;
+        Solution::judge(&mut self.problem, load, pressure, tolerance).certificate
+    }
+}
+
+/// The element of the largest pressure.
+fn largest(pressure: &[f64]) -> usize {
+    let elements = 0..pressure.len();
+    elements
+        .max_by(|i, j| pressure[*i].total_cmp(&pressure[*j]))
+        .unwrap_or(0)
+}
+
+/// The element of the least pressure above zero.
+fn least(pressure: &[f64]) -> usize {
+    let pressed = (0..pressure.len()).filter(|i| pressure[*i] > 0.0);
+    pressed
+        .min_by(|i, j| pressure[*i].total_cmp(&pressure[*j]))
+        .unwrap_or(0)
+}

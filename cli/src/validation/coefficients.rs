@@ -1,0 +1,82 @@
+//! Influence coefficients against 20 and 30 digits.
+
+use pellicle_influence::direct;
+use pellicle_kernel::{Foundation, Material};
+
+use super::data::influence::{Coefficient, Coefficients, extreme, two_layer};
+use super::{Plan, Row, Scene, Trouble};
+
+/// The section.
+pub const PLAN: Plan = Plan {
+    name: "Influence coefficients",
+    source: "tests/data/influence_*.json, 20 and 30 digits; quadrature of the paper's (3.4)",
+    because: "relative to max(|k|, min(1, Φ(0)) k of the half-space); rounding of the product rules, \
+              and of the quadrature its own tolerance",
+    rows,
+};
+
+/// What product rules leave around the softest layers.
+const PRODUCT_RULES: f64 = 1e-13;
+/// Rounding of some tens of terms of Love's formula.
+const ROUNDING: f64 = 1e-14;
+/// What the quadrature asks of itself.
+const QUADRATURE: f64 = 1e-11;
+
+fn rows(scene: Scene) -> Result<Vec<Row>, Trouble> {
+    let data = [two_layer()?, extreme()?];
+    let mut rows = vec![homogeneous(scene, &data[0])?];
+    for data in &data {
+        for name in data.cases.keys() {
+            rows.push(coated(scene, data, name)?);
+        }
+    }
+    for offset in [[0, 0], [2, 1]] {
+        rows.push(by_quadrature(scene, offset)?);
+    }
+    Ok(rows)
+}
+
+/// `k E1/a` of a coating, the worst of all its offsets and thicknesses.
+fn coated(scene: Scene, data: &Coefficients, name: &str) -> Result<Row, Trouble> {
+    let coating = data.cases.get(name).ok_or(Trouble::NoSolution)?;
+    let tables = scene.tables(&coating.foundation()?)?;
+    let at_zero = tables.foundation().response_at_zero();
+    let compared = |value: &Coefficient| {
+        let side = value.element_side();
+        let found = 2.0 * tables.coefficient(side, [value.m, value.n]) / side;
+        let error = (found - value.value).abs() / value.scale(at_zero);
+        ([value.value, found], error)
+    };
+    let values = data.values.iter().filter(|value| value.case == name);
+    let (chi, nu1, nu2) = (coating.chi, coating.nu1, coating.nu2);
+    let check = format!(
+        "χ = {chi}, ν = {nu1}, {nu2}: {} coefficients",
+        values.clone().count()
+    );
+    Ok(Row::worst(check, values.map(compared), PRODUCT_RULES))
+}
+
+/// `k E1/a` of half-spaces, the worst of all offsets.
+fn homogeneous(scene: Scene, data: &Coefficients) -> Result<Row, Trouble> {
+    let mut found = Vec::new();
+    for value in &data.values {
+        let coating = data.cases.get(&value.case).ok_or(Trouble::NoSolution)?;
+        let body = Foundation::half_space(Material::new(1.0, coating.nu1)?);
+        let computed = scene.tables(&body)?.coefficient(2.0, [value.m, value.n]);
+        let error = (computed / value.homogeneous - 1.0).abs();
+        found.push(([value.homogeneous, computed], error));
+    }
+    let check = format!("half-space: {} coefficients", found.len());
+    Ok(Row::worst(check, found.into_iter(), ROUNDING))
+}
+
+/// One coefficient of the paper's stiff coating in two ways.
+fn by_quadrature(scene: Scene, offset: [usize; 2]) -> Result<Row, Trouble> {
+    let (coating, substrate) = (Material::new(1.0, 0.3)?, Material::new(0.1, 0.4)?);
+    let foundation = Foundation::coated(1.0, coating, substrate)?;
+    let reference = direct::coefficient(&foundation, 1.0, offset)?;
+    let computed = scene.tables(&foundation)?.coefficient(1.0, offset);
+    let [m, n] = offset;
+    let check = format!("χ = 10, ν = 0.3, 0.4: offset ({m}, {n}) by quadrature");
+    Ok(Row::relative(check, reference, computed, QUADRATURE))
+}

@@ -1,0 +1,47 @@
+//! Controls of the grid error: a number that converges is called resolved, one that does not is not.
+
+use pellicle_contact::{FlatPunch, Indenter, Load, Step};
+use pellicle_kernel::Foundation;
+use pellicle_texture::Relief;
+
+use super::scene::{Contact, paraboloid, unit_material};
+use super::{Plan, Row, Scene, Trouble};
+
+/// The section.
+pub const PLAN: Plan = Plan {
+    name: "The grid error's controls",
+    source: "Hertz's peak is finite, that at the rim of a flat punch is not",
+    because: "a word: what is said of the largest pressure",
+    rows,
+};
+
+fn rows(scene: Scene) -> Result<Vec<Row>, Trouble> {
+    let punch = Indenter::FlatPunch(FlatPunch::new(0.1)?);
+    let said = |indenter| -> Result<&str, Trouble> {
+        let path = scene.solve(&contact(indenter)?)?;
+        Ok(of_the_peak(&path.steps[0]))
+    };
+    Ok(vec![
+        Row::words("Hertz".into(), "resolved", said(paraboloid(1.0)?)?),
+        Row::words("Flat punch".into(), "unresolved", said(punch)?),
+    ])
+}
+
+fn contact(indenter: Indenter) -> Result<Contact, Trouble> {
+    Ok(Contact {
+        foundation: Foundation::half_space(unit_material()?),
+        relief: Relief::Bare,
+        indenter,
+        side: 0.3,
+        elements: 256,
+        load: Load::Force(4e-3 / 3.0),
+    })
+}
+
+fn of_the_peak(step: &Step) -> &'static str {
+    match step.grid_error.max_pressure {
+        Some(estimate) if estimate.resolved => "resolved",
+        Some(_) => "unresolved",
+        None => "nothing",
+    }
+}

@@ -1,0 +1,225 @@
+//! Limits in which one problem becomes another, and two ways to the same number.
+
+use pellicle_contact::{Load, Method, SolverOptions};
+use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
+use pellicle_texture::{CylinderSpec, Cylinders, Film, Lattice, Relief};
+
+use super::scene::{Contact, paraboloid, unit_material};
+use super::{Plan, Row, Scene, Trouble};
+
+/// The section.
+pub const PLAN: Plan = Plan {
+    name: "Limits, and two ways to one number",
+    source: "another problem, solved here, that has the same answer",
+    because: "relative; what the limit leaves (some 1e-6 where a thickness or a stiffness is a million), and ten times the certificate's 1e-8",
+    rows,
+};
+
+/// A penetration follows the certificate's 1e-8 by less than ten times as much.
+const CERTIFIED: f64 = 1e-7;
+/// Coatings are a millionth or a million contact radii thick, a stiff substrate a million times as stiff: felt by as much, times
+/// some ratio of moduli.
+const MILLIONTH: f64 = 1e-5;
+
+/// Two contacts with one answer.
+type Pair = fn() -> Result<[Contact; 2], Trouble>;
+
+/// What becomes what, the tolerance, and both.
+const LIMITS: [(&str, f64, Pair); 8] = [
+    ("χ → 1, equal ν: the half-space", CERTIFIED, equal_materials),
+    ("thick coating: the coating alone", MILLIONTH, thick),
+    ("thin coating: the substrate alone", MILLIONTH, thin),
+    (
+        "stiff substrate: the rigid base",
+        MILLIONTH,
+        stiff_substrate,
+    ),
+    ("a layer cut in two: the layer", CERTIFIED, cut_in_two),
+    (
+        "film of no compliance: the bare surface",
+        CERTIFIED,
+        hard_film,
+    ),
+    (
+        "relief of no height: the bare surface",
+        CERTIFIED,
+        low_relief,
+    ),
+    ("SI units: the same in units of R and E", CERTIFIED, units),
+];
+
+fn rows(scene: Scene) -> Result<Vec<Row>, Trouble> {
+    let limits = LIMITS.iter().map(|(check, tolerance, pair)| {
+        limit(scene, check, *tolerance, *pair)
+            .unwrap_or_else(|trouble| Row::failed((*check).into(), &trouble))
+    });
+    let mut rows: Vec<_> = limits.collect();
+    rows.push(there_and_back(scene)?);
+    rows.push(two_methods(scene)?);
+    Ok(rows)
+}
+
+/// Penetrations of two contacts, each over its own side.
+fn limit(scene: Scene, check: &str, tolerance: f64, pair: Pair) -> Result<Row, Trouble> {
+    let [wanted, found] = pair()?;
+    let reference = scene.penetration(&wanted)? / wanted.side;
+    let computed = scene.penetration(&found)? / found.side;
+    Ok(Row::relative(check.into(), reference, computed, tolerance))
+}
+
+/// A paraboloid of radius 1 whose contact radius is some 0.1.
+fn contact(foundation: Foundation) -> Result<Contact, Trouble> {
+    Ok(Contact {
+        foundation,
+        relief: Relief::Bare,
+        indenter: paraboloid(1.0)?,
+        side: 0.3,
+        elements: 64,
+        load: Load::Force(1.3e-3),
+    })
+}
+
+fn half_space(material: Material) -> Result<Contact, Trouble> {
+    contact(Foundation::half_space(material))
+}
+
+fn coated(thickness: f64, coating: Material, substrate: Material) -> Result<Contact, Trouble> {
+    contact(Foundation::coated(thickness, coating, substrate)?)
+}
+
+fn other_material() -> Result<Material, Trouble> {
+    Ok(Material::new(5.0, 0.2)?)
+}
+
+fn equal_materials() -> Result<[Contact; 2], Trouble> {
+    let substrate = unit_material()?;
+    // Equal to the bit it would be taken for a half-space at once.
+    let coating = Material::new(substrate.young_modulus() * (1.0 + 1e-12), 0.3)?;
+    Ok([half_space(substrate)?, coated(0.05, coating, substrate)?])
+}
+
+fn thick() -> Result<[Contact; 2], Trouble> {
+    let coating = unit_material()?;
+    Ok([
+        half_space(coating)?,
+        coated(1e5, coating, other_material()?)?,
+    ])
+}
+
+fn thin() -> Result<[Contact; 2], Trouble> {
+    let substrate = unit_material()?;
+    Ok([
+        half_space(substrate)?,
+        coated(1e-7, other_material()?, substrate)?,
+    ])
+}
+
+fn stiff_substrate() -> Result<[Contact; 2], Trouble> {
+    let material = unit_material()?;
+    let layer = Layer::new(0.1, material, Interface::Bonded)?;
+    let rigid = Foundation::new(vec![layer], Base::Rigid)?;
+    let stiff = Material::new(1e6, 0.3)?;
+    Ok([contact(rigid)?, coated(0.1, material, stiff)?])
+}
+
+fn cut_in_two() -> Result<[Contact; 2], Trouble> {
+    let (coating, substrate) = (other_material()?, unit_material()?);
+    let layer = |thickness| Layer::new(thickness, coating, Interface::Bonded);
+    let base = Base::HalfSpace(substrate);
+    let cut = Foundation::new(vec![layer(0.013)?, layer(0.037)?], base)?;
+    Ok([coated(0.05, coating, substrate)?, contact(cut)?])
+}
+
+/// The paper's stiff coating, bare.
+fn stiff_coating() -> Result<Contact, Trouble> {
+    coated(0.05, Material::new(10.0, 0.3)?, Material::new(1.0, 0.4)?)
+}
+
+fn hard_film() -> Result<[Contact; 2], Trouble> {
+    let film = Relief::Film(Film::new(1e-3, 1e12)?);
+    let with_film = Contact {
+        relief: film,
+        ..stiff_coating()?
+    };
+    Ok([stiff_coating()?, with_film])
+}
+
+fn low_relief() -> Result<[Contact; 2], Trouble> {
+    let low = Contact {
+        relief: cylinders(1e-14)?,
+        ..stiff_coating()?
+    };
+    Ok([stiff_coating()?, low])
+}
+
+/// Cylinders of the coating's own modulus, eight elements a radius.
+fn cylinders(height: f64) -> Result<Relief, Trouble> {
+    let spec = CylinderSpec {
+        lattice: Lattice::Square,
+        radius: 0.0375,
+        height,
+        period: 0.09,
+        offset: [0.0, 0.0],
+        young_modulus: 10.0,
+    };
+    Ok(Relief::Cylinders(Cylinders::new(spec)?))
+}
+
+fn units() -> Result<[Contact; 2], Trouble> {
+    let (micrometres, gigapascals) = (3e-6, 70e9);
+    let coating = Material::new(10.0 * gigapascals, 0.3)?;
+    let substrate = Material::new(gigapascals, 0.4)?;
+    let in_si = Contact {
+        foundation: Foundation::coated(0.05 * micrometres, coating, substrate)?,
+        relief: Relief::Bare,
+        indenter: paraboloid(micrometres)?,
+        side: 0.3 * micrometres,
+        elements: 64,
+        load: Load::Force(1.3e-3 * gigapascals * micrometres * micrometres),
+    };
+    Ok([stiff_coating()?, in_si])
+}
+
+/// Touching on cylinders and between them.
+fn textured() -> Result<Contact, Trouble> {
+    let load = Load::Force(5e-3);
+    let relief = cylinders(2e-3)?;
+    Ok(Contact {
+        relief,
+        load,
+        elements: 32,
+        ..stiff_coating()?
+    })
+}
+
+/// The force of a penetration of a force.
+fn there_and_back(scene: Scene) -> Result<Row, Trouble> {
+    let by_force = textured()?;
+    let there = scene.solve(&by_force)?.steps.remove(0).solution;
+    let load = Load::Penetration(there.penetration);
+    let back = scene
+        .solve(&Contact { load, ..by_force })?
+        .steps
+        .remove(0)
+        .solution;
+    let check = "textured: force, penetration, force again".into();
+    Ok(Row::relative(check, there.force, back.force, CERTIFIED))
+}
+
+/// Gradients and the paper's active set on the dense system.
+fn two_methods(scene: Scene) -> Result<Row, Trouble> {
+    let contact = textured()?;
+    let options = SolverOptions {
+        method: Method::ActiveSet,
+        ..SolverOptions::default()
+    };
+    let gradient = scene.solve(&contact)?.steps.remove(0).summary;
+    let active_set = scene.solve_with(&contact, options)?.steps.remove(0).summary;
+    let check = "textured: largest pressure by the dense active set".into();
+    Ok(Row::relative(
+        check,
+        active_set.max_pressure,
+        gradient.max_pressure,
+        1e-6,
+    ))
+}

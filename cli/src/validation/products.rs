@@ -1,0 +1,52 @@
+//! The product `K p` by FFT against the sum over elements.
+
+use pellicle_influence::{CoefficientTable, ConvolutionOperator, DenseOperator, ElasticOperator};
+use pellicle_kernel::{Foundation, Material};
+
+use super::{Plan, Row, Scene, Trouble};
+
+/// The section.
+pub const PLAN: Plan = Plan {
+    name: "Product of coefficients and pressure",
+    source: "the sum over all elements, one by one",
+    because: "relative to the largest displacement; rounding of the transforms and of the sums",
+    rows,
+};
+
+/// Rounding of transforms of up to 96² numbers.
+const ROUNDING: f64 = 1e-13;
+
+fn rows(scene: Scene) -> Result<Vec<Row>, Trouble> {
+    let half_space = Foundation::half_space(Material::new(1.0, 0.3)?);
+    let soft = Foundation::coated(1.0, Material::new(1e-3, 0.49)?, Material::new(1.0, 0.3)?)?;
+    [("half-space", half_space), ("soft coating", soft)]
+        .iter()
+        .map(|(name, foundation)| product(scene, name, foundation))
+        .collect()
+}
+
+/// The worst element of a pressure without symmetry.
+fn product(scene: Scene, name: &str, foundation: &Foundation) -> Result<Row, Trouble> {
+    let size = 37;
+    let table = CoefficientTable::assemble(&scene.tables(foundation)?, 0.3, size)?;
+    // Every value of the chaotic sequence is in (0, 1); its start is no rational.
+    let mut state = std::f64::consts::FRAC_1_SQRT_2;
+    let pressure: Vec<f64> = (0..size * size)
+        .map(|_| {
+            state = 3.99 * state * (1.0 - state);
+            state
+        })
+        .collect();
+    let mut fast = vec![0.0; pressure.len()];
+    ConvolutionOperator::new(&table).apply_into(&pressure, &mut fast);
+    let mut summed = vec![0.0; pressure.len()];
+    DenseOperator::new(&table).apply_into(&pressure, &mut summed);
+    let largest = summed
+        .iter()
+        .fold(0.0_f64, |largest, u| largest.max(u.abs()));
+    let elements = summed.iter().zip(&fast);
+    let compared =
+        elements.map(|(wanted, found)| ([*wanted, *found], (found - wanted).abs() / largest));
+    let check = format!("{name}, {size} × {size} elements");
+    Ok(Row::worst(check, compared, ROUNDING))
+}

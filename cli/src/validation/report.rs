@@ -1,0 +1,90 @@
+//! The validation as JSON for machines.
+
+use serde::Serialize;
+
+use super::{Row, Scene, Section};
+
+/// Everything that was compared.
+#[derive(Debug, Serialize)]
+pub struct Report<'a> {
+    /// Version of this layout.
+    schema: u32,
+    program: &'static str,
+    version: &'static str,
+    /// By how much, relatively, every coefficient was made wrong: 0 but for the test hook.
+    perturbation: f64,
+    verdict: &'static str,
+    passed: usize,
+    failed: usize,
+    seconds: f64,
+    threads: usize,
+    sections: Vec<SectionReport<'a>>,
+}
+
+#[derive(Debug, Serialize)]
+struct SectionReport<'a> {
+    name: &'static str,
+    reference: &'static str,
+    error: &'static str,
+    rows: &'a [Row],
+}
+
+impl<'a> Report<'a> {
+    /// The report of these sections, which took so many seconds.
+    #[must_use]
+    pub fn new(scene: Scene, sections: &'a [Section], seconds: f64) -> Self {
+        let rows = || sections.iter().flat_map(|section| &section.rows);
+        let passed = rows().filter(|row| row.passes()).count();
+        let failed = rows().count() - passed;
+        Self {
+            schema: 1,
+            program: "pellicle",
+            version: env!("CARGO_PKG_VERSION"),
+            perturbation: scene.perturbation,
+            verdict: if failed == 0 { "pass" } else { "fail" },
+            passed,
+            failed,
+            seconds,
+            threads: rayon::current_num_threads(),
+            sections: sections.iter().map(SectionReport::new).collect(),
+        }
+    }
+}
+
+impl Report<'_> {
+    /// Whether every row passes.
+    #[must_use]
+    pub fn passes(&self) -> bool {
+        self.failed == 0
+    }
+
+    /// How many rows pass, and the sections of those that do not.
+    #[must_use]
+    pub fn conclusion(&self) -> String {
+        let (seconds, rows) = (self.seconds, self.passed + self.failed);
+        if self.passes() {
+            return format!("\nall {rows} rows pass, {seconds:.1} s\n");
+        }
+        let sections: String = self.sections.iter().filter_map(failures).collect();
+        let failed = self.failed;
+        format!("\n{failed} of {rows} rows FAIL, {seconds:.1} s:\n{sections}")
+    }
+}
+
+/// How many rows of a section fail, if any does.
+fn failures(section: &SectionReport<'_>) -> Option<String> {
+    let failed = section.rows.iter().filter(|row| !row.passes()).count();
+    let (name, rows) = (section.name, section.rows.len());
+    (failed > 0).then(|| format!("  {failed:>3} of {rows:>2}  {name}\n"))
+}
+
+impl<'a> SectionReport<'a> {
+    fn new(section: &'a Section) -> Self {
+        Self {
+            name: section.name,
+            reference: section.source,
+            error: section.because,
+            rows: &section.rows,
+        }
+    }
+}

@@ -1,0 +1,133 @@
+//! Contacts to be compared, all with the coefficients of one run of the validation.
+
+use std::sync::Arc;
+
+use pellicle_contact::{
+    ContactError, Domain, Indenter, IndenterError, Load, LoadingPath, Model, Paraboloid,
+    SolverOptions, solve_path,
+};
+use pellicle_influence::{Cache, InfluenceError, RadialTables};
+use pellicle_kernel::{Foundation, KernelError, Material};
+use pellicle_texture::{Relief, TextureError};
+
+/// Makes and solves contacts.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Scene {
+    /// By how much, relatively, every influence coefficient is wrong: 0 but for the test hook.
+    pub perturbation: f64,
+}
+
+/// One contact on one grid.
+#[derive(Debug, Clone)]
+pub struct Contact {
+    /// The elastic body.
+    pub foundation: Foundation,
+    /// What its surface carries.
+    pub relief: Relief,
+    /// What is pressed into it.
+    pub indenter: Indenter,
+    /// Side of the domain.
+    pub side: f64,
+    /// Elements per side.
+    pub elements: usize,
+    /// Force or penetration.
+    pub load: Load,
+}
+
+/// Why something cannot be compared.
+#[derive(Debug, thiserror::Error)]
+#[expect(missing_docs, reason = "each is the error it holds")]
+pub enum Trouble {
+    #[error(transparent)]
+    Kernel(#[from] KernelError),
+    #[error(transparent)]
+    Influence(#[from] InfluenceError),
+    #[error(transparent)]
+    Texture(#[from] TextureError),
+    #[error(transparent)]
+    Indenter(#[from] IndenterError),
+    #[error(transparent)]
+    Contact(#[from] ContactError),
+    #[error("reference data: {0}")]
+    Data(#[from] serde_json::Error),
+    #[error("not certified: {worst:.1e}")]
+    NotCertified { worst: f64 },
+    #[error("no solution")]
+    NoSolution,
+}
+
+impl Scene {
+    /// The tables of a foundation.
+    ///
+    /// # Errors
+    /// As [`RadialTables::build`].
+    pub fn tables(self, foundation: &Foundation) -> Result<RadialTables, Trouble> {
+        Ok(RadialTables::build(foundation)?.perturbed(self.perturbation))
+    }
+
+    /// The model of a contact.
+    ///
+    /// # Errors
+    /// As [`Self::tables`].
+    pub fn model(self, contact: &Contact) -> Result<Model, Trouble> {
+        Ok(Model {
+            tables: Arc::new(self.tables(&contact.foundation)?),
+            relief: contact.relief.clone(),
+            indenter: contact.indenter.clone(),
+            cache: Cache::none(),
+        })
+    }
+
+    /// The certified solution of a contact: a path of one step.
+    ///
+    /// # Errors
+    /// What the crates refuse, and [`Trouble::NotCertified`].
+    pub fn solve(self, contact: &Contact) -> Result<LoadingPath, Trouble> {
+        self.solve_with(contact, SolverOptions::default())
+    }
+
+    /// The same with other options.
+    ///
+    /// # Errors
+    /// As [`Self::solve`].
+    pub fn solve_with(
+        self,
+        contact: &Contact,
+        options: SolverOptions,
+    ) -> Result<LoadingPath, Trouble> {
+        let (domain, loads) = (Domain::Side(contact.side), [contact.load]);
+        let model = self.model(contact)?;
+        let path = solve_path(&model, domain, contact.elements, &loads, &options, &mut ())?;
+        let step = path.steps.first().ok_or(Trouble::NoSolution)?;
+        let certificate = &step.solution.certificate;
+        if certificate.is_satisfied() {
+            return Ok(path);
+        }
+        let worst = certificate.worst();
+        Err(Trouble::NotCertified { worst })
+    }
+
+    /// Penetration of the certified solution.
+    ///
+    /// # Errors
+    /// As [`Self::solve`].
+    pub fn penetration(self, contact: &Contact) -> Result<f64, Trouble> {
+        Ok(self.solve(contact)?.steps[0].solution.penetration)
+    }
+}
+
+/// A material of plane-strain modulus 1.
+///
+/// # Errors
+/// Never.
+pub fn unit_material() -> Result<Material, KernelError> {
+    Material::new(0.91, 0.3)
+}
+
+/// A paraboloid.
+///
+/// # Errors
+/// A radius that is not positive.
+pub fn paraboloid(radius: f64) -> Result<Indenter, IndenterError> {
+    Paraboloid::new(radius).map(Indenter::Paraboloid)
+}

@@ -1,0 +1,66 @@
+//! The validation as a table for people.
+
+use super::{Row, Section, Value, Verdict};
+use crate::display::significant;
+
+/// Digits of a number in the table; JSON has all.
+const DIGITS: usize = 9;
+
+/// Characters of the longest word that fits its column.
+const LONGEST_WORD: usize = 14;
+
+/// The names of the columns.
+#[must_use]
+pub fn heading() -> String {
+    let cells = ["reference", "computed", "error", "tolerance", "verdict"];
+    line("check", cells)
+}
+
+/// A section: its name, its rows, and where its references and tolerances come from.
+#[must_use]
+pub fn section_text(section: &Section) -> String {
+    let rows: String = section.rows.iter().map(row).collect();
+    let Section {
+        name,
+        source,
+        because,
+        ..
+    } = section;
+    format!("\n{name}\n{rows}  reference: {source}\n  error: {because}\n")
+}
+
+fn row(row: &Row) -> String {
+    let verdict = match row.verdict {
+        Verdict::Pass => "pass",
+        Verdict::Fail => "FAIL",
+    };
+    let (reference, computed) = (value(&row.reference), value(&row.computed));
+    // What went wrong has a line of its own.
+    let (computed, reason) = if computed.chars().count() > LONGEST_WORD {
+        ("none".to_owned(), format!("      {computed}\n"))
+    } else {
+        (computed, String::new())
+    };
+    let [error, tolerance] = [row.error, row.tolerance].map(small);
+    let cells = [&reference, &computed, &error, &tolerance, verdict];
+    line(&format!("  {}", row.check), cells) + &reason
+}
+
+fn line(check: &str, [reference, computed, error, tolerance, verdict]: [&str; 5]) -> String {
+    format!("{check:<54}{reference:>16}{computed:>16}{error:>10}{tolerance:>11}  {verdict}\n")
+}
+
+fn value(value: &Value) -> String {
+    match value {
+        Value::Number(number) => significant(*number, DIGITS),
+        Value::Word(word) => word.clone(),
+    }
+}
+
+fn small(number: f64) -> String {
+    if number == 0.0 {
+        "0".into()
+    } else {
+        format!("{number:.1e}")
+    }
+}

@@ -1,0 +1,7 @@
+//! The program `pellicle`, for the tests of this package.
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    pellicle_cli::program::main(std::env::args_os())
+}

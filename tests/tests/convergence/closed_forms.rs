@@ -1,0 +1,108 @@
+//! Indenters on a homogeneous body.
+
+use pellicle_contact::{Cone, FlatPunch, Indenter, Load, LoadingPath, Sphere, reference};
+use pellicle_tests::convergence::{GRIDS, demand};
+use pellicle_tests::scene::{model, paraboloid, penetration, relative, solve, unit_half_space};
+use pellicle_texture::Relief;
+
+/// Errors over all grids, of the certified solution of a bare half-space.
+fn errors(
+    indenter: Indenter,
+    side: f64,
+    load: Load,
+    error: impl Fn(&LoadingPath) -> f64,
+) -> [(usize, f64); 9] {
+    let model = model(&unit_half_space(), Relief::Bare, indenter);
+    GRIDS.map(|elements| (elements, error(&solve(&model, side, elements, load))))
+}
+
+/// The error of the penetration.
+fn of_penetration(wanted: f64) -> impl Fn(&LoadingPath) -> f64 {
+    move |path| relative(path.steps[0].solution.penetration, wanted)
+}
+
+/// Root mean square of the pressure's error over the closed form's own.
+fn of_pressure(pressure: impl Fn(f64) -> f64) -> impl Fn(&LoadingPath) -> f64 {
+    move |path| {
+        let elements = path.steps[0].solution.pressure.iter();
+        let (mut difference, mut total) = (0.0, 0.0);
+        for (found, [x, y]) in elements.zip(path.grid.centres()) {
+            let wanted = pressure(x.hypot(y));
+            difference += (found - wanted).powi(2);
+            total += wanted.powi(2);
+        }
+        (difference / total).sqrt()
+    }
+}
+
+#[test]
+fn hertzs_penetration_converges_with_order_two_and_his_pressure_with_order_one() {
+    let hertz = reference::hertz::from_contact_radius(1.0, 1.0, 0.1);
+    let load = Load::Force(hertz.force);
+    let found = errors(
+        paraboloid(1.0),
+        0.3,
+        load,
+        of_penetration(hertz.penetration),
+    );
+    demand(&found, 1.8, 3e-6).expect("order two");
+    // The pressure ends like a square root.
+    let found = errors(
+        paraboloid(1.0),
+        0.3,
+        load,
+        of_pressure(|r| hertz.pressure(r)),
+    );
+    demand(&found, 0.9, 2e-3).expect("order one");
+}
+
+#[test]
+fn the_force_at_hertzs_penetration_converges_with_order_two() {
+    let hertz = reference::hertz::from_penetration(1.0, 1.0, 0.01);
+    let load = Load::Penetration(hertz.penetration);
+    let error = |path: &LoadingPath| relative(path.steps[0].solution.force, hertz.force);
+    demand(&errors(paraboloid(1.0), 0.3, load, error), 1.8, 5e-6).expect("order two");
+}
+
+#[test]
+fn a_sharp_cones_penetration_converges_with_order_two() {
+    let cone = reference::cone::from_penetration(1.2, 1.0, 0.1);
+    let indenter = Indenter::Cone(Cone::new(1.2, 0.0).expect("a cone"));
+    let (side, load) = (3.0 * cone.contact_radius, Load::Force(cone.force));
+    let found = errors(indenter, side, load, of_penetration(cone.penetration));
+    demand(&found, 1.8, 3e-6).expect("order two");
+}
+
+#[test]
+fn a_spheres_penetration_converges_with_order_two() {
+    let sphere = reference::sphere::from_contact_radius(1.0, 1.0, 0.35);
+    let indenter = Indenter::Sphere(Sphere::new(1.0).expect("a sphere"));
+    let load = Load::Force(sphere.force);
+    let found = errors(indenter, 1.05, load, of_penetration(sphere.penetration));
+    demand(&found, 1.7, 5e-6).expect("order two");
+}
+
+#[test]
+fn a_flat_punchs_penetration_converges_with_order_one() {
+    let punch = reference::flat_punch::from_force(0.1, 1.0, 0.02);
+    let indenter = Indenter::FlatPunch(FlatPunch::new(0.1).expect("a punch"));
+    let load = Load::Force(punch.force);
+    let found = errors(indenter, 0.25, load, of_penetration(punch.penetration));
+    // The rim is a staircase and the pressure at it infinite.
+    demand(&found, 0.8, 2e-3).expect("order one");
+}
+
+#[test]
+fn the_order_that_a_solution_says_of_itself_is_the_one_that_is_seen() {
+    let hertz = reference::hertz::from_contact_radius(1.0, 1.0, 0.1);
+    let model = model(&unit_half_space(), Relief::Bare, paraboloid(1.0));
+    let load = Load::Force(hertz.force);
+    let step = solve(&model, 0.3, 416, load).steps.remove(0);
+    let said = step.grid_error.penetration.expect("several grids");
+    let truth = (penetration(&model, 0.3, 416, load) - hertz.penetration).abs();
+    // Single errors scatter by some factor with how the grid meets the contact's edge.
+    assert!(
+        said.resolved && said.estimate > 0.2 * truth && said.estimate < 20.0 * truth,
+        "{said:?} {truth:e}"
+    );
+}

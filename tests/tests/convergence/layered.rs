@@ -1,0 +1,62 @@
+//! Paraboloids and cones on coated bodies approach the axisymmetric solutions of 22 digits.
+
+use std::f64::consts::FRAC_PI_4;
+
+use pellicle_cli::validation::data::contact::{AxisymmetricContact, Shape, axisymmetric};
+use pellicle_contact::{Cone, Indenter, Load};
+use pellicle_tests::convergence::{GRIDS, demand};
+use pellicle_tests::scene::{coated, material, model, paraboloid, penetration, relative};
+use pellicle_texture::Relief;
+
+/// Side of the domain, in contact radii.
+const SIDE: f64 = 2.4;
+
+/// Errors of the penetration over the grids whose elements are at most half as large as the coating is thick.
+fn errors(case: &AxisymmetricContact, perturbation: f64) -> Vec<(usize, f64)> {
+    let foundation = coated(
+        case.thickness,
+        material(case.e1, case.nu1),
+        material(1.0, case.nu2),
+    );
+    let indenter = match case.shape {
+        Shape::Paraboloid => paraboloid(1.0),
+        // z = r: 45 degrees between axis and side.
+        Shape::Cone => Indenter::Cone(Cone::new(FRAC_PI_4, 0.0).expect("a cone")),
+    };
+    let mut model = model(&foundation, Relief::Bare, indenter);
+    model.tables = model.tables.perturbed(perturbation).into();
+    let fine = |elements: &usize| SIDE / *elements as f64 <= case.thickness / 2.0;
+    let error = |elements| {
+        let found = penetration(&model, SIDE, elements, Load::Force(case.force));
+        (elements, relative(found, case.penetration))
+    };
+    GRIDS.into_iter().filter(fine).map(error).collect()
+}
+
+fn cases(shape: Shape) -> impl Iterator<Item = AxisymmetricContact> {
+    let cases = axisymmetric().expect("the data");
+    cases.into_iter().filter(move |case| case.shape == shape)
+}
+
+#[test]
+fn paraboloids_on_coatings_approach_the_continuum_with_order_two() {
+    for case in cases(Shape::Paraboloid) {
+        let found = demand(&errors(&case, 0.0), 1.7, 3e-6);
+        assert!(found.is_ok(), "{case:?}: {found:?}");
+    }
+}
+
+#[test]
+fn cones_on_coatings_approach_the_continuum_with_order_two() {
+    for case in cases(Shape::Cone) {
+        let found = demand(&errors(&case, 0.0), 1.7, 3e-6);
+        assert!(found.is_ok(), "{case:?}: {found:?}");
+    }
+}
+
+#[test]
+fn coefficients_wrong_by_a_thousandth_converge_to_something_else_and_are_refused() {
+    let case = cases(Shape::Paraboloid).next().expect("a case");
+    let found = demand(&errors(&case, 1e-3), 1.7, 1.0);
+    assert!(found.is_err(), "{found:?}");
+}

@@ -1,0 +1,100 @@
+//! `pellicle validate` passes as it is, and fails with coefficients that are wrong by little.
+
+use pellicle_cli::validation::{PLANS, Scene};
+use serde_json::Value;
+
+use crate::runner::{Ran, run};
+
+fn validate(arguments: &[&str]) -> Ran {
+    run("", &[&["validate"], arguments].concat())
+}
+
+/// Rows that fail, by section.
+fn failures(report: &Value) -> Vec<(String, usize, usize)> {
+    let sections = report["sections"].as_array().unwrap();
+    let count = |section: &Value| {
+        let rows = section["rows"].as_array().unwrap();
+        let failed = rows.iter().filter(|row| row["verdict"] == "fail").count();
+        let name = section["name"].as_str().unwrap().to_owned();
+        (name, failed, rows.len())
+    };
+    sections.iter().map(count).collect()
+}
+
+/// The same of one section.
+fn of(name: &str, report: &Value) -> [usize; 2] {
+    let all = failures(report);
+    let found = all.iter().find(|section| section.0 == name).unwrap();
+    [found.1, found.2]
+}
+
+#[test]
+fn every_row_passes_and_the_exit_code_says_so() {
+    let ran = validate(&["--json", "--threads", "2"]);
+    assert_eq!(ran.code, Some(0), "{}", ran.stdout);
+    assert_eq!(ran.stderr, "");
+    let report = ran.json();
+    assert_eq!(report["verdict"], "pass");
+    assert_eq!(report["failed"], 0);
+    assert_eq!(report["threads"], 2);
+    let rows: usize = failures(&report).iter().map(|section| section.2).sum();
+    assert_eq!(report["passed"].as_u64(), Some(rows as u64));
+    assert_eq!(rows, 82, "the READMEs and the changelog tell this number");
+}
+
+#[test]
+fn coefficients_wrong_by_a_thousandth_fail_every_section_that_has_an_outer_reference() {
+    let ran = validate(&["--json", "--perturb-coefficients", "1e-3"]);
+    assert_eq!(ran.code, Some(1));
+    let report = ran.json();
+    assert_eq!(report["verdict"], "fail");
+    for section in [
+        "Influence coefficients",
+        "Layered bodies, axisymmetric",
+        "The same grid problem",
+    ] {
+        let [failed, rows] = of(section, &report);
+        assert_eq!(failed, rows, "{section}");
+    }
+    assert!(of("Closed forms", &report)[0] >= 5);
+    // Layers in the wavenumber domain have no coefficients.
+    assert_eq!(of("Compliance of layers", &report)[0], 0);
+}
+
+#[test]
+fn errors_down_to_the_thirteenth_digit_are_seen_with_either_sign() {
+    for (perturbation, grids) in [(-1e-6, 12), (1e-9, 12), (1e-12, 0), (-1e-12, 0)] {
+        let scene = Scene { perturbation };
+        let failed = |name: &str| {
+            let plan = PLANS.iter().find(|plan| plan.name == name).unwrap();
+            let rows = plan.carry_out(scene).rows;
+            rows.iter().filter(|row| !row.passes()).count()
+        };
+        // The quadrature's two rows see no more than its own 1e-11.
+        assert!(failed("Influence coefficients") >= 8, "{perturbation}");
+        assert_eq!(failed("The same grid problem"), grids, "{perturbation}");
+    }
+}
+
+#[test]
+fn coefficients_wrong_by_a_millionth_fail_and_the_table_names_the_rows() {
+    let ran = validate(&["--perturb-coefficients", "1e-6"]);
+    assert_eq!(ran.code, Some(1));
+    assert!(ran.stderr.contains("test hook"), "{}", ran.stderr);
+    assert!(ran.stderr.contains("do not trust"), "{}", ran.stderr);
+    let failing = ran.stdout.lines().filter(|line| line.ends_with("FAIL"));
+    let failing: Vec<_> = failing.collect();
+    assert_eq!(failing.len(), 22, "{}", ran.stdout);
+    assert!(failing[0].contains("half-space: 144 coefficients"));
+    let summary = "10 of 10  Influence coefficients";
+    assert!(ran.stdout.contains(summary), "{}", ran.stdout);
+}
+
+#[test]
+fn a_perturbation_that_makes_no_sense_is_a_wrong_command_line() {
+    for by in ["-1", "nan", "inf", "x"] {
+        let ran = validate(&["--perturb-coefficients", by]);
+        assert_eq!(ran.code, Some(2), "{by}");
+        assert_eq!(ran.stdout, "", "{by}");
+    }
+}

@@ -1,0 +1,156 @@
+//! The certificate, line by line: for each a pressure that breaks it and no other; for what is right, none.
+
+use pellicle_contact::{Certificate, DiscreteProblem, Load, Solution};
+use pellicle_influence::ElasticOperator;
+use proptest::prelude::*;
+
+const TOLERANCE: f64 = 1e-8;
+
+/// Independent springs of compliance 1, so that `u = p` and every right and wrong pressure can be written down.
+struct Springs(usize);
+
+impl ElasticOperator for Springs {
+    fn size(&self) -> usize {
+        self.0
+    }
+
+    fn apply_into(&mut self, pressure: &[f64], displacement: &mut [f64]) {
+        displacement.copy_from_slice(pressure);
+    }
+}
+
+/// Initial gaps: at penetration 1 the first two elements touch, the third is pulled if it sticks, the last is far away.
+const GAPS: [f64; 4] = [0.0, 0.5, 1.5, 5.0];
+/// `p = D − g0` where that is positive.
+const RIGHT: [f64; 4] = [1.0, 0.5, 0.0, 0.0];
+
+fn judge(load: Load, pressure: [f64; 4]) -> Certificate {
+    let springs = Box::new(Springs(2));
+    let problem = DiscreteProblem::new(springs, vec![0.0; 4], GAPS.to_vec(), 1.0);
+    Solution::judge(&mut problem.unwrap(), load, pressure.to_vec(), TOLERANCE).certificate
+}
+
+/// The lines that are broken.
+fn broken(certificate: &Certificate) -> Vec<&'static str> {
+    let lines = [
+        ("complementarity", certificate.complementarity),
+        ("gap in contact", certificate.gap_in_contact),
+        ("overlap", certificate.overlap),
+        ("load", certificate.load),
+        ("negative pressure", -certificate.min_pressure),
+    ];
+    let is_broken = |value: f64| value.is_nan() || value > TOLERANCE;
+    let lines = lines.into_iter().filter(|line| is_broken(line.1));
+    lines.map(|line| line.0).collect()
+}
+
+/// The broken lines of a certificate that is not satisfied, none of one that is.
+fn found(load: Load, pressure: [f64; 4]) -> Vec<&'static str> {
+    let certificate = judge(load, pressure);
+    let broken = broken(&certificate);
+    assert_eq!(
+        certificate.is_satisfied(),
+        broken.is_empty(),
+        "{certificate:?}"
+    );
+    broken
+}
+
+#[test]
+fn the_right_pressure_breaks_no_line() {
+    assert!(found(Load::Force(1.5), RIGHT).is_empty());
+    assert!(found(Load::Penetration(1.0), RIGHT).is_empty());
+}
+
+#[test]
+fn a_right_pressure_of_another_force_breaks_the_line_of_the_load_alone() {
+    assert_eq!(found(Load::Force(1.5 * (1.0 + 1e-6)), RIGHT), ["load"]);
+}
+
+#[test]
+fn an_element_left_out_of_contact_breaks_the_line_of_the_overlap_alone() {
+    assert_eq!(found(Load::Force(1.0), [1.0, 0.0, 0.0, 0.0]), ["overlap"]);
+}
+
+#[test]
+fn a_trace_of_pressure_over_an_open_gap_breaks_the_line_of_the_gap_in_contact_alone() {
+    let trace = [1.0, 0.5, 0.0, 1e-12];
+    assert_eq!(found(Load::Force(1.5), trace), ["gap in contact"]);
+}
+
+#[test]
+fn adhesion_breaks_the_line_of_the_negative_pressure_alone() {
+    // The third element sticks to the indenter: no gap, no overlap, but it pulls.
+    let sticking = [1.0, 0.5, -0.5, 0.0];
+    assert_eq!(found(Load::Force(1.0), sticking), ["negative pressure"]);
+}
+
+#[test]
+fn complementarity_is_broken_together_with_the_gaps_that_it_weighs() {
+    // It is a mean of the gaps in contact, weighed with the pressure, so it cannot be broken alone.
+    let larger = RIGHT.map(|p| p * (1.0 + 1e-6));
+    let both = ["complementarity", "gap in contact"];
+    assert_eq!(found(Load::Penetration(1.0), larger), both);
+    let less = RIGHT.map(|p| p * (1.0 - 1e-6));
+    let three = ["complementarity", "gap in contact", "overlap"];
+    assert_eq!(found(Load::Penetration(1.0), less), three);
+}
+
+#[test]
+fn what_is_no_number_breaks_what_it_touches() {
+    for wrong in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        let certificate = judge(Load::Force(1.5), [1.0, wrong, 0.0, 0.0]);
+        assert!(!certificate.is_satisfied(), "{certificate:?}");
+    }
+}
+
+#[test]
+fn each_line_alone_decides() {
+    let right = judge(Load::Force(1.5), RIGHT);
+    let wrong = 2.0 * TOLERANCE;
+    let spoilt = [
+        Certificate {
+            complementarity: wrong,
+            ..right
+        },
+        Certificate {
+            gap_in_contact: wrong,
+            ..right
+        },
+        Certificate {
+            overlap: wrong,
+            ..right
+        },
+        Certificate {
+            load: wrong,
+            ..right
+        },
+        Certificate {
+            min_pressure: -f64::MIN_POSITIVE,
+            ..right
+        },
+        Certificate {
+            min_pressure: f64::NAN,
+            ..right
+        },
+    ];
+    assert!(right.is_satisfied());
+    for certificate in spoilt {
+        assert!(!certificate.is_satisfied(), "{certificate:?}");
+    }
+}
+
+proptest! {
+    /// No pressure but the right one passes.
+    #[test]
+    fn complementarity_never_exceeds_the_largest_gap_in_contact(
+        pressure in prop::array::uniform4(0.0..2.0_f64), depth in 0.1..3.0_f64,
+    ) {
+        for load in [Load::Penetration(depth), Load::Force(pressure.iter().sum())] {
+            let certificate = judge(load, pressure);
+            // A rounding of the mean.
+            prop_assert!(certificate.complementarity <= certificate.gap_in_contact * (1.0 + 1e-15));
+            prop_assert!(!certificate.is_satisfied());
+        }
+    }
+}
