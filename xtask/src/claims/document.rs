@@ -1,6 +1,7 @@
 //! `docs/claims.md`: the verdicts with their numbers, where we disagree, what the paper could not do.
 
 use super::file::Source;
+use super::refinement::Refined;
 use super::{ClaimsFile, ClaimsReport, Contradiction, Evaluation, Verdict};
 
 const OPENING: &str = "\
@@ -57,7 +58,7 @@ pub(super) fn document(file: &ClaimsFile, report: &ClaimsReport) -> String {
             + &report
                 .refined
                 .iter()
-                .map(super::refinement::Refined::markdown)
+                .map(Refined::markdown)
                 .collect::<String>(),
         format!(
             "What follows from it, checked like the paper's sentences:\n\n{}",
