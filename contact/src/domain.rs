@@ -151,3 +151,6 @@ pub(crate) fn slope(indenter: &Indenter, rho: f64) -> f64 {
     let step = 1e-3 * rho;
     (indenter.mean_profile(rho + step) - indenter.mean_profile(rho - step)) / (2.0 * step)
 }
+
+#[cfg(test)]
+mod tests;
