@@ -310,15 +310,19 @@ mod tests {
     #[test]
     fn a_homogeneous_profile_needs_no_refinement() {
         let material = Material::new(3.0, 0.4).unwrap();
-        let layer = GradedLayer::new(0.5, Interface::Bonded, |_| Ok(material)).unwrap();
-        let base = Material::new(1.0, 0.2).unwrap();
-        let split = layer
-            .split(&[], Base::HalfSpace(base), &GradingOptions::default())
-            .unwrap();
-        let coated = Foundation::coated(0.5, material, base).unwrap();
-        assert_eq!(split.sublayers, 8);
-        // Eight layers instead of one: roundings
-        assert!((split.foundation.response(2.0) / coated.response(2.0) - 1.0).abs() < 3e-15);
+        let base = Base::HalfSpace(Material::new(1.0, 0.2).unwrap());
+        let below = Layer::new(0.2, Material::new(5.0, 0.1).unwrap(), Interface::Bonded).unwrap();
+        for interface in [Interface::Bonded, Interface::Frictionless] {
+            let layer = GradedLayer::new(0.5, interface, |_| Ok(material)).unwrap();
+            let split = layer
+                .split(&[below], base, &GradingOptions::default())
+                .unwrap();
+            let whole = Layer::new(0.5, material, interface).unwrap();
+            let whole = Foundation::new(vec![whole, below], base).unwrap();
+            assert_eq!(split.sublayers, 8);
+            // Eight layers instead of one: roundings
+            assert!((split.foundation.response(2.0) / whole.response(2.0) - 1.0).abs() < 3e-15);
+        }
     }
 
     #[test]
