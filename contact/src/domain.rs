@@ -101,8 +101,8 @@ fn force_at(model: &Model, a: f64) -> f64 {
     }
     let elastic = elastic_force(model, a);
     match relief_force(model, a) {
-        Some(relief) if elastic > 0.0 && relief > 0.0 => 1.0 / (1.0 / elastic + 1.0 / relief),
-        Some(relief) => elastic.min(relief),
+        // 0 where either is, since 1/0 = ∞
+        Some(relief) => 1.0 / (1.0 / elastic + 1.0 / relief),
         None => elastic,
     }
 }
