@@ -1,22 +1,20 @@
-//! Work on small problems of every kind, in products with `K`: a step that no longer helps shows here first.
-
-#![expect(
-    clippy::unwrap_used,
-    reason = "a scene that cannot be built fails its test"
-)]
+//! Small problems of every kind: the work in products with `K`, where a step that no longer helps shows first; and the agreement of
+//! both solvers.
 
 use std::sync::{
     Arc,
     atomic::{AtomicUsize, Ordering},
 };
 
-use pellicle_contact::{
-    DiscreteProblem, GradientSolver, Iterate, Load, Solution, Solver, SolverOptions, Watch,
-};
 use pellicle_influence::{CoefficientTable, ElasticOperator, RadialTables, SurfaceElasticity};
 use pellicle_kernel::{Foundation, Material};
 
-const SIZE: usize = 48;
+use crate::{
+    ActiveSetSolver, DiscreteProblem, GradientSolver, Iterate, Load, Solution, Solver,
+    SolverOptions, Watch,
+};
+
+const SIZE: usize = 32;
 
 /// `SIZE`² elements of a square of side 1, on a coat of relative stiffness `stiffness` and `thickness` on a body.
 fn problem(
@@ -78,7 +76,9 @@ fn solve(problem: &mut DiscreteProblem, load: Load, start: &[f64]) -> Iterate {
 #[track_caller]
 fn assert_work(mut problem: DiscreteProblem, load: Load, most: [usize; 2]) {
     let found = solve(&mut problem, load, &[0.0; SIZE * SIZE]);
+    assert!(found.contact_stiffness.is_some());
     let found = [found.operator_applications, found.stiffness_applications];
+    println!("{most:?} {found:?}");
     assert!(found[0] <= most[0] && found[1] <= most[1], "{found:?}");
 }
 
@@ -223,5 +223,93 @@ fn every_product_is_counted() {
         assert_eq!(products.load(Ordering::Relaxed), counted);
         // Of an operator of which nothing is known there is no preconditioner.
         assert!(counted < 60, "{counted}");
+    }
+}
+
+#[test]
+fn both_solvers_agree_on_every_kind_of_problem() {
+    let springs = |x: f64, y: f64| {
+        if pillars(x, y, 1.0) < 0.6 { 0.02 } else { 0.0 }
+    };
+    for load in [Load::Force(1e-3), Load::Penetration(0.006)] {
+        let problems = [
+            problem([1.0, 0.1], paraboloid, RIGID),
+            problem([0.1, 0.02], |x, y| pillars(x, y, 0.004), springs),
+            problem([1000.0, 0.01], |x, y| pillars(x, y, 0.002), RIGID),
+        ];
+        for mut problem in problems {
+            let by_gradient = solve(&mut problem, load, &[0.0; SIZE * SIZE]).pressure;
+            let mut watch = Watch {
+                observer: &mut (),
+                step: 0,
+                steps: 1,
+            };
+            // from a start that lacks most of the contact and holds some that is none
+            let mut start = vec![0.0; SIZE * SIZE];
+            start[SIZE * SIZE / 2 + 3..][..20].fill(1.0);
+            let found = ActiveSetSolver::default().solve(&mut problem, load, &start, &mut watch);
+            let by_active_set = found.unwrap().pressure;
+            let judged = Solution::judge(&mut problem, load, by_active_set.clone(), 1e-12);
+            assert!(
+                judged.certificate.is_satisfied(),
+                "{:?}",
+                judged.certificate
+            );
+            let peak = by_active_set.iter().copied().fold(0.0, f64::max);
+            let pairs = by_gradient.iter().zip(&by_active_set);
+            let difference = pairs.map(|(p, q)| (p - q).abs()).fold(0.0, f64::max);
+            // The tolerance of 1e-8 times the condition of the systems, some 1e3 under the stiff coat.
+            assert!(difference < 1e-5 * peak, "{:e}", difference / peak);
+        }
+    }
+}
+
+#[test]
+fn a_punch_has_the_stiffness_of_its_force_over_its_penetration() {
+    let flat = |x: f64, y: f64| if x.hypot(y) < 0.3 { 0.0 } else { f64::INFINITY };
+    for stiffness in [0.1, 30.0] {
+        // Springs keep the whole face in contact.
+        let mut problem = problem([stiffness, 0.05], flat, |_, _| 0.5);
+        let load = Load::Penetration(0.01);
+        let found = solve(&mut problem, load, &[0.0; SIZE * SIZE]);
+        let force = found.pressure.iter().sum::<f64>() * problem.element_area();
+        let wanted = force / 0.01;
+        // The last step's part of the sum is 1e-9, the solution's tolerance 1e-8.
+        assert!((found.contact_stiffness.unwrap() / wanted - 1.0).abs() < 1e-7);
+    }
+}
+
+#[test]
+fn a_solver_that_gives_up_returns_the_best_pressure_met() {
+    let mut problem = problem([1000.0, 0.01], |x, y| pillars(x, y, 0.002), RIGID);
+    let mut worst_before = f64::INFINITY;
+    for max_applications in [3, 9, 15] {
+        let options = SolverOptions {
+            max_applications,
+            ..SolverOptions::default()
+        };
+        let mut watch = Watch {
+            observer: &mut (),
+            step: 0,
+            steps: 1,
+        };
+        let load = Load::Force(1e-2);
+        let start = [0.0; SIZE * SIZE];
+        let found = GradientSolver { options }.solve(&mut problem, load, &start, &mut watch);
+        let found = found.unwrap();
+        // a step takes one product, or two
+        assert!(found.operator_applications <= max_applications + 1);
+        assert!(found.contact_stiffness.is_none());
+        let judged = Solution::judge(&mut problem, load, found.pressure, 1e-8);
+        let worst = judged.certificate.worst();
+        let least = found
+            .residuals
+            .iter()
+            .copied()
+            .fold(f64::INFINITY, f64::min);
+        // Kept is the best by a factor of two at least.
+        assert!(worst <= 2.001 * least, "{worst:e} {least:e}");
+        assert!(worst <= 2.001 * worst_before && !judged.certificate.is_satisfied());
+        worst_before = worst;
     }
 }
