@@ -78,7 +78,6 @@ fn assert_work(mut problem: DiscreteProblem, load: Load, most: [usize; 2]) {
     let found = solve(&mut problem, load, &[0.0; SIZE * SIZE]);
     assert!(found.contact_stiffness.is_some());
     let found = [found.operator_applications, found.stiffness_applications];
-    println!("{most:?} {found:?}");
     assert!(found[0] <= most[0] && found[1] <= most[1], "{found:?}");
 }
 
@@ -87,8 +86,8 @@ const RIGID: fn(f64, f64) -> f64 = |_, _| 0.0;
 #[test]
 fn a_homogeneous_body_takes_few_products() {
     let body = || problem([1.0, 0.1], paraboloid, RIGID);
-    assert_work(body(), Load::Force(2e-3), [24, 8]);
-    assert_work(body(), Load::Penetration(0.01), [14, 8]);
+    assert_work(body(), Load::Force(2e-3), [21, 7]);
+    assert_work(body(), Load::Penetration(0.01), [10, 7]);
 }
 
 #[test]
@@ -97,30 +96,30 @@ fn pillars_on_a_soft_coat_take_few_products() {
         if pillars(x, y, 1.0) < 0.6 { 0.02 } else { 0.0 }
     };
     let soft = problem([0.1, 0.02], |x, y| pillars(x, y, 0.004), springs);
-    assert_work(soft, Load::Force(2e-3), [18, 8]);
+    assert_work(soft, Load::Force(2e-3), [17, 8]);
 }
 
 #[test]
 fn a_film_makes_a_stiff_coat_easy() {
     let film = problem([10.0, 0.02], paraboloid, |_, _| 0.3);
-    assert_work(film, Load::Force(2e-3), [11, 5]);
+    assert_work(film, Load::Force(2e-3), [12, 5]);
 }
 
 #[test]
 fn a_stiff_coat_takes_few_products_bare_and_with_pillars() {
     let bare = problem([10.0, 0.05], paraboloid, RIGID);
-    assert_work(bare, Load::Force(2e-3), [38, 4]);
+    assert_work(bare, Load::Force(2e-3), [25, 3]);
     let islands = problem([10.0, 0.05], |x, y| pillars(x, y, 0.002), RIGID);
-    assert_work(islands, Load::Force(2e-3), [20, 3]);
+    assert_work(islands, Load::Force(2e-3), [19, 3]);
 }
 
 #[test]
 fn a_thin_coat_a_thousand_times_as_stiff_takes_few_products() {
     let bare = problem([1000.0, 0.01], paraboloid, RIGID);
-    assert_work(bare, Load::Force(1e-2), [38, 6]);
+    assert_work(bare, Load::Force(1e-2), [34, 6]);
     let islands = || problem([1000.0, 0.01], |x, y| pillars(x, y, 0.002), RIGID);
-    assert_work(islands(), Load::Force(1e-2), [34, 5]);
-    assert_work(islands(), Load::Penetration(0.02), [24, 5]);
+    assert_work(islands(), Load::Force(1e-2), [36, 5]);
+    assert_work(islands(), Load::Penetration(0.02), [19, 3]);
 }
 
 #[test]
@@ -129,7 +128,7 @@ fn a_punch_has_its_set_from_the_start() {
     assert_work(
         problem([10.0, 0.05], flat, RIGID),
         Load::Force(1e-2),
-        [11, 6],
+        [12, 6],
     );
 }
 
