@@ -113,4 +113,13 @@ mod tests {
         assert!(TwoLayer::new(0.0, [0.3, 0.3]).is_err());
         assert!(TwoLayer::new(1.0, [0.3, 0.51]).is_err());
     }
+
+    #[test]
+    fn on_one_material_the_determinant_is_that_of_a_half_space() {
+        for nu in [0.0, 0.3, 0.5] {
+            let same = TwoLayer::new(1.0, [nu, nu]).unwrap();
+            // Φ = 1 and q̄ = 4 for the longest waves: Δ = 8 (1 − ν), a few roundings
+            assert!((same.delta(0.0, 0.0, 1.0) - 8.0 * (1.0 - nu)).abs() < 1e-14);
+        }
+    }
 }
