@@ -14,10 +14,10 @@ use crate::{
     SolverOptions, Watch,
 };
 
-const SIZE: usize = 32;
+pub(in crate::solver) const SIZE: usize = 32;
 
 /// `SIZE`² elements of a square of side 1, on a coat of relative stiffness `stiffness` and `thickness` on a body.
-fn problem(
+pub(in crate::solver) fn problem(
     [stiffness, thickness]: [f64; 2],
     gap: impl Fn(f64, f64) -> f64,
     eta: impl Fn(f64, f64) -> f64,
@@ -38,12 +38,12 @@ fn problem(
     DiscreteProblem::elastic(elasticity, SIZE, sample(&eta), sample(&gap), side * side).unwrap()
 }
 
-fn paraboloid(x: f64, y: f64) -> f64 {
+pub(in crate::solver) fn paraboloid(x: f64, y: f64) -> f64 {
     f64::midpoint(x * x, y * y)
 }
 
 /// Cylinders of radius 0.05 in a period of 1/8, as high as `depth` over the ground between.
-fn pillars(x: f64, y: f64, depth: f64) -> f64 {
+pub(in crate::solver) fn pillars(x: f64, y: f64, depth: f64) -> f64 {
     let off = |c: f64| c - (8.0 * c).round() / 8.0;
     paraboloid(x, y)
         + if off(x).hypot(off(y)) < 0.05 {
@@ -81,7 +81,7 @@ fn assert_work(mut problem: DiscreteProblem, load: Load, most: [usize; 2]) {
     assert!(found[0] <= most[0] && found[1] <= most[1], "{found:?}");
 }
 
-const RIGID: fn(f64, f64) -> f64 = |_, _| 0.0;
+pub(in crate::solver) const RIGID: fn(f64, f64) -> f64 = |_, _| 0.0;
 
 #[test]
 fn a_homogeneous_body_takes_few_products() {
