@@ -4,7 +4,8 @@ use std::fs;
 use std::io::Write;
 use std::path::Path;
 
-use pellicle_contact::LoadingPath;
+use pellicle_contact::{LoadingPath, Solution};
+use rayon::prelude::*;
 
 use super::fields::Fields;
 use super::npz::StoredFields;
@@ -28,23 +29,36 @@ const PICTURES: usize = 3;
 pub fn write(folder: &Path, path: &LoadingPath, summary: &Summary) -> Result<(), Failure> {
     let text = json(summary)?;
     let record = Record::parse(&text, summary.case.units)?;
-    let mut parts = Vec::new();
-    for (i, step) in path.steps.iter().enumerate() {
-        let fields = Fields::of(path, &step.solution);
-        // What is packed takes about as long as all the rest.
-        let (packed, others) = rayon::join(
-            || npz::write(&folder.join(npz::file(i)), &fields),
-            || {
-                write_fields(folder, &record, i, &fields)?;
-                pictures::write_step(folder, &record, i, fields)
-            },
-        );
-        packed?;
-        keep(&mut parts, others?, path.steps.len());
-    }
+    let steps = path.steps.par_iter().enumerate();
+    let parts = steps.map(|(i, step)| {
+        let part = write_step(folder, path, &record, i, &step.solution)?;
+        Ok(is_in_report(i, path.steps.len()).then_some(part))
+    });
+    let parts = parts.collect::<Result<Vec<Option<StepPart>>, Failure>>()?;
+    let parts: Vec<StepPart> = parts.into_iter().flatten().collect();
     write_text(&folder.join(curve::FILE), &curve::csv(summary))?;
     write_text(&folder.join(summary::FILE), &text)?;
     write_page(folder, &record, &parts).map(drop)
+}
+
+/// The fields and pictures of a step; what the report shows of them.
+fn write_step(
+    folder: &Path,
+    path: &LoadingPath,
+    record: &Record,
+    step: usize,
+    solution: &Solution,
+) -> Result<StepPart, Failure> {
+    let fields = Fields::of(path, solution);
+    // What is packed takes about as long as all the rest.
+    let (packed, part) = rayon::join(
+        || npz::write(&folder.join(npz::file(step)), &fields),
+        || {
+            write_fields(folder, record, step, &fields)?;
+            pictures::write_step(folder, record, step, fields)
+        },
+    );
+    packed.and(part)
 }
 
 /// The fields of a step for other programs.
@@ -72,18 +86,16 @@ pub fn draw(folder: &Path) -> Result<usize, Failure> {
     for i in 0..steps {
         let fields = StoredFields::read(&folder.join(npz::file(i)))?;
         let part = pictures::write_step(folder, &record, i, fields.fields(record.grid.side))?;
-        keep(&mut parts, part, steps);
+        parts.extend(is_in_report(i, steps).then_some(part));
     }
     Ok(PICTURES * steps + write_page(folder, &record, &parts)?)
 }
 
-/// Keeps a step for the report, if it is one of those that the page has room for: first, last and evenly between.
-fn keep(parts: &mut Vec<StepPart>, part: StepPart, steps: usize) {
-    let most = STEPS_IN_REPORT.min(steps);
-    let is_kept = |i| i == parts.len() * (steps - 1) / (most - 1).max(1);
-    if is_kept(part.step) {
-        parts.push(part);
-    }
+/// Whether the report's page has room for a step: for the first, the last and some evenly between.
+fn is_in_report(step: usize, steps: usize) -> bool {
+    let gaps = (STEPS_IN_REPORT.min(steps) - 1).max(1);
+    let nearest = (step * gaps).div_ceil((steps - 1).max(1));
+    step == nearest * (steps - 1) / gaps
 }
 
 /// The pictures of the run as a whole, and the report; how many pictures there are.
@@ -103,18 +115,7 @@ mod tests {
     use super::*;
 
     fn kept(steps: usize) -> Vec<usize> {
-        let mut parts = Vec::new();
-        for step in 0..steps {
-            let empty = String::new;
-            let part = StepPart {
-                step,
-                map: empty(),
-                section: empty(),
-                surface: empty(),
-            };
-            keep(&mut parts, part, steps);
-        }
-        parts.into_iter().map(|part| part.step).collect()
+        (0..steps).filter(|i| is_in_report(*i, steps)).collect()
     }
 
     #[test]

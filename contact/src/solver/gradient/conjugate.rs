@@ -7,7 +7,7 @@ use rayon::prelude::*;
 
 use super::{
     iterate::State,
-    preconditioner::{Preconditioner, residual_into},
+    preconditioner::{Preconditioner, Projection, residual_into},
     segment::{Part, Segment},
     working_set::WorkingSet,
 };
@@ -104,7 +104,8 @@ impl ConjugateDirections {
         state: &mut State,
         set: &WorkingSet,
     ) -> f64 {
-        preconditioner.direction_into(state, set, &mut self.preconditioned);
+        let z = &mut self.preconditioned;
+        preconditioner.direction_into(state, set, Projection::Orthogonal, z);
         // r·z, with r = D − v; z sums to zero or D is prescribed.
         let product = -state.control.slope(&self.preconditioned, &state.v);
         let beta = if self.running {

@@ -8,8 +8,11 @@
 //! is found, because a conjugate direction is worth nothing on another set; the exact line search only where the energy asks
 //! for it; starts that respect the outline of the relief; and products on the smallest square that holds the contact.
 //!
-//! **Preconditioners.** The reciprocal of the analytic symbol on the periodic grid, restricted to the set, by FFT: cheap, and good on homogeneous
-//! and soft surfaces. Under a stiff coat a factorised sparse approximate inverse `Gᵀ G` of the restricted system itself (Kaporin 1994;
+//! **Preconditioners.** The reciprocal of the symbol of `K` on the periodic grid, by FFT in single precision. Two things make it nearly exact
+//! on the working set, where the restricted reciprocal of `C(k) sinc sinc` takes twice the products: the symbol is that of the sampled displacement,
+//! aliases included, two thirds of what the shortest waves have; and the answer is made to vanish in a narrow
+//! band around the set, by a pressure in that band found with a few coefficients, as the inverse of a restricted system demands. Under a
+//! coat more than some twenty times as stiff as its base a factorised sparse approximate inverse `Gᵀ G` of the restricted system itself (Kaporin 1994;
 //! Schäfer, Katzfuss and Owhadi 2021): each element's row from the small dense system of its twenty nearest predecessors in an order from coarse to
 //! fine. Equal neighbourhoods share a row, which makes building it cheaper than a product or two.
 //!
@@ -27,11 +30,13 @@
 mod best;
 mod conjugate;
 mod control;
+mod edge_band;
 mod iterate;
 mod newton;
 mod periodic_filter;
 mod preconditioner;
 mod projection;
+mod restricted_filter;
 mod segment;
 mod sparse_factor;
 mod spectral;
@@ -220,6 +225,7 @@ impl Iteration {
             ..
         } = &mut *self.workspace;
         let part = if set.stands_still() && self.course == Course::Kept {
+            spectral.forget_direction();
             self.course = conjugate.step_within(problem, preconditioner, state, set);
             match self.course {
                 Course::Kept => Part::Whole,

@@ -1,25 +1,24 @@
 //! The preconditioner: an approximate inverse of the system on the working set.
 //!
-//! Two of them, for two kinds of problem. `z = R M⁻¹ Rᵀ r` with `M⁻¹ = F⁻¹ 1/(C(k) sinc sinc + η̄) F` on the unpadded periodic grid
-//! and `R` the restriction to the working set, over which `η̄` is the mean of `η`: cheap, and good where the surface is as soft as what
-//! lies below or softer. (The symbol is the analytic one, which is positive; the padded operator's own spectrum is not where a coat is
-//! stiff, and must not be inverted.) Under a stiff coat the restriction spoils that inverse at every edge of the contact, and a
-//! factorised sparse approximate inverse of the restricted system itself takes its place.
+//! Two of them, for two kinds of problem: the [restricted filter](super::restricted_filter), by FFT, and under a coat so stiff that the contact breaks up into
+//! rings and edges the [factorised sparse approximate inverse](super::sparse_factor) of the restricted system itself.
 
 use pellicle_influence::PeriodicSymbol;
 
 use super::{
-    control::Control, iterate::State, periodic_filter::PeriodicFilter, sparse_factor::SparseFactor,
-    working_set::WorkingSet,
+    control::Control, iterate::State, restricted_filter::RestrictedFilter,
+    sparse_factor::SparseFactor, working_set::WorkingSet,
 };
 use crate::{
     DiscreteProblem,
     vector::{sum, update, update_with},
 };
 
-/// Response to the longest wave over that to the shortest from which on a coat counts as stiff. Both preconditioners are
-/// equally good on a homogeneous body, 1; under a coat ten times as stiff as what it lies on, 2 to 10, the factor takes half the products.
-const STIFF: f64 = 1.5;
+/// Response to the longest wave over that to the shortest from which on a coat counts as stiff. Under a coat ten times as stiff as what it lies
+/// on, the filter takes as many products as the factor; above, it is the factor that the fast steps end with in any case.
+const STIFF: f64 = 20.0;
+/// `k` times the symbol at the shortest wave along one side, in units of that at the longest, on a homogeneous body: `2/π` and its aliases.
+const SHORTEST_RESPONSE: f64 = 1.166;
 /// Neighbours of an element in the sparse factor: with 12 a fifth more products, with 30 a tenth fewer, at three times the cost.
 const NEIGHBOURS: usize = 20;
 /// Sides below which no spectrum tells stiff from soft.
@@ -29,20 +28,32 @@ const SMALLEST_SPECTRUM: usize = 8;
 pub struct Preconditioner {
     inverse: Inverse,
     relief_compliance: Vec<f64>,
-    /// `w = M⁻¹_I 1`.
-    even: Vec<f64>,
-    even_total: f64,
+    even: Even,
     is_current: bool,
 }
 
 enum Inverse {
     /// The identity on the working set, where nothing is known of the operator.
     Identity,
-    Filter {
-        filter: PeriodicFilter,
-        largest_multiplier: f64,
-    },
+    Filter(RestrictedFilter),
     Factor(SparseFactor),
+}
+
+/// `w = M⁻¹_I 1`.
+struct Even {
+    values: Vec<f64>,
+    total: f64,
+    /// Whether it belongs to the present set.
+    is_exact: bool,
+}
+
+/// How exactly a direction is to keep the total.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Projection {
+    /// Orthogonal in the preconditioner's inner product, as conjugate directions need it.
+    Orthogonal,
+    /// Along the `w` of a set before, which spares an application of the inverse for every set met.
+    Oblique,
 }
 
 impl Preconditioner {
@@ -54,18 +65,18 @@ impl Preconditioner {
                 if is_stiff(&symbol) {
                     factor(problem, NEIGHBOURS).unwrap_or(Inverse::Identity)
                 } else {
-                    Inverse::Filter {
-                        filter: PeriodicFilter::new(symbol),
-                        largest_multiplier: 1.0,
-                    }
+                    Inverse::Filter(RestrictedFilter::new(symbol))
                 }
             }
         };
         Self {
             inverse,
             relief_compliance: problem.relief_compliance().to_vec(),
-            even: vec![0.0; problem.elements()],
-            even_total: 0.0,
+            even: Even {
+                values: vec![0.0; problem.elements()],
+                total: 0.0,
+                is_exact: false,
+            },
             is_current: false,
         }
     }
@@ -89,55 +100,66 @@ impl Preconditioner {
         self.is_current = false;
     }
 
-    fn refresh(&mut self, set: &WorkingSet) {
-        if self.is_current {
-            return;
-        }
-        match &mut self.inverse {
-            Inverse::Identity => (),
-            Inverse::Filter {
-                filter,
-                largest_multiplier,
-            } => {
-                let mean = mean_over(set, &self.relief_compliance);
-                *largest_multiplier = filter.multiply_by(|symbol| 1.0 / (symbol + mean));
+    fn refresh(&mut self, set: &WorkingSet, projection: Projection) {
+        if !self.is_current {
+            match &mut self.inverse {
+                Inverse::Identity => (),
+                Inverse::Filter(filter) => filter.update(set, &self.relief_compliance),
+                Inverse::Factor(factor) => factor.update(set),
             }
-            Inverse::Factor(factor) => factor.update(set),
+            self.even.is_exact = false;
+            self.is_current = true;
+            set.clear_outside(&mut self.even.values);
+            self.even.total = sum(&self.even.values);
         }
-        let mut even = std::mem::take(&mut self.even);
-        even.fill(1.0);
-        self.apply(set, &mut even);
-        self.even_total = sum(&even);
-        self.even = even;
-        self.is_current = true;
+        let will_do = projection == Projection::Oblique && self.even.total > 0.0;
+        if !(self.even.is_exact || will_do) {
+            let mut values = std::mem::take(&mut self.even.values);
+            values.fill(1.0);
+            self.apply(set, &mut values);
+            self.even = Even {
+                total: sum(&values),
+                values,
+                is_exact: true,
+            };
+        }
     }
 
     /// `r ← M⁻¹_I r`, in place; the values of `r` outside the set do not matter.
     pub fn apply(&mut self, set: &WorkingSet, residual: &mut [f64]) {
-        clear_outside(set, residual);
+        set.clear_outside(residual);
         match &mut self.inverse {
             Inverse::Identity => (),
-            Inverse::Filter {
-                filter,
-                largest_multiplier,
-            } => {
-                filter.apply(residual, *largest_multiplier);
-                clear_outside(set, residual);
-            }
+            Inverse::Filter(filter) => filter.apply(set, residual),
             Inverse::Factor(factor) => factor.apply(residual),
         }
     }
 
-    /// Writes into `z` the preconditioned residual `M⁻¹_I (D − v)`, with `D` such that `z` keeps the total where one
-    /// is prescribed: the projection `z ← z − (Σz/Σw) w` in the preconditioner's own inner product.
-    pub fn direction_into(&mut self, state: &State, set: &WorkingSet, z: &mut [f64]) {
-        self.refresh(set);
+    /// Writes into `z` the preconditioned residual `M⁻¹_I (λ − v)`, with `λ` the prescribed penetration or, where the total is prescribed, such that
+    /// `z` keeps it: the projection `z ← z − (Σz/Σw) w`. Returns `λ`.
+    pub fn direction_into(
+        &mut self,
+        state: &State,
+        set: &WorkingSet,
+        projection: Projection,
+        z: &mut [f64],
+    ) -> f64 {
+        self.refresh(set, projection);
         update(z, &state.v, |z, v| *z = state.penetration - v);
         self.apply(set, z);
-        if let Control::Total(_) = state.control {
-            let shift = sum(z) / self.even_total;
-            update(z, &self.even, |z, w| *z -= shift * w);
+        match state.control {
+            Control::Penetration(_) => state.penetration,
+            Control::Total(_) => {
+                let shift = sum(z) / self.even.total;
+                update(z, &self.even.values, |z, w| *z -= shift * w);
+                state.penetration - shift
+            }
         }
+    }
+
+    /// `w = M⁻¹_I 1` of the last direction.
+    pub fn even(&self) -> &[f64] {
+        &self.even.values
     }
 }
 
@@ -152,25 +174,9 @@ fn factor(problem: &DiscreteProblem, neighbours: usize) -> Option<Inverse> {
 /// Whether long waves meet a much softer body than short ones do.
 fn is_stiff(symbol: &PeriodicSymbol) -> bool {
     let shortest = symbol.size() / 2;
-    // C(k) sinc(k_y a): Φ ∝ k C, and the sinc of the shortest wave is 2/π.
     let response = |frequency: usize| frequency as f64 * symbol.value([0, frequency]);
-    let sinc = std::f64::consts::FRAC_2_PI;
-    symbol.size() >= SMALLEST_SPECTRUM && response(1) * sinc > STIFF * response(shortest)
-}
-
-/// The mean of a field over the set; 0 for an empty one.
-fn mean_over(set: &WorkingSet, field: &[f64]) -> f64 {
-    let members = field.iter().zip(set.mask()).filter(|(_, member)| **member);
-    members.map(|(value, _)| value).sum::<f64>() / set.len().max(1) as f64
-}
-
-/// Sets `z` to 0 outside the set.
-fn clear_outside(set: &WorkingSet, z: &mut [f64]) {
-    update(z, set.mask(), |z, member| {
-        if !member {
-            *z = 0.0;
-        }
-    });
+    symbol.size() >= SMALLEST_SPECTRUM
+        && response(1) * SHORTEST_RESPONSE > STIFF * response(shortest)
 }
 
 /// `r = D − v` on the set, 0 outside.

@@ -1,12 +1,12 @@
 //! Spectral steps: one product each, for as long as the working set changes.
 //!
-//! `p' = max(p + α z, 0)` brought to the prescribed total, with `z` the preconditioned residual and the step
+//! `p' = max(p + α z, 0)` brought to the prescribed total, with `z = M⁻¹(λ − v)` the preconditioned residual and the step
 //! `α = s·y / (y·M⁻¹y)`, `s = Δp`, `y = Δv` of the step before (Barzilai and Borwein 1988, in the preconditioner's
-//! metric).
+//! metric). `M⁻¹y` is not computed but taken from the two residuals: `M⁻¹Δv = M⁻¹1 Δλ − Δz`, as far as the set is the same.
 
 use super::{
     iterate::State,
-    preconditioner::{Preconditioner, residual_into},
+    preconditioner::{Preconditioner, Projection, residual_into},
     projection::project,
     segment::{Part, Segment},
     working_set::WorkingSet,
@@ -24,26 +24,34 @@ const ENERGY_WINDOW: usize = 4;
 
 /// The spectral step's memory and buffers.
 pub struct SpectralSteps {
-    alpha: f64,
     energies: Vec<f64>,
-    direction: Vec<f64>,
     segment: Segment,
+    direction: Vec<f64>,
+    /// The direction of the step before and its `λ`; none after a step of another kind.
+    before: Option<f64>,
+    direction_before: Vec<f64>,
 }
 
 impl SpectralSteps {
     pub fn new(elements: usize) -> Self {
         Self {
-            alpha: 1.0,
             energies: Vec::with_capacity(ENERGY_WINDOW),
-            direction: vec![0.0; elements],
             segment: Segment::new(elements),
+            direction: vec![0.0; elements],
+            before: None,
+            direction_before: vec![0.0; elements],
         }
     }
 
     /// Forgets the steps and energies before.
     pub fn restart(&mut self) {
-        self.alpha = 1.0;
+        self.forget_direction();
         self.energies.clear();
+    }
+
+    /// Forgets the step before: one of another kind has been taken.
+    pub fn forget_direction(&mut self) {
+        self.before = None;
     }
 
     /// One step of the state; one product, two where it must fall back.
@@ -55,8 +63,12 @@ impl SpectralSteps {
         set: &WorkingSet,
     ) -> Part {
         self.remember_energy(state.energy());
-        preconditioner.direction_into(state, set, &mut self.direction);
-        self.segment.clip(state, self.alpha, &self.direction);
+        std::mem::swap(&mut self.direction, &mut self.direction_before);
+        let level =
+            preconditioner.direction_into(state, set, Projection::Oblique, &mut self.direction);
+        let alpha = self.alpha(level, preconditioner.even());
+        self.before = Some(level);
+        self.segment.clip(state, alpha, &self.direction);
         let downhill = self.segment.slope(state) < 0.0;
         if !downhill {
             self.project_plain_gradient(problem, state, set);
@@ -67,7 +79,6 @@ impl SpectralSteps {
             .copied()
             .fold(f64::NEG_INFINITY, f64::max);
         let part = self.segment.take(problem, state, ceiling);
-        self.alpha = self.next_alpha(preconditioner, set);
         if downhill { part } else { Part::Cut }
     }
 
@@ -98,13 +109,16 @@ impl SpectralSteps {
         add_scaled(step, -1.0, &state.pressure);
     }
 
-    /// `α = s·y / (y·M⁻¹_I y)` within its bounds.
-    fn next_alpha(&mut self, preconditioner: &mut Preconditioner, set: &WorkingSet) -> f64 {
-        let Segment { image, .. } = &self.segment;
-        self.direction.copy_from_slice(image);
-        preconditioner.apply(set, &mut self.direction);
-        let alpha = self.segment.curvature() / dot(image, &self.direction);
-        if alpha.is_finite() {
+    /// `α = s·y / (y·M⁻¹_I y)` within its bounds, from `λ` and `M⁻¹_I 1`; 1 at first.
+    fn alpha(&self, level: f64, even: &[f64]) -> f64 {
+        let Some(before) = self.before else {
+            return 1.0;
+        };
+        let y = &self.segment.image;
+        let metric = (level - before) * dot(y, even) + dot(y, &self.direction_before)
+            - dot(y, &self.direction);
+        let alpha = self.segment.curvature() / metric;
+        if alpha > 0.0 && alpha.is_finite() {
             alpha.clamp(STEP_BOUNDS[0], STEP_BOUNDS[1])
         } else {
             1.0

@@ -10,8 +10,8 @@ use crate::{
     vector::{add_scaled, dot, update},
 };
 
-/// The last step's part of the sum at which to stop; what is left is smaller still.
-const SMALLEST_GAIN: f64 = 1e-9;
+/// The last step's part of the sum at which to stop; what is left is a hundredth of it or less.
+const SMALLEST_GAIN: f64 = 1e-7;
 /// Steps after which the stiffness is held not to be found.
 const MOST_STEPS: usize = 300;
 

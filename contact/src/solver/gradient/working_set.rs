@@ -3,6 +3,7 @@
 use rayon::prelude::*;
 
 use super::iterate::State;
+use crate::vector::update;
 
 /// Elements that one thread looks at together.
 const PART: usize = 1 << 14;
@@ -82,6 +83,15 @@ impl WorkingSet {
 
     pub fn mask(&self) -> &[bool] {
         &self.mask
+    }
+
+    /// Sets a field to 0 outside the set.
+    pub fn clear_outside(&self, field: &mut [f64]) {
+        update(field, &self.mask, |value, member| {
+            if !member {
+                *value = 0.0;
+            }
+        });
     }
 
     /// Whether an element of the set lies on the border of the grid of `size` elements per side.
