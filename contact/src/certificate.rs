@@ -44,14 +44,7 @@ impl Certificate {
             self.overlap,
             self.load,
         ];
-        // f64::max drops NaN, which must not pass for a small number here.
-        lines.into_iter().fold(0.0, |worst: f64, line| {
-            if line.is_nan() {
-                f64::NAN
-            } else {
-                worst.max(line)
-            }
-        })
+        lines.into_iter().fold(0.0, largest)
     }
 
     /// Whether every line keeps to the tolerance and the pressure is finite and nowhere negative.
@@ -211,7 +204,7 @@ fn weighted(pressure: &[f64], values: &[f64]) -> f64 {
     parts.into_iter().sum()
 }
 
-/// The larger of two, NaN if either is.
+/// The larger of two, NaN if either is: `f64::max` drops NaN, which must not pass for a small number here.
 fn largest(a: f64, b: f64) -> f64 {
     if a.is_nan() || b.is_nan() {
         f64::NAN
@@ -228,3 +221,6 @@ fn smallest(a: f64, b: f64) -> f64 {
         a.min(b)
     }
 }
+
+#[cfg(test)]
+mod tests;

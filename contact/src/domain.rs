@@ -101,8 +101,8 @@ fn force_at(model: &Model, a: f64) -> f64 {
     }
     let elastic = elastic_force(model, a);
     match relief_force(model, a) {
-        Some(relief) if elastic > 0.0 && relief > 0.0 => 1.0 / (1.0 / elastic + 1.0 / relief),
-        Some(relief) => elastic.min(relief),
+        // 0 where either is, since 1/0 = ∞
+        Some(relief) => 1.0 / (1.0 / elastic + 1.0 / relief),
         None => elastic,
     }
 }
@@ -151,3 +151,6 @@ pub(crate) fn slope(indenter: &Indenter, rho: f64) -> f64 {
     let step = 1e-3 * rho;
     (indenter.mean_profile(rho + step) - indenter.mean_profile(rho - step)) / (2.0 * step)
 }
+
+#[cfg(test)]
+mod tests;

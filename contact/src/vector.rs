@@ -109,7 +109,14 @@ pub fn update_with<S: Sync, T: Sync>(
 mod tests {
     use rayon::ThreadPoolBuilder;
 
-    use super::{dot, sum};
+    use super::{add_scaled, by_parts, dot, each, sum, update, update_with};
+
+    /// Fields of one part and of several, some not full.
+    const LENGTHS: [usize; 5] = [0, 7, 8192, 32_769, 50_001];
+
+    fn field(length: usize, rate: f64) -> Vec<f64> {
+        (0..length).map(|i| (rate * i as f64).sin()).collect()
+    }
 
     #[test]
     fn sums_have_the_same_bits_for_every_number_of_threads() {
@@ -122,5 +129,43 @@ mod tests {
         };
         assert_eq!(with(1), with(2));
         assert_eq!(with(1), with(5));
+    }
+
+    #[test]
+    fn the_parts_are_the_whole_in_order() {
+        for length in LENGTHS {
+            let parts = by_parts(length, |part| part);
+            let all: Vec<usize> = parts.iter().cloned().flatten().collect();
+            assert_eq!(all, (0..length).collect::<Vec<_>>());
+            assert!(parts.iter().all(|part| part.len() <= 8192));
+        }
+    }
+
+    #[test]
+    fn sums_are_those_of_all_elements() {
+        for length in LENGTHS {
+            let (a, b) = (field(length, 0.3), field(length, 0.7));
+            let plain: f64 = a.iter().sum();
+            let product: f64 = a.iter().zip(&b).map(|(a, b)| a * b).sum();
+            // 50 000 terms of order 1 in another order
+            assert!((sum(&a) - plain).abs() < 1e-11);
+            assert!((dot(&a, &b) - product).abs() < 1e-11);
+        }
+    }
+
+    #[test]
+    fn rules_apply_to_every_element_of_the_same_place() {
+        for length in LENGTHS {
+            let (a, b) = (field(length, 0.3), field(length, 0.7));
+            let mut c = a.clone();
+            each(&mut c, |c| *c += 2.0);
+            assert!(c.iter().zip(&a).all(|(c, a)| *c == a + 2.0));
+            add_scaled(&mut c, 3.0, &b);
+            assert!((0..length).all(|i| c[i] == a[i] + 2.0 + 3.0 * b[i]));
+            update(&mut c, &b, |c, b| *c = -b);
+            assert!((0..length).all(|i| c[i] == -b[i]));
+            update_with(&mut c, &a, &b, |c, a, b| *c = a - b);
+            assert!((0..length).all(|i| c[i] == a[i] - b[i]));
+        }
     }
 }

@@ -221,10 +221,11 @@ mod tests {
     fn the_confined_and_the_free_film_on_a_rigid_base_are_springs() {
         let springs = |interface| {
             let film = layer(2.0, 1.0, 0.25, interface);
-            Foundation::new(vec![film], Base::Rigid)
+            let long = Foundation::new(vec![film], Base::Rigid)
                 .unwrap()
-                .long_waves()
-                .compliance(0.0)
+                .long_waves();
+            assert_eq!(long.constant().to_bits(), long.compliance(0.0).to_bits());
+            long.constant()
         };
         // H (1 − 2ν)(1 + ν)/((1 − ν) E) and H (1 − ν²)/E; a few roundings
         assert!((springs(Interface::Bonded) - 2.0 * 0.5 * 1.25 / 0.75).abs() < 1e-14);
@@ -270,5 +271,26 @@ mod tests {
         assert_eq!(half_space.short_waves(), None);
         // C = A/k exactly
         assert!(half_space.long_waves().constant().abs() <= 0.0);
+    }
+
+    #[test]
+    fn a_layer_of_the_bases_own_material_adds_nothing_to_a_long_wave() {
+        let material = Material::new(3.0, 0.2).unwrap();
+        let layer = Layer::new(2.0, material, Interface::Bonded).unwrap();
+        let long = Foundation::new(vec![layer], Base::HalfSpace(material))
+            .unwrap()
+            .long_waves();
+        // A = 2 (1 − ν²)/E, B = 0 up to the roundings of three terms of H/E
+        assert!((long.inverse() - 2.0 * 0.96 / 3.0).abs() < 1e-15);
+        assert!(long.constant().abs() < 1e-15, "{:e}", long.constant());
+    }
+
+    #[test]
+    fn a_film_that_slides_on_a_rigid_base_has_its_short_waves_in_closed_form() {
+        let film = layer(0.5, 3.0, 0.3, Interface::Frictionless);
+        let foundation = Foundation::new(vec![film], Base::Rigid).unwrap();
+        // Φ = (1 − θ)²/(1 − θ² + 4 s θ), θ = e^{−2s}: Φ − 1 → −θ (2 + 4 s)
+        let [alpha, beta, gamma] = foundation.short_waves().unwrap().coefficients();
+        assert!((alpha + 2.0).abs() < 1e-14 && (beta + 4.0).abs() < 1e-14 && gamma.abs() < 1e-14);
     }
 }

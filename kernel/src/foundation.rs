@@ -225,11 +225,27 @@ mod tests {
     #[test]
     fn neighbours_beyond_any_material_are_refused_with_their_ratio() {
         let refused = Foundation::coated(1.0, material(1e40, 0.3), material(1.0, 0.3));
-        let Err(KernelError::ModulusRatio { layer, found, .. }) = refused else {
+        let Err(KernelError::ModulusRatio {
+            layer,
+            found,
+            smallest,
+            largest,
+        }) = refused
+        else {
             panic!("{refused:?}");
         };
         // a rounding or two
         assert!(layer == 0 && (found / 1e40 - 1.0).abs() < 1e-15);
+        assert!((smallest / 1e-30 - 1.0).abs() < 1e-15 && (largest / 1e30 - 1.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn the_thickness_is_that_of_all_layers() {
+        let layer = |thickness| Layer::new(thickness, material(2.0, 0.3), Interface::Bonded);
+        let layers = vec![layer(0.25).unwrap(), layer(0.5).unwrap()];
+        let foundation = Foundation::new(layers, Base::Rigid).unwrap();
+        // powers of two: exact
+        assert!((foundation.thickness() - 0.75).abs() <= 0.0);
     }
 
     #[test]

@@ -42,7 +42,7 @@ pub struct GradingOptions {
     /// Largest `k H` at which the tolerance holds, `H` the layer's thickness; 100, waves of a
     /// sixteenth of the thickness.
     pub largest_wavenumber: f64,
-    /// Most sublayers; 1000. The work of splitting grows with the square of their number.
+    /// Most sublayers; 1000, and never fewer than 8. The work of splitting grows with the square of their number.
     pub most_sublayers: usize,
 }
 
@@ -113,16 +113,17 @@ impl<F: Fn(f64) -> Result<Material, KernelError>> GradedLayer<F> {
             if error <= options.tolerance {
                 return problem.finish(&halved(&cells, |_| true), error);
             }
-            if 2 * cells.len() > options.most_sublayers || !error.is_finite() {
+            let largest: Vec<f64> = changes.iter().map(|change| largest(change)).collect();
+            let worst = self::largest(&largest);
+            let finer = halved(&cells, |i| largest[i] >= WORTH_HALVING * worst);
+            if 2 * finer.len() > options.most_sublayers || !error.is_finite() {
                 return Err(KernelError::Grading {
                     sublayers: cells.len(),
                     reached: error,
                     wanted: options.tolerance,
                 });
             }
-            let largest: Vec<f64> = changes.iter().map(|change| largest(change)).collect();
-            let worst = self::largest(&largest);
-            cells = halved(&cells, |i| largest[i] >= WORTH_HALVING * worst);
+            cells = finer;
         }
     }
 }
@@ -176,10 +177,13 @@ fn largest(values: &[f64]) -> f64 {
 fn error_of_halves(changes: &[Vec<f64>]) -> f64 {
     let count = changes.first().map_or(0, Vec::len);
     let sums = (0..count).map(|j| changes.iter().map(|change| change[j].abs()).sum::<f64>() / 2.0);
-    sums.fold(
-        0.0,
-        |largest, sum| if sum <= largest { largest } else { sum },
-    )
+    sums.fold(0.0, |largest: f64, sum| {
+        if sum <= largest || largest.is_nan() {
+            largest
+        } else {
+            sum
+        }
+    })
 }
 
 /// A graded layer, what lies below it, and where the compliance is compared.
@@ -306,15 +310,19 @@ mod tests {
     #[test]
     fn a_homogeneous_profile_needs_no_refinement() {
         let material = Material::new(3.0, 0.4).unwrap();
-        let layer = GradedLayer::new(0.5, Interface::Bonded, |_| Ok(material)).unwrap();
-        let base = Material::new(1.0, 0.2).unwrap();
-        let split = layer
-            .split(&[], Base::HalfSpace(base), &GradingOptions::default())
-            .unwrap();
-        let coated = Foundation::coated(0.5, material, base).unwrap();
-        assert_eq!(split.sublayers, 8);
-        // Eight layers instead of one: roundings
-        assert!((split.foundation.response(2.0) / coated.response(2.0) - 1.0).abs() < 3e-15);
+        let base = Base::HalfSpace(Material::new(1.0, 0.2).unwrap());
+        let below = Layer::new(0.2, Material::new(5.0, 0.1).unwrap(), Interface::Bonded).unwrap();
+        for interface in [Interface::Bonded, Interface::Frictionless] {
+            let layer = GradedLayer::new(0.5, interface, |_| Ok(material)).unwrap();
+            let split = layer
+                .split(&[below], base, &GradingOptions::default())
+                .unwrap();
+            let whole = Layer::new(0.5, material, interface).unwrap();
+            let whole = Foundation::new(vec![whole, below], base).unwrap();
+            assert_eq!(split.sublayers, 8);
+            // Eight layers instead of one: roundings
+            assert!((split.foundation.response(2.0) / whole.response(2.0) - 1.0).abs() < 3e-15);
+        }
     }
 
     #[test]
@@ -336,6 +344,47 @@ mod tests {
             panic!("{failed:?}");
         };
         assert!(sublayers <= 20 && reached > wanted);
+    }
+
+    #[test]
+    fn the_sublayers_allowed_are_used_and_not_exceeded() {
+        let (needed, wanted) = (exponential(1e-4).sublayers, 1e-4);
+        let profile = |z: f64| Material::new(4.0 * (-1.5 * z).exp(), 0.25);
+        let layer = GradedLayer::new(1.0, Interface::Bonded, profile).unwrap();
+        let base = Base::HalfSpace(Material::new(0.9, 0.3).unwrap());
+        let within = |most_sublayers| {
+            let options = GradingOptions {
+                tolerance: wanted,
+                largest_wavenumber: 30.0,
+                most_sublayers,
+            };
+            layer.split(&[], base, &options)
+        };
+        assert_eq!(within(needed).unwrap().sublayers, needed);
+        assert!(matches!(
+            within(needed - 1),
+            Err(KernelError::Grading { .. })
+        ));
+    }
+
+    #[test]
+    fn the_compliance_is_compared_at_four_wavenumbers_a_decade() {
+        let found = wavenumbers(50.0, 2.0);
+        // k H from 0.01 to 10^1.5 and the end, at H = 2
+        assert_eq!(found.len(), 16);
+        assert!((found[15] - 25.0).abs() <= 0.0);
+        for (i, k) in (0..15).zip(&found) {
+            // fifteen roundings of the ratio
+            assert!((k / (0.005 * 10_f64.powf(0.25 * f64::from(i))) - 1.0).abs() < 1e-14);
+        }
+        assert_eq!(wavenumbers(0.01, 2.0), [0.005]);
+    }
+
+    #[test]
+    fn halves_err_by_half_of_what_all_changes_add_up_to_at_the_worst_wavenumber() {
+        let changes = [vec![1.0, -2.0, 0.0], vec![3.0, 4.0, 1.0]];
+        assert!((error_of_halves(&changes) - 3.0).abs() <= 0.0);
+        assert!(error_of_halves(&[vec![f64::NAN, 1.0], vec![0.0, 1.0]]).is_nan());
     }
 
     #[test]

@@ -115,11 +115,8 @@ impl Interior {
     /// above the surface those on it; inside a rigid base all are zero.
     #[must_use]
     pub fn at(&self, depth: f64) -> Amplitudes {
-        let last = self.bodies.len() - 1;
-        let index = self
-            .bodies
-            .partition_point(|body| body.bottom < depth)
-            .min(last);
+        // The last body has no bottom.
+        let index = self.bodies.partition_point(|body| body.bottom < depth);
         self.bodies[index].at(depth, self.wavenumber)
     }
 

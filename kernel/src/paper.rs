@@ -113,4 +113,24 @@ mod tests {
         assert!(TwoLayer::new(0.0, [0.3, 0.3]).is_err());
         assert!(TwoLayer::new(1.0, [0.3, 0.51]).is_err());
     }
+
+    #[test]
+    fn on_one_material_the_determinant_is_that_of_a_half_space() {
+        for nu in [0.0, 0.3, 0.5] {
+            let same = TwoLayer::new(1.0, [nu, nu]).unwrap();
+            // Φ = 1 and q̄ = 4 for the longest waves: Δ = 8 (1 − ν), a few roundings
+            assert!((same.delta(0.0, 0.0, 1.0) - 8.0 * (1.0 - nu)).abs() < 1e-14);
+        }
+    }
+
+    #[test]
+    fn the_thickness_enters_as_that_of_the_wave_in_the_layer() {
+        let layered = TwoLayer::new(10.0, [0.3, 0.4]).unwrap();
+        let material = |young, poisson| Material::new(young, poisson).unwrap();
+        let coated = Foundation::coated(1.0, material(10.0, 0.3), material(1.0, 0.4)).unwrap();
+        let ratio = layered.delta(0.5, 0.2, 4.0) / layered.delta(0.5, 0.2, 0.3);
+        // Δ(λ)/Δ(λ') = Φ(γλ)/Φ(γλ'), a few roundings
+        let wanted = coated.response(2.0) / coated.response(0.15);
+        assert!((ratio / wanted - 1.0).abs() < 1e-14);
+    }
 }

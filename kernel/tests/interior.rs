@@ -202,6 +202,18 @@ impl Meeting {
 }
 
 #[test]
+fn on_an_interface_the_state_is_that_of_the_upper_body() {
+    let foundation = Foundation::coated(0.5, material(10.0, 0.3), material(1.0, 0.4)).unwrap();
+    let interior = foundation.interior(2.0).unwrap();
+    let stress = |depth: f64| interior.at(depth).longitudinal_stress;
+    let below = interior.below_interface(1).unwrap().longitudinal_stress;
+    // 1e-9 of the thickness above, the stress is another by about as much; below it is a tenth as the modulus is.
+    assert!((stress(0.5) - stress(0.5 * (1.0 - 1e-9))).abs() < 1e-7);
+    assert!((stress(0.5 * (1.0 + 1e-9)) - below).abs() < 1e-7);
+    assert!((stress(0.5) - below).abs() > 0.1);
+}
+
+#[test]
 fn a_half_space_decays_as_in_the_textbook() {
     let half_space = Foundation::half_space(material(2.0, 0.3));
     let interior = half_space.interior(1.0).unwrap();

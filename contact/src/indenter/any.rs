@@ -134,6 +134,12 @@ mod tests {
                 "{indenter:?}: {error:e}"
             );
             assert_eq!(mean.is_infinite(), indenter.mean_profile(0.9).is_infinite());
+            // The name hides nothing of the shape: the same numbers either way.
+            let through_trait = Profile::mean_profile(&indenter, 0.9);
+            assert_eq!(
+                through_trait.to_bits(),
+                indenter.mean_profile(0.9).to_bits()
+            );
         }
     }
 

@@ -80,6 +80,12 @@ mod tests {
     use super::*;
 
     #[test]
+    fn a_cone_says_what_it_was_made_of() {
+        let cone = Cone::new(0.8, 0.25).unwrap();
+        assert_eq!([cone.half_angle(), cone.tip_radius()], [0.8, 0.25]);
+    }
+
+    #[test]
     fn a_sharp_cone_rises_by_the_cotangent() {
         let cone = Cone::new(60.0_f64.to_radians(), 0.0).unwrap();
         assert_eq!(cone.height(0.0, 0.0), 0.0);

@@ -263,3 +263,24 @@ fn without_a_force_there_is_no_pressure() {
         0.0
     );
 }
+
+#[test]
+fn what_is_prescribed_comes_back_to_the_bit() {
+    // values whose powers and roots are not exact
+    for given in [0.1, 0.7, 1.3e-5] {
+        let forces = [
+            hertz::from_force(RADIUS, MODULUS, given).force,
+            cone::from_force(ANGLE, MODULUS, given).force,
+            flat_punch::from_force(RADIUS, MODULUS, given).force,
+            winkler::from_force(RADIUS, COMPLIANCE, given).force,
+        ];
+        assert_eq!(forces.map(f64::to_bits), [given.to_bits(); 4]);
+        let depths = [
+            hertz::from_penetration(RADIUS, MODULUS, given).penetration,
+            cone::from_penetration(ANGLE, MODULUS, given).penetration,
+            flat_punch::from_penetration(RADIUS, MODULUS, given).penetration,
+            winkler::from_penetration(RADIUS, COMPLIANCE, given).penetration,
+        ];
+        assert_eq!(depths.map(f64::to_bits), [given.to_bits(); 4]);
+    }
+}

@@ -194,6 +194,24 @@ mod tests {
     }
 
     #[test]
+    fn a_layer_on_a_rigid_base_cut_in_two_keeps_the_digits_of_short_waves() {
+        for interface in [Interface::Bonded, Interface::Frictionless] {
+            let lower = |thickness| {
+                let material = Material::new(3.0, 0.4).unwrap();
+                Layer::new(thickness, material, interface).unwrap()
+            };
+            let whole = OneLayer::new(&lower(1.0), Base::Rigid);
+            let cut = Stack::new(&[layer(0.3, 3.0, 0.4), lower(0.7)], Base::Rigid);
+            for k in [0.5, 2.0, 5.0, 15.0, 40.0] {
+                let (found, wanted) = (cut.minus_one(k), whole.minus_one(k));
+                // e^{−2s} magnifies the rounding of s by 2s.
+                let bound = 1e-14 * (1.0 + 2.0 * k) * wanted.abs();
+                assert!((found - wanted).abs() <= bound, "{k} {found:e} {wanted:e}");
+            }
+        }
+    }
+
+    #[test]
     fn identical_layers_on_the_same_half_space_are_that_half_space() {
         let stack = Stack::new(&vec![layer(0.1, 2.0, 0.3); 200], half_space(2.0, 0.3));
         for k in WAVENUMBERS {

@@ -121,3 +121,62 @@ fn admissible(system: &DenseSystem, pressure: &[f64]) -> Vec<f64> {
     }
     pressure
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{DenseSystem, Exchange};
+    use crate::{
+        Load,
+        solver::tests::{RIGID, paraboloid, pillars, problem},
+    };
+
+    /// The pressure at the end, and the exchanges it took.
+    fn run(system: &DenseSystem, start: &[f64], next: Next) -> (Vec<f64>, usize) {
+        let mut exchange = Exchange::start(system, start);
+        for exchanges in 0.. {
+            let trial = system.solve_on(exchange.members()).unwrap();
+            if trial.infeasible.is_empty() {
+                return (trial.pressure, exchanges);
+            }
+            assert!(exchanges < 2000, "{} infeasible", trial.infeasible.len());
+            next(&mut exchange, system, &trial);
+        }
+        unreachable!("the loop ends by itself")
+    }
+
+    type Next = fn(&mut Exchange, &DenseSystem, &super::Trial);
+
+    #[test]
+    fn the_descending_phase_alone_finds_what_exchanges_find() {
+        for load in [Load::Force(1e-3), Load::Penetration(0.01)] {
+            let mut problem = problem([10.0, 0.05], |x, y| pillars(x, y, 0.002), RIGID);
+            let system = DenseSystem::new(&mut problem, load);
+            let mut start = vec![0.0; system.elements()];
+            start[500..520].fill(1.0);
+            let (wanted, exchanges) = run(&system, &start, Exchange::advance);
+            let (found, steps) = run(&system, &start, Exchange::descend);
+            assert!(exchanges < steps, "{exchanges} {steps}");
+            let peak = wanted.iter().copied().fold(0.0, f64::max);
+            for (found, wanted) in found.iter().zip(&wanted) {
+                // two dense solutions of the same system
+                assert!((found - wanted).abs() < 1e-9 * peak);
+            }
+        }
+    }
+
+    #[test]
+    fn a_start_from_pressure_holds_it_and_a_cold_one_all_that_can_touch() {
+        let mut problem = problem([1.0, 0.1], paraboloid, RIGID);
+        let mut warm = vec![0.0; 1024];
+        warm[40] = 1.0;
+        let by_force = DenseSystem::new(&mut problem, Load::Force(1e-3));
+        assert_eq!(Exchange::start(&by_force, &warm).members(), [40]);
+        let all: Vec<usize> = (0..1024).collect();
+        assert_eq!(Exchange::start(&by_force, &[0.0; 1024]).members(), all);
+        // g0 < D = 0.01 within ρ² < 0.02; the element 40 lies outside.
+        let by_penetration = DenseSystem::new(&mut problem, Load::Penetration(0.01));
+        let gap = by_penetration.initial_gap();
+        let near: Vec<usize> = (0..1024).filter(|e| gap[*e] < 0.01).collect();
+        assert_eq!(Exchange::start(&by_penetration, &warm).members(), near);
+    }
+}

@@ -23,11 +23,9 @@ pub struct State {
     applications: usize,
 }
 
-/// Sums and extremes that the residual is made of.
+/// Extremes that the residual is made of.
 #[derive(Clone, Copy, Default)]
 struct Lines {
-    weighted: f64,
-    total: f64,
     largest: f64,
     overlap: f64,
     pulls: bool,
@@ -111,15 +109,12 @@ impl State {
     }
 
     /// The largest line of the certificate, by the running `v`; whether no element pulls.
+    ///
+    /// The complementarity is a mean of gaps in contact, so it is never the largest.
     pub fn residual(&self) -> (f64, bool) {
         let lines = by_parts(self.elements(), |part| self.lines(part));
         let lines = lines.into_iter().fold(Lines::default(), Lines::and);
-        let complementarity = if lines.total > 0.0 {
-            lines.weighted / lines.total
-        } else {
-            0.0
-        };
-        let length = complementarity.max(lines.largest).max(lines.overlap);
+        let length = lines.largest.max(lines.overlap);
         let residual = if length == 0.0 {
             0.0
         } else {
@@ -133,10 +128,8 @@ impl State {
         for (p, v) in self.pressure[part.clone()].iter().zip(&self.v[part]) {
             let gap = v - self.penetration;
             lines.overlap = lines.overlap.max(-gap);
-            lines.total += p;
             lines.pulls |= *p < 0.0;
             if *p > 0.0 {
-                lines.weighted += p * gap.abs();
                 lines.largest = lines.largest.max(gap.abs());
             }
         }
@@ -147,8 +140,6 @@ impl State {
 impl Lines {
     fn and(self, other: Self) -> Self {
         Self {
-            weighted: self.weighted + other.weighted,
-            total: self.total + other.total,
             largest: self.largest.max(other.largest),
             overlap: self.overlap.max(other.overlap),
             pulls: self.pulls || other.pulls,

@@ -301,3 +301,6 @@ impl Iteration {
         (sum.map(|sum| sum * problem.element_area()), applications)
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,144 @@
+//! The estimated side where the estimate has a closed form: twice 1.5 contact radii, to a hundredth.
+
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+use pellicle_influence::{Cache, RadialTables};
+use pellicle_kernel::{Foundation, Material};
+use pellicle_texture::{CylinderSpec, Cylinders, Film, Lattice, Relief};
+
+use super::{default_side, slope};
+use crate::{FlatPunch, Indenter, Load, Model, Paraboloid};
+
+fn model(foundation: &Foundation, relief: Relief, indenter: impl Into<Indenter>) -> Model {
+    Model {
+        tables: Arc::new(RadialTables::build(foundation).unwrap()),
+        relief,
+        indenter: indenter.into(),
+        cache: Cache::in_memory(),
+    }
+}
+
+/// Plane-strain modulus `modulus`, so that `C(k) = 2/(modulus k)`.
+fn half_space(modulus: f64) -> Foundation {
+    Foundation::half_space(Material::new(modulus, 0.0).unwrap())
+}
+
+fn paraboloid(radius: f64) -> Paraboloid {
+    Paraboloid::new(radius).unwrap()
+}
+
+#[track_caller]
+fn assert_side(model: &Model, loads: &[Load], radius: f64) {
+    let side = default_side(model, loads);
+    // The search stops less than a hundredth above the radius; 64 points of a smooth integrand add less than 1e-3.
+    assert!(
+        side > 2.997 * radius && side < 3.034 * radius,
+        "{side} for the radius {radius}"
+    );
+}
+
+#[test]
+fn a_penetration_reaches_as_far_as_the_indenter_is_that_high() {
+    let model = model(&half_space(1.0), Relief::Bare, paraboloid(2.0));
+    // a² = 2 R D; the largest of all loads counts
+    for depth in [1e-9_f64, 0.01, 50.0] {
+        let loads = [0.5 * depth, depth, -depth].map(Load::Penetration);
+        assert_side(&model, &loads, (4.0 * depth).sqrt());
+    }
+}
+
+#[test]
+fn without_contact_the_indenter_stands_one_thickness_high_at_the_edge() {
+    let coat = Material::new(1.0, 0.3).unwrap();
+    let coated = Foundation::coated(0.02, coat, Material::new(2.0, 0.3).unwrap()).unwrap();
+    // ρ² = 2 R H, and 1 m for H where nothing has a thickness; the side is twice ρ, not three times.
+    for (foundation, height) in [(coated, 0.02_f64), (half_space(1.0), 1.0)] {
+        let model = model(&foundation, Relief::Bare, paraboloid(2.0));
+        for load in [-1.0, 0.0].map(Load::Penetration) {
+            assert_side(&model, &[load], (4.0 * height).sqrt() * 2.0 / 3.0);
+        }
+    }
+}
+
+#[test]
+fn a_force_reaches_as_far_as_hertz_says_whatever_the_units() {
+    // Q = 4/3 E* a³/R
+    for (modulus, radius) in [(1.0, 1.0), (2e11, 1e-6), (1e-3, 40.0)] {
+        let model = model(&half_space(modulus), Relief::Bare, paraboloid(radius));
+        let a = 0.1 * radius;
+        let force = 4.0 / 3.0 * modulus * a.powi(3) / radius;
+        assert_side(&model, &[Load::Force(force)], a);
+    }
+}
+
+#[test]
+fn a_coated_body_has_the_modulus_of_waves_as_long_as_the_contact() {
+    let coat = Material::new(30.0, 0.3).unwrap();
+    let foundation = Foundation::coated(0.05, coat, Material::new(1.0, 0.4).unwrap()).unwrap();
+    let a = 0.1_f64;
+    // E* = 2 a/C(1/a)
+    let modulus = 2.0 * a / foundation.compliance(1.0 / a);
+    let model = model(&foundation, Relief::Bare, paraboloid(1.0));
+    assert_side(&model, &[Load::Force(4.0 / 3.0 * modulus * a.powi(3))], a);
+}
+
+/// `π a⁴/(4 R)`: the volume between a paraboloid and the plane at the height that it has at `a`.
+fn volume(a: f64, radius: f64) -> f64 {
+    PI * a.powi(4) / (4.0 * radius)
+}
+
+#[test]
+fn a_film_and_the_body_under_it_are_springs_in_series() {
+    let a = 0.2_f64;
+    for young in [1e-6, 0.3] {
+        let film = Film::new(0.02, young).unwrap();
+        let springs = volume(a, 2.0) / (0.02 / young);
+        let elastic = 4.0 / 3.0 * 5.0 * a.powi(3) / 2.0;
+        let model = model(&half_space(5.0), Relief::Film(film), paraboloid(2.0));
+        let force = 1.0 / (1.0 / springs + 1.0 / elastic);
+        assert_side(&model, &[Load::Force(force)], a);
+    }
+}
+
+#[test]
+fn cylinders_carry_on_their_share_of_the_area_and_press_into_the_body() {
+    let spec = CylinderSpec {
+        lattice: Lattice::Square,
+        radius: 0.005,
+        height: 1e-3,
+        period: 0.02,
+        offset: [0.0, 0.0],
+        young_modulus: 0.5,
+    };
+    let share = PI / 16.0;
+    // h/E_a, and (1 − φ) C(1/r) = (1 − φ) 2 r/E*
+    let compliance = 1e-3 / 0.5 + (1.0 - share) * 2.0 * 0.005 / 5.0;
+    let a = 0.01_f64;
+    let springs = share * volume(a, 2.0) / compliance;
+    let elastic = 4.0 / 3.0 * 5.0 * a.powi(3) / 2.0;
+    let relief = Relief::Cylinders(Cylinders::new(spec).unwrap());
+    let model = model(&half_space(5.0), relief, paraboloid(2.0));
+    let force = 1.0 / (1.0 / springs + 1.0 / elastic);
+    assert_side(&model, &[Load::Force(force)], a);
+}
+
+#[test]
+fn a_punch_touches_up_to_its_rim_under_any_load() {
+    let punch = FlatPunch::new(0.3).unwrap();
+    for relief in [Relief::Bare, Relief::Film(Film::new(0.02, 0.1).unwrap())] {
+        let model = model(&half_space(1.0), relief, punch);
+        for load in [Load::Force(1e-9), Load::Force(1e3), Load::Penetration(0.1)] {
+            assert_side(&model, &[load], 0.3);
+        }
+    }
+}
+
+#[test]
+fn the_slope_of_a_paraboloid_is_its_distance_over_its_radius() {
+    let indenter = Indenter::from(paraboloid(2.0));
+    for rho in [1e-6, 0.3, 5.0] {
+        // The central difference of a square is exact; its rounding is 1e-16 over the step of 1e-3.
+        assert!((slope(&indenter, rho) / (rho / 2.0) - 1.0).abs() < 1e-12);
+    }
+}

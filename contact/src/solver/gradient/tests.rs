@@ -1,0 +1,196 @@
+//! The parts of the iteration one by one: what each claims of itself, on a grid of 32 by 32 elements.
+
+use std::f64::consts::TAU;
+
+use super::{
+    control::Control,
+    iterate::State,
+    newton::{Newton, Turn},
+    preconditioner::{Preconditioner, Projection},
+    segment::{Part, Segment},
+    working_set::WorkingSet,
+};
+use crate::{
+    DiscreteProblem, Load,
+    solver::tests::{RIGID, SIZE, paraboloid, pillars, problem},
+};
+
+const ELEMENTS: usize = SIZE * SIZE;
+
+fn plate() -> DiscreteProblem {
+    problem([1000.0, 0.01], |x, y| pillars(x, y, 0.002), RIGID)
+}
+
+fn start(problem: &mut DiscreteProblem, load: Load) -> (State, WorkingSet) {
+    let control = Control::new(load, problem.element_area());
+    let state = State::start(problem, control, &[0.0; ELEMENTS]);
+    let set = WorkingSet::of(&state);
+    (state, set)
+}
+
+#[test]
+fn newtons_method_alone_solves_a_plate_on_pillars() {
+    // products as measured, with a tenth to spare
+    for (load, most) in [(Load::Force(1e-2), 63), (Load::Penetration(0.02), 18)] {
+        let mut problem = plate();
+        let (mut state, mut set) = start(&mut problem, load);
+        let mut preconditioner = Preconditioner::new(&problem);
+        let mut newton = Newton::new(ELEMENTS);
+        newton.restart(0);
+        let mut exchanges = 0;
+        while state.residual().0 > 1e-9 || !state.residual().1 {
+            let turn = newton.step(&mut problem, &mut preconditioner, &mut state, &mut set);
+            assert_ne!(turn, Turn::Failed);
+            exchanges += usize::from(turn == Turn::Exchanged);
+            assert!(state.applications() <= most, "{exchanges} exchanges");
+        }
+    }
+}
+
+/// A set of a hundred elements in islands.
+fn islands(problem: &mut DiscreteProblem) -> (State, WorkingSet) {
+    let control = Control::new(Load::Penetration(0.0), problem.element_area());
+    let in_set = |e: usize| {
+        let (i, j) = (e / SIZE, e % SIZE);
+        (9..23).contains(&i) && (9..23).contains(&j) && (i / 5 + j / 7) % 2 == 0
+    };
+    let pressure: Vec<f64> = (0..ELEMENTS)
+        .map(|e| f64::from(u8::from(in_set(e))) * (1.0 + (e as f64).sin() / 2.0))
+        .collect();
+    let state = State::start(problem, control, &pressure);
+    let mut set = WorkingSet::of(&state);
+    set.keep_pressing(&state);
+    assert_eq!(set.len(), pressure.iter().filter(|p| **p > 0.0).count());
+    (state, set)
+}
+
+/// How far `M⁻¹_I (K + η)_I p` is from `p`, relative to the largest pressure.
+fn distance_from_inverse(problem: &mut DiscreteProblem, times: usize) -> f64 {
+    let (state, set) = islands(problem);
+    let mut preconditioner = Preconditioner::new(problem);
+    assert!(preconditioner.turn_to_factor(problem, times));
+    let mut z = vec![0.0; ELEMENTS];
+    preconditioner.direction_into(&state, &set, Projection::Orthogonal, &mut z);
+    problem.deform_into(&state.pressure, &mut z);
+    preconditioner.apply(&set, &mut z);
+    let errors = z.iter().zip(&state.pressure).map(|(z, p)| (z - p).abs());
+    errors.fold(0.0, f64::max)
+}
+
+#[test]
+fn the_sparse_factor_tends_to_the_inverse_with_its_neighbours() {
+    let errors = [1, 2, 5]
+        .map(|times| distance_from_inverse(&mut problem([10.0, 0.05], paraboloid, RIGID), times));
+    assert!(
+        errors.is_sorted_by(|fewer, more| more < fewer),
+        "{errors:?}"
+    );
+}
+
+#[test]
+fn springs_of_many_kinds_keep_the_sparse_factor_near_the_inverse() {
+    let springs = |x: f64, y: f64| 0.01 * (2.0 + (9.0 * x).sin() + (7.0 * y).cos());
+    let error = distance_from_inverse(&mut problem([10.0, 0.05], paraboloid, springs), 5);
+    // compliances are kept to three percent of the element's own
+    assert!(error < 0.1, "{error}");
+}
+
+#[test]
+fn on_all_elements_the_filter_divides_a_wave_by_its_symbol() {
+    let compliance = 0.02;
+    let problem = problem([0.5, 0.1], paraboloid, |_, _| compliance);
+    let symbol = problem.elasticity().unwrap().symbol(SIZE);
+    let control = Control::new(Load::Penetration(1.0), problem.element_area());
+    let mut problem = problem;
+    let state = State::start(&mut problem, control, &[1.0; ELEMENTS]);
+    let set = WorkingSet::of(&state);
+    assert_eq!(set.len(), ELEMENTS);
+    let mut preconditioner = Preconditioner::new(&problem);
+    let mut z = vec![0.0; ELEMENTS];
+    preconditioner.direction_into(&state, &set, Projection::Orthogonal, &mut z);
+    for [a, b] in [[0, 1], [3, 0], [2, 5], [16, 16], [7, 16]] {
+        let wave = |e: usize| {
+            let phase = a * (e / SIZE) + b * (e % SIZE);
+            (TAU * phase as f64 / SIZE as f64).cos()
+        };
+        let mut field: Vec<f64> = (0..ELEMENTS).map(wave).collect();
+        preconditioner.apply(&set, &mut field);
+        let wanted = 1.0 / (symbol.value([a, b]) + compliance);
+        for (e, found) in field.iter().enumerate() {
+            // single precision, and single sums of 1024 elements
+            assert!(
+                (found - wanted * wave(e)).abs() < 1e-5 * wanted,
+                "{a} {b} {e}"
+            );
+        }
+    }
+}
+
+#[test]
+fn the_energy_along_a_step_is_the_parabola_of_its_slope_and_curvature() {
+    for load in [Load::Force(1e-2), Load::Penetration(0.02)] {
+        let mut problem = plate();
+        let (mut state, _) = start(&mut problem, load);
+        let direction: Vec<f64> = (0..ELEMENTS).map(|e| (e as f64).sin()).collect();
+        let mut segment = Segment::new(ELEMENTS);
+        segment.clip(&state, 1.0, &direction);
+        let (before, slope) = (state.energy(), segment.slope(&state));
+        // A ceiling that nothing reaches: the step is taken whole.
+        assert_eq!(
+            segment.take(&mut problem, &mut state, f64::INFINITY),
+            Part::Whole
+        );
+        let wanted = before + slope + segment.curvature() / 2.0;
+        assert!((state.energy() / wanted - 1.0).abs() < 1e-10);
+        // v is the deformation of the pressure itself.
+        let kept = state.v.clone();
+        state.refresh(&mut problem);
+        let largest = kept.iter().copied().fold(0.0, f64::max);
+        let errors = kept.iter().zip(&state.v).map(|(a, b)| (a - b).abs());
+        assert!(errors.fold(0.0, f64::max) < 1e-12 * largest);
+    }
+}
+
+#[test]
+fn a_step_that_would_climb_is_cut_at_the_lowest_point_on_the_way() {
+    let mut problem = plate();
+    let (mut state, _) = start(&mut problem, Load::Penetration(0.02));
+    let downhill: Vec<f64> = state
+        .v
+        .iter()
+        .map(|v| 1e3 * (state.penetration - v))
+        .collect();
+    let mut segment = Segment::new(ELEMENTS);
+    segment.clip(&state, 1.0, &downhill);
+    let (before, slope) = (state.energy(), segment.slope(&state));
+    assert!(slope < 0.0);
+    assert_eq!(segment.take(&mut problem, &mut state, before), Part::Cut);
+    // E − s·∂E²/(2 s·y)
+    let wanted = before - slope * slope / (2.0 * segment.curvature());
+    assert!((state.energy() - wanted).abs() < 1e-10 * wanted.abs());
+}
+
+#[test]
+fn a_set_touches_the_border_with_any_element_of_it() {
+    let mut problem = problem([1.0, 0.1], paraboloid, RIGID);
+    let control = Control::new(Load::Penetration(-1.0), problem.element_area());
+    let last = SIZE - 1;
+    for (i, j, touches) in [
+        (0, 9, true),
+        (9, 0, true),
+        (last, 9, true),
+        (9, last, true),
+        (0, 0, true),
+        (last, last, true),
+        (1, 1, false),
+        (last - 1, last - 1, false),
+        (9, 1, false),
+    ] {
+        let mut pressure = [0.0; ELEMENTS];
+        pressure[i * SIZE + j] = 1.0;
+        let state = State::start(&mut problem, control, &pressure);
+        let set = WorkingSet::of(&state);
+        assert_eq!(set.len(), 1);
+        assert_eq!(set.touches_border(SIZE), touches, "{i} {j}");
+    }
+}

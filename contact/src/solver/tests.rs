@@ -1,0 +1,314 @@
+//! Small problems of every kind: the work in products with `K`, where a step that no longer helps shows first; and the agreement of
+//! both solvers.
+
+use std::sync::{
+    Arc,
+    atomic::{AtomicUsize, Ordering},
+};
+
+use pellicle_influence::{CoefficientTable, ElasticOperator, RadialTables, SurfaceElasticity};
+use pellicle_kernel::{Foundation, Material};
+
+use crate::{
+    ActiveSetSolver, DiscreteProblem, GradientSolver, Iterate, Load, Solution, Solver,
+    SolverOptions, Watch,
+};
+
+pub(in crate::solver) const SIZE: usize = 32;
+
+/// `SIZE`² elements of a square of side 1, on a coat of relative stiffness `stiffness` and `thickness` on a body.
+pub(in crate::solver) fn problem(
+    [stiffness, thickness]: [f64; 2],
+    gap: impl Fn(f64, f64) -> f64,
+    eta: impl Fn(f64, f64) -> f64,
+) -> DiscreteProblem {
+    let coat = Material::new(stiffness, 0.3).unwrap();
+    let foundation = Foundation::coated(thickness, coat, Material::new(1.0, 0.3).unwrap()).unwrap();
+    let tables = RadialTables::build(&foundation).unwrap();
+    let side = 1.0 / SIZE as f64;
+    let table = CoefficientTable::assemble(&tables, side, SIZE).unwrap();
+    let elasticity = Arc::new(SurfaceElasticity::new(Arc::new(table), foundation));
+    let centre = |i: usize| (i as f64 + 0.5) * side - 0.5;
+    let sample = |f: &dyn Fn(f64, f64) -> f64| {
+        let elements = 0..SIZE * SIZE;
+        elements
+            .map(|e| f(centre(e / SIZE), centre(e % SIZE)))
+            .collect()
+    };
+    DiscreteProblem::elastic(elasticity, SIZE, sample(&eta), sample(&gap), side * side).unwrap()
+}
+
+pub(in crate::solver) fn paraboloid(x: f64, y: f64) -> f64 {
+    f64::midpoint(x * x, y * y)
+}
+
+/// Cylinders of radius 0.05 in a period of 1/8, as high as `depth` over the ground between.
+pub(in crate::solver) fn pillars(x: f64, y: f64, depth: f64) -> f64 {
+    let off = |c: f64| c - (8.0 * c).round() / 8.0;
+    paraboloid(x, y)
+        + if off(x).hypot(off(y)) < 0.05 {
+            0.0
+        } else {
+            depth
+        }
+}
+
+fn solve(problem: &mut DiscreteProblem, load: Load, start: &[f64]) -> Iterate {
+    let solver = GradientSolver {
+        options: SolverOptions::default(),
+    };
+    let mut watch = Watch {
+        observer: &mut (),
+        step: 0,
+        steps: 1,
+    };
+    let iterate = solver.solve(problem, load, start, &mut watch).unwrap();
+    let judged = Solution::judge(problem, load, iterate.pressure.clone(), 1e-8);
+    assert!(
+        judged.certificate.is_satisfied(),
+        "{:?}",
+        judged.certificate
+    );
+    iterate
+}
+
+/// Solves from cold and asserts the products of the solution and of its stiffness; they are as measured, with a tenth to spare.
+#[track_caller]
+fn assert_work(mut problem: DiscreteProblem, load: Load, most: [usize; 2]) {
+    let found = solve(&mut problem, load, &[0.0; SIZE * SIZE]);
+    assert!(found.contact_stiffness.is_some());
+    let found = [found.operator_applications, found.stiffness_applications];
+    assert!(found[0] <= most[0] && found[1] <= most[1], "{found:?}");
+}
+
+pub(in crate::solver) const RIGID: fn(f64, f64) -> f64 = |_, _| 0.0;
+
+#[test]
+fn a_homogeneous_body_takes_few_products() {
+    let body = || problem([1.0, 0.1], paraboloid, RIGID);
+    assert_work(body(), Load::Force(2e-3), [21, 7]);
+    assert_work(body(), Load::Penetration(0.01), [10, 7]);
+}
+
+#[test]
+fn pillars_on_a_soft_coat_take_few_products() {
+    let springs = |x: f64, y: f64| {
+        if pillars(x, y, 1.0) < 0.6 { 0.02 } else { 0.0 }
+    };
+    let soft = problem([0.1, 0.02], |x, y| pillars(x, y, 0.004), springs);
+    assert_work(soft, Load::Force(2e-3), [17, 8]);
+}
+
+#[test]
+fn a_film_makes_a_stiff_coat_easy() {
+    let film = problem([10.0, 0.02], paraboloid, |_, _| 0.3);
+    assert_work(film, Load::Force(2e-3), [12, 5]);
+}
+
+#[test]
+fn a_stiff_coat_takes_few_products_bare_and_with_pillars() {
+    let bare = problem([10.0, 0.05], paraboloid, RIGID);
+    assert_work(bare, Load::Force(2e-3), [25, 3]);
+    let islands = problem([10.0, 0.05], |x, y| pillars(x, y, 0.002), RIGID);
+    assert_work(islands, Load::Force(2e-3), [19, 3]);
+}
+
+#[test]
+fn a_thin_coat_a_thousand_times_as_stiff_takes_few_products() {
+    let bare = problem([1000.0, 0.01], paraboloid, RIGID);
+    assert_work(bare, Load::Force(1e-2), [34, 6]);
+    let islands = || problem([1000.0, 0.01], |x, y| pillars(x, y, 0.002), RIGID);
+    assert_work(islands(), Load::Force(1e-2), [36, 5]);
+    assert_work(islands(), Load::Penetration(0.02), [19, 3]);
+}
+
+#[test]
+fn a_punch_has_its_set_from_the_start() {
+    let flat = |x: f64, y: f64| if x.hypot(y) < 0.3 { 0.0 } else { f64::INFINITY };
+    assert_work(
+        problem([10.0, 0.05], flat, RIGID),
+        Load::Force(1e-2),
+        [12, 6],
+    );
+}
+
+#[test]
+fn a_solution_is_its_own_start() {
+    for stiffness in [1.0, 1000.0] {
+        let mut problem = problem([stiffness, 0.02], paraboloid, RIGID);
+        let first = solve(&mut problem, Load::Force(2e-3), &[0.0; SIZE * SIZE]);
+        let again = solve(&mut problem, Load::Force(2e-3), &first.pressure);
+        assert_eq!(again.operator_applications, 1, "{again:?}");
+        assert_eq!(again.iterations, 0);
+    }
+}
+
+#[test]
+fn a_load_costs_the_same_after_another_as_alone() {
+    for stiffness in [1.0, 1000.0] {
+        let fresh = || problem([stiffness, 0.02], paraboloid, RIGID);
+        let cold = [0.0; SIZE * SIZE];
+        let alone = solve(&mut fresh(), Load::Force(2e-3), &cold);
+        let mut used = fresh();
+        solve(&mut used, Load::Penetration(0.03), &cold);
+        let after = solve(&mut used, Load::Force(2e-3), &cold);
+        // What is kept from load to load is storage and rows of the preconditioner, which may serve better than new ones.
+        assert!(
+            after.operator_applications <= alone.operator_applications + 1,
+            "{} {}",
+            after.operator_applications,
+            alone.operator_applications
+        );
+    }
+}
+
+#[test]
+fn the_residuals_end_below_the_tolerance_and_one_is_told_before_every_step() {
+    let mut problem = problem([10.0, 0.05], paraboloid, RIGID);
+    let found = solve(&mut problem, Load::Force(2e-3), &[0.0; SIZE * SIZE]);
+    let (last, before) = found.residuals.split_last().unwrap();
+    assert_eq!(found.iterations, before.len());
+    assert!(*last <= 1e-8 && before.iter().all(|residual| *residual > 1e-9));
+}
+
+/// Counts the products.
+struct Counting {
+    springs: f64,
+    products: Arc<AtomicUsize>,
+}
+
+impl ElasticOperator for Counting {
+    fn size(&self) -> usize {
+        SIZE
+    }
+
+    /// Springs under a smoothing: every element sinks by a part of its neighbours' pressures too.
+    fn apply_into(&mut self, pressure: &[f64], displacement: &mut [f64]) {
+        self.products.fetch_add(1, Ordering::Relaxed);
+        for (e, u) in displacement.iter_mut().enumerate() {
+            let (i, j) = (e / SIZE, e % SIZE);
+            let at = |i: usize, j: usize| pressure[i.min(SIZE - 1) * SIZE + j.min(SIZE - 1)];
+            let around = [
+                at(i + 1, j),
+                at(i.saturating_sub(1), j),
+                at(i, j + 1),
+                at(i, j.saturating_sub(1)),
+            ];
+            *u = self.springs * (at(i, j) + around.iter().sum::<f64>() / 5.0);
+        }
+    }
+}
+
+#[test]
+fn every_product_is_counted() {
+    for load in [Load::Force(2e-3), Load::Penetration(0.01)] {
+        let products = Arc::new(AtomicUsize::new(0));
+        let operator = Counting {
+            springs: 1.0,
+            products: Arc::clone(&products),
+        };
+        let centre = |i: usize| (i as f64 + 0.5) / SIZE as f64 - 0.5;
+        let gap = (0..SIZE * SIZE).map(|e| paraboloid(centre(e / SIZE), centre(e % SIZE)));
+        let mut problem = DiscreteProblem::new(
+            Box::new(operator),
+            vec![0.0; SIZE * SIZE],
+            gap.collect(),
+            1.0 / (SIZE * SIZE) as f64,
+        )
+        .unwrap();
+        let found = solve(&mut problem, load, &[0.0; SIZE * SIZE]);
+        // one more for the certificate
+        let counted = found.operator_applications + found.stiffness_applications + 1;
+        assert_eq!(products.load(Ordering::Relaxed), counted);
+        // Of an operator of which nothing is known there is no preconditioner.
+        assert!(counted < 60, "{counted}");
+    }
+}
+
+#[test]
+fn both_solvers_agree_on_every_kind_of_problem() {
+    let springs = |x: f64, y: f64| {
+        if pillars(x, y, 1.0) < 0.6 { 0.02 } else { 0.0 }
+    };
+    for load in [Load::Force(1e-3), Load::Penetration(0.006)] {
+        let problems = [
+            problem([1.0, 0.1], paraboloid, RIGID),
+            problem([0.1, 0.02], |x, y| pillars(x, y, 0.004), springs),
+            problem([1000.0, 0.01], |x, y| pillars(x, y, 0.002), RIGID),
+        ];
+        for mut problem in problems {
+            let by_gradient = solve(&mut problem, load, &[0.0; SIZE * SIZE]).pressure;
+            let mut watch = Watch {
+                observer: &mut (),
+                step: 0,
+                steps: 1,
+            };
+            // from a start that lacks most of the contact and holds some that is none
+            let mut start = vec![0.0; SIZE * SIZE];
+            start[SIZE * SIZE / 2 + 3..][..20].fill(1.0);
+            let found = ActiveSetSolver::default().solve(&mut problem, load, &start, &mut watch);
+            let by_active_set = found.unwrap().pressure;
+            let judged = Solution::judge(&mut problem, load, by_active_set.clone(), 1e-12);
+            assert!(
+                judged.certificate.is_satisfied(),
+                "{:?}",
+                judged.certificate
+            );
+            let peak = by_active_set.iter().copied().fold(0.0, f64::max);
+            let pairs = by_gradient.iter().zip(&by_active_set);
+            let difference = pairs.map(|(p, q)| (p - q).abs()).fold(0.0, f64::max);
+            // The tolerance of 1e-8 times the condition of the systems, some 1e3 under the stiff coat.
+            assert!(difference < 1e-5 * peak, "{:e}", difference / peak);
+        }
+    }
+}
+
+#[test]
+fn a_punch_has_the_stiffness_of_its_force_over_its_penetration() {
+    let flat = |x: f64, y: f64| if x.hypot(y) < 0.3 { 0.0 } else { f64::INFINITY };
+    for stiffness in [0.1, 30.0] {
+        // Springs keep the whole face in contact.
+        let mut problem = problem([stiffness, 0.05], flat, |_, _| 0.5);
+        let load = Load::Penetration(0.01);
+        let found = solve(&mut problem, load, &[0.0; SIZE * SIZE]);
+        let force = found.pressure.iter().sum::<f64>() * problem.element_area();
+        let wanted = force / 0.01;
+        // The last step's part of the sum is 1e-9, the solution's tolerance 1e-8.
+        assert!((found.contact_stiffness.unwrap() / wanted - 1.0).abs() < 1e-7);
+    }
+}
+
+#[test]
+fn a_solver_that_gives_up_returns_the_best_pressure_met() {
+    let mut problem = problem([1000.0, 0.01], |x, y| pillars(x, y, 0.002), RIGID);
+    let mut worst_before = f64::INFINITY;
+    for max_applications in [3, 9, 15] {
+        let options = SolverOptions {
+            max_applications,
+            ..SolverOptions::default()
+        };
+        let mut watch = Watch {
+            observer: &mut (),
+            step: 0,
+            steps: 1,
+        };
+        let load = Load::Force(1e-2);
+        let start = [0.0; SIZE * SIZE];
+        let found = GradientSolver { options }.solve(&mut problem, load, &start, &mut watch);
+        let found = found.unwrap();
+        // a step takes one product, or two
+        assert!(found.operator_applications <= max_applications + 1);
+        assert!(found.contact_stiffness.is_none());
+        let judged = Solution::judge(&mut problem, load, found.pressure, 1e-8);
+        let worst = judged.certificate.worst();
+        let least = found
+            .residuals
+            .iter()
+            .copied()
+            .fold(f64::INFINITY, f64::min);
+        // Kept is the best by a factor of two at least.
+        assert!(worst <= 2.001 * least, "{worst:e} {least:e}");
+        assert!(worst <= 2.001 * worst_before && !judged.certificate.is_satisfied());
+        worst_before = worst;
+    }
+}

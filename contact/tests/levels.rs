@@ -1,0 +1,160 @@
+//! From grid to grid and from load to load: how far each grid is solved, and what its start saves.
+
+#![expect(
+    clippy::unwrap_used,
+    reason = "a scene that cannot be built fails its test"
+)]
+
+use std::sync::Arc;
+
+use pellicle_contact::{
+    Domain, Indenter, Load, LoadingPath, Model, Observer, Paraboloid, Progress, Signal,
+    SolverOptions, solve_path,
+};
+use pellicle_influence::{Cache, RadialTables};
+use pellicle_kernel::{Foundation, Material};
+use pellicle_texture::{CylinderSpec, Cylinders, Lattice, Relief};
+
+/// A paraboloid of radius 1 on cylinders of radius 0.02 that stand in a period of 0.05 on a coat of relative stiffness `stiffness`.
+fn model(stiffness: f64) -> Model {
+    let coat = Material::new(stiffness, 0.3).unwrap();
+    let foundation = Foundation::coated(0.01, coat, Material::new(1.0, 0.3).unwrap()).unwrap();
+    let spec = CylinderSpec {
+        lattice: Lattice::Square,
+        radius: 0.02,
+        height: 1e-3,
+        period: 0.05,
+        offset: [0.0, 0.0],
+        young_modulus: 10.0,
+    };
+    Model {
+        tables: Arc::new(RadialTables::build(&foundation).unwrap()),
+        relief: Relief::Cylinders(Cylinders::new(spec).unwrap()),
+        indenter: Indenter::Paraboloid(Paraboloid::new(1.0).unwrap()),
+        cache: Cache::in_memory(),
+    }
+}
+
+/// Every residual told, with the grid's elements per side.
+#[derive(Default)]
+struct Log(Vec<(usize, f64)>);
+
+impl Observer for Log {
+    fn progress(&mut self, progress: &Progress) -> Signal {
+        self.0.push((progress.elements, progress.residual));
+        Signal::Continue
+    }
+}
+
+fn solve(model: &Model, side: f64, elements: usize, loads: &[Load]) -> (LoadingPath, Log) {
+    let (options, mut log) = (SolverOptions::default(), Log::default());
+    let domain = Domain::Side(side);
+    let path = solve_path(model, domain, elements, loads, &options, &mut log).unwrap();
+    for step in &path.steps {
+        let certificate = step.solution.certificate;
+        assert!(certificate.is_satisfied(), "{certificate:?}");
+    }
+    (path, log)
+}
+
+#[test]
+fn coarse_grids_are_solved_to_a_millionth_and_the_finest_to_the_tolerance() {
+    let (path, log) = solve(&model(1.0), 0.4, 128, &[Load::Force(2e-3)]);
+    for (elements, tolerance) in [(32, 1e-6), (64, 1e-6), (128, 1e-8)] {
+        let told = log.0.iter().filter(|(on, _)| *on == elements);
+        let residuals: Vec<f64> = told.map(|(_, residual)| *residual).collect();
+        let (last, before) = residuals.split_last().unwrap();
+        // Steps end at 0.8 of the tolerance; none is begun below it.
+        assert!(*last <= tolerance, "{elements}: {last:e}");
+        let least = before.iter().copied().fold(f64::INFINITY, f64::min);
+        assert!(least > 0.8 * tolerance, "{elements}: {least:e}");
+        if elements == 128 {
+            assert_eq!(path.steps[0].residuals, residuals);
+        }
+    }
+}
+
+#[test]
+fn the_work_of_a_step_is_that_of_its_grids() {
+    let loads = [Load::Force(2e-3), Load::Force(2.2e-3)];
+    let (path, _) = solve(&model(10.0), 0.4, 128, &loads);
+    for step in &path.steps {
+        let sizes: Vec<usize> = step
+            .work
+            .levels
+            .iter()
+            .map(|level| level.elements)
+            .collect();
+        assert_eq!(sizes, [32, 64, 128]);
+        let finest = step.work.levels[2];
+        assert_eq!(step.work.iterations, finest.iterations);
+        assert_eq!(
+            step.work.operator_applications,
+            finest.operator_applications
+        );
+        assert_eq!(
+            step.work.stiffness_applications,
+            finest.stiffness_applications
+        );
+        // Nobody asks for the stiffness of a coarse grid.
+        assert!(finest.stiffness_applications > 0);
+        assert_eq!(step.work.levels[0].stiffness_applications, 0);
+        let values: Vec<usize> = step.grid_error.levels.iter().map(|l| l.elements).collect();
+        assert_eq!(values, sizes);
+        let last = step.grid_error.levels[2];
+        assert_eq!(
+            last.penetration.to_bits(),
+            step.solution.penetration.to_bits()
+        );
+        assert_eq!(
+            last.contact_area.to_bits(),
+            step.summary.contact_area.to_bits()
+        );
+        assert_eq!(
+            last.max_pressure.to_bits(),
+            step.summary.max_pressure.to_bits()
+        );
+    }
+    let seconds: f64 = path.steps.iter().map(|step| step.work.seconds).sum();
+    assert_eq!(path.solve_seconds.to_bits(), seconds.to_bits());
+}
+
+#[test]
+fn a_coarser_grid_and_the_load_before_save_products() {
+    // as measured, and two to spare
+    for (stiffness, most) in [(0.1, [16, 15, 15]), (10.0, [14, 13, 13])] {
+        let loads = [2e-3, 2.1e-3, 2.2e-3].map(Load::Force);
+        let (path, _) = solve(&model(stiffness), 0.4, 128, &loads);
+        for (step, most) in path.steps.iter().zip(most) {
+            let taken = step.work.operator_applications;
+            assert!(taken <= most, "{stiffness}: {taken}, at most {most}");
+        }
+    }
+}
+
+#[test]
+fn a_small_contact_on_a_large_domain_is_that_on_a_small_one() {
+    let model = model(1.0);
+    let loads = [Load::Force(2e-4), Load::Force(1e-3)];
+    let (small, _) = solve(&model, 0.3, 48, &loads);
+    // The same elements, on a square four times as wide: the centre is cut out of 192 elements at 72.
+    let (large, _) = solve(&model, 1.2, 192, &loads);
+    for (small, large) in small.steps.iter().zip(&large.steps) {
+        let (p, q) = (&small.solution.pressure, &large.solution.pressure);
+        let peak = small.summary.max_pressure;
+        for e in 0..192 * 192 {
+            let (i, j) = (e / 192, e % 192);
+            let inside = (72..120).contains(&i) && (72..120).contains(&j);
+            let wanted = if inside {
+                p[(i - 72) * 48 + j - 72]
+            } else {
+                0.0
+            };
+            // two solutions to 1e-8, times a condition of 1e2
+            assert!((q[e] - wanted).abs() < 1e-5 * peak, "{i} {j}");
+        }
+        // as measured, and two to spare
+        assert!(small.work.operator_applications <= 21);
+        assert!(large.work.operator_applications <= 19);
+    }
+}

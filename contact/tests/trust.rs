@@ -1,0 +1,237 @@
+//! What is said about a solution: its summary counted again from the pressure, and warnings with their numbers.
+
+#![expect(
+    clippy::unwrap_used,
+    reason = "a scene that cannot be built fails its test"
+)]
+
+use std::sync::Arc;
+
+use pellicle_contact::{
+    Domain, Indenter, Load, LoadingPath, Model, Paraboloid, SolverOptions, Step, Warning,
+    model_warnings, solve_path,
+};
+use pellicle_influence::{Cache, RadialTables};
+use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
+use pellicle_texture::{CylinderSpec, Cylinders, Film, Grid, Lattice, Relief};
+
+/// A paraboloid of radius 1 on layers of the given thicknesses over a body of plane-strain modulus 1.
+fn model(thicknesses: &[f64], relief: Relief) -> Model {
+    let body = Material::new(1.0, 0.0).unwrap();
+    let layers = thicknesses
+        .iter()
+        .map(|thickness| Layer::new(*thickness, body, Interface::Bonded).unwrap());
+    let foundation = Foundation::new(layers.collect(), Base::HalfSpace(body)).unwrap();
+    Model {
+        tables: Arc::new(RadialTables::build(&foundation).unwrap()),
+        relief,
+        indenter: Indenter::Paraboloid(Paraboloid::new(1.0).unwrap()),
+        cache: Cache::none(),
+    }
+}
+
+/// Cylinders that stand on no axis of the grid, of the given radius in a period of 0.05.
+fn cylinders(radius: f64) -> Relief {
+    let spec = CylinderSpec {
+        lattice: Lattice::Square,
+        radius,
+        height: 2e-4,
+        period: 0.05,
+        offset: [0.013, 0.004],
+        young_modulus: 1.0,
+    };
+    Relief::Cylinders(Cylinders::new(spec).unwrap())
+}
+
+fn solve(model: &Model, side: f64, elements: usize, load: Load) -> LoadingPath {
+    let options = SolverOptions::default();
+    let loads = [Load::Penetration(-1.0), load];
+    solve_path(
+        model,
+        Domain::Side(side),
+        elements,
+        &loads,
+        &options,
+        &mut (),
+    )
+    .unwrap()
+}
+
+fn last(path: &LoadingPath) -> &Step {
+    path.steps.last().unwrap()
+}
+
+fn assert_close(found: f64, wanted: f64) {
+    // the same few operations, sums in another order
+    approx::assert_relative_eq!(found, wanted, max_relative = 1e-12);
+}
+
+#[test]
+fn the_summary_is_what_the_pressure_says() {
+    // two parts of a field that is summed in parts
+    let path = solve(&model(&[], cylinders(0.02)), 0.4, 128, Load::Force(4e-4));
+    let (grid, pressure) = (path.grid, &last(&path).solution.pressure);
+    let found = last(&path).summary;
+    let pressed: Vec<usize> = (0..grid.len()).filter(|e| pressure[*e] > 0.0).collect();
+    let place = |e: usize| [grid.centre(e / 128), grid.centre(e % 128)];
+    let on_relief = pressed.iter().filter(|e| path.relief.mask()[**e]).count();
+    let radii = pressed.iter().map(|e| place(*e)[0].hypot(place(*e)[1]));
+    let peak = pressure.iter().copied().fold(0.0, f64::max);
+    let peak_at = pressure.iter().position(|p| *p == peak).unwrap();
+    assert_eq!(found.contact_elements, pressed.len());
+    assert!(0 < on_relief && on_relief < pressed.len(), "{found:?}");
+    let area = grid.element_area();
+    assert_close(found.contact_area, area * pressed.len() as f64);
+    assert_close(found.contact_area_on_relief, area * on_relief as f64);
+    assert_close(
+        found.contact_area_between,
+        area * (pressed.len() - on_relief) as f64,
+    );
+    assert_close(found.mean_pressure, 4e-4 / found.contact_area);
+    assert_close(found.contact_radius, radii.fold(0.0, f64::max));
+    assert_eq!(found.max_pressure.to_bits(), peak.to_bits());
+    assert_eq!(found.max_pressure_at, place(peak_at));
+}
+
+#[test]
+fn without_contact_the_summary_is_empty() {
+    let path = solve(&model(&[], Relief::Bare), 0.4, 32, Load::Force(1e-4));
+    let found = path.steps[0].summary;
+    assert_eq!(found.contact_elements, 0);
+    let numbers = [
+        found.max_pressure,
+        found.mean_pressure,
+        found.contact_area,
+        found.contact_area_on_relief,
+        found.contact_area_between,
+        found.contact_radius,
+    ];
+    assert_eq!(numbers, [0.0; 6]);
+    // and there is nothing to doubt
+    assert!(
+        path.warnings
+            .iter()
+            .all(|warning| warning.code() != "domain-edge")
+    );
+}
+
+#[test]
+fn a_grid_is_doubted_by_elements_per_radius_and_per_thickness() {
+    let grid = Grid::new(1.0, 100).unwrap();
+    for (radius, doubted) in [(0.0395, true), (0.0405, false)] {
+        let spec = CylinderSpec {
+            lattice: Lattice::Square,
+            radius,
+            height: 1e-3,
+            period: 0.1,
+            offset: [0.0, 0.0],
+            young_modulus: 1.0,
+        };
+        let relief = Relief::Cylinders(Cylinders::new(spec).unwrap());
+        let warnings = model_warnings(&model(&[], relief), &grid);
+        assert_eq!(warnings.len(), usize::from(doubted), "{warnings:?}");
+        if let [
+            Warning::TextureUnderResolved {
+                elements_per_radius,
+            },
+        ] = warnings[..]
+        {
+            assert_close(elements_per_radius, 3.95);
+        }
+    }
+    let warnings = model_warnings(&model(&[0.01, 1.9e-4, 2.1e-4], Relief::Bare), &grid);
+    let [
+        Warning::LayerUnderResolved {
+            layer: 1,
+            elements_per_thickness,
+        },
+    ] = warnings[..]
+    else {
+        panic!("{warnings:?}");
+    };
+    assert_close(elements_per_thickness, 0.019);
+}
+
+/// The numbers of the warnings of one kind, with their steps.
+fn numbers(path: &LoadingPath, code: &str) -> Vec<(usize, f64)> {
+    let of_kind = path.warnings.iter().filter(|w| w.code() == code);
+    of_kind
+        .map(|warning| match *warning {
+            Warning::DomainEdge { step, elements } => (step, elements as f64),
+            Warning::FilmShortening { step, times } => (step, times),
+            Warning::PeakNotResolved { step, change } => (step, change),
+            Warning::SteepIndenter { step, slope } => (step, slope),
+            Warning::NotConverged { step, worst, .. } => (step, worst),
+            Warning::TextureUnderResolved { .. } | Warning::LayerUnderResolved { .. } => {
+                unreachable!("of no step")
+            }
+        })
+        .collect()
+}
+
+fn assert_said_of_the_last_step(path: &LoadingPath, code: &str, wanted: f64) {
+    let found = numbers(path, code);
+    assert!(found.len() == 1 && found[0].0 == 1, "{:?}", path.warnings);
+    assert_close(found[0].1, wanted);
+}
+
+#[test]
+fn a_film_is_doubted_when_it_shortens_by_more_than_itself() {
+    for (force, doubted) in [(2e-4, false), (2e-3, true)] {
+        let film = Relief::Film(Film::new(2e-3, 0.05).unwrap());
+        let path = solve(&model(&[], film), 0.5, 48, Load::Force(force));
+        let shortening = &last(&path).solution.shortening;
+        let times = shortening.iter().copied().fold(0.0, f64::max) / 2e-3;
+        assert_eq!(times > 1.0, doubted, "{times}");
+        if doubted {
+            assert_said_of_the_last_step(&path, "film-shortening", times);
+        } else {
+            assert!(numbers(&path, "film-shortening").is_empty());
+        }
+    }
+}
+
+#[test]
+fn an_indenter_is_doubted_where_its_slope_at_the_contacts_edge_is_not_small() {
+    for (radius, doubted) in [(0.27_f64, false), (0.35, true)] {
+        let force = Load::Force(4.0 / 3.0 * radius.powi(3));
+        let path = solve(&model(&[], Relief::Bare), 1.0, 48, force);
+        // A paraboloid of radius 1 has the slope ρ; the central difference loses 1e-13.
+        let slope = last(&path).summary.contact_radius;
+        assert_eq!(slope > 0.3, doubted, "{slope}");
+        if doubted {
+            assert_said_of_the_last_step(&path, "steep-indenter", slope);
+        } else {
+            assert!(numbers(&path, "steep-indenter").is_empty());
+        }
+    }
+}
+
+#[test]
+fn a_peak_that_changes_with_the_grid_is_doubted_by_how_much() {
+    let path = solve(&model(&[], cylinders(0.02)), 0.4, 128, Load::Force(4e-4));
+    let step = last(&path);
+    let estimate = step.grid_error.max_pressure.unwrap();
+    assert!(!estimate.resolved, "{estimate:?}");
+    let change = estimate.estimate / step.summary.max_pressure;
+    assert_said_of_the_last_step(&path, "peak-not-resolved", change);
+}
+
+#[test]
+fn a_contact_near_the_edge_is_doubted_by_the_elements_between() {
+    for radius in [0.1_f64, 0.16, 0.19, 0.25] {
+        let force = Load::Force(4.0 / 3.0 * radius.powi(3));
+        let path = solve(&model(&[], Relief::Bare), 0.4, 40, force);
+        let pressure = &last(&path).solution.pressure;
+        let pressed = (0..40 * 40).filter(|e| pressure[*e] > 0.0);
+        let nearest = pressed
+            .flat_map(|e| [e / 40, e % 40, 39 - e / 40, 39 - e % 40])
+            .min();
+        let nearest = nearest.unwrap();
+        if nearest < 3 {
+            assert_said_of_the_last_step(&path, "domain-edge", nearest as f64);
+        } else {
+            assert!(numbers(&path, "domain-edge").is_empty());
+        }
+    }
+}
