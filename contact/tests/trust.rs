@@ -1,6 +1,10 @@
 //! What is said about a solution: its summary counted again from the pressure, and warnings with their numbers.
 
 #![expect(
+    clippy::float_cmp,
+    reason = "what is copied from a field keeps its bits"
+)]
+#![expect(
     clippy::unwrap_used,
     reason = "a scene that cannot be built fails its test"
 )]
