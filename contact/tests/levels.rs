@@ -142,7 +142,7 @@ fn a_small_contact_on_a_large_domain_is_that_on_a_small_one() {
     for (small, large) in small.steps.iter().zip(&large.steps) {
         let (p, q) = (&small.solution.pressure, &large.solution.pressure);
         let peak = small.summary.max_pressure;
-        for e in 0..192 * 192 {
+        for (e, q) in q.iter().enumerate() {
             let (i, j) = (e / 192, e % 192);
             let inside = (72..120).contains(&i) && (72..120).contains(&j);
             let wanted = if inside {
@@ -151,7 +151,7 @@ fn a_small_contact_on_a_large_domain_is_that_on_a_small_one() {
                 0.0
             };
             // two solutions to 1e-8, times a condition of 1e2
-            assert!((q[e] - wanted).abs() < 1e-5 * peak, "{i} {j}");
+            assert!((q - wanted).abs() < 1e-5 * peak, "{i} {j}");
         }
         // as measured, and two to spare
         assert!(small.work.operator_applications <= 21);
