@@ -102,7 +102,7 @@ fn pillars_on_a_soft_coat_take_few_products() {
 #[test]
 fn a_film_makes_a_stiff_coat_easy() {
     let film = problem([10.0, 0.02], paraboloid, |_, _| 0.3);
-    assert_work(film, Load::Force(2e-3), [12, 5]);
+    assert_work(film, Load::Force(2e-3), [14, 5]);
 }
 
 #[test]
@@ -110,7 +110,7 @@ fn a_stiff_coat_takes_few_products_bare_and_with_pillars() {
     let bare = problem([10.0, 0.05], paraboloid, RIGID);
     assert_work(bare, Load::Force(2e-3), [25, 3]);
     let islands = problem([10.0, 0.05], |x, y| pillars(x, y, 0.002), RIGID);
-    assert_work(islands, Load::Force(2e-3), [19, 3]);
+    assert_work(islands, Load::Force(2e-3), [23, 3]);
 }
 
 #[test]
