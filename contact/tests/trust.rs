@@ -1,10 +1,6 @@
 //! What is said about a solution: its summary counted again from the pressure, and warnings with their numbers.
 
 #![expect(
-    clippy::float_cmp,
-    reason = "what is copied from a field keeps its bits"
-)]
-#![expect(
     clippy::unwrap_used,
     clippy::float_cmp,
     reason = "a scene that cannot be built fails its test; sums and zeros that must be the same bits"
