@@ -108,15 +108,15 @@ fn a_film_makes_a_stiff_coat_easy() {
 #[test]
 fn a_stiff_coat_takes_few_products_bare_and_with_pillars() {
     let bare = problem([10.0, 0.05], paraboloid, RIGID);
-    assert_work(bare, Load::Force(2e-3), [25, 3]);
+    assert_work(bare, Load::Force(2e-3), [27, 4]);
     let islands = problem([10.0, 0.05], |x, y| pillars(x, y, 0.002), RIGID);
-    assert_work(islands, Load::Force(2e-3), [23, 3]);
+    assert_work(islands, Load::Force(2e-3), [25, 4]);
 }
 
 #[test]
 fn a_thin_coat_a_thousand_times_as_stiff_takes_few_products() {
     let bare = problem([1000.0, 0.01], paraboloid, RIGID);
-    assert_work(bare, Load::Force(1e-2), [34, 6]);
+    assert_work(bare, Load::Force(1e-2), [45, 6]);
     let islands = || problem([1000.0, 0.01], |x, y| pillars(x, y, 0.002), RIGID);
     assert_work(islands(), Load::Force(1e-2), [36, 5]);
     assert_work(islands(), Load::Penetration(0.02), [19, 3]);
@@ -282,7 +282,7 @@ fn a_punch_has_the_stiffness_of_its_force_over_its_penetration() {
 fn a_solver_that_gives_up_returns_the_best_pressure_met() {
     let mut problem = problem([1000.0, 0.01], |x, y| pillars(x, y, 0.002), RIGID);
     let mut worst_before = f64::INFINITY;
-    for max_applications in [3, 9, 15] {
+    for max_applications in [3, 5, 7] {
         let options = SolverOptions {
             max_applications,
             ..SolverOptions::default()
@@ -308,7 +308,8 @@ fn a_solver_that_gives_up_returns_the_best_pressure_met() {
             .fold(f64::INFINITY, f64::min);
         // Kept is the best by a factor of two at least.
         assert!(worst <= 2.001 * least, "{worst:e} {least:e}");
-        assert!(worst <= 2.001 * worst_before && !judged.certificate.is_satisfied());
+        assert!(!judged.certificate.is_satisfied());
+        assert!(worst <= 2.001 * worst_before, "{worst:e} {worst_before:e}");
         worst_before = worst;
     }
 }

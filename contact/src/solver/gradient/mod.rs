@@ -165,7 +165,7 @@ impl Workspace {
 
     /// Forgets the load before.
     fn restart(&mut self) {
-        self.preconditioner.outdate();
+        self.preconditioner.restart();
         self.spectral.restart();
         self.conjugate.restart();
         if let Some(newton) = &mut self.newton {

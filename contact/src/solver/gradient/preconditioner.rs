@@ -98,6 +98,12 @@ impl Preconditioner {
         }
     }
 
+    /// Forgets the sets of the load before, so that nothing of the next depends on them.
+    pub fn restart(&mut self) {
+        self.outdate();
+        self.even.values.fill(0.0);
+    }
+
     /// Must be told when the working set has changed.
     pub fn outdate(&mut self) {
         self.is_current = false;
