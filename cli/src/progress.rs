@@ -69,7 +69,7 @@ impl Drop for ProgressLine {
 
 impl Observer for ProgressLine {
     fn progress(&mut self, progress: &Progress) -> Signal {
-        if self.keeps_steps && progress.step > 0 {
+        if self.keeps_steps && progress.finished > 0 {
             interrupt::hold();
         }
         if !self.line.is_hidden() {
@@ -83,14 +83,14 @@ impl Observer for ProgressLine {
 
 fn message(progress: &Progress, left: Option<Duration>) -> String {
     let Progress {
-        step,
+        finished,
         steps,
         elements,
         iteration,
         residual,
         ..
     } = progress;
-    let step = step + 1;
+    let step = finished + 1;
     let left = left.map_or_else(String::new, |left| format!(", {} left", in_words(left)));
     format!(
         "step {step}/{steps}, grid {elements} × {elements}, iteration {iteration}, \
@@ -120,7 +120,7 @@ struct Clock {
     tolerance: f64,
     /// When the first step began.
     start: Option<Instant>,
-    /// When the present step began, and which it is.
+    /// When the present step began, and how many were finished before; those that are solved together count as one.
     step: (Instant, usize),
     /// Where the present grid began.
     level: Mark,
@@ -154,9 +154,10 @@ impl Clock {
     /// The time left at this progress; none while there is nothing to judge it by.
     fn remaining(&mut self, progress: &Progress, now: Instant) -> Option<Duration> {
         let start = *self.start.get_or_insert(now);
-        let new_step = self.step.1 != progress.step;
+        let finished = progress.finished;
+        let new_step = self.step.1 != finished;
         if new_step {
-            self.step = (now, progress.step);
+            self.step = (now, finished);
         }
         if new_step || self.level.elements != progress.elements {
             self.level = Mark {
@@ -166,14 +167,13 @@ impl Clock {
                 time: now,
             };
         }
-        let to_come = progress.steps - progress.step - 1;
         let of_this = self.of_this_grid(progress, now);
-        if progress.step == 0 {
-            return if to_come == 0 { of_this } else { None };
+        if finished == 0 {
+            return if progress.steps == 1 { of_this } else { None };
         }
-        let each = (self.step.0 - start).div_f64(progress.step as f64);
-        let elapsed = now - self.step.0;
-        Some(each.saturating_sub(elapsed) + each.mul_f64(to_come as f64))
+        let each = (self.step.0 - start).div_f64(finished as f64);
+        let to_come = each.mul_f64((progress.steps - finished) as f64);
+        Some(to_come.saturating_sub(now - self.step.0))
     }
 
     fn of_this_grid(&self, progress: &Progress, now: Instant) -> Option<Duration> {
@@ -194,6 +194,7 @@ mod tests {
     fn progress(step: usize, steps: usize, iteration: usize, residual: f64) -> Progress {
         Progress {
             step,
+            finished: step,
             steps,
             elements: 64,
             iteration,

@@ -6,7 +6,7 @@
 
 use std::sync::Arc;
 
-use pellicle_influence::{ConvolutionOperator, ElasticOperator, SurfaceElasticity};
+use pellicle_influence::{ConvolutionOperator, ElasticOperator, SpreadOperator, SurfaceElasticity};
 
 use crate::{ContactError, solver::gradient::Workspace, window::Window};
 
@@ -18,6 +18,8 @@ enum Body {
     Surface {
         elasticity: Arc<SurfaceElasticity>,
         operator: Option<Box<ConvolutionOperator>>,
+        /// The same for pressures on one window only.
+        spread: Option<(Window, Box<SpreadOperator>)>,
     },
 }
 
@@ -26,6 +28,7 @@ impl Body {
         Self::Surface {
             elasticity,
             operator: None,
+            spread: None,
         }
     }
 }
@@ -198,16 +201,42 @@ impl DiscreteProblem {
             Body::Surface {
                 elasticity,
                 operator,
+                ..
             } => operator
                 .get_or_insert_with(|| Box::new(elasticity.operator(self.size)))
                 .as_mut(),
         }
     }
 
-    /// Gives back the memory of an operator that can be made again.
+    /// Gives back the memory of operators that can be made again.
     pub(crate) fn release_operator(&mut self) {
-        if let Body::Surface { operator, .. } = &mut self.body {
-            *operator = None;
+        if let Body::Surface {
+            operator, spread, ..
+        } = &mut self.body
+        {
+            (*operator, *spread) = (None, None);
+        }
+    }
+
+    /// Writes `K p` (m) of a pressure that vanishes outside a window, on the whole grid.
+    pub(crate) fn displace_into(
+        &mut self,
+        window: &Window,
+        pressure: &[f64],
+        displacement: &mut [f64],
+    ) {
+        match &mut self.body {
+            Body::Surface {
+                elasticity, spread, ..
+            } if !window.is_whole() => {
+                let known = spread.take_if(|(of, _)| of == window);
+                let (_, operator) = spread.insert(known.unwrap_or_else(|| {
+                    let operator = elasticity.spread(self.size, window.origin(), window.size());
+                    (*window, Box::new(operator))
+                }));
+                operator.apply_into(&window.cut(pressure), displacement);
+            }
+            _ => self.operator_mut().apply_into(pressure, displacement),
         }
     }
 

@@ -1,5 +1,6 @@
 //! The grids of a path, from the coarsest to the finest, each made when it is first needed.
 
+use std::sync::Arc;
 use std::time::Instant;
 
 use pellicle_influence::Origin;
@@ -40,6 +41,36 @@ impl<'a> Hierarchy<'a> {
         }
     }
 
+    /// As many hierarchies of the same grids as are asked for, this one first, each to be used by one thread at a time.
+    pub fn lanes(mut self, lanes: usize) -> Result<Vec<Self>, ContactError> {
+        let twins = if lanes > 1 {
+            for index in 0..self.sizes.len() {
+                if self.levels[index].is_none() {
+                    self.levels[index] = Some(self.make(index)?);
+                }
+            }
+            (1..lanes).map_while(|_| self.twin()).collect()
+        } else {
+            Vec::new()
+        };
+        Ok(std::iter::once(self).chain(twins).collect())
+    }
+
+    /// The same grids without memory of any load; none if they are not all at hand.
+    fn twin(&self) -> Option<Self> {
+        let levels = self.levels.iter();
+        let twins: Option<Vec<_>> = levels.map(|level| level.as_ref()?.twin()).collect();
+        Some(Self {
+            model: self.model,
+            side: self.side,
+            sizes: self.sizes.clone(),
+            levels: twins?.into_iter().map(Some).collect(),
+            keep: self.keep,
+            coefficients_seconds: 0.0,
+            coefficients_origin: self.coefficients_origin,
+        })
+    }
+
     /// Time spent on coefficients and sampling, in s.
     pub fn coefficients_seconds(&self) -> f64 {
         self.coefficients_seconds
@@ -53,7 +84,7 @@ impl<'a> Hierarchy<'a> {
     /// The geometry on the finest grid.
     pub fn into_sampled(mut self) -> Result<SampledModel, ContactError> {
         if let Some(finest) = self.levels.pop().flatten() {
-            return Ok(finest.sampled);
+            return Ok(Arc::unwrap_or_clone(finest.sampled));
         }
         let elements = self.sizes.last().copied().unwrap_or_default();
         self.model.sample(self.side, elements)

@@ -1,4 +1,6 @@
-//! One grid of a loading path: its problem, and the solution of one load on it after the other.
+//! One grid of a loading path: its problem, and the solution of one load on it after the other, none of which depends on another.
+
+use std::sync::Arc;
 
 use pellicle_influence::{Cached, Origin};
 use rayon::prelude::*;
@@ -19,20 +21,11 @@ const FAR: f64 = 1e30;
 
 /// A grid of a path.
 pub struct Level {
-    pub sampled: SampledModel,
+    pub sampled: Arc<SampledModel>,
     pub coefficients_origin: Origin,
     problem: DiscreteProblem,
     /// The window of the last load, and the problem on it.
     window: Option<(Window, DiscreteProblem)>,
-    before: Option<Before>,
-}
-
-/// The last load's solution, to start the next from.
-struct Before {
-    /// What the coarser level suggested.
-    suggested: Vec<f64>,
-    /// What came out.
-    field: Vec<f64>,
 }
 
 /// What one level ended with.
@@ -51,11 +44,21 @@ impl Level {
         let sampled = model.sample(side, size)?;
         let Cached { value, origin } = model.discretize(&sampled)?;
         Ok(Self {
-            sampled,
+            sampled: Arc::new(sampled),
             problem: value,
             coefficients_origin: origin,
             window: None,
-            before: None,
+        })
+    }
+
+    /// The same grid without memory of any load; none where the problem cannot be made again.
+    pub fn twin(&self) -> Option<Self> {
+        let everywhere = Window::whole(self.size());
+        Some(Self {
+            sampled: self.sampled.clone(),
+            problem: self.problem.window(&everywhere)?,
+            coefficients_origin: self.coefficients_origin,
+            window: None,
         })
     }
 
@@ -71,16 +74,12 @@ impl Level {
         options: SolverOptions,
         watch: &mut Watch<'_>,
     ) -> Result<LevelResult, ContactError> {
-        let suggested = coarser.map(|field| prolong(&field, self.size(), self.mask()));
-        let (start, suggested) = self.start(suggested, watch.steps > 1);
+        let start = match coarser {
+            Some(field) => prolong(&field, self.size(), self.mask()),
+            None => vec![0.0; self.size() * self.size()],
+        };
         let (solution, effort) = self.solve_from(start, load, options, watch)?;
         let field = self.signed_field(&solution);
-        if let Some(suggested) = suggested {
-            self.before = Some(Before {
-                suggested,
-                field: field.clone(),
-            });
-        }
         Ok(LevelResult {
             summary: Summary::new(&solution, &self.sampled.grid, &self.sampled.relief),
             solution,
@@ -101,25 +100,6 @@ impl Level {
         self.sampled.relief.mask()
     }
 
-    /// What the coarser level suggests, corrected by how far its suggestion for the load before was from the truth; without one,
-    /// the solution of the load before; zero on the first grid of the first load. The suggestion itself besides, if it is to be kept.
-    fn start(&self, suggested: Option<Vec<f64>>, keep: bool) -> (Vec<f64>, Option<Vec<f64>>) {
-        let copy = keep.then(|| suggested.clone().unwrap_or_default());
-        let start = match (suggested, &self.before) {
-            (Some(mut now), Some(Before { suggested, field })) => {
-                let before = field.par_iter().zip(suggested);
-                now.par_iter_mut()
-                    .zip(before)
-                    .for_each(|(now, (truth, then))| *now += truth - then);
-                now
-            }
-            (Some(now), None) => now,
-            (None, Some(before)) => before.field.clone(),
-            (None, None) => vec![0.0; self.size() * self.size()],
-        };
-        (start, copy)
-    }
-
     /// Solves on a window that holds the contact, enlarged as long as it does not.
     fn solve_from(
         &mut self,
@@ -129,13 +109,12 @@ impl Level {
         watch: &mut Watch<'_>,
     ) -> Result<(Solution, Effort), ContactError> {
         let size = self.size();
-        let old = self.window.as_ref().map(|(window, _)| *window);
         let room = if watch.steps > 1 {
             Room::ForMany
         } else {
             Room::ForOne
         };
-        let mut window = Window::around(size, |e| start[e] > 0.0, old, room);
+        let mut window = Window::around(size, |e| start[e] > 0.0, room);
         let mut pressure = start;
         let mut effort = Effort::default();
         loop {
@@ -149,16 +128,18 @@ impl Level {
             if watch.steps == 1 {
                 self.window = None;
             }
-            let solution = Solution::judge(&mut self.problem, load, pressure, options.tolerance);
+            let tolerance = options.tolerance;
+            let solution =
+                Solution::judge_within(&mut self.problem, &window, load, pressure, tolerance);
             effort.operator_applications += 1;
-            if window.is_whole() || solution.certificate.overlap <= options.tolerance {
+            if window.is_whole() || solution.certificate.overlap <= tolerance {
                 if watch.steps == 1 {
                     self.problem.release_operator();
                 }
                 return Ok((solution, effort));
             }
             let presses = |e: usize| solution.pressure[e] > 0.0 || solution.gap[e] < 0.0;
-            window = window.wider(Window::around(size, presses, None, room));
+            window = window.wider(Window::around(size, presses, room));
             pressure = solution.pressure;
         }
     }

@@ -3,8 +3,10 @@
 /// Where the work stands, told once per iteration.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Progress {
-    /// Loading step under way, counted from 0.
+    /// Loading step under way, counted from 0. On small grids several are solved at the same time.
     pub step: usize,
+    /// Loading steps of the path that are finished.
+    pub finished: usize,
     /// Number of loading steps.
     pub steps: usize,
     /// Elements per side of the grid level under way.
@@ -26,7 +28,7 @@ pub enum Signal {
     Cancel,
 }
 
-/// Receives the progress of a solution, on a thread of the pool that computes it. `()` is the observer that looks away.
+/// Receives the progress of a solution, on a thread of the pool that computes it, never on two at once. `()` is the observer that looks away.
 pub trait Observer: Send {
     /// Called once per iteration.
     fn progress(&mut self, progress: &Progress) -> Signal;

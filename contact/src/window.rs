@@ -11,30 +11,26 @@ const MARGIN: usize = 3;
 /// A window of more than this part of the grid's side saves less than it costs.
 const LARGEST_PART: f64 = 0.9;
 
-/// What a window is for: it is made anew when the contact has outgrown it or left most of it.
+/// The margin around the contact expected is its extent over this, at least: it is known to an element or two.
+const MARGIN_PART: usize = 24;
+
+/// What a window is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Room {
-    /// One load, whose contact is known to an element or two.
+    /// One load: the window is as small as it may be.
     ForOne,
-    /// A path of loads.
+    /// A path of loads: windows are of few sizes, so that several loads share what is made for one.
     ForMany,
 }
 
 impl Room {
-    /// The margin around the contact expected is its extent over this.
-    fn part(self) -> usize {
-        match self {
-            Self::ForOne => 24,
-            Self::ForMany => 10,
-        }
-    }
-
-    /// An old window is good enough while it is larger than a new one by no more than this factor of the side.
-    fn loose(self) -> f64 {
-        match self {
-            Self::ForOne => 1.1,
-            Self::ForMany => 1.35,
-        }
+    /// The size of a window of no less than `least` elements along a side.
+    fn size(self, least: usize) -> usize {
+        SurfaceElasticity::fast_size(match self {
+            Self::ForOne => least,
+            // Eighths of a power of two: larger by a quarter at most.
+            Self::ForMany => least.next_multiple_of((least.next_power_of_two() / 8).max(1)),
+        })
     }
 }
 
@@ -63,25 +59,15 @@ impl Window {
         }
     }
 
-    /// The smallest window of a fast size around the elements that belong, or the old one if it will do; the whole grid where none belongs.
-    ///
-    /// Where a path of loads is to come, the window leaves room for the contact to grow.
-    pub fn around(
-        grid: usize,
-        belongs: impl Fn(usize) -> bool + Sync,
-        old: Option<Self>,
-        room: Room,
-    ) -> Self {
+    /// The smallest window of a fast size around the elements that belong; the whole grid where none belongs.
+    pub fn around(grid: usize, belongs: impl Fn(usize) -> bool + Sync, room: Room) -> Self {
         let Some(extent) = Extent::of(grid, belongs) else {
             return Self::whole(grid);
         };
         let longest = [0, 1].map(|axis: usize| extent.last[axis] + 1 - extent.first[axis]);
         let longest = longest[0].max(longest[1]);
-        let margin = MARGIN.max(longest / room.part());
-        let size = SurfaceElasticity::fast_size(longest + 2 * margin);
-        if let Some(old) = old.filter(|old| old.suits(&extent, size, room)) {
-            return old;
-        }
+        let margin = MARGIN.max(longest / MARGIN_PART);
+        let size = room.size(longest + 2 * margin);
         if size as f64 > LARGEST_PART * grid as f64 {
             return Self::whole(grid);
         }
@@ -90,16 +76,6 @@ impl Window {
             (twice_centre.saturating_sub(size) / 2).min(grid - size)
         });
         Self { origin, size, grid }
-    }
-
-    /// Whether an extent lies within, away from the border, and the window is not much larger than it need be.
-    fn suits(&self, extent: &Extent, size: usize, room: Room) -> bool {
-        let inside = |axis: usize| {
-            let (first, end) = (self.origin[axis], self.origin[axis] + self.size);
-            (first == 0 || extent.first[axis] >= first + MARGIN)
-                && (end == self.grid || extent.last[axis] + MARGIN < end)
-        };
-        inside(0) && inside(1) && self.size as f64 <= room.loose() * size as f64
     }
 
     /// The window of twice the side around the same centre.
@@ -136,6 +112,11 @@ impl Window {
     /// Elements per side.
     pub fn size(&self) -> usize {
         self.size
+    }
+
+    /// The first element along both axes.
+    pub fn origin(&self) -> [usize; 2] {
+        self.origin
     }
 
     /// The part of a field of the grid that lies in the window.
@@ -185,12 +166,14 @@ impl Extent {
 
 #[cfg(test)]
 mod tests {
+    use std::collections::BTreeSet;
+
     use super::{Room, Window};
 
     #[test]
     fn a_window_holds_what_belongs_with_a_margin() {
         let belongs = |e: usize| (e / 200) / 10 == 7 && (e % 200) / 20 == 9;
-        let window = Window::around(200, belongs, None, Room::ForOne);
+        let window = Window::around(200, belongs, Room::ForOne);
         let mask: Vec<f64> = (0..200 * 200)
             .map(|e| f64::from(u8::from(belongs(e))))
             .collect();
@@ -206,31 +189,25 @@ mod tests {
 
     #[test]
     fn a_window_grows_until_it_is_the_whole_grid() {
-        let mut window = Window::around(500, |e| e == 250 * 500 + 3, None, Room::ForOne);
+        let mut window = Window::around(500, |e| e == 250 * 500 + 3, Room::ForOne);
         for _ in 0..8 {
             window = window.grown();
         }
         assert_eq!(window, Window::whole(500));
-        assert!(Window::around(500, |_| false, None, Room::ForOne).is_whole());
+        assert!(Window::around(500, |_| false, Room::ForOne).is_whole());
     }
 
     #[test]
-    fn an_old_window_is_kept_while_it_suits() {
-        let inside = |first: usize, last: usize| {
-            move |e: usize| (first..last).contains(&(e / 400)) && (first..last).contains(&(e % 400))
-        };
-        let old = Window::around(400, inside(150, 250), None, Room::ForMany);
-        assert_eq!(
-            Window::around(400, inside(151, 251), Some(old), Room::ForMany),
-            old
-        );
-        assert_ne!(
-            Window::around(400, inside(190, 210), Some(old), Room::ForMany),
-            old
-        );
-        assert_ne!(
-            Window::around(400, inside(140, 260), Some(old), Room::ForMany),
-            old
-        );
+    fn many_loads_share_windows_of_few_sizes() {
+        let mut sizes = BTreeSet::new();
+        for half in 20..150 {
+            let inside = |i: usize| i.abs_diff(250) < half;
+            let belongs = |e: usize| inside(e / 500) && inside(e % 500);
+            let [one, many] =
+                [Room::ForOne, Room::ForMany].map(|room| Window::around(500, belongs, room));
+            assert!(one.size() <= many.size() && 4 * many.size() <= 5 * one.size());
+            sizes.insert(many.size());
+        }
+        assert!(sizes.len() <= 14, "{sizes:?}");
     }
 }

@@ -8,7 +8,7 @@
 use std::sync::Arc;
 
 use pellicle_contact::{
-    Domain, Indenter, Load, LoadingPath, Model, Observer, Paraboloid, Progress, Signal,
+    Domain, Indenter, Load, LoadingPath, Model, Observer, Paraboloid, Progress, Signal, Solution,
     SolverOptions, solve_path,
 };
 use pellicle_influence::{Cache, RadialTables};
@@ -61,8 +61,8 @@ fn solve(model: &Model, side: f64, elements: usize, loads: &[Load]) -> (LoadingP
 fn coarse_grids_are_solved_to_a_millionth_and_the_finest_to_the_tolerance() {
     let (path, log) = solve(&model(1.0), 0.4, 128, &[Load::Force(2e-3)]);
     for (elements, tolerance) in [(32, 1e-6), (64, 1e-6), (128, 1e-8)] {
-        let told = log.0.iter().filter(|(on, _)| *on == elements);
-        let residuals: Vec<f64> = told.map(|(_, residual)| *residual).collect();
+        let told = log.0.iter().filter(|told| told.0 == elements);
+        let residuals: Vec<f64> = told.map(|told| told.1).collect();
         let (last, before) = residuals.split_last().unwrap();
         // Steps end at 0.8 of the tolerance; none is begun below it.
         assert!(*last <= tolerance, "{elements}: {last:e}");
@@ -115,17 +115,59 @@ fn the_work_of_a_step_is_that_of_its_grids() {
             step.summary.max_pressure.to_bits()
         );
     }
-    let seconds: f64 = path.steps.iter().map(|step| step.work.seconds).sum();
-    assert_eq!(path.solve_seconds.to_bits(), seconds.to_bits());
+    let seconds = path.steps.iter().map(|step| step.work.seconds);
+    assert!(seconds.fold(0.0, f64::max) <= path.solve_seconds);
 }
 
 #[test]
-fn a_coarser_grid_and_the_load_before_save_products() {
-    // as measured, and two to spare
-    for (stiffness, most) in [(0.1, [16, 15, 15]), (10.0, [14, 13, 13])] {
+fn a_certificate_is_that_of_the_whole_grid() {
+    let (model, side, load) = (model(10.0), 0.8, Load::Force(2e-3));
+    let (path, _) = solve(&model, side, 96, &[load]);
+    let found = &path.steps[0].solution;
+    let sampled = model.sample(side, 96).unwrap();
+    let mut problem = model.discretize(&sampled).unwrap().value;
+    let pressure = found.pressure.clone();
+    let again = Solution::judge(&mut problem, load, pressure, found.certificate.tolerance);
+    let largest = again.displacement.iter().copied().fold(0.0, f64::max);
+    for (u, whole) in found.displacement.iter().zip(&again.displacement) {
+        // Rounding of transforms of two lengths.
+        assert!((u - whole).abs() < 1e-13 * largest);
+    }
+    let (certificate, whole) = (found.certificate, again.certificate);
+    assert!((certificate.gap_in_contact - whole.gap_in_contact).abs() < 1e-12);
+    assert!((certificate.overlap - whole.overlap).abs() < 1e-12);
+    assert!((certificate.complementarity - whole.complementarity).abs() < 1e-12);
+}
+
+#[test]
+fn no_load_depends_on_the_others() {
+    for stiffness in [0.1, 1.0, 100.0] {
+        let model = model(stiffness);
+        let forces = [3.0, 1.0, 4.0, 1.5, 5.0, 9.0, 2.0, 6.0, 5.3, 0.01].map(|force| 2e-4 * force);
+        let (path, _) = solve(&model, 0.4, 96, &forces.map(Load::Force));
+        let mut backwards = forces;
+        backwards.reverse();
+        let (reversed, _) = solve(&model, 0.4, 96, &backwards.map(Load::Force));
+        let again = reversed.steps.iter().rev();
+        for ((step, again), force) in path.steps.iter().zip(again).zip(forces) {
+            assert!(step.solution == again.solution, "{stiffness}: {force}");
+            let alone = &solve(&model, 0.4, 96, &[Load::Force(force)]).0.steps[0];
+            approx::assert_relative_eq!(
+                step.solution.penetration,
+                alone.solution.penetration,
+                max_relative = 1e-7
+            );
+        }
+    }
+}
+
+#[test]
+fn a_coarser_grid_saves_products() {
+    // As measured, and two to spare.
+    for (stiffness, most) in [(0.1, 9), (10.0, 16)] {
         let loads = [2e-3, 2.1e-3, 2.2e-3].map(Load::Force);
         let (path, _) = solve(&model(stiffness), 0.4, 128, &loads);
-        for (step, most) in path.steps.iter().zip(most) {
+        for step in &path.steps {
             let taken = step.work.operator_applications;
             assert!(taken <= most, "{stiffness}: {taken}, at most {most}");
         }

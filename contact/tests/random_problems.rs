@@ -122,6 +122,7 @@ fn outcome(problem: &mut DiscreteProblem, load: Load) -> Result<Solution, Contac
     let mut watch = Watch {
         observer: &mut (),
         step: 0,
+        finished: 0,
         steps: 1,
     };
     let iterate = solver.solve(problem, load, &start, &mut watch)?;

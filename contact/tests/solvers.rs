@@ -59,6 +59,7 @@ fn solve(
     let mut watch = Watch {
         observer: &mut (),
         step: 0,
+        finished: 0,
         steps: 1,
     };
     let iterate = solver.solve(problem, load, start, &mut watch).unwrap();
@@ -246,6 +247,7 @@ fn an_observer_can_cancel() {
     let mut watch = Watch {
         observer: &mut Impatient,
         step: 3,
+        finished: 3,
         steps: 7,
     };
     let outcome = gradient().solve(&mut problem, Load::Force(2e-3), &start, &mut watch);

@@ -1,17 +1,18 @@
-//! The columns of the zero-padded field, a cache-sized block at a time: pad, transform, multiply by the spectrum, invert, keep N.
+//! The columns of the zero-padded field, a cache-sized block at a time: pad, transform, multiply by the spectrum, invert, keep what is wanted.
 //!
-//! A column of N numbers, padded to L = 2M, has even frequencies that are the M-point transform of the column itself, and odd ones
-//! that are the M-point transform of the column times `exp(−2πi n/L)`. Since only the first N numbers of the inverse are wanted, it
-//! too splits into an even and an odd half:
+//! A column of no more than M numbers, padded to L = 2M, has even frequencies that are the M-point transform of the column itself, and odd ones
+//! that are the M-point transform of the column times `exp(−2πi n/L)`. The inverse too splits into an even and an odd half:
 //!
-//! `y_n = Σ_j Y_2j e^{2πi jn/M} + e^{2πi n/L} Σ_j Y_(2j+1) e^{2πi jn/M}`.
+//! `y_n = Σ_j Y_2j e^{2πi jn/M} + e^{2πi n/L} Σ_j Y_(2j+1) e^{2πi jn/M}`,
 //!
-//! So the half of the padded column that is zero is never stored, and never transformed.
+//! and `y_(n+M)` is their difference. So the half of the padded column that is zero is never stored, and never transformed.
 
 use std::sync::Arc;
 
 use rustfft::num_complex::Complex64;
 use rustfft::{Fft, FftPlanner};
+
+use crate::convolution::Layout;
 
 /// Columns in a block: 16 complex numbers are four cache lines.
 pub(crate) const WIDTH: usize = 16;
@@ -19,27 +20,27 @@ pub(crate) const WIDTH: usize = 16;
 /// Extra numbers between columns, so that the columns of a block do not all fall into one cache set when M is a power of two.
 const SKEW: usize = 8;
 
-/// The work on the columns of one grid size.
+/// The work on the columns of one layout.
 pub(crate) struct ColumnTransform {
-    size: usize,
+    layout: Layout,
     half: usize,
     forward: Arc<dyn Fft<f64>>,
     inverse: Arc<dyn Fft<f64>>,
-    /// `exp(−2πi n/L)` for n < N.
+    /// `exp(−2πi n/L)` for n < M.
     twiddles: Vec<Complex64>,
 }
 
 impl ColumnTransform {
-    /// For columns of `size` numbers, padded to twice `half`.
-    pub(crate) fn new(size: usize, half: usize) -> Self {
+    /// For columns of the layout's length, padded to twice `half`.
+    pub(crate) fn new(layout: Layout, half: usize) -> Self {
         let mut planner = FftPlanner::new();
         let turn = |n: usize| -std::f64::consts::PI * n as f64 / half as f64;
         Self {
-            size,
+            layout,
             half,
             forward: planner.plan_fft_forward(half),
             inverse: planner.plan_fft_inverse(half),
-            twiddles: (0..size).map(|n| Complex64::cis(turn(n))).collect(),
+            twiddles: (0..half).map(|n| Complex64::cis(turn(n))).collect(),
         }
     }
 
@@ -54,7 +55,7 @@ impl ColumnTransform {
         forward.max(self.inverse.get_inplace_scratch_len())
     }
 
-    /// Multiplies the columns of `block` (row after row, N rows) by their spectra, in place.
+    /// Multiplies the columns of `block` (row after row, as many as are shown, of which the first are loaded) by their spectra, in place.
     pub(crate) fn multiply<'a>(
         &self,
         block: &mut [Complex64],
@@ -62,7 +63,7 @@ impl ColumnTransform {
         columns: &mut [Complex64],
         scratch: &mut [Complex64],
     ) {
-        let width = block.len() / self.size;
+        let width = block.len() / self.layout.shown;
         self.gather(block, columns, width);
         for (index, pair) in self.pairs(columns).take(width).enumerate() {
             let (even, odd) = pair.split_at_mut(self.pitch());
@@ -87,15 +88,16 @@ impl ColumnTransform {
         self.inverse.process_with_scratch(column, scratch);
     }
 
-    /// Copies every column of the block, once as it is and once turned by the twiddles, and pads both.
+    /// Copies the loaded part of every column of the block, once as it is and once turned by the twiddles, and pads both.
     fn gather(&self, block: &[Complex64], columns: &mut [Complex64], width: usize) {
         for pair in self.pairs(columns).take(width) {
             let (even, odd) = pair.split_at_mut(self.pitch());
-            even[self.size..self.half].fill(Complex64::default());
-            odd[self.size..self.half].fill(Complex64::default());
+            even[self.layout.loaded..self.half].fill(Complex64::default());
+            odd[self.layout.loaded..self.half].fill(Complex64::default());
         }
         let pitch = self.pitch();
-        for ((n, row), twiddle) in block.chunks_exact(width).enumerate().zip(&self.twiddles) {
+        let rows = block.chunks_exact(width).take(self.layout.loaded);
+        for ((n, row), twiddle) in rows.enumerate().zip(&self.twiddles) {
             for (index, entry) in row.iter().enumerate() {
                 columns[2 * index * pitch + n] = *entry;
                 columns[(2 * index + 1) * pitch + n] = entry * twiddle;
@@ -106,11 +108,15 @@ impl ColumnTransform {
     /// Adds the even half and the odd half, turned back, of every column into the block.
     fn scatter(&self, columns: &[Complex64], block: &mut [Complex64], width: usize) {
         let pitch = self.pitch();
-        let rows = block.chunks_exact_mut(width).enumerate();
-        for ((n, row), twiddle) in rows.zip(&self.twiddles) {
-            for (index, entry) in row.iter_mut().enumerate() {
+        let [before, _] = self.layout.before;
+        for (row, entries) in block.chunks_exact_mut(width).enumerate() {
+            let place = (row + 2 * self.half - before) % (2 * self.half);
+            let n = place % self.half;
+            let turn = self.twiddles[n].conj();
+            let turn = if place < self.half { turn } else { -turn };
+            for (index, entry) in entries.iter_mut().enumerate() {
                 let odd = columns[(2 * index + 1) * pitch + n];
-                *entry = columns[2 * index * pitch + n] + odd * twiddle.conj();
+                *entry = columns[2 * index * pitch + n] + odd * turn;
             }
         }
     }

@@ -1,6 +1,6 @@
 //! Eigenvalues of the circulant in which the matrix of influence coefficients is embedded.
 //!
-//! The coefficients of an N × N grid, extended evenly to L × L = 2M × 2M with M ≥ N and zero where no offset of the grid falls, are a
+//! The coefficients of all offsets up to M − 1 or M, extended evenly to L × L = 2M × 2M and zero where none is needed, are a
 //! circulant whose product with a zero-padded pressure is exactly K p. Its spectrum is real and even: a quarter determines it.
 
 use rayon::prelude::*;
@@ -18,7 +18,7 @@ pub(crate) struct Spectrum {
 }
 
 impl Spectrum {
-    /// The spectrum of a window of `size` × `size` elements, embedded in 2`half` × 2`half`, divided by the number of padded elements, which is the factor an unnormalised forward
+    /// The spectrum of the coefficients of `size` × `size` offsets, no more than `half` + 1 along a side, embedded in 2`half` × 2`half`, divided by the number of padded elements, which is the factor an unnormalised forward
     /// and inverse transform leave behind.
     pub(crate) fn new(table: &CoefficientTable, size: usize, half: usize) -> Self {
         let line = EvenTransform::new(half);

@@ -4,7 +4,9 @@ use std::sync::Arc;
 
 use pellicle_kernel::Foundation;
 
-use crate::{CoefficientTable, ConvolutionOperator, PeriodicSymbol, padding::half_length};
+use crate::{
+    CoefficientTable, ConvolutionOperator, PeriodicSymbol, SpreadOperator, padding::half_length,
+};
 
 /// The influence coefficients of elements of one size, and all that follows from them for square windows of a grid.
 ///
@@ -65,6 +67,15 @@ impl SurfaceElasticity {
     #[must_use]
     pub fn operator(&self, size: usize) -> ConvolutionOperator {
         ConvolutionOperator::windowed(&self.table, size)
+    }
+
+    /// `K p` on a grid of `grid` × `grid` elements for pressures on a window of `size` × `size`, the first of which is the element `origin`.
+    ///
+    /// # Panics
+    /// As [`SpreadOperator::new`].
+    #[must_use]
+    pub fn spread(&self, grid: usize, origin: [usize; 2], size: usize) -> SpreadOperator {
+        SpreadOperator::new(&self.table, grid, origin, size)
     }
 
     /// The analytic symbol on a periodic grid of `size` × `size` elements, for preconditioners.

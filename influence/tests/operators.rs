@@ -3,7 +3,7 @@
 use std::iter::successors;
 
 use pellicle_influence::{
-    CoefficientTable, ConvolutionOperator, DenseOperator, ElasticOperator, love,
+    CoefficientTable, ConvolutionOperator, DenseOperator, ElasticOperator, SpreadOperator, love,
 };
 use pellicle_kernel::Material;
 
@@ -50,6 +50,55 @@ fn both_operators_agree_to_rounding() {
         let difference: Vec<f64> = fast.iter().zip(&dense).map(|(a, b)| a - b).collect();
         // Rounding of transforms of up to 144² numbers and of sums of up to 67² terms.
         assert!(largest(&difference) < 1e-13 * largest(&dense), "N = {size}");
+    }
+}
+
+#[test]
+fn under_a_window_the_grid_moves_as_under_the_whole_pressure() {
+    // In the middle, at two borders, at a corner, one element, all.
+    for (size, origin, part) in [
+        (40, [12, 14], 15),
+        (40, [0, 13], 20),
+        (37, [7, 11], 26),
+        (33, [28, 0], 5),
+        (24, [23, 23], 1),
+        (18, [0, 0], 18),
+    ] {
+        let table = steel_table(size);
+        let loads = scattered(part * part);
+        let mut pressure = vec![0.0; size * size];
+        for (i, row) in loads.chunks_exact(part).enumerate() {
+            let first = (origin[0] + i) * size + origin[1];
+            pressure[first..first + part].copy_from_slice(row);
+        }
+        let expected = apply(&mut ConvolutionOperator::new(&table), &pressure);
+        let mut found = vec![f64::NAN; size * size];
+        let mut spread = SpreadOperator::new(&table, size, origin, part);
+        for _ in 0..2 {
+            spread.apply_into(&loads, &mut found);
+            for (u, wanted) in found.iter().zip(&expected) {
+                // Rounding of two transforms.
+                assert!(
+                    (u - wanted).abs() < 1e-14 * largest(&expected),
+                    "{origin:?} + {part} of {size}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn a_window_beyond_the_grid_is_no_window() {
+    for (grid, origin, size) in [
+        (8, [5, 0], 4),
+        (8, [0, 6], 3),
+        (8, [0, 0], 9),
+        (8, [2, 2], 0),
+        (9, [2, 2], 3),
+    ] {
+        let attempt =
+            std::panic::catch_unwind(|| SpreadOperator::new(&steel_table(8), grid, origin, size));
+        assert!(attempt.is_err(), "{origin:?}, {size} of {grid}");
     }
 }
 

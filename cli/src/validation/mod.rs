@@ -8,7 +8,7 @@ mod closed_forms;
 mod coefficients;
 mod compliance;
 pub mod data;
-mod discrete;
+pub mod discrete;
 mod grid_error;
 mod layered;
 mod limits;

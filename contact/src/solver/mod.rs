@@ -98,6 +98,8 @@ pub struct Watch<'a> {
     pub observer: &'a mut dyn Observer,
     /// Loading step under way, counted from 0.
     pub step: usize,
+    /// Loading steps finished.
+    pub finished: usize,
     /// Number of loading steps.
     pub steps: usize,
 }
@@ -111,9 +113,15 @@ impl Watch<'_> {
         residual: f64,
         contact_elements: usize,
     ) -> Result<(), ContactError> {
-        let Self { step, steps, .. } = *self;
+        let Self {
+            step,
+            finished,
+            steps,
+            ..
+        } = *self;
         match self.observer.progress(&Progress {
             step,
+            finished,
             steps,
             elements,
             iteration,

@@ -60,6 +60,7 @@ fn solve(problem: &mut DiscreteProblem, load: Load, start: &[f64]) -> Iterate {
     let mut watch = Watch {
         observer: &mut (),
         step: 0,
+        finished: 0,
         steps: 1,
     };
     let iterate = solver.solve(problem, load, start, &mut watch).unwrap();
@@ -241,6 +242,7 @@ fn both_solvers_agree_on_every_kind_of_problem() {
             let mut watch = Watch {
                 observer: &mut (),
                 step: 0,
+                finished: 0,
                 steps: 1,
             };
             // from a start that lacks most of the contact and holds some that is none
@@ -290,6 +292,7 @@ fn a_solver_that_gives_up_returns_the_best_pressure_met() {
         let mut watch = Watch {
             observer: &mut (),
             step: 0,
+            finished: 0,
             steps: 1,
         };
         let load = Load::Force(1e-2);

@@ -26,6 +26,7 @@ fn solve(panel: &Panel, model: &Model, solver: &dyn Solver) -> Solution {
     let mut watch = Watch {
         observer: &mut (),
         step: 0,
+        finished: 0,
         steps: 1,
     };
     let start = vec![0.0; problem.elements()];

@@ -101,7 +101,14 @@ fn every_number_of_threads_gives_the_same_bits() {
                 let path = solve_path(&panel.model, domain, 300, &[panel.load], &options, &mut ());
                 path.unwrap().steps.remove(0)
             });
-            let steps = panels.into_iter().chain([solve(&plate, 96, force)]);
+            // More loads than are solved at the same time.
+            let loads: Vec<Load> = (1..=20)
+                .map(|k| Load::Force(force / f64::from(k)))
+                .collect();
+            let (domain, options) = (Domain::Automatic, SolverOptions::default());
+            let curve = solve_path(&plate, domain, 48, &loads, &options, &mut ());
+            let single = [solve(&plate, 96, force)];
+            let steps = panels.into_iter().chain(single).chain(curve.unwrap().steps);
             steps
                 .map(|step| {
                     let bits = step.solution.pressure.iter().map(|p| p.to_bits());

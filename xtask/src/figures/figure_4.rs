@@ -3,7 +3,7 @@
 use pellicle_cli::picture::colours::{self, Colour};
 use pellicle_cli::picture::svg::Dash;
 
-use super::loading::{Curve, LoadAxis, Loading, View};
+use super::loading::{self, Curve, LoadAxis, Loading, Planned, View};
 use super::parameters::Parameters;
 use super::picture::Picture;
 use super::studio::{PENETRATION, Studio};
@@ -13,7 +13,7 @@ const STIFF: Colour = colours::PURPLE;
 const COMPLIANT: Colour = colours::GREEN;
 
 /// Every curve: colours are coatings, dashes the larger period.
-const CURVES: [(PaperCase, &str, Colour, Dash); 4] = [
+const CURVES: [Planned; 4] = [
     (
         PaperCase::Fig4Stiff60,
         "stiff coating, T = R/60",
@@ -55,16 +55,7 @@ const VIEWS: [View; 2] = [
 
 /// Two coatings with two periods each, under the same forces.
 pub(super) fn draw(studio: &mut Studio<'_>) -> Result<Vec<Picture>, XtaskError> {
-    let mut curves = Vec::new();
-    for (case, name, colour, dash) in CURVES {
-        let run = studio.path(case, &[PENETRATION])?;
-        curves.push(Curve {
-            run,
-            name,
-            colour,
-            dash,
-        });
-    }
+    let curves = loading::curves(studio, &CURVES, &[PENETRATION])?;
     let loading = Loading {
         curves: &curves,
         load: LoadAxis {

@@ -4,11 +4,17 @@ use pellicle_cli::case::units::Units;
 use pellicle_cli::display::{Unit, quantity};
 use pellicle_cli::picture::svg::Dash;
 
-use super::loading::{BARE, Curve, FILM, LoadAxis, Loading, View};
+use super::loading::{self, BARE, Curve, FILM, LoadAxis, Loading, Planned, View};
 use super::parameters::{Parameters, short};
 use super::picture::Picture;
 use super::studio::{PEAK, PENETRATION, Studio};
 use crate::{PaperCase, XtaskError};
+
+/// Both curves up to the load of Fig. 5.
+const CURVES: [Planned; 2] = [
+    (PaperCase::Fig6Film, "with film", FILM, Dash::Solid),
+    (PaperCase::Fig6Bare, "without film", BARE, Dash::Solid),
+];
 
 const VIEWS: [View; 2] = [
     View {
@@ -23,21 +29,9 @@ const VIEWS: [View; 2] = [
     },
 ];
 
-/// Both curves up to the load of Fig. 5.
+/// The same coating and tip, with the film and without.
 pub(super) fn draw(studio: &mut Studio<'_>) -> Result<Vec<Picture>, XtaskError> {
-    let mut curves = Vec::new();
-    for (case, name, colour) in [
-        (PaperCase::Fig6Film, "with film", FILM),
-        (PaperCase::Fig6Bare, "without film", BARE),
-    ] {
-        let (run, dash) = (studio.path(case, &[PENETRATION, PEAK])?, Dash::Solid);
-        curves.push(Curve {
-            run,
-            name,
-            colour,
-            dash,
-        });
-    }
+    let curves = loading::curves(studio, &CURVES, &[PENETRATION, PEAK])?;
     let loading = Loading {
         curves: &curves,
         load: LoadAxis {

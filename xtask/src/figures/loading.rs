@@ -7,8 +7,9 @@ use pellicle_cli::picture::svg::{Dash, Place};
 use super::line::{self, Line};
 use super::picture::Picture;
 use super::sheet::Sheet;
+use super::studio::{Drawn, Studio};
 use super::{chart, note};
-use crate::PaperRun;
+use crate::{PaperCase, PaperRun, XtaskError};
 
 /// In pixels.
 const LEFT: f64 = 112.0;
@@ -30,6 +31,26 @@ pub(super) struct Curve {
     pub name: &'static str,
     pub colour: Colour,
     pub dash: Dash,
+}
+
+/// A curve that is still to be computed: its case, name, colour and dash.
+pub(super) type Planned = (PaperCase, &'static str, Colour, Dash);
+
+/// The curves, computed or taken from an earlier run, as fine as what is drawn of them needs.
+pub(super) fn curves(
+    studio: &mut Studio<'_>,
+    planned: &[Planned],
+    drawn: &[Drawn],
+) -> Result<Vec<Curve>, XtaskError> {
+    let computed = planned.iter().map(|(case, name, colour, dash)| {
+        Ok(Curve {
+            run: studio.path(*case, drawn)?,
+            name,
+            colour: *colour,
+            dash: *dash,
+        })
+    });
+    computed.collect()
 }
 
 /// One panel: what is shown of each step, in what unit.

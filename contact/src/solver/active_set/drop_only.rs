@@ -30,7 +30,7 @@ use crate::{ContactError, DiscreteProblem, Iterate, Load, Solver, SolverOptions,
 /// let gap = (0..n * n).map(|e| height(centre(e / n), centre(e % n))).collect();
 /// let mut problem = DiscreteProblem::elastic(elasticity, n, vec![0.0; n * n], gap, side * side)?;
 /// let mut overlap = |solver: &dyn Solver| -> Result<f64, Box<dyn std::error::Error>> {
-///     let mut watch = Watch { observer: &mut (), step: 0, steps: 1 };
+///     let mut watch = Watch { observer: &mut (), step: 0, finished: 0, steps: 1 };
 ///     let load = Load::Force(2e-2);
 ///     let iterate = solver.solve(&mut problem, load, &vec![0.0; n * n], &mut watch)?;
 ///     Ok(Solution::judge(&mut problem, load, iterate.pressure, 1e-8).certificate.overlap)

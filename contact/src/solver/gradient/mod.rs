@@ -163,7 +163,13 @@ impl Workspace {
         }
     }
 
-    /// Forgets the load before.
+    /// Begins another load, of which nothing depends on the one before.
+    fn begin(&mut self) {
+        self.preconditioner.begin();
+        self.restart();
+    }
+
+    /// Forgets the steps so far.
     fn restart(&mut self) {
         self.preconditioner.restart();
         self.spectral.restart();
@@ -188,7 +194,7 @@ impl Iteration {
         let mut workspace = problem
             .take_workspace()
             .unwrap_or_else(|| Box::new(Workspace::new(problem)));
-        workspace.restart();
+        workspace.begin();
         let state = State::start(problem, control, start);
         Self {
             working_set: WorkingSet::of(&state),

@@ -27,6 +27,8 @@ const SMALLEST_SPECTRUM: usize = 8;
 /// An approximate inverse and its answer to an even residual.
 pub struct Preconditioner {
     inverse: Inverse,
+    /// What every load begins with, where this one has turned to another.
+    usual: Option<Inverse>,
     relief_compliance: Vec<f64>,
     even: Even,
     is_current: bool,
@@ -73,6 +75,7 @@ impl Preconditioner {
         };
         Self {
             inverse,
+            usual: None,
             relief_compliance: problem.relief_compliance().to_vec(),
             even: Even {
                 values: vec![0.0; problem.elements()],
@@ -90,7 +93,8 @@ impl Preconditioner {
             None => false,
             Some(inverse) => {
                 if times > 1 || !matches!(self.inverse, Inverse::Factor(_)) {
-                    self.inverse = inverse;
+                    let before = std::mem::replace(&mut self.inverse, inverse);
+                    self.usual.get_or_insert(before);
                     self.is_current = false;
                 }
                 true
@@ -98,7 +102,15 @@ impl Preconditioner {
         }
     }
 
-    /// Forgets the sets of the load before, so that nothing of the next depends on them.
+    /// Begins another load, of which nothing depends on the one before.
+    pub fn begin(&mut self) {
+        if let Some(usual) = self.usual.take() {
+            self.inverse = usual;
+        }
+        self.restart();
+    }
+
+    /// Forgets the sets met so far.
     pub fn restart(&mut self) {
         self.outdate();
         self.even.values.fill(0.0);

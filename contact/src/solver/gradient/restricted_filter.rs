@@ -18,14 +18,16 @@ use pellicle_influence::PeriodicSymbol;
 use super::{edge_band::EdgeBand, periodic_filter::PeriodicFilter, working_set::WorkingSet};
 use crate::vector::{by_parts, update};
 
-/// The filter is made anew when the mean compliance has changed by more than this part.
-const MEAN_DRIFT: f64 = 0.1;
+/// Filters are made for mean compliances in this ratio, and serve those around.
+const MEAN_RATIO: f64 = 1.1;
 
 /// The restricted inverse on one grid.
 pub struct RestrictedFilter {
     filter: PeriodicFilter,
     /// Unit of the filter's results.
     largest_multiplier: f64,
+    /// Response to the shortest wave, the unit of mean compliances.
+    shortest: f64,
     /// `η̄` that the filter is made for; NaN before the first.
     mean_compliance: f64,
     /// `S` of each element.
@@ -38,6 +40,7 @@ impl RestrictedFilter {
     pub fn new(symbol: PeriodicSymbol) -> Self {
         let size = symbol.size();
         Self {
+            shortest: symbol.value([size / 2; 2]),
             filter: PeriodicFilter::new(symbol),
             largest_multiplier: 1.0,
             mean_compliance: f64::NAN,
@@ -49,9 +52,8 @@ impl RestrictedFilter {
 
     /// Adapts to a set.
     pub fn update(&mut self, set: &WorkingSet, relief_compliance: &[f64]) {
-        let mean = mean_over(set, relief_compliance);
-        let fits = (mean - self.mean_compliance).abs() <= MEAN_DRIFT * mean;
-        if !fits {
+        let mean = rounded(mean_over(set, relief_compliance) / self.shortest) * self.shortest;
+        if mean.total_cmp(&self.mean_compliance).is_ne() {
             self.tune(mean, relief_compliance);
         }
         self.band.surround(set);
@@ -82,6 +84,15 @@ impl RestrictedFilter {
         self.filter.apply(residual, self.largest_multiplier);
         set.clear_outside(residual);
         update(residual, &self.flank, |z, s| *z *= s);
+    }
+}
+
+/// The nearest power of [`MEAN_RATIO`]; 0 for what is next to the body's own compliance of 1 nothing.
+fn rounded(mean: f64) -> f64 {
+    if mean < f64::EPSILON {
+        0.0
+    } else {
+        MEAN_RATIO.powf((mean.ln() / MEAN_RATIO.ln()).round())
     }
 }
 
