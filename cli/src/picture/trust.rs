@@ -51,10 +51,19 @@ pub fn last_change(step: &StepSummary, value: fn(&LevelSummary) -> f64) -> f64 {
     }
 }
 
-/// A part as percent with two digits.
+/// Percents below this are written as powers of ten.
+const SMALL: f64 = 1e-3;
+
+/// A part as percent with two digits: `0.21 %`, `7.2·10⁻⁵ %`.
 #[must_use]
 pub fn percent(part: f64) -> String {
-    let text = significant(100.0 * part, 2).replace('-', "−");
+    let percent = 100.0 * part;
+    let size = percent.abs();
+    if 0.0 < size && size < SMALL {
+        let sign = if percent < 0.0 { "−" } else { "" };
+        return format!("{sign}{} %", power(size, 2));
+    }
+    let text = significant(percent, 2).replace('-', "−");
     format!("{text} %")
 }
 
@@ -74,5 +83,12 @@ mod tests {
         assert_eq!(error(2.0, estimate(true), 0.5), "± 1.0 %");
         assert_eq!(error(2.0, estimate(false), 0.31), "[31 %]");
         assert_eq!(error(2.0, None, f64::NAN), "unknown");
+    }
+
+    #[test]
+    fn percents_have_two_digits_however_small() {
+        let parts = [0.0, -0.0021, 1.1e-5, 7.2e-7, -1.26e-6];
+        let words = ["0 %", "−0.21 %", "0.0011 %", "7.2·10⁻⁵ %", "−1.3·10⁻⁴ %"];
+        assert_eq!(parts.map(percent), words);
     }
 }

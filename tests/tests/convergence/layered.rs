@@ -10,8 +10,12 @@ use pellicle_texture::Relief;
 
 /// Side of the domain, in contact radii.
 const SIDE: f64 = 2.4;
+/// Elements per side beyond [`GRIDS`], for thin coatings.
+const FINER: [usize; 2] = [512, 640];
+/// Below five elements in its thickness a soft coating is not yet seen as it is.
+const ELEMENTS_IN_COATING: f64 = 5.0;
 
-/// Errors of the penetration over the grids whose elements are at most half as large as the coating is thick.
+/// Errors of the penetration over the nine coarsest grids that resolve the coating.
 fn errors(case: &AxisymmetricContact, perturbation: f64) -> Vec<(usize, f64)> {
     let foundation = coated(
         case.thickness,
@@ -25,12 +29,14 @@ fn errors(case: &AxisymmetricContact, perturbation: f64) -> Vec<(usize, f64)> {
     };
     let mut model = model(&foundation, Relief::Bare, indenter);
     model.tables = model.tables.perturbed(perturbation).into();
-    let fine = |elements: &usize| SIDE / *elements as f64 <= case.thickness / 2.0;
+    let resolves =
+        |elements: &usize| SIDE / *elements as f64 <= case.thickness / ELEMENTS_IN_COATING;
     let error = |elements| {
         let found = penetration(&model, SIDE, elements, Load::Force(case.force));
         (elements, relative(found, case.penetration))
     };
-    GRIDS.into_iter().filter(fine).map(error).collect()
+    let grids = GRIDS.into_iter().chain(FINER).filter(resolves);
+    grids.take(GRIDS.len()).map(error).collect()
 }
 
 fn cases(shape: Shape) -> impl Iterator<Item = AxisymmetricContact> {
@@ -41,7 +47,7 @@ fn cases(shape: Shape) -> impl Iterator<Item = AxisymmetricContact> {
 #[test]
 fn paraboloids_on_coatings_approach_the_continuum_with_order_two() {
     for case in cases(Shape::Paraboloid) {
-        let found = demand(&errors(&case, 0.0), 1.7, 3e-6);
+        let found = demand(&errors(&case, 0.0), 1.8, 3e-6);
         assert!(found.is_ok(), "{case:?}: {found:?}");
     }
 }
@@ -49,7 +55,7 @@ fn paraboloids_on_coatings_approach_the_continuum_with_order_two() {
 #[test]
 fn cones_on_coatings_approach_the_continuum_with_order_two() {
     for case in cases(Shape::Cone) {
-        let found = demand(&errors(&case, 0.0), 1.7, 3e-6);
+        let found = demand(&errors(&case, 0.0), 1.8, 3e-6);
         assert!(found.is_ok(), "{case:?}: {found:?}");
     }
 }
@@ -57,6 +63,6 @@ fn cones_on_coatings_approach_the_continuum_with_order_two() {
 #[test]
 fn coefficients_wrong_by_a_thousandth_converge_to_something_else_and_are_refused() {
     let case = cases(Shape::Paraboloid).next().expect("a case");
-    let found = demand(&errors(&case, 1e-3), 1.7, 1.0);
+    let found = demand(&errors(&case, 1e-3), 1.8, 1.0);
     assert!(found.is_err(), "{found:?}");
 }
