@@ -120,6 +120,14 @@ fn the_work_of_a_step_is_that_of_its_grids() {
 }
 
 #[test]
+fn each_iteration_is_one_product_beside_those_of_the_start_and_the_certificate() {
+    let (path, _) = solve(&model(1.0), 0.4, 128, &[Load::Force(2e-3)]);
+    for level in &path.steps[0].work.levels {
+        assert_eq!(level.operator_applications, level.iterations + 2);
+    }
+}
+
+#[test]
 fn a_certificate_is_that_of_the_whole_grid() {
     let (model, side, load) = (model(10.0), 0.8, Load::Force(2e-3));
     let (path, _) = solve(&model, side, 96, &[load]);

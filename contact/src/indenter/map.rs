@@ -67,6 +67,18 @@ mod tests {
     }
 
     #[test]
+    fn a_tip_beside_the_middle_is_moved_to_the_origin_along_both_axes() {
+        let heights = vec![8.0, 9.0, 7.0, 9.0, 9.0, 9.0];
+        let map = HeightMap::new(heights, [2, 3], [2.0, 3.0]).unwrap();
+        let indenter = IndenterMap::new(map);
+        assert_eq!(
+            [-2.0, -1.0, 0.0].map(|y| indenter.height(0.0, y)),
+            [1.0, 2.0, 0.0]
+        );
+        approx::assert_relative_eq!(indenter.height(1.0, 0.0), 2.0);
+    }
+
+    #[test]
     fn a_sampled_paraboloid_returns_to_second_order() {
         let paraboloid = Paraboloid::new(1.0).unwrap();
         let error = |n: i32| {

@@ -165,6 +165,32 @@ mod tests {
     }
 
     #[test]
+    fn a_trial_says_how_far_its_set_is_from_right_and_how_stiff_it_is() {
+        let mut problem = problem([1.0, 0.1], paraboloid, RIGID);
+        let area = problem.element_area();
+        let by_force = DenseSystem::new(&mut problem, Load::Force(1e-3));
+        assert_eq!(by_force.total(), Some(1e-3 / area));
+        let (pressure, _) = run(&by_force, &[0.0; 1024], Exchange::advance);
+        let members: Vec<usize> = (0..1024).filter(|e| pressure[*e] > 0.0).collect();
+        let all: Vec<usize> = (0..1024).collect();
+        let residual = |members: &[usize]| by_force.solve_on(members).unwrap().residual();
+        // Rounding of a dense solution; elements that pull.
+        assert!(residual(&members) < 1e-10 && residual(&all) > 1e-3);
+        assert!(residual(&members[10..]) > 1e-4, "an overlap");
+        let mut at = |penetration: f64| {
+            let system = DenseSystem::new(&mut problem, Load::Penetration(penetration));
+            assert_eq!(system.total(), None);
+            let iterate = system.solve_on(&members).unwrap().into_iterate(Vec::new());
+            let force = area * iterate.pressure.iter().sum::<f64>();
+            (force, iterate.contact_stiffness.unwrap())
+        };
+        let [(less, stiffness), (more, same)] = [0.02, 0.03].map(&mut at);
+        // Linear on one set: ΔQ = dQ/dD ΔD.
+        approx::assert_relative_eq!(more - less, stiffness * 0.01, max_relative = 1e-9);
+        approx::assert_relative_eq!(stiffness, same, max_relative = 1e-12);
+    }
+
+    #[test]
     fn a_start_from_pressure_holds_it_and_a_cold_one_all_that_can_touch() {
         let mut problem = problem([1.0, 0.1], paraboloid, RIGID);
         let mut warm = vec![0.0; 1024];

@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::{
+    best::Best,
     control::Control,
     iterate::State,
     newton::{Newton, Turn},
@@ -45,6 +46,36 @@ fn newtons_method_alone_solves_a_plate_on_pillars() {
             assert!(state.applications() <= most, "{exchanges} exchanges");
         }
     }
+}
+
+#[test]
+fn a_solver_that_gives_up_returns_the_best_admissible_pressure() {
+    let mut problem = problem([1.0, 0.1], paraboloid, RIGID);
+    let control = Control::new(Load::Penetration(0.01), problem.element_area());
+    let mut state = |pressure: f64| State::start(&mut problem, control, &[pressure; ELEMENTS]);
+    let mut offered = |residuals: &[f64], last: State, residual: f64| {
+        let mut best = Best::new();
+        for (i, offer) in residuals.iter().enumerate() {
+            best.offer(&state(1.0 + i as f64), *offer);
+        }
+        best.or(last, residual)[0]
+    };
+    let mut other = plate();
+    let mut last = |pressure: f64| {
+        let mut state = State::start(&mut other, control, &[0.0; ELEMENTS]);
+        state.pressure.fill(pressure);
+        state
+    };
+    // Exact: values that were put in.
+    let found = [
+        offered(&[0.5, 0.1, 0.3], last(9.0), 0.2),
+        offered(&[0.5, 0.3], last(9.0), 0.7),
+        offered(&[0.5, 0.1], last(9.0), 0.05),
+        offered(&[0.5, 0.1], last(-9.0), 0.05),
+        offered(&[], last(-9.0), 0.05),
+    ];
+    // The second is not worth a copy if it is not twice as good.
+    assert_eq!(found, [2.0, 1.0, 9.0, 2.0, -9.0]);
 }
 
 /// A set of a hundred elements in islands.
