@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use pellicle_influence::{ConvolutionOperator, ElasticOperator, SpreadOperator, SurfaceElasticity};
 
-use crate::{ContactError, solver::gradient::Workspace, window::Window};
+use crate::{ContactError, solver::gradient::Workspace, vector::update_with, window::Window};
 
 /// What answers a pressure with a displacement.
 enum Body {
@@ -243,13 +243,12 @@ impl DiscreteProblem {
     /// Writes `(K + η) p` (m) of the pressure `p` (Pa) into `deformation`: one product with `K`.
     pub fn deform_into(&mut self, pressure: &[f64], deformation: &mut [f64]) {
         self.operator_mut().apply_into(pressure, deformation);
-        for ((v, eta), p) in deformation
-            .iter_mut()
-            .zip(&self.relief_compliance)
-            .zip(pressure)
-        {
-            *v += eta * p;
-        }
+        update_with(
+            deformation,
+            &self.relief_compliance,
+            pressure,
+            |v, eta, p| *v += eta * p,
+        );
     }
 }
 

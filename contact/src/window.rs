@@ -122,20 +122,20 @@ impl Window {
     /// The part of a field of the grid that lies in the window.
     pub fn cut(&self, field: &[f64]) -> Vec<f64> {
         let [first, left] = self.origin;
-        let rows = field.chunks_exact(self.grid).skip(first).take(self.size);
-        rows.flat_map(|row| &row[left..left + self.size])
-            .copied()
-            .collect()
+        let mut part = vec![0.0; self.size * self.size];
+        let rows = field.par_chunks(self.grid).skip(first);
+        let rows = part.par_chunks_mut(self.size).zip(rows);
+        rows.for_each(|(values, row)| values.copy_from_slice(&row[left..left + self.size]));
+        part
     }
 
     /// The field of the grid that is `part` in the window and 0 outside.
     pub fn spread(&self, part: &[f64]) -> Vec<f64> {
         let [first, left] = self.origin;
         let mut field = vec![0.0; self.grid * self.grid];
-        let rows = field.chunks_exact_mut(self.grid).skip(first);
-        for (row, values) in rows.zip(part.chunks_exact(self.size)) {
-            row[left..left + self.size].copy_from_slice(values);
-        }
+        let rows = field.par_chunks_mut(self.grid).skip(first);
+        let rows = rows.zip(part.par_chunks(self.size));
+        rows.for_each(|(row, values)| row[left..left + self.size].copy_from_slice(values));
         field
     }
 }

@@ -1,7 +1,7 @@
 //! The Euclidean projection onto the admissible pressures.
 
 use super::control::Control;
-use crate::vector::sum;
+use crate::vector::{by_parts, each, sum};
 
 /// Replaces `x` by the nearest pressure `p ≥ 0` that keeps to the control: `p = max(x − θ, 0)`, where `θ` gives
 /// the prescribed total (0 where none is prescribed).
@@ -13,8 +13,7 @@ pub fn project(control: Control, x: &mut [f64]) {
         Control::Total(total) => shift_to_total(x, total),
         Control::Penetration(_) => 0.0,
     };
-    x.iter_mut()
-        .for_each(|value| *value = (*value - theta).max(0.0));
+    each(x, |value| *value = (*value - theta).max(0.0));
     control.rescale(x);
 }
 
@@ -22,9 +21,14 @@ pub fn project(control: Control, x: &mut [f64]) {
 fn shift_to_total(x: &[f64], total: f64) -> f64 {
     let mut theta = (sum(x) - total) / x.len() as f64;
     loop {
-        let above = || x.iter().filter(|value| **value > theta);
-        let count = above().count();
-        let next = (above().sum::<f64>() - total) / count as f64;
+        let parts = by_parts(x.len(), |part| {
+            let above = x[part].iter().filter(|value| **value > theta);
+            above.fold((0, 0.0), |(count, sum), value| (count + 1, sum + value))
+        });
+        let (count, above) = parts
+            .iter()
+            .fold((0_usize, 0.0), |all, part| (all.0 + part.0, all.1 + part.1));
+        let next = (above - total) / count as f64;
         // Strictly rising until the set above θ stands still; rounding may then let it fall.
         if count == 0 || next <= theta {
             return theta;
@@ -53,6 +57,16 @@ mod tests {
             } else {
                 assert!(*x <= theta);
             }
+        }
+    }
+
+    #[test]
+    fn what_is_short_of_the_total_is_raised_everywhere() {
+        let mut x = [0.1, 0.2, -0.3];
+        project(Control::Total(9.0), &mut x);
+        // θ = (0 − 9)/3
+        for (found, wanted) in x.iter().zip([3.1, 3.2, 2.7]) {
+            assert_relative_eq!(*found, wanted, max_relative = 1e-14);
         }
     }
 }
