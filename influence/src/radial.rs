@@ -251,3 +251,50 @@ fn integral(panel: &Panel) -> Vec<f64> {
 fn series([c2, c4, c6, c8]: [f64; 4]) -> [f64; 4] {
     [-c2, 9.0 * c4, -225.0 * c6, 11_025.0 * c8]
 }
+
+#[cfg(test)]
+mod tests {
+    use pellicle_kernel::{Foundation, Material};
+
+    use super::{Area, RadialFunctions};
+
+    fn coated(young_modulus: f64) -> RadialFunctions {
+        let coating = Material::new(young_modulus, 0.4).unwrap();
+        let base = Material::new(1.0, 0.3).unwrap();
+        RadialFunctions::new(&Foundation::coated(1.0, coating, base).unwrap())
+    }
+
+    /// Radii below, between and beyond the panels.
+    fn radii(functions: &RadialFunctions) -> impl Iterator<Item = f64> {
+        let [start, end] = functions.ends.map(f64::ln);
+        (-2..=22).map(move |i| (start + (end - start) * f64::from(i) / 20.0).exp())
+    }
+
+    #[test]
+    fn the_area_grows_as_the_function_below_it() {
+        for functions in [coated(0.1), coated(10.0)] {
+            for t in radii(&functions) {
+                let step = 1e-4 * t;
+                let [less, more] = [t - step, t + step].map(|t| functions.area_as_held(t));
+                // Held in one form on both sides of most radii; P' = T, to (step/t)² of its curvature.
+                let growth = (more.0 - less.0) / (2.0 * step);
+                if less.1 == more.1 {
+                    approx::assert_relative_eq!(growth, functions.value(t), max_relative = 1e-7);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn both_forms_of_the_area_differ_by_the_constant_at_every_radius() {
+        for functions in [coated(0.1), coated(10.0)] {
+            let constant = functions.constant();
+            for t in radii(&functions) {
+                let [whole, reduced] = [Area::Whole, Area::Reduced].map(|a| functions.area(t, a));
+                let largest = whole.abs().max(reduced.abs()).max(constant.abs());
+                // one rounding of a sum
+                assert!((whole - reduced - constant).abs() <= 1e-15 * largest, "{t}");
+            }
+        }
+    }
+}
