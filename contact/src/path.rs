@@ -45,7 +45,7 @@ pub struct LoadingPath {
     pub coefficients_origin: Origin,
     /// Time spent in solvers, in s; less than the steps' own times together where several were solved at once.
     pub solve_seconds: f64,
-    /// Whether the observer cancelled, so that only the loads before it are solved.
+    /// Whether the observer cancelled, so that only the loads before the first unfinished one are here.
     pub interrupted: bool,
 }
 
@@ -69,7 +69,7 @@ pub struct Step {
 /// Solves `model` for every one of `loads` on `elements` × `elements` elements.
 ///
 /// A step that misses its tolerance is in the path with an unsatisfied certificate and a warning, not an error. If the observer
-/// cancels, the path holds the steps finished until then.
+/// cancels, the path holds the steps before the first that is not finished.
 ///
 /// # Errors
 /// A load, tolerance, side or grid that makes no sense; coefficients that miss their accuracy; a contact that outgrows every domain.
