@@ -10,10 +10,8 @@
 //!
 //! and the smallest pressure, which must not be negative. Nothing is taken from an iteration's own residual.
 
-use rayon::prelude::*;
-
 use crate::{
-    DiscreteProblem, Load,
+    DeformedSurface, DiscreteProblem, Load,
     vector::{by_parts, sum},
     window::Window,
 };
@@ -55,7 +53,7 @@ impl Certificate {
     }
 }
 
-/// A pressure judged: the certificate and the fields that it was computed from.
+/// A pressure judged.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Solution {
     /// Penetration `D`, in m.
@@ -64,12 +62,6 @@ pub struct Solution {
     pub force: f64,
     /// Pressure `p` of each element, in Pa; N² values.
     pub pressure: Vec<f64>,
-    /// Elastic displacement `u = K p` of each element's centre, in m, positive into the body; N² values.
-    pub displacement: Vec<f64>,
-    /// Shortening `w* = η p` of the relief (3.3), in m; N² values.
-    pub shortening: Vec<f64>,
-    /// Gap `g = u + w* + g0 − D`, in m; +∞ where the indenter has no surface; N² values.
-    pub gap: Vec<f64>,
     /// How well this solves the problem.
     pub certificate: Certificate,
 }
@@ -83,39 +75,53 @@ impl Solution {
         pressure: Vec<f64>,
         tolerance: f64,
     ) -> Self {
-        let everywhere = Window::whole(problem.size());
-        Self::judge_within(problem, &everywhere, load, pressure, tolerance)
+        Self::judge_with_surface(problem, load, pressure, tolerance).0
     }
 
-    /// The same for a pressure that vanishes outside `window`, which makes the product cheaper.
+    /// The same, and the surface that was computed for it.
+    #[must_use]
+    pub fn judge_with_surface(
+        problem: &mut DiscreteProblem,
+        load: Load,
+        pressure: Vec<f64>,
+        tolerance: f64,
+    ) -> (Self, DeformedSurface) {
+        let everywhere = Window::whole(problem.size());
+        let mut surface = DeformedSurface::default();
+        let solution = Self::judge_within(
+            problem,
+            &everywhere,
+            load,
+            pressure,
+            tolerance,
+            &mut surface,
+        );
+        (solution, surface)
+    }
+
+    /// The same for a pressure that vanishes outside `window`, which makes the product cheaper; the surface's memory is used again.
     pub(crate) fn judge_within(
         problem: &mut DiscreteProblem,
         window: &Window,
         load: Load,
         pressure: Vec<f64>,
         tolerance: f64,
+        surface: &mut DeformedSurface,
     ) -> Self {
-        let mut displacement = vec![0.0; pressure.len()];
-        problem.displace_into(window, &pressure, &mut displacement);
-        let shortening: Vec<f64> = pressure
-            .par_iter()
-            .zip(problem.relief_compliance())
-            .map(|(p, eta)| eta * p)
-            .collect();
-        // v = K p + η p + g0
-        let mut gap: Vec<f64> = displacement
-            .par_iter()
-            .zip(&shortening)
-            .zip(problem.initial_gap())
-            .map(|((u, w), g0)| u + w + g0)
-            .collect();
+        surface.displacement.resize(pressure.len(), 0.0);
+        problem.displace_into(window, &pressure, &mut surface.displacement);
+        surface.add_up(
+            &pressure,
+            problem.relief_compliance(),
+            problem.initial_gap(),
+        );
         let total = sum(&pressure);
         let penetration = match load {
             Load::Penetration(penetration) => penetration,
             // D = Σ p v / Σ p
-            Load::Force(_) => weighted(&pressure, &gap) / total,
+            Load::Force(_) => weighted(&pressure, &surface.gap) / total,
         };
-        gap.par_iter_mut().for_each(|g| *g -= penetration);
+        surface.lower_by(penetration);
         let force = total * problem.element_area();
         let certificate = Certificate {
             load: match load {
@@ -123,15 +129,12 @@ impl Solution {
                 Load::Penetration(_) => 0.0,
             },
             tolerance,
-            ..residuals(&pressure, &gap, penetration, total)
+            ..residuals(&pressure, &surface.gap, penetration, total)
         };
         Self {
             penetration,
             force,
             pressure,
-            displacement,
-            shortening,
-            gap,
             certificate,
         }
     }

@@ -1,12 +1,11 @@
 //! The grids of a path, from the coarsest to the finest, each made when it is first needed.
 
-use std::sync::Arc;
 use std::time::Instant;
 
 use pellicle_influence::Origin;
 
 use crate::{
-    ContactError, GridError, Load, Model, SampledModel, SolverOptions, Step, Work,
+    ContactError, GridError, Load, Model, SolverOptions, Step, Work,
     level::{Level, LevelResult},
     levels::{COARSE_TOLERANCE, Field, coarser_sizes},
     solver::Watch,
@@ -81,13 +80,13 @@ impl<'a> Hierarchy<'a> {
         self.coefficients_origin.unwrap_or(Origin::Computed)
     }
 
-    /// The geometry on the finest grid.
-    pub fn into_sampled(mut self) -> Result<SampledModel, ContactError> {
-        if let Some(finest) = self.levels.pop().flatten() {
-            return Ok(Arc::unwrap_or_clone(finest.sampled));
+    /// The finest grid, made now where no load has needed it.
+    pub fn into_finest(mut self) -> Result<Level, ContactError> {
+        let finest = self.sizes.len() - 1;
+        match self.levels[finest].take() {
+            Some(level) => Ok(level),
+            None => self.make(finest),
         }
-        let elements = self.sizes.last().copied().unwrap_or_default();
-        self.model.sample(self.side, elements)
     }
 
     /// Solves one load from the coarsest grid to the finest.
@@ -99,15 +98,15 @@ impl<'a> Hierarchy<'a> {
     ) -> Result<Step, ContactError> {
         let (clock, spent_before) = (Instant::now(), self.coefficients_seconds);
         let (mut levels, mut values) = (Vec::new(), Vec::new());
-        let mut coarser: Option<(Vec<f64>, Vec<bool>)> = None;
+        let mut coarser: Option<OwnedField> = None;
         let finest = self.sizes.len() - 1;
         for index in 0..finest {
             let start = coarser.as_ref().map(field);
             let options = coarse_options(options);
-            let (result, mask) = self.solve_level(index, load, start, options, watch)?;
+            let (result, field) = self.solve_level(index, load, start, options, watch)?;
             levels.push(result.work);
             values.push(result.values());
-            coarser = Some((result.field, mask));
+            coarser = field;
         }
         let start = coarser.as_ref().map(field);
         let (result, _) = self.solve_level(finest, load, start, options, watch)?;
@@ -130,7 +129,7 @@ impl<'a> Hierarchy<'a> {
         })
     }
 
-    /// Solves on one grid; returns the outline of its relief besides.
+    /// Solves on one grid; returns besides what the next finer one starts from, its field and the outline of its relief.
     fn solve_level(
         &mut self,
         index: usize,
@@ -138,22 +137,26 @@ impl<'a> Hierarchy<'a> {
         start: Option<Field<'_>>,
         options: SolverOptions,
         watch: &mut Watch<'_>,
-    ) -> Result<(LevelResult, Vec<bool>), ContactError> {
+    ) -> Result<(LevelResult, Option<OwnedField>), ContactError> {
         let mut level = match self.levels[index].take() {
             Some(level) => level,
             None => self.make(index)?,
         };
         let result = level.solve(load, start, options, watch);
         let is_finest = index + 1 == self.sizes.len();
-        let mask = if is_finest {
-            Vec::new()
-        } else {
-            level.mask().to_vec()
+        let field = match &result {
+            Ok(result) if !is_finest => {
+                Some((level.signed_field(&result.solution), level.mask().to_vec()))
+            }
+            _ => None,
         };
+        if !self.keep {
+            level.release();
+        }
         if self.keep || is_finest {
             self.levels[index] = Some(level);
         }
-        Ok((result?, mask))
+        Ok((result?, field))
     }
 
     fn make(&mut self, index: usize) -> Result<Level, ContactError> {
@@ -178,7 +181,9 @@ fn coarse_options(options: SolverOptions) -> SolverOptions {
     }
 }
 
-/// The field of a solved level.
-fn field((values, mask): &(Vec<f64>, Vec<bool>)) -> Field<'_> {
+/// A solved level's field and the outline of its relief.
+type OwnedField = (Vec<f64>, Vec<bool>);
+
+fn field((values, mask): &OwnedField) -> Field<'_> {
     Field { values, mask }
 }

@@ -2,12 +2,13 @@
 
 use std::sync::Arc;
 
-use pellicle_influence::{Cached, Origin};
+use pellicle_influence::{Origin, SurfaceElasticity};
 use rayon::prelude::*;
 
 use crate::{
-    ActiveSetSolver, ContactError, DiscreteProblem, GradientSolver, Iterate, LevelValues,
-    LevelWork, Load, Method, Model, SampledModel, Solution, Solver, SolverOptions, Summary,
+    ActiveSetSolver, ContactError, DeformedSurface, DiscreteProblem, GradientSolver, Iterate,
+    LevelValues, LevelWork, Load, Method, Model, SampledModel, Solution, Solver, SolverOptions,
+    Summary,
     levels::{Field, prolong},
     solver::Watch,
     window::{Room, Window},
@@ -21,11 +22,14 @@ const FAR: f64 = 1e30;
 
 /// A grid of a path.
 pub struct Level {
-    pub sampled: Arc<SampledModel>,
+    sampled: Arc<SampledModel>,
+    elasticity: Arc<SurfaceElasticity>,
     pub coefficients_origin: Origin,
     problem: DiscreteProblem,
     /// The window of the last load, and the problem on it.
     window: Option<(Window, DiscreteProblem)>,
+    /// The surface of the last load: memory that the next uses again.
+    surface: DeformedSurface,
 }
 
 /// What one level ended with.
@@ -35,19 +39,19 @@ pub struct LevelResult {
     pub work: LevelWork,
     pub residuals: Vec<f64>,
     pub contact_stiffness: Option<f64>,
-    /// Pressure, and where there is none the gap as a negative pressure.
-    pub field: Vec<f64>,
 }
 
 impl Level {
     pub fn new(model: &Model, side: f64, size: usize) -> Result<Self, ContactError> {
         let sampled = model.sample(side, size)?;
-        let Cached { value, origin } = model.discretize(&sampled)?;
+        let elasticity = model.elasticity(&sampled.grid)?;
         Ok(Self {
+            problem: sampled.problem(elasticity.value.clone())?,
             sampled: Arc::new(sampled),
-            problem: value,
-            coefficients_origin: origin,
+            elasticity: elasticity.value,
+            coefficients_origin: elasticity.origin,
             window: None,
+            surface: DeformedSurface::default(),
         })
     }
 
@@ -56,9 +60,11 @@ impl Level {
         let everywhere = Window::whole(self.size());
         Some(Self {
             sampled: self.sampled.clone(),
+            elasticity: self.elasticity.clone(),
             problem: self.problem.window(&everywhere)?,
             coefficients_origin: self.coefficients_origin,
             window: None,
+            surface: DeformedSurface::default(),
         })
     }
 
@@ -79,7 +85,6 @@ impl Level {
             None => vec![0.0; self.size() * self.size()],
         };
         let (solution, effort) = self.solve_from(start, load, options, watch)?;
-        let field = self.signed_field(&solution);
         Ok(LevelResult {
             summary: Summary::new(&solution, &self.sampled.grid, &self.sampled.relief),
             solution,
@@ -91,8 +96,12 @@ impl Level {
             },
             residuals: effort.residuals,
             contact_stiffness: effort.contact_stiffness,
-            field,
         })
+    }
+
+    /// The geometry and the elasticity of the elements.
+    pub fn into_parts(self) -> (SampledModel, Arc<SurfaceElasticity>) {
+        (Arc::unwrap_or_clone(self.sampled), self.elasticity)
     }
 
     /// The relief's outline, across which nothing is interpolated.
@@ -129,16 +138,14 @@ impl Level {
                 self.window = None;
             }
             let tolerance = options.tolerance;
+            let (problem, surface) = (&mut self.problem, &mut self.surface);
             let solution =
-                Solution::judge_within(&mut self.problem, &window, load, pressure, tolerance);
+                Solution::judge_within(problem, &window, load, pressure, tolerance, surface);
             effort.operator_applications += 1;
             if window.is_whole() || solution.certificate.overlap <= tolerance {
-                if watch.steps == 1 {
-                    self.problem.release_operator();
-                }
                 return Ok((solution, effort));
             }
-            let presses = |e: usize| solution.pressure[e] > 0.0 || solution.gap[e] < 0.0;
+            let presses = |e: usize| solution.pressure[e] > 0.0 || self.surface.gap[e] < 0.0;
             window = window.wider(Window::around(size, presses, room));
             pressure = solution.pressure;
         }
@@ -177,13 +184,16 @@ impl Level {
         })
     }
 
-    /// Pressure, and where there is none the gap as a negative pressure.
-    fn signed_field(&self, solution: &Solution) -> Vec<f64> {
-        let Some(elasticity) = self.problem.elasticity() else {
-            return solution.pressure.clone();
-        };
-        let per_gap = PRESSURE_PER_GAP / elasticity.coefficient([0, 0]);
-        let fields = solution.pressure.par_iter().zip(&solution.gap);
+    /// Gives back the memory that only another load would need.
+    pub fn release(&mut self) {
+        self.problem.release_operator();
+        self.surface = DeformedSurface::default();
+    }
+
+    /// The last load's pressure, and where there is none the gap as a negative pressure.
+    pub fn signed_field(&self, solution: &Solution) -> Vec<f64> {
+        let per_gap = PRESSURE_PER_GAP / self.elasticity.coefficient([0, 0]);
+        let fields = solution.pressure.par_iter().zip(&self.surface.gap);
         fields
             .map(|(p, g)| {
                 if *p > 0.0 {

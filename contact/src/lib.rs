@@ -10,6 +10,7 @@
 )]
 
 mod certificate;
+mod deformed_surface;
 mod discrete_problem;
 mod domain;
 mod error;
@@ -32,6 +33,7 @@ mod window;
 mod work;
 
 pub use certificate::{Certificate, Solution};
+pub use deformed_surface::DeformedSurface;
 pub use discrete_problem::DiscreteProblem;
 pub use domain::{Domain, default_side};
 pub use error::ContactError;

@@ -64,30 +64,40 @@ impl Model {
         &self,
         sampled: &SampledModel,
     ) -> Result<Cached<DiscreteProblem>, ContactError> {
-        let grid = &sampled.grid;
-        let Cached {
-            value: table,
-            origin,
-        } = (self.cache).coefficients(&self.tables, grid.element_side(), grid.size())?;
-        let elasticity = SurfaceElasticity::new(table, self.tables.foundation().clone());
-        // g0 = f − f*
-        let initial_gap = sampled
-            .indenter_profile
-            .par_iter()
-            .zip(sampled.relief.profile())
-            .map(|(f, relief)| f - relief)
-            .collect();
-        let compliance = sampled.relief.compliance().to_vec();
-        let (elasticity, area) = (Arc::new(elasticity), grid.element_area());
+        let Cached { value, origin } = self.elasticity(&sampled.grid)?;
+        let value = sampled.problem(value)?;
+        Ok(Cached { value, origin })
+    }
+
+    /// The elasticity of a grid's elements, and where its coefficients came from.
+    pub(crate) fn elasticity(
+        &self,
+        grid: &Grid,
+    ) -> Result<Cached<Arc<SurfaceElasticity>>, ContactError> {
+        let table = (self.cache).coefficients(&self.tables, grid.element_side(), grid.size())?;
+        let foundation = self.tables.foundation().clone();
         Ok(Cached {
-            value: DiscreteProblem::elastic(
-                elasticity,
-                grid.size(),
-                compliance,
-                initial_gap,
-                area,
-            )?,
-            origin,
+            value: Arc::new(SurfaceElasticity::new(table.value, foundation)),
+            origin: table.origin,
         })
     }
+}
+
+impl SampledModel {
+    /// The discrete problem of elements with this elasticity.
+    pub(crate) fn problem(
+        &self,
+        elasticity: Arc<SurfaceElasticity>,
+    ) -> Result<DiscreteProblem, ContactError> {
+        let initial_gap = initial_gap(&self.indenter_profile, &self.relief);
+        let compliance = self.relief.compliance().to_vec();
+        let (size, area) = (self.grid.size(), self.grid.element_area());
+        DiscreteProblem::elastic(elasticity, size, compliance, initial_gap, area)
+    }
+}
+
+/// `g0 = f − f*`, in m.
+pub(crate) fn initial_gap(indenter_profile: &[f64], relief: &SampledRelief) -> Vec<f64> {
+    let profiles = indenter_profile.par_iter().zip(relief.profile());
+    profiles.map(|(f, relief)| f - relief).collect()
 }

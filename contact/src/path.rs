@@ -4,17 +4,21 @@
 //! three products fewer. So no load depends on another, bit for bit, and on grids too small to keep all threads busy as many loads are solved at
 //! the same time as there are threads.
 
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Instant;
 
-use pellicle_influence::Origin;
+use pellicle_influence::{Origin, SurfaceElasticity};
 use pellicle_texture::{Grid, SampledRelief};
 use rayon::prelude::*;
 
 use crate::{
-    ContactError, Domain, GridError, Load, Model, Observer, Progress, SampledModel, Signal,
-    Solution, SolverOptions, Summary, Warning, Work, default_side, hierarchy::Hierarchy,
-    solver::Watch, trust,
+    ContactError, DeformedSurface, Domain, GridError, Load, Model, Observer, Progress,
+    SampledModel, Signal, Solution, SolverOptions, Summary, Warning, Work, default_side,
+    hierarchy::Hierarchy,
+    model::initial_gap,
+    solver::Watch,
+    trust,
+    window::{Room, Window},
 };
 
 /// How often an automatic domain may grow, and by how much each time.
@@ -47,12 +51,40 @@ pub struct LoadingPath {
     pub solve_seconds: f64,
     /// Whether the observer cancelled, so that only the loads before the first unfinished one are here.
     pub interrupted: bool,
+    elasticity: Arc<SurfaceElasticity>,
+}
+
+impl LoadingPath {
+    /// The surface at a step, afresh from its pressure by one product with `K`: a path keeps the pressures alone, a quarter of the memory.
+    ///
+    /// # Panics
+    /// If there is no such step.
+    #[must_use]
+    pub fn surface(&self, step: usize) -> DeformedSurface {
+        let Solution {
+            pressure,
+            penetration,
+            ..
+        } = &self.steps[step].solution;
+        let size = self.grid.size();
+        let window = Window::around(size, |e| pressure[e] > 0.0, Room::ForOne);
+        let mut operator = (self.elasticity).spread(size, window.origin(), window.size());
+        let mut surface = DeformedSurface {
+            displacement: vec![0.0; pressure.len()],
+            ..DeformedSurface::default()
+        };
+        operator.apply_into(&window.cut(pressure), &mut surface.displacement);
+        let initial_gap = initial_gap(&self.indenter_profile, &self.relief);
+        surface.add_up(pressure, self.relief.compliance(), &initial_gap);
+        surface.lower_by(*penetration);
+        surface
+    }
 }
 
 /// One load's solution. It is converged if its certificate is satisfied.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Step {
-    /// The fields and their certificate.
+    /// The pressure and its certificate.
     pub solution: Solution,
     /// The numbers that describe it.
     pub summary: Summary,
@@ -209,15 +241,16 @@ impl PathRun<'_> {
         let hierarchy = self.lanes.swap_remove(0);
         drop(self.lanes);
         let coefficients_origin = hierarchy.coefficients_origin();
+        let (sampled, elasticity) = hierarchy.into_finest()?.into_parts();
         let SampledModel {
             grid,
             relief,
             indenter_profile,
-        } = hierarchy.into_sampled()?;
+        } = sampled;
         let mut warnings = self.warnings;
         warnings.extend(trust::model_warnings(model, &grid));
         for (index, step) in self.steps.iter().enumerate() {
-            warnings.extend(trust::step_warnings(model, index, step));
+            warnings.extend(trust::step_warnings(model, &relief, index, step));
         }
         Ok(LoadingPath {
             grid,
@@ -229,6 +262,7 @@ impl PathRun<'_> {
             solve_seconds: self.solve_seconds,
             steps: self.steps,
             interrupted: self.interrupted,
+            elasticity,
         })
     }
 }

@@ -1,9 +1,9 @@
 //! Doubts about a result: what the grid and the model cannot be trusted with.
 
-use pellicle_texture::{Grid, Relief};
+use pellicle_texture::{Grid, Relief, SampledRelief};
 use rayon::prelude::*;
 
-use crate::{Model, Step, Warning, domain::slope};
+use crate::{Model, Step, Warning, domain::slope, vector::by_parts};
 
 /// Fewer elements than this per cylinder radius leave its outline to chance.
 const FEWEST_ELEMENTS_PER_RADIUS: f64 = 4.0;
@@ -51,7 +51,12 @@ pub fn model_warnings(model: &Model, grid: &Grid) -> Vec<Warning> {
 }
 
 /// Doubts about one loading step.
-pub(crate) fn step_warnings(model: &Model, index: usize, step: &Step) -> Vec<Warning> {
+pub(crate) fn step_warnings(
+    model: &Model,
+    relief: &SampledRelief,
+    index: usize,
+    step: &Step,
+) -> Vec<Warning> {
     let certificate = &step.solution.certificate;
     let not_converged = (!certificate.is_satisfied()).then(|| Warning::NotConverged {
         step: index,
@@ -60,7 +65,7 @@ pub(crate) fn step_warnings(model: &Model, index: usize, step: &Step) -> Vec<War
     });
     [
         not_converged,
-        shortening(model, index, step),
+        shortening(model, relief, index, step),
         peak(index, step),
         steepness(model, index, step),
     ]
@@ -69,9 +74,15 @@ pub(crate) fn step_warnings(model: &Model, index: usize, step: &Step) -> Vec<War
     .collect()
 }
 
-fn shortening(model: &Model, index: usize, step: &Step) -> Option<Warning> {
+fn shortening(model: &Model, relief: &SampledRelief, index: usize, step: &Step) -> Option<Warning> {
     let height = model.relief.height()?;
-    let times = step.solution.shortening.iter().copied().fold(0.0, f64::max) / height;
+    // w* = η p
+    let (compliance, pressure) = (relief.compliance(), &step.solution.pressure);
+    let parts = by_parts(pressure.len(), |part| {
+        let springs = compliance[part.clone()].iter().zip(&pressure[part]);
+        springs.map(|(eta, p)| eta * p).fold(0.0, f64::max)
+    });
+    let times = parts.into_iter().fold(0.0, f64::max) / height;
     (times > LARGEST_SHORTENING).then_some(Warning::FilmShortening { step: index, times })
 }
 

@@ -134,12 +134,19 @@ fn a_certificate_is_that_of_the_whole_grid() {
     let found = &path.steps[0].solution;
     let sampled = model.sample(side, 96).unwrap();
     let mut problem = model.discretize(&sampled).unwrap().value;
-    let pressure = found.pressure.clone();
-    let again = Solution::judge(&mut problem, load, pressure, found.certificate.tolerance);
-    let largest = again.displacement.iter().copied().fold(0.0, f64::max);
-    for (u, whole) in found.displacement.iter().zip(&again.displacement) {
-        // Rounding of transforms of two lengths.
-        assert!((u - whole).abs() < 1e-13 * largest);
+    let (pressure, tolerance) = (found.pressure.clone(), found.certificate.tolerance);
+    let (again, whole) = Solution::judge_with_surface(&mut problem, load, pressure, tolerance);
+    let surface = path.surface(0);
+    let largest = whole.displacement.iter().copied().fold(0.0, f64::max);
+    for (found, whole) in [
+        (surface.displacement, whole.displacement),
+        (surface.shortening, whole.shortening),
+        (surface.gap, whole.gap),
+    ] {
+        for (found, whole) in found.iter().zip(whole) {
+            // Rounding of transforms of two lengths.
+            assert!((found - whole).abs() < 1e-13 * largest);
+        }
     }
     let (certificate, whole) = (found.certificate, again.certificate);
     assert!((certificate.gap_in_contact - whole.gap_in_contact).abs() < 1e-12);

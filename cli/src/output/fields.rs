@@ -1,6 +1,6 @@
 //! The fields of one loading step, as writers and pictures take them.
 
-use pellicle_contact::{LoadingPath, Solution};
+use pellicle_contact::{DeformedSurface, LoadingPath};
 
 /// N × N values each, element `(i, j)` at index `i N + j`: the first index runs along x.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,16 +37,16 @@ pub struct Named<'a> {
 }
 
 impl<'a> Fields<'a> {
-    /// The fields of a solution on the path's grid.
+    /// The fields of a step of a path, the surface that it deforms among them.
     #[must_use]
-    pub fn of(path: &'a LoadingPath, solution: &'a Solution) -> Self {
+    pub fn of(path: &'a LoadingPath, step: usize, surface: &'a DeformedSurface) -> Self {
         Self {
             side: path.grid.side(),
             size: path.grid.size(),
-            pressure: &solution.pressure,
-            displacement: &solution.displacement,
-            gap: &solution.gap,
-            shortening: &solution.shortening,
+            pressure: &path.steps[step].solution.pressure,
+            displacement: &surface.displacement,
+            gap: &surface.gap,
+            shortening: &surface.shortening,
             profile: path.relief.profile(),
             mask: path.relief.mask(),
         }

@@ -4,7 +4,7 @@ use std::fs;
 use std::io::Write;
 use std::path::Path;
 
-use pellicle_contact::{LoadingPath, Solution};
+use pellicle_contact::LoadingPath;
 use rayon::prelude::*;
 
 use super::fields::Fields;
@@ -29,9 +29,9 @@ const PICTURES: usize = 3;
 pub fn write(folder: &Path, path: &LoadingPath, summary: &Summary) -> Result<(), Failure> {
     let text = json(summary)?;
     let record = Record::parse(&text, summary.case.units)?;
-    let steps = path.steps.par_iter().enumerate();
-    let parts = steps.map(|(i, step)| {
-        let part = write_step(folder, path, &record, i, &step.solution)?;
+    let steps = (0..path.steps.len()).into_par_iter();
+    let parts = steps.map(|i| {
+        let part = write_step(folder, path, &record, i)?;
         Ok(is_in_report(i, path.steps.len()).then_some(part))
     });
     let parts = parts.collect::<Result<Vec<Option<StepPart>>, Failure>>()?;
@@ -47,9 +47,9 @@ fn write_step(
     path: &LoadingPath,
     record: &Record,
     step: usize,
-    solution: &Solution,
 ) -> Result<StepPart, Failure> {
-    let fields = Fields::of(path, solution);
+    let surface = path.surface(step);
+    let fields = Fields::of(path, step, &surface);
     // What is packed takes about as long as all the rest.
     let (packed, part) = rayon::join(
         || npz::write(&folder.join(npz::file(step)), &fields),

@@ -3,7 +3,7 @@
 use pellicle_influence::ElasticOperator;
 
 use super::{Certificate, Solution};
-use crate::{DiscreteProblem, Load};
+use crate::{DeformedSurface, DiscreteProblem, Load};
 
 /// Independent springs of 0.5 m/Pa.
 struct Springs(usize);
@@ -21,16 +21,16 @@ impl ElasticOperator for Springs {
 }
 
 /// Two elements that press, one that overlaps, one that nothing reaches; elements of 0.25 m².
-fn judged(load: Load) -> Solution {
+fn judged(load: Load) -> (Solution, DeformedSurface) {
     let (eta, gap) = (vec![0.5, 0.0, 0.0, 0.0], vec![0.0, 0.5, 1.0, f64::INFINITY]);
     let problem = DiscreteProblem::new(Box::new(Springs(2)), eta, gap, 0.25);
-    Solution::judge(&mut problem.unwrap(), load, vec![2.0, 4.0, 0.0, 0.0], 1e-8)
+    Solution::judge_with_surface(&mut problem.unwrap(), load, vec![2.0, 4.0, 0.0, 0.0], 1e-8)
 }
 
 fn assert_lines(found: Certificate, wanted: [f64; 4]) {
     let lines = [
         found.complementarity,
-        found.gap_in_contact,
+        surface.gap_in_contact,
         found.overlap,
         found.load,
     ];
@@ -42,13 +42,13 @@ fn assert_lines(found: Certificate, wanted: [f64; 4]) {
 
 #[test]
 fn under_a_force_every_line_is_what_its_formula_says() {
-    let solution = judged(Load::Force(2.0));
+    let (solution, surface) = judged(Load::Force(2.0));
     // v = (1 + 1 + 0, 2 + 0 + 0.5, 1, ∞), D = (2·2 + 4·2.5)/6 = 7/3, g = (−1/3, 1/6, −4/3, ∞)
-    assert_eq!(solution.displacement, [1.0, 2.0, 0.0, 0.0]);
-    assert_eq!(solution.shortening, [1.0, 0.0, 0.0, 0.0]);
+    assert_eq!(surface.displacement, [1.0, 2.0, 0.0, 0.0]);
+    assert_eq!(surface.shortening, [1.0, 0.0, 0.0, 0.0]);
     assert!((solution.penetration - 7.0 / 3.0).abs() < 1e-15);
     assert!((solution.force - 1.5).abs() <= 0.0);
-    assert!((solution.gap[0] + 1.0 / 3.0).abs() < 1e-15 && solution.gap[3].is_infinite());
+    assert!((surface.gap[0] + 1.0 / 3.0).abs() < 1e-15 && surface.gap[3].is_infinite());
     // (2/3 + 4/6)/(7/3 · 6), (1/3)/(7/3), (4/3)/(7/3), |1.5 − 2|/2
     assert_lines(
         solution.certificate,
@@ -61,11 +61,11 @@ fn under_a_force_every_line_is_what_its_formula_says() {
 #[test]
 fn under_a_penetration_the_gap_is_measured_from_it() {
     // D = ∓2: g = (2, 2.5, 1) + 2 above the surface, (0, 0.5, −1) below it
-    let above = judged(Load::Penetration(-2.0)).certificate;
+    let above = judged(Load::Penetration(-2.0)).0.certificate;
     assert_lines(above, [(2.0 * 4.0 + 4.0 * 4.5) / 12.0, 2.25, 0.0, 0.0]);
-    let below = judged(Load::Penetration(2.0));
+    let (below, surface) = judged(Load::Penetration(2.0));
     assert_lines(below.certificate, [1.0 / 6.0, 0.25, 0.5, 0.0]);
-    assert_eq!(below.gap, [0.0, 0.5, -1.0, f64::INFINITY]);
+    assert_eq!(surface.gap, [0.0, 0.5, -1.0, f64::INFINITY]);
 }
 
 #[test]
@@ -77,17 +77,17 @@ fn on_a_large_grid_the_lines_are_those_of_all_elements() {
         .map(|e| wave(e, 1e-4).max(0.0) + 0.1 * f64::from(u8::from(e == 30_000)))
         .collect();
     let problem = DiscreteProblem::new(Box::new(Springs(size)), vec![0.0; size * size], gap, 1.0);
-    let found = Solution::judge(
+    let (found, surface) = Solution::judge_with_surface(
         &mut problem.unwrap(),
         Load::Penetration(1.2),
         pressure.clone(),
         1e-8,
     );
-    let pressed = || pressure.iter().zip(&found.gap).filter(|(p, _)| **p > 0.0);
+    let pressed = || pressure.iter().zip(&surface.gap).filter(|(p, _)| **p > 0.0);
     let total: f64 = pressure.iter().sum();
     let weighted: f64 = pressed().map(|(p, g)| p * g.abs()).sum();
     let largest = pressed().map(|(_, g)| g.abs()).fold(0.0, f64::max);
-    let overlap = found.gap.iter().map(|g| -g).fold(0.0, f64::max);
+    let overlap = surface.gap.iter().map(|g| -g).fold(0.0, f64::max);
     let wanted = [weighted / total / 1.2, largest / 1.2, overlap / 1.2, 0.0];
     let lines = found.certificate;
     // sums of 40 000 terms in another order
