@@ -9,6 +9,7 @@ use crate::{
     level::{Level, LevelResult},
     levels::{COARSE_TOLERANCE, Field, coarser_sizes},
     solver::Watch,
+    trust,
 };
 
 /// All grids over one square.
@@ -89,13 +90,14 @@ impl<'a> Hierarchy<'a> {
         }
     }
 
-    /// Solves one load from the coarsest grid to the finest.
+    /// Solves one load from the coarsest grid to the finest; none where the contact outgrows a domain that may grow.
     pub fn solve(
         &mut self,
         load: Load,
+        may_grow: bool,
         options: SolverOptions,
         watch: &mut Watch<'_>,
-    ) -> Result<Step, ContactError> {
+    ) -> Result<Option<Step>, ContactError> {
         let (clock, spent_before) = (Instant::now(), self.coefficients_seconds);
         let (mut levels, mut values) = (Vec::new(), Vec::new());
         let mut coarser: Option<OwnedField> = None;
@@ -104,16 +106,22 @@ impl<'a> Hierarchy<'a> {
             let start = coarser.as_ref().map(field);
             let options = coarse_options(options);
             let (result, field) = self.solve_level(index, load, start, options, watch)?;
+            if may_grow && self.outgrows(&result) {
+                return Ok(None);
+            }
             levels.push(result.work);
             values.push(result.values());
             coarser = field;
         }
         let start = coarser.as_ref().map(field);
         let (result, _) = self.solve_level(finest, load, start, options, watch)?;
+        if may_grow && self.outgrows(&result) {
+            return Ok(None);
+        }
         levels.push(result.work);
         values.push(result.values());
         let on_coefficients = self.coefficients_seconds - spent_before;
-        Ok(Step {
+        Ok(Some(Step {
             work: Work {
                 iterations: result.work.iterations,
                 operator_applications: result.work.operator_applications,
@@ -126,7 +134,7 @@ impl<'a> Hierarchy<'a> {
             grid_error: GridError::new(values),
             residuals: result.residuals,
             contact_stiffness: result.contact_stiffness,
-        })
+        }))
     }
 
     /// Solves on one grid; returns besides what the next finer one starts from, its field and the outline of its relief.
@@ -157,6 +165,14 @@ impl<'a> Hierarchy<'a> {
             self.levels[index] = Some(level);
         }
         Ok((result?, field))
+    }
+
+    /// Whether a contact comes so near the edge that it must on the finest grid too.
+    fn outgrows(&self, result: &LevelResult) -> bool {
+        let finest = self.sizes[self.sizes.len() - 1];
+        let finest_per_element = finest.div_ceil(result.work.elements);
+        let to_edge = trust::elements_to_edge(&result.solution.pressure);
+        to_edge.is_some_and(|to_edge| (to_edge + 1) * finest_per_element <= trust::EDGE_MARGIN)
     }
 
     fn make(&mut self, index: usize) -> Result<Level, ContactError> {

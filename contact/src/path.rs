@@ -4,6 +4,7 @@
 //! three products fewer. So no load depends on another, bit for bit, and on grids too small to keep all threads busy as many loads are solved at
 //! the same time as there are threads.
 
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Instant;
 
@@ -24,9 +25,6 @@ use crate::{
 /// How often an automatic domain may grow, and by how much each time.
 const ENLARGEMENTS: usize = 8;
 const ENLARGEMENT: f64 = 1.5;
-/// A contact is near the edge with fewer whole elements than this between.
-const EDGE_MARGIN: usize = 3;
-
 /// Elements of all loads that are solved at the same time, at most: each takes some 100 bytes beside its solution.
 const ELEMENTS_AT_ONCE: usize = 1 << 21;
 
@@ -130,9 +128,9 @@ fn solve_on_domains(
     options: SolverOptions,
     observer: &mut dyn Observer,
 ) -> Result<LoadingPath, ContactError> {
-    let mut side = match domain {
-        Domain::Side(side) => side,
-        Domain::Automatic => default_side(model, loads),
+    let (mut side, may_grow) = match domain {
+        Domain::Side(side) => (side, false),
+        Domain::Automatic => (default_side(model, loads), true),
     };
     for _ in 0..=ENLARGEMENTS {
         let hierarchy = Hierarchy::new(model, side, elements, loads.len());
@@ -143,7 +141,7 @@ fn solve_on_domains(
             solve_seconds: 0.0,
             interrupted: false,
         };
-        if run.solve_all(loads, domain, options, observer)? {
+        if run.solve_all(loads, may_grow, options, observer)? {
             return run.finish(model);
         }
         side *= ENLARGEMENT;
@@ -170,64 +168,53 @@ struct PathRun<'a> {
 }
 
 impl PathRun<'_> {
-    /// Solves every load; false as soon as an automatic domain turns out too small.
+    /// Solves every load, each lane the next that none has taken; false if the contact outgrows a domain that may grow.
     fn solve_all(
         &mut self,
         loads: &[Load],
-        domain: Domain,
+        may_grow: bool,
         options: SolverOptions,
         observer: &mut dyn Observer,
     ) -> Result<bool, ContactError> {
-        for together in loads.chunks(self.lanes.len()) {
-            for outcome in self.solve_together(together, loads.len(), options, observer) {
-                let step = match outcome {
-                    Err(ContactError::Cancelled { .. }) => {
-                        self.interrupted = true;
-                        return Ok(true);
-                    }
-                    outcome => outcome?,
-                };
-                let to_edge = trust::elements_to_edge(&step.solution.pressure);
-                if let Some(elements) = to_edge.filter(|elements| *elements < EDGE_MARGIN) {
-                    if domain == Domain::Automatic {
-                        return Ok(false);
-                    }
-                    self.warnings.push(Warning::DomainEdge {
-                        step: self.steps.len(),
-                        elements,
-                    });
+        let (clock, spent_before) = (Instant::now(), self.coefficients_seconds());
+        let queue = Queue {
+            loads,
+            may_grow,
+            options,
+            taken: AtomicUsize::new(0),
+            finished: AtomicUsize::new(0),
+            is_over: AtomicBool::new(false),
+            observer: Mutex::new(observer),
+        };
+        let lanes = self.lanes.par_iter_mut();
+        let outcomes: Vec<Vec<_>> = lanes.map(|lane| queue.work_off(lane)).collect();
+        let on_coefficients = self.coefficients_seconds() - spent_before;
+        self.solve_seconds = clock.elapsed().as_secs_f64() - on_coefficients;
+        let mut outcomes: Vec<_> = outcomes.into_iter().flatten().collect();
+        outcomes.sort_by_key(|(index, _)| *index);
+        // Loads are taken in order, so those that none has taken are the last.
+        for (_, outcome) in outcomes {
+            match outcome {
+                Ok(Some(step)) => self.keep(step),
+                Ok(None) => return Ok(false),
+                Err(ContactError::Cancelled { .. }) => {
+                    self.interrupted = true;
+                    break;
                 }
-                self.steps.push(step);
+                Err(error) => return Err(error),
             }
         }
         Ok(true)
     }
 
-    /// Solves the next loads of `steps`, no more than there are lanes, all at the same time.
-    fn solve_together(
-        &mut self,
-        loads: &[Load],
-        steps: usize,
-        options: SolverOptions,
-        observer: &mut dyn Observer,
-    ) -> Vec<Result<Step, ContactError>> {
-        let (clock, spent_before) = (Instant::now(), self.coefficients_seconds());
-        let finished = self.steps.len();
-        let observer = Mutex::new(observer);
-        let lanes = self.lanes.par_iter_mut().zip(loads).enumerate();
-        let solve = |(index, (lane, load)): (usize, (&mut Hierarchy<'_>, &Load))| {
-            let mut watch = Watch {
-                observer: &mut InTurn(&observer),
-                step: finished + index,
-                finished,
-                steps,
-            };
-            lane.solve(*load, options, &mut watch)
-        };
-        let outcomes = lanes.map(solve).collect();
-        let on_coefficients = self.coefficients_seconds() - spent_before;
-        self.solve_seconds += clock.elapsed().as_secs_f64() - on_coefficients;
-        outcomes
+    /// Keeps the next step, and warns where it comes near the edge.
+    fn keep(&mut self, step: Step) {
+        let to_edge = trust::elements_to_edge(&step.solution.pressure);
+        if let Some(elements) = to_edge.filter(|elements| *elements < trust::EDGE_MARGIN) {
+            let step = self.steps.len();
+            self.warnings.push(Warning::DomainEdge { step, elements });
+        }
+        self.steps.push(step);
     }
 
     /// Time spent on coefficients of all grids; those of a single lane are made when they are first needed.
@@ -267,12 +254,57 @@ impl PathRun<'_> {
     }
 }
 
-/// An observer that several lanes tell, one at a time.
-struct InTurn<'a, 'b>(&'a Mutex<&'b mut dyn Observer>);
+/// The loads of a path, from which every lane takes the next that none has taken.
+struct Queue<'a, 'b> {
+    loads: &'a [Load],
+    may_grow: bool,
+    options: SolverOptions,
+    taken: AtomicUsize,
+    finished: AtomicUsize,
+    /// Whether the loads still to take are not wanted: one was cancelled, failed or outgrew the domain.
+    is_over: AtomicBool,
+    observer: Mutex<&'b mut dyn Observer>,
+}
 
-impl Observer for InTurn<'_, '_> {
+impl Queue<'_, '_> {
+    /// Solves one load after the other; each by its index.
+    fn work_off(
+        &self,
+        lane: &mut Hierarchy<'_>,
+    ) -> Vec<(usize, Result<Option<Step>, ContactError>)> {
+        let mut outcomes = Vec::new();
+        while !self.is_over.load(Ordering::Relaxed) {
+            let index = self.taken.fetch_add(1, Ordering::Relaxed);
+            let Some(load) = self.loads.get(index) else {
+                break;
+            };
+            let mut watch = Watch {
+                observer: &mut InTurn(self),
+                step: index,
+                finished: 0,
+                steps: self.loads.len(),
+            };
+            let outcome = lane.solve(*load, self.may_grow, self.options, &mut watch);
+            if matches!(outcome, Ok(Some(_))) {
+                self.finished.fetch_add(1, Ordering::Relaxed);
+            } else {
+                self.is_over.store(true, Ordering::Relaxed);
+            }
+            outcomes.push((index, outcome));
+        }
+        outcomes
+    }
+}
+
+/// The observer of a path as one of several lanes sees it: told by one at a time, of how many loads all have finished.
+struct InTurn<'a, 'b, 'c>(&'a Queue<'b, 'c>);
+
+impl Observer for InTurn<'_, '_, '_> {
     fn progress(&mut self, progress: &Progress) -> Signal {
-        let mut observer = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        observer.progress(progress)
+        let mut observer = (self.0.observer.lock()).unwrap_or_else(PoisonError::into_inner);
+        observer.progress(&Progress {
+            finished: self.0.finished.load(Ordering::Relaxed),
+            ..*progress
+        })
     }
 }

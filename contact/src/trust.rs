@@ -14,6 +14,9 @@ const LARGEST_SHORTENING: f64 = 1.0;
 /// Slopes up to this are small: the error of linear theory is about the square.
 const LARGEST_SLOPE: f64 = 0.3;
 
+/// A contact is near the edge with fewer whole elements than this between.
+pub(crate) const EDGE_MARGIN: usize = 3;
+
 /// Whole elements between the contact and the nearest edge of the domain; none without contact.
 pub(crate) fn elements_to_edge(pressure: &[f64]) -> Option<usize> {
     let size = pressure.len().isqrt();

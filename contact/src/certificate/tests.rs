@@ -30,7 +30,7 @@ fn judged(load: Load) -> (Solution, DeformedSurface) {
 fn assert_lines(found: Certificate, wanted: [f64; 4]) {
     let lines = [
         found.complementarity,
-        surface.gap_in_contact,
+        found.gap_in_contact,
         found.overlap,
         found.load,
     ];
