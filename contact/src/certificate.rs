@@ -12,7 +12,7 @@
 
 use crate::{
     DeformedSurface, DiscreteProblem, Load,
-    vector::{by_parts, sum},
+    vector::{smallest, sum, update_with},
     window::Window,
 };
 
@@ -87,41 +87,46 @@ impl Solution {
         tolerance: f64,
     ) -> (Self, DeformedSurface) {
         let everywhere = Window::whole(problem.size());
-        let mut surface = DeformedSurface::default();
-        let solution = Self::judge_within(
-            problem,
-            &everywhere,
-            load,
-            pressure,
-            tolerance,
-            &mut surface,
-        );
+        let mut fields = JudgedFields::default();
+        let solution =
+            Self::judge_within(problem, &everywhere, load, pressure, tolerance, &mut fields);
+        let springs = solution.pressure.iter().zip(problem.relief_compliance());
+        let surface = DeformedSurface {
+            // w* = η p
+            shortening: springs.map(|(p, eta)| eta * p).collect(),
+            displacement: fields.displacement,
+            gap: fields.gap,
+        };
         (solution, surface)
     }
 
-    /// The same for a pressure that vanishes outside `window`, which makes the product cheaper; the surface's memory is used again.
+    /// Judges a pressure on a window of the grid, nought outside, which makes the product cheaper. The fields' memory is used again.
     pub(crate) fn judge_within(
         problem: &mut DiscreteProblem,
         window: &Window,
         load: Load,
         pressure: Vec<f64>,
         tolerance: f64,
-        surface: &mut DeformedSurface,
+        fields: &mut JudgedFields,
     ) -> Self {
-        surface.displacement.resize(pressure.len(), 0.0);
-        problem.displace_into(window, &pressure, &mut surface.displacement);
-        surface.add_up(
-            &pressure,
-            problem.relief_compliance(),
-            problem.initial_gap(),
-        );
+        let JudgedFields { displacement, gap } = fields;
+        displacement.resize(problem.elements(), 0.0);
+        problem.displace_into(window, &pressure, displacement);
+        let (compliance, initial_gap) = (problem.relief_compliance(), problem.initial_gap());
         let total = sum(&pressure);
         let penetration = match load {
             Load::Penetration(penetration) => penetration,
             // D = Σ p v / Σ p
-            Load::Force(_) => weighted(&pressure, &surface.gap) / total,
+            Load::Force(_) => {
+                weighted(window, &pressure, displacement, compliance, initial_gap) / total
+            }
         };
-        surface.lower_by(penetration);
+        gap.resize(displacement.len(), 0.0);
+        // g = K p + η p + g0 − D
+        update_with(gap, displacement, initial_gap, |g, u, g0| {
+            *g = u + g0 - penetration;
+        });
+        window.update(gap, compliance, &pressure, |g, eta, p| *g += eta * p);
         let force = total * problem.element_area();
         let certificate = Certificate {
             load: match load {
@@ -129,23 +134,62 @@ impl Solution {
                 Load::Penetration(_) => 0.0,
             },
             tolerance,
-            ..residuals(&pressure, &surface.gap, penetration, total)
+            ..residuals(window, &pressure, gap, penetration, total)
         };
         Self {
             penetration,
             force,
-            pressure,
+            pressure: window.spread(pressure),
             certificate,
         }
     }
 }
 
-/// The lines that need no load.
-fn residuals(pressure: &[f64], gap: &[f64], penetration: f64, total: f64) -> Certificate {
-    let parts = by_parts(pressure.len(), |part| {
-        Extremes::of(&pressure[part.clone()], &gap[part])
+/// The fields of the whole grid that a pressure is judged by.
+#[derive(Default)]
+pub struct JudgedFields {
+    displacement: Vec<f64>,
+    pub gap: Vec<f64>,
+}
+
+/// `Σ p v` with `v = K p + η p + g0`, over the elements with pressure (`g0` is infinite where the indenter ends).
+fn weighted(
+    window: &Window,
+    pressure: &[f64],
+    displacement: &[f64],
+    compliance: &[f64],
+    initial_gap: &[f64],
+) -> f64 {
+    let parts = window.by_lines(pressure, |line, pressure| {
+        let fields = [displacement, compliance, initial_gap].map(|field| window.line(field, line));
+        let mut sum = 0.0;
+        for (j, p) in pressure.iter().enumerate().filter(|(_, p)| **p != 0.0) {
+            let [u, eta, g0] = fields.map(|field| field[j]);
+            sum += p * (u + eta * p + g0);
+        }
+        sum
     });
-    let found = parts.into_iter().fold(Extremes::NONE, Extremes::and);
+    parts.into_iter().sum()
+}
+
+/// The lines that need no load.
+fn residuals(
+    window: &Window,
+    pressure: &[f64],
+    gap: &[f64],
+    penetration: f64,
+    total: f64,
+) -> Certificate {
+    let parts = window.by_lines(pressure, |line, pressure| {
+        InContact::of(pressure, window.line(gap, line))
+    });
+    let found = parts.into_iter().fold(InContact::default(), InContact::and);
+    let overlap = largest(0.0, -smallest(gap));
+    let outside = if window.is_whole() {
+        f64::INFINITY
+    } else {
+        0.0
+    };
     // Without pressure nothing is weighed; without penetration nothing sets a scale, and only zeros pass.
     let relative = |length: f64| {
         if length == 0.0 {
@@ -161,39 +205,26 @@ fn residuals(pressure: &[f64], gap: &[f64], penetration: f64, total: f64) -> Cer
             relative(found.weighted_gap / total)
         },
         gap_in_contact: relative(found.largest_gap),
-        overlap: relative(found.overlap),
+        overlap: relative(overlap),
         load: 0.0,
-        min_pressure: found.min_pressure,
+        min_pressure: smallest(&[smallest(pressure), outside]),
         tolerance: 0.0,
     }
 }
 
-/// Sums and extremes over some elements; NaN where one of them is.
-#[derive(Clone, Copy)]
-struct Extremes {
+/// What the gap is where there is pressure; NaN where one of the gaps is.
+#[derive(Clone, Copy, Default)]
+struct InContact {
     weighted_gap: f64,
     largest_gap: f64,
-    overlap: f64,
-    min_pressure: f64,
 }
 
-impl Extremes {
-    const NONE: Self = Self {
-        weighted_gap: 0.0,
-        largest_gap: 0.0,
-        overlap: 0.0,
-        min_pressure: f64::INFINITY,
-    };
-
+impl InContact {
     fn of(pressure: &[f64], gap: &[f64]) -> Self {
-        let mut found = Self::NONE;
-        for (p, g) in pressure.iter().zip(gap) {
-            if *p != 0.0 {
-                found.weighted_gap += p * g.abs();
-                found.largest_gap = largest(found.largest_gap, g.abs());
-            }
-            found.overlap = largest(found.overlap, -g);
-            found.min_pressure = smallest(found.min_pressure, *p);
+        let mut found = Self::default();
+        for (p, g) in pressure.iter().zip(gap).filter(|(p, _)| **p != 0.0) {
+            found.weighted_gap += p * g.abs();
+            found.largest_gap = largest(found.largest_gap, g.abs());
         }
         found
     }
@@ -202,20 +233,8 @@ impl Extremes {
         Self {
             weighted_gap: self.weighted_gap + other.weighted_gap,
             largest_gap: largest(self.largest_gap, other.largest_gap),
-            overlap: largest(self.overlap, other.overlap),
-            min_pressure: smallest(self.min_pressure, other.min_pressure),
         }
     }
-}
-
-/// `Σ p v` over the elements with pressure (`v` is infinite where the indenter ends).
-fn weighted(pressure: &[f64], values: &[f64]) -> f64 {
-    let parts = by_parts(pressure.len(), |part| {
-        let fields = pressure[part.clone()].iter().zip(&values[part]);
-        let pressed = fields.filter(|(p, _)| **p != 0.0);
-        pressed.map(|(p, v)| p * v).sum::<f64>()
-    });
-    parts.into_iter().sum()
 }
 
 /// The larger of two, NaN if either is: `f64::max` drops NaN, which must not pass for a small number here.
@@ -224,15 +243,6 @@ fn largest(a: f64, b: f64) -> f64 {
         f64::NAN
     } else {
         a.max(b)
-    }
-}
-
-/// The smaller of two, NaN if either is.
-fn smallest(a: f64, b: f64) -> f64 {
-    if a.is_nan() || b.is_nan() {
-        f64::NAN
-    } else {
-        a.min(b)
     }
 }
 

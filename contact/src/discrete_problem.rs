@@ -218,7 +218,12 @@ impl DiscreteProblem {
         }
     }
 
-    /// Writes `K p` (m) of a pressure that vanishes outside a window, on the whole grid.
+    /// Gives back the memory of solutions.
+    pub(crate) fn release_workspace(&mut self) {
+        self.workspace = None;
+    }
+
+    /// Writes `K p` (m) of a pressure on a window, nought outside, on the whole grid.
     pub(crate) fn displace_into(
         &mut self,
         window: &Window,
@@ -234,7 +239,7 @@ impl DiscreteProblem {
                     let operator = elasticity.spread(self.size, window.origin(), window.size());
                     (*window, Box::new(operator))
                 }));
-                operator.apply_into(&window.cut(pressure), displacement);
+                operator.apply_into(pressure, displacement);
             }
             _ => self.operator_mut().apply_into(pressure, displacement),
         }

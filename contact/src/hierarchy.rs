@@ -6,7 +6,7 @@ use pellicle_influence::Origin;
 
 use crate::{
     ContactError, GridError, Load, Model, SolverOptions, Step, Work,
-    level::{Level, LevelResult},
+    level::{Level, LevelResult, SignedField},
     levels::{COARSE_TOLERANCE, Field, coarser_sizes},
     solver::Watch,
     trust,
@@ -100,10 +100,10 @@ impl<'a> Hierarchy<'a> {
     ) -> Result<Option<Step>, ContactError> {
         let (clock, spent_before) = (Instant::now(), self.coefficients_seconds);
         let (mut levels, mut values) = (Vec::new(), Vec::new());
-        let mut coarser: Option<OwnedField> = None;
+        let mut coarser: Option<SignedField> = None;
         let finest = self.sizes.len() - 1;
         for index in 0..finest {
-            let start = coarser.as_ref().map(field);
+            let start = coarser.as_ref().map(SignedField::field);
             let options = coarse_options(options);
             let (result, field) = self.solve_level(index, load, start, options, watch)?;
             if may_grow && self.outgrows(&result) {
@@ -113,7 +113,7 @@ impl<'a> Hierarchy<'a> {
             values.push(result.values());
             coarser = field;
         }
-        let start = coarser.as_ref().map(field);
+        let start = coarser.as_ref().map(SignedField::field);
         let (result, _) = self.solve_level(finest, load, start, options, watch)?;
         if may_grow && self.outgrows(&result) {
             return Ok(None);
@@ -137,7 +137,7 @@ impl<'a> Hierarchy<'a> {
         }))
     }
 
-    /// Solves on one grid; returns besides what the next finer one starts from, its field and the outline of its relief.
+    /// Solves on one grid; returns besides what the next finer one starts from.
     fn solve_level(
         &mut self,
         index: usize,
@@ -145,7 +145,7 @@ impl<'a> Hierarchy<'a> {
         start: Option<Field<'_>>,
         options: SolverOptions,
         watch: &mut Watch<'_>,
-    ) -> Result<(LevelResult, Option<OwnedField>), ContactError> {
+    ) -> Result<(LevelResult, Option<SignedField>), ContactError> {
         let mut level = match self.levels[index].take() {
             Some(level) => level,
             None => self.make(index)?,
@@ -153,9 +153,7 @@ impl<'a> Hierarchy<'a> {
         let result = level.solve(load, start, options, watch);
         let is_finest = index + 1 == self.sizes.len();
         let field = match &result {
-            Ok(result) if !is_finest => {
-                Some((level.signed_field(&result.solution), level.mask().to_vec()))
-            }
+            Ok(result) if !is_finest => Some(level.signed_field(result)),
             _ => None,
         };
         if !self.keep {
@@ -171,7 +169,7 @@ impl<'a> Hierarchy<'a> {
     fn outgrows(&self, result: &LevelResult) -> bool {
         let finest = self.sizes[self.sizes.len() - 1];
         let finest_per_element = finest.div_ceil(result.work.elements);
-        let to_edge = trust::elements_to_edge(&result.solution.pressure);
+        let to_edge = result.summary.elements_to_edge;
         to_edge.is_some_and(|to_edge| (to_edge + 1) * finest_per_element <= trust::EDGE_MARGIN)
     }
 
@@ -195,11 +193,4 @@ fn coarse_options(options: SolverOptions) -> SolverOptions {
         contact_stiffness: false,
         ..options
     }
-}
-
-/// A solved level's field and the outline of its relief.
-type OwnedField = (Vec<f64>, Vec<bool>);
-
-fn field((values, mask): &OwnedField) -> Field<'_> {
-    Field { values, mask }
 }

@@ -2,23 +2,25 @@
 
 use std::sync::Arc;
 
-use pellicle_influence::{Origin, SurfaceElasticity};
-use rayon::prelude::*;
-
 use crate::{
-    ActiveSetSolver, ContactError, DeformedSurface, DiscreteProblem, GradientSolver, Iterate,
-    LevelValues, LevelWork, Load, Method, Model, SampledModel, Solution, Solver, SolverOptions,
-    Summary,
+    ActiveSetSolver, ContactError, DiscreteProblem, GradientSolver, Iterate, LevelValues,
+    LevelWork, Load, Method, Model, SampledModel, Solution, Solver, SolverOptions, Summary,
+    certificate::JudgedFields,
     levels::{Field, prolong},
     solver::Watch,
+    vector::update,
     window::{Room, Window},
 };
+use pellicle_influence::{Origin, SurfaceElasticity};
 
 /// Pressure that stands for a gap, as a part of what closes the gap alone: halfway between contact that ends at the last element
 /// that presses and at the first that does not. From 0.2 to 1 it matters little.
 const PRESSURE_PER_GAP: f64 = 0.5;
 /// Gaps beyond this (m) are as good as infinite.
 const FAR: f64 = 1e30;
+
+/// Elements from a pressure within which an interpolation looks.
+const NEIGHBOURS: usize = 2;
 
 /// A grid of a path.
 pub struct Level {
@@ -28,13 +30,15 @@ pub struct Level {
     problem: DiscreteProblem,
     /// The window of the last load, and the problem on it.
     window: Option<(Window, DiscreteProblem)>,
-    /// The surface of the last load: memory that the next uses again.
-    surface: DeformedSurface,
+    /// The fields of the last load: memory that the next uses again.
+    judged: JudgedFields,
 }
 
 /// What one level ended with.
 pub struct LevelResult {
     pub solution: Solution,
+    /// Where its pressures lie.
+    pub window: Window,
     pub summary: Summary,
     pub work: LevelWork,
     pub residuals: Vec<f64>,
@@ -51,7 +55,7 @@ impl Level {
             elasticity: elasticity.value,
             coefficients_origin: elasticity.origin,
             window: None,
-            surface: DeformedSurface::default(),
+            judged: JudgedFields::default(),
         })
     }
 
@@ -64,7 +68,7 @@ impl Level {
             problem: self.problem.window(&everywhere)?,
             coefficients_origin: self.coefficients_origin,
             window: None,
-            surface: DeformedSurface::default(),
+            judged: JudgedFields::default(),
         })
     }
 
@@ -80,14 +84,21 @@ impl Level {
         options: SolverOptions,
         watch: &mut Watch<'_>,
     ) -> Result<LevelResult, ContactError> {
-        let start = match coarser {
-            Some(field) => prolong(&field, self.size(), self.mask()),
-            None => vec![0.0; self.size() * self.size()],
+        let room = if watch.steps > 1 {
+            Room::ForMany
+        } else {
+            Room::ForOne
         };
-        let (solution, effort) = self.solve_from(start, load, options, watch)?;
+        let everywhere = Window::whole(self.size());
+        let nothing = || (everywhere, vec![0.0; self.size() * self.size()]);
+        let start = coarser.and_then(|field| self.start(&field, room));
+        let start = start.unwrap_or_else(nothing);
+        let (solution, window, effort) = self.solve_from(start, load, options, room, watch)?;
+        let SampledModel { grid, relief, .. } = &*self.sampled;
         Ok(LevelResult {
-            summary: Summary::new(&solution, &self.sampled.grid, &self.sampled.relief),
+            summary: Summary::within(&window, &solution, grid, relief),
             solution,
+            window,
             work: LevelWork {
                 elements: self.size(),
                 iterations: effort.iterations,
@@ -99,110 +110,131 @@ impl Level {
         })
     }
 
+    /// A coarser level's pressure on a window around it; none where it presses nowhere.
+    fn start(&self, coarser: &Field<'_>, room: Room) -> Option<(Window, Vec<f64>)> {
+        let reach =
+            (coarser.window).on_finer(pressed(&coarser.window, coarser.values), self.size())?;
+        let pressure = prolong(coarser, &reach, self.sampled.relief.mask());
+        let window = reach.around(pressed(&reach, &pressure), room);
+        let pressure = window.take_over(&reach, &pressure);
+        Some((window, pressure))
+    }
+
     /// The geometry and the elasticity of the elements.
     pub fn into_parts(self) -> (SampledModel, Arc<SurfaceElasticity>) {
         (Arc::unwrap_or_clone(self.sampled), self.elasticity)
     }
 
-    /// The relief's outline, across which nothing is interpolated.
-    pub fn mask(&self) -> &[bool] {
-        self.sampled.relief.mask()
-    }
-
-    /// Solves on a window that holds the contact, enlarged as long as it does not.
+    /// Solves on a window that holds the contact, enlarged as long as it does not; returns it too.
     fn solve_from(
         &mut self,
-        start: Vec<f64>,
+        start: (Window, Vec<f64>),
         load: Load,
         options: SolverOptions,
+        room: Room,
         watch: &mut Watch<'_>,
-    ) -> Result<(Solution, Effort), ContactError> {
-        let size = self.size();
-        let room = if watch.steps > 1 {
-            Room::ForMany
-        } else {
-            Room::ForOne
-        };
-        let mut window = Window::around(size, |e| start[e] > 0.0, room);
-        let mut pressure = start;
+    ) -> Result<(Solution, Window, Effort), ContactError> {
+        let everywhere = Window::whole(self.size());
+        let (mut window, mut pressure) = start;
         let mut effort = Effort::default();
         loop {
-            let iterate = self.solve_in(&mut window, pressure, load, options, watch)?;
+            let iterate = self.solve_in(&mut window, &pressure, load, options, watch)?;
             let reached_border = iterate.reached_border;
             pressure = effort.take(iterate);
             if reached_border {
+                pressure = window.grown().take_over(&window, &pressure);
                 window = window.grown();
                 continue;
             }
             if watch.steps == 1 {
                 self.window = None;
+                self.problem.release_workspace();
             }
             let tolerance = options.tolerance;
-            let (problem, surface) = (&mut self.problem, &mut self.surface);
+            let (problem, judged) = (&mut self.problem, &mut self.judged);
             let solution =
-                Solution::judge_within(problem, &window, load, pressure, tolerance, surface);
+                Solution::judge_within(problem, &window, load, pressure, tolerance, judged);
             effort.operator_applications += 1;
             if window.is_whole() || solution.certificate.overlap <= tolerance {
-                return Ok((solution, effort));
+                return Ok((solution, window, effort));
             }
-            let presses = |e: usize| solution.pressure[e] > 0.0 || self.surface.gap[e] < 0.0;
-            window = window.wider(Window::around(size, presses, room));
-            pressure = solution.pressure;
+            let (p, g) = (&solution.pressure, &self.judged.gap);
+            let presses = |[i, j]: [usize; 2]| {
+                let e = i * everywhere.size() + j;
+                p[e] > 0.0 || g[e] < 0.0
+            };
+            let wider = window.wider(everywhere.around(presses, room));
+            pressure = wider.cut(&solution.pressure);
+            window = wider;
         }
     }
 
-    /// Solves on a window, which becomes the whole grid where there is no operator of its size; the pressure is that of the whole grid.
+    /// Solves on a window, which becomes the whole grid where there is no operator of its size.
     fn solve_in(
         &mut self,
         window: &mut Window,
-        start: Vec<f64>,
+        start: &[f64],
         load: Load,
         options: SolverOptions,
         watch: &mut Watch<'_>,
     ) -> Result<Iterate, ContactError> {
-        if options.method == Method::ActiveSet {
-            *window = Window::whole(self.size());
-        }
+        let solver = solver(options);
         let known = self.window.take_if(|(known, _)| known == window);
         let part = match known {
             Some((_, problem)) => Some(problem),
-            None if window.is_whole() => None,
+            None if window.is_whole() || options.method == Method::ActiveSet => None,
             None => self.problem.window(window),
         };
-        let Some(mut part) = part else {
-            *window = Window::whole(self.size());
-            return solver(options).solve(&mut self.problem, load, &start, watch);
-        };
-        let part_of_start = window.cut(&start);
-        drop(start);
-        let iterate = solver(options).solve(&mut part, load, &part_of_start, watch);
-        self.window = Some((*window, part));
-        let iterate = iterate?;
-        Ok(Iterate {
-            pressure: window.spread(&iterate.pressure),
-            ..iterate
-        })
+        if let Some(mut part) = part {
+            let iterate = solver.solve(&mut part, load, start, watch);
+            self.window = Some((*window, part));
+            return iterate;
+        }
+        let everywhere = Window::whole(self.size());
+        let start = everywhere.take_over(window, start);
+        *window = everywhere;
+        solver.solve(&mut self.problem, load, &start, watch)
     }
 
     /// Gives back the memory that only another load would need.
     pub fn release(&mut self) {
         self.problem.release_operator();
-        self.surface = DeformedSurface::default();
+        self.judged = JudgedFields::default();
     }
 
-    /// The last load's pressure, and where there is none the gap as a negative pressure.
-    pub fn signed_field(&self, solution: &Solution) -> Vec<f64> {
+    /// What the next finer level starts from: the last load's pressure, and where there is none the gap as a negative pressure.
+    pub fn signed_field(&self, result: &LevelResult) -> SignedField {
         let per_gap = PRESSURE_PER_GAP / self.elasticity.coefficient([0, 0]);
-        let fields = solution.pressure.par_iter().zip(&self.surface.gap);
-        fields
-            .map(|(p, g)| {
-                if *p > 0.0 {
-                    *p
-                } else {
-                    -per_gap * g.clamp(0.0, FAR)
-                }
-            })
-            .collect()
+        let window = result.window.with_rim(NEIGHBOURS);
+        let mut values = window.cut(&result.solution.pressure);
+        let gaps = window.cut(&self.judged.gap);
+        update(&mut values, &gaps, |value, gap| {
+            if *value <= 0.0 {
+                *value = -per_gap * gap.clamp(0.0, FAR);
+            }
+        });
+        SignedField {
+            window,
+            values,
+            sampled: self.sampled.clone(),
+        }
+    }
+}
+
+/// A pressure with gaps as negative pressures, on a window that holds all pressures and what lies next to them.
+pub struct SignedField {
+    window: Window,
+    values: Vec<f64>,
+    sampled: Arc<SampledModel>,
+}
+
+impl SignedField {
+    pub fn field(&self) -> Field<'_> {
+        Field {
+            window: self.window,
+            values: &self.values,
+            mask: self.sampled.relief.mask(),
+        }
     }
 }
 
@@ -236,6 +268,15 @@ impl LevelResult {
             contact_area: self.summary.contact_area,
             max_pressure: self.summary.max_pressure,
         }
+    }
+}
+
+/// Whether an element presses, by the pressure on a window that holds all that do.
+fn pressed<'a>(window: &'a Window, pressure: &'a [f64]) -> impl Fn([usize; 2]) -> bool + use<'a> {
+    |element| {
+        window
+            .place(element)
+            .is_some_and(|place| pressure[place] > 0.0)
     }
 }
 

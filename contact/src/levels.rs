@@ -5,6 +5,8 @@
 
 use rayon::prelude::*;
 
+use crate::window::Window;
+
 /// The coarsest grid worth a level: below it nothing of an indenter's shape is left.
 const COARSEST: usize = 32;
 /// Coarser grids are solved to this, or to the finest grid's tolerance if that is looser: far below their own
@@ -22,38 +24,46 @@ pub fn coarser_sizes(finest: usize) -> Vec<usize> {
     sizes
 }
 
-/// A field of a level with the outline of its relief; N² values each.
+/// A field of a level on a window of it, and the outline of the whole level's relief.
+#[derive(Clone, Copy)]
 pub struct Field<'a> {
+    pub window: Window,
     pub values: &'a [f64],
     pub mask: &'a [bool],
 }
 
-/// The field at the centres of `to` × `to` elements over the same square, whose relief has the outline `mask`.
+/// The field on a window `onto` of a grid over the same square, whose relief has the outline `mask`.
 ///
 /// Bilinear between the centres of elements on the same side of the outline, constant beyond the outermost; 0 where the four centres around
-/// lie all on the other side.
+/// lie all on the other side, or outside the field's window.
 #[must_use]
-pub fn prolong(field: &Field<'_>, to: usize, mask: &[bool]) -> Vec<f64> {
-    let from = field.values.len().isqrt();
-    let places: Vec<Place> = (0..to).map(|i| Place::of(i, from, to)).collect();
-    let mut fine = vec![0.0; to * to];
-    let rows = fine.par_chunks_mut(to).zip(mask.par_chunks(to));
-    rows.zip(&places).for_each(|((row, mask), x)| {
-        for ((value, side), y) in row.iter_mut().zip(mask).zip(&places) {
-            *value = interpolate(field, from, *side, [x, y]);
+pub fn prolong(field: &Field<'_>, onto: &Window, mask: &[bool]) -> Vec<f64> {
+    let places = [0, 1].map(|axis: usize| {
+        let first = onto.origin()[axis];
+        let along = first..first + onto.size();
+        let places = along.map(|i| Place::of(i, field.window.grid(), onto.grid()));
+        places.collect::<Vec<_>>()
+    });
+    let mut fine = vec![0.0; onto.size() * onto.size()];
+    let rows = fine.par_chunks_mut(onto.size()).zip(&places[0]).enumerate();
+    rows.for_each(|(row, (values, x))| {
+        let mask = onto.line(mask, row);
+        for ((value, side), y) in values.iter_mut().zip(mask).zip(&places[1]) {
+            *value = interpolate(field, *side, [x, y]);
         }
     });
     fine
 }
 
 /// The mean of the four values around a place that lie on one side of the outline, by their bilinear weights.
-fn interpolate(field: &Field<'_>, from: usize, side: bool, [x, y]: [&Place; 2]) -> f64 {
+fn interpolate(field: &Field<'_>, side: bool, [x, y]: [&Place; 2]) -> f64 {
     let (mut sum, mut weights) = (0.0, 0.0);
     for (i, along_x) in x.ends() {
         for (j, along_y) in y.ends() {
-            let e = i * from + j;
-            if field.mask[e] == side {
-                sum += along_x * along_y * field.values[e];
+            if let Some(place) = field.window.place([i, j])
+                && field.mask[i * field.window.grid() + j] == side
+            {
+                sum += along_x * along_y * field.values[place];
                 weights += along_x * along_y;
             }
         }
@@ -114,10 +124,11 @@ mod tests {
             .map(|e| plane(e / from, e % from, from))
             .collect();
         let field = Field {
+            window: Window::whole(from),
             values: &coarse,
             mask: &vec![true; from * from],
         };
-        let fine = prolong(&field, to, &vec![true; to * to]);
+        let fine = prolong(&field, &Window::whole(to), &vec![true; to * to]);
         for (i, j) in [(1, 1), (7, 3), (13, 9)] {
             approx::assert_relative_eq!(fine[i * to + j], plane(i, j, to), max_relative = 1e-14);
         }
@@ -132,10 +143,11 @@ mod tests {
             .map(|on| if *on { 3.0 } else { -1.0 })
             .collect();
         let field = Field {
+            window: Window::whole(from),
             values: &coarse,
             mask: &mask(from),
         };
-        let fine = prolong(&field, to, &mask(to));
+        let fine = prolong(&field, &Window::whole(to), &mask(to));
         for (value, on) in fine.iter().zip(mask(to)) {
             approx::assert_relative_eq!(*value, if on { 3.0 } else { -1.0 });
         }

@@ -65,7 +65,8 @@ impl LoadingPath {
             ..
         } = &self.steps[step].solution;
         let size = self.grid.size();
-        let window = Window::around(size, |e| pressure[e] > 0.0, Room::ForOne);
+        let presses = |[i, j]: [usize; 2]| pressure[i * size + j] > 0.0;
+        let window = Window::whole(size).around(presses, Room::ForOne);
         let mut operator = (self.elasticity).spread(size, window.origin(), window.size());
         let mut surface = DeformedSurface {
             displacement: vec![0.0; pressure.len()],
@@ -209,7 +210,7 @@ impl PathRun<'_> {
 
     /// Keeps the next step, and warns where it comes near the edge.
     fn keep(&mut self, step: Step) {
-        let to_edge = trust::elements_to_edge(&step.solution.pressure);
+        let to_edge = step.summary.elements_to_edge;
         if let Some(elements) = to_edge.filter(|elements| *elements < trust::EDGE_MARGIN) {
             let step = self.steps.len();
             self.warnings.push(Warning::DomainEdge { step, elements });

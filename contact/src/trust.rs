@@ -1,7 +1,6 @@
 //! Doubts about a result: what the grid and the model cannot be trusted with.
 
 use pellicle_texture::{Grid, Relief, SampledRelief};
-use rayon::prelude::*;
 
 use crate::{Model, Step, Warning, domain::slope, vector::by_parts};
 
@@ -16,18 +15,6 @@ const LARGEST_SLOPE: f64 = 0.3;
 
 /// A contact is near the edge with fewer whole elements than this between.
 pub(crate) const EDGE_MARGIN: usize = 3;
-
-/// Whole elements between the contact and the nearest edge of the domain; none without contact.
-pub(crate) fn elements_to_edge(pressure: &[f64]) -> Option<usize> {
-    let size = pressure.len().isqrt();
-    let last = size - 1;
-    let in_contact = pressure.par_iter().enumerate().filter(|(_, p)| **p > 0.0);
-    let to_edge = |e: usize| {
-        let (i, j) = (e / size, e % size);
-        i.min(j).min(last - i).min(last - j)
-    };
-    in_contact.map(|(e, _)| to_edge(e)).min()
-}
 
 /// Doubts about a model on a grid that hold for every load: a texture or a layer that the elements do not resolve.
 #[must_use]

@@ -58,6 +58,35 @@ fn sum_of_part(a: &[f64]) -> f64 {
     sums.iter().sum::<f64>() + rest.iter().sum::<f64>()
 }
 
+/// The smallest value, NaN if there is one; +∞ of none.
+pub fn smallest(a: &[f64]) -> f64 {
+    let parts = by_parts(a.len(), |part| smallest_of_part(&a[part]));
+    smallest_of_part(&parts)
+}
+
+fn smallest_of_part(a: &[f64]) -> f64 {
+    let (lanes, rest) = a.as_chunks::<LANES>();
+    let (mut least, mut nan) = ([f64::INFINITY; LANES], [false; LANES]);
+    for x in lanes {
+        for lane in 0..LANES {
+            least[lane] = if x[lane] < least[lane] {
+                x[lane]
+            } else {
+                least[lane]
+            };
+            nan[lane] |= x[lane].is_nan();
+        }
+    }
+    if nan.contains(&true) || rest.iter().any(|x| x.is_nan()) {
+        return f64::NAN;
+    }
+    least
+        .iter()
+        .chain(rest)
+        .copied()
+        .fold(f64::INFINITY, f64::min)
+}
+
 /// Applies `rule` to every element.
 pub fn each(y: &mut [f64], rule: impl Fn(&mut f64) + Sync) {
     if y.len() <= SHORT {
@@ -109,7 +138,7 @@ pub fn update_with<S: Sync, T: Sync>(
 mod tests {
     use rayon::ThreadPoolBuilder;
 
-    use super::{add_scaled, by_parts, dot, each, sum, update, update_with};
+    use super::{add_scaled, by_parts, dot, each, smallest, sum, update, update_with};
 
     /// Fields of one part and of several, some not full.
     const LENGTHS: [usize; 5] = [0, 7, 8192, 32_769, 50_001];
@@ -150,6 +179,20 @@ mod tests {
             // 50 000 terms of order 1 in another order
             assert!((sum(&a) - plain).abs() < 1e-11);
             assert!((dot(&a, &b) - product).abs() < 1e-11);
+        }
+    }
+
+    #[test]
+    fn the_smallest_is_that_of_all_elements_and_nan_where_there_is_one() {
+        assert_eq!(smallest(&[]), f64::INFINITY);
+        for length in LENGTHS.into_iter().filter(|length| *length > 0) {
+            for place in [0, length / 2, length - 1] {
+                let mut a = field(length, 0.3);
+                a[place] = -2.0;
+                assert_eq!(smallest(&a), -2.0);
+                a[place] = f64::NAN;
+                assert!(smallest(&a).is_nan());
+            }
         }
     }
 

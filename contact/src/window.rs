@@ -14,6 +14,9 @@ const LARGEST_PART: f64 = 0.9;
 /// The margin around the contact expected is its extent over this, at least: it is known to an element or two.
 const MARGIN_PART: usize = 24;
 
+/// Elements that one thread looks at or copies together.
+const ELEMENTS_AT_ONCE: usize = 1 << 14;
+
 /// What a window is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Room {
@@ -59,23 +62,55 @@ impl Window {
         }
     }
 
-    /// The smallest window of a fast size around the elements that belong; the whole grid where none belongs.
-    pub fn around(grid: usize, belongs: impl Fn(usize) -> bool + Sync, room: Room) -> Self {
-        let Some(extent) = Extent::of(grid, belongs) else {
+    /// The smallest window of a fast size around those of this window's elements that belong; the whole grid where none belongs.
+    pub fn around(&self, belongs: impl Fn([usize; 2]) -> bool + Sync, room: Room) -> Self {
+        let grid = self.grid;
+        let Some(extent) = self.extent(belongs) else {
             return Self::whole(grid);
         };
-        let longest = [0, 1].map(|axis: usize| extent.last[axis] + 1 - extent.first[axis]);
-        let longest = longest[0].max(longest[1]);
+        let longest = extent.longest();
         let margin = MARGIN.max(longest / MARGIN_PART);
         let size = room.size(longest + 2 * margin);
         if size as f64 > LARGEST_PART * grid as f64 {
             return Self::whole(grid);
         }
-        let origin = [0, 1].map(|axis: usize| {
-            let twice_centre = extent.first[axis] + extent.last[axis] + 1;
-            (twice_centre.saturating_sub(size) / 2).min(grid - size)
-        });
-        Self { origin, size, grid }
+        extent.centred(size, grid)
+    }
+
+    /// The smallest window that holds what lies on a coarser grid over the same square within one element of those that belong; none where none
+    /// of this window belongs.
+    pub fn on_finer(
+        &self,
+        belongs: impl Fn([usize; 2]) -> bool + Sync,
+        finer: usize,
+    ) -> Option<Self> {
+        let Extent { first, last } = self.extent(belongs)?;
+        let low = |i: usize| i.saturating_sub(1) * finer / self.grid;
+        let high = |i: usize| ((i + 2) * finer).div_ceil(self.grid).min(finer) - 1;
+        let extent = Extent {
+            first: first.map(low),
+            last: last.map(high),
+        };
+        Some(extent.centred(extent.longest(), finer))
+    }
+
+    /// First and last of this window's elements that belong.
+    fn extent(&self, belongs: impl Fn([usize; 2]) -> bool + Sync) -> Option<Extent> {
+        let [above, left] = self.origin;
+        let columns = left..left + self.size;
+        let of_row = |i: usize| {
+            let belongs = |j: &usize| belongs([i, *j]);
+            let first = columns.clone().find(belongs)?;
+            let last = (first..columns.end).rfind(belongs)?;
+            Some(Extent {
+                first: [i, first],
+                last: [i, last],
+            })
+        };
+        let rows = (above..above + self.size).into_par_iter();
+        let rows = rows.with_min_len(ELEMENTS_AT_ONCE / self.size + 1);
+        let extents: Vec<Extent> = rows.filter_map(of_row).collect();
+        extents.into_iter().reduce(Extent::and)
     }
 
     /// The window of twice the side around the same centre.
@@ -89,6 +124,19 @@ impl Window {
                 .saturating_sub((size - self.size) / 2)
                 .min(self.grid - size)
         });
+        Self {
+            origin,
+            size,
+            grid: self.grid,
+        }
+    }
+
+    /// The window with so many more elements on every side, as far as the grid goes.
+    pub fn with_rim(&self, rim: usize) -> Self {
+        let size = (self.size + 2 * rim).min(self.grid);
+        let origin = self
+            .origin
+            .map(|first| first.saturating_sub(rim).min(self.grid - size));
         Self {
             origin,
             size,
@@ -114,45 +162,116 @@ impl Window {
         self.size
     }
 
+    /// Elements per side of the grid.
+    pub fn grid(&self) -> usize {
+        self.grid
+    }
+
     /// The first element along both axes.
     pub fn origin(&self) -> [usize; 2] {
         self.origin
     }
 
+    /// The place within the window of the element in a row and column of the grid; none of one outside.
+    pub fn place(&self, [row, column]: [usize; 2]) -> Option<usize> {
+        let [line, column] = [
+            row.checked_sub(self.origin[0])?,
+            column.checked_sub(self.origin[1])?,
+        ];
+        (line < self.size && column < self.size).then(|| line * self.size + column)
+    }
+
+    /// The part of a field of the grid that lies in the window's `line`-th row.
+    pub fn line<'a, T>(&self, field: &'a [T], line: usize) -> &'a [T] {
+        let [above, left] = self.origin;
+        let first = (above + line) * self.grid + left;
+        &field[first..first + self.size]
+    }
+
+    /// What `of_line` says of each row of a field on the window, in order.
+    pub fn by_lines<T: Send>(
+        &self,
+        part: &[f64],
+        of_line: impl Fn(usize, &[f64]) -> T + Sync,
+    ) -> Vec<T> {
+        let lines = part.par_chunks(self.size).enumerate();
+        let lines = lines.with_min_len(ELEMENTS_AT_ONCE / self.size + 1);
+        lines.map(|(line, values)| of_line(line, values)).collect()
+    }
+
+    /// Applies `rule` to every element of the grid's field `z` in the window, with those of the grid's `x` and of the `part` on the window.
+    pub fn update(
+        &self,
+        z: &mut [f64],
+        x: &[f64],
+        part: &[f64],
+        rule: impl Fn(&mut f64, &f64, &f64) + Sync,
+    ) {
+        let [above, left] = self.origin;
+        let lines = z
+            .par_chunks_mut(self.grid)
+            .skip(above)
+            .zip(part.par_chunks(self.size));
+        let lines = lines
+            .enumerate()
+            .with_min_len(ELEMENTS_AT_ONCE / self.size + 1);
+        lines.for_each(|(line, (z, part))| {
+            let fields = self.line(x, line).iter().zip(part);
+            let z = z[left..left + self.size].iter_mut();
+            z.zip(fields).for_each(|(z, (x, part))| rule(z, x, part));
+        });
+    }
+
     /// The part of a field of the grid that lies in the window.
-    pub fn cut(&self, field: &[f64]) -> Vec<f64> {
-        let [first, left] = self.origin;
-        let mut part = vec![0.0; self.size * self.size];
-        let rows = field.par_chunks(self.grid).skip(first);
-        let rows = part.par_chunks_mut(self.size).zip(rows);
-        rows.for_each(|(values, row)| values.copy_from_slice(&row[left..left + self.size]));
-        part
+    pub fn cut<T: Copy + Default + Send + Sync>(&self, field: &[T]) -> Vec<T> {
+        self.take_over(&Self::whole(self.grid), field)
     }
 
     /// The field of the grid that is `part` in the window and 0 outside.
-    pub fn spread(&self, part: &[f64]) -> Vec<f64> {
-        let [first, left] = self.origin;
-        let mut field = vec![0.0; self.grid * self.grid];
-        let rows = field.par_chunks_mut(self.grid).skip(first);
-        let rows = rows.zip(part.par_chunks(self.size));
-        rows.for_each(|(row, values)| row[left..left + self.size].copy_from_slice(values));
+    pub fn spread(&self, part: Vec<f64>) -> Vec<f64> {
+        if self.is_whole() {
+            part
+        } else {
+            Self::whole(self.grid).take_over(self, &part)
+        }
+    }
+
+    /// The field on this window that is `part` where the other lies in it and 0 elsewhere.
+    pub fn take_over<T: Copy + Default + Send + Sync>(&self, other: &Self, part: &[T]) -> Vec<T> {
+        let mut field = vec![T::default(); self.size * self.size];
+        let [rows, columns] = [0, 1].map(|axis: usize| {
+            let first = self.origin[axis].max(other.origin[axis]);
+            let end = (self.origin[axis] + self.size).min(other.origin[axis] + other.size);
+            first..end.max(first)
+        });
+        let lines = field.par_chunks_mut(self.size).enumerate();
+        let lines = lines.with_min_len(ELEMENTS_AT_ONCE / self.size + 1);
+        lines.for_each(|(line, values)| {
+            let i = self.origin[0] + line;
+            if rows.contains(&i) {
+                let to = columns.start - self.origin[1];
+                let from = (i - other.origin[0]) * other.size + columns.start - other.origin[1];
+                values[to..to + columns.len()].copy_from_slice(&part[from..from + columns.len()]);
+            }
+        });
         field
     }
 }
 
 impl Extent {
-    fn of(grid: usize, belongs: impl Fn(usize) -> bool + Sync) -> Option<Self> {
-        let rows = (0..grid).into_par_iter();
-        let of_row = |i: usize| {
-            let first = (0..grid).find(|j| belongs(i * grid + j))?;
-            let last = (first..grid).rfind(|j| belongs(i * grid + j))?;
-            Some(Self {
-                first: [i, first],
-                last: [i, last],
-            })
-        };
-        let extents: Vec<Self> = rows.filter_map(of_row).collect();
-        extents.into_iter().reduce(Self::and)
+    /// Elements along the longer side.
+    fn longest(&self) -> usize {
+        let lengths = [0, 1].map(|axis: usize| self.last[axis] + 1 - self.first[axis]);
+        lengths[0].max(lengths[1])
+    }
+
+    /// The window of `size` elements per side around the centre, moved into the grid.
+    fn centred(&self, size: usize, grid: usize) -> Window {
+        let origin = [0, 1].map(|axis: usize| {
+            let twice_centre = self.first[axis] + self.last[axis] + 1;
+            (twice_centre.saturating_sub(size) / 2).min(grid - size)
+        });
+        Window { origin, size, grid }
     }
 
     /// The smallest extent that holds both.
@@ -172,14 +291,14 @@ mod tests {
 
     #[test]
     fn a_window_holds_what_belongs_with_a_margin() {
-        let belongs = |e: usize| (e / 200) / 10 == 7 && (e % 200) / 20 == 9;
-        let window = Window::around(200, belongs, Room::ForOne);
+        let belongs = |[i, j]: [usize; 2]| i / 10 == 7 && j / 20 == 9;
+        let window = Window::whole(200).around(belongs, Room::ForOne);
         let mask: Vec<f64> = (0..200 * 200)
-            .map(|e| f64::from(u8::from(belongs(e))))
+            .map(|e| f64::from(u8::from(belongs([e / 200, e % 200]))))
             .collect();
         let part = window.cut(&mask);
         assert!(window.size() < 40 && !window.is_whole());
-        assert_eq!(window.spread(&part), mask);
+        assert_eq!(window.spread(part.clone()), mask);
         // The elements lie at the grid's end along y, but nowhere else at the window's border.
         let last = window.size() - 1;
         let border =
@@ -189,12 +308,16 @@ mod tests {
 
     #[test]
     fn a_window_grows_until_it_is_the_whole_grid() {
-        let mut window = Window::around(500, |e| e == 250 * 500 + 3, Room::ForOne);
+        let mut window = Window::whole(500).around(|place| place == [250, 3], Room::ForOne);
         for _ in 0..8 {
             window = window.grown();
         }
         assert_eq!(window, Window::whole(500));
-        assert!(Window::around(500, |_| false, Room::ForOne).is_whole());
+        assert!(
+            Window::whole(500)
+                .around(|_| false, Room::ForOne)
+                .is_whole()
+        );
     }
 
     #[test]
@@ -202,9 +325,9 @@ mod tests {
         let mut sizes = BTreeSet::new();
         for half in 20..150 {
             let inside = |i: usize| i.abs_diff(250) < half;
-            let belongs = |e: usize| inside(e / 500) && inside(e % 500);
+            let belongs = |place: [usize; 2]| place.into_iter().all(inside);
             let [one, many] =
-                [Room::ForOne, Room::ForMany].map(|room| Window::around(500, belongs, room));
+                [Room::ForOne, Room::ForMany].map(|room| Window::whole(500).around(belongs, room));
             assert!(one.size() <= many.size() && 4 * many.size() <= 5 * one.size());
             sizes.insert(many.size());
         }
