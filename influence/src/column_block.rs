@@ -55,11 +55,12 @@ impl ColumnTransform {
         forward.max(self.inverse.get_inplace_scratch_len())
     }
 
-    /// Multiplies the columns of `block` (row after row, as many as are shown, of which the first are loaded) by their spectra, in place.
+    /// Multiplies the columns of `block` (row after row, as many as are shown, of which the first are loaded) by their spectra, in place: the
+    /// values at the even frequencies up to M, and those at the odd ones.
     pub(crate) fn multiply<'a>(
         &self,
         block: &mut [Complex64],
-        spectrum: impl Fn(usize) -> &'a [f64],
+        spectrum: impl Fn(usize) -> (&'a [f64], &'a [f64]),
         columns: &mut [Complex64],
         scratch: &mut [Complex64],
     ) {
@@ -67,22 +68,29 @@ impl ColumnTransform {
         self.gather(block, columns, width);
         for (index, pair) in self.pairs(columns).take(width).enumerate() {
             let (even, odd) = pair.split_at_mut(self.pitch());
-            let values = spectrum(index);
-            self.filter(&mut even[..self.half], even_values(values), scratch);
-            self.filter(&mut odd[..self.half], odd_values(values), scratch);
+            let (of_even, of_odd) = spectrum(index);
+            self.filter(&mut even[..self.half], of_even, 1, scratch);
+            self.filter(&mut odd[..self.half], of_odd, 0, scratch);
         }
         self.scatter(columns, block, width);
     }
 
-    /// Transforms one half-column, multiplies it and transforms it back.
+    /// Transforms one half-column, multiplies it by the values, of which those from number `mirror` on come back in reverse order at its end, and
+    /// transforms it back.
     fn filter(
         &self,
         column: &mut [Complex64],
-        values: impl Iterator<Item = f64>,
+        values: &[f64],
+        mirror: usize,
         scratch: &mut [Complex64],
     ) {
         self.forward.process_with_scratch(column, scratch);
-        for (entry, value) in column.iter_mut().zip(values) {
+        let (rising, falling) = column.split_at_mut(values.len());
+        for (entry, value) in rising.iter_mut().zip(values) {
+            *entry *= value;
+        }
+        let mirrored = values[mirror..mirror + falling.len()].iter();
+        for (entry, value) in falling.iter_mut().rev().zip(mirrored) {
             *entry *= value;
         }
         self.inverse.process_with_scratch(column, scratch);
@@ -131,38 +139,5 @@ impl ColumnTransform {
 
     fn pitch(&self) -> usize {
         self.half + SKEW
-    }
-}
-
-/// Spectrum at the frequencies 0, 2, 4 … L − 2, of which those beyond M mirror those before.
-fn even_values(quarter: &[f64]) -> impl Iterator<Item = f64> {
-    let half = quarter.len() - 1;
-    let rising = quarter.iter().step_by(2);
-    let falling = quarter[..half].iter().rev().skip(1 - half % 2).step_by(2);
-    rising.chain(falling).copied()
-}
-
-/// Spectrum at the frequencies 1, 3, 5 … L − 1.
-fn odd_values(quarter: &[f64]) -> impl Iterator<Item = f64> {
-    let half = quarter.len() - 1;
-    let rising = quarter.iter().skip(1).step_by(2);
-    let falling = quarter[..half].iter().rev().skip(half % 2).step_by(2);
-    rising.chain(falling).copied()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{even_values, odd_values};
-
-    #[test]
-    fn mirrored_frequencies_are_those_of_the_whole_spectrum() {
-        for half in [1_usize, 2, 3, 4, 9] {
-            let quarter: Vec<f64> = (0..=half).map(|f| f as f64).collect();
-            let whole = (0..2 * half).map(|f| f.min(2 * half - f) as f64);
-            let even: Vec<f64> = even_values(&quarter).take(half).collect();
-            let odd: Vec<f64> = odd_values(&quarter).take(half).collect();
-            assert_eq!(even, whole.clone().step_by(2).collect::<Vec<_>>());
-            assert_eq!(odd, whole.skip(1).step_by(2).collect::<Vec<_>>());
-        }
     }
 }

@@ -14,6 +14,7 @@ use crate::coefficient_table::CoefficientTable;
 pub(crate) struct Spectrum {
     /// M, half the padded length.
     half: usize,
+    /// Column after column, of each those at even frequencies before those at odd ones.
     values: Vec<f64>,
 }
 
@@ -31,16 +32,25 @@ impl Spectrum {
             line.transform(|m| along[m * (half + 1) + frequency], size, column);
         });
         let factor = 1.0 / (4 * half * half) as f64;
-        for value in &mut values {
-            *value *= factor;
-        }
+        let columns = values.par_chunks_exact_mut(half + 1);
+        columns.for_each_init(
+            || vec![0.0; half + 1],
+            |sorted, column| {
+                let evens_and_odds = (0..=half).step_by(2).chain((1..=half).step_by(2));
+                for (value, frequency) in sorted.iter_mut().zip(evens_and_odds) {
+                    *value = factor * column[frequency];
+                }
+                column.copy_from_slice(sorted);
+            },
+        );
         Self { half, values }
     }
 
-    /// The M+1 values of column `frequency`, frequencies 0 … M.
-    pub(crate) fn column(&self, frequency: usize) -> &[f64] {
+    /// The values of column `frequency` at the frequencies 0, 2, 4 … and 1, 3, 5 … up to M.
+    pub(crate) fn column(&self, frequency: usize) -> (&[f64], &[f64]) {
         let width = self.half + 1;
-        &self.values[frequency * width..(frequency + 1) * width]
+        let column = &self.values[frequency * width..(frequency + 1) * width];
+        column.split_at(self.half / 2 + 1)
     }
 }
 
@@ -84,7 +94,9 @@ mod tests {
         let table = CoefficientTable::from_fn(1.0, 5, own).unwrap();
         let spectrum = Spectrum::new(&table, 5, 6);
         for frequency in 0..=6 {
-            for value in spectrum.column(frequency) {
+            let (even, odd) = spectrum.column(frequency);
+            assert_eq!((even.len(), odd.len()), (4, 3));
+            for value in even.iter().chain(odd) {
                 // Rounding of two transforms of length 12.
                 assert!((value * 144.0 - 3.0).abs() < 1e-14);
             }
@@ -99,7 +111,7 @@ mod tests {
         let sum: f64 = offsets()
             .flat_map(|m| offsets().map(move |n| 1.0 / (1.0 + f64::from(m * m + n * n))))
             .sum();
-        let found = Spectrum::new(&table, 4, 4).column(0)[0] * 64.0;
+        let found = Spectrum::new(&table, 4, 4).column(0).0[0] * 64.0;
         // Rounding of 49 terms.
         assert!((found - sum).abs() < 1e-14 * sum);
     }
