@@ -19,6 +19,11 @@ impl Best {
         }
     }
 
+    /// Forgets what it kept.
+    pub fn restart(&mut self) {
+        self.residual = f64::INFINITY;
+    }
+
     /// Keeps the state's pressure if its residual is much the smallest so far.
     pub fn offer(&mut self, state: &State, residual: f64) {
         if residual < WORTH_A_COPY * self.residual {
@@ -28,12 +33,13 @@ impl Best {
     }
 
     /// The pressure kept, or the state's where it is admissible and its residual no larger, or nothing was kept.
-    pub fn or(self, state: State, residual: f64) -> Vec<f64> {
+    pub fn or<'a>(&'a self, state: &'a State, residual: f64) -> &'a [f64] {
         let is_admissible = state.pressure.iter().all(|p| *p >= 0.0);
-        if (is_admissible && residual <= self.residual) || self.pressure.is_empty() {
-            state.pressure
+        let nothing_is_kept = self.residual == f64::INFINITY;
+        if (is_admissible && residual <= self.residual) || nothing_is_kept {
+            &state.pressure
         } else {
-            self.pressure
+            &self.pressure
         }
     }
 }

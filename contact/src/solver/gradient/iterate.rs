@@ -3,7 +3,7 @@
 use super::control::Control;
 use crate::{
     DiscreteProblem,
-    vector::{add_scaled, by_parts, each, sum, update},
+    vector::{add_scaled, by_parts, each, sum, update, update_with},
 };
 
 /// Stands for an infinite initial gap: finite, so that `0 · g0` stays 0, and beyond any displacement.
@@ -32,28 +32,33 @@ struct Lines {
 }
 
 impl State {
-    /// Starts from a pressure, or evenly over all that can touch where that is zero: one product.
-    pub fn start(problem: &mut DiscreteProblem, control: Control, start: &[f64]) -> Self {
+    /// A state of nothing yet.
+    pub fn new(problem: &DiscreteProblem) -> Self {
         let gaps = problem.initial_gap().iter();
-        let initial_gap: Vec<f64> = gaps.map(|g0| g0.min(NEVER)).collect();
-        let admit = |p: f64, g0: f64| if g0 < NEVER { p.max(0.0) } else { 0.0 };
-        let fields = start.iter().zip(&initial_gap);
-        let mut pressure: Vec<f64> = fields.map(|(p, g0)| admit(*p, *g0)).collect();
-        if matches!(control, Control::Total(_)) && sum(&pressure) == 0.0 {
-            update(&mut pressure, &initial_gap, |p, g0| *p = admit(1.0, *g0));
-        }
-        control.rescale(&mut pressure);
-        let v = vec![0.0; pressure.len()];
-        let mut state = Self {
-            control,
-            pressure,
-            v,
+        let elements = problem.elements();
+        Self {
+            control: Control::Penetration(0.0),
+            pressure: vec![0.0; elements],
+            v: vec![0.0; elements],
             penetration: 0.0,
-            initial_gap,
+            initial_gap: gaps.map(|g0| g0.min(NEVER)).collect(),
             applications: 0,
-        };
-        state.refresh(problem);
-        state
+        }
+    }
+
+    /// Starts from a pressure, or evenly over all that can touch where that is zero: one product.
+    pub fn start(&mut self, problem: &mut DiscreteProblem, control: Control, start: &[f64]) {
+        (self.control, self.applications) = (control, 0);
+        let admit = |p: f64, g0: f64| if g0 < NEVER { p.max(0.0) } else { 0.0 };
+        let (pressure, initial_gap) = (&mut self.pressure, &self.initial_gap);
+        update_with(pressure, start, initial_gap, |to, p, g0| {
+            *to = admit(*p, *g0);
+        });
+        if matches!(control, Control::Total(_)) && sum(pressure) == 0.0 {
+            update(pressure, initial_gap, |p, g0| *p = admit(1.0, *g0));
+        }
+        control.rescale(pressure);
+        self.refresh(problem);
     }
 
     pub fn elements(&self) -> usize {

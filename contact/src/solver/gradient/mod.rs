@@ -53,6 +53,7 @@ use self::{
     preconditioner::Preconditioner,
     segment::Part,
     spectral::SpectralSteps,
+    stiffness::StiffnessSystem,
     strategy::{Phase, Strategy},
     working_set::WorkingSet,
 };
@@ -80,17 +81,18 @@ impl Solver for GradientSolver {
     ) -> Result<Iterate, ContactError> {
         let control = Control::new(load, problem.element_area());
         let mut iteration = Iteration::start(problem, control, start);
-        let mut best = Best::new();
         let mut residuals = Vec::new();
         let (ending, residual) = loop {
-            let (residual, is_admissible) = iteration.state.residual();
-            let contact = iteration.working_set.len();
-            watch.tell(problem.grid_size(), residuals.len(), residual, contact)?;
+            let Workspace {
+                state, set, best, ..
+            } = &mut *iteration.workspace;
+            let (residual, is_admissible) = state.residual();
+            watch.tell(problem.grid_size(), residuals.len(), residual, set.len())?;
             residuals.push(residual);
             if is_admissible {
-                best.offer(&iteration.state, residual);
+                best.offer(state, residual);
             }
-            match self.ending(problem, &iteration, residual, is_admissible) {
+            match self.ending(problem, state, set, residual, is_admissible) {
                 Some(ending) => break (ending, residual),
                 None => iteration.step(problem, residual),
             }
@@ -101,19 +103,18 @@ impl Solver for GradientSolver {
             } else {
                 (None, 0)
             };
-        let Iteration {
-            state, workspace, ..
-        } = iteration;
-        problem.keep_workspace(workspace);
-        Ok(Iterate {
+        let Workspace { state, best, .. } = &*iteration.workspace;
+        let iterate = Iterate {
             iterations: residuals.len() - 1,
             operator_applications: state.applications(),
-            pressure: best.or(state, residual),
+            pressure: best.or(state, residual).to_vec(),
             residuals,
             contact_stiffness,
             stiffness_applications,
             reached_border: ending == Ending::ReachedBorder,
-        })
+        };
+        problem.keep_workspace(iteration.workspace);
+        Ok(iterate)
     }
 }
 
@@ -129,44 +130,54 @@ impl GradientSolver {
     fn ending(
         &self,
         problem: &DiscreteProblem,
-        iteration: &Iteration,
+        state: &State,
+        set: &WorkingSet,
         residual: f64,
         is_admissible: bool,
     ) -> Option<Ending> {
-        let set = &iteration.working_set;
         if problem.is_window() && set.touches_border(problem.size()) {
             Some(Ending::ReachedBorder)
         } else if is_admissible && residual <= TOLERANCE_MARGIN * self.options.tolerance {
             Some(Ending::Solved)
         } else {
-            let applications = iteration.state.applications();
-            (applications >= self.options.max_applications).then_some(Ending::GivenUp)
+            (state.applications() >= self.options.max_applications).then_some(Ending::GivenUp)
         }
     }
 }
 
-/// What a solution needs beside its state: allocated once for all loads on one problem.
+/// All fields of a solution, allocated once for all loads on one problem.
 pub struct Workspace {
+    state: State,
+    set: WorkingSet,
+    best: Best,
     preconditioner: Preconditioner,
     spectral: SpectralSteps,
     conjugate: ConjugateDirections,
     newton: Option<Newton>,
+    stiffness: StiffnessSystem,
 }
 
 impl Workspace {
     fn new(problem: &DiscreteProblem) -> Self {
         Self {
+            state: State::new(problem),
+            set: WorkingSet::new(problem.elements()),
+            best: Best::new(),
             preconditioner: Preconditioner::new(problem),
             spectral: SpectralSteps::new(problem.elements()),
             conjugate: ConjugateDirections::new(problem.elements()),
             newton: None,
+            stiffness: StiffnessSystem::default(),
         }
     }
 
     /// Begins another load, of which nothing depends on the one before.
-    fn begin(&mut self) {
+    fn begin(&mut self, problem: &mut DiscreteProblem, control: Control, start: &[f64]) {
         self.preconditioner.begin();
         self.restart();
+        self.best.restart();
+        self.state.start(problem, control, start);
+        self.set.start(&self.state);
     }
 
     /// Forgets the steps so far.
@@ -182,8 +193,6 @@ impl Workspace {
 
 /// Everything that one solution carries from step to step.
 struct Iteration {
-    state: State,
-    working_set: WorkingSet,
     strategy: Strategy,
     course: Course,
     workspace: Box<Workspace>,
@@ -194,14 +203,11 @@ impl Iteration {
         let mut workspace = problem
             .take_workspace()
             .unwrap_or_else(|| Box::new(Workspace::new(problem)));
-        workspace.begin();
-        let state = State::start(problem, control, start);
+        workspace.begin(problem, control, start);
         Self {
-            working_set: WorkingSet::of(&state),
             strategy: Strategy::new(),
             course: Course::Left(Part::Whole),
             workspace,
-            state,
         }
     }
 
@@ -223,8 +229,9 @@ impl Iteration {
 
     /// A conjugate step on a set that stands still, else a spectral one.
     fn fast_step(&mut self, problem: &mut DiscreteProblem) -> Part {
-        let (state, set) = (&mut self.state, &mut self.working_set);
         let Workspace {
+            state,
+            set,
             preconditioner,
             spectral,
             conjugate,
@@ -250,18 +257,15 @@ impl Iteration {
     }
 
     fn newton_step(&mut self, problem: &mut DiscreteProblem) -> Turn {
-        let elements = self.state.elements();
         let Workspace {
+            state,
+            set,
             preconditioner,
             newton,
             ..
         } = &mut *self.workspace;
-        newton.get_or_insert_with(|| Newton::new(elements)).step(
-            problem,
-            preconditioner,
-            &mut self.state,
-            &mut self.working_set,
-        )
+        let newton = newton.get_or_insert_with(|| Newton::new(state.elements()));
+        newton.step(problem, preconditioner, state, set)
     }
 
     /// Prepares the phase that has just begun.
@@ -285,25 +289,30 @@ impl Iteration {
 
     /// Back to an admissible pressure and steps without memory.
     fn begin_descent(&mut self, problem: &mut DiscreteProblem) {
-        if self.state.pressure.iter().any(|p| *p < 0.0) {
-            self.state.clip(problem);
-        }
-        self.workspace.restart();
         self.course = Course::Left(Part::Whole);
-        self.working_set.update(&self.state);
+        self.workspace.restart();
+        let Workspace { state, set, .. } = &mut *self.workspace;
+        if state.pressure.iter().any(|p| *p < 0.0) {
+            state.clip(problem);
+        }
+        set.update(state);
     }
 
     /// `dQ/dD` (N/m) on the elements that press, and the products that it takes; none where nothing presses.
     fn contact_stiffness(&mut self, problem: &mut DiscreteProblem) -> (Option<f64>, usize) {
-        self.working_set.keep_pressing(&self.state);
-        if self.working_set.len() == 0 {
+        let Workspace {
+            state,
+            set,
+            preconditioner,
+            stiffness,
+            ..
+        } = &mut *self.workspace;
+        set.keep_pressing(state);
+        if set.len() == 0 {
             return (None, 0);
         }
-        let (sum, applications) = stiffness::pressure_sum_per_penetration(
-            problem,
-            &mut self.workspace.preconditioner,
-            &self.working_set,
-        );
+        let (sum, applications) =
+            stiffness.pressure_sum_per_penetration(problem, preconditioner, set);
         (sum.map(|sum| sum * problem.element_area()), applications)
     }
 }

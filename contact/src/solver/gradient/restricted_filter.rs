@@ -116,7 +116,7 @@ mod tests {
     use super::{super::control::Control, EdgeBand, RestrictedFilter};
     use crate::{
         DiscreteProblem,
-        solver::gradient::{State, WorkingSet},
+        solver::gradient::{WorkingSet, tests::begun},
         vector::{add_scaled, dot},
     };
 
@@ -144,7 +144,7 @@ mod tests {
         let eta = vec![0.0; SIZE * SIZE];
         let problem = DiscreteProblem::elastic(surface.clone(), SIZE, eta, gap, 1e-12);
         let control = Control::Penetration(0.0);
-        WorkingSet::of(&State::start(&mut problem.unwrap(), control, &pressure))
+        begun(&mut problem.unwrap(), control, &pressure).1
     }
 
     /// The part of `pressure` by which the filter misses it, asked for what answers `K p` on the set.

@@ -15,42 +15,62 @@ const SMALLEST_GAIN: f64 = 1e-7;
 /// Steps after which the stiffness is held not to be found.
 const MOST_STEPS: usize = 300;
 
-/// `Σ q`, in Pa/m, on a set that is not empty, and the products that it took; none if the system does not converge.
-pub fn pressure_sum_per_penetration(
-    problem: &mut DiscreteProblem,
-    preconditioner: &mut Preconditioner,
-    set: &WorkingSet,
-) -> (Option<f64>, usize) {
-    let field = || vec![0.0; problem.elements()];
-    let (mut residual, mut direction, mut image, mut z) = (field(), field(), field(), field());
-    update(&mut residual, set.mask(), |r, member| {
-        *r = f64::from(u8::from(*member));
-    });
-    let (mut total, mut product_before) = (0.0, f64::INFINITY);
-    for step in 1..=MOST_STEPS {
-        z.copy_from_slice(&residual);
-        preconditioner.apply(set, &mut z);
-        let product = dot(&residual, &z);
-        let beta = product / product_before;
-        update(&mut direction, &z, |d, z| *d = z + beta * *d);
-        problem.deform_into(&direction, &mut image);
-        update(&mut image, set.mask(), |y, member| {
-            if !member {
-                *y = 0.0;
-            }
+/// The buffers of the linear system, none before the first.
+#[derive(Default)]
+pub struct StiffnessSystem {
+    residual: Vec<f64>,
+    direction: Vec<f64>,
+    image: Vec<f64>,
+    preconditioned: Vec<f64>,
+}
+
+impl StiffnessSystem {
+    /// `Σ q`, in Pa/m, on a set that is not empty, and the products that it took; none if the system does not converge.
+    pub fn pressure_sum_per_penetration(
+        &mut self,
+        problem: &mut DiscreteProblem,
+        preconditioner: &mut Preconditioner,
+        set: &WorkingSet,
+    ) -> (Option<f64>, usize) {
+        let Self {
+            residual,
+            direction,
+            image,
+            preconditioned: z,
+        } = self;
+        for field in [&mut *residual, direction, image, z] {
+            field.resize(problem.elements(), 0.0);
+        }
+        update(residual, set.mask(), |r, member| {
+            *r = f64::from(u8::from(*member));
         });
-        // α = r·z / d·(K + η)d;  Σq grows by α r·d = α r·z
-        let alpha = product / dot(&direction, &image);
-        let gain = alpha * product;
-        if !gain.is_finite() {
-            return (None, step);
+        direction.fill(0.0);
+        let (mut total, mut product_before) = (0.0, f64::INFINITY);
+        for step in 1..=MOST_STEPS {
+            z.copy_from_slice(residual);
+            preconditioner.apply(set, z);
+            let product = dot(residual, z);
+            let beta = product / product_before;
+            update(direction, z, |d, z| *d = z + beta * *d);
+            problem.deform_into(direction, image);
+            update(image, set.mask(), |y, member| {
+                if !member {
+                    *y = 0.0;
+                }
+            });
+            // α = r·z / d·(K + η)d;  Σq grows by α r·d = α r·z
+            let alpha = product / dot(direction, image);
+            let gain = alpha * product;
+            if !gain.is_finite() {
+                return (None, step);
+            }
+            total += gain;
+            if gain <= SMALLEST_GAIN * total {
+                return (Some(total), step);
+            }
+            add_scaled(residual, -alpha, image);
+            product_before = product;
         }
-        total += gain;
-        if gain <= SMALLEST_GAIN * total {
-            return (Some(total), step);
-        }
-        add_scaled(&mut residual, -alpha, &image);
-        product_before = product;
+        (None, MOST_STEPS)
     }
-    (None, MOST_STEPS)
 }

@@ -22,11 +22,22 @@ fn plate() -> DiscreteProblem {
     problem([1000.0, 0.01], |x, y| pillars(x, y, 0.002), RIGID)
 }
 
+/// The state that begins from a pressure, and its working set.
+pub fn begun(
+    problem: &mut DiscreteProblem,
+    control: Control,
+    pressure: &[f64],
+) -> (State, WorkingSet) {
+    let mut state = State::new(problem);
+    state.start(problem, control, pressure);
+    let mut set = WorkingSet::new(pressure.len());
+    set.start(&state);
+    (state, set)
+}
+
 fn start(problem: &mut DiscreteProblem, load: Load) -> (State, WorkingSet) {
     let control = Control::new(load, problem.element_area());
-    let state = State::start(problem, control, &[0.0; ELEMENTS]);
-    let set = WorkingSet::of(&state);
-    (state, set)
+    begun(problem, control, &[0.0; ELEMENTS])
 }
 
 #[test]
@@ -52,17 +63,17 @@ fn newtons_method_alone_solves_a_plate_on_pillars() {
 fn a_solver_that_gives_up_returns_the_best_admissible_pressure() {
     let mut problem = problem([1.0, 0.1], paraboloid, RIGID);
     let control = Control::new(Load::Penetration(0.01), problem.element_area());
-    let mut state = |pressure: f64| State::start(&mut problem, control, &[pressure; ELEMENTS]);
+    let mut state = |pressure: f64| begun(&mut problem, control, &[pressure; ELEMENTS]).0;
     let mut offered = |residuals: &[f64], last: State, residual: f64| {
         let mut best = Best::new();
         for (i, offer) in residuals.iter().enumerate() {
             best.offer(&state(1.0 + i as f64), *offer);
         }
-        best.or(last, residual)[0]
+        best.or(&last, residual)[0]
     };
     let mut other = plate();
     let mut last = |pressure: f64| {
-        let mut state = State::start(&mut other, control, &[0.0; ELEMENTS]);
+        let mut state = begun(&mut other, control, &[0.0; ELEMENTS]).0;
         state.pressure.fill(pressure);
         state
     };
@@ -88,8 +99,7 @@ fn islands(problem: &mut DiscreteProblem) -> (State, WorkingSet) {
     let pressure: Vec<f64> = (0..ELEMENTS)
         .map(|e| f64::from(u8::from(in_set(e))) * (1.0 + (e as f64).sin() / 2.0))
         .collect();
-    let state = State::start(problem, control, &pressure);
-    let mut set = WorkingSet::of(&state);
+    let (state, mut set) = begun(problem, control, &pressure);
     set.keep_pressing(&state);
     assert_eq!(set.len(), pressure.iter().filter(|p| **p > 0.0).count());
     (state, set)
@@ -135,8 +145,7 @@ fn on_all_elements_the_filter_divides_a_wave_by_its_symbol() {
     let problem = problem([0.5, 0.1], paraboloid, |_, _| compliance);
     let control = Control::new(Load::Penetration(1.0), problem.element_area());
     let mut problem = problem;
-    let state = State::start(&mut problem, control, &[1.0; ELEMENTS]);
-    let set = WorkingSet::of(&state);
+    let (state, set) = begun(&mut problem, control, &[1.0; ELEMENTS]);
     assert_eq!(set.len(), ELEMENTS);
     let mut preconditioner = Preconditioner::new(&problem);
     let mut z = vec![0.0; ELEMENTS];
@@ -221,8 +230,7 @@ fn a_set_touches_the_border_with_any_element_of_it() {
     ] {
         let mut pressure = [0.0; ELEMENTS];
         pressure[i * SIZE + j] = 1.0;
-        let state = State::start(&mut problem, control, &pressure);
-        let set = WorkingSet::of(&state);
+        let (_, set) = begun(&mut problem, control, &pressure);
         assert_eq!(set.len(), 1);
         assert_eq!(set.touches_border(SIZE), touches, "{i} {j}");
     }

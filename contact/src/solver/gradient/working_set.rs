@@ -16,16 +16,19 @@ pub struct WorkingSet {
 }
 
 impl WorkingSet {
-    /// The working set of a state; counts as changed throughout.
-    pub fn of(state: &State) -> Self {
-        let mut set = Self {
-            mask: vec![false; state.elements()],
+    /// No working set yet, of so many elements.
+    pub fn new(elements: usize) -> Self {
+        Self {
+            mask: vec![false; elements],
             len: 0,
             changed: 0,
-        };
-        set.update(state);
-        set.changed = set.mask.len();
-        set
+        }
+    }
+
+    /// Takes the working set of a state that another begins from; counts as changed throughout.
+    pub fn start(&mut self, state: &State) {
+        self.update(state);
+        self.changed = self.mask.len();
     }
 
     /// `I = {p > 0} ∪ {g < 0}`, for pressures that are nowhere negative.
