@@ -312,7 +312,7 @@ impl Iteration {
             return (None, 0);
         }
         let (sum, applications) =
-            stiffness.pressure_sum_per_penetration(problem, preconditioner, set);
+            stiffness.pressure_sum_per_penetration(problem, preconditioner, state, set);
         (sum.map(|sum| sum * problem.element_area()), applications)
     }
 }

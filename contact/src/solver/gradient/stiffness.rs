@@ -1,17 +1,20 @@
 //! The contact stiffness `dQ/dD`: how the force grows with the penetration while the set of elements in contact stays.
 //!
 //! Differentiating `(K + η) p + g0 = D` on the contact `I` gives `(K + η)_II q = 1` for `q = dp/dD`, and `dQ/dD = 4a² Σ q`. Conjugate
-//! gradients from zero raise `Σ q = qᵀ (K + η) q` at each step by `α r·z` to its largest value, so the error of the sum is the square
-//! of that of the solution.
+//! gradients raise `Σ q = qᵀ (K + η) q` at each step by `α r·z` to its largest value, so the error of the sum is the square of that of the solution.
+//!
+//! The pressure itself is a first direction for nothing, since its image `(K + η) p = v − g0` is known: they begin from `q = c p` with the `c`
+//! that raises the sum most, and all later directions are kept conjugate to `p`. (Deflation; Nicolaides 1987.) That spares a product of four on a homogeneous body, and
+//! two of seven under a stiff coat.
 
-use super::{preconditioner::Preconditioner, working_set::WorkingSet};
+use super::{iterate::State, preconditioner::Preconditioner, working_set::WorkingSet};
 use crate::{
     DiscreteProblem,
-    vector::{add_scaled, dot, update},
+    vector::{add_scaled, dot, sum, update_with},
 };
 
-/// The last step's part of the sum at which to stop; what is left is a hundredth of it or less.
-const SMALLEST_GAIN: f64 = 1e-7;
+/// Part of the sum that the next step would add from which on it is not taken but estimated, by `α = 1`: true to a third of itself.
+const SMALLEST_GAIN: f64 = 1e-6;
 /// Steps after which the stiffness is held not to be found.
 const MOST_STEPS: usize = 300;
 
@@ -22,14 +25,17 @@ pub struct StiffnessSystem {
     direction: Vec<f64>,
     image: Vec<f64>,
     preconditioned: Vec<f64>,
+    image_of_pressure: Vec<f64>,
 }
 
 impl StiffnessSystem {
-    /// `Σ q`, in Pa/m, on a set that is not empty, and the products that it took; none if the system does not converge.
+    /// `Σ q`, in Pa/m, to some 1e-7 of itself, on the set of the state's elements that press, which is not empty; and the products that it took. None
+    /// if the system does not converge.
     pub fn pressure_sum_per_penetration(
         &mut self,
         problem: &mut DiscreteProblem,
         preconditioner: &mut Preconditioner,
+        state: &State,
         set: &WorkingSet,
     ) -> (Option<f64>, usize) {
         let Self {
@@ -37,37 +43,52 @@ impl StiffnessSystem {
             direction,
             image,
             preconditioned: z,
+            image_of_pressure,
         } = self;
-        for field in [&mut *residual, direction, image, z] {
+        for field in [&mut *residual, direction, image, z, image_of_pressure] {
             field.resize(problem.elements(), 0.0);
         }
-        update(residual, set.mask(), |r, member| {
-            *r = f64::from(u8::from(*member));
+        let pressure = &state.pressure;
+        update_with(
+            image_of_pressure,
+            &state.v,
+            &state.initial_gap,
+            |y, v, g0| {
+                *y = v - g0;
+            },
+        );
+        set.clear_outside(image_of_pressure);
+        // c = Σp / p·(K + η)p, which adds c Σp;  r = 1 − c (K + η)p
+        let (pressure_sum, curvature) = (sum(pressure), dot(pressure, image_of_pressure));
+        let part = pressure_sum / curvature;
+        update_with(residual, image_of_pressure, set.mask(), |r, y, member| {
+            *r = if *member { 1.0 - part * y } else { 0.0 };
         });
         direction.fill(0.0);
-        let (mut total, mut product_before) = (0.0, f64::INFINITY);
-        for step in 1..=MOST_STEPS {
+        let (mut total, mut product_before) = (part * pressure_sum, f64::INFINITY);
+        for steps in 0..MOST_STEPS {
             z.copy_from_slice(residual);
             preconditioner.apply(set, z);
             let product = dot(residual, z);
-            let beta = product / product_before;
-            update(direction, z, |d, z| *d = z + beta * *d);
-            problem.deform_into(direction, image);
-            update(image, set.mask(), |y, member| {
-                if !member {
-                    *y = 0.0;
-                }
+            if !product.is_finite() {
+                return (None, steps);
+            }
+            if product.abs() <= SMALLEST_GAIN * total {
+                return (Some(total + product), steps);
+            }
+            // d = z + β d, conjugate to p
+            let (beta, along) = (
+                product / product_before,
+                dot(z, image_of_pressure) / curvature,
+            );
+            update_with(direction, z, pressure, |d, z, p| {
+                *d = z - along * p + beta * *d;
             });
+            problem.deform_into(direction, image);
+            set.clear_outside(image);
             // α = r·z / d·(K + η)d;  Σq grows by α r·d = α r·z
             let alpha = product / dot(direction, image);
-            let gain = alpha * product;
-            if !gain.is_finite() {
-                return (None, step);
-            }
-            total += gain;
-            if gain <= SMALLEST_GAIN * total {
-                return (Some(total), step);
-            }
+            total += alpha * product;
             add_scaled(residual, -alpha, image);
             product_before = product;
         }
