@@ -11,7 +11,7 @@
 //! `1/Q = 1/Q_e + 1/Q_w`. Nothing depends on the estimate but the first domain tried: the solution itself tells
 //! whether it was large enough.
 
-use std::f64::consts::{FRAC_PI_2, TAU};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use pellicle_texture::Relief;
 
@@ -45,6 +45,34 @@ pub fn default_side(model: &Model, loads: &[Load]) -> f64 {
         2.0 * MARGIN * radius
     } else {
         2.0 * unloaded_radius(model)
+    }
+}
+
+/// A paraboloid's pressure `p0 √(1 − ρ²/a²)` with the estimated contact radius of a load and its force: what the coarsest grid starts from.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Guess {
+    /// `a`, in m.
+    radius: f64,
+    /// `p0 = 3 Q/(2π a²)`, in Pa.
+    peak: f64,
+}
+
+impl Guess {
+    /// None without contact.
+    pub(crate) fn new(model: &Model, load: Load) -> Option<Self> {
+        let radius = contact_radius(model, load);
+        let force = match load {
+            Load::Force(force) => force,
+            Load::Penetration(_) => force_at(model, radius),
+        };
+        let peak = 1.5 * force / (PI * radius * radius);
+        (radius > 0.0 && peak.is_finite()).then_some(Self { radius, peak })
+    }
+
+    /// The pressure at a point, in Pa.
+    pub(crate) fn pressure(&self, [x, y]: [f64; 2]) -> f64 {
+        let ratio = x.hypot(y) / self.radius;
+        self.peak * (1.0 - ratio * ratio).max(0.0).sqrt()
     }
 }
 

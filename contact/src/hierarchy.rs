@@ -6,8 +6,9 @@ use pellicle_influence::Origin;
 
 use crate::{
     ContactError, GridError, Load, Model, SolverOptions, Step, Work,
-    level::{Level, LevelResult, SignedField},
-    levels::{COARSE_TOLERANCE, Field, coarser_sizes},
+    domain::Guess,
+    level::{Level, LevelResult, SignedField, Start},
+    levels::{COARSE_TOLERANCE, coarser_sizes},
     solver::Watch,
     trust,
 };
@@ -100,26 +101,19 @@ impl<'a> Hierarchy<'a> {
     ) -> Result<Option<Step>, ContactError> {
         let (clock, spent_before) = (Instant::now(), self.coefficients_seconds);
         let (mut levels, mut values) = (Vec::new(), Vec::new());
-        let mut coarser: Option<SignedField> = None;
-        let finest = self.sizes.len() - 1;
-        for index in 0..finest {
-            let start = coarser.as_ref().map(SignedField::field);
-            let options = coarse_options(options);
-            let (result, field) = self.solve_level(index, load, start, options, watch)?;
+        let guess = Guess::new(self.model, load).map_or(Start::Nothing, Start::Guess);
+        let (mut result, mut coarser) = self.solve_level(0, load, guess, options, watch)?;
+        for index in 1..=self.sizes.len() {
             if may_grow && self.outgrows(&result) {
                 return Ok(None);
             }
             levels.push(result.work);
             values.push(result.values());
-            coarser = field;
+            if let Some(field) = &coarser {
+                let start = Start::Coarser(field.field());
+                (result, coarser) = self.solve_level(index, load, start, options, watch)?;
+            }
         }
-        let start = coarser.as_ref().map(SignedField::field);
-        let (result, _) = self.solve_level(finest, load, start, options, watch)?;
-        if may_grow && self.outgrows(&result) {
-            return Ok(None);
-        }
-        levels.push(result.work);
-        values.push(result.values());
         let on_coefficients = self.coefficients_seconds - spent_before;
         Ok(Some(Step {
             work: Work {
@@ -142,16 +136,21 @@ impl<'a> Hierarchy<'a> {
         &mut self,
         index: usize,
         load: Load,
-        start: Option<Field<'_>>,
+        start: Start<'_>,
         options: SolverOptions,
         watch: &mut Watch<'_>,
     ) -> Result<(LevelResult, Option<SignedField>), ContactError> {
+        let is_finest = index + 1 == self.sizes.len();
+        let options = if is_finest {
+            options
+        } else {
+            coarse_options(options)
+        };
         let mut level = match self.levels[index].take() {
             Some(level) => level,
             None => self.make(index)?,
         };
         let result = level.solve(load, start, options, watch);
-        let is_finest = index + 1 == self.sizes.len();
         let field = match &result {
             Ok(result) if !is_finest => Some(level.signed_field(result)),
             _ => None,

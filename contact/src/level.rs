@@ -6,6 +6,7 @@ use crate::{
     ActiveSetSolver, ContactError, DiscreteProblem, GradientSolver, Iterate, LevelValues,
     LevelWork, Load, Method, Model, SampledModel, Solution, Solver, SolverOptions, Summary,
     certificate::JudgedFields,
+    domain::Guess,
     levels::{Field, prolong},
     solver::Watch,
     vector::update,
@@ -32,6 +33,14 @@ pub struct Level {
     window: Option<(Window, DiscreteProblem)>,
     /// The fields of the last load: memory that the next uses again.
     judged: JudgedFields,
+}
+
+/// What a level starts from.
+#[derive(Clone, Copy)]
+pub enum Start<'a> {
+    Nothing,
+    Guess(Guess),
+    Coarser(Field<'a>),
 }
 
 /// What one level ended with.
@@ -76,11 +85,11 @@ impl Level {
         self.problem.size()
     }
 
-    /// Solves from a coarser level's field, and judges the result afresh.
+    /// Solves from a coarser level's field or a guess, and judges the result afresh.
     pub fn solve(
         &mut self,
         load: Load,
-        coarser: Option<Field<'_>>,
+        start: Start<'_>,
         options: SolverOptions,
         watch: &mut Watch<'_>,
     ) -> Result<LevelResult, ContactError> {
@@ -91,7 +100,11 @@ impl Level {
         };
         let everywhere = Window::whole(self.size());
         let nothing = || (everywhere, vec![0.0; self.size() * self.size()]);
-        let start = coarser.and_then(|field| self.start(&field, room));
+        let start = match start {
+            Start::Nothing => None,
+            Start::Guess(guess) => self.guessed(guess, room),
+            Start::Coarser(field) => self.prolonged(&field, room),
+        };
         let start = start.unwrap_or_else(nothing);
         let (solution, window, effort) = self.solve_from(start, load, options, room, watch)?;
         let SampledModel { grid, relief, .. } = &*self.sampled;
@@ -110,8 +123,17 @@ impl Level {
         })
     }
 
+    /// A guessed pressure on a window around it; none where it presses on no element.
+    fn guessed(&self, guess: Guess, room: Room) -> Option<(Window, Vec<f64>)> {
+        let (grid, everywhere) = (&self.sampled.grid, Window::whole(self.size()));
+        let pressure: Vec<f64> = grid.centres().map(|place| guess.pressure(place)).collect();
+        let window = everywhere.around(pressed(&everywhere, &pressure), room);
+        let start = window.cut(&pressure);
+        start.iter().any(|p| *p > 0.0).then_some((window, start))
+    }
+
     /// A coarser level's pressure on a window around it; none where it presses nowhere.
-    fn start(&self, coarser: &Field<'_>, room: Room) -> Option<(Window, Vec<f64>)> {
+    fn prolonged(&self, coarser: &Field<'_>, room: Room) -> Option<(Window, Vec<f64>)> {
         let reach =
             (coarser.window).on_finer(pressed(&coarser.window, coarser.values), self.size())?;
         let pressure = prolong(coarser, &reach, self.sampled.relief.mask());

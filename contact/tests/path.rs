@@ -179,7 +179,7 @@ fn the_active_set_solves_a_path_and_refuses_a_grid_too_large_for_it() {
 #[test]
 fn a_step_that_may_not_go_on_is_returned_and_marked() {
     let options = SolverOptions {
-        max_applications: 3,
+        max_applications: 2,
         ..SolverOptions::default()
     };
     let path = solve_path(
