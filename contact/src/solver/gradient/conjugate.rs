@@ -33,10 +33,18 @@ pub struct ConjugateDirections {
     /// Whether `direction` and `residual_before` belong to the present set.
     running: bool,
     direction: Vec<f64>,
-    segment: Segment,
     preconditioned: Vec<f64>,
     residual_before: Vec<f64>,
     product_before: f64,
+}
+
+/// Fields for the terms of a linear system.
+pub struct Buffers<'a> {
+    pub residual: &'a mut [f64],
+    pub direction: &'a mut [f64],
+    pub image: &'a mut [f64],
+    pub preconditioned: &'a mut [f64],
+    pub step: &'a mut [f64],
 }
 
 impl ConjugateDirections {
@@ -45,7 +53,6 @@ impl ConjugateDirections {
         Self {
             running: false,
             direction: field(),
-            segment: Segment::new(elements),
             preconditioned: field(),
             residual_before: field(),
             product_before: 0.0,
@@ -57,6 +64,18 @@ impl ConjugateDirections {
         self.running = false;
     }
 
+    /// The buffers for another use, after which the directions are forgotten.
+    pub fn lend<'a>(&'a mut self, segment: &'a mut Segment) -> Buffers<'a> {
+        self.restart();
+        Buffers {
+            residual: &mut self.residual_before,
+            direction: &mut self.direction,
+            image: &mut segment.image,
+            preconditioned: &mut self.preconditioned,
+            step: &mut segment.step,
+        }
+    }
+
     /// One step that stops where an element would pull, and goes on from there with that element at zero, as far as the energy
     /// does not rise: one product, two where it is stopped.
     pub fn step_within(
@@ -65,20 +84,21 @@ impl ConjugateDirections {
         preconditioner: &mut Preconditioner,
         state: &mut State,
         set: &WorkingSet,
+        segment: &mut Segment,
     ) -> Course {
-        let alpha = self.look(problem, preconditioner, state, set);
+        let alpha = self.look(problem, preconditioner, state, set, &mut segment.image);
         if !alpha.is_finite() {
             return Course::Left(Part::Cut);
         }
         let pulls = |(p, d): (&f64, &f64)| p + alpha * d < 0.0;
         let steps = state.pressure.par_iter().zip(&self.direction);
         if !steps.with_min_len(MIN_PART).any(pulls) {
-            state.advance(alpha, &self.direction, &self.segment.image);
+            state.advance(alpha, &self.direction, &segment.image);
             return Course::Kept;
         }
-        self.segment.clip(state, alpha, &self.direction);
+        segment.clip(state, alpha, &self.direction);
         let ceiling = state.energy();
-        Course::Left(self.segment.take(problem, state, ceiling))
+        Course::Left(segment.take(problem, state, ceiling))
     }
 
     /// One step of the linear system on the set, which may pull: one product. False if there is nowhere to go.
@@ -88,21 +108,23 @@ impl ConjugateDirections {
         preconditioner: &mut Preconditioner,
         state: &mut State,
         set: &WorkingSet,
+        image: &mut [f64],
     ) -> bool {
-        let alpha = self.look(problem, preconditioner, state, set);
+        let alpha = self.look(problem, preconditioner, state, set, image);
         if alpha.is_finite() {
-            state.advance(alpha, &self.direction, &self.segment.image);
+            state.advance(alpha, &self.direction, image);
         }
         alpha.is_finite()
     }
 
-    /// The next direction and its image; returns the step to the minimum along it. One product.
+    /// The next direction, and its image into `image`; returns the step to the minimum along it. One product.
     fn look(
         &mut self,
         problem: &mut DiscreteProblem,
         preconditioner: &mut Preconditioner,
         state: &mut State,
         set: &WorkingSet,
+        image: &mut [f64],
     ) -> f64 {
         let z = &mut self.preconditioned;
         preconditioner.direction_into(state, set, Projection::Orthogonal, z);
@@ -119,7 +141,6 @@ impl ConjugateDirections {
         });
         residual_into(state, set, &mut self.residual_before);
         (self.product_before, self.running) = (product, true);
-        let Segment { image, .. } = &mut self.segment;
         state.image_into(problem, &self.direction, image);
         // α = r·d / d·(K + η)d, with r·d = −d·∂E
         -state.control.slope(&self.direction, &state.v) / dot(&self.direction, image)

@@ -51,9 +51,8 @@ use self::{
     iterate::State,
     newton::{Newton, Turn},
     preconditioner::Preconditioner,
-    segment::Part,
+    segment::{Part, Segment},
     spectral::SpectralSteps,
-    stiffness::StiffnessSystem,
     strategy::{Phase, Strategy},
     working_set::WorkingSet,
 };
@@ -151,10 +150,11 @@ pub struct Workspace {
     set: WorkingSet,
     best: Best,
     preconditioner: Preconditioner,
+    /// The step that is being taken, of whatever kind.
+    segment: Segment,
     spectral: SpectralSteps,
     conjugate: ConjugateDirections,
     newton: Option<Newton>,
-    stiffness: StiffnessSystem,
 }
 
 impl Workspace {
@@ -164,10 +164,10 @@ impl Workspace {
             set: WorkingSet::new(problem.elements()),
             best: Best::new(),
             preconditioner: Preconditioner::new(problem),
+            segment: Segment::new(problem.elements()),
             spectral: SpectralSteps::new(problem.elements()),
             conjugate: ConjugateDirections::new(problem.elements()),
             newton: None,
-            stiffness: StiffnessSystem::default(),
         }
     }
 
@@ -233,13 +233,14 @@ impl Iteration {
             state,
             set,
             preconditioner,
+            segment,
             spectral,
             conjugate,
             ..
         } = &mut *self.workspace;
         let part = if set.stands_still() && self.course == Course::Kept {
             spectral.forget_direction();
-            self.course = conjugate.step_within(problem, preconditioner, state, set);
+            self.course = conjugate.step_within(problem, preconditioner, state, set, segment);
             match self.course {
                 Course::Kept => Part::Whole,
                 Course::Left(part) => part,
@@ -247,7 +248,7 @@ impl Iteration {
         } else {
             conjugate.restart();
             self.course = Course::Kept;
-            spectral.step(problem, preconditioner, state, set)
+            spectral.step(problem, preconditioner, state, set, segment)
         };
         set.update(state);
         if !set.stands_still() {
@@ -261,11 +262,12 @@ impl Iteration {
             state,
             set,
             preconditioner,
+            segment,
             newton,
             ..
         } = &mut *self.workspace;
         let newton = newton.get_or_insert_with(|| Newton::new(state.elements()));
-        newton.step(problem, preconditioner, state, set)
+        newton.step(problem, preconditioner, state, set, &mut segment.image)
     }
 
     /// Prepares the phase that has just begun.
@@ -304,15 +306,17 @@ impl Iteration {
             state,
             set,
             preconditioner,
-            stiffness,
+            segment,
+            conjugate,
             ..
         } = &mut *self.workspace;
         set.keep_pressing(state);
         if set.len() == 0 {
             return (None, 0);
         }
+        let buffers = conjugate.lend(segment);
         let (sum, applications) =
-            stiffness.pressure_sum_per_penetration(problem, preconditioner, state, set);
+            stiffness::pressure_sum_per_penetration(problem, preconditioner, state, set, buffers);
         (sum.map(|sum| sum * problem.element_area()), applications)
     }
 }

@@ -63,13 +63,14 @@ impl Newton {
         (self.least, self.target, self.steps) = (f64::INFINITY, None, 0);
     }
 
-    /// One step of the present linear system, and the exchange where it is solved: one product, two where elements pull.
+    /// One step of the present linear system, its image into `image`, and the exchange where it is solved: one product, two where elements pull.
     pub fn step(
         &mut self,
         problem: &mut DiscreteProblem,
         preconditioner: &mut Preconditioner,
         state: &mut State,
         set: &mut WorkingSet,
+        image: &mut [f64],
     ) -> Turn {
         let target = match self.target {
             Some(target) => target,
@@ -78,7 +79,7 @@ impl Newton {
         self.steps += 1;
         let moved = self
             .conjugate
-            .step_freely(problem, preconditioner, state, set);
+            .step_freely(problem, preconditioner, state, set, image);
         let norm = self.norm(state, set);
         if !moved || self.steps > MOST_STEPS {
             return Turn::Failed;

@@ -25,7 +25,6 @@ const ENERGY_WINDOW: usize = 4;
 /// The spectral step's memory and buffers.
 pub struct SpectralSteps {
     energies: Vec<f64>,
-    segment: Segment,
     direction: Vec<f64>,
     /// The direction of the step before and its `λ`; none after a step of another kind.
     before: Option<f64>,
@@ -36,7 +35,6 @@ impl SpectralSteps {
     pub fn new(elements: usize) -> Self {
         Self {
             energies: Vec::with_capacity(ENERGY_WINDOW),
-            segment: Segment::new(elements),
             direction: vec![0.0; elements],
             before: None,
             direction_before: vec![0.0; elements],
@@ -54,31 +52,32 @@ impl SpectralSteps {
         self.before = None;
     }
 
-    /// One step of the state; one product, two where it must fall back.
+    /// One step of the state along `segment`, which holds the step before; one product, two where it must fall back.
     pub fn step(
         &mut self,
         problem: &mut DiscreteProblem,
         preconditioner: &mut Preconditioner,
         state: &mut State,
         set: &WorkingSet,
+        segment: &mut Segment,
     ) -> Part {
         self.remember_energy(state.energy());
         std::mem::swap(&mut self.direction, &mut self.direction_before);
         let level =
             preconditioner.direction_into(state, set, Projection::Oblique, &mut self.direction);
-        let alpha = self.alpha(level, preconditioner.even());
+        let alpha = self.alpha(level, preconditioner.even(), segment);
         self.before = Some(level);
-        self.segment.clip(state, alpha, &self.direction);
-        let downhill = self.segment.slope(state) < 0.0;
+        segment.clip(state, alpha, &self.direction);
+        let downhill = segment.slope(state) < 0.0;
         if !downhill {
-            self.project_plain_gradient(problem, state, set);
+            self.project_plain_gradient(problem, state, set, segment);
         }
         let ceiling = self
             .energies
             .iter()
             .copied()
             .fold(f64::NEG_INFINITY, f64::max);
-        let part = self.segment.take(problem, state, ceiling);
+        let part = segment.take(problem, state, ceiling);
         if downhill { part } else { Part::Cut }
     }
 
@@ -96,9 +95,9 @@ impl SpectralSteps {
         problem: &mut DiscreteProblem,
         state: &mut State,
         set: &WorkingSet,
+        Segment { step, image }: &mut Segment,
     ) {
         residual_into(state, set, &mut self.direction);
-        let Segment { step, image } = &mut self.segment;
         state.image_into(problem, &self.direction, image);
         let alpha = dot(&self.direction, &self.direction) / dot(&self.direction, image);
         let alpha = if alpha.is_finite() { alpha } else { 0.0 };
@@ -110,14 +109,14 @@ impl SpectralSteps {
     }
 
     /// `α = s·y / (y·M⁻¹_I y)` within its bounds, from `λ` and `M⁻¹_I 1`; 1 at first.
-    fn alpha(&self, level: f64, even: &[f64]) -> f64 {
+    fn alpha(&self, level: f64, even: &[f64], segment: &Segment) -> f64 {
         let Some(before) = self.before else {
             return 1.0;
         };
-        let y = &self.segment.image;
+        let y = &segment.image;
         let metric = (level - before) * dot(y, even) + dot(y, &self.direction_before)
             - dot(y, &self.direction);
-        let alpha = self.segment.curvature() / metric;
+        let alpha = segment.curvature() / metric;
         if alpha > 0.0 && alpha.is_finite() {
             alpha.clamp(STEP_BOUNDS[0], STEP_BOUNDS[1])
         } else {

@@ -7,7 +7,9 @@
 //! that raises the sum most, and all later directions are kept conjugate to `p`. (Deflation; Nicolaides 1987.) That spares a product of four on a homogeneous body, and
 //! two of seven under a stiff coat.
 
-use super::{iterate::State, preconditioner::Preconditioner, working_set::WorkingSet};
+use super::{
+    conjugate::Buffers, iterate::State, preconditioner::Preconditioner, working_set::WorkingSet,
+};
 use crate::{
     DiscreteProblem,
     vector::{add_scaled, dot, sum, update_with},
@@ -18,80 +20,57 @@ const SMALLEST_GAIN: f64 = 1e-6;
 /// Steps after which the stiffness is held not to be found.
 const MOST_STEPS: usize = 300;
 
-/// The buffers of the linear system, none before the first.
-#[derive(Default)]
-pub struct StiffnessSystem {
-    residual: Vec<f64>,
-    direction: Vec<f64>,
-    image: Vec<f64>,
-    preconditioned: Vec<f64>,
-    image_of_pressure: Vec<f64>,
-}
-
-impl StiffnessSystem {
-    /// `Σ q`, in Pa/m, to some 1e-7 of itself, on the set of the state's elements that press, which is not empty; and the products that it took. None
-    /// if the system does not converge.
-    pub fn pressure_sum_per_penetration(
-        &mut self,
-        problem: &mut DiscreteProblem,
-        preconditioner: &mut Preconditioner,
-        state: &State,
-        set: &WorkingSet,
-    ) -> (Option<f64>, usize) {
-        let Self {
-            residual,
-            direction,
-            image,
-            preconditioned: z,
-            image_of_pressure,
-        } = self;
-        for field in [&mut *residual, direction, image, z, image_of_pressure] {
-            field.resize(problem.elements(), 0.0);
+/// `Σ q`, in Pa/m, to some 1e-7 of itself, on the set of the state's elements that press, which is not empty; and the products that it took. None
+/// if the system does not converge.
+pub fn pressure_sum_per_penetration(
+    problem: &mut DiscreteProblem,
+    preconditioner: &mut Preconditioner,
+    state: &State,
+    set: &WorkingSet,
+    buffers: Buffers<'_>,
+) -> (Option<f64>, usize) {
+    let Buffers {
+        residual,
+        direction,
+        image,
+        preconditioned: z,
+        step: image_of_pressure,
+    } = buffers;
+    let pressure = &state.pressure;
+    let (v, initial_gap) = (&state.v, &state.initial_gap);
+    update_with(image_of_pressure, v, initial_gap, |y, v, g0| *y = v - g0);
+    set.clear_outside(image_of_pressure);
+    // c = Σp / p·(K + η)p, which adds c Σp;  r = 1 − c (K + η)p
+    let (pressure_sum, curvature) = (sum(pressure), dot(pressure, image_of_pressure));
+    let part = pressure_sum / curvature;
+    update_with(residual, image_of_pressure, set.mask(), |r, y, member| {
+        *r = if *member { 1.0 - part * y } else { 0.0 };
+    });
+    direction.fill(0.0);
+    let (mut total, mut product_before) = (part * pressure_sum, f64::INFINITY);
+    for steps in 0..MOST_STEPS {
+        z.copy_from_slice(residual);
+        preconditioner.apply(set, z);
+        let product = dot(residual, z);
+        if !product.is_finite() {
+            return (None, steps);
         }
-        let pressure = &state.pressure;
-        update_with(
-            image_of_pressure,
-            &state.v,
-            &state.initial_gap,
-            |y, v, g0| {
-                *y = v - g0;
-            },
-        );
-        set.clear_outside(image_of_pressure);
-        // c = Σp / p·(K + η)p, which adds c Σp;  r = 1 − c (K + η)p
-        let (pressure_sum, curvature) = (sum(pressure), dot(pressure, image_of_pressure));
-        let part = pressure_sum / curvature;
-        update_with(residual, image_of_pressure, set.mask(), |r, y, member| {
-            *r = if *member { 1.0 - part * y } else { 0.0 };
+        if product.abs() <= SMALLEST_GAIN * total {
+            return (Some(total + product), steps);
+        }
+        // d = z + β d, conjugate to p
+        let beta = product / product_before;
+        let along = dot(z, image_of_pressure) / curvature;
+        update_with(direction, z, pressure, |d, z, p| {
+            *d = z - along * p + beta * *d;
         });
-        direction.fill(0.0);
-        let (mut total, mut product_before) = (part * pressure_sum, f64::INFINITY);
-        for steps in 0..MOST_STEPS {
-            z.copy_from_slice(residual);
-            preconditioner.apply(set, z);
-            let product = dot(residual, z);
-            if !product.is_finite() {
-                return (None, steps);
-            }
-            if product.abs() <= SMALLEST_GAIN * total {
-                return (Some(total + product), steps);
-            }
-            // d = z + β d, conjugate to p
-            let (beta, along) = (
-                product / product_before,
-                dot(z, image_of_pressure) / curvature,
-            );
-            update_with(direction, z, pressure, |d, z, p| {
-                *d = z - along * p + beta * *d;
-            });
-            problem.deform_into(direction, image);
-            set.clear_outside(image);
-            // α = r·z / d·(K + η)d;  Σq grows by α r·d = α r·z
-            let alpha = product / dot(direction, image);
-            total += alpha * product;
-            add_scaled(residual, -alpha, image);
-            product_before = product;
-        }
-        (None, MOST_STEPS)
+        problem.deform_into(direction, image);
+        set.clear_outside(image);
+        // α = r·z / d·(K + η)d;  Σq grows by α r·d = α r·z
+        let alpha = product / dot(direction, image);
+        total += alpha * product;
+        add_scaled(residual, -alpha, image);
+        product_before = product;
     }
+    (None, MOST_STEPS)
 }

@@ -49,9 +49,16 @@ fn newtons_method_alone_solves_a_plate_on_pillars() {
         let mut preconditioner = Preconditioner::new(&problem);
         let mut newton = Newton::new(ELEMENTS);
         newton.restart(0);
+        let mut image = [0.0; ELEMENTS];
         let mut exchanges = 0;
         while state.residual().0 > 1e-9 || !state.residual().1 {
-            let turn = newton.step(&mut problem, &mut preconditioner, &mut state, &mut set);
+            let turn = newton.step(
+                &mut problem,
+                &mut preconditioner,
+                &mut state,
+                &mut set,
+                &mut image,
+            );
             assert_ne!(turn, Turn::Failed);
             exchanges += usize::from(turn == Turn::Exchanged);
             assert!(state.applications() <= most, "{exchanges} exchanges");
