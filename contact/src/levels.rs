@@ -106,6 +106,7 @@ impl Place {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::window::Room;
 
     #[test]
     fn each_level_is_half_of_the_next_down_to_the_coarsest() {
@@ -132,6 +133,30 @@ mod tests {
         for (i, j) in [(1, 1), (7, 3), (13, 9)] {
             approx::assert_relative_eq!(fine[i * to + j], plane(i, j, to), max_relative = 1e-14);
         }
+    }
+
+    #[test]
+    fn on_a_window_the_field_is_that_of_the_whole_grid() {
+        let coarse: Vec<f64> = (0..256).map(|e| (f64::from(e)).sin()).collect();
+        let mask: Vec<bool> = (0..1024).map(|e| e % 5 > 1).collect();
+        let field = Field {
+            window: Window::whole(16),
+            values: &coarse,
+            mask: &mask[..256],
+        };
+        let whole = prolong(&field, &Window::whole(32), &mask);
+        let onto = Window::whole(32).around(|[i, j]| i == 13 && j == 20, Room::ForOne);
+        assert_eq!(prolong(&field, &onto, &mask), onto.cut(&whole));
+        // A part of the field that holds all that its interpolation looks at.
+        let part = Window::whole(16).around(|[i, j]| i == 6 && j == 10, Room::ForOne);
+        let field = Field {
+            window: part,
+            values: &part.cut(&coarse),
+            ..field
+        };
+        let inner = Window::whole(32).around(|[i, j]| i == 13 && j == 21, Room::ForOne);
+        assert!(inner.size() < 2 * part.size() - 2);
+        assert_eq!(prolong(&field, &inner, &mask), inner.cut(&whole));
     }
 
     #[test]

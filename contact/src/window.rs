@@ -321,6 +321,67 @@ mod tests {
     }
 
     #[test]
+    fn a_field_moves_between_windows_and_is_nought_where_there_was_none() {
+        let window = |origin, size| Window {
+            origin,
+            size,
+            grid: 20,
+        };
+        let field: Vec<f64> = (0..400).map(|e| 1.0 + f64::from(e)).collect();
+        let (one, other) = (window([2, 5], 9), window([7, 1], 8));
+        let moved = other.take_over(&one, &one.cut(&field));
+        for i in 0..20 {
+            for j in 0..20 {
+                let inside = (2..11).contains(&i) && (5..14).contains(&j);
+                let wanted = if inside { field[i * 20 + j] } else { 0.0 };
+                if let Some(place) = other.place([i, j]) {
+                    assert_eq!(moved[place], wanted, "{i} {j}");
+                }
+                let inside = (7..15).contains(&i) && (1..9).contains(&j);
+                assert_eq!(other.place([i, j]).is_some(), inside);
+            }
+        }
+        assert_eq!(other.line(&field, 3), &field[10 * 20 + 1..][..8]);
+        // Windows that have nothing in common.
+        let apart = window([15, 15], 4).take_over(&one, &one.cut(&field));
+        assert!(apart.iter().all(|value| *value == 0.0));
+    }
+
+    #[test]
+    fn a_rim_goes_as_far_as_the_grid() {
+        let window = |origin, size| Window {
+            origin,
+            size,
+            grid: 20,
+        };
+        assert_eq!(window([5, 6], 4).with_rim(2), window([3, 4], 8));
+        assert_eq!(window([0, 15], 4).with_rim(2), window([0, 12], 8));
+        assert_eq!(window([1, 2], 17).with_rim(2), Window::whole(20));
+    }
+
+    #[test]
+    fn on_a_finer_grid_a_window_reaches_as_far_as_interpolation_does() {
+        let belongs = |[i, j]: [usize; 2]| (4..7).contains(&i) && j == 9;
+        for finer in [20, 33, 40] {
+            let reach = Window::whole(20).on_finer(belongs, finer).unwrap();
+            for i in 0..finer {
+                for j in 0..finer {
+                    // A centre between those of two coarse elements takes part of both.
+                    let near = |i: usize, first: f64, last: f64| {
+                        let place = (i as f64 + 0.5) * 20.0 / finer as f64 - 0.5;
+                        place > first - 1.0 && place < last + 1.0
+                    };
+                    if near(i, 4.0, 6.0) && near(j, 9.0, 9.0) {
+                        assert!(reach.place([i, j]).is_some(), "{finer}: {i} {j}");
+                    }
+                }
+            }
+            assert!(reach.size() <= (7 * finer).div_ceil(20));
+        }
+        assert!(Window::whole(20).on_finer(|_| false, 40).is_none());
+    }
+
+    #[test]
     fn many_loads_share_windows_of_few_sizes() {
         let mut sizes = BTreeSet::new();
         for half in 20..150 {

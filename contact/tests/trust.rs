@@ -90,6 +90,9 @@ fn the_summary_is_what_the_pressure_says() {
     );
     assert_close(found.mean_pressure, 4e-4 / found.contact_area);
     assert_close(found.contact_radius, radii.fold(0.0, f64::max));
+    let to_edge = |e: &usize| [e / 128, 127 - e / 128, e % 128, 127 - e % 128];
+    let nearest = pressed.iter().flat_map(to_edge).min();
+    assert_eq!(found.elements_to_edge, nearest);
     assert_eq!(found.max_pressure.to_bits(), peak.to_bits());
     assert_eq!(found.max_pressure_at, place(peak_at));
 }

@@ -7,7 +7,7 @@ use pellicle_influence::{Cache, RadialTables};
 use pellicle_kernel::{Foundation, Material};
 use pellicle_texture::{CylinderSpec, Cylinders, Film, Lattice, Relief};
 
-use super::{default_side, slope};
+use super::{Guess, default_side, slope};
 use crate::{FlatPunch, Indenter, Load, Model, Paraboloid};
 
 fn model(foundation: &Foundation, relief: Relief, indenter: impl Into<Indenter>) -> Model {
@@ -69,6 +69,25 @@ fn a_force_reaches_as_far_as_hertz_says_whatever_the_units() {
         let a = 0.1 * radius;
         let force = 4.0 / 3.0 * modulus * a.powi(3) / radius;
         assert_side(&model, &[Load::Force(force)], a);
+    }
+}
+
+#[test]
+fn a_guess_is_hertz_on_a_homogeneous_body_and_nothing_above_it() {
+    let model = model(&half_space(2.0), Relief::Bare, paraboloid(1.0));
+    let a = 0.1_f64;
+    // Q = 4/3 E* a³/R, p0 = 2 E* a/(π R)
+    let guess = Guess::new(&model, Load::Force(8.0 / 3.0 * a.powi(3))).unwrap();
+    let peak = 4.0 * a / PI;
+    for ratio in [0.0_f64, 0.3, 0.8] {
+        let wanted = peak * (1.0 - ratio * ratio).sqrt();
+        let found = guess.pressure([0.6 * ratio * a, -0.8 * ratio * a]);
+        // The radius is right to a hundredth, and the peak to its square.
+        assert!((found / wanted - 1.0).abs() < 0.03, "{found} {wanted}");
+    }
+    assert_eq!(guess.pressure([1.02 * a, 0.0]), 0.0);
+    for load in [0.0, -1.0].map(Load::Penetration) {
+        assert!(Guess::new(&model, load).is_none());
     }
 }
 

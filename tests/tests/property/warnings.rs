@@ -111,7 +111,7 @@ fn steep_indenter() {
 
 #[test]
 fn not_converged() {
-    let [case, neighbour] = [3, 100].map(|max_applications| {
+    let [case, neighbour] = [2, 100].map(|max_applications| {
         let options = SolverOptions {
             max_applications,
             ..SolverOptions::default()
