@@ -190,6 +190,22 @@ fn a_coarser_grid_saves_products() {
 }
 
 #[test]
+fn a_penetration_takes_hardly_more_products_than_its_force() {
+    for stiffness in [0.1, 1.0, 10.0] {
+        let model = model(stiffness);
+        let (by_force, _) = solve(&model, 0.4, 256, &[Load::Force(2e-3)]);
+        let by_force = &by_force.steps[0];
+        let depth = Load::Penetration(by_force.solution.penetration);
+        let (by_depth, _) = solve(&model, 0.4, 256, &[depth]);
+        let by_depth = &by_depth.steps[0];
+        let products = [by_force, by_depth].map(|step| step.work.operator_applications);
+        assert!(products[1] <= products[0] + 4, "{stiffness}: {products:?}");
+        let forces = [by_force, by_depth].map(|step| step.solution.force);
+        approx::assert_relative_eq!(forces[0], forces[1], max_relative = 1e-7);
+    }
+}
+
+#[test]
 fn a_small_contact_on_a_large_domain_is_that_on_a_small_one() {
     let model = model(1.0);
     let loads = [Load::Force(2e-4), Load::Force(1e-3)];

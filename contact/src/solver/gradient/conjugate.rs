@@ -139,6 +139,7 @@ impl ConjugateDirections {
         update(&mut self.direction, &self.preconditioned, |d, z| {
             *d = z + beta * *d;
         });
+        state.deflate(&mut self.direction);
         residual_into(state, set, &mut self.residual_before);
         (self.product_before, self.running) = (product, true);
         state.image_into(problem, &self.direction, image);

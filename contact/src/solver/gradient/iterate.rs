@@ -1,9 +1,18 @@
 //! The state of the iteration: a pressure, what it deforms, and how far it is from a solution.
+//!
+//! Every step keeps the total of the pressure. Under a prescribed total `D` follows, as `Σ p v / Σ p`. Under a prescribed penetration the whole pressure is
+//! scaled after each step until that mean is `D`, which takes no product since `(K + η) p = v − g0` is known:
+//!
+//! ```text
+//! p ← c p,    v ← g0 + c (v − g0),    c = p·(D − g0) / p·(v − g0)
+//! ```
+//!
+//! So both kinds of load take the same steps. A residual that is even over the contact, which preconditioners answer worst, never comes up.
 
 use super::control::Control;
 use crate::{
     DiscreteProblem,
-    vector::{add_scaled, by_parts, each, sum, update, update_with},
+    vector::{add_scaled, by_parts, dot, each, sum, update, update_with},
 };
 
 /// Stands for an infinite initial gap: finite, so that `0 · g0` stays 0, and beyond any displacement.
@@ -20,6 +29,7 @@ pub struct State {
     /// `D`, in m.
     pub penetration: f64,
     pub initial_gap: Vec<f64>,
+    keeps_total: bool,
     applications: usize,
 }
 
@@ -42,6 +52,7 @@ impl State {
             v: vec![0.0; elements],
             penetration: 0.0,
             initial_gap: gaps.map(|g0| g0.min(NEVER)).collect(),
+            keeps_total: false,
             applications: 0,
         }
     }
@@ -75,7 +86,7 @@ impl State {
         problem.deform_into(&self.pressure, &mut self.v);
         self.applications += 1;
         add_scaled(&mut self.v, 1.0, &self.initial_gap);
-        self.update_penetration();
+        self.balance();
     }
 
     /// Writes `(K + η) d` into `image`: one product.
@@ -89,16 +100,60 @@ impl State {
         self.applications += 1;
     }
 
-    /// `D` from the present pressure and `v`.
-    pub fn update_penetration(&mut self) {
+    /// Brings `D` and the mean of `v` together, by `D` or by the scale of the pressure; returns the part `μ = c − 1` that it has grown by.
+    ///
+    /// A pressure that no scale would bring to the penetration is left as it is, and its total is not kept: there may be no contact.
+    pub fn balance(&mut self) -> f64 {
         self.penetration = self.control.penetration(&self.pressure, &self.v);
+        self.keeps_total = true;
+        if matches!(self.control, Control::Total(_)) {
+            return 0.0;
+        }
+        let gap_sum = dot(&self.pressure, &self.initial_gap);
+        let reach = self.penetration * sum(&self.pressure) - gap_sum;
+        let scale = reach / (dot(&self.pressure, &self.v) - gap_sum);
+        self.keeps_total = scale > 0.0 && scale.is_finite();
+        if !self.keeps_total {
+            return 0.0;
+        }
+        let growth = scale - 1.0;
+        each(&mut self.pressure, |p| *p *= scale);
+        update(&mut self.v, &self.initial_gap, |v, g0| {
+            *v += growth * (*v - g0);
+        });
+        growth
     }
 
-    /// `p ← p + t s`, `v ← v + t y` with `y = (K + η) s`: no product.
-    pub fn advance(&mut self, t: f64, step: &[f64], image: &[f64]) {
+    /// Makes a direction conjugate to the pressure where that is scaled, so that a step along it leaves the scale right:
+    /// `d ← d − (d·(v − g0) / p·(v − g0)) p`.
+    pub fn deflate(&self, direction: &mut [f64]) {
+        if self.keeps_total && matches!(self.control, Control::Penetration(_)) {
+            let along = |x: &[f64]| dot(x, &self.v) - dot(x, &self.initial_gap);
+            let part = along(direction) / along(&self.pressure);
+            add_scaled(direction, -part, &self.pressure);
+        }
+    }
+
+    /// Whether steps are to keep the total that the pressure has.
+    pub fn keeps_total(&self) -> bool {
+        self.keeps_total
+    }
+
+    /// Brings a pressure ≥ 0 to the total that steps are to keep.
+    pub fn rescale(&self, pressure: &mut [f64]) {
+        match self.control {
+            Control::Penetration(_) if self.keeps_total => {
+                Control::Total(sum(&self.pressure)).rescale(pressure);
+            }
+            control => control.rescale(pressure),
+        }
+    }
+
+    /// `p ← p + t s`, `v ← v + t y` with `y = (K + η) s`, and balanced again; returns what [`Self::balance`] does. No product.
+    pub fn advance(&mut self, t: f64, step: &[f64], image: &[f64]) -> f64 {
         add_scaled(&mut self.pressure, t, step);
         add_scaled(&mut self.v, t, image);
-        self.update_penetration();
+        self.balance()
     }
 
     /// `p ← max(p, 0)`, brought to the prescribed total: one product.

@@ -109,13 +109,14 @@ impl Newton {
         target
     }
 
-    /// The norm of `D − v` over the set; where a total is prescribed, of its deviation from the mean.
+    /// The norm of `D − v` over the set; where the total is kept, of its deviation from the mean.
     fn norm(&mut self, state: &State, set: &WorkingSet) -> f64 {
         residual_into(state, set, &mut self.residual);
         let square = dot(&self.residual, &self.residual);
-        let mean = match state.control {
-            super::control::Control::Total(_) => sum(&self.residual) / set.len() as f64,
-            super::control::Control::Penetration(_) => 0.0,
+        let mean = if state.keeps_total() {
+            sum(&self.residual) / set.len() as f64
+        } else {
+            0.0
         };
         (square - mean * mean * set.len() as f64).max(0.0).sqrt()
     }

@@ -6,12 +6,12 @@
 use pellicle_influence::PeriodicSymbol;
 
 use super::{
-    control::Control, iterate::State, restricted_filter::RestrictedFilter,
-    sparse_factor::SparseFactor, working_set::WorkingSet,
+    iterate::State, restricted_filter::RestrictedFilter, sparse_factor::SparseFactor,
+    working_set::WorkingSet,
 };
 use crate::{
     DiscreteProblem,
-    vector::{add_scaled, by_parts, sum, update, update_with},
+    vector::{sum, update, update_with},
 };
 
 /// Response to the longest wave over that to the shortest from which on a coat counts as stiff. Under a coat ten times as stiff as what it lies
@@ -159,8 +159,8 @@ impl Preconditioner {
         }
     }
 
-    /// Writes into `z` the preconditioned residual `M⁻¹_I (λ − v)`, with `λ` such that `z` keeps a prescribed total, by the projection
-    /// `z ← z − (Σz/Σw) w`; or the prescribed penetration, and `z` [scaled](scale_pressure) along the pressure. Returns `λ`.
+    /// Writes into `z` the preconditioned residual `M⁻¹_I (λ − v)`, with `λ` such that `z` keeps the total: the projection `z ← z − (Σz/Σw) w`. Returns
+    /// `λ`, which is the penetration where there is no total to keep.
     pub fn direction_into(
         &mut self,
         state: &State,
@@ -171,17 +171,12 @@ impl Preconditioner {
         self.refresh(set, projection);
         update(z, &state.v, |z, v| *z = state.penetration - v);
         self.apply(set, z);
-        match state.control {
-            Control::Penetration(_) => {
-                scale_pressure(state, z);
-                state.penetration
-            }
-            Control::Total(_) => {
-                let shift = sum(z) / self.even.total;
-                update(z, &self.even.values, |z, w| *z -= shift * w);
-                state.penetration - shift
-            }
+        if !state.keeps_total() {
+            return state.penetration;
         }
+        let shift = sum(z) / self.even.total;
+        update(z, &self.even.values, |z, w| *z -= shift * w);
+        state.penetration - shift
     }
 
     /// `w = M⁻¹_I 1` of the last direction.
@@ -195,36 +190,6 @@ fn factor(problem: &DiscreteProblem, neighbours: usize) -> Option<Inverse> {
     let (size, compliance) = (problem.size(), problem.relief_compliance());
     let factor = SparseFactor::new(elasticity, size, compliance, neighbours);
     Some(Inverse::Factor(Box::new(factor)))
-}
-
-/// `z ← z + μ p` with the `μ` after which a step `z` leaves no residual along the pressure, `p·(r − (K + η) z) = 0`; no product, since
-/// `(K + η) p = v − g0` is known:
-///
-/// ```text
-/// μ = (p·r − z·(v − g0)) / p·(v − g0),    r = D − v
-/// ```
-///
-/// The filter is worst at the longest waves, which the total does not hold here. Without this, a penetration takes half as many products again as a force.
-fn scale_pressure(state: &State, z: &mut [f64]) {
-    let parts = by_parts(z.len(), |part| {
-        let fields = state.v[part.clone()]
-            .iter()
-            .zip(&state.initial_gap[part.clone()]);
-        let fields = fields.zip(&state.pressure[part.clone()]).zip(&z[part]);
-        let (mut lack, mut curvature) = (0.0, 0.0);
-        for (((v, g0), p), z) in fields {
-            lack += p * (state.penetration - v) - z * (v - g0);
-            curvature += p * (v - g0);
-        }
-        [lack, curvature]
-    });
-    let [lack, curvature] = parts
-        .into_iter()
-        .fold([0.0; 2], |[a, b], [c, d]| [a + c, b + d]);
-    let part = lack / curvature;
-    if part.is_finite() {
-        add_scaled(z, part, &state.pressure);
-    }
 }
 
 /// Whether long waves meet a much softer body than short ones do.

@@ -3,7 +3,7 @@
 use super::iterate::State;
 use crate::{
     DiscreteProblem,
-    vector::{add_scaled, dot, each, update_with},
+    vector::{add_scaled, dot, each, update, update_with},
 };
 
 /// A step `s` that keeps to the control, with `p + s ≥ 0`, and its image `y = (K + η) s`. Every part `t ∈ [0, 1]` of it
@@ -30,12 +30,12 @@ impl Segment {
         }
     }
 
-    /// `s = max(p + α d, 0)`, brought to the prescribed total, less `p`.
+    /// `s = max(p + α d, 0)`, brought to the total that is to be kept, less `p`.
     pub fn clip(&mut self, state: &State, alpha: f64, direction: &[f64]) {
         update_with(&mut self.step, direction, &state.pressure, |s, d, p| {
             *s = (p + alpha * d).max(0.0);
         });
-        state.control.rescale(&mut self.step);
+        state.rescale(&mut self.step);
         add_scaled(&mut self.step, -1.0, &state.pressure);
     }
 
@@ -63,8 +63,22 @@ impl Segment {
         };
         // A step of nothing has no curvature, and no part of it is worth taking.
         let part = if part.is_finite() { part } else { 0.0 };
-        state.advance(part, &self.step, &self.image);
+        let growth = state.advance(part, &self.step, &self.image);
+        if growth != 0.0 {
+            self.count_growth(state, part, growth);
+        }
         each(&mut state.pressure, |p| *p = p.max(0.0));
         if whole { Part::Whole } else { Part::Cut }
+    }
+
+    /// What has become of a part of the step and its image with the growth after it: `s ← t s + μ/(1 + μ) p`, `y ← t y + μ/(1 + μ) (v − g0)`.
+    fn count_growth(&mut self, state: &State, part: f64, growth: f64) {
+        let ratio = growth / (1.0 + growth);
+        update(&mut self.step, &state.pressure, |s, p| {
+            *s = part * *s + ratio * p;
+        });
+        update_with(&mut self.image, &state.v, &state.initial_gap, |y, v, g0| {
+            *y = part * *y + ratio * (v - g0);
+        });
     }
 }

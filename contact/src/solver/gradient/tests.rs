@@ -14,6 +14,7 @@ use super::{
 use crate::{
     DiscreteProblem, Load,
     solver::tests::{RIGID, SIZE, paraboloid, pillars, problem},
+    vector::{add_scaled, dot, sum},
 };
 
 const ELEMENTS: usize = SIZE * SIZE;
@@ -213,10 +214,61 @@ fn a_step_that_would_climb_is_cut_at_the_lowest_point_on_the_way() {
     segment.clip(&state, 1.0, &downhill);
     let (before, slope) = (state.energy(), segment.slope(&state));
     assert!(slope < 0.0);
-    assert_eq!(segment.take(&mut problem, &mut state, before), Part::Cut);
+    let mut image = [0.0; ELEMENTS];
+    problem.deform_into(&segment.step, &mut image);
     // E − s·∂E²/(2 s·y)
-    let wanted = before - slope * slope / (2.0 * segment.curvature());
+    let wanted = before - slope * slope / (2.0 * dot(&segment.step, &image));
+    assert_eq!(segment.take(&mut problem, &mut state, before), Part::Cut);
     assert!((state.energy() - wanted).abs() < 1e-10 * wanted.abs());
+}
+
+#[test]
+fn under_a_penetration_a_pressure_is_scaled_to_the_least_energy() {
+    let depth = 0.02;
+    let mut problem = plate();
+    let control = Control::Penetration(depth);
+    let gaps = problem.initial_gap().iter().enumerate();
+    let within = |g0: f64| if g0 < depth / 2.0 { 1e-4 } else { 0.0 };
+    let one: Vec<f64> = gaps
+        .map(|(e, g0)| within(*g0) * (1.5 + (e as f64).sin()))
+        .collect();
+    let (mut state, _) = begun(&mut problem, control, &one);
+    assert!(state.keeps_total());
+    // D = Σ p v / Σ p, and v is the deformation of the pressure itself.
+    let mean = dot(&state.pressure, &state.v) / sum(&state.pressure);
+    assert!((mean / depth - 1.0).abs() < 1e-13);
+    let (least, scaled) = (state.energy(), state.pressure.clone());
+    for factor in [0.99, 1.01] {
+        state.pressure = scaled.iter().map(|p| factor * p).collect();
+        problem.deform_into(&state.pressure, &mut state.v);
+        add_scaled(&mut state.v, 1.0, &state.initial_gap);
+        assert!(state.energy() > least);
+    }
+    // A direction made conjugate leaves the mean alone.
+    let (mut state, _) = begun(&mut problem, control, &one);
+    let mut direction: Vec<f64> = (0..ELEMENTS).map(|e| (0.3 * e as f64).cos()).collect();
+    state.deflate(&mut direction);
+    let mut image = [0.0; ELEMENTS];
+    state.image_into(&mut problem, &direction, &mut image);
+    assert!(dot(&state.pressure, &image).abs() < 1e-12 * dot(&direction, &image));
+    // A step counts what the pressure grows by after it.
+    let mut segment = Segment::new(ELEMENTS);
+    segment.clip(&state, 1e-5, &direction);
+    let before = [state.pressure.clone(), state.v.clone()];
+    segment.take(&mut problem, &mut state, f64::INFINITY);
+    for ((after, before), step) in [&state.pressure, &state.v]
+        .into_iter()
+        .zip(&before)
+        .zip([&segment.step, &segment.image])
+    {
+        let largest = step.iter().map(|s| s.abs()).fold(0.0, f64::max);
+        for ((after, before), step) in after.iter().zip(before).zip(step) {
+            assert!((after - before - step).abs() < 1e-9 * largest);
+        }
+    }
+    // Above the surface no scale will do.
+    let (state, _) = begun(&mut problem, Control::Penetration(-depth), &one);
+    assert!(!state.keeps_total() && state.pressure == one);
 }
 
 #[test]
