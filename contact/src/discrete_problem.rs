@@ -7,6 +7,7 @@
 use std::sync::Arc;
 
 use pellicle_influence::{ConvolutionOperator, ElasticOperator, SpreadOperator, SurfaceElasticity};
+use rayon::prelude::*;
 
 use crate::{ContactError, solver::gradient::Workspace, vector::update_with, window::Window};
 
@@ -275,9 +276,9 @@ fn check_values(
     field: &'static str,
     values: &[f64],
     wanted: &'static str,
-    legal: impl Fn(f64) -> bool,
+    legal: impl Fn(f64) -> bool + Sync,
 ) -> Result<(), ContactError> {
-    match values.iter().position(|value| !legal(*value)) {
+    match values.par_iter().position_first(|value| !legal(*value)) {
         None => Ok(()),
         Some(element) => Err(ContactError::FieldValue {
             field,

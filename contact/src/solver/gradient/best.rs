@@ -1,6 +1,7 @@
 //! The best admissible pressure met so far, which is what a solver that has to give up returns.
 
 use super::iterate::State;
+use crate::vector::update;
 
 /// A residual is worth a copy of the pressure if it is smaller by this factor.
 const WORTH_A_COPY: f64 = 0.5;
@@ -28,7 +29,8 @@ impl Best {
     pub fn offer(&mut self, state: &State, residual: f64) {
         if residual < WORTH_A_COPY * self.residual {
             self.residual = residual;
-            self.pressure.clone_from(&state.pressure);
+            self.pressure.resize(state.elements(), 0.0);
+            update(&mut self.pressure, &state.pressure, |best, p| *best = *p);
         }
     }
 

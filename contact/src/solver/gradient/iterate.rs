@@ -44,14 +44,17 @@ struct Lines {
 impl State {
     /// A state of nothing yet.
     pub fn new(problem: &DiscreteProblem) -> Self {
-        let gaps = problem.initial_gap().iter();
         let elements = problem.elements();
+        let mut initial_gap = vec![0.0; elements];
+        update(&mut initial_gap, problem.initial_gap(), |to, g0| {
+            *to = g0.min(NEVER);
+        });
         Self {
             control: Control::Penetration(0.0),
             pressure: vec![0.0; elements],
             v: vec![0.0; elements],
             penetration: 0.0,
-            initial_gap: gaps.map(|g0| g0.min(NEVER)).collect(),
+            initial_gap,
             keeps_total: false,
             applications: 0,
         }

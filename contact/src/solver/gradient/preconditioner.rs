@@ -29,7 +29,6 @@ pub struct Preconditioner {
     inverse: Inverse,
     /// What every load begins with, where this one has turned to another.
     usual: Option<Inverse>,
-    relief_compliance: Vec<f64>,
     even: Even,
     is_current: bool,
 }
@@ -76,7 +75,6 @@ impl Preconditioner {
         Self {
             inverse,
             usual: None,
-            relief_compliance: problem.relief_compliance().to_vec(),
             even: Even {
                 values: vec![0.0; problem.elements()],
                 total: 0.0,
@@ -121,11 +119,11 @@ impl Preconditioner {
         self.is_current = false;
     }
 
-    fn refresh(&mut self, set: &WorkingSet, projection: Projection) {
+    fn refresh(&mut self, problem: &DiscreteProblem, set: &WorkingSet, projection: Projection) {
         if !self.is_current {
             match &mut self.inverse {
                 Inverse::Identity => (),
-                Inverse::Filter(filter) => filter.update(set, &self.relief_compliance),
+                Inverse::Filter(filter) => filter.update(set, problem.relief_compliance()),
                 Inverse::Factor(factor) => factor.update(set),
             }
             self.even.is_exact = false;
@@ -163,12 +161,13 @@ impl Preconditioner {
     /// `λ`, which is the penetration where there is no total to keep.
     pub fn direction_into(
         &mut self,
+        problem: &DiscreteProblem,
         state: &State,
         set: &WorkingSet,
         projection: Projection,
         z: &mut [f64],
     ) -> f64 {
-        self.refresh(set, projection);
+        self.refresh(problem, set, projection);
         update(z, &state.v, |z, v| *z = state.penetration - v);
         self.apply(set, z);
         if !state.keeps_total() {

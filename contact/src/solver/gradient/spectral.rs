@@ -63,8 +63,13 @@ impl SpectralSteps {
     ) -> Part {
         self.remember_energy(state.energy());
         std::mem::swap(&mut self.direction, &mut self.direction_before);
-        let level =
-            preconditioner.direction_into(state, set, Projection::Oblique, &mut self.direction);
+        let level = preconditioner.direction_into(
+            problem,
+            state,
+            set,
+            Projection::Oblique,
+            &mut self.direction,
+        );
         let alpha = self.alpha(level, preconditioner.even(), segment);
         self.before = Some(level);
         segment.clip(state, alpha, &self.direction);
