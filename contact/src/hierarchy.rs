@@ -1,11 +1,12 @@
 //! The grids of a path, from the coarsest to the finest, each made when it is first needed.
 
+use std::sync::Arc;
 use std::time::Instant;
 
-use pellicle_influence::Origin;
+use pellicle_influence::{Origin, SurfaceElasticity};
 
 use crate::{
-    ContactError, GridError, Load, Model, SolverOptions, Step, Work,
+    ContactError, GridError, Load, Model, SampledModel, SolverOptions, Step, Work,
     domain::Guess,
     level::{Level, LevelResult, SignedField, Start},
     levels::{COARSE_TOLERANCE, coarser_sizes},
@@ -82,13 +83,16 @@ impl<'a> Hierarchy<'a> {
         self.coefficients_origin.unwrap_or(Origin::Computed)
     }
 
-    /// The finest grid, made now where no load has needed it.
-    pub fn into_finest(mut self) -> Result<Level, ContactError> {
-        let finest = self.sizes.len() - 1;
-        match self.levels[finest].take() {
-            Some(level) => Ok(level),
-            None => self.make(finest),
+    /// The geometry on the finest grid, and the elasticity of its elements where a load has come so far.
+    pub fn into_finest(
+        mut self,
+    ) -> Result<(SampledModel, Option<Arc<SurfaceElasticity>>), ContactError> {
+        if let Some(level) = self.levels.pop().flatten() {
+            let (sampled, elasticity) = level.into_parts();
+            return Ok((sampled, Some(elasticity)));
         }
+        let elements = self.sizes[self.sizes.len() - 1];
+        Ok((self.model.sample(self.side, elements)?, None))
     }
 
     /// Solves one load from the coarsest grid to the finest; none where the contact outgrows a domain that may grow.

@@ -49,25 +49,25 @@ pub struct LoadingPath {
     pub solve_seconds: f64,
     /// Whether the observer cancelled, so that only the loads before the first unfinished one are here.
     pub interrupted: bool,
-    elasticity: Arc<SurfaceElasticity>,
+    /// None where no load reached the finest grid.
+    elasticity: Option<Arc<SurfaceElasticity>>,
 }
 
 impl LoadingPath {
-    /// The surface at a step, afresh from its pressure by one product with `K`: a path keeps the pressures alone, a quarter of the memory.
-    ///
-    /// # Panics
-    /// If there is no such step.
+    /// The surface at a step, afresh from its pressure by one product with `K`: a path keeps the pressures alone, a quarter of the memory. None where
+    /// there is no such step.
     #[must_use]
-    pub fn surface(&self, step: usize) -> DeformedSurface {
+    pub fn surface(&self, step: usize) -> Option<DeformedSurface> {
+        let elasticity = self.elasticity.as_ref()?;
         let Solution {
             pressure,
             penetration,
             ..
-        } = &self.steps[step].solution;
+        } = &self.steps.get(step)?.solution;
         let size = self.grid.size();
         let presses = |[i, j]: [usize; 2]| pressure[i * size + j] > 0.0;
         let window = Window::whole(size).around(presses, Room::ForOne);
-        let mut operator = (self.elasticity).spread(size, window.origin(), window.size());
+        let mut operator = elasticity.spread(size, window.origin(), window.size());
         let mut surface = DeformedSurface {
             displacement: vec![0.0; pressure.len()],
             ..DeformedSurface::default()
@@ -76,7 +76,7 @@ impl LoadingPath {
         let initial_gap = initial_gap(&self.indenter_profile, &self.relief);
         surface.add_up(pressure, self.relief.compliance(), &initial_gap);
         surface.lower_by(*penetration);
-        surface
+        Some(surface)
     }
 }
 
@@ -185,23 +185,23 @@ impl PathRun<'_> {
             taken: AtomicUsize::new(0),
             finished: AtomicUsize::new(0),
             is_over: AtomicBool::new(false),
+            is_cancelled: AtomicBool::new(false),
             observer: Mutex::new(observer),
         };
         let lanes = self.lanes.par_iter_mut();
         let outcomes: Vec<Vec<_>> = lanes.map(|lane| queue.work_off(lane)).collect();
         let on_coefficients = self.coefficients_seconds() - spent_before;
         self.solve_seconds = clock.elapsed().as_secs_f64() - on_coefficients;
+        self.interrupted = queue.is_cancelled.into_inner();
         let mut outcomes: Vec<_> = outcomes.into_iter().flatten().collect();
         outcomes.sort_by_key(|(index, _)| *index);
         // Loads are taken in order, so those that none has taken are the last.
         for (_, outcome) in outcomes {
             match outcome {
                 Ok(Some(step)) => self.keep(step),
+                Err(ContactError::Cancelled { .. }) => break,
+                _ if self.interrupted => break,
                 Ok(None) => return Ok(false),
-                Err(ContactError::Cancelled { .. }) => {
-                    self.interrupted = true;
-                    break;
-                }
                 Err(error) => return Err(error),
             }
         }
@@ -229,7 +229,7 @@ impl PathRun<'_> {
         let hierarchy = self.lanes.swap_remove(0);
         drop(self.lanes);
         let coefficients_origin = hierarchy.coefficients_origin();
-        let (sampled, elasticity) = hierarchy.into_finest()?.into_parts();
+        let (sampled, elasticity) = hierarchy.into_finest()?;
         let SampledModel {
             grid,
             relief,
@@ -264,6 +264,7 @@ struct Queue<'a, 'b> {
     finished: AtomicUsize,
     /// Whether the loads still to take are not wanted: one was cancelled, failed or outgrew the domain.
     is_over: AtomicBool,
+    is_cancelled: AtomicBool,
     observer: Mutex<&'b mut dyn Observer>,
 }
 
@@ -302,10 +303,18 @@ struct InTurn<'a, 'b, 'c>(&'a Queue<'b, 'c>);
 
 impl Observer for InTurn<'_, '_, '_> {
     fn progress(&mut self, progress: &Progress) -> Signal {
-        let mut observer = (self.0.observer.lock()).unwrap_or_else(PoisonError::into_inner);
-        observer.progress(&Progress {
-            finished: self.0.finished.load(Ordering::Relaxed),
+        let queue = self.0;
+        let mut observer = (queue.observer.lock()).unwrap_or_else(PoisonError::into_inner);
+        if queue.is_cancelled.load(Ordering::Relaxed) {
+            return Signal::Cancel;
+        }
+        let signal = observer.progress(&Progress {
+            finished: queue.finished.load(Ordering::Relaxed),
             ..*progress
-        })
+        });
+        if signal == Signal::Cancel {
+            queue.is_cancelled.store(true, Ordering::Relaxed);
+        }
+        signal
     }
 }

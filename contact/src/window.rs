@@ -14,8 +14,8 @@ const LARGEST_PART: f64 = 0.9;
 /// The margin around the contact expected is its extent over this, at least: it is known to an element or two.
 const MARGIN_PART: usize = 24;
 
-/// Elements that one thread looks at or copies together.
-const ELEMENTS_AT_ONCE: usize = 1 << 14;
+/// Elements worth a thread of their own.
+const ELEMENTS_PER_THREAD: usize = 1 << 14;
 
 /// What a window is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -77,8 +77,8 @@ impl Window {
         extent.centred(size, grid)
     }
 
-    /// The smallest window that holds what lies on a coarser grid over the same square within one element of those that belong; none where none
-    /// of this window belongs.
+    /// The smallest window of a finer grid over the same square that holds what lies within one element of those of this window that belong; none
+    /// where none does.
     pub fn on_finer(
         &self,
         belongs: impl Fn([usize; 2]) -> bool + Sync,
@@ -108,7 +108,7 @@ impl Window {
             })
         };
         let rows = (above..above + self.size).into_par_iter();
-        let rows = rows.with_min_len(ELEMENTS_AT_ONCE / self.size + 1);
+        let rows = rows.with_min_len(ELEMENTS_PER_THREAD / self.size + 1);
         let extents: Vec<Extent> = rows.filter_map(of_row).collect();
         extents.into_iter().reduce(Extent::and)
     }
@@ -195,7 +195,7 @@ impl Window {
         of_line: impl Fn(usize, &[f64]) -> T + Sync,
     ) -> Vec<T> {
         let lines = part.par_chunks(self.size).enumerate();
-        let lines = lines.with_min_len(ELEMENTS_AT_ONCE / self.size + 1);
+        let lines = lines.with_min_len(ELEMENTS_PER_THREAD / self.size + 1);
         lines.map(|(line, values)| of_line(line, values)).collect()
     }
 
@@ -214,7 +214,7 @@ impl Window {
             .zip(part.par_chunks(self.size));
         let lines = lines
             .enumerate()
-            .with_min_len(ELEMENTS_AT_ONCE / self.size + 1);
+            .with_min_len(ELEMENTS_PER_THREAD / self.size + 1);
         lines.for_each(|(line, (z, part))| {
             let fields = self.line(x, line).iter().zip(part);
             let z = z[left..left + self.size].iter_mut();
@@ -245,7 +245,7 @@ impl Window {
             first..end.max(first)
         });
         let lines = field.par_chunks_mut(self.size).enumerate();
-        let lines = lines.with_min_len(ELEMENTS_AT_ONCE / self.size + 1);
+        let lines = lines.with_min_len(ELEMENTS_PER_THREAD / self.size + 1);
         lines.for_each(|(line, values)| {
             let i = self.origin[0] + line;
             if rows.contains(&i) {

@@ -13,15 +13,15 @@ use crate::forecast::Forecast;
 use crate::program::Outcome;
 use crate::{cache, terminal};
 
-/// Memory of a run of one step per element, in bytes, without the step's fields: the resident set of fig2c at N = 512, 1024 and
-/// 2048 is 102 to 112 with them.
-const BYTES_PER_ELEMENT: f64 = 80.0;
+/// Memory of a run of one step per element, in bytes, without the step's pressure: the resident set of fig2c at N = 1024 and 2048 is 142 and 106
+/// with it, results written.
+const BYTES_PER_ELEMENT: f64 = 110.0;
 
-/// The same of a run of several steps, which keeps its grids and windows: 290 with three steps' fields at N = 1024.
-const BYTES_PER_ELEMENT_OF_MANY: f64 = 195.0;
+/// The same of a run of several steps, two of which are solved and written at a time: 353 with three steps at N = 1024.
+const BYTES_PER_ELEMENT_OF_MANY: f64 = 330.0;
 
-/// Memory of a loading step per element, in bytes: four fields.
-const BYTES_PER_ELEMENT_AND_STEP: f64 = 32.0;
+/// Memory of a loading step per element, in bytes: its pressure.
+const BYTES_PER_ELEMENT_AND_STEP: f64 = 8.0;
 
 /// Prints the case with every default filled in, below it what the grid makes of it, and what the solution would warn of.
 ///

@@ -4,7 +4,7 @@ use std::fs;
 use std::io::Write;
 use std::path::Path;
 
-use pellicle_contact::LoadingPath;
+use pellicle_contact::{DeformedSurface, LoadingPath};
 use rayon::prelude::*;
 
 use super::fields::Fields;
@@ -30,8 +30,9 @@ pub fn write(folder: &Path, path: &LoadingPath, summary: &Summary) -> Result<(),
     let text = json(summary)?;
     let record = Record::parse(&text, summary.case.units)?;
     let steps = (0..path.steps.len()).into_par_iter();
-    let parts = steps.map(|i| {
-        let part = write_step(folder, path, &record, i)?;
+    let steps = steps.filter_map(|i| Some((i, path.surface(i)?)));
+    let parts = steps.map(|(i, surface)| {
+        let part = write_step(folder, path, &record, i, &surface)?;
         Ok(is_in_report(i, path.steps.len()).then_some(part))
     });
     let parts = parts.collect::<Result<Vec<Option<StepPart>>, Failure>>()?;
@@ -47,9 +48,9 @@ fn write_step(
     path: &LoadingPath,
     record: &Record,
     step: usize,
+    surface: &DeformedSurface,
 ) -> Result<StepPart, Failure> {
-    let surface = path.surface(step);
-    let fields = Fields::of(path, step, &surface);
+    let fields = Fields::of(path, step, surface);
     // What is packed takes about as long as all the rest.
     let (packed, part) = rayon::join(
         || npz::write(&folder.join(npz::file(step)), &fields),

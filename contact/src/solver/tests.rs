@@ -284,6 +284,35 @@ fn a_punch_has_the_stiffness_of_its_force_over_its_penetration() {
 }
 
 #[test]
+fn an_operator_in_units_of_its_own_is_solved_from_nothing() {
+    // Steel under a sphere of 1 mm, elements of 1 µm: pressures of 1e9 on displacements of 1e-8.
+    let (side, depth) = (1e-6, 1e-8);
+    let body = Foundation::half_space(Material::new(210e9, 0.3).unwrap());
+    let tables = RadialTables::build(&body).unwrap();
+    let table = CoefficientTable::assemble(&tables, side, SIZE).unwrap();
+    let elasticity = Arc::new(SurfaceElasticity::new(Arc::new(table), body));
+    let centre = |i: usize| (i as f64 + 0.5 - SIZE as f64 / 2.0) * side;
+    let gap = (0..SIZE * SIZE).map(|e| paraboloid(centre(e / SIZE), centre(e % SIZE)) / 1e-3);
+    let gap: Vec<f64> = gap.collect();
+    let (nothing, area) = (vec![0.0; SIZE * SIZE], side * side);
+    let operator = Box::new(elasticity.operator(SIZE));
+    let mut unknown = DiscreteProblem::new(operator, nothing.clone(), gap.clone(), area).unwrap();
+    let mut known = DiscreteProblem::elastic(elasticity, SIZE, nothing.clone(), gap, area).unwrap();
+    let load = Load::Penetration(depth);
+    let [one, other] = [&mut unknown, &mut known].map(|problem| solve(problem, load, &nothing));
+    let [one, other] = [one, other].map(|found| found.contact_stiffness.unwrap());
+    approx::assert_relative_eq!(one, other, max_relative = 1e-6);
+    // From a pressure that is far too small, too.
+    let almost: Vec<f64> = known
+        .initial_gap()
+        .iter()
+        .map(|g0| f64::from(u8::from(*g0 < depth / 2.0)))
+        .collect();
+    let again = solve(&mut known, load, &almost).contact_stiffness.unwrap();
+    approx::assert_relative_eq!(again, other, max_relative = 1e-6);
+}
+
+#[test]
 fn a_solver_that_gives_up_returns_the_best_pressure_met() {
     let mut problem = problem([1000.0, 0.01], |x, y| pillars(x, y, 0.002), RIGID);
     let mut worst_before = f64::INFINITY;

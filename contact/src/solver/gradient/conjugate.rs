@@ -93,7 +93,7 @@ impl ConjugateDirections {
         let pulls = |(p, d): (&f64, &f64)| p + alpha * d < 0.0;
         let steps = state.pressure.par_iter().zip(&self.direction);
         if !steps.with_min_len(MIN_PART).any(pulls) {
-            state.advance(alpha, &self.direction, &segment.image);
+            state.advance(problem, alpha, &self.direction, &segment.image);
             return Course::Kept;
         }
         segment.clip(state, alpha, &self.direction);
@@ -112,7 +112,7 @@ impl ConjugateDirections {
     ) -> bool {
         let alpha = self.look(problem, preconditioner, state, set, image);
         if alpha.is_finite() {
-            state.advance(alpha, &self.direction, image);
+            state.advance(problem, alpha, &self.direction, image);
         }
         alpha.is_finite()
     }
@@ -136,9 +136,13 @@ impl ConjugateDirections {
         } else {
             0.0
         };
-        update(&mut self.direction, &self.preconditioned, |d, z| {
-            *d = z + beta * *d;
-        });
+        if self.running {
+            update(&mut self.direction, &self.preconditioned, |d, z| {
+                *d = z + beta * *d;
+            });
+        } else {
+            self.direction.copy_from_slice(&self.preconditioned);
+        }
         state.deflate(&mut self.direction);
         residual_into(state, set, &mut self.residual_before);
         (self.product_before, self.running) = (product, true);

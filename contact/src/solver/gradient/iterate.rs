@@ -1,6 +1,6 @@
 //! The state of the iteration: a pressure, what it deforms, and how far it is from a solution.
 //!
-//! Every step keeps the total of the pressure. Under a prescribed total `D` follows, as `Σ p v / Σ p`. Under a prescribed penetration the whole pressure is
+//! Every step keeps the total of the pressure, once there is one. Under a prescribed total `D` follows, as `Σ p v / Σ p`. Under a prescribed penetration the whole pressure is
 //! scaled after each step until that mean is `D`, which takes no product since `(K + η) p = v − g0` is known:
 //!
 //! ```text
@@ -17,6 +17,9 @@ use crate::{
 
 /// Stands for an infinite initial gap: finite, so that `0 · g0` stays 0, and beyond any displacement.
 const NEVER: f64 = 1e300;
+
+/// The pressure is not scaled by much more without a product: what rounding has left in `v − g0` would be scaled with it.
+const LARGEST_GROWTH: f64 = 10.0;
 
 /// A pressure that keeps to the control, with `v = (K + η) p + g0` and the penetration `D` up to date.
 ///
@@ -84,12 +87,20 @@ impl State {
         self.applications
     }
 
-    /// `v = (K + η) p + g0` and `D` afresh: one product.
-    pub fn refresh(&mut self, problem: &mut DiscreteProblem) {
+    /// `v = (K + η) p + g0` afresh, and balanced; returns what [`Self::advance`] does. One product.
+    pub fn refresh(&mut self, problem: &mut DiscreteProblem) -> f64 {
         problem.deform_into(&self.pressure, &mut self.v);
         self.applications += 1;
+        // Scaled before the gap is added, in which the deformation by a pressure far too small would be lost.
+        let growth = self.growth(dot(&self.pressure, &self.v));
+        if growth != 0.0 {
+            for field in [&mut self.pressure, &mut self.v] {
+                each(field, |value| *value *= 1.0 + growth);
+            }
+        }
         add_scaled(&mut self.v, 1.0, &self.initial_gap);
-        self.balance();
+        self.penetration = self.control.penetration(&self.pressure, &self.v);
+        growth
     }
 
     /// Writes `(K + η) d` into `image`: one product.
@@ -103,27 +114,38 @@ impl State {
         self.applications += 1;
     }
 
-    /// Brings `D` and the mean of `v` together, by `D` or by the scale of the pressure; returns the part `μ = c − 1` that it has grown by.
+    /// `μ = c − 1` for the `work` `p·(K + η) p`; 0 under a prescribed total.
     ///
     /// A pressure that no scale would bring to the penetration is left as it is, and its total is not kept: there may be no contact.
-    pub fn balance(&mut self) -> f64 {
-        self.penetration = self.control.penetration(&self.pressure, &self.v);
+    fn growth(&mut self, work: f64) -> f64 {
         self.keeps_total = true;
-        if matches!(self.control, Control::Total(_)) {
+        let Control::Penetration(penetration) = self.control else {
             return 0.0;
-        }
-        let gap_sum = dot(&self.pressure, &self.initial_gap);
-        let reach = self.penetration * sum(&self.pressure) - gap_sum;
-        let scale = reach / (dot(&self.pressure, &self.v) - gap_sum);
+        };
+        // c = p·(D − g0) / p·(K + η) p
+        let reach = penetration * sum(&self.pressure) - dot(&self.pressure, &self.initial_gap);
+        let scale = reach / work;
         self.keeps_total = scale > 0.0 && scale.is_finite();
-        if !self.keeps_total {
-            return 0.0;
+        if self.keeps_total { scale - 1.0 } else { 0.0 }
+    }
+
+    /// Brings `D` and the mean of `v` together, by `D` or by the scale of the pressure; returns the part `μ` that it has grown by. One product where that
+    /// is much, else none.
+    fn balance(&mut self, problem: &mut DiscreteProblem) -> f64 {
+        let gap_sum = dot(&self.pressure, &self.initial_gap);
+        let growth = self.growth(dot(&self.pressure, &self.v) - gap_sum);
+        if growth != 0.0 {
+            each(&mut self.pressure, |p| *p *= 1.0 + growth);
         }
-        let growth = scale - 1.0;
-        each(&mut self.pressure, |p| *p *= scale);
-        update(&mut self.v, &self.initial_gap, |v, g0| {
-            *v += growth * (*v - g0);
-        });
+        if growth.abs() > LARGEST_GROWTH {
+            return (1.0 + growth) * (1.0 + self.refresh(problem)) - 1.0;
+        }
+        if growth != 0.0 {
+            update(&mut self.v, &self.initial_gap, |v, g0| {
+                *v += growth * (*v - g0);
+            });
+        }
+        self.penetration = self.control.penetration(&self.pressure, &self.v);
         growth
     }
 
@@ -152,14 +174,21 @@ impl State {
         }
     }
 
-    /// `p ← p + t s`, `v ← v + t y` with `y = (K + η) s`, and balanced again; returns what [`Self::balance`] does. No product.
-    pub fn advance(&mut self, t: f64, step: &[f64], image: &[f64]) -> f64 {
+    /// `p ← p + t s`, `v ← v + t y` with `y = (K + η) s`, and balanced; returns the part that the pressure has grown by then. No product, but where
+    /// that is much.
+    pub fn advance(
+        &mut self,
+        problem: &mut DiscreteProblem,
+        t: f64,
+        step: &[f64],
+        image: &[f64],
+    ) -> f64 {
         add_scaled(&mut self.pressure, t, step);
         add_scaled(&mut self.v, t, image);
-        self.balance()
+        self.balance(problem)
     }
 
-    /// `p ← max(p, 0)`, brought to the prescribed total: one product.
+    /// `p ← max(p, 0)`, brought to the prescribed total or balanced: one product.
     pub fn clip(&mut self, problem: &mut DiscreteProblem) {
         each(&mut self.pressure, |p| *p = p.max(0.0));
         self.control.rescale(&mut self.pressure);

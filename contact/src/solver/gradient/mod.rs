@@ -318,6 +318,9 @@ impl Iteration {
         if set.len() == 0 {
             return (None, 0);
         }
+        if !set.stands_still() {
+            preconditioner.outdate();
+        }
         let buffers = conjugate.lend(segment);
         let (sum, applications) =
             stiffness::pressure_sum_per_penetration(problem, preconditioner, state, set, buffers);

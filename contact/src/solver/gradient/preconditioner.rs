@@ -119,18 +119,24 @@ impl Preconditioner {
         self.is_current = false;
     }
 
-    fn refresh(&mut self, problem: &DiscreteProblem, set: &WorkingSet, projection: Projection) {
-        if !self.is_current {
-            match &mut self.inverse {
-                Inverse::Identity => (),
-                Inverse::Filter(filter) => filter.update(set, problem.relief_compliance()),
-                Inverse::Factor(factor) => factor.update(set),
-            }
-            self.even.is_exact = false;
-            self.is_current = true;
-            set.clear_outside(&mut self.even.values);
-            self.even.total = sum(&self.even.values);
+    /// Adapts to a set that has changed since the last direction.
+    pub fn follow(&mut self, problem: &DiscreteProblem, set: &WorkingSet) {
+        if self.is_current {
+            return;
         }
+        match &mut self.inverse {
+            Inverse::Identity => (),
+            Inverse::Filter(filter) => filter.update(set, problem.relief_compliance()),
+            Inverse::Factor(factor) => factor.update(set),
+        }
+        self.even.is_exact = false;
+        self.is_current = true;
+        set.clear_outside(&mut self.even.values);
+        self.even.total = sum(&self.even.values);
+    }
+
+    fn refresh(&mut self, problem: &DiscreteProblem, set: &WorkingSet, projection: Projection) {
+        self.follow(problem, set);
         let most_is_there = self.even.total > self.even.exact_total / 2.0;
         let will_do = projection == Projection::Oblique && most_is_there;
         if !(self.even.is_exact || will_do) {

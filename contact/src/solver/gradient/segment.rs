@@ -63,7 +63,7 @@ impl Segment {
         };
         // A step of nothing has no curvature, and no part of it is worth taking.
         let part = if part.is_finite() { part } else { 0.0 };
-        let growth = state.advance(part, &self.step, &self.image);
+        let growth = state.advance(problem, part, &self.step, &self.image);
         if growth != 0.0 {
             self.count_growth(state, part, growth);
         }

@@ -1,6 +1,6 @@
 //! Spectral steps: one product each, for as long as the working set changes.
 //!
-//! `p' = max(p + α z, 0)` brought to the prescribed total, with `z = M⁻¹(λ − v)` the preconditioned residual and the step
+//! `p' = max(p + α z, 0)` brought to the total that is kept, with `z = M⁻¹(λ − v)` the preconditioned residual and the step
 //! `α = s·y / (y·M⁻¹y)`, `s = Δp`, `y = Δv` of the step before (Barzilai and Borwein 1988, in the preconditioner's
 //! metric). `M⁻¹y` is not computed but taken from the two residuals: `M⁻¹Δv = M⁻¹1 Δλ − Δz`, as far as the set is the same.
 

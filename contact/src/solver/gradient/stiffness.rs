@@ -15,7 +15,7 @@ use crate::{
     vector::{add_scaled, dot, sum, update_with},
 };
 
-/// Part of the sum that the next step would add from which on it is not taken but estimated, by `α = 1`: true to a third of itself.
+/// Part of the sum that the next step would add, by the last one's `α`, from which on it is not taken but estimated: true to a third of itself.
 const SMALLEST_GAIN: f64 = 1e-6;
 /// Steps after which the stiffness is held not to be found.
 const MOST_STEPS: usize = 300;
@@ -36,6 +36,7 @@ pub fn pressure_sum_per_penetration(
         preconditioned: z,
         step: image_of_pressure,
     } = buffers;
+    preconditioner.follow(problem, set);
     let pressure = &state.pressure;
     let (v, initial_gap) = (&state.v, &state.initial_gap);
     update_with(image_of_pressure, v, initial_gap, |y, v, g0| *y = v - g0);
@@ -48,6 +49,7 @@ pub fn pressure_sum_per_penetration(
     });
     direction.fill(0.0);
     let (mut total, mut product_before) = (part * pressure_sum, f64::INFINITY);
+    let mut alpha = f64::INFINITY;
     for steps in 0..MOST_STEPS {
         z.copy_from_slice(residual);
         preconditioner.apply(set, z);
@@ -55,8 +57,9 @@ pub fn pressure_sum_per_penetration(
         if !product.is_finite() {
             return (None, steps);
         }
-        if product.abs() <= SMALLEST_GAIN * total {
-            return (Some(total + product), steps);
+        let expected = if product == 0.0 { 0.0 } else { alpha * product };
+        if expected.abs() <= SMALLEST_GAIN * total {
+            return (Some(total + expected), steps);
         }
         // d = z + β d, conjugate to p
         let beta = product / product_before;
@@ -67,7 +70,7 @@ pub fn pressure_sum_per_penetration(
         problem.deform_into(direction, image);
         set.clear_outside(image);
         // α = r·z / d·(K + η)d;  Σq grows by α r·d = α r·z
-        let alpha = product / dot(direction, image);
+        alpha = product / dot(direction, image);
         total += alpha * product;
         add_scaled(residual, -alpha, image);
         product_before = product;
