@@ -100,7 +100,7 @@ pub struct Step {
 /// Solves `model` for every one of `loads` on `elements` × `elements` elements.
 ///
 /// A step that misses its tolerance is in the path with an unsatisfied certificate and a warning, not an error. If the observer
-/// cancels, the path holds the steps before the first that is not finished.
+/// cancels, whatever load it is told of, all loads under way are cancelled, and the path holds the steps before the first that is not finished.
 ///
 /// # Errors
 /// A load, tolerance, side or grid that makes no sense; coefficients that miss their accuracy; a contact that outgrows every domain.
