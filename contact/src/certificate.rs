@@ -90,13 +90,13 @@ impl Solution {
         let mut fields = JudgedFields::default();
         let solution =
             Self::judge_within(problem, &everywhere, load, pressure, tolerance, &mut fields);
-        let springs = solution.pressure.iter().zip(problem.relief_compliance());
-        let surface = DeformedSurface {
-            // w* = η p
-            shortening: springs.map(|(p, eta)| eta * p).collect(),
-            displacement: fields.displacement,
-            gap: fields.gap,
-        };
+        let surface = DeformedSurface::new(
+            fields.displacement,
+            &solution.pressure,
+            problem.relief_compliance(),
+            problem.initial_gap(),
+            solution.penetration,
+        );
         (solution, surface)
     }
 

@@ -1,9 +1,9 @@
 //! What a pressure makes of the surface under the indenter.
 
-use crate::vector::{each, update, update_with};
+use crate::vector::{add_scaled, update_with};
 
 /// The surface that a pressure deforms, and the gap that is left; N² values each.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct DeformedSurface {
     /// Elastic displacement `u = K p` of each element's centre, in m, positive into the body.
     pub displacement: Vec<f64>,
@@ -14,21 +14,27 @@ pub struct DeformedSurface {
 }
 
 impl DeformedSurface {
-    /// With the displacement in place, `w* = η p` and, in the gap's place, `v = u + w* + g0`.
-    pub(crate) fn add_up(&mut self, pressure: &[f64], compliance: &[f64], initial_gap: &[f64]) {
-        for field in [&mut self.shortening, &mut self.gap] {
-            field.resize(pressure.len(), 0.0);
-        }
-        update_with(&mut self.shortening, pressure, compliance, |w, p, eta| {
+    /// The surface displaced by a pressure at a penetration `D`, with the relief's compliance `η` and the initial gap `g0`.
+    pub(crate) fn new(
+        displacement: Vec<f64>,
+        pressure: &[f64],
+        compliance: &[f64],
+        initial_gap: &[f64],
+        penetration: f64,
+    ) -> Self {
+        let mut shortening = vec![0.0; pressure.len()];
+        update_with(&mut shortening, pressure, compliance, |w, p, eta| {
             *w = eta * p;
         });
-        let (u, w) = (&self.displacement, &self.shortening);
-        update_with(&mut self.gap, u, w, |v, u, w| *v = u + w);
-        update(&mut self.gap, initial_gap, |v, g0| *v += g0);
-    }
-
-    /// `g = v − D`.
-    pub(crate) fn lower_by(&mut self, penetration: f64) {
-        each(&mut self.gap, |g| *g -= penetration);
+        let mut gap = vec![0.0; pressure.len()];
+        update_with(&mut gap, &displacement, initial_gap, |g, u, g0| {
+            *g = u + g0 - penetration;
+        });
+        add_scaled(&mut gap, 1.0, &shortening);
+        Self {
+            displacement,
+            shortening,
+            gap,
+        }
     }
 }

@@ -68,15 +68,15 @@ impl LoadingPath {
         let presses = |[i, j]: [usize; 2]| pressure[i * size + j] > 0.0;
         let window = Window::whole(size).around(presses, Room::ForOne);
         let mut operator = elasticity.spread(size, window.origin(), window.size());
-        let mut surface = DeformedSurface {
-            displacement: vec![0.0; pressure.len()],
-            ..DeformedSurface::default()
-        };
-        operator.apply_into(&window.cut(pressure), &mut surface.displacement);
-        let initial_gap = initial_gap(&self.indenter_profile, &self.relief);
-        surface.add_up(pressure, self.relief.compliance(), &initial_gap);
-        surface.lower_by(*penetration);
-        Some(surface)
+        let mut displacement = vec![0.0; pressure.len()];
+        operator.apply_into(&window.cut(pressure), &mut displacement);
+        Some(DeformedSurface::new(
+            displacement,
+            pressure,
+            self.relief.compliance(),
+            &initial_gap(&self.indenter_profile, &self.relief),
+            *penetration,
+        ))
     }
 }
 
@@ -283,6 +283,7 @@ impl Queue<'_, '_> {
             let mut watch = Watch {
                 observer: &mut InTurn(self),
                 step: index,
+                // Told by the observer in turn, when it is its turn.
                 finished: 0,
                 steps: self.loads.len(),
             };

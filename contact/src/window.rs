@@ -119,26 +119,22 @@ impl Window {
         if size as f64 > LARGEST_PART * self.grid as f64 {
             return Self::whole(self.grid);
         }
-        let origin = self.origin.map(|first| {
-            first
-                .saturating_sub((size - self.size) / 2)
-                .min(self.grid - size)
-        });
-        Self {
-            origin,
-            size,
-            grid: self.grid,
-        }
+        self.resized(size)
     }
 
     /// The window with so many more elements on every side, as far as the grid goes.
     pub fn with_rim(&self, rim: usize) -> Self {
-        let size = (self.size + 2 * rim).min(self.grid);
-        let origin = self
-            .origin
-            .map(|first| first.saturating_sub(rim).min(self.grid - size));
+        self.resized((self.size + 2 * rim).min(self.grid))
+    }
+
+    /// The window of another, larger size around the same centre, moved into the grid.
+    fn resized(&self, size: usize) -> Self {
+        let more = (size - self.size) / 2;
+        let last = self.grid - size;
         Self {
-            origin,
+            origin: self
+                .origin
+                .map(|first| first.saturating_sub(more).min(last)),
             size,
             grid: self.grid,
         }

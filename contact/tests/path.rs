@@ -195,6 +195,13 @@ fn a_step_that_may_not_go_on_is_returned_and_marked() {
     assert!(codes(&path).contains(&"not-converged"));
 }
 
+/// Loads of a paraboloid on a homogeneous body, on 64 × 64 elements.
+fn watched_path(loads: &[Load], observer: &mut dyn Observer) -> LoadingPath {
+    let (model, domain) = (model(Relief::Bare), Domain::Side(0.3));
+    let options = SolverOptions::default();
+    solve_path(&model, domain, 64, loads, &options, observer).unwrap()
+}
+
 #[test]
 fn the_observer_sees_every_level_and_step() {
     #[derive(Default)]
@@ -207,15 +214,7 @@ fn the_observer_sees_every_level_and_step() {
     }
     let mut log = Log::default();
     let loads = [hertz_force(0.05), hertz_force(0.1)];
-    solve_path(
-        &model(Relief::Bare),
-        Domain::Side(0.3),
-        64,
-        &loads,
-        &SolverOptions::default(),
-        &mut log,
-    )
-    .unwrap();
+    watched_path(&loads, &mut log);
     // Both are solved at the same time, each from coarse to fine.
     let of_step = |step: usize| {
         let told = log.0.iter().filter(|told| told.0 == step);
@@ -261,17 +260,8 @@ fn a_cancelled_path_keeps_the_steps_that_it_finished() {
     let loads = [0.05, 0.08, 0.1].map(hertz_force);
     let solved_by = |threads| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-        let solve = || {
-            solve_path(
-                &model(Relief::Bare),
-                Domain::Side(0.3),
-                64,
-                &loads,
-                &SolverOptions::default(),
-                &mut AtTheSecond,
-            )
-        };
-        pool.unwrap().install(solve).unwrap()
+        let solve = || watched_path(&loads, &mut AtTheSecond);
+        pool.unwrap().install(solve)
     };
     let path = solved_by(1);
     assert!(path.interrupted);
