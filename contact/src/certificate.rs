@@ -86,7 +86,7 @@ impl Solution {
         pressure: Vec<f64>,
         tolerance: f64,
     ) -> (Self, DeformedSurface) {
-        let everywhere = Window::whole(problem.size());
+        let everywhere = problem.everywhere();
         let mut fields = JudgedFields::default();
         let solution =
             Self::judge_within(problem, &everywhere, load, pressure, tolerance, &mut fields);

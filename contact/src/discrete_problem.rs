@@ -6,10 +6,12 @@
 
 use std::sync::Arc;
 
-use pellicle_influence::{ConvolutionOperator, ElasticOperator, SpreadOperator, SurfaceElasticity};
+use pellicle_influence::{ElasticOperator, QuadrantOperator, SpreadOperator, SurfaceElasticity};
 use rayon::prelude::*;
 
-use crate::{ContactError, solver::gradient::Workspace, vector::update_with, window::Window};
+use crate::{
+    ContactError, sector::Sector, solver::gradient::Workspace, vector::update_with, window::Window,
+};
 
 /// What answers a pressure with a displacement.
 enum Body {
@@ -18,10 +20,34 @@ enum Body {
     /// Coefficients, and the operator made from them when it is first needed.
     Surface {
         elasticity: Arc<SurfaceElasticity>,
-        operator: Option<Box<ConvolutionOperator>>,
+        operator: Option<Box<dyn ElasticOperator>>,
         /// The same for pressures on one window only.
-        spread: Option<(Window, Box<SpreadOperator>)>,
+        spread: Option<(Window, Spread)>,
     },
+}
+
+/// What answers pressures on a window of a grid on all of it.
+enum Spread {
+    Whole(Box<SpreadOperator>),
+    Quadrant(Box<QuadrantOperator>),
+}
+
+impl Spread {
+    fn new(elasticity: &SurfaceElasticity, window: &Window) -> Self {
+        let (grid, size) = (window.grid(), window.size());
+        match window.sector() {
+            Sector::Whole => Self::Whole(Box::new(elasticity.spread(grid, window.origin(), size))),
+            // A quadrant's windows begin at the axis.
+            Sector::Quadrant => Self::Quadrant(Box::new(elasticity.quadrant(size, grid))),
+        }
+    }
+
+    fn apply_into(&mut self, pressure: &[f64], displacement: &mut [f64]) {
+        match self {
+            Self::Whole(operator) => operator.apply_into(pressure, displacement),
+            Self::Quadrant(operator) => operator.apply_into(pressure, displacement),
+        }
+    }
 }
 
 impl Body {
@@ -37,11 +63,12 @@ impl Body {
 /// One grid's problem. Fields hold N² values, index `i N + j`, first index along x.
 pub struct DiscreteProblem {
     body: Body,
+    sector: Sector,
     size: usize,
     relief_compliance: Vec<f64>,
     initial_gap: Vec<f64>,
     element_area: f64,
-    /// Elements per side of the grid that this one is a window of, or its own.
+    /// Elements per side of the sector of the grid that this one is a window of, or its own.
     grid_size: usize,
     /// What the gradient method keeps from load to load.
     workspace: Option<Box<Workspace>>,
@@ -62,7 +89,8 @@ impl DiscreteProblem {
     ) -> Result<Self, ContactError> {
         let size = operator.size();
         let body = Body::Operator(operator);
-        Self::checked(body, size, relief_compliance, initial_gap, element_area)
+        let whole = (body, Sector::Whole, size);
+        Self::checked(whole, relief_compliance, initial_gap, element_area)
     }
 
     /// The problem of a grid of `size` elements per side whose elasticity is known, so that solvers may take windows of the grid and
@@ -81,13 +109,26 @@ impl DiscreteProblem {
         element_area: f64,
     ) -> Result<Self, ContactError> {
         assert!(size <= elasticity.size(), "a grid within the coefficients");
-        let body = Body::of(elasticity);
-        Self::checked(body, size, relief_compliance, initial_gap, element_area)
+        let whole = (Body::of(elasticity), Sector::Whole, size);
+        Self::checked(whole, relief_compliance, initial_gap, element_area)
+    }
+
+    /// The problem of a sector of the largest grid that the elasticity allows; the fields are the sector's, the area that of one element.
+    pub(crate) fn of_sector(
+        elasticity: Arc<SurfaceElasticity>,
+        sector: Sector,
+        relief_compliance: Vec<f64>,
+        initial_gap: Vec<f64>,
+        element_area: f64,
+    ) -> Result<Self, ContactError> {
+        let size = elasticity.size() / sector.parts();
+        let area = element_area * sector.images() as f64;
+        let part = (Body::of(elasticity), sector, size);
+        Self::checked(part, relief_compliance, initial_gap, area)
     }
 
     fn checked(
-        body: Body,
-        size: usize,
+        (body, sector, size): (Body, Sector, usize),
         relief_compliance: Vec<f64>,
         initial_gap: Vec<f64>,
         element_area: f64,
@@ -112,6 +153,7 @@ impl DiscreteProblem {
         }
         Ok(Self {
             body,
+            sector,
             size,
             relief_compliance,
             initial_gap,
@@ -136,6 +178,7 @@ impl DiscreteProblem {
     pub(crate) fn window(&self, window: &Window) -> Option<Self> {
         Some(Self {
             body: Body::of(self.elasticity()?.clone()),
+            sector: self.sector,
             size: window.size(),
             relief_compliance: window.cut(&self.relief_compliance),
             initial_gap: window.cut(&self.initial_gap),
@@ -155,14 +198,24 @@ impl DiscreteProblem {
         self.workspace = Some(workspace);
     }
 
-    /// Elements per side of the grid that this one is a window of, or its own.
+    /// What part of the surface the elements cover.
+    pub(crate) fn sector(&self) -> Sector {
+        self.sector
+    }
+
+    /// All of the problem's elements.
+    pub(crate) fn everywhere(&self) -> Window {
+        Window::all_of(self.sector, self.size)
+    }
+
+    /// Elements per side of the whole grid that this one is a part of, or its own.
     pub(crate) fn grid_size(&self) -> usize {
-        self.grid_size
+        self.sector.parts() * self.grid_size
     }
 
     /// Whether the grid is a window of a larger one, so that contact on its border means that the window is too small.
     pub(crate) fn is_window(&self) -> bool {
-        self.size() < self.grid_size
+        self.size < self.grid_size
     }
 
     /// Elements per side, N.
@@ -189,7 +242,7 @@ impl DiscreteProblem {
         &self.initial_gap
     }
 
-    /// The area `4a²` of an element, in m².
+    /// The area `4a²` of an element and of those that it stands for, in m².
     #[must_use]
     pub fn element_area(&self) -> f64 {
         self.element_area
@@ -204,7 +257,10 @@ impl DiscreteProblem {
                 operator,
                 ..
             } => operator
-                .get_or_insert_with(|| Box::new(elasticity.operator(self.size)))
+                .get_or_insert_with(|| match self.sector {
+                    Sector::Whole => Box::new(elasticity.operator(self.size)),
+                    Sector::Quadrant => Box::new(elasticity.quadrant(self.size, self.size)),
+                })
                 .as_mut(),
         }
     }
@@ -236,10 +292,8 @@ impl DiscreteProblem {
                 elasticity, spread, ..
             } if !window.is_whole() => {
                 let known = spread.take_if(|(of, _)| of == window);
-                let (_, operator) = spread.insert(known.unwrap_or_else(|| {
-                    let operator = elasticity.spread(self.size, window.origin(), window.size());
-                    (*window, Box::new(operator))
-                }));
+                let made = || (*window, Spread::new(elasticity, window));
+                let (_, operator) = spread.insert(known.unwrap_or_else(made));
                 operator.apply_into(pressure, displacement);
             }
             _ => self.operator_mut().apply_into(pressure, displacement),

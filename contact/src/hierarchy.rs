@@ -6,10 +6,11 @@ use std::time::Instant;
 use pellicle_influence::{Origin, SurfaceElasticity};
 
 use crate::{
-    ContactError, GridError, Load, Model, SampledModel, SolverOptions, Step, Work,
+    ContactError, GridError, Load, Method, Model, SampledModel, SolverOptions, Step, Work,
     domain::Guess,
     level::{Level, LevelResult, SignedField, Start},
     levels::{COARSE_TOLERANCE, coarser_sizes},
+    sector::Sector,
     solver::Watch,
     trust,
 };
@@ -18,6 +19,7 @@ use crate::{
 pub struct Hierarchy<'a> {
     model: &'a Model,
     side: f64,
+    sector: Sector,
     /// Elements per side, coarsest first.
     sizes: Vec<usize>,
     /// The grids at hand; where only one load is to come, none but the one in use and the finest, whose memory is most of all.
@@ -29,12 +31,26 @@ pub struct Hierarchy<'a> {
 
 impl<'a> Hierarchy<'a> {
     /// The grids for `loads` loads on a square of side `side` (m), the finest of `elements` elements per side.
-    pub fn new(model: &'a Model, side: f64, elements: usize, loads: usize) -> Self {
+    pub fn new(
+        model: &'a Model,
+        side: f64,
+        elements: usize,
+        loads: usize,
+        options: &SolverOptions,
+    ) -> Self {
         let mut sizes = coarser_sizes(elements);
         sizes.push(elements);
+        let has_quadrants = sizes.iter().all(|size| size.is_multiple_of(2));
+        let is_for_quadrants = options.method == Method::Gradient && options.mirror_symmetry;
+        let sector = if has_quadrants && is_for_quadrants && model.is_mirrored() {
+            Sector::Quadrant
+        } else {
+            Sector::Whole
+        };
         Self {
             model,
             side,
+            sector,
             levels: sizes.iter().map(|_| None).collect(),
             sizes,
             keep: loads > 1,
@@ -65,6 +81,7 @@ impl<'a> Hierarchy<'a> {
         Some(Self {
             model: self.model,
             side: self.side,
+            sector: self.sector,
             sizes: self.sizes.clone(),
             levels: twins?.into_iter().map(Some).collect(),
             keep: self.keep,
@@ -154,10 +171,15 @@ impl<'a> Hierarchy<'a> {
             Some(level) => level,
             None => self.make(index)?,
         };
-        let result = level.solve(load, start, options, watch);
-        let field = match &result {
-            Ok(result) if !is_finest => Some(level.signed_field(result)),
-            _ => None,
+        let mut result = level.solve(load, start, options, watch);
+        let field = match &mut result {
+            Ok(result) if is_finest => {
+                let pressure = std::mem::take(&mut result.solution.pressure);
+                result.solution.pressure = level.unfold(pressure);
+                None
+            }
+            Ok(result) => Some(level.signed_field(result)),
+            Err(_) => None,
         };
         if !self.keep {
             level.release();
@@ -178,7 +200,7 @@ impl<'a> Hierarchy<'a> {
 
     fn make(&mut self, index: usize) -> Result<Level, ContactError> {
         let clock = Instant::now();
-        let level = Level::new(self.model, self.side, self.sizes[index])?;
+        let level = Level::new(self.model, self.side, self.sizes[index], self.sector)?;
         self.coefficients_seconds += clock.elapsed().as_secs_f64();
         let origin = level.coefficients_origin;
         self.coefficients_origin = Some(match self.coefficients_origin {
@@ -195,5 +217,53 @@ fn coarse_options(options: SolverOptions) -> SolverOptions {
         tolerance: options.tolerance.max(COARSE_TOLERANCE),
         contact_stiffness: false,
         ..options
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use pellicle_influence::{Cache, RadialTables};
+    use pellicle_kernel::{Foundation, Material};
+    use pellicle_texture::Relief;
+
+    use super::Hierarchy;
+    use crate::{Indenter, Method, Model, Paraboloid, Pyramid, SolverOptions, sector::Sector};
+
+    fn model(indenter: Indenter) -> Model {
+        let body = Foundation::half_space(Material::new(1.0, 0.0).unwrap());
+        Model {
+            tables: Arc::new(RadialTables::build(&body).unwrap()),
+            relief: Relief::Bare,
+            indenter,
+            cache: Cache::none(),
+        }
+    }
+
+    #[test]
+    fn a_quadrant_is_solved_where_everything_is_mirrored_on_every_grid() {
+        let paraboloid = model(Paraboloid::new(1.0).unwrap().into());
+        let berkovich = model(Pyramid::berkovich(0.1).unwrap().into());
+        let usual = SolverOptions::default();
+        let active_set = SolverOptions {
+            method: Method::ActiveSet,
+            ..usual
+        };
+        let whole = SolverOptions {
+            mirror_symmetry: false,
+            ..usual
+        };
+        for (model, elements, options, sector) in [
+            (&paraboloid, 64, usual, Sector::Quadrant),
+            (&paraboloid, 66, usual, Sector::Quadrant),
+            (&paraboloid, 65, usual, Sector::Whole),
+            (&paraboloid, 64, active_set, Sector::Whole),
+            (&paraboloid, 64, whole, Sector::Whole),
+            (&berkovich, 64, usual, Sector::Whole),
+        ] {
+            let hierarchy = Hierarchy::new(model, 1.0, elements, 1, &options);
+            assert_eq!(hierarchy.sector, sector, "{elements} {options:?}");
+        }
     }
 }

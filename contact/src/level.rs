@@ -8,6 +8,7 @@ use crate::{
     certificate::JudgedFields,
     domain::Guess,
     levels::{Field, prolong},
+    sector::Sector,
     solver::Watch,
     vector::update,
     window::{Room, Window},
@@ -29,6 +30,8 @@ pub struct Level {
     elasticity: Arc<SurfaceElasticity>,
     pub coefficients_origin: Origin,
     problem: DiscreteProblem,
+    /// Outline of the relief on the problem's sector.
+    outline: Arc<Vec<bool>>,
     /// The window of the last load, and the problem on it.
     window: Option<(Window, DiscreteProblem)>,
     /// The fields of the last load: memory that the next uses again.
@@ -45,6 +48,7 @@ pub enum Start<'a> {
 
 /// What one level ended with.
 pub struct LevelResult {
+    /// Its pressures are those of the level's sector.
     pub solution: Solution,
     /// Where its pressures lie.
     pub window: Window,
@@ -55,11 +59,17 @@ pub struct LevelResult {
 }
 
 impl Level {
-    pub fn new(model: &Model, side: f64, size: usize) -> Result<Self, ContactError> {
+    pub fn new(
+        model: &Model,
+        side: f64,
+        size: usize,
+        sector: Sector,
+    ) -> Result<Self, ContactError> {
         let sampled = model.sample(side, size)?;
         let elasticity = model.elasticity(&sampled.grid)?;
         Ok(Self {
-            problem: sampled.problem(elasticity.value.clone())?,
+            problem: sampled.problem(elasticity.value.clone(), sector)?,
+            outline: Arc::new(sector.cut(sampled.relief.mask(), size)),
             sampled: Arc::new(sampled),
             elasticity: elasticity.value,
             coefficients_origin: elasticity.origin,
@@ -70,9 +80,10 @@ impl Level {
 
     /// The same grid without memory of any load; none where the problem cannot be made again.
     pub fn twin(&self) -> Option<Self> {
-        let everywhere = Window::whole(self.size());
+        let everywhere = self.problem.everywhere();
         Some(Self {
             sampled: self.sampled.clone(),
+            outline: self.outline.clone(),
             elasticity: self.elasticity.clone(),
             problem: self.problem.window(&everywhere)?,
             coefficients_origin: self.coefficients_origin,
@@ -81,8 +92,9 @@ impl Level {
         })
     }
 
+    /// Elements per side of the grid.
     pub fn size(&self) -> usize {
-        self.problem.size()
+        self.problem.grid_size()
     }
 
     /// Solves from a coarser level's field or a guess, and judges the result afresh.
@@ -98,8 +110,12 @@ impl Level {
         } else {
             Room::ForOne
         };
-        let everywhere = Window::whole(self.size());
-        let nothing = || (everywhere, vec![0.0; self.size() * self.size()]);
+        let nothing = || {
+            (
+                self.problem.everywhere(),
+                vec![0.0; self.problem.elements()],
+            )
+        };
         let start = match start {
             Start::Nothing => None,
             Start::Guess(guess) => self.guessed(guess, room),
@@ -125,8 +141,9 @@ impl Level {
 
     /// A guessed pressure on a window around it; none where it presses on no element.
     fn guessed(&self, guess: Guess, room: Room) -> Option<(Window, Vec<f64>)> {
-        let (grid, everywhere) = (&self.sampled.grid, Window::whole(self.size()));
+        let (grid, everywhere) = (&self.sampled.grid, self.problem.everywhere());
         let pressure: Vec<f64> = grid.centres().map(|place| guess.pressure(place)).collect();
+        let pressure = everywhere.sector().cut(&pressure, self.size());
         let window = everywhere.around(pressed(&everywhere, &pressure), room);
         let start = window.cut(&pressure);
         start.iter().any(|p| *p > 0.0).then_some((window, start))
@@ -134,9 +151,9 @@ impl Level {
 
     /// A coarser level's pressure on a window around it; none where it presses nowhere.
     fn prolonged(&self, coarser: &Field<'_>, room: Room) -> Option<(Window, Vec<f64>)> {
-        let reach =
-            (coarser.window).on_finer(pressed(&coarser.window, coarser.values), self.size())?;
-        let pressure = prolong(coarser, &reach, self.sampled.relief.mask());
+        let presses = pressed(&coarser.window, coarser.values);
+        let reach = (coarser.window).on_finer(presses, self.problem.size())?;
+        let pressure = prolong(coarser, &reach, &self.outline);
         let window = reach.around(pressed(&reach, &pressure), room);
         let pressure = window.take_over(&reach, &pressure);
         Some((window, pressure))
@@ -156,7 +173,7 @@ impl Level {
         room: Room,
         watch: &mut Watch<'_>,
     ) -> Result<(Solution, Window, Effort), ContactError> {
-        let everywhere = Window::whole(self.size());
+        let everywhere = self.problem.everywhere();
         let (mut window, mut pressure) = start;
         let mut effort = Effort::default();
         loop {
@@ -212,10 +229,15 @@ impl Level {
             self.window = Some((*window, part));
             return iterate;
         }
-        let everywhere = Window::whole(self.size());
+        let everywhere = self.problem.everywhere();
         let start = everywhere.take_over(window, start);
         *window = everywhere;
         solver.solve(&mut self.problem, load, &start, watch)
+    }
+
+    /// The pressure on the whole grid, of one on the level's sector.
+    pub fn unfold(&self, pressure: Vec<f64>) -> Vec<f64> {
+        self.problem.sector().unfold(pressure, self.size())
     }
 
     /// Gives back the memory that only another load would need.
@@ -238,7 +260,7 @@ impl Level {
         SignedField {
             window,
             values,
-            sampled: self.sampled.clone(),
+            outline: self.outline.clone(),
         }
     }
 }
@@ -247,7 +269,7 @@ impl Level {
 pub struct SignedField {
     window: Window,
     values: Vec<f64>,
-    sampled: Arc<SampledModel>,
+    outline: Arc<Vec<bool>>,
 }
 
 impl SignedField {
@@ -255,7 +277,7 @@ impl SignedField {
         Field {
             window: self.window,
             values: &self.values,
-            mask: self.sampled.relief.mask(),
+            mask: &self.outline,
         }
     }
 }

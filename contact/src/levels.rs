@@ -13,9 +13,11 @@ const COARSEST: usize = 32;
 /// discretisation error, so that their differences show the grid and nothing else.
 pub const COARSE_TOLERANCE: f64 = 1e-6;
 
-/// Elements per side of the levels coarser than `finest`, coarsest first; each is half of the next, rounded up.
+/// Elements per side of the levels coarser than `finest`, coarsest first; each is half of the next, rounded up to an even number, which a grid of
+/// mirror images has.
 pub fn coarser_sizes(finest: usize) -> Vec<usize> {
-    let halves = std::iter::successors(Some(finest), |size| Some(size.div_ceil(2)));
+    let half = |size: &usize| Some(size.div_ceil(2).next_multiple_of(2));
+    let halves = std::iter::successors(Some(finest), half);
     let mut sizes: Vec<usize> = halves
         .skip(1)
         .take_while(|size| *size >= COARSEST)
@@ -111,7 +113,7 @@ mod tests {
     #[test]
     fn each_level_is_half_of_the_next_down_to_the_coarsest() {
         assert_eq!(coarser_sizes(256), [32, 64, 128]);
-        assert_eq!(coarser_sizes(300), [38, 75, 150]);
+        assert_eq!(coarser_sizes(300), [38, 76, 150]);
         assert!(coarser_sizes(8).is_empty());
     }
 

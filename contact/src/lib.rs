@@ -24,6 +24,7 @@ mod model;
 mod observer;
 mod path;
 pub mod reference;
+mod sector;
 pub mod solver;
 mod summary;
 mod trust;

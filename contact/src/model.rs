@@ -6,7 +6,7 @@ use pellicle_influence::{Cache, Cached, RadialTables, SurfaceElasticity};
 use pellicle_texture::{Grid, Relief, SampledRelief};
 use rayon::prelude::*;
 
-use crate::{ContactError, DiscreteProblem, Indenter};
+use crate::{ContactError, DiscreteProblem, Indenter, sector::Sector};
 
 /// A rigid indenter above a relief on an elastic foundation, with no grid and no load yet.
 #[derive(Debug, Clone)]
@@ -41,13 +41,18 @@ impl Model {
     pub fn sample(&self, side: f64, size: usize) -> Result<SampledModel, ContactError> {
         let grid = Grid::new(side, size)?;
         let relief = self.relief.sample(&grid);
-        let indenter_profile = (0..grid.len())
-            .into_par_iter()
-            .map(|e| {
-                self.indenter
-                    .height(grid.centre(e / size), grid.centre(e % size))
-            })
-            .collect();
+        let is_mirrored = self.indenter.is_mirrored();
+        let height = |e: usize| {
+            let centre = [grid.centre(e / size), grid.centre(e % size)];
+            // To the last bit the same on both sides.
+            let [x, y] = if is_mirrored {
+                centre.map(f64::abs)
+            } else {
+                centre
+            };
+            self.indenter.height(x, y)
+        };
+        let indenter_profile = (0..grid.len()).into_par_iter().map(height).collect();
         Ok(SampledModel {
             grid,
             relief,
@@ -65,8 +70,14 @@ impl Model {
         sampled: &SampledModel,
     ) -> Result<Cached<DiscreteProblem>, ContactError> {
         let Cached { value, origin } = self.elasticity(&sampled.grid)?;
-        let value = sampled.problem(value)?;
+        let value = sampled.problem(value, Sector::Whole)?;
         Ok(Cached { value, origin })
+    }
+
+    /// Whether indenter and relief are their own mirror images in both axes, and the solution with them.
+    #[must_use]
+    pub fn is_mirrored(&self) -> bool {
+        self.indenter.is_mirrored() && self.relief.is_mirrored()
     }
 
     /// The elasticity of a grid's elements, and where its coefficients came from.
@@ -84,20 +95,22 @@ impl Model {
 }
 
 impl SampledModel {
-    /// The discrete problem of elements with this elasticity.
+    /// The discrete problem of elements with this elasticity, on a sector of the grid.
     pub(crate) fn problem(
         &self,
         elasticity: Arc<SurfaceElasticity>,
+        sector: Sector,
     ) -> Result<DiscreteProblem, ContactError> {
-        let initial_gap = initial_gap(&self.indenter_profile, &self.relief);
-        let compliance = self.relief.compliance().to_vec();
         let (size, area) = (self.grid.size(), self.grid.element_area());
-        DiscreteProblem::elastic(elasticity, size, compliance, initial_gap, area)
+        let cut = |field: &[f64]| sector.cut(field, size);
+        let initial_gap = initial_gap(&cut(&self.indenter_profile), &cut(self.relief.profile()));
+        let compliance = cut(self.relief.compliance());
+        DiscreteProblem::of_sector(elasticity, sector, compliance, initial_gap, area)
     }
 }
 
 /// `g0 = f − f*`, in m.
-pub(crate) fn initial_gap(indenter_profile: &[f64], relief: &SampledRelief) -> Vec<f64> {
-    let profiles = indenter_profile.par_iter().zip(relief.profile());
+pub(crate) fn initial_gap(indenter_profile: &[f64], relief_profile: &[f64]) -> Vec<f64> {
+    let profiles = indenter_profile.par_iter().zip(relief_profile);
     profiles.map(|(f, relief)| f - relief).collect()
 }

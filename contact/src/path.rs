@@ -74,7 +74,7 @@ impl LoadingPath {
             displacement,
             pressure,
             self.relief.compliance(),
-            &initial_gap(&self.indenter_profile, &self.relief),
+            &initial_gap(&self.indenter_profile, self.relief.profile()),
             *penetration,
         ))
     }
@@ -134,7 +134,7 @@ fn solve_on_domains(
         Domain::Automatic => (default_side(model, loads), true),
     };
     for _ in 0..=ENLARGEMENTS {
-        let hierarchy = Hierarchy::new(model, side, elements, loads.len());
+        let hierarchy = Hierarchy::new(model, side, elements, loads.len(), &options);
         let mut run = PathRun {
             lanes: hierarchy.lanes(lanes(elements, loads.len()))?,
             steps: Vec::new(),

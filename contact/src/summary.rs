@@ -1,5 +1,7 @@
 //! The few numbers that describe a solved contact.
 
+use std::cmp::Ordering;
+
 use pellicle_texture::{Grid, SampledRelief};
 use rayon::prelude::*;
 
@@ -42,21 +44,24 @@ impl Summary {
         grid: &Grid,
         relief: &SampledRelief,
     ) -> Self {
-        let (size, pressure) = (grid.size(), &solution.pressure);
+        let size = grid.size();
         let place = |e: usize| [grid.centre(e / size), grid.centre(e % size)];
+        let sector = window.sector();
         let [above, left] = window.origin();
-        let lines = (above..above + window.size()).into_par_iter();
-        let of_line = |i: usize| {
-            let first = i * size + left;
-            let elements = first..first + window.size();
+        let of_line = |line: usize, pressure: &[f64]| {
             let mut found = Contact::default();
-            for e in elements.filter(|e| pressure[*e] > 0.0) {
-                found.add(e, pressure[e], relief.mask()[e], place(e));
-                found.approach(i, e - i * size, size);
+            let columns = pressure.iter().enumerate().filter(|(_, p)| **p > 0.0);
+            for (column, p) in columns {
+                let [i, j] = sector.first_image([above + line, left + column], size);
+                let e = i * size + j;
+                found.add(e, *p, relief.mask()[e], place(e));
+                found.approach(i, j, size);
             }
             found
         };
-        let lines: Vec<Contact> = lines.map(of_line).collect();
+        let lines = (0..window.size()).into_par_iter();
+        let lines = lines.map(|line| of_line(line, window.line(&solution.pressure, line)));
+        let lines: Vec<Contact> = lines.collect();
         let Contact {
             largest: (max_pressure, largest),
             elements: contact_elements,
@@ -64,6 +69,8 @@ impl Summary {
             radius: contact_radius,
             to_edge: elements_to_edge,
         } = lines.into_iter().fold(Contact::default(), Contact::and);
+        let [contact_elements, on_relief] =
+            [contact_elements, on_relief].map(|elements| elements * sector.images());
         let area = |elements: usize| elements as f64 * grid.element_area();
         let contact_area = area(contact_elements);
         Self {
@@ -97,9 +104,7 @@ struct Contact {
 
 impl Contact {
     fn add(&mut self, element: usize, pressure: f64, is_on_relief: bool, [x, y]: [f64; 2]) {
-        if pressure > self.largest.0 {
-            self.largest = (pressure, element);
-        }
+        self.largest = larger(self.largest, (pressure, element));
         self.elements += 1;
         self.on_relief += usize::from(is_on_relief);
         self.radius = self.radius.max(x.hypot(y));
@@ -112,20 +117,23 @@ impl Contact {
         self.to_edge = nearer(self.to_edge, Some(to_edge));
     }
 
-    /// Both, the other after the one.
+    /// Both.
     fn and(self, other: Self) -> Self {
-        let other_is_larger = other.largest.0 > self.largest.0;
         Self {
-            largest: if other_is_larger {
-                other.largest
-            } else {
-                self.largest
-            },
+            largest: larger(self.largest, other.largest),
             elements: self.elements + other.elements,
             on_relief: self.on_relief + other.on_relief,
             radius: self.radius.max(other.radius),
             to_edge: nearer(self.to_edge, other.to_edge),
         }
+    }
+}
+
+/// The larger of two pressures, or the first of equal ones, with their elements.
+fn larger(one: (f64, usize), other: (f64, usize)) -> (f64, usize) {
+    match one.0.total_cmp(&other.0).then(other.1.cmp(&one.1)) {
+        Ordering::Less => other,
+        _ => one,
     }
 }
 

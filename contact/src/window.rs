@@ -6,6 +6,8 @@
 use pellicle_influence::SurfaceElasticity;
 use rayon::prelude::*;
 
+use crate::sector::Sector;
+
 /// Elements between the contact expected and the window's border, at least.
 const MARGIN: usize = 3;
 /// A window of more than this part of the grid's side saves less than it costs.
@@ -37,12 +39,13 @@ impl Room {
     }
 }
 
-/// A window of a grid of N × N elements.
+/// A window of a grid of N × N elements, or of a sector of one; on a quadrant it begins at the axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Window {
     origin: [usize; 2],
     size: usize,
     grid: usize,
+    sector: Sector,
 }
 
 /// First and last index of some elements along both axes.
@@ -55,26 +58,41 @@ struct Extent {
 impl Window {
     /// The window that is all of the grid.
     pub fn whole(grid: usize) -> Self {
+        Self::all_of(Sector::Whole, grid)
+    }
+
+    /// The window that is all of a sector of `grid` elements per side.
+    pub fn all_of(sector: Sector, grid: usize) -> Self {
         Self {
             origin: [0, 0],
             size: grid,
             grid,
+            sector,
         }
+    }
+
+    /// The window that is all of this one's grid.
+    pub fn everywhere(&self) -> Self {
+        Self::all_of(self.sector, self.grid)
     }
 
     /// The smallest window of a fast size around those of this window's elements that belong; the whole grid where none belongs.
     pub fn around(&self, belongs: impl Fn([usize; 2]) -> bool + Sync, room: Room) -> Self {
         let grid = self.grid;
         let Some(extent) = self.extent(belongs) else {
-            return Self::whole(grid);
+            return self.everywhere();
         };
         let longest = extent.longest();
-        let margin = MARGIN.max(longest / MARGIN_PART);
-        let size = room.size(longest + 2 * margin);
+        let margin = MARGIN.max(self.sector.parts() * longest / MARGIN_PART);
+        let margins = match self.sector {
+            Sector::Whole => 2 * margin,
+            Sector::Quadrant => margin,
+        };
+        let size = room.size(longest + margins);
         if size as f64 > LARGEST_PART * grid as f64 {
-            return Self::whole(grid);
+            return self.everywhere();
         }
-        extent.centred(size, grid)
+        extent.centred(size, &self.everywhere())
     }
 
     /// The smallest window of a finer grid over the same square that holds what lies within one element of those of this window that belong; none
@@ -91,10 +109,11 @@ impl Window {
             first: first.map(low),
             last: last.map(high),
         };
-        Some(extent.centred(extent.longest(), finer))
+        let everywhere = Self::all_of(self.sector, finer);
+        Some(extent.centred(extent.longest(), &everywhere))
     }
 
-    /// First and last of this window's elements that belong.
+    /// First and last of this window's elements that belong, or lie between the axis and those on a quadrant.
     fn extent(&self, belongs: impl Fn([usize; 2]) -> bool + Sync) -> Option<Extent> {
         let [above, left] = self.origin;
         let columns = left..left + self.size;
@@ -110,14 +129,21 @@ impl Window {
         let rows = (above..above + self.size).into_par_iter();
         let rows = rows.with_min_len(ELEMENTS_PER_THREAD / self.size + 1);
         let extents: Vec<Extent> = rows.filter_map(of_row).collect();
-        extents.into_iter().reduce(Extent::and)
+        let extent = extents.into_iter().reduce(Extent::and)?;
+        Some(match self.sector {
+            Sector::Whole => extent,
+            Sector::Quadrant => Extent {
+                first: [0, 0],
+                ..extent
+            },
+        })
     }
 
     /// The window of twice the side around the same centre.
     pub fn grown(&self) -> Self {
         let size = SurfaceElasticity::fast_size(2 * self.size);
         if size as f64 > LARGEST_PART * self.grid as f64 {
-            return Self::whole(self.grid);
+            return self.everywhere();
         }
         self.resized(size)
     }
@@ -136,7 +162,7 @@ impl Window {
                 .origin
                 .map(|first| first.saturating_sub(more).min(last)),
             size,
-            grid: self.grid,
+            ..*self
         }
     }
 
@@ -145,7 +171,7 @@ impl Window {
         if other.size > self.size {
             other
         } else {
-            Self::whole(self.grid)
+            self.everywhere()
         }
     }
 
@@ -161,6 +187,11 @@ impl Window {
     /// Elements per side of the grid.
     pub fn grid(&self) -> usize {
         self.grid
+    }
+
+    /// What part of a grid this is a window of.
+    pub fn sector(&self) -> Sector {
+        self.sector
     }
 
     /// The first element along both axes.
@@ -220,7 +251,7 @@ impl Window {
 
     /// The part of a field of the grid that lies in the window.
     pub fn cut<T: Copy + Default + Send + Sync>(&self, field: &[T]) -> Vec<T> {
-        self.take_over(&Self::whole(self.grid), field)
+        self.take_over(&self.everywhere(), field)
     }
 
     /// The field of the grid that is `part` in the window and 0 outside.
@@ -228,7 +259,7 @@ impl Window {
         if self.is_whole() {
             part
         } else {
-            Self::whole(self.grid).take_over(self, &part)
+            self.everywhere().take_over(self, &part)
         }
     }
 
@@ -261,13 +292,17 @@ impl Extent {
         lengths[0].max(lengths[1])
     }
 
-    /// The window of `size` elements per side around the centre, moved into the grid.
-    fn centred(&self, size: usize, grid: usize) -> Window {
+    /// The window of `size` elements per side around the centre, moved into the grid; from the axis on where the extent reaches from there.
+    fn centred(&self, size: usize, everywhere: &Window) -> Window {
         let origin = [0, 1].map(|axis: usize| {
             let twice_centre = self.first[axis] + self.last[axis] + 1;
-            (twice_centre.saturating_sub(size) / 2).min(grid - size)
+            (twice_centre.saturating_sub(size) / 2).min(everywhere.grid - size)
         });
-        Window { origin, size, grid }
+        Window {
+            origin,
+            size,
+            ..*everywhere
+        }
     }
 
     /// The smallest extent that holds both.
@@ -321,7 +356,7 @@ mod tests {
         let window = |origin, size| Window {
             origin,
             size,
-            grid: 20,
+            ..Window::whole(20)
         };
         let field: Vec<f64> = (0..400).map(|e| 1.0 + f64::from(e)).collect();
         let (one, other) = (window([2, 5], 9), window([7, 1], 8));
@@ -348,7 +383,7 @@ mod tests {
         let window = |origin, size| Window {
             origin,
             size,
-            grid: 20,
+            ..Window::whole(20)
         };
         assert_eq!(window([5, 6], 4).with_rim(2), window([3, 4], 8));
         assert_eq!(window([0, 15], 4).with_rim(2), window([0, 12], 8));

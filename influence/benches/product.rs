@@ -4,7 +4,9 @@ use std::hint::black_box;
 use std::sync::Arc;
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
-use pellicle_influence::{CoefficientTable, ConvolutionOperator, ElasticOperator, love};
+use pellicle_influence::{
+    CoefficientTable, ConvolutionOperator, ElasticOperator, QuadrantOperator, love,
+};
 use pellicle_kernel::Material;
 use rayon::ThreadPoolBuilder;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
@@ -13,14 +15,29 @@ use rustfft::{Fft, FftPlanner};
 
 const SIZES: [usize; 5] = [128, 256, 512, 1024, 2048];
 
-fn operator(size: usize) -> ConvolutionOperator {
+fn table(size: usize) -> CoefficientTable {
     let steel = Material::new(1.0, 0.3).expect("a material");
-    let table = CoefficientTable::from_fn(1.0, size, |o| love::coefficient(&steel, 1.0, o));
-    ConvolutionOperator::new(&table.expect("a table"))
+    CoefficientTable::from_fn(1.0, size, |o| love::coefficient(&steel, 1.0, o)).expect("a table")
 }
 
+/// Products on the whole grid.
 fn product(criterion: &mut Criterion) {
-    let mut group = criterion.benchmark_group("product");
+    let operator = |size| ConvolutionOperator::new(&table(size));
+    products(criterion, "product", operator);
+}
+
+/// Products on the quadrant that stands for a grid as large.
+fn product_on_a_quadrant(criterion: &mut Criterion) {
+    let operator = |size| QuadrantOperator::new(&table(size), size / 2, size / 2);
+    products(criterion, "product on a quadrant", operator);
+}
+
+fn products<O: ElasticOperator>(
+    criterion: &mut Criterion,
+    name: &str,
+    operator: impl Fn(usize) -> O + Sync,
+) {
+    let mut group = criterion.benchmark_group(name);
     group.sample_size(10);
     for threads in [1, 2] {
         let pool = ThreadPoolBuilder::new()
@@ -29,7 +46,7 @@ fn product(criterion: &mut Criterion) {
             .expect("a pool");
         for size in SIZES {
             let mut operator = pool.install(|| operator(size));
-            let pressure = vec![1.0; size * size];
+            let pressure = vec![1.0; operator.size().pow(2)];
             let mut displacement = pressure.clone();
             let name = BenchmarkId::new(format!("{threads} threads"), size);
             group.bench_function(name, |bencher| {
@@ -125,5 +142,5 @@ fn transpose(from: &[Complex64], to: &mut [Complex64], width: usize, height: usi
     }
 }
 
-criterion_group!(benches, product, bare_pair);
+criterion_group!(benches, product, product_on_a_quadrant, bare_pair);
 criterion_main!(benches);

@@ -5,7 +5,8 @@ use std::sync::Arc;
 use pellicle_kernel::Foundation;
 
 use crate::{
-    CoefficientTable, ConvolutionOperator, PeriodicSymbol, SpreadOperator, padding::half_length,
+    CoefficientTable, ConvolutionOperator, PeriodicSymbol, QuadrantOperator, SpreadOperator,
+    padding::half_length,
 };
 
 /// The influence coefficients of elements of one size, and all that follows from them for square windows of a grid.
@@ -76,6 +77,15 @@ impl SurfaceElasticity {
     #[must_use]
     pub fn spread(&self, grid: usize, origin: [usize; 2], size: usize) -> SpreadOperator {
         SpreadOperator::new(&self.table, grid, origin, size)
+    }
+
+    /// `K p` on a quadrant of `shown` × `shown` elements for pressures on the `loaded` × `loaded` next to the axis, all mirrored in both axes.
+    ///
+    /// # Panics
+    /// As [`QuadrantOperator::new`].
+    #[must_use]
+    pub fn quadrant(&self, loaded: usize, shown: usize) -> QuadrantOperator {
+        QuadrantOperator::new(&self.table, loaded, shown)
     }
 
     /// The analytic symbol on a periodic grid of `size` × `size` elements, for preconditioners.

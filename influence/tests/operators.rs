@@ -3,7 +3,8 @@
 use std::iter::successors;
 
 use pellicle_influence::{
-    CoefficientTable, ConvolutionOperator, DenseOperator, ElasticOperator, SpreadOperator, love,
+    CoefficientTable, ConvolutionOperator, DenseOperator, ElasticOperator, QuadrantOperator,
+    SpreadOperator, love,
 };
 use pellicle_kernel::Material;
 
@@ -50,6 +51,46 @@ fn both_operators_agree_to_rounding() {
         let difference: Vec<f64> = fast.iter().zip(&dense).map(|(a, b)| a - b).collect();
         // Rounding of transforms of up to 144² numbers and of sums of up to 67² terms.
         assert!(largest(&difference) < 1e-13 * largest(&dense), "N = {size}");
+    }
+}
+
+/// The whole grid's field of a quadrant's: mirrored in both axes.
+fn unfolded(quadrant: &[f64], size: usize) -> Vec<f64> {
+    let along = |i: usize| if i < size { size - 1 - i } else { i - size };
+    (0..4 * size * size)
+        .map(|e| quadrant[along(e / (2 * size)) * size + along(e % (2 * size))])
+        .collect()
+}
+
+#[test]
+fn a_quadrant_moves_as_the_whole_surface_does() {
+    for size in [1, 2, 3, 5, 8, 9, 31, 64] {
+        let table = steel_table(2 * size);
+        for loaded in [1, size.div_ceil(3), size.div_ceil(2), size] {
+            let loads = scattered(loaded * loaded);
+            let mut pressure = vec![0.0; size * size];
+            for (row, loads) in pressure
+                .chunks_exact_mut(size)
+                .zip(loads.chunks_exact(loaded))
+            {
+                row[..loaded].copy_from_slice(loads);
+            }
+            let expected = apply(
+                &mut ConvolutionOperator::new(&table),
+                &unfolded(&pressure, size),
+            );
+            let mut found = vec![f64::NAN; size * size];
+            let mut operator = QuadrantOperator::new(&table, loaded, size);
+            for _ in 0..2 {
+                operator.apply_into(&loads, &mut found);
+                let found = unfolded(&found, size);
+                let difference: Vec<f64> =
+                    found.iter().zip(&expected).map(|(a, b)| a - b).collect();
+                // Rounding of two transforms.
+                let bound = 1e-14 * largest(&expected);
+                assert!(largest(&difference) < bound, "{loaded} of {size}");
+            }
+        }
     }
 }
 

@@ -108,6 +108,22 @@ impl Cylinders {
             .area_fraction(self.spec.radius, self.spec.period)
     }
 
+    /// Whether the lattice is its own mirror image in both axes: whether they pass through a centre or halfway between two.
+    #[must_use]
+    pub fn is_mirrored(&self) -> bool {
+        let CylinderSpec {
+            lattice,
+            period,
+            offset,
+            ..
+        } = self.spec;
+        let cell = lattice.cell(period);
+        // The offset is a multiple of half the cell along both axes.
+        [0, 1]
+            .into_iter()
+            .all(|axis: usize| (2.0 * offset[axis] / cell[axis]).fract() == 0.0)
+    }
+
     /// Whether the point (m) lies on the top of a cylinder, the rim included (with a relative slack of 1e-12 on the radius).
     #[must_use]
     pub fn contains(&self, [x, y]: [f64; 2]) -> bool {

@@ -24,8 +24,14 @@ impl Relief {
     /// Mask, surface profile and compliance at the centres of the grid's elements.
     #[must_use]
     pub fn sample(&self, grid: &Grid) -> SampledRelief {
+        let is_mirrored = self.is_mirrored();
         SampledRelief::collect(grid.size(), |i, j| {
-            self.at([grid.centre(i), grid.centre(j)])
+            let centre = [grid.centre(i), grid.centre(j)];
+            self.at(if is_mirrored {
+                centre.map(f64::abs)
+            } else {
+                centre
+            })
         })
     }
 
@@ -46,6 +52,18 @@ impl Relief {
             Self::Bare | Self::Map(_) => None,
             Self::Cylinders(cylinders) => Some(cylinders.height()),
             Self::Film(film) => Some(film.thickness()),
+        }
+    }
+
+    /// Whether the relief is its own mirror image in both axes; false of every map.
+    ///
+    /// Then its samples are so to the last bit, on every grid.
+    #[must_use]
+    pub fn is_mirrored(&self) -> bool {
+        match self {
+            Self::Bare | Self::Film(_) => true,
+            Self::Cylinders(cylinders) => cylinders.is_mirrored(),
+            Self::Map(_) => false,
         }
     }
 
@@ -109,6 +127,42 @@ mod tests {
         assert_eq!(sampled.profile(), only(0.0, -2.0));
         assert_eq!(sampled.compliance(), only(0.5, 0.0));
         assert!(sampled.mask()[1] && sampled.mask_fraction() == 1.0 / 9.0);
+    }
+
+    #[test]
+    fn mirrored_reliefs_have_mirrored_samples_and_others_do_not() {
+        let relief = |lattice: Lattice, offset: [f64; 2]| {
+            // A radius that many centres of elements meet up to rounding.
+            let spec = CylinderSpec {
+                lattice,
+                radius: 0.3,
+                height: 2.0,
+                period: 1.0,
+                offset,
+                young_modulus: 4.0,
+            };
+            Relief::Cylinders(Cylinders::new(spec).unwrap())
+        };
+        let height = 0.75_f64.sqrt();
+        for (relief, is_mirrored) in [
+            (relief(Lattice::Square, [0.0, 0.0]), true),
+            (relief(Lattice::Square, [0.5, -1.0]), true),
+            (relief(Lattice::Hexagonal, [0.0, 0.0]), true),
+            (relief(Lattice::Hexagonal, [0.5, height]), true),
+            (relief(Lattice::Hexagonal, [0.5, 0.0]), true),
+            (relief(Lattice::Square, [0.2, 0.0]), false),
+            (relief(Lattice::Hexagonal, [0.0, 0.4]), false),
+        ] {
+            assert_eq!(relief.is_mirrored(), is_mirrored, "{relief:?}");
+            let size = 60;
+            let sampled = relief.sample(&Grid::new(6.0, size).unwrap());
+            let mask = |i: usize, j: usize| sampled.mask()[i * size + j];
+            let is_same = |i: usize, j: usize| {
+                mask(i, j) == mask(size - 1 - i, j) && mask(i, j) == mask(i, size - 1 - j)
+            };
+            let all_same = (0..size * size).all(|e| is_same(e / size, e % size));
+            assert_eq!(all_same, is_mirrored, "{relief:?}");
+        }
     }
 
     #[test]

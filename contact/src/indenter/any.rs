@@ -32,6 +32,16 @@ impl Indenter {
         }
     }
 
+    /// Whether the shape is its own mirror image in both axes; false of every map, and of pyramids with an odd number of faces.
+    #[must_use]
+    pub fn is_mirrored(&self) -> bool {
+        match self {
+            Self::Paraboloid(_) | Self::Sphere(_) | Self::Cone(_) | Self::FlatPunch(_) => true,
+            Self::Pyramid(pyramid) => pyramid.faces().is_multiple_of(2),
+            Self::Map(_) => false,
+        }
+    }
+
     /// Height f(x, y), m; see [`Profile::height`].
     #[must_use]
     pub fn height(&self, x: f64, y: f64) -> f64 {
@@ -139,6 +149,29 @@ mod tests {
             assert_eq!(
                 through_trait.to_bits(),
                 indenter.mean_profile(0.9).to_bits()
+            );
+        }
+    }
+
+    #[test]
+    fn mirrored_shapes_are_those_of_the_same_height_on_both_sides() {
+        let mut shapes = all().to_vec();
+        shapes.push(Pyramid::berkovich(0.3).unwrap().into());
+        for indenter in shapes {
+            let heights =
+                |[x, y]: [f64; 2]| [[x, y], [-x, y], [x, -y]].map(|[x, y]| indenter.height(x, y));
+            let is_same = |at| {
+                let [here, left, below] = heights(at);
+                // Rounding of the ridges' directions.
+                let differs = |there: f64| (there - here).abs() > 1e-14;
+                !(differs(left) || differs(below))
+            };
+            let places = [[0.7, 0.1], [0.2, 0.9], [1.1, 1.3], [0.05, 0.02]];
+            let is_symmetric_map = matches!(indenter, Indenter::Map(_));
+            assert_eq!(
+                indenter.is_mirrored() || is_symmetric_map,
+                places.into_iter().all(is_same),
+                "{indenter:?}"
             );
         }
     }

@@ -11,10 +11,15 @@
 //! `F` falls off so quickly that a band a few elements wide stands for all of `E`, and a few of its coefficients for all of them. Without the
 //! band the filter is wrong at the contact's edge, and that alone takes twice the iterations.
 
+use std::ops::Range;
+
 use rayon::prelude::*;
 
 use super::working_set::WorkingSet;
-use crate::vector::{add_scaled, dot, update};
+use crate::{
+    sector::Sector,
+    vector::{add_scaled, dot, update},
+};
 
 /// Elements from the set to the outer rim of the band, along both axes. One more gains nothing, one less costs a tenth more products.
 const WIDTH: usize = 3;
@@ -24,6 +29,8 @@ const REACH: usize = 3;
 const LANES: usize = 8;
 /// The band and its coefficients stay on the grid.
 const MARGIN: usize = if WIDTH > REACH { WIDTH } else { REACH };
+/// Coefficients of a quarter of the stencil along a side.
+const ANSWERS: usize = REACH + 1;
 /// Part of its residual to which `s` is found, and the steps after which it is good enough as it is: 3 on a homogeneous body, up to all under
 /// a stiff coat.
 const ACCURACY: f64 = 0.1;
@@ -34,12 +41,17 @@ const PART: usize = 1 << 10;
 /// The band around one working set.
 pub struct EdgeBand {
     size: usize,
+    sector: Sector,
     elements: Vec<usize>,
     /// `F` by offset from −`REACH` on, in units of `F(0)`.
     coefficients: [[f32; LANES]; 2 * REACH + 1],
     own_coefficient: f64,
-    /// A field on the grid that the stencil is laid over, and some room behind it.
+    /// A field that the stencil is laid over, on the grid, what it reaches beyond the axes of a quadrant, and some room behind it.
     spread: Vec<f32>,
+    /// Where in it each of the band's elements lies.
+    places: Vec<usize>,
+    /// Where in it mirror images lie, and of which of the band's elements.
+    images: Vec<(usize, usize)>,
     residual: Vec<f64>,
     direction: Vec<f64>,
     solution: Vec<f64>,
@@ -47,14 +59,18 @@ pub struct EdgeBand {
 }
 
 impl EdgeBand {
-    /// An empty band on a grid of `size` elements per side.
-    pub fn new(size: usize) -> Self {
+    /// An empty band on a sector of `size` elements per side.
+    pub fn new(size: usize, sector: Sector) -> Self {
+        let width = size + beyond_axis(sector);
         Self {
             size,
+            sector,
             elements: Vec::new(),
             coefficients: [[0.0; LANES]; 2 * REACH + 1],
             own_coefficient: 1.0,
-            spread: vec![0.0; size * size + LANES],
+            spread: vec![0.0; width * width + LANES],
+            places: Vec::new(),
+            images: Vec::new(),
             residual: Vec::new(),
             direction: Vec::new(),
             solution: Vec::new(),
@@ -62,43 +78,62 @@ impl EdgeBand {
         }
     }
 
-    /// Takes the coefficients of `F` from its answer to a unit at element 0.
-    pub fn take_coefficients(&mut self, answer: &[f64]) {
-        if self.size <= 2 * REACH {
-            return;
-        }
-        let along = |index: usize| (self.size + index - REACH) % self.size;
-        self.own_coefficient = answer[0];
+    /// Takes the coefficients of `F`, its answers to a unit by offset along the axes.
+    pub fn take_coefficients(&mut self, answers: &[[f64; ANSWERS]; ANSWERS]) {
+        self.own_coefficient = answers[0][0];
         for (i, row) in self.coefficients.iter_mut().enumerate() {
             for (j, f) in row.iter_mut().take(2 * REACH + 1).enumerate() {
-                *f = narrow(answer[along(i) * self.size + along(j)] / answer[0]);
+                *f = narrow(answers[i.abs_diff(REACH)][j.abs_diff(REACH)] / answers[0][0]);
             }
         }
     }
 
     /// Lays the band around a set.
     pub fn surround(&mut self, set: &WorkingSet) {
-        let rows = MARGIN..self.size.saturating_sub(MARGIN);
-        let rows = rows.into_par_iter();
+        let rows = self.lines().into_par_iter();
         let parts: Vec<Vec<usize>> = rows.map(|i| self.row(i, set.mask())).collect();
         self.elements.clear();
         self.elements.extend(parts.into_iter().flatten());
+        let (size, beyond) = (self.size, beyond_axis(self.sector));
+        let place = |[i, j]: [usize; 2]| i * (size + beyond) + j;
+        self.places.clear();
+        self.images.clear();
+        for (index, e) in self.elements.iter().enumerate() {
+            let [i, j] = [e / size, e % size];
+            self.places.push(place([i + beyond, j + beyond]));
+            // The images of the element k from the axis lies as far on the other side, if the stencil reaches there.
+            let along = |k: usize| std::iter::once(k + beyond).chain((beyond).checked_sub(k + 1));
+            let images = along(i).flat_map(|i| along(j).map(move |j| [i, j]));
+            self.images
+                .extend(images.skip(1).map(|image| (place(image), index)));
+        }
+    }
+
+    /// Rows, and columns, that the band may lie in: neither it nor the stencil leaves the grid.
+    fn lines(&self) -> Range<usize> {
+        let first = match self.sector {
+            Sector::Whole => MARGIN,
+            Sector::Quadrant => 0,
+        };
+        first..self.size.saturating_sub(MARGIN)
     }
 
     /// The band's elements in row `i`.
     fn row(&self, i: usize, mask: &[bool]) -> Vec<usize> {
         let size = self.size;
         let mut near = vec![false; size];
-        for row in mask[(i - WIDTH) * size..(i + WIDTH + 1) * size].chunks_exact(size) {
+        // What lies beyond an axis is mirrored by what lies on this side, and nearer.
+        let first = i.saturating_sub(WIDTH);
+        for row in mask[first * size..(i + WIDTH + 1) * size].chunks_exact(size) {
             for (near, member) in near.iter_mut().zip(row) {
                 *near |= member;
             }
         }
         let belongs = |j: &usize| {
-            let around = &near[j - WIDTH..=j + WIDTH];
+            let around = &near[j.saturating_sub(WIDTH)..=j + WIDTH];
             !mask[i * size + j] && around.iter().any(|near| *near)
         };
-        let columns = MARGIN..size - MARGIN;
+        let columns = self.lines();
         columns.filter(belongs).map(|j| i * size + j).collect()
     }
 
@@ -153,21 +188,34 @@ impl EdgeBand {
 
     /// `F_EE d`, into the image, in units of `F(0)`.
     fn multiply(&mut self) {
-        for (element, d) in self.elements.iter().zip(&self.direction) {
-            self.spread[*element] = narrow(*d);
+        for (place, d) in self.places.iter().zip(&self.direction) {
+            self.spread[*place] = narrow(*d);
         }
-        let (size, spread, coefficients) = (self.size, &self.spread, &self.coefficients);
-        let parts = self.elements.par_chunks(PART);
+        for (place, of) in &self.images {
+            self.spread[*place] = narrow(self.direction[*of]);
+        }
+        let width = self.size + beyond_axis(self.sector);
+        let (spread, coefficients) = (&self.spread, &self.coefficients);
+        let parts = self.places.par_chunks(PART);
         let parts = self.image.par_chunks_mut(PART).zip(parts);
-        parts.for_each(|(image, elements)| {
-            for (y, element) in image.iter_mut().zip(elements) {
-                let corner = element - REACH * (size + 1);
-                *y = f64::from(stencil(&spread[corner..], size, coefficients));
+        parts.for_each(|(image, places)| {
+            for (y, place) in image.iter_mut().zip(places) {
+                let corner = place - REACH * (width + 1);
+                *y = f64::from(stencil(&spread[corner..], width, coefficients));
             }
         });
-        for element in &self.elements {
-            self.spread[*element] = 0.0;
+        let images = self.images.iter().map(|(place, _)| place);
+        for place in self.places.iter().chain(images) {
+            self.spread[*place] = 0.0;
         }
+    }
+}
+
+/// Rows and columns before a sector's first that the stencil reaches.
+fn beyond_axis(sector: Sector) -> usize {
+    match sector {
+        Sector::Whole => 0,
+        Sector::Quadrant => REACH,
     }
 }
 

@@ -38,6 +38,7 @@ mod edge_band;
 mod iterate;
 mod newton;
 mod periodic_filter;
+mod plane_filter;
 mod preconditioner;
 mod projection;
 mod restricted_filter;
@@ -90,7 +91,8 @@ impl Solver for GradientSolver {
                 state, set, best, ..
             } = &mut *iteration.workspace;
             let (residual, is_admissible) = state.residual();
-            watch.tell(problem.grid_size(), residuals.len(), residual, set.len())?;
+            let contact = set.len() * problem.sector().images();
+            watch.tell(problem.grid_size(), residuals.len(), residual, contact)?;
             residuals.push(residual);
             if is_admissible {
                 best.offer(state, residual);
@@ -138,7 +140,7 @@ impl GradientSolver {
         residual: f64,
         is_admissible: bool,
     ) -> Option<Ending> {
-        if problem.is_window() && set.touches_border(problem.size()) {
+        if problem.is_window() && set.touches_border(&problem.everywhere()) {
             Some(Ending::ReachedBorder)
         } else if is_admissible && residual <= TOLERANCE_MARGIN * self.options.tolerance {
             Some(Ending::Solved)

@@ -1,114 +1,57 @@
-//! Multiplication of a real field's Fourier series by a function of the symbol, on the periodic N × N grid.
+//! Multiplication of a field's Fourier series by a function of the symbol, on the periodic grid or the quadrant of one.
 //!
 //! In single precision: the result only preconditions, and seven digits of a direction are more than it needs. The field is
 //! scaled to a largest value of 1 first, so that no unit can overflow.
 
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError, RwLock};
+use std::f64::consts::TAU;
 
-use pellicle_influence::PeriodicSymbol;
+use pellicle_influence::{PeriodicSymbol, QuadrantFilter};
 use rayon::prelude::*;
-use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
-use rustfft::{Fft, FftPlanner, num_complex::Complex32};
 
-use crate::vector::by_parts;
+use super::plane_filter::PlaneFilter;
+use crate::{sector::Sector, vector::by_parts};
 
-/// Columns transformed together: their N values each fit the second-level cache up to N = 4096.
-const BLOCK: usize = 16;
-/// Extra numbers between columns, so that they do not all fall into one cache set where N is a power of two.
-const SKEW: usize = 8;
-/// Rows transformed together by one thread.
-const ROWS: usize = 8;
-
-/// Plans, symbol and buffers of the filter for one grid.
+/// The filter of one grid.
 pub struct PeriodicFilter {
-    size: usize,
     symbol: PeriodicSymbol,
-    /// The factor of each frequency of the quarter, and 1/N².
-    multipliers: Vec<f32>,
-    rows: Arc<dyn RealToComplex<f32>>,
-    rows_back: Arc<dyn ComplexToReal<f32>>,
-    columns: Arc<dyn Fft<f32>>,
-    columns_back: Arc<dyn Fft<f32>>,
-    /// Block b holds, row after row, the frequencies 16 b … 16 b + 15 of the transformed rows.
-    blocks: Vec<RwLock<Vec<Complex32>>>,
-    scratch: Vec<Mutex<Scratch>>,
+    transform: Transform,
+    largest_multiplier: f64,
 }
 
-/// What one thread needs beside the shared field.
-struct Scratch {
-    /// One row.
-    row: Vec<f32>,
-    /// The transforms of [`ROWS`] rows.
-    transformed: Vec<Complex32>,
-    /// The columns of one block, one after the other.
-    columns: Vec<Complex32>,
-    /// Space the transforms ask for.
-    transform: Vec<Complex32>,
+enum Transform {
+    Whole(Box<PlaneFilter>),
+    Quadrant(Box<QuadrantFilter>),
 }
 
 impl PeriodicFilter {
-    pub fn new(symbol: PeriodicSymbol) -> Self {
-        let size = symbol.size();
-        let half = size / 2 + 1;
-        let (mut real, mut complex) = (RealFftPlanner::new(), FftPlanner::new());
-        let (rows, rows_back) = (real.plan_fft_forward(size), real.plan_fft_inverse(size));
-        let columns = complex.plan_fft_forward(size);
-        let columns_back = complex.plan_fft_inverse(size);
-        let along_rows = rows.get_scratch_len().max(rows_back.get_scratch_len());
-        let along_columns = columns
-            .get_inplace_scratch_len()
-            .max(columns_back.get_inplace_scratch_len());
-        let scratch = || Scratch {
-            row: vec![0.0; size],
-            transformed: vec![Complex32::default(); ROWS * half],
-            columns: vec![Complex32::default(); BLOCK * (size + SKEW)],
-            transform: vec![Complex32::default(); along_rows.max(along_columns)],
-        };
-        let widths = (0..half)
-            .step_by(BLOCK)
-            .map(|first| BLOCK.min(half - first));
+    /// For fields on a sector of the symbol's grid.
+    pub fn new(symbol: PeriodicSymbol, sector: Sector) -> Self {
+        let size = symbol.size() / sector.parts();
         Self {
-            size,
-            multipliers: vec![0.0; half * half],
-            rows,
-            rows_back,
-            columns,
-            columns_back,
-            blocks: widths
-                .map(|width| RwLock::new(vec![Complex32::default(); size * width]))
-                .collect(),
-            scratch: (0..rayon::current_num_threads())
-                .map(|_| Mutex::new(scratch()))
-                .collect(),
+            transform: match sector {
+                Sector::Whole => Transform::Whole(Box::new(PlaneFilter::new(size))),
+                Sector::Quadrant => Transform::Quadrant(Box::new(QuadrantFilter::new(size))),
+            },
             symbol,
+            largest_multiplier: 0.0,
         }
     }
 
-    /// The scratch of the calling thread of the pool.
-    fn scratch(&self) -> MutexGuard<'_, Scratch> {
-        let thread = rayon::current_thread_index().unwrap_or(0);
-        let scratch = &self.scratch[thread % self.scratch.len()];
-        scratch.lock().unwrap_or_else(PoisonError::into_inner)
+    /// Takes `multiplier(symbol)` as the factor of every frequency from now on.
+    pub fn multiply_by(&mut self, multiplier: impl Fn(f64) -> f64 + Sync) {
+        let quarter = self.symbol.quarter();
+        let multipliers = quarter.iter().map(|symbol| multiplier(*symbol));
+        self.largest_multiplier = multipliers.fold(0.0, f64::max);
+        let (symbol, largest) = (&self.symbol, self.largest_multiplier);
+        let relative = |frequency| narrow(multiplier(symbol.value(frequency)) / largest);
+        match &mut self.transform {
+            Transform::Whole(filter) => filter.multiply_by(relative),
+            Transform::Quadrant(filter) => filter.multiply_by(relative),
+        }
     }
 
-    /// Takes `multiplier(symbol)` as the factor of every frequency from now on; returns the largest, which the results are in units of.
-    pub fn multiply_by(&mut self, multiplier: impl Fn(f64) -> f64 + Sync) -> f64 {
-        let largest = self
-            .symbol
-            .quarter()
-            .iter()
-            .map(|symbol| multiplier(*symbol));
-        let largest = largest.fold(0.0, f64::max);
-        let scale = 1.0 / (largest * (self.size * self.size) as f64);
-        let factors = self.multipliers.par_iter_mut();
-        factors
-            .zip(self.symbol.quarter())
-            .for_each(|(factor, symbol)| *factor = narrow(multiplier(*symbol) * scale));
-        largest
-    }
-
-    /// `field ← F⁻¹ multiplier F field`, in place; N² values.
-    pub fn apply(&mut self, field: &mut [f64], largest_multiplier: f64) {
+    /// `field ← F⁻¹ multiplier F field`, in place.
+    pub fn apply(&mut self, field: &mut [f64]) {
         let largest = by_parts(field.len(), |part| {
             field[part]
                 .iter()
@@ -118,110 +61,46 @@ impl PeriodicFilter {
         if largest == 0.0 {
             return;
         }
-        let groups = field.par_chunks(ROWS * self.size).enumerate();
-        groups.for_each(|(group, rows)| self.transform_rows(group * ROWS, rows, 1.0 / largest));
-        self.filter_columns();
-        let scale = largest * largest_multiplier;
-        let groups = field.par_chunks_mut(ROWS * self.size).enumerate();
-        groups.for_each(|(group, rows)| self.restore_rows(group * ROWS, rows, scale));
-    }
-
-    /// Transforms up to [`ROWS`] rows, the first of which is `first`.
-    fn transform_rows(&self, first: usize, field: &[f64], scale: f64) {
-        let (size, half) = (self.size, self.size / 2 + 1);
-        let mut scratch = self.scratch();
-        let scratch = &mut *scratch;
-        let rows = scratch.transformed.chunks_exact_mut(half);
-        for (values, transformed) in field.chunks_exact(size).zip(rows) {
-            for (single, value) in scratch.row.iter_mut().zip(values) {
-                *single = narrow(value * scale);
-            }
-            let space = &mut scratch.transform[..self.rows.get_scratch_len()];
-            let done = (self.rows).process_with_scratch(&mut scratch.row, transformed, space);
-            debug_assert!(done.is_ok(), "buffers have the plan's own lengths");
-        }
-        for (index, block) in self.blocks.iter().enumerate() {
-            let mut block = block.write().unwrap_or_else(PoisonError::into_inner);
-            let width = block.len() / size;
-            let rows = block.chunks_exact_mut(width).skip(first);
-            let transformed = scratch.transformed.chunks_exact(half);
-            for (stretch, row) in rows.zip(transformed).take(field.len() / size) {
-                stretch.copy_from_slice(&row[index * BLOCK..index * BLOCK + width]);
-            }
+        let (scale, scale_back) = (1.0 / largest, largest * self.largest_multiplier);
+        match &mut self.transform {
+            Transform::Whole(filter) => filter.apply(field, scale, scale_back),
+            Transform::Quadrant(filter) => filter.apply(field, scale, scale_back),
         }
     }
 
-    /// Transforms the columns, multiplies, transforms back.
-    fn filter_columns(&mut self) {
-        let mut blocks = std::mem::take(&mut self.blocks);
-        let of_blocks = blocks.par_iter_mut().enumerate();
-        of_blocks.for_each(|(index, block)| {
-            let block = block.get_mut().unwrap_or_else(PoisonError::into_inner);
-            self.filter_block(index * BLOCK, block);
-        });
-        self.blocks = blocks;
-    }
-
-    /// The same for the columns of one block, the first of which has the frequency `first`.
-    fn filter_block(&self, first: usize, block: &mut [Complex32]) {
-        let (size, half) = (self.size, self.size / 2 + 1);
-        let (width, pitch) = (block.len() / size, size + SKEW);
-        let mut scratch = self.scratch();
-        let Scratch {
-            columns, transform, ..
-        } = &mut *scratch;
-        for (i, row) in block.chunks_exact(width).enumerate() {
-            for (c, value) in row.iter().enumerate() {
-                columns[c * pitch + i] = *value;
+    /// What the filter of `multiplier(symbol)` on the whole periodic grid answers a unit with, at the offsets below `REACH` along both axes:
+    /// `F_mn = N⁻² Σ_ij multiplier cos(2πim/N) cos(2πjn/N)`.
+    pub fn answers<const REACH: usize>(
+        &self,
+        multiplier: impl Fn(f64) -> f64 + Sync,
+    ) -> [[f64; REACH]; REACH] {
+        let size = self.symbol.size();
+        let half = size / 2 + 1;
+        // Each of the quarter's frequencies stands for its mirror images, the ends of the range for themselves.
+        let wave = |i: usize| {
+            let images = if i == 0 || 2 * i == size { 1.0 } else { 2.0 };
+            let cosine = |m: usize| (TAU * (i * m % size) as f64 / size as f64).cos();
+            std::array::from_fn(|m| images / size as f64 * cosine(m))
+        };
+        let waves: Vec<[f64; REACH]> = (0..half).map(wave).collect();
+        let rows = self.symbol.quarter().par_chunks_exact(half);
+        let along: Vec<[f64; REACH]> = rows
+            .map(|row| {
+                let mut sums = [0.0; REACH];
+                for (symbol, wave) in row.iter().zip(&waves) {
+                    let multiplier = multiplier(*symbol);
+                    (sums.iter_mut().zip(wave)).for_each(|(sum, w)| *sum += multiplier * w);
+                }
+                sums
+            })
+            .collect();
+        let mut answers = [[0.0; REACH]; REACH];
+        for (wave, along) in waves.iter().zip(&along) {
+            for (row, w) in answers.iter_mut().zip(wave) {
+                (row.iter_mut().zip(along)).for_each(|(answer, sum)| *answer += w * sum);
             }
         }
-        let factors = self.multipliers.chunks_exact(half).skip(first);
-        let of_columns = columns.chunks_exact_mut(pitch).zip(factors);
-        for (column, factors) in of_columns.take(width) {
-            let column = &mut column[..size];
-            self.columns.process_with_scratch(column, transform);
-            let (rising, falling) = column.split_at_mut(half);
-            let mirrored = factors[1..=size - half].iter().rev();
-            let pairs = rising.iter_mut().zip(factors);
-            let pairs = pairs.chain(falling.iter_mut().zip(mirrored));
-            pairs.for_each(|(value, factor)| *value *= factor);
-            self.columns_back.process_with_scratch(column, transform);
-        }
-        for (i, row) in block.chunks_exact_mut(width).enumerate() {
-            for (c, value) in row.iter_mut().enumerate() {
-                *value = columns[c * pitch + i];
-            }
-        }
-    }
-
-    /// Transforms up to [`ROWS`] rows back, the first of which is `first`.
-    fn restore_rows(&self, first: usize, field: &mut [f64], scale: f64) {
-        let (size, half) = (self.size, self.size / 2 + 1);
-        let mut scratch = self.scratch();
-        let scratch = &mut *scratch;
-        for (index, block) in self.blocks.iter().enumerate() {
-            let block = block.read().unwrap_or_else(PoisonError::into_inner);
-            let width = block.len() / size;
-            let rows = block.chunks_exact(width).skip(first);
-            let transformed = scratch.transformed.chunks_exact_mut(half);
-            for (stretch, row) in rows.zip(transformed).take(field.len() / size) {
-                row[index * BLOCK..index * BLOCK + width].copy_from_slice(stretch);
-            }
-        }
-        let rows = scratch.transformed.chunks_exact_mut(half);
-        for (values, transformed) in field.chunks_exact_mut(size).zip(rows) {
-            // Real up to rounding; the plan wants it exact.
-            transformed[0].im = 0.0;
-            if size.is_multiple_of(2) {
-                transformed[size / 2].im = 0.0;
-            }
-            let space = &mut scratch.transform[..self.rows_back.get_scratch_len()];
-            let done = (self.rows_back).process_with_scratch(transformed, &mut scratch.row, space);
-            debug_assert!(done.is_ok(), "buffers have the plan's own lengths");
-            for (value, single) in values.iter_mut().zip(&scratch.row) {
-                *value = f64::from(*single) * scale;
-            }
-        }
+        answers
     }
 }
 
@@ -231,4 +110,62 @@ impl PeriodicFilter {
 )]
 fn narrow(value: f64) -> f32 {
     value as f32
+}
+
+#[cfg(test)]
+mod tests {
+    use pellicle_influence::PeriodicSymbol;
+    use pellicle_kernel::{Foundation, Material};
+
+    use super::PeriodicFilter;
+    use crate::sector::Sector;
+
+    fn filter(size: usize, sector: Sector) -> PeriodicFilter {
+        let foundation = Foundation::half_space(Material::new(1.0, 0.0).unwrap());
+        PeriodicFilter::new(PeriodicSymbol::new(&foundation, 0.5, size), sector)
+    }
+
+    fn reciprocal(symbol: f64) -> f64 {
+        1.0 / (symbol + 0.3)
+    }
+
+    #[test]
+    fn the_answers_are_those_to_a_unit() {
+        for size in [8, 15, 64] {
+            let mut filter = filter(size, Sector::Whole);
+            filter.multiply_by(reciprocal);
+            let mut unit = vec![0.0; size * size];
+            unit[0] = 1.0;
+            filter.apply(&mut unit);
+            let answers = filter.answers::<4>(reciprocal);
+            for (m, row) in answers.iter().enumerate() {
+                for (n, answer) in row.iter().enumerate() {
+                    // Single precision of an answer of order 1.
+                    assert!((answer - unit[m * size + n]).abs() < 1e-6, "{size} {m} {n}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_quadrant_is_filtered_as_the_whole_field_is() {
+        for half in [4, 9, 32] {
+            let part: Vec<f64> = (0..half * half).map(|e| (0.7 * e as f64).sin()).collect();
+            let mut whole = Sector::Quadrant.unfold(part.clone(), 2 * half);
+            let mut quadrant = part;
+            for (field, sector) in [
+                (&mut whole, Sector::Whole),
+                (&mut quadrant, Sector::Quadrant),
+            ] {
+                let mut filter = filter(2 * half, sector);
+                filter.multiply_by(reciprocal);
+                filter.apply(field);
+            }
+            let quadrant = Sector::Quadrant.unfold(quadrant, 2 * half);
+            for (one, other) in whole.iter().zip(&quadrant) {
+                // Single precision of answers of order 1.
+                assert!((one - other).abs() < 2e-6, "{half}");
+            }
+        }
+    }
 }

@@ -64,11 +64,12 @@ impl Preconditioner {
         let inverse = match problem.elasticity() {
             None => Inverse::Identity,
             Some(elasticity) => {
-                let symbol = elasticity.symbol(problem.size());
+                let sector = problem.sector();
+                let symbol = elasticity.symbol(sector.parts() * problem.size());
                 if is_stiff(&symbol) {
                     factor(problem, NEIGHBOURS).unwrap_or(Inverse::Identity)
                 } else {
-                    Inverse::Filter(Box::new(RestrictedFilter::new(symbol)))
+                    Inverse::Filter(Box::new(RestrictedFilter::new(symbol, sector)))
                 }
             }
         };
@@ -192,8 +193,8 @@ impl Preconditioner {
 
 fn factor(problem: &DiscreteProblem, neighbours: usize) -> Option<Inverse> {
     let elasticity = problem.elasticity()?.clone();
-    let (size, compliance) = (problem.size(), problem.relief_compliance());
-    let factor = SparseFactor::new(elasticity, size, compliance, neighbours);
+    let (grid, compliance) = (problem.everywhere(), problem.relief_compliance());
+    let factor = SparseFactor::new(elasticity, &grid, compliance, neighbours);
     Some(Inverse::Factor(Box::new(factor)))
 }
 

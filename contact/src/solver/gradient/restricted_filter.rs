@@ -16,7 +16,10 @@
 use pellicle_influence::PeriodicSymbol;
 
 use super::{edge_band::EdgeBand, periodic_filter::PeriodicFilter, working_set::WorkingSet};
-use crate::vector::{by_parts, update};
+use crate::{
+    sector::Sector,
+    vector::{by_parts, update},
+};
 
 /// Filters are made for mean compliances in this ratio, and serve those around.
 const MEAN_RATIO: f64 = 1.1;
@@ -24,8 +27,6 @@ const MEAN_RATIO: f64 = 1.1;
 /// The restricted inverse on one grid.
 pub struct RestrictedFilter {
     filter: PeriodicFilter,
-    /// Unit of the filter's results.
-    largest_multiplier: f64,
     /// Response to the shortest wave, the unit of mean compliances.
     shortest: f64,
     /// `η̄` that the filter is made for; NaN before the first.
@@ -37,15 +38,15 @@ pub struct RestrictedFilter {
 }
 
 impl RestrictedFilter {
-    pub fn new(symbol: PeriodicSymbol) -> Self {
-        let size = symbol.size();
+    /// For a sector of the symbol's grid.
+    pub fn new(symbol: PeriodicSymbol, sector: Sector) -> Self {
+        let size = symbol.size() / sector.parts();
         Self {
-            shortest: symbol.value([size / 2; 2]),
-            filter: PeriodicFilter::new(symbol),
-            largest_multiplier: 1.0,
+            shortest: symbol.value([symbol.size() / 2; 2]),
+            filter: PeriodicFilter::new(symbol, sector),
             mean_compliance: f64::NAN,
             flank: vec![1.0; size * size],
-            band: EdgeBand::new(size),
+            band: EdgeBand::new(size, sector),
             answer: vec![0.0; size * size],
         }
     }
@@ -61,12 +62,11 @@ impl RestrictedFilter {
 
     fn tune(&mut self, mean: f64, relief_compliance: &[f64]) {
         self.mean_compliance = mean;
-        self.largest_multiplier = self.filter.multiply_by(|symbol| 1.0 / (symbol + mean));
-        self.answer.fill(0.0);
-        self.answer[0] = 1.0;
-        self.filter.apply(&mut self.answer, self.largest_multiplier);
-        self.band.take_coefficients(&self.answer);
-        let both = 1.0 / self.answer[0];
+        let multiplier = |symbol: f64| 1.0 / (symbol + mean);
+        self.filter.multiply_by(multiplier);
+        let answers = self.filter.answers(multiplier);
+        self.band.take_coefficients(&answers);
+        let both = 1.0 / answers[0][0];
         let own = both - mean;
         update(&mut self.flank, relief_compliance, |s, eta| {
             *s = (both / (own + eta)).sqrt().sqrt();
@@ -78,10 +78,10 @@ impl RestrictedFilter {
         update(residual, &self.flank, |r, s| *r *= s);
         if !self.band.is_empty() {
             self.answer.copy_from_slice(residual);
-            self.filter.apply(&mut self.answer, self.largest_multiplier);
+            self.filter.apply(&mut self.answer);
             self.band.balance(&self.answer, residual);
         }
-        self.filter.apply(residual, self.largest_multiplier);
+        self.filter.apply(residual);
         set.clear_outside(residual);
         update(residual, &self.flank, |z, s| *z *= s);
     }
@@ -116,6 +116,7 @@ mod tests {
     use super::{super::control::Control, EdgeBand, RestrictedFilter};
     use crate::{
         DiscreteProblem,
+        sector::Sector,
         solver::gradient::{WorkingSet, tests::begun},
         vector::{add_scaled, dot},
     };
@@ -163,10 +164,10 @@ mod tests {
     fn with_the_band_it_all_but_inverts_the_system_on_separate_pillars() {
         let surface = surface();
         let set = set_of_pillars(&surface);
-        let mut filter = RestrictedFilter::new(surface.symbol(SIZE));
+        let mut filter = RestrictedFilter::new(surface.symbol(SIZE), Sector::Whole);
         filter.update(&set, &vec![0.0; SIZE * SIZE]);
         let with_band = miss(&mut filter, &surface, &set);
-        filter.band = EdgeBand::new(SIZE);
+        filter.band = EdgeBand::new(SIZE, Sector::Whole);
         let without = miss(&mut filter, &surface, &set);
         assert!(
             with_band < 0.03 && without > 0.08,

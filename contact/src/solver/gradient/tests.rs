@@ -13,8 +13,10 @@ use super::{
 };
 use crate::{
     DiscreteProblem, Load,
+    sector::Sector,
     solver::tests::{RIGID, SIZE, paraboloid, pillars, problem},
     vector::{add_scaled, dot, sum},
+    window::Window,
 };
 
 const ELEMENTS: usize = SIZE * SIZE;
@@ -276,21 +278,25 @@ fn a_set_touches_the_border_with_any_element_of_it() {
     let mut problem = problem([1.0, 0.1], paraboloid, RIGID);
     let control = Control::new(Load::Penetration(-1.0), problem.element_area());
     let last = SIZE - 1;
+    // Of the whole grid, and of a quadrant.
     for (i, j, touches) in [
-        (0, 9, true),
-        (9, 0, true),
-        (last, 9, true),
-        (9, last, true),
-        (0, 0, true),
-        (last, last, true),
-        (1, 1, false),
-        (last - 1, last - 1, false),
-        (9, 1, false),
+        (0, 9, [true, false]),
+        (9, 0, [true, false]),
+        (last, 9, [true; 2]),
+        (9, last, [true; 2]),
+        (0, 0, [true, false]),
+        (0, last, [true; 2]),
+        (last, last, [true; 2]),
+        (1, 1, [false; 2]),
+        (last - 1, last - 1, [false; 2]),
+        (9, 1, [false; 2]),
     ] {
         let mut pressure = [0.0; ELEMENTS];
         pressure[i * SIZE + j] = 1.0;
         let (_, set) = begun(&mut problem, control, &pressure);
         assert_eq!(set.len(), 1);
-        assert_eq!(set.touches_border(SIZE), touches, "{i} {j}");
+        let found = [Sector::Whole, Sector::Quadrant]
+            .map(|sector| set.touches_border(&Window::all_of(sector, SIZE)));
+        assert_eq!(found, touches, "{i} {j}");
     }
 }

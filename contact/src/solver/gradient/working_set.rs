@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::iterate::State;
-use crate::vector::update;
+use crate::{sector::Sector, vector::update, window::Window};
 
 /// Elements that one thread looks at together.
 const PART: usize = 1 << 14;
@@ -97,12 +97,17 @@ impl WorkingSet {
         });
     }
 
-    /// Whether an element of the set lies on the border of the grid of `size` elements per side.
-    pub fn touches_border(&self, size: usize) -> bool {
+    /// Whether an element of the set lies on the border of the grid, which a quadrant's axes are not.
+    pub fn touches_border(&self, grid: &Window) -> bool {
+        let size = grid.size();
         let last = size * (size - 1);
         (0..size).any(|i| {
-            let places = [i, last + i, i * size, i * size + size - 1];
-            places.into_iter().any(|e| self.mask[e])
+            let places = [last + i, i * size + size - 1, i, i * size];
+            let borders = match grid.sector() {
+                Sector::Whole => &places[..],
+                Sector::Quadrant => &places[..2],
+            };
+            borders.iter().any(|e| self.mask[*e])
         })
     }
 }

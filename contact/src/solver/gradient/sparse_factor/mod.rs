@@ -25,11 +25,16 @@ use self::{
     row::{LocalSystem, class},
 };
 use super::working_set::WorkingSet;
+use crate::{sector::Sector, window::Window};
 
 /// Stands for the row of an element outside the set.
 const OUTSIDE: u32 = u32::MAX;
 /// Places looked at for each neighbour wanted: an island's outermost elements find few nearby.
 const PLACES_PER_NEIGHBOUR: usize = 8;
+/// Elements, in units of the spacing of an element's level, from the axis of a quadrant within which mirror images count in a row.
+const NEAR_AXIS: u32 = 8;
+/// Numbers in a pattern before the neighbours.
+const HEAD: usize = 4;
 /// Rows beyond which all are forgotten, some 0.5 GB with 20 neighbours: a path of many loads meets ever new ones.
 const MOST_ROWS: usize = 1 << 20;
 /// Elements that look for their rows together: one part of a fixed length, for every number of threads.
@@ -38,6 +43,7 @@ const PART: usize = 1 << 12;
 /// The factor `G` on one grid's working set.
 pub struct SparseFactor {
     size: usize,
+    sector: Sector,
     neighbours: usize,
     elasticity: Arc<SurfaceElasticity>,
     /// Class of `η/K₀₀` of every element.
@@ -52,7 +58,8 @@ pub struct SparseFactor {
     product: Vec<f64>,
 }
 
-/// What decides a row: level and colour, the element's class, and of each neighbour the index of its offset and its class.
+/// What decides a row: level and colour, the element's class, its distance from the axes of a quadrant if they are near, and of each neighbour
+/// the index of its offset and its class.
 type Pattern = Box<[u32]>;
 
 /// A row of `G`.
@@ -63,17 +70,19 @@ struct Row {
 }
 
 impl SparseFactor {
-    /// A factor with `neighbours` entries a row beside the diagonal, for a grid of `size` elements per side.
+    /// A factor with `neighbours` entries a row beside the diagonal, for a grid.
     pub fn new(
         elasticity: Arc<SurfaceElasticity>,
-        size: usize,
+        grid: &Window,
         relief_compliance: &[f64],
         neighbours: usize,
     ) -> Self {
         let own = elasticity.coefficient([0, 0]);
         let places = PLACES_PER_NEIGHBOUR * neighbours;
+        let size = grid.size();
         Self {
             size,
+            sector: grid.sector(),
             neighbours,
             elasticity,
             classes: relief_compliance
@@ -135,6 +144,11 @@ impl SparseFactor {
         pattern.clear();
         pattern.push(COLOURS * level + colour);
         pattern.push(u32::from(self.classes[element]));
+        let near = match self.sector {
+            Sector::Whole => 0,
+            Sector::Quadrant => NEAR_AXIS << level,
+        };
+        pattern.extend([i, j].map(|along| along.unsigned_abs().min(near)));
         for (place, [x, y]) in (0..).zip(&self.offsets[colour as usize]) {
             let (Some(i), Some(j)) = (self.within(i, x << level), self.within(j, y << level))
             else {
@@ -143,7 +157,7 @@ impl SparseFactor {
             let neighbour = i * self.size + j;
             if mask[neighbour] {
                 pattern.push(place << 16 | u32::from(self.classes[neighbour]));
-                if pattern.len() == self.neighbours + 2 {
+                if pattern.len() == self.neighbours + HEAD {
                     return;
                 }
             }
@@ -162,13 +176,17 @@ impl SparseFactor {
         let offset = |entry: &u32| {
             self.offsets[colour as usize][(entry >> 16) as usize].map(|along| along << level)
         };
-        let places: Vec<[i32; 2]> = pattern[2..].iter().map(offset).collect();
-        let classes: Vec<u16> = pattern[2..].iter().map(|entry| class_in(*entry)).collect();
+        let (head, neighbours) = pattern.split_at(HEAD);
+        let places: Vec<[i32; 2]> = neighbours.iter().map(offset).collect();
+        let classes: Vec<u16> = neighbours.iter().map(|entry| class_in(*entry)).collect();
+        let to_axis = [head[2], head[3]].map(|along| (along < NEAR_AXIS << level).then_some(along));
+        let is_quadrant = self.sector == Sector::Quadrant;
         let mut values = LocalSystem {
             elasticity: &self.elasticity,
             places: &places,
             classes: &classes,
-            own_class: class_in(pattern[1]),
+            own_class: class_in(head[1]),
+            to_axis: to_axis.map(|along| along.filter(|_| is_quadrant)),
         }
         .row();
         let diagonal = values.pop().unwrap_or_default();

@@ -38,6 +38,8 @@ pub struct LocalSystem<'a> {
     pub classes: &'a [u16],
     /// Class of the element itself.
     pub own_class: u16,
+    /// Index of the element from each axis beyond which mirror images press too.
+    pub to_axis: [Option<u32>; 2],
 }
 
 impl LocalSystem<'_> {
@@ -87,11 +89,20 @@ impl LocalSystem<'_> {
     /// `(K + η)_ab`.
     fn entry(&self, a: usize, b: usize) -> f64 {
         let [p, q] = [a, b].map(|a| self.places.get(a).copied().unwrap_or_default());
-        let offset = [0, 1].map(|axis: usize| p[axis].abs_diff(q[axis]) as usize);
-        let elastic = self.elasticity.coefficient(offset);
+        let direct = [0, 1].map(|axis: usize| p[axis].abs_diff(q[axis]) as usize);
+        // The image of index j lies at −1 − j: i + j + 1 from the index i.
+        let mirrored = [0, 1].map(|axis: usize| {
+            let twice = 2 * i64::from(self.to_axis[axis]?) + 1;
+            usize::try_from(twice + i64::from(p[axis]) + i64::from(q[axis])).ok()
+        });
+        let along = |axis: usize| std::iter::once(direct[axis]).chain(mirrored[axis]);
+        let elastic: f64 = along(0)
+            .flat_map(|x| along(1).map(move |y| [x, y]))
+            .map(|offset| self.elasticity.coefficient(offset))
+            .sum();
         if a == b {
             let class = self.classes.get(a).copied().unwrap_or(self.own_class);
-            elastic * (1.0 + compliance_of(class))
+            elastic + self.elasticity.coefficient([0, 0]) * compliance_of(class)
         } else {
             elastic
         }
