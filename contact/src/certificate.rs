@@ -100,7 +100,8 @@ impl Solution {
         (solution, surface)
     }
 
-    /// Judges a pressure on a window of the grid, nought outside, which makes the product cheaper. The fields' memory is used again.
+    /// Judges a pressure on a window of the grid, nought outside, which makes the product cheaper; the solution's pressure is that on the window. The
+    /// fields' memory is used again.
     pub(crate) fn judge_within(
         problem: &mut DiscreteProblem,
         window: &Window,
@@ -139,7 +140,7 @@ impl Solution {
         Self {
             penetration,
             force,
-            pressure: window.spread(pressure),
+            pressure,
             certificate,
         }
     }

@@ -175,7 +175,7 @@ impl<'a> Hierarchy<'a> {
         let field = match &mut result {
             Ok(result) if is_finest => {
                 let pressure = std::mem::take(&mut result.solution.pressure);
-                result.solution.pressure = level.unfold(pressure);
+                result.solution.pressure = result.window.spread(pressure);
                 None
             }
             Ok(result) => Some(level.signed_field(result)),

@@ -48,7 +48,7 @@ pub enum Start<'a> {
 
 /// What one level ended with.
 pub struct LevelResult {
-    /// Its pressures are those of the level's sector.
+    /// Its pressures are those on the window.
     pub solution: Solution,
     /// Where its pressures lie.
     pub window: Window,
@@ -197,13 +197,13 @@ impl Level {
             if window.is_whole() || solution.certificate.overlap <= tolerance {
                 return Ok((solution, window, effort));
             }
-            let (p, g) = (&solution.pressure, &self.judged.gap);
-            let presses = |[i, j]: [usize; 2]| {
-                let e = i * everywhere.size() + j;
-                p[e] > 0.0 || g[e] < 0.0
+            let size = everywhere.size();
+            let wider = {
+                let presses = pressed(&window, &solution.pressure);
+                let overlaps = |[i, j]: [usize; 2]| self.judged.gap[i * size + j] < 0.0;
+                window.wider(everywhere.around(|e| presses(e) || overlaps(e), room))
             };
-            let wider = window.wider(everywhere.around(presses, room));
-            pressure = wider.cut(&solution.pressure);
+            pressure = wider.take_over(&window, &solution.pressure);
             window = wider;
         }
     }
@@ -235,11 +235,6 @@ impl Level {
         solver.solve(&mut self.problem, load, &start, watch)
     }
 
-    /// The pressure on the whole grid, of one on the level's sector.
-    pub fn unfold(&self, pressure: Vec<f64>) -> Vec<f64> {
-        self.problem.sector().unfold(pressure, self.size())
-    }
-
     /// Gives back the memory that only another load would need.
     pub fn release(&mut self) {
         self.problem.release_operator();
@@ -250,7 +245,7 @@ impl Level {
     pub fn signed_field(&self, result: &LevelResult) -> SignedField {
         let per_gap = PRESSURE_PER_GAP / self.elasticity.coefficient([0, 0]);
         let window = result.window.with_rim(NEIGHBOURS);
-        let mut values = window.cut(&result.solution.pressure);
+        let mut values = window.take_over(&result.window, &result.solution.pressure);
         let gaps = window.cut(&self.judged.gap);
         update(&mut values, &gaps, |value, gap| {
             if *value <= 0.0 {

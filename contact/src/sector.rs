@@ -47,25 +47,6 @@ impl Sector {
             }
         }
     }
-
-    /// The field on a grid of `size` elements per side that has this part, mirrored.
-    pub fn unfold(self, part: Vec<f64>, size: usize) -> Vec<f64> {
-        if self == Self::Whole {
-            return part;
-        }
-        let half = size / 2;
-        let mut field = vec![0.0; size * size];
-        let rows = field.par_chunks_exact_mut(size).enumerate();
-        rows.for_each(|(i, row)| {
-            let image = if i < half { half - 1 - i } else { i - half };
-            let values = &part[image * half..(image + 1) * half];
-            let (left, right) = row.split_at_mut(half);
-            right.copy_from_slice(values);
-            left.copy_from_slice(values);
-            left.reverse();
-        });
-        field
-    }
 }
 
 #[cfg(test)]
@@ -73,13 +54,10 @@ mod tests {
     use super::Sector;
 
     #[test]
-    fn a_quadrant_unfolds_to_four_images_and_is_cut_from_them_again() {
-        let part = vec![1.0, 2.0, 3.0, 4.0];
-        let whole = Sector::Quadrant.unfold(part.clone(), 4);
+    fn a_quadrant_is_cut_from_its_four_images() {
         let rows = [[4.0, 3.0, 3.0, 4.0], [2.0, 1.0, 1.0, 2.0]];
-        let expected = [rows[0], rows[1], rows[1], rows[0]].concat();
-        assert_eq!(whole, expected);
-        assert_eq!(Sector::Quadrant.cut(&whole, 4), part);
+        let whole = [rows[0], rows[1], rows[1], rows[0]].concat();
+        assert_eq!(Sector::Quadrant.cut(&whole, 4), [1.0, 2.0, 3.0, 4.0]);
         let images = [[0, 0], [0, 1], [1, 0], [1, 1]].map(|at| Sector::Quadrant.first_image(at, 4));
         let found = images.map(|[i, j]| whole.iter().position(|v| *v == whole[i * 4 + j]));
         assert_eq!(found, images.map(|[i, j]| Some(i * 4 + j)));
@@ -89,7 +67,6 @@ mod tests {
     fn the_whole_stays_as_it_is() {
         let field: Vec<f64> = (0..9).map(f64::from).collect();
         assert_eq!(Sector::Whole.cut(&field, 3), field);
-        assert_eq!(Sector::Whole.unfold(field.clone(), 3), field);
         assert_eq!(Sector::Whole.first_image([2, 1], 3), [2, 1]);
     }
 }

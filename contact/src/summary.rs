@@ -3,7 +3,6 @@
 use std::cmp::Ordering;
 
 use pellicle_texture::{Grid, SampledRelief};
-use rayon::prelude::*;
 
 use crate::{Solution, window::Window};
 
@@ -37,7 +36,7 @@ impl Summary {
         Self::within(&Window::whole(grid.size()), solution, grid, relief)
     }
 
-    /// The same where all pressures lie in a window.
+    /// The same of a solution on a window that holds all pressures.
     pub(crate) fn within(
         window: &Window,
         solution: &Solution,
@@ -59,9 +58,7 @@ impl Summary {
             }
             found
         };
-        let lines = (0..window.size()).into_par_iter();
-        let lines = lines.map(|line| of_line(line, window.line(&solution.pressure, line)));
-        let lines: Vec<Contact> = lines.collect();
+        let lines = window.by_lines(&solution.pressure, of_line);
         let Contact {
             largest: (max_pressure, largest),
             elements: contact_elements,

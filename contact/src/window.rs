@@ -254,13 +254,31 @@ impl Window {
         self.take_over(&self.everywhere(), field)
     }
 
-    /// The field of the grid that is `part` in the window and 0 outside.
+    /// The field of the whole grid that is `part` in the window and its mirror images, and 0 outside, where no memory is touched.
     pub fn spread(&self, part: Vec<f64>) -> Vec<f64> {
-        if self.is_whole() {
-            part
-        } else {
-            self.everywhere().take_over(self, &part)
+        match self.sector {
+            Sector::Whole if self.is_whole() => part,
+            Sector::Whole => self.everywhere().take_over(self, &part),
+            Sector::Quadrant => self.unfold(&part),
         }
+    }
+
+    /// The same of a window of a quadrant, which begins at the axis.
+    fn unfold(&self, part: &[f64]) -> Vec<f64> {
+        let (axis, width) = (self.grid, 2 * self.grid);
+        let mut field = vec![0.0; width * width];
+        let rows = field.par_chunks_exact_mut(width).enumerate();
+        let rows = rows.skip(axis - self.size).take(2 * self.size);
+        let rows = rows.with_min_len(ELEMENTS_PER_THREAD / self.size + 1);
+        rows.for_each(|(i, row)| {
+            let line = if i < axis { axis - 1 - i } else { i - axis };
+            let values = &part[line * self.size..(line + 1) * self.size];
+            let (left, right) = row.split_at_mut(axis);
+            right[..self.size].copy_from_slice(values);
+            let left = left.iter_mut().rev();
+            left.zip(values).for_each(|(left, value)| *left = *value);
+        });
+        field
     }
 
     /// The field on this window that is `part` where the other lies in it and 0 elsewhere.
@@ -319,6 +337,7 @@ mod tests {
     use std::collections::BTreeSet;
 
     use super::{Room, Window};
+    use crate::sector::Sector;
 
     #[test]
     fn a_window_holds_what_belongs_with_a_margin() {
@@ -335,6 +354,30 @@ mod tests {
         let border =
             |e: &usize| [0, last].contains(&(e / window.size())) || e.is_multiple_of(window.size());
         assert!((0..part.len()).filter(border).all(|e| part[e] == 0.0));
+    }
+
+    #[test]
+    fn a_quadrants_window_begins_at_the_axis_and_spreads_to_four_images() {
+        let everywhere = Window::all_of(Sector::Quadrant, 100);
+        let window = everywhere.around(|[i, j]| i == 20 && j == 7, Room::ForOne);
+        assert!(window.origin() == [0, 0] && (24..=27).contains(&window.size()));
+        assert_eq!(window.grown().origin(), [0, 0]);
+        assert!(
+            window
+                .on_finer(|[i, j]| i == 3 && j == 2, 200)
+                .unwrap()
+                .size()
+                == 10
+        );
+        let size = window.size();
+        let part: Vec<f64> = (0..size * size).map(|e| 1.0 + e as f64).collect();
+        let whole = window.spread(part.clone());
+        for (e, found) in whole.iter().enumerate() {
+            let [i, j] = [e / 200, e % 200].map(|i| if i < 100 { 99 - i } else { i - 100 });
+            let expected = window.place([i, j]).map_or(0.0, |place| part[place]);
+            assert_eq!(*found, expected);
+        }
+        assert_eq!(window.cut(&Sector::Quadrant.cut(&whole, 200)), part);
     }
 
     #[test]

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 
 use super::{
     iterate::State,
-    preconditioner::{Preconditioner, Projection, residual_into},
+    preconditioner::{Preconditioner, residual_into},
     segment::{Part, Segment},
     working_set::WorkingSet,
 };
@@ -127,7 +127,7 @@ impl ConjugateDirections {
         image: &mut [f64],
     ) -> f64 {
         let z = &mut self.preconditioned;
-        preconditioner.direction_into(problem, state, set, Projection::Orthogonal, z);
+        preconditioner.direction_into(problem, state, set, z);
         // r·z, with r = D − v; z sums to zero or D is prescribed.
         let product = -state.control.slope(&self.preconditioned, &state.v);
         let beta = if self.running {

@@ -118,7 +118,7 @@ mod tests {
     use pellicle_kernel::{Foundation, Material};
 
     use super::PeriodicFilter;
-    use crate::sector::Sector;
+    use crate::{sector::Sector, window::Window};
 
     fn filter(size: usize, sector: Sector) -> PeriodicFilter {
         let foundation = Foundation::half_space(Material::new(1.0, 0.0).unwrap());
@@ -151,7 +151,8 @@ mod tests {
     fn a_quadrant_is_filtered_as_the_whole_field_is() {
         for half in [4, 9, 32] {
             let part: Vec<f64> = (0..half * half).map(|e| (0.7 * e as f64).sin()).collect();
-            let mut whole = Sector::Quadrant.unfold(part.clone(), 2 * half);
+            let everywhere = Window::all_of(Sector::Quadrant, half);
+            let mut whole = everywhere.spread(part.clone());
             let mut quadrant = part;
             for (field, sector) in [
                 (&mut whole, Sector::Whole),
@@ -161,7 +162,7 @@ mod tests {
                 filter.multiply_by(reciprocal);
                 filter.apply(field);
             }
-            let quadrant = Sector::Quadrant.unfold(quadrant, 2 * half);
+            let quadrant = everywhere.spread(quadrant);
             for (one, other) in whole.iter().zip(&quadrant) {
                 // Single precision of answers of order 1.
                 assert!((one - other).abs() < 2e-6, "{half}");

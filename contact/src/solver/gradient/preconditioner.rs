@@ -40,23 +40,12 @@ enum Inverse {
     Factor(Box<SparseFactor>),
 }
 
-/// `w = M⁻¹_I 1`.
+/// `w = M⁻¹_I 1`, cut to the sets met since it was made, which spares an application of the inverse for each and not one product.
 struct Even {
     values: Vec<f64>,
     total: f64,
     /// The total on the set that it was made for.
     exact_total: f64,
-    /// Whether that is the present set.
-    is_exact: bool,
-}
-
-/// How exactly a direction is to keep the total.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Projection {
-    /// Orthogonal in the preconditioner's inner product, as conjugate directions need it.
-    Orthogonal,
-    /// Along the `w` of a set before, which spares an application of the inverse for every set met.
-    Oblique,
 }
 
 impl Preconditioner {
@@ -80,7 +69,6 @@ impl Preconditioner {
                 values: vec![0.0; problem.elements()],
                 total: 0.0,
                 exact_total: 0.0,
-                is_exact: false,
             },
             is_current: false,
         }
@@ -130,17 +118,15 @@ impl Preconditioner {
             Inverse::Filter(filter) => filter.update(set, problem.relief_compliance()),
             Inverse::Factor(factor) => factor.update(set),
         }
-        self.even.is_exact = false;
         self.is_current = true;
         set.clear_outside(&mut self.even.values);
         self.even.total = sum(&self.even.values);
     }
 
-    fn refresh(&mut self, problem: &DiscreteProblem, set: &WorkingSet, projection: Projection) {
+    fn refresh(&mut self, problem: &DiscreteProblem, set: &WorkingSet) {
         self.follow(problem, set);
         let most_is_there = self.even.total > self.even.exact_total / 2.0;
-        let will_do = projection == Projection::Oblique && most_is_there;
-        if !(self.even.is_exact || will_do) {
+        if !most_is_there {
             let mut values = std::mem::take(&mut self.even.values);
             values.fill(1.0);
             self.apply(set, &mut values);
@@ -149,7 +135,6 @@ impl Preconditioner {
                 values,
                 total,
                 exact_total: total,
-                is_exact: true,
             };
         }
     }
@@ -171,10 +156,9 @@ impl Preconditioner {
         problem: &DiscreteProblem,
         state: &State,
         set: &WorkingSet,
-        projection: Projection,
         z: &mut [f64],
     ) -> f64 {
-        self.refresh(problem, set, projection);
+        self.refresh(problem, set);
         update(z, &state.v, |z, v| *z = state.penetration - v);
         self.apply(set, z);
         if !state.keeps_total() {
@@ -185,7 +169,7 @@ impl Preconditioner {
         state.penetration - shift
     }
 
-    /// `w = M⁻¹_I 1` of the last direction.
+    /// `w = M⁻¹_I 1` as the last direction took it.
     pub fn even(&self) -> &[f64] {
         &self.even.values
     }

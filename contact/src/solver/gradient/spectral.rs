@@ -6,7 +6,7 @@
 
 use super::{
     iterate::State,
-    preconditioner::{Preconditioner, Projection, residual_into},
+    preconditioner::{Preconditioner, residual_into},
     projection::project,
     segment::{Part, Segment},
     working_set::WorkingSet,
@@ -63,13 +63,7 @@ impl SpectralSteps {
     ) -> Part {
         self.remember_energy(state.energy());
         std::mem::swap(&mut self.direction, &mut self.direction_before);
-        let level = preconditioner.direction_into(
-            problem,
-            state,
-            set,
-            Projection::Oblique,
-            &mut self.direction,
-        );
+        let level = preconditioner.direction_into(problem, state, set, &mut self.direction);
         let alpha = self.alpha(level, preconditioner.even(), segment);
         self.before = Some(level);
         segment.clip(state, alpha, &self.direction);

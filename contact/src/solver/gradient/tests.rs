@@ -7,7 +7,7 @@ use super::{
     control::Control,
     iterate::State,
     newton::{Newton, Turn},
-    preconditioner::{Preconditioner, Projection},
+    preconditioner::Preconditioner,
     segment::{Part, Segment},
     working_set::WorkingSet,
 };
@@ -121,7 +121,7 @@ fn distance_from_inverse(problem: &mut DiscreteProblem, times: usize) -> f64 {
     let mut preconditioner = Preconditioner::new(problem);
     assert!(preconditioner.turn_to_factor(problem, times));
     let mut z = vec![0.0; ELEMENTS];
-    preconditioner.direction_into(problem, &state, &set, Projection::Orthogonal, &mut z);
+    preconditioner.direction_into(problem, &state, &set, &mut z);
     problem.deform_into(&state.pressure, &mut z);
     preconditioner.apply(&set, &mut z);
     let errors = z.iter().zip(&state.pressure).map(|(z, p)| (z - p).abs());
@@ -159,7 +159,7 @@ fn on_all_elements_the_filter_divides_a_wave_by_its_symbol() {
     assert_eq!(set.len(), ELEMENTS);
     let mut preconditioner = Preconditioner::new(&problem);
     let mut z = vec![0.0; ELEMENTS];
-    preconditioner.direction_into(&problem, &state, &set, Projection::Orthogonal, &mut z);
+    preconditioner.direction_into(&problem, &state, &set, &mut z);
     for [a, b] in [[0, 1], [3, 0], [2, 5], [16, 16], [7, 16]] {
         let wave = |e: usize| {
             let phase = a * (e / SIZE) + b * (e % SIZE);
