@@ -41,18 +41,8 @@ impl Model {
     pub fn sample(&self, side: f64, size: usize) -> Result<SampledModel, ContactError> {
         let grid = Grid::new(side, size)?;
         let relief = self.relief.sample(&grid);
-        let is_mirrored = self.indenter.is_mirrored();
-        let height = |e: usize| {
-            let centre = [grid.centre(e / size), grid.centre(e % size)];
-            // To the last bit the same on both sides.
-            let [x, y] = if is_mirrored {
-                centre.map(f64::abs)
-            } else {
-                centre
-            };
-            self.indenter.height(x, y)
-        };
-        let indenter_profile = (0..grid.len()).into_par_iter().map(height).collect();
+        let indenter = &self.indenter;
+        let indenter_profile = grid.sample(indenter.is_mirrored(), |[x, y]| indenter.height(x, y));
         Ok(SampledModel {
             grid,
             relief,

@@ -9,6 +9,9 @@ use rustfft::num_complex::Complex64;
 
 use crate::coefficient_table::CoefficientTable;
 
+/// Lines transformed together.
+const LINES: usize = 8;
+
 /// A quarter, (M+1) × (M+1) values, of the real, even, symmetric L × L spectrum.
 #[derive(Clone, Debug)]
 pub(crate) struct Spectrum {
@@ -22,27 +25,16 @@ impl Spectrum {
     /// The spectrum of the coefficients of `size` × `size` offsets, no more than `half` + 1 along a side, embedded in 2`half` × 2`half`, divided by the number of padded elements, which is the factor an unnormalised forward
     /// and inverse transform leave behind.
     pub(crate) fn new(table: &CoefficientTable, size: usize, half: usize) -> Self {
-        let line = EvenTransform::new(half);
-        let mut along = vec![0.0; size * (half + 1)];
-        let rows = along.par_chunks_exact_mut(half + 1).enumerate();
-        rows.for_each(|(m, row)| line.transform(|n| table.coefficient([m, n]), size, row));
-        let mut values = vec![0.0; (half + 1).pow(2)];
-        let columns = values.par_chunks_exact_mut(half + 1).enumerate();
-        columns.for_each(|(frequency, column)| {
-            line.transform(|m| along[m * (half + 1) + frequency], size, column);
+        let lines = EvenTransform::new(half);
+        let coefficient = |[m, n]: [usize; 2]| table.coefficient([m, n]);
+        let along = lines.transform(size, size, coefficient, |frequency| frequency);
+        let entry = |[frequency, m]: [usize; 2]| along[m * (half + 1) + frequency];
+        let mut values = lines.transform(half + 1, size, entry, |frequency| {
+            // Even frequencies before odd ones.
+            frequency / 2 + frequency % 2 * (half / 2 + 1)
         });
         let factor = 1.0 / (4 * half * half) as f64;
-        let columns = values.par_chunks_exact_mut(half + 1);
-        columns.for_each_init(
-            || vec![0.0; half + 1],
-            |sorted, column| {
-                let evens_and_odds = (0..=half).step_by(2).chain((1..=half).step_by(2));
-                for (value, frequency) in sorted.iter_mut().zip(evens_and_odds) {
-                    *value = factor * column[frequency];
-                }
-                column.copy_from_slice(sorted);
-            },
-        );
+        values.par_iter_mut().for_each(|value| *value *= factor);
         Self { half, values }
     }
 
@@ -66,21 +58,66 @@ impl EvenTransform {
         Self { half, forward }
     }
 
-    /// Writes the M+1 values for the sequence `entry(0) … entry(length−1)`, 0 beyond, mirrored.
-    fn transform(&self, entry: impl Fn(usize) -> f64, length: usize, result: &mut [f64]) {
-        let mut sequence = self.forward.make_input_vec();
-        for position in 0..length {
-            let value = entry(position);
-            sequence[position] = value;
-            sequence[(2 * self.half - position) % (2 * self.half)] = value;
-        }
-        let mut transformed = vec![Complex64::default(); self.half + 1];
-        let outcome = self.forward.process(&mut sequence, &mut transformed);
-        debug_assert!(outcome.is_ok(), "the buffers come from the plan");
-        for (value, complex) in result.iter_mut().zip(&transformed) {
-            *value = complex.re;
-        }
+    /// The M+1 values of each of `count` lines, of which line i begins with `entry([i, 0])` … `entry([i, length−1])`, is 0 beyond and is mirrored; each
+    /// frequency at its place.
+    ///
+    /// A few lines are taken together, because their entries lie side by side in the memory.
+    fn transform(
+        &self,
+        count: usize,
+        length: usize,
+        entry: impl Fn([usize; 2]) -> f64 + Sync,
+        place: impl Fn(usize) -> usize + Sync,
+    ) -> Vec<f64> {
+        let (period, width) = (2 * self.half, self.half + 1);
+        let mut results = vec![0.0; count * width];
+        let groups = results.par_chunks_mut(LINES * width).enumerate();
+        groups.for_each_init(
+            || Buffers {
+                lines: vec![0.0; LINES * period],
+                transformed: self.forward.make_output_vec(),
+                scratch: self.forward.make_scratch_vec(),
+            },
+            |buffers, (group, results)| {
+                let Buffers {
+                    lines,
+                    transformed,
+                    scratch,
+                } = buffers;
+                lines.fill(0.0);
+                let first = group * LINES;
+                let indices = first..(first + LINES).min(count);
+                for position in 0..length {
+                    for (line, index) in lines.chunks_exact_mut(period).zip(indices.clone()) {
+                        line[position] = entry([index, position]);
+                    }
+                }
+                let results = results.chunks_exact_mut(width);
+                for (line, result) in lines.chunks_exact_mut(period).zip(results) {
+                    let (rising, falling) = line.split_at_mut(width);
+                    let mirrored = rising[1..length.min(self.half)].iter();
+                    for (to, value) in falling.iter_mut().rev().zip(mirrored) {
+                        *to = *value;
+                    }
+                    let outcome = self
+                        .forward
+                        .process_with_scratch(line, transformed, scratch);
+                    debug_assert!(outcome.is_ok(), "the buffers come from the plan");
+                    for (frequency, value) in transformed.iter().enumerate() {
+                        result[place(frequency)] = value.re;
+                    }
+                }
+            },
+        );
+        results
     }
+}
+
+/// What one thread needs.
+struct Buffers {
+    lines: Vec<f64>,
+    transformed: Vec<Complex64>,
+    scratch: Vec<Complex64>,
 }
 
 #[cfg(test)]

@@ -1,5 +1,7 @@
 //! The square domain Ω* cut into N × N square elements.
 
+use rayon::prelude::*;
+
 use crate::error::{Quantity, TextureError, positive};
 
 /// A square domain centred on the origin, cut into N × N square elements of side `h = 2a`.
@@ -74,6 +76,35 @@ impl Grid {
         ((2 * i + 1) as f64 - self.size as f64) * (0.5 * self.element_side())
     }
 
+    /// A function of the point at the centres of all elements; of one that is its own mirror image in both axes at those of a quadrant, from which the others
+    /// are copied to the last bit.
+    pub fn sample<T: Copy + Default + Send + Sync>(
+        &self,
+        is_mirrored: bool,
+        function: impl Fn([f64; 2]) -> T + Sync,
+    ) -> Vec<T> {
+        let size = self.size;
+        let mut field = vec![T::default(); self.len()];
+        let first = if is_mirrored { size / 2 } else { 0 };
+        let (copied, sampled) = field.split_at_mut(first * size);
+        let rows = sampled.par_chunks_exact_mut(size).zip(first..size);
+        rows.for_each(|(row, i)| {
+            let (copied, sampled) = row.split_at_mut(first);
+            for (value, j) in sampled.iter_mut().zip(first..size) {
+                *value = function([self.centre(i), self.centre(j)]);
+            }
+            for (value, image) in copied.iter_mut().zip(sampled.iter().rev()) {
+                *value = *image;
+            }
+        });
+        // Row i is row N − 1 − i: of an odd N the middle one is its own.
+        let rows = copied.par_chunks_exact_mut(size).rev();
+        let images = sampled.par_chunks_exact(size).skip(size % 2);
+        rows.zip(images)
+            .for_each(|(row, image)| row.copy_from_slice(image));
+        field
+    }
+
     /// Centres `[x, y]` of all elements in the order of their index `i * N + j`.
     pub fn centres(&self) -> impl Iterator<Item = [f64; 2]> + '_ {
         (0..self.size)
@@ -104,6 +135,21 @@ mod tests {
         let centres: Vec<_> = grid.centres().collect();
         assert_eq!(centres.len(), grid.len());
         assert_eq!(centres[4 + 3], [-0.25, 0.75]);
+    }
+
+    #[test]
+    fn a_mirrored_function_is_sampled_as_any_other() {
+        for size in [1, 2, 5, 8] {
+            let grid = Grid::new(3.0, size).unwrap();
+            let mirrored = |[x, y]: [f64; 2]| x * x + 2.0 * y.abs();
+            let expected: Vec<f64> = grid.centres().map(mirrored).collect();
+            for is_mirrored in [false, true] {
+                assert_eq!(grid.sample(is_mirrored, mirrored), expected);
+            }
+            let other = |[x, y]: [f64; 2]| x - 3.0 * y;
+            let expected: Vec<f64> = grid.centres().map(other).collect();
+            assert_eq!(grid.sample(false, other), expected);
+        }
     }
 
     #[test]

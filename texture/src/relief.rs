@@ -1,5 +1,7 @@
 //! What lies on top of the layered foundation.
 
+use rayon::prelude::*;
+
 use crate::cylinders::Cylinders;
 use crate::film::Film;
 use crate::grid::Grid;
@@ -24,15 +26,38 @@ impl Relief {
     /// Mask, surface profile and compliance at the centres of the grid's elements.
     #[must_use]
     pub fn sample(&self, grid: &Grid) -> SampledRelief {
-        let is_mirrored = self.is_mirrored();
-        SampledRelief::collect(grid.size(), |i, j| {
-            let centre = [grid.centre(i), grid.centre(j)];
-            self.at(if is_mirrored {
-                centre.map(f64::abs)
-            } else {
-                centre
-            })
-        })
+        let everywhere = |value: f64| vec![value; grid.len()];
+        match self {
+            Self::Bare => SampledRelief {
+                mask: vec![false; grid.len()],
+                profile: everywhere(0.0),
+                compliance: everywhere(0.0),
+            },
+            Self::Cylinders(cylinders) => {
+                let mask = grid.sample(self.is_mirrored(), |point| cylinders.contains(point));
+                let choose = |on_top: f64, between: f64| {
+                    let values = mask.par_iter();
+                    values
+                        .map(|on| if *on { on_top } else { between })
+                        .collect()
+                };
+                SampledRelief {
+                    profile: choose(0.0, -cylinders.height()),
+                    compliance: choose(cylinders.compliance(), 0.0),
+                    mask,
+                }
+            }
+            Self::Film(film) => SampledRelief {
+                mask: vec![true; grid.len()],
+                profile: everywhere(0.0),
+                compliance: everywhere(film.compliance()),
+            },
+            Self::Map(map) => SampledRelief {
+                mask: vec![true; grid.len()],
+                profile: grid.sample(false, |point| map.profile_at(point)),
+                compliance: grid.sample(false, |point| map.compliance_at(point)),
+            },
+        }
     }
 
     /// Fraction of the plane that carries relief: closed form for cylinders, 1 for a film or a map, 0 for a bare surface.
@@ -64,19 +89,6 @@ impl Relief {
             Self::Bare | Self::Film(_) => true,
             Self::Cylinders(cylinders) => cylinders.is_mirrored(),
             Self::Map(_) => false,
-        }
-    }
-
-    /// Mask, `f*` and η at one point.
-    fn at(&self, point: [f64; 2]) -> (bool, f64, f64) {
-        match self {
-            Self::Bare => (false, 0.0, 0.0),
-            Self::Cylinders(cylinders) if cylinders.contains(point) => {
-                (true, 0.0, cylinders.compliance())
-            }
-            Self::Cylinders(cylinders) => (false, -cylinders.height(), 0.0),
-            Self::Film(film) => (true, 0.0, film.compliance()),
-            Self::Map(map) => (true, map.profile_at(point), map.compliance_at(point)),
         }
     }
 }

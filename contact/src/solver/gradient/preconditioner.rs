@@ -40,7 +40,8 @@ enum Inverse {
     Factor(Box<SparseFactor>),
 }
 
-/// `w = M⁻¹_I 1`, cut to the sets met since it was made, which spares an application of the inverse for each and not one product.
+/// `w = M⁻¹_I 1`, cut to the sets met since it was made: that spares an application of the inverse for each and costs no product, as long as few elements
+/// change.
 struct Even {
     values: Vec<f64>,
     total: f64,
