@@ -11,7 +11,7 @@ use crate::{
     sector::Sector,
     solver::Watch,
     vector::update,
-    window::{Room, Window},
+    window::Window,
 };
 use pellicle_influence::{Origin, SurfaceElasticity};
 
@@ -105,11 +105,6 @@ impl Level {
         options: SolverOptions,
         watch: &mut Watch<'_>,
     ) -> Result<LevelResult, ContactError> {
-        let room = if watch.steps > 1 {
-            Room::ForMany
-        } else {
-            Room::ForOne
-        };
         let nothing = || {
             (
                 self.problem.everywhere(),
@@ -118,11 +113,11 @@ impl Level {
         };
         let start = match start {
             Start::Nothing => None,
-            Start::Guess(guess) => self.guessed(guess, room),
-            Start::Coarser(field) => self.prolonged(&field, room),
+            Start::Guess(guess) => self.guessed(guess),
+            Start::Coarser(field) => self.prolonged(&field),
         };
         let start = start.unwrap_or_else(nothing);
-        let (solution, window, effort) = self.solve_from(start, load, options, room, watch)?;
+        let (solution, window, effort) = self.solve_from(start, load, options, watch)?;
         let SampledModel { grid, relief, .. } = &*self.sampled;
         Ok(LevelResult {
             summary: Summary::within(&window, &solution, grid, relief),
@@ -140,21 +135,21 @@ impl Level {
     }
 
     /// A guessed pressure on a window around it; none where it presses on no element.
-    fn guessed(&self, guess: Guess, room: Room) -> Option<(Window, Vec<f64>)> {
+    fn guessed(&self, guess: Guess) -> Option<(Window, Vec<f64>)> {
         let (grid, everywhere) = (&self.sampled.grid, self.problem.everywhere());
         let pressure: Vec<f64> = grid.centres().map(|place| guess.pressure(place)).collect();
         let pressure = everywhere.sector().cut(&pressure, self.size());
-        let window = everywhere.around(pressed(&everywhere, &pressure), room);
+        let window = everywhere.around(pressed(&everywhere, &pressure));
         let start = window.cut(&pressure);
         start.iter().any(|p| *p > 0.0).then_some((window, start))
     }
 
     /// A coarser level's pressure on a window around it; none where it presses nowhere.
-    fn prolonged(&self, coarser: &Field<'_>, room: Room) -> Option<(Window, Vec<f64>)> {
+    fn prolonged(&self, coarser: &Field<'_>) -> Option<(Window, Vec<f64>)> {
         let presses = pressed(&coarser.window, coarser.values);
         let reach = (coarser.window).on_finer(presses, self.problem.size())?;
         let pressure = prolong(coarser, &reach, &self.outline);
-        let window = reach.around(pressed(&reach, &pressure), room);
+        let window = reach.around(pressed(&reach, &pressure));
         let pressure = window.take_over(&reach, &pressure);
         Some((window, pressure))
     }
@@ -170,7 +165,6 @@ impl Level {
         start: (Window, Vec<f64>),
         load: Load,
         options: SolverOptions,
-        room: Room,
         watch: &mut Watch<'_>,
     ) -> Result<(Solution, Window, Effort), ContactError> {
         let everywhere = self.problem.everywhere();
@@ -201,7 +195,7 @@ impl Level {
             let wider = {
                 let presses = pressed(&window, &solution.pressure);
                 let overlaps = |[i, j]: [usize; 2]| self.judged.gap[i * size + j] < 0.0;
-                window.wider(everywhere.around(|e| presses(e) || overlaps(e), room))
+                window.wider(everywhere.around(|e| presses(e) || overlaps(e)))
             };
             pressure = wider.take_over(&window, &solution.pressure);
             window = wider;

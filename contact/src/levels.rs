@@ -108,7 +108,6 @@ impl Place {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::window::Room;
 
     #[test]
     fn each_level_is_half_of_the_next_down_to_the_coarsest() {
@@ -147,16 +146,16 @@ mod tests {
             mask: &mask[..256],
         };
         let whole = prolong(&field, &Window::whole(32), &mask);
-        let onto = Window::whole(32).around(|[i, j]| i == 13 && j == 20, Room::ForOne);
+        let onto = Window::whole(32).around(|[i, j]| i == 13 && j == 20);
         assert_eq!(prolong(&field, &onto, &mask), onto.cut(&whole));
         // A part of the field that holds all that its interpolation looks at.
-        let part = Window::whole(16).around(|[i, j]| i == 6 && j == 10, Room::ForOne);
+        let part = Window::whole(16).around(|[i, j]| i == 6 && j == 10);
         let field = Field {
             window: part,
             values: &part.cut(&coarse),
             ..field
         };
-        let inner = Window::whole(32).around(|[i, j]| i == 13 && j == 21, Room::ForOne);
+        let inner = Window::whole(32).around(|[i, j]| i == 13 && j == 21);
         assert!(inner.size() < 2 * part.size() - 2);
         assert_eq!(prolong(&field, &inner, &mask), inner.cut(&whole));
     }

@@ -15,11 +15,7 @@ use rayon::prelude::*;
 use crate::{
     ContactError, DeformedSurface, Domain, GridError, Load, Model, Observer, Progress,
     SampledModel, Signal, Solution, SolverOptions, Summary, Warning, Work, default_side,
-    hierarchy::Hierarchy,
-    model::initial_gap,
-    solver::Watch,
-    trust,
-    window::{Room, Window},
+    hierarchy::Hierarchy, model::initial_gap, solver::Watch, trust, window::Window,
 };
 
 /// How often an automatic domain may grow, and by how much each time.
@@ -66,7 +62,7 @@ impl LoadingPath {
         } = &self.steps.get(step)?.solution;
         let size = self.grid.size();
         let presses = |[i, j]: [usize; 2]| pressure[i * size + j] > 0.0;
-        let window = Window::whole(size).around(presses, Room::ForOne);
+        let window = Window::whole(size).around(presses);
         let mut operator = elasticity.spread(size, window.origin(), window.size());
         let mut displacement = vec![0.0; pressure.len()];
         operator.apply_into(&window.cut(pressure), &mut displacement);
