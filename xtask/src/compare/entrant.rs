@@ -10,8 +10,10 @@ use super::{Problem, Rival};
 /// A program at a tolerance.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Entrant {
-    /// Pellicle.
+    /// Pellicle as it comes: on a quadrant where the problem is its own mirror image.
     Pellicle,
+    /// Pellicle on the whole grid, as it solves problems that are not.
+    PellicleWhole,
     /// A rival at a nominal tolerance; what it bounds is the rival's own matter.
     Rival(Rival, f64),
 }
@@ -25,13 +27,14 @@ const THREAD_VARIABLES: [&str; 4] = [
 ];
 
 impl Entrant {
-    /// Pellicle first, then the rivals in the order given.
+    /// Pellicle first, in both ways, then the rivals in the order given.
     pub(super) fn all(rivals: &[Rival]) -> Vec<Self> {
         let at_tolerances = rivals.iter().flat_map(|&rival| {
             let tolerances = rival.tolerances().iter();
             tolerances.map(move |&tolerance| Self::Rival(rival, tolerance))
         });
-        std::iter::once(Self::Pellicle)
+        [Self::Pellicle, Self::PellicleWhole]
+            .into_iter()
             .chain(at_tolerances)
             .collect()
     }
@@ -40,6 +43,7 @@ impl Entrant {
     pub(super) fn name(self) -> String {
         match self {
             Self::Pellicle => "Pellicle".to_owned(),
+            Self::PellicleWhole => "Pellicle, whole grid".to_owned(),
             Self::Rival(rival, _) => rival.to_string(),
         }
     }
@@ -47,7 +51,7 @@ impl Entrant {
     /// The tolerance that it is asked for.
     pub(super) fn tolerance(self) -> f64 {
         match self {
-            Self::Pellicle => TOLERANCE,
+            Self::Pellicle | Self::PellicleWhole => TOLERANCE,
             Self::Rival(_, tolerance) => tolerance,
         }
     }
@@ -55,7 +59,7 @@ impl Entrant {
     /// Whether it can use more than one thread.
     pub(super) fn is_threaded(self) -> bool {
         match self {
-            Self::Pellicle => true,
+            Self::Pellicle | Self::PellicleWhole => true,
             Self::Rival(rival, _) => rival.is_threaded(),
         }
     }
@@ -69,7 +73,7 @@ impl Entrant {
         pressure: &Path,
     ) -> Result<Command, String> {
         let mut command = match self {
-            Self::Pellicle => workshop.pellicle(),
+            Self::Pellicle | Self::PellicleWhole => workshop.pellicle(),
             Self::Rival(rival, _) => workshop.driver(rival)?,
         };
         command
@@ -78,6 +82,7 @@ impl Entrant {
             .arg(threads.to_string())
             .arg(format!("{:e}", self.tolerance()))
             .arg(pressure)
+            .args((self == Self::PellicleWhole).then_some("--whole-grid"))
             .envs(THREAD_VARIABLES.map(|variable| (variable, threads.to_string())));
         Ok(command)
     }
@@ -96,6 +101,7 @@ mod tests {
             .collect();
         let expected = [
             ("Pellicle", 1e-8),
+            ("Pellicle, whole grid", 1e-8),
             ("Tamaas", 1e-8),
             ("aspher", 1e-8),
             ("aspher", 1e-9),

@@ -24,6 +24,9 @@ pub struct PellicleArguments {
     pub tolerance: f64,
     /// File to write the pressure to, `.npy`.
     pub pressure: PathBuf,
+    /// Solve on the whole grid what a quadrant would do for.
+    #[arg(long)]
+    pub whole_grid: bool,
 }
 
 /// Elements per side of the problem solved before the clock starts, so that code is loaded and threads run.
@@ -43,6 +46,7 @@ pub fn run_pellicle(arguments: &PellicleArguments) -> Result<Measurement, XtaskE
         tolerance: arguments.tolerance,
         // The rivals do not compute it.
         contact_stiffness: false,
+        mirror_symmetry: !arguments.whole_grid,
         ..SolverOptions::default()
     };
     pool.install(|| solve(warm_up, &options))?;
@@ -120,13 +124,18 @@ mod tests {
     #[test]
     fn pellicle_certifies_both_cases_and_writes_what_it_found() {
         let folder = tempfile::tempdir().unwrap();
-        for case in [Case::Hertz, Case::Pillars] {
+        for (case, whole_grid) in [
+            (Case::Hertz, false),
+            (Case::Pillars, false),
+            (Case::Pillars, true),
+        ] {
             let arguments = PellicleArguments {
                 case,
                 elements: 64,
                 threads: 1,
                 tolerance: 1e-8,
                 pressure: folder.path().join("pressure.npy"),
+                whole_grid,
             };
             let measurement = run_pellicle(&arguments).unwrap();
             assert!(measurement.converged, "{measurement:?}");
