@@ -59,6 +59,7 @@ fn the_independent_certificate_agrees_with_pellicles_own() {
             threads: 1,
             tolerance: 1e-8,
             pressure: folder.path().join("pressure.npy"),
+            whole_grid: false,
         };
         let measurement = run_pellicle(&arguments).unwrap();
         let certificate = judged(&python, case, arguments.elements, &arguments.pressure);

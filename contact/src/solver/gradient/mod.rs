@@ -8,6 +8,11 @@
 //! is found, because a conjugate direction is worth nothing on another set; the exact line search only where the energy asks
 //! for it; starts that respect the outline of the relief; and products on the smallest square that holds the contact.
 //!
+//! **Quadrants.** Where indenter and relief are their own mirror images in both axes, so is the one solution, and a path solves on the quadrant x, y > 0
+//! alone: `K` is then the sum over an element's four images, which cosine transforms of half the length multiply by in a quarter of the time, and every field has a
+//! quarter of the elements. The method is the same, since all sums are a quarter of those on the whole grid. Only what looks across the axes knows of it:
+//! the filter transforms cosines, the band around the contact and the rows of the sparse factor near an axis see the images beyond, and an axis is no border of a window.
+//!
 //! **Both kinds of load.** Every step keeps the total of the pressure; under a prescribed penetration the pressure is then scaled until the mean of `v`
 //! over it is `D`, which takes no product, and the conjugate directions are conjugate to the pressure besides. With the plain residual `D − v` a stiff
 //! coat under the paper's cylinders took eight times the products, because preconditioners answer an even residual worst.
@@ -15,7 +20,8 @@
 //! **Preconditioners.** The reciprocal of the symbol of `K` on the periodic grid, by FFT in single precision. Two things make it nearly exact
 //! on the working set, where the restricted reciprocal of `C(k) sinc sinc` takes twice the products: the symbol is that of the sampled displacement,
 //! aliases included, two thirds of what the shortest waves have; and the answer is made to vanish in a narrow
-//! band around the set, by a pressure in that band found with a few coefficients, as the inverse of a restricted system demands. Under a
+//! band around the set, by a pressure in that band found with a few coefficients, as the inverse of a restricted system demands. A direction keeps the total along the
+//! answer `M⁻¹ 1` to an even residual, which is found once and only cut to the sets that follow: exact projections took not one product fewer. Under a
 //! coat more than some twenty times as stiff as its base a factorised sparse approximate inverse `Gᵀ G` of the restricted system itself (Kaporin 1994;
 //! Schäfer, Katzfuss and Owhadi 2021): each element's row from the small dense system of its twenty nearest predecessors in an order from coarse to
 //! fine. Equal neighbourhoods share a row, which makes building it cheaper than a product or two.
