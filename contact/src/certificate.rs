@@ -111,7 +111,12 @@ impl Solution {
         fields: &mut JudgedFields,
     ) -> Self {
         let JudgedFields { displacement, gap } = fields;
-        displacement.resize(problem.elements(), 0.0);
+        for field in [&mut *displacement, &mut *gap] {
+            if field.len() != problem.elements() {
+                // Memory that is first touched where it is written, by all threads.
+                *field = vec![0.0; problem.elements()];
+            }
+        }
         problem.displace_into(window, &pressure, displacement);
         let (compliance, initial_gap) = (problem.relief_compliance(), problem.initial_gap());
         let total = sum(&pressure);
@@ -122,7 +127,6 @@ impl Solution {
                 weighted(window, &pressure, displacement, compliance, initial_gap) / total
             }
         };
-        gap.resize(displacement.len(), 0.0);
         // g = K p + η p + g0 − D
         update_with(gap, displacement, initial_gap, |g, u, g0| {
             *g = u + g0 - penetration;

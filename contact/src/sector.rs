@@ -37,15 +37,14 @@ impl Sector {
     }
 
     /// The sector's part of a field on a grid of `size` elements per side.
-    pub fn cut<T: Copy + Send + Sync>(self, field: &[T], size: usize) -> Vec<T> {
-        match self {
-            Self::Whole => field.to_vec(),
-            Self::Quadrant => {
-                let rows = field.par_chunks_exact(size).skip(size / 2);
-                rows.flat_map_iter(|row| row[size / 2..].iter().copied())
-                    .collect()
-            }
-        }
+    pub fn cut<T: Copy + Default + Send + Sync>(self, field: &[T], size: usize) -> Vec<T> {
+        let part = size / self.parts();
+        let first = size - part;
+        let mut values = vec![T::default(); part * part];
+        let rows = field.par_chunks_exact(size).skip(first);
+        let rows = values.par_chunks_exact_mut(part).zip(rows);
+        rows.for_each(|(values, row)| values.copy_from_slice(&row[first..]));
+        values
     }
 }
 
