@@ -217,10 +217,10 @@ impl Convolution {
 
 /// The blocks of `columns` columns and `rows` rows; the last may be narrower.
 fn empty_blocks(rows: usize, columns: usize) -> Vec<RwLock<Vec<Complex64>>> {
-    let starts = (0..columns).step_by(WIDTH);
-    let widths = starts.map(|start| WIDTH.min(columns - start));
-    widths
-        .map(|width| RwLock::new(vec![Complex64::default(); rows * width]))
+    let width = |index: usize| WIDTH.min(columns - index * WIDTH);
+    (0..columns.div_ceil(WIDTH))
+        .into_par_iter()
+        .map(|index| RwLock::new(vec![Complex64::default(); rows * width(index)]))
         .collect()
 }
 

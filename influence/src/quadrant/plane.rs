@@ -80,15 +80,15 @@ impl<T: Real> EvenPlane<T> {
             transform: zeros(longest.unwrap_or(0)),
         };
         let pairs = columns.div_ceil(2);
-        let widths = (0..pairs)
-            .step_by(WIDTH)
-            .map(|first| WIDTH.min(pairs - first));
+        let rows = shown.next_multiple_of(2);
+        let block = |index: usize| RwLock::new(zeros(rows * WIDTH.min(pairs - index * WIDTH)));
         Self {
             loaded,
             shown,
             length,
-            blocks: widths
-                .map(|width| RwLock::new(zeros(shown.next_multiple_of(2) * width)))
+            blocks: (0..pairs.div_ceil(WIDTH))
+                .into_par_iter()
+                .map(block)
                 .collect(),
             scratch: (0..rayon::current_num_threads())
                 .map(|_| Mutex::new(scratch()))

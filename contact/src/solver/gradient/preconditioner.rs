@@ -101,7 +101,9 @@ impl Preconditioner {
     /// Forgets the sets met so far.
     pub fn restart(&mut self) {
         self.outdate();
-        self.even.values.fill(0.0);
+        if self.even.exact_total != 0.0 {
+            self.even.values.fill(0.0);
+        }
     }
 
     /// Must be told when the working set has changed.

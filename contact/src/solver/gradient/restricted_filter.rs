@@ -45,7 +45,7 @@ impl RestrictedFilter {
             shortest: symbol.value([symbol.size() / 2; 2]),
             filter: PeriodicFilter::new(symbol, sector),
             mean_compliance: f64::NAN,
-            flank: vec![1.0; size * size],
+            flank: vec![0.0; size * size],
             band: EdgeBand::new(size, sector),
             answer: vec![0.0; size * size],
         }
