@@ -162,6 +162,7 @@ mod tests {
             (relief(Lattice::Hexagonal, [0.0, 0.0]), true),
             (relief(Lattice::Hexagonal, [0.5, height]), true),
             (relief(Lattice::Hexagonal, [0.5, 0.0]), true),
+            (relief(Lattice::Square, [0.25, 0.0]), false),
             (relief(Lattice::Square, [0.2, 0.0]), false),
             (relief(Lattice::Hexagonal, [0.0, 0.4]), false),
         ] {

@@ -160,6 +160,44 @@ mod tests {
         (dot(&answer, &answer) / dot(&pressure, &pressure)).sqrt()
     }
 
+    /// The filter's answer to a mirrored field on pillars that stand on both axes, on a sector.
+    fn answer(surface: &Arc<SurfaceElasticity>, sector: Sector) -> Vec<f64> {
+        let cut = |field: Vec<f64>| sector.cut(&field, SIZE);
+        let along = |i: usize| (i as f64 - 23.5).abs();
+        let mirrored = |of: &dyn Fn(f64, f64) -> f64| {
+            let places = (0..SIZE * SIZE).map(|e| [along(e / SIZE), along(e % SIZE)]);
+            cut(places.map(|[x, y]| of(x, y)).collect())
+        };
+        let pillars = mirrored(&|x, y| {
+            let [px, py] = [x, y].map(|along| (along + 4.5).rem_euclid(9.0) - 4.5);
+            f64::from(u8::from(x.hypot(y) < 18.0 && px.hypot(py) < 3.5))
+        });
+        let mut field = mirrored(&|x, y| (0.3 * x).cos() + (0.9 * y).sin());
+        let zeros = vec![0.0; pillars.len()];
+        let gap = vec![1.0; pillars.len()];
+        let problem =
+            DiscreteProblem::of_sector(surface.clone(), sector, zeros.clone(), gap, 1e-12);
+        let set = begun(&mut problem.unwrap(), Control::Penetration(0.0), &pillars).1;
+        let mut filter = RestrictedFilter::new(surface.symbol(SIZE), sector);
+        filter.update(&set, &zeros);
+        assert!(!filter.band.is_empty());
+        set.clear_outside(&mut field);
+        filter.apply(&set, &mut field);
+        field
+    }
+
+    #[test]
+    fn on_a_quadrant_filter_and_band_see_the_images_beyond_the_axes() {
+        let surface = surface();
+        let whole = Sector::Quadrant.cut(&answer(&surface, Sector::Whole), SIZE);
+        let quadrant = answer(&surface, Sector::Quadrant);
+        let largest = whole.iter().fold(0.0, |most: f64, z| most.max(z.abs()));
+        for (one, other) in quadrant.iter().zip(&whole) {
+            // Single precision, and some sums of it.
+            assert!((one - other).abs() < 1e-4 * largest, "{one} {other}");
+        }
+    }
+
     #[test]
     fn with_the_band_it_all_but_inverts_the_system_on_separate_pillars() {
         let surface = surface();
