@@ -6,59 +6,13 @@
 
 use std::sync::Arc;
 
-use pellicle_influence::{ElasticOperator, QuadrantOperator, SpreadOperator, SurfaceElasticity};
+use pellicle_influence::{ElasticOperator, SurfaceElasticity};
 use rayon::prelude::*;
 
 use crate::{
-    ContactError, sector::Sector, solver::gradient::Workspace, vector::update_with, window::Window,
+    ContactError, body::Body, sector::Sector, solver::gradient::Workspace, vector::update_with,
+    window::Window,
 };
-
-/// What answers a pressure with a displacement.
-enum Body {
-    /// An operator of which nothing more is known.
-    Operator(Box<dyn ElasticOperator>),
-    /// Coefficients, and the operator made from them when it is first needed.
-    Surface {
-        elasticity: Arc<SurfaceElasticity>,
-        operator: Option<Box<dyn ElasticOperator>>,
-        /// The same for pressures on one window only.
-        spread: Option<(Window, Spread)>,
-    },
-}
-
-/// What answers pressures on a window of a grid on all of it.
-enum Spread {
-    Whole(Box<SpreadOperator>),
-    Quadrant(Box<QuadrantOperator>),
-}
-
-impl Spread {
-    fn new(elasticity: &SurfaceElasticity, window: &Window) -> Self {
-        let (grid, size) = (window.grid(), window.size());
-        match window.sector() {
-            Sector::Whole => Self::Whole(Box::new(elasticity.spread(grid, window.origin(), size))),
-            // A quadrant's windows begin at the axis.
-            Sector::Quadrant => Self::Quadrant(Box::new(elasticity.quadrant(size, grid))),
-        }
-    }
-
-    fn apply_into(&mut self, pressure: &[f64], displacement: &mut [f64]) {
-        match self {
-            Self::Whole(operator) => operator.apply_into(pressure, displacement),
-            Self::Quadrant(operator) => operator.apply_into(pressure, displacement),
-        }
-    }
-}
-
-impl Body {
-    fn of(elasticity: Arc<SurfaceElasticity>) -> Self {
-        Self::Surface {
-            elasticity,
-            operator: None,
-            spread: None,
-        }
-    }
-}
 
 /// One grid's problem. Fields hold N² values, index `i N + j`, first index along x.
 pub struct DiscreteProblem {
@@ -166,10 +120,7 @@ impl DiscreteProblem {
     /// What the operator was made from, where that is known.
     #[must_use]
     pub fn elasticity(&self) -> Option<&Arc<SurfaceElasticity>> {
-        match &self.body {
-            Body::Operator(_) => None,
-            Body::Surface { elasticity, .. } => Some(elasticity),
-        }
+        self.body.elasticity()
     }
 
     /// The same problem on a window of the grid, with an operator of the window's own size; none where the elasticity is not known.
@@ -250,29 +201,13 @@ impl DiscreteProblem {
 
     /// The operator `K`; exclusive, because a product uses the operator's own buffers.
     pub fn operator_mut(&mut self) -> &mut dyn ElasticOperator {
-        match &mut self.body {
-            Body::Operator(operator) => operator.as_mut(),
-            Body::Surface {
-                elasticity,
-                operator,
-                ..
-            } => operator
-                .get_or_insert_with(|| match self.sector {
-                    Sector::Whole => Box::new(elasticity.operator(self.size)),
-                    Sector::Quadrant => Box::new(elasticity.quadrant(self.size, self.size)),
-                })
-                .as_mut(),
-        }
+        let everywhere = self.everywhere();
+        self.body.operator_on(&everywhere)
     }
 
     /// Gives back the memory of operators that can be made again.
     pub(crate) fn release_operator(&mut self) {
-        if let Body::Surface {
-            operator, spread, ..
-        } = &mut self.body
-        {
-            (*operator, *spread) = (None, None);
-        }
+        self.body.release();
     }
 
     /// Gives back the memory of solutions.
@@ -287,17 +222,7 @@ impl DiscreteProblem {
         pressure: &[f64],
         displacement: &mut [f64],
     ) {
-        match &mut self.body {
-            Body::Surface {
-                elasticity, spread, ..
-            } if !window.is_whole() => {
-                let known = spread.take_if(|(of, _)| of == window);
-                let made = || (*window, Spread::new(elasticity, window));
-                let (_, operator) = spread.insert(known.unwrap_or_else(made));
-                operator.apply_into(pressure, displacement);
-            }
-            _ => self.operator_mut().apply_into(pressure, displacement),
-        }
+        self.body.displace_into(window, pressure, displacement);
     }
 
     /// Writes `(K + η) p` (m) of the pressure `p` (Pa) into `deformation`: one product with `K`.

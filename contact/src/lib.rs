@@ -9,6 +9,7 @@
     )
 )]
 
+mod body;
 mod certificate;
 mod deformed_surface;
 mod discrete_problem;

@@ -28,7 +28,7 @@ fn product(criterion: &mut Criterion) {
 
 /// Products on the quadrant that stands for a grid as large.
 fn product_on_a_quadrant(criterion: &mut Criterion) {
-    let operator = |size| QuadrantOperator::new(&table(size), size / 2, size / 2);
+    let operator = |size| QuadrantOperator::new(&table(size), size / 2);
     products(criterion, "product on a quadrant", operator);
 }
 

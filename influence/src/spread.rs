@@ -2,13 +2,20 @@
 
 use crate::CoefficientTable;
 use crate::convolution::{Convolution, Layout};
+use crate::quadrant::QuadrantConvolution;
 
-/// `u = K p` on a grid for pressures that vanish outside a square window of it.
+/// `u = K p` on a grid, or the quadrant of one, for pressures that vanish outside a square window of it.
 ///
 /// The transforms are as long as the window and the grid together, not as twice the grid: under a window of half the side a product takes half the time
 /// of [`crate::ConvolutionOperator`]'s, and agrees with it to rounding (test `under_a_window_the_grid_moves_as_under_the_whole_pressure`).
 /// Uses the current rayon pool; the result does not depend on it, bit for bit.
-pub struct SpreadOperator(Convolution);
+pub struct SpreadOperator(Extent);
+
+/// What the displacements are those of.
+enum Extent {
+    Grid(Convolution),
+    Quadrant(QuadrantConvolution),
+}
 
 impl SpreadOperator {
     /// For a window of `size` × `size` elements, the first of which is the element `origin`, of a grid of `grid` × `grid`.
@@ -28,7 +35,19 @@ impl SpreadOperator {
             shown: grid,
             before: origin,
         };
-        Self(Convolution::new(table, layout))
+        Self(Extent::Grid(Convolution::new(table, layout)))
+    }
+
+    /// For pressures on the `size` × `size` elements next to the axis of a quadrant of `quadrant` × `quadrant`, as a
+    /// [`QuadrantOperator`](crate::QuadrantOperator) has them: all mirrored in both axes.
+    ///
+    /// # Panics
+    /// If the window is empty or larger than the quadrant, or the table does not reach across twice the quadrant.
+    #[must_use]
+    pub fn on_quadrant(table: &CoefficientTable, quadrant: usize, size: usize) -> Self {
+        Self(Extent::Quadrant(QuadrantConvolution::new(
+            table, size, quadrant,
+        )))
     }
 
     /// Writes the displacements (m, positive into the body; those of the grid) of the pressures (Pa, compressive positive; those of the window), both
@@ -37,15 +56,22 @@ impl SpreadOperator {
     /// # Panics
     /// If a field has not one value per element.
     pub fn apply_into(&mut self, pressure: &[f64], displacement: &mut [f64]) {
-        self.0.apply_into(pressure, displacement);
+        match &mut self.0 {
+            Extent::Grid(convolution) => convolution.apply_into(pressure, displacement),
+            Extent::Quadrant(convolution) => convolution.apply_into(pressure, displacement),
+        }
     }
 }
 
 impl std::fmt::Debug for SpreadOperator {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let shown = match &self.0 {
+            Extent::Grid(convolution) => convolution.shown(),
+            Extent::Quadrant(convolution) => convolution.shown(),
+        };
         formatter
             .debug_struct("SpreadOperator")
-            .field("size", &self.0.shown())
+            .field("size", &shown)
             .finish_non_exhaustive()
     }
 }

@@ -79,13 +79,22 @@ impl SurfaceElasticity {
         SpreadOperator::new(&self.table, grid, origin, size)
     }
 
-    /// `K p` on a quadrant of `shown` × `shown` elements for pressures on the `loaded` × `loaded` next to the axis, all mirrored in both axes.
+    /// `K p` on a quadrant of `size` × `size` elements, where pressure and displacement are mirrored in both axes.
     ///
     /// # Panics
     /// As [`QuadrantOperator::new`].
     #[must_use]
-    pub fn quadrant(&self, loaded: usize, shown: usize) -> QuadrantOperator {
-        QuadrantOperator::new(&self.table, loaded, shown)
+    pub fn quadrant(&self, size: usize) -> QuadrantOperator {
+        QuadrantOperator::new(&self.table, size)
+    }
+
+    /// `K p` on a quadrant of `quadrant` × `quadrant` elements for pressures on the `size` × `size` next to the axis.
+    ///
+    /// # Panics
+    /// As [`SpreadOperator::on_quadrant`].
+    #[must_use]
+    pub fn spread_on_quadrant(&self, quadrant: usize, size: usize) -> SpreadOperator {
+        SpreadOperator::on_quadrant(&self.table, quadrant, size)
     }
 
     /// The analytic symbol on a periodic grid of `size` × `size` elements, for preconditioners.

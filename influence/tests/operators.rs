@@ -80,9 +80,14 @@ fn a_quadrant_moves_as_the_whole_surface_does() {
                 &unfolded(&pressure, size),
             );
             let mut found = vec![f64::NAN; size * size];
-            let mut operator = QuadrantOperator::new(&table, loaded, size);
-            for _ in 0..2 {
-                operator.apply_into(&loads, &mut found);
+            let mut spread = SpreadOperator::on_quadrant(&table, size, loaded);
+            let mut operator = QuadrantOperator::new(&table, size);
+            for is_whole in [false, false, true, true] {
+                if is_whole {
+                    operator.apply_into(&pressure, &mut found);
+                } else {
+                    spread.apply_into(&loads, &mut found);
+                }
                 let found = unfolded(&found, size);
                 let difference: Vec<f64> =
                     found.iter().zip(&expected).map(|(a, b)| a - b).collect();

@@ -97,11 +97,6 @@ impl<T: Real> EvenPlane<T> {
         }
     }
 
-    /// Numbers along a side that are given.
-    pub(crate) fn loaded(&self) -> usize {
-        self.loaded
-    }
-
     /// Numbers along a side that are wanted.
     pub(crate) fn shown(&self) -> usize {
         self.shown
