@@ -1,12 +1,14 @@
-//! The grids of a path, from the coarsest to the finest, each made when it is first needed.
+//! The grids of a path, from the coarsest to the finest, each made when it is first needed, or the finest while the coarser ones are solved.
 
 use std::sync::Arc;
 use std::time::Instant;
 
 use pellicle_influence::{Origin, SurfaceElasticity};
+use pellicle_texture::Grid;
 
 use crate::{
-    ContactError, GridError, Load, Method, Model, SampledModel, SolverOptions, Step, Work,
+    ContactError, GridError, LevelValues, LevelWork, Load, Method, Model, SolverOptions, Step,
+    Work,
     domain::Guess,
     level::{Level, LevelResult, SignedField, Start},
     levels::{COARSE_TOLERANCE, coarser_sizes},
@@ -14,6 +16,9 @@ use crate::{
     solver::Watch,
     trust,
 };
+
+/// Elements per side from which on the finest grid is made while the coarser ones are solved.
+const MADE_AHEAD: usize = 512;
 
 /// All grids over one square.
 pub struct Hierarchy<'a> {
@@ -90,7 +95,7 @@ impl<'a> Hierarchy<'a> {
         })
     }
 
-    /// Time spent on coefficients and sampling, in s.
+    /// Time spent on coefficients and sampling while nothing was solved, in s.
     pub fn coefficients_seconds(&self) -> f64 {
         self.coefficients_seconds
     }
@@ -100,16 +105,11 @@ impl<'a> Hierarchy<'a> {
         self.coefficients_origin.unwrap_or(Origin::Computed)
     }
 
-    /// The geometry on the finest grid, and the elasticity of its elements where a load has come so far.
-    pub fn into_finest(
-        mut self,
-    ) -> Result<(SampledModel, Option<Arc<SurfaceElasticity>>), ContactError> {
-        if let Some(level) = self.levels.pop().flatten() {
-            let (sampled, elasticity) = level.into_parts();
-            return Ok((sampled, Some(elasticity)));
-        }
-        let elements = self.sizes[self.sizes.len() - 1];
-        Ok((self.model.sample(self.side, elements)?, None))
+    /// The finest grid, and the elasticity of its elements where a load has come so far.
+    pub fn into_finest(mut self) -> Result<(Grid, Option<Arc<SurfaceElasticity>>), ContactError> {
+        let grid = Grid::new(self.side, self.sizes[self.sizes.len() - 1])?;
+        let level = self.levels.pop().flatten();
+        Ok((grid, level.map(Level::into_elasticity)))
     }
 
     /// Solves one load from the coarsest grid to the finest; none where the contact outgrows a domain that may grow.
@@ -121,35 +121,77 @@ impl<'a> Hierarchy<'a> {
         watch: &mut Watch<'_>,
     ) -> Result<Option<Step>, ContactError> {
         let (clock, spent_before) = (Instant::now(), self.coefficients_seconds);
-        let (mut levels, mut values) = (Vec::new(), Vec::new());
-        let guess = Guess::new(self.model, load).map_or(Start::Nothing, Start::Guess);
-        let (mut result, mut coarser) = self.solve_level(0, load, guess, options, watch)?;
-        for index in 1..=self.sizes.len() {
-            if may_grow && self.outgrows(&result) {
-                return Ok(None);
-            }
-            levels.push(result.work);
-            values.push(result.values());
-            if let Some(field) = &coarser {
-                let start = Start::Coarser(field.field());
-                (result, coarser) = self.solve_level(index, load, start, options, watch)?;
-            }
+        let mut ascent = Ascent::of(load, may_grow, options);
+        let finest = self.sizes.len() - 1;
+        let fits = if self.is_worth_making_ahead() {
+            self.ascend_beside_making(&mut ascent, watch)?
+        } else {
+            self.ascend(&mut ascent, finest, watch)?
+        };
+        if !(fits && self.ascend(&mut ascent, finest + 1, watch)?) {
+            return Ok(None);
         }
         let on_coefficients = self.coefficients_seconds - spent_before;
-        Ok(Some(Step {
-            work: Work {
-                iterations: result.work.iterations,
-                operator_applications: result.work.operator_applications,
-                stiffness_applications: result.work.stiffness_applications,
-                seconds: clock.elapsed().as_secs_f64() - on_coefficients,
-                levels,
-            },
-            solution: result.solution,
-            summary: result.summary,
-            grid_error: GridError::new(values),
-            residuals: result.residuals,
-            contact_stiffness: result.contact_stiffness,
-        }))
+        let seconds = clock.elapsed().as_secs_f64() - on_coefficients;
+        Ok(ascent.into_step(seconds))
+    }
+
+    /// Goes on with a load until the grids below `end` are solved; false where the contact outgrows a domain that may grow.
+    fn ascend(
+        &mut self,
+        ascent: &mut Ascent,
+        end: usize,
+        watch: &mut Watch<'_>,
+    ) -> Result<bool, ContactError> {
+        let Ascent { load, options, .. } = *ascent;
+        for index in ascent.levels.len()..end {
+            let start = match &ascent.field {
+                Some(coarser) => Start::Coarser(coarser.field()),
+                None => Guess::new(self.model, load).map_or(Start::Nothing, Start::Guess),
+            };
+            let (result, field) = self.solve_level(index, load, start, options, watch)?;
+            if ascent.may_grow && self.outgrows(&result) {
+                return Ok(false);
+            }
+            ascent.levels.push(result.work);
+            ascent.values.push(result.values());
+            (ascent.result, ascent.field) = (Some(result), field);
+        }
+        Ok(true)
+    }
+
+    /// Whether the finest grid is still to make, and that keeps threads busy that the coarser grids do not.
+    fn is_worth_making_ahead(&self) -> bool {
+        let finest = self.sizes.len() - 1;
+        rayon::current_num_threads() > 1
+            && self.levels[finest].is_none()
+            && self.sizes[finest] >= MADE_AHEAD
+    }
+
+    /// Solves on all grids but the finest, which is made at the same time.
+    fn ascend_beside_making(
+        &mut self,
+        ascent: &mut Ascent,
+        watch: &mut Watch<'_>,
+    ) -> Result<bool, ContactError> {
+        let finest = self.sizes.len() - 1;
+        let (model, side, size, sector) = (self.model, self.side, self.sizes[finest], self.sector);
+        let clock = Instant::now();
+        let ((fits, ascended), level) = rayon::join(
+            || (self.ascend(ascent, finest, watch), clock.elapsed()),
+            || Level::new(model, side, size, sector),
+        );
+        // What passed beside the solution costs no time of its own.
+        let waited = clock.elapsed().saturating_sub(ascended);
+        self.coefficients_seconds += waited.as_secs_f64();
+        // Of a domain that is given up the finest grid does not matter, nor what was wrong with it.
+        if !fits? {
+            return Ok(false);
+        }
+        let level = level?;
+        self.note_origin(&level);
+        self.levels[finest] = Some(level);
+        Ok(true)
     }
 
     /// Solves on one grid; returns besides what the next finer one starts from.
@@ -202,12 +244,63 @@ impl<'a> Hierarchy<'a> {
         let clock = Instant::now();
         let level = Level::new(self.model, self.side, self.sizes[index], self.sector)?;
         self.coefficients_seconds += clock.elapsed().as_secs_f64();
+        self.note_origin(&level);
+        Ok(level)
+    }
+
+    fn note_origin(&mut self, level: &Level) {
         let origin = level.coefficients_origin;
         self.coefficients_origin = Some(match self.coefficients_origin {
             Some(others) => others.max(origin),
             None => origin,
         });
-        Ok(level)
+    }
+}
+
+/// One load on its way from the coarsest grid to the finest.
+struct Ascent {
+    load: Load,
+    may_grow: bool,
+    options: SolverOptions,
+    /// Of each grid solved so far.
+    levels: Vec<LevelWork>,
+    values: Vec<LevelValues>,
+    /// Of the last.
+    result: Option<LevelResult>,
+    /// What the next starts from.
+    field: Option<SignedField>,
+}
+
+impl Ascent {
+    fn of(load: Load, may_grow: bool, options: SolverOptions) -> Self {
+        Self {
+            load,
+            may_grow,
+            options,
+            levels: Vec::new(),
+            values: Vec::new(),
+            result: None,
+            field: None,
+        }
+    }
+
+    /// The step that has been solved in so many seconds.
+    fn into_step(self, seconds: f64) -> Option<Step> {
+        let result = self.result?;
+        Some(Step {
+            work: Work {
+                iterations: result.work.iterations,
+                operator_applications: result.work.operator_applications,
+                stiffness_applications: result.work.stiffness_applications,
+                seconds,
+                levels: self.levels,
+            },
+            solution: result.solution,
+            summary: result.summary,
+            grid_error: GridError::new(self.values),
+            residuals: result.residuals,
+            contact_stiffness: result.contact_stiffness,
+        })
     }
 }
 

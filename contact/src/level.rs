@@ -4,16 +4,18 @@ use std::sync::Arc;
 
 use crate::{
     ActiveSetSolver, ContactError, DiscreteProblem, GradientSolver, Iterate, LevelValues,
-    LevelWork, Load, Method, Model, SampledModel, Solution, Solver, SolverOptions, Summary,
+    LevelWork, Load, Method, Model, Solution, Solver, SolverOptions, Summary,
     certificate::JudgedFields,
     domain::Guess,
     levels::{Field, prolong},
+    model::SampledSector,
     sector::Sector,
     solver::Watch,
     vector::update,
     window::Window,
 };
 use pellicle_influence::{Origin, SurfaceElasticity};
+use pellicle_texture::Grid;
 
 /// Pressure that stands for a gap, as a part of what closes the gap alone: halfway between contact that ends at the last element
 /// that presses and at the first that does not. From 0.2 to 1 it matters little.
@@ -26,7 +28,7 @@ const NEIGHBOURS: usize = 2;
 
 /// A grid of a path.
 pub struct Level {
-    sampled: Arc<SampledModel>,
+    grid: Grid,
     elasticity: Arc<SurfaceElasticity>,
     pub coefficients_origin: Origin,
     problem: DiscreteProblem,
@@ -65,12 +67,18 @@ impl Level {
         size: usize,
         sector: Sector,
     ) -> Result<Self, ContactError> {
-        let sampled = model.sample(side, size)?;
-        let elasticity = model.elasticity(&sampled.grid)?;
+        let grid = Grid::new(side, size)?;
+        let SampledSector {
+            mask,
+            compliance,
+            initial_gap,
+        } = model.sample_sector(grid, sector);
+        let elasticity = model.elasticity(&grid)?;
+        let (known, area) = (elasticity.value.clone(), grid.element_area());
         Ok(Self {
-            problem: sampled.problem(elasticity.value.clone(), sector)?,
-            outline: Arc::new(sector.cut(sampled.relief.mask(), size)),
-            sampled: Arc::new(sampled),
+            problem: DiscreteProblem::of_sector(known, sector, compliance, initial_gap, area)?,
+            outline: Arc::new(mask),
+            grid,
             elasticity: elasticity.value,
             coefficients_origin: elasticity.origin,
             window: None,
@@ -82,7 +90,7 @@ impl Level {
     pub fn twin(&self) -> Option<Self> {
         let everywhere = self.problem.everywhere();
         Some(Self {
-            sampled: self.sampled.clone(),
+            grid: self.grid,
             outline: self.outline.clone(),
             elasticity: self.elasticity.clone(),
             problem: self.problem.window(&everywhere)?,
@@ -118,9 +126,9 @@ impl Level {
         };
         let start = start.unwrap_or_else(nothing);
         let (solution, window, effort) = self.solve_from(start, load, options, watch)?;
-        let SampledModel { grid, relief, .. } = &*self.sampled;
+        let relief = (self.outline.as_slice(), self.problem.relief_compliance());
         Ok(LevelResult {
-            summary: Summary::within(&window, &solution, grid, relief),
+            summary: Summary::within(&window, &solution, &self.grid, relief),
             solution,
             window,
             work: LevelWork {
@@ -136,7 +144,7 @@ impl Level {
 
     /// A guessed pressure on a window around it; none where it presses on no element.
     fn guessed(&self, guess: Guess) -> Option<(Window, Vec<f64>)> {
-        let (grid, everywhere) = (&self.sampled.grid, self.problem.everywhere());
+        let (grid, everywhere) = (&self.grid, self.problem.everywhere());
         let pressure: Vec<f64> = grid.centres().map(|place| guess.pressure(place)).collect();
         let pressure = everywhere.sector().cut(&pressure, self.size());
         let window = everywhere.around(pressed(&everywhere, &pressure));
@@ -154,9 +162,9 @@ impl Level {
         Some((window, pressure))
     }
 
-    /// The geometry and the elasticity of the elements.
-    pub fn into_parts(self) -> (SampledModel, Arc<SurfaceElasticity>) {
-        (Arc::unwrap_or_clone(self.sampled), self.elasticity)
+    /// The elasticity of the elements.
+    pub fn into_elasticity(self) -> Arc<SurfaceElasticity> {
+        self.elasticity
     }
 
     /// Solves on a window that holds the contact, enlarged as long as it does not; returns it too.

@@ -33,6 +33,16 @@ pub struct SampledModel {
     pub indenter_profile: Vec<f64>,
 }
 
+/// The geometry of a [`Model`] at the elements of a sector of a grid.
+pub(crate) struct SampledSector {
+    /// Whether an element lies on the relief.
+    pub mask: Vec<bool>,
+    /// `η` of the relief, in m/Pa.
+    pub compliance: Vec<f64>,
+    /// `g0 = f − f*`, in m.
+    pub initial_gap: Vec<f64>,
+}
+
 impl Model {
     /// Samples the geometry on a grid of `size` × `size` elements over a square of side `side` (m).
     ///
@@ -40,14 +50,27 @@ impl Model {
     /// A side or size that is no grid.
     pub fn sample(&self, side: f64, size: usize) -> Result<SampledModel, ContactError> {
         let grid = Grid::new(side, size)?;
-        let relief = self.relief.sample(&grid);
-        let indenter = &self.indenter;
-        let indenter_profile = grid.sample(indenter.is_mirrored(), |[x, y]| indenter.height(x, y));
-        Ok(SampledModel {
-            grid,
-            relief,
-            indenter_profile,
-        })
+        Ok(SampledModel::on(grid, &self.relief, &self.indenter))
+    }
+
+    /// What a solver needs of the geometry on a sector of a grid, of an even one for a quadrant.
+    pub(crate) fn sample_sector(&self, grid: Grid, sector: Sector) -> SampledSector {
+        let (indenter_profile, relief) = match sector {
+            Sector::Whole => {
+                let sampled = SampledModel::on(grid, &self.relief, &self.indenter);
+                (sampled.indenter_profile, sampled.relief)
+            }
+            Sector::Quadrant => (
+                grid.sample_quadrant(|[x, y]| self.indenter.height(x, y)),
+                self.relief.sample_quadrant(&grid),
+            ),
+        };
+        let (mask, profile, compliance) = relief.into_parts();
+        SampledSector {
+            mask,
+            compliance,
+            initial_gap: initial_gap(&indenter_profile, &profile),
+        }
     }
 
     /// The discrete problem of a sampled model: coefficients, operator, symbol, `η` and `g0 = f − f*`; and where the
@@ -60,7 +83,11 @@ impl Model {
         sampled: &SampledModel,
     ) -> Result<Cached<DiscreteProblem>, ContactError> {
         let Cached { value, origin } = self.elasticity(&sampled.grid)?;
-        let value = sampled.problem(value, Sector::Whole)?;
+        let initial_gap = initial_gap(&sampled.indenter_profile, sampled.relief.profile());
+        let (compliance, area) = (sampled.relief.compliance(), sampled.grid.element_area());
+        let sector = Sector::Whole;
+        let value =
+            DiscreteProblem::of_sector(value, sector, compliance.to_vec(), initial_gap, area)?;
         Ok(Cached { value, origin })
     }
 
@@ -85,17 +112,13 @@ impl Model {
 }
 
 impl SampledModel {
-    /// The discrete problem of elements with this elasticity, on a sector of the grid.
-    pub(crate) fn problem(
-        &self,
-        elasticity: Arc<SurfaceElasticity>,
-        sector: Sector,
-    ) -> Result<DiscreteProblem, ContactError> {
-        let (size, area) = (self.grid.size(), self.grid.element_area());
-        let cut = |field: &[f64]| sector.cut(field, size);
-        let initial_gap = initial_gap(&cut(&self.indenter_profile), &cut(self.relief.profile()));
-        let compliance = cut(self.relief.compliance());
-        DiscreteProblem::of_sector(elasticity, sector, compliance, initial_gap, area)
+    /// Relief and indenter on a grid.
+    pub(crate) fn on(grid: Grid, relief: &Relief, indenter: &Indenter) -> Self {
+        Self {
+            grid,
+            relief: relief.sample(&grid),
+            indenter_profile: grid.sample(indenter.is_mirrored(), |[x, y]| indenter.height(x, y)),
+        }
     }
 }
 

@@ -9,11 +9,11 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Instant;
 
 use pellicle_influence::{Origin, SurfaceElasticity};
-use pellicle_texture::{Grid, SampledRelief};
+use pellicle_texture::{Grid, Relief};
 use rayon::prelude::*;
 
 use crate::{
-    ContactError, DeformedSurface, Domain, GridError, Load, Model, Observer, Progress,
+    ContactError, DeformedSurface, Domain, GridError, Indenter, Load, Model, Observer, Progress,
     SampledModel, Signal, Solution, SolverOptions, Summary, Warning, Work, default_side,
     hierarchy::Hierarchy, model::initial_gap, solver::Watch, trust, window::Window,
 };
@@ -29,15 +29,11 @@ const ELEMENTS_AT_ONCE: usize = 1 << 21;
 pub struct LoadingPath {
     /// The finest grid.
     pub grid: Grid,
-    /// The relief on it.
-    pub relief: SampledRelief,
-    /// Indenter profile `f` on it, in m; N² values.
-    pub indenter_profile: Vec<f64>,
     /// One step per load, in the order given.
     pub steps: Vec<Step>,
     /// What a user should know.
     pub warnings: Vec<Warning>,
-    /// Time spent on coefficients of all grids, in s; the radial tables are built before.
+    /// Time spent on coefficients and geometry of all grids while nothing was solved, in s; the radial tables are built before.
     pub coefficients_seconds: f64,
     /// Where the coefficients of all grids together came from; the radial tables are not among them.
     pub coefficients_origin: Origin,
@@ -47,13 +43,25 @@ pub struct LoadingPath {
     pub interrupted: bool,
     /// None where no load reached the finest grid.
     elasticity: Option<Arc<SurfaceElasticity>>,
+    relief: Relief,
+    indenter: Indenter,
 }
 
 impl LoadingPath {
-    /// The surface at a step, afresh from its pressure by one product with `K`: a path keeps the pressures alone, a quarter of the memory. None where
-    /// there is no such step.
+    /// Relief and indenter on the finest grid, sampled when they are asked for: a path does not keep what it was solved without.
     #[must_use]
-    pub fn surface(&self, step: usize) -> Option<DeformedSurface> {
+    pub fn geometry(&self) -> SampledModel {
+        SampledModel::on(self.grid, &self.relief, &self.indenter)
+    }
+
+    /// The surface at a step, afresh from its pressure and the path's [geometry](Self::geometry) by one product with `K`: a path keeps the pressures alone, a
+    /// quarter of the memory. None where there is no such step.
+    ///
+    /// # Panics
+    /// If the geometry is that of another grid.
+    #[must_use]
+    pub fn surface(&self, geometry: &SampledModel, step: usize) -> Option<DeformedSurface> {
+        assert_eq!(geometry.grid, self.grid, "geometry on the path's grid");
         let elasticity = self.elasticity.as_ref()?;
         let Solution {
             pressure,
@@ -69,8 +77,8 @@ impl LoadingPath {
         Some(DeformedSurface::new(
             displacement,
             pressure,
-            self.relief.compliance(),
-            &initial_gap(&self.indenter_profile, self.relief.profile()),
+            geometry.relief.compliance(),
+            &initial_gap(&geometry.indenter_profile, geometry.relief.profile()),
             *penetration,
         ))
     }
@@ -214,7 +222,7 @@ impl PathRun<'_> {
         self.steps.push(step);
     }
 
-    /// Time spent on coefficients of all grids; those of a single lane are made when they are first needed.
+    /// Time spent on coefficients of all grids while nothing was solved; those of a single lane are made when they are first needed or beside a solution.
     fn coefficients_seconds(&self) -> f64 {
         self.lanes.iter().map(Hierarchy::coefficients_seconds).sum()
     }
@@ -225,21 +233,14 @@ impl PathRun<'_> {
         let hierarchy = self.lanes.swap_remove(0);
         drop(self.lanes);
         let coefficients_origin = hierarchy.coefficients_origin();
-        let (sampled, elasticity) = hierarchy.into_finest()?;
-        let SampledModel {
-            grid,
-            relief,
-            indenter_profile,
-        } = sampled;
+        let (grid, elasticity) = hierarchy.into_finest()?;
         let mut warnings = self.warnings;
         warnings.extend(trust::model_warnings(model, &grid));
         for (index, step) in self.steps.iter().enumerate() {
-            warnings.extend(trust::step_warnings(model, &relief, index, step));
+            warnings.extend(trust::step_warnings(model, index, step));
         }
         Ok(LoadingPath {
             grid,
-            relief,
-            indenter_profile,
             warnings,
             coefficients_seconds,
             coefficients_origin,
@@ -247,6 +248,8 @@ impl PathRun<'_> {
             steps: self.steps,
             interrupted: self.interrupted,
             elasticity,
+            relief: model.relief.clone(),
+            indenter: model.indenter.clone(),
         })
     }
 }

@@ -23,6 +23,8 @@ pub struct Summary {
     pub contact_area_on_relief: f64,
     /// Contact area between the cylinders, in m².
     pub contact_area_between: f64,
+    /// Largest shortening `η p` of the relief, in m.
+    pub largest_shortening: f64,
     /// Distance from the axis to the farthest element centre in contact, in m; 0 without contact.
     pub contact_radius: f64,
     /// Whole elements between the contact and the nearest edge of the domain; none without contact.
@@ -33,27 +35,30 @@ impl Summary {
     /// Summarises a solution on the grid that it was found on.
     #[must_use]
     pub fn new(solution: &Solution, grid: &Grid, relief: &SampledRelief) -> Self {
+        let relief = (relief.mask(), relief.compliance());
         Self::within(&Window::whole(grid.size()), solution, grid, relief)
     }
 
-    /// The same of a solution on a window that holds all pressures.
+    /// The same of a solution on a window that holds all pressures; mask and compliance of the relief are those of the window's sector.
     pub(crate) fn within(
         window: &Window,
         solution: &Solution,
         grid: &Grid,
-        relief: &SampledRelief,
+        (mask, compliance): (&[bool], &[f64]),
     ) -> Self {
         let size = grid.size();
         let place = |e: usize| [grid.centre(e / size), grid.centre(e % size)];
         let sector = window.sector();
         let [above, left] = window.origin();
         let of_line = |line: usize, pressure: &[f64]| {
+            let (mask, compliance) = (window.line(mask, line), window.line(compliance, line));
             let mut found = Contact::default();
             let columns = pressure.iter().enumerate().filter(|(_, p)| **p > 0.0);
             for (column, p) in columns {
                 let [i, j] = sector.first_image([above + line, left + column], size);
                 let e = i * size + j;
-                found.add(e, *p, relief.mask()[e], place(e));
+                found.add(e, *p, mask[column], place(e));
+                found.shortening = found.shortening.max(compliance[column] * p);
                 found.approach(i, j, size);
             }
             found
@@ -63,6 +68,7 @@ impl Summary {
             largest: (max_pressure, largest),
             elements: contact_elements,
             on_relief,
+            shortening: largest_shortening,
             radius: contact_radius,
             to_edge: elements_to_edge,
         } = lines.into_iter().fold(Contact::default(), Contact::and);
@@ -82,6 +88,7 @@ impl Summary {
             contact_elements,
             contact_area_on_relief: area(on_relief),
             contact_area_between: area(contact_elements - on_relief),
+            largest_shortening,
             contact_radius,
             elements_to_edge,
         }
@@ -95,6 +102,7 @@ struct Contact {
     largest: (f64, usize),
     elements: usize,
     on_relief: usize,
+    shortening: f64,
     radius: f64,
     to_edge: Option<usize>,
 }
@@ -120,6 +128,7 @@ impl Contact {
             largest: larger(self.largest, other.largest),
             elements: self.elements + other.elements,
             on_relief: self.on_relief + other.on_relief,
+            shortening: self.shortening.max(other.shortening),
             radius: self.radius.max(other.radius),
             to_edge: nearer(self.to_edge, other.to_edge),
         }

@@ -1,8 +1,8 @@
 //! Doubts about a result: what the grid and the model cannot be trusted with.
 
-use pellicle_texture::{Grid, Relief, SampledRelief};
+use pellicle_texture::{Grid, Relief};
 
-use crate::{Model, Step, Warning, domain::slope, vector::by_parts};
+use crate::{Model, Step, Warning, domain::slope};
 
 /// Fewer elements than this per cylinder radius leave its outline to chance.
 const FEWEST_ELEMENTS_PER_RADIUS: f64 = 4.0;
@@ -41,12 +41,7 @@ pub fn model_warnings(model: &Model, grid: &Grid) -> Vec<Warning> {
 }
 
 /// Doubts about one loading step.
-pub(crate) fn step_warnings(
-    model: &Model,
-    relief: &SampledRelief,
-    index: usize,
-    step: &Step,
-) -> Vec<Warning> {
+pub(crate) fn step_warnings(model: &Model, index: usize, step: &Step) -> Vec<Warning> {
     let certificate = &step.solution.certificate;
     let not_converged = (!certificate.is_satisfied()).then(|| Warning::NotConverged {
         step: index,
@@ -55,7 +50,7 @@ pub(crate) fn step_warnings(
     });
     [
         not_converged,
-        shortening(model, relief, index, step),
+        shortening(model, index, step),
         peak(index, step),
         steepness(model, index, step),
     ]
@@ -64,15 +59,8 @@ pub(crate) fn step_warnings(
     .collect()
 }
 
-fn shortening(model: &Model, relief: &SampledRelief, index: usize, step: &Step) -> Option<Warning> {
-    let height = model.relief.height()?;
-    // w* = η p
-    let (compliance, pressure) = (relief.compliance(), &step.solution.pressure);
-    let parts = by_parts(pressure.len(), |part| {
-        let springs = compliance[part.clone()].iter().zip(&pressure[part]);
-        springs.map(|(eta, p)| eta * p).fold(0.0, f64::max)
-    });
-    let times = parts.into_iter().fold(0.0, f64::max) / height;
+fn shortening(model: &Model, index: usize, step: &Step) -> Option<Warning> {
+    let times = step.summary.largest_shortening / model.relief.height()?;
     (times > LARGEST_SHORTENING).then_some(Warning::FilmShortening { step: index, times })
 }
 

@@ -5,9 +5,9 @@ use std::ops::Range;
 use rayon::prelude::*;
 
 /// Elements in one part: enough to be worth a thread, few enough to stay in its cache.
-const PART: usize = 1 << 13;
+const PART: usize = 1 << 12;
 /// Fields up to this length are one thread's work: waking another takes as long.
-const SHORT: usize = 1 << 15;
+const SHORT: usize = 1 << 13;
 /// Partial sums that let the processor add independent numbers at once.
 const LANES: usize = 8;
 
@@ -166,7 +166,7 @@ mod tests {
             let parts = by_parts(length, |part| part);
             let all: Vec<usize> = parts.iter().cloned().flatten().collect();
             assert_eq!(all, (0..length).collect::<Vec<_>>());
-            assert!(parts.iter().all(|part| part.len() <= 8192));
+            assert!(parts.iter().all(|part| part.len() <= 4096));
         }
     }
 

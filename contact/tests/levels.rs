@@ -136,7 +136,7 @@ fn a_certificate_is_that_of_the_whole_grid() {
     let mut problem = model.discretize(&sampled).unwrap().value;
     let (pressure, tolerance) = (found.pressure.clone(), found.certificate.tolerance);
     let (again, whole) = Solution::judge_with_surface(&mut problem, load, pressure, tolerance);
-    let surface = path.surface(0).unwrap();
+    let surface = path.surface(&path.geometry(), 0).unwrap();
     let largest = whole.displacement.iter().copied().fold(0.0, f64::max);
     for (found, whole) in [
         (surface.displacement, whole.displacement),

@@ -271,3 +271,55 @@ fn a_cancelled_path_keeps_the_steps_that_it_finished() {
     let path = solved_by(3);
     assert!(path.interrupted && path.steps.len() <= 1);
 }
+
+/// What `task` gives on a pool of so many threads.
+fn with_threads<T: Send>(threads: usize, task: impl FnOnce() -> T + Send) -> T {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+    pool.unwrap().install(task)
+}
+
+#[test]
+fn a_finest_grid_made_beside_the_coarser_ones_is_the_same_grid() {
+    // A film that makes the first domain too small, so that the grid is made ahead more than once.
+    let film = || Relief::Film(Film::new(0.02, 0.01).unwrap());
+    let solved = |threads| {
+        with_threads(threads, || {
+            let path = solve(&model(film()), Domain::Automatic, 512, &[hertz_force(0.1)]);
+            assert!(path.solve_seconds > 0.0 && path.coefficients_seconds > 0.0);
+            path
+        })
+    };
+    let (one, two) = (solved(1), solved(2));
+    assert_eq!(one.grid, two.grid);
+    assert!(one.steps[0].solution.certificate.is_satisfied());
+    assert_eq!(one.steps[0].solution, two.steps[0].solution);
+    assert_eq!(one.steps[0].grid_error, two.steps[0].grid_error);
+}
+
+#[test]
+fn a_path_can_be_cancelled_while_its_finest_grid_is_made() {
+    struct Cancels;
+    impl Observer for Cancels {
+        fn progress(&mut self, progress: &Progress) -> Signal {
+            if progress.elements == 128 {
+                Signal::Cancel
+            } else {
+                Signal::Continue
+            }
+        }
+    }
+    let path = with_threads(2, || {
+        let (domain, options) = (Domain::Side(0.3), SolverOptions::default());
+        let loads = [hertz_force(0.1)];
+        solve_path(
+            &model(Relief::Bare),
+            domain,
+            512,
+            &loads,
+            &options,
+            &mut Cancels,
+        )
+        .unwrap()
+    });
+    assert!(path.interrupted && path.steps.is_empty());
+}

@@ -75,7 +75,8 @@ fn the_summary_is_what_the_pressure_says() {
     let found = last(&path).summary;
     let pressed: Vec<usize> = (0..grid.len()).filter(|e| pressure[*e] > 0.0).collect();
     let place = |e: usize| [grid.centre(e / 128), grid.centre(e % 128)];
-    let on_relief = pressed.iter().filter(|e| path.relief.mask()[**e]).count();
+    let relief = path.geometry().relief;
+    let on_relief = pressed.iter().filter(|e| relief.mask()[**e]).count();
     let radii = pressed.iter().map(|e| place(*e)[0].hypot(place(*e)[1]));
     let peak = pressure.iter().copied().fold(0.0, f64::max);
     let peak_at = pressure.iter().position(|p| *p == peak).unwrap();
@@ -184,7 +185,10 @@ fn a_film_is_doubted_when_it_shortens_by_more_than_itself() {
     for (force, doubted) in [(2e-4, false), (2e-3, true)] {
         let film = Relief::Film(Film::new(2e-3, 0.05).unwrap());
         let path = solve(&model(&[], film), 0.5, 48, Load::Force(force));
-        let shortening = path.surface(path.steps.len() - 1).unwrap().shortening;
+        let shortening = path
+            .surface(&path.geometry(), path.steps.len() - 1)
+            .unwrap()
+            .shortening;
         let times = shortening.iter().copied().fold(0.0, f64::max) / 2e-3;
         assert_eq!(times > 1.0, doubted, "{times}");
         if doubted {

@@ -79,6 +79,7 @@ mod coefficient_table;
 mod column_block;
 mod compensated;
 mod convolution;
+mod cosine;
 mod dense;
 pub mod direct;
 mod edges;

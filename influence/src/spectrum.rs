@@ -3,13 +3,16 @@
 //! The coefficients of all offsets up to M − 1 or M, extended evenly to L × L = 2M × 2M and zero where none is needed, are a
 //! circulant whose product with a zero-padded pressure is exactly K p. Its spectrum is real and even: a quarter determines it.
 
+use std::sync::Arc;
+
 use rayon::prelude::*;
-use realfft::RealFftPlanner;
 use rustfft::num_complex::Complex64;
+use rustfft::{Fft, FftPlanner};
 
 use crate::coefficient_table::CoefficientTable;
+use crate::cosine::{self, CosineTransform, Frequencies};
 
-/// Lines transformed together.
+/// Lines transformed together; even.
 const LINES: usize = 8;
 
 /// A quarter, (M+1) × (M+1) values, of the real, even, symmetric L × L spectrum.
@@ -46,16 +49,33 @@ impl Spectrum {
     }
 }
 
-/// The real Fourier transform of a sequence that is even with period 2M.
+/// The Fourier transform of sequences that are even with period 2M, which is a cosine transform of type I:
+///
+/// ```text
+/// X_k = a_0 + (−1)^k a_M + 2 Σ_(0<j<M) a_j cos(πjk/M),    k = 0 … M
+/// ```
+///
+/// As long as M is even, it falls into two of half the length: at odd frequencies a transform of type III of `a_j − a_(M−j)`, and at even ones that of type I of
+/// `a_j + a_(M−j)`. What is left is of odd length, or short, and is transformed as it stands. Two sequences are transformed at a time, as the parts of
+/// one complex sequence: half the work of real transforms of the whole period.
 struct EvenTransform {
     half: usize,
-    forward: std::sync::Arc<dyn realfft::RealToComplex<f64>>,
+    /// Of M/2, M/4 … numbers.
+    folded: Vec<CosineTransform<f64>>,
+    /// Of the period that is left.
+    rest: Arc<dyn Fft<f64>>,
 }
 
 impl EvenTransform {
     fn new(half: usize) -> Self {
-        let forward = RealFftPlanner::new().plan_fft_forward(2 * half);
-        Self { half, forward }
+        let halvings = half.trailing_zeros();
+        let folded = (1..=halvings).map(|halving| half >> halving);
+        let folded = folded.map(|length| CosineTransform::new(length, Frequencies::Whole));
+        Self {
+            half,
+            folded: folded.collect(),
+            rest: FftPlanner::new().plan_fft_forward(2 * (half >> halvings)),
+        }
     }
 
     /// The M+1 values of each of `count` lines, of which line i begins with `entry([i, 0])` … `entry([i, length−1])`, is 0 beyond and is mirrored; each
@@ -69,60 +89,98 @@ impl EvenTransform {
         entry: impl Fn([usize; 2]) -> f64 + Sync,
         place: impl Fn(usize) -> usize + Sync,
     ) -> Vec<f64> {
-        let (period, width) = (2 * self.half, self.half + 1);
+        let width = self.half + 1;
         let mut results = vec![0.0; count * width];
         let groups = results.par_chunks_mut(LINES * width).enumerate();
         groups.for_each_init(
-            || Buffers {
-                lines: vec![0.0; LINES * period],
-                transformed: self.forward.make_output_vec(),
-                scratch: self.forward.make_scratch_vec(),
-            },
-            |buffers, (group, results)| {
-                let Buffers {
-                    lines,
-                    transformed,
-                    scratch,
-                } = buffers;
-                lines.fill(0.0);
+            || self.buffers(),
+            |(pairs, buffers), (group, results)| {
+                pairs.fill(Complex64::default());
                 let first = group * LINES;
-                let indices = first..(first + LINES).min(count);
                 for position in 0..length {
-                    for (line, index) in lines.chunks_exact_mut(period).zip(indices.clone()) {
-                        line[position] = entry([index, position]);
+                    for line in 0..results.len() / width {
+                        let pair = &mut pairs[line / 2 * width + position];
+                        let value = entry([first + line, position]);
+                        if line % 2 == 0 {
+                            pair.re = value;
+                        } else {
+                            pair.im = value;
+                        }
                     }
                 }
-                let results = results.chunks_exact_mut(width);
-                for (line, result) in lines.chunks_exact_mut(period).zip(results) {
-                    let (rising, falling) = line.split_at_mut(width);
-                    let mirrored = rising[1..length.min(self.half)].iter();
-                    for (to, value) in falling.iter_mut().rev().zip(mirrored) {
-                        *to = *value;
-                    }
-                    let outcome = self
-                        .forward
-                        .process_with_scratch(line, transformed, scratch);
-                    debug_assert!(outcome.is_ok(), "the buffers come from the plan");
-                    for (frequency, value) in transformed.iter().enumerate() {
-                        result[place(frequency)] = value.re;
-                    }
+                let results = results.chunks_mut(2 * width);
+                for (pair, results) in pairs.chunks_exact_mut(width).zip(results) {
+                    self.transform_pair(pair, buffers, |frequency, both| {
+                        let place = place(frequency);
+                        results[place] = both.re;
+                        if let Some(other) = results.get_mut(width + place) {
+                            *other = both.im;
+                        }
+                    });
                 }
             },
         );
         results
     }
+
+    /// Transforms `a_0 … a_M`, and tells every value with its frequency.
+    fn transform_pair(
+        &self,
+        line: &mut [Complex64],
+        Buffers { sequence, scratch }: &mut Buffers,
+        mut tell: impl FnMut(usize, Complex64),
+    ) {
+        let (mut half, mut step) = (self.half, 1);
+        for odd in &self.folded {
+            let folded = half / 2;
+            let differences = &mut sequence[..folded];
+            for (j, difference) in differences.iter_mut().enumerate() {
+                let (near, far) = (line[j], line[half - j]);
+                (*difference, line[j]) = (near - far, near + far);
+            }
+            line[folded] += line[folded];
+            odd.synthesise(differences, scratch);
+            for k in 0..folded {
+                tell((2 * k + 1) * step, differences[cosine::place(k, folded)]);
+            }
+            (half, step) = (folded, 2 * step);
+        }
+        let period = &mut sequence[..2 * half];
+        period[..=half].copy_from_slice(&line[..=half]);
+        for j in 1..half {
+            period[2 * half - j] = line[j];
+        }
+        self.rest.process_with_scratch(period, scratch);
+        for (k, value) in period[..=half].iter().enumerate() {
+            tell(k * step, *value);
+        }
+    }
+
+    /// A few pairs of lines, and what their transforms need.
+    fn buffers(&self) -> (Vec<Complex64>, Buffers) {
+        let folded = self.folded.iter().map(CosineTransform::scratch_length);
+        let scratch = folded.fold(self.rest.get_inplace_scratch_len(), usize::max);
+        let zeros = |count: usize| vec![Complex64::default(); count];
+        let buffers = Buffers {
+            sequence: zeros(2 * self.half),
+            scratch: zeros(scratch),
+        };
+        (zeros(LINES / 2 * (self.half + 1)), buffers)
+    }
 }
 
-/// What one thread needs.
+/// What one pair's transform needs.
 struct Buffers {
-    lines: Vec<f64>,
-    transformed: Vec<Complex64>,
+    /// The sequence under way.
+    sequence: Vec<Complex64>,
     scratch: Vec<Complex64>,
 }
 
 #[cfg(test)]
 mod tests {
-    use super::Spectrum;
+    use std::f64::consts::PI;
+
+    use super::{EvenTransform, Spectrum};
     use crate::coefficient_table::CoefficientTable;
 
     #[test]
@@ -136,6 +194,27 @@ mod tests {
             for value in even.iter().chain(odd) {
                 // Rounding of two transforms of length 12.
                 assert!((value * 144.0 - 3.0).abs() < 1e-14);
+            }
+        }
+    }
+
+    #[test]
+    fn even_sequences_are_transformed_into_their_sums_of_cosines() {
+        for half in [1, 2, 3, 4, 12, 20, 45, 64, 90] {
+            for length in [1, half, half + 1] {
+                let entry = |[i, j]: [usize; 2]| ((7 * i + 1) as f64 + 0.37 * j as f64).sin();
+                let found = EvenTransform::new(half).transform(3, length, entry, |k| k);
+                for (index, value) in found.iter().enumerate() {
+                    let (line, k) = (index / (half + 1), index % (half + 1));
+                    let wave = |j: usize| (PI * (j * k) as f64 / half as f64).cos();
+                    let images = |j: usize| if j == 0 || j == half { 1.0 } else { 2.0 };
+                    let terms = (0..length).map(|j| images(j) * entry([line, j]) * wave(j));
+                    // Rounding of up to 91 terms of order 1.
+                    assert!(
+                        (value - terms.sum::<f64>()).abs() < 1e-12,
+                        "{half} {length} {k}"
+                    );
+                }
             }
         }
     }

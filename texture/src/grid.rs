@@ -105,6 +105,23 @@ impl Grid {
         field
     }
 
+    /// A function of the point at the centres of the elements with x, y > 0, row after row, each element's row and column counted from the axis; of an
+    /// odd N those on the axes are among them.
+    pub fn sample_quadrant<T: Copy + Default + Send + Sync>(
+        &self,
+        function: impl Fn([f64; 2]) -> T + Sync,
+    ) -> Vec<T> {
+        let (first, size) = (self.size / 2, self.size.div_ceil(2));
+        let mut field = vec![T::default(); size * size];
+        let rows = field.par_chunks_exact_mut(size).zip(first..self.size);
+        rows.for_each(|(row, i)| {
+            for (value, j) in row.iter_mut().zip(first..self.size) {
+                *value = function([self.centre(i), self.centre(j)]);
+            }
+        });
+        field
+    }
+
     /// Centres `[x, y]` of all elements in the order of their index `i * N + j`.
     pub fn centres(&self) -> impl Iterator<Item = [f64; 2]> + '_ {
         (0..self.size)
@@ -147,6 +164,11 @@ mod tests {
                 assert_eq!(grid.sample(is_mirrored, mirrored), expected);
             }
             let other = |[x, y]: [f64; 2]| x - 3.0 * y;
+            let quadrant = grid
+                .centres()
+                .filter(|centre| centre.iter().all(|x| *x >= 0.0));
+            let quadrant: Vec<f64> = quadrant.map(other).collect();
+            assert_eq!(grid.sample_quadrant(other), quadrant);
             let expected: Vec<f64> = grid.centres().map(other).collect();
             assert_eq!(grid.sample(false, other), expected);
         }

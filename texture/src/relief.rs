@@ -26,15 +26,39 @@ impl Relief {
     /// Mask, surface profile and compliance at the centres of the grid's elements.
     #[must_use]
     pub fn sample(&self, grid: &Grid) -> SampledRelief {
-        let everywhere = |value: f64| vec![value; grid.len()];
+        self.sampled(
+            grid.len(),
+            |cylinders| grid.sample(self.is_mirrored(), |point| cylinders.contains(point)),
+            |value| grid.sample(false, value),
+        )
+    }
+
+    /// The same at the elements with x, y > 0 only, in the order of [`Grid::sample_quadrant`].
+    #[must_use]
+    pub fn sample_quadrant(&self, grid: &Grid) -> SampledRelief {
+        self.sampled(
+            grid.size().div_ceil(2).pow(2),
+            |cylinders| grid.sample_quadrant(|point| cylinders.contains(point)),
+            |value| grid.sample_quadrant(value),
+        )
+    }
+
+    /// The relief at `count` elements, by what samples cylinders and functions of the point there.
+    fn sampled(
+        &self,
+        count: usize,
+        outline: impl Fn(&Cylinders) -> Vec<bool>,
+        field: impl Fn(&(dyn Fn([f64; 2]) -> f64 + Sync)) -> Vec<f64>,
+    ) -> SampledRelief {
+        let everywhere = |value: f64| vec![value; count];
         match self {
             Self::Bare => SampledRelief {
-                mask: vec![false; grid.len()],
+                mask: vec![false; count],
                 profile: everywhere(0.0),
                 compliance: everywhere(0.0),
             },
             Self::Cylinders(cylinders) => {
-                let mask = grid.sample(self.is_mirrored(), |point| cylinders.contains(point));
+                let mask = outline(cylinders);
                 let choose = |on_top: f64, between: f64| {
                     let values = mask.par_iter();
                     values
@@ -48,14 +72,14 @@ impl Relief {
                 }
             }
             Self::Film(film) => SampledRelief {
-                mask: vec![true; grid.len()],
+                mask: vec![true; count],
                 profile: everywhere(0.0),
                 compliance: everywhere(film.compliance()),
             },
             Self::Map(map) => SampledRelief {
-                mask: vec![true; grid.len()],
-                profile: grid.sample(false, |point| map.profile_at(point)),
-                compliance: grid.sample(false, |point| map.compliance_at(point)),
+                mask: vec![true; count],
+                profile: field(&|point| map.profile_at(point)),
+                compliance: field(&|point| map.compliance_at(point)),
             },
         }
     }
@@ -97,6 +121,38 @@ impl Relief {
 mod tests {
     use super::*;
     use crate::{CylinderSpec, HeightMap, Lattice, MapCompliance};
+
+    #[test]
+    fn a_quadrant_is_sampled_as_the_whole_is() {
+        let spec = CylinderSpec {
+            lattice: Lattice::Square,
+            radius: 0.2,
+            height: 0.1,
+            period: 0.7,
+            offset: [0.1, 0.3],
+            young_modulus: 2.0,
+        };
+        let heights: Vec<f64> = (0..9).map(|k| f64::from(k * k)).collect();
+        let map = HeightMap::new(heights, [3, 3], [3.0, 3.0]).unwrap();
+        let reliefs = [
+            Relief::Map(ReliefMap::new(map, MapCompliance::YoungModulus(2.0)).unwrap()),
+            Relief::Bare,
+            Relief::Cylinders(Cylinders::new(spec).unwrap()),
+            Relief::Film(Film::new(2.0, 8.0).unwrap()),
+        ];
+        for (relief, size) in reliefs.iter().flat_map(|relief| [(relief, 8), (relief, 9)]) {
+            let grid = Grid::new(3.0, size).unwrap();
+            let (whole, quadrant) = (relief.sample(&grid), relief.sample_quadrant(&grid));
+            let elements = (0..grid.len()).filter(|e| (e / size).min(e % size) >= size / 2);
+            for (part, e) in elements.enumerate() {
+                let at = |sampled: &SampledRelief, e: usize| {
+                    (sampled.mask[e], sampled.profile[e], sampled.compliance[e])
+                };
+                assert_eq!(at(&quadrant, part), at(&whole, e));
+            }
+            assert_eq!(quadrant.mask.len(), size.div_ceil(2).pow(2));
+        }
+    }
 
     #[test]
     fn a_bare_surface_is_flat_and_rigid_and_a_film_is_flat_and_soft() {

@@ -1,6 +1,6 @@
 //! A relief as a solver sees it: three fields on a grid.
 
-/// The relief at the centres of a grid's elements: mask, surface profile and compliance, N² values each, index `i * N + j`.
+/// The relief at the centres of a grid's elements: mask, surface profile and compliance, N² values each, index `i * N + j`; or at those of a quadrant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SampledRelief {
     pub(crate) mask: Vec<bool>,
@@ -25,6 +25,12 @@ impl SampledRelief {
     #[must_use]
     pub fn compliance(&self) -> &[f64] {
         &self.compliance
+    }
+
+    /// Mask, surface profile and compliance as fields of their own.
+    #[must_use]
+    pub fn into_parts(self) -> (Vec<bool>, Vec<f64>, Vec<f64>) {
+        (self.mask, self.profile, self.compliance)
     }
 
     /// Fraction of the elements that lie on the relief; tends to [`Relief::area_fraction`](crate::Relief::area_fraction).

@@ -13,13 +13,13 @@ use crate::forecast::Forecast;
 use crate::program::Outcome;
 use crate::{cache, terminal};
 
-/// Memory of a run of one step per element, in bytes, without the step's pressure: the resident set of fig2c at N = 1024 and 2048 is 142 and 106
-/// with it, results written, on the whole grid; on a quadrant 107 and 94.
+/// Memory of a run of one step per element, in bytes, without the step's pressure: the resident set of fig2c at N = 1024 and 2048 is 140 and 91
+/// with it, results written, on the whole grid; on a quadrant 107 and 89.
 const BYTES_PER_ELEMENT: f64 = 110.0;
 
-/// The same of a run of several steps, two of which are solved and written at a time: 353 with three steps at N = 1024 on the whole grid, 178
+/// The same of a run of several steps, two of which are solved and written at a time: 282 with three steps at N = 1024 on the whole grid, 177
 /// on a quadrant.
-const BYTES_PER_ELEMENT_OF_MANY: f64 = 330.0;
+const BYTES_PER_ELEMENT_OF_MANY: f64 = 260.0;
 
 /// Memory of a loading step per element, in bytes: its pressure.
 const BYTES_PER_ELEMENT_AND_STEP: f64 = 8.0;

@@ -1,6 +1,6 @@
 //! The fields of one loading step, as writers and pictures take them.
 
-use pellicle_contact::{DeformedSurface, LoadingPath};
+use pellicle_contact::{DeformedSurface, LoadingPath, SampledModel};
 
 /// N × N values each, element `(i, j)` at index `i N + j`: the first index runs along x.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,7 +39,12 @@ pub struct Named<'a> {
 impl<'a> Fields<'a> {
     /// The fields of a step of a path, the surface that it deforms among them.
     #[must_use]
-    pub fn of(path: &'a LoadingPath, step: usize, surface: &'a DeformedSurface) -> Self {
+    pub fn of(
+        path: &'a LoadingPath,
+        geometry: &'a SampledModel,
+        step: usize,
+        surface: &'a DeformedSurface,
+    ) -> Self {
         Self {
             side: path.grid.side(),
             size: path.grid.size(),
@@ -47,8 +52,8 @@ impl<'a> Fields<'a> {
             displacement: &surface.displacement,
             gap: &surface.gap,
             shortening: &surface.shortening,
-            profile: path.relief.profile(),
-            mask: path.relief.mask(),
+            profile: geometry.relief.profile(),
+            mask: geometry.relief.mask(),
         }
     }
 

@@ -4,7 +4,7 @@ use std::fs;
 use std::io::Write;
 use std::path::Path;
 
-use pellicle_contact::{DeformedSurface, LoadingPath};
+use pellicle_contact::LoadingPath;
 use rayon::prelude::*;
 
 use super::fields::Fields;
@@ -29,10 +29,12 @@ const PICTURES: usize = 3;
 pub fn write(folder: &Path, path: &LoadingPath, summary: &Summary) -> Result<(), Failure> {
     let text = json(summary)?;
     let record = Record::parse(&text, summary.case.units)?;
+    let geometry = path.geometry();
     let steps = (0..path.steps.len()).into_par_iter();
-    let steps = steps.filter_map(|i| Some((i, path.surface(i)?)));
+    let steps = steps.filter_map(|i| Some((i, path.surface(&geometry, i)?)));
     let parts = steps.map(|(i, surface)| {
-        let part = write_step(folder, path, &record, i, &surface)?;
+        let fields = Fields::of(path, &geometry, i, &surface);
+        let part = write_step(folder, &record, i, fields)?;
         Ok(is_in_report(i, path.steps.len()).then_some(part))
     });
     let parts = parts.collect::<Result<Vec<Option<StepPart>>, Failure>>()?;
@@ -45,12 +47,10 @@ pub fn write(folder: &Path, path: &LoadingPath, summary: &Summary) -> Result<(),
 /// The fields and pictures of a step; what the report shows of them.
 fn write_step(
     folder: &Path,
-    path: &LoadingPath,
     record: &Record,
     step: usize,
-    surface: &DeformedSurface,
+    fields: Fields<'_>,
 ) -> Result<StepPart, Failure> {
-    let fields = Fields::of(path, step, surface);
     // What is packed takes about as long as all the rest.
     let (packed, part) = rayon::join(
         || npz::write(&folder.join(npz::file(step)), &fields),

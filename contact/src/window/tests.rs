@@ -5,6 +5,15 @@ use std::collections::BTreeSet;
 use super::Window;
 use crate::sector::Sector;
 
+/// A window of a grid of 20 × 20 elements.
+fn window(origin: [usize; 2], size: usize) -> Window {
+    Window {
+        origin,
+        size,
+        ..Window::whole(20)
+    }
+}
+
 #[test]
 fn a_window_holds_what_belongs_with_a_margin() {
     let belongs = |[i, j]: [usize; 2]| i / 10 == 7 && j / 20 == 9;
@@ -58,11 +67,6 @@ fn a_window_grows_until_it_is_the_whole_grid() {
 
 #[test]
 fn a_field_moves_between_windows_and_is_nought_where_there_was_none() {
-    let window = |origin, size| Window {
-        origin,
-        size,
-        ..Window::whole(20)
-    };
     let field: Vec<f64> = (0..400).map(|e| 1.0 + f64::from(e)).collect();
     let (one, other) = (window([2, 5], 9), window([7, 1], 8));
     let moved = other.take_over(&one, &one.cut(&field));
@@ -85,11 +89,6 @@ fn a_field_moves_between_windows_and_is_nought_where_there_was_none() {
 
 #[test]
 fn a_rim_goes_as_far_as_the_grid() {
-    let window = |origin, size| Window {
-        origin,
-        size,
-        ..Window::whole(20)
-    };
     assert_eq!(window([5, 6], 4).with_rim(2), window([3, 4], 8));
     assert_eq!(window([0, 15], 4).with_rim(2), window([0, 12], 8));
     assert_eq!(window([1, 2], 17).with_rim(2), Window::whole(20));

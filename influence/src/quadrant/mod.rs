@@ -3,7 +3,6 @@
 //! Every transform is half as long along each axis, and real where it was complex: a product takes a quarter of the time.
 
 mod convolution;
-mod cosine;
 mod operator;
 mod plane;
 mod symbol_filter;

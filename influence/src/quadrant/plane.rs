@@ -1,7 +1,7 @@
 //! Multiplication of the Fourier series of a field that is its own mirror image in both axes, of which a quadrant is given and wanted.
 //!
 //! Three passes, as those of the [whole plane](crate::convolution): the rows, two at a time; the columns, two at a time and 32 together so
-//! that they stay in the cache; the rows back. All transforms are [cosine transforms](super::cosine) of length h.
+//! that they stay in the cache; the rows back. All transforms are [cosine transforms](crate::cosine) of length h.
 //!
 //! A field of period 2h has the whole frequencies alone. For a product that must not wrap around the field is given room to 2h, with the period 4h: its
 //! even frequencies are the whole ones of length h and its odd ones the halves, and neither the zeros nor the second half of a line are ever stored.
@@ -14,7 +14,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError, RwLock};
 use rayon::prelude::*;
 use rustfft::num_complex::Complex;
 
-use super::cosine::{CosineTransform, Frequencies, Real, place};
+use crate::cosine::{CosineTransform, Frequencies, Real, place};
 
 /// Pairs of columns in a block.
 const WIDTH: usize = 16;

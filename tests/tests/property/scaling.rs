@@ -107,7 +107,7 @@ fn the_stored_energy_grows_by_the_work_of_the_force() {
     let area = (0.5 / ELEMENTS as f64).powi(2);
     // U = ½ Σ p (u + w*) 4a²
     let energy = |path: &LoadingPath| -> f64 {
-        let surface = path.surface(0).unwrap();
+        let surface = path.surface(&path.geometry(), 0).unwrap();
         let fields = surface.displacement.iter().zip(&surface.shortening);
         let work = path.steps[0].solution.pressure.iter().zip(fields);
         work.map(|(p, (u, w))| 0.5 * p * (u + w) * area).sum()

@@ -17,7 +17,7 @@ use crate::{
 };
 
 /// Elements worth a thread of their own.
-const MIN_PART: usize = 1 << 14;
+const MIN_PART: usize = 1 << 12;
 
 /// What became of a step that may not pull.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

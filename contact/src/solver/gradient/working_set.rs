@@ -6,7 +6,7 @@ use super::iterate::State;
 use crate::{sector::Sector, vector::update, window::Window};
 
 /// Elements that one thread looks at together.
-const PART: usize = 1 << 14;
+const PART: usize = 1 << 12;
 
 /// A mask over the grid of the elements whose pressures are free.
 pub struct WorkingSet {

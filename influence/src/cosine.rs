@@ -14,6 +14,7 @@
 //! 2 X(κ) = a + b,  2 X(h − κ) = i (a − b);    a = X(κ) − i X(h − κ),  b = X(κ) + i X(h − κ)
 //! ```
 
+use std::cell::Cell;
 use std::sync::Arc;
 
 use rustfft::num_complex::Complex;
@@ -165,16 +166,15 @@ impl<T: Real> CosineTransform<T> {
     ) {
         // h − κ is the index h − k of whole frequencies, and h − 1 − k of halves.
         let first = usize::from(self.frequencies == Frequencies::Whole);
-        let (last, pairs) = (line.len() - 1, (line.len() - first) / 2);
-        let (low, high) = line[first..].split_at_mut(last + 1 - first - pairs);
-        let phases = &self.phases[first..];
-        let highs = high.iter_mut().rev();
-        for (index, ((low, high), phase)) in low.iter_mut().zip(highs).zip(phases).enumerate() {
-            [*low, *high] = rule([first + index, last - index], [*low, *high], *phase);
-        }
-        if let Some(middle) = low.get_mut(pairs) {
-            let index = [first + pairs; 2];
-            [*middle, _] = rule(index, [*middle; 2], phases[pairs]);
+        let last = line.len() - 1;
+        let numbers = Cell::from_mut(&mut line[first..]).as_slice_of_cells();
+        let pairs = numbers.iter().zip(numbers.iter().rev());
+        let pairs = pairs.zip(&self.phases[first..]).enumerate();
+        for (index, ((low, high), phase)) in pairs.take(numbers.len().div_ceil(2)) {
+            let partners = [first + index, last - index];
+            let [x, y] = rule(partners, [low.get(), high.get()], *phase);
+            high.set(y);
+            low.set(x);
         }
     }
 }
