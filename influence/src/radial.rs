@@ -191,7 +191,7 @@ impl RadialFunctions {
 
     fn tabulate_far_field(&mut self) {
         let value = |t: f64| self.value(t);
-        let scale = |t: f64| scale(self.limit, value(t).abs(), t.ln());
+        let scale = |largest: f64, t: f64| scale(self.limit, largest, t.ln());
         let table = FarField::new(self.ends, value, scale);
         self.worst.error += table.error();
         self.far_field = Some(table);

@@ -108,6 +108,8 @@ impl RadialTables {
     }
 
     /// Estimated error of a coefficient, relative to `max(|k|, min(1, Φ(0)) k_Love)`: tails of the expansions and rounding.
+    ///
+    /// Where k changes sign with the distance, |k| is the largest within an octave of the distance.
     #[must_use]
     pub fn error_estimate(&self) -> f64 {
         self.functions
