@@ -199,7 +199,8 @@ mod tests {
             elements: 64,
             iteration,
             residual,
-            contact_elements: 120,
+            working_set: 120,
+            working_set_change: 3,
         }
     }
 

@@ -15,8 +15,10 @@ pub struct Progress {
     pub iteration: usize,
     /// Largest line of the certificate at this iterate, by the iteration's own residual; dimensionless.
     pub residual: f64,
-    /// Elements with positive pressure.
-    pub contact_elements: usize,
+    /// Elements of the working set, which press or are about to.
+    pub working_set: usize,
+    /// Elements that entered or left it since the iteration before; in a level's first iteration all of it.
+    pub working_set_change: usize,
 }
 
 /// The observer's answer.

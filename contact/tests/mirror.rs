@@ -170,7 +170,7 @@ struct Watcher {
 impl Observer for Watcher {
     fn progress(&mut self, progress: &Progress) -> Signal {
         self.grids.push(progress.elements);
-        self.contact_elements = progress.contact_elements;
+        self.contact_elements = progress.working_set;
         Signal::Continue
     }
 }

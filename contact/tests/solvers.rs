@@ -6,8 +6,8 @@
 )]
 
 use pellicle_contact::{
-    ActiveSetSolver, ContactError, DiscreteProblem, GradientSolver, Load, Observer, Progress,
-    Signal, Solution, Solver, SolverOptions, Watch,
+    ActiveSetSolver, ContactError, DiscreteProblem, DropOnlySolver, GradientSolver, Load, Observer,
+    Progress, Signal, Solution, Solver, SolverOptions, Watch,
 };
 use std::sync::Arc;
 
@@ -228,6 +228,52 @@ fn a_pressure_disturbed_by_a_millionth_fails_its_certificate() {
             .certificate
             .is_satisfied()
     );
+}
+
+/// All that one solver told of one solution.
+#[derive(Default)]
+struct Log(Vec<Progress>);
+
+impl Observer for Log {
+    fn progress(&mut self, progress: &Progress) -> Signal {
+        self.0.push(*progress);
+        Signal::Continue
+    }
+}
+
+#[test]
+fn every_solver_tells_its_working_set_and_what_moves() {
+    let (by_gradient, active_set) = (gradient(), ActiveSetSolver::default());
+    let drop_only = DropOnlySolver::default();
+    for solver in [&by_gradient as &dyn Solver, &active_set, &drop_only] {
+        let mut problem = problem(24, 10.0, wavy, |_, _| 0.0);
+        let start = cold(&problem);
+        let mut log = Log::default();
+        let mut watch = Watch {
+            observer: &mut log,
+            step: 0,
+            finished: 0,
+            steps: 1,
+        };
+        let outcome = solver.solve(&mut problem, Load::Force(2e-3), &start, &mut watch);
+        let pressing = outcome
+            .unwrap()
+            .pressure
+            .iter()
+            .filter(|p| **p > 0.0)
+            .count();
+        let told = log.0;
+        assert!(told.iter().map(|told| told.iteration).eq(0..told.len()));
+        assert_eq!(told.last().unwrap().working_set, pressing);
+        // All of it is new at first; then as many enter or leave as it grows or shrinks by, or an even number more.
+        assert_eq!(told[0].working_set_change, told[0].working_set);
+        assert!(told[1].working_set_change > 0);
+        for pair in told.windows(2) {
+            let growth = pair[0].working_set.abs_diff(pair[1].working_set);
+            let moves = pair[1].working_set_change;
+            assert!(moves >= growth && (moves - growth).is_multiple_of(2));
+        }
+    }
 }
 
 #[test]

@@ -109,13 +109,13 @@ pub struct Watch<'a> {
 }
 
 impl Watch<'_> {
-    /// Tells the observer; an error if it cancels.
+    /// Tells the observer, of the working set its elements and how many of them are new or gone; an error if it cancels.
     pub(crate) fn tell(
         &mut self,
         elements: usize,
         iteration: usize,
         residual: f64,
-        contact_elements: usize,
+        [working_set, working_set_change]: [usize; 2],
     ) -> Result<(), ContactError> {
         let Self {
             step,
@@ -130,7 +130,8 @@ impl Watch<'_> {
             elements,
             iteration,
             residual,
-            contact_elements,
+            working_set,
+            working_set_change,
         }) {
             Signal::Continue => Ok(()),
             Signal::Cancel => Err(ContactError::Cancelled { step }),

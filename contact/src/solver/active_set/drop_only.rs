@@ -58,14 +58,16 @@ impl Solver for DropOnlySolver {
         let system = DenseSystem::new(problem, load);
         let all = vec![0.0; problem.elements()];
         let mut members = Exchange::start(&system, &all).members().to_vec();
-        let mut residuals = Vec::new();
+        let (mut residuals, mut moves) = (Vec::new(), members.len());
         loop {
             let trial = system.solve_on(&members)?;
-            watch.tell(size, residuals.len(), trial.residual(), members.len())?;
+            let working_set = [members.len(), moves];
+            watch.tell(size, residuals.len(), trial.residual(), working_set)?;
             residuals.push(trial.residual());
             let before = members.len();
             members.retain(|m| trial.pressure[*m] >= 0.0);
-            if members.len() == before || members.is_empty() {
+            moves = before - members.len();
+            if moves == 0 || members.is_empty() {
                 return Ok(trial.into_iterate(residuals));
             }
         }

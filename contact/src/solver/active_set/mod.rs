@@ -52,21 +52,40 @@ impl Solver for ActiveSetSolver {
         check_size(size)?;
         let system = DenseSystem::new(problem, load);
         let mut exchange = Exchange::start(&system, start);
-        let mut residuals = Vec::new();
+        let (mut residuals, mut before) = (Vec::new(), Vec::new());
         loop {
-            let trial = system.solve_on(exchange.members())?;
-            watch.tell(
-                size,
-                residuals.len(),
-                trial.residual(),
-                exchange.members().len(),
-            )?;
+            let members = exchange.members();
+            let trial = system.solve_on(members)?;
+            let working_set = [members.len(), moves(&before, members)];
+            watch.tell(size, residuals.len(), trial.residual(), working_set)?;
             residuals.push(trial.residual());
             let given_up = residuals.len() > self.options.max_applications;
             if trial.infeasible.is_empty() || given_up {
                 return Ok(trial.into_iterate(residuals));
             }
+            before = members.to_vec();
             exchange.advance(&system, &trial);
+        }
+    }
+}
+
+/// Elements that are in one of two ascending sets only.
+fn moves(before: &[usize], after: &[usize]) -> usize {
+    let stayed = after.iter().filter(|e| before.binary_search(e).is_ok());
+    before.len() + after.len() - 2 * stayed.count()
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn moves_are_what_entered_and_what_left() {
+        for (before, after, moves) in [
+            (&[][..], &[3, 5][..], 2),
+            (&[3, 5], &[], 2),
+            (&[1, 2, 9], &[2, 3, 9, 11], 3),
+            (&[1, 2], &[1, 2], 0),
+        ] {
+            assert_eq!(super::moves(before, after), moves);
         }
     }
 }

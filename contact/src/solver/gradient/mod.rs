@@ -97,8 +97,9 @@ impl Solver for GradientSolver {
                 state, set, best, ..
             } = &mut *iteration.workspace;
             let (residual, is_admissible) = state.residual();
-            let contact = set.len() * problem.sector().images();
-            watch.tell(problem.grid_size(), residuals.len(), residual, contact)?;
+            let images = problem.sector().images();
+            let working_set = [set.len(), set.take_moves()].map(|elements| elements * images);
+            watch.tell(problem.grid_size(), residuals.len(), residual, working_set)?;
             residuals.push(residual);
             if is_admissible {
                 best.offer(state, residual);

@@ -13,6 +13,8 @@ pub struct WorkingSet {
     mask: Vec<bool>,
     len: usize,
     changed: usize,
+    /// Elements that entered or left since that was last asked for.
+    moves: usize,
 }
 
 impl WorkingSet {
@@ -22,6 +24,7 @@ impl WorkingSet {
             mask: vec![false; elements],
             len: 0,
             changed: 0,
+            moves: 0,
         }
     }
 
@@ -29,6 +32,7 @@ impl WorkingSet {
     pub fn start(&mut self, state: &State) {
         self.update(state);
         self.changed = self.mask.len();
+        self.moves = self.len;
     }
 
     /// `I = {p > 0} ∪ {g < 0}`, for pressures that are nowhere negative.
@@ -72,6 +76,12 @@ impl WorkingSet {
         let counts: Vec<(usize, usize)> = counts.collect();
         self.len = counts.iter().map(|(len, _)| len).sum();
         self.changed = counts.iter().map(|(_, changed)| changed).sum();
+        self.moves += self.changed;
+    }
+
+    /// How many elements entered or left since this was asked last, or all since [`Self::start`].
+    pub fn take_moves(&mut self) -> usize {
+        std::mem::take(&mut self.moves)
     }
 
     /// Whether the last revision changed nothing.
