@@ -18,8 +18,8 @@ pub enum Body {
 pub struct Surface {
     elasticity: Arc<SurfaceElasticity>,
     operator: Option<Box<dyn ElasticOperator>>,
-    /// The same for pressures on one window only.
-    spread: Option<(Window, Box<SpreadOperator>)>,
+    /// From pressures on one window to displacements on another around it.
+    spread: Option<([Window; 2], Box<SpreadOperator>)>,
 }
 
 impl Body {
@@ -47,11 +47,17 @@ impl Body {
         }
     }
 
-    /// Writes the displacement of all of a window's grid by a pressure on the window, nought outside.
-    pub fn displace_into(&mut self, window: &Window, pressure: &[f64], displacement: &mut [f64]) {
+    /// Writes the displacement on a `reach` around a window, by a pressure on the window, nought outside.
+    pub fn displace_into(
+        &mut self,
+        [window, reach]: [&Window; 2],
+        pressure: &[f64],
+        displacement: &mut [f64],
+    ) {
         match self {
             Self::Surface(surface) if !window.is_whole() => {
-                surface.spread_of(window).apply_into(pressure, displacement);
+                let spread = surface.spread_of([*window, *reach]);
+                spread.apply_into(pressure, displacement);
             }
             _ => self
                 .operator_on(&window.everywhere())
@@ -79,16 +85,17 @@ impl Surface {
         self.operator.get_or_insert_with(made).as_mut()
     }
 
-    fn spread_of(&mut self, window: &Window) -> &mut SpreadOperator {
-        let (elasticity, grid, size) = (&self.elasticity, window.grid(), window.size());
-        let known = self.spread.take_if(|(of, _)| of == window);
+    fn spread_of(&mut self, windows: [Window; 2]) -> &mut SpreadOperator {
+        let known = self.spread.take_if(|(of, _)| *of == windows);
         let made = || {
+            let [window, reach] = windows;
+            let (elasticity, shown, size) = (&self.elasticity, reach.size(), window.size());
             let operator = match window.sector() {
-                Sector::Whole => elasticity.spread(grid, window.origin(), size),
+                Sector::Whole => elasticity.spread(shown, window.within(&reach).origin(), size),
                 // A quadrant's windows begin at the axis.
-                Sector::Quadrant => elasticity.spread_on_quadrant(grid, size),
+                Sector::Quadrant => elasticity.spread_on_quadrant(shown, size),
             };
-            (*window, Box::new(operator))
+            (windows, Box::new(operator))
         };
         let (_, operator) = self.spread.insert(known.unwrap_or_else(made));
         operator

@@ -8,11 +8,12 @@
 //! overlap = max(0, −min g) / D               load = |4a² Σ p − Q| / Q
 //! ```
 //!
-//! and the smallest pressure, which must not be negative. Nothing is taken from an iteration's own residual.
+//! and the smallest pressure, which must not be negative. Nothing is taken from an iteration's own residual. No gap is computed where the initial one alone is
+//! too wide for an overlap.
 
 use crate::{
     DeformedSurface, DiscreteProblem, Load,
-    vector::{smallest, sum, update_with},
+    vector::{smallest, sum, update},
     window::Window,
 };
 
@@ -87,9 +88,14 @@ impl Solution {
         tolerance: f64,
     ) -> (Self, DeformedSurface) {
         let everywhere = problem.everywhere();
-        let mut fields = JudgedFields::default();
-        let solution =
-            Self::judge_within(problem, &everywhere, load, pressure, tolerance, &mut fields);
+        let mut fields = JudgedFields::on(everywhere);
+        let on_all = Trial {
+            window: &everywhere,
+            load,
+            expected: f64::INFINITY,
+            tolerance,
+        };
+        let solution = Self::judge_within(problem, on_all, pressure, &mut fields);
         let surface = DeformedSurface::new(
             fields.displacement,
             &solution.pressure,
@@ -102,44 +108,67 @@ impl Solution {
 
     /// Judges a pressure on a window of the grid, nought outside, which makes the product cheaper; the solution's pressure is that on the window. The
     /// fields' memory is used again.
+    ///
+    /// Where the initial gap is wider than the penetration and all by which the surface can rise beside the load, nothing can overlap, whatever the displacement. So
+    /// that is computed on a reach that holds the others alone, chosen by the penetration expected; should the true one be larger, everywhere.
     pub(crate) fn judge_within(
         problem: &mut DiscreteProblem,
-        window: &Window,
-        load: Load,
+        trial: Trial<'_>,
         pressure: Vec<f64>,
-        tolerance: f64,
         fields: &mut JudgedFields,
     ) -> Self {
-        let JudgedFields { displacement, gap } = fields;
-        for field in [&mut *displacement, &mut *gap] {
-            if field.len() != problem.elements() {
-                // Memory that is first touched where it is written, by all threads.
-                *field = vec![0.0; problem.elements()];
-            }
-        }
-        problem.displace_into(window, &pressure, displacement);
-        let (compliance, initial_gap) = (problem.relief_compliance(), problem.initial_gap());
+        let Trial {
+            window,
+            load,
+            expected,
+            tolerance,
+        } = trial;
         let total = sum(&pressure);
+        let highest = expected * (1.0 + LEEWAY);
+        let reach = reach(problem, window, highest, total);
+        fields.take(problem, reach);
+        let JudgedFields {
+            displacement, gap, ..
+        } = &mut *fields;
+        problem.displace_into([window, &reach], &pressure, displacement);
+        let window_of_reach = window.within(&reach);
+        // η p
+        let mut shortening = window.cut(problem.relief_compliance());
+        update(&mut shortening, &pressure, |eta, p| *eta *= p);
         let penetration = match load {
             Load::Penetration(penetration) => penetration,
             // D = Σ p v / Σ p
             Load::Force(_) => {
-                weighted(window, &pressure, displacement, compliance, initial_gap) / total
+                weighted(
+                    &window_of_reach,
+                    &pressure,
+                    &shortening,
+                    [displacement, gap],
+                ) / total
             }
         };
+        // False where it is NaN.
+        let is_as_expected = penetration <= highest;
+        if !(is_as_expected || reach.is_whole()) {
+            let expected = f64::INFINITY;
+            return Self::judge_within(problem, Trial { expected, ..trial }, pressure, fields);
+        }
         // g = K p + η p + g0 − D
-        update_with(gap, displacement, initial_gap, |g, u, g0| {
-            *g = u + g0 - penetration;
-        });
-        window.update(gap, compliance, &pressure, |g, eta, p| *g += eta * p);
+        update(gap, displacement, |g, u| *g = u + *g - penetration);
+        window_of_reach.update(gap, displacement, &shortening, |g, _, s| *g += s);
         let force = total * problem.element_area();
         let certificate = Certificate {
             load: match load {
                 Load::Force(wanted) => (force - wanted).abs() / wanted,
                 Load::Penetration(_) => 0.0,
             },
+            min_pressure: if window.is_whole() {
+                smallest(&pressure)
+            } else {
+                smallest(&[smallest(&pressure), 0.0])
+            },
             tolerance,
-            ..residuals(window, &pressure, gap, penetration, total)
+            ..residuals(&window_of_reach, &pressure, gap, penetration, total)
         };
         Self {
             penetration,
@@ -150,34 +179,101 @@ impl Solution {
     }
 }
 
-/// The fields of the whole grid that a pressure is judged by.
-#[derive(Default)]
+/// What a pressure is judged for.
+#[derive(Clone, Copy)]
+pub struct Trial<'a> {
+    /// Where it presses.
+    pub window: &'a Window,
+    pub load: Load,
+    /// The penetration by the solver's own account, in m; infinite where it gives none.
+    pub expected: f64,
+    pub tolerance: f64,
+}
+
+/// The part of the penetration expected by which the true one may be larger.
+const LEEWAY: f64 = 1e-6;
+
+/// A reach goes beyond the window by its side over this, at least: bulges are near the load, and need not be reckoned with further away.
+const RIM_PART: usize = 4;
+
+/// The window that holds a rim around another, and all elements that may overlap there under a penetration of no more than `highest` (m): those whose initial gap
+/// is below it and by what pressures of this total can raise them.
+fn reach(problem: &DiscreteProblem, window: &Window, highest: f64, total: f64) -> Window {
+    let everywhere = problem.everywhere();
+    let rim = window.size() / RIM_PART;
+    let width = highest - problem.least_displacement(total, rim + 1);
+    if window.is_whole() || width == f64::INFINITY {
+        return everywhere;
+    }
+    let (gap, size, around) = (
+        problem.initial_gap(),
+        everywhere.size(),
+        window.with_rim(rim),
+    );
+    everywhere.around(|[i, j]| gap[i * size + j] < width || around.place([i, j]).is_some())
+}
+
+/// The fields that a pressure is judged by, on the part of the grid that is looked at.
 pub struct JudgedFields {
+    reach: Window,
     displacement: Vec<f64>,
-    pub gap: Vec<f64>,
+    gap: Vec<f64>,
+}
+
+impl JudgedFields {
+    /// Of nothing yet, on a grid.
+    pub fn on(everywhere: Window) -> Self {
+        Self {
+            reach: everywhere,
+            displacement: Vec::new(),
+            gap: Vec::new(),
+        }
+    }
+
+    /// Makes room for a reach, with the initial gap in place of the gap.
+    fn take(&mut self, problem: &DiscreteProblem, reach: Window) {
+        self.reach = reach;
+        let elements = reach.size() * reach.size();
+        if self.displacement.len() != elements {
+            // Memory that is first touched where it is written, by all threads.
+            self.displacement = vec![0.0; elements];
+        }
+        self.gap = reach.cut(problem.initial_gap());
+    }
+
+    /// Whether an element of the grid overlaps.
+    pub fn overlaps(&self, element: [usize; 2]) -> bool {
+        let place = self.reach.place(element);
+        place.is_some_and(|place| self.gap[place] < 0.0)
+    }
+
+    /// The gap on a window no wider than what was looked at.
+    pub fn gap_on(&self, window: &Window) -> Vec<f64> {
+        window.take_over(&self.reach, &self.gap)
+    }
 }
 
 /// `Σ p v` with `v = K p + η p + g0`, over the elements with pressure (`g0` is infinite where the indenter ends).
 fn weighted(
     window: &Window,
     pressure: &[f64],
-    displacement: &[f64],
-    compliance: &[f64],
-    initial_gap: &[f64],
+    shortening: &[f64],
+    [displacement, initial_gap]: [&[f64]; 2],
 ) -> f64 {
     let parts = window.by_lines(pressure, |line, pressure| {
-        let fields = [displacement, compliance, initial_gap].map(|field| window.line(field, line));
+        let fields = [displacement, initial_gap].map(|field| window.line(field, line));
+        let shortening = &shortening[line * window.size()..][..window.size()];
         let mut sum = 0.0;
         for (j, p) in pressure.iter().enumerate().filter(|(_, p)| **p != 0.0) {
-            let [u, eta, g0] = fields.map(|field| field[j]);
-            sum += p * (u + eta * p + g0);
+            let [u, g0] = fields.map(|field| field[j]);
+            sum += p * (u + shortening[j] + g0);
         }
         sum
     });
     parts.into_iter().sum()
 }
 
-/// The lines that need no load.
+/// The lines that need no load, and none of the pressures alone.
 fn residuals(
     window: &Window,
     pressure: &[f64],
@@ -190,11 +286,6 @@ fn residuals(
     });
     let found = parts.into_iter().fold(InContact::default(), InContact::and);
     let overlap = largest(0.0, -smallest(gap));
-    let outside = if window.is_whole() {
-        f64::INFINITY
-    } else {
-        0.0
-    };
     // Without pressure nothing is weighed; without penetration nothing sets a scale, and only zeros pass.
     let relative = |length: f64| {
         if length == 0.0 {
@@ -212,7 +303,7 @@ fn residuals(
         gap_in_contact: relative(found.largest_gap),
         overlap: relative(overlap),
         load: 0.0,
-        min_pressure: smallest(&[smallest(pressure), outside]),
+        min_pressure: 0.0,
         tolerance: 0.0,
     }
 }

@@ -215,14 +215,23 @@ impl DiscreteProblem {
         self.workspace = None;
     }
 
-    /// Writes `K p` (m) of a pressure on a window, nought outside, on the whole grid.
+    /// Writes `K p` (m) of a pressure on a window, nought outside, on a `reach` around it.
     pub(crate) fn displace_into(
         &mut self,
-        window: &Window,
+        window_and_reach: [&Window; 2],
         pressure: &[f64],
         displacement: &mut [f64],
     ) {
-        self.body.displace_into(window, pressure, displacement);
+        (self.body).displace_into(window_and_reach, pressure, displacement);
+    }
+
+    /// What no displacement is below (m) that is no nearer than so many elements to pressures ≥ 0 of this sum: `min(0, min k) Σ p` over all images; −∞ where
+    /// nothing is known of the operator.
+    pub(crate) fn least_displacement(&self, total: f64, distance: usize) -> f64 {
+        let images = self.sector.images() as f64;
+        self.elasticity().map_or(f64::NEG_INFINITY, |elasticity| {
+            images * total * elasticity.least_coefficient_from(distance).min(0.0)
+        })
     }
 
     /// Writes `(K + η) p` (m) of the pressure `p` (Pa) into `deformation`: one product with `K`.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::{
     ActiveSetSolver, ContactError, DiscreteProblem, GradientSolver, Iterate, LevelValues,
     LevelWork, Load, Method, Model, Solution, Solver, SolverOptions, Summary,
-    certificate::JudgedFields,
+    certificate::{JudgedFields, Trial},
     domain::Guess,
     levels::{Field, prolong},
     model::SampledSector,
@@ -75,14 +75,16 @@ impl Level {
         } = model.sample_sector(grid, sector);
         let elasticity = model.elasticity(&grid)?;
         let (known, area) = (elasticity.value.clone(), grid.element_area());
+        let problem = DiscreteProblem::of_sector(known, sector, compliance, initial_gap, area)?;
+        let everywhere = problem.everywhere();
         Ok(Self {
-            problem: DiscreteProblem::of_sector(known, sector, compliance, initial_gap, area)?,
+            problem,
             outline: Arc::new(mask),
             grid,
             elasticity: elasticity.value,
             coefficients_origin: elasticity.origin,
             window: None,
-            judged: JudgedFields::default(),
+            judged: JudgedFields::on(everywhere),
         })
     }
 
@@ -96,7 +98,7 @@ impl Level {
             problem: self.problem.window(&everywhere)?,
             coefficients_origin: self.coefficients_origin,
             window: None,
-            judged: JudgedFields::default(),
+            judged: JudgedFields::on(everywhere),
         })
     }
 
@@ -180,7 +182,7 @@ impl Level {
         let mut effort = Effort::default();
         loop {
             let iterate = self.solve_in(&mut window, &pressure, load, options, watch)?;
-            let reached_border = iterate.reached_border;
+            let (reached_border, expected) = (iterate.reached_border, iterate.penetration);
             pressure = effort.take(iterate);
             if reached_border {
                 pressure = window.grown().take_over(&window, &pressure);
@@ -192,18 +194,21 @@ impl Level {
                 self.problem.release_workspace();
             }
             let tolerance = options.tolerance;
+            let trial = Trial {
+                window: &window,
+                load,
+                expected,
+                tolerance,
+            };
             let (problem, judged) = (&mut self.problem, &mut self.judged);
-            let solution =
-                Solution::judge_within(problem, &window, load, pressure, tolerance, judged);
+            let solution = Solution::judge_within(problem, trial, pressure, judged);
             effort.operator_applications += 1;
             if window.is_whole() || solution.certificate.overlap <= tolerance {
                 return Ok((solution, window, effort));
             }
-            let size = everywhere.size();
             let wider = {
                 let presses = pressed(&window, &solution.pressure);
-                let overlaps = |[i, j]: [usize; 2]| self.judged.gap[i * size + j] < 0.0;
-                window.wider(everywhere.around(|e| presses(e) || overlaps(e)))
+                window.wider(everywhere.around(|e| presses(e) || self.judged.overlaps(e)))
             };
             pressure = wider.take_over(&window, &solution.pressure);
             window = wider;
@@ -240,7 +245,7 @@ impl Level {
     /// Gives back the memory that only another load would need.
     pub fn release(&mut self) {
         self.problem.release_operator();
-        self.judged = JudgedFields::default();
+        self.judged = JudgedFields::on(self.problem.everywhere());
     }
 
     /// What the next finer level starts from: the last load's pressure, and where there is none the gap as a negative pressure.
@@ -248,7 +253,7 @@ impl Level {
         let per_gap = PRESSURE_PER_GAP / self.elasticity.coefficient([0, 0]);
         let window = result.window.with_rim(NEIGHBOURS);
         let mut values = window.take_over(&result.window, &result.solution.pressure);
-        let gaps = window.cut(&self.judged.gap);
+        let gaps = self.judged.gap_on(&window);
         update(&mut values, &gaps, |value, gap| {
             if *value <= 0.0 {
                 *value = -per_gap * gap.clamp(0.0, FAR);

@@ -155,6 +155,15 @@ impl Window {
         }
     }
 
+    /// This window as one of another that holds it, which takes the place of the grid.
+    pub fn within(&self, other: &Self) -> Self {
+        Self {
+            origin: [0, 1].map(|axis: usize| self.origin[axis] - other.origin[axis]),
+            grid: other.size,
+            ..*self
+        }
+    }
+
     pub fn is_whole(&self) -> bool {
         self.size == self.grid
     }

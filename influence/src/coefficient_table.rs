@@ -8,6 +8,8 @@ use crate::error::InfluenceError;
 
 /// The largest number of elements a side: 16,384² elements are 2 GB of pressure alone.
 const LARGEST_SIZE: usize = 1 << 14;
+/// Rows that one thread looks through.
+const ROWS: usize = 64;
 
 /// The coefficients `k(m, n)` of the square elements of an N × N grid, m/Pa, by the offset in elements.
 ///
@@ -68,6 +70,22 @@ impl CoefficientTable {
         let [m, n] = [offset[0].max(offset[1]), offset[0].min(offset[1])];
         assert!(m < self.size, "offset {m} in a table of size {}", self.size);
         self.triangle[m * (m + 1) / 2 + n]
+    }
+
+    /// The smallest coefficient (m/Pa) at each offset and beyond: entry m is that of all elements no nearer than m along one axis or the other. Below 0 where a
+    /// surface bulges beside the load, as over an incompressible layer.
+    #[must_use]
+    pub fn least_from(&self) -> Vec<f64> {
+        let row = |m: usize| &self.triangle[m * (m + 1) / 2..][..=m];
+        let smaller = |a: f64, b: &f64| if *b < a { *b } else { a };
+        let rows = (0..self.size).into_par_iter().with_min_len(ROWS);
+        let mut least: Vec<f64> = rows
+            .map(|m| row(m).iter().fold(f64::INFINITY, smaller))
+            .collect();
+        for m in (1..self.size).rev() {
+            least[m - 1] = smaller(least[m], &least[m - 1]);
+        }
+        least
     }
 
     /// Number of elements N along one side of the grid.
@@ -138,6 +156,18 @@ mod tests {
                 let expected = (10 * m.max(n) + m.min(n)) as f64;
                 assert!((table.coefficient([m, n]) - expected).abs() < f64::EPSILON);
             }
+        }
+    }
+
+    #[test]
+    fn the_least_from_an_offset_on_is_that_of_all_beyond() {
+        let size = 150;
+        let kernel =
+            |[m, n]: [usize; 2]| (1.0 + 0.7 * m as f64 + 1.3 * n as f64).sin() / (1 + m) as f64;
+        let table = CoefficientTable::from_fn(1.0, size, kernel).unwrap();
+        for (offset, least) in table.least_from().into_iter().enumerate() {
+            let all = (offset..size).flat_map(|m| (0..=m).map(move |n| kernel([m, n])));
+            assert_eq!(all.fold(f64::INFINITY, f64::min).to_bits(), least.to_bits());
         }
     }
 

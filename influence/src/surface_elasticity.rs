@@ -30,6 +30,8 @@ use crate::{
 #[derive(Clone, Debug)]
 pub struct SurfaceElasticity {
     table: Arc<CoefficientTable>,
+    /// The smallest coefficient at each offset and beyond.
+    least_from: Arc<[f64]>,
     foundation: Foundation,
 }
 
@@ -37,7 +39,20 @@ impl SurfaceElasticity {
     /// The elasticity of the foundation that `table` holds the coefficients of.
     #[must_use]
     pub fn new(table: Arc<CoefficientTable>, foundation: Foundation) -> Self {
-        Self { table, foundation }
+        let least_from = table.least_from().into();
+        Self {
+            table,
+            least_from,
+            foundation,
+        }
+    }
+
+    /// The smallest coefficient (m/Pa) of elements no nearer than `offset` along one axis or the other; +∞ beyond the table. See
+    /// [`CoefficientTable::least_from`].
+    #[must_use]
+    pub fn least_coefficient_from(&self, offset: usize) -> f64 {
+        let least = self.least_from.get(offset);
+        least.copied().unwrap_or(f64::INFINITY)
     }
 
     /// Elements per side of the largest window.

@@ -1,9 +1,12 @@
 //! The lines of the certificate on surfaces that are added up by hand.
 
-use pellicle_influence::ElasticOperator;
+use std::sync::Arc;
 
-use super::{Certificate, Solution};
-use crate::{DeformedSurface, DiscreteProblem, Load};
+use pellicle_influence::{CoefficientTable, ElasticOperator, RadialTables, SurfaceElasticity};
+use pellicle_kernel::{Foundation, Material};
+
+use super::{Certificate, JudgedFields, Solution, Trial};
+use crate::{DeformedSurface, DiscreteProblem, Load, sector::Sector};
 
 /// Independent springs of 0.5 m/Pa.
 struct Springs(usize);
@@ -166,5 +169,87 @@ fn a_number_that_is_none_fails_wherever_it_stands() {
         let certificate = found.certificate;
         assert!(certificate.worst().is_nan() && certificate.min_pressure.is_nan());
         assert!(!certificate.is_satisfied());
+    }
+}
+
+const SIZE: usize = 48;
+
+/// A paraboloid above a sector of `SIZE` elements per side on a layer of this Poisson's ratio, ten times softer than its base; element (0, 0) of a quadrant
+/// lies at the axis.
+fn pressed_layer(sector: Sector, poisson_ratio: f64) -> DiscreteProblem {
+    let layer = Material::new(0.1, poisson_ratio).unwrap();
+    let foundation = Foundation::coated(0.05, layer, Material::new(1.0, 0.3).unwrap()).unwrap();
+    let (whole, side) = (sector.parts() * SIZE, 1.0 / SIZE as f64);
+    let tables = RadialTables::build(&foundation).unwrap();
+    let table = CoefficientTable::assemble(&tables, side, whole).unwrap();
+    let elasticity = Arc::new(SurfaceElasticity::new(Arc::new(table), foundation));
+    let axis = if sector == Sector::Quadrant { 0.0 } else { 0.5 };
+    let along = |i: usize| (i as f64 + 0.5) * side - axis;
+    let gap = (0..SIZE * SIZE).map(|e| {
+        let [x, y] = [along(e / SIZE), along(e % SIZE)];
+        f64::midpoint(x * x, y * y)
+    });
+    let eta = vec![0.0; SIZE * SIZE];
+    DiscreteProblem::of_sector(elasticity, sector, eta, gap.collect(), side * side).unwrap()
+}
+
+/// The contact's part of a grid is judged as the whole is, and what is not looked at does not overlap.
+#[test]
+fn where_nothing_can_overlap_nothing_is_missed() {
+    for sector in [Sector::Whole, Sector::Quadrant] {
+        for poisson_ratio in [0.3, 0.5] {
+            let mut problem = pressed_layer(sector, poisson_ratio);
+            let everywhere = problem.everywhere();
+            let depth = 0.01;
+            let overlapping: Vec<f64> = (problem.initial_gap().iter())
+                .map(|g0| (depth - g0).max(0.0))
+                .collect();
+            let presses = |[i, j]: [usize; 2]| overlapping[i * SIZE + j] > 0.0;
+            let window = everywhere.around(presses);
+            assert!(!window.is_whole());
+            let mut judged = |expected: f64| {
+                let (load, tolerance) = (Load::Force(1e-3), 1e-8);
+                let mut fields = JudgedFields::on(everywhere);
+                let trial = Trial {
+                    window: &window,
+                    load,
+                    expected,
+                    tolerance,
+                };
+                let pressure = window.cut(&overlapping);
+                let solution = Solution::judge_within(&mut problem, trial, pressure, &mut fields);
+                (solution, fields)
+            };
+            let (whole, of_whole) = judged(f64::INFINITY);
+            assert!(of_whole.reach.is_whole());
+            let (solution, fields) = judged(whole.penetration);
+            // Too little was expected: everything is looked at.
+            assert!(judged(0.9 * whole.penetration).1.reach.is_whole());
+            let lines = |judged: &Solution| {
+                let found = judged.certificate;
+                let lines = [found.complementarity, found.gap_in_contact, found.overlap];
+                [
+                    judged.penetration,
+                    judged.force,
+                    lines[0],
+                    lines[1],
+                    lines[2],
+                ]
+            };
+            for (found, wanted) in lines(&solution).into_iter().zip(lines(&whole)) {
+                // Rounding of a product.
+                assert!((found - wanted).abs() <= 1e-12 * wanted.abs().max(1.0));
+            }
+            // The layer bulges, but not far from the load.
+            assert_eq!(
+                problem.least_displacement(1.0, 1) < 0.0,
+                poisson_ratio == 0.5
+            );
+            assert!(!fields.reach.is_whole());
+            for (e, gap) in of_whole.gap.iter().enumerate() {
+                let is_looked_at = fields.reach.place([e / SIZE, e % SIZE]).is_some();
+                assert!(is_looked_at || *gap >= 0.0);
+            }
+        }
     }
 }

@@ -76,6 +76,8 @@ pub struct Iterate {
     pub contact_stiffness: Option<f64>,
     /// Products with `K` for the contact stiffness, beside the others.
     pub stiffness_applications: usize,
+    /// The penetration by the solver's own account, in m; infinite where it gives none.
+    pub(crate) penetration: f64,
     /// Whether the solver stopped because the contact reached the border of a window of a larger grid.
     pub(crate) reached_border: bool,
 }

@@ -178,6 +178,7 @@ impl Trial {
             residuals,
             contact_stiffness: (self.stiffness > 0.0).then_some(self.stiffness),
             stiffness_applications: 0,
+            penetration: f64::INFINITY,
             reached_border: false,
             pressure: self.pressure.into_iter().map(|p| p.max(0.0)).collect(),
         }

@@ -120,6 +120,7 @@ impl Solver for GradientSolver {
             iterations: residuals.len() - 1,
             operator_applications: state.applications(),
             pressure: best.or(state, residual).to_vec(),
+            penetration: state.penetration,
             residuals,
             contact_stiffness,
             stiffness_applications,
