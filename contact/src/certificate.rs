@@ -107,7 +107,7 @@ impl Solution {
     }
 
     /// Judges a pressure on a window of the grid, nought outside, which makes the product cheaper; the solution's pressure is that on the window. The
-    /// fields' memory is used again.
+    /// displacement's memory is used again for a reach of the same size.
     ///
     /// Where the initial gap is wider than the penetration and all by which the surface can rise beside the load, nothing can overlap, whatever the displacement. So
     /// that is computed on a reach that holds the others alone, chosen by the penetration expected; should the true one be larger, everywhere.
@@ -124,13 +124,17 @@ impl Solution {
             tolerance,
         } = trial;
         let total = sum(&pressure);
-        let highest = expected * (1.0 + LEEWAY);
+        let highest = expected + LEEWAY * expected.abs();
         let reach = reach(problem, window, highest, total);
         fields.take(problem, reach);
         let JudgedFields {
-            displacement, gap, ..
+            displacement,
+            gap,
+            products,
+            ..
         } = &mut *fields;
         problem.displace_into([window, &reach], &pressure, displacement);
+        *products += 1;
         let window_of_reach = window.within(&reach);
         // η p
         let mut shortening = window.cut(problem.relief_compliance());
@@ -202,7 +206,9 @@ fn reach(problem: &DiscreteProblem, window: &Window, highest: f64, total: f64) -
     let everywhere = problem.everywhere();
     let rim = window.size() / RIM_PART;
     let width = highest - problem.least_displacement(total, rim + 1);
-    if window.is_whole() || width == f64::INFINITY {
+    // False where it is NaN.
+    let is_bounded = width < f64::INFINITY;
+    if window.is_whole() || !is_bounded {
         return everywhere;
     }
     let (gap, size, around) = (
@@ -218,6 +224,7 @@ pub struct JudgedFields {
     reach: Window,
     displacement: Vec<f64>,
     gap: Vec<f64>,
+    products: usize,
 }
 
 impl JudgedFields {
@@ -227,7 +234,13 @@ impl JudgedFields {
             reach: everywhere,
             displacement: Vec::new(),
             gap: Vec::new(),
+            products: 0,
         }
+    }
+
+    /// Products with `K` since this was asked last.
+    pub fn take_products(&mut self) -> usize {
+        std::mem::take(&mut self.products)
     }
 
     /// Makes room for a reach, with the initial gap in place of the gap.

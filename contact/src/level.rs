@@ -36,7 +36,7 @@ pub struct Level {
     outline: Arc<Vec<bool>>,
     /// The window of the last load, and the problem on it.
     window: Option<(Window, DiscreteProblem)>,
-    /// The fields of the last load: memory that the next uses again.
+    /// What the last load was judged by.
     judged: JudgedFields,
 }
 
@@ -202,7 +202,7 @@ impl Level {
             };
             let (problem, judged) = (&mut self.problem, &mut self.judged);
             let solution = Solution::judge_within(problem, trial, pressure, judged);
-            effort.operator_applications += 1;
+            effort.operator_applications += judged.take_products();
             if window.is_whole() || solution.certificate.overlap <= tolerance {
                 return Ok((solution, window, effort));
             }

@@ -207,7 +207,7 @@ fn where_nothing_can_overlap_nothing_is_missed() {
             let presses = |[i, j]: [usize; 2]| overlapping[i * SIZE + j] > 0.0;
             let window = everywhere.around(presses);
             assert!(!window.is_whole());
-            let mut judged = |expected: f64| {
+            let mut judged = |expected: f64, factor: f64| {
                 let (load, tolerance) = (Load::Force(1e-3), 1e-8);
                 let mut fields = JudgedFields::on(everywhere);
                 let trial = Trial {
@@ -216,15 +216,23 @@ fn where_nothing_can_overlap_nothing_is_missed() {
                     expected,
                     tolerance,
                 };
-                let pressure = window.cut(&overlapping);
-                let solution = Solution::judge_within(&mut problem, trial, pressure, &mut fields);
+                let pressure = window.cut(&overlapping).into_iter().map(|p| factor * p);
+                let solution =
+                    Solution::judge_within(&mut problem, trial, pressure.collect(), &mut fields);
                 (solution, fields)
             };
-            let (whole, of_whole) = judged(f64::INFINITY);
+            // No number passes for a gap, and none ends.
+            for nonsense in [f64::NAN, f64::INFINITY] {
+                let (nowhere, fields) = judged(depth, nonsense);
+                assert!(fields.reach.is_whole() && !nowhere.certificate.is_satisfied());
+            }
+            let (whole, of_whole) = judged(f64::INFINITY, 1.0);
             assert!(of_whole.reach.is_whole());
-            let (solution, fields) = judged(whole.penetration);
+            let (solution, mut fields) = judged(whole.penetration, 1.0);
+            assert_eq!(fields.take_products(), 1);
             // Too little was expected: everything is looked at.
-            assert!(judged(0.9 * whole.penetration).1.reach.is_whole());
+            let (_, mut of_all) = judged(0.9 * whole.penetration, 1.0);
+            assert!(of_all.reach.is_whole() && of_all.take_products() == 2);
             let lines = |judged: &Solution| {
                 let found = judged.certificate;
                 let lines = [found.complementarity, found.gap_in_contact, found.overlap];
