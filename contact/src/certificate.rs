@@ -11,6 +11,10 @@
 //! and the smallest pressure, which must not be negative. Nothing is taken from an iteration's own residual. No gap is computed where the initial one alone is
 //! too wide for an overlap.
 
+mod reach;
+
+pub use reach::JudgedFields;
+
 use crate::{
     DeformedSurface, DiscreteProblem, Load,
     vector::{smallest, sum, update},
@@ -109,8 +113,7 @@ impl Solution {
     /// Judges a pressure on a window of the grid, nought outside, which makes the product cheaper; the solution's pressure is that on the window. The
     /// displacement's memory is used again for a reach of the same size.
     ///
-    /// Where the initial gap is wider than the penetration and all by which the surface can rise beside the load, nothing can overlap, whatever the displacement. So
-    /// that is computed on a reach that holds the others alone, chosen by the penetration expected; should the true one be larger, everywhere.
+    /// Displacements are computed on a [reach] around the window, chosen by the penetration expected; should the true one be larger, everywhere.
     pub(crate) fn judge_within(
         problem: &mut DiscreteProblem,
         trial: Trial<'_>,
@@ -124,8 +127,8 @@ impl Solution {
             tolerance,
         } = trial;
         let total = sum(&pressure);
-        let highest = expected + LEEWAY * expected.abs();
-        let reach = reach(problem, window, highest, total);
+        let highest = reach::highest(expected);
+        let reach = reach::around(problem, window, highest, total);
         fields.take(problem, reach);
         let JudgedFields {
             displacement,
@@ -159,7 +162,7 @@ impl Solution {
         }
         // g = K p + η p + g0 − D
         update(gap, displacement, |g, u| *g = u + *g - penetration);
-        window_of_reach.update(gap, displacement, &shortening, |g, _, s| *g += s);
+        window_of_reach.add(gap, &shortening);
         let force = total * problem.element_area();
         let certificate = Certificate {
             load: match load {
@@ -192,78 +195,6 @@ pub struct Trial<'a> {
     /// The penetration by the solver's own account, in m; infinite where it gives none.
     pub expected: f64,
     pub tolerance: f64,
-}
-
-/// The part of the penetration expected by which the true one may be larger.
-const LEEWAY: f64 = 1e-6;
-
-/// A reach goes beyond the window by its side over this, at least: bulges are near the load, and need not be reckoned with further away.
-const RIM_PART: usize = 4;
-
-/// The window that holds a rim around another, and all elements that may overlap there under a penetration of no more than `highest` (m): those whose initial gap
-/// is below it and by what pressures of this total can raise them.
-fn reach(problem: &DiscreteProblem, window: &Window, highest: f64, total: f64) -> Window {
-    let everywhere = problem.everywhere();
-    let rim = window.size() / RIM_PART;
-    let width = highest - problem.least_displacement(total, rim + 1);
-    // False where it is NaN.
-    let is_bounded = width < f64::INFINITY;
-    if window.is_whole() || !is_bounded {
-        return everywhere;
-    }
-    let (gap, size, around) = (
-        problem.initial_gap(),
-        everywhere.size(),
-        window.with_rim(rim),
-    );
-    everywhere.around(|[i, j]| gap[i * size + j] < width || around.place([i, j]).is_some())
-}
-
-/// The fields that a pressure is judged by, on the part of the grid that is looked at.
-pub struct JudgedFields {
-    reach: Window,
-    displacement: Vec<f64>,
-    gap: Vec<f64>,
-    products: usize,
-}
-
-impl JudgedFields {
-    /// Of nothing yet, on a grid.
-    pub fn on(everywhere: Window) -> Self {
-        Self {
-            reach: everywhere,
-            displacement: Vec::new(),
-            gap: Vec::new(),
-            products: 0,
-        }
-    }
-
-    /// Products with `K` since this was asked last.
-    pub fn take_products(&mut self) -> usize {
-        std::mem::take(&mut self.products)
-    }
-
-    /// Makes room for a reach, with the initial gap in place of the gap.
-    fn take(&mut self, problem: &DiscreteProblem, reach: Window) {
-        self.reach = reach;
-        let elements = reach.size() * reach.size();
-        if self.displacement.len() != elements {
-            // Memory that is first touched where it is written, by all threads.
-            self.displacement = vec![0.0; elements];
-        }
-        self.gap = reach.cut(problem.initial_gap());
-    }
-
-    /// Whether an element of the grid overlaps.
-    pub fn overlaps(&self, element: [usize; 2]) -> bool {
-        let place = self.reach.place(element);
-        place.is_some_and(|place| self.gap[place] < 0.0)
-    }
-
-    /// The gap on a window no wider than what was looked at.
-    pub fn gap_on(&self, window: &Window) -> Vec<f64> {
-        window.take_over(&self.reach, &self.gap)
-    }
 }
 
 /// `Σ p v` with `v = K p + η p + g0`, over the elements with pressure (`g0` is infinite where the indenter ends).

@@ -1,6 +1,6 @@
 //! A square part of a grid that holds the whole contact, on which products cost as much less as it is smaller.
 //!
-//! Only elements with pressure or overlap take part in an iteration; the rest of the grid is looked at once, by the
+//! Only elements with pressure or overlap take part in an iteration; as much of the rest as may overlap is looked at once, by the
 //! certificate.
 
 use pellicle_influence::SurfaceElasticity;
@@ -215,26 +215,17 @@ impl Window {
         lines.map(|(line, values)| of_line(line, values)).collect()
     }
 
-    /// Applies `rule` to every element of the grid's field `z` in the window, with those of the grid's `x` and of the `part` on the window.
-    pub fn update(
-        &self,
-        z: &mut [f64],
-        x: &[f64],
-        part: &[f64],
-        rule: impl Fn(&mut f64, &f64, &f64) + Sync,
-    ) {
+    /// Adds a field on the window to the grid's.
+    pub fn add(&self, field: &mut [f64], part: &[f64]) {
         let [above, left] = self.origin;
-        let lines = z
+        let lines = field
             .par_chunks_mut(self.grid)
             .skip(above)
             .zip(part.par_chunks(self.size));
-        let lines = lines
-            .enumerate()
-            .with_min_len(ELEMENTS_PER_THREAD / self.size + 1);
-        lines.for_each(|(line, (z, part))| {
-            let fields = self.line(x, line).iter().zip(part);
-            let z = z[left..left + self.size].iter_mut();
-            z.zip(fields).for_each(|(z, (x, part))| rule(z, x, part));
+        let lines = lines.with_min_len(ELEMENTS_PER_THREAD / self.size + 1);
+        lines.for_each(|(line, part)| {
+            let line = line[left..left + self.size].iter_mut();
+            line.zip(part).for_each(|(to, value)| *to += value);
         });
     }
 

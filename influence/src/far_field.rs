@@ -96,7 +96,8 @@ fn point(panel: usize, place: f64) -> f64 {
 /// The sum of the powers at a place.
 #[inline]
 fn polynomial(powers: &[f64; TERMS], place: f64) -> f64 {
-    powers.iter().rev().fold(0.0, |sum, c| sum * place + c)
+    let [lower @ .., highest] = powers;
+    lower.iter().rev().fold(*highest, |sum, c| sum * place + c)
 }
 
 /// Chebyshev coefficients to powers.
