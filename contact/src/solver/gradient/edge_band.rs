@@ -27,6 +27,8 @@ use crate::sector::Sector;
 const REACH: usize = 3;
 /// Coefficients of a quarter of the stencil along a side.
 const ANSWERS: usize = REACH + 1;
+/// Answers of `F` to a unit, by offset along both axes.
+pub type Answers = [[f64; ANSWERS]; ANSWERS];
 /// Part of its residual to which `s` is found, and the steps after which it is good enough as it is: 3 on a homogeneous body, up to all under
 /// a stiff coat.
 const ACCURACY: f64 = 0.1;
@@ -63,7 +65,7 @@ impl EdgeBand {
     }
 
     /// Takes the coefficients of `F`, its answers to a unit by offset along the axes.
-    pub fn take_coefficients(&mut self, answers: &[[f64; ANSWERS]; ANSWERS]) {
+    pub fn take_coefficients(&mut self, answers: &Answers) {
         self.own_coefficient = answers[0][0];
         self.coefficients = answers.map(|row| row.map(|f| narrow(f / answers[0][0])));
     }
@@ -174,7 +176,7 @@ fn narrow(value: f64) -> f32 {
 mod tests {
     use pellicle_influence::ElasticOperator;
 
-    use super::{ACCURACY, ANSWERS, EdgeBand};
+    use super::{ACCURACY, Answers, EdgeBand};
     use crate::{
         DiscreteProblem,
         sector::Sector,
@@ -222,7 +224,7 @@ mod tests {
 
     #[test]
     fn what_is_written_on_the_band_answers_it() {
-        let answers: [[f64; ANSWERS]; ANSWERS] = std::array::from_fn(|i| {
+        let answers: Answers = std::array::from_fn(|i| {
             std::array::from_fn(|j| match i * i + j * j {
                 0 => 2.5,
                 square => -0.25 / (square as f64).powf(1.5),

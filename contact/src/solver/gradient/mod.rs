@@ -292,7 +292,7 @@ impl Iteration {
                 newton,
                 ..
             } = &mut *self.workspace;
-            if preconditioner.turn_to_factor(problem, 1 + failures) {
+            if preconditioner.prepare_for_newton(problem, failures) {
                 if let Some(newton) = newton {
                     newton.restart(i32::try_from(failures).unwrap_or(i32::MAX));
                 }

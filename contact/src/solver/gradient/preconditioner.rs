@@ -75,6 +75,17 @@ impl Preconditioner {
         }
     }
 
+    /// Prepares for Newton's method, which has failed so many times on this load: what a load begins with may fail once, then comes the sparse factor, with ever more
+    /// neighbours. False where nothing is known of the operator.
+    pub fn prepare_for_newton(&mut self, problem: &DiscreteProblem, failures: usize) -> bool {
+        match (self.usual.as_ref().unwrap_or(&self.inverse), failures) {
+            (Inverse::Identity, _) => false,
+            (Inverse::Filter(_), 0) => true,
+            (Inverse::Filter(_), _) => self.turn_to_factor(problem, failures),
+            (Inverse::Factor(_), _) => self.turn_to_factor(problem, 1 + failures),
+        }
+    }
+
     /// Turns to the sparse factor, with so many times its usual neighbours; false where nothing is known of the operator.
     pub fn turn_to_factor(&mut self, problem: &DiscreteProblem, times: usize) -> bool {
         match factor(problem, times * NEIGHBOURS) {
@@ -128,7 +139,7 @@ impl Preconditioner {
 
     fn refresh(&mut self, problem: &DiscreteProblem, set: &WorkingSet) {
         self.follow(problem, set);
-        let most_is_there = self.even.total > self.even.exact_total / 2.0;
+        let most_is_there = self.even.total > (self.even.exact_total / 2.0).max(0.0);
         if !most_is_there {
             let mut values = std::mem::take(&mut self.even.values);
             values.fill(1.0);
