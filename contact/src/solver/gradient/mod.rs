@@ -20,14 +20,16 @@
 //! **Preconditioners.** The reciprocal of the symbol of `K` on the periodic grid, by FFT in single precision. Two things make it nearly exact
 //! on the working set, where the restricted reciprocal of `C(k) sinc sinc` takes twice the products: the symbol is that of the sampled displacement,
 //! aliases included, two thirds of what the shortest waves have; and the answer is made to vanish in a narrow
-//! band around the set, by a pressure in that band found with a few coefficients, as the inverse of a restricted system demands. A direction keeps the total along the
+//! band around the set, by a pressure in that band found with a few coefficients, as the inverse of a restricted system demands. Where a
+//! coat is so stiff that the filter's near coefficients all but cancel, the band answers twice, which keeps the filter positive. A direction keeps the total along the
 //! answer `M⁻¹ 1` to an even residual, which is found once and only cut to the sets that follow: exact projections took not one product fewer. Under a
 //! coat more than some twenty times as stiff as its base a factorised sparse approximate inverse `Gᵀ G` of the restricted system itself (Kaporin 1994;
 //! Schäfer, Katzfuss and Owhadi 2021): each element's row from the small dense system of its twenty nearest predecessors in an order from coarse to
 //! fine. Equal neighbourhoods share a row, which makes building it cheaper than a product or two.
 //!
-//! **Newton.** Where the fast steps stall, as on a thin stiff coat whose contact shrinks to rings and edges, a semismooth Newton method solves
-//! the linear system on the set to a tenth and exchanges all elements on the wrong side at once (Hintermüller, Ito and Kunisch 2003).
+//! **Newton.** Where the fast steps stall, or the energy cuts one, as on a thin stiff coat whose contact shrinks to rings and edges, a semismooth Newton method solves
+//! the linear system on the set to a tenth and exchanges all elements on the wrong side at once (Hintermüller, Ito and Kunisch 2003). It begins with the load's own preconditioner; should it
+//! fail, the sparse factor takes over.
 //!
 //! **Why it ends.** A conjugate step never raises the energy, and a spectral step keeps it below the largest of the last
 //! few. One that would not is cut back by an exact line search on the segment to it, which costs no
