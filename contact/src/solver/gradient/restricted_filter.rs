@@ -11,7 +11,7 @@
 //! M⁻¹ = (1 − F_IE X) F (1 − X F_EI),
 //! ```
 //!
-//! which is never negative, whatever `X`, for one application of `F` more. A tenth of the products or two thirds of them, on coats ten to twenty times as stiff as their base.
+//! which is never negative, whatever linear `X`, for one application of `F` more.
 //!
 //! Where compliances `η` differ, as between the elements of a relief and beside them, short waves are right to one of them and wrong to the other. With
 //! `κ = 1/F(0) − η̄`, the body's own compliance to what one element feels, the filter is flanked by powers of the ratio of both:
@@ -186,6 +186,13 @@ mod tests {
         begun(&mut problem.unwrap(), control, &pressure).1
     }
 
+    /// The filter on the whole grid without springs, adapted to a set.
+    fn filter_on(surface: &SurfaceElasticity, set: &WorkingSet) -> RestrictedFilter {
+        let mut filter = RestrictedFilter::new(surface.symbol(SIZE), Sector::Whole);
+        filter.update(set, &vec![0.0; SIZE * SIZE]);
+        filter
+    }
+
     /// The part of `pressure` by which the filter misses it, asked for what answers `K p` on the set.
     fn miss(filter: &mut RestrictedFilter, surface: &SurfaceElasticity, set: &WorkingSet) -> f64 {
         let mut pressure: Vec<f64> = (0..SIZE * SIZE).map(|e| (e as f64).sin()).collect();
@@ -249,8 +256,7 @@ mod tests {
     fn under_a_stiff_coat_no_residual_is_answered_by_pulling_where_it_pushes() {
         let surface = plate();
         let set = set_of_pillars(&surface, 7.0, 2.2);
-        let mut filter = RestrictedFilter::new(surface.symbol(SIZE), Sector::Whole);
-        filter.update(&set, &vec![0.0; SIZE * SIZE]);
+        let mut filter = filter_on(&surface, &set);
         assert!(filter.is_plate);
         let work = |filter: &mut RestrictedFilter, wavenumber: f64| {
             let wave = |e: usize| (wavenumber * (e / SIZE) as f64).cos();
@@ -273,8 +279,7 @@ mod tests {
     fn with_the_band_it_all_but_inverts_the_system_on_separate_pillars() {
         let surface = surface();
         let set = set_of_pillars(&surface, 9.0, 3.5);
-        let mut filter = RestrictedFilter::new(surface.symbol(SIZE), Sector::Whole);
-        filter.update(&set, &vec![0.0; SIZE * SIZE]);
+        let mut filter = filter_on(&surface, &set);
         let with_band = miss(&mut filter, &surface, &set);
         filter.band = EdgeBand::new(SIZE, Sector::Whole);
         let without = miss(&mut filter, &surface, &set);
