@@ -53,13 +53,17 @@ impl Summary {
         let of_line = |line: usize, pressure: &[f64]| {
             let (mask, compliance) = (window.line(mask, line), window.line(compliance, line));
             let mut found = Contact::default();
-            let columns = pressure.iter().enumerate().filter(|(_, p)| **p > 0.0);
-            for (column, p) in columns {
-                let [i, j] = sector.first_image([above + line, left + column], size);
-                let e = i * size + j;
-                found.add(e, *p, mask[column], place(e));
+            let image = |column| sector.first_image([above + line, left + column], size);
+            let mut columns = pressure.iter().enumerate().filter(|(_, p)| **p > 0.0);
+            for (column, p) in columns.clone() {
+                let [i, j] = image(column);
+                found.add(i * size + j, *p, mask[column]);
                 found.shortening = found.shortening.max(compliance[column] * p);
-                found.approach(i, j, size);
+            }
+            // Of one row, no element is farther from the axis or nearer to an edge than the outermost two.
+            for (column, _) in [columns.next(), columns.next_back()].into_iter().flatten() {
+                let [i, j] = image(column);
+                found.reach_to([i, j], place(i * size + j), size);
             }
             found
         };
@@ -108,16 +112,16 @@ struct Contact {
 }
 
 impl Contact {
-    fn add(&mut self, element: usize, pressure: f64, is_on_relief: bool, [x, y]: [f64; 2]) {
+    fn add(&mut self, element: usize, pressure: f64, is_on_relief: bool) {
         self.largest = larger(self.largest, (pressure, element));
         self.elements += 1;
         self.on_relief += usize::from(is_on_relief);
-        self.radius = self.radius.max(x.hypot(y));
     }
 
-    /// Counts an element's row and column of so many into the distance from the edge.
-    fn approach(&mut self, row: usize, column: usize, size: usize) {
+    /// Counts an element's row and column of so many, and its place, into the extent.
+    fn reach_to(&mut self, [row, column]: [usize; 2], [x, y]: [f64; 2], size: usize) {
         let last = size - 1;
+        self.radius = self.radius.max(x.hypot(y));
         let to_edge = row.min(column).min(last - row).min(last - column);
         self.to_edge = nearer(self.to_edge, Some(to_edge));
     }

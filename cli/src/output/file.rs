@@ -6,6 +6,9 @@ use std::path::{Path, PathBuf};
 
 use crate::failure::Failure;
 
+/// Bytes that are handed to the system at once.
+const BUFFER: usize = 1 << 17;
+
 /// Writes a file under a temporary name beside it and renames it when it is complete and on the disk.
 ///
 /// # Errors
@@ -17,7 +20,7 @@ pub fn write_whole(
 ) -> Result<(), Failure> {
     let partial = partial(path);
     let written = File::create(&partial).and_then(|file| {
-        let mut file = BufWriter::new(file);
+        let mut file = BufWriter::with_capacity(BUFFER, file);
         write(&mut file)?;
         file.into_inner()?.sync_all()
     });

@@ -18,6 +18,7 @@ pub mod projection;
 pub mod raster;
 pub mod scene;
 pub mod section;
+pub mod skyline;
 pub mod subject;
 pub mod svg;
 pub mod ticks;

@@ -62,9 +62,15 @@ fn pixels(svg: &str, zoom: f32) -> io::Result<(usize, usize, Vec<u8>)> {
     let zoom = tiny_skia::Transform::from_scale(zoom, zoom);
     resvg::render(&tree, zoom, &mut pixels.as_mut());
     // The last row and column may reach past the sheet: on paper what is not covered is white.
-    let on_paper = |pixel: &[u8]| [0, 1, 2].map(|i: usize| pixel[i].saturating_add(255 - pixel[3]));
-    let rgb = pixels.data().chunks_exact(4).flat_map(on_paper).collect();
-    Ok((pixels.width() as usize, pixels.height() as usize, rgb))
+    let (width, height) = (pixels.width() as usize, pixels.height() as usize);
+    let mut rgb = vec![0; 3 * width * height];
+    for (rgb, pixel) in rgb.chunks_exact_mut(3).zip(pixels.data().chunks_exact(4)) {
+        let paper = 255 - pixel[3];
+        for (channel, value) in rgb.iter_mut().zip(pixel) {
+            *channel = value.saturating_add(paper);
+        }
+    }
+    Ok((width, height, rgb))
 }
 
 /// Pixels as a PNG file; an empty one where the sides do not fit the pixels.
@@ -90,6 +96,8 @@ fn try_encode(
     });
     encoder.set_depth(png::BitDepth::Eight);
     encoder.set_compression(png::Compression::Fast);
+    // As small as with a filter chosen for each row.
+    encoder.set_filter(png::Filter::Paeth);
     encoder.write_header()?.write_image_data(pixels)
 }
 

@@ -1,7 +1,4 @@
-//! A box seen from above one of its corners, without perspective, and triangles filled with colour.
-
-use super::colours::Colour;
-use super::raster::Raster;
+//! A box seen from above one of its corners, without perspective.
 
 /// Turn about the vertical, and height of the eye above the horizon.
 const TURN: f64 = 0.61;
@@ -24,49 +21,41 @@ impl Projection {
     pub fn at(&self, [x, y, z]: [f64; 3]) -> (f64, f64) {
         let (sin, cos) = TURN.sin_cos();
         let (right, away) = (x * cos - y * sin, x * sin + y * cos);
-        let up = away * ELEVATION.sin() * self.unit + z * ELEVATION.cos() * self.height;
-        (self.centre.0 + self.unit * right, self.centre.1 - up)
+        (self.centre.0 + self.unit * right, self.row(away, z))
     }
-}
 
-/// Fills a triangle with one colour; what lies outside the raster is left out.
-pub fn fill(raster: &mut Raster, corners: [(f64, f64); 3], colour: Colour) {
-    let [low, high] = [f64::min as fn(f64, f64) -> f64, f64::max].map(|pick| {
-        let [a, b, c] = corners.map(|corner| corner.1);
-        pick(a, pick(b, c))
-    });
-    for j in pixels(low, high, raster.height()) {
-        // The row is a line through the centres of its pixels.
-        let Some((left, right)) = cut(corners, j as f64 + 0.5) else {
-            continue;
-        };
-        for i in pixels(left, right, raster.width()) {
-            raster.set(i, j, colour);
+    /// Where on the sheet a point is, downwards, that lies so far behind the middle and so high.
+    #[must_use]
+    pub fn row(&self, away: f64, z: f64) -> f64 {
+        self.centre.1 - away * ELEVATION.sin() * self.unit - z * ELEVATION.cos() * self.height
+    }
+
+    /// What is seen so far to the right on the sheet.
+    #[must_use]
+    pub fn line_of_sight(&self, x: f64) -> LineOfSight {
+        let (sin, cos) = TURN.sin_cos();
+        let right = (x - self.centre.0) / self.unit;
+        LineOfSight {
+            origin: [right * cos, -right * sin],
+            direction: [sin, cos],
         }
     }
 }
 
-/// The pixels whose centres may lie between two coordinates, within the raster; one more at the end hides the seams.
-fn pixels(from: f64, to: f64, count: usize) -> std::ops::Range<usize> {
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "clamped to the raster"
-    )]
-    let clamped = |at: f64| at.clamp(0.0, count as f64) as usize;
-    clamped((from - 0.5).ceil())..clamped((to + 0.5).ceil())
+/// What lies behind one another for the eye: a straight line of the plan.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LineOfSight {
+    /// Where it passes the middle of the floor, and its direction; both parts of the latter are positive.
+    origin: [f64; 2],
+    direction: [f64; 2],
 }
 
-/// Where a horizontal line cuts a triangle.
-fn cut(corners: [(f64, f64); 3], y: f64) -> Option<(f64, f64)> {
-    let (mut left, mut right) = (f64::INFINITY, f64::NEG_INFINITY);
-    for (from, to) in [(0, 1), (1, 2), (2, 0)].map(|(a, b)| (corners[a], corners[b])) {
-        if (from.1 <= y) != (to.1 <= y) {
-            let x = from.0 + (to.0 - from.0) * (y - from.1) / (to.1 - from.1);
-            (left, right) = (left.min(x), right.max(x));
-        }
+impl LineOfSight {
+    /// How far behind the middle it crosses an edge across the x (0) or the y axis (1).
+    #[must_use]
+    pub fn distance(&self, axis: usize, edge: f64) -> f64 {
+        (edge - self.origin[axis]) / self.direction[axis]
     }
-    (left <= right).then_some((left, right))
 }
 
 #[cfg(test)]
@@ -87,32 +76,16 @@ mod tests {
     }
 
     #[test]
-    fn a_triangle_covers_its_half_of_a_square() {
-        let mut raster = Raster::new(100, 100);
-        let colour = Colour(1, 2, 3);
-        fill(
-            &mut raster,
-            [(10.0, 10.0), (90.0, 10.0), (10.0, 90.0)],
-            colour,
-        );
-        let filled = raster.opaque_pixels();
-        // Half of 80², and at most two pixels more in each of 80 rows.
-        assert!((3200..3200 + 160).contains(&filled), "{filled}");
-    }
-
-    #[test]
-    fn a_triangle_outside_or_without_area_is_no_error() {
-        let mut raster = Raster::new(10, 10);
-        fill(
-            &mut raster,
-            [(-50.0, -50.0), (-20.0, -30.0), (-40.0, -20.0)],
-            Colour(0, 0, 0),
-        );
-        fill(
-            &mut raster,
-            [(f64::NAN, 1.0), (2.0, f64::NAN), (3.0, 3.0)],
-            Colour(0, 0, 0),
-        );
-        assert_eq!(raster.opaque_pixels(), 0);
+    fn a_line_of_sight_holds_what_is_seen_at_one_place() {
+        let view = Projection {
+            unit: 100.0,
+            height: 50.0,
+            centre: (7.0, 9.0),
+        };
+        let (x, y) = view.at([0.3, -0.4, 0.2]);
+        let line = view.line_of_sight(x);
+        let [away, same] = [line.distance(0, 0.3), line.distance(1, -0.4)];
+        assert!((away - same).abs() < 1e-14);
+        assert!((view.row(away, 0.2) - y).abs() < 1e-12);
     }
 }

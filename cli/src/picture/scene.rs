@@ -4,16 +4,9 @@ use super::coarse::Coarse;
 use super::colours::{self, Colour};
 use super::panel::{Axis, LABEL};
 use super::pressure_map;
-use super::projection::{self, Projection};
-use super::raster::Raster;
+use super::projection::Projection;
+use super::skyline::{self, Columns};
 use super::svg::{Anchor, Place, Stroke, Svg};
-
-/// Light on the sides of a column, against 1 on its top.
-const LIT_LEFT: f64 = 0.74;
-const LIT_FRONT: f64 = 0.88;
-
-/// Pixels of the raster per pixel of the drawing, before it is halved.
-const FINENESS: f64 = 2.0;
 
 /// A box with three axes, in which a field stands as columns.
 #[derive(Debug, Clone, PartialEq)]
@@ -35,14 +28,26 @@ impl Scene {
     /// smaller than the box.
     pub fn draw(&self, svg: &mut Svg, coarse: &Coarse, metres: f64, pascals: f64) {
         self.draw_walls(svg);
-        let columns = Columns {
-            scene: self,
-            coarse,
-            metres,
-            largest: pascals * self.z.to,
-        };
-        svg.image(self.place, &columns.raster().halved());
+        let columns = self.columns(coarse, metres, pascals * self.z.to);
+        svg.image(self.place, &skyline::draw(&columns, &self.view, self.place));
         self.draw_labels(svg);
+    }
+
+    /// A column for each cell, under a ceiling at the pressure `largest`.
+    fn columns(&self, coarse: &Coarse, metres: f64, largest: f64) -> Columns {
+        let ends =
+            |ends: [f64; 2], axis: &Axis| ends.map(|x| 2.0 * axis.fraction(x / metres) - 1.0);
+        let cells = coarse.cells;
+        let column = |e: usize| {
+            let (i, j) = (e / cells, e % cells);
+            let colour = pressure_map::colour(coarse, i, j, largest);
+            (coarse.pressure(i, j) / largest, colour)
+        };
+        Columns {
+            cells,
+            ends: [ends(coarse.x, &self.x), ends(coarse.y, &self.y)],
+            heights: (0..cells * cells).map(column).collect(),
+        }
     }
 
     /// Lines on the two walls behind.
@@ -111,72 +116,6 @@ impl Scene {
         svg.text((x, y), 18.0, Anchor::End, &self.y.title);
         let (x, y) = self.view.at([-1.0, 1.0, 1.0]);
         svg.text((x - 62.0, y - 26.0), 18.0, Anchor::Start, &self.z.title);
-    }
-}
-
-/// The columns of a field, one a cell.
-struct Columns<'a> {
-    scene: &'a Scene,
-    coarse: &'a Coarse,
-    metres: f64,
-    /// The pressure at the top of the box, Pa.
-    largest: f64,
-}
-
-impl Columns<'_> {
-    /// From the back to the front.
-    fn raster(&self) -> Raster {
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "the size of the scene"
-        )]
-        let side = |length: f64| (FINENESS * length) as usize;
-        let Place { width, height, .. } = self.scene.place;
-        let mut raster = Raster::new(side(width), side(height));
-        for i in (0..self.coarse.cells).rev() {
-            for j in (0..self.coarse.cells).rev() {
-                self.draw_column(&mut raster, i, j);
-            }
-        }
-        raster
-    }
-
-    /// Where a corner of a cell is along an axis of the box, from −1 to 1.
-    fn corner(&self, [from, to]: [f64; 2], axis: &Axis, i: usize) -> f64 {
-        let x = from + (to - from) * i as f64 / self.coarse.cells as f64;
-        2.0 * axis.fraction(x / self.metres) - 1.0
-    }
-
-    /// The top of a column, and what its two sides in front show above the columns before them.
-    fn draw_column(&self, raster: &mut Raster, i: usize, j: usize) {
-        let [x, right] = [i, i + 1].map(|i| self.corner(self.coarse.x, &self.scene.x, i));
-        let [y, back] = [j, j + 1].map(|j| self.corner(self.coarse.y, &self.scene.y, j));
-        let height = |i: usize, j: usize| self.coarse.pressure(i, j) / self.largest;
-        let z = height(i, j);
-        let left = if i > 0 { height(i - 1, j) } else { 0.0 };
-        let front = if j > 0 { height(i, j - 1) } else { 0.0 };
-        let colour = pressure_map::colour(self.coarse, i, j, self.largest);
-        if left < z {
-            let side = [[x, y, left], [x, back, left], [x, back, z], [x, y, z]];
-            self.draw_face(raster, side, colour.lit(LIT_LEFT));
-        }
-        if front < z {
-            let side = [[x, y, front], [right, y, front], [right, y, z], [x, y, z]];
-            self.draw_face(raster, side, colour.lit(LIT_FRONT));
-        }
-        let top = [[x, y, z], [right, y, z], [right, back, z], [x, back, z]];
-        self.draw_face(raster, top, colour);
-    }
-
-    fn draw_face(&self, raster: &mut Raster, corners: [[f64; 3]; 4], colour: Colour) {
-        let Place { left, top, .. } = self.scene.place;
-        let [a, b, c, d] = corners.map(|corner| {
-            let (x, y) = self.scene.view.at(corner);
-            (FINENESS * (x - left), FINENESS * (y - top))
-        });
-        projection::fill(raster, [a, b, c], colour);
-        projection::fill(raster, [a, c, d], colour);
     }
 }
 
