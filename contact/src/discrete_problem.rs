@@ -14,6 +14,9 @@ use crate::{
     window::Window,
 };
 
+/// Values looked at together: to ask after each whether another thread has found a wrong one took a ninth of a Hertz contact's time at N = 2048.
+const VALUES_AT_ONCE: usize = 4096;
+
 /// One grid's problem. Fields hold N² values, index `i N + j`, first index along x.
 pub struct DiscreteProblem {
     body: Body,
@@ -266,15 +269,19 @@ fn check_values(
     wanted: &'static str,
     legal: impl Fn(f64) -> bool + Sync,
 ) -> Result<(), ContactError> {
-    match values.par_iter().position_first(|value| !legal(*value)) {
-        None => Ok(()),
-        Some(element) => Err(ContactError::FieldValue {
+    let is_legal = |values: &[f64]| values.iter().fold(true, |all, value| all & legal(*value));
+    if values.par_chunks(VALUES_AT_ONCE).all(is_legal) {
+        return Ok(());
+    }
+    let first = values.iter().enumerate().find(|(_, value)| !legal(**value));
+    first.map_or(Ok(()), |(element, found)| {
+        Err(ContactError::FieldValue {
             field,
             element,
             wanted,
-            found: values[element],
-        }),
-    }
+            found: *found,
+        })
+    })
 }
 
 #[cfg(test)]

@@ -100,6 +100,22 @@ impl CoefficientTable {
         self.element_side
     }
 
+    /// The coefficients of the offsets `first` … `first` + C − 1 along one axis and `offset` along the other; 0 of those that the table does not have.
+    pub(crate) fn side_by_side<const C: usize>(&self, first: usize, offset: usize) -> [f64; C] {
+        let row = &self.triangle[offset * (offset + 1) / 2..][..=offset];
+        match row.get(first..).and_then(<[f64]>::first_chunk) {
+            Some(coefficients) => *coefficients,
+            None => std::array::from_fn(|i| {
+                let m = first + i;
+                if m < self.size {
+                    self.coefficient([m, offset])
+                } else {
+                    0.0
+                }
+            }),
+        }
+    }
+
     fn check_finite(&self) -> Result<(), InfluenceError> {
         let offsets = (0..self.size).flat_map(|m| (0..=m).map(move |n| [m, n]));
         let mut entries = offsets.zip(self.triangle.iter().copied());
@@ -155,6 +171,22 @@ mod tests {
             for n in 0..7 {
                 let expected = (10 * m.max(n) + m.min(n)) as f64;
                 assert!((table.coefficient([m, n]) - expected).abs() < f64::EPSILON);
+            }
+        }
+    }
+
+    #[test]
+    fn coefficients_side_by_side_are_those_of_their_offsets() {
+        let table = CoefficientTable::from_fn(1.0, 7, |[m, n]| (10 * m + n + 1) as f64).unwrap();
+        for (first, offset) in (0..9).flat_map(|first| (0..7).map(move |n| (first, n))) {
+            let found: [f64; 3] = table.side_by_side(first, offset);
+            for (m, found) in (first..).zip(found) {
+                let expected = if m < 7 {
+                    table.coefficient([m, offset])
+                } else {
+                    0.0
+                };
+                assert!((found - expected).abs() < f64::EPSILON, "{m} {offset}");
             }
         }
     }

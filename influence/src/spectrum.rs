@@ -12,7 +12,7 @@ use rustfft::{Fft, FftPlanner};
 use crate::coefficient_table::CoefficientTable;
 use crate::cosine::{self, CosineTransform, Frequencies};
 
-/// Lines transformed together; even.
+/// Lines transformed together, whose entries lie side by side in the memory: as many as a line of the cache holds; even.
 const LINES: usize = 8;
 
 /// A quarter, (M+1) × (M+1) values, of the real, even, symmetric L × L spectrum.
@@ -29,10 +29,16 @@ impl Spectrum {
     /// and inverse transform leave behind.
     pub(crate) fn new(table: &CoefficientTable, size: usize, half: usize) -> Self {
         let lines = EvenTransform::new(half);
-        let coefficient = |[m, n]: [usize; 2]| table.coefficient([m, n]);
-        let along = lines.transform(size, size, coefficient, |frequency| frequency);
-        let entry = |[frequency, m]: [usize; 2]| along[m * (half + 1) + frequency];
-        let mut values = lines.transform(half + 1, size, entry, |frequency| {
+        let coefficients = |first: usize, n: usize| table.side_by_side(first, n);
+        let along = lines.transform(size, size, coefficients, |frequency| frequency);
+        let entries = |first: usize, m: usize| {
+            let line = &along[m * (half + 1)..(m + 1) * (half + 1)];
+            match line[first..].first_chunk() {
+                Some(entries) => *entries,
+                None => std::array::from_fn(|i| line.get(first + i).copied().unwrap_or(0.0)),
+            }
+        };
+        let mut values = lines.transform(half + 1, size, entries, |frequency| {
             // Even frequencies before odd ones.
             frequency / 2 + frequency % 2 * (half / 2 + 1)
         });
@@ -78,15 +84,13 @@ impl EvenTransform {
         }
     }
 
-    /// The M+1 values of each of `count` lines, of which line i begins with `entry([i, 0])` … `entry([i, length−1])`, is 0 beyond and is mirrored; each
-    /// frequency at its place.
-    ///
-    /// A few lines are taken together, because their entries lie side by side in the memory.
+    /// The M+1 values of each of `count` lines, each frequency at its place. Of the lines from `first` on, `entries(first, j)` gives the entry j, below `length`; what they have beyond is 0,
+    /// and all are mirrored.
     fn transform(
         &self,
         count: usize,
         length: usize,
-        entry: impl Fn([usize; 2]) -> f64 + Sync,
+        entries: impl Fn(usize, usize) -> [f64; LINES] + Sync,
         place: impl Fn(usize) -> usize + Sync,
     ) -> Vec<f64> {
         let width = self.half + 1;
@@ -95,26 +99,23 @@ impl EvenTransform {
         groups.for_each_init(
             || self.buffers(),
             |(pairs, buffers), (group, results)| {
-                pairs.fill(Complex64::default());
-                let first = group * LINES;
                 for position in 0..length {
-                    for line in 0..results.len() / width {
-                        let pair = &mut pairs[line / 2 * width + position];
-                        let value = entry([first + line, position]);
-                        if line % 2 == 0 {
-                            pair.re = value;
-                        } else {
-                            pair.im = value;
-                        }
-                    }
+                    let entries = entries(group * LINES, position);
+                    let entries = entries.as_chunks::<2>().0.iter();
+                    let pairs = pairs[position..].iter_mut().step_by(width);
+                    pairs
+                        .zip(entries)
+                        .for_each(|(pair, [re, im])| *pair = Complex64::new(*re, *im));
                 }
                 let results = results.chunks_mut(2 * width);
                 for (pair, results) in pairs.chunks_exact_mut(width).zip(results) {
+                    pair[length..].fill(Complex64::default());
+                    let (of_one, of_other) = results.split_at_mut(width);
                     self.transform_pair(pair, buffers, |frequency, both| {
                         let place = place(frequency);
-                        results[place] = both.re;
-                        if let Some(other) = results.get_mut(width + place) {
-                            *other = both.im;
+                        of_one[place] = both.re;
+                        if let Some(value) = of_other.get_mut(place) {
+                            *value = both.im;
                         }
                     });
                 }
@@ -134,11 +135,12 @@ impl EvenTransform {
         for odd in &self.folded {
             let folded = half / 2;
             let differences = &mut sequence[..folded];
-            for (j, difference) in differences.iter_mut().enumerate() {
-                let (near, far) = (line[j], line[half - j]);
-                (*difference, line[j]) = (near - far, near + far);
+            let (near, far) = line[..=half].split_at_mut(folded);
+            let ends = near.iter_mut().zip(far.iter().rev());
+            for (difference, (near, far)) in differences.iter_mut().zip(ends) {
+                (*difference, *near) = (*near - far, *near + far);
             }
-            line[folded] += line[folded];
+            far[0] += far[0];
             odd.synthesise(differences, scratch);
             for k in 0..folded {
                 tell((2 * k + 1) * step, differences[cosine::place(k, folded)]);
@@ -202,13 +204,14 @@ mod tests {
     fn even_sequences_are_transformed_into_their_sums_of_cosines() {
         for half in [1, 2, 3, 4, 12, 20, 45, 64, 90] {
             for length in [1, half, half + 1] {
-                let entry = |[i, j]: [usize; 2]| ((7 * i + 1) as f64 + 0.37 * j as f64).sin();
-                let found = EvenTransform::new(half).transform(3, length, entry, |k| k);
+                let entry = |i: usize, j: usize| ((7 * i + 1) as f64 + 0.37 * j as f64).sin();
+                let entries = |first, j| std::array::from_fn(|i| entry(first + i, j));
+                let found = EvenTransform::new(half).transform(3, length, entries, |k| k);
                 for (index, value) in found.iter().enumerate() {
                     let (line, k) = (index / (half + 1), index % (half + 1));
                     let wave = |j: usize| (PI * (j * k) as f64 / half as f64).cos();
                     let images = |j: usize| if j == 0 || j == half { 1.0 } else { 2.0 };
-                    let terms = (0..length).map(|j| images(j) * entry([line, j]) * wave(j));
+                    let terms = (0..length).map(|j| images(j) * entry(line, j) * wave(j));
                     // Rounding of up to 91 terms of order 1.
                     assert!(
                         (value - terms.sum::<f64>()).abs() < 1e-12,
