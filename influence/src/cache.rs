@@ -19,6 +19,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use pellicle_kernel::Foundation;
 
+use self::encoding::Decoder;
 use self::folder::Folder;
 use self::key::Key;
 use self::memory::Memory;
@@ -69,7 +70,7 @@ impl Cache {
     /// | 128 | 1,130 | 495 | 39 |
     /// | 512 | 14,000 | 7,100 | 420 |
     /// | 1024 | 67,000 | 31,000 | 1,900 |
-    /// | 2048 | 270,000 | 125,000 | 30,000 |
+    /// | 2048 | 270,000 | 125,000 | 9,000 |
     ///
     /// So the border of a homogeneous body lies at N = 8. A coated body has none, but below N = 16 its tables take no longer than creating a
     /// file does, 40 to 150 µs. Radial tables take 11,000 µs to build and 68 µs to read; those of a homogeneous body are empty and never
@@ -229,7 +230,7 @@ impl Cache {
 
     fn read<R: Recipe>(&self, recipe: &R, key: &Key) -> Option<R::Product> {
         let folder = self.0.folder.as_ref()?;
-        let decode = |payload: &[u8]| recipe.decode(payload);
+        let decode = |decoder: &mut Decoder<'_>| recipe.decode(decoder);
         let read = folder.read(key, recipe.largest_payload(), decode);
         read.unwrap_or_else(|warning| {
             self.warn(warning);

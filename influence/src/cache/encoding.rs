@@ -1,5 +1,7 @@
 //! Numbers as bytes, little-endian, every bit of an f64 kept: what the files of the cache hold.
 
+use std::io::Read;
+
 /// Bytes of one number.
 pub(crate) const WIDTH: usize = 8;
 
@@ -36,13 +38,21 @@ impl Encoder {
     }
 }
 
-/// Reads what an [`Encoder`] wrote. Every answer is none where the bytes end too early or are no finite number.
-#[derive(Debug)]
-pub(crate) struct Decoder<'a>(&'a [u8]);
+/// Numbers read at once where there are many.
+const NUMBERS: usize = 1024;
+
+/// Reads what an [`Encoder`] wrote, as it comes. Every answer is none where the bytes end too early or are no finite number.
+pub(crate) struct Decoder<'a> {
+    bytes: &'a mut dyn Read,
+    /// How many there are still to be.
+    left: usize,
+}
 
 impl<'a> Decoder<'a> {
-    pub(crate) fn new(bytes: &'a [u8]) -> Self {
-        Self(bytes)
+    /// Of so many bytes.
+    pub(crate) fn new(bytes: &'a mut dyn Read, length: usize) -> Self {
+        let left = length;
+        Self { bytes, left }
     }
 
     /// A finite real number.
@@ -61,17 +71,26 @@ impl<'a> Decoder<'a> {
 
     /// This many finite real numbers.
     pub(crate) fn reals(&mut self, count: usize) -> Option<Vec<f64>> {
-        let (numbers, rest) = self.0.split_at_checked(count.checked_mul(WIDTH)?)?;
-        self.0 = rest;
-        let (words, _) = numbers.as_chunks::<WIDTH>();
-        let values: Vec<f64> = words.iter().map(|word| f64::from_le_bytes(*word)).collect();
-        values.iter().all(finite).then_some(values)
+        self.left = self.left.checked_sub(count.checked_mul(WIDTH)?)?;
+        let mut values = Vec::with_capacity(count);
+        let mut block = [0; WIDTH * NUMBERS];
+        while values.len() < count {
+            let block = &mut block[..WIDTH * (count - values.len()).min(NUMBERS)];
+            self.bytes.read_exact(block).ok()?;
+            let (words, _) = block.as_chunks::<WIDTH>();
+            let before = values.len();
+            values.extend(words.iter().map(|word| f64::from_le_bytes(*word)));
+            if !values[before..].iter().all(finite) {
+                return None;
+            }
+        }
+        Some(values)
     }
 
     /// A count of things of at least one number each.
     pub(crate) fn count(&mut self) -> Option<usize> {
         let count = usize::try_from(self.word().map(u64::from_le_bytes)?).ok()?;
-        (count <= self.0.len() / WIDTH).then_some(count)
+        (count <= self.left / WIDTH).then_some(count)
     }
 
     /// A whole number that is no count.
@@ -86,14 +105,15 @@ impl<'a> Decoder<'a> {
     }
 
     /// The value, if nothing is left unread.
-    pub(crate) fn finish<T>(self, value: T) -> Option<T> {
-        self.0.is_empty().then_some(value)
+    pub(crate) fn finish<T>(&self, value: T) -> Option<T> {
+        (self.left == 0).then_some(value)
     }
 
     fn word(&mut self) -> Option<[u8; WIDTH]> {
-        let (word, rest) = self.0.split_first_chunk()?;
-        self.0 = rest;
-        Some(*word)
+        self.left = self.left.checked_sub(WIDTH)?;
+        let mut word = [0; WIDTH];
+        self.bytes.read_exact(&mut word).ok()?;
+        Some(word)
     }
 }
 
@@ -107,20 +127,30 @@ fn finite(value: &f64) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::{Decoder, Encoder};
+    use super::{Decoder, Encoder, NUMBERS};
+
+    /// What is read from these bytes, of which there are said to be as many.
+    fn read<T>(bytes: &[u8], read: impl FnOnce(&mut Decoder<'_>) -> T) -> T {
+        read(&mut Decoder::new(&mut &*bytes, bytes.len()))
+    }
 
     #[test]
     fn every_bit_comes_back() {
         let values = [-0.0, f64::MIN_POSITIVE / 8.0, 0.1, -f64::MAX];
+        let many: Vec<f64> = (0..2 * NUMBERS + 3).map(|i| 1.0 / (i + 3) as f64).collect();
         let mut encoder = Encoder::default();
         encoder.list(&values);
         encoder.real(1.0 / 3.0);
+        encoder.reals(&many);
         let bytes = encoder.into_bytes();
-        let mut decoder = Decoder::new(&bytes);
         let bits = |values: &[f64]| values.iter().map(|v| v.to_bits()).collect::<Vec<_>>();
-        assert_eq!(bits(&decoder.list().unwrap()), bits(&values));
-        assert_eq!(decoder.real(), Some(1.0 / 3.0));
-        assert_eq!(decoder.finish(()), Some(()));
+        read(&bytes, |decoder| {
+            assert_eq!(bits(&decoder.list().unwrap()), bits(&values));
+            assert_eq!(decoder.real(), Some(1.0 / 3.0));
+            assert_eq!(decoder.finish(()), None);
+            assert_eq!(decoder.reals(many.len()).unwrap(), many);
+            assert_eq!(decoder.finish(()), Some(()));
+        });
     }
 
     #[test]
@@ -129,11 +159,15 @@ mod tests {
         encoder.list(&[1.0, 2.0]);
         let bytes = encoder.into_bytes();
         for length in 0..bytes.len() {
-            assert_eq!(Decoder::new(&bytes[..length]).list(), None);
+            assert_eq!(read(&bytes[..length], |decoder| decoder.list()), None);
+            // Fewer than there were said to be.
+            let mut fewer = &bytes[..length];
+            assert_eq!(Decoder::new(&mut fewer, bytes.len()).list(), None);
         }
-        let mut decoder = Decoder::new(&bytes);
-        assert_eq!(decoder.count(), Some(2));
-        assert_eq!(decoder.finish(()), None);
+        read(&bytes, |decoder| {
+            assert_eq!(decoder.count(), Some(2));
+            assert_eq!(decoder.finish(()), None);
+        });
     }
 
     #[test]
@@ -141,9 +175,9 @@ mod tests {
         let mut encoder = Encoder::default();
         encoder.count(usize::MAX);
         encoder.reals(&[f64::NAN]);
-        let bytes = encoder.into_bytes();
-        let mut decoder = Decoder::new(&bytes);
-        assert_eq!(decoder.list(), None);
-        assert_eq!(decoder.reals(1), None);
+        read(&encoder.into_bytes(), |decoder| {
+            assert_eq!(decoder.count(), None);
+            assert_eq!(decoder.reals(1), None);
+        });
     }
 }

@@ -8,6 +8,9 @@
 //! | 48–55 | length of the payload |
 //! | 56–87 | BLAKE3 of all the bytes before and of the payload |
 
+use std::io::{self, BufReader, Read};
+
+use super::encoding::Decoder;
 use super::key::{FORMAT, Key};
 use super::warning::FileFault;
 
@@ -15,6 +18,9 @@ const MAGIC: &[u8; 8] = b"PELLICLE";
 
 /// Length of the header.
 pub(super) const HEADER: usize = CHECKED + 32;
+
+/// Bytes read from the system and hashed at once: BLAKE3 takes twice as long for each of a few thousand.
+const BUFFER: usize = 1 << 18;
 
 /// Length of the part of the header that the checksum is of.
 const CHECKED: usize = 56;
@@ -31,25 +37,56 @@ pub(super) fn seal(key: &Key, payload: &[u8]) -> Vec<u8> {
     header
 }
 
-/// The payload of a file that is whole and what it should be.
-pub(super) fn unseal<'a>(key: &Key, bytes: &'a [u8]) -> Result<&'a [u8], FileFault> {
-    let (magic, rest) = bytes.split_first_chunk().ok_or(FileFault::Foreign)?;
+/// What the payload says of a file of this length that is whole and what it should be; it is never in the memory as a whole.
+pub(super) fn unseal<T>(
+    key: &Key,
+    mut file: impl Read,
+    length: u64,
+    decode: impl FnOnce(&mut Decoder<'_>) -> Option<T>,
+) -> Result<T, FileFault> {
+    let unreadable = |error: io::Error| FileFault::Unreadable(error.kind());
+    let mut header = Vec::with_capacity(HEADER);
+    let mut first = file.by_ref().take(HEADER as u64);
+    first.read_to_end(&mut header).map_err(unreadable)?;
+    let (magic, rest) = header.split_first_chunk().ok_or(FileFault::Foreign)?;
     if magic != MAGIC {
         return Err(FileFault::Foreign);
     }
-    let (header, payload) = bytes.split_at_checked(HEADER).ok_or(FileFault::Length {
-        found: bytes.len() as u64,
-        wanted: HEADER as u64,
-    })?;
+    if header.len() < HEADER {
+        return Err(FileFault::Length {
+            found: length,
+            wanted: HEADER as u64,
+        });
+    }
     check_version(word(rest))?;
     if &header[16..48] != key.0.as_bytes() {
         return Err(FileFault::OtherData);
     }
-    check_length(word(&header[48..]), payload)?;
-    if checksum(&header[..CHECKED], payload).as_bytes() != &header[CHECKED..] {
+    let payload = check_length(word(&header[48..]), length)?;
+    let mut hasher = blake3::Hasher::new();
+    hasher.update(&header[..CHECKED]);
+    let mut file = BufReader::with_capacity(BUFFER.min(payload), Hashed { file, hasher });
+    let decoded = decode(&mut Decoder::new(&mut file, payload));
+    // What is not in order has not been read to its end.
+    io::copy(&mut file, &mut io::sink()).map_err(unreadable)?;
+    if file.get_ref().hasher.finalize().as_bytes() != &header[CHECKED..] {
         return Err(FileFault::Checksum);
     }
-    Ok(payload)
+    decoded.ok_or(FileFault::Contents)
+}
+
+/// A file that is hashed as it is read.
+struct Hashed<R> {
+    file: R,
+    hasher: blake3::Hasher,
+}
+
+impl<R: Read> Read for Hashed<R> {
+    fn read(&mut self, bytes: &mut [u8]) -> io::Result<usize> {
+        let count = self.file.read(bytes)?;
+        self.hasher.update(&bytes[..count]);
+        Ok(count)
+    }
 }
 
 fn check_version(found: u64) -> Result<(), FileFault> {
@@ -62,16 +99,16 @@ fn check_version(found: u64) -> Result<(), FileFault> {
     })
 }
 
-fn check_length(wanted: u64, payload: &[u8]) -> Result<(), FileFault> {
-    let found = payload.len() as u64;
-    if found == wanted {
-        return Ok(());
-    }
-    let header = HEADER as u64;
-    Err(FileFault::Length {
-        found: header + found,
-        wanted: header.saturating_add(wanted),
-    })
+/// The length of the payload, if it is that of a file of this length.
+fn check_length(wanted: u64, length: u64) -> Result<usize, FileFault> {
+    let (found, header) = (length.saturating_sub(HEADER as u64), HEADER as u64);
+    let payload = usize::try_from(found).ok();
+    payload
+        .filter(|_| found == wanted)
+        .ok_or(FileFault::Length {
+            found: length,
+            wanted: header.saturating_add(wanted),
+        })
 }
 
 fn checksum(header: &[u8], payload: &[u8]) -> blake3::Hash {
@@ -86,10 +123,22 @@ fn word(bytes: &[u8]) -> u64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{FORMAT, FileFault, HEADER, Key, seal, unseal};
+    use super::{Decoder, FORMAT, FileFault, HEADER, Key, seal};
 
     fn key(text: &str) -> Key {
         Key(blake3::hash(text.as_bytes()))
+    }
+
+    /// Of a payload of bytes, as many whole numbers as there are.
+    fn unseal(key: &Key, bytes: &[u8]) -> Result<Vec<usize>, FileFault> {
+        let numbers = |decoder: &mut Decoder<'_>| {
+            let mut numbers = Vec::new();
+            while decoder.finish(()).is_none() {
+                numbers.push(decoder.index()?);
+            }
+            Some(numbers)
+        };
+        super::unseal(key, bytes, bytes.len() as u64, numbers)
     }
 
     fn file(payload: &[u8]) -> Vec<u8> {
@@ -100,9 +149,17 @@ mod tests {
 
     #[test]
     fn what_was_sealed_comes_out() {
-        for payload in [&b""[..], b"payload"] {
-            assert_eq!(unseal(&key("a"), &file(payload)), Ok(payload));
+        for (payload, numbers) in [(&b""[..], vec![]), (b"\x07\0\0\0\0\0\0\0", vec![7])] {
+            assert_eq!(unseal(&key("a"), &file(payload)), Ok(numbers));
         }
+    }
+
+    #[test]
+    fn a_payload_that_says_nothing_is_told_from_a_damaged_one() {
+        let mut whole = file(b"payload");
+        assert_eq!(unseal(&key("a"), &whole), Err(FileFault::Contents));
+        whole[90] += 1;
+        assert_eq!(unseal(&key("a"), &whole), Err(FileFault::Checksum));
     }
 
     #[test]

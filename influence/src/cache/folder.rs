@@ -1,10 +1,11 @@
 //! The folder on disk.
 
-use std::fs::{self, DirEntry, Metadata};
+use std::fs::{self, DirEntry, File, Metadata};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use super::encoding::Decoder;
 use super::file::{self, HEADER};
 use super::key::Key;
 use super::warning::{CacheWarning, FileFault};
@@ -51,19 +52,16 @@ impl Folder {
         &self,
         key: &Key,
         largest_payload: usize,
-        decode: impl FnOnce(&[u8]) -> Option<T>,
+        decode: impl FnOnce(&mut Decoder<'_>) -> Option<T>,
     ) -> Result<Option<T>, CacheWarning> {
         let path = self.file(key);
-        match read_file(&path, HEADER + largest_payload) {
-            Ok(None) => Ok(None),
-            Ok(Some(bytes)) => {
-                let payload = file::unseal(key, &bytes);
-                payload.and_then(|payload| decode(payload).ok_or(FileFault::Contents))
-            }
-            .map(Some),
-            Err(fault) => Err(fault),
-        }
-        .map_err(|fault| CacheWarning::File { path, fault })
+        let opened = open(&path, HEADER + largest_payload);
+        let read = opened.and_then(|opened| {
+            opened
+                .map(|(file, length)| file::unseal(key, file, length, decode))
+                .transpose()
+        });
+        read.map_err(|fault| CacheWarning::File { path, fault })
     }
 
     /// Keeps a payload, unless the folder has refused one before.
@@ -152,8 +150,8 @@ impl Usage {
     }
 }
 
-/// The bytes of a file that is not longer than it may be; none if there is none.
-fn read_file(path: &Path, largest: usize) -> Result<Option<Vec<u8>>, FileFault> {
+/// A file that is not longer than it may be, and its length; none if there is none.
+fn open(path: &Path, largest: usize) -> Result<Option<(File, u64)>, FileFault> {
     let metadata = match fs::metadata(path) {
         Ok(metadata) => metadata,
         Err(error) => return missing(&error),
@@ -167,7 +165,10 @@ fn read_file(path: &Path, largest: usize) -> Result<Option<Vec<u8>>, FileFault> 
             wanted: largest as u64,
         });
     }
-    fs::read(path).map(Some).or_else(|error| missing(&error))
+    match File::open(path) {
+        Ok(file) => Ok(Some((file, metadata.len()))),
+        Err(error) => missing(&error),
+    }
 }
 
 /// A file that is not there is no fault. That its folder is none shows when it is written to.

@@ -2,6 +2,7 @@
 
 use pellicle_kernel::Foundation;
 
+use super::encoding::Decoder;
 use super::key::{Key, Kind};
 use super::memory::{Memory, Shelf};
 use crate::{CoefficientTable, InfluenceError, RadialTables};
@@ -25,8 +26,8 @@ pub(super) trait Recipe {
 
     fn encode(product: &Self::Product) -> Vec<u8>;
 
-    /// The data, or none if the bytes are not in order.
-    fn decode(&self, bytes: &[u8]) -> Option<Self::Product>;
+    /// The data, or none if what is read is not in order.
+    fn decode(&self, decoder: &mut Decoder<'_>) -> Option<Self::Product>;
 
     fn shelf(memory: &Memory) -> &Shelf<Self::Product>;
 }
@@ -57,8 +58,8 @@ impl Recipe for TablesOf<'_> {
         product.encode()
     }
 
-    fn decode(&self, bytes: &[u8]) -> Option<RadialTables> {
-        RadialTables::decode(self.0, bytes)
+    fn decode(&self, decoder: &mut Decoder<'_>) -> Option<RadialTables> {
+        RadialTables::decode(self.0, decoder)
     }
 
     fn shelf(memory: &Memory) -> &Shelf<RadialTables> {
@@ -117,8 +118,8 @@ impl Recipe for CoefficientsOf<'_> {
         product.encode()
     }
 
-    fn decode(&self, bytes: &[u8]) -> Option<CoefficientTable> {
-        CoefficientTable::decode(self.element_side, self.size, bytes)
+    fn decode(&self, decoder: &mut Decoder<'_>) -> Option<CoefficientTable> {
+        CoefficientTable::decode(self.element_side, self.size, decoder)
     }
 
     fn shelf(memory: &Memory) -> &Shelf<CoefficientTable> {

@@ -22,9 +22,12 @@ impl CoefficientTable {
         encoder.into_bytes()
     }
 
-    /// The table of this grid from its bytes, or none if those are not in order.
-    pub(crate) fn decode(element_side: f64, size: usize, bytes: &[u8]) -> Option<Self> {
-        let mut decoder = Decoder::new(bytes);
+    /// The table of this grid, or none if what is read is not in order.
+    pub(crate) fn decode(
+        element_side: f64,
+        size: usize,
+        decoder: &mut Decoder<'_>,
+    ) -> Option<Self> {
         let triangle = decoder.reals(size * (size + 1) / 2)?;
         decoder.finish(Self {
             element_side,

@@ -21,10 +21,9 @@ impl RadialTables {
         encoder.into_bytes()
     }
 
-    /// The tables of this foundation from their bytes, or none if those are not in order.
-    pub(crate) fn decode(foundation: &Foundation, bytes: &[u8]) -> Option<Self> {
-        let mut decoder = Decoder::new(bytes);
-        let functions = RadialFunctions::decode(&mut decoder)?;
+    /// The tables of this foundation, or none if what is read is not in order.
+    pub(crate) fn decode(foundation: &Foundation, decoder: &mut Decoder<'_>) -> Option<Self> {
+        let functions = RadialFunctions::decode(decoder)?;
         decoder.finish(Self {
             foundation: foundation.clone(),
             functions: Some(functions),
