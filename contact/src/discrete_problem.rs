@@ -288,7 +288,7 @@ fn check_values(
 mod tests {
     use pellicle_influence::ElasticOperator;
 
-    use super::DiscreteProblem;
+    use super::{DiscreteProblem, VALUES_AT_ONCE, check_values};
     use crate::ContactError;
 
     /// `u = 2 p`.
@@ -348,6 +348,20 @@ mod tests {
             assert!(matches!(
                 refused,
                 Err(ContactError::FieldValue { element: 1, .. })
+            ));
+        }
+    }
+
+    #[test]
+    fn of_many_wrong_values_the_first_is_told() {
+        let mut values = vec![1.0; 3 * VALUES_AT_ONCE];
+        let check = |values: &[f64]| check_values("field", values, "positive", |value| value > 0.0);
+        assert!(check(&values).is_ok());
+        for wrong in [2 * VALUES_AT_ONCE + 5, VALUES_AT_ONCE + 9, VALUES_AT_ONCE] {
+            values[wrong] = -2.0;
+            assert!(matches!(
+                check(&values),
+                Err(ContactError::FieldValue { element, found: -2.0, .. }) if element == wrong
             ));
         }
     }

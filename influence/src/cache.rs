@@ -67,10 +67,10 @@ impl Cache {
     /// | 8 | 70 | 8.6 | 7.7 |
     /// | 16 | 89 | 20 | 8.9 |
     /// | 32 | 147 | 50 | 13 |
-    /// | 128 | 1,130 | 495 | 39 |
-    /// | 512 | 14,000 | 7,100 | 420 |
-    /// | 1024 | 67,000 | 31,000 | 1,900 |
-    /// | 2048 | 270,000 | 125,000 | 9,000 |
+    /// | 128 | 1,130 | 160 | 39 |
+    /// | 512 | 14,000 | 1,600 | 420 |
+    /// | 1024 | 67,000 | 5,600 | 1,900 |
+    /// | 2048 | 270,000 | 30,000 | 9,000 |
     ///
     /// So the border of a homogeneous body lies at N = 8. A coated body has none, but below N = 16 its tables take no longer than creating a
     /// file does, 40 to 150 µs. Radial tables take 11,000 µs to build and 68 µs to read; those of a homogeneous body are empty and never

@@ -100,7 +100,8 @@ impl CoefficientTable {
         self.element_side
     }
 
-    /// The coefficients of the offsets `first` … `first` + C − 1 along one axis and `offset` along the other; 0 of those that the table does not have.
+    /// The coefficients of the offsets `first` … `first` + C − 1 along one axis and `offset`, which is below the size, along the other; 0 of those that
+    /// the table does not have.
     pub(crate) fn side_by_side<const C: usize>(&self, first: usize, offset: usize) -> [f64; C] {
         let row = &self.triangle[offset * (offset + 1) / 2..][..=offset];
         match row.get(first..).and_then(<[f64]>::first_chunk) {

@@ -12,7 +12,7 @@ use rustfft::{Fft, FftPlanner};
 use crate::coefficient_table::CoefficientTable;
 use crate::cosine::{self, CosineTransform, Frequencies};
 
-/// Lines transformed together, whose entries lie side by side in the memory: as many as a line of the cache holds; even.
+/// Lines transformed together, whose entries lie side by side in the memory, as many as the processor fetches at once (64 bytes); even.
 const LINES: usize = 8;
 
 /// A quarter, (M+1) × (M+1) values, of the real, even, symmetric L × L spectrum.
@@ -84,8 +84,8 @@ impl EvenTransform {
         }
     }
 
-    /// The M+1 values of each of `count` lines, each frequency at its place. Of the lines from `first` on, `entries(first, j)` gives the entry j, below `length`; what they have beyond is 0,
-    /// and all are mirrored.
+    /// The M+1 values of each of `count` lines, each frequency at its place. `entries(first, j)` gives entry j, below `length`, of the lines `first` and after it, of which those from `count` on may hold
+    /// anything; what a line has beyond is 0, and it is mirrored.
     fn transform(
         &self,
         count: usize,
@@ -182,7 +182,7 @@ struct Buffers {
 mod tests {
     use std::f64::consts::PI;
 
-    use super::{EvenTransform, Spectrum};
+    use super::{EvenTransform, LINES, Spectrum};
     use crate::coefficient_table::CoefficientTable;
 
     #[test]
@@ -206,7 +206,9 @@ mod tests {
             for length in [1, half, half + 1] {
                 let entry = |i: usize, j: usize| ((7 * i + 1) as f64 + 0.37 * j as f64).sin();
                 let entries = |first, j| std::array::from_fn(|i| entry(first + i, j));
-                let found = EvenTransform::new(half).transform(3, length, entries, |k| k);
+                // A whole group, and another that ends in half a pair.
+                let count = LINES + 3;
+                let found = EvenTransform::new(half).transform(count, length, entries, |k| k);
                 for (index, value) in found.iter().enumerate() {
                     let (line, k) = (index / (half + 1), index % (half + 1));
                     let wave = |j: usize| (PI * (j * k) as f64 / half as f64).cos();

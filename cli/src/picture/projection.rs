@@ -45,8 +45,9 @@ impl Projection {
 /// What lies behind one another for the eye: a straight line of the plan.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LineOfSight {
-    /// Where it passes the middle of the floor, and its direction; both parts of the latter are positive.
+    /// Where it passes beside the middle of the floor.
     origin: [f64; 2],
+    /// Away from the eye; positive along both axes.
     direction: [f64; 2],
 }
 
@@ -85,6 +86,7 @@ mod tests {
         let (x, y) = view.at([0.3, -0.4, 0.2]);
         let line = view.line_of_sight(x);
         let [away, same] = [line.distance(0, 0.3), line.distance(1, -0.4)];
+        // Rounding of numbers of order 1 and of order 10.
         assert!((away - same).abs() < 1e-14);
         assert!((view.row(away, 0.2) - y).abs() < 1e-12);
     }

@@ -46,7 +46,7 @@ impl Scene {
         Columns {
             cells,
             ends: [ends(coarse.x, &self.x), ends(coarse.y, &self.y)],
-            heights: (0..cells * cells).map(column).collect(),
+            tops: (0..cells * cells).map(column).collect(),
         }
     }
 

@@ -22,7 +22,7 @@ pub struct Columns {
     /// The first and last edge of the cells along x and along y, in the box.
     pub ends: [[f64; 2]; 2],
     /// How high each stands, and its colour; the second index along y.
-    pub heights: Vec<(f64, Colour)>,
+    pub tops: Vec<(f64, Colour)>,
 }
 
 /// The columns in a place of the sheet, in front of nothing.
@@ -65,55 +65,55 @@ fn look(
     let [x, y] = columns.ends;
     let entered = [along(0, x[0]), along(1, y[0])];
     let mut distance = entered[0].max(entered[1]);
-    let left = along(0, x[1]).min(along(1, y[1]));
-    // Along which axis the face before the eye looks.
-    let mut axis = usize::from(entered[1] > entered[0]);
+    let leaving = along(0, x[1]).min(along(1, y[1]));
+    // The axis along which the side before the eye looks.
+    let mut facing = usize::from(entered[1] > entered[0]);
     let steps = [
         (along(0, x[1]) - entered[0]) / columns.cells as f64,
         (along(1, y[1]) - entered[1]) / columns.cells as f64,
     ];
     let mut cell = [0, 1].map(|axis: usize| {
         let passed = (distance - entered[axis]) / steps[axis];
-        truncated(passed).min(columns.cells - 1)
+        truncated(passed).min(columns.cells.saturating_sub(1))
     });
     let row =
         |distance: f64, height: f64| FINENESS as f64 * (view.row(distance, height) - place.top);
     let mut horizon = Horizon::at(row(distance, 0.0), line);
-    while distance < left && cell.iter().all(|index| *index < columns.cells) {
-        let (height, colour) = columns.heights[cell[0] * columns.cells + cell[1]];
+    while distance < leaving && cell.iter().all(|index| *index < columns.cells) {
+        let (height, colour) = columns.tops[cell[0] * columns.cells + cell[1]];
         let next = [0, 1].map(|axis: usize| entered[axis] + (cell[axis] + 1) as f64 * steps[axis]);
-        horizon.raise(row(distance, height), || colour.lit(LIT[axis]));
-        axis = usize::from(next[1] < next[0]);
-        distance = next[axis];
+        horizon.raise(row(distance, height), || colour.lit(LIT[facing]));
+        facing = usize::from(next[1] < next[0]);
+        distance = next[facing];
         horizon.raise(row(distance, height), || colour);
-        cell[axis] += 1;
+        cell[facing] += 1;
     }
 }
 
 /// The upper end of what has been coloured of a line.
 struct Horizon<'a> {
     line: &'a mut [Option<Colour>],
-    /// The points from here on are done.
-    free: usize,
+    /// The points from here on are done, or in front of the field.
+    done_from: usize,
 }
 
 impl<'a> Horizon<'a> {
     fn at(row: f64, line: &'a mut [Option<Colour>]) -> Self {
-        let free = first_below(row).min(line.len());
-        Self { line, free }
+        let done_from = first_below(row).min(line.len());
+        Self { line, done_from }
     }
 
     /// Colours what lies between a row and the horizon, if the row is above.
     fn raise(&mut self, row: f64, colour: impl FnOnce() -> Colour) {
         let first = first_below(row);
-        if first < self.free {
-            self.line[first..self.free].fill(Some(colour()));
-            self.free = first;
+        if first < self.done_from {
+            self.line[first..self.done_from].fill(Some(colour()));
+            self.done_from = first;
         }
     }
 }
 
-/// The first point whose middle is not above a row.
+/// The first point whose middle is below a row.
 fn first_below(row: f64) -> usize {
     truncated(row + 0.5)
 }
@@ -169,7 +169,7 @@ mod tests {
         Columns {
             cells,
             ends: [[-1.0, 0.8], [-0.9, 1.0]],
-            heights: (0..cells * cells).map(column).collect(),
+            tops: (0..cells * cells).map(column).collect(),
         }
     }
 
@@ -191,7 +191,7 @@ mod tests {
             });
             let inside = |index: f64| index >= 0.0 && index < columns.cells as f64;
             let (height, colour) = (inside(i) && inside(j))
-                .then(|| columns.heights[truncated(i) * columns.cells + truncated(j)])?;
+                .then(|| columns.tops[truncated(i) * columns.cells + truncated(j)])?;
             // The ray is between the floor, but for a step, and the top of the column that stands here.
             let [low, high] = [0.0, height].map(|z| VIEW.at([place[0], place[1], z]).1);
             (high <= top && top <= low + 0.01).then_some(colour)
@@ -223,6 +223,27 @@ mod tests {
         }
         // The ray's steps miss an edge by a fiftieth of a pixel now and then.
         assert!(seen > 500 && wrong <= 3, "{wrong} of {seen}");
+    }
+
+    #[test]
+    fn a_column_has_its_own_light_on_each_of_its_faces() {
+        let colour = Colour(100, 150, 200);
+        let column = Columns {
+            cells: 1,
+            ends: [[-0.5, 0.5]; 2],
+            tops: vec![(1.0, colour)],
+        };
+        let shown = |point: [f64; 3]| {
+            let (left, top) = VIEW.at(point);
+            let mut line = vec![None; FINENESS * truncated(PLACE.height)];
+            look(&column, &VIEW, PLACE, left - PLACE.left, &mut line);
+            line[truncated(FINENESS as f64 * (top - PLACE.top))]
+        };
+        assert_eq!(shown([0.0, 0.0, 1.0]), Some(colour));
+        assert_eq!(shown([-0.5, 0.0, 0.5]), Some(colour.lit(LIT[0])));
+        assert_eq!(shown([0.0, -0.5, 0.5]), Some(colour.lit(LIT[1])));
+        assert_eq!(shown([0.5, 0.5, 1.3]), None);
+        assert_eq!(shown([-0.6, -0.6, 0.0]), None);
     }
 
     #[test]

@@ -38,21 +38,26 @@ impl Encoder {
     }
 }
 
-/// Numbers read at once where there are many.
+/// Numbers read at once where there are many: few enough for the nearest cache of the processor.
 const NUMBERS: usize = 1024;
 
 /// Reads what an [`Encoder`] wrote, as it comes. Every answer is none where the bytes end too early or are no finite number.
 pub(crate) struct Decoder<'a> {
-    bytes: &'a mut dyn Read,
-    /// How many there are still to be.
+    source: &'a mut dyn Read,
+    /// Bytes that there are still to be.
     left: usize,
+    /// Room for numbers that are read at once.
+    block: Vec<u8>,
 }
 
 impl<'a> Decoder<'a> {
-    /// Of so many bytes.
-    pub(crate) fn new(bytes: &'a mut dyn Read, length: usize) -> Self {
-        let left = length;
-        Self { bytes, left }
+    /// Reads `length` bytes from the source.
+    pub(crate) fn new(source: &'a mut dyn Read, length: usize) -> Self {
+        Self {
+            source,
+            left: length,
+            block: vec![0; WIDTH * NUMBERS],
+        }
     }
 
     /// A finite real number.
@@ -63,22 +68,21 @@ impl<'a> Decoder<'a> {
     /// As many finite real numbers as the array is long.
     pub(crate) fn array<const N: usize>(&mut self) -> Option<[f64; N]> {
         let mut values = [0.0; N];
-        for value in &mut values {
-            *value = self.real()?;
+        for (value, word) in values.iter_mut().zip(self.words(N)?) {
+            *value = f64::from_le_bytes(*word);
         }
-        Some(values)
+        values.iter().all(finite).then_some(values)
     }
 
     /// This many finite real numbers.
     pub(crate) fn reals(&mut self, count: usize) -> Option<Vec<f64>> {
-        self.left = self.left.checked_sub(count.checked_mul(WIDTH)?)?;
+        if count > self.left / WIDTH {
+            return None;
+        }
         let mut values = Vec::with_capacity(count);
-        let mut block = [0; WIDTH * NUMBERS];
         while values.len() < count {
-            let block = &mut block[..WIDTH * (count - values.len()).min(NUMBERS)];
-            self.bytes.read_exact(block).ok()?;
-            let (words, _) = block.as_chunks::<WIDTH>();
             let before = values.len();
+            let words = self.words((count - before).min(NUMBERS))?;
             values.extend(words.iter().map(|word| f64::from_le_bytes(*word)));
             if !values[before..].iter().all(finite) {
                 return None;
@@ -110,10 +114,16 @@ impl<'a> Decoder<'a> {
     }
 
     fn word(&mut self) -> Option<[u8; WIDTH]> {
-        self.left = self.left.checked_sub(WIDTH)?;
-        let mut word = [0; WIDTH];
-        self.bytes.read_exact(&mut word).ok()?;
-        Some(word)
+        self.words(1)?.first().copied()
+    }
+
+    /// The next words, no more than [`NUMBERS`].
+    fn words(&mut self, count: usize) -> Option<&[[u8; WIDTH]]> {
+        let length = WIDTH * count;
+        self.left = self.left.checked_sub(length)?;
+        let block = self.block.get_mut(..length)?;
+        self.source.read_exact(block).ok()?;
+        Some(block.as_chunks().0)
     }
 }
 
@@ -127,7 +137,7 @@ fn finite(value: &f64) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::{Decoder, Encoder, NUMBERS};
+    use super::{Decoder, Encoder, NUMBERS, WIDTH};
 
     /// What is read from these bytes, of which there are said to be as many.
     fn read<T>(bytes: &[u8], read: impl FnOnce(&mut Decoder<'_>) -> T) -> T {
@@ -179,5 +189,14 @@ mod tests {
             assert_eq!(decoder.count(), None);
             assert_eq!(decoder.reals(1), None);
         });
+        let mut many = vec![1.0; 2 * NUMBERS];
+        many[NUMBERS + 7] = f64::INFINITY;
+        let mut encoder = Encoder::default();
+        encoder.reals(&many);
+        let bytes = encoder.into_bytes();
+        assert_eq!(read(&bytes, |decoder| decoder.reals(many.len())), None);
+        let mut fewer = &bytes[..WIDTH * (NUMBERS + 3)];
+        let mut decoder = Decoder::new(&mut fewer, bytes.len());
+        assert_eq!(decoder.reals(many.len()), None);
     }
 }

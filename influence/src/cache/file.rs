@@ -8,7 +8,7 @@
 //! | 48–55 | length of the payload |
 //! | 56–87 | BLAKE3 of all the bytes before and of the payload |
 
-use std::io::{self, BufReader, Read};
+use std::io::{self, BufReader, ErrorKind, Read};
 
 use super::encoding::Decoder;
 use super::key::{FORMAT, Key};
@@ -19,7 +19,7 @@ const MAGIC: &[u8; 8] = b"PELLICLE";
 /// Length of the header.
 pub(super) const HEADER: usize = CHECKED + 32;
 
-/// Bytes read from the system and hashed at once: BLAKE3 takes twice as long for each of a few thousand.
+/// Bytes read from the system and hashed at once: given a few thousand at a time, BLAKE3 takes twice as long for each.
 const BUFFER: usize = 1 << 18;
 
 /// Length of the part of the header that the checksum is of.
@@ -37,7 +37,7 @@ pub(super) fn seal(key: &Key, payload: &[u8]) -> Vec<u8> {
     header
 }
 
-/// What the payload says of a file of this length that is whole and what it should be; it is never in the memory as a whole.
+/// Decodes the payload of a file of this length if it is whole and what it should be. No more of it than a buffer holds is in the memory at a time.
 pub(super) fn unseal<T>(
     key: &Key,
     mut file: impl Read,
@@ -54,7 +54,7 @@ pub(super) fn unseal<T>(
     }
     if header.len() < HEADER {
         return Err(FileFault::Length {
-            found: length,
+            found: header.len() as u64,
             wanted: HEADER as u64,
         });
     }
@@ -65,11 +65,23 @@ pub(super) fn unseal<T>(
     let payload = check_length(word(&header[48..]), length)?;
     let mut hasher = blake3::Hasher::new();
     hasher.update(&header[..CHECKED]);
-    let mut file = BufReader::with_capacity(BUFFER.min(payload), Hashed { file, hasher });
+    let hashed = Hashed {
+        // One byte more shows that the file goes on.
+        file: file.take(payload as u64 + 1),
+        hasher,
+        failure: None,
+    };
+    let mut file = BufReader::with_capacity(BUFFER.min(payload), hashed);
     let decoded = decode(&mut Decoder::new(&mut file, payload));
     // What is not in order has not been read to its end.
     io::copy(&mut file, &mut io::sink()).map_err(unreadable)?;
-    if file.get_ref().hasher.finalize().as_bytes() != &header[CHECKED..] {
+    let Hashed {
+        hasher, failure, ..
+    } = file.get_ref();
+    if let Some(kind) = failure {
+        return Err(FileFault::Unreadable(*kind));
+    }
+    if hasher.finalize().as_bytes() != &header[CHECKED..] {
         return Err(FileFault::Checksum);
     }
     decoded.ok_or(FileFault::Contents)
@@ -79,11 +91,16 @@ pub(super) fn unseal<T>(
 struct Hashed<R> {
     file: R,
     hasher: blake3::Hasher,
+    /// What went wrong first, which a decoder does not tell.
+    failure: Option<ErrorKind>,
 }
 
 impl<R: Read> Read for Hashed<R> {
     fn read(&mut self, bytes: &mut [u8]) -> io::Result<usize> {
-        let count = self.file.read(bytes)?;
+        let count = self.file.read(bytes).inspect_err(|error| {
+            let kind = Some(error.kind()).filter(|kind| *kind != ErrorKind::Interrupted);
+            self.failure = self.failure.or(kind);
+        })?;
         self.hasher.update(&bytes[..count]);
         Ok(count)
     }
@@ -123,7 +140,7 @@ fn word(bytes: &[u8]) -> u64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{Decoder, FORMAT, FileFault, HEADER, Key, seal};
+    use super::{BUFFER, Decoder, ErrorKind, FORMAT, FileFault, HEADER, Key, Read, io, seal};
 
     fn key(text: &str) -> Key {
         Key(blake3::hash(text.as_bytes()))
@@ -184,12 +201,67 @@ mod tests {
 
     #[test]
     fn a_bit_turned_anywhere_is_noticed() {
-        let whole = file(&[7; 100]);
+        let whole = file(&[7; 104]);
+        assert!(unseal(&key("a"), &whole).is_ok());
         for bit in 0..8 * whole.len() {
             let mut bytes = whole.clone();
             bytes[bit / 8] ^= 1 << (bit % 8);
-            assert!(unseal(&key("a"), &bytes).is_err(), "bit {bit}");
+            let fault = unseal(&key("a"), &bytes).unwrap_err();
+            let is_expected = match bit / 8 {
+                0..8 => fault == FileFault::Foreign,
+                8..16 => matches!(fault, FileFault::Version { .. }),
+                16..48 => fault == FileFault::OtherData,
+                48..56 => matches!(fault, FileFault::Length { .. }),
+                _ => fault == FileFault::Checksum,
+            };
+            assert!(is_expected, "bit {bit}: {fault}");
         }
+    }
+
+    #[test]
+    fn of_a_file_longer_than_the_buffer_every_byte_counts() {
+        let mut whole = file(&vec![7; 2 * BUFFER + 800]);
+        assert_eq!(unseal(&key("a"), &whole).unwrap().len(), BUFFER / 4 + 100);
+        let length = whole.len() as u64;
+        let nothing = |_: &mut Decoder<'_>| None::<()>;
+        let given_up = super::unseal(&key("a"), &*whole, length, nothing);
+        assert_eq!(given_up, Err(FileFault::Contents));
+        *whole.last_mut().unwrap() += 1;
+        for decoded in [None, Some(())] {
+            let found = super::unseal(&key("a"), &*whole, length, |_| decoded);
+            assert_eq!(found, Err(FileFault::Checksum));
+        }
+    }
+
+    #[test]
+    fn a_file_that_changes_its_length_while_it_is_read_is_refused() {
+        let whole = file(&[7; 16]);
+        let longer = [&whole[..], &[7]].concat();
+        for bytes in [&longer[..], &whole[..whole.len() - 1]] {
+            let found = super::unseal(&key("a"), bytes, whole.len() as u64, |_| Some(()));
+            assert_eq!(found, Err(FileFault::Checksum));
+        }
+    }
+
+    #[test]
+    fn an_error_that_passes_is_not_held_against_the_contents() {
+        /// Fails once, after the header.
+        struct Failing<'a>(&'a [u8], bool);
+        impl Read for Failing<'_> {
+            fn read(&mut self, bytes: &mut [u8]) -> io::Result<usize> {
+                if self.1 && self.0.len() <= 16 {
+                    self.1 = false;
+                    return Err(ErrorKind::TimedOut.into());
+                }
+                self.0.read(bytes)
+            }
+        }
+        let whole = file(&[7; 16]);
+        let numbers = |decoder: &mut Decoder<'_>| decoder.index().zip(decoder.index());
+        let found = super::unseal(&key("a"), Failing(&whole, true), 104, numbers);
+        assert_eq!(found, Err(FileFault::Unreadable(ErrorKind::TimedOut)));
+        let found = super::unseal(&key("a"), Failing(&whole, false), 104, numbers);
+        assert!(found.is_ok());
     }
 
     #[test]

@@ -159,14 +159,17 @@ fn open(path: &Path, largest: usize) -> Result<Option<(File, u64)>, FileFault> {
     if !metadata.is_file() {
         return Err(FileFault::NotAFile);
     }
-    if metadata.len() > largest as u64 {
-        return Err(FileFault::Length {
-            found: metadata.len(),
+    let opened = File::open(path).and_then(|file| {
+        // Another process may have put another file in its place meanwhile.
+        let length = file.metadata()?.len();
+        Ok((file, length))
+    });
+    match opened {
+        Ok((_, found)) if found > largest as u64 => Err(FileFault::Length {
+            found,
             wanted: largest as u64,
-        });
-    }
-    match File::open(path) {
-        Ok(file) => Ok(Some((file, metadata.len()))),
+        }),
+        Ok(opened) => Ok(Some(opened)),
         Err(error) => missing(&error),
     }
 }
