@@ -23,9 +23,18 @@ pub struct Body<'a> {
 
 impl Body<'_> {
     /// `C(k) sinc(k_x a) sinc(k_y a)`, in m/Pa, of a wave that is not even.
-    pub fn response(&self, [kx, ky]: [f64; 2]) -> f64 {
-        let element = sinc(kx * self.half_side) * sinc(ky * self.half_side);
-        self.foundation.compliance(kx.hypot(ky)) * element
+    pub fn response(&self, wave: [f64; 2]) -> f64 {
+        self.response_of(wave, wave.map(|k| self.sinc(k)))
+    }
+
+    /// The same where `sinc(k_x a)` and `sinc(k_y a)` are known.
+    pub fn response_of(&self, [kx, ky]: [f64; 2], [of_x, of_y]: [f64; 2]) -> f64 {
+        self.foundation.compliance((kx * kx + ky * ky).sqrt()) * (of_x * of_y)
+    }
+
+    /// `sinc(k a)`.
+    pub fn sinc(&self, k: f64) -> f64 {
+        sinc(k * self.half_side)
     }
 
     /// `Σ C sinc sinc` over the aliases `k + (m, n) π/a` other than `k` itself.

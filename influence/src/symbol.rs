@@ -41,14 +41,16 @@ impl PeriodicSymbol {
         let weights: Vec<Weights> = (0..width)
             .map(|j| weights(j as f64 * 2.0 / size as f64))
             .collect();
+        let waves: Vec<f64> = (0..width).map(|i| step * i as f64).collect();
+        let sincs: Vec<f64> = waves.iter().map(|k| body.sinc(*k)).collect();
         let mut quarter = vec![0.0; width * width];
         let rows = quarter.par_chunks_exact_mut(width).enumerate();
         rows.for_each(|(i, row)| {
             let aliases = aliases.along(&weights[i]);
             for (j, (entry, weights)) in row.iter_mut().zip(&weights).enumerate() {
                 if i + j > 0 {
-                    *entry = body.response([step * i as f64, step * j as f64])
-                        + aliases.at(weights).max(0.0);
+                    let own = body.response_of([waves[i], waves[j]], [sincs[i], sincs[j]]);
+                    *entry = own + aliases.at(weights).max(0.0);
                 }
             }
         });

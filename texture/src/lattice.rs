@@ -59,7 +59,7 @@ impl Lattice {
 /// Distance from a point to the nearest corner of the rectangular lattice with the given cell.
 fn distance_to_corner(cell: [f64; 2], point: [f64; 2]) -> f64 {
     let [dx, dy] = [0, 1].map(|axis| point[axis] - cell[axis] * (point[axis] / cell[axis]).round());
-    dx.hypot(dy)
+    (dx * dx + dy * dy).sqrt()
 }
 
 #[cfg(test)]
