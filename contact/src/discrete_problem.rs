@@ -273,15 +273,15 @@ fn check_values(
     if values.par_chunks(VALUES_AT_ONCE).all(is_legal) {
         return Ok(());
     }
-    let first = values.iter().enumerate().find(|(_, value)| !legal(**value));
-    first.map_or(Ok(()), |(element, found)| {
-        Err(ContactError::FieldValue {
+    match values.iter().position(|value| !legal(*value)) {
+        None => Ok(()),
+        Some(element) => Err(ContactError::FieldValue {
             field,
             element,
             wanted,
-            found: *found,
-        })
-    })
+            found: values[element],
+        }),
+    }
 }
 
 #[cfg(test)]

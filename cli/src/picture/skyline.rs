@@ -1,7 +1,7 @@
 //! A field of columns as the eye sees it, one line of pixels at a time.
 //!
 //! What lies one above the other on the sheet lies over one straight line of the plan. Followed into the depth, each column shows of its side and its top what rises above
-//! all before it, so that every pixel is coloured once. (Wright 1973, the floating horizon.)
+//! all before it, so that every pixel is coloured once: a floating horizon.
 
 use super::colours::Colour;
 use super::projection::Projection;
@@ -61,17 +61,15 @@ fn look(
 ) {
     line.fill(None);
     let line_of_sight = view.line_of_sight(place.left + across);
-    let along = |axis: usize, edge: f64| line_of_sight.distance(axis, edge);
-    let [x, y] = columns.ends;
-    let entered = [along(0, x[0]), along(1, y[0])];
+    // How far away the cells begin and end along each axis, and how much farther each of them lies.
+    let ends =
+        |end: usize| [0, 1].map(|axis| line_of_sight.distance(axis, columns.ends[axis][end]));
+    let [entered, left] = [0, 1].map(ends);
+    let steps = [0, 1].map(|axis: usize| (left[axis] - entered[axis]) / columns.cells as f64);
     let mut distance = entered[0].max(entered[1]);
-    let leaving = along(0, x[1]).min(along(1, y[1]));
+    let leaving = left[0].min(left[1]);
     // The axis along which the side before the eye looks.
     let mut facing = usize::from(entered[1] > entered[0]);
-    let steps = [
-        (along(0, x[1]) - entered[0]) / columns.cells as f64,
-        (along(1, y[1]) - entered[1]) / columns.cells as f64,
-    ];
     let mut cell = [0, 1].map(|axis: usize| {
         let passed = (distance - entered[axis]) / steps[axis];
         truncated(passed).min(columns.cells.saturating_sub(1))
