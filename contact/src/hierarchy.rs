@@ -154,7 +154,7 @@ impl<'a> Hierarchy<'a> {
                 return Ok(false);
             }
             ascent.levels.push(result.work);
-            ascent.values.push(result.values());
+            ascent.values.push(result.values(load));
             (ascent.result, ascent.field) = (Some(result), field);
         }
         Ok(true)
@@ -213,7 +213,7 @@ impl<'a> Hierarchy<'a> {
             Some(level) => level,
             None => self.make(index)?,
         };
-        let mut result = level.solve(load, start, options, watch);
+        let mut result = level.solve(self.model, load, start, options, watch);
         let field = match &mut result {
             Ok(result) if is_finest => {
                 let pressure = std::mem::take(&mut result.solution.pressure);
@@ -287,6 +287,7 @@ impl Ascent {
     /// The step that has been solved in so many seconds.
     fn into_step(self, seconds: f64) -> Option<Step> {
         let result = self.result?;
+        let accuracy = result.solution.certificate.worst();
         Some(Step {
             work: Work {
                 iterations: result.work.iterations,
@@ -297,7 +298,7 @@ impl Ascent {
             },
             solution: result.solution,
             summary: result.summary,
-            grid_error: GridError::new(self.values),
+            grid_error: GridError::new(self.values, accuracy),
             residuals: result.residuals,
             contact_stiffness: result.contact_stiffness,
         })

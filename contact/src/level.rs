@@ -6,6 +6,7 @@ use crate::{
     ActiveSetSolver, ContactError, DiscreteProblem, GradientSolver, Iterate, LevelValues,
     LevelWork, Load, Method, Model, Solution, Solver, SolverOptions, Summary,
     certificate::{JudgedFields, Trial},
+    contact_field::ContactField,
     domain::Guess,
     levels::{Field, prolong},
     model::SampledSector,
@@ -110,6 +111,7 @@ impl Level {
     /// Solves from a coarser level's field or a guess, and judges the result afresh.
     pub fn solve(
         &mut self,
+        model: &Model,
         load: Load,
         start: Start<'_>,
         options: SolverOptions,
@@ -128,9 +130,18 @@ impl Level {
         };
         let start = start.unwrap_or_else(nothing);
         let (solution, window, effort) = self.solve_from(start, load, options, watch)?;
-        let relief = (self.outline.as_slice(), self.problem.relief_compliance());
+        let field = ContactField {
+            model,
+            grid: &self.grid,
+            window: &window,
+            pressure: &solution.pressure,
+            judged: &self.judged,
+            mask: &self.outline,
+            compliance: self.problem.relief_compliance(),
+            coefficient: self.elasticity.coefficient([0, 0]),
+        };
         Ok(LevelResult {
-            summary: Summary::within(&window, &solution, &self.grid, relief),
+            summary: Summary::of(&field, solution.force),
             solution,
             window,
             work: LevelWork {
@@ -307,12 +318,19 @@ impl Effort {
 }
 
 impl LevelResult {
-    pub fn values(&self) -> LevelValues {
+    pub fn values(&self, load: Load) -> LevelValues {
         LevelValues {
             elements: self.work.elements,
             penetration: self.solution.penetration,
+            force: match load {
+                Load::Force(force) => force,
+                Load::Penetration(_) => self.solution.force,
+            },
             contact_area: self.summary.contact_area,
+            edge_uncertainty: self.summary.edge_uncertainty,
             max_pressure: self.summary.max_pressure,
+            peak_place: self.summary.peak_place,
+            meets_outline: self.summary.meets_outline,
         }
     }
 }

@@ -7,8 +7,9 @@ use rayon::prelude::*;
 
 use crate::window::Window;
 
-/// The coarsest grid worth a level: below it nothing of an indenter's shape is left.
-const COARSEST: usize = 32;
+/// The coarsest grid worth a level: a contact of some four elements across the radius. A grid of 48 elements then has three levels, from which an
+/// error can be told.
+const COARSEST: usize = 12;
 /// Coarser grids are solved to this, or to the finest grid's tolerance if that is looser: far below their own
 /// discretisation error, so that their differences show the grid and nothing else.
 pub const COARSE_TOLERANCE: f64 = 1e-6;
@@ -111,9 +112,10 @@ mod tests {
 
     #[test]
     fn each_level_is_half_of_the_next_down_to_the_coarsest() {
-        assert_eq!(coarser_sizes(256), [32, 64, 128]);
-        assert_eq!(coarser_sizes(300), [38, 76, 150]);
-        assert!(coarser_sizes(8).is_empty());
+        assert_eq!(coarser_sizes(256), [16, 32, 64, 128]);
+        assert_eq!(coarser_sizes(300), [20, 38, 76, 150]);
+        assert_eq!(coarser_sizes(48), [12, 24]);
+        assert!(coarser_sizes(22).is_empty() && coarser_sizes(8).is_empty());
     }
 
     #[test]

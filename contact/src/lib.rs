@@ -11,6 +11,8 @@
 
 mod body;
 mod certificate;
+mod contact_field;
+mod contact_shape;
 mod deformed_surface;
 mod discrete_problem;
 mod domain;
@@ -24,6 +26,7 @@ mod load;
 mod model;
 mod observer;
 mod path;
+mod peak;
 pub mod reference;
 mod sector;
 pub mod solver;
@@ -48,6 +51,7 @@ pub use load::Load;
 pub use model::{Model, SampledModel};
 pub use observer::{Observer, Progress, Signal};
 pub use path::{LoadingPath, Step, solve_path};
+pub use peak::PeakPlace;
 pub use solver::{
     Iterate, Method, Solver, SolverOptions, Watch,
     active_set::{ActiveSetSolver, DropOnlySolver},

@@ -2,21 +2,32 @@
 
 use std::cmp::Ordering;
 
-use pellicle_texture::{Grid, SampledRelief};
+use crate::{
+    contact_field::ContactField,
+    contact_shape::ContactShape,
+    peak::{Peak, PeakPlace},
+    sector::Sector,
+};
 
-use crate::{Solution, window::Window};
-
-/// Largest and mean pressure, contact area and extent. An element is in contact where its pressure is positive.
+/// Largest and mean pressure, contact area and extent. An element is in contact where its pressure is positive; the contact's edge is placed within
+/// an element by pressure and gap beside it, and by geometry where the indenter ends or an outline of the relief bounds the contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Summary {
-    /// Largest pressure, in Pa.
+    /// Largest pressure, in Pa: inside smooth contact the vertex of the paraboloid through the largest element and its neighbours, at an edge the
+    /// largest element's.
     pub max_pressure: f64,
-    /// Centre `[x, y]` of the element with the largest pressure (the first of several), in m.
+    /// Where the pressure is largest, `[x, y]` in m; of several equal places the first.
     pub max_pressure_at: [f64; 2],
+    /// What the largest pressure sits at.
+    pub peak_place: PeakPlace,
     /// Force over contact area, in Pa; 0 without contact.
     pub mean_pressure: f64,
     /// True contact area, in m².
     pub contact_area: f64,
+    /// By how much the area is uncertain because its edge is placed within an element, in m².
+    pub edge_uncertainty: f64,
+    /// Whether the contact meets an outline of the relief or the indenter's rim, which elements follow as a staircase.
+    pub meets_outline: bool,
     /// Elements in contact.
     pub contact_elements: usize,
     /// Contact area on the tops of the relief, in m².
@@ -25,76 +36,83 @@ pub struct Summary {
     pub contact_area_between: f64,
     /// Largest shortening `η p` of the relief, in m.
     pub largest_shortening: f64,
-    /// Distance from the axis to the farthest element centre in contact, in m; 0 without contact.
+    /// Distance from the axis to the farthest point of the contact's edge, in m; 0 without contact.
     pub contact_radius: f64,
     /// Whole elements between the contact and the nearest edge of the domain; none without contact.
     pub elements_to_edge: Option<usize>,
 }
 
 impl Summary {
-    /// Summarises a solution on the grid that it was found on.
-    #[must_use]
-    pub fn new(solution: &Solution, grid: &Grid, relief: &SampledRelief) -> Self {
-        let relief = (relief.mask(), relief.compliance());
-        Self::within(&Window::whole(grid.size()), solution, grid, relief)
-    }
-
-    /// The same of a solution on a window that holds all pressures; mask and compliance of the relief are those of the window's sector.
-    pub(crate) fn within(
-        window: &Window,
-        solution: &Solution,
-        grid: &Grid,
-        (mask, compliance): (&[bool], &[f64]),
-    ) -> Self {
+    /// Summarises a solved contact of the force `force` (N).
+    pub(crate) fn of(field: &ContactField<'_>, force: f64) -> Self {
+        let (window, grid) = (field.window, field.grid);
         let size = grid.size();
         let place = |e: usize| [grid.centre(e / size), grid.centre(e % size)];
         let sector = window.sector();
         let [above, left] = window.origin();
         let of_line = |line: usize, pressure: &[f64]| {
-            let (mask, compliance) = (window.line(mask, line), window.line(compliance, line));
+            let compliance = window.line(field.compliance, line);
             let mut found = Contact::default();
             let image = |column| sector.first_image([above + line, left + column], size);
             let mut columns = pressure.iter().enumerate().filter(|(_, p)| **p > 0.0);
             for (column, p) in columns.clone() {
                 let [i, j] = image(column);
-                found.add(i * size + j, *p, mask[column]);
+                found.add(i * size + j, *p);
                 found.shortening = found.shortening.max(compliance[column] * p);
             }
-            // Of one row, no element is farther from the axis or nearer to an edge than the outermost two.
+            // Of one row, no element is nearer to an edge than the outermost two.
             for (column, _) in [columns.next(), columns.next_back()].into_iter().flatten() {
-                let [i, j] = image(column);
-                found.reach_to([i, j], place(i * size + j), size);
+                found.reach_to(image(column), size);
             }
             found
         };
-        let lines = window.by_lines(&solution.pressure, of_line);
+        let lines = window.by_lines(field.pressure, of_line);
         let Contact {
             largest: (max_pressure, largest),
-            elements: contact_elements,
-            on_relief,
+            elements,
             shortening: largest_shortening,
-            radius: contact_radius,
             to_edge: elements_to_edge,
         } = lines.into_iter().fold(Contact::default(), Contact::and);
-        let [contact_elements, on_relief] =
-            [contact_elements, on_relief].map(|elements| elements * sector.images());
-        let area = |elements: usize| elements as f64 * grid.element_area();
-        let contact_area = area(contact_elements);
-        Self {
+        let nothing = Self {
             max_pressure,
             max_pressure_at: place(largest),
-            mean_pressure: if contact_elements == 0 {
-                0.0
-            } else {
-                solution.force / contact_area
-            },
-            contact_area,
-            contact_elements,
-            contact_area_on_relief: area(on_relief),
-            contact_area_between: area(contact_elements - on_relief),
+            peak_place: PeakPlace::Inside,
+            mean_pressure: 0.0,
+            contact_area: 0.0,
+            edge_uncertainty: 0.0,
+            meets_outline: false,
+            contact_elements: 0,
+            contact_area_on_relief: 0.0,
+            contact_area_between: 0.0,
             largest_shortening,
-            contact_radius,
+            contact_radius: 0.0,
             elements_to_edge,
+        };
+        if elements == 0 {
+            return nothing;
+        }
+        let shape = ContactShape::of(field);
+        let peak = Peak::of(
+            field,
+            field.place_of_image([largest / size, largest % size]),
+        );
+        Self {
+            max_pressure: peak.pressure,
+            max_pressure_at: peak.at.map(|x| match sector {
+                Sector::Whole => x,
+                // the first of the images
+                Sector::Quadrant => 0.0 - x,
+            }),
+            peak_place: peak.place,
+            mean_pressure: force / shape.area,
+            contact_area: shape.area,
+            edge_uncertainty: shape.uncertainty,
+            meets_outline: shape.meets_outline,
+            contact_elements: elements * sector.images(),
+            contact_area_on_relief: shape.area_on_relief,
+            contact_area_between: shape.area - shape.area_on_relief,
+            contact_radius: shape.radius,
+            ..nothing
         }
     }
 }
@@ -105,23 +123,19 @@ struct Contact {
     /// The largest pressure and the first element that has it.
     largest: (f64, usize),
     elements: usize,
-    on_relief: usize,
     shortening: f64,
-    radius: f64,
     to_edge: Option<usize>,
 }
 
 impl Contact {
-    fn add(&mut self, element: usize, pressure: f64, is_on_relief: bool) {
+    fn add(&mut self, element: usize, pressure: f64) {
         self.largest = larger(self.largest, (pressure, element));
         self.elements += 1;
-        self.on_relief += usize::from(is_on_relief);
     }
 
-    /// Counts an element's row and column of so many, and its place, into the extent.
-    fn reach_to(&mut self, [row, column]: [usize; 2], [x, y]: [f64; 2], size: usize) {
+    /// Counts an element's row and column of so many into the extent.
+    fn reach_to(&mut self, [row, column]: [usize; 2], size: usize) {
         let last = size - 1;
-        self.radius = self.radius.max(x.hypot(y));
         let to_edge = row.min(column).min(last - row).min(last - column);
         self.to_edge = nearer(self.to_edge, Some(to_edge));
     }
@@ -131,9 +145,7 @@ impl Contact {
         Self {
             largest: larger(self.largest, other.largest),
             elements: self.elements + other.elements,
-            on_relief: self.on_relief + other.on_relief,
             shortening: self.shortening.max(other.shortening),
-            radius: self.radius.max(other.radius),
             to_edge: nearer(self.to_edge, other.to_edge),
         }
     }

@@ -64,14 +64,17 @@ fn shortening(model: &Model, index: usize, step: &Step) -> Option<Warning> {
     (times > LARGEST_SHORTENING).then_some(Warning::FilmShortening { step: index, times })
 }
 
+/// Nothing is said of a single grid.
 fn peak(index: usize, step: &Step) -> Option<Warning> {
-    let estimate = step
-        .grid_error
-        .max_pressure
-        .filter(|estimate| !estimate.resolved)?;
-    Some(Warning::PeakNotResolved {
+    let error = &step.grid_error;
+    let [.., before, last] = error.levels.as_slice() else {
+        return None;
+    };
+    let is_resolved = error.max_pressure?.resolved || last.max_pressure == 0.0;
+    (!is_resolved).then(|| Warning::PeakNotResolved {
         step: index,
-        change: estimate.estimate / step.summary.max_pressure,
+        change: (1.0 - before.max_pressure / last.max_pressure).abs(),
+        place: step.summary.peak_place,
     })
 }
 

@@ -2,6 +2,11 @@
 
 use std::fmt;
 
+use crate::PeakPlace;
+
+/// A smaller relative change would be told as 0.0 %.
+const SMALLEST_CHANGE: f64 = 5e-4;
+
 /// A doubt about the model or the grid, with its numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Warning {
@@ -31,12 +36,14 @@ pub enum Warning {
         /// Thickness over the side of an element.
         elements_per_thickness: f64,
     },
-    /// The largest pressure still grows with the grid, as at an edge.
+    /// The largest pressure is not the continuum's: it sits at an edge, where it grows with the grid, or it still changes.
     PeakNotResolved {
         /// Loading step, counted from 0.
         step: usize,
         /// Relative change of the largest pressure from the grid before.
         change: f64,
+        /// What the largest pressure sits at.
+        place: PeakPlace,
     },
     /// The indenter is steep where the contact ends, beyond small strains.
     SteepIndenter {
@@ -96,11 +103,30 @@ impl fmt::Display for Warning {
                 f,
                 "layer {layer} is {elements_per_thickness:.3} elements thick: the grid sees little of it"
             ),
-            Self::PeakNotResolved { step, change } => write!(
-                f,
-                "step {step}: the largest pressure still changes by {:.1} % from grid to grid, as an edge peak does",
-                100.0 * change
-            ),
+            Self::PeakNotResolved {
+                step,
+                change,
+                place,
+            } => {
+                write!(f, "step {step}: the largest pressure ")?;
+                f.write_str(match place {
+                    PeakPlace::Inside => "is not resolved by the grid",
+                    PeakPlace::Outline => {
+                        "sits at the outline of the relief and grows with the grid"
+                    }
+                    PeakPlace::IndenterEdge => {
+                        "sits at an edge of the indenter and grows with the grid"
+                    }
+                })?;
+                if change < SMALLEST_CHANGE {
+                    return Ok(());
+                }
+                write!(
+                    f,
+                    "; from the grid before it changed by {:.1} %",
+                    100.0 * change
+                )
+            }
             Self::SteepIndenter { step, slope } => write!(
                 f,
                 "step {step}: the indenter's slope is {slope:.2} at the edge of the contact, beyond small strains"

@@ -76,21 +76,26 @@ fn the_summary_is_what_the_pressure_says() {
     let pressed: Vec<usize> = (0..grid.len()).filter(|e| pressure[*e] > 0.0).collect();
     let place = |e: usize| [grid.centre(e / 128), grid.centre(e % 128)];
     let relief = path.geometry().relief;
-    let on_relief = pressed.iter().filter(|e| relief.mask()[**e]).count();
-    let radii = pressed.iter().map(|e| place(*e)[0].hypot(place(*e)[1]));
     let peak = pressure.iter().copied().fold(0.0, f64::max);
     let peak_at = pressure.iter().position(|p| *p == peak).unwrap();
     assert_eq!(found.contact_elements, pressed.len());
-    assert!(0 < on_relief && on_relief < pressed.len(), "{found:?}");
-    let area = grid.element_area();
-    assert_close(found.contact_area, area * pressed.len() as f64);
-    assert_close(found.contact_area_on_relief, area * on_relief as f64);
-    assert_close(
-        found.contact_area_between,
-        area * (pressed.len() - on_relief) as f64,
+    // Counted elements lie above the area by some 0.2 elements around the contact's edge, here of some 500 elements.
+    let counted = grid.element_area() * pressed.len() as f64;
+    assert!(
+        found.contact_area < counted && found.contact_area > 0.9 * counted,
+        "{found:?}"
     );
+    let (on, between) = (found.contact_area_on_relief, found.contact_area_between);
+    assert!(on > between && between > 0.0, "{found:?}");
+    assert_close(on + between, found.contact_area);
     assert_close(found.mean_pressure, 4e-4 / found.contact_area);
-    assert_close(found.contact_radius, radii.fold(0.0, f64::max));
+    // The farthest centre in contact lies half an element or less from the edge.
+    let radii = pressed.iter().map(|e| place(*e)[0].hypot(place(*e)[1]));
+    let farthest = radii.fold(0.0, f64::max);
+    assert!(
+        (found.contact_radius - farthest).abs() < 0.8 * grid.element_side(),
+        "{found:?}"
+    );
     let to_edge = |e: &usize| [e / 128, 127 - e / 128, e % 128, 127 - e % 128];
     let nearest = pressed.iter().flat_map(to_edge).min();
     assert_eq!(found.elements_to_edge, nearest);
@@ -164,7 +169,7 @@ fn numbers(path: &LoadingPath, code: &str) -> Vec<(usize, f64)> {
         .map(|warning| match *warning {
             Warning::DomainEdge { step, elements } => (step, elements as f64),
             Warning::FilmShortening { step, times } => (step, times),
-            Warning::PeakNotResolved { step, change } => (step, change),
+            Warning::PeakNotResolved { step, change, .. } => (step, change),
             Warning::SteepIndenter { step, slope } => (step, slope),
             Warning::NotConverged { step, worst, .. } => (step, worst),
             Warning::TextureUnderResolved { .. } | Warning::LayerUnderResolved { .. } => {
@@ -221,7 +226,11 @@ fn a_peak_that_changes_with_the_grid_is_doubted_by_how_much() {
     let step = last(&path);
     let estimate = step.grid_error.max_pressure.unwrap();
     assert!(!estimate.resolved, "{estimate:?}");
-    let change = estimate.estimate / step.summary.max_pressure;
+    let levels = &step.grid_error.levels;
+    let [.., before, last] = levels.as_slice() else {
+        panic!("{levels:?}");
+    };
+    let change = (1.0 - before.max_pressure / last.max_pressure).abs();
     assert_said_of_the_last_step(&path, "peak-not-resolved", change);
 }
 

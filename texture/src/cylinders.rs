@@ -126,16 +126,25 @@ impl Cylinders {
 
     /// Whether the point (m) lies on the top of a cylinder, the rim included (with a relative slack of 1e-12 on the radius).
     #[must_use]
-    pub fn contains(&self, [x, y]: [f64; 2]) -> bool {
+    pub fn contains(&self, point: [f64; 2]) -> bool {
+        self.distance_to_axis(point) <= self.spec.radius * (1.0 + RIM_SLACK)
+    }
+
+    /// Distance from the point to the nearest rim, m: positive on the top of a cylinder, negative between the cylinders.
+    #[must_use]
+    pub fn distance_to_rim(&self, point: [f64; 2]) -> f64 {
+        self.spec.radius - self.distance_to_axis(point)
+    }
+
+    /// Distance from the point to the nearest axis, m.
+    fn distance_to_axis(&self, [x, y]: [f64; 2]) -> f64 {
         let CylinderSpec {
             lattice,
-            radius,
             period,
             offset,
             ..
         } = self.spec;
         lattice.distance_to_centre(period, [x - offset[0], y - offset[1]])
-            <= radius * (1.0 + RIM_SLACK)
     }
 }
 
@@ -163,6 +172,16 @@ mod tests {
         assert!(!cylinders.contains([1e-3 + 5.01e-3, -2e-3]));
         assert!(cylinders.contains([1e-3 + 8.0 * 0.0125, -2e-3 - 3.0 * 0.0125]));
         assert_eq!(cylinders.compliance(), 0.5e-4);
+    }
+
+    #[test]
+    fn the_distance_to_the_rim_is_positive_on_the_top() {
+        let cylinders = Cylinders::new(SPEC).unwrap();
+        for (x, wanted) in [(0.0, 5e-3), (4e-3, 1e-3), (6e-3, -1e-3), (7.5e-3, 0.0)] {
+            let found = cylinders.distance_to_rim([x, 0.0]);
+            // differences of numbers up to 0.0125
+            assert!((found - wanted).abs() < 1e-17, "{x}: {found}");
+        }
     }
 
     #[test]

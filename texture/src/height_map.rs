@@ -105,6 +105,20 @@ impl HeightMap {
         x.abs() <= 0.5 * self.extent[0] && y.abs() <= 0.5 * self.extent[1]
     }
 
+    /// Distance from the point to the border of the map's rectangle, m: positive inside, negative outside.
+    #[must_use]
+    pub fn distance_to_border(&self, [x, y]: [f64; 2]) -> f64 {
+        let [along_x, along_y] = [
+            0.5 * self.extent[0] - x.abs(),
+            0.5 * self.extent[1] - y.abs(),
+        ];
+        if along_x < 0.0 && along_y < 0.0 {
+            -along_x.hypot(along_y)
+        } else {
+            along_x.min(along_y)
+        }
+    }
+
     /// Height at a point (m) by bilinear interpolation; beyond the outermost samples, the height of the nearest point among them.
     #[must_use]
     pub fn height(&self, point: [f64; 2]) -> f64 {

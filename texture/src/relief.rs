@@ -104,6 +104,15 @@ impl Relief {
         }
     }
 
+    /// Distance from the point to the nearest outline of the relief, m: positive on the tops, negative between them; none where there is no outline.
+    #[must_use]
+    pub fn distance_to_outline(&self, point: [f64; 2]) -> Option<f64> {
+        match self {
+            Self::Cylinders(cylinders) => Some(cylinders.distance_to_rim(point)),
+            Self::Bare | Self::Film(_) | Self::Map(_) => None,
+        }
+    }
+
     /// Whether the relief is its own mirror image in both axes; false of every map.
     ///
     /// Then its samples are so to the last bit, on every grid.

@@ -70,7 +70,7 @@ fn single(step: &StepSummary, surface: &SurfaceCase, units: Units) -> String {
     let text = String::new();
     let mut lines = Lines { units, text };
     let error = &step.grid_error;
-    lines.quantity("force Q", step.force, Unit::Newton);
+    lines.estimated("force Q", step.force, Unit::Newton, error.force);
     lines.estimated(
         "penetration D",
         step.penetration,

@@ -147,6 +147,9 @@ pub struct LevelWorkSummary {
 pub struct GridErrorSummary {
     /// Of the penetration, m.
     pub penetration: Option<EstimateSummary>,
+    /// Of the force, N; none in a result of an older version.
+    #[serde(default)]
+    pub force: Option<EstimateSummary>,
     /// Of the contact area, m².
     pub contact_area: Option<EstimateSummary>,
     /// Of the largest pressure, Pa.
@@ -346,6 +349,7 @@ impl From<&GridError> for GridErrorSummary {
         };
         Self {
             penetration: estimate(error.penetration),
+            force: estimate(error.force),
             contact_area: estimate(error.contact_area),
             max_pressure: estimate(error.max_pressure),
             levels: error.levels.iter().map(level).collect(),

@@ -78,6 +78,13 @@ impl JudgedFields {
         place.is_some_and(|place| self.gap[place] < 0.0)
     }
 
+    /// The gap of an element of the grid that was looked at, in m.
+    pub fn gap_of(&self, element: [usize; 2]) -> f64 {
+        self.reach
+            .place(element)
+            .map_or(f64::INFINITY, |place| self.gap[place])
+    }
+
     /// The gap on a window no wider than what was looked at.
     pub fn gap_on(&self, window: &Window) -> Vec<f64> {
         window.take_over(&self.reach, &self.gap)

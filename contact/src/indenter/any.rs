@@ -63,6 +63,14 @@ impl Profile for Indenter {
     fn mean_profile(&self, radius: f64) -> f64 {
         self.shape().mean_profile(radius)
     }
+
+    fn distance_to_rim(&self, x: f64, y: f64) -> f64 {
+        self.shape().distance_to_rim(x, y)
+    }
+
+    fn distance_to_edge(&self, x: f64, y: f64, scale: f64) -> f64 {
+        self.shape().distance_to_edge(x, y, scale)
+    }
 }
 
 impl From<Paraboloid> for Indenter {

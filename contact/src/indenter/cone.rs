@@ -68,6 +68,14 @@ impl Profile for Cone {
     fn mean_profile(&self, radius: f64) -> f64 {
         self.height(radius, 0.0)
     }
+
+    fn distance_to_edge(&self, x: f64, y: f64, scale: f64) -> f64 {
+        if self.tip_radius * self.half_angle.cos() < 2.0 * scale {
+            x.hypot(y)
+        } else {
+            f64::INFINITY
+        }
+    }
 }
 
 /// `√(1 + m²) − 1`, the conjugate of a unit sphere's cap at the slope m, without cancellation.

@@ -42,6 +42,10 @@ impl Profile for FlatPunch {
     fn mean_profile(&self, radius: f64) -> f64 {
         self.height(radius, 0.0)
     }
+
+    fn distance_to_rim(&self, x: f64, y: f64) -> f64 {
+        self.radius - x.hypot(y)
+    }
 }
 
 #[cfg(test)]

@@ -45,6 +45,10 @@ impl Profile for IndenterMap {
             f64::INFINITY
         }
     }
+
+    fn distance_to_rim(&self, x: f64, y: f64) -> f64 {
+        (self.map).distance_to_border([x + self.lowest_point[0], y + self.lowest_point[1]])
+    }
 }
 
 #[cfg(test)]

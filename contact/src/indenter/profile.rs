@@ -23,6 +23,16 @@ pub trait Profile {
         (0..ANGLES).map(height).sum::<f64>() / f64::from(ANGLES)
     }
 
+    /// Distance from the point to the rim at which the indenter ends, m: positive under it, negative beyond; infinite where it ends nowhere.
+    fn distance_to_rim(&self, _x: f64, _y: f64) -> f64 {
+        f64::INFINITY
+    }
+
+    /// Distance from the point to the nearest rim, tip or ridge, m. What is rounded over fewer than two lengths of `scale` (m) counts as sharp.
+    fn distance_to_edge(&self, x: f64, y: f64, _scale: f64) -> f64 {
+        self.distance_to_rim(x, y).abs()
+    }
+
     /// Heights at the element centres of a grid, m: N² values, index `i * N + j`, first index along x.
     fn sample(&self, grid: &Grid) -> Vec<f64> {
         grid.centres().map(|[x, y]| self.height(x, y)).collect()

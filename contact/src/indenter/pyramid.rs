@@ -196,6 +196,17 @@ impl Profile for Pyramid {
         };
         (0..ANGLES).map(height).sum::<f64>() / f64::from(ANGLES)
     }
+
+    fn distance_to_edge(&self, x: f64, y: f64, scale: f64) -> f64 {
+        // A ridge is rounded as far as v = R cos α sin(π/n), the tip farther.
+        let rounded = self.tip_radius * self.face_angle.cos() * self.half_sector().sin();
+        let (_, across) = self.ridge_coordinates(x, y);
+        if rounded < 2.0 * scale {
+            across
+        } else {
+            f64::INFINITY
+        }
+    }
 }
 
 #[cfg(test)]

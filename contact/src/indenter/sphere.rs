@@ -40,6 +40,10 @@ impl Profile for Sphere {
     fn mean_profile(&self, radius: f64) -> f64 {
         self.height(radius, 0.0)
     }
+
+    fn distance_to_rim(&self, x: f64, y: f64) -> f64 {
+        self.radius - x.hypot(y)
+    }
 }
 
 /// Half the chord of a sphere at a distance from its axis, `√(R² − ρ²)`, for `ρ ≤ R`.
