@@ -115,7 +115,7 @@ mod tests {
         assert_eq!(coarser_sizes(256), [16, 32, 64, 128]);
         assert_eq!(coarser_sizes(300), [20, 38, 76, 150]);
         assert_eq!(coarser_sizes(48), [12, 24]);
-        assert!(coarser_sizes(22).is_empty() && coarser_sizes(8).is_empty());
+        assert!(coarser_sizes(20).is_empty() && coarser_sizes(8).is_empty());
     }
 
     #[test]

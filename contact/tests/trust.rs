@@ -75,7 +75,6 @@ fn the_summary_is_what_the_pressure_says() {
     let found = last(&path).summary;
     let pressed: Vec<usize> = (0..grid.len()).filter(|e| pressure[*e] > 0.0).collect();
     let place = |e: usize| [grid.centre(e / 128), grid.centre(e % 128)];
-    let relief = path.geometry().relief;
     let peak = pressure.iter().copied().fold(0.0, f64::max);
     let peak_at = pressure.iter().position(|p| *p == peak).unwrap();
     assert_eq!(found.contact_elements, pressed.len());

@@ -2,6 +2,7 @@
 //! compiled and run here as a documentation test.
 
 pub mod convergence;
+pub mod coverage;
 pub mod paper;
 #[cfg(doctest)]
 mod readme;

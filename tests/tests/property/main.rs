@@ -7,6 +7,7 @@
 )]
 
 mod certificate;
+mod coverage;
 mod grid_error;
 mod load;
 mod methods;
