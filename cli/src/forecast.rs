@@ -1,11 +1,11 @@
 //! What solving a case will take and what its model is worth, judged by a trial on a coarse grid.
 //!
-//! The trial solves for the smallest and the largest load, on at most 64 × 64 elements, which takes some milliseconds. It finds the domain
-//! that the solution will need, the contact's size, and what the solution's own warnings would say of the model.
+//! The trial solves for the smallest and the largest load, on at most 64 × 64 elements, which takes some milliseconds. It finds the contact's size, and what
+//! the solution's own warnings would say of the model. The domain is the very one of the solution.
 
 use pellicle_contact::{
-    ContactError, Load, LoadingPath, Method, Model, SolverOptions, Step, Warning, default_side,
-    model_warnings, solve_path,
+    ContactError, Domain, Load, LoadingPath, Method, Model, SolverOptions, Step, Warning,
+    choose_side, default_side, domain_much_larger, model_warnings, solve_path,
 };
 use pellicle_texture::Grid;
 
@@ -43,21 +43,22 @@ impl Forecast {
     #[must_use]
     pub fn new(case: &Case, model: &Model) -> Self {
         let trial = case.grid.elements.min(TRIAL);
-        let path = solve(case, model, trial);
-        let side = path.as_ref().map_or_else(
-            |_| {
-                case.grid
-                    .side
-                    .unwrap_or_else(|| default_side(model, &case.load.steps()))
-            },
-            |path| path.grid.side(),
-        );
+        let loads = case.load.steps();
+        let chosen = case
+            .grid
+            .side
+            .map_or_else(|| choose_side(model, &loads), Ok);
+        let (side, path) = match chosen {
+            Ok(side) => (side, solve(case, model, Domain::Side(side), trial)),
+            Err(error) => (default_side(model, &loads), Err(error)),
+        };
         let mut warnings = resolution(model, side, case.grid.elements);
         match &path {
             Ok(path) => {
+                warnings.extend(far_too_large(case, model, path));
                 warnings.extend(smallest(path, side / case.grid.elements as f64));
                 let last = path.steps.len().saturating_sub(1);
-                let warns = |warning| of_the_model(warning, last);
+                let warns = |warning| of_the_model(warning, last, case.grid.side.is_some());
                 warnings.extend(path.warnings.iter().filter_map(warns));
             }
             Err(error) => warnings.push(format!("the trial failed: {error}")),
@@ -81,13 +82,18 @@ impl Forecast {
     }
 }
 
-fn solve(case: &Case, model: &Model, elements: usize) -> Result<LoadingPath, ContactError> {
+fn solve(
+    case: &Case,
+    model: &Model,
+    domain: Domain,
+    elements: usize,
+) -> Result<LoadingPath, ContactError> {
     let options = SolverOptions {
         method: Method::Gradient,
         max_applications: MOST_PRODUCTS,
         ..case.solver.options()
     };
-    let (domain, loads) = (case.grid.domain(), extremes(&case.load.steps()));
+    let loads = extremes(&case.load.steps());
     solve_path(model, domain, elements, &loads, &options, &mut ())
 }
 
@@ -103,6 +109,21 @@ fn extremes(loads: &[Load]) -> Vec<Load> {
     extremes
 }
 
+/// Whether the domain is far too large for the largest load's contact: as the trial has it, or as estimated where the trial is too coarse to tell.
+fn far_too_large(case: &Case, model: &Model, path: &LoadingPath) -> Option<String> {
+    let loads = case.load.steps();
+    let found = path.steps.last()?.summary.contact_radius;
+    let estimated = default_side(model, &loads) / 3.0;
+    let radius = if found < FEWEST_PER_CONTACT * path.grid.element_side() {
+        found.min(estimated)
+    } else {
+        found
+    };
+    let grid = Grid::new(path.grid.side(), case.grid.elements).ok()?;
+    let warning = domain_much_larger(model, &grid, &loads, radius);
+    warning.map(|warning| warning.to_string())
+}
+
 /// Whether the domain that the largest load needs leaves the smallest too few elements.
 fn smallest(path: &LoadingPath, element_side: f64) -> Option<String> {
     let [first, .., _] = &path.steps[..] else {
@@ -116,9 +137,13 @@ fn smallest(path: &LoadingPath, element_side: f64) -> Option<String> {
     })
 }
 
-/// What the trial's last step says of the model and not of its own coarse grid.
-fn of_the_model(warning: &Warning, last: usize) -> Option<String> {
+/// What the trial's last step says of the model and not of its own coarse grid; a chosen domain is never near the edge but to a grid too coarse to tell.
+fn of_the_model(warning: &Warning, last: usize, is_given: bool) -> Option<String> {
+    if matches!(warning, Warning::DomainEdge { .. }) && !is_given {
+        return None;
+    }
     let (Warning::DomainEdge { step, .. }
+    | Warning::CutOff { step, .. }
     | Warning::FilmShortening { step, .. }
     | Warning::SteepIndenter { step, .. }) = *warning
     else {

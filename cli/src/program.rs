@@ -14,7 +14,7 @@ use crate::{command, interrupt, terminal};
 pub enum Outcome {
     /// Everything asked for is there, and certified where it is a solution.
     Done,
-    /// The result is there, and marked as not converged; in a study, a case has no certified result.
+    /// The result is there, and marked as not converged or cut off; in a study, a case has no certified result.
     NotConverged,
     /// The program disagrees with what is known: a row of its validation fails.
     Refuted,

@@ -63,7 +63,7 @@ impl Certificate {
 pub struct Solution {
     /// Penetration `D`, in m.
     pub penetration: f64,
-    /// Force `Q = 4a² Σ p`, in N.
+    /// Force `Q`, in N: as prescribed, to the bit, where it is, and the certificate's line `load` says how far the pressures are from it; otherwise `4a² Σ p`.
     pub force: f64,
     /// Pressure `p` of each element, in Pa; N² values.
     pub pressure: Vec<f64>,
@@ -163,12 +163,14 @@ impl Solution {
         // g = K p + η p + g0 − D
         update(gap, displacement, |g, u| *g = u + *g - penetration);
         window_of_reach.add(gap, &shortening);
-        let force = total * problem.element_area();
+        // 4a² Σ p
+        let carried = total * problem.element_area();
+        let (force, residual) = match load {
+            Load::Force(wanted) => (wanted, (carried - wanted).abs() / wanted),
+            Load::Penetration(_) => (carried, 0.0),
+        };
         let certificate = Certificate {
-            load: match load {
-                Load::Force(wanted) => (force - wanted).abs() / wanted,
-                Load::Penetration(_) => 0.0,
-            },
+            load: residual,
             min_pressure: if window.is_whole() {
                 smallest(&pressure)
             } else {

@@ -1,4 +1,4 @@
-//! How large a square to solve on.
+//! How large a square to solve on: the first guess.
 //!
 //! The contact radius `a` is estimated from axisymmetric closed forms with the indenter's profile averaged around
 //! its axis: on the elastic foundation (Galin; Sneddon 1965)
@@ -8,21 +8,27 @@
 //! ```
 //!
 //! on the relief's springs alone `Q_w(a) = (φ/η) ∫₀^a (f(a) − f(ρ)) 2πρ dρ`, and on both in series
-//! `1/Q = 1/Q_e + 1/Q_w`. Nothing depends on the estimate but the first domain tried: the solution itself tells
-//! whether it was large enough.
+//! `1/Q = 1/Q_e + 1/Q_w`. Nothing depends on the estimate but the first domain tried: [`choose_side`] asks a solution on a coarse grid whether
+//! it is large enough.
+
+mod choice;
+mod search;
+
+pub use choice::choose_side;
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use pellicle_texture::Relief;
 
 use crate::{Indenter, Load, Model};
+use search::where_zero;
 
 /// The square on which the problem is solved.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Domain {
     /// A square of this side (m), whatever the contact does; a contact near its edge is a warning.
     Side(f64),
-    /// Chosen from the load, enlarged while the contact comes close to its edge.
+    /// [Chosen](choose_side) for the loads, large enough for the contact and the same for every grid.
     #[default]
     Automatic,
 }
@@ -31,21 +37,37 @@ pub enum Domain {
 const MARGIN: f64 = 1.5;
 /// Midpoints of the quadratures over the profile; the estimate needs no more.
 const POINTS: usize = 64;
-/// Halvings or doublings that the search for a radius may take: all of a double's range.
-const LONGEST_SEARCH: usize = 2000;
+/// Angles at which a map is looked at where a part of the circle lies beyond its end.
+const ANGLES: u32 = 360;
 
-/// The side (m) of the square on which to solve for all `loads`: three times the largest estimated contact radius.
+/// The side (m) of the square to try first for all `loads`: three times the largest estimated contact radius.
 ///
-/// Where no load makes contact, the radius at which the indenter stands one foundation thickness (or 1 m) high.
+/// Where no load makes contact, twice the radius at which the indenter stands one foundation thickness high, or as high as it hangs (or 1 m). See
+/// [`choose_side`] for the square to solve on.
 #[must_use]
 pub fn default_side(model: &Model, loads: &[Load]) -> f64 {
-    let radii = loads.iter().map(|load| contact_radius(model, *load));
+    let radii = largest(loads).map(|load| contact_radius(model, load));
     let radius = radii.filter(|radius| *radius > 0.0).fold(0.0, f64::max);
     if radius > 0.0 {
         2.0 * MARGIN * radius
     } else {
-        2.0 * unloaded_radius(model)
+        2.0 * unloaded_radius(model, loads)
     }
+}
+
+/// The largest force and the largest penetration of some loads: those of the widest contact.
+fn largest(loads: &[Load]) -> impl Iterator<Item = Load> {
+    let force = loads.iter().filter_map(|load| match load {
+        Load::Force(force) => Some(*force),
+        Load::Penetration(_) => None,
+    });
+    let penetration = loads.iter().filter_map(|load| match load {
+        Load::Force(_) => None,
+        Load::Penetration(penetration) => Some(*penetration),
+    });
+    let force = force.reduce(f64::max).map(Load::Force);
+    let penetration = penetration.reduce(f64::max).map(Load::Penetration);
+    force.into_iter().chain(penetration)
 }
 
 /// A paraboloid's pressure `p0 √(1 − ρ²/a²)` with the estimated contact radius of a load and its force: what the coarsest grid starts from.
@@ -79,52 +101,52 @@ impl Guess {
 /// The estimated contact radius of one load, in m; 0 without contact.
 fn contact_radius(model: &Model, load: Load) -> f64 {
     match load {
-        Load::Force(force) => radius_where(|a| force_at(model, a) >= force),
-        Load::Penetration(penetration) if penetration > 0.0 => {
-            radius_where(|a| model.indenter.mean_profile(a) >= penetration)
-        }
+        Load::Force(force) => where_zero(|a| (force_at(model, a) / force).ln()),
+        Load::Penetration(penetration) if penetration > 0.0 => radius_at(model, penetration),
         Load::Penetration(_) => 0.0,
     }
 }
 
-/// A length to look at where nothing touches.
-fn unloaded_radius(model: &Model) -> f64 {
-    let thickness = model.tables.foundation().thickness();
-    let height = if thickness > 0.0 { thickness } else { 1.0 };
-    radius_where(|a| model.indenter.mean_profile(a) >= height)
+/// The radius at which the indenter stands so high, m.
+fn radius_at(model: &Model, height: f64) -> f64 {
+    where_zero(|a| (averaged(&model.indenter, a) / height).ln())
 }
 
-/// The smallest radius with a property that all larger ones have, to a hundredth.
-fn radius_where(reached: impl Fn(f64) -> bool) -> f64 {
-    let mut radius = 1.0;
-    for _ in 0..LONGEST_SEARCH {
-        if reached(radius) {
-            break;
-        }
-        radius *= 2.0;
+/// A length to look at where nothing touches.
+fn unloaded_radius(model: &Model, loads: &[Load]) -> f64 {
+    let hangs = loads.iter().map(|load| match load {
+        Load::Penetration(penetration) => penetration.abs(),
+        Load::Force(_) => 0.0,
+    });
+    let lengths = [
+        model.tables.foundation().thickness(),
+        hangs.fold(0.0, f64::max),
+    ];
+    let height = lengths.into_iter().find(|length| *length > 0.0);
+    radius_at(model, height.unwrap_or(1.0))
+}
+
+/// The mean height over a circle, m; of a map, over as much of the circle as lies on it.
+fn averaged(indenter: &Indenter, radius: f64) -> f64 {
+    if !matches!(indenter, Indenter::Map(_)) {
+        return indenter.mean_profile(radius);
     }
-    for _ in 0..LONGEST_SEARCH {
-        if !reached(radius / 2.0) || radius < f64::MIN_POSITIVE {
-            break;
-        }
-        radius /= 2.0;
+    let height = |k: u32| {
+        let (sine, cosine) = ((f64::from(k) + 0.5) * TAU / f64::from(ANGLES)).sin_cos();
+        indenter.height(radius * cosine, radius * sine)
+    };
+    let heights = (0..ANGLES).map(height).filter(|height| height.is_finite());
+    let (count, sum) = heights.fold((0, 0.0), |(count, sum), height| (count + 1, sum + height));
+    if count == 0 {
+        f64::INFINITY
+    } else {
+        sum / f64::from(count)
     }
-    // radius/2 falls short, radius does not.
-    let (mut low, mut high) = (radius / 2.0, radius);
-    while high - low > 0.01 * high {
-        let middle = f64::midpoint(low, high);
-        if reached(middle) {
-            high = middle;
-        } else {
-            low = middle;
-        }
-    }
-    high
 }
 
 /// The force (N) at the contact radius `a`; infinite beyond the indenter's rim.
 fn force_at(model: &Model, a: f64) -> f64 {
-    if model.indenter.mean_profile(a).is_infinite() {
+    if averaged(&model.indenter, a).is_infinite() {
         return f64::INFINITY;
     }
     let elastic = elastic_force(model, a);
@@ -149,10 +171,11 @@ fn elastic_force(model: &Model, a: f64) -> f64 {
     2.0 * modulus * a * a * integral
 }
 
-/// `Q_w(a)`; none on a bare surface and under a map, whose springs are all different.
+/// `Q_w(a)`; none without springs.
 fn relief_force(model: &Model, a: f64) -> Option<f64> {
     let compliance = match &model.relief {
-        Relief::Bare | Relief::Map(_) => return None,
+        Relief::Bare => return None,
+        Relief::Map(map) => Some(map.mean_compliance()).filter(|mean| *mean > 0.0)?,
         Relief::Film(film) => film.compliance(),
         // A cylinder also presses itself into the foundation, by some C(1/r) more than an even pressure would.
         Relief::Cylinders(cylinders) => {
@@ -164,11 +187,11 @@ fn relief_force(model: &Model, a: f64) -> Option<f64> {
         }
     };
     let step = a / POINTS as f64;
-    let deepest = model.indenter.mean_profile(a);
+    let deepest = averaged(&model.indenter, a);
     let volume: f64 = (0..POINTS)
         .map(|i| {
             let rho = (i as f64 + 0.5) * step;
-            (deepest - model.indenter.mean_profile(rho)) * TAU * rho * step
+            (deepest - averaged(&model.indenter, rho)) * TAU * rho * step
         })
         .sum();
     Some(model.relief.area_fraction() * volume / compliance)
@@ -177,7 +200,7 @@ fn relief_force(model: &Model, a: f64) -> Option<f64> {
 /// `f′(ρ)` of the averaged profile, by a central difference.
 pub(crate) fn slope(indenter: &Indenter, rho: f64) -> f64 {
     let step = 1e-3 * rho;
-    (indenter.mean_profile(rho + step) - indenter.mean_profile(rho - step)) / (2.0 * step)
+    (averaged(indenter, rho + step) - averaged(indenter, rho - step)) / (2.0 * step)
 }
 
 #[cfg(test)]

@@ -84,15 +84,30 @@ pub enum ContactError {
         /// Loading step under way, counted from 0.
         step: usize,
     },
-    /// The contact outgrew every domain tried.
+    /// The elements are so large that the middle of none is under the indenter.
     #[error(
-        "contact still reaches the edge of a domain of side {side} after {enlargements} enlargements"
+        "no element of side {element_side:.3e} has its middle under the indenter: a side (`grid.side`) of {side:.3e} is far too large for a contact of radius \
+         {radius:.2e} or so; choose one near {wanted:.2e}, or none"
+    )]
+    ElementsTooLarge {
+        /// Side of the domain found, in m.
+        side: f64,
+        /// Side of an element, in m.
+        element_side: f64,
+        /// The contact radius by the first estimate, in m.
+        radius: f64,
+        /// A side that would hold it, in m.
+        wanted: f64,
+    },
+    /// The contact reached the edge of every domain tried.
+    #[error(
+        "contact still reaches the edge of a domain of side {side:e}, the last of {trials} tried: give a side yourself (`grid.side`)"
     )]
     DomainTooSmall {
         /// Side of the last domain tried, in m.
         side: f64,
-        /// Number of times that the domain was enlarged.
-        enlargements: usize,
+        /// Number of domains tried.
+        trials: usize,
     },
     /// From the grid or the relief.
     #[error(transparent)]

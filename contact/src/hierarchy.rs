@@ -8,13 +8,12 @@ use pellicle_texture::Grid;
 
 use crate::{
     ContactError, GridError, LevelValues, LevelWork, Load, Method, Model, SolverOptions, Step,
-    Work,
+    Work, cut_off,
     domain::Guess,
     level::{Level, LevelResult, SignedField, Start},
     levels::{COARSE_TOLERANCE, coarser_sizes},
     sector::Sector,
     solver::Watch,
-    trust,
 };
 
 /// Elements per side from which on the finest grid is made while the coarser ones are solved.
@@ -44,6 +43,10 @@ impl<'a> Hierarchy<'a> {
         options: &SolverOptions,
     ) -> Self {
         let mut sizes = coarser_sizes(elements);
+        // Of a domain far larger than the indenter a coarse grid may have no element under it.
+        sizes.retain(|size| {
+            Grid::new(side, *size).is_ok_and(|grid| cut_off::can_touch(model, &grid))
+        });
         sizes.push(elements);
         let has_quadrants = sizes.iter().all(|size| size.is_multiple_of(2));
         let is_for_quadrants = options.method == Method::Gradient && options.mirror_symmetry;
@@ -112,52 +115,57 @@ impl<'a> Hierarchy<'a> {
         Ok((grid, level.map(Level::into_elasticity)))
     }
 
-    /// Solves one load from the coarsest grid to the finest; none where the contact outgrows a domain that may grow.
+    /// Solves one load from the coarsest grid to the finest.
     pub fn solve(
         &mut self,
         load: Load,
-        may_grow: bool,
         options: SolverOptions,
         watch: &mut Watch<'_>,
-    ) -> Result<Option<Step>, ContactError> {
+    ) -> Result<Step, ContactError> {
         let (clock, spent_before) = (Instant::now(), self.coefficients_seconds);
-        let mut ascent = Ascent::of(load, may_grow, options);
+        let mut ascent = Ascent::of(load, options);
         let finest = self.sizes.len() - 1;
-        let fits = if self.is_worth_making_ahead() {
-            self.ascend_beside_making(&mut ascent, watch)?
+        if self.is_worth_making_ahead() {
+            self.ascend_beside_making(&mut ascent, watch)?;
         } else {
-            self.ascend(&mut ascent, finest, watch)?
-        };
-        if !(fits && self.ascend(&mut ascent, finest + 1, watch)?) {
-            return Ok(None);
+            self.ascend(&mut ascent, finest, watch)?;
         }
+        let result = self.solve_next(&mut ascent, watch)?;
         let on_coefficients = self.coefficients_seconds - spent_before;
         let seconds = clock.elapsed().as_secs_f64() - on_coefficients;
-        Ok(ascent.into_step(seconds))
+        Ok(ascent.into_step(result, seconds))
     }
 
-    /// Goes on with a load until the grids below `end` are solved; false where the contact outgrows a domain that may grow.
+    /// Goes on with a load until the grids below `end` are solved.
     fn ascend(
         &mut self,
         ascent: &mut Ascent,
         end: usize,
         watch: &mut Watch<'_>,
-    ) -> Result<bool, ContactError> {
-        let Ascent { load, options, .. } = *ascent;
-        for index in ascent.levels.len()..end {
-            let start = match &ascent.field {
-                Some(coarser) => Start::Coarser(coarser.field()),
-                None => Guess::new(self.model, load).map_or(Start::Nothing, Start::Guess),
-            };
-            let (result, field) = self.solve_level(index, load, start, options, watch)?;
-            if ascent.may_grow && self.outgrows(&result) {
-                return Ok(false);
-            }
-            ascent.levels.push(result.work);
-            ascent.values.push(result.values(load));
-            (ascent.result, ascent.field) = (Some(result), field);
+    ) -> Result<(), ContactError> {
+        while ascent.levels.len() < end {
+            self.solve_next(ascent, watch)?;
         }
-        Ok(true)
+        Ok(())
+    }
+
+    /// Solves a load on the next finer grid.
+    fn solve_next(
+        &mut self,
+        ascent: &mut Ascent,
+        watch: &mut Watch<'_>,
+    ) -> Result<LevelResult, ContactError> {
+        let Ascent { load, options, .. } = *ascent;
+        let start = match &ascent.field {
+            Some(coarser) => Start::Coarser(coarser.field()),
+            None => Guess::new(self.model, load).map_or(Start::Nothing, Start::Guess),
+        };
+        let index = ascent.levels.len();
+        let (result, field) = self.solve_level(index, load, start, options, watch)?;
+        ascent.levels.push(result.work);
+        ascent.values.push(result.values(load));
+        ascent.field = field;
+        Ok(result)
     }
 
     /// Whether the finest grid is still to make, and that keeps threads busy that the coarser grids do not.
@@ -173,25 +181,22 @@ impl<'a> Hierarchy<'a> {
         &mut self,
         ascent: &mut Ascent,
         watch: &mut Watch<'_>,
-    ) -> Result<bool, ContactError> {
+    ) -> Result<(), ContactError> {
         let finest = self.sizes.len() - 1;
         let (model, side, size, sector) = (self.model, self.side, self.sizes[finest], self.sector);
         let clock = Instant::now();
-        let ((fits, ascended), level) = rayon::join(
+        let ((coarser, ascended), level) = rayon::join(
             || (self.ascend(ascent, finest, watch), clock.elapsed()),
             || Level::new(model, side, size, sector),
         );
         // What passed beside the solution costs no time of its own.
         let waited = clock.elapsed().saturating_sub(ascended);
         self.coefficients_seconds += waited.as_secs_f64();
-        // Of a domain that is given up the finest grid does not matter, nor what was wrong with it.
-        if !fits? {
-            return Ok(false);
-        }
+        coarser?;
         let level = level?;
         self.note_origin(&level);
         self.levels[finest] = Some(level);
-        Ok(true)
+        Ok(())
     }
 
     /// Solves on one grid; returns besides what the next finer one starts from.
@@ -232,14 +237,6 @@ impl<'a> Hierarchy<'a> {
         Ok((result?, field))
     }
 
-    /// Whether a contact comes so near the edge that it must on the finest grid too.
-    fn outgrows(&self, result: &LevelResult) -> bool {
-        let finest = self.sizes[self.sizes.len() - 1];
-        let finest_per_element = finest.div_ceil(result.work.elements);
-        let to_edge = result.summary.elements_to_edge;
-        to_edge.is_some_and(|to_edge| (to_edge + 1) * finest_per_element <= trust::EDGE_MARGIN)
-    }
-
     fn make(&mut self, index: usize) -> Result<Level, ContactError> {
         let clock = Instant::now();
         let level = Level::new(self.model, self.side, self.sizes[index], self.sector)?;
@@ -260,35 +257,29 @@ impl<'a> Hierarchy<'a> {
 /// One load on its way from the coarsest grid to the finest.
 struct Ascent {
     load: Load,
-    may_grow: bool,
     options: SolverOptions,
     /// Of each grid solved so far.
     levels: Vec<LevelWork>,
     values: Vec<LevelValues>,
-    /// Of the last.
-    result: Option<LevelResult>,
     /// What the next starts from.
     field: Option<SignedField>,
 }
 
 impl Ascent {
-    fn of(load: Load, may_grow: bool, options: SolverOptions) -> Self {
+    fn of(load: Load, options: SolverOptions) -> Self {
         Self {
             load,
-            may_grow,
             options,
             levels: Vec::new(),
             values: Vec::new(),
-            result: None,
             field: None,
         }
     }
 
-    /// The step that has been solved in so many seconds.
-    fn into_step(self, seconds: f64) -> Option<Step> {
-        let result = self.result?;
+    /// The step that has been solved in so many seconds, with this result on the finest grid.
+    fn into_step(self, result: LevelResult, seconds: f64) -> Step {
         let accuracy = result.solution.certificate.worst();
-        Some(Step {
+        Step {
             work: Work {
                 iterations: result.work.iterations,
                 operator_applications: result.work.operator_applications,
@@ -301,7 +292,8 @@ impl Ascent {
             grid_error: GridError::new(self.values, accuracy),
             residuals: result.residuals,
             contact_stiffness: result.contact_stiffness,
-        })
+            cut_off: None,
+        }
     }
 }
 

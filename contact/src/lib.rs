@@ -13,6 +13,7 @@ mod body;
 mod certificate;
 mod contact_field;
 mod contact_shape;
+mod cut_off;
 mod deformed_surface;
 mod discrete_problem;
 mod domain;
@@ -30,6 +31,7 @@ mod peak;
 pub mod reference;
 mod sector;
 pub mod solver;
+mod status;
 mod summary;
 mod trust;
 mod vector;
@@ -38,9 +40,10 @@ mod window;
 mod work;
 
 pub use certificate::{Certificate, Solution};
+pub use cut_off::CutOff;
 pub use deformed_surface::DeformedSurface;
 pub use discrete_problem::DiscreteProblem;
-pub use domain::{Domain, default_side};
+pub use domain::{Domain, choose_side, default_side};
 pub use error::ContactError;
 pub use grid_error::{Estimate, GridError, LevelValues};
 pub use indenter::{
@@ -57,7 +60,8 @@ pub use solver::{
     active_set::{ActiveSetSolver, DropOnlySolver},
     gradient::GradientSolver,
 };
+pub use status::Status;
 pub use summary::Summary;
-pub use trust::model_warnings;
+pub use trust::{domain_much_larger, model_warnings};
 pub use warning::Warning;
 pub use work::{LevelWork, Work};

@@ -14,13 +14,18 @@ use rayon::prelude::*;
 
 use crate::{
     ContactError, DeformedSurface, Domain, GridError, Indenter, Load, Model, Observer, Progress,
-    SampledModel, Signal, Solution, SolverOptions, Summary, Warning, Work, default_side,
-    hierarchy::Hierarchy, model::initial_gap, solver::Watch, trust, window::Window,
+    SampledModel, Signal, Solution, SolverOptions, Status, Summary, Warning, Work, choose_side,
+    cut_off::{CutOff, Surroundings},
+    hierarchy::Hierarchy,
+    model::initial_gap,
+    solver::Watch,
+    trust,
+    window::Window,
 };
 
-/// How often an automatic domain may grow, and by how much each time.
-const ENLARGEMENTS: usize = 8;
+/// By how much a chosen domain grows, and how often, should a contact be cut off that the coarse grid of the choice did not see.
 const ENLARGEMENT: f64 = 1.5;
+const ENLARGEMENTS: usize = 8;
 /// Elements of all loads that are solved at the same time, at most: each takes some 100 bytes beside its solution.
 const ELEMENTS_AT_ONCE: usize = 1 << 21;
 
@@ -99,6 +104,22 @@ pub struct Step {
     pub residuals: Vec<f64>,
     /// Contact stiffness `dQ/dD`, in N/m; none without contact, or where it was not asked for or not found.
     pub contact_stiffness: Option<f64>,
+    /// What ends the contact that would go on without it: then this solves another problem than the one posed, however good its certificate.
+    pub cut_off: Option<CutOff>,
+}
+
+impl Step {
+    /// What the step may be used for.
+    #[must_use]
+    pub fn status(&self) -> Status {
+        if !self.solution.certificate.is_satisfied() {
+            Status::NotConverged
+        } else if self.cut_off.is_some() {
+            Status::CutOff
+        } else {
+            Status::Certified
+        }
+    }
 }
 
 /// Solves `model` for every one of `loads` on `elements` × `elements` elements.
@@ -107,7 +128,8 @@ pub struct Step {
 /// cancels, whatever load it is told of, all loads under way are cancelled, and the path holds the steps before the first that is not finished.
 ///
 /// # Errors
-/// A load, tolerance, side or grid that makes no sense; coefficients that miss their accuracy; a contact that outgrows every domain.
+/// A load, tolerance, side or grid that makes no sense; elements so large that none is under the indenter; coefficients that miss their accuracy; a contact that
+/// outgrows every domain.
 pub fn solve_path(
     model: &Model,
     domain: Domain,
@@ -124,7 +146,7 @@ pub fn solve_path(
     rayon::scope(|_| solve_on_domains(model, domain, elements, loads, options, observer))
 }
 
-/// Solves the path on ever larger domains, until one holds the contact.
+/// Solves the path on the domain given or chosen, and on larger ones should a chosen one cut a contact off after all.
 fn solve_on_domains(
     model: &Model,
     domain: Domain,
@@ -133,28 +155,28 @@ fn solve_on_domains(
     options: SolverOptions,
     observer: &mut dyn Observer,
 ) -> Result<LoadingPath, ContactError> {
-    let (mut side, may_grow) = match domain {
-        Domain::Side(side) => (side, false),
-        Domain::Automatic => (default_side(model, loads), true),
+    let (mut side, mut enlargements) = match domain {
+        Domain::Side(side) => (side, 0),
+        Domain::Automatic => (choose_side(model, loads)?, ENLARGEMENTS),
     };
-    for _ in 0..=ENLARGEMENTS {
+    loop {
+        trust::check_elements(model, side, elements, loads)?;
         let hierarchy = Hierarchy::new(model, side, elements, loads.len(), &options);
         let mut run = PathRun {
             lanes: hierarchy.lanes(lanes(elements, loads.len()))?,
             steps: Vec::new(),
-            warnings: Vec::new(),
             solve_seconds: 0.0,
             interrupted: false,
         };
-        if run.solve_all(loads, may_grow, options, observer)? {
-            return run.finish(model);
+        run.solve_all(loads, options, observer)?;
+        let path = run.finish(model, domain, loads)?;
+        let by_domain = |step: &Step| step.cut_off == Some(CutOff::Domain);
+        if path.interrupted || enlargements == 0 || !path.steps.iter().any(by_domain) {
+            return Ok(path);
         }
+        enlargements -= 1;
         side *= ENLARGEMENT;
     }
-    Err(ContactError::DomainTooSmall {
-        side: side / ENLARGEMENT,
-        enlargements: ENLARGEMENTS,
-    })
 }
 
 /// How many loads to solve at the same time: one on a grid that keeps several threads busy by itself.
@@ -167,24 +189,21 @@ fn lanes(elements: usize, loads: usize) -> usize {
 struct PathRun<'a> {
     lanes: Vec<Hierarchy<'a>>,
     steps: Vec<Step>,
-    warnings: Vec<Warning>,
     solve_seconds: f64,
     interrupted: bool,
 }
 
 impl PathRun<'_> {
-    /// Solves every load, each lane the next that none has taken; false if the contact outgrows a domain that may grow.
+    /// Solves every load, each lane the next that none has taken.
     fn solve_all(
         &mut self,
         loads: &[Load],
-        may_grow: bool,
         options: SolverOptions,
         observer: &mut dyn Observer,
-    ) -> Result<bool, ContactError> {
+    ) -> Result<(), ContactError> {
         let (clock, spent_before) = (Instant::now(), self.coefficients_seconds());
         let queue = Queue {
             loads,
-            may_grow,
             options,
             taken: AtomicUsize::new(0),
             finished: AtomicUsize::new(0),
@@ -202,24 +221,13 @@ impl PathRun<'_> {
         // Loads are taken in order, so those that none has taken are the last.
         for (_, outcome) in outcomes {
             match outcome {
-                Ok(Some(step)) => self.keep(step),
+                Ok(step) => self.steps.push(step),
                 Err(ContactError::Cancelled { .. }) => break,
                 _ if self.interrupted => break,
-                Ok(None) => return Ok(false),
                 Err(error) => return Err(error),
             }
         }
-        Ok(true)
-    }
-
-    /// Keeps the next step, and warns where it comes near the edge.
-    fn keep(&mut self, step: Step) {
-        let to_edge = step.summary.elements_to_edge;
-        if let Some(elements) = to_edge.filter(|elements| *elements < trust::EDGE_MARGIN) {
-            let step = self.steps.len();
-            self.warnings.push(Warning::DomainEdge { step, elements });
-        }
-        self.steps.push(step);
+        Ok(())
     }
 
     /// Time spent on coefficients of all grids while nothing was solved; those of a single lane are made when they are first needed or beside a solution.
@@ -228,17 +236,22 @@ impl PathRun<'_> {
     }
 
     /// Adds the warnings that need whole solutions and hands the path over.
-    fn finish(mut self, model: &Model) -> Result<LoadingPath, ContactError> {
+    fn finish(
+        mut self,
+        model: &Model,
+        domain: Domain,
+        loads: &[Load],
+    ) -> Result<LoadingPath, ContactError> {
         let coefficients_seconds = self.coefficients_seconds();
         let hierarchy = self.lanes.swap_remove(0);
         drop(self.lanes);
         let coefficients_origin = hierarchy.coefficients_origin();
         let (grid, elasticity) = hierarchy.into_finest()?;
-        let mut warnings = self.warnings;
-        warnings.extend(trust::model_warnings(model, &grid));
-        for (index, step) in self.steps.iter().enumerate() {
-            warnings.extend(trust::step_warnings(model, index, step));
+        let mut surroundings = Surroundings::of(model, grid);
+        for step in &mut self.steps {
+            step.cut_off = surroundings.what_cuts_off(&step.solution);
         }
+        let warnings = trust::warnings(model, &grid, domain, loads, &self.steps);
         Ok(LoadingPath {
             grid,
             warnings,
@@ -257,11 +270,10 @@ impl PathRun<'_> {
 /// The loads of a path, from which every lane takes the next that none has taken.
 struct Queue<'a, 'b> {
     loads: &'a [Load],
-    may_grow: bool,
     options: SolverOptions,
     taken: AtomicUsize,
     finished: AtomicUsize,
-    /// Whether the loads still to take are not wanted: one was cancelled, failed or outgrew the domain.
+    /// Whether the loads still to take are not wanted: one was cancelled or failed.
     is_over: AtomicBool,
     is_cancelled: AtomicBool,
     observer: Mutex<&'b mut dyn Observer>,
@@ -269,10 +281,7 @@ struct Queue<'a, 'b> {
 
 impl Queue<'_, '_> {
     /// Solves one load after the other; each by its index.
-    fn work_off(
-        &self,
-        lane: &mut Hierarchy<'_>,
-    ) -> Vec<(usize, Result<Option<Step>, ContactError>)> {
+    fn work_off(&self, lane: &mut Hierarchy<'_>) -> Vec<(usize, Result<Step, ContactError>)> {
         let mut outcomes = Vec::new();
         while !self.is_over.load(Ordering::Relaxed) {
             let index = self.taken.fetch_add(1, Ordering::Relaxed);
@@ -286,8 +295,8 @@ impl Queue<'_, '_> {
                 finished: 0,
                 steps: self.loads.len(),
             };
-            let outcome = lane.solve(*load, self.may_grow, self.options, &mut watch);
-            if matches!(outcome, Ok(Some(_))) {
+            let outcome = lane.solve(*load, self.options, &mut watch);
+            if outcome.is_ok() {
                 self.finished.fetch_add(1, Ordering::Relaxed);
             } else {
                 self.is_over.store(true, Ordering::Relaxed);

@@ -2,7 +2,9 @@
 
 use pellicle_texture::{Grid, Relief};
 
-use crate::{Model, Step, Warning, domain::slope};
+use crate::{
+    ContactError, Domain, Load, Model, Step, Warning, cut_off, default_side, domain::slope,
+};
 
 /// Fewer elements than this per cylinder radius leave its outline to chance.
 const FEWEST_ELEMENTS_PER_RADIUS: f64 = 4.0;
@@ -12,6 +14,14 @@ const FEWEST_ELEMENTS_PER_THICKNESS: f64 = 0.02;
 const LARGEST_SHORTENING: f64 = 1.0;
 /// Slopes up to this are small: the error of linear theory is about the square.
 const LARGEST_SLOPE: f64 = 0.3;
+
+/// A contact of fewer elements across is not resolved, and the domain is to blame where it is less than a quarter of it.
+const FEWEST_ELEMENTS: usize = 8;
+const SMALL_PART: f64 = 0.25;
+/// A contact across less than this part of the side wants a smaller domain, however many elements it has.
+const SMALLEST_PART: f64 = 0.02;
+/// Side of the domain over the contact radius that suits it.
+const SIDE_PER_RADIUS: f64 = 3.0;
 
 /// A contact is near the edge with fewer whole elements than this between.
 pub(crate) const EDGE_MARGIN: usize = 3;
@@ -40,8 +50,108 @@ pub fn model_warnings(model: &Model, grid: &Grid) -> Vec<Warning> {
     warnings
 }
 
+/// All doubts about a path.
+pub(crate) fn warnings(
+    model: &Model,
+    grid: &Grid,
+    domain: Domain,
+    loads: &[Load],
+    steps: &[Step],
+) -> Vec<Warning> {
+    let much_larger = much_larger(model, grid, loads, steps);
+    // Of a contact that the grid cannot see, its edge and its peak say nothing.
+    let is_seen = |warning: &Warning| {
+        much_larger.is_none()
+            || !matches!(
+                warning,
+                Warning::PeakNotResolved { .. } | Warning::SteepIndenter { .. }
+            )
+    };
+    let edges = steps.iter().enumerate();
+    let edges = edges.filter_map(|(index, step)| edge(domain, index, step));
+    let of_steps = steps.iter().enumerate();
+    let of_steps = of_steps.flat_map(|(index, step)| step_warnings(model, index, step));
+    edges
+        .chain(much_larger)
+        .chain(model_warnings(model, grid))
+        .chain(of_steps.filter(is_seen))
+        .collect()
+}
+
+/// A contact cut off, or near the edge. A domain that was chosen keeps clear of a contact by what the coarse grid of the choice takes for clear.
+fn edge(domain: Domain, step: usize, found: &Step) -> Option<Warning> {
+    if let Some(by) = found.cut_off {
+        return Some(Warning::CutOff { step, by });
+    }
+    let margin = match domain {
+        Domain::Side(_) => EDGE_MARGIN,
+        Domain::Automatic => 1,
+    };
+    let elements = found.summary.elements_to_edge?;
+    (elements < margin).then_some(Warning::DomainEdge { step, elements })
+}
+
+/// Whether the widest contact is a small part of the domain.
+fn much_larger(model: &Model, grid: &Grid, loads: &[Load], steps: &[Step]) -> Option<Warning> {
+    let radii = steps.iter().map(|step| step.summary.contact_radius);
+    let radius = radii.fold(0.0, f64::max);
+    domain_much_larger(model, grid, loads, radius)
+}
+
+/// The doubt whether a domain is far larger than its widest contact, of so large a radius (m) between the middles of elements; none where nothing touches.
+#[must_use]
+pub fn domain_much_larger(
+    model: &Model,
+    grid: &Grid,
+    loads: &[Load],
+    radius: f64,
+) -> Option<Warning> {
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a radius within the grid, in elements"
+    )]
+    let elements = (2.0 * radius / grid.element_side()).round() as usize + 1;
+    let part = elements as f64 / grid.size() as f64;
+    let is_small = part < SMALLEST_PART || (elements < FEWEST_ELEMENTS && part < SMALL_PART);
+    (radius > 0.0 && is_small).then(|| {
+        let wanted = default_side(model, loads);
+        let radius = if elements < FEWEST_ELEMENTS {
+            wanted / SIDE_PER_RADIUS
+        } else {
+            radius
+        };
+        Warning::DomainMuchLarger {
+            elements,
+            radius,
+            side: grid.side(),
+            wanted: wanted.max(SIDE_PER_RADIUS * radius),
+        }
+    })
+}
+
+/// Refuses elements so large that none has its middle under the indenter.
+pub(crate) fn check_elements(
+    model: &Model,
+    side: f64,
+    elements: usize,
+    loads: &[Load],
+) -> Result<(), ContactError> {
+    let grid = Grid::new(side, elements)?;
+    if cut_off::can_touch(model, &grid) {
+        return Ok(());
+    }
+    let wanted = default_side(model, loads);
+    Err(ContactError::ElementsTooLarge {
+        side,
+        element_side: grid.element_side(),
+        radius: wanted / SIDE_PER_RADIUS,
+        wanted,
+    })
+}
+
 /// Doubts about one loading step.
-pub(crate) fn step_warnings(model: &Model, index: usize, step: &Step) -> Vec<Warning> {
+fn step_warnings(model: &Model, index: usize, step: &Step) -> Vec<Warning> {
     let certificate = &step.solution.certificate;
     let not_converged = (!certificate.is_satisfied()).then(|| Warning::NotConverged {
         step: index,

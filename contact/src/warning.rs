@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::PeakPlace;
+use crate::{CutOff, PeakPlace};
 
 /// A smaller relative change would be told as 0.0 %.
 const SMALLEST_CHANGE: f64 = 5e-4;
@@ -16,6 +16,24 @@ pub enum Warning {
         step: usize,
         /// Whole elements between the contact and the edge.
         elements: usize,
+    },
+    /// The contact is cut off: it would go on where the domain or a map ends.
+    CutOff {
+        /// Loading step, counted from 0.
+        step: usize,
+        /// What ends it.
+        by: CutOff,
+    },
+    /// No contact of the path is more than a small part of the domain.
+    DomainMuchLarger {
+        /// Elements across the widest contact.
+        elements: usize,
+        /// Its radius, in m: as found, or as estimated where it is too small for the grid to tell.
+        radius: f64,
+        /// Side of the domain, in m.
+        side: f64,
+        /// A side to choose instead, in m.
+        wanted: f64,
     },
     /// The linear springs of the relief shorten by more than their height.
     FilmShortening {
@@ -69,6 +87,8 @@ impl Warning {
     pub fn code(&self) -> &'static str {
         match self {
             Self::DomainEdge { .. } => "domain-edge",
+            Self::CutOff { .. } => "cut-off",
+            Self::DomainMuchLarger { .. } => "domain-much-larger",
             Self::FilmShortening { .. } => "film-shortening",
             Self::TextureUnderResolved { .. } => "texture-under-resolved",
             Self::LayerUnderResolved { .. } => "layer-under-resolved",
@@ -85,6 +105,28 @@ impl fmt::Display for Warning {
             Self::DomainEdge { step, elements } => write!(
                 f,
                 "step {step}: the contact comes within {elements} elements of the edge of the domain; choose a larger side"
+            ),
+            Self::CutOff { step, by } => write!(
+                f,
+                "step {step}: the contact is cut off by {}",
+                match by {
+                    CutOff::Domain =>
+                        "the edge of the domain: choose a larger side (`grid.side`), or none",
+                    CutOff::ReliefMap =>
+                        "the end of the surface's map: nothing is known of what it would touch there",
+                    CutOff::IndenterMap =>
+                        "the end of the indenter's map: nothing is known of what would touch there",
+                }
+            ),
+            Self::DomainMuchLarger {
+                elements,
+                radius,
+                side,
+                wanted,
+            } => write!(
+                f,
+                "the contact, of radius {radius:.2e} or so, is {elements} elements wide: a side (`grid.side`) of {side:.3e} is far too large; choose one near \
+                 {wanted:.2e}, or none"
             ),
             Self::FilmShortening { step, times } => write!(
                 f,

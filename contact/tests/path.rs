@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use pellicle_contact::{
     ContactError, Domain, Indenter, Load, LoadingPath, Method, Model, Observer, Paraboloid,
-    Progress, Signal, SolverOptions, default_side, solve_path,
+    Progress, Signal, SolverOptions, Status, default_side, solve_path,
 };
 use pellicle_influence::{Cache, RadialTables};
 use pellicle_kernel::{Foundation, Material};
@@ -84,7 +84,7 @@ fn an_automatic_domain_grows_with_a_relief_that_spreads_the_contact() {
 }
 
 #[test]
-fn a_given_domain_that_is_too_small_is_kept_and_warned_about() {
+fn a_given_domain_that_is_too_small_is_kept_and_its_result_cut_off() {
     let path = solve(
         &model(Relief::Bare),
         Domain::Side(0.2),
@@ -92,7 +92,8 @@ fn a_given_domain_that_is_too_small_is_kept_and_warned_about() {
         &[hertz_force(0.1)],
     );
     approx::assert_relative_eq!(path.grid.side(), 0.2);
-    assert!(codes(&path).contains(&"domain-edge"), "{:?}", path.warnings);
+    assert_eq!(path.steps[0].status(), Status::CutOff);
+    assert_eq!(codes(&path), ["cut-off"]);
 }
 
 #[test]

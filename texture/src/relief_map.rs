@@ -64,6 +64,19 @@ impl ReliefMap {
         self.highest - self.lowest
     }
 
+    /// Mean of the compliance η over the samples, m/Pa.
+    #[must_use]
+    pub fn mean_compliance(&self) -> f64 {
+        match self.compliance {
+            MapCompliance::Uniform(compliance) => compliance,
+            MapCompliance::YoungModulus(modulus) => {
+                let heights = self.map.heights();
+                let above: f64 = heights.iter().map(|height| height - self.lowest).sum();
+                above / heights.len() as f64 / modulus
+            }
+        }
+    }
+
     /// Whether every element centre of the grid lies in the map's rectangle.
     #[must_use]
     pub fn covers(&self, grid: &Grid) -> bool {
@@ -110,6 +123,7 @@ mod tests {
             [0.0, 0.25, 0.5]
         );
         assert_eq!(relief.peak_to_valley(), 2.0);
+        assert_eq!(relief.mean_compliance(), 0.25);
     }
 
     #[test]

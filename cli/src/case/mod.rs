@@ -24,7 +24,7 @@ pub mod units;
 use std::path::Path;
 use std::sync::Arc;
 
-use pellicle_contact::{Model, default_side};
+use pellicle_contact::{Model, choose_side};
 use pellicle_influence::{Cache, Cached};
 use serde::Serialize;
 
@@ -148,11 +148,16 @@ impl Case {
         })
     }
 
-    /// Side of the domain: as given, or chosen from the load.
-    #[must_use]
-    pub fn side(&self, model: &Model) -> f64 {
-        let chosen = || default_side(model, &self.load.steps());
-        self.grid.side.unwrap_or_else(chosen)
+    /// Side of the domain: as given, or chosen for the loads.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Contact`] if no domain can be chosen.
+    pub fn side(&self, model: &Model) -> Result<f64, Failure> {
+        match self.grid.side {
+            Some(side) => Ok(side),
+            None => Ok(choose_side(model, &self.load.steps())?),
+        }
     }
 
     /// The model of the case and where its radial tables came from: the first real work on a case.

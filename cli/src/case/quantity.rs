@@ -143,16 +143,19 @@ fn dimension_of_unit(unit: &str) -> Option<Dimension> {
 }
 
 /// The longest beginning of the text that is a number, and what follows.
-fn split(text: &str) -> Result<(f64, &str), QuantityError> {
+fn split(text: &str) -> Result<(&str, &str), QuantityError> {
     let text = text.trim();
-    let number = |end: usize| text.get(..end)?.parse::<f64>().ok().map(|x| (x, end));
-    let (number, end) = (1..=text.len().min(LONGEST_NUMBER))
+    let is_number = |end: &usize| {
+        text.get(..*end)
+            .is_some_and(|start| start.parse::<f64>().is_ok())
+    };
+    let end = (1..=text.len().min(LONGEST_NUMBER))
         .rev()
-        .find_map(number)
+        .find(is_number)
         .ok_or(QuantityError::NoNumber)?;
     match text.get(end..).map_or("", str::trim_start) {
         "" => Err(QuantityError::NoUnit),
-        unit => Ok((number, unit)),
+        unit => Ok((&text[..end], unit)),
     }
 }
 
@@ -173,14 +176,29 @@ fn spelling(unit: &str) -> String {
     }
 }
 
-/// `number · factor`; a factor 10⁻ⁿ divides by 10ⁿ, which f64 holds exactly, so that `"10 nm"` is `1e-8`.
-fn times(number: f64, factor: f64) -> f64 {
-    let inverse = (1.0 / factor).round();
-    if inverse > 1.0 && (inverse * factor - 1.0).abs() <= 2.0 * f64::EPSILON {
-        number / inverse
-    } else {
-        number * factor
-    }
+/// The number of a text times a factor: of a power of ten, the number with its decimal point moved, which is what the bare number of the same value would
+/// have been read as; rounded twice otherwise.
+fn times(number: &str, factor: f64) -> f64 {
+    let shifted = decimal_exponent(factor).and_then(|shift| shifted(number, shift));
+    shifted.unwrap_or_else(|| number.parse().unwrap_or(f64::NAN) * factor)
+}
+
+/// `n` of a factor `10ⁿ`, up to the rounding of the library's product of a prefix and a unit.
+fn decimal_exponent(factor: f64) -> Option<i32> {
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "the logarithm of a double is below 309"
+    )]
+    let exponent = factor.log10().round() as i32;
+    let power: f64 = format!("1e{exponent}").parse().ok()?;
+    ((factor / power - 1.0).abs() <= 4.0 * f64::EPSILON).then_some(exponent)
+}
+
+/// The number of a text with its decimal point moved; none where it is infinite or no number, or its exponent none.
+fn shifted(number: &str, places: i32) -> Option<f64> {
+    let (mantissa, exponent) = number.split_once(['e', 'E']).unwrap_or((number, "0"));
+    let exponent = exponent.parse::<i32>().ok()?.checked_add(places)?;
+    format!("{mantissa}e{exponent}").parse().ok()
 }
 
 #[cfg(test)]
@@ -199,6 +217,53 @@ mod tests {
         assert_eq!(parse("70 GPa", Dimension::Pressure), Ok(70e9));
         assert_eq!(parse("0.14 GPa", Dimension::Pressure), Ok(0.14e9));
         assert_eq!(parse("2.3 mN", Dimension::Force), Ok(2.3e-3));
+    }
+
+    /// A unit of every prefix that the library knows, with its power of ten.
+    #[test]
+    fn a_decimal_unit_moves_the_point_and_rounds_once() {
+        let prefixes = [
+            ("y", -24),
+            ("z", -21),
+            ("a", -18),
+            ("f", -15),
+            ("p", -12),
+            ("n", -9),
+            ("u", -6),
+            ("m", -3),
+            ("c", -2),
+            ("d", -1),
+            ("", 0),
+            ("da", 1),
+            ("h", 2),
+            ("k", 3),
+            ("M", 6),
+            ("G", 9),
+            ("T", 12),
+            ("P", 15),
+            ("E", 18),
+            ("Z", 21),
+            ("Y", 24),
+        ];
+        let units = [
+            ("m", Dimension::Length),
+            ("Pa", Dimension::Pressure),
+            ("N", Dimension::Force),
+        ];
+        for (prefix, exponent) in prefixes {
+            for (unit, dimension) in units {
+                for number in ["1", "0.3", "2.3", "7.7", "123.456", "-9.1", ".7", "5."] {
+                    let bare: f64 = format!("{number}e{exponent}").parse().unwrap();
+                    let found = parse(&format!("{number} {prefix}{unit}"), dimension);
+                    assert_eq!(found, Ok(bare), "{number} {prefix}{unit}");
+                }
+            }
+        }
+        // 2.3e-4 e-9, not 2.3e-4/1e9
+        assert_eq!(length("2.3e-4 nm"), Ok(2.3e-13));
+        assert_eq!(parse("0.7 nm/GPa", Dimension::Compliance), Ok(0.7e-18));
+        assert_eq!(parse("1.7 bar", Dimension::Pressure), Ok(1.7e5));
+        assert_eq!(length("7.7 Å"), Ok(7.7e-10));
     }
 
     #[test]

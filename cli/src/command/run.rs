@@ -9,7 +9,7 @@ use crate::arguments::RunArguments;
 use crate::case::Case;
 use crate::failure::Failure;
 use crate::output::folder::{Existing, Folder};
-use crate::output::summary::{Clock, Summary, WarningSummary};
+use crate::output::summary::{Clock, Status, Summary, WarningSummary};
 use crate::output::{json, report, results};
 use crate::program::Outcome;
 use crate::progress::ProgressLine;
@@ -112,10 +112,14 @@ fn tell(arguments: &RunArguments, summary: &Summary, folder: Option<&Path>) {
     if !arguments.quiet && !summary.warnings.is_empty() {
         terminal::tell(&report::warnings(summary));
     }
-    if !summary.is_certified() {
-        terminal::tell(
+    match summary.status {
+        Status::Certified => {}
+        Status::CutOff => terminal::tell(
+            "Error: cut off: the contact would go on where the domain or a map ends, do not use these numbers",
+        ),
+        Status::NotConverged => terminal::tell(
             "Error: not converged: the certificate is not satisfied, do not use these numbers",
-        );
+        ),
     }
     if let (true, Some(folder)) = (is_watched(arguments), folder) {
         terminal::tell(&format!("written to {}", folder.display()));

@@ -143,10 +143,12 @@ pub fn words(tally: Tally, cases: usize) -> String {
     let Tally {
         certified,
         not_converged,
+        cut_off,
         failed,
     } = tally;
     let others = [
         (not_converged, "not converged"),
+        (cut_off, "cut off"),
         (failed, "failed"),
         (cases - tally.done(), "to do"),
     ];

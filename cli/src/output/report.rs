@@ -1,6 +1,6 @@
 //! A summary in words, for the person at the terminal.
 
-use super::summary::{EstimateSummary, StepSummary, Summary};
+use super::summary::{EstimateSummary, Status, StepSummary, Summary};
 use crate::case::surface::SurfaceCase;
 use crate::case::units::Units;
 use crate::display::{Unit, error_of, quantity, significant};
@@ -112,10 +112,10 @@ fn single(step: &StepSummary, surface: &SurfaceCase, units: Units) -> String {
 }
 
 fn certificate(step: &StepSummary) -> String {
-    let word = if step.certificate.satisfied {
-        "satisfied"
-    } else {
-        "NOT SATISFIED"
+    let word = match step.status {
+        _ if !step.certificate.satisfied => "NOT SATISFIED",
+        Status::CutOff => "CUT OFF",
+        _ => "satisfied",
     };
     word.to_owned()
 }

@@ -2,7 +2,9 @@
 
 use std::time::Instant;
 
-use pellicle_contact::{Certificate, Estimate, GridError, LoadingPath, Step, Work};
+use pellicle_contact::{
+    self as contact, Certificate, Estimate, GridError, LoadingPath, Step, Work,
+};
 use pellicle_influence::{CacheWarning, Origin};
 use serde::{Deserialize, Serialize};
 
@@ -29,6 +31,8 @@ pub struct Summary {
     pub title: String,
     /// The case as resolved.
     pub case: Case,
+    /// What the whole may be used for: what the worst of its steps may.
+    pub status: Status,
     /// The grid it was solved on.
     pub grid: GridSummary,
     /// The loading steps.
@@ -50,6 +54,17 @@ pub struct GridSummary {
     /// Side `2a` of an element, m.
     #[serde(deserialize_with = "null::or_nan")]
     pub element_side: f64,
+}
+
+/// What a result may be used for, from good to bad: [`contact::Status`] with its words.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[expect(missing_docs, reason = "described there")]
+pub enum Status {
+    #[default]
+    Certified,
+    CutOff,
+    NotConverged,
 }
 
 /// One loading step.
@@ -87,6 +102,9 @@ pub struct StepSummary {
     /// Contact stiffness `dQ/dD`, N/m; none without contact.
     #[serde(default)]
     pub contact_stiffness: Option<f64>,
+    /// What the step may be used for; of a file from before there was one, `certified`.
+    #[serde(default)]
+    pub status: Status,
     /// How well the solution satisfies the contact conditions.
     pub certificate: CertificateSummary,
     /// What the solution took.
@@ -238,7 +256,9 @@ impl Summary {
         let origin = clock.tables_origin.max(path.coefficients_origin);
         let warnings = path.warnings.iter().map(WarningSummary::from);
         let cache_warnings = cache_warnings.iter().map(WarningSummary::from);
+        let statuses = path.steps.iter().map(|step| step.status().into());
         Self {
+            status: statuses.max().unwrap_or_default(),
             schema: SCHEMA,
             program: "pellicle",
             version: env!("CARGO_PKG_VERSION"),
@@ -264,7 +284,17 @@ impl Summary {
     /// Whether every step is certified.
     #[must_use]
     pub fn is_certified(&self) -> bool {
-        self.steps.iter().all(|step| step.certificate.satisfied)
+        self.status == Status::Certified
+    }
+}
+
+impl From<contact::Status> for Status {
+    fn from(status: contact::Status) -> Self {
+        match status {
+            contact::Status::Certified => Self::Certified,
+            contact::Status::CutOff => Self::CutOff,
+            contact::Status::NotConverged => Self::NotConverged,
+        }
     }
 }
 
@@ -301,6 +331,7 @@ impl StepSummary {
             contact_area_between: summary.contact_area_between,
             contact_radius: summary.contact_radius,
             contact_stiffness: step.contact_stiffness,
+            status: step.status().into(),
             certificate: (&solution.certificate).into(),
             work: (&step.work).into(),
             grid_error: (&step.grid_error).into(),

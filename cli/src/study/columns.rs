@@ -4,7 +4,7 @@ use super::Study;
 use super::status::Status;
 use crate::case::units::Units;
 use crate::output::curve;
-use crate::output::summary::Summary;
+use crate::output::summary::{self, Summary};
 
 /// The columns, with units.
 #[derive(Debug, Clone, PartialEq)]
@@ -76,10 +76,10 @@ impl Columns {
 /// How a case ended that has a result.
 #[must_use]
 pub fn status(summary: &Summary) -> Status {
-    if summary.is_certified() {
-        Status::Certified
-    } else {
-        Status::NotConverged
+    match summary.status {
+        summary::Status::Certified => Status::Certified,
+        summary::Status::CutOff => Status::CutOff,
+        summary::Status::NotConverged => Status::NotConverged,
     }
 }
 

@@ -7,12 +7,19 @@ pub enum Status {
     Certified,
     /// There is a result, but a certificate is not satisfied.
     NotConverged,
+    /// A contact would go on where the domain or a map ends, so another problem is solved.
+    CutOff,
     /// There is no result.
     Failed,
 }
 
 impl Status {
-    const ALL: [Self; 3] = [Self::Certified, Self::NotConverged, Self::Failed];
+    const ALL: [Self; 4] = [
+        Self::Certified,
+        Self::NotConverged,
+        Self::CutOff,
+        Self::Failed,
+    ];
 
     /// The word in the table.
     #[must_use]
@@ -20,6 +27,7 @@ impl Status {
         match self {
             Self::Certified => "certified",
             Self::NotConverged => "not-converged",
+            Self::CutOff => "cut-off",
             Self::Failed => "failed",
         }
     }
@@ -38,6 +46,8 @@ pub struct Tally {
     pub certified: usize,
     /// With a result that is not certified.
     pub not_converged: usize,
+    /// With a result whose contact is cut off.
+    pub cut_off: usize,
     /// Without a result.
     pub failed: usize,
 }
@@ -54,6 +64,7 @@ impl Tally {
         let count = match status {
             Status::Certified => &mut self.certified,
             Status::NotConverged => &mut self.not_converged,
+            Status::CutOff => &mut self.cut_off,
             Status::Failed => &mut self.failed,
         };
         *count += 1;
@@ -62,12 +73,12 @@ impl Tally {
     /// All together.
     #[must_use]
     pub fn done(&self) -> usize {
-        self.certified + self.not_converged + self.failed
+        self.certified + self.not_converged + self.cut_off + self.failed
     }
 
     /// Whether every case has a certified result.
     #[must_use]
     pub fn is_certified(&self) -> bool {
-        self.not_converged == 0 && self.failed == 0
+        self.certified == self.done()
     }
 }

@@ -95,7 +95,8 @@ fn json_alone_prints_the_summary_and_writes_nothing() {
     let summary: Value = serde_json::from_str(&ran.stdout).unwrap();
     let keys: Vec<_> = summary.as_object().unwrap().keys().collect();
     let wanted = [
-        "case", "grid", "program", "schema", "steps", "timing", "title", "version", "warnings",
+        "case", "grid", "program", "schema", "status", "steps", "timing", "title", "version",
+        "warnings",
     ];
     assert_eq!(keys, wanted);
     assert_eq!(summary["case"]["foundation"]["layer"][0]["thickness"], 1e-8);

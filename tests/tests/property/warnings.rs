@@ -59,8 +59,23 @@ fn a_plain_contact_warns_of_nothing() {
 #[test]
 fn domain_edge() {
     let model = bare(paraboloid(1.0));
-    let [case, neighbour] = [0.2, 0.25].map(|side| codes(&model, side, ELEMENTS));
+    let [case, neighbour] = [0.206, 0.25].map(|side| codes(&model, side, ELEMENTS));
     assert_told_apart("domain-edge", &case, &neighbour);
+}
+
+#[test]
+fn cut_off() {
+    let model = bare(paraboloid(1.0));
+    let [case, neighbour] = [0.19, 0.206].map(|side| codes(&model, side, ELEMENTS));
+    assert_told_apart("cut-off", &case, &neighbour);
+    assert!(!case.contains(&"domain-edge"), "{case:?}");
+}
+
+#[test]
+fn domain_much_larger() {
+    let model = bare(paraboloid(1.0));
+    let [case, neighbour] = [4.0, 2.0].map(|side| codes(&model, side, ELEMENTS));
+    assert_told_apart("domain-much-larger", &case, &neighbour);
 }
 
 #[test]

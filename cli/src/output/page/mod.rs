@@ -5,7 +5,7 @@ mod step;
 pub mod surface;
 
 use super::record::{Record, StoredWarning};
-use super::summary::StepSummary;
+use super::summary::{Status, StepSummary};
 use crate::display::{Unit, quantity, significant};
 use crate::picture::svg::escaped;
 
@@ -78,8 +78,12 @@ fn head(record: &Record) -> String {
     let grid = &record.grid;
     let (elements, side, element) = (grid.elements, metres(grid.side), metres(grid.element_side));
     let failed = record.steps.iter().any(|step| !step.certificate.satisfied);
+    let cut_off = (record.steps.iter()).any(|step| step.status == Status::CutOff);
     let failure = if failed {
         "<p class=\"failure\" role=\"alert\">Not converged: the certificate of at least one loading step is not satisfied. \
+         Do not use its numbers.</p>\n"
+    } else if cut_off {
+        "<p class=\"failure\" role=\"alert\">Cut off: the contact of at least one loading step would go on where the domain or a map ends. \
          Do not use its numbers.</p>\n"
     } else {
         ""
@@ -129,10 +133,10 @@ fn curve_row(record: &Record, i: usize, step: &StepSummary) -> String {
     let cells = cells
         .map(|cell| format!("<td class=\"number\">{cell}</td>"))
         .concat();
-    let verdict = if step.certificate.satisfied {
-        "satisfied"
-    } else {
-        "<strong>NOT SATISFIED</strong>"
+    let verdict = match step.status {
+        _ if !step.certificate.satisfied => "<strong>NOT SATISFIED</strong>",
+        Status::CutOff => "<strong>CUT OFF</strong>",
+        _ => "satisfied",
     };
     format!("<tr><td>{i}</td>{cells}<td>{verdict}</td></tr>\n")
 }

@@ -1,0 +1,118 @@
+//! The zero of an increasing function of a length, whatever the unit of length.
+
+/// Evaluations that a search may take; a smooth function takes some twenty.
+const LONGEST_SEARCH: usize = 400;
+/// The search ends when it knows the length to this: rounding, so that in another unit it is the same length.
+const PRECISION: f64 = 1e-14;
+
+/// The length at which a function that grows with the logarithm of its argument, nearly in proportion, passes through zero; it may be infinite on either side.
+///
+/// 0 where it is positive down to the smallest length, and the largest length where it is negative everywhere.
+pub fn where_zero(value: impl Fn(f64) -> f64) -> f64 {
+    let (mut low, mut high) = bracket(&value);
+    // Of the two ends, halved for the one that stays: the Illinois form of the secant method (Dowell and Jarratt 1971).
+    let (mut below, mut above) = (value(low), value(high));
+    let mut kept = 0_i32;
+    for _ in 0..LONGEST_SEARCH {
+        if high - low <= PRECISION * high || low == 0.0 {
+            break;
+        }
+        let middle = between(low, high, below, above);
+        let found = value(middle);
+        if found >= 0.0 {
+            (high, above) = (middle, found);
+            kept = kept.max(0) + 1;
+            if kept > 1 {
+                below *= 0.5;
+            }
+        } else {
+            (low, below) = (middle, found);
+            kept = kept.min(0) - 1;
+            if kept < -1 {
+                above *= 0.5;
+            }
+        }
+    }
+    high
+}
+
+/// Lengths on either side of the zero, found by ever larger factors.
+fn bracket(value: &impl Fn(f64) -> f64) -> (f64, f64) {
+    let (mut length, mut factor) = (1.0_f64, 2.0_f64);
+    let is_reached = value(length) >= 0.0;
+    loop {
+        let next = if is_reached {
+            length / factor
+        } else {
+            length * factor
+        };
+        if next < f64::MIN_POSITIVE || next.is_infinite() {
+            return if is_reached {
+                (0.0, length)
+            } else {
+                (length, length)
+            };
+        }
+        if (value(next) >= 0.0) != is_reached {
+            return (length.min(next), length.max(next));
+        }
+        (length, factor) = (next, factor * factor);
+    }
+}
+
+/// Where a straight line over the logarithm passes through zero, or the geometric mean where there is none or it leads to an end.
+fn between(low: f64, high: f64, below: f64, above: f64) -> f64 {
+    let ratio = high / low;
+    let part = below / (below - above);
+    let middle = low * ratio.powf(part);
+    if below.is_finite() && above.is_finite() && middle > low && middle < high {
+        middle
+    } else {
+        low * ratio.sqrt()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::cell::Cell;
+
+    use super::where_zero;
+
+    #[test]
+    fn a_power_of_the_length_is_found_in_any_unit_within_few_evaluations() {
+        for exponent in [-150, -30, -6, 0, 3, 150] {
+            for power in [0.5, 1.0, 3.0] {
+                let wanted = 1.7 * 10.0_f64.powi(exponent);
+                let evaluations = Cell::new(0);
+                let found = where_zero(|length| {
+                    evaluations.set(evaluations.get() + 1);
+                    power * (length / wanted).ln()
+                });
+                assert!((found / wanted - 1.0).abs() < 1e-13, "{found:e}");
+                assert!(evaluations.get() < 60, "{}", evaluations.get());
+            }
+        }
+    }
+
+    #[test]
+    fn a_step_and_a_bend_are_found() {
+        let step = |length: f64| {
+            if length <= 3e-6 {
+                f64::NEG_INFINITY
+            } else {
+                f64::INFINITY
+            }
+        };
+        assert!((where_zero(step) / 3e-6 - 1.0).abs() < 1e-13);
+        // ln of ρ² + 1e6 ρ⁹ at 2
+        let bent = |rho: f64| ((rho.powi(2) + 1e6 * rho.powi(9)) / 2.0).ln();
+        let found = where_zero(bent);
+        assert!(bent(found).abs() < 1e-12, "{found}");
+    }
+
+    #[test]
+    fn what_is_never_reached_or_always_ends_the_search() {
+        assert!(where_zero(|_| -1.0) > 1e150);
+        assert!(where_zero(|_| 1.0) < 1e-150);
+    }
+}
