@@ -72,6 +72,15 @@ impl Warning {
     }
 }
 
+/// A number below a few, which is never told as nothing: `0.25`, `3e-5`.
+fn two_digits(value: f64) -> String {
+    if value.abs() < 1e-2 {
+        format!("{value:.1e}")
+    } else {
+        format!("{value:.2}")
+    }
+}
+
 impl fmt::Display for Warning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
@@ -87,14 +96,16 @@ impl fmt::Display for Warning {
                 elements_per_radius,
             } => write!(
                 f,
-                "{elements_per_radius:.1} elements per cylinder radius are few; use more elements or a smaller side"
+                "{} elements per cylinder radius are few; use more elements or a smaller side",
+                two_digits(elements_per_radius)
             ),
             Self::LayerUnderResolved {
                 layer,
                 elements_per_thickness,
             } => write!(
                 f,
-                "layer {layer} is {elements_per_thickness:.3} elements thick: the grid sees little of it"
+                "layer {layer} is {} elements thick: the grid sees little of it",
+                two_digits(elements_per_thickness)
             ),
             Self::PeakNotResolved { step, change } => write!(
                 f,
@@ -116,5 +127,27 @@ impl fmt::Display for Warning {
                 )
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_number_is_told_as_nothing() {
+        let layer = Warning::LayerUnderResolved {
+            layer: 0,
+            elements_per_thickness: 3.2e-5,
+        };
+        assert!(
+            layer.to_string().contains("is 3.2e-5 elements thick"),
+            "{layer}"
+        );
+        let texture = |elements_per_radius| Warning::TextureUnderResolved {
+            elements_per_radius,
+        };
+        assert!(texture(0.004).to_string().starts_with("4.0e-3 elements"));
+        assert!(texture(2.5).to_string().starts_with("2.50 elements"));
     }
 }

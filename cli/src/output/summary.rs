@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 use super::null;
 
 use crate::case::Case;
+use crate::case::doubt::Doubt;
 
 /// Name of the file in a results folder.
 pub const FILE: &str = "summary.json";
@@ -233,7 +234,9 @@ impl Summary {
         let mut case = case.clone();
         case.grid.side.get_or_insert(path.grid.side());
         let origin = clock.tables_origin.max(path.coefficients_origin);
-        let warnings = path.warnings.iter().map(WarningSummary::from);
+        let doubts = case.doubts(path.grid.side()).into_iter();
+        let warnings = doubts.map(WarningSummary::from);
+        let warnings = warnings.chain(path.warnings.iter().map(WarningSummary::from));
         let cache_warnings = cache_warnings.iter().map(WarningSummary::from);
         Self {
             schema: SCHEMA,
@@ -262,6 +265,12 @@ impl Summary {
     #[must_use]
     pub fn is_certified(&self) -> bool {
         self.steps.iter().all(|step| step.certificate.satisfied)
+    }
+}
+
+impl From<Doubt> for WarningSummary {
+    fn from(Doubt { code, message }: Doubt) -> Self {
+        Self { code, message }
     }
 }
 
