@@ -72,12 +72,12 @@ impl Warning {
     }
 }
 
-/// A number below a few, which is never told as nothing: `0.25`, `3e-5`.
-fn two_digits(value: f64) -> String {
-    if value.abs() < 1e-2 {
+/// A number with so many decimals, or with two digits where it would be told as nothing: `0.4`, `3.2e-5`.
+fn decimals(value: f64, places: i32) -> String {
+    if value.abs() < 10_f64.powi(-places) {
         format!("{value:.1e}")
     } else {
-        format!("{value:.2}")
+        format!("{value:.*}", places.unsigned_abs() as usize)
     }
 }
 
@@ -97,7 +97,7 @@ impl fmt::Display for Warning {
             } => write!(
                 f,
                 "{} elements per cylinder radius are few; use more elements or a smaller side",
-                two_digits(elements_per_radius)
+                decimals(elements_per_radius, 1)
             ),
             Self::LayerUnderResolved {
                 layer,
@@ -105,7 +105,7 @@ impl fmt::Display for Warning {
             } => write!(
                 f,
                 "layer {layer} is {} elements thick: the grid sees little of it",
-                two_digits(elements_per_thickness)
+                decimals(elements_per_thickness, 3)
             ),
             Self::PeakNotResolved { step, change } => write!(
                 f,
@@ -148,6 +148,6 @@ mod tests {
             elements_per_radius,
         };
         assert!(texture(0.004).to_string().starts_with("4.0e-3 elements"));
-        assert!(texture(2.5).to_string().starts_with("2.50 elements"));
+        assert!(texture(2.5).to_string().starts_with("2.5 elements"));
     }
 }

@@ -26,7 +26,9 @@ pub fn names(dimension: Dimension) -> &'static [&'static str] {
 pub fn sizes(dimension: Dimension) -> RangeInclusive<f64> {
     match dimension {
         Dimension::Length | Dimension::Pressure => 1e-30..=1e30,
-        Dimension::Force | Dimension::Compliance => 1e-60..=1e60,
+        // A force however small is a load; whether it can be solved for the certificate says.
+        Dimension::Force => f64::from_bits(1)..=1e60,
+        Dimension::Compliance => 1e-60..=1e60,
         Dimension::Angle => 0.0..=f64::MAX,
     }
 }

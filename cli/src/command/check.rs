@@ -120,12 +120,11 @@ impl Lines {
             .into_iter()
             .filter_map(|(table, map)| Some((table, map?)))
         {
-            let of = format!("of the {table}'s map");
             let per_element = significant(element_side / sample(map), 3);
-            self.add(&format!("samples {of} per element"), &per_element);
+            self.add(&format!("samples per element ({table})"), &per_element);
             let wave = spectrum::shortest_wave(map.shape(), map.samples());
             let wave = wave.map_or_else(|| "none found".into(), |wave| significant(wave, 2));
-            self.add("samples per its shortest wave, about", &wave);
+            self.add(&format!("samples per shortest wave ({table})"), &wave);
         }
     }
 

@@ -136,9 +136,9 @@ fn a_rigid_relief_pressed_by_a_paraboloid_is_a_paraboloid_pressed_by_the_relief_
     assert!((ratio - 1.0).abs() < 0.02, "{ratio}");
 }
 
-/// A map of 24 × 24 samples of 25 nm of a surface in m, as a text in nm.
+/// A map of 24 × 24 samples of 35 nm of a surface in m, as a text in nm.
 fn text(mut surface: impl FnMut(f64, f64) -> f64) -> String {
-    let at = |i: u32| (f64::from(i) - 11.5) * 25e-9;
+    let at = |i: u32| (f64::from(i) - 11.5) * 35e-9;
     let mut row = |j: u32| {
         let words = (0..24).map(|i| format!("{:.6}", 1e9 * surface(at(i), at(j))));
         words.collect::<Vec<_>>().join(";") + "\n"
@@ -171,7 +171,7 @@ fn a_smooth_map_has_the_pressure_of_the_surface_it_samples_and_a_linear_one_ridg
         summary(&ran)["steps"][0]["max_pressure"].as_f64().unwrap()
     };
     let exact = peak("{kind=\"paraboloid\", radius=\"4 um\"}");
-    let map = "kind=\"map\", file=\"map.csv\", side=\"600 nm\", height_unit=\"nm\"";
+    let map = "kind=\"map\", file=\"map.csv\", side=\"840 nm\", height_unit=\"nm\"";
     let smooth = peak(&format!("{{{map}}}"));
     let linear = peak(&format!("{{{map}, interpolation=\"linear\"}}"));
     // Heights of six decimals of a nanometre.
@@ -183,7 +183,7 @@ fn a_smooth_map_has_the_pressure_of_the_surface_it_samples_and_a_linear_one_ridg
 fn a_map_in_the_wrong_unit_is_refused_with_the_likely_one() {
     let rough = |x: f64, y: f64| 5e-9 * ((x / 60e-9).sin() + (y / 40e-9).cos());
     let surface =
-        |rest: &str| format!("surface={{kind=\"rough\", file=\"map.csv\", side=\"600 nm\"{rest}}}");
+        |rest: &str| format!("surface={{kind=\"rough\", file=\"map.csv\", side=\"840 nm\"{rest}}}");
     let (_folder, ran) = with_map(&text(rough), &surface(""));
     assert_eq!(ran.code, Some(2), "{}", ran.stderr);
     for part in [
@@ -208,7 +208,7 @@ fn a_map_in_the_wrong_unit_is_refused_with_the_likely_one() {
 #[test]
 fn a_rough_body_is_a_map_without_springs() {
     let rough = |x: f64, y: f64| 1e-9 * ((x / 60e-9).sin() + (y / 40e-9).cos());
-    let map = "file=\"map.csv\", side=\"600 nm\", height_unit=\"nm\"";
+    let map = "file=\"map.csv\", side=\"840 nm\", height_unit=\"nm\"";
     let [body, rigid] = ["kind=\"rough\"", "kind=\"map\", compliance=0"].map(|kind| {
         let (_folder, ran) = with_map(&text(rough), &format!("surface={{{kind}, {map}}}"));
         penetration(&summary(&ran)).to_bits()
@@ -233,9 +233,9 @@ fn points_and_decimal_commas_give_the_map_that_they_are() {
         penetration(&summary(&ran))
     };
     let semicolons = text(PARABOLOID);
-    let expected = of(&semicolons, ", side=\"600 nm\"");
+    let expected = of(&semicolons, ", side=\"840 nm\"");
     assert_eq!(
-        of(&semicolons.replace('.', ","), ", side=\"600 nm\""),
+        of(&semicolons.replace('.', ","), ", side=\"840 nm\""),
         expected
     );
     let mut points = String::new();
@@ -247,7 +247,7 @@ fn points_and_decimal_commas_give_the_map_that_they_are() {
     assert!((of(&points, "") / expected - 1.0).abs() < 1e-9);
     // Not all of them: no grid, and no strip of three samples either.
     let some = points.split_inclusive('\n').skip(5).collect::<String>();
-    let (_folder, ran) = with_map(&some, &format!("{indenter}, side=\"600 nm\"}}"));
+    let (_folder, ran) = with_map(&some, &format!("{indenter}, side=\"840 nm\"}}"));
     assert_eq!(ran.code, Some(2), "{}", ran.stderr);
     assert!(
         ran.stderr.contains("points x, y, z of no rectangular grid"),
@@ -258,13 +258,13 @@ fn points_and_decimal_commas_give_the_map_that_they_are() {
 
 #[test]
 fn check_counts_samples_and_a_map_coarser_than_the_grid_is_warned_of() {
-    let wave = |x: f64, _: f64| 1e-9 * (x * std::f64::consts::TAU / 150e-9).sin();
-    let surface = "surface={kind=\"rough\", file=\"map.csv\", side=\"600 nm\", height_unit=\"nm\"}";
+    let wave = |x: f64, _: f64| 1e-9 * (x * std::f64::consts::TAU / 210e-9).sin();
+    let surface = "surface={kind=\"rough\", file=\"map.csv\", side=\"840 nm\", height_unit=\"nm\"}";
     let (folder, ran) = with_map(&text(wave), surface);
     assert_eq!(summary(&ran)["warnings"][0]["code"], "coarse-map");
     let checked = folder.run(&["check", "case.toml", "--set", surface]);
     assert!(
-        checked.stderr.contains("has a sample every 25.000 nm"),
+        checked.stderr.contains("has a sample every 35.000 nm"),
         "{}",
         checked.stderr
     );
@@ -274,8 +274,8 @@ fn check_counts_samples_and_a_map_coarser_than_the_grid_is_warned_of() {
             .unwrap()
             .to_owned()
     };
-    assert_eq!(line("samples of the surface's map per element"), "0.500");
-    assert_eq!(line("samples per its shortest wave"), "6.0");
+    assert_eq!(line("samples per element (surface)"), "0.357");
+    assert_eq!(line("samples per shortest wave (surface)"), "6.0");
 }
 
 #[test]
