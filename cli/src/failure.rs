@@ -139,7 +139,7 @@ impl Failure {
     pub fn render(&self) -> String {
         match self {
             Self::Case(diagnosis) => diagnosis.render(),
-            other => format!("Error: {other}"),
+            other => crate::terminal::clean(&format!("Error: {other}")),
         }
     }
 }

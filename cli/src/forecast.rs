@@ -10,6 +10,7 @@ use pellicle_contact::{
 use pellicle_texture::Grid;
 
 use crate::case::Case;
+use crate::display::significant;
 
 /// Elements per side of the trial.
 const TRIAL: usize = 64;
@@ -52,7 +53,9 @@ impl Forecast {
             Ok(side) => (side, solve(case, model, Domain::Side(side), trial)),
             Err(error) => (default_side(model, &loads), Err(error)),
         };
-        let mut warnings = resolution(model, side, case.grid.elements);
+        let doubts = case.doubts(side).into_iter().map(|doubt| doubt.message);
+        let mut warnings: Vec<_> = doubts.collect();
+        warnings.extend(resolution(model, side, case.grid.elements));
         match &path {
             Ok(path) => {
                 warnings.extend(far_too_large(case, model, path));
@@ -132,7 +135,8 @@ fn smallest(path: &LoadingPath, element_side: f64) -> Option<String> {
     let elements = first.summary.contact_radius / element_side;
     (elements > 0.0 && elements < FEWEST_PER_CONTACT).then(|| {
         format!(
-            "at the smallest load, the contact's radius is some {elements:.0} elements: solve small loads by themselves, or with more elements"
+            "at the smallest load, the contact's radius is some {} elements: solve small loads by themselves, or with more elements",
+            significant(elements, 1)
         )
     })
 }

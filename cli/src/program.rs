@@ -33,7 +33,7 @@ pub fn main(arguments: impl IntoIterator<Item = impl Into<OsString> + Clone>) ->
         Ok(Outcome::NotConverged | Outcome::Refuted) => ExitCode::from(1),
         Ok(Outcome::Stopped) => ExitCode::from(interrupt::EXIT_CODE),
         Err(failure) => {
-            terminal::tell(&failure.render());
+            terminal::tell_drawn(&failure.render());
             ExitCode::from(failure.exit_code())
         }
     }

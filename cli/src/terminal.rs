@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use crate::failure::Failure;
 
-/// Writes to standard output. A reader that has seen enough (`| head -1`) is no error.
+/// Writes a text to standard output, [clean](clean()). A reader that has seen enough (`| head -1`) is no error.
 ///
 /// # Errors
 ///
@@ -12,7 +12,7 @@ use crate::failure::Failure;
 pub fn print(text: &str) -> Result<(), Failure> {
     let mut stdout = io::stdout().lock();
     match stdout
-        .write_all(text.as_bytes())
+        .write_all(clean(text).as_bytes())
         .and_then(|()| stdout.flush())
     {
         Err(cause) if cause.kind() != io::ErrorKind::BrokenPipe => Err(Failure::Output { cause }),
@@ -20,8 +20,44 @@ pub fn print(text: &str) -> Result<(), Failure> {
     }
 }
 
-/// Writes a line to standard error, which there is nobody to tell about if it fails.
+/// Writes a line to standard error, [clean](clean()).
 pub fn tell(line: &str) {
+    tell_drawn(&clean(line));
+}
+
+/// Writes what the program has drawn itself, in colours, to standard error, which there is nobody to tell about if it fails.
+pub fn tell_drawn(line: &str) {
     let mut stderr = io::stderr().lock();
     drop(writeln!(stderr, "{line}"));
+}
+
+/// The text with every control character but line breaks and tabs written out, `\\u001b`, so that a terminal shows what a user's file says and does
+/// not obey it. What is cleaned inside a string of JSON or TOML means the same there.
+#[must_use]
+pub fn clean(text: &str) -> String {
+    let is_obeyed = |c: char| c.is_control() && !matches!(c, '\n' | '\t');
+    if !text.contains(is_obeyed) {
+        return text.to_owned();
+    }
+    let shown = |c: char| {
+        if is_obeyed(c) {
+            format!("\\u{:04x}", u32::from(c))
+        } else {
+            c.to_string()
+        }
+    };
+    text.chars().map(shown).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn control_characters_are_written_out_and_all_else_is_left() {
+        assert_eq!(
+            clean("µ \u{1b}[31m\u{9b}\u{7}\r\n\tä"),
+            "µ \\u001b[31m\\u009b\\u0007\\u000d\n\tä"
+        );
+    }
 }

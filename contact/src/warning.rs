@@ -99,6 +99,15 @@ impl Warning {
     }
 }
 
+/// A number with so many decimals, or with two digits where it would be told as nothing: `0.4`, `3.2e-5`.
+fn decimals(value: f64, places: i32) -> String {
+    if value.abs() < 10_f64.powi(-places) {
+        format!("{value:.1e}")
+    } else {
+        format!("{value:.*}", places.unsigned_abs() as usize)
+    }
+}
+
 impl fmt::Display for Warning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
@@ -136,14 +145,16 @@ impl fmt::Display for Warning {
                 elements_per_radius,
             } => write!(
                 f,
-                "{elements_per_radius:.1} elements per cylinder radius are few; use more elements or a smaller side"
+                "{} elements per cylinder radius are few; use more elements or a smaller side",
+                decimals(elements_per_radius, 1)
             ),
             Self::LayerUnderResolved {
                 layer,
                 elements_per_thickness,
             } => write!(
                 f,
-                "layer {layer} is {elements_per_thickness:.3} elements thick: the grid sees little of it"
+                "layer {layer} is {} elements thick: the grid sees little of it",
+                decimals(elements_per_thickness, 3)
             ),
             Self::PeakNotResolved {
                 step,
@@ -184,5 +195,27 @@ impl fmt::Display for Warning {
                 )
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_number_is_told_as_nothing() {
+        let layer = Warning::LayerUnderResolved {
+            layer: 0,
+            elements_per_thickness: 3.2e-5,
+        };
+        assert!(
+            layer.to_string().contains("is 3.2e-5 elements thick"),
+            "{layer}"
+        );
+        let texture = |elements_per_radius| Warning::TextureUnderResolved {
+            elements_per_radius,
+        };
+        assert!(texture(0.004).to_string().starts_with("4.0e-3 elements"));
+        assert!(texture(2.5).to_string().starts_with("2.5 elements"));
     }
 }

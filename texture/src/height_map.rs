@@ -1,6 +1,11 @@
-//! A measured height map and its bilinear interpolation.
+//! A measured height map and the surface between its samples.
 
 use crate::error::{Quantity, TextureError, positive};
+use crate::interpolation::{Interpolation, Stencil};
+use crate::summit::summit;
+
+/// Rounding of a place, in samples, on a map of one sample.
+const ON_A_SAMPLE: f64 = 4.0 * f64::EPSILON;
 
 /// Heights (m) measured at the centres of `shape[0]` × `shape[1]` equal pixels that fill a rectangle centred on the origin.
 ///
@@ -11,10 +16,11 @@ pub struct HeightMap {
     heights: Vec<f64>,
     shape: [usize; 2],
     extent: [f64; 2],
+    interpolation: Interpolation,
 }
 
 impl HeightMap {
-    /// A map of `shape[0] * shape[1]` heights (m, above any plane) over a rectangle of sides `extent` (m).
+    /// A map of `shape[0] * shape[1]` heights (m, above any plane) over a rectangle of sides `extent` (m), bicubic between them.
     ///
     /// # Errors
     ///
@@ -45,8 +51,24 @@ impl HeightMap {
                 heights,
                 shape,
                 extent,
+                interpolation: Interpolation::default(),
             }),
         }
+    }
+
+    /// The same samples with this interpolation between them.
+    #[must_use]
+    pub fn with_interpolation(self, interpolation: Interpolation) -> Self {
+        Self {
+            interpolation,
+            ..self
+        }
+    }
+
+    /// How heights between the samples are found.
+    #[must_use]
+    pub fn interpolation(&self) -> Interpolation {
+        self.interpolation
     }
 
     /// The samples as given, m.
@@ -67,34 +89,53 @@ impl HeightMap {
         self.extent
     }
 
-    /// The smallest sample, m; no interpolated height lies below it.
-    #[must_use]
-    pub fn lowest(&self) -> f64 {
+    /// The smallest sample, m.
+    pub(crate) fn least(&self) -> f64 {
         self.heights.iter().copied().fold(f64::INFINITY, f64::min)
     }
 
-    /// The largest sample, m; no interpolated height lies above it.
-    #[must_use]
-    pub fn highest(&self) -> f64 {
+    /// The largest sample, m.
+    pub(crate) fn greatest(&self) -> f64 {
         self.heights
             .iter()
             .copied()
             .fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// Where the smallest sample stands, m; of several equal ones the one nearest to the middle of the map.
+    /// The lowest height of the surface, m, which a bicubic one may have between samples.
+    #[must_use]
+    pub fn lowest(&self) -> f64 {
+        match self.interpolation {
+            Interpolation::Bicubic => summit(self, -1.0).height,
+            Interpolation::Linear => self.least(),
+        }
+    }
+
+    /// The largest height of the surface, m, which a bicubic one may have between samples.
+    #[must_use]
+    pub fn highest(&self) -> f64 {
+        match self.interpolation {
+            Interpolation::Bicubic => summit(self, 1.0).height,
+            Interpolation::Linear => self.greatest(),
+        }
+    }
+
+    /// Where the surface is lowest, m; of several equally low points the one nearest to the middle of the map.
     #[must_use]
     pub fn lowest_point(&self) -> [f64; 2] {
-        let lowest = self.lowest();
+        match self.interpolation {
+            Interpolation::Bicubic => summit(self, -1.0).point,
+            Interpolation::Linear => self.least_point(),
+        }
+    }
+
+    /// Where the smallest sample stands.
+    fn least_point(&self) -> [f64; 2] {
+        let lowest = self.least();
         let columns = self.shape[1];
         let candidates = (0..self.heights.len()).filter(|&n| self.heights[n] <= lowest);
         candidates
-            .map(|n| {
-                [
-                    self.coordinate(0, n / columns),
-                    self.coordinate(1, n % columns),
-                ]
-            })
+            .map(|n| self.point([n / columns, n % columns]))
             .min_by(|p, q| p[0].hypot(p[1]).total_cmp(&q[0].hypot(q[1])))
             .unwrap_or([0.0, 0.0])
     }
@@ -119,9 +160,39 @@ impl HeightMap {
         }
     }
 
-    /// Height at a point (m) by bilinear interpolation; beyond the outermost samples, the height of the nearest point among them.
+    /// Height at a point (m) by the map's interpolation; beyond the outermost samples, the height of the nearest point among them.
     #[must_use]
     pub fn height(&self, point: [f64; 2]) -> f64 {
+        match self.interpolation {
+            Interpolation::Bicubic => self.bicubic(point),
+            Interpolation::Linear => self.bilinear(point),
+        }
+    }
+
+    fn bicubic(&self, point: [f64; 2]) -> f64 {
+        let [along_x, along_y] = [0, 1].map(|axis| {
+            let (before, after, t) = self.bracket(axis, point[axis]);
+            let samples = self.shape[axis];
+            // A point that is a sample's up to rounding has the height of the sample.
+            if t > 1.0 - ON_A_SAMPLE * samples as f64 {
+                Stencil::cubic(after, 0.0, samples)
+            } else if t < ON_A_SAMPLE * samples as f64 {
+                Stencil::cubic(before, 0.0, samples)
+            } else {
+                Stencil::cubic(before, t, samples)
+            }
+        });
+        let row = |i: usize| {
+            let row = &self.heights[i * self.shape[1]..];
+            along_y
+                .terms()
+                .map(|(j, weight)| weight * row[j])
+                .sum::<f64>()
+        };
+        along_x.terms().map(|(i, weight)| weight * row(i)).sum()
+    }
+
+    fn bilinear(&self, point: [f64; 2]) -> f64 {
         let [(i0, i1, u), (j0, j1, v)] = [0, 1].map(|axis| self.bracket(axis, point[axis]));
         let sample = |i: usize, j: usize| self.heights[i * self.shape[1] + j];
         let along_y = |i: usize| (1.0 - v) * sample(i, j0) + v * sample(i, j1);
@@ -138,6 +209,16 @@ impl HeightMap {
             corners.into_iter().fold(f64::NEG_INFINITY, f64::max),
         ];
         interpolated.clamp(low, high)
+    }
+
+    /// Sides of a pixel, m.
+    pub(crate) fn pixel(&self) -> [f64; 2] {
+        [0, 1].map(|axis| self.extent[axis] / self.shape[axis] as f64)
+    }
+
+    /// Where a sample stands, m.
+    pub(crate) fn point(&self, [i, j]: [usize; 2]) -> [f64; 2] {
+        [self.coordinate(0, i), self.coordinate(1, j)]
     }
 
     /// Coordinate of sample `i` along an axis.
@@ -179,9 +260,12 @@ mod tests {
             .map(|n| surface(f64::from(n / 5) * 0.5 - 0.75, f64::from(n % 5) - 2.0))
             .collect();
         let map = HeightMap::new(samples, shape, extent).unwrap();
-        for (x, y) in [(-0.75, -2.0), (0.1, 0.3), (0.74, 1.99), (0.0, 0.0)] {
-            // Heights up to 12, a dozen roundings.
-            assert!((map.height([x, y]) - surface(x, y)).abs() < 2e-14);
+        for interpolation in [Interpolation::Linear, Interpolation::Bicubic] {
+            let map = map.clone().with_interpolation(interpolation);
+            for (x, y) in [(-0.75, -2.0), (0.1, 0.3), (0.74, 1.99), (0.0, 0.0)] {
+                // Heights up to 12, a dozen roundings.
+                assert!((map.height([x, y]) - surface(x, y)).abs() < 2e-14);
+            }
         }
     }
 
@@ -193,6 +277,78 @@ mod tests {
         assert!(map.covers([1.0, -1.0]) && !map.covers([1.01, 0.0]));
     }
 
+    /// n × n samples of a surface on the square of side 2.
+    fn sampled(n: u32, surface: impl Fn(f64, f64) -> f64) -> HeightMap {
+        let at = |i: u32| (2.0 * f64::from(i) + 1.0) / f64::from(n) - 1.0;
+        let heights = (0..n * n).map(|k| surface(at(k / n), at(k % n)));
+        HeightMap::new(heights.collect(), [n as usize; 2], [2.0, 2.0]).unwrap()
+    }
+
+    #[test]
+    fn a_bicubic_surface_is_reproduced_away_from_the_rim_and_the_samples_to_the_bit() {
+        let cubic = |x: f64| 1.0 + x * (2.0 - x * (3.0 - 4.0 * x));
+        let surface = |x: f64, y: f64| cubic(x) * cubic(y) - 2.0 * y * x;
+        let map = sampled(12, surface);
+        for k in 0..1000_u32 {
+            let [x, y] = [k % 37, k % 41].map(|k| f64::from(k) / 37.0 - 0.5);
+            // Heights up to 30, 64 products.
+            assert!((map.height([x, y]) - surface(x, y)).abs() < 1e-13);
+        }
+        for (n, height) in map.heights().iter().enumerate() {
+            assert_eq!(map.height(map.point([n / 12, n % 12])), *height);
+        }
+    }
+
+    #[test]
+    fn heights_and_slopes_are_continuous_across_the_samples() {
+        let map = sampled(9, |x, y| (7.0 * x + y).sin() + (5.0 * x * y).cos());
+        let [x, _] = map.point([4, 4]);
+        let h = 1e-4;
+        for k in 0..80_u32 {
+            let y = f64::from(k) / 40.0 - 1.0;
+            let [before, here, after] = [-h, 0.0, h].map(|dx| map.height([x + dx, y]));
+            // A ridge's second difference is of the order h, as a bilinear map has it; that of a smooth surface h² f″, f″ < 100.
+            let bend = (after - 2.0 * here + before).abs();
+            assert!(bend < 100.0 * h * h, "{y}: {bend:e}");
+        }
+        let linear = map.with_interpolation(Interpolation::Linear);
+        let bend = linear.height([x + h, 0.7]) - 2.0 * linear.height([x, 0.7])
+            + linear.height([x - h, 0.7]);
+        assert!(bend.abs() > 1000.0 * h * h, "{bend:e}");
+    }
+
+    #[test]
+    fn the_error_between_samples_falls_with_the_fourth_power_of_their_distance() {
+        let surface = |x: f64, y: f64| (3.0 * x).sin() * (2.0 * y).cos();
+        let error = |n: u32| {
+            let map = sampled(n, surface);
+            let errors = (0..41 * 41_u32).map(|k| {
+                let [x, y] = [k / 41, k % 41].map(|k| f64::from(k) / 41.0 - 0.5);
+                (map.height([x, y]) - surface(x, y)).abs()
+            });
+            errors.fold(0.0, f64::max)
+        };
+        let errors = [16, 32, 64].map(error);
+        for pair in errors.windows(2) {
+            let order = (pair[0] / pair[1]).log2();
+            assert!((3.8..4.3).contains(&order), "order {order}");
+        }
+    }
+
+    #[test]
+    fn a_linear_map_has_its_extremes_in_samples_and_the_bits_of_the_bilinear_formula() {
+        let map = sampled(6, |x, y| (9.0 * x).sin() - (4.0 * y).cos());
+        let map = map.with_interpolation(Interpolation::Linear);
+        let [least, greatest] = [map.least(), map.greatest()];
+        assert_eq!([map.lowest(), map.highest()], [least, greatest]);
+        // Sample 2 of x and 3 of y stand at −1/6 and 1/6: u = ⅜ and v = ¼ of the way to the next.
+        let f = |i: usize, j: usize| map.heights()[6 * i + j];
+        let along_y = |i: usize| 0.75 * f(i, 3) + 0.25 * f(i, 4);
+        let expected = 0.625 * along_y(2) + 0.375 * along_y(3);
+        let found = map.height([-1.0 / 24.0, 0.25]);
+        assert!((found - expected).abs() < 1e-15, "{found} {expected}");
+    }
+
     #[test]
     fn the_lowest_of_equal_points_is_the_middlemost() {
         let mut heights = vec![0.0; 25];
@@ -200,6 +356,7 @@ mod tests {
         assert_eq!(
             HeightMap::new(heights, [5, 5], [1.0, 1.0])
                 .unwrap()
+                .with_interpolation(Interpolation::Linear)
                 .lowest_point(),
             [0.0, 0.0]
         );

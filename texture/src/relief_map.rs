@@ -9,11 +9,11 @@ use crate::height_map::HeightMap;
 pub enum MapCompliance {
     /// The same compliance η everywhere, m/Pa; 0 for a rigid relief.
     Uniform(f64),
-    /// Young's modulus E, Pa: `η = (height above the deepest sample) / E`, so the deepest point is rigid.
+    /// Young's modulus E, Pa: `η = (height above the deepest point) / E`, so the deepest point is rigid.
     YoungModulus(f64),
 }
 
-/// A measured relief: a height map whose highest sample is level with the plane of the tops, and its compliance.
+/// A measured relief: a height map whose highest point is level with the plane of the tops, and its compliance.
 ///
 /// Outside the map's rectangle the height of its rim continues outwards, so that a domain may be larger than the measurement;
 /// [`ReliefMap::covers`] tells whether it is.
@@ -58,7 +58,7 @@ impl ReliefMap {
         self.compliance
     }
 
-    /// Distance from the deepest to the highest sample, m.
+    /// Distance from the deepest to the highest point, m.
     #[must_use]
     pub fn peak_to_valley(&self) -> f64 {
         self.highest - self.lowest
@@ -84,7 +84,7 @@ impl ReliefMap {
         self.map.covers([corner, corner])
     }
 
-    /// Surface profile `f*` at a point (m): 0 at the highest sample, negative elsewhere.
+    /// Surface profile `f*` at a point (m): 0 at the highest point, negative elsewhere.
     #[must_use]
     pub fn profile_at(&self, point: [f64; 2]) -> f64 {
         self.map.height(point) - self.highest
@@ -97,7 +97,7 @@ impl ReliefMap {
             MapCompliance::Uniform(compliance) => compliance,
             // η = (height above the deepest point) / E
             MapCompliance::YoungModulus(modulus) => {
-                (self.map.height(point) - self.lowest) / modulus
+                (self.map.height(point) - self.lowest).max(0.0) / modulus
             }
         }
     }

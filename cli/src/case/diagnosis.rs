@@ -2,10 +2,12 @@
 
 use std::fmt;
 use std::io::IsTerminal;
+use std::sync::Arc;
 
 use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, LabeledSpan, SourceCode};
 
-use super::place::Place;
+use super::place::{Place, Source};
+use crate::terminal::clean;
 
 /// A line longer than this, in bytes, is not a line a person wrote: it is named, not drawn.
 const LONGEST_DRAWN_LINE: usize = 400;
@@ -88,14 +90,27 @@ impl Diagnosis {
     #[must_use]
     pub fn render(&self) -> String {
         let mut drawn = String::new();
+        let clean = self.cleaned();
         let handler = GraphicalReportHandler::new_themed(theme());
         // A String can always be written to; without the drawing the sentence still stands.
         match handler
             .with_wrap_lines(false)
-            .render_report(&mut drawn, self)
+            .render_report(&mut drawn, &clean)
         {
             Ok(()) => drawn.trim_end().to_owned(),
             Err(fmt::Error) => self.to_string(),
+        }
+    }
+
+    /// The same in a text without what a terminal would obey, every byte in its place.
+    fn cleaned(&self) -> Self {
+        let (source, span) = (&self.place.source, self.place.span.clone());
+        let text = source.inner().chars().map(harmless).collect();
+        let source = Arc::new(Source::new(clean(source.name()), text));
+        Self {
+            place: Box::new(Place { source, span }),
+            help: self.help.as_deref().map(clean),
+            ..self.clone()
         }
     }
 
@@ -105,6 +120,18 @@ impl Diagnosis {
             Fault::Missing { .. } => "missing here",
             Fault::Unknown { .. } => "unknown",
         }
+    }
+}
+
+/// The character itself, or one that is as long and that a terminal does not obey.
+fn harmless(c: char) -> char {
+    match c {
+        '\n' | '\t' => c,
+        '\r' => ' ',
+        c if c.is_control() && c.len_utf8() == 1 => '?',
+        // U+0080 to U+009F, two bytes each.
+        c if c.is_control() => '\u{bf}',
+        c => c,
     }
 }
 
@@ -120,14 +147,9 @@ fn theme() -> GraphicalTheme {
 
 impl fmt::Display for Diagnosis {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}", self.place.source.name())?;
-        if self.place.source.name() != super::overrides::NAME {
-            write!(f, ", line {}", self.place.line())?;
-        }
-        if let Some(key) = &self.key {
-            write!(f, ", key `{key}`")?;
-        }
-        write!(f, ": {}", self.fault)
+        let key = self.key.as_ref().map(|key| format!(", key `{key}`"));
+        let (place, key) = (self.place.words(), key.unwrap_or_default());
+        f.write_str(&clean(&format!("{place}{key}: {}", self.fault)))
     }
 }
 

@@ -4,6 +4,7 @@ use std::ops::RangeInclusive;
 
 use super::diagnosis::{Diagnosis, Fault};
 use super::document::{Node, Value};
+use super::known_units;
 use super::place::Place;
 use super::quantity::{self, Dimension, QuantityError};
 use super::reader::Reader;
@@ -237,7 +238,24 @@ impl<'a> Field<'a> {
         if !sign.allows(value) {
             return Err(self.wanted(sign.wanted(dimension)));
         }
-        Ok(value)
+        self.in_range(dimension, value)
+    }
+
+    /// The value itself if it is of a size that the arithmetic of a contact can hold: squares and quotients of such numbers are numbers.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] with the limits if it is not.
+    pub fn in_range(&self, dimension: Dimension, value: f64) -> Result<f64, Diagnosis> {
+        let range = known_units::sizes(dimension);
+        if value == 0.0 || range.contains(&value.abs()) {
+            return Ok(value);
+        }
+        let (noun, unit) = (dimension.noun(), dimension.si_unit());
+        let (least, most) = range.into_inner();
+        Err(self.wanted(format!(
+            "{noun} between {least:e} and {most:e} {unit}, or as many of the case's own units"
+        )))
     }
 
     fn bare_number(&self) -> Option<f64> {
@@ -254,6 +272,13 @@ impl<'a> Field<'a> {
         let diagnosis = self.diagnosis(Fault::Wrong { found, wanted });
         match error {
             QuantityError::NoUnit => diagnosis.with_help("a bare number is written without quotes"),
+            QuantityError::UnknownUnit(unit) if unit.starts_with(',') => {
+                diagnosis.with_help("the decimal mark is a point")
+            }
+            QuantityError::UnknownUnit(_) => {
+                let units = known_units::names(dimension).join(", ");
+                diagnosis.with_help(format!("units of {}: {units}", dimension.noun()))
+            }
             _ => diagnosis,
         }
     }
@@ -292,6 +317,33 @@ mod tests {
             quantity("\"5 nm\"", Dimension::Pressure).unwrap_err(),
             "case.toml, line 2, key `a`: found \"5 nm\" (a length), \
              wanted a positive pressure such as \"70 GPa\", or a bare number"
+        );
+    }
+
+    #[test]
+    fn sizes_that_no_arithmetic_can_hold_are_refused_with_the_limits() {
+        for text in ["1e307", "1e-308", "\"1e40 nm\"", "1e-31"] {
+            let message = quantity(text, Dimension::Length).unwrap_err();
+            assert!(
+                message.contains("wanted a length between 1e-30 and 1e30 m"),
+                "{message}"
+            );
+        }
+        assert_eq!(quantity("1e-30", Dimension::Length), Ok(1e-30));
+    }
+
+    #[test]
+    fn an_unknown_unit_comes_with_the_known_ones() {
+        let root = root("a = \"5 micros\"");
+        let field = Reader::root(&root).unwrap().required("a", "").unwrap();
+        let diagnosis = field
+            .quantity(Dimension::Length, Sign::Positive)
+            .unwrap_err();
+        assert!(
+            diagnosis
+                .help
+                .unwrap()
+                .starts_with("units of a length: m, km, cm, mm, um")
         );
     }
 

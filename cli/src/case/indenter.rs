@@ -1,5 +1,6 @@
 //! `[indenter]`: what is pressed into the surface.
 
+use std::f64::consts::FRAC_PI_2;
 use std::path::Path;
 
 use pellicle_contact::{
@@ -9,7 +10,7 @@ use serde::Serialize;
 
 use super::diagnosis::Diagnosis;
 use super::field::Sign;
-use super::map::MapCase;
+use super::map::{Likely, MapCase};
 use super::quantity::Dimension;
 use super::reader::Reader;
 
@@ -112,7 +113,7 @@ impl IndenterCase {
             // What a map can be refused for is checked where it is read.
             Kind::Map => {
                 table.only(&MapCase::KEYS)?;
-                return MapCase::read(table, folder).map(Self::Map);
+                return MapCase::read(table, folder, Likely::INDENTER).map(Self::Map);
             }
         };
         indenter.build().map_err(|error| field.refused(&error))?;
@@ -182,16 +183,20 @@ fn tip_radius(table: &Reader<'_>) -> Result<f64, Diagnosis> {
     table.optional("tip_radius").map_or(Ok(0.0), read)
 }
 
+/// Angles from the axis: a needle sharper than the first (0.1 degrees) is far beyond small slopes and any picture, one blunter than the last
+/// (10⁻⁴ degrees from flat) is a flat surface.
+const ANGLES: std::ops::RangeInclusive<f64> = 1.745e-3..=FRAC_PI_2 - 1.745e-6;
+
 /// An angle from the axis, between 0 and 90 degrees.
 fn angle(table: &Reader<'_>, key: &str, default: Option<f64>) -> Result<f64, Diagnosis> {
-    const WANTED: &str = "an angle from the axis between 0 and 90 degrees, such as \"65.03 deg\", or a bare number in radians";
+    const WANTED: &str = "an angle from the axis between 0 and 90 degrees (0.1 to 89.9999), such as \"65.03 deg\", or a bare number in radians";
     let field = match (table.optional(key), default) {
         (Some(field), _) => field,
         (None, Some(default)) => return Ok(default),
         (None, None) => return Err(table.missing(key, WANTED.into())),
     };
     let angle = field.quantity(Dimension::Angle, Sign::Any)?;
-    if angle > 0.0 && angle < std::f64::consts::FRAC_PI_2 {
+    if ANGLES.contains(&angle) {
         return Ok(angle);
     }
     Err(field.wanted(WANTED))
@@ -245,6 +250,8 @@ mod tests {
             "kind = \"vickers\"\ntip_radius = -1",
             "kind = \"cone\"\nhalf_angle = \"90 deg\"",
             "kind = \"cone\"",
+            "kind = \"cone\"\nhalf_angle = 1e-8",
+            "kind = \"vickers\"\nface_angle = \"89.99999999 deg\"",
             "kind = \"map\"",
             "kind = \"map\"\nfile = \"a.npy\"\nyoung_modulus = 1",
         ] {

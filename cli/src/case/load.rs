@@ -13,6 +13,9 @@ const KEYS: [&str; 4] = ["force", "forces", "penetration", "penetrations"];
 
 const WANTED: &str = "exactly one of force, forces, penetration, penetrations";
 
+/// Where one came from a file and the other from the command line or a study.
+const HELP: &str = "to put one in place of the other replace the whole table: --set load='{ force = \"3 mN\" }', or in a study \"load\" = [{ force = \"3 mN\" }]";
+
 /// More steps than this are not a curve but a mistake.
 const MOST_STEPS: usize = 10_000;
 
@@ -67,10 +70,11 @@ fn the_one_given(table: &Reader<'_>) -> Result<&'static str, Diagnosis> {
         [] => Err(table.missing("force", WANTED.into())),
         [first, second, ..] => {
             let field = table.required(second, WANTED)?;
-            Err(field.diagnosis(Fault::Wrong {
+            let wrong = Fault::Wrong {
                 found: format!("{first} and {second}"),
                 wanted: WANTED.into(),
-            }))
+            };
+            Err(field.diagnosis(wrong).with_help(HELP))
         }
     }
 }

@@ -3,11 +3,12 @@
 //! `side` is its length along x, with square pixels, `sides` the lengths along x and y; a `.gsf` file says them itself, and what the case
 //! says goes before. `height_unit` is the length that a 1 in the file stands for: `"nm"`, `"0.5 um"` or a bare number, negative to turn
 //! heights into depths. Without it heights are in the unit that the file names, or in metres, or in the case's own unit of length.
+//! `interpolation` is how heights between the samples are found.
 
 use std::path::Path;
 use std::sync::Arc;
 
-use pellicle_texture::HeightMap;
+use pellicle_texture::{HeightMap, Interpolation};
 use serde::Serialize;
 
 use super::diagnosis::{Diagnosis, Fault};
@@ -18,8 +19,13 @@ use super::reader::Reader;
 use super::units::Units;
 use crate::map::MapFile;
 
+pub use super::likely::Likely;
+
 const FILE: &str =
     "a height map (.npy, .csv, .txt or .gsf) by its path from the folder of the case file";
+
+/// Three numbers a line and at least so many lines are points x, y, z and no strip of a surface.
+const MANY_LINES: usize = 30;
 
 /// A height map of a case. Written down it is the keys that give it again; the heights themselves stay in the file.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -30,6 +36,8 @@ pub struct MapCase {
     pub sides: [f64; 2],
     /// What a 1 in the file stands for, m.
     pub height_unit: f64,
+    /// How heights between the samples are found.
+    pub interpolation: InterpolationCase,
     /// SI if the file names a unit.
     #[serde(skip)]
     pub units: Units,
@@ -37,30 +45,74 @@ pub struct MapCase {
     heights: Arc<HeightMap>,
 }
 
-impl MapCase {
-    /// Every key of a map; a surface has some more.
-    pub const KEYS: [&str; 5] = ["kind", "file", "side", "sides", "height_unit"];
+/// How heights between the samples are found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum InterpolationCase {
+    /// Smooth.
+    Bicubic,
+    /// With a ridge along every line of samples.
+    Linear,
+}
 
-    /// Reads the keys and the file, by its path from `folder`.
+impl InterpolationCase {
+    fn read(table: &Reader<'_>) -> Result<Self, Diagnosis> {
+        let choices = [("bicubic", Self::Bicubic), ("linear", Self::Linear)];
+        let given = table.optional("interpolation");
+        given.map_or(Ok(Self::Bicubic), |field| field.choice(&choices))
+    }
+}
+
+impl From<InterpolationCase> for Interpolation {
+    fn from(case: InterpolationCase) -> Self {
+        match case {
+            InterpolationCase::Bicubic => Self::Bicubic,
+            InterpolationCase::Linear => Self::Linear,
+        }
+    }
+}
+
+impl MapCase {
+    /// Every key of a map; a relief of springs has some more.
+    pub const KEYS: [&str; 6] = [
+        "kind",
+        "file",
+        "side",
+        "sides",
+        "height_unit",
+        "interpolation",
+    ];
+
+    /// Reads the keys and the file, by its path from `folder`, and weighs the heights.
     ///
     /// # Errors
     ///
-    /// A [`Diagnosis`] of the first key that no map can have, or of the file if it is no map.
-    pub fn read(table: &Reader<'_>, folder: &Path) -> Result<Self, Diagnosis> {
+    /// A [`Diagnosis`] of the first key that no map can have, of the file if it is no map, or of the unit if with it no surface is like that.
+    pub fn read(table: &Reader<'_>, folder: &Path, likely: Likely) -> Result<Self, Diagnosis> {
         let field = table.required("file", FILE)?;
         let name = field.text()?;
         let read = MapFile::read(&folder.join(name));
         let file = read.map_err(|error| field.unusable(&error, FILE))?;
-        let sides = sides(table, &field, &file)?;
+        refuse_points(table, &field, &file)?;
+        let interpolation = InterpolationCase::read(table)?;
         let height_unit = height_unit(table, &field, &file)?;
+        let sides = sides(table, &field, &file, height_unit.abs())?;
         let heights = file.heights.iter().map(|height| height * height_unit);
         let heights = HeightMap::new(heights.collect(), file.shape, sides);
+        let heights = heights.map_err(|error| field.refused(&error))?;
+        likely.weigh(&heights).map_err(|unlikely| {
+            let blamed = table.optional("height_unit").unwrap_or(field);
+            let has_unit = matches!(blamed.value(), Value::Text(_)) || names_a_unit(table, &file);
+            let wanted = likely.wanted(&heights, height_unit, has_unit);
+            blamed.unusable(&unlikely, wanted)
+        })?;
         Ok(Self {
             file: name.to_owned(),
             sides,
             height_unit,
+            interpolation,
             units: units(&file),
-            heights: Arc::new(heights.map_err(|error| field.refused(&error))?),
+            heights: Arc::new(heights.with_interpolation(interpolation.into())),
         })
     }
 
@@ -70,11 +122,54 @@ impl MapCase {
         self.heights.as_ref().clone()
     }
 
+    /// The samples, m, as [`HeightMap::heights`].
+    #[must_use]
+    pub fn samples(&self) -> &[f64] {
+        self.heights.heights()
+    }
+
     /// Samples along x and along y.
     #[must_use]
     pub fn shape(&self) -> [usize; 2] {
         self.heights.shape()
     }
+
+    /// The longer side of a pixel, m.
+    #[must_use]
+    pub fn pixel(&self) -> f64 {
+        let [x, y] = self.shape().map(|samples| samples as f64);
+        (self.sides[0] / x).max(self.sides[1] / y)
+    }
+}
+
+/// Whether sides that are given, or the file, have a unit: heights then have one, too.
+fn names_a_unit(table: &Reader<'_>, file: &MapFile) -> bool {
+    let is_text = |value: &Value| matches!(value, Value::Text(_));
+    let has_unit = |field: Field<'_>| match field.value() {
+        Value::List(items) => items.iter().any(|item| is_text(&item.value)),
+        value => is_text(value),
+    };
+    let mut sides = ["side", "sides"]
+        .into_iter()
+        .filter_map(|key| table.optional(key));
+    sides.any(has_unit) || units(file) == Units::Si
+}
+
+/// Refuses many lines of three numbers that are not the points of a grid, unless both sides of a strip are given.
+fn refuse_points(table: &Reader<'_>, field: &Field<'_>, file: &MapFile) -> Result<(), Diagnosis> {
+    let [x, y] = file.shape;
+    let is_slender = x.min(y) == 3 && x.max(y) >= MANY_LINES;
+    if !is_slender || file.sides.is_some() || table.optional("sides").is_some() {
+        return Ok(());
+    }
+    let reason = format!(
+        "which holds {} lines of three numbers: points x, y, z of no rectangular grid, it seems",
+        x.max(y)
+    );
+    Err(field.unusable(
+        &reason,
+        "rows of heights, or every point x, y, z of a grid of equal distances; of a strip that is three samples wide, sides = [x, y]",
+    ))
 }
 
 fn units(file: &MapFile) -> Units {
@@ -85,8 +180,13 @@ fn units(file: &MapFile) -> Units {
     }
 }
 
-/// The sides as the case gives them, or else the file.
-fn sides(table: &Reader<'_>, field: &Field<'_>, file: &MapFile) -> Result<[f64; 2], Diagnosis> {
+/// The sides as the case gives them, or else the file: of points in the unit of their heights.
+fn sides(
+    table: &Reader<'_>,
+    field: &Field<'_>,
+    file: &MapFile,
+    height_unit: f64,
+) -> Result<[f64; 2], Diagnosis> {
     const WANTED: &str =
         "side, the length of the map along x, or sides = [x, y], since the file does not say it";
     const LENGTHS: &str = "a list of two positive lengths, [x, y]";
@@ -107,6 +207,7 @@ fn sides(table: &Reader<'_>, field: &Field<'_>, file: &MapFile) -> Result<[f64; 
             _ => Err(sides.wanted(LENGTHS)),
         },
         (None, None) => match file.sides {
+            Some(sides) if file.has_one_unit => Ok(sides.map(|side| side * height_unit)),
             Some(sides) => {
                 let unit = unit(field, "lateral", file.lateral_unit.as_deref())?;
                 Ok(sides.map(|side| side * unit))
@@ -130,7 +231,7 @@ fn height_unit(table: &Reader<'_>, field: &Field<'_>, file: &MapFile) -> Result<
     if length == 0.0 {
         return Err(given.wanted(WANTED));
     }
-    Ok(length)
+    given.in_range(Dimension::Length, length)
 }
 
 /// One of the unit that the file names, m; 1 if it names none.
@@ -168,7 +269,9 @@ mod tests {
 
     fn read(text: &str) -> Result<MapCase, String> {
         let folder = folder();
-        read_table(text, |table| MapCase::read(&table, folder.path()))
+        read_table(text, |table| {
+            MapCase::read(&table, folder.path(), Likely::SURFACE)
+        })
     }
 
     #[test]

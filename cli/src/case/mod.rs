@@ -2,12 +2,16 @@
 
 pub mod diagnosis;
 pub mod document;
+pub mod doubt;
 pub mod field;
 pub mod foundation;
 pub mod grid;
 pub mod indenter;
+pub mod known_units;
+pub mod likely;
 pub mod load;
 pub mod map;
+pub mod origin;
 pub mod overrides;
 pub mod place;
 pub mod quantity;
@@ -24,8 +28,8 @@ pub mod units;
 use std::path::Path;
 use std::sync::Arc;
 
-use pellicle_contact::{Model, choose_side};
-use pellicle_influence::{Cache, Cached};
+use pellicle_contact::{ContactError, Model, choose_side};
+use pellicle_influence::{Cache, Cached, InfluenceError};
 use serde::Serialize;
 
 use self::diagnosis::Diagnosis;
@@ -34,6 +38,7 @@ use self::foundation::FoundationCase;
 use self::grid::GridCase;
 use self::indenter::IndenterCase;
 use self::load::LoadCase;
+use self::origin::Origin;
 use self::place::Source;
 use self::reader::Reader;
 use self::solver::SolverCase;
@@ -63,6 +68,9 @@ pub struct Case {
     /// What its numbers are measured in.
     #[serde(skip)]
     pub units: Units,
+    /// Where it was written.
+    #[serde(skip)]
+    pub origin: Origin,
 }
 
 impl Case {
@@ -119,9 +127,11 @@ impl Case {
             diagnosis.with_help("a file with [study] is solved with `pellicle study FILE`")
         })?;
         let title = match table.optional("title") {
-            Some(field) => field.text()?.to_owned(),
-            None => name.to_owned(),
+            Some(field) => field.text()?,
+            None => name,
         };
+        // One line for pictures, tables and terminals, without what a terminal would obey.
+        let title = title.replace(char::is_control, " ");
         let required = |key| table.required(key, &format!("a table [{key}]"))?.table();
         let optional = |key| table.optional(key).map(field::Field::table).transpose();
         let foundation = FoundationCase::read(&required("foundation")?)?;
@@ -145,7 +155,31 @@ impl Case {
             grid,
             solver: optional("solver")?.map_or(Ok(SolverCase::default()), read_solver)?,
             units,
+            origin: Origin::new(root),
         })
+    }
+
+    /// The failure of a solution, at the key that has to change where it is the case's doing.
+    #[must_use]
+    pub fn blame(&self, error: ContactError) -> Failure {
+        let keys: &[&str] = match &error {
+            ContactError::NothingCanTouch { .. } => {
+                &["indenter.radius", "indenter.file", "indenter.kind"]
+            }
+            ContactError::FieldValue { .. } => &[
+                "indenter.file",
+                "indenter.radius",
+                "indenter.tip_radius",
+                "indenter.kind",
+            ],
+            ContactError::Influence(InfluenceError::CoefficientNotFinite { .. }) => &[
+                "grid.side",
+                "foundation.layer[0].thickness",
+                "foundation.substrate",
+            ],
+            _ => return error.into(),
+        };
+        self.origin.refused(keys, &error).into()
     }
 
     /// Side of the domain: as given, or chosen for the loads.
@@ -156,7 +190,7 @@ impl Case {
     pub fn side(&self, model: &Model) -> Result<f64, Failure> {
         match self.grid.side {
             Some(side) => Ok(side),
-            None => Ok(choose_side(model, &self.load.steps())?),
+            None => choose_side(model, &self.load.steps()).map_err(|error| self.blame(error)),
         }
     }
 

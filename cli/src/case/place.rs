@@ -39,6 +39,16 @@ impl Place {
         1 + before.filter(|byte| **byte == b'\n').count()
     }
 
+    /// Text and line in words, `case.toml, line 3`; of the command line only its name, since it has but one line.
+    #[must_use]
+    pub fn words(&self) -> String {
+        let name = self.source.name();
+        if name == super::overrides::NAME {
+            return name.to_owned();
+        }
+        format!("{name}, line {}", self.line())
+    }
+
     /// Length in bytes of the line it begins on.
     #[must_use]
     pub fn line_length(&self) -> usize {

@@ -10,7 +10,7 @@ use serde::Serialize;
 use super::diagnosis::{Diagnosis, Fault};
 use super::field::Sign;
 use super::foundation::FoundationCase;
-use super::map::MapCase;
+use super::map::{Likely, MapCase};
 use super::quantity::Dimension;
 use super::reader::Reader;
 
@@ -31,6 +31,8 @@ pub enum SurfaceCase {
     },
     /// A measured relief.
     Map(ReliefMapCase),
+    /// The elastic body's own measured surface.
+    Rough(MapCase),
 }
 
 /// A measured relief and how soft it is.
@@ -87,13 +89,15 @@ enum Kind {
     Cylinders,
     Film,
     Map,
+    Rough,
 }
 
-const KINDS: [(&str, Kind); 4] = [
+const KINDS: [(&str, Kind); 5] = [
     ("bare", Kind::Bare),
     ("cylinders", Kind::Cylinders),
     ("film", Kind::Film),
     ("map", Kind::Map),
+    ("rough", Kind::Rough),
 ];
 
 impl SurfaceCase {
@@ -117,6 +121,7 @@ impl SurfaceCase {
             Kind::Cylinders => CylindersCase::read(table, foundation).map(Self::Cylinders),
             Kind::Film => Self::read_film(table),
             Kind::Map => ReliefMapCase::read(table, folder).map(Self::Map),
+            Kind::Rough => Self::read_rough(table, folder),
         }
     }
 
@@ -126,6 +131,17 @@ impl SurfaceCase {
             thickness: table.positive("thickness", Dimension::Length)?,
             young_modulus: table.positive("young_modulus", Dimension::Pressure)?,
         })
+    }
+
+    fn read_rough(table: &Reader<'_>, folder: &Path) -> Result<Self, Diagnosis> {
+        table.only(&MapCase::KEYS).map_err(|diagnosis| {
+            let springs = table.given(&ComplianceCase::KEYS);
+            if springs.is_empty() {
+                return diagnosis;
+            }
+            diagnosis.with_help("a rough surface is that of the body itself and has no springs: springs belong to kind = \"map\"")
+        })?;
+        MapCase::read(table, folder, Likely::SURFACE).map(Self::Rough)
     }
 
     /// The relief itself.
@@ -142,6 +158,9 @@ impl SurfaceCase {
                 young_modulus,
             } => Film::new(*thickness, *young_modulus).map(Relief::Film),
             Self::Map(map) => map.build().map(Relief::Map),
+            Self::Rough(map) => {
+                ReliefMap::new(map.heights(), MapCompliance::Uniform(0.0)).map(Relief::Map)
+            }
         }
     }
 
@@ -150,6 +169,7 @@ impl SurfaceCase {
     pub fn map(&self) -> Option<&MapCase> {
         match self {
             Self::Map(map) => Some(&map.map),
+            Self::Rough(map) => Some(map),
             _ => None,
         }
     }
@@ -160,7 +180,7 @@ impl ReliefMapCase {
         table.only(&[&MapCase::KEYS[..], &ComplianceCase::KEYS].concat())?;
         Ok(Self {
             compliance: ComplianceCase::read(table)?,
-            map: MapCase::read(table, folder)?,
+            map: MapCase::read(table, folder, Likely::SURFACE)?,
         })
     }
 
@@ -177,7 +197,7 @@ impl ComplianceCase {
     const KEYS: [&str; 2] = ["compliance", "young_modulus"];
 
     fn read(table: &Reader<'_>) -> Result<Self, Diagnosis> {
-        const WANTED: &str = "exactly one of compliance (0 for a rigid relief) and young_modulus";
+        const WANTED: &str = "exactly one of compliance and young_modulus, of the springs that the map's heights stand for; for a body that is itself rough write kind = \"rough\"";
         match table.given(&Self::KEYS)[..] {
             ["compliance"] => table
                 .required("compliance", WANTED)?

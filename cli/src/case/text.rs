@@ -12,7 +12,10 @@ use crate::failure::Failure;
 /// A case is some lines of text; more bytes than this are another file.
 const LARGEST_FILE: u64 = 16 << 20;
 
-/// The text of the file, and its path as its name.
+/// What some editors put before the first character of UTF-8.
+const BYTE_ORDER_MARK: char = '\u{feff}';
+
+/// The text of the file without a byte-order mark, and its path as its name.
 ///
 /// # Errors
 ///
@@ -24,7 +27,10 @@ pub fn read(path: &Path) -> Result<Source, Failure> {
     })?;
     let name = path.display().to_string();
     match String::from_utf8(bytes) {
-        Ok(text) => Ok(Source::new(name, text)),
+        Ok(text) => {
+            let text = text.strip_prefix(BYTE_ORDER_MARK).unwrap_or(&text);
+            Ok(Source::new(name, text.to_owned()))
+        }
         Err(error) => Err(not_utf8(&name, &error).into()),
     }
 }

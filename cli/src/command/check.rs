@@ -10,6 +10,7 @@ use crate::case::units::Units;
 use crate::display::{Unit, quantity, significant};
 use crate::failure::Failure;
 use crate::forecast::Forecast;
+use crate::map::spectrum;
 use crate::program::Outcome;
 use crate::{cache, terminal};
 
@@ -71,6 +72,7 @@ fn estimates(case: &Case, forecast: &Forecast, chosen: bool) -> String {
         let count = significant(length / element_side, 3);
         lines.add(&format!("elements per {name}"), &count);
     }
+    lines.maps(case, element_side);
     lines.add("loading steps", &case.load.steps().len().to_string());
     lines.add("memory, about", &memory(case));
     if let Some([least, most]) = forecast.products(case.grid.elements) {
@@ -108,6 +110,24 @@ impl Lines {
         self.lines.push(format!("# {name:<38}{value}\n"));
     }
 
+    /// How finely the maps are sampled: for their shortest waves, and for the elements.
+    fn maps(&mut self, case: &Case, element_side: f64) {
+        let maps = [
+            ("surface", case.surface.map()),
+            ("indenter", case.indenter.map()),
+        ];
+        for (table, map) in maps
+            .into_iter()
+            .filter_map(|(table, map)| Some((table, map?)))
+        {
+            let per_element = significant(element_side / sample(map), 3);
+            self.add(&format!("samples per element ({table})"), &per_element);
+            let wave = spectrum::shortest_wave(map.shape(), map.samples());
+            let wave = wave.map_or_else(|| "none found".into(), |wave| significant(wave, 2));
+            self.add(&format!("samples per shortest wave ({table})"), &wave);
+        }
+    }
+
     /// What the largest load does on a coarse grid.
     fn trial(&mut self, step: &Step, elements: usize, element_side: f64, units: Units) {
         let (solution, summary) = (&step.solution, &step.summary);
@@ -135,8 +155,10 @@ fn features(case: &Case) -> Vec<(String, f64)> {
             ("radius of a cylinder".to_owned(), cylinders.radius),
             ("period of the cylinders".to_owned(), cylinders.period),
         ],
-        SurfaceCase::Map(map) => vec![("sample of the map".to_owned(), sample(&map.map))],
-        SurfaceCase::Bare | SurfaceCase::Film { .. } => Vec::new(),
+        SurfaceCase::Map(_)
+        | SurfaceCase::Rough(_)
+        | SurfaceCase::Bare
+        | SurfaceCase::Film { .. } => Vec::new(),
     };
     thickness.chain(relief).collect()
 }

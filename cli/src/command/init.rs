@@ -28,8 +28,8 @@ fn write(path: &Path, kind: Template, force: bool) -> Result<(), Failure> {
         return Err(Failure::Exists { path });
     }
     output::file::write_whole(path, |file| file.write_all(kind.text().as_bytes()))?;
-    let path = path.display();
-    let command = kind.command();
-    terminal::tell(&format!("wrote {path}; now: pellicle {command} {path}"));
+    let path = path.display().to_string();
+    let next = kind.next(&path);
+    terminal::tell(&format!("wrote {path}; now: {next}"));
     Ok(())
 }

@@ -90,9 +90,8 @@ fn progress_line(arguments: &RunArguments, tolerance: f64) -> ProgressLine {
 fn solve(case: &Case, model: &Model, observer: &mut dyn Observer) -> Result<LoadingPath, Failure> {
     let (loads, options) = (case.load.steps(), case.solver.options());
     let (domain, elements) = (case.grid.domain(), case.grid.elements);
-    Ok(solve_path(
-        model, domain, elements, &loads, &options, observer,
-    )?)
+    solve_path(model, domain, elements, &loads, &options, observer)
+        .map_err(|error| case.blame(error))
 }
 
 fn stopped_at_once() -> Outcome {

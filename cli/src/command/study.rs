@@ -26,10 +26,10 @@ use crate::{cache, interrupt, output, terminal};
 /// [`Failure`] if the study is wrong or its table cannot be written. A case that fails is none.
 pub fn study(arguments: &StudyArguments) -> Result<Outcome, Failure> {
     let study = file::read(&arguments.path, &arguments.sets)?;
+    let plan = Plan::new(&study, arguments.shard)?;
     if arguments.list {
         return list(&study, arguments.shard);
     }
-    let plan = Plan::new(&study, arguments.shard)?;
     let folder = folder(arguments, &study);
     let begin = prepare(&folder, &plan.identity, arguments.fresh)?;
     let mut table = Table::open(&folder, &plan.identity, begin)?;

@@ -37,6 +37,16 @@ pub enum MapError {
         /// The word.
         found: String,
     },
+    /// A comma between numbers that are separated otherwise, and is no decimal mark either.
+    #[error(
+        "where line {line} holds \"{found}\": commas beside semicolons or blanks can only be decimal marks, one a number and none with a point"
+    )]
+    Comma {
+        /// Line, from 1.
+        line: usize,
+        /// The word.
+        found: String,
+    },
     /// A line of another length than those before.
     #[error("where line {line} holds {found} numbers and those before {wanted}")]
     Ragged {

@@ -2,15 +2,19 @@
 //!
 //! All three end as one [`MapFile`], whose heights have the layout of a [`Grid`](pellicle_texture::Grid): first index along x, second
 //! along y, both rising. An array of NumPy has that layout already, as the arrays in a results folder have. Text and `.gsf` are pictures:
-//! a line is a row of pixels from left to right, x rising, and the first line is the top, where y is largest.
+//! a line is a row of pixels from left to right, x rising, and the first line is the top, where y is largest. Three numbers a line that are
+//! the points x, y, z of a grid are read as such.
 
 mod error;
 mod gsf;
 mod npy;
+pub mod npy_header;
+pub mod spectrum;
 mod text;
+mod triples;
 
-use std::fs::File;
-use std::io::Read;
+use std::fs::{self, File};
+use std::io::{self, Read};
 use std::path::Path;
 
 pub use error::MapError;
@@ -31,6 +35,8 @@ pub struct MapFile {
     pub lateral_unit: Option<String>,
     /// Unit of the heights; none if the file names none.
     pub height_unit: Option<String>,
+    /// Whether the sides are in the unit of the heights, as those of points x, y, z are.
+    pub has_one_unit: bool,
 }
 
 /// Reads the bytes of a file of one format.
@@ -65,6 +71,7 @@ impl MapFile {
             sides: None,
             lateral_unit: None,
             height_unit: None,
+            has_one_unit: false,
         }
     }
 
@@ -77,6 +84,11 @@ impl MapFile {
 }
 
 fn bytes(path: &Path) -> Result<Vec<u8>, MapError> {
+    // A pipe would be waited for without end.
+    if !fs::metadata(path)?.is_file() {
+        let message = "it is not a regular file";
+        return Err(io::Error::new(io::ErrorKind::InvalidInput, message).into());
+    }
     let mut bytes = Vec::new();
     let read = File::open(path)?
         .take(LARGEST_FILE + 1)

@@ -1,12 +1,7 @@
 //! `.npy`: one array of NumPy in two dimensions, first index along x.
 
-use ndarray::Array2;
-use ndarray_npy::{ReadNpyError, ReadNpyExt, ReadableElement};
-
-use super::{MapError, MapFile};
-
-/// Reads an array of one kind of numbers.
-type Reader = fn(&[u8]) -> Result<Array2<f64>, ReadNpyError>;
+use super::npy_header::Header;
+use super::{MapError, MapFile, triples};
 
 /// Reads the array, of floats or integers in either order of bytes and of axes.
 ///
@@ -14,74 +9,126 @@ type Reader = fn(&[u8]) -> Result<Array2<f64>, ReadNpyError>;
 ///
 /// [`MapError::Npy`] if there is no such array; an array of objects or of complex numbers is none.
 pub fn parse(bytes: &[u8]) -> Result<MapFile, MapError> {
-    check_length(bytes)?;
-    let readers: [Reader; 8] = [
-        |bytes| array::<f64>(bytes, |x| x),
-        |bytes| array::<f32>(bytes, f64::from),
-        |bytes| array::<i16>(bytes, f64::from),
-        |bytes| array::<u16>(bytes, f64::from),
-        |bytes| array::<i32>(bytes, f64::from),
-        |bytes| array::<u32>(bytes, f64::from),
-        |bytes| array::<u8>(bytes, f64::from),
-        |bytes| array::<i64>(bytes, |x| x as f64),
-    ];
-    for read in readers {
-        match read(bytes) {
-            Ok(array) => {
-                let (along_x, along_y) = array.dim();
-                // Row by row, whatever the order in memory.
-                let heights = array.iter().copied().collect();
-                return Ok(MapFile::bare([along_x, along_y], heights));
+    let header = Header::read(bytes)?;
+    let kind = Kind::named(&header.kind)?;
+    let [along_x, along_y] = header.shape[..] else {
+        let found = header.shape.len();
+        return Err(npy(format!("it has {found} dimensions")));
+    };
+    let (count, size) = (along_x.checked_mul(along_y), kind.size);
+    if count == Some(0) {
+        return Err(MapError::Empty);
+    }
+    let data = &bytes[header.length..];
+    if count.and_then(|count| count.checked_mul(size)) != Some(data.len()) {
+        return Err(npy(format!(
+            "its header says {along_x} × {along_y} numbers of {size} bytes, and {} bytes follow",
+            data.len()
+        )));
+    }
+    let at = |n: usize| kind.number(&data[n * size..(n + 1) * size]);
+    let heights: Vec<f64> = if header.is_fortran {
+        // Column by column in the file, row by row in the map.
+        let row = |i: usize| (0..along_y).map(move |j| at(i + j * along_x));
+        (0..along_x).flat_map(row).collect()
+    } else {
+        (0..along_x * along_y).map(at).collect()
+    };
+    let points = (along_y == 3).then(|| triples::map(&heights)).flatten();
+    Ok(points.unwrap_or_else(|| MapFile::bare([along_x, along_y], heights)))
+}
+
+fn npy(reason: String) -> MapError {
+    MapError::Npy(reason)
+}
+
+/// A kind of number, by NumPy's name: `<f8` is a float of 8 bytes, the smallest first.
+#[derive(Clone, Copy)]
+struct Kind {
+    class: Class,
+    size: usize,
+    is_big_endian: bool,
+}
+
+#[derive(Clone, Copy)]
+enum Class {
+    Float,
+    Signed,
+    Unsigned,
+}
+
+impl Kind {
+    fn named(name: &str) -> Result<Self, MapError> {
+        let (order, class_and_size) = name.split_at_checked(1).unwrap_or_default();
+        let (class, size) = match class_and_size {
+            "f2" => (Class::Float, 2),
+            "f4" => (Class::Float, 4),
+            "f8" => (Class::Float, 8),
+            "i1" => (Class::Signed, 1),
+            "i2" => (Class::Signed, 2),
+            "i4" => (Class::Signed, 4),
+            "i8" => (Class::Signed, 8),
+            "u1" => (Class::Unsigned, 1),
+            "u2" => (Class::Unsigned, 2),
+            "u4" => (Class::Unsigned, 4),
+            "u8" => (Class::Unsigned, 8),
+            _ => {
+                return Err(npy(format!(
+                    "its elements are of the type \"{name}\", wanted floats or integers of at most 64 bits"
+                )));
             }
-            Err(ReadNpyError::WrongDescriptor(_)) => {}
-            Err(error) => return Err(MapError::Npy(error.to_string())),
+        };
+        Ok(Self {
+            class,
+            size,
+            is_big_endian: order == ">",
+        })
+    }
+
+    fn number(self, bytes: &[u8]) -> f64 {
+        let push = |bits: u64, byte: &u8| (bits << 8) | u64::from(*byte);
+        let bits = if self.is_big_endian {
+            bytes.iter().fold(0, push)
+        } else {
+            bytes.iter().rev().fold(0, push)
+        };
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_possible_wrap,
+            reason = "the bits of a number of this size"
+        )]
+        match (self.class, self.size) {
+            (Class::Unsigned, _) => bits as f64,
+            (Class::Signed, size) => {
+                // The sign is the highest bit of the number's own size.
+                let above = 64 - 8 * size;
+                (((bits << above) as i64) >> above) as f64
+            }
+            (Class::Float, 2) => half(bits as u16),
+            (Class::Float, 4) => f64::from(f32::from_bits(bits as u32)),
+            (Class::Float, _) => f64::from_bits(bits),
         }
     }
-    Err(MapError::Npy(
-        "its elements are neither floats nor integers".into(),
-    ))
 }
 
-fn array<T: ReadableElement + Copy>(
-    bytes: &[u8],
-    number: fn(T) -> f64,
-) -> Result<Array2<f64>, ReadNpyError> {
-    Ok(Array2::<T>::read_npy(bytes)?.mapv(number))
-}
-
-/// Refuses a header that promises more elements than the file has bytes, before memory is asked for.
-fn check_length(bytes: &[u8]) -> Result<(), MapError> {
-    let header = &bytes[..bytes.len().min(1 << 16)];
-    let header = String::from_utf8_lossy(header);
-    let shape = header
-        .split_once("'shape':")
-        .and_then(|(_, after)| after.split_once('('))
-        .and_then(|(_, after)| after.split_once(')'));
-    let Some((shape, _)) = shape else {
-        return Err(MapError::Npy("it has no header of NumPy's".into()));
+/// A float of 16 bits: sign, 5 bits of exponent, 10 of fraction (IEEE 754, binary16).
+fn half(bits: u16) -> f64 {
+    let fraction = f64::from(bits & 0x3ff);
+    let size = match (bits >> 10) & 0x1f {
+        0 => fraction * 2_f64.powi(-24),
+        31 if bits & 0x3ff == 0 => f64::INFINITY,
+        31 => f64::NAN,
+        exponent => (1.0 + fraction / 1024.0) * 2_f64.powi(i32::from(exponent) - 15),
     };
-    let sizes = shape
-        .split(',')
-        .map(str::trim)
-        .filter(|size| !size.is_empty());
-    let elements = sizes
-        .map(str::parse::<usize>)
-        .try_fold(1_usize, |product, size| product.checked_mul(size.ok()?));
-    match elements {
-        Some(0) => Err(MapError::Empty),
-        Some(elements) if elements <= bytes.len() => Ok(()),
-        _ => Err(MapError::Npy(format!(
-            "its header says {}, more than the file holds",
-            shape.chars().take(40).collect::<String>()
-        ))),
-    }
+    if bits >> 15 == 1 { -size } else { size }
 }
 
 #[cfg(test)]
 mod tests {
-    use ndarray::{ShapeBuilder, array};
+    use ndarray::{Array2, ShapeBuilder, array};
     use ndarray_npy::WriteNpyExt;
 
+    use super::super::npy_header::tests::file;
     use super::*;
 
     fn bytes(array: &impl WriteNpyExt) -> Vec<u8> {
@@ -100,11 +147,42 @@ mod tests {
             bytes(&array![[1.0_f32, 2.0], [3.0, 4.0], [5.0, 6.0]]),
             bytes(&array![[1_u16, 2], [3, 4], [5, 6]]),
             bytes(&array![[1_i64, 2], [3, 4], [5, 6]]),
+            bytes(&array![[1_i8, 2], [3, 4], [5, 6]]),
+            bytes(&array![[1_u64, 2], [3, 4], [5, 6]]),
         ];
         for file in files {
             let map = parse(&file).unwrap();
             assert_eq!(map.shape, [3, 2]);
             assert_eq!(map.heights, [1.0, 2.0, 3.0, 4.0, 5.0, 6.0]);
+        }
+    }
+
+    #[test]
+    fn signs_sizes_and_orders_of_bytes_are_those_of_the_kind() {
+        let values = |kind: &str, data: &[u8]| {
+            let header =
+                format!("{{'descr': '{kind}', 'fortran_order': False, 'shape': (2, 1), }}");
+            parse(&file(&header, data)).unwrap().heights
+        };
+        assert_eq!(values("|i1", &[0xff, 0x7f]), [-1.0, 127.0]);
+        assert_eq!(values(">i2", &[0xff, 0xfe, 1, 0]), [-2.0, 256.0]);
+        assert_eq!(values("<u2", &[0xff, 0xff, 1, 0]), [65535.0, 1.0]);
+        // 1.5 and −2⁻²⁴, the least of its kind.
+        assert_eq!(values("<f2", &[0, 0x3e, 1, 0x80]), [1.5, -2_f64.powi(-24)]);
+        assert_eq!(values(">f2", &[0x7b, 0xff, 0x35, 0]), [65504.0, 0.3125]);
+        assert_eq!(
+            values(">f4", &[0xc0, 0, 0, 0, 0x3f, 0x80, 0, 0]),
+            [-2.0, 1.0]
+        );
+    }
+
+    #[test]
+    fn a_type_that_is_not_read_is_named() {
+        for kind in ["<c16", "|b1", "<U7", "|O", "<f16", "", "<M8[ns]"] {
+            let header =
+                format!("{{'descr': '{kind}', 'fortran_order': False, 'shape': (1, 1), }}");
+            let message = parse(&file(&header, &[0; 16])).unwrap_err().to_string();
+            assert!(message.contains(&format!("type \"{kind}\"")), "{message}");
         }
     }
 

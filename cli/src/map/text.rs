@@ -1,10 +1,11 @@
 //! Numbers in columns: `.csv`, and what Gwyddion and NumPy write as text.
 //!
-//! Numbers are separated by commas, semicolons, tabs or spaces; what follows a `#` is a comment.
+//! Numbers are separated by commas, semicolons, tabs or spaces; what follows a `#` is a comment. Where semicolons or blanks separate numbers, a
+//! comma is a decimal mark.
 
-use super::{MapError, MapFile};
+use super::{MapError, MapFile, triples};
 
-/// Reads the text; each line is a row of the picture, from the top down.
+/// Reads the text; each line is a row of the picture, from the top down, or a point x, y, z of a grid.
 ///
 /// # Errors
 ///
@@ -13,17 +14,19 @@ pub fn parse(bytes: &[u8]) -> Result<MapFile, MapError> {
     let text = std::str::from_utf8(bytes).map_err(|error| MapError::NotText {
         at: error.valid_up_to(),
     })?;
+    let text = text.trim_start_matches('\u{feff}');
+    let comma = Comma::in_text(text);
     let (mut picture, mut columns) = (Vec::new(), 0);
-    for (i, line) in text.trim_start_matches('\u{feff}').lines().enumerate() {
+    for (line, row) in rows(text) {
         let before = picture.len();
-        row(i + 1, line, &mut picture)?;
+        comma.read(line, row, &mut picture)?;
         match picture.len() - before {
             0 => {}
             found if columns == 0 => columns = found,
             found if found == columns => {}
             found => {
                 return Err(MapError::Ragged {
-                    line: i + 1,
+                    line,
                     found,
                     wanted: columns,
                 });
@@ -32,22 +35,73 @@ pub fn parse(bytes: &[u8]) -> Result<MapFile, MapError> {
     }
     match columns {
         0 => Err(MapError::Empty),
+        3 => Ok(triples::map(&picture).unwrap_or_else(|| MapFile::from_picture(3, &picture))),
         _ => Ok(MapFile::from_picture(columns, &picture)),
     }
 }
 
-/// Adds the numbers of a line.
-fn row(line: usize, text: &str, picture: &mut Vec<f64>) -> Result<(), MapError> {
-    let text = text.split_once('#').map_or(text, |(before, _)| before);
-    let separator = |c: char| matches!(c, ',' | ';') || c.is_whitespace();
-    for word in text.split(separator).filter(|word| !word.is_empty()) {
-        let number = word.parse().map_err(|_| MapError::NotANumber {
-            line,
-            found: word.chars().take(40).collect(),
-        })?;
-        picture.push(number);
+/// The lines without their comments, counted from 1.
+fn rows(text: &str) -> impl Iterator<Item = (usize, &str)> {
+    let rows = text
+        .lines()
+        .map(|line| line.split_once('#').map_or(line, |(before, _)| before));
+    (1..).zip(rows)
+}
+
+/// What a comma is in a text.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Comma {
+    Separator,
+    DecimalMark,
+}
+
+impl Comma {
+    /// What separates numbers is the same on all lines: a comma does unless semicolons do, or blanks with no comma beside them.
+    fn in_text(text: &str) -> Self {
+        let is_separated = |row: &str| {
+            let mut words = row.split_whitespace();
+            let mut before = words.next().unwrap_or(",");
+            row.contains(';')
+                || words.any(|word| {
+                    let is_blank = !before.ends_with(',') && !word.starts_with(',');
+                    before = word;
+                    is_blank
+                })
+        };
+        if rows(text).any(|(_, row)| is_separated(row)) {
+            Self::DecimalMark
+        } else {
+            Self::Separator
+        }
     }
-    Ok(())
+
+    /// Adds the numbers of a line.
+    fn read(self, line: usize, row: &str, picture: &mut Vec<f64>) -> Result<(), MapError> {
+        let separator =
+            |c: char| c == ';' || c.is_whitespace() || (c == ',' && self == Self::Separator);
+        for word in row.split(separator).filter(|word| !word.is_empty()) {
+            picture.push(number(line, word)?);
+        }
+        Ok(())
+    }
+}
+
+fn number(line: usize, word: &str) -> Result<f64, MapError> {
+    let found = || word.chars().take(40).collect();
+    let Some((whole, fraction)) = word.split_once(',') else {
+        return word.parse().map_err(|_| MapError::NotANumber {
+            line,
+            found: found(),
+        });
+    };
+    let is_decimal = !whole.is_empty() && !fraction.is_empty() && !word.contains('.');
+    let parsed = format!("{whole}.{fraction}").parse().ok();
+    parsed
+        .filter(|_| is_decimal)
+        .ok_or_else(|| MapError::Comma {
+            line,
+            found: found(),
+        })
 }
 
 #[cfg(test)]
@@ -69,6 +123,48 @@ mod tests {
                 "{text:?}"
             );
         }
+    }
+
+    #[test]
+    fn a_comma_beside_other_separators_is_a_decimal_mark() {
+        for text in [
+            "1,5;2,5\n-3,25;4e1\n",
+            "1,5\t2,5\n-3,25\t4e1\n",
+            "1,5  2,5 \n -3,25 40",
+            "1,5; 2,5\n-3,25 ;40,0",
+        ] {
+            let map = parse(text.as_bytes()).unwrap();
+            assert_eq!(
+                (map.shape, &map.heights[..]),
+                ([2, 2], &[-3.25, 1.5, 40.0, 2.5][..]),
+                "{text:?}"
+            );
+        }
+        assert_eq!(parse(b"1 , 2,3, 4\n5,6 ,7,8").unwrap().shape, [4, 2]);
+    }
+
+    #[test]
+    fn commas_that_may_mean_either_are_refused_with_their_line() {
+        for text in [
+            "1;2\n1,2,3;4",
+            "1;2\n1,5;2.5,",
+            "1.5;2\n1,234.5;2",
+            "1;2\n,5;2",
+            "1,2 3\n1, 2",
+            "1,2,3 4,5,6\n1,2,3 4,5,6",
+        ] {
+            let message = parse(text.as_bytes()).unwrap_err().to_string();
+            assert!(message.contains("decimal marks"), "{text:?}: {message}");
+        }
+    }
+
+    #[test]
+    fn points_of_a_grid_are_not_three_columns_of_heights() {
+        let map = parse(b"0 0 5\n1 0 6\n0 2 7\n1 2 8\n").unwrap();
+        assert_eq!((map.shape, map.sides), ([2, 2], Some([2.0, 4.0])));
+        assert_eq!(map.heights, [5.0, 7.0, 6.0, 8.0]);
+        let rows = parse(b"0 0 5\n1 0 6\n0 2 7\n1 3 8\n").unwrap();
+        assert_eq!((rows.shape, rows.sides), ([3, 4], None));
     }
 
     #[test]

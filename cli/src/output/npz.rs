@@ -1,17 +1,21 @@
 //! `fields-NNN.npz`: the fields of one loading step, for `numpy.load`.
 
 use std::fs::File;
-use std::io;
+use std::io::{self, Read};
 use std::path::Path;
 
 use ndarray::{Array1, Array2, ArrayView2, ShapeError};
 use ndarray_npy::{NpzReader, NpzWriter, ReadNpyError, ReadNpzError, WriteNpyError, WriteNpzError};
-use zip::CompressionMethod;
 use zip::write::SimpleFileOptions;
+use zip::{CompressionMethod, ZipArchive};
 
 use super::fields::Fields;
 use super::file::write_whole;
 use crate::failure::Failure;
+use crate::map::npy_header::Header;
+
+/// Most bytes of an array: 8192² numbers, the largest grid of a case, and a header.
+const LARGEST_ARRAY: u64 = (8 << 26) + (1 << 16);
 
 /// How hard to pack, from 1 to 9. The usual 6 makes the files 13 % smaller in three times the time, and packing took 13 % of a curve's run.
 const EFFORT: i64 = 1;
@@ -53,6 +57,31 @@ fn square<T>(size: usize, field: &[T]) -> Result<ArrayView2<'_, T>, WriteNpzErro
         .map_err(|error: ShapeError| WriteNpyError::Io(io::Error::other(error)).into())
 }
 
+/// Refuses, before memory is asked for, arrays that are larger than any grid's, or than what the archive says they unpack to.
+fn check(path: &Path) -> Result<(), String> {
+    let file = File::open(path).map_err(|cause| cause.to_string())?;
+    let mut archive = ZipArchive::new(file).map_err(|cause| cause.to_string())?;
+    for i in 0..archive.len() {
+        let entry = archive.by_index(i).map_err(|cause| cause.to_string())?;
+        let (name, size) = (entry.name().to_owned(), entry.size());
+        if size > LARGEST_ARRAY {
+            return Err(format!(
+                "{name} unpacks to {size} bytes, more than any grid's field"
+            ));
+        }
+        let mut start = Vec::new();
+        let read = entry.take(1 << 16).read_to_end(&mut start);
+        read.map_err(|cause| cause.to_string())?;
+        let header = Header::read(&start).map_err(|error| format!("{name}, {error}"))?;
+        if header.size() != Some(size) {
+            return Err(format!(
+                "{name} unpacks to {size} bytes, and its header says otherwise"
+            ));
+        }
+    }
+    Ok(())
+}
+
 /// The fields of a step as read back.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StoredFields {
@@ -69,6 +98,7 @@ impl StoredFields {
     ///
     /// [`Failure::Damaged`] if the file is not one that [`write()`] wrote.
     pub fn read(path: &Path) -> Result<Self, Failure> {
+        check(path).map_err(|reason| Failure::damaged(path, &reason))?;
         let fields = Self::try_read(path).map_err(|cause| Failure::damaged(path, &cause))?;
         let count = fields.size * fields.size;
         let is_square = |length: usize| length == count;
@@ -115,5 +145,55 @@ impl StoredFields {
             profile,
             mask: &self.mask,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::io::Write;
+
+    use super::*;
+    use zip::ZipWriter;
+
+    /// What is wrong with an archive of one array, with four bytes of its directory's entry put in place of those there.
+    fn refused(header: &str, data: &[u8], patch: Option<(usize, u32)>) -> String {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("fields-000.npz");
+        let mut archive = ZipWriter::new(io::Cursor::new(Vec::new()));
+        let stored = SimpleFileOptions::default().compression_method(CompressionMethod::Stored);
+        archive.start_file("mask.npy", stored).unwrap();
+        let length = u16::try_from(header.len()).unwrap().to_le_bytes();
+        let parts = [b"\x93NUMPY\x01\x00", &length[..], header.as_bytes(), data].concat();
+        archive.write_all(&parts).unwrap();
+        let mut bytes = archive.finish().unwrap().into_inner();
+        if let Some((at, number)) = patch {
+            let directory = bytes
+                .windows(4)
+                .rposition(|four| four == b"PK\x01\x02")
+                .unwrap();
+            bytes[directory + at..directory + at + 4].copy_from_slice(&number.to_le_bytes());
+        }
+        std::fs::write(&path, bytes).unwrap();
+        StoredFields::read(&path).unwrap_err().to_string()
+    }
+
+    #[test]
+    fn arrays_that_would_take_all_memory_are_refused_by_what_they_say_of_themselves() {
+        let header = "{'descr': '|b1', 'fortran_order': False, 'shape': (1, 1)}";
+        // Size before packing, in the directory's entry.
+        let large = refused(header, &[1], Some((24, 4_000_000_000)));
+        assert!(
+            large.contains("mask.npy unpacks to 4000000000 bytes"),
+            "{large}"
+        );
+        let promising = header.replace("(1, 1)", "(8000, 8000)");
+        let promising = refused(&promising, &[1], None);
+        assert!(
+            promising.contains("its header says otherwise"),
+            "{promising}"
+        );
+        let twice = header.replace("(1, 1)", "(1, 1), 'shape': (99999999, 99999999)");
+        let twice = refused(&twice, &[1], None);
+        assert!(twice.contains("the key shape twice"), "{twice}");
     }
 }

@@ -11,6 +11,7 @@ use serde::{Deserialize, Serialize};
 use super::null;
 
 use crate::case::Case;
+use crate::case::doubt::Doubt;
 
 /// Name of the file in a results folder.
 pub const FILE: &str = "summary.json";
@@ -254,7 +255,9 @@ impl Summary {
         let mut case = case.clone();
         case.grid.side.get_or_insert(path.grid.side());
         let origin = clock.tables_origin.max(path.coefficients_origin);
-        let warnings = path.warnings.iter().map(WarningSummary::from);
+        let doubts = case.doubts(path.grid.side()).into_iter();
+        let warnings = doubts.map(WarningSummary::from);
+        let warnings = warnings.chain(path.warnings.iter().map(WarningSummary::from));
         let cache_warnings = cache_warnings.iter().map(WarningSummary::from);
         let statuses = path.steps.iter().map(|step| step.status().into());
         Self {
@@ -295,6 +298,12 @@ impl From<contact::Status> for Status {
             contact::Status::CutOff => Self::CutOff,
             contact::Status::NotConverged => Self::NotConverged,
         }
+    }
+}
+
+impl From<Doubt> for WarningSummary {
+    fn from(Doubt { code, message }: Doubt) -> Self {
+        Self { code, message }
     }
 }
 

@@ -102,7 +102,7 @@ impl Study {
         let choice = self.choice(case);
         let pair = |(axis, i): (&Axis, &usize)| format!("{} = {}", axis.key, axis.words(*i));
         let pairs: Vec<_> = self.axes.iter().zip(&choice).map(pair).collect();
-        pairs.join(", ")
+        crate::terminal::clean(&pairs.join(", "))
     }
 }
 

@@ -71,7 +71,8 @@ impl Kit<'_> {
         let tables_seconds = start.elapsed().as_secs_f64();
         let (loads, options) = (case.load.steps(), case.solver.options());
         let (domain, elements) = (case.grid.domain(), case.grid.elements);
-        let path = solve_path(&model.value, domain, elements, &loads, &options, observer)?;
+        let path = solve_path(&model.value, domain, elements, &loads, &options, observer)
+            .map_err(|error| case.blame(error))?;
         if path.interrupted {
             return Ok(None);
         }

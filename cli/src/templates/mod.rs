@@ -24,6 +24,10 @@ pub enum Template {
     FlatPunch,
     /// A ball on a half-space, to compare with the closed form
     Hertz,
+    /// A ball on a rough elastic body
+    Rough,
+    /// The heights that the case `rough` names, rough-surface.csv
+    RoughMap,
     /// A parameter study: a ball on coatings of several thicknesses under several loads
     Study,
 }
@@ -42,23 +46,28 @@ impl Template {
             Self::Cone => include_str!("cone.toml"),
             Self::FlatPunch => include_str!("flat-punch.toml"),
             Self::Hertz => include_str!("hertz.toml"),
+            Self::Rough => include_str!("rough.toml"),
+            Self::RoughMap => include_str!("rough-surface.csv"),
             Self::Study => include_str!("study.toml"),
         }
     }
 
-    /// The command that solves it.
+    /// What to do with the file of this name that it was written to.
     #[must_use]
-    pub fn command(self) -> &'static str {
+    pub fn next(self, path: &str) -> String {
         match self {
-            Self::Study => "study",
-            _ => "run",
+            Self::Study => format!("pellicle study {path}"),
+            Self::Rough => format!(
+                "pellicle init rough-map --out rough-surface.csv beside it, and pellicle run {path}"
+            ),
+            Self::RoughMap => "pellicle init rough".into(),
+            _ => format!("pellicle run {path}"),
         }
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use std::path::Path;
     use std::sync::Arc;
 
     use super::*;
@@ -69,15 +78,18 @@ mod tests {
     #[test]
     fn every_template_is_a_case_with_units_and_comments() {
         for template in Template::value_variants() {
-            if *template == Template::Study {
+            if matches!(template, Template::Study | Template::RoughMap) {
                 continue;
             }
+            let folder = tempfile::tempdir().unwrap();
+            let map = folder.path().join("rough-surface.csv");
+            std::fs::write(map, Template::RoughMap.text()).unwrap();
             let source = Arc::new(Source::new(
                 format!("{template:?}"),
                 template.text().to_owned(),
             ));
             let case =
-                Case::parse(&source, "", Path::new(""), &[]).unwrap_or_else(|e| panic!("{e}"));
+                Case::parse(&source, "", folder.path(), &[]).unwrap_or_else(|e| panic!("{e}"));
             assert_eq!(case.units, Units::Si, "{template:?}");
             assert!(template.text().starts_with("# "), "{template:?}");
         }

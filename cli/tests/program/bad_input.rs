@@ -284,3 +284,279 @@ fn a_wrong_command_line_exits_with_2() {
         assert_eq!(ran.stdout, "", "{line:?}");
     }
 }
+
+#[test]
+fn sizes_beyond_all_arithmetic_are_refused_at_once() {
+    for (found, wanted) in [
+        ("1e307", "wanted a length between 1e-30 and 1e30 m"),
+        ("1e-308", "wanted a length between 1e-30 and 1e30 m"),
+        ("\"1e300 nm\"", "wanted a length between 1e-30 and 1e30 m"),
+    ] {
+        let names = Names {
+            key: "`foundation.layer[0].thickness`",
+            line: 7,
+            found,
+            wanted,
+        };
+        let to = format!("thickness = {found}\n");
+        refuses("thickness = \"10 nm\"\n", &to, &names);
+    }
+}
+
+#[test]
+fn a_needle_that_no_picture_can_show_is_refused() {
+    let names = Names {
+        key: "`indenter.half_angle`",
+        line: 19,
+        found: "1e-8",
+        wanted: "wanted an angle from the axis between 0 and 90 degrees (0.1 to 89.9999)",
+    };
+    let cone = "kind = \"cone\"\nhalf_angle = 1e-8";
+    refuses("kind = \"paraboloid\"\nradius = \"4 um\"", cone, &names);
+}
+
+#[test]
+fn a_punch_that_misses_every_element_is_told_at_its_key() {
+    let punch = "kind = \"flat-punch\"\nradius = \"1 nm\"";
+    let folder = Folder::with_case(CASE.replace("kind = \"paraboloid\"\nradius = \"4 um\"", punch));
+    let ran = folder.run(&["run", "case.toml", "--json"]);
+    assert_eq!(ran.code, Some(2), "{}", ran.stderr);
+    let sentence = "case.toml, line 19, key `indenter.radius`: found \"1 nm\": ";
+    assert!(ran.stderr.contains(sentence), "{}", ran.stderr);
+    assert!(ran.stderr.contains("nothing can touch"), "{}", ran.stderr);
+}
+
+#[test]
+fn a_case_with_a_byte_order_mark_is_read() {
+    let folder = Folder::with_case(format!("\u{feff}{CASE}"));
+    let checked = folder.run(&["check", "case.toml"]);
+    assert_eq!(checked.code, Some(0), "{}", checked.stderr);
+    // Places are those of what the editor shows.
+    let folder = Folder::with_case(format!("\u{feff}{}", CASE.replace("title", "titel")));
+    let message = folder.run(&["check", "case.toml"]).stderr;
+    assert!(
+        message.contains("case.toml, line 1, key `titel`"),
+        "{message}"
+    );
+}
+
+#[test]
+fn a_bare_number_among_units_is_warned_of_with_its_line() {
+    let folder = Folder::with_case(CASE.replace("thickness = \"10 nm\"", "thickness = 10e-9"));
+    let sentence = "case.toml, line 7, key `foundation.layer[0].thickness`: 10e-9 among values with units is 10e-9 m";
+    let checked = folder.run(&["check", "case.toml"]);
+    assert!(checked.stderr.contains(sentence), "{}", checked.stderr);
+    let ran = folder.run(&["run", "case.toml", "--json"]);
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    let summary: serde_json::Value = serde_json::from_str(&ran.stdout).unwrap();
+    assert_eq!(summary["warnings"][0]["code"], "bare-number");
+    // With no unit anywhere a bare number is what it is.
+    let checked = folder.run(&["check", "case.toml"]).stdout;
+    let resolved = Folder::with_case(checked).run(&["check", "case.toml"]);
+    assert!(
+        !resolved.stderr.contains("among values with units"),
+        "{}",
+        resolved.stderr
+    );
+}
+
+#[test]
+fn a_load_set_beside_another_says_what_to_write() {
+    let curve = CASE.replace("force = \"1 uN\"", "forces = [\"1 uN\", \"2 uN\"]");
+    let folder = Folder::with_case(curve);
+    let ran = folder.run(&["run", "case.toml", "--set", "load.force=3 uN"]);
+    assert_eq!(ran.code, Some(2));
+    assert!(
+        ran.stderr.contains("found force and forces"),
+        "{}",
+        ran.stderr
+    );
+    let hint = "--set load='{ force = \"3 mN\" }'";
+    assert!(ran.stderr.contains(hint), "{}", ran.stderr);
+}
+
+#[test]
+fn an_unknown_unit_comes_with_the_known_ones() {
+    let folder = Folder::with_case(CASE.replace("\"4 um\"", "\"4 micros\""));
+    let message = folder.run(&["check", "case.toml"]).stderr;
+    assert!(message.contains("the unknown unit `micros`"), "{message}");
+    assert!(
+        message.contains("units of a length: m, km, cm, mm, um"),
+        "{message}"
+    );
+    let folder = Folder::with_case(CASE.replace("\"4 um\"", "\"4,5 um\""));
+    let message = folder.run(&["check", "case.toml"]).stderr;
+    assert!(message.contains("the decimal mark is a point"), "{message}");
+}
+
+#[test]
+fn a_list_of_a_study_refuses_what_the_study_refuses() {
+    let study = format!("{CASE}\n[study.vary]\n\"indenter.radius\" = [\"-1 um\"]\n");
+    let folder = Folder::with_case(study);
+    let [listed, solved] = [
+        &["study", "case.toml", "--list"][..],
+        &["study", "case.toml"],
+    ]
+    .map(|line| folder.run(line));
+    assert_eq!((listed.code, solved.code), (Some(2), Some(2)));
+    assert_eq!(listed.stderr, solved.stderr);
+    assert!(listed.stdout.is_empty());
+}
+
+#[test]
+fn what_a_terminal_would_obey_never_reaches_it() {
+    let texts = [
+        CASE.replace(
+            "title = \"Test\"",
+            "title = \"\\u001b[31mred\\u009b1m\\u0007\"",
+        )
+        .into_bytes(),
+        CASE.replace("title =", "\"\\u001b[31mtitle\" =")
+            .into_bytes(),
+        CASE.replace("[load]", "\u{1b}[31m[load]\u{9b}")
+            .into_bytes(),
+        CASE.replace("\"1 uN\"", "\"1 \\u001b[2J\"").into_bytes(),
+        CASE.replace(
+            "kind = \"paraboloid\"",
+            "kind = \"map\"\nfile = \"\\u001b[31m.csv\"",
+        )
+        .into_bytes(),
+    ];
+    for text in texts {
+        let folder = Folder::with_case(&text);
+        for line in [&["check", "case.toml"][..], &["run", "case.toml"]] {
+            let ran = folder.run(line);
+            let obeyed = |c: char| c.is_control() && c != '\n' && c != '\t';
+            let shown = ran.stdout + &ran.stderr;
+            assert!(!shown.contains(obeyed), "{line:?}: {shown:?}");
+        }
+    }
+    let folder = Folder::with_case(CASE);
+    let set = folder.run(&["check", "case.toml", "--set", "load.force=\u{1b}[31m"]);
+    assert!(!set.stderr.contains('\u{1b}'), "{:?}", set.stderr);
+}
+
+#[test]
+fn each_of_a_dozen_odd_values_gets_one_sentence_with_key_found_and_wanted() {
+    for (from, to, key, found, wanted) in [
+        (
+            "title = \"Test\"",
+            "title = 3",
+            "`title`",
+            "found 3",
+            "wanted a string",
+        ),
+        (
+            "\"400 nm\"",
+            "[\"400 nm\", \"400 nm\"]",
+            "`grid.side`",
+            "found [",
+            "wanted a positive length",
+        ),
+        (
+            "elements = 32",
+            "elements = 32.0",
+            "`grid.elements`",
+            "found 32.0",
+            "wanted an integer from 1",
+        ),
+        (
+            "elements = 32",
+            "elements = \"32\"",
+            "`grid.elements`",
+            "found \"32\"",
+            "wanted an integer from 1",
+        ),
+        (
+            "poisson_ratio = 0.3\n",
+            "poisson_ratio = \"0.3\"\n",
+            "`foundation.layer[0].poisson_ratio`",
+            "found \"0.3\"",
+            "a number in [0, 0.5]",
+        ),
+        ("[load]", "[[load]]", "`load`", "found", "wanted a table"),
+        (
+            "\"1 uN\"",
+            "\"1 uN uN\"",
+            "`load.force`",
+            "unknown unit `uN uN`",
+            "wanted a positive force",
+        ),
+        (
+            "\"1 uN\"",
+            "\"1e400 uN\"",
+            "`load.force`",
+            "found \"1e400 uN\"",
+            "wanted a positive force",
+        ),
+        (
+            "\"1 uN\"",
+            "1979-05-27",
+            "`load.force`",
+            "found 1979-05-27",
+            "wanted a positive force",
+        ),
+        (
+            "force = \"1 uN\"",
+            "forces = { from = \"1 uN\", to = \"2 uN\", count = 1_000_000 }",
+            "`load.forces.count`",
+            "found 1_000_000",
+            "wanted an integer from 2 to 10000",
+        ),
+        (
+            "period = \"50 nm\"",
+            "period = \"50 nm\"\noffset = [\"1 nm\"]",
+            "`surface.offset`",
+            "found [\"1 nm\"]",
+            "wanted a list of two lengths",
+        ),
+        (
+            "radius = \"4 um\"",
+            "radius = \"4 um\"\nhalf_angle = 1",
+            "`indenter.half_angle`",
+            "found an unknown key",
+            "wanted one of kind, radius",
+        ),
+        (
+            "radius = \"4 um\"",
+            "radius = \"+-4 um\"",
+            "`indenter.radius`",
+            "(no number)",
+            "wanted a positive length",
+        ),
+        (
+            "side = \"400 nm\"",
+            "side = 1e31",
+            "`grid.side`",
+            "found 1e31",
+            "wanted a length between",
+        ),
+        (
+            "kind = \"paraboloid\"\nradius = \"4 um\"",
+            "kind = \"map\"\nfile = \".csv\"",
+            "`indenter.file`",
+            "found \".csv\"",
+            "wanted a height map",
+        ),
+        (
+            "kind = \"paraboloid\"\nradius = \"4 um\"",
+            "kind = \"map\"\nfile = \"..\"",
+            "`indenter.file`",
+            "found \"..\"",
+            "wanted a height map",
+        ),
+    ] {
+        assert_eq!(CASE.matches(from).count(), 1, "{from}");
+        let ran = Folder::with_case(CASE.replace(from, to)).run(&["check", "case.toml"]);
+        assert_eq!(ran.code, Some(2), "{to}: {}", ran.stderr);
+        let sentence = ran
+            .stderr
+            .lines()
+            .find(|line| line.contains("case.toml, line"));
+        let sentence = sentence.unwrap_or_else(|| panic!("{to}: {}", ran.stderr));
+        for part in [key, found, wanted] {
+            assert!(sentence.contains(part), "{part} in: {}", ran.stderr);
+        }
+        assert!(!ran.stderr.contains("panicked"), "{}", ran.stderr);
+    }
+}

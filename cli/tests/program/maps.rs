@@ -135,3 +135,166 @@ fn a_rigid_relief_pressed_by_a_paraboloid_is_a_paraboloid_pressed_by_the_relief_
     // The indenter is moved so that its lowest sample stands on the axis, by less than an element.
     assert!((ratio - 1.0).abs() < 0.02, "{ratio}");
 }
+
+/// A map of 24 × 24 samples of 35 nm of a surface in m, as a text in nm.
+fn text(mut surface: impl FnMut(f64, f64) -> f64) -> String {
+    let at = |i: u32| (f64::from(i) - 11.5) * 35e-9;
+    let mut row = |j: u32| {
+        let words = (0..24).map(|i| format!("{:.6}", 1e9 * surface(at(i), at(j))));
+        words.collect::<Vec<_>>().join(";") + "\n"
+    };
+    (0..24).rev().map(&mut row).collect()
+}
+
+const PARABOLOID: fn(f64, f64) -> f64 = |x, y| (x * x + y * y) / 8e-6;
+
+/// The case with this surface or indenter of the file `map.csv`.
+fn with_map(text: &str, set: &str) -> (Folder, Ran) {
+    let folder = Folder::with_case(CASE);
+    fs::write(folder.path("map.csv"), text).unwrap();
+    let ran = folder.run(&[
+        "run",
+        "case.toml",
+        "--json",
+        "--set",
+        "surface={kind=\"bare\"}",
+        "--set",
+        set,
+    ]);
+    (folder, ran)
+}
+
+#[test]
+fn a_smooth_map_has_the_pressure_of_the_surface_it_samples_and_a_linear_one_ridges() {
+    let peak = |indenter: &str| {
+        let (_folder, ran) = with_map(&text(PARABOLOID), &format!("indenter={indenter}"));
+        summary(&ran)["steps"][0]["max_pressure"].as_f64().unwrap()
+    };
+    let exact = peak("{kind=\"paraboloid\", radius=\"4 um\"}");
+    let map = "kind=\"map\", file=\"map.csv\", side=\"840 nm\", height_unit=\"nm\"";
+    let smooth = peak(&format!("{{{map}}}"));
+    let linear = peak(&format!("{{{map}, interpolation=\"linear\"}}"));
+    // Heights of six decimals of a nanometre.
+    assert!((smooth / exact - 1.0).abs() < 1e-4, "{smooth:e} {exact:e}");
+    assert!((linear / exact - 1.0).abs() > 0.03, "{linear:e} {exact:e}");
+}
+
+#[test]
+fn a_map_in_the_wrong_unit_is_refused_with_the_likely_one() {
+    let rough = |x: f64, y: f64| 5e-9 * ((x / 60e-9).sin() + (y / 40e-9).cos());
+    let surface =
+        |rest: &str| format!("surface={{kind=\"rough\", file=\"map.csv\", side=\"840 nm\"{rest}}}");
+    let (_folder, ran) = with_map(&text(rough), &surface(""));
+    assert_eq!(ran.code, Some(2), "{}", ran.stderr);
+    for part in [
+        "`surface.file`",
+        "rms slope of",
+        "wanted",
+        "height_unit = \"nm\"",
+    ] {
+        assert!(ran.stderr.contains(part), "{part} in {}", ran.stderr);
+    }
+    let (_folder, ran) = with_map(&text(rough), &surface(", height_unit=\"um\""));
+    assert_eq!(ran.code, Some(2), "{}", ran.stderr);
+    assert!(
+        ran.stderr.contains("`surface.height_unit`"),
+        "{}",
+        ran.stderr
+    );
+    let (_folder, ran) = with_map(&text(rough), &surface(", height_unit=\"nm\""));
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+}
+
+#[test]
+fn a_rough_body_is_a_map_without_springs() {
+    let rough = |x: f64, y: f64| 1e-9 * ((x / 60e-9).sin() + (y / 40e-9).cos());
+    let map = "file=\"map.csv\", side=\"840 nm\", height_unit=\"nm\"";
+    let [body, rigid] = ["kind=\"rough\"", "kind=\"map\", compliance=0"].map(|kind| {
+        let (_folder, ran) = with_map(&text(rough), &format!("surface={{{kind}, {map}}}"));
+        penetration(&summary(&ran)).to_bits()
+    });
+    assert_eq!(body, rigid);
+    let (_folder, ran) = with_map(
+        &text(rough),
+        &format!("surface={{kind=\"rough\", young_modulus=\"1 GPa\", {map}}}"),
+    );
+    assert!(
+        ran.stderr.contains("springs belong to kind = \"map\""),
+        "{}",
+        ran.stderr
+    );
+}
+
+#[test]
+fn points_and_decimal_commas_give_the_map_that_they_are() {
+    let indenter = "indenter={kind=\"map\", file=\"map.csv\", height_unit=\"nm\"";
+    let of = |text: &str, rest: &str| {
+        let (_folder, ran) = with_map(text, &format!("{indenter}{rest}}}"));
+        penetration(&summary(&ran))
+    };
+    let semicolons = text(PARABOLOID);
+    let expected = of(&semicolons, ", side=\"840 nm\"");
+    assert_eq!(
+        of(&semicolons.replace('.', ","), ", side=\"840 nm\""),
+        expected
+    );
+    let mut points = String::new();
+    text(|x, y| {
+        let z = PARABOLOID(x, y);
+        points += &format!("{:.3} {:.3} {:.6}\n", x * 1e9, y * 1e9, z * 1e9);
+        z
+    });
+    assert!((of(&points, "") / expected - 1.0).abs() < 1e-9);
+    // Not all of them: no grid, and no strip of three samples either.
+    let some = points.split_inclusive('\n').skip(5).collect::<String>();
+    let (_folder, ran) = with_map(&some, &format!("{indenter}, side=\"840 nm\"}}"));
+    assert_eq!(ran.code, Some(2), "{}", ran.stderr);
+    assert!(
+        ran.stderr.contains("points x, y, z of no rectangular grid"),
+        "{}",
+        ran.stderr
+    );
+}
+
+#[test]
+fn check_counts_samples_and_a_map_coarser_than_the_grid_is_warned_of() {
+    let wave = |x: f64, _: f64| 1e-9 * (x * std::f64::consts::TAU / 210e-9).sin();
+    let surface = "surface={kind=\"rough\", file=\"map.csv\", side=\"840 nm\", height_unit=\"nm\"}";
+    let (folder, ran) = with_map(&text(wave), surface);
+    assert_eq!(summary(&ran)["warnings"][0]["code"], "coarse-map");
+    let checked = folder.run(&["check", "case.toml", "--set", surface]);
+    assert!(
+        checked.stderr.contains("has a sample every 35.000 nm"),
+        "{}",
+        checked.stderr
+    );
+    let line = |name: &str| {
+        let line = checked.stdout.lines().find(|line| line.contains(name));
+        line.and_then(|line| line.split_whitespace().last())
+            .unwrap()
+            .to_owned()
+    };
+    assert_eq!(line("samples per element (surface)"), "0.357");
+    assert_eq!(line("samples per shortest wave (surface)"), "6.0");
+}
+
+#[test]
+fn the_rough_template_and_its_map_run_as_they_are() {
+    let folder = Folder::new();
+    for line in [
+        &["init", "rough-map", "--out", "rough-surface.csv"][..],
+        &["init", "rough", "--out", "rough.toml"],
+    ] {
+        assert_eq!(folder.run(line).code, Some(0));
+    }
+    let ran = folder.run(&["run", "rough.toml", "--json"]);
+    let warned = |code| {
+        let summary = summary(&ran);
+        summary["warnings"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .any(|warning| warning["code"] == code)
+    };
+    assert!(!warned("coarse-map") && !warned("bare-number") && !warned("domain-edge"));
+}

@@ -4,9 +4,9 @@ use pellicle_texture::HeightMap;
 
 use super::Profile;
 
-/// A measured indenter: a height map, placed so that its lowest sample stands on the origin at height 0.
+/// A measured indenter: a height map, placed so that its lowest point stands on the origin at height 0.
 ///
-/// Between samples the height is bilinear. Beyond the map's rectangle the indenter ends, `f = +∞`: a contact that reaches the
+/// Between samples the height is that of the map's [interpolation](pellicle_texture::Interpolation). Beyond the map's rectangle the indenter ends, `f = +∞`: a contact that reaches the
 /// rim of the measurement is bounded by it as by the rim of a punch.
 #[derive(Clone, Debug, PartialEq)]
 pub struct IndenterMap {
@@ -18,7 +18,7 @@ pub struct IndenterMap {
 impl IndenterMap {
     /// An indenter from heights (m, upwards, above any plane) of its lower surface.
     ///
-    /// Of several equally low samples the one nearest to the middle of the map is put on the origin.
+    /// Of several equally low points the one nearest to the middle of the map is put on the origin.
     #[must_use]
     pub fn new(map: HeightMap) -> Self {
         let (lowest, lowest_point) = (map.lowest(), map.lowest_point());
@@ -53,13 +53,15 @@ impl Profile for IndenterMap {
 
 #[cfg(test)]
 mod tests {
+    use pellicle_texture::Interpolation;
+
     use super::*;
     use crate::indenter::Paraboloid;
 
     #[test]
     fn the_lowest_sample_stands_on_the_origin_and_the_rim_is_the_end() {
         let map = HeightMap::new(vec![9.0, 7.0, 8.0], [3, 1], [3.0, 1.0]).unwrap();
-        let indenter = IndenterMap::new(map);
+        let indenter = IndenterMap::new(map.with_interpolation(Interpolation::Linear));
         assert_eq!(
             [-1.0, 0.0, 0.5, 1.0].map(|x| indenter.height(x, 0.0)),
             [2.0, 0.0, 0.5, 1.0]
@@ -82,19 +84,35 @@ mod tests {
         approx::assert_relative_eq!(indenter.height(1.0, 0.0), 2.0);
     }
 
-    #[test]
-    fn a_sampled_paraboloid_returns_to_second_order() {
+    /// n × n samples of a paraboloid of radius 1 with its axis at x = 0.03, on the square of side 2.
+    fn sampled(n: u32, interpolation: Interpolation) -> IndenterMap {
         let paraboloid = Paraboloid::new(1.0).unwrap();
-        let error = |n: i32| {
-            let at = |i: i32| (f64::from(i) + 0.5) * 2.0 / f64::from(n) - 1.0;
-            let heights = (0..n * n)
-                .map(|k| paraboloid.height(at(k / n), at(k % n)))
-                .collect();
-            let shape = [n.unsigned_abs() as usize; 2];
-            let indenter = IndenterMap::new(HeightMap::new(heights, shape, [2.0, 2.0]).unwrap());
-            (indenter.height(0.1, 0.2) - paraboloid.height(0.1, 0.2)).abs()
+        let at = |i: u32| (f64::from(i) + 0.5) * 2.0 / f64::from(n) - 1.0;
+        let heights = (0..n * n).map(|k| paraboloid.height(at(k / n) - 0.03, at(k % n)));
+        let map = HeightMap::new(heights.collect(), [n as usize; 2], [2.0, 2.0]).unwrap();
+        IndenterMap::new(map.with_interpolation(interpolation))
+    }
+
+    #[test]
+    fn a_sampled_paraboloid_returns_with_its_axis_between_the_samples() {
+        let indenter = sampled(20, Interpolation::Bicubic);
+        for (x, y) in [(0.0, 0.0), (0.1, 0.2), (-0.7, 0.3), (0.003, -0.001)] {
+            // The axis is found to the root of the heights' rounding, 1e-8, which costs that times the slope.
+            let error = indenter.height(x, y) - (x * x + y * y) / 2.0;
+            assert!(error.abs() < 2e-8, "{x}, {y}: {error:e}");
+        }
+    }
+
+    #[test]
+    fn a_linear_map_of_a_paraboloid_returns_to_second_order() {
+        let error = |n: u32| {
+            let indenter = sampled(n, Interpolation::Linear);
+            let [x, y] = indenter.lowest_point;
+            // A height halfway between samples along x, on one along y: h²/8 too high, h = 2/n, against the samples of the axis.
+            let half = 1.0 / f64::from(n);
+            let height = indenter.height(half, 0.0) + indenter.lowest;
+            height - ((x + half - 0.03).powi(2) + y * y) / 2.0
         };
-        // 0.1 and 0.2 lie halfway between samples for n = 5 · odd: the error there is h²/8 · 2, h = 2/n.
         let order = (error(5) / error(15)).log(3.0);
         assert!((order - 2.0).abs() < 0.05, "order {order}");
     }

@@ -10,7 +10,7 @@
 //! | [`Cone`] | `ρ cot α`, its tip a sphere that touches the side |
 //! | [`FlatPunch`] | 0 up to its radius |
 //! | [`Pyramid`] | n equal faces, tip and ridges rounded with one radius |
-//! | [`IndenterMap`] | bilinear between measured samples |
+//! | [`IndenterMap`] | measured samples and the smooth surface through them |
 //!
 //! ```
 //! use pellicle_contact::{Indenter, Profile, Pyramid};

@@ -1,0 +1,172 @@
+//! What may be meant otherwise than it is written: warnings of a case that can be solved.
+
+use super::Case;
+use super::document::{Node, Table, Value};
+use super::map::MapCase;
+use super::units::Units;
+use crate::display::{Unit, quantity};
+
+/// Something that should be looked at.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Doubt {
+    /// A word for programs.
+    pub code: &'static str,
+    /// A sentence for people.
+    pub message: String,
+}
+
+/// Keys of lengths, pressures, forces and compliances, and the unit that a bare number of theirs has in a case with units.
+const QUANTITIES: [(&str, &str); 14] = [
+    ("thickness", "m"),
+    ("young_modulus", "Pa"),
+    ("radius", "m"),
+    ("tip_radius", "m"),
+    ("height", "m"),
+    ("period", "m"),
+    ("offset", "m"),
+    ("compliance", "m/Pa"),
+    ("force", "N"),
+    ("forces", "N"),
+    ("penetration", "m"),
+    ("penetrations", "m"),
+    ("side", "m"),
+    ("sides", "m"),
+];
+
+impl Case {
+    /// What should be looked at before the numbers of the case are used, on a domain of this side.
+    #[must_use]
+    pub fn doubts(&self, side: f64) -> Vec<Doubt> {
+        let mut doubts = Vec::new();
+        if Units::of(self.origin.root()) == Units::Si {
+            bare_numbers(self.origin.root(), &mut doubts);
+        }
+        let element_side = side / self.grid.elements as f64;
+        let maps = [
+            ("surface", self.surface.map()),
+            ("indenter", self.indenter.map()),
+        ];
+        let coarse =
+            |(table, map): (&str, Option<&MapCase>)| coarse(table, map?, element_side, self.units);
+        doubts.extend(maps.into_iter().filter_map(coarse));
+        doubts
+    }
+}
+
+/// A map whose pixels are larger than the elements: more elements see no more of the surface.
+fn coarse(table: &str, map: &MapCase, element_side: f64, units: Units) -> Option<Doubt> {
+    let pixel = map.pixel();
+    let metres = |value| quantity(value, Unit::Metre, units);
+    // A map on its own grid has the pixels of its elements up to rounding.
+    (pixel > element_side * (1.0 + 1e-9)).then(|| Doubt {
+        code: "coarse-map",
+        message: format!(
+            "the map of the {table}, {}, has a sample every {}, farther apart than elements of {}: what lies between is interpolated",
+            map.file,
+            metres(pixel),
+            metres(element_side)
+        ),
+    })
+}
+
+/// The bare numbers of a case that has units elsewhere, each key once.
+fn bare_numbers(root: &Node, doubts: &mut Vec<Doubt>) {
+    if let Value::Table(table) = &root.value {
+        in_table("", table, doubts);
+    }
+}
+
+fn in_table(path: &str, table: &Table, doubts: &mut Vec<Doubt>) {
+    for entry in &table.entries {
+        let path = match path {
+            "" => entry.key.clone(),
+            path => format!("{path}.{}", entry.key),
+        };
+        let unit = QUANTITIES.iter().find(|(key, _)| *key == entry.key);
+        match (&entry.node.value, unit) {
+            (_, Some((_, unit))) => {
+                doubts.extend(bare(&entry.node).map(|at| doubt(&path, at, unit)))
+            }
+            (Value::Table(table), None) => in_table(&path, table, doubts),
+            (Value::List(items), None) => {
+                for (i, item) in items.iter().enumerate() {
+                    if let Value::Table(table) = &item.value {
+                        in_table(&format!("{path}[{i}]"), table, doubts);
+                    }
+                }
+            }
+            _ => {}
+        }
+    }
+}
+
+/// The first bare number of a value, of a list, or of the ends of a range; zero needs no unit.
+fn bare(node: &Node) -> Option<&Node> {
+    match &node.value {
+        Value::Integer(number) => (*number != 0).then_some(node),
+        Value::Float(number) => (*number != 0.0).then_some(node),
+        Value::List(items) => items.iter().find_map(bare),
+        Value::Table(table) => {
+            let ends = ["from", "to"]
+                .into_iter()
+                .filter_map(|key| table.entry(key));
+            ends.map(|entry| &entry.node).find_map(bare)
+        }
+        _ => None,
+    }
+}
+
+fn doubt(path: &str, at: &Node, unit: &str) -> Doubt {
+    let (written, place) = (at.place.text(), &at.place);
+    Doubt {
+        code: "bare-number",
+        message: format!(
+            "{}, key `{path}`: {written} among values with units is {written} {unit}; write \"{written} {unit}\" if that is meant",
+            place.words()
+        ),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::super::document;
+    use super::super::place::Source;
+    use super::*;
+
+    fn found(text: &str) -> Vec<String> {
+        let root = document::parse(&Arc::new(Source::new("case.toml", text.into()))).unwrap();
+        let mut doubts = Vec::new();
+        bare_numbers(&root, &mut doubts);
+        doubts.into_iter().map(|doubt| doubt.message).collect()
+    }
+
+    #[test]
+    fn a_bare_number_is_told_by_its_line_its_key_and_what_it_is_taken_for() {
+        assert_eq!(
+            found("[[foundation.layer]]\nthickness = 2\npoisson_ratio = 0.3\n"),
+            [
+                "case.toml, line 2, key `foundation.layer[0].thickness`: 2 among values with units is 2 m; write \"2 m\" if that is meant"
+            ]
+        );
+    }
+
+    #[test]
+    fn lists_and_ranges_are_told_once_and_zero_and_numbers_without_dimension_are_not() {
+        let text = "[load]\nforces = { from = 1e-3, to = 2e-3, count = 4 }\n[surface]\noffset = [0, 1e-6]\n\
+            [grid]\nelements = 64\n[indenter]\ntip_radius = 0\nhalf_angle = 1.2\nradius = \"5 nm\"\n";
+        let found = found(text);
+        assert_eq!(found.len(), 2, "{found:?}");
+        assert!(
+            found
+                .iter()
+                .any(|words| words.contains("line 2, key `load.forces`: 1e-3"))
+        );
+        assert!(
+            found
+                .iter()
+                .any(|words| words.contains("line 4, key `surface.offset`: 1e-6"))
+        );
+    }
+}

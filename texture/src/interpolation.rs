@@ -1,0 +1,175 @@
+//! How heights between the samples of a map are found, along one axis at a time.
+//!
+//! Bicubic: between two samples the cubic that has their heights and their slopes (Hermite), a sample's slope being that of the polynomial
+//! through it and three neighbours on either side, fewer near the rim. The slope belongs to the sample, so the surface is smooth (C¹) across
+//! every line of samples, where a bilinear one has a ridge; cubics come back exactly wherever three neighbours are there, and the error of
+//! a smooth surface falls with the fourth power of the distance between samples. A wave of four samples keeps 97 % of its height midway between two
+//! samples, of which a bilinear map leaves 71 %.
+
+/// How heights between the samples of a map are found.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Interpolation {
+    /// Smooth: piecewise bicubic, continuous with its slopes.
+    #[default]
+    Bicubic,
+    /// Piecewise bilinear: no height lies beyond those of the four samples around it, and every line of samples is a ridge.
+    Linear,
+}
+
+/// Most samples that a height depends on along one axis.
+const MOST: usize = 8;
+
+/// Neighbours on either side that a sample's slope is taken from, where there are as many.
+const REACH: usize = 3;
+
+/// Weights of the differences `f(k) − f(−k)`, k = 1, 2, …, in the slope of the polynomial through `2m + 1` equally spaced samples, m = 1, 2, 3.
+const CENTRAL: [&[f64]; REACH] = [
+    &[0.5],
+    &[2.0 / 3.0, -1.0 / 12.0],
+    &[0.75, -0.15, 1.0 / 60.0],
+];
+
+/// The slope of the parabola through the first three samples, at the first.
+const ONE_SIDED: [f64; 3] = [-1.5, 2.0, -0.5];
+
+/// The samples that a height depends on along one axis, and their weights.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Stencil {
+    first: usize,
+    count: usize,
+    weights: [f64; MOST],
+}
+
+impl Stencil {
+    /// The cubic's, at the fraction `t` of the way from sample `before` to the next of so many.
+    pub(crate) fn cubic(before: usize, t: f64, samples: usize) -> Self {
+        let after = (before + 1).min(samples - 1);
+        let first = before.saturating_sub(REACH);
+        let last = (after + REACH).min(samples - 1);
+        let mut stencil = Self {
+            first,
+            count: last - first + 1,
+            weights: [0.0; MOST],
+        };
+        if t == 0.0 {
+            stencil.add(before, 1.0);
+            return stencil;
+        }
+        // f = f0 + t² (3 − 2t) (f1 − f0) + t (1 − t)² f0′ − t² (1 − t) f1′
+        let rest = 1.0 - t;
+        let blend = t * t * (3.0 - 2.0 * t);
+        stencil.add(before, 1.0 - blend);
+        stencil.add(after, blend);
+        stencil.add_slope(before, samples, t * rest * rest);
+        stencil.add_slope(after, samples, -t * t * rest);
+        stencil
+    }
+
+    /// That of the slope at a sample, in heights per distance between samples.
+    pub(crate) fn slope(sample: usize, samples: usize) -> Self {
+        let mut stencil = Self {
+            weights: [0.0; MOST],
+            ..Self::cubic(sample, 0.0, samples)
+        };
+        stencil.add_slope(sample, samples, 1.0);
+        stencil
+    }
+
+    /// Weights of the samples, from the first on.
+    pub(crate) fn terms(&self) -> impl Iterator<Item = (usize, f64)> {
+        let weights = self.weights.iter().copied().take(self.count);
+        (self.first..).zip(weights)
+    }
+
+    fn add(&mut self, sample: usize, weight: f64) {
+        self.weights[sample - self.first] += weight;
+    }
+
+    /// Adds `weight` times the slope at a sample, in heights per distance between samples.
+    fn add_slope(&mut self, sample: usize, samples: usize, weight: f64) {
+        let reach = REACH.min(sample).min(samples - 1 - sample);
+        match (reach, samples) {
+            (0, 1) => {}
+            (0, 2) => {
+                self.add(0, -weight);
+                self.add(1, weight);
+            }
+            (0, _) => {
+                // Seen from the last sample the others come in the opposite order, and the slope with the opposite sign.
+                let is_first = sample == 0;
+                for (k, one_sided) in ONE_SIDED.into_iter().enumerate() {
+                    let (at, sign) = if is_first {
+                        (k, 1.0)
+                    } else {
+                        (sample - k, -1.0)
+                    };
+                    self.add(at, sign * weight * one_sided);
+                }
+            }
+            _ => {
+                for (k, central) in (1..).zip(CENTRAL[reach - 1]) {
+                    self.add(sample + k, weight * central);
+                    self.add(sample - k, -weight * central);
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn value(f: impl Fn(f64) -> f64, samples: usize, at: f64) -> f64 {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a sample of the test"
+        )]
+        let before = (at.floor() as usize).min(samples - 2);
+        let stencil = Stencil::cubic(before, at - before as f64, samples);
+        stencil
+            .terms()
+            .map(|(i, weight)| weight * f(i as f64))
+            .sum()
+    }
+
+    #[test]
+    fn cubics_come_back_wherever_a_sample_has_two_neighbours_and_parabolas_everywhere() {
+        let cubic = |x: f64| 1.0 - 2.0 * x + 0.5 * x * x - 0.125 * x * x * x;
+        let parabola = |x: f64| 1.0 - 2.0 * x + 0.5 * x * x;
+        for k in 0..=90 {
+            let at = f64::from(k) / 10.0;
+            // Values up to 50, a dozen roundings.
+            assert!(
+                (value(parabola, 10, at) - parabola(at)).abs() < 1e-13,
+                "{at}"
+            );
+            let error = (value(cubic, 10, at) - cubic(at)).abs();
+            assert!(
+                error < 1e-13 || !(2.0..=7.0).contains(&at),
+                "{at}: {error:e}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_wave_of_four_samples_keeps_97_percent_of_its_height_midway() {
+        let wave = |x: f64| (std::f64::consts::FRAC_PI_2 * (x - 8.5)).cos();
+        let found = value(wave, 20, 8.5);
+        // ½ √½ · 2 + ¼ · 22/15 · √½: heights and slopes of the two samples beside the crest.
+        let expected = 0.5_f64.sqrt() * (1.0 + 22.0 / 60.0);
+        assert!((found - expected).abs() < 1e-14, "{found}");
+        assert!((expected - 0.966).abs() < 5e-4);
+    }
+
+    #[test]
+    fn few_samples_give_what_they_can() {
+        let line = |x: f64| 3.0 - x;
+        assert_eq!(value(line, 2, 0.25), 2.75);
+        let stencil = Stencil::cubic(0, 0.0, 1);
+        assert_eq!(stencil.terms().collect::<Vec<_>>(), [(0, 1.0)]);
+        let parabola = |x: f64| x * x;
+        assert!((value(parabola, 3, 1.5) - 2.25).abs() < 1e-15);
+    }
+}

@@ -1,0 +1,222 @@
+//! The highest point of a map's interpolated surface, which may stand between samples.
+//!
+//! A crest of a surface that its samples resolve lies within one sample of a sample that is as high as its neighbours. The parabola through
+//! three samples tells how high a crest may be; the few that may be the highest are looked at closely.
+
+use crate::height_map::HeightMap;
+use crate::interpolation::Stencil;
+
+/// Crests that are looked at: a measured map has one or two whose parabolas come near the highest; one of round numbers may have many.
+const MOST_CRESTS: usize = 256;
+
+/// Points along each axis of one look.
+const POINTS: i32 = 8;
+
+/// Looks, each at a region of a third of the side: 3⁻³⁰ of a sample is far below rounding.
+const LOOKS: usize = 30;
+
+/// Two crests that differ by less than this, relative to the map's range, are equally high: rounding of 64 products, with a margin.
+const EQUAL: f64 = 1e-13;
+
+/// A point and the height of the surface there.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Summit {
+    pub(crate) point: [f64; 2],
+    pub(crate) height: f64,
+}
+
+/// A sample that is as high as its neighbours.
+struct Crest {
+    sample: [usize; 2],
+    /// Height that the crest's parabolas add to the sample's.
+    rise: f64,
+    height: f64,
+}
+
+impl Crest {
+    /// More than the crest can have. Of a wave of four samples, half of whose samples stand beside a crest, the surface rises by 0.68 of its
+    /// parabola's rise, of a flat line with a slope at its end by 8/27.
+    fn most(&self) -> f64 {
+        self.height + 2.0 * self.rise
+    }
+
+    /// Less than the crest has.
+    fn least(&self) -> f64 {
+        self.height + 0.25 * self.rise
+    }
+}
+
+/// The highest point of `sign` times the surface; of several equally high the one nearest to the middle of the map.
+pub(crate) fn summit(map: &HeightMap, sign: f64) -> Summit {
+    let equal = EQUAL * (map.greatest() - map.least());
+    let crests = near_the_top(crests(map, sign, equal), map);
+    let summits: Vec<_> = crests.iter().map(|crest| climb(map, sign, crest)).collect();
+    let top = summits.iter().map(|summit| summit.height);
+    let enough = top.fold(f64::NEG_INFINITY, f64::max) - equal;
+    let as_high = summits.iter().filter(|summit| summit.height >= enough);
+    let nearest = as_high.min_by(|a, b| norm(a.point).total_cmp(&norm(b.point)));
+    // A map has at least one sample, and its highest is a crest.
+    nearest.map_or(Summit::default(), |summit| Summit {
+        height: sign * summit.height,
+        ..*summit
+    })
+}
+
+/// Those that may be the highest: of equals the nearest to the middle first.
+fn near_the_top(mut crests: Vec<Crest>, map: &HeightMap) -> Vec<Crest> {
+    let least = crests.iter().map(Crest::least);
+    let least = least.fold(f64::NEG_INFINITY, f64::max);
+    crests.retain(|crest| crest.most() >= least);
+    let distance = |crest: &Crest| norm(map.point(crest.sample));
+    crests.sort_by(|a, b| {
+        let by_height = b.most().total_cmp(&a.most());
+        by_height.then(distance(a).total_cmp(&distance(b)))
+    });
+    crests.truncate(MOST_CRESTS);
+    crests
+}
+
+fn norm([x, y]: [f64; 2]) -> f64 {
+    x.hypot(y)
+}
+
+/// The samples that are as high as their four neighbours; slopes that rise by no more than `equal` a sample are none.
+fn crests(map: &HeightMap, sign: f64, equal: f64) -> Vec<Crest> {
+    let [rows, columns] = map.shape();
+    let at = |i: usize, j: usize| sign * map.heights()[i * columns + j];
+    let samples = (0..rows).flat_map(|i| (0..columns).map(move |j| [i, j]));
+    let crest = |[i, j]: [usize; 2]| {
+        let along_x = Line::new(i, rows, |i| at(i, j))?;
+        let along_y = Line::new(j, columns, |j| at(i, j))?;
+        Some(Crest {
+            sample: [i, j],
+            rise: along_x.rise(equal) + along_y.rise(equal),
+            height: at(i, j),
+        })
+    };
+    samples.filter_map(crest).collect()
+}
+
+/// A line of samples through one that is as high as its neighbours on it.
+struct Line<F> {
+    sample: usize,
+    samples: usize,
+    at: F,
+}
+
+impl<F: Fn(usize) -> f64> Line<F> {
+    /// None if a neighbour is higher.
+    fn new(sample: usize, samples: usize, at: F) -> Option<Self> {
+        let last = (sample + 1).min(samples - 1);
+        let is_highest = (sample.saturating_sub(1)..=last).all(|k| at(k) <= at(sample));
+        is_highest.then_some(Self {
+            sample,
+            samples,
+            at,
+        })
+    }
+
+    /// How far the parabola with the slope and the bend at the sample rises above it.
+    fn rise(&self, equal: f64) -> f64 {
+        let height = (self.at)(self.sample);
+        let terms = Stencil::slope(self.sample, self.samples);
+        // Differences, so that a map far from its plane of reference is none the worse.
+        let slope = terms
+            .terms()
+            .map(|(k, weight)| weight * ((self.at)(k) - height));
+        let slope = slope.sum::<f64>();
+        let is_outward =
+            (self.sample == 0 && slope < 0.0) || (self.sample + 1 == self.samples && slope > 0.0);
+        let slope = slope.abs();
+        if is_outward || slope <= equal {
+            return 0.0;
+        }
+        let middle = self.sample.clamp(1, self.samples.saturating_sub(2).max(1));
+        let near = |k: usize| (self.at)(k.min(self.samples - 1));
+        let bend = 2.0 * near(middle) - near(middle - 1) - near(middle + 1);
+        // A surface that does not bend at the sample does so before the next.
+        (slope * slope / (2.0 * bend.max(0.0))).min(0.5 * slope)
+    }
+}
+
+/// The highest point within a sample of the crest.
+fn climb(map: &HeightMap, sign: f64, crest: &Crest) -> Summit {
+    let mut best = Summit {
+        point: map.point(crest.sample),
+        height: crest.height,
+    };
+    if crest.rise == 0.0 {
+        return best;
+    }
+    let mut reach = map.pixel();
+    for _ in 0..LOOKS {
+        let [x, y] = best.point;
+        for k in 0..(POINTS + 1).pow(2) {
+            let step = |k: i32| f64::from(2 * k - POINTS) / f64::from(POINTS);
+            let point = [
+                x + reach[0] * step(k / (POINTS + 1)),
+                y + reach[1] * step(k % (POINTS + 1)),
+            ];
+            let height = sign * map.height(point);
+            if height > best.height {
+                best = Summit { point, height };
+            }
+        }
+        reach = reach.map(|side| side / 3.0);
+    }
+    best
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// 24 × 30 samples of a surface over a rectangle of 2.4 × 3.
+    fn map(surface: impl Fn(f64, f64) -> f64) -> HeightMap {
+        let at = |k: u32, count: u32| (f64::from(k) + 0.5 - f64::from(count) / 2.0) * 0.1;
+        let heights = (0..24 * 30).map(|n| surface(at(n / 30, 24), at(n % 30, 30)));
+        HeightMap::new(heights.collect(), [24, 30], [2.4, 3.0]).unwrap()
+    }
+
+    #[test]
+    fn a_crest_between_samples_is_found_where_it_stands() {
+        let map = map(|x, y| 7.0 - (x - 0.123).powi(2) - 2.0 * (y + 0.456).powi(2));
+        let found = summit(&map, 1.0);
+        // The quadratic comes back; at a crest a height tells its place to the root of its rounding.
+        assert!((found.height - 7.0).abs() < 1e-14, "{found:?}");
+        let [x, y] = found.point;
+        assert!((x - 0.123).hypot(y + 0.456) < 1e-6, "{found:?}");
+        assert_eq!(summit(&map, -1.0).point, map.point([0, 29]));
+    }
+
+    #[test]
+    fn no_height_of_a_rough_map_lies_above_its_summit_or_below_its_ground() {
+        let map = map(|x, y| {
+            // Waves of 4 samples and more in all directions.
+            let wave =
+                |k: f64| (15.7 * k * (x * (9.0 * k).cos() + y * (9.0 * k).sin()) + 40.0 * k).cos();
+            wave(0.99) + wave(0.7) + wave(0.45) + 0.6 * wave(0.2)
+        });
+        let [top, bottom] = [1.0, -1.0].map(|sign| summit(&map, sign));
+        assert!(top.height > map.greatest() && bottom.height < map.least());
+        for n in 0..400 * 500 {
+            let [i, j] = [n / 500, n % 500].map(f64::from);
+            let height = map.height([i * 0.006 - 1.2, j * 0.006 - 1.5]);
+            assert!(height <= top.height && height >= bottom.height, "{i}, {j}");
+        }
+    }
+
+    #[test]
+    fn of_a_flat_top_the_point_nearest_to_the_middle_is_taken() {
+        let flat = HeightMap::new(vec![1e3; 25], [5, 5], [1.0, 1.0]).unwrap();
+        assert_eq!(
+            summit(&flat, 1.0),
+            Summit {
+                point: [0.0, 0.0],
+                height: 1e3
+            }
+        );
+        let two = HeightMap::new(vec![2.0, 1.0, 1.0, 2.0, 1.0], [5, 1], [5.0, 1.0]).unwrap();
+        assert_eq!(summit(&two, 1.0).point[0].abs(), 1.0);
+    }
+}
