@@ -14,7 +14,10 @@ use crate::case::Case;
 pub const FILE: &str = "summary.json";
 
 /// Name and version of the layout.
-const SCHEMA: &str = "pellicle-summary/1";
+pub const SCHEMA: &str = "pellicle-summary/1";
+
+/// What writes it.
+pub const PROGRAM: &str = "pellicle";
 
 /// The numbers of a run, in SI units or the case's own.
 #[derive(Debug, Clone, Serialize)]
@@ -237,7 +240,7 @@ impl Summary {
         let cache_warnings = cache_warnings.iter().map(WarningSummary::from);
         Self {
             schema: SCHEMA,
-            program: "pellicle",
+            program: PROGRAM,
             version: env!("CARGO_PKG_VERSION"),
             title: case.title.clone(),
             case,
