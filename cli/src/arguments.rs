@@ -83,7 +83,7 @@ pub struct RunArguments {
     /// Results folder [default: results/NAME after the case, numbered if that exists; none with --json]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// Replace an existing results folder
+    /// Replace the results in an existing results folder, and no other files in it, when the new ones are complete
     #[arg(long)]
     pub force: bool,
     /// Print the summary as JSON to standard output, and nothing else; a folder is written only with --out
@@ -116,7 +116,7 @@ pub struct StudyArguments {
     /// Go on where it stopped (the default)
     #[arg(long, conflicts_with = "fresh")]
     pub resume: bool,
-    /// Begin again and forget what is there
+    /// Begin again and forget the results that are there, of this study or another
     #[arg(long)]
     pub fresh: bool,
     /// Only part I of N, from 1; `pellicle gather` puts the parts together
@@ -150,6 +150,9 @@ pub struct GatherArguments {
     /// The folder of the study
     #[arg(value_name = "DIR")]
     pub folder: PathBuf,
+    /// Replace the whole table of another study
+    #[arg(long)]
+    pub force: bool,
 }
 
 /// How to validate.

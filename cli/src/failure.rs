@@ -60,10 +60,22 @@ pub enum Failure {
         /// The table.
         path: PathBuf,
     },
-    /// Another process is at work on a table.
+    /// The table of another study is where the whole table of this one would be.
+    #[error("{} is the table of another study: give --force to replace it", path.display())]
+    OtherTable {
+        /// The table.
+        path: PathBuf,
+    },
+    /// The results of another case are where those of a study's case would be.
+    #[error("{} holds results of another case: give --fresh to begin again, or another --out", path.display())]
+    OtherCase {
+        /// The folder.
+        path: PathBuf,
+    },
+    /// Another process is at work on a table or in a folder.
     #[error("{}: another process is writing to it", path.display())]
     Busy {
-        /// The table.
+        /// The table or folder.
         path: PathBuf,
     },
     /// A file or folder cannot be written.

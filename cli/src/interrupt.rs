@@ -11,6 +11,7 @@ use std::time::Duration;
 
 use pellicle_contact::Signal;
 
+use crate::output::unfinished;
 use crate::terminal;
 
 /// What a shell reports of a program that SIGINT ended: 128 + 2.
@@ -63,6 +64,8 @@ fn received() {
     });
 }
 
+/// Ends the program; of what it has not finished nothing stays.
 fn end() -> ! {
+    unfinished::remove_all();
     process::exit(EXIT_CODE.into())
 }

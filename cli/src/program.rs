@@ -24,11 +24,14 @@ pub enum Outcome {
 
 /// Runs the program with these arguments, the first being its name.
 pub fn main(arguments: impl IntoIterator<Item = impl Into<OsString> + Clone>) -> ExitCode {
+    interrupt::listen();
     let arguments = match Arguments::try_parse_from(arguments) {
         Ok(arguments) => arguments,
         Err(error) => return usage(&error),
     };
     match execute(arguments.command) {
+        // Who asks to stop is told so, even if all was done when it was heard.
+        Ok(_) if interrupt::is_requested() => ExitCode::from(interrupt::EXIT_CODE),
         Ok(Outcome::Done) => ExitCode::SUCCESS,
         Ok(Outcome::NotConverged | Outcome::Refuted) => ExitCode::from(1),
         Ok(Outcome::Stopped) => ExitCode::from(interrupt::EXIT_CODE),

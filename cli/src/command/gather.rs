@@ -4,7 +4,7 @@ use crate::arguments::GatherArguments;
 use crate::command::study::words;
 use crate::failure::Failure;
 use crate::program::Outcome;
-use crate::study::gather;
+use crate::study::gather::{self, Other};
 use crate::terminal;
 
 /// How many missing cases are named.
@@ -16,7 +16,12 @@ const MOST_NAMED: usize = 10;
 ///
 /// [`Failure`] if there are no parts or they do not go together.
 pub fn gather(arguments: &GatherArguments) -> Result<Outcome, Failure> {
-    let found = gather::gather(&arguments.folder)?;
+    let other = if arguments.force {
+        Other::Replace
+    } else {
+        Other::Keep
+    };
+    let found = gather::gather(&arguments.folder, other)?;
     let cases = found.tally.done() + found.missing.len();
     terminal::tell(&words(found.tally, cases));
     let Some(table) = found.table else {

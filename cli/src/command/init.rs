@@ -1,13 +1,13 @@
 //! `pellicle init`: a commented case that runs as it is.
 
-use std::io::Write;
 use std::path::Path;
 
 use crate::arguments::InitArguments;
 use crate::failure::Failure;
+use crate::output::file;
 use crate::program::Outcome;
 use crate::templates::Template;
-use crate::{output, terminal};
+use crate::terminal;
 
 /// Prints the template, or writes it to a new file.
 ///
@@ -23,11 +23,12 @@ pub fn init(arguments: &InitArguments) -> Result<Outcome, Failure> {
 }
 
 fn write(path: &Path, kind: Template, force: bool) -> Result<(), Failure> {
-    if path.exists() && !force {
-        let path = path.to_owned();
-        return Err(Failure::Exists { path });
+    let text = kind.text().as_bytes();
+    if force {
+        file::write_bytes(path, text)?;
+    } else {
+        file::write_new(path, text)?;
     }
-    output::file::write_whole(path, |file| file.write_all(kind.text().as_bytes()))?;
     let path = path.display().to_string();
     let next = kind.next(&path);
     terminal::tell(&format!("wrote {path}; now: {next}"));

@@ -8,7 +8,7 @@ use pellicle_contact::{LoadingPath, Model, Observer, solve_path};
 use crate::arguments::RunArguments;
 use crate::case::Case;
 use crate::failure::Failure;
-use crate::output::folder::{Existing, Folder};
+use crate::output::folder::{self, Existing, Extent, Folder};
 use crate::output::summary::{Clock, Status, Summary, WarningSummary};
 use crate::output::{json, report, results};
 use crate::program::Outcome;
@@ -25,7 +25,6 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
     let case = Case::read(&arguments.case.path, &arguments.case.sets)?;
     let folder = claim(arguments)?;
     threads::set(arguments.threads)?;
-    interrupt::listen();
     let mut line = progress_line(arguments, case.solver.tolerance);
     let tables = Instant::now();
     let cache = cache::open();
@@ -44,10 +43,15 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
     };
     let mut summary = Summary::new(&case, &path, clock, &cache.take_warnings());
     summary.warnings.extend(unfinished(&case, &path));
-    if let Some(folder) = &folder {
-        folder.write(|folder| results::write(folder, &path, &summary))?;
-    }
-    tell(arguments, &summary, folder.as_ref().map(Folder::path));
+    let extent = if path.interrupted {
+        Extent::Part
+    } else {
+        Extent::Whole
+    };
+    let fill = |folder: &Path| results::write(folder, &path, &summary);
+    let written = folder.map(|folder| folder.write(extent, fill));
+    let written = written.transpose()?;
+    tell(arguments, &summary, written.as_deref());
     if arguments.json {
         terminal::print(&json(&summary)?)?;
     }
@@ -71,11 +75,13 @@ fn claim(arguments: &RunArguments) -> Result<Option<Folder>, Failure> {
         Existing::Keep
     };
     let name = arguments.case.path.file_stem().unwrap_or_default();
-    match &arguments.out {
-        Some(path) => Folder::claim(path, existing).map(Some),
-        None if arguments.json => Ok(None),
-        None => Folder::claim_default(&name.to_string_lossy(), existing).map(Some),
-    }
+    let folder = match &arguments.out {
+        Some(path) => Folder::claim(path, existing)?,
+        None if arguments.json => return Ok(None),
+        None => Folder::claim_default(&name.to_string_lossy(), existing)?,
+    };
+    folder::sweep_beside(folder.path());
+    Ok(Some(folder))
 }
 
 fn progress_line(arguments: &RunArguments, tolerance: f64) -> ProgressLine {

@@ -1,6 +1,5 @@
 //! `pellicle study`: one case for many values of its keys.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use serde::Serialize;
@@ -9,15 +8,15 @@ use crate::arguments::StudyArguments;
 use crate::failure::Failure;
 use crate::program::Outcome;
 use crate::study::Study;
-use crate::study::identity::Identity;
+use crate::study::place::Place;
 use crate::study::plan::Plan;
 use crate::study::progress::Lines;
 use crate::study::shard::Shard;
 use crate::study::solve::Kit;
 use crate::study::status::Tally;
-use crate::study::table::{Begin, Table};
+use crate::study::table::Table;
 use crate::study::{file, runner};
-use crate::{cache, interrupt, output, terminal};
+use crate::{cache, output, terminal};
 
 /// Solves the cases that are not done yet and says how all of them ended.
 ///
@@ -31,9 +30,8 @@ pub fn study(arguments: &StudyArguments) -> Result<Outcome, Failure> {
         return list(&study, arguments.shard);
     }
     let folder = folder(arguments, &study);
-    let begin = prepare(&folder, &plan.identity, arguments.fresh)?;
-    let mut table = Table::open(&folder, &plan.identity, begin)?;
-    interrupt::listen();
+    let place = Place::claim(&folder, &plan.identity, arguments.fresh)?;
+    let mut table = Table::open(place, &plan.identity)?;
     let cases = plan.identity.cases();
     let is_to_do = |case: &usize| !table.done().contains_key(case);
     let to_do: Vec<_> = cases.iter().copied().filter(is_to_do).collect();
@@ -46,7 +44,7 @@ pub fn study(arguments: &StudyArguments) -> Result<Outcome, Failure> {
         study: &study,
         columns: &plan.columns,
         cache: cache::open(),
-        folders: arguments.folders.then(|| folder.join("cases")),
+        folders: arguments.folders.then(|| table.place().cases()),
     };
     let threads = arguments
         .threads
@@ -68,40 +66,6 @@ fn is_watched(arguments: &StudyArguments) -> bool {
 fn folder(arguments: &StudyArguments, study: &Study) -> PathBuf {
     let default = || Path::new("results").join(&study.name);
     arguments.out.clone().unwrap_or_else(default)
-}
-
-/// Makes the folder, and sees to it that what is in it is of this very study, or is to be begun again.
-fn prepare(folder: &Path, identity: &Identity, fresh: bool) -> Result<Begin, Failure> {
-    let found = Identity::read(&Identity::path(folder, identity.shard))?;
-    if found.is_none() && holds_something_else(folder) {
-        return Err(Failure::NoResults {
-            path: folder.to_owned(),
-        });
-    }
-    fs::create_dir_all(folder).map_err(|cause| Failure::Write {
-        path: folder.to_owned(),
-        cause,
-    })?;
-    let table = identity.table(folder);
-    let is_same = found.is_some_and(|found| found.fingerprint == identity.fingerprint);
-    let is_empty = table.metadata().map_or(true, |data| data.len() == 0);
-    match (fresh || is_empty, is_same) {
-        (true, _) => Ok(Begin::Again),
-        (false, true) => Ok(Begin::Resume),
-        (false, false) => Err(Failure::OtherStudy { path: table }),
-    }
-}
-
-/// Whether there is anything but the files of studies.
-fn holds_something_else(folder: &Path) -> bool {
-    let Ok(mut entries) = fs::read_dir(folder) else {
-        return folder.exists();
-    };
-    let is_ours = |name: &str| {
-        let starts = ["study", "results", ".partial-", "cases"];
-        starts.iter().any(|start| name.starts_with(start))
-    };
-    entries.any(|entry| entry.map_or(true, |entry| !is_ours(&entry.file_name().to_string_lossy())))
 }
 
 /// What `--json` prints.

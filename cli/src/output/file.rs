@@ -1,13 +1,20 @@
-//! Files that are there whole or not at all.
+//! Files that are there whole or not at all. What is written has a random name of its own until it is complete; nobody else's file is opened.
 
-use std::fs::{self, File};
-use std::io::{self, BufWriter};
-use std::path::{Path, PathBuf};
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, BufWriter, ErrorKind, Write};
+use std::path::Path;
 
+use tempfile::TempPath;
+
+use super::lock;
+use super::unfinished::Unfinished;
 use crate::failure::Failure;
 
 /// Bytes that are handed to the system at once: a curve's folder takes 4,000 calls instead of 30,000.
 const BUFFER: usize = 1 << 17;
+
+/// Beginning and end of the names of files that are not complete yet.
+const PARTIAL: [&str; 2] = [".pellicle-", ".partial"];
 
 /// Writes a file under a temporary name beside it and renames it when it is complete and on the disk.
 ///
@@ -18,50 +25,123 @@ pub fn write_whole(
     path: &Path,
     write: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>,
 ) -> Result<(), Failure> {
-    let partial = partial(path);
-    let written = File::create(&partial).and_then(|file| {
-        let mut file = BufWriter::with_capacity(BUFFER, file);
-        write(&mut file)?;
-        file.into_inner()?.sync_all()
-    });
-    finish(path, &partial, written)
+    let durably = |file: &mut BufWriter<File>| {
+        write(file)?;
+        file.flush()?;
+        file.get_ref().sync_all()
+    };
+    put(path, Put::Replacing, durably).map_err(|cause| failure(path, cause))
 }
 
-/// Lets a library write a file by its path, under a temporary name with the same extension, and renames it.
+/// The same for bytes that can be made again: they are not forced onto the disk.
 ///
 /// # Errors
 ///
 /// [`Failure::Write`] if any of that fails; nothing is left behind then.
-pub fn create_whole(
+pub fn write_bytes(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    let written = put(path, Put::Replacing, |file| file.write_all(bytes));
+    written.map_err(|cause| failure(path, cause))
+}
+
+/// The same for a file that must not be there yet.
+///
+/// # Errors
+///
+/// [`Failure::Exists`] if something of that name is there, [`Failure::Write`] if it cannot be written.
+pub fn write_new(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    let written = put(path, Put::New, |file| file.write_all(bytes));
+    written.map_err(|cause| match cause.kind() {
+        ErrorKind::AlreadyExists => Failure::Exists {
+            path: path.to_owned(),
+        },
+        _ => failure(path, cause),
+    })
+}
+
+/// Removes what processes that are dead have left half-written in a folder.
+pub fn sweep(folder: &Path) {
+    let Ok(entries) = fs::read_dir(folder) else {
+        return;
+    };
+    for entry in entries.flatten() {
+        let is_file = entry.file_type().is_ok_and(|kind| kind.is_file());
+        if is_file && entry.file_name().to_str().is_some_and(is_partial) {
+            remove_if_left(&entry.path());
+        }
+    }
+}
+
+/// Whether this is the name of a file that is not complete yet.
+#[must_use]
+pub fn is_partial(name: &str) -> bool {
+    let [prefix, suffix] = PARTIAL;
+    name.starts_with(prefix) && name.ends_with(suffix)
+}
+
+/// Whether a file may be there already.
+#[derive(Clone, Copy)]
+enum Put {
+    New,
+    Replacing,
+}
+
+fn put(
     path: &Path,
-    create: impl FnOnce(&Path) -> io::Result<()>,
-) -> Result<(), Failure> {
-    let partial = partial(path);
-    let written = create(&partial);
-    finish(path, &partial, written)
+    put: Put,
+    write: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>,
+) -> io::Result<()> {
+    let (file, partial) = partial(path)?;
+    let _unfinished = Unfinished::file(&partial);
+    let mut file = BufWriter::with_capacity(BUFFER, file);
+    write(&mut file)?;
+    // Open, and with that locked, until it has its name.
+    let _file = file.into_inner()?;
+    let placed = match put {
+        Put::Replacing => partial.persist(path),
+        Put::New => partial.persist_noclobber(path),
+    };
+    placed.map_err(|failed| failed.error)
 }
 
-fn finish(path: &Path, partial: &Path, written: io::Result<()>) -> Result<(), Failure> {
-    written
-        .and_then(|()| fs::rename(partial, path))
-        .map_err(|cause| {
-            // Best effort: the error to tell is the first one.
-            drop(fs::remove_file(partial));
-            let path = path.to_owned();
-            Failure::Write { path, cause }
-        })
+/// A new file beside the path, with the permissions that any new file has, locked as long as it is open.
+fn partial(path: &Path) -> io::Result<(File, TempPath)> {
+    let folder = match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    };
+    let [prefix, suffix] = PARTIAL;
+    loop {
+        let mut builder = tempfile::Builder::new();
+        builder.prefix(prefix).suffix(suffix).rand_bytes(12);
+        #[cfg(unix)]
+        builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+        let (file, partial) = builder.tempfile_in(folder)?.into_parts();
+        // Where the file system knows no locks nothing is swept away either.
+        drop(file.try_lock());
+        // Before it was locked it may have been taken for one that somebody left.
+        if lock::is_at(&file, &partial) {
+            return Ok((file, partial));
+        }
+    }
 }
 
-/// `.partial-name` beside `name`: hidden, and of the same extension.
-fn partial(path: &Path) -> PathBuf {
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
-    path.with_file_name(format!(".partial-{name}"))
+/// Removes a file whose owner is dead: it has no lock on it any more.
+fn remove_if_left(path: &Path) {
+    let opened = OpenOptions::new().read(true).write(true).open(path);
+    let Ok(file) = opened else { return };
+    if file.try_lock().is_ok() && lock::is_at(&file, path) {
+        // Best effort: it is tried again by the next.
+        drop(fs::remove_file(path));
+    }
+}
+
+fn failure(path: &Path, cause: io::Error) -> Failure {
+    let path = path.to_owned();
+    Failure::Write { path, cause }
 }
 
 #[cfg(test)]
 mod tests {
-    use std::io::Write;
-
     use super::*;
 
     #[test]
@@ -82,9 +162,48 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.txt");
         fs::write(&path, "old").unwrap();
-        let full = |_: &mut BufWriter<File>| Err(io::Error::from(io::ErrorKind::StorageFull));
+        let full = |_: &mut BufWriter<File>| Err(io::Error::from(ErrorKind::StorageFull));
         assert!(write_whole(&path, full).is_err());
         assert_eq!(fs::read_to_string(&path).unwrap(), "old");
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+
+    #[test]
+    fn a_new_file_replaces_none() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.txt");
+        write_new(&path, b"mine").unwrap();
+        let again = write_new(&path, b"other");
+        assert!(matches!(again, Err(Failure::Exists { .. })));
+        assert_eq!(fs::read_to_string(&path).unwrap(), "mine");
+    }
+
+    #[test]
+    fn what_the_dead_left_is_swept_and_what_the_living_write_is_not() {
+        let folder = tempfile::tempdir().unwrap();
+        let left = folder.path().join(".pellicle-left.partial");
+        fs::write(&left, "half").unwrap();
+        fs::write(folder.path().join(".pellicle-notes"), "mine").unwrap();
+        write_whole(&folder.path().join("a.txt"), |file| {
+            sweep(folder.path());
+            file.write_all(b"whole")
+        })
+        .unwrap();
+        assert!(!left.exists());
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 2);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_link_is_replaced_and_never_followed_and_the_umask_holds() {
+        use std::os::unix::fs::{PermissionsExt, symlink};
+        let folder = tempfile::tempdir().unwrap();
+        let [other, path] = ["other", "a.txt"].map(|name| folder.path().join(name));
+        fs::write(&other, "other").unwrap();
+        symlink("other", &path).unwrap();
+        write_bytes(&path, b"mine").unwrap();
+        assert_eq!(fs::read_to_string(&other).unwrap(), "other");
+        let mode = |path: &Path| fs::symlink_metadata(path).unwrap().permissions().mode();
+        assert_eq!(mode(&path), mode(&other));
     }
 }

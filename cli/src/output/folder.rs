@@ -1,58 +1,89 @@
-//! A results folder: there whole or not at all, and never in the place of another without being told.
+//! A results folder: its place claimed before the work, filled when the work is done, and never in the place of what somebody else has written.
+//!
+//! A claimed place is a folder with a lock in it and a hidden folder that is filled. When that is complete it is renamed, which makes it
+//! valid, and its files move up into the place, `summary.json` last. The names of the hidden folder say how far this is:
+//!
+//! | name | what a run that finds it, its owner dead, does with it |
+//! |---|---|
+//! | `.pellicle-run-…` | removes it: it is half-written |
+//! | `.pellicle-done-…` | removes the older results in the place and goes on with the next |
+//! | `.pellicle-move-…` | moves the files that are still in it up |
 
-use std::fs;
-use std::io;
+use std::fs::{self, DirEntry};
+use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
+use std::process;
 
-use tempfile::TempDir;
-
-use super::summary;
+use super::lock::Lock;
+use super::unfinished::{self, Unfinished};
+use super::{file, own, summary};
 use crate::failure::Failure;
+
+/// Name of the lock in a claimed place.
+const LOCK: &str = ".pellicle-lock";
+
+/// Beginnings of the names of the hidden folder: being filled, complete, being emptied.
+const FILLING: &str = ".pellicle-run-";
+const COMPLETE: &str = ".pellicle-done-";
+const EMPTYING: &str = ".pellicle-move-";
+
+/// Where results go that are not whole and must not replace those that are.
+const STOPPED: &str = "stopped";
+
+/// Where results go if somebody has put something of the same names into the place meanwhile.
+const BESIDE: &str = "results";
+
+/// Most numbers tried for a place that is taken.
+const MOST_NUMBERS: usize = 9999;
+
+/// How often another process may remove a folder while it is being claimed.
+const ATTEMPTS: usize = 100;
 
 /// What to do with a results folder that is already there.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Existing {
     /// Leave it alone.
     Keep,
-    /// Replace it when the new one is complete.
+    /// Replace what a run has written in it when the new one is complete.
     Replace,
 }
 
-/// A place where a results folder may be put.
-#[derive(Debug, Clone, PartialEq, Eq)]
+/// Whether results are all that was asked for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Extent {
+    /// Every loading step.
+    Whole,
+    /// What was there when the user stopped it.
+    Part,
+}
+
+/// A claimed place for a results folder. Dropped without being written, it leaves nothing.
+#[derive(Debug)]
 pub struct Folder {
     path: PathBuf,
     existing: Existing,
+    // In this order they are removed.
+    scratch: Unfinished,
+    _lock: Lock,
+    _made: Vec<Unfinished>,
 }
 
 impl Folder {
-    /// Checks, before any long work, that a results folder can be put here.
+    /// Claims a place, before any long work, for this process alone.
     ///
     /// # Errors
     ///
-    /// [`Failure::Exists`] if one is there and is to be kept, [`Failure::NoResults`] if something else is there, which
-    /// is never replaced, [`Failure::Write`] if nothing can be written here.
+    /// [`Failure::Exists`] if results are there and are to be kept, [`Failure::NoResults`] if something else is there,
+    /// which is never replaced, [`Failure::Busy`] if another process has claimed it, [`Failure::Write`] if nothing can be written here.
     pub fn claim(path: &Path, existing: Existing) -> Result<Self, Failure> {
-        match (state(path), existing) {
-            (State::Foreign, _) => {
-                return Err(Failure::NoResults {
-                    path: path.to_owned(),
-                });
+        check(path, existing)?;
+        for _ in 0..ATTEMPTS {
+            match Self::take(path, existing) {
+                Err(Failure::Write { cause, .. }) if cause.kind() == ErrorKind::NotFound => {}
+                claimed => return claimed,
             }
-            (State::Results, Existing::Keep) => {
-                return Err(Failure::Exists {
-                    path: path.to_owned(),
-                });
-            }
-            _ => {}
         }
-        let folder = Self {
-            path: path.to_owned(),
-            existing,
-        };
-        // A folder made and removed shows that one can be made later.
-        folder.scratch()?;
-        Ok(folder)
+        Self::take(path, existing)
     }
 
     /// The place for a case of this name unless another is given: `results/name`, or `results/name-2` and so on where
@@ -64,17 +95,44 @@ impl Folder {
     pub fn claim_default(name: &str, existing: Existing) -> Result<Self, Failure> {
         let results = Path::new("results");
         let first = results.join(name);
-        let free = |path: &PathBuf| state(path) == State::Free;
-        let numbered = || {
-            (2..=9999)
-                .map(|i| results.join(format!("{name}-{i}")))
-                .find(free)
+        if existing == Existing::Replace {
+            return Self::claim(&first, existing);
+        }
+        let numbered = (2..=MOST_NUMBERS).map(|i| results.join(format!("{name}-{i}")));
+        let taken = |failure: &Failure| {
+            matches!(
+                failure,
+                Failure::Exists { .. } | Failure::NoResults { .. } | Failure::Busy { .. }
+            )
         };
-        let path = match existing {
-            Existing::Keep if !free(&first) => numbered().unwrap_or(first),
-            _ => first,
-        };
-        Self::claim(&path, existing)
+        for path in std::iter::once(first.clone()).chain(numbered) {
+            match Self::claim(&path, existing) {
+                Err(failure) if taken(&failure) => {}
+                claimed => return claimed,
+            }
+        }
+        Self::claim(&first, existing)
+    }
+
+    fn take(path: &Path, existing: Existing) -> Result<Self, Failure> {
+        let failed = |cause| failure(path, cause);
+        let mut made = make(path).map_err(failed)?;
+        let lock = take_lock(path, !made.is_empty()).map_err(failed)?;
+        let lock = lock.ok_or_else(|| Failure::Busy {
+            path: path.to_owned(),
+        })?;
+        if lock.found().is_some_and(says_made) {
+            made.push(Unfinished::empty_folder(path));
+        }
+        settle(path).map_err(failed)?;
+        check(path, existing)?;
+        Ok(Self {
+            path: path.to_owned(),
+            existing,
+            scratch: scratch(path).map_err(failed)?,
+            _lock: lock,
+            _made: made,
+        })
     }
 
     /// Where it will be.
@@ -83,145 +141,414 @@ impl Folder {
         &self.path
     }
 
-    /// Fills a hidden folder beside the place, then moves it there.
+    /// Fills the hidden folder, then moves what is in it to the place; where it is now. Part of a result never replaces a whole one: it
+    /// is put into a folder of its own in the place.
     ///
     /// # Errors
     ///
     /// What `fill` returns, or [`Failure::Write`]; nothing is left behind then.
-    pub fn write(&self, fill: impl FnOnce(&Path) -> Result<(), Failure>) -> Result<(), Failure> {
-        let scratch = self.scratch()?;
-        fill(scratch.path())?;
-        let moved = match (state(&self.path), self.existing) {
-            (State::Free, _) => move_to(scratch, &self.path),
-            (State::Results, Existing::Replace) => self.replace(scratch),
-            _ => {
-                return Err(Failure::Exists {
-                    path: self.path.clone(),
-                });
-            }
+    pub fn write(
+        self,
+        extent: Extent,
+        fill: impl FnOnce(&Path) -> Result<(), Failure>,
+    ) -> Result<PathBuf, Failure> {
+        fill(self.scratch.path())?;
+        let failed = |cause| failure(&self.path, cause);
+        let aside = match (state(&self.path), self.existing, extent) {
+            (State::Free, ..) | (State::Results, Existing::Replace, Extent::Whole) => None,
+            (State::Results, Existing::Replace, Extent::Part) => Some(STOPPED),
+            _ => Some(BESIDE),
         };
-        moved.map_err(|cause| self.failed(cause))
+        if let Some(name) = aside {
+            return self.put_aside(name);
+        }
+        let scratch = self.scratch.path();
+        unfinished::undisturbed(|| {
+            let complete = renamed(scratch, COMPLETE)?;
+            let emptying = remove_older(&self.path, &complete)?;
+            move_up(&self.path, &emptying)
+        })
+        .map_err(failed)?;
+        Ok(self.path.clone())
     }
 
-    /// The old folder steps aside and is removed once the new one is in its place.
-    fn replace(&self, scratch: TempDir) -> io::Result<()> {
-        let aside = hidden_beside(&self.path)?;
-        let old = aside.path().join("old");
-        fs::rename(&self.path, &old)?;
-        move_to(scratch, &self.path).inspect_err(|_| {
-            // Best effort: the error to tell is the first one.
-            drop(fs::rename(&old, &self.path));
+    /// The hidden folder becomes one that shows, with the first of these names that is free.
+    fn put_aside(&self, name: &str) -> Result<PathBuf, Failure> {
+        let numbered = (2..=MOST_NUMBERS).map(|i| format!("{name}-{i}"));
+        for name in std::iter::once(name.to_owned()).chain(numbered) {
+            let path = self.path.join(name);
+            if fs::symlink_metadata(&path).is_err() {
+                let moved = fs::rename(self.scratch.path(), &path);
+                return moved
+                    .map(|()| path)
+                    .map_err(|cause| failure(&self.path, cause));
+            }
+        }
+        Err(Failure::Exists {
+            path: self.path.join(name),
         })
     }
+}
 
-    fn scratch(&self) -> Result<TempDir, Failure> {
-        hidden_beside(&self.path).map_err(|cause| self.failed(cause))
+/// Finishes or removes what dead processes have left in the folders beside a place, as the next run there would.
+pub fn sweep_beside(path: &Path) {
+    let parent = match path.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    };
+    if let Ok(entries) = fs::read_dir(parent) {
+        entries.flatten().for_each(|entry| sweep(&entry.path()));
     }
+}
 
-    fn failed(&self, cause: io::Error) -> Failure {
-        let path = self.path.clone();
-        Failure::Write { path, cause }
+/// Finishes or removes what a dead process has left in a folder.
+fn sweep(folder: &Path) {
+    let is_left = fs::symlink_metadata(folder.join(LOCK)).is_ok_and(|lock| lock.is_file());
+    if !is_left {
+        return;
     }
+    // Best effort: who claims the place tries again, and is told.
+    let Ok(Some(lock)) = take_lock(folder, false) else {
+        return;
+    };
+    let _made = lock
+        .found()
+        .is_some_and(says_made)
+        .then(|| Unfinished::empty_folder(folder));
+    drop(settle(folder));
+    drop(lock);
 }
 
 /// What is at a path.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum State {
-    /// Nothing, or an empty folder.
+    /// Nothing, or a folder with nothing but the hidden files of a claim.
     Free,
-    /// A results folder.
+    /// Results of this program.
     Results,
     /// Something that this program did not write.
     Foreign,
 }
 
 fn state(path: &Path) -> State {
-    let is_empty = || fs::read_dir(path).is_ok_and(|mut entries| entries.next().is_none());
-    match path.symlink_metadata() {
-        Err(_) => State::Free,
-        Ok(_) if path.join(summary::FILE).is_file() => State::Results,
-        Ok(_) if is_empty() => State::Free,
-        Ok(_) => State::Foreign,
+    if fs::symlink_metadata(path).is_err() {
+        return State::Free;
     }
-}
-
-/// A hidden folder on the same file system, removed when dropped.
-fn hidden_beside(path: &Path) -> io::Result<TempDir> {
-    let parent = match path.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent,
-        _ => Path::new("."),
+    let Ok(mut entries) = fs::read_dir(path) else {
+        return State::Foreign;
     };
-    fs::create_dir_all(parent)?;
-    tempfile::Builder::new()
-        .prefix(".pellicle-")
-        .tempdir_in(parent)
+    if entries.all(|entry| entry.is_ok_and(|entry| is_hidden(&entry))) {
+        State::Free
+    } else if own::case_in(path).is_some() {
+        State::Results
+    } else {
+        State::Foreign
+    }
 }
 
-fn move_to(scratch: TempDir, path: &Path) -> io::Result<()> {
-    if path.is_dir() {
-        fs::remove_dir(path)?;
+/// Whether a claim of a place has made an entry of it.
+fn is_hidden(entry: &DirEntry) -> bool {
+    let name = entry.file_name();
+    name.to_str().is_some_and(|name| {
+        let starts = [LOCK, FILLING, COMPLETE, EMPTYING];
+        starts.iter().any(|start| name.starts_with(start)) || file::is_partial(name)
+    })
+}
+
+fn check(path: &Path, existing: Existing) -> Result<(), Failure> {
+    let path_buf = || path.to_owned();
+    match (state(path), existing) {
+        (State::Foreign, _) if !is_being_emptied(path) => {
+            Err(Failure::NoResults { path: path_buf() })
+        }
+        (State::Results, Existing::Keep) => Err(Failure::Exists { path: path_buf() }),
+        _ => Ok(()),
     }
-    fs::rename(scratch.path(), path)?;
-    // What it would remove is elsewhere now.
-    drop(scratch.keep());
+}
+
+/// Whether a dead process was just about to move results to this place: whoever claims it finishes this first.
+fn is_being_emptied(path: &Path) -> bool {
+    hidden(path, EMPTYING).is_ok_and(|hidden| !hidden.is_empty())
+}
+
+/// Makes a folder and those above it that are not there; those it has made.
+fn make(path: &Path) -> io::Result<Vec<Unfinished>> {
+    let is_missing = |path: &&Path| !path.as_os_str().is_empty() && !path.is_dir();
+    let missing: Vec<_> = path.ancestors().take_while(is_missing).collect();
+    let mut made = Vec::new();
+    for folder in missing.into_iter().rev() {
+        match fs::create_dir(folder) {
+            Ok(()) => made.push(Unfinished::empty_folder(folder)),
+            Err(error) if error.kind() == ErrorKind::AlreadyExists && folder.is_dir() => {}
+            Err(error) => return Err(error),
+        }
+    }
+    // The inner ones are dropped first.
+    made.reverse();
+    Ok(made)
+}
+
+fn take_lock(path: &Path, is_made: bool) -> io::Result<Option<Lock>> {
+    let made = if is_made { MADE } else { "" };
+    let text = format!(
+        "pellicle (process {}) is at work here. If it was killed, the next run here removes what it has left.\n{made}",
+        process::id()
+    );
+    Lock::take(&path.join(LOCK), &text)
+}
+
+/// What the lock's file says if the folder was not there before.
+const MADE: &str = "It has made this folder.\n";
+
+fn says_made(text: &str) -> bool {
+    text.ends_with(MADE)
+}
+
+/// A new hidden folder in a place.
+fn scratch(path: &Path) -> io::Result<Unfinished> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(FILLING).rand_bytes(12);
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o777));
+    Ok(Unfinished::folder(&builder.tempdir_in(path)?.keep()))
+}
+
+/// Finishes what was complete and removes what was not, in a place whose lock this process has.
+fn settle(path: &Path) -> io::Result<()> {
+    for left in hidden(path, FILLING)? {
+        remove_half_written(&left);
+    }
+    for left in hidden(path, COMPLETE)? {
+        move_up(path, &remove_older(path, &left)?)?;
+    }
+    for left in hidden(path, EMPTYING)? {
+        move_up(path, &left)?;
+    }
+    file::sweep(path);
     Ok(())
+}
+
+/// The hidden folders whose names begin like this.
+fn hidden(path: &Path, start: &str) -> io::Result<Vec<PathBuf>> {
+    let mut found = Vec::new();
+    for entry in fs::read_dir(path)? {
+        let entry = entry?;
+        let is_named = entry
+            .file_name()
+            .to_str()
+            .is_some_and(|name| name.starts_with(start));
+        if is_named && entry.file_type()?.is_dir() {
+            found.push(entry.path());
+        }
+    }
+    Ok(found)
+}
+
+/// Removes the files of a run in a hidden folder, and the folder if nothing else is in it.
+fn remove_half_written(folder: &Path) {
+    let Ok(entries) = fs::read_dir(folder) else {
+        return;
+    };
+    for entry in entries.flatten() {
+        let is_partial = entry.file_name().to_str().is_some_and(file::is_partial);
+        if own::is_file(&entry) || is_partial {
+            // Best effort: what stays is tried again by the next run.
+            drop(fs::remove_file(entry.path()));
+        }
+    }
+    drop(fs::remove_dir(folder));
+}
+
+/// The same hidden folder with another beginning of its name.
+fn renamed(folder: &Path, start: &str) -> io::Result<PathBuf> {
+    let name = folder.file_name().unwrap_or_default().to_string_lossy();
+    let random = name.rsplit('-').next().unwrap_or_default();
+    let to = folder.with_file_name(format!("{start}{random}"));
+    fs::rename(folder, &to)?;
+    Ok(to)
+}
+
+/// Removes the results that complete ones replace.
+fn remove_older(path: &Path, complete: &Path) -> io::Result<PathBuf> {
+    own::remove_files(path)?;
+    renamed(complete, EMPTYING)
+}
+
+/// Moves the files of a hidden folder up, the summary last, and removes it.
+fn move_up(path: &Path, emptying: &Path) -> io::Result<()> {
+    let names = fs::read_dir(emptying)?;
+    let names = names.map(|entry| Ok(entry?.file_name()));
+    let mut names = names.collect::<io::Result<Vec<_>>>()?;
+    names.sort_by_key(|name| name == summary::FILE);
+    for name in names {
+        fs::rename(emptying.join(&name), path.join(&name))?;
+    }
+    fs::remove_dir(emptying)
+}
+
+fn failure(path: &Path, cause: io::Error) -> Failure {
+    let path = path.to_owned();
+    Failure::Write { path, cause }
 }
 
 #[cfg(test)]
 mod tests {
+    use tempfile::TempDir;
+
     use super::*;
 
-    fn fill(text: &'static str) -> impl FnOnce(&Path) -> Result<(), Failure> {
+    fn summary(title: &str) -> String {
+        format!(
+            r#"{{"schema": "{}", "program": "pellicle", "case": {{}}, "title": "{title}"}}"#,
+            summary::SCHEMA
+        )
+    }
+
+    fn fill(title: &'static str) -> impl FnOnce(&Path) -> Result<(), Failure> {
         move |folder| {
-            fs::write(folder.join(summary::FILE), text).unwrap();
+            fs::write(folder.join(summary::FILE), summary(title)).unwrap();
+            fs::write(folder.join(format!("section-{title}.svg")), title).unwrap();
             Ok(())
         }
     }
 
-    fn entries(folder: &TempDir) -> usize {
-        fs::read_dir(folder.path()).unwrap().count()
+    fn put(path: &Path, existing: Existing, extent: Extent, title: &'static str) -> PathBuf {
+        let folder = Folder::claim(path, existing).unwrap();
+        folder.write(extent, fill(title)).unwrap()
+    }
+
+    fn names(folder: &Path) -> Vec<String> {
+        let entries = fs::read_dir(folder).unwrap();
+        let names = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());
+        let mut names: Vec<_> = names.collect();
+        names.sort();
+        names
+    }
+
+    fn parent() -> (TempDir, PathBuf) {
+        let parent = tempfile::tempdir().unwrap();
+        let path = parent.path().join("deep").join("a");
+        (parent, path)
     }
 
     #[test]
     fn results_are_kept_unless_they_may_be_replaced() {
-        let parent = tempfile::tempdir().unwrap();
-        let path = parent.path().join("a");
-        Folder::claim(&path, Existing::Keep)
-            .unwrap()
-            .write(fill("1"))
-            .unwrap();
+        let (_parent, path) = parent();
+        put(&path, Existing::Keep, Extent::Whole, "001");
         let kept = Folder::claim(&path, Existing::Keep);
         assert!(matches!(kept, Err(Failure::Exists { .. })));
-        Folder::claim(&path, Existing::Replace)
-            .unwrap()
-            .write(fill("2"))
-            .unwrap();
-        assert_eq!(fs::read_to_string(path.join(summary::FILE)).unwrap(), "2");
-        assert_eq!(entries(&parent), 1);
+        fs::write(path.join("thesis.tex"), "").unwrap();
+        put(&path, Existing::Replace, Extent::Whole, "002");
+        assert_eq!(
+            names(&path),
+            ["section-002.svg", "summary.json", "thesis.tex"]
+        );
     }
 
     #[test]
-    fn nothing_appears_before_the_folder_is_complete_or_if_it_fails() {
-        let parent = tempfile::tempdir().unwrap();
-        let path = parent.path().join("deep").join("a");
+    fn a_part_never_replaces_the_whole() {
+        let (_parent, path) = parent();
+        assert_eq!(put(&path, Existing::Replace, Extent::Part, "001"), path);
+        for place in ["stopped", "stopped-2"] {
+            let put = put(&path, Existing::Replace, Extent::Part, "002");
+            assert_eq!(put, path.join(place));
+            assert_eq!(names(&put), ["section-002.svg", "summary.json"]);
+        }
+        assert_eq!(
+            names(&path),
+            ["section-001.svg", "stopped", "stopped-2", "summary.json"]
+        );
+    }
+
+    #[test]
+    fn a_claimed_place_is_nobody_elses_and_leaves_nothing_if_it_fails() {
+        let (parent, path) = parent();
         let folder = Folder::claim(&path, Existing::Keep).unwrap();
-        let failed = folder.write(|scratch| {
-            assert!(!path.exists());
+        for existing in [Existing::Keep, Existing::Replace] {
+            let second = Folder::claim(&path, existing);
+            assert!(matches!(second, Err(Failure::Busy { .. })));
+        }
+        let failed = folder.write(Extent::Whole, |scratch| {
             fs::write(scratch.join("half"), "").unwrap();
-            Err(Failure::NoResults { path: path.clone() })
+            assert!(names(&path).iter().all(|name| name.starts_with('.')));
+            Err(Failure::NoCases)
         });
         assert!(failed.is_err());
-        assert_eq!(fs::read_dir(parent.path().join("deep")).unwrap().count(), 0);
+        assert_eq!(names(parent.path()), [""; 0]);
     }
 
     #[test]
     fn an_empty_folder_is_used_and_a_foreign_one_never_replaced() {
         let path = tempfile::tempdir().unwrap();
-        Folder::claim(path.path(), Existing::Keep).unwrap();
-        fs::write(path.path().join("thesis.tex"), "").unwrap();
-        for existing in [Existing::Keep, Existing::Replace] {
-            let claimed = Folder::claim(path.path(), existing);
-            assert!(matches!(claimed, Err(Failure::NoResults { .. })));
+        drop(Folder::claim(path.path(), Existing::Keep).unwrap());
+        for name in ["thesis.tex", summary::FILE] {
+            fs::write(path.path().join(name), "").unwrap();
+            for existing in [Existing::Keep, Existing::Replace] {
+                let claimed = Folder::claim(path.path(), existing);
+                assert!(matches!(claimed, Err(Failure::NoResults { .. })));
+            }
         }
+    }
+
+    #[test]
+    fn what_comes_into_the_place_meanwhile_is_kept_and_the_results_are_too() {
+        let (_parent, path) = parent();
+        let folder = Folder::claim(&path, Existing::Keep).unwrap();
+        fs::write(path.join(summary::FILE), "mine").unwrap();
+        let written = folder.write(Extent::Whole, fill("001")).unwrap();
+        assert_eq!(written, path.join("results"));
+        assert_eq!(
+            fs::read_to_string(path.join(summary::FILE)).unwrap(),
+            "mine"
+        );
+    }
+
+    /// A place as a kill leaves it: what is in the hidden folder of this name, and what is beside it.
+    fn left(hidden: &str, inside: &[&str], beside: &[&str]) -> (TempDir, PathBuf) {
+        let (parent, path) = parent();
+        let hidden = path.join(format!("{hidden}0"));
+        fs::create_dir_all(&hidden).unwrap();
+        fs::write(path.join(LOCK), MADE).unwrap();
+        let places = inside.iter().map(|name| hidden.join(name));
+        for place in places.chain(beside.iter().map(|name| path.join(name))) {
+            fs::write(place, summary("left")).unwrap();
+        }
+        (parent, path)
+    }
+
+    #[test]
+    fn what_a_kill_left_half_written_is_removed_by_the_next_run() {
+        let (parent, path) = left(FILLING, &["fields-000.npz", ".pellicle-0.partial"], &[]);
+        sweep_beside(&path.with_file_name("b"));
+        assert_eq!(names(&parent.path().join("deep")), [""; 0]);
+        let (_parent, path) = left(FILLING, &["fields-000.npz"], &["curve.csv", summary::FILE]);
+        put(&path, Existing::Replace, Extent::Whole, "001");
+        assert_eq!(names(&path), ["section-001.svg", "summary.json"]);
+    }
+
+    #[test]
+    fn what_a_kill_left_complete_is_finished_by_the_next_run() {
+        let new = ["fields-001.npz", summary::FILE];
+        let (_parent, path) = left(COMPLETE, &new, &["fields-000.npz", "curve.csv", "notes"]);
+        sweep_beside(&path);
+        assert_eq!(names(&path), ["fields-001.npz", "notes", "summary.json"]);
+        let (_parent, path) = left(EMPTYING, &new, &["curve.csv"]);
+        let claimed = Folder::claim(&path, Existing::Keep);
+        assert!(matches!(claimed, Err(Failure::Exists { .. })));
+        assert_eq!(
+            names(&path),
+            ["curve.csv", "fields-001.npz", "summary.json"]
+        );
+    }
+
+    #[test]
+    fn folders_of_others_are_not_swept() {
+        let (_parent, path) = left(FILLING, &["thesis.tex"], &[]);
+        sweep_beside(&path);
+        assert_eq!(names(&path), [format!("{FILLING}0")]);
+        fs::remove_file(path.join(format!("{FILLING}0/thesis.tex"))).unwrap();
+        // Without a lock nobody has claimed it.
+        sweep_beside(&path);
+        assert_eq!(names(&path), [format!("{FILLING}0")]);
     }
 }

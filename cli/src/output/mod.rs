@@ -5,15 +5,18 @@ pub mod fields;
 pub mod file;
 pub mod folder;
 pub mod gsf;
+pub mod lock;
 pub mod netcdf;
 pub mod npz;
 mod null;
+pub mod own;
 pub mod page;
 pub mod pictures;
 pub mod record;
 pub mod report;
 pub mod results;
 pub mod summary;
+pub mod unfinished;
 pub mod vti;
 
 use serde::Serialize;

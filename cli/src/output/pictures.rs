@@ -1,10 +1,9 @@
 //! The pictures of a results folder, each as SVG and as PNG, and the parts of the report that are made of them.
 
-use std::fs;
 use std::path::Path;
 
 use super::fields::Fields;
-use super::file::create_whole;
+use super::file::write_bytes;
 use super::page::{RunPart, StepPart, surface};
 use super::record::Record;
 use crate::failure::Failure;
@@ -67,7 +66,12 @@ pub fn write_run(folder: &Path, record: &Record) -> Result<RunPart, Failure> {
 /// Writes a drawing as it is and rendered, and gives it back. Neither is forced onto the disk: they can be drawn again.
 fn write(folder: &Path, name: &str, svg: String) -> Result<String, Failure> {
     let file = |ending| folder.join(format!("{name}.{ending}"));
-    create_whole(&file("svg"), |path| fs::write(path, &svg))?;
-    create_whole(&file("png"), |path| fs::write(path, png::render(&svg)?))?;
+    write_bytes(&file("svg"), svg.as_bytes())?;
+    let path = file("png");
+    let png = png::render(&svg).map_err(|cause| Failure::Write {
+        path: path.clone(),
+        cause,
+    })?;
+    write_bytes(&path, &png)?;
     Ok(svg)
 }

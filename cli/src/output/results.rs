@@ -1,6 +1,5 @@
 //! A results folder: what is written into it, and what is read back to draw it again.
 
-use std::fs;
 use std::io::Write;
 use std::path::Path;
 
@@ -103,7 +102,7 @@ fn is_in_report(step: usize, steps: usize) -> bool {
 fn write_page(folder: &Path, record: &Record, parts: &[StepPart]) -> Result<usize, Failure> {
     let run = pictures::write_run(folder, record)?;
     let page = page::html(record, parts, &run);
-    file::create_whole(&folder.join(page::FILE), |path| fs::write(path, page))?;
+    file::write_bytes(&folder.join(page::FILE), page.as_bytes())?;
     Ok(usize::from(run.curve.is_some()) + usize::from(run.convergence.is_some()))
 }
 

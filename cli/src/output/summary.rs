@@ -17,7 +17,10 @@ use crate::case::doubt::Doubt;
 pub const FILE: &str = "summary.json";
 
 /// Name and version of the layout.
-const SCHEMA: &str = "pellicle-summary/1";
+pub const SCHEMA: &str = "pellicle-summary/1";
+
+/// What writes it.
+pub const PROGRAM: &str = "pellicle";
 
 /// The numbers of a run, in SI units or the case's own.
 #[derive(Debug, Clone, Serialize)]
@@ -263,7 +266,7 @@ impl Summary {
         Self {
             status: statuses.max().unwrap_or_default(),
             schema: SCHEMA,
-            program: "pellicle",
+            program: PROGRAM,
             version: env!("CARGO_PKG_VERSION"),
             title: case.title.clone(),
             case,

@@ -24,6 +24,10 @@ pub struct Axis {
     pub key_place: Place,
     /// Its values, in order.
     pub values: Vec<Node>,
+    /// The values as a table has them. A study asks for them again and again: they are made once.
+    cells: Vec<String>,
+    /// What the values measure, if all of them are quantities of one dimension.
+    dimension: Option<Dimension>,
     /// Whether nobody wrote them one by one.
     is_range: bool,
 }
@@ -45,29 +49,21 @@ impl Axis {
             let field = Field::new(key, node);
             return Err(field.wanted(format!("at most {MOST_VALUES} values")));
         }
+        let dimension = common_dimension(&values);
         Ok(Self {
             key,
             key_place,
+            cells: values.iter().map(|node| cell(node, dimension)).collect(),
             values,
+            dimension,
             is_range: matches!(node.value, Value::Table(_)),
         })
-    }
-
-    /// What the values measure, if all of them are quantities of one dimension.
-    fn dimension(&self) -> Option<Dimension> {
-        let dimension = |node: &Node| match &node.value {
-            Value::Text(text) => quantity::dimension_of(text),
-            _ => None,
-        };
-        let first = self.values.first().and_then(dimension)?;
-        let same = |node: &Node| dimension(node) == Some(first);
-        self.values.iter().all(same).then_some(first)
     }
 
     /// Name of its column in a table, with the unit of what is in it.
     #[must_use]
     pub fn heading(&self) -> String {
-        match self.dimension() {
+        match self.dimension {
             Some(dimension) => format!("{} [{}]", self.key, dimension.si_unit()),
             None => self.key.clone(),
         }
@@ -75,30 +71,53 @@ impl Axis {
 
     /// The `i`-th value as a table has it: in SI units if it has a unit, as a bare number or as it was written.
     #[must_use]
-    pub fn cell(&self, i: usize) -> String {
-        let Some(node) = self.values.get(i) else {
-            return String::new();
-        };
-        match (&node.value, self.dimension()) {
-            (Value::Text(text), Some(dimension)) => {
-                quantity::parse(text, dimension).map_or_else(|_| text.clone(), |x| format!("{x:e}"))
-            }
-            (value, _) => words(value),
-        }
+    pub fn cell(&self, i: usize) -> &str {
+        self.cells.get(i).map_or("", String::as_str)
     }
 
-    /// The `i`-th value as a person wrote it or would have written it.
+    /// The `i`-th value as a person wrote it or would have written it, on one line.
     #[must_use]
     pub fn words(&self, i: usize) -> String {
         let value = self.values.get(i).map(|node| &node.value);
-        match (value, self.dimension()) {
+        let words = match (value, self.dimension) {
             (Some(Value::Text(text)), Some(dimension)) if self.is_range => {
                 rounded(text, dimension).unwrap_or_else(|| text.clone())
             }
             (Some(Value::Float(number)), _) => significant(*number, 5),
             (value, _) => value.map_or_else(String::new, words),
-        }
+        };
+        on_one_line(&words)
     }
+}
+
+/// What the values measure, if all of them are quantities of one dimension.
+fn common_dimension(values: &[Node]) -> Option<Dimension> {
+    let dimension = |node: &Node| match &node.value {
+        Value::Text(text) => quantity::dimension_of(text),
+        _ => None,
+    };
+    let first = values.first().and_then(dimension)?;
+    let same = |node: &Node| dimension(node) == Some(first);
+    values.iter().all(same).then_some(first)
+}
+
+fn cell(node: &Node, dimension: Option<Dimension>) -> String {
+    match (&node.value, dimension) {
+        (Value::Text(text), Some(dimension)) => {
+            quantity::parse(text, dimension).map_or_else(|_| text.clone(), |x| format!("{x:e}"))
+        }
+        (value, _) => words(value),
+    }
+}
+
+/// The text with line ends and whatever else is no character to be seen spelt out.
+fn on_one_line(text: &str) -> String {
+    let spelt = |character: char| {
+        let is_control = character.is_control();
+        let spelt = is_control.then(|| character.escape_debug().to_string());
+        spelt.unwrap_or_else(|| character.into())
+    };
+    text.chars().map(spelt).collect()
 }
 
 /// A quantity with five digits and the prefix that suits it.

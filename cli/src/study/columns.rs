@@ -37,7 +37,7 @@ impl Columns {
     /// The first line of the table, without its end.
     #[must_use]
     pub fn header(&self) -> String {
-        line(&self.names)
+        line(&self.names).trim_end().to_owned()
     }
 
     /// The rows of a case that has a result: one a loading step.
@@ -57,7 +57,7 @@ impl Columns {
                 curve::row(i, step),
                 last.to_vec(),
             ];
-            line(&cells.concat()) + "\n"
+            line(&cells.concat())
         };
         steps.map(row).collect()
     }
@@ -69,7 +69,7 @@ impl Columns {
         // A row is a line: what is read back is cut at its end.
         let message = message.split_whitespace().collect::<Vec<_>>().join(" ");
         let cells = [first(study, case, Status::Failed), empty, vec![message]];
-        line(&cells.concat()) + "\n"
+        line(&cells.concat())
     }
 }
 
@@ -86,21 +86,18 @@ pub fn status(summary: &Summary) -> Status {
 fn first(study: &Study, case: usize, status: Status) -> Vec<String> {
     let choice = study.choice(case);
     let cells = study.axes().iter().zip(choice);
-    let cells = cells.map(|(axis, i)| axis.cell(i));
+    let cells = cells.map(|(axis, i)| axis.cell(i).to_owned());
     [(case + 1).to_string(), status.word().to_owned()]
         .into_iter()
         .chain(cells)
         .collect()
 }
 
-/// The cells as one line, those with commas or quotes quoted.
+/// The cells as one row with its end. Line ends within a cell stand between quotes.
 fn line(cells: &[String]) -> String {
-    let cell = |cell: &String| {
-        if cell.contains([',', '"']) {
-            format!("\"{}\"", cell.replace('"', "\"\""))
-        } else {
-            cell.clone()
-        }
-    };
-    cells.iter().map(cell).collect::<Vec<_>>().join(",")
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    // Into memory everything can be written, and UTF-8 it stays.
+    drop(writer.write_record(cells));
+    let bytes = writer.into_inner().unwrap_or_default();
+    String::from_utf8(bytes).unwrap_or_default()
 }

@@ -5,10 +5,12 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::identity::Identity;
+use super::place;
 use super::shard::Shard;
 use super::status::Tally;
 use super::table::{self, Blocks};
 use crate::failure::Failure;
+use crate::output::file;
 
 /// What gathering found.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,12 +23,22 @@ pub struct Gathered {
     pub table: Option<PathBuf>,
 }
 
+/// What to do with the table of another study in the place of the whole one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Other {
+    /// Leave it alone.
+    Keep,
+    /// Replace it.
+    Replace,
+}
+
 /// Puts the parts in `folder` together and, if no case is missing, writes the table that the undivided study would have written.
 ///
 /// # Errors
 ///
-/// [`Failure`] if there are no parts, if they are of different studies, or if a table cannot be read or written.
-pub fn gather(folder: &Path) -> Result<Gathered, Failure> {
+/// [`Failure`] if there are no parts, if they are of different studies, if a table cannot be read or written, or if the place of the whole
+/// table is taken by something else.
+pub fn gather(folder: &Path, other: Other) -> Result<Gathered, Failure> {
     let parts = parts(folder)?;
     let Some(first) = parts.first() else {
         return Err(Failure::damaged(folder, &"there is no study-I-of-N.json"));
@@ -36,6 +48,13 @@ pub fn gather(folder: &Path) -> Result<Gathered, Failure> {
         let reason = format!("the parts {a} and {b} are of different studies");
         return Err(Failure::damaged(folder, &reason));
     }
+    let whole = Identity {
+        shard: Shard::WHOLE,
+        ..first.clone()
+    };
+    let _lock = place::wait_for_lock(folder, Shard::WHOLE)?;
+    file::sweep(folder);
+    check_whole(folder, &whole, other)?;
     let texts = parts.iter().map(|part| read(folder, part));
     let texts = texts.collect::<Result<Vec<_>, _>>()?;
     let mut rows = BTreeMap::new();
@@ -49,20 +68,36 @@ pub fn gather(folder: &Path) -> Result<Gathered, Failure> {
     }
     let missing = 0..first.rows.len();
     let missing: Vec<_> = missing.filter(|case| !rows.contains_key(case)).collect();
-    let whole = Identity {
-        shard: Shard::WHOLE,
-        ..first.clone()
-    };
     let table = missing.is_empty().then(|| whole.table(folder));
     if let Some(path) = &table {
-        table::write_in_order(path, &whole.header, &rows)?;
+        // A kill between the two leaves a study that has not begun, not a table that nobody knows.
         whole.write(folder)?;
+        table::write_in_order(path, &whole.header, &rows)?;
     }
     Ok(Gathered {
         tally: Tally::of(statuses.into_values()),
         missing,
         table,
     })
+}
+
+/// Refuses a table in the place of the whole one that is not of this study.
+fn check_whole(folder: &Path, whole: &Identity, other: Other) -> Result<(), Failure> {
+    let path = whole.table(folder);
+    if fs::symlink_metadata(&path).is_err() {
+        return Ok(());
+    }
+    let remembered = Identity::read(&Identity::path(folder, Shard::WHOLE))?;
+    let is_known = match &remembered {
+        Some(remembered) => place::is_table_of(folder, remembered)?,
+        None => false,
+    };
+    match (remembered, other) {
+        (Some(_), Other::Replace) if is_known => Ok(()),
+        (Some(remembered), _) if is_known && remembered.fingerprint == whole.fingerprint => Ok(()),
+        (Some(_), _) if is_known => Err(Failure::OtherTable { path }),
+        _ => Err(Failure::NoResults { path }),
+    }
 }
 
 /// A part that has not written its first row yet has no table.
@@ -81,18 +116,8 @@ fn are_of_one(part: &Identity, first: &Identity) -> bool {
 
 /// What the parts in a folder remember, in order.
 fn parts(folder: &Path) -> Result<Vec<Identity>, Failure> {
-    let entries = fs::read_dir(folder).map_err(|cause| Failure::damaged(folder, &cause))?;
-    let names = entries.filter_map(|entry| entry.ok()?.file_name().into_string().ok());
-    let is_part = |name: &String| {
-        let middle = name
-            .strip_prefix("study-")
-            .and_then(|name| name.strip_suffix(".json"));
-        middle.is_some_and(|middle| middle.replace("-of-", "/").parse::<Shard>().is_ok())
-    };
-    let mut parts = Vec::new();
-    for name in names.filter(is_part) {
-        parts.extend(Identity::read(&folder.join(name))?);
-    }
-    parts.sort_by_key(|part| part.shard.index);
+    fs::read_dir(folder).map_err(|cause| Failure::damaged(folder, &cause))?;
+    let mut parts = place::identities(folder)?;
+    parts.retain(|part| part.shard != Shard::WHOLE);
     Ok(parts)
 }

@@ -8,6 +8,7 @@ pub mod columns;
 pub mod file;
 pub mod gather;
 pub mod identity;
+pub mod place;
 pub mod plan;
 pub mod progress;
 pub mod runner;

@@ -4,17 +4,18 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use pellicle_contact::{LoadingPath, Observer, solve_path};
+use pellicle_contact::{Observer, solve_path};
 use pellicle_influence::Cache;
+use serde_json::Value;
 
 use super::Study;
 use super::columns::{Columns, status};
 use super::status::Status;
 use crate::case::Case;
 use crate::failure::Failure;
-use crate::output::folder::{Existing, Folder};
-use crate::output::results;
+use crate::output::folder::{Existing, Extent, Folder};
 use crate::output::summary::{Clock, Summary};
+use crate::output::{own, results};
 
 /// What every case of a study is solved with.
 #[derive(Debug, Clone)]
@@ -45,15 +46,32 @@ impl Kit<'_> {
     ///
     /// # Errors
     ///
-    /// [`Failure::Write`] if its results folder cannot be written; whatever else goes wrong is a result, `failed`.
+    /// [`Failure`] if its results folder cannot be written or something else is there; whatever else goes wrong is a result, `failed`.
     pub fn solve(&self, case: usize, observer: &mut dyn Observer) -> Result<Option<Done>, Failure> {
         let solved = catch_unwind(AssertUnwindSafe(|| self.attempt(case, observer)));
         match solved {
             Ok(Ok(done)) => Ok(done),
-            Ok(Err(failure @ (Failure::Write { .. } | Failure::NoResults { .. }))) => Err(failure),
+            Ok(Err(
+                failure @ (Failure::Write { .. }
+                | Failure::NoResults { .. }
+                | Failure::OtherCase { .. }
+                | Failure::Busy { .. }),
+            )) => Err(failure),
             Ok(Err(failure)) => Ok(Some(self.failed(case, &failure.to_string()))),
             Err(_) => Ok(Some(self.failed(case, "an error of the program itself"))),
         }
+    }
+
+    /// The place of the results folder of a case, if one is wanted. One that is there already is of this case, from before a kill.
+    fn claim(&self, number: usize, case: &Case) -> Result<Option<Folder>, Failure> {
+        let Some(folders) = &self.folders else {
+            return Ok(None);
+        };
+        let path = folders.join(format!("case-{:04}", number + 1));
+        if own::case_in(&path).is_some_and(|written| !is_of(&written, case)) {
+            return Err(Failure::OtherCase { path });
+        }
+        Folder::claim(&path, Existing::Replace).map(Some)
     }
 
     fn failed(&self, case: usize, message: &str) -> Done {
@@ -67,6 +85,7 @@ impl Kit<'_> {
     fn attempt(&self, number: usize, observer: &mut dyn Observer) -> Result<Option<Done>, Failure> {
         let start = Instant::now();
         let case = self.study.case(number)?;
+        let folder = self.claim(number, &case)?;
         let model = case.model(&self.cache)?;
         let tables_seconds = start.elapsed().as_secs_f64();
         let (loads, options) = (case.load.steps(), case.solver.options());
@@ -83,12 +102,9 @@ impl Kit<'_> {
         };
         // Warnings of the cache are those of all cases together.
         let summary = Summary::new(&case, &path, clock, &[]);
-        if let Some(folders) = &self.folders {
-            write(
-                &folders.join(format!("case-{:04}", number + 1)),
-                &path,
-                &summary,
-            )?;
+        if let Some(folder) = folder {
+            let fill = |folder: &Path| results::write(folder, &path, &summary);
+            folder.write(Extent::Whole, fill)?;
         }
         Ok(Some(Done {
             status: status(&summary),
@@ -98,9 +114,12 @@ impl Kit<'_> {
     }
 }
 
-/// A results folder that is there already is of this case, from before a kill.
-fn write(folder: &Path, path: &LoadingPath, summary: &Summary) -> Result<(), Failure> {
-    Folder::claim(folder, Existing::Replace)?.write(|folder| results::write(folder, path, summary))
+/// Whether this is the case as a summary has it, where the side of the domain is filled in if the case leaves it open.
+fn is_of(written: &Value, case: &Case) -> bool {
+    let mut case = case.clone();
+    let side = written["grid"]["side"].as_f64();
+    case.grid.side = case.grid.side.or(side);
+    serde_json::to_value(case).is_ok_and(|case| case == *written)
 }
 
 fn words(case: &Case, summary: &Summary) -> String {

@@ -1,34 +1,27 @@
 //! The table of a study's results, safe from a kill at any moment.
 //!
-//! A case is a block of lines, one a loading step, handed to the system in one write and then forced to the disk. What a kill can leave is a block
-//! that is cut off at the end of the file; it is recognised because its last line has no end or because lines of it are missing, and
+//! A case is a block of rows, one a loading step, handed to the system in one write and then forced to the disk. What a kill can leave is a block
+//! that is cut off at the end of the file; it is recognised because its last row has no end or because rows of it are missing, and
 //! removed when the study goes on. When every case is there the blocks are put in order, in a new file that takes the place of the old one.
 
 use std::collections::BTreeMap;
-use std::fs::{self, File, OpenOptions, TryLockError};
-use std::io::{self, Read, Seek, Write};
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, ErrorKind, Read, Seek, Write};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use super::identity::Identity;
+use super::place::{Begin, Place};
 use super::status::{Status, Tally};
 use crate::failure::Failure;
 use crate::output::file;
 
-/// What to do with a table that is there.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Begin {
-    /// Go on with it.
-    Resume,
-    /// Empty it first.
-    Again,
-}
-
-/// The table on disk, open for this process alone.
+/// The table on disk, open for this process alone as long as it has the place.
 #[derive(Debug)]
 pub struct Table {
     path: PathBuf,
     file: File,
+    place: Place,
     header: String,
     done: BTreeMap<usize, Status>,
 }
@@ -39,21 +32,15 @@ impl Table {
     ///
     /// # Errors
     ///
-    /// [`Failure`] if it cannot be opened, if another process has it open, or if it is the table of something else.
-    pub fn open(folder: &Path, identity: &Identity, begin: Begin) -> Result<Self, Failure> {
-        let path = identity.table(folder);
+    /// [`Failure`] if it cannot be opened, or if it is the table of something else.
+    pub fn open(place: Place, identity: &Identity) -> Result<Self, Failure> {
+        let path = identity.table(&place.folder);
         let failed = |cause| write_failure(&path, cause);
-        let open = OpenOptions::new()
-            .read(true)
-            .append(true)
-            .create(true)
-            .open(&path);
-        let file = open.map_err(failed)?;
-        lock(&path, &file)?;
-        if begin == Begin::Again {
+        let file = open(&path).map_err(failed)?;
+        if place.begin == Begin::Again {
             file.set_len(0).map_err(failed)?;
         }
-        identity.write(folder)?;
+        identity.write(&place.folder)?;
         let text = whole(&file).map_err(failed)?;
         let blocks = Blocks::of(&text, identity)
             .ok_or_else(|| Failure::damaged(&path, &"its first line is not that of this study"))?;
@@ -62,6 +49,7 @@ impl Table {
             done: blocks.statuses(),
             file,
             path: path.clone(),
+            place,
         };
         table.mend(&text, blocks.end).map_err(failed)?;
         Ok(table)
@@ -111,7 +99,13 @@ impl Table {
         &self.path
     }
 
-    /// Puts the cases in order, once all are there, and closes the table.
+    /// Where the study is.
+    #[must_use]
+    pub fn place(&self) -> &Place {
+        &self.place
+    }
+
+    /// Puts the cases in order, once all are there, and closes the table. Until it is in order nobody else has the place.
     ///
     /// # Errors
     ///
@@ -125,7 +119,9 @@ impl Table {
         }
         // Some systems replace no file that is open.
         drop(self.file);
-        write_in_order(&self.path, &identity.header, &blocks.in_order(&text))
+        write_in_order(&self.path, &identity.header, &blocks.in_order(&text))?;
+        drop(self.place);
+        Ok(())
     }
 }
 
@@ -167,14 +163,16 @@ fn write_failure(path: &Path, cause: io::Error) -> Failure {
     Failure::Write { path, cause }
 }
 
-/// Two processes on one table would lose each other's rows. Where the file system knows no locks, nothing is locked.
-fn lock(path: &Path, file: &File) -> Result<(), Failure> {
-    match file.try_lock() {
-        Err(TryLockError::WouldBlock) => Err(Failure::Busy {
-            path: path.to_owned(),
-        }),
-        Ok(()) | Err(TryLockError::Error(_)) => Ok(()),
+/// The table, to be read and appended to. A link in its place is not followed.
+fn open(path: &Path) -> io::Result<File> {
+    if fs::symlink_metadata(path).is_ok_and(|data| !data.is_file()) {
+        return Err(io::Error::new(ErrorKind::InvalidInput, "it is not a file"));
     }
+    OpenOptions::new()
+        .read(true)
+        .append(true)
+        .create(true)
+        .open(path)
 }
 
 /// The whole blocks of a table.
@@ -232,17 +230,21 @@ impl Blocks {
     }
 }
 
-/// The whole lines of a text, one after the other.
+/// The whole rows of a text, one after the other.
 struct Lines<'t> {
     text: &'t [u8],
     at: usize,
 }
 
 impl Lines<'_> {
-    /// The next line that has an end, without it.
+    /// The next row that has an end, without it. A line end between quotes is none of a row.
     fn next(&mut self) -> Option<Range<usize>> {
-        let rest = &self.text[self.at..];
-        let length = rest.iter().position(|byte| *byte == b'\n')?;
+        let mut is_quoted = false;
+        let ends = |byte: &u8| {
+            is_quoted ^= *byte == b'"';
+            *byte == b'\n' && !is_quoted
+        };
+        let length = self.text[self.at..].iter().position(ends)?;
         let line = self.at..self.at + length;
         self.at = line.end + 1;
         Some(line)
@@ -274,7 +276,7 @@ impl Lines<'_> {
     }
 }
 
-/// The cells of one line; none if it is no text.
+/// The cells of one row; none if it is no text.
 fn fields(line: &[u8]) -> Option<Vec<String>> {
     let mut reader = csv::ReaderBuilder::new()
         .has_headers(false)

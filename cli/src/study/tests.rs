@@ -5,13 +5,15 @@ use std::path::Path;
 
 use tempfile::TempDir;
 
-use super::gather::gather;
+use super::gather::{Other, gather};
 use super::identity::Identity;
+use super::place::Place;
 use super::plan::Plan;
 use super::shard::Shard;
 use super::status::Status;
-use super::table::{Begin, Blocks, Table};
+use super::table::{Blocks, Table};
 use super::{Study, file};
+use crate::failure::Failure;
 
 const BASE: &str = r#"
 [foundation]
@@ -35,7 +37,7 @@ fn study(text: &str) -> Result<Study, String> {
     let path = folder.path().join("study.toml");
     fs::write(folder.path().join("base.toml"), BASE).unwrap();
     fs::write(&path, text).unwrap();
-    let named = |error: crate::failure::Failure| {
+    let named = |error: Failure| {
         error
             .to_string()
             .replace(&folder.path().display().to_string(), "")
@@ -179,7 +181,8 @@ fn rows(columns: usize, case: usize, status: Status) -> String {
 }
 
 fn table(folder: &Path, identity: &Identity) -> Table {
-    Table::open(folder, identity, Begin::Resume).unwrap()
+    let place = Place::claim(folder, identity, false).unwrap();
+    Table::open(place, identity).unwrap()
 }
 
 #[test]
@@ -219,6 +222,7 @@ fn a_table_is_mended_gone_on_with_and_put_in_order() {
     let columns = identity.header.split(',').count();
     let block = |case| rows(columns, case, Status::Certified);
     let path = identity.table(folder.path());
+    identity.write(folder.path()).unwrap();
     fs::write(&path, format!("{}\n{}9,certi", identity.header, block(3))).unwrap();
     let mut opened = table(folder.path(), &identity);
     let done: Vec<_> = opened.done().keys().copied().collect();
@@ -240,8 +244,11 @@ fn a_table_of_something_else_is_not_touched() {
     let identity = plan(TWO_KEYS, Shard::WHOLE).identity;
     let path = identity.table(folder.path());
     fs::write(&path, "mine\n").unwrap();
-    assert!(Table::open(folder.path(), &identity, Begin::Resume).is_err());
-    assert_eq!(fs::read_to_string(&path).unwrap(), "mine\n");
+    for fresh in [false, true] {
+        let claimed = Place::claim(folder.path(), &identity, fresh);
+        assert!(matches!(claimed, Err(Failure::NoResults { .. })));
+        assert_eq!(fs::read_to_string(&path).unwrap(), "mine\n");
+    }
 }
 
 #[test]
@@ -249,7 +256,7 @@ fn a_table_is_open_for_one_process() {
     let folder = tempfile::tempdir().unwrap();
     let identity = plan(TWO_KEYS, Shard::WHOLE).identity;
     let _first = table(folder.path(), &identity);
-    let second = Table::open(folder.path(), &identity, Begin::Again);
+    let second = Place::claim(folder.path(), &identity, true);
     assert!(second.unwrap_err().to_string().contains("another process"));
 }
 
@@ -272,10 +279,10 @@ fn parts(folder: &TempDir, done: &[usize]) {
 fn parts_are_gathered_only_when_no_case_is_missing() {
     let folder = tempfile::tempdir().unwrap();
     parts(&folder, &[0, 1, 2, 3, 4, 5, 6, 8]);
-    let found = gather(folder.path()).unwrap();
+    let found = gather(folder.path(), Other::Keep).unwrap();
     assert_eq!((found.missing, found.table), (vec![7], None));
     parts(&folder, &[7]);
-    let table = gather(folder.path()).unwrap().table.unwrap();
+    let table = gather(folder.path(), Other::Keep).unwrap().table.unwrap();
     let identity = plan(TWO_KEYS, Shard::WHOLE).identity;
     let columns = identity.header.split(',').count();
     let all: String = (0..9)
@@ -285,5 +292,5 @@ fn parts_are_gathered_only_when_no_case_is_missing() {
         fs::read_to_string(table).unwrap(),
         format!("{}\n{all}", identity.header)
     );
-    assert!(gather(Path::new("nowhere")).is_err());
+    assert!(gather(Path::new("nowhere"), Other::Keep).is_err());
 }

@@ -1,10 +1,10 @@
 //! A picture as files: the drawing, its pixels, and its numbers.
 
 use std::fs;
-use std::io;
+use std::io::{self, Write};
 use std::path::Path;
 
-use pellicle_cli::output::file::create_whole;
+use pellicle_cli::output::file::{write_bytes, write_whole};
 use pellicle_cli::picture::png;
 
 use crate::XtaskError;
@@ -32,11 +32,11 @@ impl Picture {
         create_folder(folder)?;
         let name = |ending| format!("{}.{ending}", self.name);
         let names = ["svg", "png", "csv"].map(name);
-        create_whole(&folder.join(&names[0]), |path| fs::write(path, &self.svg))?;
-        create_whole(&folder.join(&names[1]), |path| {
-            fs::write(path, png::render(&self.svg)?)
+        write_bytes(&folder.join(&names[0]), self.svg.as_bytes())?;
+        write_whole(&folder.join(&names[1]), |file| {
+            file.write_all(&png::render(&self.svg)?)
         })?;
-        create_whole(&folder.join(&names[2]), |path| fs::write(path, &self.csv))?;
+        write_bytes(&folder.join(&names[2]), self.csv.as_bytes())?;
         Ok(names)
     }
 
@@ -44,7 +44,7 @@ impl Picture {
     pub(super) fn write_small(&self, folder: &Path) -> Result<(), XtaskError> {
         create_folder(folder)?;
         let path = folder.join(format!("{}.png", self.name));
-        create_whole(&path, |path| fs::write(path, self.small()?))?;
+        write_whole(&path, |file| file.write_all(&self.small()?))?;
         Ok(())
     }
 

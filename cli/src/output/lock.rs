@@ -1,0 +1,176 @@
+//! A lock that a process holds on a place: a file that says so, locked by the system, which lets it go when the process dies.
+
+use std::fs::{self, File, Metadata, OpenOptions, TryLockError};
+use std::io::{self, ErrorKind, Read, Write};
+use std::path::Path;
+
+use super::unfinished::Unfinished;
+
+/// How often another process may take the lock file away while it is being taken.
+const ATTEMPTS: usize = 1000;
+
+/// A lock, let go and removed when it is dropped.
+#[derive(Debug)]
+pub struct Lock {
+    // Removed before it is closed, and with that unlocked.
+    unfinished: Unfinished,
+    file: File,
+    /// What stood in the file that a dead process left.
+    found: Option<String>,
+}
+
+impl Lock {
+    /// Takes the lock and writes into its file what is going on; none if another process has it. Where the file system knows no locks,
+    /// nobody has it.
+    ///
+    /// # Errors
+    ///
+    /// Those of the system if the file cannot be made, or is no file.
+    pub fn take(path: &Path, text: &str) -> io::Result<Option<Self>> {
+        for _ in 0..ATTEMPTS {
+            let (file, is_new) = match open(path) {
+                // Removed between the two ways to open it.
+                Err(error) if error.kind() == ErrorKind::NotFound && path_is_in_folder(path) => {
+                    continue;
+                }
+                opened => opened?,
+            };
+            if matches!(file.try_lock(), Err(TryLockError::WouldBlock)) {
+                return Ok(None);
+            }
+            if !is_at(&file, path) {
+                continue;
+            }
+            let mut lock = Self {
+                unfinished: Unfinished::file(path),
+                file,
+                found: None,
+            };
+            lock.begin(is_new, text)?;
+            return Ok(Some(lock));
+        }
+        Ok(None)
+    }
+
+    /// What stood in the file that a dead process left; none if there was no such file.
+    #[must_use]
+    pub fn found(&self) -> Option<&str> {
+        self.found.as_deref()
+    }
+
+    /// Where it is.
+    #[must_use]
+    pub fn path(&self) -> &Path {
+        self.unfinished.path()
+    }
+
+    fn begin(&mut self, is_new: bool, text: &str) -> io::Result<()> {
+        if is_new {
+            return self.file.write_all(text.as_bytes());
+        }
+        let mut found = Vec::new();
+        (&self.file).take(4096).read_to_end(&mut found)?;
+        self.found = Some(String::from_utf8_lossy(&found).into_owned());
+        Ok(())
+    }
+}
+
+/// The file, and whether it is new. A link is not followed.
+fn open(path: &Path) -> io::Result<(File, bool)> {
+    let new = OpenOptions::new()
+        .read(true)
+        .write(true)
+        .create_new(true)
+        .open(path);
+    match new {
+        Ok(file) => Ok((file, true)),
+        Err(error) if error.kind() == ErrorKind::AlreadyExists => {
+            if !fs::symlink_metadata(path)?.is_file() {
+                return Err(error);
+            }
+            let file = OpenOptions::new().read(true).write(true).open(path)?;
+            Ok((file, false))
+        }
+        Err(error) => Err(error),
+    }
+}
+
+fn path_is_in_folder(path: &Path) -> bool {
+    path.parent().is_some_and(Path::is_dir)
+}
+
+/// Whether the open file is still the one at the path: another process removes it when it is done.
+#[must_use]
+pub fn is_at(file: &File, path: &Path) -> bool {
+    let both = file
+        .metadata()
+        .and_then(|a| Ok((a, fs::symlink_metadata(path)?)));
+    both.is_ok_and(|(a, b)| are_one(&a, &b))
+}
+
+#[cfg(unix)]
+fn are_one(a: &Metadata, b: &Metadata) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    (a.dev(), a.ino()) == (b.dev(), b.ino())
+}
+
+/// A file that is open is not removed here.
+#[cfg(not(unix))]
+fn are_one(_: &Metadata, b: &Metadata) -> bool {
+    b.is_file()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_lock_is_held_once_and_leaves_nothing() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("lock");
+        let first = Lock::take(&path, "first").unwrap().unwrap();
+        assert_eq!(first.found(), None);
+        assert!(Lock::take(&path, "second").unwrap().is_none());
+        drop(first);
+        assert!(!path.exists());
+        assert!(Lock::take(&path, "third").unwrap().is_some());
+    }
+
+    #[test]
+    fn the_lock_of_a_dead_process_is_taken_over_and_a_link_is_not_followed() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("lock");
+        fs::write(&path, "dead").unwrap();
+        let lock = Lock::take(&path, "mine").unwrap().unwrap();
+        assert_eq!(lock.found(), Some("dead"));
+        drop(lock);
+        #[cfg(unix)]
+        {
+            fs::write(folder.path().join("other"), "other").unwrap();
+            std::os::unix::fs::symlink("other", &path).unwrap();
+            assert!(Lock::take(&path, "mine").is_err());
+        }
+    }
+
+    #[test]
+    fn of_many_at_once_one_has_it() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("lock");
+        let held = std::sync::atomic::AtomicUsize::new(0);
+        std::thread::scope(|scope| {
+            for _ in 0..4 {
+                scope.spawn(|| {
+                    for _ in 0..200 {
+                        if let Some(lock) = Lock::take(&path, "").unwrap() {
+                            use std::sync::atomic::Ordering::SeqCst;
+                            assert_eq!(held.fetch_add(1, SeqCst), 0);
+                            held.fetch_sub(1, SeqCst);
+                            drop(lock);
+                        }
+                    }
+                });
+            }
+        });
+        assert!(!path.exists());
+    }
+}

@@ -1,0 +1,160 @@
+//! Which files of a folder a run has written: what may be replaced is told from what is somebody else's.
+
+use std::fs::{self, DirEntry, File};
+use std::io::{self, BufReader};
+use std::path::Path;
+
+use serde::Deserialize;
+use serde_json::Value;
+
+use super::{curve, page, summary};
+
+/// Endings of the files that there are once a run.
+const OF_A_RUN: [(&str, &[&str]); 2] =
+    [("curve", &["svg", "png"]), ("convergence", &["svg", "png"])];
+
+/// Endings of the files that there are once a step, by what stands before the number of the step.
+const OF_A_STEP: [(&str, &[&str]); 4] = [
+    ("fields", &["npz", "vti", "nc"]),
+    ("pressure", &["gsf", "svg", "png"]),
+    ("pressure-3d", &["svg", "png"]),
+    ("section", &["svg", "png"]),
+];
+
+/// Whether a run writes a file of this name.
+#[must_use]
+pub fn is_name(name: &str) -> bool {
+    if [summary::FILE, curve::FILE, page::FILE].contains(&name) {
+        return true;
+    }
+    let Some((stem, ending)) = name.rsplit_once('.') else {
+        return false;
+    };
+    let is_in = |list: &[(&str, &[&str])], stem: &str| {
+        let known = list.iter().find(|(known, _)| *known == stem);
+        known.is_some_and(|(_, endings)| endings.contains(&ending))
+    };
+    let step = stem.rsplit_once('-').filter(|(_, step)| is_number(step));
+    is_in(&OF_A_RUN, stem) || step.is_some_and(|(stem, _)| is_in(&OF_A_STEP, stem))
+}
+
+fn is_number(text: &str) -> bool {
+    text.len() >= 3 && text.bytes().all(|byte| byte.is_ascii_digit())
+}
+
+/// Whether an entry of a folder is a file, or a link in the place of one, with a name that a run gives.
+#[must_use]
+pub fn is_file(entry: &DirEntry) -> bool {
+    let is_folder = entry.file_type().is_ok_and(|kind| kind.is_dir());
+    !is_folder && entry.file_name().to_str().is_some_and(is_name)
+}
+
+/// What tells a summary of this program from any other file of its name.
+#[derive(Deserialize)]
+struct Head {
+    schema: String,
+    program: String,
+    case: Value,
+}
+
+/// The case whose results a folder holds, as its summary has it; none if it holds no results of this program.
+#[must_use]
+pub fn case_in(folder: &Path) -> Option<Value> {
+    let path = folder.join(summary::FILE);
+    if !fs::symlink_metadata(&path).ok()?.is_file() {
+        return None;
+    }
+    let file = BufReader::new(File::open(&path).ok()?);
+    let head: Head = serde_json::from_reader(file).ok()?;
+    let (layout, _) = summary::SCHEMA.split_once('/')?;
+    let (written, _) = head.schema.split_once('/')?;
+    (written == layout && head.program == summary::PROGRAM).then_some(head.case)
+}
+
+/// Removes the files of a run in a folder, the summary first: without it nothing is taken for results. The folder goes too if nothing else is
+/// in it.
+///
+/// # Errors
+///
+/// Those of the system if one cannot be removed.
+pub fn remove(folder: &Path) -> io::Result<()> {
+    remove_files(folder)?;
+    if fs::read_dir(folder)?.next().is_none() {
+        fs::remove_dir(folder)?;
+    }
+    Ok(())
+}
+
+/// The same without the folder.
+///
+/// # Errors
+///
+/// Those of the system if one cannot be removed.
+pub fn remove_files(folder: &Path) -> io::Result<()> {
+    let summary = folder.join(summary::FILE);
+    if fs::symlink_metadata(&summary).is_ok() {
+        fs::remove_file(summary)?;
+    }
+    for entry in fs::read_dir(folder)? {
+        let entry = entry?;
+        if is_file(&entry) {
+            fs::remove_file(entry.path())?;
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_of_a_run_are_known_and_no_others() {
+        for name in [
+            "summary.json",
+            "curve.csv",
+            "curve.svg",
+            "report.html",
+            "convergence.png",
+            "fields-000.npz",
+            "pressure-3d-1234.svg",
+            "section-007.png",
+        ] {
+            assert!(is_name(name), "{name}");
+        }
+        for name in [
+            "thesis.tex",
+            "curve-2.csv",
+            "fields.npz",
+            "fields-000.csv",
+            "fields-1.npz",
+            "section-final.png",
+            "section-000 copy.png",
+            "summary.json~",
+            "",
+        ] {
+            assert!(!is_name(name), "{name}");
+        }
+    }
+
+    #[test]
+    fn a_summary_of_something_else_is_none() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join(summary::FILE);
+        for text in [
+            "{}",
+            "mine",
+            r#"{"schema": "other/1", "program": "pellicle", "case": {}}"#,
+            r#"{"schema": "pellicle-summary/1", "program": "other", "case": {}}"#,
+        ] {
+            fs::write(&path, text).unwrap();
+            assert_eq!(case_in(folder.path()), None, "{text}");
+        }
+        fs::write(
+            &path,
+            r#"{"schema": "pellicle-summary/1", "program": "pellicle", "case": {"title": "a"}}"#,
+        )
+        .unwrap();
+        assert!(case_in(folder.path()).is_some());
+    }
+}

@@ -1,0 +1,136 @@
+//! What is not finished and must not stay behind: removed when dropped, and when the program ends itself without dropping anything.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+/// Everything unfinished of this process, in the order in which it was begun.
+static ALL: Mutex<Vec<(PathBuf, Kind)>> = Mutex::new(Vec::new());
+
+/// What is at a path.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    File,
+    /// A folder that is removed if nothing is in it any more.
+    Empty,
+    /// A folder and everything in it.
+    Tree,
+}
+
+/// Something on disk that is removed when this is dropped, unless it is [kept](Self::keep).
+#[derive(Debug)]
+pub struct Unfinished {
+    path: PathBuf,
+    kind: Kind,
+}
+
+impl Unfinished {
+    /// A file.
+    #[must_use]
+    pub fn file(path: &Path) -> Self {
+        Self::new(path, Kind::File)
+    }
+
+    /// A folder that this process has made, to be removed if it is empty.
+    #[must_use]
+    pub fn empty_folder(path: &Path) -> Self {
+        Self::new(path, Kind::Empty)
+    }
+
+    /// A folder that this process has made, with everything in it.
+    #[must_use]
+    pub fn folder(path: &Path) -> Self {
+        Self::new(path, Kind::Tree)
+    }
+
+    fn new(path: &Path, kind: Kind) -> Self {
+        let path = path.to_owned();
+        all().push((path.clone(), kind));
+        Self { path, kind }
+    }
+
+    /// Where it is.
+    #[must_use]
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// It is finished, or somebody else's now.
+    pub fn keep(self) {
+        self.forget();
+        std::mem::forget(self);
+    }
+
+    fn forget(&self) {
+        let mut all = all();
+        if let Some(i) = all.iter().rposition(|(path, _)| *path == self.path) {
+            all.remove(i);
+        }
+    }
+}
+
+impl Drop for Unfinished {
+    fn drop(&mut self) {
+        self.forget();
+        remove(&self.path, self.kind);
+    }
+}
+
+/// Removes everything unfinished, the last begun first. What is unfinished after this waits for the end of the program.
+pub fn remove_all() {
+    let all = all();
+    all.iter().rev().for_each(|(path, kind)| match kind {
+        // Where it was nobody can begin another file.
+        Kind::Tree => {
+            let aside = path.with_extension("ended");
+            let path = fs::rename(path, &aside).map_or(path, |()| &aside);
+            remove(path, Kind::Tree);
+        }
+        kind => remove(path, *kind),
+    });
+    // Held for ever: a thread that finishes something now would take it for there.
+    std::mem::forget(all);
+}
+
+/// Does something that an end of the program by [`remove_all`] waits for.
+pub fn undisturbed<T>(work: impl FnOnce() -> T) -> T {
+    let _held = all();
+    work()
+}
+
+fn all() -> MutexGuard<'static, Vec<(PathBuf, Kind)>> {
+    ALL.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Best effort: what cannot be removed stays, and is removed by the next run.
+fn remove(path: &Path, kind: Kind) {
+    drop(match kind {
+        Kind::File => fs::remove_file(path),
+        Kind::Empty => fs::remove_dir(path),
+        Kind::Tree => fs::remove_dir_all(path),
+    });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_dropped_is_removed_and_what_is_kept_stays() {
+        let folder = tempfile::tempdir().unwrap();
+        let [a, b, c, d] = ["a", "b", "c", "d"].map(|name| folder.path().join(name));
+        for folder in [&a, &b, &c] {
+            fs::create_dir(folder).unwrap();
+            fs::write(folder.join("in"), "").unwrap();
+        }
+        fs::write(&d, "").unwrap();
+        drop(Unfinished::folder(&a));
+        Unfinished::folder(&b).keep();
+        drop(Unfinished::empty_folder(&c));
+        drop(Unfinished::file(&d));
+        assert_eq!(
+            [a, b, c, d].map(|path| path.exists()),
+            [false, true, true, false]
+        );
+    }
+}

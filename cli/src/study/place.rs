@@ -1,0 +1,266 @@
+//! The folder of a study: of this one and no other, and of one process at a time.
+
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::thread;
+use std::time::Duration;
+
+use super::identity::Identity;
+use super::shard::Shard;
+use super::table::{self, Blocks};
+use crate::failure::Failure;
+use crate::output::lock::Lock;
+use crate::output::{file, own};
+
+/// What is said in the file of the lock.
+const AT_WORK: &str = "pellicle is at work on this study.\n";
+
+/// Folder of the results folders of the cases.
+const CASES: &str = "cases";
+
+/// How often, and after which time, a process that is nearly done is asked again.
+const PATIENCE: (usize, Duration) = (100, Duration::from_millis(50));
+
+/// What to do with a table that is there.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Begin {
+    /// Go on with it.
+    Resume,
+    /// Empty it first.
+    Again,
+}
+
+/// The folder of a study, claimed for one part of it. Nobody else works on this part until it is dropped.
+#[derive(Debug)]
+pub struct Place {
+    /// The folder.
+    pub folder: PathBuf,
+    /// What to do with the part's table.
+    pub begin: Begin,
+    _lock: Lock,
+}
+
+impl Place {
+    /// Claims the folder for the part that `identity` is of; `fresh` forgets what other studies have left in it.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::NoResults`] if there is something that no study has written, [`Failure::OtherStudy`] if there are results of another
+    /// study, [`Failure::Busy`] if another process is at work on this part, [`Failure::Write`] if nothing can be written here.
+    pub fn claim(folder: &Path, identity: &Identity, fresh: bool) -> Result<Self, Failure> {
+        refuse_foreign(folder)?;
+        let failed = |cause| write_failure(folder, cause);
+        fs::create_dir_all(folder).map_err(failed)?;
+        let lock = lock(folder, identity.shard)?.ok_or_else(|| Failure::Busy {
+            path: identity.table(folder),
+        })?;
+        file::sweep(folder);
+        let there = identities(folder)?;
+        let is_other = |other: &&Identity| other.fingerprint != identity.fingerprint;
+        for other in there.iter().filter(is_other) {
+            if !fresh {
+                let path = other.table(folder);
+                let path = if path.exists() {
+                    path
+                } else {
+                    Identity::path(folder, other.shard)
+                };
+                return Err(Failure::OtherStudy { path });
+            }
+            forget(folder, other, identity.shard)?;
+        }
+        if there.iter().any(|other| is_other(&other)) {
+            forget_cases(&folder.join(CASES)).map_err(failed)?;
+        }
+        let is_empty = fs::metadata(identity.table(folder)).map_or(true, |data| data.len() == 0);
+        let begin = if fresh || is_empty {
+            Begin::Again
+        } else {
+            Begin::Resume
+        };
+        Ok(Self {
+            folder: folder.to_owned(),
+            begin,
+            _lock: lock,
+        })
+    }
+
+    /// Where the results folders of the cases go.
+    #[must_use]
+    pub fn cases(&self) -> PathBuf {
+        self.folder.join(CASES)
+    }
+}
+
+/// The lock of a part; none if another process has it.
+///
+/// # Errors
+///
+/// [`Failure::Write`] if it cannot be made.
+pub fn lock(folder: &Path, part: Shard) -> Result<Option<Lock>, Failure> {
+    let path = folder.join(format!(".pellicle-{}", part.file("study", "lock")));
+    Lock::take(&path, AT_WORK).map_err(|cause| write_failure(&path, cause))
+}
+
+/// The same, asked for again while another process has it, for some seconds.
+///
+/// # Errors
+///
+/// [`Failure::Busy`] if it keeps it, [`Failure::Write`] if it cannot be made.
+pub fn wait_for_lock(folder: &Path, part: Shard) -> Result<Lock, Failure> {
+    let (times, pause) = PATIENCE;
+    for _ in 0..times {
+        if let Some(lock) = lock(folder, part)? {
+            return Ok(lock);
+        }
+        thread::sleep(pause);
+    }
+    let path = folder.join(part.file("results", "csv"));
+    Err(Failure::Busy { path })
+}
+
+/// What the studies and parts of studies in a folder remember, in the order of their parts.
+///
+/// # Errors
+///
+/// [`Failure::Damaged`] if one is not what a study writes.
+pub fn identities(folder: &Path) -> Result<Vec<Identity>, Failure> {
+    let mut identities = Vec::new();
+    for name in names(folder) {
+        if part(&name, "study", "json").is_some() {
+            identities.extend(Identity::read(&folder.join(name))?);
+        }
+    }
+    identities.sort_by_key(|identity| (identity.shard.count, identity.shard.index));
+    Ok(identities)
+}
+
+/// Whether a table is there that this study or part of a study, and nobody else, has written.
+///
+/// # Errors
+///
+/// [`Failure::Damaged`] if it cannot be read.
+pub fn is_table_of(folder: &Path, identity: &Identity) -> Result<bool, Failure> {
+    let path = identity.table(folder);
+    if !is_file(&path) {
+        return Ok(false);
+    }
+    Ok(Blocks::of(&table::read(&path)?, identity).is_some())
+}
+
+fn is_file(path: &Path) -> bool {
+    fs::symlink_metadata(path).is_ok_and(|data| data.is_file())
+}
+
+/// Refuses a folder with a table that no study has written, or without any study and not empty.
+fn refuse_foreign(folder: &Path) -> Result<(), Failure> {
+    let foreign = |path: PathBuf| Err(Failure::NoResults { path });
+    if fs::symlink_metadata(folder).is_ok() && !folder.is_dir() {
+        return foreign(folder.to_owned());
+    }
+    let (names, there) = (names(folder), identities(folder)?);
+    for name in &names {
+        let path = folder.join(name);
+        let is_empty = is_file(&path) && fs::metadata(&path).is_ok_and(|data| data.len() == 0);
+        if let Some(shard) = part(name, "results", "csv").filter(|_| !is_empty) {
+            let own = there.iter().find(|identity| identity.shard == shard);
+            match own {
+                Some(own) if is_table_of(folder, own)? => {}
+                _ => return foreign(path),
+            }
+        }
+    }
+    let is_ours = |name: &String| {
+        part(name, "results", "csv").is_some() || name == CASES || name.starts_with(".pellicle-")
+    };
+    if there.is_empty() && !names.iter().all(is_ours) {
+        return foreign(folder.to_owned());
+    }
+    Ok(())
+}
+
+/// Removes what another study has left: its table, and then what it remembers.
+fn forget(folder: &Path, other: &Identity, locked: Shard) -> Result<(), Failure> {
+    let _lock = if other.shard == locked {
+        None
+    } else {
+        let lock = lock(folder, other.shard)?;
+        Some(lock.ok_or_else(|| Failure::Busy {
+            path: other.table(folder),
+        })?)
+    };
+    for path in [other.table(folder), Identity::path(folder, other.shard)] {
+        match fs::remove_file(&path) {
+            Err(cause) if cause.kind() != io::ErrorKind::NotFound => {
+                return Err(write_failure(&path, cause));
+            }
+            _ => {}
+        }
+    }
+    Ok(())
+}
+
+/// Removes the results of another study's cases, and nothing that it has not written.
+fn forget_cases(cases: &Path) -> io::Result<()> {
+    for name in names(cases) {
+        let case = cases.join(&name);
+        if own::case_in(&case).is_some() && !case.is_symlink() {
+            own::remove(&case)?;
+        }
+    }
+    Ok(())
+}
+
+/// Which part a name is of: `results.csv` of the whole, `results-2-of-8.csv` of the second of eight.
+fn part(name: &str, stem: &str, ending: &str) -> Option<Shard> {
+    let middle = name
+        .strip_prefix(stem)?
+        .strip_suffix(ending)?
+        .strip_suffix('.')?;
+    if middle.is_empty() {
+        return Some(Shard::WHOLE);
+    }
+    let shard: Shard = middle
+        .strip_prefix('-')?
+        .replace("-of-", "/")
+        .parse()
+        .ok()?;
+    (shard.file(stem, ending) == name).then_some(shard)
+}
+
+/// The names in a folder; none if there is no such folder.
+fn names(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    entries
+        .map(|entry| entry.file_name().to_string_lossy().into_owned())
+        .collect()
+}
+
+fn write_failure(path: &Path, cause: io::Error) -> Failure {
+    let path = path.to_owned();
+    Failure::Write { path, cause }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_name_tells_its_part() {
+        let part = |name| part(name, "results", "csv");
+        assert_eq!(part("results.csv"), Some(Shard::WHOLE));
+        assert_eq!(
+            part("results-2-of-8.csv"),
+            Some(Shard { index: 2, count: 8 })
+        );
+        for name in [
+            "results-9-of-8.csv",
+            "results-2.csv",
+            "results-1-of-1.csv",
+            "my results.csv",
+        ] {
+            assert_eq!(part(name), None, "{name}");
+        }
+    }
+}
