@@ -8,6 +8,7 @@ pub mod grid;
 pub mod indenter;
 pub mod load;
 pub mod map;
+pub mod output;
 pub mod overrides;
 pub mod place;
 pub mod quantity;
@@ -34,6 +35,7 @@ use self::foundation::FoundationCase;
 use self::grid::GridCase;
 use self::indenter::IndenterCase;
 use self::load::LoadCase;
+use self::output::OutputCase;
 use self::place::Source;
 use self::reader::Reader;
 use self::solver::SolverCase;
@@ -60,6 +62,8 @@ pub struct Case {
     pub grid: GridCase,
     /// How it is solved.
     pub solver: SolverCase,
+    /// What is written beside the numbers.
+    pub output: OutputCase,
     /// What its numbers are measured in.
     #[serde(skip)]
     pub units: Units,
@@ -102,7 +106,7 @@ impl Case {
     ///
     /// A [`Diagnosis`] of the first thing wrong with it.
     pub fn resolve(root: &Node, name: &str, folder: &Path) -> Result<Self, Diagnosis> {
-        const TABLES: [&str; 7] = [
+        const TABLES: [&str; 8] = [
             "title",
             "foundation",
             "surface",
@@ -110,6 +114,7 @@ impl Case {
             "load",
             "grid",
             "solver",
+            "output",
         ];
         let table = Reader::root(root)?;
         table.only(&TABLES).map_err(|diagnosis| {
@@ -131,6 +136,7 @@ impl Case {
         };
         let grid = optional("grid")?;
         let grid = grid.map_or(Ok(GridCase::default()), |table| GridCase::read(&table))?;
+        let output = optional("output")?.map(|table| OutputCase::read(&table));
         let read_solver = |table| SolverCase::read(&table, grid.elements);
         let indenter = IndenterCase::read(&required("indenter")?, folder)?;
         let maps = [surface.map(), indenter.map()];
@@ -144,6 +150,7 @@ impl Case {
             load: LoadCase::read(&required("load")?)?,
             grid,
             solver: optional("solver")?.map_or(Ok(SolverCase::default()), read_solver)?,
+            output: output.transpose()?.unwrap_or_default(),
             units,
         })
     }

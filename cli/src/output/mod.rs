@@ -1,6 +1,7 @@
 //! What a run leaves behind: the summary, the curve, the fields, and the folder that holds them.
 
 pub mod curve;
+pub mod desk;
 pub mod fields;
 pub mod file;
 pub mod folder;
@@ -11,10 +12,12 @@ mod null;
 pub mod page;
 pub mod pictures;
 pub mod record;
+pub mod redraw;
 pub mod report;
 pub mod results;
 pub mod summary;
 pub mod vti;
+mod watched;
 
 use serde::Serialize;
 

@@ -13,7 +13,7 @@ use super::status::Status;
 use crate::case::Case;
 use crate::failure::Failure;
 use crate::output::folder::{Existing, Folder};
-use crate::output::results;
+use crate::output::results::{self, Written};
 use crate::output::summary::{Clock, Summary};
 
 /// What every case of a study is solved with.
@@ -81,13 +81,12 @@ impl Kit<'_> {
             tables_origin: model.origin,
         };
         // Warnings of the cache are those of all cases together.
-        let summary = Summary::new(&case, &path, clock, &[]);
+        let mut summary = Summary::new(&case, &path, clock, &[]);
         if let Some(folders) = &self.folders {
-            write(
-                &folders.join(format!("case-{:04}", number + 1)),
-                &path,
-                &summary,
-            )?;
+            let folder = folders.join(format!("case-{:04}", number + 1));
+            if write(&folder, &path, &mut summary, start)? == Written::Partly {
+                return Ok(None);
+            }
         }
         Ok(Some(Done {
             status: status(&summary),
@@ -97,9 +96,20 @@ impl Kit<'_> {
     }
 }
 
-/// A results folder that is there already is of this case, from before a kill.
-fn write(folder: &Path, path: &LoadingPath, summary: &Summary) -> Result<(), Failure> {
-    Folder::claim(folder, Existing::Replace)?.write(|folder| results::write(folder, path, summary))
+/// A results folder that is there already is of this case, from before a kill; so is one that the user did not wait for, and the next run
+/// replaces it.
+fn write(
+    folder: &Path,
+    path: &LoadingPath,
+    summary: &mut Summary,
+    start: Instant,
+) -> Result<Written, Failure> {
+    let mut written = Written::Whole;
+    Folder::claim(folder, Existing::Replace)?.write(|folder| {
+        written = results::write(folder, path, summary, start, &|_, _| ())?;
+        Ok(())
+    })?;
+    Ok(written)
 }
 
 fn words(case: &Case, summary: &Summary) -> String {
