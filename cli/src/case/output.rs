@@ -34,11 +34,11 @@ pub enum Steps {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, ValueEnum)]
 #[serde(rename_all = "lowercase")]
 pub enum Format {
-    /// NumPy's arrays, from which pictures can be drawn again
+    /// Arrays of NumPy, from which pictures can be drawn again
     Npz,
     /// An image of VTK, for ParaView
     Vti,
-    /// NetCDF, in the layout of contact.engineering
+    /// The layout of contact.engineering
     Nc,
     /// Simple fields of Gwyddion
     Gsf,

@@ -110,7 +110,7 @@ pub fn run(
     style: &Style,
     desk: &Desk<'_>,
 ) -> Result<RunPart, Failure> {
-    let one = |name: &str, svg: Option<Option<String>>| match svg.flatten() {
+    let one = |name: &str, svg: Option<String>| match svg {
         Some(svg) if pictures != Steps::None => {
             desk.picture(folder, name, || svg.clone()).map(|_| Some(svg))
         }
@@ -119,8 +119,8 @@ pub fn run(
     let curve = desk.drawn(curve::NAME, || Ok(curve::draw(record, style)));
     let convergence = desk.drawn(convergence::NAME, || Ok(convergence::draw(record, style)));
     Ok(RunPart {
-        curve: one(curve::NAME, curve)?,
-        convergence: one(convergence::NAME, convergence)?,
+        curve: one(curve::NAME, curve.flatten())?,
+        convergence: one(convergence::NAME, convergence.flatten())?,
     })
 }
 

@@ -20,7 +20,7 @@ use crate::interrupt::{self, HalfWritten};
 use crate::picture::style::Style;
 
 /// Most loading steps on the report's page: some 100 kB each.
-const STEPS_IN_REPORT: usize = 24;
+pub(super) const STEPS_IN_REPORT: usize = 24;
 
 /// Whether a folder holds everything that was wanted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -89,7 +89,8 @@ fn write_steps(
         .filter(|i| output.pictures.contains(*i, count))
         .collect();
     let shown = in_report(&pictured);
-    let geometry = (!steps.is_empty()).then(|| path.geometry());
+    let is_needed = !steps.is_empty() && !interrupt::is_overdue();
+    let geometry = is_needed.then(|| path.geometry());
     let parts = steps.into_par_iter().map(|i| {
         let formats = if output.fields.contains(i, count) {
             &output.formats[..]

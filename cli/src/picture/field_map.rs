@@ -3,6 +3,7 @@
 use super::colour_map::Shades;
 use super::raster::Raster;
 use super::subject::Subject;
+use super::svg::Stroke;
 use super::window::Window;
 use super::{axis, colours, pressure_map};
 use crate::output::fields::Fields;
@@ -77,7 +78,15 @@ impl FieldMap {
         };
         svg.image(place, &Raster::of(cells, cells, colour));
         let contact = |i, j| blocks.contact[i * cells + j];
-        pressure_map::draw_outline(&mut svg, place, cells, contact, colours::INK);
+        // White beside the black: the contact may lie at either end of the colours.
+        let [halo, line] = [colours::WHITE, colours::INK].map(pressure_map::pen);
+        let halo = Stroke {
+            width: 3.0 * halo.width,
+            ..halo
+        };
+        for stroke in [halo, line] {
+            pressure_map::draw_outline(&mut svg, place, cells, contact, stroke);
+        }
         panel.draw_axes(&mut svg);
         let in_its_unit = Shades {
             from: from / scale.divisor,

@@ -27,3 +27,6 @@ pub mod svg;
 pub mod ticks;
 pub mod trust;
 pub mod window;
+
+#[cfg(test)]
+mod tests;

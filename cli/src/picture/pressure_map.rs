@@ -25,7 +25,7 @@ pub const WIDTH: f64 = MAP.left + MAP.width + GAP + BAR + colour_bar::BESIDE;
 pub(super) const HEIGHT: f64 = MAP.top + MAP.height + BELOW;
 
 /// Most cells that are drawn along a side: about one a pixel.
-pub(super) const CELLS: usize = 760;
+pub const CELLS: usize = 760;
 
 /// Width of the outlines, in pixels.
 const OUTLINE: f64 = 1.2;
@@ -87,9 +87,9 @@ pub fn draw_field(
     let colour = |i, j: usize| colour(coarse, i, cells - 1 - j, shades);
     svg.image(place, &Raster::of(cells, cells, colour));
     let relief = |i, j| coarse.is_relief(i, j);
-    draw_outline(svg, place, cells, relief, colours::RELIEF_OUTLINE);
+    draw_outline(svg, place, cells, relief, pen(colours::RELIEF_OUTLINE));
     let contact = |i, j| coarse.pressure(i, j) > 0.0;
-    draw_outline(svg, place, cells, contact, colours::INK);
+    draw_outline(svg, place, cells, contact, pen(colours::INK));
 }
 
 /// Where a panel has a rectangle whose sides have these ends, divided by `divisor`.
@@ -110,7 +110,7 @@ pub(super) fn draw_outline(
     field: Place,
     cells: usize,
     inside: impl Fn(usize, usize) -> bool,
-    colour: Colour,
+    stroke: Stroke,
 ) {
     let (width, height) = (field.width / cells as f64, field.height / cells as f64);
     let place = |(i, j)| {
@@ -124,8 +124,13 @@ pub(super) fn draw_outline(
     let lines: Vec<Vec<_>> = lines
         .map(|line| line.into_iter().map(place).collect())
         .collect();
+    svg.lines(&lines, stroke);
+}
+
+/// The line of an outline.
+pub(super) fn pen(colour: Colour) -> Stroke {
     let width = OUTLINE;
-    svg.lines(&lines, Stroke { colour, width });
+    Stroke { colour, width }
 }
 
 /// Draws the bar beside the map.
