@@ -4,6 +4,10 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
 
+use crate::case::output::{Format, OutputCase, Steps};
+use crate::case::quantity::{self, Dimension};
+use crate::picture::colour_map::ColourMap;
+use crate::picture::style::Cut;
 use crate::study::shard::Shard;
 use crate::templates::Template;
 
@@ -42,7 +46,7 @@ pub enum Command {
     Kernel(KernelArguments),
     /// Print influence coefficients of the case's foundation and grid
     Influence(InfluenceArguments),
-    /// Draw the pictures of a results folder again
+    /// Draw the pictures of a results folder again, or to order; of several, their curves in one picture
     Plot(PlotArguments),
     /// Show where coefficients are kept between runs and how much there is, or remove them
     #[command(
@@ -86,6 +90,9 @@ pub struct RunArguments {
     /// Replace the results in an existing results folder, and no other files in it, when the new ones are complete
     #[arg(long)]
     pub force: bool,
+    /// What is written of the case.
+    #[command(flatten)]
+    pub output: OutputArguments,
     /// Print the summary as JSON to standard output, and nothing else; a folder is written only with --out
     #[arg(long)]
     pub json: bool,
@@ -95,6 +102,31 @@ pub struct RunArguments {
     /// Print nothing but errors
     #[arg(long, short)]
     pub quiet: bool,
+}
+
+/// What a run writes, where the case is not to decide.
+#[derive(Debug, Args)]
+pub struct OutputArguments {
+    /// Loading steps whose fields are written [default: what the case says, or last]
+    #[arg(long, value_enum, value_name = "STEPS")]
+    pub fields: Option<Steps>,
+    /// Loading steps whose pictures are drawn [default: what the case says, or last]
+    #[arg(long, value_enum, value_name = "STEPS")]
+    pub pictures: Option<Steps>,
+    /// Formats of the fields, by commas [default: what the case says, or all]
+    #[arg(long, value_enum, value_name = "FORMATS", value_delimiter = ',')]
+    pub formats: Vec<Format>,
+}
+
+impl OutputArguments {
+    /// Puts what is given in the place of what the case says.
+    pub fn replace(&self, output: &mut OutputCase) {
+        output.fields = self.fields.unwrap_or(output.fields);
+        output.pictures = self.pictures.unwrap_or(output.pictures);
+        if !self.formats.is_empty() {
+            output.set_formats(&self.formats);
+        }
+    }
 }
 
 /// How to run a study.
@@ -232,9 +264,33 @@ pub struct InfluenceArguments {
 /// Which results to draw.
 #[derive(Debug, Args)]
 pub struct PlotArguments {
-    /// The results folder
-    #[arg(value_name = "DIR")]
-    pub folder: PathBuf,
+    /// The results folder; of several, the curves are drawn in one picture, curves.svg and curves.png
+    #[arg(value_name = "DIR", required = true)]
+    pub folders: Vec<PathBuf>,
+    /// Folder for the pictures [default: that of the results, whose pictures and report are replaced; of several the current one]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Replace pictures that are there, in a folder that is not that of the results
+    #[arg(long)]
+    pub force: bool,
+    /// Only the pictures of this loading step, counted from 0
+    #[arg(long, value_name = "N")]
+    pub step: Option<usize>,
+    /// Width of every picture in pixels [default: about 1000]
+    #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u16).range(100..=10000))]
+    pub size: Option<u16>,
+    /// Leave out the lines above the pictures
+    #[arg(long)]
+    pub no_title: bool,
+    /// Colours of the maps [default: viridis]
+    #[arg(long, value_enum, value_name = "COLOURS")]
+    pub colour_map: Option<ColourMap>,
+    /// Ends of the scale of pressures: "2 GPa", or "0.5 GPa:2 GPa"; a bare number is in Pa or the case's own unit [default: the largest]
+    #[arg(long, value_name = "[FROM:]TO", value_parser = range)]
+    pub range: Option<[f64; 2]>,
+    /// Where the section is: axis, peak (through the largest pressure), y="5 um" (along x there), x="5 um" (along y) [default: axis]
+    #[arg(long, value_name = "PLACE", value_parser = section)]
+    pub section: Option<Cut>,
 }
 
 /// What to do with the cache.
@@ -252,6 +308,43 @@ fn positive(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(k) if k > 0.0 && k.is_finite() => Ok(k),
         _ => Err("wanted a positive number".into()),
+    }
+}
+
+/// A quantity with or without its unit.
+fn quantity(text: &str, dimension: Dimension) -> Result<f64, String> {
+    let bare = text.trim().parse().ok();
+    let value = bare.or_else(|| quantity::parse(text, dimension).ok());
+    let wanted = || {
+        let example = dimension.example().trim_matches('"');
+        format!(
+            "wanted {} such as {example}, or a bare number",
+            dimension.noun()
+        )
+    };
+    value
+        .filter(|value: &f64| value.is_finite())
+        .ok_or_else(wanted)
+}
+
+fn range(text: &str) -> Result<[f64; 2], String> {
+    let (from, to) = text.split_once(':').unwrap_or(("0", text));
+    let [from, to] = [from, to].map(|end| quantity(end, Dimension::Pressure));
+    let (from, to) = (from?, to?);
+    if from < to {
+        Ok([from, to])
+    } else {
+        Err("the range ends before it begins".into())
+    }
+}
+
+fn section(text: &str) -> Result<Cut, String> {
+    match (text, text.split_once('=')) {
+        ("axis", _) => Ok(Cut::Axis),
+        ("peak", _) => Ok(Cut::Peak),
+        (_, Some(("y", y))) => quantity(y, Dimension::Length).map(Cut::AlongX),
+        (_, Some(("x", x))) => quantity(x, Dimension::Length).map(Cut::AlongY),
+        _ => Err("wanted axis, peak, or a place such as y=\"5 um\" or x=0.1".into()),
     }
 }
 
@@ -292,6 +385,22 @@ mod tests {
             panic!("not influence")
         };
         assert_eq!(influence.offsets, [[0, 0], [3, 4], [1, 2]]);
+    }
+
+    #[test]
+    fn pictures_are_ordered_in_words_and_units() {
+        assert_eq!(range("2 GPa"), Ok([0.0, 2e9]));
+        assert_eq!(range("0.5 GPa:2 GPa"), Ok([0.5e9, 2e9]));
+        assert_eq!(range("0.1:0.3"), Ok([0.1, 0.3]));
+        assert_eq!(section("peak"), Ok(Cut::Peak));
+        assert_eq!(section("y=5 um"), Ok(Cut::AlongX(5e-6)));
+        assert_eq!(section("x=-0.25"), Ok(Cut::AlongY(-0.25)));
+        for text in ["", "2 nm", "3:2", "1:1", "nan", "inf"] {
+            assert!(range(text).is_err(), "{text}");
+        }
+        for text in ["", "z=1", "x=", "y=1 GPa", "top"] {
+            assert!(section(text).is_err(), "{text}");
+        }
     }
 
     #[test]

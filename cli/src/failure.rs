@@ -51,6 +51,11 @@ pub enum Failure {
         /// What is there.
         path: PathBuf,
     },
+    /// Of several results only the curve can be drawn.
+    #[error(
+        "of several results the curves are drawn in one picture: --step, --section, --range and --colour-map are for a single one"
+    )]
+    OneResult,
     /// A study has no cases.
     #[error("the study has no cases")]
     NoCases,

@@ -2,7 +2,8 @@
 //!
 //! The first signal sets a flag that every observer of a solution looks at. Where no observer is asked for a second (coefficients of a large
 //! grid), the program ends itself, unless it has said with [`hold`] that something finished is still to be written. A second signal ends it
-//! at once. SIGTERM, which batch systems send before they kill, counts as Ctrl-C.
+//! at once, and what was half written with it. While results are written, what is not done within [`GRACE`] of the first signal is left
+//! out. SIGTERM, which batch systems send before they kill, counts as Ctrl-C.
 
 use std::process;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -20,7 +21,11 @@ pub const EXIT_CODE: u8 = 130;
 /// How long an observer has to notice: a second, less what it takes to end.
 const PATIENCE: Duration = Duration::from_millis(900);
 
+/// How long results go on being written: the rest of the second is for the numbers, which come last.
+pub const GRACE: Duration = Duration::from_millis(400);
+
 static REQUESTED: AtomicBool = AtomicBool::new(false);
+static OVERDUE: AtomicBool = AtomicBool::new(false);
 static HELD: AtomicBool = AtomicBool::new(false);
 
 /// Begins to listen. Without it, or where the system refuses a handler, Ctrl-C ends the program as it ends any.
@@ -45,6 +50,12 @@ pub fn signal() -> Signal {
     }
 }
 
+/// Whether the user asked to stop so long ago that whatever can be left out is to be left out now.
+#[must_use]
+pub fn is_overdue() -> bool {
+    OVERDUE.load(Ordering::Relaxed)
+}
+
 /// Says that something finished is to be written before the program may end.
 pub fn hold() {
     HELD.store(true, Ordering::SeqCst);
@@ -57,7 +68,9 @@ fn received() {
     }
     terminal::tell("stopping; once more to stop at once");
     thread::spawn(|| {
-        thread::sleep(PATIENCE);
+        thread::sleep(GRACE);
+        OVERDUE.store(true, Ordering::Relaxed);
+        thread::sleep(PATIENCE.saturating_sub(GRACE));
         if !HELD.load(Ordering::SeqCst) {
             end();
         }

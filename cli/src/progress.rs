@@ -42,6 +42,12 @@ impl ProgressLine {
         self
     }
 
+    /// A function that shows how many files of the results are written.
+    pub fn writing(&self) -> impl Fn(usize, usize) + Sync {
+        let line = self.line.clone();
+        move |done, total| line.set_message(writing(done, total))
+    }
+
     /// A line of somebody else's, with these words before and behind the progress.
     #[must_use]
     pub fn on(line: ProgressBar, around: [String; 2], tolerance: f64) -> Self {
@@ -96,6 +102,10 @@ fn message(progress: &Progress, left: Option<Duration>) -> String {
         "step {step}/{steps}, grid {elements} × {elements}, iteration {iteration}, \
          residual {residual:.1e}{left}"
     )
+}
+
+fn writing(done: usize, total: usize) -> String {
+    format!("writing results, {done} of {total} fields and pictures")
 }
 
 /// A time as people say it: `40 s`, `3 min`, `2.5 h`.
@@ -214,6 +224,14 @@ mod tests {
         assert_eq!(
             message(&progress(0, 3, 5, 1.5e-4), left),
             "step 1/3, grid 64 × 64, iteration 5, residual 1.5e-4, 12 s left"
+        );
+    }
+
+    #[test]
+    fn files_are_counted_while_they_are_written() {
+        assert_eq!(
+            writing(3, 12),
+            "writing results, 3 of 12 fields and pictures"
         );
     }
 

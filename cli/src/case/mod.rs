@@ -12,6 +12,7 @@ pub mod likely;
 pub mod load;
 pub mod map;
 pub mod origin;
+pub mod output;
 pub mod overrides;
 pub mod place;
 pub mod quantity;
@@ -39,6 +40,7 @@ use self::grid::GridCase;
 use self::indenter::IndenterCase;
 use self::load::LoadCase;
 use self::origin::Origin;
+use self::output::OutputCase;
 use self::place::Source;
 use self::reader::Reader;
 use self::solver::SolverCase;
@@ -65,6 +67,8 @@ pub struct Case {
     pub grid: GridCase,
     /// How it is solved.
     pub solver: SolverCase,
+    /// What is written beside the numbers.
+    pub output: OutputCase,
     /// What its numbers are measured in.
     #[serde(skip)]
     pub units: Units,
@@ -110,7 +114,7 @@ impl Case {
     ///
     /// A [`Diagnosis`] of the first thing wrong with it.
     pub fn resolve(root: &Node, name: &str, folder: &Path) -> Result<Self, Diagnosis> {
-        const TABLES: [&str; 7] = [
+        const TABLES: [&str; 8] = [
             "title",
             "foundation",
             "surface",
@@ -118,6 +122,7 @@ impl Case {
             "load",
             "grid",
             "solver",
+            "output",
         ];
         let table = Reader::root(root)?;
         table.only(&TABLES).map_err(|diagnosis| {
@@ -141,6 +146,7 @@ impl Case {
         };
         let grid = optional("grid")?;
         let grid = grid.map_or(Ok(GridCase::default()), |table| GridCase::read(&table))?;
+        let output = optional("output")?.map(|table| OutputCase::read(&table));
         let read_solver = |table| SolverCase::read(&table, grid.elements);
         let indenter = IndenterCase::read(&required("indenter")?, folder)?;
         let maps = [surface.map(), indenter.map()];
@@ -154,6 +160,7 @@ impl Case {
             load: LoadCase::read(&required("load")?)?,
             grid,
             solver: optional("solver")?.map_or(Ok(SolverCase::default()), read_solver)?,
+            output: output.transpose()?.unwrap_or_default(),
             units,
             origin: Origin::new(root),
         })

@@ -11,6 +11,7 @@ use crate::display::{Unit, quantity, significant};
 use crate::failure::Failure;
 use crate::forecast::Forecast;
 use crate::map::spectrum;
+use crate::output::disk;
 use crate::program::Outcome;
 use crate::{cache, terminal};
 
@@ -75,6 +76,7 @@ fn estimates(case: &Case, forecast: &Forecast, chosen: bool) -> String {
     lines.maps(case, element_side);
     lines.add("loading steps", &case.load.steps().len().to_string());
     lines.add("memory, about", &memory(case));
+    lines.add("disk, about", &megabytes(disk::bytes(case)));
     if let Some([least, most]) = forecast.products(case.grid.elements) {
         lines.add(
             "products with K a step, about",
@@ -96,6 +98,10 @@ fn memory(case: &Case) -> String {
     };
     let per_element = kept + BYTES_PER_ELEMENT_AND_STEP * steps as f64;
     let bytes = per_element * (elements * elements) as f64;
+    megabytes(bytes)
+}
+
+fn megabytes(bytes: f64) -> String {
     format!("{} MB", significant(bytes / 1e6, 2))
 }
 

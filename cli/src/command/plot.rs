@@ -1,20 +1,83 @@
-//! `pellicle plot`: the pictures of a results folder drawn again.
+//! `pellicle plot`: the pictures of results drawn again, as they are or to order, and the curves of several results in one.
+
+use std::fs;
+use std::path::Path;
 
 use crate::arguments::PlotArguments;
 use crate::failure::Failure;
-use crate::output::results;
+use crate::output::redraw::{self, Order};
+use crate::output::summary::WarningSummary;
+use crate::picture::style::{Heading, Style};
 use crate::program::Outcome;
+use crate::progress::ProgressLine;
 use crate::terminal;
 
-/// Draws the pictures from the files of the folder alone.
+/// Draws the pictures from the files of the folders alone.
 ///
 /// # Errors
 ///
-/// [`Failure`] if the folder holds no results or a picture cannot be written.
+/// [`Failure`] if a folder holds no results, what is ordered cannot be, or a picture cannot be written.
 pub fn plot(arguments: &PlotArguments) -> Result<Outcome, Failure> {
-    let folder = &arguments.folder;
-    let count = results::draw(folder)?;
+    if let Some(out) = &arguments.out {
+        fs::create_dir_all(out).map_err(|cause| Failure::Write {
+            path: out.clone(),
+            cause,
+        })?;
+    }
+    let (count, out, warnings) = match &arguments.folders[..] {
+        [folder] => one(arguments, folder)?,
+        _ => several(arguments)?,
+    };
+    for warning in &warnings {
+        terminal::tell(&format!("warning: {}", warning.message));
+    }
     let pictures = if count == 1 { "picture" } else { "pictures" };
-    terminal::tell(&format!("{count} {pictures} drawn in {}", folder.display()));
+    terminal::tell(&format!("{count} {pictures} drawn in {}", out.display()));
     Ok(Outcome::Done)
+}
+
+/// How many pictures were drawn, where, and what could not be.
+type Drawn<'a> = (usize, &'a Path, Vec<WarningSummary>);
+
+fn one<'a>(arguments: &'a PlotArguments, folder: &'a Path) -> Result<Drawn<'a>, Failure> {
+    let order = Order {
+        style: style(arguments),
+        step: arguments.step,
+        out: arguments.out.as_deref(),
+        replaces: arguments.force,
+    };
+    let line = ProgressLine::new(1.0);
+    let redrawn = redraw::draw(folder, &order, &line.writing())?;
+    let out = order.out.unwrap_or(folder);
+    Ok((redrawn.pictures, out, redrawn.warnings))
+}
+
+fn several(arguments: &PlotArguments) -> Result<Drawn<'_>, Failure> {
+    let of_fields = [
+        arguments.step.is_some(),
+        arguments.section.is_some(),
+        arguments.range.is_some(),
+        arguments.colour_map.is_some(),
+    ];
+    if of_fields.contains(&true) {
+        return Err(Failure::OneResult);
+    }
+    let out = arguments.out.as_deref().unwrap_or(Path::new("."));
+    let style = style(arguments);
+    let warnings = redraw::draw_curves(&arguments.folders, out, arguments.force, &style)?;
+    Ok((1 - warnings.len(), out, warnings))
+}
+
+fn style(arguments: &PlotArguments) -> Style {
+    Style {
+        width: arguments.size.map(f64::from),
+        heading: if arguments.no_title {
+            Heading::Hidden
+        } else {
+            Heading::Shown
+        },
+        colours: arguments.colour_map.unwrap_or_default(),
+        pressures: arguments.range,
+        cut: arguments.section.unwrap_or_default(),
+    }
 }

@@ -10,7 +10,7 @@ use crate::case::Case;
 use crate::failure::Failure;
 use crate::output::folder::{self, Existing, Extent, Folder};
 use crate::output::summary::{Clock, Status, Summary, WarningSummary};
-use crate::output::{json, report, results};
+use crate::output::{json, page, report, results};
 use crate::program::Outcome;
 use crate::progress::ProgressLine;
 use crate::{cache, interrupt, terminal, threads};
@@ -22,7 +22,8 @@ use crate::{cache, interrupt, terminal, threads};
 /// [`Failure`] if the case is wrong, the results cannot be written, or the contact cannot be computed at all.
 pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
     let start = Instant::now();
-    let case = Case::read(&arguments.case.path, &arguments.case.sets)?;
+    let mut case = Case::read(&arguments.case.path, &arguments.case.sets)?;
+    arguments.output.replace(&mut case.output);
     let folder = claim(arguments)?;
     threads::set(arguments.threads)?;
     let mut line = progress_line(arguments, case.solver.tolerance);
@@ -31,8 +32,8 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
     let model = case.model(&cache)?;
     let tables_seconds = tables.elapsed().as_secs_f64();
     let path = solve(&case, &model.value, &mut line)?;
-    drop(line);
     if path.interrupted && path.steps.is_empty() {
+        drop(line);
         return Ok(stopped_at_once());
     }
     interrupt::hold();
@@ -43,19 +44,24 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
     };
     let mut summary = Summary::new(&case, &path, clock, &cache.take_warnings());
     summary.warnings.extend(unfinished(&case, &path));
-    let extent = if path.interrupted {
-        Extent::Part
-    } else {
-        Extent::Whole
+    let write = |folder: Folder| {
+        let tell = line.writing();
+        folder.write(|folder| {
+            let written = results::write(folder, &path, &mut summary, start, &tell)?;
+            Ok(if path.interrupted {
+                Extent::Part
+            } else {
+                written
+            })
+        })
     };
-    let fill = |folder: &Path| results::write(folder, &path, &summary);
-    let written = folder.map(|folder| folder.write(extent, fill));
-    let written = written.transpose()?;
+    let written = folder.map(write).transpose()?;
+    drop(line);
     tell(arguments, &summary, written.as_deref());
     if arguments.json {
         terminal::print(&json(&summary)?)?;
     }
-    Ok(outcome(&path, &summary))
+    Ok(outcome(&summary))
 }
 
 /// What a path that the user stopped has to say of itself.
@@ -128,11 +134,14 @@ fn tell(arguments: &RunArguments, summary: &Summary, folder: Option<&Path>) {
     }
     if let (true, Some(folder)) = (is_watched(arguments), folder) {
         terminal::tell(&format!("written to {}", folder.display()));
+        let report = folder.join(page::FILE);
+        terminal::tell(&format!("report: {}", report.display()));
     }
 }
 
-fn outcome(path: &LoadingPath, summary: &Summary) -> Outcome {
-    if path.interrupted {
+/// How it ended: stopped as well if the user asked to when all was done but the writing.
+fn outcome(summary: &Summary) -> Outcome {
+    if interrupt::is_requested() {
         Outcome::Stopped
     } else if summary.is_certified() {
         Outcome::Done

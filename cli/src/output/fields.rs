@@ -1,5 +1,7 @@
 //! The fields of one loading step, as writers and pictures take them.
 
+use std::borrow::Cow;
+
 use pellicle_contact::{DeformedSurface, LoadingPath, SampledModel};
 
 /// N × N values each, element `(i, j)` at index `i N + j`: the first index runs along x.
@@ -21,6 +23,17 @@ pub struct Fields<'a> {
     pub profile: &'a [f64],
     /// Whether an element belongs to the relief.
     pub mask: &'a [bool],
+}
+
+/// What a field of truth values is called.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Truth<'a> {
+    /// Its name in every file.
+    pub name: &'static str,
+    /// What it is, in words.
+    pub meaning: &'static str,
+    /// Its values.
+    pub values: Cow<'a, [bool]>,
 }
 
 /// What a field of lengths or pressures is called and measured in.
@@ -100,6 +113,24 @@ impl<'a> Fields<'a> {
         ]
     }
 
+    /// The fields of truth values, in the order in which files hold them: every format has both, with these names and meanings.
+    #[must_use]
+    pub fn truths(&self) -> [Truth<'a>; 2] {
+        let contact = self.pressure.iter().map(|pressure| *pressure > 0.0);
+        [
+            Truth {
+                name: "mask",
+                meaning: "whether the element belongs to the relief",
+                values: Cow::Borrowed(self.mask),
+            },
+            Truth {
+                name: "contact",
+                meaning: "whether the element carries pressure",
+                values: contact.collect(),
+            },
+        ]
+    }
+
     /// Coordinate of the lower side of element `i`, m; `i` may lie outside the domain.
     #[must_use]
     pub fn edge(&self, i: usize) -> f64 {
@@ -111,6 +142,19 @@ impl<'a> Fields<'a> {
     pub fn centre(&self, i: usize) -> f64 {
         // x_i = (2i + 1 − N) h/2, the bracket exact.
         ((2 * i + 1) as f64 - self.size as f64) * (0.5 * self.element_side())
+    }
+
+    /// The element along an axis that holds a coordinate, or is nearest to it.
+    #[must_use]
+    pub fn nearest(&self, coordinate: f64) -> usize {
+        let elements = (coordinate / self.side + 0.5) * self.size as f64;
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "the conversion saturates"
+        )]
+        let element = elements as usize;
+        element.min(self.size.saturating_sub(1))
     }
 
     /// Side of an element, m.

@@ -141,18 +141,17 @@ impl Folder {
         &self.path
     }
 
-    /// Fills the hidden folder, then moves what is in it to the place; where it is now. Part of a result never replaces a whole one: it
-    /// is put into a folder of its own in the place.
+    /// Fills the hidden folder, then moves what is in it to the place; where it is now. Part of a result, as `fill` says, never replaces a whole one:
+    /// it is put into a folder of its own in the place.
     ///
     /// # Errors
     ///
     /// What `fill` returns, or [`Failure::Write`]; nothing is left behind then.
     pub fn write(
         self,
-        extent: Extent,
-        fill: impl FnOnce(&Path) -> Result<(), Failure>,
+        fill: impl FnOnce(&Path) -> Result<Extent, Failure>,
     ) -> Result<PathBuf, Failure> {
-        fill(self.scratch.path())?;
+        let extent = fill(self.scratch.path())?;
         let failed = |cause| failure(&self.path, cause);
         let aside = match (state(&self.path), self.existing, extent) {
             (State::Free, ..) | (State::Results, Existing::Replace, Extent::Whole) => None,
@@ -404,17 +403,17 @@ mod tests {
         )
     }
 
-    fn fill(title: &'static str) -> impl FnOnce(&Path) -> Result<(), Failure> {
+    fn fill(extent: Extent, title: &str) -> impl FnOnce(&Path) -> Result<Extent, Failure> {
         move |folder| {
             fs::write(folder.join(summary::FILE), summary(title)).unwrap();
             fs::write(folder.join(format!("section-{title}.svg")), title).unwrap();
-            Ok(())
+            Ok(extent)
         }
     }
 
     fn put(path: &Path, existing: Existing, extent: Extent, title: &'static str) -> PathBuf {
         let folder = Folder::claim(path, existing).unwrap();
-        folder.write(extent, fill(title)).unwrap()
+        folder.write(fill(extent, title)).unwrap()
     }
 
     fn names(folder: &Path) -> Vec<String> {
@@ -468,7 +467,7 @@ mod tests {
             let second = Folder::claim(&path, existing);
             assert!(matches!(second, Err(Failure::Busy { .. })));
         }
-        let failed = folder.write(Extent::Whole, |scratch| {
+        let failed = folder.write(|scratch| {
             fs::write(scratch.join("half"), "").unwrap();
             assert!(names(&path).iter().all(|name| name.starts_with('.')));
             Err(Failure::NoCases)
@@ -495,7 +494,7 @@ mod tests {
         let (_parent, path) = parent();
         let folder = Folder::claim(&path, Existing::Keep).unwrap();
         fs::write(path.join(summary::FILE), "mine").unwrap();
-        let written = folder.write(Extent::Whole, fill("001")).unwrap();
+        let written = folder.write(fill(Extent::Whole, "001")).unwrap();
         assert_eq!(written, path.join("results"));
         assert_eq!(
             fs::read_to_string(path.join(summary::FILE)).unwrap(),

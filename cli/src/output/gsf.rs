@@ -1,6 +1,6 @@
-//! `pressure-NNN.gsf`: the pressure of one loading step as a simple field of Gwyddion.
+//! `pressure-NNN.gsf`, `mask-NNN.gsf`, `contact-NNN.gsf`: one field of a loading step each, as a simple field of Gwyddion.
 //!
-//! A line that names the format, lines `name = value`, one to four zero bytes that end at a multiple of four, and the values
+//! A file of this format holds one field; a truth value is 1 or 0. //! It is a line that names the format, lines `name = value`, one to four zero bytes that end at a multiple of four, and the values
 //! in single precision by rows from the top: y falls from row to row, x grows along a row.
 
 use std::io::{self, Write};
@@ -8,36 +8,81 @@ use std::path::Path;
 
 use super::fields::Fields;
 use super::file::write_whole;
+use super::watched::Watched;
 use crate::case::units::Units;
 use crate::failure::Failure;
 
-/// Name of the file of a step in a results folder.
-#[must_use]
-pub fn file(step: usize) -> String {
-    format!("pressure-{step:03}.gsf")
+/// What a file holds.
+struct Channel<'a> {
+    title: &'a str,
+    /// Its unit in SI, if it has one.
+    unit: Option<&'static str>,
 }
 
-/// Writes the pressure; a case without units has none in the file.
+/// Name of the file of a step in a results folder: of the pressure, the mask or the contact.
+#[must_use]
+pub fn file(name: &str, step: usize) -> String {
+    format!("{name}-{step:03}.gsf")
+}
+
+/// Writes the pressure, the mask and the contact of a step into a folder; a case without units has none in the files.
 ///
 /// # Errors
 ///
-/// [`Failure::Write`] if the file cannot be written.
-pub fn write(path: &Path, fields: &Fields<'_>, units: Units) -> Result<(), Failure> {
-    write_whole(path, |file| {
-        file.write_all(&head(fields, units))?;
-        write_rows(file, fields)
+/// [`Failure::Write`] if a file cannot be written.
+pub fn write(folder: &Path, fields: &Fields<'_>, units: Units, step: usize) -> Result<(), Failure> {
+    let pressure = Channel {
+        title: "Pressure",
+        unit: Some("Pa"),
+    };
+    #[expect(clippy::cast_possible_truncation, reason = "single precision is meant")]
+    let pressures = |e: usize| fields.pressure[e] as f32;
+    let path = folder.join(file("pressure", step));
+    write_channel(&path, fields, units, &pressure, pressures)?;
+    fields.truths().into_iter().try_for_each(|truth| {
+        let channel = Channel {
+            title: truth.name,
+            unit: None,
+        };
+        let values = |e: usize| f32::from(u8::from(truth.values[e]));
+        write_channel(
+            &folder.join(file(truth.name, step)),
+            fields,
+            units,
+            &channel,
+            values,
+        )
     })
 }
 
-fn head(fields: &Fields<'_>, units: Units) -> Vec<u8> {
+fn write_channel(
+    path: &Path,
+    fields: &Fields<'_>,
+    units: Units,
+    channel: &Channel<'_>,
+    value: impl Fn(usize) -> f32,
+) -> Result<(), Failure> {
+    write_whole(path, |file| {
+        let file = &mut Watched::new(file);
+        file.write_all(&head(fields, units, channel))?;
+        write_rows(file, fields.size, value)
+    })
+}
+
+fn head(fields: &Fields<'_>, units: Units, channel: &Channel<'_>) -> Vec<u8> {
     let (size, side, low) = (fields.size, fields.side, fields.edge(0));
+    let unit = |name: &str, unit: &str| format!("{name} = {unit}\n");
     let units = match units {
-        Units::Si => "XYUnits = m\nZUnits = Pa\n",
-        Units::Consistent => "",
+        Units::Si => {
+            let own = channel.unit.map(|own| unit("ZUnits", own));
+            unit("XYUnits", "m") + &own.unwrap_or_default()
+        }
+        Units::Consistent => String::new(),
     };
+    let title = channel.title;
     let text = format!(
         "Gwyddion Simple Field 1.0\nXRes = {size}\nYRes = {size}\nXReal = {side:e}\nYReal = {side:e}\n\
-         XOffset = {low:e}\nYOffset = {low:e}\n{units}Title = Pressure\n"
+         XOffset = {low:e}\nYOffset = {low:e}\n{units}Title = {title}\n"
     );
     let mut head = text.into_bytes();
     let padding = 4 - head.len() % 4;
@@ -45,13 +90,10 @@ fn head(fields: &Fields<'_>, units: Units) -> Vec<u8> {
     head
 }
 
-fn write_rows(file: &mut impl Write, fields: &Fields<'_>) -> io::Result<()> {
-    let size = fields.size;
+fn write_rows(file: &mut impl Write, size: usize, value: impl Fn(usize) -> f32) -> io::Result<()> {
     for j in (0..size).rev() {
         for i in 0..size {
-            #[expect(clippy::cast_possible_truncation, reason = "single precision is meant")]
-            let pressure = fields.pressure[i * size + j] as f32;
-            file.write_all(&pressure.to_le_bytes())?;
+            file.write_all(&value(i * size + j).to_le_bytes())?;
         }
     }
     Ok(())
@@ -74,7 +116,11 @@ mod tests {
                 profile: &[0.0],
                 mask: &[false],
             };
-            let head = head(&fields, Units::Si);
+            let channel = Channel {
+                title: "Pressure",
+                unit: Some("Pa"),
+            };
+            let head = head(&fields, Units::Si, &channel);
             let text = head.iter().position(|byte| *byte == 0).unwrap();
             assert!(head.len().is_multiple_of(4) && head.len() - text <= 4);
             assert!(head[text..].iter().all(|byte| *byte == 0));

@@ -1,6 +1,8 @@
 //! What a run leaves behind: the summary, the curve, the fields, and the folder that holds them.
 
 pub mod curve;
+pub mod desk;
+pub mod disk;
 pub mod fields;
 pub mod file;
 pub mod folder;
@@ -13,11 +15,13 @@ pub mod own;
 pub mod page;
 pub mod pictures;
 pub mod record;
+pub mod redraw;
 pub mod report;
 pub mod results;
 pub mod summary;
 pub mod unfinished;
 pub mod vti;
+mod watched;
 
 use serde::Serialize;
 

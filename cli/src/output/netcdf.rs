@@ -1,16 +1,19 @@
 //! `fields-NNN.nc`: the fields of one loading step in the layout of contact.engineering's results.
 //!
 //! Dimensions `x` and `y`; variables `pressure`, `contacting_points`, `gap`, `displacement` over `(x, y)`, and beside them the
-//! coordinates, `shortening` and `profile`; global attributes `mean_pressure`, `total_contact_area` and `type` with the meaning
-//! they have there: force over the whole domain, and the part of the domain in contact. The file is of the classic format
+//! coordinates, `shortening`, `profile`, `mask` and `contact`, which are the same in every format; global attributes
+//! `total_contact_area`, the part of the domain in contact, and `type` with the meaning they have there. `mean_pressure` is that of the
+//! summary, force over contact area; what it is there, force over the whole domain, is `nominal_pressure`. The file is of the classic format
 //! with 64-bit offsets: a header of big-endian numbers and padded names, then the variables one after the other.
 
+use std::borrow::Cow;
 use std::io::{self, Write};
 use std::path::Path;
 
-use super::fields::Fields;
+use super::fields::{Fields, Truth};
 use super::file::write_whole;
 use super::record::Record;
+use super::watched::Watched;
 use crate::failure::Failure;
 
 /// Numbers of the format that say what follows.
@@ -36,14 +39,14 @@ enum Attribute {
 }
 
 /// The values of a variable.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 enum Values<'a> {
     /// Along x or y: the coordinate, whose dimension has this number.
     Centres(u32),
     /// Over the grid.
     Numbers(&'a [f64]),
-    /// Over the grid: whether the pressure is positive.
-    Contact(&'a [f64]),
+    /// Over the grid.
+    Truths(Cow<'a, [bool]>),
 }
 
 /// One variable.
@@ -68,10 +71,11 @@ pub fn write(
     let attributes = global_attributes(fields, record, step);
     write_whole(path, |file| {
         // The offsets are known once the length of the header is: it does not depend on them.
+        let file = &mut Watched::new(file);
         let length = header(fields.size, &attributes, &variables, 0)?.len();
         file.write_all(&header(fields.size, &attributes, &variables, length)?)?;
         for variable in &variables {
-            write_values(file, fields, variable.values)?;
+            write_values(file, fields, &variable.values)?;
         }
         Ok(())
     })
@@ -93,15 +97,20 @@ fn variables<'a>(fields: &Fields<'a>, record: &Record) -> Vec<Variable<'a>> {
         attributes: described(field.unit, field.meaning),
         values: Values::Numbers(field.values),
     }));
-    variables.push(Variable {
+    let [mask, contact] = fields.truths();
+    let contacting_points = Truth {
         name: "contacting_points",
+        ..contact.clone()
+    };
+    variables.extend([contacting_points, mask, contact].map(|truth| Variable {
+        name: truth.name,
         // By this attribute xarray knows a truth value, for which the format has no type.
         attributes: vec![
             Attribute::Text("dtype", "bool".into()),
-            Attribute::Text("long_name", "whether the element carries pressure".into()),
+            Attribute::Text("long_name", truth.meaning.to_owned()),
         ],
-        values: Values::Contact(fields.pressure),
-    });
+        values: Values::Truths(truth.values),
+    }));
     variables
 }
 
@@ -112,7 +121,8 @@ fn global_attributes(fields: &Fields<'_>, record: &Record, step: usize) -> Vec<A
         Attribute::Text("title", record.title.clone()),
         Attribute::Text("source", format!("pellicle {}", record.version)),
         Attribute::Text("type", "nonperiodic".into()),
-        Attribute::Number("mean_pressure", summary.force / area),
+        Attribute::Number("mean_pressure", summary.mean_pressure),
+        Attribute::Number("nominal_pressure", summary.force / area),
         Attribute::Number("total_contact_area", summary.contact_area / area),
         Attribute::Number("force", summary.force),
         Attribute::Text("force_units", force.to_owned()),
@@ -126,27 +136,27 @@ fn global_attributes(fields: &Fields<'_>, record: &Record, step: usize) -> Vec<A
 }
 
 impl Values<'_> {
-    fn kind(self) -> u32 {
+    fn kind(&self) -> u32 {
         match self {
             Self::Centres(_) | Self::Numbers(_) => DOUBLE,
-            Self::Contact(_) => BYTE,
+            Self::Truths(_) => BYTE,
         }
     }
 
     /// The numbers of its dimensions.
-    fn dimensions(self) -> Vec<u32> {
+    fn dimensions(&self) -> Vec<u32> {
         match self {
-            Self::Centres(dimension) => vec![dimension],
-            Self::Numbers(_) | Self::Contact(_) => vec![0, 1],
+            Self::Centres(dimension) => vec![*dimension],
+            Self::Numbers(_) | Self::Truths(_) => vec![0, 1],
         }
     }
 
     /// Bytes in the file, padding included.
-    fn bytes(self, size: usize) -> usize {
+    fn bytes(&self, size: usize) -> usize {
         match self {
             Self::Centres(_) => size_of::<f64>() * size,
             Self::Numbers(_) => size_of::<f64>() * size * size,
-            Self::Contact(_) => (size * size).next_multiple_of(4),
+            Self::Truths(_) => (size * size).next_multiple_of(4),
         }
     }
 }
@@ -236,7 +246,7 @@ fn push_count(header: &mut Vec<u8>, count: usize) -> io::Result<()> {
     Ok(())
 }
 
-fn write_values(file: &mut impl Write, fields: &Fields<'_>, values: Values<'_>) -> io::Result<()> {
+fn write_values(file: &mut impl Write, fields: &Fields<'_>, values: &Values<'_>) -> io::Result<()> {
     match values {
         Values::Centres(_) => {
             (0..fields.size).try_for_each(|i| file.write_all(&fields.centre(i).to_be_bytes()))
@@ -244,10 +254,10 @@ fn write_values(file: &mut impl Write, fields: &Fields<'_>, values: Values<'_>) 
         Values::Numbers(numbers) => numbers
             .iter()
             .try_for_each(|number| file.write_all(&number.to_be_bytes())),
-        Values::Contact(pressure) => {
-            let padding = pressure.len().next_multiple_of(4) - pressure.len();
-            let contact = pressure.iter().map(|p| u8::from(*p > 0.0));
-            let bytes: Vec<u8> = contact.chain(std::iter::repeat_n(0, padding)).collect();
+        Values::Truths(truths) => {
+            let padding = truths.len().next_multiple_of(4) - truths.len();
+            let bytes = truths.iter().map(|truth| u8::from(*truth));
+            let bytes: Vec<u8> = bytes.chain(std::iter::repeat_n(0, padding)).collect();
             file.write_all(&bytes)
         }
     }

@@ -11,6 +11,7 @@ use zip::{CompressionMethod, ZipArchive};
 
 use super::fields::Fields;
 use super::file::write_whole;
+use super::watched::Watched;
 use crate::failure::Failure;
 use crate::map::npy_header::Header;
 
@@ -26,17 +27,19 @@ pub fn file(step: usize) -> String {
     format!("fields-{step:03}.npz")
 }
 
-/// Writes `x`, `y` (N values each), and `pressure`, `displacement`, `gap`, `shortening`, `profile`, `mask` (N × N, the
-/// first index along x).
+/// Writes `x`, `y` (N values each), and `pressure`, `displacement`, `gap`, `shortening`, `profile`, `mask`,
+/// `contact` (N × N, the first index along x).
 ///
 /// # Errors
 ///
 /// [`Failure::Write`] if the file cannot be written.
 pub fn write(file: &Path, fields: &Fields<'_>) -> Result<(), Failure> {
-    write_whole(file, |file| npz(file, fields).map_err(io::Error::other))
+    write_whole(file, |file| {
+        npz(Watched::new(file), fields).map_err(io::Error::other)
+    })
 }
 
-fn npz(file: &mut io::BufWriter<File>, fields: &Fields<'_>) -> Result<(), WriteNpzError> {
+fn npz(file: impl io::Write + io::Seek, fields: &Fields<'_>) -> Result<(), WriteNpzError> {
     let size = fields.size;
     let centres: Array1<f64> = (0..size).map(|i| fields.centre(i)).collect();
     let packed = SimpleFileOptions::default().compression_method(CompressionMethod::Deflated);
@@ -47,7 +50,9 @@ fn npz(file: &mut io::BufWriter<File>, fields: &Fields<'_>) -> Result<(), WriteN
     for field in fields.named() {
         npz.add_array(field.name, &square(size, field.values)?)?;
     }
-    npz.add_array("mask", &square(size, fields.mask)?)?;
+    for truth in fields.truths() {
+        npz.add_array(truth.name, &square(size, &truth.values)?)?;
+    }
     npz.finish()?;
     Ok(())
 }

@@ -2,27 +2,77 @@
 
 use std::path::Path;
 
+use rayon::prelude::*;
+
+use super::desk::Desk;
 use super::fields::Fields;
-use super::file::write_bytes;
 use super::page::{RunPart, StepPart, surface};
 use super::record::Record;
+use crate::case::output::Steps;
 use crate::failure::Failure;
+use crate::picture::field_map::FieldMap;
+use crate::picture::style::Style;
 use crate::picture::subject::Subject;
-use crate::picture::{convergence, curve, png, pressure_map, pressure_view, section};
+use crate::picture::{convergence, curve, pressure_map, pressure_view, section};
 
-/// From a step to SVG.
-type Draw = fn(&Subject<'_>) -> String;
+/// A picture of a loading step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// The pressure from above.
+    Map,
+    /// The section.
+    Section,
+    /// The pressure in three dimensions.
+    View,
+    /// Another field from above.
+    Field(FieldMap),
+}
 
-/// Writes the three pictures of one loading step; what the report shows of them.
+/// The pictures of a loading step: of a measured surface or indenter more than of others.
+#[must_use]
+pub fn of_a_step(record: &Record) -> Vec<Kind> {
+    let mut kinds = vec![Kind::Map, Kind::Section, Kind::View];
+    let fields: &[_] = match record.maps() {
+        [true, _] => &[FieldMap::Heights, FieldMap::Gap, FieldMap::Displacement],
+        [false, true] => &[FieldMap::Gap, FieldMap::Displacement],
+        [false, false] => &[],
+    };
+    kinds.extend(fields.iter().map(|field| Kind::Field(*field)));
+    kinds
+}
+
+impl Kind {
+    fn name(self, step: usize) -> String {
+        match self {
+            Self::Map => pressure_map::name(step),
+            Self::Section => section::name(step),
+            Self::View => pressure_view::name(step),
+            Self::Field(field) => field.name(step),
+        }
+    }
+
+    fn draw(self, subject: &Subject<'_>) -> String {
+        match self {
+            Self::Map => pressure_map::draw(subject),
+            Self::Section => section::draw(subject),
+            Self::View => pressure_view::draw(subject),
+            Self::Field(field) => field.draw(subject),
+        }
+    }
+}
+
+/// Writes the pictures of one loading step; what the report shows of them.
 ///
 /// # Errors
 ///
 /// [`Failure::Write`] if a picture cannot be written.
-pub fn write_step(
+pub fn step(
     folder: &Path,
     record: &Record,
     step: usize,
     fields: Fields<'_>,
+    style: &Style,
+    desk: &Desk<'_>,
 ) -> Result<StepPart, Failure> {
     let subject = Subject {
         title: &record.title,
@@ -30,48 +80,70 @@ pub fn write_step(
         relief_height: record.relief_height(),
         step: &record.steps[step],
         fields,
+        style: *style,
     };
-    let draw = |name: String, draw: Draw| write(folder, &name, draw(&subject));
-    let (map, (section, view)) = rayon::join(
-        || draw(pressure_map::name(step), pressure_map::draw),
-        || {
-            rayon::join(
-                || draw(section::name(step), section::draw),
-                || draw(pressure_view::name(step), pressure_view::draw),
-            )
-        },
-    );
-    view?;
+    let kinds = of_a_step(record).into_par_iter();
+    let drawn = kinds.map(|kind| {
+        let svg = desk.picture(folder, &kind.name(step), || kind.draw(&subject))?;
+        Ok(svg.map(|svg| (kind, svg)))
+    });
+    let drawn = drawn.collect::<Result<Vec<_>, Failure>>()?;
+    let surface = desk.drawn(&format!("turned by hand, of step {step}"), || {
+        Ok(surface::figure(&subject))
+    });
     Ok(StepPart {
         step,
-        map: map?,
-        section: section?,
-        surface: surface::figure(&subject),
+        drawings: drawn.into_iter().flatten().collect(),
+        surface,
     })
 }
 
-/// Writes the pictures of the run as a whole, those that there are; what the report shows of them.
+/// The pictures of the run as a whole, those that there are, for the report; they are written as well unless no pictures are wanted.
 ///
 /// # Errors
 ///
 /// [`Failure::Write`] if a picture cannot be written.
-pub fn write_run(folder: &Path, record: &Record) -> Result<RunPart, Failure> {
-    let write = |name, svg: Option<String>| svg.map(|svg| write(folder, name, svg)).transpose();
+pub fn run(
+    folder: &Path,
+    record: &Record,
+    pictures: Steps,
+    style: &Style,
+    desk: &Desk<'_>,
+) -> Result<RunPart, Failure> {
+    let one = |name: &str, svg: Option<String>| match svg {
+        Some(svg) if pictures != Steps::None => desk
+            .picture(folder, name, || svg.clone())
+            .map(|_| Some(svg)),
+        svg => Ok(svg),
+    };
+    let curve = desk.drawn(curve::NAME, || Ok(curve::draw(record, style)));
+    let convergence = desk.drawn(convergence::NAME, || Ok(convergence::draw(record, style)));
     Ok(RunPart {
-        curve: write(curve::NAME, curve::draw(record))?,
-        convergence: write(convergence::NAME, convergence::draw(record))?,
+        curve: one(curve::NAME, curve.flatten())?,
+        convergence: one(convergence::NAME, convergence.flatten())?,
     })
 }
 
-/// Writes a drawing as it is and rendered, and gives it back. Neither is forced onto the disk: they can be drawn again.
-fn write(folder: &Path, name: &str, svg: String) -> Result<String, Failure> {
-    let file = |ending| folder.join(format!("{name}.{ending}"));
-    write_bytes(&file("svg"), svg.as_bytes())?;
-    let path = file("png");
-    let png = png::render(&svg).map_err(|cause| Failure::Write {
-        path: path.clone(),
-        cause,
-    })?;
-    write_bytes(&path, &png)?;
-    Ok(svg)
+/// Names of the pictures of some steps, and of the run unless no pictures of it are wanted, without endings.
+#[must_use]
+pub fn names(record: &Record, steps: &[usize], of_run: Steps) -> Vec<String> {
+    let kinds = of_a_step(record);
+    let name = |step: &usize| -> Vec<_> { kinds.iter().map(|kind| kind.name(*step)).collect() };
+    let run = [
+        (curve::NAME, curve::is_drawn(record)),
+        (convergence::NAME, convergence::is_drawn(record)),
+    ];
+    let run = run
+        .into_iter()
+        .filter(|(_, is)| *is && of_run != Steps::None);
+    let run = run.map(|(name, _)| name.to_owned());
+    steps.iter().flat_map(name).chain(run).collect()
+}
+
+/// How many pictures of the run as a whole are written.
+#[must_use]
+pub fn count_of_run(record: &Record, pictures: Steps) -> usize {
+    let there_are = [curve::is_drawn(record), convergence::is_drawn(record)];
+    let count = there_are.into_iter().filter(|is| *is).count();
+    if pictures == Steps::None { 0 } else { count }
 }

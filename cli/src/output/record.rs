@@ -63,6 +63,12 @@ impl Record {
         Self::parse(&text, units).map_err(|cause| Failure::damaged(&path, &cause))
     }
 
+    /// Whether the surface, and whether the indenter, is a measured map.
+    #[must_use]
+    pub fn maps(&self) -> [bool; 2] {
+        ["surface", "indenter"].map(|table| self.case[table]["file"].is_string())
+    }
+
     /// Height of the relief above the surface of the body, m, where it is the same everywhere: of cylinders or a film, 0 of
     /// a bare surface.
     #[must_use]

@@ -1,109 +1,161 @@
-//! A results folder: what is written into it, and what is read back to draw it again.
+//! A results folder: what is written into it.
 
 use std::io::Write;
 use std::path::Path;
+use std::time::Instant;
 
 use pellicle_contact::LoadingPath;
 use rayon::prelude::*;
 
+use super::desk::{Desk, Tell};
 use super::fields::Fields;
-use super::npz::StoredFields;
+use super::folder::Extent;
 use super::page::{self, StepPart};
 use super::record::Record;
 use super::summary::Summary;
 use super::{curve, file, gsf, json, netcdf, npz, pictures, summary, vti};
+use crate::case::output::{Format, OutputCase};
 use crate::failure::Failure;
+use crate::interrupt;
+use crate::picture::style::Style;
 
 /// Most loading steps on the report's page: some 100 kB each.
-const STEPS_IN_REPORT: usize = 24;
+pub(super) const STEPS_IN_REPORT: usize = 24;
 
-/// Pictures of a loading step.
-const PICTURES: usize = 3;
-
-/// Writes everything a run leaves behind into an empty folder.
+/// Writes everything a run leaves behind into an empty folder. The summary gets the time since `start`, writing included, and what is to be
+/// said of the writing.
+///
+/// When the user asks to stop, fields and pictures that are not done soon are left out, and the result is a part; summary, curve and report are always
+/// there.
 ///
 /// # Errors
 ///
 /// [`Failure`] if a file cannot be written.
-pub fn write(folder: &Path, path: &LoadingPath, summary: &Summary) -> Result<(), Failure> {
+pub fn write(
+    folder: &Path,
+    path: &LoadingPath,
+    summary: &mut Summary,
+    start: Instant,
+    tell: Tell<'_>,
+) -> Result<Extent, Failure> {
+    let output = summary.case.output.clone();
+    let record = Record::parse(&json(summary)?, summary.case.units)?;
+    let desk = Desk::new(files(&record, &output), tell);
+    let parts = write_steps(folder, path, &record, &output, &desk)?;
+    let run = pictures::run(folder, &record, output.pictures, &Style::default(), &desk)?;
+    summary.warnings.extend(desk.warnings());
+    summary.timing.total_seconds = start.elapsed().as_secs_f64();
     let text = json(summary)?;
     let record = Record::parse(&text, summary.case.units)?;
-    let geometry = path.geometry();
-    let steps = (0..path.steps.len()).into_par_iter();
-    let steps = steps.filter_map(|i| Some((i, path.surface(&geometry, i)?)));
-    let parts = steps.map(|(i, surface)| {
-        let fields = Fields::of(path, &geometry, i, &surface);
-        let part = write_step(folder, &record, i, fields)?;
-        Ok(is_in_report(i, path.steps.len()).then_some(part))
-    });
-    let parts = parts.collect::<Result<Vec<Option<StepPart>>, Failure>>()?;
-    let parts: Vec<StepPart> = parts.into_iter().flatten().collect();
+    write_page(folder, &page::html(&record, &parts, &run))?;
     write_text(&folder.join(curve::FILE), &curve::csv(summary))?;
     write_text(&folder.join(summary::FILE), &text)?;
-    write_page(folder, &record, &parts).map(drop)
+    Ok(if desk.is_whole() {
+        Extent::Whole
+    } else {
+        Extent::Part
+    })
 }
 
-/// The fields and pictures of a step; what the report shows of them.
-fn write_step(
+/// Files of fields, and pictures.
+fn files(record: &Record, output: &OutputCase) -> usize {
+    let steps = record.steps.len();
+    let fields = output.fields.count(steps) * output.formats.len();
+    let pictures = output.pictures.count(steps) * pictures::of_a_step(record).len();
+    fields + pictures + pictures::count_of_run(record, output.pictures)
+}
+
+/// The fields and pictures of the steps that have some; what the report shows of them.
+fn write_steps(
     folder: &Path,
+    path: &LoadingPath,
     record: &Record,
-    step: usize,
-    fields: Fields<'_>,
-) -> Result<StepPart, Failure> {
-    // What is packed takes about as long as all the rest.
-    let (packed, part) = rayon::join(
-        || npz::write(&folder.join(npz::file(step)), &fields),
-        || {
-            write_fields(folder, record, step, &fields)?;
-            pictures::write_step(folder, record, step, fields)
-        },
-    );
-    packed.and(part)
+    output: &OutputCase,
+    desk: &Desk<'_>,
+) -> Result<Vec<StepPart>, Failure> {
+    let count = path.steps.len();
+    let wanted =
+        |i: &usize| output.fields.contains(*i, count) || output.pictures.contains(*i, count);
+    let steps: Vec<_> = (0..count).filter(wanted).collect();
+    let pictured: Vec<_> = (0..count)
+        .filter(|i| output.pictures.contains(*i, count))
+        .collect();
+    let shown = in_report(&pictured);
+    let is_needed = !steps.is_empty() && !interrupt::is_overdue();
+    let geometry = is_needed.then(|| path.geometry());
+    let parts = steps.into_par_iter().map(|i| {
+        let formats = if output.fields.contains(i, count) {
+            &output.formats[..]
+        } else {
+            &[]
+        };
+        if interrupt::is_overdue() {
+            let pictures = usize::from(pictured.contains(&i)) * pictures::of_a_step(record).len();
+            desk.leave_out(formats.len() + pictures);
+            return Ok(None);
+        }
+        let surface = || path.surface(geometry.as_ref()?, i);
+        let (Some(geometry), Some(surface)) = (&geometry, surface()) else {
+            return Ok(None);
+        };
+        let fields = Fields::of(path, geometry, i, &surface);
+        let draw = || {
+            if !pictured.contains(&i) {
+                return Ok(None);
+            }
+            pictures::step(folder, record, i, fields, &Style::default(), desk).map(Some)
+        };
+        let (written, part) = rayon::join(
+            || write_fields(folder, record, i, &fields, formats, desk),
+            draw,
+        );
+        written?;
+        Ok(part?.filter(|part| shown.contains(&part.step)))
+    });
+    let parts = parts.collect::<Result<Vec<Option<StepPart>>, Failure>>()?;
+    Ok(parts.into_iter().flatten().collect())
 }
 
-/// The fields of a step for other programs.
+/// The fields of a step in every format wanted; what is packed takes about as long as all the rest.
 fn write_fields(
     folder: &Path,
     record: &Record,
     step: usize,
     fields: &Fields<'_>,
+    formats: &[Format],
+    desk: &Desk<'_>,
 ) -> Result<(), Failure> {
     let units = record.units;
-    vti::write(&folder.join(vti::file(step)), fields, units)?;
-    gsf::write(&folder.join(gsf::file(step)), fields, units)?;
-    netcdf::write(&folder.join(netcdf::file(step)), fields, record, step)
+    formats.par_iter().try_for_each(|format| {
+        let write = || match format {
+            Format::Npz => npz::write(&folder.join(npz::file(step)), fields),
+            Format::Vti => vti::write(&folder.join(vti::file(step)), fields, units),
+            Format::Nc => netcdf::write(&folder.join(netcdf::file(step)), fields, record, step),
+            Format::Gsf => gsf::write(folder, fields, units, step),
+        };
+        desk.file(write).map(drop)
+    })
 }
 
-/// Draws the pictures and the report of a results folder again, from its files alone; how many pictures there are.
+/// Those of the steps with pictures that the report's page has room for: the first, the last and some evenly between.
+#[must_use]
+pub fn in_report(pictured: &[usize]) -> Vec<usize> {
+    let steps = pictured.len();
+    let gaps = (STEPS_IN_REPORT.min(steps).saturating_sub(1)).max(1);
+    let is_kept = |i: &usize| {
+        let nearest = (i * gaps).div_ceil(steps.saturating_sub(1).max(1));
+        *i == nearest * (steps - 1) / gaps
+    };
+    (0..steps).filter(is_kept).map(|i| pictured[i]).collect()
+}
+
+/// Writes the report, which can be drawn again.
 ///
 /// # Errors
 ///
-/// [`Failure`] if the folder holds no results or a picture cannot be written.
-pub fn draw(folder: &Path) -> Result<usize, Failure> {
-    let record = Record::read(folder)?;
-    let steps = record.steps.len();
-    let mut parts = Vec::new();
-    for i in 0..steps {
-        let fields = StoredFields::read(&folder.join(npz::file(i)))?;
-        let part = pictures::write_step(folder, &record, i, fields.fields(record.grid.side))?;
-        parts.extend(is_in_report(i, steps).then_some(part));
-    }
-    Ok(PICTURES * steps + write_page(folder, &record, &parts)?)
-}
-
-/// Whether the report's page has room for a step: for the first, the last and some evenly between.
-fn is_in_report(step: usize, steps: usize) -> bool {
-    let gaps = (STEPS_IN_REPORT.min(steps) - 1).max(1);
-    let nearest = (step * gaps).div_ceil((steps - 1).max(1));
-    step == nearest * (steps - 1) / gaps
-}
-
-/// The pictures of the run as a whole, and the report; how many pictures there are.
-fn write_page(folder: &Path, record: &Record, parts: &[StepPart]) -> Result<usize, Failure> {
-    let run = pictures::write_run(folder, record)?;
-    let page = page::html(record, parts, &run);
-    file::write_bytes(&folder.join(page::FILE), page.as_bytes())?;
-    Ok(usize::from(run.curve.is_some()) + usize::from(run.convergence.is_some()))
+/// [`Failure::Write`] if it cannot be written.
+pub fn write_page(folder: &Path, page: &str) -> Result<(), Failure> {
+    file::write_bytes(&folder.join(page::FILE), page.as_bytes())
 }
 
 fn write_text(path: &Path, text: &str) -> Result<(), Failure> {
@@ -115,12 +167,14 @@ mod tests {
     use super::*;
 
     fn kept(steps: usize) -> Vec<usize> {
-        (0..steps).filter(|i| is_in_report(*i, steps)).collect()
+        in_report(&(0..steps).collect::<Vec<_>>())
     }
 
     #[test]
     fn a_long_curve_has_its_ends_and_steps_between_in_the_report() {
+        assert!(kept(0).is_empty());
         assert_eq!(kept(1), [0]);
+        assert_eq!(in_report(&[7]), [7]);
         assert_eq!(kept(3), [0, 1, 2]);
         for steps in [24, 25, 47, 1000] {
             let kept = kept(steps);

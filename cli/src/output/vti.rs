@@ -8,6 +8,7 @@ use std::path::Path;
 
 use super::fields::{Fields, Named};
 use super::file::write_whole;
+use super::watched::Watched;
 use crate::case::units::Units;
 use crate::failure::Failure;
 
@@ -20,18 +21,21 @@ pub fn file(step: usize) -> String {
     format!("fields-{step:03}.vti")
 }
 
-/// Writes the five fields of numbers and the mask as data of cells, with their units.
+/// Writes the five fields of numbers with their units, the mask and the contact, as data of cells.
 ///
 /// # Errors
 ///
 /// [`Failure::Write`] if the file cannot be written.
 pub fn write(path: &Path, fields: &Fields<'_>, units: Units) -> Result<(), Failure> {
     write_whole(path, |file| {
+        let file = &mut Watched::new(file);
         file.write_all(head(fields, units).as_bytes())?;
         for field in fields.named() {
             write_numbers(file, fields, field.values)?;
         }
-        write_mask(file, fields)?;
+        for truth in fields.truths() {
+            write_truths(file, fields.size, &truth.values)?;
+        }
         file.write_all(b"\n  </AppendedData>\n</VTKFile>\n")
     })
 }
@@ -47,15 +51,19 @@ fn head(fields: &Fields<'_>, units: Units) -> String {
     let numbers: String = numbers
         .map(|(i, field)| array(field, units, i * each))
         .collect();
-    let offset = arrays.len() * each;
+    let first = arrays.len() * each;
+    let length = LENGTH + size * size;
+    let truths = fields.truths().into_iter().enumerate();
+    let truths: String = truths
+        .map(|(i, truth)| truth_array(truth.name, first + i * length))
+        .collect();
     format!(
         r#"<?xml version="1.0"?>
 <VTKFile type="ImageData" version="1.0" byte_order="LittleEndian" header_type="UInt64">
   <ImageData WholeExtent="{extent}" Origin="{low:e} {low:e} 0" Spacing="{side:e} {side:e} {side:e}">
     <Piece Extent="{extent}">
       <CellData Scalars="pressure">
-{numbers}        <DataArray type="UInt8" Name="mask" format="appended" offset="{offset}"/>
-      </CellData>
+{numbers}{truths}      </CellData>
     </Piece>
   </ImageData>
   <AppendedData encoding="raw">
@@ -73,6 +81,13 @@ fn array(field: &Named<'_>, units: Units, offset: usize) -> String {
     )
 }
 
+fn truth_array(name: &str, offset: usize) -> String {
+    format!(
+        r#"        <DataArray type="UInt8" Name="{name}" format="appended" offset="{offset}"/>
+"#
+    )
+}
+
 fn write_numbers(file: &mut impl Write, fields: &Fields<'_>, values: &[f64]) -> io::Result<()> {
     write_length(file, size_of::<f32>() * values.len())?;
     for e in along_x(fields.size) {
@@ -82,10 +97,10 @@ fn write_numbers(file: &mut impl Write, fields: &Fields<'_>, values: &[f64]) -> 
     Ok(())
 }
 
-fn write_mask(file: &mut impl Write, fields: &Fields<'_>) -> io::Result<()> {
-    write_length(file, fields.mask.len())?;
-    for e in along_x(fields.size) {
-        file.write_all(&[u8::from(fields.mask[e])])?;
+fn write_truths(file: &mut impl Write, size: usize, values: &[bool]) -> io::Result<()> {
+    write_length(file, values.len())?;
+    for e in along_x(size) {
+        file.write_all(&[u8::from(values[e])])?;
     }
     Ok(())
 }

@@ -1,5 +1,7 @@
 //! The labels of an axis.
 
+use super::number::power;
+
 /// The label of a tick of an axis of this length: as many decimals as its ticks need, with a true minus sign.
 #[must_use]
 pub fn label(value: f64, length: f64) -> String {
@@ -22,6 +24,24 @@ pub fn label(value: f64, length: f64) -> String {
     }
 }
 
+/// Most digits of a label.
+const DIGITS: usize = 12;
+
+/// The labels of the ticks of a logarithmic axis: as many digits as tell them apart, in powers of ten where they are far from 1.
+#[must_use]
+pub fn logarithmic_labels(ticks: &[f64]) -> Vec<String> {
+    let labels = |digits| ticks.iter().map(|tick| power(*tick, digits)).collect();
+    // A label is right if it reads back as its tick, but for rounding.
+    let is_right = |digits: &usize| {
+        ticks.iter().all(|tick| {
+            let rounded = format!("{tick:.*e}", digits - 1);
+            let rounded: f64 = rounded.parse().unwrap_or(f64::NAN);
+            (rounded - tick).abs() <= 1e-9 * tick.abs()
+        })
+    };
+    labels((1..DIGITS).find(is_right).unwrap_or(DIGITS))
+}
+
 /// `p, GPa`; the bare symbol's own words for a case without units.
 #[must_use]
 pub fn title(symbol: &str, unit: &str) -> String {
@@ -42,6 +62,17 @@ mod tests {
         assert_eq!(label(-1e-18, 0.12), "0");
         assert_eq!(label(40.0, 100.0), "40");
         assert_eq!(label(2.5, 20.0), "2.5");
+    }
+
+    #[test]
+    fn labels_of_a_logarithmic_axis_tell_its_ticks_apart() {
+        assert_eq!(logarithmic_labels(&[0.1, 0.2, 0.5]), ["0.1", "0.2", "0.5"]);
+        assert_eq!(logarithmic_labels(&[1.0, 1.5, 2.0]), ["1", "1.5", "2"]);
+        assert_eq!(logarithmic_labels(&[1e-5, 1e-3]), ["10⁻⁵", "10⁻³"]);
+        assert_eq!(
+            logarithmic_labels(&[20.0, 20.5, 21.0]),
+            ["20", "20.5", "21"]
+        );
     }
 
     #[test]

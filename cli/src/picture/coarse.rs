@@ -56,6 +56,12 @@ impl Coarse {
         self.mask[i * self.cells + j]
     }
 
+    /// The ends of its sides along x and along y, m.
+    #[must_use]
+    pub fn ends(&self) -> [[f64; 2]; 2] {
+        [self.x, self.y]
+    }
+
     /// The largest coordinate, m.
     #[must_use]
     pub fn farthest(&self) -> f64 {

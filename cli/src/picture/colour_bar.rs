@@ -1,10 +1,10 @@
-//! What the colours of a picture mean: a bar with the pressure beside it.
+//! What the colours of a picture mean: a bar with the values beside it.
 
+use super::colour_map::Shades;
 use super::panel::LABEL;
 use super::raster::Raster;
 use super::svg::{Anchor, Direction, Place, Stroke, Svg};
 use super::{axis, colours, ticks};
-use crate::display::Scale;
 
 /// Width of the labels and the title beside the bar, in pixels.
 pub const BESIDE: f64 = 112.0;
@@ -17,28 +17,29 @@ const TITLE: f64 = 18.0;
 const DIGIT: f64 = 0.64 * LABEL;
 const TICK: f64 = 6.0;
 
-/// Draws the bar for pressures from 0 to `top` on this scale.
-pub fn draw(svg: &mut Svg, place: Place, scale: &Scale, top: f64) {
-    let shade = |_, j| colours::of_fraction((SHADES - 1 - j) as f64 / (SHADES - 1) as f64);
+/// Draws the bar of these colours, whose values have this title.
+pub fn draw(svg: &mut Svg, place: Place, shades: &Shades, title: &str) {
+    let (from, to) = (shades.from, shades.to);
+    let shade = |_, j| shades.map.at((SHADES - 1 - j) as f64 / (SHADES - 1) as f64);
     svg.image(place, &Raster::of(1, SHADES, shade));
     let stroke = Stroke {
         colour: colours::INK,
         width: 1.2,
     };
     let right = place.right();
-    let ticks = ticks::linear(0.0, top, 6);
-    let labels: Vec<_> = ticks.iter().map(|tick| axis::label(*tick, top)).collect();
+    let ticks = ticks::linear(from, to, 6);
+    let label = |tick: &f64| axis::label(*tick, to - from);
+    let labels: Vec<_> = ticks.iter().map(label).collect();
     for (tick, label) in ticks.iter().zip(&labels) {
-        let y = place.bottom() - place.height * tick / top;
+        let y = place.bottom() - place.height * (tick - from) / (to - from);
         svg.line(&[(right, y), (right + TICK, y)], stroke);
         svg.text((right + TICK + 5.0, y), LABEL, Anchor::Start, label);
     }
     let longest = labels.iter().map(|label| label.chars().count()).max();
     let beside = TICK + 5.0 + DIGIT * longest.unwrap_or(0) as f64 + TITLE;
-    let title = axis::title("pressure p", &scale.label);
     let middle = (
         right + beside.min(BESIDE - TITLE),
         place.top.midpoint(place.bottom()),
     );
-    svg.directed_text(middle, TITLE, Anchor::Middle, Direction::Up, &title);
+    svg.directed_text(middle, TITLE, Anchor::Middle, Direction::Up, title);
 }

@@ -3,6 +3,7 @@
 use super::colours::{self, Colour};
 use super::heading;
 use super::panel::{Axis, Panel};
+use super::style::{Heading, Style};
 use super::svg::{Anchor, Place, Stroke, Svg};
 use crate::case::units::Units;
 use crate::display::{Unit, error_of, quantity};
@@ -60,24 +61,29 @@ const NUMBERS: [Number; 3] = [
     },
 ];
 
+/// Whether there is a picture: not of a run on one grid.
+#[must_use]
+pub fn is_drawn(record: &Record) -> bool {
+    let mut steps = record.steps.iter();
+    steps.any(|step| step.grid_error.levels.len() > 1)
+}
+
 /// The picture as SVG; none of a run on one grid.
 #[must_use]
-pub fn draw(record: &Record) -> Option<String> {
-    if record
-        .steps
-        .iter()
-        .all(|step| step.grid_error.levels.len() < 2)
-    {
+pub fn draw(record: &Record, style: &Style) -> Option<String> {
+    if !is_drawn(record) {
         return None;
     }
-    let mut svg = Svg::new(WIDTH, HEIGHT);
+    let mut svg = style.sheet(WIDTH, HEIGHT);
     let numbers = match record.steps.len() {
         1 => "change against the finest grid".to_owned(),
         steps => {
             format!("change against the finest grid; {steps} loading steps, from dark to light")
         }
     };
-    heading::draw(&mut svg, LEFT, WIDTH - LEFT, &record.title, &numbers);
+    if style.heading == Heading::Shown {
+        heading::draw(&mut svg, LEFT, WIDTH - LEFT, &record.title, &numbers);
+    }
     for (i, number) in NUMBERS.into_iter().enumerate() {
         let left = LEFT + i as f64 * (PANEL_WIDTH + BETWEEN);
         draw_panel(&mut svg, record, left, number);

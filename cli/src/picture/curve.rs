@@ -1,15 +1,20 @@
-//! The curves of a case with several loads: the force over the penetration, the largest pressure over the force.
+//! The curves of cases with several loads: the force over the penetration, the largest pressure over the force.
 
 use super::colours::{self, Colour};
 use super::panel::{Axis, Panel};
-use super::svg::{Anchor, Place, Stroke, Svg};
+use super::style::{Heading, Style};
+use super::svg::{Anchor, Dash, Place, Stroke, Svg};
 use super::{axis, heading};
+use crate::case::units::Units;
 use crate::display::{Scale, Unit};
 use crate::output::record::Record;
 use crate::output::summary::StepSummary;
 
 /// Name of the picture, without ending.
 pub const NAME: &str = "curve";
+
+/// Name of the picture of several results, without ending.
+pub const NAME_OF_SEVERAL: &str = "curves";
 
 const LEFT: f64 = 112.0;
 const TOP: f64 = heading::HEIGHT + 8.0;
@@ -18,11 +23,26 @@ const BETWEEN: f64 = 120.0;
 const WIDTH: f64 = LEFT + 2.0 * SIDE + BETWEEN + 36.0;
 const HEIGHT: f64 = TOP + SIDE + 72.0;
 
+/// A line of the legend, of two columns.
+const ENTRY: f64 = 28.0;
+const COLUMNS: usize = 2;
+
 /// Above the largest value, as a part of it.
 const MARGIN: f64 = 0.06;
 
 /// From this ratio of the largest to the smallest force on, axes are logarithmic.
 const DECADES: f64 = 50.0;
+
+/// The colours of several curves, which the colour-blind tell apart; beyond them lines are broken.
+const COLOURS: [Colour; 7] = [
+    colours::BLUE,
+    colours::ORANGE,
+    colours::GREEN,
+    colours::PURPLE,
+    colours::SKY,
+    colours::AMBER,
+    colours::INK,
+];
 
 /// One coordinate of a curve.
 #[derive(Clone, Copy)]
@@ -48,110 +68,201 @@ const PEAK: Coordinate = Coordinate {
     value: |step| step.max_pressure,
 };
 
-/// The picture as SVG; none of a single step.
-#[must_use]
-pub fn draw(record: &Record) -> Option<String> {
-    if record.steps.len() < 2 {
-        return None;
-    }
-    let mut svg = Svg::new(WIDTH, HEIGHT);
-    let open = record.steps.iter().any(|step| !step.certificate.satisfied);
-    let note = if open {
-        ", open circles are NOT CONVERGED"
-    } else {
-        ""
-    };
-    let numbers = format!("{} loading steps{note}", record.steps.len());
-    heading::draw(&mut svg, LEFT, WIDTH - LEFT, &record.title, &numbers);
-    draw_panel(&mut svg, record, LEFT, PENETRATION, FORCE);
-    draw_panel(&mut svg, record, LEFT + SIDE + BETWEEN, FORCE, PEAK);
-    Some(svg.finish())
+/// The curve of one result, and what it is called.
+#[derive(Debug, Clone)]
+pub struct Curve<'a> {
+    /// Its name in the legend.
+    pub name: String,
+    /// Its loading steps.
+    pub steps: &'a [StepSummary],
 }
 
-fn draw_panel(svg: &mut Svg, record: &Record, left: f64, x: Coordinate, y: Coordinate) {
-    let (x_axis, x_scale) = axis_of(record, x);
-    let (y_axis, y_scale) = axis_of(record, y);
-    let panel = Panel {
-        place: Place {
-            left,
-            top: TOP,
-            width: SIDE,
-            height: SIDE,
-        },
-        x: x_axis,
-        y: y_axis,
+/// Whether there is a picture: not of a single step.
+#[must_use]
+pub fn is_drawn(record: &Record) -> bool {
+    record.steps.len() > 1
+}
+
+/// The picture as SVG; none of a single step.
+#[must_use]
+pub fn draw(record: &Record, style: &Style) -> Option<String> {
+    let curve = Curve {
+        name: record.title.clone(),
+        steps: &record.steps,
     };
-    let point = |step: &StepSummary| {
-        let (x, y) = ((x.value)(step), (y.value)(step));
-        panel.at(x / x_scale.divisor, y / y_scale.divisor)
+    let numbers = format!("{} loading steps", record.steps.len());
+    is_drawn(record).then(|| Sheet::new(vec![curve], record.units).draw(&numbers, style))
+}
+
+/// The picture of several results as SVG, all of them in these units.
+#[must_use]
+pub fn draw_several(curves: Vec<Curve<'_>>, units: Units, style: &Style) -> String {
+    let numbers = format!("{} results", curves.len());
+    Sheet::new(curves, units).draw(&numbers, style)
+}
+
+/// The curves on one sheet, with the axes that suit them all.
+struct Sheet<'a> {
+    curves: Vec<Curve<'a>>,
+    units: Units,
+    is_logarithmic: bool,
+}
+
+impl<'a> Sheet<'a> {
+    fn new(curves: Vec<Curve<'a>>, units: Units) -> Self {
+        let mut sheet = Self {
+            curves,
+            units,
+            is_logarithmic: false,
+        };
+        sheet.is_logarithmic = sheet.suits_logarithms();
+        sheet
+    }
+
+    fn draw(&self, numbers: &str, style: &Style) -> String {
+        let several = self.curves.len() > 1;
+        let entries = if several { self.curves.len() } else { 0 };
+        let legend = ENTRY * entries.div_ceil(COLUMNS) as f64;
+        let mut svg = style.sheet(WIDTH, HEIGHT + legend);
+        if style.heading == Heading::Shown {
+            let titles: Vec<_> = self.curves.iter().map(|curve| &curve.name[..]).collect();
+            let open = self.steps().any(|step| !step.certificate.satisfied);
+            let note = if open {
+                ", open circles are NOT CONVERGED"
+            } else {
+                ""
+            };
+            let title = if several {
+                "Curves of several results"
+            } else {
+                titles.first().copied().unwrap_or_default()
+            };
+            let numbers = format!("{numbers}{note}");
+            heading::draw(&mut svg, LEFT, WIDTH - LEFT, title, &numbers);
+        }
+        self.draw_panel(&mut svg, LEFT, PENETRATION, FORCE);
+        self.draw_panel(&mut svg, LEFT + SIDE + BETWEEN, FORCE, PEAK);
+        if several {
+            self.draw_legend(&mut svg);
+        }
+        svg.finish()
+    }
+
+    fn draw_panel(&self, svg: &mut Svg, left: f64, x: Coordinate, y: Coordinate) {
+        let (x_axis, x_scale) = self.axis_of(x);
+        let (y_axis, y_scale) = self.axis_of(y);
+        let panel = Panel {
+            place: Place {
+                left,
+                top: TOP,
+                width: SIDE,
+                height: SIDE,
+            },
+            x: x_axis,
+            y: y_axis,
+        };
+        panel.draw_mesh(svg);
+        for (i, curve) in self.curves.iter().enumerate() {
+            let point = |step: &StepSummary| {
+                let (x, y) = ((x.value)(step), (y.value)(step));
+                panel.at(x / x_scale.divisor, y / y_scale.divisor)
+            };
+            let points = curve.steps.iter().map(|step| (point(step), step));
+            let is_finite =
+                |((x, y), _): &((f64, f64), &StepSummary)| x.is_finite() && y.is_finite();
+            let points: Vec<_> = points.filter(is_finite).collect();
+            let line: Vec<_> = points.iter().map(|(point, _)| *point).collect();
+            let (stroke, dash) = pen(i);
+            svg.within(panel.place, |svg| {
+                if line.len() > 1 {
+                    svg.broken_lines(&[line], stroke, dash);
+                }
+            });
+            for (point, step) in points {
+                let (fill, edge) = mark(step.certificate.satisfied, stroke.colour);
+                svg.circle(point, 4.5, fill, edge);
+            }
+        }
+        panel.draw_axes(svg);
+        if self.is_logarithmic {
+            let place = (panel.place.right() - 8.0, panel.place.bottom() - 16.0);
+            svg.text(place, 14.0, Anchor::End, "logarithmic axes");
+        }
+    }
+
+    /// What the colours mean, below the panels.
+    fn draw_legend(&self, svg: &mut Svg) {
+        let column = (WIDTH - LEFT) / COLUMNS as f64;
+        for (i, curve) in self.curves.iter().enumerate() {
+            let (stroke, dash) = pen(i);
+            let x = LEFT + column * (i % COLUMNS) as f64;
+            let y = HEIGHT + ENTRY * (0.5 + (i / COLUMNS) as f64) - 8.0;
+            svg.broken_lines(&[[(x, y), (x + 40.0, y)]], stroke, dash);
+            svg.circle((x + 20.0, y), 4.5, stroke.colour, stroke.colour);
+            let name = heading::fitted(&curve.name, column - 60.0, 16.0);
+            svg.text((x + 50.0, y), 16.0, Anchor::Start, &name);
+        }
+    }
+
+    fn steps(&self) -> impl Iterator<Item = &StepSummary> {
+        self.curves.iter().flat_map(|curve| curve.steps)
+    }
+
+    /// Whether the forces span so much that small ones would vanish on a linear axis, and everything is positive.
+    fn suits_logarithms(&self) -> bool {
+        let all_positive = self.steps().all(|step| {
+            [FORCE, PENETRATION, PEAK]
+                .iter()
+                .all(|coordinate| (coordinate.value)(step) > 0.0)
+        });
+        let (smallest, largest) = self.ends(FORCE);
+        all_positive && largest >= DECADES * smallest
+    }
+
+    fn ends(&self, coordinate: Coordinate) -> (f64, f64) {
+        let values = self.steps().map(coordinate.value);
+        let values = values.filter(|value| value.is_finite());
+        values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
+            (low.min(value), high.max(value))
+        })
+    }
+
+    fn axis_of(&self, coordinate: Coordinate) -> (Axis, Scale) {
+        let (smallest, largest) = self.ends(coordinate);
+        let scale = Scale::of(largest.max(-smallest), coordinate.unit, self.units);
+        let title = axis::title(coordinate.symbol, &scale.label);
+        let (low, high) = (smallest / scale.divisor, largest / scale.divisor);
+        if self.is_logarithmic {
+            return (Axis::logarithmic(low, high, title), scale);
+        }
+        let (low, high) = (low.min(0.0), high.max(0.0));
+        let length = if high > low { high - low } else { 1.0 };
+        let low = if low < 0.0 {
+            low - MARGIN * length
+        } else {
+            low
+        };
+        let high = high + MARGIN * length;
+        (Axis::new(low, high, title, 6), scale)
+    }
+}
+
+/// How the curve of this number is drawn.
+fn pen(i: usize) -> (Stroke, Dash) {
+    let colour = COLOURS[i % COLOURS.len()];
+    let dash = if i < COLOURS.len() {
+        Dash::Solid
+    } else {
+        Dash::Dashed
     };
-    let points: Vec<_> = record
-        .steps
-        .iter()
-        .map(|step| (point(step), step))
-        .collect();
-    let is_finite = |((x, y), _): &((f64, f64), &StepSummary)| x.is_finite() && y.is_finite();
-    let points: Vec<_> = points.into_iter().filter(is_finite).collect();
-    let line: Vec<_> = points.iter().map(|(point, _)| *point).collect();
-    panel.draw_mesh(svg);
-    svg.within(panel.place, |svg| {
-        let (colour, width) = (colours::BLUE, 2.0);
-        svg.line(&line, Stroke { colour, width });
-    });
-    for (point, step) in points {
-        let (fill, edge) = mark(step.certificate.satisfied);
-        svg.circle(point, 4.5, fill, edge);
-    }
-    panel.draw_axes(svg);
-    if is_logarithmic(record) {
-        let place = (panel.place.right() - 8.0, panel.place.bottom() - 16.0);
-        svg.text(place, 14.0, Anchor::End, "logarithmic axes");
-    }
+    (Stroke { colour, width: 2.0 }, dash)
 }
 
 /// Fill and edge of the mark of a step.
-fn mark(satisfied: bool) -> (Colour, Colour) {
-    if satisfied {
-        (colours::BLUE, colours::BLUE)
-    } else {
-        (colours::WHITE, colours::ORANGE)
+fn mark(satisfied: bool, colour: Colour) -> (Colour, Colour) {
+    match (satisfied, colour) {
+        (true, colour) => (colour, colour),
+        (false, colours::BLUE) => (colours::WHITE, colours::ORANGE),
+        (false, colour) => (colours::WHITE, colour),
     }
-}
-
-/// Whether the forces of a curve span so much that small ones would vanish on a linear axis, and everything is positive.
-fn is_logarithmic(record: &Record) -> bool {
-    let all_positive = record.steps.iter().all(|step| {
-        [FORCE, PENETRATION, PEAK]
-            .iter()
-            .all(|coordinate| (coordinate.value)(step) > 0.0)
-    });
-    let (smallest, largest) = ends(record, FORCE);
-    all_positive && largest >= DECADES * smallest
-}
-
-fn ends(record: &Record, coordinate: Coordinate) -> (f64, f64) {
-    let values = record.steps.iter().map(coordinate.value);
-    let values = values.filter(|value| value.is_finite());
-    values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
-        (low.min(value), high.max(value))
-    })
-}
-
-fn axis_of(record: &Record, coordinate: Coordinate) -> (Axis, Scale) {
-    let (smallest, largest) = ends(record, coordinate);
-    let scale = Scale::of(largest.max(-smallest), coordinate.unit, record.units);
-    let title = axis::title(coordinate.symbol, &scale.label);
-    let (low, high) = (smallest / scale.divisor, largest / scale.divisor);
-    if is_logarithmic(record) {
-        return (Axis::logarithmic(low, high, title), scale);
-    }
-    let (low, high) = (low.min(0.0), high.max(0.0));
-    let length = if high > low { high - low } else { 1.0 };
-    let low = if low < 0.0 {
-        low - MARGIN * length
-    } else {
-        low
-    };
-    let high = high + MARGIN * length;
-    (Axis::new(low, high, title, 6), scale)
 }

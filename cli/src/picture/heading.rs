@@ -26,7 +26,8 @@ pub fn draw(svg: &mut Svg, left: f64, width: f64, title: &str, numbers: &str) {
 }
 
 /// The text cut to a width.
-fn fitted(text: &str, width: f64, size: f64) -> String {
+#[must_use]
+pub fn fitted(text: &str, width: f64, size: f64) -> String {
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,

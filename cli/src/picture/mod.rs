@@ -3,9 +3,11 @@
 pub mod axis;
 pub mod coarse;
 pub mod colour_bar;
+pub mod colour_map;
 pub mod colours;
 pub mod convergence;
 pub mod curve;
+pub mod field_map;
 pub mod heading;
 pub mod number;
 pub mod outline;
@@ -19,8 +21,12 @@ pub mod raster;
 pub mod scene;
 pub mod section;
 pub mod skyline;
+pub mod style;
 pub mod subject;
 pub mod svg;
 pub mod ticks;
 pub mod trust;
 pub mod window;
+
+#[cfg(test)]
+mod tests;

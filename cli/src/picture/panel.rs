@@ -3,7 +3,6 @@
 use super::colours;
 use super::svg::{Anchor, Direction, Place, Stroke, Svg};
 use super::{axis, ticks};
-use crate::display;
 
 /// Sizes of the letters of labels and titles, in pixels.
 pub const LABEL: f64 = 17.0;
@@ -47,17 +46,17 @@ impl Axis {
         }
     }
 
-    /// A logarithmic axis that holds these two positive values, with a tick at every 1, 2 and 5 times a power of ten.
+    /// A logarithmic axis that holds these two positive values, with at least three ticks.
     #[must_use]
     pub fn logarithmic(smallest: f64, largest: f64, title: String) -> Self {
         let (from, to) = (smallest / 1.3, largest * 1.3);
-        let labelled = |tick| (tick, display::significant(tick, 1));
         let ticks = ticks::logarithmic(from, to);
+        let labels = axis::logarithmic_labels(&ticks);
         Self {
             from,
             to,
             title,
-            ticks: ticks.into_iter().map(labelled).collect(),
+            ticks: ticks.into_iter().zip(labels).collect(),
             is_logarithmic: true,
         }
     }

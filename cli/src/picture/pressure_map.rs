@@ -1,6 +1,7 @@
 //! The pressure of one loading step over the surface, with the outlines of the contact and of the relief.
 
 use super::coarse::Coarse;
+use super::colour_map::Shades;
 use super::colours::{self, Colour};
 use super::panel::{Axis, Panel};
 use super::raster::Raster;
@@ -8,10 +9,9 @@ use super::subject::Subject;
 use super::svg::{Anchor, Place, Stroke, Svg};
 use super::window::Window;
 use super::{axis, colour_bar, heading, outline};
-use crate::display::Scale;
 
 /// The map itself, in pixels.
-const MAP: Place = Place {
+pub(super) const MAP: Place = Place {
     left: 112.0,
     top: heading::HEIGHT,
     width: 760.0,
@@ -22,10 +22,10 @@ const GAP: f64 = 28.0;
 const BAR: f64 = 30.0;
 /// Width of the picture, in pixels.
 pub const WIDTH: f64 = MAP.left + MAP.width + GAP + BAR + colour_bar::BESIDE;
-const HEIGHT: f64 = MAP.top + MAP.height + BELOW;
+pub(super) const HEIGHT: f64 = MAP.top + MAP.height + BELOW;
 
 /// Most cells that are drawn along a side: about one a pixel.
-const CELLS: usize = 760;
+pub const CELLS: usize = 760;
 
 /// Width of the outlines, in pixels.
 const OUTLINE: f64 = 1.2;
@@ -42,63 +42,69 @@ pub fn draw(subject: &Subject<'_>) -> String {
     let fields = &subject.fields;
     let window = Window::around_contact(fields.pressure, fields.size);
     let coarse = Coarse::new(fields, &window, CELLS);
-    let (scale, top) = subject.pressures();
-    let mut svg = Svg::new(WIDTH, HEIGHT);
-    heading::draw(
-        &mut svg,
-        MAP.left,
-        WIDTH - MAP.left,
-        subject.title,
-        &subject.numbers(),
-    );
-    heading::draw_trust(&mut svg, MAP.left, &subject.trust());
-    draw_map(&mut svg, subject, &coarse, top * scale.divisor);
-    draw_bar(&mut svg, &scale, top);
+    let (scale, shades) = subject.pressures();
+    let mut svg = subject.style.sheet(WIDTH, HEIGHT);
+    subject.draw_heading(&mut svg, MAP.left, WIDTH - MAP.left, "");
+    let (panel, metres) = panel(subject, coarse.ends());
+    let pascals = Shades {
+        from: shades.from * scale.divisor,
+        to: shades.to * scale.divisor,
+        ..shades
+    };
+    draw_field(&mut svg, &panel, &coarse, metres, &pascals);
+    panel.draw_axes(&mut svg);
+    draw_bar(&mut svg, &shades, &axis::title("pressure p", &scale.label));
     draw_legend(&mut svg, fields.mask.contains(&true));
     svg.finish()
 }
 
-fn draw_map(svg: &mut Svg, subject: &Subject<'_>, coarse: &Coarse, largest: f64) {
-    let scale = subject.metres(coarse.farthest());
+/// The panel of a map whose sides along x and y have these ends, m; its axes are in the unit that suits them.
+pub(super) fn panel(subject: &Subject<'_>, [x, y]: [[f64; 2]; 2]) -> (Panel, f64) {
+    let farthest = [x, y].concat().into_iter().map(f64::abs);
+    let scale = subject.metres(farthest.fold(0.0, f64::max));
     let along = |[from, to]: [f64; 2], symbol| {
         let title = axis::title(symbol, &scale.label);
         Axis::new(from / scale.divisor, to / scale.divisor, title, 7)
     };
     let panel = Panel {
         place: MAP,
-        x: along(coarse.x, "x"),
-        y: along(coarse.y, "y"),
+        x: along(x, "x"),
+        y: along(y, "y"),
     };
-    draw_field(svg, &panel, coarse, (scale.divisor, largest));
-    panel.draw_axes(svg);
+    (panel, scale.divisor)
 }
 
-/// Draws pressure, relief and outlines where a panel's axes have them; coordinates are divided by `divisor`, and the
-/// brightest colour is that of the pressure `largest`.
-pub fn draw_field(svg: &mut Svg, panel: &Panel, coarse: &Coarse, (divisor, largest): (f64, f64)) {
-    let [[left, right], [low, high]] = [coarse.x, coarse.y].map(|ends| ends.map(|x| x / divisor));
+/// Draws pressure, relief and outlines where a panel's axes have them; coordinates are divided by `divisor`.
+pub fn draw_field(svg: &mut Svg, panel: &Panel, coarse: &Coarse, divisor: f64, shades: &Shades) {
+    let place = within(panel, coarse.ends(), divisor);
+    let cells = coarse.cells;
+    let colour = |i, j: usize| colour(coarse, i, cells - 1 - j, shades);
+    svg.image(place, &Raster::of(cells, cells, colour));
+    let relief = |i, j| coarse.is_relief(i, j);
+    draw_outline(svg, place, cells, relief, pen(colours::RELIEF_OUTLINE));
+    let contact = |i, j| coarse.pressure(i, j) > 0.0;
+    draw_outline(svg, place, cells, contact, pen(colours::INK));
+}
+
+/// Where a panel has a rectangle whose sides have these ends, divided by `divisor`.
+pub(super) fn within(panel: &Panel, ends: [[f64; 2]; 2], divisor: f64) -> Place {
+    let [[left, right], [low, high]] = ends.map(|ends| ends.map(|x| x / divisor));
     let ((left, top), (right, bottom)) = (panel.at(left, high), panel.at(right, low));
-    let place = Place {
+    Place {
         left,
         top,
         width: right - left,
         height: bottom - top,
-    };
-    let cells = coarse.cells;
-    let colour = |i, j: usize| colour(coarse, i, cells - 1 - j, largest);
-    svg.image(place, &Raster::of(cells, cells, colour));
-    let relief = |i, j| coarse.is_relief(i, j);
-    draw_outline(svg, place, cells, relief, colours::RELIEF_OUTLINE);
-    let contact = |i, j| coarse.pressure(i, j) > 0.0;
-    draw_outline(svg, place, cells, contact, colours::INK);
+    }
 }
 
-fn draw_outline(
+/// Draws the outline of the cells that are inside.
+pub(super) fn draw_outline(
     svg: &mut Svg,
     field: Place,
     cells: usize,
     inside: impl Fn(usize, usize) -> bool,
-    colour: Colour,
+    stroke: Stroke,
 ) {
     let (width, height) = (field.width / cells as f64, field.height / cells as f64);
     let place = |(i, j)| {
@@ -112,17 +118,23 @@ fn draw_outline(
     let lines: Vec<Vec<_>> = lines
         .map(|line| line.into_iter().map(place).collect())
         .collect();
-    let width = OUTLINE;
-    svg.lines(&lines, Stroke { colour, width });
+    svg.lines(&lines, stroke);
 }
 
-fn draw_bar(svg: &mut Svg, scale: &Scale, top: f64) {
+/// The line of an outline.
+pub(super) fn pen(colour: Colour) -> Stroke {
+    let width = OUTLINE;
+    Stroke { colour, width }
+}
+
+/// Draws the bar beside the map.
+pub(super) fn draw_bar(svg: &mut Svg, shades: &Shades, title: &str) {
     let bar = Place {
         left: MAP.right() + GAP,
         width: BAR,
         ..MAP
     };
-    colour_bar::draw(svg, bar, scale, top);
+    colour_bar::draw(svg, bar, shades, title);
 }
 
 /// What grey means, below the bar.
@@ -141,12 +153,12 @@ fn draw_legend(svg: &mut Svg, has_relief: bool) {
     svg.text(place, 15.0, Anchor::Start, "free relief");
 }
 
-/// The colour of a cell for pressures up to `largest`.
+/// The colour of a cell.
 #[must_use]
-pub fn colour(coarse: &Coarse, i: usize, j: usize, largest: f64) -> Colour {
+pub fn colour(coarse: &Coarse, i: usize, j: usize, shades: &Shades) -> Colour {
     let pressure = coarse.pressure(i, j);
     match (pressure > 0.0, coarse.is_relief(i, j)) {
-        (true, _) => colours::of_fraction(pressure / largest),
+        (true, _) => shades.colour(pressure),
         (false, true) => colours::RELIEF,
         (false, false) => colours::BARE,
     }

@@ -5,7 +5,7 @@ use super::panel::Axis;
 use super::projection::Projection;
 use super::scene::Scene;
 use super::subject::Subject;
-use super::svg::{Place, Svg};
+use super::svg::Place;
 use super::window::Window;
 use super::{axis, colour_bar, heading};
 
@@ -47,22 +47,16 @@ pub fn draw(subject: &Subject<'_>) -> String {
     let fields = &subject.fields;
     let window = Window::around_contact(fields.pressure, fields.size);
     let coarse = Coarse::new(fields, &window, CELLS);
-    let (scale, top) = subject.pressures();
-    let mut svg = Svg::new(WIDTH, HEIGHT);
-    heading::draw(
-        &mut svg,
-        HEADING_LEFT,
-        WIDTH - HEADING_LEFT,
-        subject.title,
-        &subject.numbers(),
-    );
-    heading::draw_trust(&mut svg, HEADING_LEFT, &subject.trust());
+    let (scale, shades) = subject.pressures();
+    let mut svg = subject.style.sheet(WIDTH, HEIGHT);
+    subject.draw_heading(&mut svg, HEADING_LEFT, WIDTH - HEADING_LEFT, "");
     let metres = subject.metres(coarse.farthest());
     let along = |[from, to]: [f64; 2], symbol: &str| {
         let title = axis::title(symbol, &metres.label);
         Axis::new(from / metres.divisor, to / metres.divisor, title, 6)
     };
-    let pressure = Axis::new(0.0, top, axis::title("p", &scale.label), 5);
+    let title = axis::title("p", &scale.label);
+    let pressure = Axis::new(shades.from, shades.to, title, 5);
     let scene = Scene {
         place: SCENE,
         view: VIEW,
@@ -70,7 +64,8 @@ pub fn draw(subject: &Subject<'_>) -> String {
         y: along(coarse.y, "y"),
         z: pressure,
     };
-    scene.draw(&mut svg, &coarse, metres.divisor, scale.divisor);
-    colour_bar::draw(&mut svg, BAR, &scale, top);
+    scene.draw(&mut svg, &coarse, (metres.divisor, scale.divisor), &shades);
+    let title = axis::title("pressure p", &scale.label);
+    colour_bar::draw(&mut svg, BAR, &shades, &title);
     svg.finish()
 }

@@ -1,6 +1,7 @@
 //! A box with three axes, seen from above one corner, in which a field of pressure stands as columns.
 
 use super::coarse::Coarse;
+use super::colour_map::{Shades, within_the_scale};
 use super::colours::{self, Colour};
 use super::panel::{Axis, LABEL};
 use super::pressure_map;
@@ -24,24 +25,36 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// Draws walls, columns and labels; coordinates are divided by `metres`, pressures by `pascals`. The field may be
-    /// smaller than the box.
-    pub fn draw(&self, svg: &mut Svg, coarse: &Coarse, metres: f64, pascals: f64) {
+    /// Draws walls, columns and labels; coordinates are divided by `metres`, pressures by `pascals`, of which the colours are then. The
+    /// field may be smaller than the box.
+    pub fn draw(
+        &self,
+        svg: &mut Svg,
+        coarse: &Coarse,
+        (metres, pascals): (f64, f64),
+        shades: &Shades,
+    ) {
         self.draw_walls(svg);
-        let columns = self.columns(coarse, metres, pascals * self.z.to);
+        let in_pascals = Shades {
+            from: shades.from * pascals,
+            to: shades.to * pascals,
+            ..*shades
+        };
+        let columns = self.columns(coarse, metres, pascals, &in_pascals);
         svg.image(self.place, &skyline::draw(&columns, &self.view, self.place));
         self.draw_labels(svg);
     }
 
-    /// A column for each cell, under a ceiling at the pressure `largest`.
-    fn columns(&self, coarse: &Coarse, metres: f64, largest: f64) -> Columns {
+    /// A column for each cell, cut off at the ceiling.
+    fn columns(&self, coarse: &Coarse, metres: f64, pascals: f64, shades: &Shades) -> Columns {
         let ends =
             |ends: [f64; 2], axis: &Axis| ends.map(|x| 2.0 * axis.fraction(x / metres) - 1.0);
         let cells = coarse.cells;
         let column = |e: usize| {
             let (i, j) = (e / cells, e % cells);
-            let colour = pressure_map::colour(coarse, i, j, largest);
-            (coarse.pressure(i, j) / largest, colour)
+            let height = self.z.fraction(coarse.pressure(i, j) / pascals);
+            let colour = pressure_map::colour(coarse, i, j, shades);
+            (within_the_scale(height), colour)
         };
         Columns {
             cells,

@@ -1,9 +1,11 @@
-//! The section along x through the axis: indenter, tops of the relief, surface of the body, and the pressure above them.
+//! A section along x or y, through the axis unless ordered otherwise: indenter, tops of the relief, surface of the body, and the pressure above them.
 
 use std::ops::Range;
 
 use super::colours::{self, Colour};
+use super::number::power;
 use super::panel::{Axis, Panel};
+use super::style::Cut;
 use super::subject::Subject;
 use super::svg::{Anchor, Place, Stroke, Svg};
 use super::window::Window;
@@ -42,30 +44,74 @@ pub fn name(step: usize) -> String {
     format!("section-{step:03}")
 }
 
-/// Depths below the undeformed plane of the tops, m, along one row of elements.
+/// Depths below the undeformed plane of the tops, m, along one line of elements.
 struct Depths<'a> {
     subject: &'a Subject<'a>,
-    /// The row.
-    row: usize,
+    line: Line,
     /// The elements of it that are shown.
     elements: Range<usize>,
+}
+
+/// A line of elements.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Line {
+    /// Along x, of this second index.
+    AlongX(usize),
+    /// Along y, of this first index.
+    AlongY(usize),
+}
+
+impl Line {
+    fn of(subject: &Subject<'_>) -> Self {
+        let fields = &subject.fields;
+        match subject.style.cut {
+            Cut::Axis => Self::AlongX(fields.size / 2),
+            Cut::Peak => Self::AlongX(peak(fields.pressure) % fields.size),
+            Cut::AlongX(y) => Self::AlongX(fields.nearest(y)),
+            Cut::AlongY(x) => Self::AlongY(fields.nearest(x)),
+        }
+    }
+
+    /// What runs along it and what is the same all along, and its index there.
+    fn names(self) -> (&'static str, &'static str, usize) {
+        match self {
+            Self::AlongX(index) => ("x", "y", index),
+            Self::AlongY(index) => ("y", "x", index),
+        }
+    }
+}
+
+/// The first of the elements with the largest pressure.
+fn peak(pressure: &[f64]) -> usize {
+    let larger = |best: usize, e: usize| {
+        if pressure[e] > pressure[best] {
+            e
+        } else {
+            best
+        }
+    };
+    (0..pressure.len()).fold(0, larger)
 }
 
 /// The picture as SVG.
 #[must_use]
 pub fn draw(subject: &Subject<'_>) -> String {
     let fields = &subject.fields;
-    let row = fields.size / 2;
+    let line = Line::of(subject);
+    let window = Window::around_contact(fields.pressure, fields.size);
     let depths = Depths {
         subject,
-        row,
-        elements: Window::around_contact(fields.pressure, fields.size).x,
+        line,
+        elements: match line {
+            Line::AlongX(_) => window.x,
+            Line::AlongY(_) => window.y,
+        },
     };
-    let mut svg = Svg::new(WIDTH, HEIGHT);
-    let at = quantity(fields.centre(row), Unit::Metre, subject.units);
-    let numbers = format!("{},  section at y = {at}", subject.numbers());
-    heading::draw(&mut svg, LEFT, PANEL_WIDTH, subject.title, &numbers);
-    heading::draw_trust(&mut svg, LEFT, &subject.trust());
+    let mut svg = subject.style.sheet(WIDTH, HEIGHT);
+    let (_, across, index) = line.names();
+    let at = quantity(fields.centre(index), Unit::Metre, subject.units);
+    let more = format!(",  section at {across} = {at}");
+    subject.draw_heading(&mut svg, LEFT, PANEL_WIDTH, &more);
     depths.draw_pressure(&mut svg);
     depths.draw_legend(&mut svg);
     depths.draw_depths(&mut svg);
@@ -74,7 +120,11 @@ pub fn draw(subject: &Subject<'_>) -> String {
 
 impl Depths<'_> {
     fn element(&self, i: usize) -> usize {
-        i * self.subject.fields.size + self.row
+        let size = self.subject.fields.size;
+        match self.line {
+            Line::AlongX(j) => i * size + j,
+            Line::AlongY(j) => j * size + i,
+        }
     }
 
     /// What the indenter meets: `u + w* − f*`.
@@ -118,18 +168,19 @@ impl Depths<'_> {
     fn x_axis(&self) -> (Axis, Scale) {
         let [from, to] = self.ends();
         let scale = self.subject.metres(from.abs().max(to.abs()));
-        let title = axis::title("x", &scale.label);
+        let title = axis::title(self.line.names().0, &scale.label);
         let (from, to) = (from / scale.divisor, to / scale.divisor);
         (Axis::new(from, to, title, 8), scale)
     }
 
     fn draw_pressure(&self, svg: &mut Svg) {
         let (x, metres) = self.x_axis();
-        let (scale, top) = self.subject.pressures();
+        let (scale, shades) = self.subject.pressures();
+        let (from, to) = (shades.from, shades.to + 0.08 * (shades.to - shades.from));
         let panel = Panel {
             place: PRESSURE,
             x: x.unlabelled(),
-            y: Axis::new(0.0, 1.08 * top, axis::title("p", &scale.label), 5),
+            y: Axis::new(from, to, axis::title("p", &scale.label), 5),
         };
         // The pressure is constant over an element.
         let steps = self.elements.clone().flat_map(|i| {
@@ -140,8 +191,10 @@ impl Depths<'_> {
         let line = panel.all_at(steps);
         panel.draw_mesh(svg);
         let ground = PRESSURE.bottom();
-        svg.area(&closed(&line, ground), Colour(200, 220, 236));
-        svg.line(&line, stroke(colours::BLUE, 1.6));
+        svg.within(PRESSURE, |svg| {
+            svg.area(&closed(&line, ground), Colour(200, 220, 236));
+            svg.line(&line, stroke(colours::BLUE, 1.6));
+        });
         panel.draw_axes(svg);
     }
 
@@ -194,6 +247,13 @@ impl Depths<'_> {
             svg.line(&plane, stroke(colours::RELIEF_OUTLINE, 1.0));
         });
         panel.draw_axes(svg);
+        let depths = (panel.y.from - panel.y.to) * scale.divisor;
+        let [from, to] = self.ends();
+        // Pixels to a length downwards, over pixels to the same length across.
+        let enlarged = (DEPTH.height / depths) / (DEPTH.width / (to - from));
+        let note = format!("depth {} × enlarged", power(enlarged, 2));
+        let place = (DEPTH.right(), DEPTH.top - 22.0);
+        svg.text(place, 15.0, Anchor::End, &note);
     }
 
     fn is_relief(&self, i: usize) -> bool {

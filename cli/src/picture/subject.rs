@@ -1,5 +1,9 @@
 //! What a picture of one loading step shows.
 
+use super::colour_map::Shades;
+use super::heading;
+use super::style::{Heading, Style};
+use super::svg::Svg;
 use super::trust;
 use crate::case::units::Units;
 use crate::display::{self, Scale, Unit};
@@ -19,6 +23,8 @@ pub struct Subject<'a> {
     pub step: &'a StepSummary,
     /// Its fields.
     pub fields: Fields<'a>,
+    /// How it is to look.
+    pub style: Style,
 }
 
 impl Subject<'_> {
@@ -39,6 +45,15 @@ impl Subject<'_> {
         )
     }
 
+    /// Draws the heading, if there is to be one; `more` follows the numbers.
+    pub fn draw_heading(&self, svg: &mut Svg, left: f64, width: f64, more: &str) {
+        if self.style.heading == Heading::Shown {
+            let numbers = self.numbers() + more;
+            heading::draw(svg, left, width, self.title, &numbers);
+            heading::draw_trust(svg, left, &self.trust());
+        }
+    }
+
     /// The third line of a heading: grid, certificate, grid error.
     #[must_use]
     pub fn trust(&self) -> String {
@@ -57,17 +72,18 @@ impl Subject<'_> {
         Scale::of(largest, Unit::Metre, self.units)
     }
 
-    /// The scale of the pressures, and the largest of them on it, or 1 without contact.
+    /// The scale of the pressures, and their colours in its unit: as ordered, or from 0 to the largest pressure, or to 1 without contact.
     #[must_use]
-    pub fn pressures(&self) -> (Scale, f64) {
-        let largest = self.largest_pressure();
-        let scale = Scale::of(largest, Unit::Pascal, self.units);
-        let top = largest / scale.divisor;
-        let top = if top > 0.0 && top.is_finite() {
-            top
+    pub fn pressures(&self) -> (Scale, Shades) {
+        let [from, to] = (self.style.pressures).unwrap_or([0.0, self.largest_pressure()]);
+        let scale = Scale::of(to, Unit::Pascal, self.units);
+        let [from, to] = [from, to].map(|end| end / scale.divisor);
+        let (from, to) = if from < to && to.is_finite() {
+            (from, to)
         } else {
-            1.0
+            (0.0, 1.0)
         };
-        (scale, top)
+        let map = self.style.colours;
+        (scale, Shades { map, from, to })
     }
 }

@@ -77,20 +77,54 @@ pub struct Svg {
     text: String,
 }
 
+/// What is seen of a drawing, and how large.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Frame {
+    /// Width of the drawing.
+    pub width: f64,
+    /// Its height, with what is cut off.
+    pub height: f64,
+    /// How much is cut off above.
+    pub top: f64,
+    /// Width at which it is shown.
+    pub shown_width: f64,
+}
+
 impl Svg {
     /// A white sheet.
     #[must_use]
     pub fn new(width: f64, height: f64) -> Self {
+        Self::framed(&Frame {
+            width,
+            height,
+            top: 0.0,
+            shown_width: width,
+        })
+    }
+
+    /// A white sheet of which a part is shown, at some size.
+    #[must_use]
+    pub fn framed(frame: &Frame) -> Self {
+        let Frame {
+            width,
+            height,
+            top,
+            shown_width,
+        } = *frame;
+        let height = height - top;
         let text = format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w}\" height=\"{h}\" viewBox=\"0 0 {w} {h}\" \
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{}\" viewBox=\"0 {} {} {}\" \
              font-family=\"{FAMILY}, Verdana, sans-serif\">\n",
-            w = number(width),
-            h = number(height)
+            number(shown_width),
+            number(height * shown_width / width),
+            number(top),
+            number(width),
+            number(height)
         );
         let mut svg = Self { text };
         let sheet = Place {
             left: 0.0,
-            top: 0.0,
+            top,
             width,
             height,
         };
@@ -229,8 +263,17 @@ fn path(points: &[(f64, f64)]) -> String {
     points.iter().enumerate().map(step).collect()
 }
 
-/// A coordinate to a hundredth of a pixel, in the fewest letters.
+/// Coordinates farther away than this are drawn here: nobody sees the difference, and the renderer counts quarters of pixels in 16 bits and
+/// panics beyond.
+const FARTHEST: f64 = 8e3;
+
+/// A coordinate to a hundredth of a pixel, in the fewest letters; what is no number is at 0.
 fn number(value: f64) -> String {
+    let value = if value.is_nan() {
+        0.0
+    } else {
+        value.clamp(-FARTHEST, FARTHEST)
+    };
     let text = format!("{value:.2}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
     if text == "-0" {
@@ -270,6 +313,9 @@ mod tests {
         assert_eq!(number(-0.001), "0");
         assert_eq!(number(12.3456), "12.35");
         assert_eq!(number(100.0), "100");
+        assert_eq!(number(-1e300), "-8000");
+        assert_eq!(number(f64::INFINITY), "8000");
+        assert_eq!(number(f64::NAN), "0");
     }
 
     #[test]

@@ -25,23 +25,50 @@ fn round_step(step: f64) -> f64 {
     [1.0, 2.0, 5.0].into_iter().find(fits).unwrap_or(10.0) * power
 }
 
-/// The powers of ten between two positive ends, and 2 and 5 times them where there are few.
+/// Fewest ticks of a logarithmic axis, and most: with fewer nobody sees what kind of axis it is, with more labels meet.
+const FEWEST: usize = 3;
+const MOST: usize = 10;
+
+/// Digits of the ticks within a decade, from few to many.
+const DIGITS: [&[f64]; 4] = [
+    &[1.0],
+    &[1.0, 2.0, 5.0],
+    &[1.0, 1.5, 2.0, 3.0, 5.0, 7.0],
+    &[1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0],
+];
+
+/// The round numbers between two positive ends: powers of ten, or so many between them that there are at least three; on an axis too short
+/// for any of them those of a linear one. None where the ends are no positive numbers.
 #[must_use]
 pub fn logarithmic(from: f64, to: f64) -> Vec<f64> {
-    let digits: &[f64] = if to / from > 1e4 {
-        &[1.0]
-    } else {
-        &[1.0, 2.0, 5.0]
-    };
-    let (first, last) = (from.log10().floor(), to.log10().ceil());
-    let mut ticks = Vec::new();
-    let mut power = first;
-    while power <= last {
-        ticks.extend(digits.iter().map(|digit| digit * 10_f64.powf(power)));
-        power += 1.0;
+    let (low, high) = (from.min(to), from.max(to));
+    if !(low > 0.0 && high.is_finite() && low < high) {
+        return Vec::new();
     }
-    ticks.retain(|tick| (from..=to).contains(tick));
+    let few = DIGITS.iter().skip(usize::from(high / low < 1e4));
+    let mut ticks = few
+        .map(|digits| with_digits(digits, low, high))
+        .find(|ticks| ticks.len() >= FEWEST)
+        .unwrap_or_else(|| linear(low, high, 4));
+    // Over very many decades every second, every third and so on.
+    let stride = ticks.len().div_ceil(MOST);
+    let mut index = 0..;
+    ticks.retain(|_| index.next().is_none_or(|i: usize| i.is_multiple_of(stride)));
     ticks
+}
+
+/// These digits times every power of ten that lie between two positive ends.
+fn with_digits(digits: &[f64], low: f64, high: f64) -> Vec<f64> {
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "the logarithm of an f64 is between -324 and 309"
+    )]
+    let [first, last] = [low.log10().floor() as i32, high.log10().ceil() as i32];
+    let ticks = (first..=last).flat_map(|power| {
+        let power = 10_f64.powi(power);
+        digits.iter().map(move |digit| digit * power)
+    });
+    ticks.filter(|tick| (low..=high).contains(tick)).collect()
 }
 
 #[cfg(test)]
@@ -78,5 +105,22 @@ mod tests {
     fn a_logarithmic_axis_has_ticks_at_powers_of_ten() {
         assert_eq!(logarithmic(0.5, 12.0), [0.5, 1.0, 2.0, 5.0, 10.0]);
         assert_eq!(logarithmic(0.9, 2e4), [1.0, 10.0, 100.0, 1000.0, 10_000.0]);
+    }
+
+    #[test]
+    fn a_logarithmic_axis_has_at_least_three_ticks_however_short_and_never_too_many() {
+        for low in [1e-9, 0.37, 1.0, 2.1, 9.5, 4e7] {
+            for ratio in [1.02, 1.3, 1.69, 2.0, 3.3, 10.0, 55.0, 1e3, 2e4, 1e9, 1e30] {
+                let ticks = logarithmic(low, low * ratio);
+                assert!(
+                    (3..=MOST + 2).contains(&ticks.len()),
+                    "{low} {ratio}: {ticks:?}"
+                );
+                let within =
+                    |tick: &f64| *tick >= low * 0.999_999 && *tick <= low * ratio * 1.000_001;
+                assert!(ticks.iter().all(within), "{ticks:?}");
+            }
+        }
+        assert!(logarithmic(0.0, 1.0).is_empty() && logarithmic(1.0, f64::INFINITY).is_empty());
     }
 }

@@ -1,7 +1,7 @@
 //! One case of a study: from its values to the rows of the table.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Instant;
 
 use pellicle_contact::{Observer, solve_path};
@@ -101,10 +101,16 @@ impl Kit<'_> {
             tables_origin: model.origin,
         };
         // Warnings of the cache are those of all cases together.
-        let summary = Summary::new(&case, &path, clock, &[]);
+        let mut summary = Summary::new(&case, &path, clock, &[]);
         if let Some(folder) = folder {
-            let fill = |folder: &Path| results::write(folder, &path, &summary);
-            folder.write(Extent::Whole, fill)?;
+            let mut extent = Extent::Whole;
+            folder.write(|folder| {
+                extent = results::write(folder, &path, &mut summary, start, &|_, _| ())?;
+                Ok(extent)
+            })?;
+            if extent == Extent::Part {
+                return Ok(None);
+            }
         }
         Ok(Some(Done {
             status: status(&summary),

@@ -9,11 +9,13 @@ use serde_json::Value;
 use crate::runner::{CASE, Folder, names};
 
 /// What a run of one step on one grid leaves behind.
-const FILES: [&str; 13] = [
+const FILES: [&str; 15] = [
+    "contact-000.gsf",
     "curve.csv",
     "fields-000.nc",
     "fields-000.npz",
     "fields-000.vti",
+    "mask-000.gsf",
     "pressure-000.gsf",
     "pressure-000.png",
     "pressure-000.svg",
@@ -176,6 +178,9 @@ fn the_fields_are_arrays_of_the_grid() {
     let pressure: Array2<f64> = npz.by_name("pressure").unwrap();
     // A cylinder stands on the axis, and carries something.
     assert!(mask[[16, 16]] && pressure[[16, 16]] > 0.0);
+    let contact: Array2<bool> = npz.by_name("contact").unwrap();
+    assert_eq!(contact, pressure.mapv(|pressure| pressure > 0.0));
+    assert_ne!(contact, mask);
     let area = (400e-9_f64 / 32.0).powi(2);
     // The force of the certificate, to its tolerance.
     assert!((pressure.sum() * area / 1e-6 - 1.0).abs() < 1e-8);

@@ -118,6 +118,8 @@ fn read_back(script: &str, arguments: &[PathBuf]) {
 fn check_both_cases(script: &str) {
     let folder = Folder::with_case(CASE);
     let curve = [
+        "--fields",
+        "all",
         "--set",
         "load={forces=[\"1 uN\", \"2 uN\"]}",
         "--set",
@@ -178,6 +180,7 @@ fn every_summary_keeps_to_its_schema() {
             "foundation.substrate=\"rigid\"",
         ],
         vec!["case.toml", "--set", "indenter={kind=\"vickers\"}"],
+        vec!["case.toml", "--fields", "none", "--formats", "nc,npz"],
         vec![
             "case.toml",
             "--set",

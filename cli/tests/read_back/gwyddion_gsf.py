@@ -1,4 +1,4 @@
-"""Reads pressure-NNN.gsf with gsffile: the pressure in single precision, y falling from row to row, extent and units."""
+"""Reads the files of Gwyddion with gsffile: pressure, mask and contact in single precision, y falling from row to row, extent, units."""
 
 import json
 import sys
@@ -11,10 +11,11 @@ folder = Path(sys.argv[1])
 summary = json.loads((folder / "summary.json").read_text())
 side = summary["grid"]["side"]
 for step in range(len(summary["steps"])):
-    pressure = np.load(folder / f"fields-{step:03}.npz")["pressure"]
-    data, header = read_gsf(folder / f"pressure-{step:03}.gsf")
-    assert data.dtype == np.float32
-    assert np.array_equal(data, pressure.T[::-1].astype(np.float32))
-    assert header["XReal"] == header["YReal"] == side, header
-    assert header["XOffset"] == header["YOffset"] == -side / 2, header
-    assert (header["XYUnits"], header["ZUnits"]) == ("m", "Pa"), header
+    fields = np.load(folder / f"fields-{step:03}.npz")
+    for name, unit in [("pressure", "Pa"), ("mask", None), ("contact", None)]:
+        data, header = read_gsf(folder / f"{name}-{step:03}.gsf")
+        assert data.dtype == np.float32
+        assert np.array_equal(data, fields[name].T[::-1].astype(np.float32)), name
+        assert header["XReal"] == header["YReal"] == side, header
+        assert header["XOffset"] == header["YOffset"] == -side / 2, header
+        assert (header["XYUnits"], header.get("ZUnits")) == ("m", unit), header

@@ -12,8 +12,9 @@ size, side = summary["grid"]["elements"], summary["grid"]["side"]
 for step, numbers in enumerate(summary["steps"]):
     fields = np.load(folder / f"fields-{step:03}.npz")
     assert fields["x"].shape == fields["y"].shape == (size,)
-    for name in ["pressure", "displacement", "gap", "shortening", "profile", "mask"]:
+    for name in ["pressure", "displacement", "gap", "shortening", "profile", "mask", "contact"]:
         assert fields[name].shape == (size, size), name
+    assert np.array_equal(fields["contact"], fields["pressure"] > 0)
     force = fields["pressure"].sum() * (side / size) ** 2
     # Summed in another order than in the program: size² roundings.
     assert abs(force / numbers["force"] - 1) < 1e-11, (force, numbers["force"])

@@ -29,5 +29,5 @@ for step in range(len(summary["steps"])):
         found = vtk_to_numpy(array)
         assert np.array_equal(found, fields[name].astype(np.float32).ravel("F")), name
         assert array.GetInformation().Get(vtkDataArray.UNITS_LABEL()) == unit, name
-    mask = vtk_to_numpy(cells.GetArray("mask"))
-    assert np.array_equal(mask, fields["mask"].ravel("F"))
+    for name in ["mask", "contact"]:
+        assert np.array_equal(vtk_to_numpy(cells.GetArray(name)), fields[name].ravel("F")), name

@@ -20,8 +20,11 @@ for step, numbers in enumerate(summary["steps"]):
             assert name in "xy" or data[name].dims == ("x", "y"), name
         points = data["contacting_points"]
         assert points.dtype == bool and np.array_equal(points.values, fields["pressure"] > 0)
+        for name in ["mask", "contact"]:
+            assert data[name].dtype == bool and np.array_equal(data[name].values, fields[name]), name
         assert data.attrs["type"] == "nonperiodic"
         assert data.attrs["title"] == summary["title"]
-        assert np.isclose(data.attrs["mean_pressure"], numbers["force"] / area, rtol=1e-15)
+        assert data.attrs["mean_pressure"] == numbers["mean_pressure"]
+        assert np.isclose(data.attrs["nominal_pressure"], numbers["force"] / area, rtol=1e-15)
         assert np.isclose(data.attrs["total_contact_area"], numbers["contact_area"] / area, rtol=1e-15)
         assert data.attrs["penetration"] == numbers["penetration"]

@@ -2,6 +2,7 @@
 
 use pellicle_cli::display::Scale;
 use pellicle_cli::picture::number::power;
+use pellicle_cli::picture::style::Style;
 use pellicle_cli::picture::subject::Subject;
 use pellicle_cli::picture::svg::Dash;
 use pellicle_cli::picture::{colours, pressure_map, section};
@@ -60,6 +61,7 @@ fn of_the_readme(common: &Common<'_>, loaded: &Loaded, shown: &Shown<'_>) -> [Pi
         relief_height: record.relief_height(),
         step: loaded.run.last(),
         fields: shown.fields,
+        style: Style::default(),
     };
     let profile = Line {
         name: shown.title.clone(),

@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use pellicle_cli::display::Scale;
 use pellicle_cli::output::fields::Fields;
 use pellicle_cli::picture::coarse::Coarse;
+use pellicle_cli::picture::colour_map::Shades;
 use pellicle_cli::picture::panel::{Axis, Panel};
 use pellicle_cli::picture::projection::Projection;
 use pellicle_cli::picture::scene::Scene;
@@ -133,9 +134,9 @@ fn draw_map(
         x: common.axis("x", 6),
         y: common.axis("y", 6),
     };
-    let largest = shown.brightest * shown.pascals.divisor;
+    let shades = Shades::up_to(shown.brightest * shown.pascals.divisor);
     svg.within(place, |svg| {
-        pressure_map::draw_field(svg, &panel, coarse, (common.metres.divisor, largest));
+        pressure_map::draw_field(svg, &panel, coarse, common.metres.divisor, &shades);
     });
     panel.draw_axes(svg);
     let bar = Place {
@@ -143,7 +144,8 @@ fn draw_map(
         width: BAR,
         ..place
     };
-    colour_bar::draw(svg, bar, &shown.pascals, shown.brightest);
+    let title = axis::title("pressure p", &shown.pascals.label);
+    colour_bar::draw(svg, bar, &Shades::up_to(shown.brightest), &title);
 }
 
 /// The pressures as columns over the surface.
@@ -191,7 +193,8 @@ fn draw_scene(
         y: common.axis("y", 5),
         z: Axis::new(0.0, shown.top, pressure, 5),
     };
-    scene.draw(svg, coarse, common.metres.divisor, shown.pascals.divisor);
+    let divisors = (common.metres.divisor, shown.pascals.divisor);
+    scene.draw(svg, coarse, divisors, &Shades::up_to(shown.top));
 }
 
 /// One row a cell; a cell has the largest pressure of its elements.

@@ -116,7 +116,8 @@ impl Runner {
             command.arg("--set").arg(set);
         }
         if request.keep == Keep::Fields {
-            command.arg("--out").arg(out);
+            let fields = ["--fields", "all", "--formats", "npz", "--pictures", "none"];
+            command.args(fields).arg("--out").arg(out);
         }
         start(&mut command, self.program.path())
     }

@@ -4,6 +4,7 @@ mod case_table;
 mod step;
 pub mod surface;
 
+use super::pictures::Kind;
 use super::record::{Record, StoredWarning};
 use super::summary::{Status, StepSummary};
 use crate::display::{Unit, quantity, significant};
@@ -24,16 +25,14 @@ const TOOLS: &str = "<div class=\"tools\"><button type=\"button\" data-act=\"in\
                      <button type=\"button\" data-act=\"whole\" title=\"as it was\">⟲</button></div>";
 
 /// The pictures of one loading step.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct StepPart {
     /// Which step, counted from 0.
     pub step: usize,
-    /// The map of the pressure, as SVG.
-    pub map: String,
-    /// The section, as SVG.
-    pub section: String,
-    /// The beginning of the figure that is turned, by [`surface::figure`].
-    pub surface: String,
+    /// Those that were drawn, as SVG.
+    pub drawings: Vec<(Kind, String)>,
+    /// The beginning of the figure that is turned, by [`surface::figure`]; none if it cannot be drawn.
+    pub surface: Option<String>,
 }
 
 /// The pictures of the run as a whole, as SVG.
@@ -49,11 +48,21 @@ pub struct RunPart {
 #[must_use]
 pub fn html(record: &Record, steps: &[StepPart], run: &RunPart) -> String {
     let title = escaped(&record.title);
+    let mut steps = steps.to_vec();
+    // The numbers of the last step are there, drawn or not.
+    if let Some(last) = record.steps.len().checked_sub(1)
+        && steps.last().is_none_or(|part| part.step != last)
+    {
+        steps.push(StepPart {
+            step: last,
+            ..StepPart::default()
+        });
+    }
     let body = [
         head(record),
         warnings(record),
         curve(record, run),
-        choice(record, steps),
+        choice(record, &steps),
         steps
             .iter()
             .map(|part| step_section(record, part))
@@ -146,16 +155,19 @@ fn choice(record: &Record, steps: &[StepPart]) -> String {
     if steps.len() < 2 {
         return String::new();
     }
+    // The page opens at the last step.
+    let last = steps.last().map(|part| part.step);
     let option = |part: &StepPart| {
         let force = quantity(record.steps[part.step].force, Unit::Newton, record.units);
         let step = part.step;
-        format!("<option value=\"step-{step}\">step {step}, Q = {force}</option>\n")
+        let selected = if last == Some(step) { " selected" } else { "" };
+        format!("<option value=\"step-{step}\"{selected}>step {step}, Q = {force}</option>\n")
     };
     let options: String = steps.iter().map(option).collect();
     let all = record.steps.len();
     let some = match steps.len() {
         shown if shown < all => {
-            format!(" {shown} of {all} steps are on this page; the pictures of all are beside it.")
+            format!(" {shown} of {all} steps are on this page.")
         }
         _ => String::new(),
     };
@@ -173,22 +185,57 @@ fn step_section(record: &Record, part: &StepPart) -> String {
         1 => "Result".to_owned(),
         _ => format!("Loading step {}", part.step),
     };
-    let turned = format!(
-        "{}{TOOLS}<figcaption>The pressure in three dimensions: drag to turn; + and − to zoom, also the wheel after a click.</figcaption></figure>\n",
-        part.surface
-    );
     [
-        format!("<section class=\"step\" id=\"step-{}\">\n<h2>{heading}</h2>\n", part.step),
+        format!(
+            "<section class=\"step\" id=\"step-{}\">\n<h2>{heading}</h2>\n",
+            part.step
+        ),
         step::numbers(record, step),
-        format!("<h3>Certificate</h3>\n{}", step::certificate(&step.certificate, tolerance)),
-        "<h3>Pressure</h3>\n".into(),
-        drawing(&part.map, "The pressure on the surface. Black: outline of the contact; grey: outline of the relief."),
-        turned,
-        "<h3>Section</h3>\n".into(),
-        drawing(&part.section, "The section along x through the axis. Depth is positive into the body and drawn larger than x."),
+        format!(
+            "<h3>Certificate</h3>\n{}",
+            step::certificate(&step.certificate, tolerance)
+        ),
+        drawings(part),
         "</section>\n".into(),
     ]
     .concat()
+}
+
+/// What there is of a step's pictures.
+fn drawings(part: &StepPart) -> String {
+    let figure = |(kind, svg): &(Kind, String)| match kind {
+        Kind::Map => format!(
+            "<h3>Pressure</h3>\n{}{}",
+            drawing(
+                svg,
+                "The pressure on the surface. Black: outline of the contact; grey: outline of the relief."
+            ),
+            part.surface.as_deref().map(turned).unwrap_or_default(),
+        ),
+        Kind::Section => format!(
+            "<h3>Section</h3>\n{}",
+            drawing(
+                svg,
+                "Depth is positive into the body; how much it is enlarged against the length across is said above it."
+            ),
+        ),
+        // The same as the pressure that can be turned.
+        Kind::View => String::new(),
+        Kind::Field(field) => {
+            format!(
+                "<h3>The {}</h3>\n{}",
+                field.title(),
+                drawing(svg, "Black: outline of the contact.")
+            )
+        }
+    };
+    part.drawings.iter().map(figure).collect()
+}
+
+fn turned(surface: &str) -> String {
+    format!(
+        "{surface}{TOOLS}<figcaption>The pressure in three dimensions: drag to turn; + and − to zoom, also the wheel after a click.</figcaption></figure>\n"
+    )
 }
 
 fn convergence(run: &RunPart) -> String {

@@ -6,7 +6,8 @@ use base64::engine::general_purpose::STANDARD;
 use crate::display;
 use crate::picture::axis;
 use crate::picture::coarse::Coarse;
-use crate::picture::colours::{self, Colour};
+use crate::picture::colour_map::ColourMap;
+use crate::picture::colours::Colour;
 use crate::picture::subject::Subject;
 use crate::picture::svg::escaped;
 use crate::picture::window::Window;
@@ -25,10 +26,11 @@ pub fn figure(subject: &Subject<'_>) -> String {
     let fields = &subject.fields;
     let window = Window::around_contact(fields.pressure, fields.size);
     let coarse = Coarse::new(fields, &window, CELLS);
-    let largest = subject.largest_pressure();
-    let values = STANDARD.encode(values(&coarse, largest));
+    let (scale, shades) = subject.pressures();
+    let fraction = |pressure: f64| shades.fraction(pressure / scale.divisor);
+    let values = STANDARD.encode(values(&coarse, fraction));
     let labels = escaped(&labels(subject, &coarse).to_string());
-    let (cells, palette) = (coarse.cells, STANDARD.encode(palette()));
+    let (cells, palette) = (coarse.cells, STANDARD.encode(palette(shades.map)));
     format!(
         "<figure class=\"surface\" tabindex=\"0\" data-cells=\"{cells}\" data-values=\"{values}\" \
          data-palette=\"{palette}\" data-labels=\"{labels}\">\n\
@@ -37,29 +39,34 @@ pub fn figure(subject: &Subject<'_>) -> String {
 }
 
 /// Two bytes a cell, the lower first.
-fn values(coarse: &Coarse, largest: f64) -> Vec<u8> {
+fn values(coarse: &Coarse, fraction: impl Fn(f64) -> f64) -> Vec<u8> {
     let cells = (0..coarse.cells).flat_map(|i| (0..coarse.cells).map(move |j| (i, j)));
-    let value = |(i, j)| value(coarse.pressure(i, j) / largest, coarse.is_relief(i, j));
+    let value = |(i, j)| {
+        let pressure = coarse.pressure(i, j);
+        let fraction = fraction(pressure);
+        value((pressure > 0.0).then_some(fraction), coarse.is_relief(i, j))
+    };
     cells.flat_map(|cell| value(cell).to_le_bytes()).collect()
 }
 
-fn value(fraction: f64, is_relief: bool) -> u16 {
+/// The number of a cell whose pressure is this fraction of the largest, if it has any.
+fn value(fraction: Option<f64>, is_relief: bool) -> u16 {
     let [first, last] = PRESSURES.map(f64::from);
-    match (fraction > 0.0, is_relief) {
+    match (fraction, is_relief) {
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
             reason = "clamped to the numbers of pressures"
         )]
-        (true, _) => (first + (last - first) * fraction).clamp(first, last) as u16,
-        (false, true) => RELIEF,
-        (false, false) => BARE,
+        (Some(fraction), _) => (first + (last - first) * fraction).clamp(first, last) as u16,
+        (None, true) => RELIEF,
+        (None, false) => BARE,
     }
 }
 
-fn palette() -> Vec<u8> {
+fn palette(map: ColourMap) -> Vec<u8> {
     let shade = |shade: u8| {
-        let Colour(red, green, blue) = colours::of_fraction(f64::from(shade) / 255.0);
+        let Colour(red, green, blue) = map.at(f64::from(shade) / 255.0);
         [red, green, blue]
     };
     (0..=u8::MAX).flat_map(shade).collect()
@@ -68,12 +75,12 @@ fn palette() -> Vec<u8> {
 /// The ends and the names of the axes.
 fn labels(subject: &Subject<'_>, coarse: &Coarse) -> serde_json::Value {
     let metres = subject.metres(coarse.farthest());
-    let (pascals, top) = subject.pressures();
+    let (pascals, shades) = subject.pressures();
     let along = |[from, to]: [f64; 2], symbol| {
         let end = |x: f64| axis::label(x / metres.divisor, (to - from) / metres.divisor);
         [end(from), end(to), axis::title(symbol, &metres.label)]
     };
-    let top = display::significant(top, 4);
+    let top = display::significant(shades.to, 4);
     serde_json::json!({
         "x": along(coarse.x, "x"),
         "y": along(coarse.y, "y"),
@@ -87,10 +94,9 @@ mod tests {
 
     #[test]
     fn pressures_are_told_from_what_carries_none() {
-        assert_eq!(value(0.0, false), BARE);
-        assert_eq!(value(0.0, true), RELIEF);
-        assert_eq!(value(f64::NAN, true), RELIEF);
-        assert_eq!(value(1e-9, false), PRESSURES[0]);
-        assert_eq!(value(1.0, true), PRESSURES[1]);
+        assert_eq!(value(None, false), BARE);
+        assert_eq!(value(None, true), RELIEF);
+        assert_eq!(value(Some(1e-9), false), PRESSURES[0]);
+        assert_eq!(value(Some(1.0), true), PRESSURES[1]);
     }
 }

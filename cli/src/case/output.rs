@@ -1,0 +1,173 @@
+//! `[output]`: what a run leaves behind beside its numbers.
+
+use clap::ValueEnum;
+use serde::Serialize;
+
+use super::diagnosis::Diagnosis;
+use super::field::Field;
+use super::reader::Reader;
+
+/// What a run writes beside summary, curve and report, which are always there.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct OutputCase {
+    /// Of which loading steps the fields are written.
+    pub fields: Steps,
+    /// Of which loading steps pictures are drawn; with `none` there are none of the run as a whole either.
+    pub pictures: Steps,
+    /// In which formats fields are written, each once.
+    pub formats: Vec<Format>,
+}
+
+/// Which loading steps.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, ValueEnum)]
+#[serde(rename_all = "lowercase")]
+pub enum Steps {
+    /// Every one
+    All,
+    /// The last one
+    Last,
+    /// None
+    None,
+}
+
+/// A format of fields.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, ValueEnum)]
+#[serde(rename_all = "lowercase")]
+pub enum Format {
+    /// Arrays of NumPy, from which pictures can be drawn again
+    Npz,
+    /// An image of VTK, for ParaView
+    Vti,
+    /// The layout of contact.engineering
+    Nc,
+    /// Simple fields of Gwyddion
+    Gsf,
+}
+
+const STEPS: [(&str, Steps); 3] = [
+    ("all", Steps::All),
+    ("last", Steps::Last),
+    ("none", Steps::None),
+];
+
+const FORMATS: [(&str, Format); 4] = [
+    ("npz", Format::Npz),
+    ("vti", Format::Vti),
+    ("nc", Format::Nc),
+    ("gsf", Format::Gsf),
+];
+
+impl Steps {
+    /// Whether step `step` of `steps`, counted from 0, is among them.
+    #[must_use]
+    pub fn contains(self, step: usize, steps: usize) -> bool {
+        match self {
+            Self::All => step < steps,
+            Self::Last => step + 1 == steps,
+            Self::None => false,
+        }
+    }
+
+    /// How many of `steps` they are.
+    #[must_use]
+    pub fn count(self, steps: usize) -> usize {
+        match self {
+            Self::All => steps,
+            Self::Last => steps.min(1),
+            Self::None => 0,
+        }
+    }
+}
+
+impl Default for OutputCase {
+    fn default() -> Self {
+        Self {
+            fields: Steps::Last,
+            pictures: Steps::Last,
+            formats: FORMATS.map(|(_, format)| format).to_vec(),
+        }
+    }
+}
+
+impl OutputCase {
+    /// Reads the table.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] of the first key that says nothing known.
+    pub fn read(table: &Reader<'_>) -> Result<Self, Diagnosis> {
+        table.only(&["fields", "pictures", "formats"])?;
+        let default = Self::default();
+        let steps = |key| table.optional(key).map(|field| field.choice(&STEPS));
+        Ok(Self {
+            fields: steps("fields").unwrap_or(Ok(default.fields))?,
+            pictures: steps("pictures").unwrap_or(Ok(default.pictures))?,
+            formats: (table.optional("formats"))
+                .map_or(Ok(default.formats), |field| formats(&field))?,
+        })
+    }
+
+    /// Takes these formats, each once.
+    pub fn set_formats(&mut self, formats: &[Format]) {
+        self.formats = formats.to_vec();
+        self.formats.sort_unstable();
+        self.formats.dedup();
+    }
+}
+
+fn formats(field: &Field<'_>) -> Result<Vec<Format>, Diagnosis> {
+    let wanted =
+        "a list of \"npz\", \"vti\", \"nc\", \"gsf\"; for no fields at all write fields = \"none\"";
+    let items = field.list(wanted)?.into_iter();
+    let mut formats: Vec<_> = items
+        .map(|item| item.choice(&FORMATS))
+        .collect::<Result<_, _>>()?;
+    formats.sort_unstable();
+    formats.dedup();
+    Ok(formats)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::read_table;
+    use super::*;
+
+    fn read(text: &str) -> Result<OutputCase, String> {
+        read_table(text, |table| OutputCase::read(&table))
+    }
+
+    #[test]
+    fn fields_and_pictures_are_those_of_the_last_step_unless_said() {
+        let output = read("").unwrap();
+        assert_eq!((output.fields, output.pictures), (Steps::Last, Steps::Last));
+        assert_eq!(output.formats.len(), FORMATS.len());
+        let kept = |steps: Steps| (0..3).filter(|i| steps.contains(*i, 3)).collect::<Vec<_>>();
+        assert_eq!(kept(Steps::Last), [2]);
+        assert_eq!(kept(Steps::All), [0, 1, 2]);
+        assert!(kept(Steps::None).is_empty());
+        for steps in [Steps::All, Steps::Last, Steps::None] {
+            assert_eq!(kept(steps).len(), steps.count(3));
+        }
+    }
+
+    #[test]
+    fn formats_are_taken_by_name_and_once() {
+        let output = read("formats = [\"nc\", \"npz\", \"nc\"]").unwrap();
+        assert_eq!(output.formats, [Format::Npz, Format::Nc]);
+    }
+
+    #[test]
+    fn what_is_no_choice_of_steps_or_formats_is_refused_with_the_choices() {
+        for (text, wanted) in [
+            ("fields = \"lats\"", "\"all\", \"last\", \"none\""),
+            ("pictures = true", "\"all\", \"last\", \"none\""),
+            ("formats = [\"hdf5\"]", "\"npz\", \"vti\", \"nc\", \"gsf\""),
+            ("formats = []", "fields = \"none\""),
+            ("formats = \"npz\"", "a list of"),
+            ("picture = \"all\"", "fields, pictures, formats"),
+        ] {
+            let message = read(text).unwrap_err();
+            assert!(message.contains(wanted), "{message}");
+        }
+    }
+}

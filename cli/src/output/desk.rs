@@ -1,0 +1,182 @@
+//! The writing of a results folder as the user sees it: how far it is, whether it is to stop, and what went wrong on the way.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::Path;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
+
+use super::file::write_bytes;
+use super::summary::WarningSummary;
+use crate::failure::Failure;
+use crate::interrupt;
+use crate::picture::png;
+
+/// Hears how many files of how many are written.
+pub type Tell<'a> = &'a (dyn Fn(usize, usize) + Sync);
+
+/// What all writers of a folder share.
+pub struct Desk<'a> {
+    tell: Tell<'a>,
+    /// Files that there will be.
+    total: usize,
+    written: AtomicUsize,
+    left_out: AtomicUsize,
+    failures: Mutex<Vec<WarningSummary>>,
+}
+
+impl<'a> Desk<'a> {
+    /// A desk for so many files, fields and pictures.
+    #[must_use]
+    pub fn new(total: usize, tell: Tell<'a>) -> Self {
+        tell(0, total);
+        Self {
+            tell,
+            total,
+            written: AtomicUsize::new(0),
+            left_out: AtomicUsize::new(0),
+            failures: Mutex::default(),
+        }
+    }
+
+    /// Writes a file, unless the user has asked to stop and nothing more is to be begun; none if it was left out.
+    ///
+    /// # Errors
+    ///
+    /// What `write` returns, unless it was stopped.
+    pub fn file<T>(
+        &self,
+        write: impl FnOnce() -> Result<T, Failure>,
+    ) -> Result<Option<T>, Failure> {
+        if !interrupt::is_overdue() {
+            match write() {
+                Ok(written) => {
+                    (self.tell)(1 + self.written.fetch_add(1, Ordering::Relaxed), self.total);
+                    return Ok(Some(written));
+                }
+                // What was stopped half way is no failure.
+                Err(_) if interrupt::is_overdue() => {}
+                Err(failure) => return Err(failure),
+            }
+        }
+        self.leave_out(1);
+        Ok(None)
+    }
+
+    /// Writes a picture as it is drawn and rendered, and gives the drawing back; none if it was left out or cannot be drawn, which is a
+    /// warning. Neither file is forced onto the disk: they can be drawn again.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Write`] if a file cannot be written.
+    pub fn picture(
+        &self,
+        folder: &Path,
+        name: &str,
+        draw: impl FnOnce() -> String,
+    ) -> Result<Option<String>, Failure> {
+        let file = |ending| folder.join(format!("{name}.{ending}"));
+        let written = self.file(|| {
+            let drawn = self.drawn(name, || {
+                let svg = draw();
+                let png = png::render(&svg).map_err(|cause| cause.to_string())?;
+                Ok((svg, png))
+            });
+            let Some((svg, png)) = drawn else {
+                return Ok(None);
+            };
+            write_bytes(&file("svg"), svg.as_bytes())?;
+            write_bytes(&file("png"), &png)?;
+            Ok(Some(svg))
+        })?;
+        Ok(written.flatten())
+    }
+
+    /// What is drawn, or none and a warning: whatever happens in the drawing of a picture, the numbers are kept.
+    pub fn drawn<T>(&self, name: &str, draw: impl FnOnce() -> Result<T, String>) -> Option<T> {
+        let drawn = catch_unwind(AssertUnwindSafe(draw));
+        let reason = match drawn {
+            Ok(Ok(drawn)) => return Some(drawn),
+            Ok(Err(reason)) => reason,
+            Err(_) => "an error of the program itself".to_owned(),
+        };
+        let message = format!("the picture {name} cannot be drawn: {reason}");
+        let warning = WarningSummary {
+            code: "picture-failed",
+            message,
+        };
+        self.failures().push(warning);
+        None
+    }
+
+    fn failures(&self) -> std::sync::MutexGuard<'_, Vec<WarningSummary>> {
+        self.failures.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// What is to be said of what was written, in an order that does not depend on threads.
+    #[must_use]
+    pub fn warnings(&self) -> Vec<WarningSummary> {
+        let mut warnings = self.failures().clone();
+        warnings.sort_by(|one, other| one.message.cmp(&other.message));
+        let (left_out, total) = (self.left_out.load(Ordering::Relaxed), self.total);
+        if left_out > 0 {
+            warnings.push(WarningSummary {
+                code: "stopped",
+                message: format!(
+                    "stopped by the user while results were written: {left_out} of {total} fields and pictures are missing"
+                ),
+            });
+        }
+        warnings
+    }
+
+    /// Leaves out so many files.
+    pub fn leave_out(&self, files: usize) {
+        self.left_out.fetch_add(files, Ordering::Relaxed);
+    }
+
+    /// Whether nothing was left out.
+    #[must_use]
+    pub fn is_whole(&self) -> bool {
+        self.left_out.load(Ordering::Relaxed) == 0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use super::*;
+
+    #[test]
+    fn a_picture_that_panics_is_a_warning_and_the_others_are_written() {
+        let folder = tempfile::tempdir().unwrap();
+        let desk = Desk::new(3, &|_, _| ());
+        let svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"2\" height=\"2\"/>";
+        let draw = |name: &str, svg: &str| {
+            let svg = svg.to_owned();
+            desk.picture(folder.path(), name, || {
+                assert!(!svg.is_empty(), "nothing to draw");
+                svg
+            })
+        };
+        assert_eq!(draw("panics", "").unwrap(), None);
+        assert_eq!(draw("no-svg", "<svg").unwrap(), None);
+        assert_eq!(draw("good", svg).unwrap().as_deref(), Some(svg));
+        let codes: Vec<_> = desk.warnings().iter().map(|warning| warning.code).collect();
+        assert_eq!(codes, ["picture-failed"; 2]);
+        assert!(desk.warnings()[1].message.contains("picture panics"));
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 2);
+    }
+
+    #[test]
+    fn every_file_is_counted() {
+        let told = Mutex::new(Vec::new());
+        let tell = |done, total| told.lock().unwrap().push((done, total));
+        let desk = Desk::new(2, &tell);
+        for _ in 0..2 {
+            desk.file(|| Ok(())).unwrap();
+        }
+        assert_eq!(*told.lock().unwrap(), [(0, 2), (1, 2), (2, 2)]);
+        assert!(desk.is_whole() && desk.warnings().is_empty());
+    }
+}

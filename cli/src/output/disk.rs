@@ -1,0 +1,111 @@
+//! How much room on the disk a run will take.
+//!
+//! Fields are a known number of bytes an element, but for those that are packed; pictures are about as large as others of as many elements.
+//! *Measured* on the templates, a film and a rough surface, N = 64 to 512: within a tenth where fields count, within a fifth where pictures do.
+
+use super::results::STEPS_IN_REPORT;
+use crate::case::Case;
+use crate::case::output::{Format, OutputCase};
+use crate::case::surface::SurfaceCase;
+use crate::picture::pressure_map::CELLS;
+
+/// Bytes of an element in a file that is not packed: five numbers and two truth values, once more the contact in `.nc`, three files of `.gsf`.
+const VTI: f64 = 22.0;
+const NC: f64 = 43.0;
+const GSF: f64 = 12.0;
+
+/// The same packed: displacement and gap of a symmetric contact; a film's pressure and shortening are more, and nothing packs well that has
+/// no symmetry.
+const NPZ: f64 = 12.0;
+const NPZ_OF_A_FILM: f64 = 2.5;
+const NPZ_OF_A_SURFACE: f64 = 14.5;
+const NPZ_OF_AN_INDENTER: f64 = 6.0;
+
+/// Bytes of a step's three pictures of the pressure on 64 × 64 elements, and the power of the elements per side with which they grow.
+const PICTURES: f64 = 480e3;
+const GROWTH: f64 = 0.34;
+
+/// Bytes of a map of another field, and of an element in it.
+const FIELD_MAP: f64 = 80e3;
+const FIELD_MAP_CELL: f64 = 1.5;
+
+/// Bytes of the pictures of a run: from grid to grid, and of its curve.
+const CONVERGENCE: f64 = 110e3;
+const CURVE: f64 = 66e3;
+
+/// Fewest elements per side of a run on several grids.
+const FEWEST_OF_SEVERAL_GRIDS: usize = 64;
+
+/// Bytes of a step in the report, of an element per side in it, and of an element in its maps of other fields.
+const REPORT: f64 = 20e3;
+const REPORT_SIDE: f64 = 400.0;
+const REPORT_CELL: f64 = 0.85;
+
+/// Bytes of summary and curve for a step.
+const NUMBERS: f64 = 3.2e3;
+
+/// The room that a run of a case takes, in bytes.
+#[must_use]
+pub fn bytes(case: &Case) -> f64 {
+    let (steps, elements) = (case.load.steps().len(), case.grid.elements);
+    let OutputCase {
+        fields, pictures, ..
+    } = case.output;
+    let area = (elements * elements) as f64;
+    let of_fields = fields.count(steps) as f64 * area * per_element(case);
+    let pictured = pictures.count(steps);
+    let of_pictures = pictured as f64 * of_a_step(case) + of_the_run(case, pictured > 0);
+    let of_report = pictured.clamp(1, STEPS_IN_REPORT) as f64 * of_a_step_in_report(case);
+    of_fields + of_pictures + of_report + steps as f64 * NUMBERS
+}
+
+/// Bytes of an element's fields in the formats wanted.
+fn per_element(case: &Case) -> f64 {
+    let film = matches!(case.surface, SurfaceCase::Film { .. });
+    let packed = [
+        (film, NPZ_OF_A_FILM),
+        (case.surface.map().is_some(), NPZ_OF_A_SURFACE),
+        (case.indenter.map().is_some(), NPZ_OF_AN_INDENTER),
+    ];
+    let packed = packed.into_iter().filter(|(is, _)| *is);
+    let npz = packed.fold(NPZ, |bytes, (_, more)| bytes + more);
+    let bytes = case.output.formats.iter().map(|format| match format {
+        Format::Npz => npz,
+        Format::Vti => VTI,
+        Format::Nc => NC,
+        Format::Gsf => GSF,
+    });
+    bytes.fold(0.0, |sum, bytes| sum + bytes)
+}
+
+fn of_a_step(case: &Case) -> f64 {
+    let side = (case.grid.elements as f64).min(1024.0);
+    let pressure = PICTURES * (side / 64.0).powf(GROWTH);
+    pressure + field_maps(case) * (FIELD_MAP + FIELD_MAP_CELL * cells(case))
+}
+
+fn of_a_step_in_report(case: &Case) -> f64 {
+    let side = (case.grid.elements as f64).min(1024.0);
+    REPORT + REPORT_SIDE * side + field_maps(case) * REPORT_CELL * cells(case)
+}
+
+fn of_the_run(case: &Case, pictures: bool) -> f64 {
+    let has_curve = case.load.steps().len() > 1;
+    let has_grids = case.grid.elements >= FEWEST_OF_SEVERAL_GRIDS;
+    let curve = f64::from(u8::from(pictures && has_curve)) * CURVE;
+    curve + f64::from(u8::from(pictures && has_grids)) * CONVERGENCE
+}
+
+/// Maps of other fields than the pressure.
+fn field_maps(case: &Case) -> f64 {
+    match (case.surface.map(), case.indenter.map()) {
+        (Some(_), _) => 3.0,
+        (None, Some(_)) => 2.0,
+        (None, None) => 0.0,
+    }
+}
+
+/// Cells of a map, at most.
+fn cells(case: &Case) -> f64 {
+    (case.grid.elements.min(CELLS) as f64).powi(2)
+}

@@ -1,0 +1,108 @@
+//! Which colour a value has.
+
+use clap::ValueEnum;
+
+use super::colours::Colour;
+
+/// A scale of colours, all but the last safe for the colour-blind.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+pub enum ColourMap {
+    /// Dark blue to yellow
+    #[default]
+    Viridis,
+    /// Dark blue to yellow, for every kind of eye alike
+    Cividis,
+    /// Black to pale yellow
+    Magma,
+    /// Black to yellow
+    Inferno,
+    /// Blue to yellow
+    Plasma,
+    /// White to black
+    Greys,
+    /// Blue over green to red
+    Turbo,
+}
+
+impl ColourMap {
+    /// The colour of a fraction of the scale; its ends go on for ever, and what is no number has the first.
+    #[must_use]
+    pub fn at(self, fraction: f64) -> Colour {
+        let gradient = match self {
+            Self::Viridis => colorous::VIRIDIS,
+            Self::Cividis => colorous::CIVIDIS,
+            Self::Magma => colorous::MAGMA,
+            Self::Inferno => colorous::INFERNO,
+            Self::Plasma => colorous::PLASMA,
+            Self::Greys => colorous::GREYS,
+            Self::Turbo => colorous::TURBO,
+        };
+        let colour = gradient.eval_continuous(within_the_scale(fraction));
+        Colour(colour.r, colour.g, colour.b)
+    }
+}
+
+/// The number, or the nearer of 0 and 1; 0 of what is none.
+#[must_use]
+pub fn within_the_scale(number: f64) -> f64 {
+    if number > 0.0 { number.min(1.0) } else { 0.0 }
+}
+
+/// A scale of colours from one value to another.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Shades {
+    /// The colours.
+    pub map: ColourMap,
+    /// The value of the first.
+    pub from: f64,
+    /// The value of the last.
+    pub to: f64,
+}
+
+impl Shades {
+    /// The standard colours from 0 to a value.
+    #[must_use]
+    pub fn up_to(to: f64) -> Self {
+        let (map, from) = (ColourMap::default(), 0.0);
+        Self { map, from, to }
+    }
+
+    /// How far along the scale a value is: 0 at its first colour, 1 at its last, neither below nor above; 0 of what is no number.
+    #[must_use]
+    pub fn fraction(&self, value: f64) -> f64 {
+        within_the_scale((value - self.from) / (self.to - self.from))
+    }
+
+    /// The colour of a value.
+    #[must_use]
+    pub fn colour(&self, value: f64) -> Colour {
+        self.map.at(self.fraction(value))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_value_has_a_colour_of_the_scale() {
+        let shades = Shades {
+            map: ColourMap::Greys,
+            from: 1.0,
+            to: 3.0,
+        };
+        assert_eq!(shades.fraction(2.0), 0.5);
+        assert_eq!(shades.colour(-7.0), ColourMap::Greys.at(0.0));
+        assert_eq!(shades.colour(f64::INFINITY), ColourMap::Greys.at(1.0));
+        assert_eq!(shades.colour(f64::NAN), ColourMap::Greys.at(0.0));
+        let empty = Shades { to: 1.0, ..shades };
+        assert_eq!(empty.fraction(1.0), 0.0);
+    }
+
+    #[test]
+    fn each_scale_ends_in_other_colours_than_it_begins() {
+        for map in ColourMap::value_variants() {
+            assert_ne!(map.at(0.0), map.at(1.0), "{map:?}");
+        }
+    }
+}

@@ -1,0 +1,97 @@
+//! Whatever finite numbers a solution has, its pictures can be drawn.
+
+use proptest::prelude::*;
+use proptest::sample::select;
+use proptest::test_runner::{Config, TestRunner};
+use serde_json::json;
+
+use super::field_map::FieldMap;
+use super::style::{Cut, Heading, Style};
+use super::subject::Subject;
+use super::{curve, png, pressure_map, pressure_view, section};
+use crate::case::units::Units;
+use crate::output::fields::Fields;
+use crate::output::summary::StepSummary;
+
+const SIZE: usize = 9;
+
+fn step(value: f64) -> StepSummary {
+    let number = |value: f64| value.is_finite().then_some(value);
+    let step = json!({
+        "force": number(value), "penetration": number(value), "max_pressure": number(value),
+        "max_pressure_at": [0.0, 0.0], "mean_pressure": 1.0, "contact_area": 1.0, "contact_elements": 1,
+        "contact_area_on_relief": 0.0, "contact_area_between": 1.0, "contact_radius": 1.0,
+        "certificate": {"complementarity": 0.0, "gap_in_contact": 0.0, "overlap": 0.0, "load": 0.0, "min_pressure": 0.0,
+                        "worst": 0.0, "satisfied": true},
+        "work": {"iterations": 1, "operator_applications": 1, "seconds": 0.0, "levels": []},
+        "grid_error": {"penetration": null, "contact_area": null, "max_pressure": null, "levels": []},
+    });
+    serde_json::from_value(step).unwrap()
+}
+
+/// Fields of sizes that do not go together.
+fn field() -> impl Strategy<Value = Vec<f64>> {
+    let sizes = vec![0.0, 1e-308, 1e-9, 1.0, 1e7, 1e16, 1e150, 1e308];
+    let value = (select(sizes), -1.0..1.0).prop_map(|(size, part)| size * part);
+    prop::collection::vec(value, SIZE * SIZE)
+}
+
+fn style() -> impl Strategy<Value = Style> {
+    let cuts = vec![Cut::Axis, Cut::Peak, Cut::AlongX(1e300), Cut::AlongY(-0.2)];
+    let ranges = vec![None, Some([1e-300, 2e-300]), Some([-1.0, 1e7])];
+    (select(cuts), select(ranges)).prop_map(|(cut, pressures)| Style {
+        width: Some(2400.0),
+        heading: Heading::Hidden,
+        pressures,
+        cut,
+        ..Style::default()
+    })
+}
+
+#[test]
+fn every_finite_solution_can_be_drawn() {
+    let mut runner = TestRunner::new(Config {
+        cases: 12,
+        failure_persistence: None,
+        ..Config::default()
+    });
+    let sides = select(vec![1e-300, 1e-9, 1.0, 1e300]);
+    let solutions = (field(), field(), field(), field(), sides, style());
+    let ran = runner.run(&solutions, |(pressure, u, gap, profile, side, style)| {
+        let pressure: Vec<_> = pressure.iter().map(|p| p.max(0.0)).collect();
+        let subject = Subject {
+            title: "a needle",
+            units: Units::Si,
+            relief_height: Some(side),
+            step: &step(u[0]),
+            fields: Fields {
+                side,
+                size: SIZE,
+                pressure: &pressure,
+                displacement: &u,
+                gap: &gap,
+                shortening: &profile,
+                profile: &profile,
+                mask: &[true; SIZE * SIZE],
+            },
+            style,
+        };
+        let steps: Vec<_> = u.iter().map(|value| step(value.abs())).collect();
+        let curve = curve::Curve {
+            name: "a needle".into(),
+            steps: &steps,
+        };
+        for svg in [
+            pressure_map::draw(&subject),
+            section::draw(&subject),
+            pressure_view::draw(&subject),
+            FieldMap::Gap.draw(&subject),
+            FieldMap::Heights.draw(&subject),
+            curve::draw_several(vec![curve], Units::Si, &style),
+        ] {
+            prop_assert!(png::render(&svg).is_ok());
+        }
+        Ok(())
+    });
+    ran.unwrap();
+}

@@ -1,0 +1,148 @@
+//! `plot`: pictures drawn again as they are, and to order.
+
+use std::fs;
+use std::path::Path;
+
+use crate::runner::{CASE, Folder, names};
+
+/// A folder with results of one load, and of three.
+fn results() -> Folder {
+    let folder = Folder::with_case(CASE);
+    let curve = "load={forces=[\"1 uN\", \"2 uN\", \"4 uN\"]}";
+    for (out, more) in [("one", &[][..]), ("three", &["--set", curve])] {
+        let ran = folder.run(
+            &[
+                &["run", "case.toml", "--out", out, "--formats", "npz"],
+                more,
+            ]
+            .concat(),
+        );
+        assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    }
+    folder
+}
+
+fn plot(folder: &Folder, line: &str) {
+    let ran = folder.run(&line.split(' ').collect::<Vec<_>>());
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+}
+
+fn svg(path: &Path) -> String {
+    fs::read_to_string(path).unwrap()
+}
+
+#[test]
+fn pictures_are_drawn_to_order_beside_those_that_are_there() {
+    let folder = results();
+    let before = svg(&folder.path("one/pressure-000.svg"));
+    assert!(before.contains("Q = 1.0000 µN"));
+    plot(
+        &folder,
+        "plot one --out fig --no-title --size 600 --colour-map magma --section peak",
+    );
+    assert_eq!(svg(&folder.path("one/pressure-000.svg")), before);
+    let map = svg(&folder.path("fig/pressure-000.svg"));
+    assert!(
+        map.contains(" width=\"600\"") && !map.contains("Q = "),
+        "{}",
+        &map[..300]
+    );
+    let png = fs::read(folder.path("fig/pressure-000.png")).unwrap();
+    // The width stands in the header of a PNG.
+    assert_eq!(png[16..20], 600_u32.to_be_bytes());
+    let again = folder.run(&["plot", "one", "--out", "fig"]);
+    assert_eq!(again.code, Some(2));
+    assert!(again.stderr.contains("--force"), "{}", again.stderr);
+    plot(&folder, "plot one --out fig --force");
+    assert_eq!(svg(&folder.path("fig/pressure-000.svg")), before);
+}
+
+#[test]
+fn a_section_is_where_it_is_ordered_and_says_how_depth_is_enlarged() {
+    let folder = results();
+    let section = |order: &str| {
+        plot(&folder, &format!("plot one --out s --force{order}"));
+        svg(&folder.path("s/section-000.svg"))
+    };
+    let axis = section("");
+    assert!(axis.contains("section at y = 6.2500 nm"), "{axis}");
+    assert!(axis.contains(" × enlarged"));
+    let peak = section(" --section peak");
+    let summary = fs::read_to_string(folder.path("one/summary.json")).unwrap();
+    let summary: serde_json::Value = serde_json::from_str(&summary).unwrap();
+    let y = summary["steps"][0]["max_pressure_at"][1].as_f64().unwrap();
+    let y = pellicle_cli::display::quantity(
+        y,
+        pellicle_cli::display::Unit::Metre,
+        pellicle_cli::case::units::Units::Si,
+    );
+    assert!(peak.contains(&format!("section at y = {y}")), "{y}");
+    assert!(section(" --section x=-100nm").contains("section at x = -93.750 nm"));
+    assert!(section(" --section y=1").contains("section at y = 193.75 nm"));
+}
+
+#[test]
+fn a_range_of_pressures_is_that_of_the_bar() {
+    let folder = results();
+    plot(&folder, "plot one --out r --range 0.5GPa:3GPa");
+    let map = svg(&folder.path("r/pressure-000.svg"));
+    for label in [">0.5</text>", ">3</text>", ">pressure p, GPa</text>"] {
+        assert!(map.contains(label), "{label}");
+    }
+}
+
+#[test]
+fn the_curves_of_several_results_are_one_picture() {
+    let folder = results();
+    plot(&folder, "plot three one --out c");
+    assert_eq!(names(&folder.path("c")), ["curves.png", "curves.svg"]);
+    let curves = svg(&folder.path("c/curves.svg"));
+    assert!(curves.contains("three (Test)") && curves.contains("one (Test)"));
+    let again = folder.run(&["plot", "three", "one", "--out", "c"]);
+    assert_eq!(again.code, Some(2), "{}", again.stderr);
+    let section = folder.run(&["plot", "three", "one", "--section", "peak"]);
+    assert_eq!(section.code, Some(2), "{}", section.stderr);
+}
+
+#[test]
+fn a_result_without_fields_keeps_its_pictures_and_its_report() {
+    let folder = Folder::with_case(CASE);
+    folder.run(&["run", "case.toml", "--out", "a", "--fields", "none"]);
+    let before = fs::read(folder.path("a/report.html")).unwrap();
+    let files = names(&folder.path("a"));
+    assert!(files.contains(&"section-000.png".to_owned()), "{files:?}");
+    plot(&folder, "plot a");
+    assert_eq!(names(&folder.path("a")), files);
+    assert_eq!(fs::read(folder.path("a/report.html")).unwrap(), before);
+    let step = folder.run(&["plot", "a", "--step", "0"]);
+    assert_eq!(step.code, Some(2), "{}", step.stderr);
+}
+
+#[test]
+fn a_measured_surface_has_maps_of_its_heights_the_gap_and_the_displacement() {
+    let map = "[surface]\nkind = \"map\"\nfile = \"s.csv\"\nside = \"400 nm\"\nheight_unit = \"nm\"\ncompliance = 0\n";
+    let (start, rest) = CASE.split_once("[surface]").unwrap();
+    let (_, end) = rest.split_once("[indenter]").unwrap();
+    let folder = Folder::with_case(format!("{start}{map}\n[indenter]{end}"));
+    let row = |j: usize| {
+        (0..9)
+            .map(|i| ((i * j) % 4).to_string())
+            .collect::<Vec<_>>()
+            .join(",")
+    };
+    let rows: Vec<_> = (0..9).map(row).collect();
+    fs::write(folder.path("s.csv"), rows.join("\n") + "\n").unwrap();
+    let ran = folder.run(&["run", "case.toml", "--out", "a"]);
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    for (name, title) in [
+        ("heights", "height f*, nm"),
+        ("gap", "gap g, nm"),
+        ("displacement", "displacement u, "),
+    ] {
+        let map = svg(&folder.path(&format!("a/{name}-000.svg")));
+        assert!(map.contains(title), "{name}");
+        assert!(folder.path(&format!("a/{name}-000.png")).is_file());
+    }
+    let page = fs::read_to_string(folder.path("a/report.html")).unwrap();
+    assert!(page.contains("<h3>The gap g</h3>"));
+}

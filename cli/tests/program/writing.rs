@@ -1,0 +1,219 @@
+//! What a run writes, how much of it, how long it says that it took, and when it stops.
+
+use std::fs;
+use std::time::Instant;
+
+use serde_json::Value;
+
+use crate::runner::{CASE, Folder, names};
+
+/// Three loads.
+const LOADS: &str = "load={forces=[\"1 uN\", \"2 uN\", \"4 uN\"]}";
+
+fn run(folder: &Folder, out: &str, more: &[&str]) -> String {
+    let ran = folder.run(&[&["run", "case.toml", "--out", out], more].concat());
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    ran.stderr
+}
+
+fn summary(folder: &Folder, out: &str) -> Value {
+    let text = fs::read_to_string(folder.path(out).join("summary.json")).unwrap();
+    serde_json::from_str(&text).unwrap()
+}
+
+/// The steps whose files begin and end so.
+fn steps(folder: &Folder, out: &str, start: &str, end: &str) -> Vec<String> {
+    let names = names(&folder.path(out)).into_iter();
+    let step = |name: String| Some(name.strip_prefix(start)?.strip_suffix(end)?.to_owned());
+    names.filter_map(step).collect()
+}
+
+#[test]
+fn fields_and_pictures_are_those_of_the_last_step_unless_more_are_wanted() {
+    let folder = Folder::with_case(CASE);
+    run(&folder, "last", &["--set", LOADS]);
+    assert_eq!(steps(&folder, "last", "fields-", ".npz"), ["002"]);
+    assert_eq!(steps(&folder, "last", "section-", ".png"), ["002"]);
+    assert!(folder.path("last/curve.png").is_file());
+    let flags = ["--set", LOADS, "--fields", "all", "--pictures", "none"];
+    run(&folder, "flags", &flags);
+    assert_eq!(steps(&folder, "flags", "fields-", ".vti").len(), 3);
+    let pictures = names(&folder.path("flags")).into_iter();
+    assert_eq!(pictures.filter(|name| name.ends_with("g")).count(), 0);
+    assert!(folder.path("flags/report.html").is_file());
+}
+
+#[test]
+fn the_case_says_what_is_written_and_in_which_formats() {
+    let output = "[output]\nfields = \"all\"\npictures = \"all\"\nformats = [\"vti\", \"npz\"]\n";
+    let folder = Folder::with_case(format!("{CASE}{output}"));
+    run(&folder, "a", &["--set", LOADS]);
+    assert_eq!(steps(&folder, "a", "fields-", ".npz").len(), 3);
+    assert_eq!(steps(&folder, "a", "pressure-3d-", ".svg").len(), 3);
+    let others = names(&folder.path("a")).into_iter();
+    let others = others.filter(|name| name.ends_with(".gsf") || name.ends_with(".nc"));
+    assert_eq!(others.count(), 0);
+    let wanted = serde_json::json!({"fields": "all", "pictures": "all", "formats": ["npz", "vti"]});
+    assert_eq!(summary(&folder, "a")["case"]["output"], wanted);
+}
+
+#[test]
+fn the_last_line_names_the_report_which_opens_at_the_last_step() {
+    let folder = Folder::with_case(CASE);
+    let said = run(&folder, "a", &["--set", LOADS, "--pictures", "all"]);
+    let last = said.trim_end().lines().last().unwrap();
+    let named = last.strip_prefix("report: ").unwrap();
+    let page = fs::read_to_string(folder.path(named)).unwrap();
+    assert!(page.contains("<option value=\"step-2\" selected>step 2, Q = 4.0000 µN"));
+    assert_eq!(page.matches(" selected>").count(), 1);
+}
+
+#[test]
+fn the_total_time_contains_the_writing() {
+    let folder = Folder::with_case(CASE);
+    let start = Instant::now();
+    run(&folder, "a", &["--set", LOADS, "--pictures", "all"]);
+    let passed = start.elapsed().as_secs_f64();
+    let timing = &summary(&folder, "a")["timing"];
+    let total = timing["total_seconds"].as_f64().unwrap();
+    // Nine pictures take many times as long as three loads on 32 × 32 elements, and most of the process's time.
+    assert!(
+        total <= passed && total > 0.5 * passed,
+        "{total} of {passed}"
+    );
+}
+
+#[test]
+fn check_tells_the_room_that_a_run_takes() {
+    let folder = Folder::with_case(CASE);
+    let many = [
+        "--set",
+        LOADS,
+        "--set",
+        "grid.elements=128",
+        "--set",
+        "output.fields=\"all\"",
+    ];
+    let some = ["--set", LOADS, "--set", "output.pictures=\"all\""];
+    for (out, sets) in [("a", &[][..]), ("b", &many), ("c", &some)] {
+        let checked = folder.run(&[&["check", "case.toml"], sets].concat()).stdout;
+        let line = checked.lines().find(|line| line.contains("disk, about"));
+        let words: Vec<_> = line.unwrap().split_whitespace().collect();
+        let [.., told, "MB"] = words[..] else {
+            panic!("{words:?}")
+        };
+        let told: f64 = told.parse().unwrap();
+        run(&folder, out, sets);
+        let entries = fs::read_dir(folder.path(out)).unwrap();
+        let sizes = entries.map(|entry| entry.unwrap().metadata().unwrap().len());
+        let ratio = sizes.sum::<u64>() as f64 / 1e6 / told;
+        assert!(
+            (0.8..1.2).contains(&ratio),
+            "{sets:?}: {ratio} of {told} MB"
+        );
+    }
+}
+
+#[test]
+fn a_needle_is_solved_and_drawn() {
+    let needle = "indenter={kind=\"cone\", half_angle=1e-8, tip_radius=\"1 um\"}";
+    let folder = Folder::with_case(CASE);
+    let ran = folder.run(&[
+        "run",
+        "case.toml",
+        "--out",
+        "a",
+        "--set",
+        needle,
+        "--set",
+        "load={penetration=\"1 um\"}",
+    ]);
+    assert!(!ran.stderr.contains("panicked"), "{}", ran.stderr);
+    assert!(folder.path("a/section-000.png").is_file(), "{}", ran.stderr);
+}
+
+#[cfg(unix)]
+mod stopped {
+    use std::process::{Child, Command, Stdio};
+    use std::thread::sleep;
+    use std::time::Duration;
+
+    use super::*;
+
+    /// A run that takes seconds to write, when it has begun to.
+    fn writing(folder: &Folder) -> Child {
+        let loads = "load={forces={from=\"1 uN\", to=\"2 uN\", count=24}}";
+        let line = [
+            "run",
+            "case.toml",
+            "--out",
+            "a",
+            "--fields",
+            "all",
+            "--pictures",
+            "all",
+            "--set",
+            loads,
+            "--set",
+            "grid.elements=96",
+        ];
+        let mut command = folder.command(&line);
+        let child = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn();
+        let start = Instant::now();
+        let has_begun = || {
+            let hidden = folder
+                .names()
+                .into_iter()
+                .filter(|name| name.starts_with('.'));
+            let mut hidden = hidden.map(|name| folder.path(&name));
+            hidden.any(|path| fs::read_dir(path).is_ok_and(|mut files| files.next().is_some()))
+        };
+        while !has_begun() {
+            assert!(start.elapsed() < Duration::from_mins(1), "nothing written");
+            sleep(Duration::from_millis(5));
+        }
+        child.unwrap()
+    }
+
+    fn interrupt(child: &Child) {
+        let id = child.id().to_string();
+        let sent = Command::new("kill").args(["-INT", &id]).status();
+        assert!(sent.unwrap().success());
+    }
+
+    #[test]
+    fn ctrl_c_leaves_out_what_is_not_written_within_a_second_and_keeps_the_numbers() {
+        let folder = Folder::with_case(CASE);
+        let child = writing(&folder);
+        let sent = Instant::now();
+        interrupt(&child);
+        let output = child.wait_with_output().unwrap();
+        // A second, and what a busy machine takes to end a process.
+        assert!(
+            sent.elapsed() < Duration::from_secs(3),
+            "{:?}",
+            sent.elapsed()
+        );
+        assert_eq!(output.status.code(), Some(130));
+        assert_eq!(folder.names(), ["a", "case.toml"]);
+        let summary = summary(&folder, "a");
+        assert_eq!(summary["steps"].as_array().unwrap().len(), 24);
+        let warnings = summary["warnings"].as_array().unwrap().iter();
+        let codes: Vec<_> = warnings.map(|warning| &warning["code"]).collect();
+        assert!(codes.contains(&&Value::from("stopped")), "{codes:?}");
+        let files = names(&folder.path("a"));
+        assert!(files.contains(&"report.html".to_owned()), "{files:?}");
+        assert!(files.iter().all(|name| !name.starts_with('.')), "{files:?}");
+    }
+
+    #[test]
+    fn a_second_ctrl_c_ends_the_writing_and_leaves_nothing() {
+        let folder = Folder::with_case(CASE);
+        let mut child = writing(&folder);
+        interrupt(&child);
+        sleep(Duration::from_millis(50));
+        interrupt(&child);
+        assert_eq!(child.wait().unwrap().code(), Some(130));
+        assert_eq!(folder.names(), ["case.toml"]);
+    }
+}
