@@ -25,6 +25,7 @@ mod model;
 mod observer;
 mod path;
 pub mod reference;
+mod scale;
 mod sector;
 pub mod solver;
 mod summary;

@@ -70,7 +70,7 @@ use self::{
     working_set::WorkingSet,
 };
 use super::{Iterate, Solver, SolverOptions, Watch};
-use crate::{ContactError, DiscreteProblem, Load};
+use crate::{ContactError, DiscreteProblem, Load, vector::each};
 
 /// The iteration stops at this part of the tolerance, so that rounding between its running residual and the
 /// freshly computed certificate cannot decide.
@@ -91,7 +91,7 @@ impl Solver for GradientSolver {
         start: &[f64],
         watch: &mut Watch<'_>,
     ) -> Result<Iterate, ContactError> {
-        let control = Control::new(load, problem.element_area());
+        let control = Control::of(problem, load);
         let mut iteration = Iteration::start(problem, control, start);
         let mut residuals = Vec::new();
         let (ending, residual) = loop {
@@ -118,11 +118,14 @@ impl Solver for GradientSolver {
                 (None, 0)
             };
         let Workspace { state, best, .. } = &*iteration.workspace;
+        let scale = problem.scale();
+        let mut pressure = best.or(state, residual).to_vec();
+        each(&mut pressure, |p| *p *= scale.pressure());
         let iterate = Iterate {
             iterations: residuals.len() - 1,
             operator_applications: state.applications(),
-            pressure: best.or(state, residual).to_vec(),
-            penetration: state.penetration,
+            pressure,
+            penetration: scale.length * state.penetration,
             residuals,
             contact_stiffness,
             stiffness_applications,
@@ -336,7 +339,8 @@ impl Iteration {
         let buffers = conjugate.lend(segment);
         let (sum, applications) =
             stiffness::pressure_sum_per_penetration(problem, preconditioner, state, set, buffers);
-        (sum.map(|sum| sum * problem.element_area()), applications)
+        let per_sum = problem.element_area() / problem.scale().compliance;
+        (sum.map(|sum| sum * per_sum), applications)
     }
 }
 

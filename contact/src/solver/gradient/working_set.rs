@@ -62,11 +62,13 @@ impl WorkingSet {
             .pressure
             .par_chunks(PART)
             .zip(state.v.par_chunks(PART));
+        let fields = fields.zip(state.can_touch().par_chunks(PART));
         let parts = self.mask.par_chunks_mut(PART).zip(fields);
-        let counts = parts.map(|(mask, (pressure, v))| {
+        let counts = parts.map(|(mask, ((pressure, v), can_touch))| {
             let (mut len, mut changed) = (0, 0);
-            for ((member, p), v) in mask.iter_mut().zip(pressure).zip(v) {
-                let belongs = belongs(*member, *p, *v);
+            let values = pressure.iter().zip(v).zip(can_touch);
+            for (member, ((p, v), can_touch)) in mask.iter_mut().zip(values) {
+                let belongs = *can_touch && belongs(*member, *p, *v);
                 changed += usize::from(belongs != *member);
                 len += usize::from(belongs);
                 *member = belongs;
@@ -104,6 +106,13 @@ impl WorkingSet {
             if !member {
                 *value = 0.0;
             }
+        });
+    }
+
+    /// The same, and multiplies it by `factor` on the set.
+    pub fn scale_within(&self, field: &mut [f64], factor: f64) {
+        update(field, &self.mask, |value, member| {
+            *value = if *member { factor * *value } else { 0.0 };
         });
     }
 
