@@ -1,7 +1,7 @@
 //! What the two ways of loading ask of a pressure: a given total, or nothing but a given penetration.
 
-use crate::{DiscreteProblem, Load};
 use crate::vector::{by_parts, dot, each, sum};
+use crate::{DiscreteProblem, Load};
 
 /// The prescribed quantity in the solver's terms and the units of the problem's scale.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -17,9 +17,7 @@ impl Control {
     pub fn of(problem: &DiscreteProblem, load: Load) -> Self {
         let scale = problem.scale();
         match load {
-            Load::Force(force) => {
-                Self::Total(force / problem.element_area() / scale.pressure())
-            }
+            Load::Force(force) => Self::Total(force / problem.element_area() / scale.pressure()),
             Load::Penetration(penetration) => Self::Penetration(penetration / scale.length),
         }
     }

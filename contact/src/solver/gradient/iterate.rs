@@ -59,7 +59,11 @@ impl State {
             v: vec![0.0; elements],
             penetration: 0.0,
             initial_gap,
-            can_touch: problem.initial_gap().iter().map(|g0| g0.is_finite()).collect(),
+            can_touch: problem
+                .initial_gap()
+                .iter()
+                .map(|g0| g0.is_finite())
+                .collect(),
             keeps_total: false,
             applications: 0,
         }
@@ -71,7 +75,11 @@ impl State {
         let per_pressure = 1.0 / problem.scale().pressure();
         let (pressure, can_touch) = (&mut self.pressure, &self.can_touch);
         update_with(pressure, start, can_touch, |to, p, can_touch| {
-            *to = if *can_touch { p.max(0.0) * per_pressure } else { 0.0 };
+            *to = if *can_touch {
+                p.max(0.0) * per_pressure
+            } else {
+                0.0
+            };
         });
         if matches!(control, Control::Total(_)) && sum(pressure) == 0.0 {
             update(pressure, can_touch, |p, can_touch| {
@@ -226,8 +234,11 @@ impl State {
 
     fn lines(&self, part: std::ops::Range<usize>) -> Lines {
         let mut lines = Lines::default();
-        let fields = self.pressure[part.clone()].iter().zip(&self.v[part.clone()]);
-        for ((p, v), _) in (fields.zip(&self.can_touch[part])).filter(|(_, can_touch)| **can_touch) {
+        let fields = self.pressure[part.clone()]
+            .iter()
+            .zip(&self.v[part.clone()]);
+        for ((p, v), _) in (fields.zip(&self.can_touch[part])).filter(|(_, can_touch)| **can_touch)
+        {
             let gap = v - self.penetration;
             lines.overlap = lines.overlap.max(-gap);
             lines.pulls |= *p < 0.0;

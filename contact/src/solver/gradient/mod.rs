@@ -92,7 +92,7 @@ impl Solver for GradientSolver {
         watch: &mut Watch<'_>,
     ) -> Result<Iterate, ContactError> {
         let control = Control::of(problem, load);
-        let mut iteration = Iteration::start(problem, control, start);
+        let mut iteration = Iteration::start(problem, control, start, self.options.tolerance);
         let mut residuals = Vec::new();
         let (ending, residual) = loop {
             let Workspace {
@@ -214,11 +214,17 @@ impl Workspace {
 struct Iteration {
     strategy: Strategy,
     course: Course,
+    tolerance: f64,
     workspace: Box<Workspace>,
 }
 
 impl Iteration {
-    fn start(problem: &mut DiscreteProblem, control: Control, start: &[f64]) -> Self {
+    fn start(
+        problem: &mut DiscreteProblem,
+        control: Control,
+        start: &[f64],
+        tolerance: f64,
+    ) -> Self {
         let mut workspace = problem
             .take_workspace()
             .unwrap_or_else(|| Box::new(Workspace::new(problem)));
@@ -226,6 +232,7 @@ impl Iteration {
         Self {
             strategy: Strategy::new(),
             course: Course::Left(Part::Whole),
+            tolerance,
             workspace,
         }
     }
@@ -286,7 +293,8 @@ impl Iteration {
             ..
         } = &mut *self.workspace;
         let newton = newton.get_or_insert_with(|| Newton::new(state.elements()));
-        newton.step(problem, preconditioner, state, set, &mut segment.image)
+        let (image, tolerance) = (&mut segment.image, self.tolerance);
+        newton.step(problem, preconditioner, state, set, image, tolerance)
     }
 
     /// Prepares the phase that has just begun.

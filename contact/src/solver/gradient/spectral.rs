@@ -11,10 +11,7 @@ use super::{
     segment::{Part, Segment},
     working_set::WorkingSet,
 };
-use crate::{
-    DiscreteProblem,
-    vector::dot,
-};
+use crate::{DiscreteProblem, vector::dot};
 
 /// Bounds of the step `α`; 1 is the preconditioner's own idea. Steps seen in practice lie between 0.02 and 3.
 const STEP_BOUNDS: [f64; 2] = [0.02, 4.0];

@@ -61,6 +61,7 @@ fn newtons_method_alone_solves_a_plate_on_pillars() {
                 &mut state,
                 &mut set,
                 &mut image,
+                1e-9,
             );
             assert_ne!(turn, Turn::Failed);
             exchanges += usize::from(turn == Turn::Exchanged);
@@ -273,7 +274,11 @@ fn under_a_penetration_a_pressure_is_scaled_to_the_least_energy() {
     let control = Control::of(&problem, Load::Penetration(-depth));
     let (state, _) = begun(&mut problem, control, &one);
     let unit = problem.scale().pressure();
-    let as_given = state.pressure.iter().zip(&one).all(|(p, one)| p * unit == *one);
+    let as_given = state
+        .pressure
+        .iter()
+        .zip(&one)
+        .all(|(p, one)| p * unit == *one);
     assert!(!state.keeps_total() && as_given);
 }
 
