@@ -39,6 +39,21 @@ impl Body {
         }
     }
 
+    /// How far an element in the middle of a grid of `size` elements per side sinks under a unit pressure on itself, in m/Pa: one product where nothing is known
+    /// of the operator.
+    pub fn own_coefficient(&mut self, size: usize) -> f64 {
+        match self {
+            Self::Operator(operator) => {
+                let (mut unit, mut displacement) = (vec![0.0; size * size], vec![0.0; size * size]);
+                let middle = (size / 2) * (size + 1);
+                unit[middle] = 1.0;
+                operator.apply_into(&unit, &mut displacement);
+                displacement[middle]
+            }
+            Self::Surface(surface) => surface.elasticity.coefficient([0, 0]),
+        }
+    }
+
     /// The operator on a whole grid or sector.
     pub fn operator_on(&mut self, everywhere: &Window) -> &mut dyn ElasticOperator {
         match self {

@@ -10,8 +10,8 @@ use pellicle_influence::{ElasticOperator, SurfaceElasticity};
 use rayon::prelude::*;
 
 use crate::{
-    ContactError, body::Body, sector::Sector, solver::gradient::Workspace, vector::update_with,
-    window::Window,
+    ContactError, body::Body, scale::Scale, sector::Sector, solver::gradient::Workspace,
+    vector::update_with, window::Window,
 };
 
 /// Values looked at together: to ask after each whether another thread has found a wrong one took a ninth of a Hertz contact's time at N = 2048.
@@ -25,6 +25,7 @@ pub struct DiscreteProblem {
     relief_compliance: Vec<f64>,
     initial_gap: Vec<f64>,
     element_area: f64,
+    scale: Scale,
     /// Elements per side of the sector of the grid that this one is a window of, or its own.
     grid_size: usize,
     /// What the gradient method keeps from load to load.
@@ -85,7 +86,7 @@ impl DiscreteProblem {
     }
 
     fn checked(
-        (body, sector, size): (Body, Sector, usize),
+        (mut body, sector, size): (Body, Sector, usize),
         relief_compliance: Vec<f64>,
         initial_gap: Vec<f64>,
         element_area: f64,
@@ -109,6 +110,7 @@ impl DiscreteProblem {
             return Err(ContactError::NothingCanTouch { elements });
         }
         Ok(Self {
+            scale: Scale::new(element_area.sqrt(), body.own_coefficient(size)),
             body,
             sector,
             size,
@@ -137,9 +139,15 @@ impl DiscreteProblem {
             relief_compliance: window.cut(&self.relief_compliance),
             initial_gap: window.cut(&self.initial_gap),
             element_area: self.element_area,
+            scale: self.scale,
             grid_size: self.grid_size,
             workspace: None,
         })
+    }
+
+    /// The units in which the problem's own numbers are of order 1, but for what the load makes of them.
+    pub(crate) fn scale(&self) -> Scale {
+        self.scale
     }
 
     /// What the last solution on this problem left, if it came to its end.
@@ -245,6 +253,18 @@ impl DiscreteProblem {
             &self.relief_compliance,
             pressure,
             |v, eta, p| *v += eta * p,
+        );
+    }
+
+    /// The same of a pressure and a deformation in the units of the problem's [scale](Self::scale).
+    pub(crate) fn deform_to_scale(&mut self, pressure: &[f64], deformation: &mut [f64]) {
+        let per_unit = 1.0 / self.scale.compliance;
+        self.operator_mut().apply_into(pressure, deformation);
+        update_with(
+            deformation,
+            &self.relief_compliance,
+            pressure,
+            |v, eta, p| *v = (*v + eta * p) * per_unit,
         );
     }
 }

@@ -21,9 +21,6 @@ use pellicle_texture::Grid;
 /// Pressure that stands for a gap, as a part of what closes the gap alone: halfway between contact that ends at the last element
 /// that presses and at the first that does not. From 0.2 to 1 it matters little.
 const PRESSURE_PER_GAP: f64 = 0.5;
-/// Gaps beyond this (m) are as good as infinite.
-const FAR: f64 = 1e30;
-
 /// Elements from a pressure within which an interpolation looks.
 const NEIGHBOURS: usize = 2;
 
@@ -259,7 +256,7 @@ impl Level {
         self.judged = JudgedFields::on(self.problem.everywhere());
     }
 
-    /// What the next finer level starts from: the last load's pressure, and where there is none the gap as a negative pressure.
+    /// What the next finer level starts from: the last load's pressure, and where there is none the gap as a negative pressure, −∞ where nothing can touch.
     pub fn signed_field(&self, result: &LevelResult) -> SignedField {
         let per_gap = PRESSURE_PER_GAP / self.elasticity.coefficient([0, 0]);
         let window = result.window.with_rim(NEIGHBOURS);
@@ -267,7 +264,7 @@ impl Level {
         let gaps = self.judged.gap_on(&window);
         update(&mut values, &gaps, |value, gap| {
             if *value <= 0.0 {
-                *value = -per_gap * gap.clamp(0.0, FAR);
+                *value = -per_gap * gap.max(0.0);
             }
         });
         SignedField {

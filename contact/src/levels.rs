@@ -38,7 +38,7 @@ pub struct Field<'a> {
 /// The field on a window `onto` of a grid over the same square, whose relief has the outline `mask`.
 ///
 /// Bilinear between the centres of elements on the same side of the outline, constant beyond the outermost; 0 where the four centres around
-/// lie all on the other side, or outside the field's window.
+/// lie all on the other side, or outside the field's window. Values of −∞ count for nothing.
 #[must_use]
 pub fn prolong(field: &Field<'_>, onto: &Window, mask: &[bool]) -> Vec<f64> {
     let places = [0, 1].map(|axis: usize| {
@@ -65,6 +65,7 @@ fn interpolate(field: &Field<'_>, side: bool, [x, y]: [&Place; 2]) -> f64 {
         for (j, along_y) in y.ends() {
             if let Some(place) = field.window.place([i, j])
                 && field.mask[i * field.window.grid() + j] == side
+                && field.values[place] > f64::NEG_INFINITY
             {
                 sum += along_x * along_y * field.values[place];
                 weights += along_x * along_y;

@@ -29,6 +29,7 @@ mod observer;
 mod path;
 mod peak;
 pub mod reference;
+mod scale;
 mod sector;
 pub mod solver;
 mod status;

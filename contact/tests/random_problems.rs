@@ -7,6 +7,9 @@
     reason = "a scene that cannot be built fails its test"
 )]
 
+#[path = "random_cases/random.rs"]
+mod random;
+
 use std::sync::Arc;
 
 use pellicle_contact::{
@@ -17,6 +20,8 @@ use pellicle_influence::{Cache, CoefficientTable, RadialTables, SurfaceElasticit
 use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
 use pellicle_texture::{CylinderSpec, Cylinders, Film, Lattice, Relief};
 use rayon::prelude::*;
+
+use self::random::Random;
 
 /// Foundations that the problems share: their tables take longer than a solution.
 const FOUNDATIONS: u64 = 24;
@@ -34,32 +39,6 @@ fn all_tables() -> Vec<Arc<RadialTables>> {
 /// How many problems of each kind.
 fn problems() -> u64 {
     std::env::var("PELLICLE_RANDOM_PROBLEMS").map_or(1000, |count| count.parse().unwrap())
-}
-
-/// Evenly distributed numbers from a seed (the generator `SplitMix64`; Steele, Lea and Flood 2014).
-struct Random(u64);
-
-impl Random {
-    fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        mixed ^ (mixed >> 31)
-    }
-
-    /// In [0, 1).
-    fn unit(&mut self) -> f64 {
-        (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    /// Between two positive numbers, evenly in the logarithm.
-    fn decades(&mut self, low: f64, high: f64) -> f64 {
-        low * (high / low).powf(self.unit())
-    }
-
-    fn below(&mut self, count: usize) -> usize {
-        usize::try_from(self.bits() % count as u64).unwrap()
-    }
 }
 
 /// Up to three layers, some sliding, moduli over twelve decades, on a half-space or a rigid base.

@@ -16,26 +16,41 @@ use crate::{
 
 pub(in crate::solver) const SIZE: usize = 32;
 
+/// What lengths and moduli are multiplied by.
+const AS_THEY_ARE: [f64; 2] = [1.0; 2];
+
 /// `SIZE`² elements of a square of side 1, on a coat of relative stiffness `stiffness` and `thickness` on a body.
 pub(in crate::solver) fn problem(
+    coat: [f64; 2],
+    gap: impl Fn(f64, f64) -> f64,
+    eta: impl Fn(f64, f64) -> f64,
+) -> DiscreteProblem {
+    problem_in(AS_THEY_ARE, coat, gap, eta)
+}
+
+/// The same in other units of length and modulus.
+fn problem_in(
+    [length, modulus]: [f64; 2],
     [stiffness, thickness]: [f64; 2],
     gap: impl Fn(f64, f64) -> f64,
     eta: impl Fn(f64, f64) -> f64,
 ) -> DiscreteProblem {
-    let coat = Material::new(stiffness, 0.3).unwrap();
-    let foundation = Foundation::coated(thickness, coat, Material::new(1.0, 0.3).unwrap()).unwrap();
+    let [coat, base] = [stiffness, 1.0].map(|e| Material::new(modulus * e, 0.3).unwrap());
+    let foundation = Foundation::coated(length * thickness, coat, base).unwrap();
     let tables = RadialTables::build(&foundation).unwrap();
     let side = 1.0 / SIZE as f64;
-    let table = CoefficientTable::assemble(&tables, side, SIZE).unwrap();
+    let table = CoefficientTable::assemble(&tables, length * side, SIZE).unwrap();
     let elasticity = Arc::new(SurfaceElasticity::new(Arc::new(table), foundation));
     let centre = |i: usize| (i as f64 + 0.5) * side - 0.5;
-    let sample = |f: &dyn Fn(f64, f64) -> f64| {
+    let sample = |f: &dyn Fn(f64, f64) -> f64, unit: f64| {
         let elements = 0..SIZE * SIZE;
         elements
-            .map(|e| f(centre(e / SIZE), centre(e % SIZE)))
+            .map(|e| unit * f(centre(e / SIZE), centre(e % SIZE)))
             .collect()
     };
-    DiscreteProblem::elastic(elasticity, SIZE, sample(&eta), sample(&gap), side * side).unwrap()
+    let (eta, gap) = (sample(&eta, length / modulus), sample(&gap, length));
+    let area = (length * side).powi(2);
+    DiscreteProblem::elastic(elasticity, SIZE, eta, gap, area).unwrap()
 }
 
 pub(in crate::solver) fn paraboloid(x: f64, y: f64) -> f64 {
@@ -134,6 +149,38 @@ fn a_punch_has_its_set_from_the_start() {
 }
 
 #[test]
+fn no_threshold_knows_the_units() {
+    let punch = |x: f64, y: f64| {
+        let end = if x.hypot(y) < 0.3 { 0.0 } else { f64::INFINITY };
+        pillars(x, y, 0.002) - paraboloid(x, y) + end
+    };
+    let springs = |x: f64, y: f64| {
+        if pillars(x, y, 1.0) < 0.6 { 0.02 } else { 0.0 }
+    };
+    let solved = |units: [f64; 2], stiff: bool| {
+        let [length, modulus] = units;
+        let mut problem = if stiff {
+            problem_in(units, [1000.0, 0.01], punch, RIGID)
+        } else {
+            problem_in(units, [0.1, 0.02], paraboloid, springs)
+        };
+        let load = Load::Force(1e-2 * modulus * length * length);
+        let found = solve(&mut problem, load, &[0.0; SIZE * SIZE]);
+        let stiffness = found.contact_stiffness.unwrap() / (modulus * length);
+        let pressure: Vec<f64> = found.pressure.iter().map(|p| p / modulus).collect();
+        (found.operator_applications, stiffness, pressure)
+    };
+    // Powers of two, which change no digit: up to what squares of would neither under- nor overflow beside lengths and pressures alone.
+    for stiff in [false, true] {
+        let as_they_are = solved(AS_THEY_ARE, stiff);
+        for exponents in [[-30, 40], [200, -100], [-300, 300]] {
+            let units = exponents.map(|exponent| 2_f64.powi(exponent));
+            assert!(solved(units, stiff) == as_they_are, "{exponents:?}");
+        }
+    }
+}
+
+#[test]
 fn a_solution_is_its_own_start() {
     for stiffness in [1.0, 1000.0] {
         let mut problem = problem([stiffness, 0.02], paraboloid, RIGID);
@@ -218,8 +265,8 @@ fn every_product_is_counted() {
         )
         .unwrap();
         let found = solve(&mut problem, load, &[0.0; SIZE * SIZE]);
-        // one more for the certificate
-        let counted = found.operator_applications + found.stiffness_applications + 1;
+        // one more for the certificate, and one for the problem's scale
+        let counted = found.operator_applications + found.stiffness_applications + 2;
         assert_eq!(products.load(Ordering::Relaxed), counted);
         // Of an operator of which nothing is known there is no preconditioner.
         assert!(counted < 60, "{counted}");

@@ -86,7 +86,8 @@ impl ConjugateDirections {
         set: &WorkingSet,
         segment: &mut Segment,
     ) -> Course {
-        let alpha = self.look(problem, preconditioner, state, set, &mut segment.image);
+        self.aim(problem, preconditioner, state, set);
+        let alpha = self.reach(problem, state, &mut segment.image);
         if !alpha.is_finite() {
             return Course::Left(Part::Cut);
         }
@@ -101,30 +102,32 @@ impl ConjugateDirections {
         Course::Left(segment.take(problem, state, ceiling))
     }
 
-    /// One step of the linear system on the set, which may pull: one product. False if there is nowhere to go.
+    /// One step along the direction last [aimed](Self::aim) at, which may pull: one product. False if there is nowhere to go.
     pub fn step_freely(
         &mut self,
         problem: &mut DiscreteProblem,
-        preconditioner: &mut Preconditioner,
         state: &mut State,
-        set: &WorkingSet,
         image: &mut [f64],
     ) -> bool {
-        let alpha = self.look(problem, preconditioner, state, set, image);
+        let alpha = self.reach(problem, state, image);
         if alpha.is_finite() {
             state.advance(problem, alpha, &self.direction, image);
         }
         alpha.is_finite()
     }
 
-    /// The next direction, and its image into `image`; returns the step to the minimum along it. One product.
-    fn look(
+    /// The preconditioned residual `z` that was last aimed with: by the preconditioner's account, what is missing from the pressure.
+    pub fn missing(&self) -> &[f64] {
+        &self.preconditioned
+    }
+
+    /// Finds the next direction; returns `r·z`. No product.
+    pub fn aim(
         &mut self,
-        problem: &mut DiscreteProblem,
+        problem: &DiscreteProblem,
         preconditioner: &mut Preconditioner,
-        state: &mut State,
+        state: &State,
         set: &WorkingSet,
-        image: &mut [f64],
     ) -> f64 {
         let z = &mut self.preconditioned;
         preconditioner.direction_into(problem, state, set, z);
@@ -146,6 +149,11 @@ impl ConjugateDirections {
         state.deflate(&mut self.direction);
         residual_into(state, set, &mut self.residual_before);
         (self.product_before, self.running) = (product, true);
+        product
+    }
+
+    /// Writes the image of the direction into `image`; returns the step to the minimum along it. One product.
+    fn reach(&self, problem: &mut DiscreteProblem, state: &mut State, image: &mut [f64]) -> f64 {
         state.image_into(problem, &self.direction, image);
         // α = r·d / d·(K + η)d, with r·d = −d·∂E
         -state.control.slope(&self.direction, &state.v) / dot(&self.direction, image)

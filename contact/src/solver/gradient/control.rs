@@ -1,23 +1,24 @@
 //! What the two ways of loading ask of a pressure: a given total, or nothing but a given penetration.
 
-use crate::Load;
 use crate::vector::{by_parts, dot, each, sum};
+use crate::{DiscreteProblem, Load};
 
-/// The prescribed quantity in the solver's terms.
+/// The prescribed quantity in the solver's terms and the units of the problem's scale.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Control {
-    /// `Σ p = Q/(4a²)`, in Pa.
+    /// `Σ p = Q/(4a²)`.
     Total(f64),
-    /// The penetration `D`, in m.
+    /// The penetration `D`.
     Penetration(f64),
 }
 
 impl Control {
-    /// The control that a load means on elements of the given area (m²).
-    pub fn new(load: Load, element_area: f64) -> Self {
+    /// The control that a load means on a problem.
+    pub fn of(problem: &DiscreteProblem, load: Load) -> Self {
+        let scale = problem.scale();
         match load {
-            Load::Force(force) => Self::Total(force / element_area),
-            Load::Penetration(penetration) => Self::Penetration(penetration),
+            Load::Force(force) => Self::Total(force / problem.element_area() / scale.pressure()),
+            Load::Penetration(penetration) => Self::Penetration(penetration / scale.length),
         }
     }
 

@@ -15,23 +15,23 @@ use crate::{
     vector::{add_scaled, by_parts, dot, each, sum, update, update_with},
 };
 
-/// Stands for an infinite initial gap: finite, so that `0 · g0` stays 0, and beyond any displacement.
-const NEVER: f64 = 1e300;
-
 /// The pressure is not scaled by much more without a product: what rounding has left in `v − g0` would be scaled with it.
 const LARGEST_GROWTH: f64 = 10.0;
 
-/// A pressure that keeps to the control, with `v = (K + η) p + g0` and the penetration `D` up to date.
+/// A pressure that keeps to the control, with `v = (K + η) p + g0` and the penetration `D` up to date, all in the units of the problem's scale.
 ///
-/// The pressure is ≥ 0, but for the inner steps of Newton's method.
+/// The pressure is ≥ 0, but for the inner steps of Newton's method. Elements beyond the indenter's end have none and never will: their `v` is without a gap and
+/// means nothing.
 pub struct State {
     pub control: Control,
     pub pressure: Vec<f64>,
-    /// `v`, in m.
     pub v: Vec<f64>,
-    /// `D`, in m.
+    /// `D`.
     pub penetration: f64,
+    /// `g0`, 0 where nothing can touch.
     pub initial_gap: Vec<f64>,
+    /// The elements of the problem: those under the indenter.
+    can_touch: Vec<bool>,
     keeps_total: bool,
     applications: usize,
 }
@@ -48,9 +48,10 @@ impl State {
     /// A state of nothing yet.
     pub fn new(problem: &DiscreteProblem) -> Self {
         let elements = problem.elements();
+        let per_length = 1.0 / problem.scale().length;
         let mut initial_gap = vec![0.0; elements];
         update(&mut initial_gap, problem.initial_gap(), |to, g0| {
-            *to = g0.min(NEVER);
+            *to = if g0.is_finite() { g0 * per_length } else { 0.0 };
         });
         Self {
             control: Control::Penetration(0.0),
@@ -58,21 +59,32 @@ impl State {
             v: vec![0.0; elements],
             penetration: 0.0,
             initial_gap,
+            can_touch: problem
+                .initial_gap()
+                .iter()
+                .map(|g0| g0.is_finite())
+                .collect(),
             keeps_total: false,
             applications: 0,
         }
     }
 
-    /// Starts from a pressure, or evenly over all that can touch where that is zero: one product.
+    /// Starts from a pressure (Pa), or evenly over all that can touch where that is zero: one product.
     pub fn start(&mut self, problem: &mut DiscreteProblem, control: Control, start: &[f64]) {
         (self.control, self.applications) = (control, 0);
-        let admit = |p: f64, g0: f64| if g0 < NEVER { p.max(0.0) } else { 0.0 };
-        let (pressure, initial_gap) = (&mut self.pressure, &self.initial_gap);
-        update_with(pressure, start, initial_gap, |to, p, g0| {
-            *to = admit(*p, *g0);
+        let per_pressure = 1.0 / problem.scale().pressure();
+        let (pressure, can_touch) = (&mut self.pressure, &self.can_touch);
+        update_with(pressure, start, can_touch, |to, p, can_touch| {
+            *to = if *can_touch {
+                p.max(0.0) * per_pressure
+            } else {
+                0.0
+            };
         });
         if matches!(control, Control::Total(_)) && sum(pressure) == 0.0 {
-            update(pressure, initial_gap, |p, g0| *p = admit(1.0, *g0));
+            update(pressure, can_touch, |p, can_touch| {
+                *p = f64::from(u8::from(*can_touch));
+            });
         }
         control.rescale(pressure);
         self.refresh(problem);
@@ -82,6 +94,11 @@ impl State {
         self.pressure.len()
     }
 
+    /// Of each element, whether the indenter is above it.
+    pub fn can_touch(&self) -> &[bool] {
+        &self.can_touch
+    }
+
     /// Products with `K` so far.
     pub fn applications(&self) -> usize {
         self.applications
@@ -89,7 +106,7 @@ impl State {
 
     /// `v = (K + η) p + g0` afresh, and balanced; returns what [`Self::advance`] does. One product.
     pub fn refresh(&mut self, problem: &mut DiscreteProblem) -> f64 {
-        problem.deform_into(&self.pressure, &mut self.v);
+        problem.deform_to_scale(&self.pressure, &mut self.v);
         self.applications += 1;
         // Scaled before the gap is added, in which the deformation by a pressure far too small would be lost.
         let growth = self.growth(dot(&self.pressure, &self.v));
@@ -110,7 +127,7 @@ impl State {
         direction: &[f64],
         image: &mut [f64],
     ) {
-        problem.deform_into(direction, image);
+        problem.deform_to_scale(direction, image);
         self.applications += 1;
     }
 
@@ -217,7 +234,11 @@ impl State {
 
     fn lines(&self, part: std::ops::Range<usize>) -> Lines {
         let mut lines = Lines::default();
-        for (p, v) in self.pressure[part.clone()].iter().zip(&self.v[part]) {
+        let fields = self.pressure[part.clone()]
+            .iter()
+            .zip(&self.v[part.clone()]);
+        for ((p, v), _) in (fields.zip(&self.can_touch[part])).filter(|(_, can_touch)| **can_touch)
+        {
             let gap = v - self.penetration;
             lines.overlap = lines.overlap.max(-gap);
             lines.pulls |= *p < 0.0;

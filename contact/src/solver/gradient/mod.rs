@@ -70,7 +70,7 @@ use self::{
     working_set::WorkingSet,
 };
 use super::{Iterate, Solver, SolverOptions, Watch};
-use crate::{ContactError, DiscreteProblem, Load};
+use crate::{ContactError, DiscreteProblem, Load, vector::each};
 
 /// The iteration stops at this part of the tolerance, so that rounding between its running residual and the
 /// freshly computed certificate cannot decide.
@@ -91,8 +91,8 @@ impl Solver for GradientSolver {
         start: &[f64],
         watch: &mut Watch<'_>,
     ) -> Result<Iterate, ContactError> {
-        let control = Control::new(load, problem.element_area());
-        let mut iteration = Iteration::start(problem, control, start);
+        let control = Control::of(problem, load);
+        let mut iteration = Iteration::start(problem, control, start, self.options.tolerance);
         let mut residuals = Vec::new();
         let (ending, residual) = loop {
             let Workspace {
@@ -118,11 +118,14 @@ impl Solver for GradientSolver {
                 (None, 0)
             };
         let Workspace { state, best, .. } = &*iteration.workspace;
+        let scale = problem.scale();
+        let mut pressure = best.or(state, residual).to_vec();
+        each(&mut pressure, |p| *p *= scale.pressure());
         let iterate = Iterate {
             iterations: residuals.len() - 1,
             operator_applications: state.applications(),
-            pressure: best.or(state, residual).to_vec(),
-            penetration: state.penetration,
+            pressure,
+            penetration: scale.length * state.penetration,
             residuals,
             contact_stiffness,
             stiffness_applications,
@@ -211,11 +214,17 @@ impl Workspace {
 struct Iteration {
     strategy: Strategy,
     course: Course,
+    tolerance: f64,
     workspace: Box<Workspace>,
 }
 
 impl Iteration {
-    fn start(problem: &mut DiscreteProblem, control: Control, start: &[f64]) -> Self {
+    fn start(
+        problem: &mut DiscreteProblem,
+        control: Control,
+        start: &[f64],
+        tolerance: f64,
+    ) -> Self {
         let mut workspace = problem
             .take_workspace()
             .unwrap_or_else(|| Box::new(Workspace::new(problem)));
@@ -223,6 +232,7 @@ impl Iteration {
         Self {
             strategy: Strategy::new(),
             course: Course::Left(Part::Whole),
+            tolerance,
             workspace,
         }
     }
@@ -283,7 +293,8 @@ impl Iteration {
             ..
         } = &mut *self.workspace;
         let newton = newton.get_or_insert_with(|| Newton::new(state.elements()));
-        newton.step(problem, preconditioner, state, set, &mut segment.image)
+        let (image, tolerance) = (&mut segment.image, self.tolerance);
+        newton.step(problem, preconditioner, state, set, image, tolerance)
     }
 
     /// Prepares the phase that has just begun.
@@ -336,7 +347,8 @@ impl Iteration {
         let buffers = conjugate.lend(segment);
         let (sum, applications) =
             stiffness::pressure_sum_per_penetration(problem, preconditioner, state, set, buffers);
-        (sum.map(|sum| sum * problem.element_area()), applications)
+        let per_sum = problem.element_area() / problem.scale().compliance;
+        (sum.map(|sum| sum * per_sum), applications)
     }
 }
 

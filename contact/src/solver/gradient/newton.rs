@@ -1,36 +1,39 @@
 //! The semismooth Newton method: solve on a set, then exchange all elements that are on the wrong side.
 //!
-//! On the set `I` the linear system is solved by preconditioned conjugate gradients to a tenth of the smallest residual met so
-//! far, whatever the signs of the pressures. Then those that pull leave the set, those that overlap enter it, and the pressures are
-//! made admissible again; when the set stands still, the conjugate gradients go on (Hintermüller, Ito and Kunisch 2003). It finds the
-//! set in few exchanges where the contact breaks up into rings and edges, and descending step by step does not; but nothing proves
-//! that it ends, so its caller watches it.
+//! On the set `I` the linear system is solved by preconditioned conjugate gradients, whatever the signs of the pressures, until it is clear which elements are on
+//! the wrong side. Then those that pull leave the set, those that overlap enter it, and the pressures are made admissible again (Hintermüller, Ito and Kunisch
+//! 2003). It finds the set in few exchanges where the contact breaks up into rings and edges, and descending step by step does not; but nothing proves that it
+//! ends, so its caller watches it.
+//!
+//! **When it is clear.** Under a stiff coat `K` falls off so steeply with the wavenumber that the residual says nothing of the short waves of the pressure: solved to a
+//! tenth of it, a system exchanges what is noise. What is still missing from the pressure, by the preconditioner's account, does say it. So the elements on the wrong side
+//! are looked for one step ahead, and the system is solved until they are the same as a step before, but for a third of them; where they are a few, which flip to and
+//! fro, until nothing else is missing either.
 
 use super::{
-    conjugate::ConjugateDirections,
-    iterate::State,
-    preconditioner::{Preconditioner, residual_into},
+    conjugate::ConjugateDirections, iterate::State, preconditioner::Preconditioner,
     working_set::WorkingSet,
 };
-use crate::{
-    DiscreteProblem,
-    vector::{dot, sum},
-};
+use crate::DiscreteProblem;
 
-/// The part of the smallest residual to which the first linear system is solved.
-const FORCING: f64 = 0.1;
+/// Part of the elements on the wrong side that may change from one step to the next when they are exchanged.
+const UNSETTLED: f64 = 0.3;
+/// Elements on the wrong side, as a part of the set, up to which they count as few.
+const FEW: f64 = 1e-3;
+/// What may be missing when few are exchanged, as a part of what was at first, in the metric of the preconditioner.
+const SETTLED: f64 = 0.01;
+/// Overlap that does not count, as a part of the tolerance.
+const SLACK: f64 = 0.5;
 /// Steps of one linear system after which its preconditioner is held to have failed.
 const MOST_STEPS: usize = 60;
 
 /// The memory of Newton's method.
 pub struct Newton {
     conjugate: ConjugateDirections,
-    residual: Vec<f64>,
-    forcing: f64,
-    /// Smallest norm of the residual that a set began with.
-    least: f64,
-    /// Norm to which the present system is to be solved; none before its first step.
-    target: Option<f64>,
+    /// Factor of what may be unsettled.
+    strictness: f64,
+    /// `r·z` at the first step on the present set; none before.
+    first: Option<f64>,
     steps: usize,
 }
 
@@ -49,21 +52,20 @@ impl Newton {
     pub fn new(elements: usize) -> Self {
         Self {
             conjugate: ConjugateDirections::new(elements),
-            residual: vec![0.0; elements],
-            forcing: FORCING,
-            least: f64::INFINITY,
-            target: None,
+            strictness: 1.0,
+            first: None,
             steps: 0,
         }
     }
 
     /// Begins anew, solving each system `digits` further than at first.
     pub fn restart(&mut self, digits: i32) {
-        self.forcing = FORCING * 10_f64.powi(-digits);
-        (self.least, self.target, self.steps) = (f64::INFINITY, None, 0);
+        self.strictness = 10_f64.powi(-digits);
+        (self.first, self.steps) = (None, 0);
     }
 
-    /// One step of the present linear system, its image into `image`, and the exchange where it is solved: one product, two where elements pull.
+    /// One step of the present linear system, its image into `image`, or the exchange where it is solved far enough for a `tolerance`: one product, or one where
+    /// elements pull.
     pub fn step(
         &mut self,
         problem: &mut DiscreteProblem,
@@ -71,56 +73,59 @@ impl Newton {
         state: &mut State,
         set: &mut WorkingSet,
         image: &mut [f64],
+        tolerance: f64,
     ) -> Turn {
-        let target = if let Some(target) = self.target {
-            target
-        } else {
+        if self.first.is_none() {
             // Many elements change at once: an even answer cut to what is left would cost every sixth product more.
             preconditioner.restart();
-            self.begin(state, set)
-        };
-        self.steps += 1;
-        let moved = self
-            .conjugate
-            .step_freely(problem, preconditioner, state, set, image);
-        let norm = self.norm(state, set);
-        if !moved || self.steps > MOST_STEPS {
-            return Turn::Failed;
+            self.conjugate.restart();
+            set.look_away();
+            self.steps = 0;
         }
-        if norm > target {
-            return Turn::Inner;
-        }
-        set.exchange(state);
-        if set.stands_still() {
-            (self.target, self.steps) = (Some(self.forcing * norm), 0);
-            return Turn::Inner;
-        }
-        preconditioner.outdate();
-        self.target = None;
-        if state.pressure.iter().any(|p| *p < 0.0) {
-            state.clip(problem);
-        }
-        Turn::Exchanged
-    }
-
-    /// Starts the linear system of a new set.
-    fn begin(&mut self, state: &State, set: &WorkingSet) -> f64 {
-        self.conjugate.restart();
-        self.least = self.least.min(self.norm(state, set));
-        let target = self.forcing * self.least;
-        (self.target, self.steps) = (Some(target), 0);
-        target
-    }
-
-    /// The norm of `D − v` over the set; where the total is kept, of its deviation from the mean.
-    fn norm(&mut self, state: &State, set: &WorkingSet) -> f64 {
-        residual_into(state, set, &mut self.residual);
-        let square = dot(&self.residual, &self.residual);
-        let mean = if state.keeps_total() {
-            sum(&self.residual) / set.len() as f64
+        let missing = self.conjugate.aim(problem, preconditioner, state, set);
+        let first = *self.first.get_or_insert(missing);
+        let ahead = set.look_ahead(state, self.conjugate.missing(), SLACK * tolerance);
+        let are_many = ahead.wrong as f64 > (FEW * set.len() as f64).max(2.0);
+        let most_news = if are_many {
+            UNSETTLED * ahead.wrong as f64
         } else {
             0.0
         };
-        (square - mean * mean * set.len() as f64).max(0.0).sqrt()
+        let is_settled = missing <= self.strictness * SETTLED * first;
+        let is_clear = ahead.news as f64 <= self.strictness * most_news;
+        if ahead.wrong > 0
+            && (if are_many {
+                is_clear || is_settled
+            } else {
+                is_settled
+            })
+        {
+            return self.exchange(problem, preconditioner, state, set);
+        }
+        self.steps += 1;
+        let moved = self.conjugate.step_freely(problem, state, image);
+        if moved && self.steps <= MOST_STEPS {
+            Turn::Inner
+        } else {
+            Turn::Failed
+        }
+    }
+
+    fn exchange(
+        &mut self,
+        problem: &mut DiscreteProblem,
+        preconditioner: &mut Preconditioner,
+        state: &mut State,
+        set: &mut WorkingSet,
+    ) -> Turn {
+        set.exchange(state);
+        preconditioner.outdate();
+        self.first = None;
+        let mut members = state.pressure.iter().zip(set.mask());
+        if members.any(|(p, member)| *p < 0.0 || (*p > 0.0 && !member)) {
+            set.clear_outside(&mut state.pressure);
+            state.clip(problem);
+        }
+        Turn::Exchanged
     }
 }

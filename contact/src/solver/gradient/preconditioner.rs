@@ -27,6 +27,8 @@ const SMALLEST_SPECTRUM: usize = 8;
 /// An approximate inverse and its answer to an even residual.
 pub struct Preconditioner {
     inverse: Inverse,
+    /// What brings a residual in the units of the problem's scale to those of the inverse, whose answer is then in the former again.
+    unit: f64,
     /// What every load begins with, where this one has turned to another.
     usual: Option<Inverse>,
     even: Even,
@@ -34,7 +36,7 @@ pub struct Preconditioner {
 }
 
 enum Inverse {
-    /// The identity on the working set, where nothing is known of the operator.
+    /// The identity on the working set in the units of the problem's scale, where nothing is known of the operator.
     Identity,
     Filter(Box<RestrictedFilter>),
     Factor(Box<SparseFactor>),
@@ -63,8 +65,13 @@ impl Preconditioner {
                 }
             }
         };
+        let unit = match inverse {
+            Inverse::Identity => 1.0,
+            _ => problem.scale().compliance,
+        };
         Self {
             inverse,
+            unit,
             usual: None,
             even: Even {
                 values: vec![0.0; problem.elements()],
@@ -153,9 +160,9 @@ impl Preconditioner {
         }
     }
 
-    /// `r ← M⁻¹_I r`, in place; the values of `r` outside the set do not matter.
+    /// `r ← M⁻¹_I r`, in place and in the units of the problem's scale; the values of `r` outside the set do not matter.
     pub fn apply(&mut self, set: &WorkingSet, residual: &mut [f64]) {
-        set.clear_outside(residual);
+        set.scale_within(residual, self.unit);
         match &mut self.inverse {
             Inverse::Identity => (),
             Inverse::Filter(filter) => filter.apply(set, residual),

@@ -11,10 +11,7 @@ use super::{
     segment::{Part, Segment},
     working_set::WorkingSet,
 };
-use crate::{
-    DiscreteProblem,
-    vector::{add_scaled, dot},
-};
+use crate::{DiscreteProblem, vector::dot};
 
 /// Bounds of the step `α`; 1 is the preconditioner's own idea. Steps seen in practice lie between 0.02 and 3.
 const STEP_BOUNDS: [f64; 2] = [0.02, 4.0];
@@ -87,8 +84,8 @@ impl SpectralSteps {
         self.energies.push(energy);
     }
 
-    /// `s = Π(p + α r) − p`, which starts downhill for every `α > 0`; `α` minimises the energy along the plain
-    /// residual `r` on the working set: one product.
+    /// `s = Π(p + α r) − p` on the working set, which starts downhill for every `α > 0`; `α` minimises the energy along the plain
+    /// residual `r`: one product.
     fn project_plain_gradient(
         &mut self,
         problem: &mut DiscreteProblem,
@@ -100,11 +97,14 @@ impl SpectralSteps {
         state.image_into(problem, &self.direction, image);
         let alpha = dot(&self.direction, &self.direction) / dot(&self.direction, image);
         let alpha = if alpha.is_finite() { alpha } else { 0.0 };
-        for ((s, v), p) in step.iter_mut().zip(&state.v).zip(&state.pressure) {
-            *s = p + alpha * (state.penetration - v);
+        let members = || set.mask().iter().enumerate().filter(|(_, member)| **member);
+        let ahead = members().map(|(e, _)| state.pressure[e] + alpha * self.direction[e]);
+        let mut ahead: Vec<f64> = ahead.collect();
+        project(state.control, &mut ahead);
+        step.fill(0.0);
+        for ((e, _), p) in members().zip(ahead) {
+            step[e] = p - state.pressure[e];
         }
-        project(state.control, step);
-        add_scaled(step, -1.0, &state.pressure);
     }
 
     /// `α = s·y / (y·M⁻¹_I y)` within its bounds, from `λ` and `M⁻¹_I 1`; 1 at first.

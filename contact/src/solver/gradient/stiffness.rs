@@ -20,7 +20,7 @@ const SMALLEST_GAIN: f64 = 1e-6;
 /// Steps after which the stiffness is held not to be found.
 const MOST_STEPS: usize = 300;
 
-/// `Σ q`, in Pa/m, to some 1e-7 of itself, on the set of the state's elements that press, which is not empty; and the products that it took. None
+/// `Σ q`, in the units of the problem's scale, to some 1e-7 of itself, on the set of the state's elements that press, which is not empty; and the products that it took. None
 /// if the system does not converge.
 pub fn pressure_sum_per_penetration(
     problem: &mut DiscreteProblem,
@@ -67,7 +67,7 @@ pub fn pressure_sum_per_penetration(
         update_with(direction, z, pressure, |d, z, p| {
             *d = z - along * p + beta * *d;
         });
-        problem.deform_into(direction, image);
+        problem.deform_to_scale(direction, image);
         set.clear_outside(image);
         // α = r·z / d·(K + η)d;  Σq grows by α r·d = α r·z
         alpha = product / dot(direction, image);

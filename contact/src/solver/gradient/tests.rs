@@ -39,7 +39,7 @@ pub fn begun(
 }
 
 fn start(problem: &mut DiscreteProblem, load: Load) -> (State, WorkingSet) {
-    let control = Control::new(load, problem.element_area());
+    let control = Control::of(problem, load);
     begun(problem, control, &[0.0; ELEMENTS])
 }
 
@@ -61,6 +61,7 @@ fn newtons_method_alone_solves_a_plate_on_pillars() {
                 &mut state,
                 &mut set,
                 &mut image,
+                1e-9,
             );
             assert_ne!(turn, Turn::Failed);
             exchanges += usize::from(turn == Turn::Exchanged);
@@ -72,7 +73,7 @@ fn newtons_method_alone_solves_a_plate_on_pillars() {
 #[test]
 fn a_solver_that_gives_up_returns_the_best_admissible_pressure() {
     let mut problem = problem([1.0, 0.1], paraboloid, RIGID);
-    let control = Control::new(Load::Penetration(0.01), problem.element_area());
+    let control = Control::of(&problem, Load::Penetration(0.01));
     let mut state = |pressure: f64| begun(&mut problem, control, &[pressure; ELEMENTS]).0;
     let mut offered = |residuals: &[f64], last: State, residual: f64| {
         let mut best = Best::new();
@@ -101,7 +102,7 @@ fn a_solver_that_gives_up_returns_the_best_admissible_pressure() {
 
 /// A set of a hundred elements in islands.
 fn islands(problem: &mut DiscreteProblem) -> (State, WorkingSet) {
-    let control = Control::new(Load::Penetration(0.0), problem.element_area());
+    let control = Control::of(problem, Load::Penetration(0.0));
     let in_set = |e: usize| {
         let (i, j) = (e / SIZE, e % SIZE);
         (9..23).contains(&i) && (9..23).contains(&j) && (i / 5 + j / 7) % 2 == 0
@@ -122,7 +123,7 @@ fn distance_from_inverse(problem: &mut DiscreteProblem, times: usize) -> f64 {
     assert!(preconditioner.turn_to_factor(problem, times));
     let mut z = vec![0.0; ELEMENTS];
     preconditioner.direction_into(problem, &state, &set, &mut z);
-    problem.deform_into(&state.pressure, &mut z);
+    problem.deform_to_scale(&state.pressure, &mut z);
     preconditioner.apply(&set, &mut z);
     let errors = z.iter().zip(&state.pressure).map(|(z, p)| (z - p).abs());
     errors.fold(0.0, f64::max)
@@ -153,7 +154,7 @@ fn on_all_elements_the_filter_divides_a_wave_by_its_symbol() {
     // One that the filter does not round.
     let compliance = 1.1_f64.powi(-3) * symbol.value([SIZE / 2; 2]);
     let problem = problem([0.5, 0.1], paraboloid, |_, _| compliance);
-    let control = Control::new(Load::Penetration(1.0), problem.element_area());
+    let control = Control::of(&problem, Load::Penetration(1.0));
     let mut problem = problem;
     let (state, set) = begun(&mut problem, control, &[1.0; ELEMENTS]);
     assert_eq!(set.len(), ELEMENTS);
@@ -167,7 +168,7 @@ fn on_all_elements_the_filter_divides_a_wave_by_its_symbol() {
         };
         let mut field: Vec<f64> = (0..ELEMENTS).map(wave).collect();
         preconditioner.apply(&set, &mut field);
-        let wanted = 1.0 / (symbol.value([a, b]) + compliance);
+        let wanted = problem.scale().compliance / (symbol.value([a, b]) + compliance);
         for (e, found) in field.iter().enumerate() {
             // single precision, and single sums of 1024 elements
             assert!(
@@ -217,7 +218,7 @@ fn a_step_that_would_climb_is_cut_at_the_lowest_point_on_the_way() {
     let (before, slope) = (state.energy(), segment.slope(&state));
     assert!(slope < 0.0);
     let mut image = [0.0; ELEMENTS];
-    problem.deform_into(&segment.step, &mut image);
+    problem.deform_to_scale(&segment.step, &mut image);
     // E − s·∂E²/(2 s·y)
     let wanted = before - slope * slope / (2.0 * dot(&segment.step, &image));
     assert_eq!(segment.take(&mut problem, &mut state, before), Part::Cut);
@@ -228,7 +229,7 @@ fn a_step_that_would_climb_is_cut_at_the_lowest_point_on_the_way() {
 fn under_a_penetration_a_pressure_is_scaled_to_the_least_energy() {
     let depth = 0.02;
     let mut problem = plate();
-    let control = Control::Penetration(depth);
+    let control = Control::of(&problem, Load::Penetration(depth));
     let gaps = problem.initial_gap().iter().enumerate();
     let within = |g0: f64| if g0 < depth / 2.0 { 1e-4 } else { 0.0 };
     let one: Vec<f64> = gaps
@@ -238,11 +239,12 @@ fn under_a_penetration_a_pressure_is_scaled_to_the_least_energy() {
     assert!(state.keeps_total());
     // D = Σ p v / Σ p, and v is the deformation of the pressure itself.
     let mean = dot(&state.pressure, &state.v) / sum(&state.pressure);
-    assert!((mean / depth - 1.0).abs() < 1e-13);
+    let length = problem.scale().length;
+    assert!((mean * length / depth - 1.0).abs() < 1e-13);
     let (least, scaled) = (state.energy(), state.pressure.clone());
     for factor in [0.99, 1.01] {
         state.pressure = scaled.iter().map(|p| factor * p).collect();
-        problem.deform_into(&state.pressure, &mut state.v);
+        problem.deform_to_scale(&state.pressure, &mut state.v);
         add_scaled(&mut state.v, 1.0, &state.initial_gap);
         assert!(state.energy() > least);
     }
@@ -269,14 +271,21 @@ fn under_a_penetration_a_pressure_is_scaled_to_the_least_energy() {
         }
     }
     // Above the surface no scale will do.
-    let (state, _) = begun(&mut problem, Control::Penetration(-depth), &one);
-    assert!(!state.keeps_total() && state.pressure == one);
+    let control = Control::of(&problem, Load::Penetration(-depth));
+    let (state, _) = begun(&mut problem, control, &one);
+    let unit = problem.scale().pressure();
+    let as_given = state
+        .pressure
+        .iter()
+        .zip(&one)
+        .all(|(p, one)| p * unit == *one);
+    assert!(!state.keeps_total() && as_given);
 }
 
 #[test]
 fn a_set_touches_the_border_with_any_element_of_it() {
     let mut problem = problem([1.0, 0.1], paraboloid, RIGID);
-    let control = Control::new(Load::Penetration(-1.0), problem.element_area());
+    let control = Control::of(&problem, Load::Penetration(-1.0));
     let last = SIZE - 1;
     // Of the whole grid, and of a quadrant.
     for (i, j, touches) in [

@@ -11,10 +11,30 @@ const PART: usize = 1 << 12;
 /// A mask over the grid of the elements whose pressures are free.
 pub struct WorkingSet {
     mask: Vec<bool>,
+    /// The elements on the wrong side by the last [look ahead](Self::look_ahead).
+    wrong: Vec<bool>,
     len: usize,
     changed: usize,
     /// Elements that entered or left since that was last asked for.
     moves: usize,
+}
+
+/// What a look ahead has found.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Ahead {
+    /// Elements on the wrong side.
+    pub wrong: usize,
+    /// Those of them that were not before, and those that no longer are.
+    pub news: usize,
+}
+
+impl Ahead {
+    fn and(self, other: Self) -> Self {
+        Self {
+            wrong: self.wrong + other.wrong,
+            news: self.news + other.news,
+        }
+    }
 }
 
 impl WorkingSet {
@@ -22,6 +42,7 @@ impl WorkingSet {
     pub fn new(elements: usize) -> Self {
         Self {
             mask: vec![false; elements],
+            wrong: vec![false; elements],
             len: 0,
             changed: 0,
             moves: 0,
@@ -38,41 +59,82 @@ impl WorkingSet {
     /// `I = {p > 0} ∪ {g < 0}`, for pressures that are nowhere negative.
     pub fn update(&mut self, state: &State) {
         let penetration = state.penetration;
-        self.revise_by(state, |_, p, v| p > 0.0 || v < penetration);
+        self.revise_by(state, |_, _, p, v| p > 0.0 || v < penetration);
     }
 
-    /// `I ← {p > 0 in I} ∪ {g < 0 outside I}`, from the solution on `I`, which may pull: the semismooth Newton step of the set.
+    /// `I ← {p > 0 in I and not on the wrong side} ∪ {what is on the wrong side outside I}`, from the solution on `I`, which may pull: the semismooth Newton step of
+    /// the set.
     pub fn exchange(&mut self, state: &State) {
-        let penetration = state.penetration;
-        self.revise_by(
-            state,
-            |member, p, v| {
-                if member { p > 0.0 } else { v < penetration }
-            },
-        );
+        let wrong = std::mem::take(&mut self.wrong);
+        self.revise_by(state, |element, member, p, _| {
+            if member {
+                p > 0.0 && !wrong[element]
+            } else {
+                wrong[element]
+            }
+        });
+        self.wrong = wrong;
+    }
+
+    /// Finds the elements that will be on the wrong side once the pressure has what is `missing` from it: those that will pull, and those outside that overlap by
+    /// more than a part `slack` of the penetration. Returns how many they are, and how many were or were not by the look before.
+    pub fn look_ahead(&mut self, state: &State, missing: &[f64], slack: f64) -> Ahead {
+        let lowest = state.penetration - slack * state.penetration.abs();
+        let fields = (state.pressure.par_chunks(PART)).zip(missing.par_chunks(PART));
+        let fields = fields.zip(state.v.par_chunks(PART));
+        let fields = fields.zip(self.mask.par_chunks(PART));
+        let fields = fields.zip(state.can_touch().par_chunks(PART));
+        let parts = self.wrong.par_chunks_mut(PART).zip(fields);
+        let counts = parts.map(|(wrong, ((((pressure, missing), v), mask), can_touch))| {
+            let mut ahead = Ahead::default();
+            for (i, wrong) in wrong.iter_mut().enumerate() {
+                let is_wrong = if mask[i] {
+                    pressure[i] + missing[i] < 0.0
+                } else {
+                    can_touch[i] && v[i] < lowest
+                };
+                ahead.wrong += usize::from(is_wrong);
+                ahead.news += usize::from(is_wrong != *wrong);
+                *wrong = is_wrong;
+            }
+            ahead
+        });
+        let counts: Vec<Ahead> = counts.collect();
+        counts.into_iter().fold(Ahead::default(), Ahead::and)
+    }
+
+    /// Forgets the last look ahead.
+    pub fn look_away(&mut self) {
+        self.wrong.fill(false);
     }
 
     /// `I ← {p > 0}`.
     pub fn keep_pressing(&mut self, state: &State) {
-        self.revise_by(state, |_, p, _| p > 0.0);
+        self.revise_by(state, |_, _, p, _| p > 0.0);
     }
 
-    fn revise_by(&mut self, state: &State, belongs: impl Fn(bool, f64, f64) -> bool + Sync) {
+    fn revise_by(&mut self, state: &State, belongs: impl Fn(usize, bool, f64, f64) -> bool + Sync) {
         let fields = state
             .pressure
             .par_chunks(PART)
             .zip(state.v.par_chunks(PART));
+        let fields = fields.zip(state.can_touch().par_chunks(PART));
         let parts = self.mask.par_chunks_mut(PART).zip(fields);
-        let counts = parts.map(|(mask, (pressure, v))| {
-            let (mut len, mut changed) = (0, 0);
-            for ((member, p), v) in mask.iter_mut().zip(pressure).zip(v) {
-                let belongs = belongs(*member, *p, *v);
-                changed += usize::from(belongs != *member);
-                len += usize::from(belongs);
-                *member = belongs;
-            }
-            (len, changed)
-        });
+        let counts = parts
+            .enumerate()
+            .map(|(part, (mask, ((pressure, v), can_touch)))| {
+                let (mut len, mut changed) = (0, 0);
+                let values = pressure.iter().zip(v).zip(can_touch);
+                for (element, (member, ((p, v), can_touch))) in
+                    (part * PART..).zip(mask.iter_mut().zip(values))
+                {
+                    let belongs = *can_touch && belongs(element, *member, *p, *v);
+                    changed += usize::from(belongs != *member);
+                    len += usize::from(belongs);
+                    *member = belongs;
+                }
+                (len, changed)
+            });
         let counts: Vec<(usize, usize)> = counts.collect();
         self.len = counts.iter().map(|(len, _)| len).sum();
         self.changed = counts.iter().map(|(_, changed)| changed).sum();
@@ -104,6 +166,13 @@ impl WorkingSet {
             if !member {
                 *value = 0.0;
             }
+        });
+    }
+
+    /// The same, and multiplies it by `factor` on the set.
+    pub fn scale_within(&self, field: &mut [f64], factor: f64) {
+        update(field, &self.mask, |value, member| {
+            *value = if *member { factor * *value } else { 0.0 };
         });
     }
 

@@ -1,0 +1,60 @@
+//! The units that the gradient method computes in, which the problem itself sets, so that no number of it depends on the user's.
+
+/// Units of length, compliance and pressure. All are powers of two: a number in them differs from that in SI by its exponent alone.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Scale {
+    /// In m.
+    pub length: f64,
+    /// In m/Pa.
+    pub compliance: f64,
+}
+
+impl Scale {
+    /// From the side of an element (m) and its coefficient to itself (m/Pa).
+    pub fn new(side: f64, own_coefficient: f64) -> Self {
+        Self {
+            length: power_of_two(side),
+            compliance: power_of_two(own_coefficient),
+        }
+    }
+
+    /// What gives one unit of length to one of compliance, in Pa.
+    pub fn pressure(self) -> f64 {
+        self.length / self.compliance
+    }
+}
+
+/// The bits of a number behind its leading one.
+const DIGITS: u64 = (1 << (f64::MANTISSA_DIGITS - 1)) - 1;
+
+/// The largest power of two that is no larger; 1 for what has no size, as the coefficient of a body that does not move.
+fn power_of_two(value: f64) -> f64 {
+    if value > 0.0 && value.is_normal() {
+        f64::from_bits(value.to_bits() & !DIGITS)
+    } else {
+        1.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{DIGITS, Scale};
+
+    #[test]
+    fn units_are_powers_of_two_of_the_problems_own_size() {
+        for (side, own) in [(1e-9, 3e-20), (1.0, 1.0), (7e3, 2.5e-4), (3e-200, 1e190)] {
+            let scale = Scale::new(side, own);
+            for (unit, of) in [(scale.length, side), (scale.compliance, own)] {
+                assert!(unit <= of && of < 2.0 * unit, "{unit:e} of {of:e}");
+                assert_eq!(unit.to_bits() & DIGITS, 0);
+            }
+        }
+    }
+
+    #[test]
+    fn what_has_no_size_leaves_numbers_as_they_are() {
+        for own in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            assert_eq!(Scale::new(1.0, own).pressure(), 1.0);
+        }
+    }
+}

@@ -1,0 +1,166 @@
+//! Random cases in SI units, from nanometres to metres and from kPa to TPa: each is certified or refused with a reason, none is NaN, and none knows its units.
+//!
+//! 24 by default; `PELLICLE_RANDOM_CASES=3000 cargo test --release -p pellicle-contact --test random_cases -- --nocapture` for more, larger ones and a table.
+
+#![expect(
+    clippy::unwrap_used,
+    reason = "a scene that cannot be built fails its test"
+)]
+
+mod case;
+mod random;
+
+use pellicle_contact::{ContactError, Domain, FlatPunch, Load, SolverOptions};
+use pellicle_influence::InfluenceError;
+use pellicle_kernel::{Foundation, Material};
+use pellicle_texture::{CylinderSpec, Cylinders, Lattice, Relief};
+use rayon::prelude::*;
+
+use self::case::{Case, Units};
+
+const SI: Units = Units {
+    length: 1.0,
+    modulus: 1.0,
+};
+/// Nanometres in place of metres.
+const OTHER: Units = Units {
+    length: 1e-9,
+    modulus: 1e12,
+};
+/// Cases of the short form, and the most elements per side in the short and the long one.
+const SHORT: u64 = 24;
+const MOST_ELEMENTS: [usize; 2] = [34, 160];
+
+/// How many cases, and on how many elements per side at most.
+fn extent() -> (u64, usize) {
+    let [short, long] = MOST_ELEMENTS;
+    std::env::var("PELLICLE_RANDOM_CASES")
+        .map_or((SHORT, short), |count| (count.parse().unwrap(), long))
+}
+
+/// So fine that what is left of a solution does not show in what other units change.
+const FINE: f64 = 1e-12;
+/// Most products on the finest grid in the short form.
+const MOST_PRODUCTS: usize = 400;
+
+/// A skin of 0.3 mm, a thousand times as stiff as the gel below, with pillars under a flat punch of 60 mN.
+fn gel_under_a_punch(units: Units) -> Case {
+    let Units { length, modulus } = units;
+    let [skin, gel] = [20e6, 20e3].map(|e| Material::new(modulus * e, 0.49).unwrap());
+    let pillars = CylinderSpec {
+        lattice: Lattice::Hexagonal,
+        radius: 1.4e-3 * length,
+        height: 3e-6 * length,
+        period: 2.8e-3 * length,
+        offset: [1.91e-3 * length, 2.27e-3 * length],
+        young_modulus: 3e9 * modulus,
+    };
+    Case {
+        foundation: Foundation::coated(0.3e-3 * length, skin, gel).unwrap(),
+        relief: Relief::Cylinders(Cylinders::new(pillars).unwrap()),
+        indenter: FlatPunch::new(6.3e-3 * length).unwrap().into(),
+        domain: Domain::Side(20e-3 * length),
+        elements: 48,
+        load: Load::Force(60e-3 * modulus * length * length),
+    }
+}
+
+#[test]
+fn a_stiff_skin_under_a_punch_is_solved_in_every_system_of_units() {
+    let softer = Units {
+        modulus: 1e-5,
+        ..SI
+    };
+    let options = SolverOptions {
+        tolerance: FINE,
+        ..SolverOptions::default()
+    };
+    let numbers = [SI, softer, OTHER].map(|units| {
+        let case = gel_under_a_punch(units);
+        match outcome(&case, units, &options) {
+            Outcome::Certified(numbers, _) => numbers,
+            Outcome::Refused(reason) => panic!("{reason}"),
+            Outcome::Failed(how) => panic!("{how}"),
+        }
+    });
+    for other in &numbers[1..] {
+        assert_close(&numbers[0], other);
+    }
+}
+
+/// Asserts that numbers without units are the same in other units.
+#[track_caller]
+fn assert_close(one: &[f64; 4], other: &[f64; 4]) {
+    for (one, other) in one.iter().zip(other) {
+        assert!(
+            (one - other).abs() <= 1e-10 * one.abs(),
+            "{one:e} {other:e}"
+        );
+    }
+}
+
+/// What became of a case.
+enum Outcome {
+    /// Its numbers without units, and products with `K` on the finest grid.
+    Certified([f64; 4], usize),
+    /// Why.
+    Refused(&'static str),
+    Failed(String),
+}
+
+fn outcome(case: &Case, units: Units, options: &SolverOptions) -> Outcome {
+    match case.solve(options) {
+        Ok(path) => {
+            let step = &path.steps[0];
+            let force = units.modulus * units.length * units.length;
+            let numbers = [
+                step.solution.penetration / units.length,
+                step.solution.force / force,
+                step.summary.contact_area / units.length.powi(2),
+                step.summary.max_pressure / units.modulus,
+            ];
+            let certificate = step.solution.certificate;
+            if certificate.is_satisfied() && numbers.iter().all(|number| number.is_finite()) {
+                Outcome::Certified(numbers, step.work.operator_applications)
+            } else {
+                Outcome::Failed(format!("{numbers:?} {certificate:?}"))
+            }
+        }
+        Err(ContactError::Influence(InfluenceError::TableAccuracy { .. })) => {
+            Outcome::Refused("radial tables")
+        }
+        Err(ContactError::DomainTooSmall { .. }) => Outcome::Refused("automatic domain"),
+        Err(reason) => Outcome::Failed(reason.to_string()),
+    }
+}
+
+#[test]
+fn every_random_case_is_certified_or_refused_with_a_reason() {
+    let (count, most) = extent();
+    let options = SolverOptions::default();
+    let outcomes: Vec<(u64, Outcome)> = (0..count)
+        .into_par_iter()
+        .map(|seed| (seed, outcome(&Case::draw(seed, most, SI), SI, &options)))
+        .collect();
+    let (mut products, mut failures) = (Vec::new(), 0);
+    let mut refusals = std::collections::BTreeMap::new();
+    for (seed, outcome) in outcomes {
+        match outcome {
+            Outcome::Certified(_, count) => products.push(count),
+            Outcome::Refused(reason) => *refusals.entry(reason).or_insert(0) += 1,
+            Outcome::Failed(how) => {
+                failures += 1;
+                eprintln!("{seed}: {how}, {:?}", Case::draw(seed, most, SI));
+            }
+        }
+    }
+    products.sort_unstable();
+    let [median, largest] = [products.len() / 2, products.len() - 1].map(|place| products[place]);
+    eprintln!(
+        "{} certified, refused {refusals:?}, {failures} failed; products: {median} in the median, {largest} at most",
+        products.len()
+    );
+    assert_eq!(failures, 0);
+    assert!(products.len() as u64 > count / 2);
+    assert!(largest < MOST_PRODUCTS, "{largest}");
+}
