@@ -16,6 +16,8 @@ pub enum PeakPlace {
     Inside,
     /// The outline of the relief.
     Outline,
+    /// A ridge between the samples of a relief's map.
+    Ridge,
     /// A rim, a tip or a ridge of the indenter.
     IndenterEdge,
 }
@@ -50,16 +52,14 @@ impl Peak {
 
 /// Whether a point is at something sharp, by geometry alone.
 fn place_of(field: &ContactField<'_>, point: [f64; 2]) -> PeakPlace {
-    let side = field.grid.element_side();
-    let near = ELEMENTS_FROM_EDGE * side;
-    let model = field.model;
-    if model
-        .relief
-        .distance_to_outline(point)
-        .is_some_and(|distance| distance.abs() < near)
-    {
+    let (model, side) = (field.model, field.grid.element_side());
+    let is_near = |distance: f64| distance.abs() < ELEMENTS_FROM_EDGE * side;
+    let relief = &model.relief;
+    if relief.distance_to_outline(point).is_some_and(is_near) {
         PeakPlace::Outline
-    } else if model.indenter.distance_to_edge(point[0], point[1], side) < near {
+    } else if is_near(relief.distance_to_ridge(point)) {
+        PeakPlace::Ridge
+    } else if is_near(model.indenter.distance_to_edge(point[0], point[1], side)) {
         PeakPlace::IndenterEdge
     } else {
         PeakPlace::Inside

@@ -167,6 +167,9 @@ impl fmt::Display for Warning {
                     PeakPlace::Outline => {
                         "sits at the outline of the relief and grows with the grid"
                     }
+                    PeakPlace::Ridge => {
+                        "sits at a ridge between the samples of the map and grows with the grid"
+                    }
                     PeakPlace::IndenterEdge => {
                         "sits at an edge of the indenter and grows with the grid"
                     }

@@ -160,6 +160,20 @@ impl HeightMap {
         }
     }
 
+    /// Distance from the point to the nearest line of samples along which the surface has a ridge, m: infinite where the interpolation is smooth.
+    #[must_use]
+    pub fn distance_to_ridge(&self, point: [f64; 2]) -> f64 {
+        if self.interpolation == Interpolation::Bicubic {
+            return f64::INFINITY;
+        }
+        let along = |axis: usize| {
+            let pixel = self.extent[axis] / self.shape[axis] as f64;
+            let (_, _, part) = self.bracket(axis, point[axis]);
+            pixel * part.min(1.0 - part)
+        };
+        along(0).min(along(1))
+    }
+
     /// Height at a point (m) by the map's interpolation; beyond the outermost samples, the height of the nearest point among them.
     #[must_use]
     pub fn height(&self, point: [f64; 2]) -> f64 {
@@ -251,6 +265,19 @@ impl HeightMap {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_linear_map_has_ridges_along_its_samples_and_a_bicubic_one_has_none() {
+        let map = HeightMap::new(vec![0.0; 20], [4, 5], [2.0, 5.0]).unwrap();
+        assert_eq!(map.distance_to_ridge([0.1, 0.2]), f64::INFINITY);
+        // Samples at x = ±0.25, ±0.75 and y = 0, ±1, ±2.
+        let linear = map.with_interpolation(Interpolation::Linear);
+        for (point, wanted) in [([0.25, 0.4], 0.0), ([0.05, 0.4], 0.2), ([0.0, 0.1], 0.1)] {
+            let found = linear.distance_to_ridge(point);
+            // a few roundings of numbers up to 5
+            assert!((found - wanted).abs() < 1e-15, "{point:?}: {found}");
+        }
+    }
 
     #[test]
     fn a_bilinear_surface_is_reproduced_between_the_samples() {

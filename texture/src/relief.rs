@@ -113,6 +113,15 @@ impl Relief {
         }
     }
 
+    /// Distance from the point to the nearest ridge of the relief, m; infinite where it has none. See [`HeightMap::distance_to_ridge`](crate::HeightMap::distance_to_ridge).
+    #[must_use]
+    pub fn distance_to_ridge(&self, point: [f64; 2]) -> f64 {
+        match self {
+            Self::Map(map) => map.map().distance_to_ridge(point),
+            Self::Bare | Self::Film(_) | Self::Cylinders(_) => f64::INFINITY,
+        }
+    }
+
     /// Whether the relief is its own mirror image in both axes; false of every map.
     ///
     /// Then its samples are so to the last bit, on every grid.

@@ -34,11 +34,16 @@ impl IndenterMap {
     pub fn map(&self) -> &HeightMap {
         &self.map
     }
+
+    /// The point of the map above a point of the plane, m.
+    fn on_map(&self, x: f64, y: f64) -> [f64; 2] {
+        [x + self.lowest_point[0], y + self.lowest_point[1]]
+    }
 }
 
 impl Profile for IndenterMap {
     fn height(&self, x: f64, y: f64) -> f64 {
-        let point = [x + self.lowest_point[0], y + self.lowest_point[1]];
+        let point = self.on_map(x, y);
         if self.map.covers(point) {
             self.map.height(point) - self.lowest
         } else {
@@ -47,7 +52,13 @@ impl Profile for IndenterMap {
     }
 
     fn distance_to_rim(&self, x: f64, y: f64) -> f64 {
-        (self.map).distance_to_border([x + self.lowest_point[0], y + self.lowest_point[1]])
+        self.map.distance_to_border(self.on_map(x, y))
+    }
+
+    fn distance_to_edge(&self, x: f64, y: f64, _scale: f64) -> f64 {
+        let point = self.on_map(x, y);
+        let rim = self.map.distance_to_border(point).abs();
+        rim.min(self.map.distance_to_ridge(point))
     }
 }
 

@@ -1,6 +1,6 @@
 //! The contacts that the error bars are tried on.
 
-use std::f64::consts::{FRAC_PI_4, PI};
+use std::f64::consts::{FRAC_PI_4, PI, TAU};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -11,7 +11,7 @@ use pellicle_cli::validation::data::contact::{AxisymmetricContact, Shape, axisym
 use pellicle_contact::{Cone, FlatPunch, Indenter, Load, Pyramid, Sphere, default_side, reference};
 use pellicle_influence::Cache;
 use pellicle_kernel::Foundation;
-use pellicle_texture::{Film, Relief};
+use pellicle_texture::{Film, HeightMap, MapCompliance, Relief, ReliefMap};
 
 use super::{Benchmark, Quantity};
 use crate::paper::figure_2;
@@ -210,6 +210,14 @@ fn reliefs() -> Vec<Benchmark> {
             Load::Force(0.003),
         ),
         benchmark(
+            "rough body",
+            &body,
+            rough(),
+            ball(),
+            0.8,
+            Load::Force(0.005),
+        ),
+        benchmark(
             "soft pillars",
             &body,
             cylinders(0.03, 0.01, 0.1, 0.5),
@@ -218,6 +226,35 @@ fn reliefs() -> Vec<Benchmark> {
             Load::Force(0.005),
         ),
     ]
+}
+
+/// A rough half-space: waves of all directions, with three to ten of them along the map of side 1.2, an rms height of 0.001 and 13 samples or more a wave.
+fn rough() -> Relief {
+    const SAMPLES: usize = 128;
+    const SIDE: f64 = 1.2;
+    let waves: Vec<[f64; 3]> = (-10_i32..=10)
+        .flat_map(|m| (0..=10).map(move |n| [m, n]))
+        .filter(|[m, n]| (9..=100).contains(&(m * m + n * n)))
+        // Phases that look like chance: the golden angle after each wave.
+        .zip(0_u32..)
+        .map(|([m, n], k)| {
+            [
+                f64::from(m),
+                f64::from(n),
+                2.399_963_229_728_653 * f64::from(k * k),
+            ]
+        })
+        .collect();
+    let amplitude = 1e-3 * (2.0 / waves.len() as f64).sqrt();
+    let at = |i: usize| (i as f64 + 0.5) / SAMPLES as f64;
+    let height = |k: usize| -> f64 {
+        let (x, y) = (at(k / SAMPLES), at(k % SAMPLES));
+        let wave = |[m, n, phase]: &[f64; 3]| (TAU * (m * x + n * y) + phase).cos();
+        amplitude * waves.iter().map(wave).sum::<f64>()
+    };
+    let heights = (0..SAMPLES * SAMPLES).map(height).collect();
+    let map = HeightMap::new(heights, [SAMPLES; 2], [SIDE; 2]).expect("a map");
+    Relief::Map(ReliefMap::new(map, MapCompliance::Uniform(0.0)).expect("a relief"))
 }
 
 /// The last load of every case of `pellicle init`.
