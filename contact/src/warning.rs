@@ -31,6 +31,13 @@ pub enum Warning {
         /// Thickness over the side of an element.
         elements_per_thickness: f64,
     },
+    /// The influence coefficients are less accurate than wanted; all numbers are uncertain by about as much.
+    CoefficientAccuracy {
+        /// Estimated error, relative to the largest coefficient.
+        found: f64,
+        /// Error wanted.
+        wanted: f64,
+    },
     /// The largest pressure still grows with the grid, as at an edge.
     PeakNotResolved {
         /// Loading step, counted from 0.
@@ -65,6 +72,7 @@ impl Warning {
             Self::FilmShortening { .. } => "film-shortening",
             Self::TextureUnderResolved { .. } => "texture-under-resolved",
             Self::LayerUnderResolved { .. } => "layer-under-resolved",
+            Self::CoefficientAccuracy { .. } => "coefficient-accuracy",
             Self::PeakNotResolved { .. } => "peak-not-resolved",
             Self::SteepIndenter { .. } => "steep-indenter",
             Self::NotConverged { .. } => "not-converged",
@@ -95,6 +103,10 @@ impl fmt::Display for Warning {
             } => write!(
                 f,
                 "layer {layer} is {elements_per_thickness:.3} elements thick: the grid sees little of it"
+            ),
+            Self::CoefficientAccuracy { found, wanted } => write!(
+                f,
+                "the influence coefficients of these layers are right to {found:.1e}, wanted {wanted:.0e}: all numbers are uncertain by about as much"
             ),
             Self::PeakNotResolved { step, change } => write!(
                 f,
