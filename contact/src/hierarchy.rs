@@ -133,7 +133,7 @@ impl<'a> Hierarchy<'a> {
         let result = self.solve_next(&mut ascent, watch)?;
         let on_coefficients = self.coefficients_seconds - spent_before;
         let seconds = clock.elapsed().as_secs_f64() - on_coefficients;
-        Ok(ascent.into_step(result, seconds))
+        Ok(ascent.into_step(result, seconds, self.model.tables.error_estimate()))
     }
 
     /// Goes on with a load until the grids below `end` are solved.
@@ -276,9 +276,9 @@ impl Ascent {
         }
     }
 
-    /// The step that has been solved in so many seconds, with this result on the finest grid.
-    fn into_step(self, result: LevelResult, seconds: f64) -> Step {
-        let accuracy = result.solution.certificate.worst();
+    /// The step that has been solved in so many seconds, with this result on the finest grid and coefficients of this relative error.
+    fn into_step(self, result: LevelResult, seconds: f64, coefficient_error: f64) -> Step {
+        let accuracy = result.solution.certificate.worst() + coefficient_error;
         Step {
             work: Work {
                 iterations: result.work.iterations,

@@ -1,5 +1,6 @@
 //! Doubts about a result: what the grid and the model cannot be trusted with.
 
+use pellicle_influence::RadialTables;
 use pellicle_texture::{Grid, Relief};
 
 use crate::{
@@ -26,7 +27,8 @@ const SIDE_PER_RADIUS: f64 = 3.0;
 /// A contact is near the edge with fewer whole elements than this between.
 pub(crate) const EDGE_MARGIN: usize = 3;
 
-/// Doubts about a model on a grid that hold for every load: a texture or a layer that the elements do not resolve.
+/// Doubts about a model on a grid that hold for every load: a texture or a layer that the elements do not resolve, influence coefficients that are
+/// less accurate than wanted.
 #[must_use]
 pub fn model_warnings(model: &Model, grid: &Grid) -> Vec<Warning> {
     let mut warnings = Vec::new();
@@ -46,6 +48,10 @@ pub fn model_warnings(model: &Model, grid: &Grid) -> Vec<Warning> {
                 elements_per_thickness,
             });
         }
+    }
+    let (found, wanted) = (model.tables.error_estimate(), RadialTables::GOAL);
+    if found > wanted {
+        warnings.push(Warning::CoefficientAccuracy { found, wanted });
     }
     warnings
 }

@@ -54,6 +54,13 @@ pub enum Warning {
         /// Thickness over the side of an element.
         elements_per_thickness: f64,
     },
+    /// The influence coefficients are less accurate than wanted; all numbers are uncertain by about as much.
+    CoefficientAccuracy {
+        /// Estimated error, relative to the largest coefficient.
+        found: f64,
+        /// Error wanted.
+        wanted: f64,
+    },
     /// The largest pressure is not the continuum's: it sits at an edge, where it grows with the grid, or it still changes.
     PeakNotResolved {
         /// Loading step, counted from 0.
@@ -92,6 +99,7 @@ impl Warning {
             Self::FilmShortening { .. } => "film-shortening",
             Self::TextureUnderResolved { .. } => "texture-under-resolved",
             Self::LayerUnderResolved { .. } => "layer-under-resolved",
+            Self::CoefficientAccuracy { .. } => "coefficient-accuracy",
             Self::PeakNotResolved { .. } => "peak-not-resolved",
             Self::SteepIndenter { .. } => "steep-indenter",
             Self::NotConverged { .. } => "not-converged",
@@ -155,6 +163,10 @@ impl fmt::Display for Warning {
                 f,
                 "layer {layer} is {} elements thick: the grid sees little of it",
                 decimals(elements_per_thickness, 3)
+            ),
+            Self::CoefficientAccuracy { found, wanted } => write!(
+                f,
+                "the influence coefficients of these layers are right to {found:.1e}, wanted {wanted:.0e}: all numbers are uncertain by about as much"
             ),
             Self::PeakNotResolved {
                 step,

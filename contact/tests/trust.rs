@@ -161,6 +161,28 @@ fn a_grid_is_doubted_by_elements_per_radius_and_per_thickness() {
     assert_close(elements_per_thickness, 0.019);
 }
 
+#[test]
+fn coefficients_that_miss_their_goal_are_doubted_with_what_they_reach() {
+    let grid = Grid::new(1.0, 100).unwrap();
+    let right = model(&[0.1], Relief::Bare);
+    for (wrong_by, doubted) in [(1e-13, false), (3e-11, true)] {
+        let tables = Arc::new(right.tables.perturbed(wrong_by));
+        let warnings = model_warnings(
+            &Model {
+                tables,
+                ..right.clone()
+            },
+            &grid,
+        );
+        let found = warnings.iter().map(Warning::code).collect::<Vec<_>>();
+        assert_eq!(found, vec!["coefficient-accuracy"; usize::from(doubted)]);
+        if let [Warning::CoefficientAccuracy { found, wanted }] = warnings[..] {
+            // The rest is the tables' own.
+            assert!((found / wrong_by - 1.0).abs() < 1e-2 && wanted == RadialTables::GOAL);
+        }
+    }
+}
+
 /// The numbers of the warnings of one kind, with their steps.
 fn numbers(path: &LoadingPath, code: &str) -> Vec<(usize, f64)> {
     let of_kind = path.warnings.iter().filter(|w| w.code() == code);
@@ -174,7 +196,8 @@ fn numbers(path: &LoadingPath, code: &str) -> Vec<(usize, f64)> {
             Warning::NotConverged { step, worst, .. } => (step, worst),
             Warning::TextureUnderResolved { .. }
             | Warning::LayerUnderResolved { .. }
-            | Warning::DomainMuchLarger { .. } => {
+            | Warning::DomainMuchLarger { .. }
+            | Warning::CoefficientAccuracy { .. } => {
                 unreachable!("of no step")
             }
         })

@@ -72,9 +72,19 @@ pub enum InfluenceError {
         /// The largest number taken.
         largest: f64,
     },
-    /// The radial tables of this foundation cannot be made accurate enough.
+    /// The layers together are too thick for the top one.
     #[error(
-        "the radial tables reach a relative accuracy of {found:e} at a radius of {radius:e} m, wanted {wanted:e}"
+        "the layers together are {found:e} times as thick as the top one, radial tables take at most {largest:e}"
+    )]
+    LayerThicknesses {
+        /// Thickness of all layers over that of the top one.
+        found: f64,
+        /// The largest ratio taken.
+        largest: f64,
+    },
+    /// The radial tables of this foundation cannot be made accurate enough to be of use.
+    #[error(
+        "the influence coefficients reach a relative accuracy of {found:.1e} at a radius of {radius:.1e} m, useful ones {wanted:e}"
     )]
     TableAccuracy {
         /// The largest relative error allowed.

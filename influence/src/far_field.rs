@@ -27,11 +27,12 @@ pub(crate) struct FarField {
 }
 
 impl FarField {
-    /// Tabulates `function(t) = T(t)` for t in the whole panels between two ends; errors are relative to `scale(largest value in the panel, t)`.
+    /// Tabulates `function(t) = T(t)` for t in the whole panels between two ends; errors are relative to `scale(largest value in the panel, t)`,
+    /// which is asked in ascending order of t.
     pub(crate) fn new(
         [start, end]: [f64; 2],
         function: impl Fn(f64) -> f64,
-        scale: impl Fn(f64, f64) -> f64,
+        mut scale: impl FnMut(f64, f64) -> f64,
     ) -> Self {
         let first = number(start * start) + 1;
         let last = number(end * end);

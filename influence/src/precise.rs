@@ -34,10 +34,10 @@ impl Precise {
 
     /// `T` at `ln t`.
     pub(crate) fn integral(&self, ln_t: f64) -> f64 {
-        let rule = PreciseRule::shared();
         let t = Twofold::from(ln_t).exp();
+        let smooth_below = self.response.reach() / 2.0 * t.rounded();
         let mut sum = Twofold::ZERO;
-        for node in rule.nodes(self.response.reach() / 2.0 * t.rounded()) {
+        for node in PreciseRule::shared(smooth_below).nodes(smooth_below) {
             let response = self
                 .response
                 .value(node.x / t, node.ln_x - Twofold::from(ln_t));

@@ -55,6 +55,24 @@ impl Borders {
         let held = self.0.iter().take_while(|border| **border <= distance);
         LINES.get(held.count().checked_sub(1)?)
     }
+
+    /// Each rule at its border.
+    pub(crate) fn each(&self) -> impl Iterator<Item = AtBorder> {
+        let borders = self.0.into_iter().zip(LINES.iter()).enumerate();
+        borders.map(|(index, (border, rule))| AtBorder {
+            rule,
+            finer: index.checked_sub(1).and_then(|finer| LINES.get(finer)),
+            offset: [border, 0],
+        })
+    }
+}
+
+/// A rule at the nearest offset it is used for.
+pub(crate) struct AtBorder {
+    pub rule: &'static ProductRule,
+    /// The rule with one point more, if there is one.
+    pub finer: Option<&'static ProductRule>,
+    pub offset: [usize; 2],
 }
 
 /// `c_p = 2^(2p+1) (p!)⁴ / ((2p+1) ((2p)!)³)`: the p-point rule is wrong by this times a derivative of order 2p.

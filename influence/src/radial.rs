@@ -6,6 +6,7 @@
 
 mod sampler;
 mod stored;
+mod yardstick;
 
 use pellicle_kernel::Foundation;
 
@@ -16,8 +17,10 @@ use crate::product_rule::Borders;
 use crate::response::ResponseTable;
 use sampler::{Sampler, scale};
 
+pub(crate) use yardstick::Yardstick;
+
 /// Below this many thicknesses of the top layer `T = 1 + g t` to 1e-17: the next term is t³.
-const NEAR: f64 = 1.0 / 262_144.0;
+pub(crate) const NEAR: f64 = 1.0 / 262_144.0;
 
 /// From this many reciprocals of the reach of Φ's Taylor series on, four even terms of it give T to rounding.
 const FAR: f64 = 300.0;
@@ -48,6 +51,8 @@ pub(crate) struct RadialFunctions {
     /// `∫₀^∞ (T − Φ(0)) dt`, the part of P that no radius changes any more.
     constant: f64,
     worst: Worst,
+    /// What the product rules must leave of a homogeneous body's coefficients; see [`Borders::new`].
+    rule_floor: f64,
     borders: Borders,
     far_field: Option<FarField>,
 }
@@ -57,6 +62,27 @@ pub(crate) struct RadialFunctions {
 pub(crate) struct Worst {
     pub error: f64,
     pub t: f64,
+}
+
+impl Worst {
+    pub(crate) const NONE: Self = Self { error: 0.0, t: 1.0 };
+
+    /// The larger of two, or what is not a number.
+    pub(crate) fn larger(self, other: Self) -> Self {
+        if other.error.is_nan() || other.error > self.error {
+            other
+        } else {
+            self
+        }
+    }
+
+    /// Both errors together, where the larger is.
+    fn and(self, other: Self) -> Self {
+        Self {
+            error: self.error + other.error,
+            t: self.larger(other).t,
+        }
+    }
 }
 
 /// P for the far and near parts of one element alike.
@@ -82,6 +108,7 @@ impl RadialFunctions {
         let panels = Panels::fit(ends.map(f64::ln), at, allowed);
         let [start, end] = panels.range();
         let series = series(sampler.even_taylor());
+        let rule_floor = rule_floor(limit);
         let mut functions = Self {
             limit,
             slope: (at(start) - 1.0) / start.exp(),
@@ -90,19 +117,37 @@ impl RadialFunctions {
             series,
             reduced_from: panels.panels().len(),
             constant: 0.0,
-            worst: sampler.worst(&panels),
-            borders: borders(limit),
+            worst: Worst::NONE,
+            rule_floor,
+            borders: Borders::new(rule_floor),
             far_field: None,
             panels,
         };
         functions.integrate();
+        functions.worst = sampler.worst(&functions);
         functions.tabulate_far_field();
         functions
     }
 
-    /// The largest estimated error of T relative to its scale, `max(|T|, min(1, Φ(0)))`.
+    /// The largest estimated error of T and of what is made of it, relative to a [`Yardstick`].
     pub(crate) fn worst(&self) -> Worst {
         self.worst
+    }
+
+    /// Adds the error of another step.
+    pub(crate) fn add_error(&mut self, other: Worst) {
+        self.worst = self.worst.and(other);
+    }
+
+    /// Puts the borders of the product rules further out, so that they leave this share of what they left.
+    pub(crate) fn tighten_borders(&mut self, share: f64) {
+        self.rule_floor *= share;
+        self.borders = Borders::new(self.rule_floor);
+    }
+
+    /// Radii between which T is neither that of the top layer alone nor its limit.
+    pub(crate) fn ends(&self) -> [f64; 2] {
+        self.ends
     }
 
     /// From which offsets product rules hold.
@@ -191,7 +236,8 @@ impl RadialFunctions {
 
     fn tabulate_far_field(&mut self) {
         let value = |t: f64| self.value(t);
-        let scale = |largest: f64, t: f64| scale(self.limit, largest, t.ln());
+        let mut yardstick = Yardstick::new(self);
+        let scale = |largest: f64, t: f64| yardstick.at(t, largest);
         let table = FarField::new(self.ends, value, scale);
         self.worst.error += table.error();
         self.far_field = Some(table);
@@ -225,13 +271,13 @@ impl RadialFunctions {
     }
 }
 
-/// From which offsets product rules hold over a base of this `Φ(0)`.
-fn borders(limit: f64) -> Borders {
-    Borders::new(if limit > 0.0 {
+/// What product rules must leave over a base of this `Φ(0)`.
+fn rule_floor(limit: f64) -> f64 {
+    if limit > 0.0 {
         limit.min(1.0)
     } else {
         RIGID_FLOOR
-    })
+    }
 }
 
 /// Chebyshev coefficients of `∫ T dt` from the panel's left end, over ln t.
@@ -254,9 +300,9 @@ fn series([c2, c4, c6, c8]: [f64; 4]) -> [f64; 4] {
 
 #[cfg(test)]
 mod tests {
-    use pellicle_kernel::{Foundation, Material};
+    use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
 
-    use super::{Area, RadialFunctions};
+    use super::{Area, RadialFunctions, Yardstick};
 
     fn coated(young_modulus: f64) -> RadialFunctions {
         let coating = Material::new(young_modulus, 0.4).unwrap();
@@ -281,6 +327,45 @@ mod tests {
                 if less.1 == more.1 {
                     approx::assert_relative_eq!(growth, functions.value(t), max_relative = 1e-7);
                 }
+            }
+        }
+    }
+
+    /// A layer (thickness, modulus, Poisson's ratio) and whether it slides on what is below.
+    fn layer(numbers: [f64; 3], interface: Interface) -> Layer {
+        let [thickness, modulus, ratio] = numbers;
+        Layer::new(thickness, Material::new(modulus, ratio).unwrap(), interface).unwrap()
+    }
+
+    /// T(t) by mpmath 1.3 with 34 digits: a dense linear system of Airy's stress functions for each wavenumber, a window of its own.
+    #[test]
+    fn between_stiff_bodies_the_function_agrees_with_mpmath_within_the_estimate() {
+        let gold = vec![
+            layer([1e-7, 78e9, 0.44], Interface::Bonded),
+            layer([2e-5, 2e6, 0.49], Interface::Bonded),
+        ];
+        let sliding = vec![
+            layer([0.1, 50.0, 0.04], Interface::Bonded),
+            layer([5.0, 0.0015, 0.06], Interface::Frictionless),
+            layer([26.0, 3.0, 0.49], Interface::Bonded),
+        ];
+        let base = Base::HalfSpace(Material::new(37.0, 0.4).unwrap());
+        let on_gold = [
+            (0.02, 8_136.340_437_921_923),
+            (1.0, -6_882.568_492_681_384),
+            (30.0, -0.332_849_835_155_958_1),
+        ];
+        let on_sliding = [(0.5, -645.746_847_609_596_1)];
+        for (layers, base, expected) in [
+            (gold, Base::Rigid, &on_gold[..]),
+            (sliding, base, &on_sliding),
+        ] {
+            let functions = RadialFunctions::new(&Foundation::new(layers, base).unwrap());
+            let mut yardstick = Yardstick::new(&functions);
+            for &(t, expected) in expected {
+                let error = (functions.value(t) - expected).abs();
+                let scale = yardstick.at(t, f64::abs(expected));
+                assert!(error < functions.worst().error * scale, "{t}: {error:e}");
             }
         }
     }

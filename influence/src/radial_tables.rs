@@ -2,17 +2,22 @@
 
 mod stored;
 
-use pellicle_kernel::{Base, Foundation, Interface};
+use pellicle_kernel::{Base, Foundation, Interface, Layer};
 
 use crate::coefficient_table::CoefficientTable;
 use crate::error::InfluenceError;
+use crate::far::{far_integral, fit_borders};
 use crate::love;
 use crate::near::near_integral;
-use crate::product_rule::ProductRule;
 use crate::radial::RadialFunctions;
 
-/// The largest estimated error, relative to the displacement's scale, that a table may have.
-const LARGEST_ERROR: f64 = 1e-12;
+/// Tables with a larger estimated error are refused: it is the accuracy to which contacts are solved, and an error of this size in the same direction
+/// in all coefficients moves the smallest eigenvalue of their matrix below zero where the largest is some 1e7 times as large, as for a coat of 1e4
+/// times the stiffness of its base on 1000 elements a side.
+const LARGEST_ERROR: f64 = 1e-8;
+
+/// The layers together may be this many times as thick as the top one: a film of atoms on a planet.
+const LARGEST_SPREAD: f64 = 1e16;
 
 /// Radial tables of one foundation, from which the coefficient of any element size and offset follows in under a microsecond.
 ///
@@ -37,23 +42,23 @@ pub struct RadialTables {
 }
 
 impl RadialTables {
+    /// What [`Self::error_estimate`] should not exceed: then no digit of a result that a grid resolves depends on it.
+    pub const GOAL: f64 = 1e-12;
+
     /// Tabulates the foundation's radial functions; some tens of milliseconds.
+    ///
+    /// Tables that miss [`Self::GOAL`] are given all the same, with what they reach as [`Self::error_estimate`], up to 1e-8.
     ///
     /// # Errors
     ///
-    /// [`InfluenceError::TableAccuracy`] if the estimated error exceeds 1e-12.
+    /// [`InfluenceError::TableAccuracy`] if the estimated error exceeds 1e-8, with which the matrix of stiff coats need not be positive
+    /// definite; [`InfluenceError::LayerThicknesses`] if the layers together are more than 1e16 times as thick as the top one.
     pub fn build(foundation: &Foundation) -> Result<Self, InfluenceError> {
-        let functions = (!is_homogeneous(foundation)).then(|| RadialFunctions::new(foundation));
-        if let Some(functions) = &functions {
-            let worst = functions.worst();
-            if worst.error.is_nan() || worst.error > LARGEST_ERROR {
-                return Err(InfluenceError::TableAccuracy {
-                    wanted: LARGEST_ERROR,
-                    found: worst.error,
-                    radius: worst.t * foundation.thickness(),
-                });
-            }
-        }
+        let functions = if is_homogeneous(foundation) {
+            None
+        } else {
+            Some(accurate_functions(foundation)?)
+        };
         Ok(Self {
             foundation: foundation.clone(),
             functions,
@@ -107,14 +112,20 @@ impl RadialTables {
         &self.foundation
     }
 
-    /// Estimated error of a coefficient, relative to `max(|k|, min(1, Φ(0)) k_Love)`: tails of the expansions and rounding.
+    /// Estimated error of a coefficient, relative to the largest of
     ///
-    /// Where k changes sign with the distance, |k| is the largest within an octave of the distance.
+    /// - `|k|`; where k changes sign with the distance, the largest within an octave of the distance;
+    /// - `min(1, Φ(0)) k_Love`, with `min(1, H/r)` for Φ(0) on a rigid base, at the distance r, for the total thickness H;
+    /// - `P k_Love/r`, `P` the largest integral up to r of `k/k_Love` around a point force, over the distance. It is less than the loaded
+    ///   element's own coefficient, so the estimate bounds every error by its share of the largest coefficient, and the errors of all
+    ///   coefficients together by their share of the displacement under a uniform pressure, but for the logarithm of the radius.
+    ///
+    /// Made of the expansions' tails, rounding, and what the rules over an element leave, with margins; what is wrong on purpose counts, too.
     #[must_use]
     pub fn error_estimate(&self) -> f64 {
-        self.functions
-            .as_ref()
-            .map_or(f64::EPSILON, |functions| functions.worst().error)
+        let functions = self.functions.as_ref();
+        let own = functions.map_or(f64::EPSILON, |functions| functions.worst().error);
+        own + (self.factor - 1.0).abs()
     }
 }
 
@@ -135,17 +146,28 @@ impl CoefficientTable {
     }
 }
 
-/// `∫ T/ρ dA` over a far element, in half sides; `scale` is half a side over the thickness.
-fn far_integral(
-    functions: &RadialFunctions,
-    rule: &ProductRule,
-    scale: f64,
-    offset: [usize; 2],
-) -> f64 {
-    let squared = scale * scale;
-    // T/ρ = (a/H) T/t
-    let term = |(square, weight): (f64, f64)| weight * functions.over_root(squared * square);
-    scale * rule.points(offset).map(term).sum::<f64>()
+/// The functions of a layered foundation, if they are of any use.
+fn accurate_functions(foundation: &Foundation) -> Result<RadialFunctions, InfluenceError> {
+    let top = foundation.layers().first().map(Layer::thickness);
+    let found = foundation.thickness() / top.unwrap_or(f64::NAN);
+    // An infinite thickness must not pass, nor one that is not a number.
+    if !(found <= LARGEST_SPREAD) {
+        return Err(InfluenceError::LayerThicknesses {
+            found,
+            largest: LARGEST_SPREAD,
+        });
+    }
+    let mut functions = RadialFunctions::new(foundation);
+    fit_borders(&mut functions);
+    let worst = functions.worst();
+    if worst.error <= LARGEST_ERROR {
+        return Ok(functions);
+    }
+    Err(InfluenceError::TableAccuracy {
+        wanted: LARGEST_ERROR,
+        found: worst.error,
+        radius: worst.t * foundation.thickness(),
+    })
 }
 
 /// Whether every layer is bonded to the next and made of the base's material.
@@ -153,8 +175,6 @@ fn is_homogeneous(foundation: &Foundation) -> bool {
     let Base::HalfSpace(base) = foundation.base() else {
         return false;
     };
-    let same = |layer: &pellicle_kernel::Layer| {
-        layer.material() == base && layer.interface() == Interface::Bonded
-    };
+    let same = |layer: &Layer| layer.material() == base && layer.interface() == Interface::Bonded;
     foundation.layers().iter().all(same)
 }

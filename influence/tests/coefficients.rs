@@ -193,6 +193,111 @@ fn a_film_of_a_millionth_of_the_stiffness_is_tabulated() {
     }
 }
 
+/// Layers (thickness, modulus, Poisson's ratio, whether they slide on what is below) on a half-space or a rigid base.
+fn stack(layers: &[(f64, f64, f64, bool)], base: Option<(f64, f64)>) -> Foundation {
+    let layers = layers.iter().map(|(thickness, modulus, ratio, slides)| {
+        let interface = if *slides {
+            Interface::Frictionless
+        } else {
+            Interface::Bonded
+        };
+        Layer::new(*thickness, material(*modulus, *ratio), interface).expect("valid input")
+    });
+    let base = base.map_or(Base::Rigid, |(modulus, ratio)| {
+        Base::HalfSpace(material(modulus, ratio))
+    });
+    Foundation::new(layers.collect(), base).expect("valid input")
+}
+
+/// Foundations with a layer far softer than what is above and below: gold on PDMS on a stage, and random ones.
+fn with_soft_middle() -> [Foundation; 4] {
+    [
+        stack(&[(1e-7, 78e9, 0.44, false), (2e-5, 2e6, 0.49, false)], None),
+        stack(
+            &[(0.3, 850.0, 0.32, false), (9.0, 1.2e-3, 0.24, false)],
+            None,
+        ),
+        stack(
+            &[
+                (0.1, 50.0, 0.04, false),
+                (5.0, 0.0015, 0.06, true),
+                (26.0, 3.0, 0.49, false),
+            ],
+            Some((37.0, 0.4)),
+        ),
+        stack(
+            &[
+                (0.03, 10.0, 0.5, false),
+                (0.1, 1e-3, 0.44, false),
+                (1.5, 0.01, 0.36, false),
+                (22.0, 7.0, 0.5, false),
+            ],
+            Some((440.0, 0.5)),
+        ),
+    ]
+}
+
+#[test]
+fn soft_layers_between_stiff_bodies_are_tabulated_to_their_accuracy() {
+    for foundation in with_soft_middle() {
+        let tables = RadialTables::build(&foundation).unwrap();
+        assert!(tables.error_estimate() < 1e-12, "{foundation:?}");
+    }
+}
+
+#[test]
+fn quadrature_and_tables_agree_where_a_soft_layer_is_between_stiff_bodies() {
+    for foundation in with_soft_middle() {
+        let top = foundation.layers()[0].thickness();
+        for (side, offset) in [(top, [0, 0]), (4.0 * top, [1, 0]), (0.5 * top, [6, 1])] {
+            let found = disagreement(&foundation, side, offset);
+            assert!(
+                found < QUADRATURE,
+                "{foundation:?}, {side}, {offset:?}: {found:e}"
+            );
+        }
+    }
+}
+
+#[test]
+fn impossible_thicknesses_end_in_an_error_or_in_finite_coefficients() {
+    let layer = |thickness| (thickness, 2.0, 0.3, false);
+    for thicknesses in [
+        &[1e307][..],
+        &[1e-308],
+        &[1e-308, 1.0],
+        &[1e307, 1e-308],
+        &[1e-308, 1e307],
+        &[1e-200, 1e-180],
+    ] {
+        let layers: Vec<_> = thicknesses.iter().map(|found| layer(*found)).collect();
+        for base in [None, Some((1.0, 0.3))] {
+            match RadialTables::build(&stack(&layers, base)) {
+                Ok(tables) => {
+                    let side = thicknesses[0];
+                    let found = tables.coefficient(side, [3, 0]) / side;
+                    assert!(found.is_finite(), "{thicknesses:?}");
+                }
+                Err(InfluenceError::LayerThicknesses { found, largest }) => {
+                    assert!(found > largest);
+                }
+                Err(InfluenceError::TableAccuracy { found, wanted, .. }) => {
+                    assert!(found > wanted);
+                }
+                Err(other) => panic!("{other}"),
+            }
+        }
+    }
+}
+
+#[test]
+fn what_is_wrong_on_purpose_counts_as_an_error() {
+    let tables = RadialTables::build(&coated(10.0, 0.3, 0.4)).unwrap();
+    let wrong = tables.perturbed(-1e-6).error_estimate();
+    // Both errors together.
+    assert!((wrong - tables.error_estimate() - 1e-6).abs() < 1e-15);
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(24))]
 

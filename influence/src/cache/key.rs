@@ -4,12 +4,12 @@ use blake3::Hasher;
 use pellicle_kernel::{Base, Foundation, Interface, Material};
 
 /// Version of the files' layout and of the order of the numbers in them. To be raised whenever either changes.
-pub(super) const FORMAT: u32 = 1;
+pub(super) const FORMAT: u32 = 2;
 
 /// Version of the numbers. To be raised whenever, for any foundation and grid, a coefficient or a number of the radial tables may
 /// change by a single bit: a change in this crate's or the kernel's arithmetic, tolerances or panels. The test
 /// `the_algorithm_has_the_version_of_its_numbers` in this crate's `tests/cache/contents.rs` notices most of them.
-const ALGORITHM: u32 = 2;
+const ALGORITHM: u32 = 3;
 
 /// Name of data, 256 bits: different for any difference in what determines them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -8,8 +8,11 @@ use crate::twofold::Twofold;
 use crate::whole;
 use crate::window::{CENTRE, DOUBLING_END, PANEL, SPREAD, head_end, panel_ends};
 
-/// Doubling panels go down to 4 · 2⁻²⁰: only radii beyond the smallest wavelengths of Φ need the precision.
+/// Doubling panels go down to 4 · 2⁻²⁰, for radii beyond the smallest wavelengths of Φ.
 const OCTAVES: i32 = 20;
+
+/// And to 4 · 2⁻⁸⁰ where Φ has its largest wavelength far beyond them.
+const DEEP_OCTAVES: i32 = 80;
 
 /// One point of the rule.
 #[derive(Clone, Copy, Debug)]
@@ -29,19 +32,25 @@ pub(crate) struct PreciseRule {
     nodes: Vec<PreciseNode>,
 }
 
-static RULE: LazyLock<PreciseRule> = LazyLock::new(PreciseRule::new);
+static RULE: LazyLock<PreciseRule> = LazyLock::new(|| PreciseRule::new(OCTAVES));
+
+static DEEP_RULE: LazyLock<PreciseRule> = LazyLock::new(|| PreciseRule::new(DEEP_OCTAVES));
 
 impl PreciseRule {
-    /// The rule, made once.
-    pub(crate) fn shared() -> &'static Self {
-        &RULE
+    /// The rule for a function that is a low polynomial below `smooth_below`; made once.
+    pub(crate) fn shared(smooth_below: f64) -> &'static Self {
+        if smooth_below < head_end(OCTAVES) {
+            &DEEP_RULE
+        } else {
+            &RULE
+        }
     }
 
-    fn new() -> Self {
-        let panels: Vec<[f64; 2]> = panel_ends(OCTAVES).collect();
+    fn new(octaves: i32) -> Self {
+        let panels: Vec<[f64; 2]> = panel_ends(octaves).collect();
         let line: Vec<(Twofold, Twofold)> = legendre_of::<PANEL>().iter().map(refined).collect();
         Self {
-            heads: (0..=OCTAVES)
+            heads: (0..=octaves)
                 .map(|octave| panel(&line, [0.0, head_end(octave)]))
                 .collect(),
             nodes: panels.iter().flat_map(|ends| panel(&line, *ends)).collect(),

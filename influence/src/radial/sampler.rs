@@ -2,11 +2,15 @@
 
 use pellicle_kernel::Foundation;
 
-use super::{TOLERANCE, Worst};
-use crate::panels::{Panel, Panels};
+use super::{RadialFunctions, TOLERANCE, Worst, Yardstick};
+use crate::panels::Panel;
 use crate::precise::Precise;
 use crate::response::ResponseTable;
 use crate::window::{Integral, WindowRule};
+
+/// Tails and expected rounding against the errors found: of 10,000 values of T for 250 foundations of one to five layers, in 32 digits, none
+/// was further off than three times what they say.
+const MARGIN: f64 = 4.0;
 
 /// Values of T from the response.
 pub(super) struct Sampler<'a> {
@@ -50,28 +54,22 @@ impl<'a> Sampler<'a> {
         )
     }
 
-    /// Tails and rounding of all panels.
-    pub(super) fn worst(&self, panels: &Panels) -> Worst {
+    /// Tails and rounding of all panels, with a margin.
+    pub(super) fn worst(&self, functions: &RadialFunctions) -> Worst {
+        let mut yardstick = Yardstick::new(functions);
         let error = |panel: &Panel| {
-            let rounding = self.at(panel.centre).rounding();
-            let scale = scale(self.response.limit(), panel.bound(), panel.centre);
-            let error = (panel.tail() + rounding) / scale + self.response.error();
             let t = panel.centre.exp();
+            let rounding = self.at(panel.centre).rounding();
+            let scale = yardstick.at(t, panel.bound());
+            let error = MARGIN * ((panel.tail() + rounding) / scale + self.response.error());
             Worst { error, t }
         };
-        let larger = |a: Worst, b: Worst| {
-            if b.error.is_nan() || b.error > a.error {
-                b
-            } else {
-                a
-            }
-        };
-        let none = Worst { error: 0.0, t: 1.0 };
-        panels.panels().iter().map(error).fold(none, larger)
+        let panels = functions.panels.panels().iter();
+        panels.map(error).fold(Worst::NONE, Worst::larger)
     }
 }
 
-/// What an error of T is measured against.
+/// What the expansions of T are fitted to.
 pub(super) fn scale(limit: f64, largest: f64, ln_t: f64) -> f64 {
     // On a rigid base nothing is left far away; there an element's own coefficient, about H/a = 1/t of Love's, is the measure.
     let floor = if limit > 0.0 {

@@ -1,14 +1,16 @@
 //! The radial functions as the cache keeps them.
 
-use super::{RadialFunctions, Worst, borders};
+use super::{RadialFunctions, Worst};
 use crate::cache::encoding::{Decoder, Encoder};
 use crate::far_field::FarField;
 use crate::panels::Panels;
+use crate::product_rule::Borders;
 
 impl RadialFunctions {
     pub(crate) fn encode(&self, encoder: &mut Encoder) {
         let Worst { error, t } = self.worst;
         encoder.reals(&[self.limit, self.slope, self.constant, error, t]);
+        encoder.real(self.rule_floor);
         encoder.reals(&self.ends);
         encoder.reals(&self.series);
         self.panels.encode(encoder);
@@ -24,6 +26,7 @@ impl RadialFunctions {
     /// What was written, or none if it is not in order.
     pub(crate) fn decode(decoder: &mut Decoder) -> Option<Self> {
         let [limit, slope, constant, error, t] = decoder.array()?;
+        let rule_floor = decoder.real()?;
         let (ends, series) = (decoder.array()?, decoder.array()?);
         let panels = Panels::decode(decoder)?;
         let integrals: Vec<_> = (0..decoder.count()?)
@@ -44,7 +47,8 @@ impl RadialFunctions {
             reduced_from,
             constant,
             worst: Worst { error, t },
-            borders: borders(limit),
+            rule_floor,
+            borders: Borders::new(rule_floor),
             far_field,
         })
     }
