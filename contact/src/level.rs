@@ -20,8 +20,8 @@ use pellicle_texture::Grid;
 /// Pressure that stands for a gap, as a part of what closes the gap alone: halfway between contact that ends at the last element
 /// that presses and at the first that does not. From 0.2 to 1 it matters little.
 const PRESSURE_PER_GAP: f64 = 0.5;
-/// Gaps beyond this (m) are as good as infinite.
-const FAR: f64 = 1e30;
+/// Gaps beyond so many sides of the domain are as good as infinite.
+const FAR: f64 = 1e12;
 
 /// Elements from a pressure within which an interpolation looks.
 const NEIGHBOURS: usize = 2;
@@ -254,9 +254,10 @@ impl Level {
         let window = result.window.with_rim(NEIGHBOURS);
         let mut values = window.take_over(&result.window, &result.solution.pressure);
         let gaps = self.judged.gap_on(&window);
+        let far = FAR * self.grid.side();
         update(&mut values, &gaps, |value, gap| {
             if *value <= 0.0 {
-                *value = -per_gap * gap.clamp(0.0, FAR);
+                *value = -per_gap * gap.clamp(0.0, far);
             }
         });
         SignedField {
