@@ -65,13 +65,13 @@ pub(crate) fn warnings(
     steps: &[Step],
 ) -> Vec<Warning> {
     let much_larger = much_larger(model, grid, loads, steps);
-    // Of a contact that the grid cannot see, its edge and its peak say nothing.
-    let is_seen = |warning: &Warning| {
-        much_larger.is_none()
-            || !matches!(
-                warning,
-                Warning::PeakNotResolved { .. } | Warning::SteepIndenter { .. }
-            )
+    // Of a contact that the grid hardly sees, the peak says nothing, and its edge is where it is estimated to be.
+    let is_seen = |warning: &Warning| match (&much_larger, warning) {
+        (Some(_), Warning::PeakNotResolved { .. }) => false,
+        (Some(Warning::DomainMuchLarger { radius, .. }), Warning::SteepIndenter { .. }) => {
+            slope(&model.indenter, *radius) > LARGEST_SLOPE
+        }
+        _ => true,
     };
     let edges = steps.iter().enumerate();
     let edges = edges.filter_map(|(index, step)| edge(domain, index, step));

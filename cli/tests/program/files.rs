@@ -89,6 +89,25 @@ fn a_result_that_did_not_converge_is_written_and_marked() {
 }
 
 #[test]
+fn a_contact_that_the_domain_cuts_off_is_written_and_marked() {
+    let folder = Folder::with_case(CASE);
+    let side = "grid.side=40 nm";
+    let ran = folder.run(&["run", "case.toml", "--out", "a", "--set", side]);
+    assert_eq!(ran.code, Some(1), "{}", ran.stderr);
+    assert!(ran.stderr.contains("cut off"), "{}", ran.stderr);
+    let summary = fs::read_to_string(folder.path("a/summary.json")).unwrap();
+    let summary: Value = serde_json::from_str(&summary).unwrap();
+    let step = &summary["steps"][0];
+    assert_eq!(step["certificate"]["satisfied"], true);
+    assert_eq!(
+        (&step["status"], &summary["status"]),
+        (&"cut-off".into(), &"cut-off".into())
+    );
+    let page = fs::read_to_string(folder.path("a/report.html")).unwrap();
+    assert!(page.contains("Cut off:"));
+}
+
+#[test]
 fn json_alone_prints_the_summary_and_writes_nothing() {
     let folder = Folder::with_case(CASE);
     let ran = folder.run(&["run", "case.toml", "--json"]);

@@ -89,6 +89,9 @@ fn a_map_is_found_from_the_folder_of_the_case_and_its_resolved_case_is_a_case_ag
         "../case.toml",
         "--set",
         "surface={kind=\"map\", file=\"tip.gsf\", compliance=\"20 nm/GPa\"}",
+        // sharper than the hollow, so that the contact ends within the map
+        "--set",
+        "indenter.radius=1 um",
     ]);
     let checked = Folder::ran(command.current_dir(folder.path("elsewhere")));
     assert_eq!(checked.code, Some(0), "{}", checked.stderr);

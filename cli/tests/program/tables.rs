@@ -117,7 +117,7 @@ fn check_warns_of_what_the_solution_would_warn_of() {
     );
     warns(
         &["load.force=200 uN"],
-        "at the largest load, the contact comes within",
+        "at the largest load, the contact is cut off by the edge of the domain",
     );
     let small = "load={forces=[\"1 nN\", \"1 uN\"]}";
     warns(
@@ -136,6 +136,30 @@ fn check_warns_of_what_the_solution_would_warn_of() {
             .filter(|line| !line.contains("cylinder radius"))
             .count(),
         0
+    );
+}
+
+#[test]
+fn check_and_run_choose_the_same_domain_on_every_grid() {
+    let folder = Folder::with_case(CASE.replace("side = \"400 nm\"\n", ""));
+    let side = |text: &str| {
+        let line = text.lines().find(|line| line.starts_with("side = "));
+        line.map(|line| line["side = ".len()..].parse::<f64>().unwrap())
+    };
+    let mut sides = Vec::new();
+    for elements in ["grid.elements=32", "grid.elements=100"] {
+        let checked = folder.run(&["check", "case.toml", "--set", elements]);
+        sides.extend(side(&checked.stdout));
+        let ran = folder.run(&["run", "case.toml", "--json", "--quiet", "--set", elements]);
+        let summary: Value = serde_json::from_str(&ran.stdout).unwrap();
+        sides.extend(summary["grid"]["side"].as_f64());
+    }
+    assert_eq!(sides.len(), 4);
+    assert!(
+        sides
+            .iter()
+            .all(|side| side.to_bits() == sides[0].to_bits()),
+        "{sides:?}"
     );
 }
 

@@ -157,10 +157,10 @@ fn solve(model: &Model, side: f64, load: Load) -> Result<Step, ContactError> {
     Hierarchy::new(model, side, TRIAL, 1, &options).solve(load, options, &mut watch)
 }
 
-/// Whether the indenter is lower at one of the elements around its axis than the penetration: then a grid without contact has none to miss.
+/// Whether the indenter is lower than the penetration at one of the elements around its axis, so that a grid without contact has none to miss; or nothing is
+/// known of the penetration.
 fn sees_the_tip(model: &Model, grid: &Grid, penetration: f64) -> bool {
-    let lowest = cut_off::lowest_height(model, grid);
-    lowest < penetration
+    penetration.is_nan() || cut_off::lowest_height(model, grid) < penetration
 }
 
 /// By how many powers a contact of so many elements from the middle is to be shrunk to.

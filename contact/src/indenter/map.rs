@@ -7,7 +7,7 @@ use super::Profile;
 /// A measured indenter: a height map, placed so that its lowest point stands on the origin at height 0.
 ///
 /// Between samples the height is that of the map's [interpolation](pellicle_texture::Interpolation). Beyond the map's rectangle the indenter ends, `f = +∞`: a contact that reaches the
-/// rim of the measurement is bounded by it as by the rim of a punch.
+/// rim of the measurement is bounded by it as by the rim of a punch, and a [step](crate::Step) says that it is cut off.
 #[derive(Clone, Debug, PartialEq)]
 pub struct IndenterMap {
     map: HeightMap,
