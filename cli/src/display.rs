@@ -127,6 +127,17 @@ pub fn quantity(value: f64, unit: Unit, units: Units) -> String {
     }
 }
 
+/// A number of bytes: `85 MB`, `1.4 GB`.
+#[must_use]
+pub fn memory(bytes: u64) -> String {
+    let megabytes = bytes as f64 / 1e6;
+    if megabytes < 999.5 {
+        format!("{} MB", significant(megabytes, 2))
+    } else {
+        format!("{} GB", significant(megabytes / 1e3, 2))
+    }
+}
+
 /// The value with this many significant digits.
 #[must_use]
 pub fn significant(value: f64, digits: usize) -> String {

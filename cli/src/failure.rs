@@ -9,6 +9,8 @@ use pellicle_kernel::KernelError;
 use pellicle_texture::TextureError;
 
 use crate::case::diagnosis::Diagnosis;
+use crate::display::memory;
+use crate::forecast::Need;
 
 /// Everything that ends a command early.
 #[derive(Debug, thiserror::Error)]
@@ -82,6 +84,14 @@ pub enum Failure {
     Busy {
         /// The table or folder.
         path: PathBuf,
+    },
+    /// There is too little memory for the case.
+    #[error("the case needs some {} of memory and there are {}: wanted {}", memory(need.bytes), memory(*available), need.hint(*available))]
+    Memory {
+        /// What it needs.
+        need: Need,
+        /// What there is, bytes.
+        available: u64,
     },
     /// A file or folder cannot be written.
     #[error("{}: cannot be written: {cause}", path.display())]

@@ -26,6 +26,101 @@ const GROWTH: f64 = 1.5;
 /// some 80 elements, of which 30 are cut by its rim.
 const FEWEST_PER_CONTACT: f64 = 5.0;
 
+/// Memory of any run, bytes: the program, its fonts and tables.
+const BYTES: f64 = 40e6;
+
+/// Memory of a solution per element, in bytes, on a quadrant and on the whole grid: of any element, and of one in the square around the contact.
+/// *Measured* as the largest resident set at N = 2048 on Hertz' contact, pillars, films, punches and pyramids, the contact filling 16 to 100 %
+/// of the domain's side squared: 14 to 54 on a quadrant, where these give 30 to 80; 61 to 220, where these give 61 to 220, on the whole grid. Hertz' contact at
+/// N = 8192 takes 2.93 GB, forecast 3.17; pillars 2.12, forecast 2.22.
+const BYTES_PER_ELEMENT_SOLVED: [[f64; 2]; 2] = [[20.0, 60.0], [20.0, 200.0]];
+
+/// Memory of a loading step per element, in bytes: its pressure.
+const BYTES_PER_ELEMENT_AND_STEP: f64 = 8.0;
+
+/// Memory of writing per element, in bytes, on a quadrant and on the whole grid: of one loading step, and of each that is written beside it.
+/// *Measured* as above: 67 to 87 for one step on a quadrant, 108 on the whole grid; 113 to 132 and 167 to 229 for two at a time and a third kept.
+const BYTES_PER_ELEMENT_WRITTEN: [[f64; 2]; 2] = [[88.0, 42.0], [110.0, 100.0]];
+
+/// Fewer elements per side than this need so little that nobody asks how large the contact is.
+const LEAST_TRIED: usize = 512;
+
+/// The memory that a case needs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Need {
+    /// Bytes.
+    pub bytes: u64,
+    /// Elements per side.
+    pub elements: usize,
+}
+
+impl Need {
+    /// What a case needs whose results are written by so many threads, none if they are not. How large the contact is a trial tells.
+    #[must_use]
+    pub fn new(case: &Case, model: &Model, writers: usize) -> Self {
+        let elements = case.grid.elements;
+        let trial = (elements > LEAST_TRIED).then(|| solve(case, model, elements.min(TRIAL)));
+        let share = trial
+            .and_then(Result::ok)
+            .as_ref()
+            .map_or(1.0, contact_share);
+        Self::of(case, model, writers, share)
+    }
+
+    /// The same, the square around the contact being this share of the domain.
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a number of bytes"
+    )]
+    fn of(case: &Case, model: &Model, writers: usize, share: f64) -> Self {
+        let (elements, steps) = (case.grid.elements, case.load.steps().len());
+        let is_gradient = case.solver.options().method == Method::Gradient;
+        let is_quadrant = elements.is_multiple_of(2) && is_gradient && model.is_mirrored();
+        let of_sector = |bytes: [[f64; 2]; 2]| bytes[usize::from(!is_quadrant)];
+        let [any, in_contact] = of_sector(BYTES_PER_ELEMENT_SOLVED);
+        let solved = any + in_contact * share;
+        let [one, each_more] = of_sector(BYTES_PER_ELEMENT_WRITTEN);
+        let written = match writers.min(steps) {
+            0 => 0.0,
+            writers => one + each_more * (writers - 1) as f64,
+        };
+        let kept = BYTES_PER_ELEMENT_AND_STEP * steps.saturating_sub(1) as f64;
+        let area = (elements as f64).powi(2);
+        // The dense matrix and its factors.
+        let dense = if is_gradient {
+            0.0
+        } else {
+            16.0 * area.powi(2)
+        };
+        Self {
+            bytes: (BYTES + (solved.max(written) + kept) * area + dense) as u64,
+            elements,
+        }
+    }
+
+    /// What would fit.
+    #[must_use]
+    pub fn hint(&self, available: u64) -> String {
+        match self.fitting(available) {
+            0 => "more memory".into(),
+            elements => format!("fewer elements, such as grid.elements = {elements}"),
+        }
+    }
+
+    /// Elements per side with which the case would fit, a multiple of 16.
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "less than the elements of the case"
+    )]
+    fn fitting(&self, available: u64) -> usize {
+        let ratio = (available as f64 - BYTES).max(0.0) / (self.bytes as f64 - BYTES).max(1.0);
+        let fitting = self.elements as f64 * ratio.min(1.0).sqrt();
+        (fitting / 16.0) as usize * 16
+    }
+}
+
 /// What a trial found.
 #[derive(Debug)]
 pub struct Forecast {
@@ -33,6 +128,8 @@ pub struct Forecast {
     pub side: f64,
     /// Elements per side of the trial.
     pub trial: usize,
+    /// The memory that a run will need.
+    pub need: Need,
     /// The solution of the largest load on them; none if the trial failed.
     pub step: Option<Step>,
     /// What the solution will warn of, as far as the trial can tell.
@@ -67,9 +164,11 @@ impl Forecast {
             Err(error) => warnings.push(format!("the trial failed: {error}")),
         }
         warnings.extend(maps(case, side));
+        let share = path.as_ref().map_or(1.0, contact_share);
         Self {
             side,
             trial,
+            need: Need::of(case, model, rayon::current_num_threads(), share),
             step: path.ok().and_then(|mut path| path.steps.pop()),
             warnings,
         }
@@ -98,6 +197,13 @@ fn solve(
     };
     let loads = extremes(&case.load.steps());
     solve_path(model, domain, elements, &loads, &options, &mut ())
+}
+
+/// How much of the domain the square around the largest contact takes.
+fn contact_share(path: &LoadingPath) -> f64 {
+    let radii = path.steps.iter().map(|step| step.summary.contact_radius);
+    let share = 2.0 * radii.fold(0.0, f64::max) / path.grid.side();
+    share.powi(2).min(1.0)
 }
 
 /// The smallest load and the largest; the one if there is but one.
@@ -184,4 +290,51 @@ fn maps(case: &Case, side: f64) -> Vec<String> {
         )
     });
     relief.into_iter().chain(indenter).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+    use std::sync::Arc;
+
+    use pellicle_influence::Cache;
+
+    use super::*;
+    use crate::case::place::Source;
+
+    /// Hertz' contact of `cases/hertz.toml`.
+    fn hertz(elements: usize) -> Case {
+        let text = "[foundation]\nsubstrate = { young_modulus = \"70 GPa\", poisson_ratio = 0.22 }\n\
+                    [indenter]\nkind = \"paraboloid\"\nradius = \"10 mm\"\n[load]\nforce = \"10 N\"\n";
+        let source = Arc::new(Source::new("case.toml", text.into()));
+        let set = format!("grid.elements={elements}");
+        Case::parse(&source, "case", Path::new(""), &[set]).unwrap()
+    }
+
+    #[test]
+    fn the_memory_of_a_large_grid_is_forecast_and_at_most_two_fifths_more() {
+        // The largest resident sets, measured: solved alone, and written too.
+        for (elements, writers, measured) in
+            [(2048, 0, 174e6), (8192, 0, 2.927e9), (8192, 1, 4.637e9)]
+        {
+            let case = hertz(elements);
+            let model = case.model(&Cache::in_memory()).unwrap().value;
+            let forecast = Need::new(&case, &model, writers).bytes as f64;
+            let ratio = forecast / measured;
+            assert!((1.0..1.4).contains(&ratio), "{elements}: {ratio}");
+        }
+    }
+
+    #[test]
+    fn what_is_said_to_fit_fits() {
+        let case = hertz(4096);
+        let model = case.model(&Cache::in_memory()).unwrap().value;
+        let need = Need::new(&case, &model, 1);
+        let available = 300_000_000;
+        let fitting = need.fitting(available);
+        let fits = Need::new(&hertz(fitting), &model, 1);
+        assert!(fits.bytes <= available && fits.bytes > available / 2);
+        assert!(need.hint(available).contains(&fitting.to_string()));
+        assert_eq!(need.hint(0), "more memory");
+    }
 }

@@ -22,6 +22,7 @@ pub mod forecast;
 mod guide;
 pub mod interrupt;
 pub mod map;
+pub mod memory;
 pub mod output;
 pub mod picture;
 pub mod program;

@@ -262,7 +262,6 @@ impl Level {
         let window = result.window.with_rim(NEIGHBOURS);
         let mut values = window.take_over(&result.window, &result.solution.pressure);
         let gaps = self.judged.gap_on(&window);
-        let far = FAR * self.grid.side();
         update(&mut values, &gaps, |value, gap| {
             if *value <= 0.0 {
                 *value = -per_gap * gap.max(0.0);

@@ -7,24 +7,13 @@ use crate::case::Case;
 use crate::case::map::MapCase;
 use crate::case::surface::SurfaceCase;
 use crate::case::units::Units;
-use crate::display::{Unit, quantity, significant};
+use crate::display::{self, Unit, quantity, significant};
 use crate::failure::Failure;
 use crate::forecast::Forecast;
 use crate::map::spectrum;
 use crate::output::disk;
 use crate::program::Outcome;
 use crate::{cache, terminal};
-
-/// Memory of a run of one step per element, in bytes, without the step's pressure: the resident set of fig2c at N = 1024 and 2048 is 140 and 91
-/// with it, results written, on the whole grid; on a quadrant 107 and 89.
-const BYTES_PER_ELEMENT: f64 = 110.0;
-
-/// The same of a run of several steps, two of which are solved and written at a time: 282 with three steps at N = 1024 on the whole grid, 177
-/// on a quadrant.
-const BYTES_PER_ELEMENT_OF_MANY: f64 = 260.0;
-
-/// Memory of a loading step per element, in bytes: its pressure.
-const BYTES_PER_ELEMENT_AND_STEP: f64 = 8.0;
 
 /// Prints the case with every default filled in, below it what the grid makes of it, and what the solution would warn of.
 ///
@@ -75,7 +64,7 @@ fn estimates(case: &Case, forecast: &Forecast, chosen: bool) -> String {
     }
     lines.maps(case, element_side);
     lines.add("loading steps", &case.load.steps().len().to_string());
-    lines.add("memory, about", &memory(case));
+    lines.add("memory, about", &display::memory(forecast.need.bytes));
     lines.add("disk, about", &megabytes(disk::bytes(case)));
     if let Some([least, most]) = forecast.products(case.grid.elements) {
         lines.add(
@@ -87,18 +76,6 @@ fn estimates(case: &Case, forecast: &Forecast, chosen: bool) -> String {
         lines.trial(step, forecast.trial, element_side, case.units);
     }
     lines.lines.concat()
-}
-
-fn memory(case: &Case) -> String {
-    let (elements, steps) = (case.grid.elements, case.load.steps().len());
-    let kept = if steps > 1 {
-        BYTES_PER_ELEMENT_OF_MANY
-    } else {
-        BYTES_PER_ELEMENT
-    };
-    let per_element = kept + BYTES_PER_ELEMENT_AND_STEP * steps as f64;
-    let bytes = per_element * (elements * elements) as f64;
-    megabytes(bytes)
 }
 
 fn megabytes(bytes: f64) -> String {

@@ -8,6 +8,8 @@ use pellicle_contact::{LoadingPath, Model, Observer, solve_path};
 use crate::arguments::RunArguments;
 use crate::case::Case;
 use crate::failure::Failure;
+use crate::forecast::Need;
+use crate::memory::Memory;
 use crate::output::folder::{self, Existing, Extent, Folder};
 use crate::output::summary::{Clock, Status, Summary, WarningSummary};
 use crate::output::{json, page, report, results};
@@ -31,6 +33,10 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
     let cache = cache::open();
     let model = case.model(&cache)?;
     let tables_seconds = tables.elapsed().as_secs_f64();
+    threads::begin();
+    let memory = Memory::default();
+    let writers = folder.as_ref().map_or(0, |_| rayon::current_num_threads());
+    let _share = memory.take(Need::new(&case, &model.value, writers))?;
     let path = solve(&case, &model.value, &mut line)?;
     if path.interrupted && path.steps.is_empty() {
         drop(line);

@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use crate::arguments::StudyArguments;
 use crate::failure::Failure;
+use crate::memory::Memory;
 use crate::program::Outcome;
 use crate::study::Study;
 use crate::study::place::Place;
@@ -44,6 +45,7 @@ pub fn study(arguments: &StudyArguments) -> Result<Outcome, Failure> {
         study: &study,
         columns: &plan.columns,
         cache: cache::open(),
+        memory: Memory::default(),
         folders: arguments.folders.then(|| table.place().cases()),
     };
     let threads = arguments

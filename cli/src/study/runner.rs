@@ -2,14 +2,14 @@
 
 use std::num::NonZero;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Barrier, Mutex, PoisonError};
 use std::thread;
 
 use super::progress::Lines;
 use super::solve::Kit;
 use super::table::Table;
 use crate::failure::Failure;
-use crate::interrupt;
+use crate::{interrupt, threads};
 
 /// Solves `cases` and adds each to the table as soon as it is done. Returns early, without an error, if the user asks to stop.
 ///
@@ -22,11 +22,11 @@ use crate::interrupt;
 pub fn run(
     kit: &Kit<'_>,
     cases: &[usize],
-    threads: usize,
+    count: usize,
     table: &mut Table,
     lines: &Lines,
 ) -> Result<(), Failure> {
-    let workers = threads.min(cases.len());
+    let workers = count.min(cases.len());
     if workers == 0 {
         return Ok(());
     }
@@ -35,15 +35,25 @@ pub fn run(
         next: AtomicUsize::new(0),
         is_closed: AtomicBool::new(false),
     };
+    let begun = Barrier::new(workers);
     let table = Mutex::new(table);
     let failure = Mutex::new(None);
     thread::scope(|scope| {
         for worker in 0..workers {
             // The first workers take what is left over.
-            let own = threads / workers + usize::from(worker < threads % workers);
-            let (queue, table, failure) = (&queue, &table, &failure);
+            let own = count / workers + usize::from(worker < count % workers);
+            let (queue, begun, table, failure) = (&queue, &begun, &table, &failure);
             scope.spawn(move || {
-                if let Err(first) = work(kit, queue, own, table, lines) {
+                let pool = rayon::ThreadPoolBuilder::new().num_threads(own).build();
+                if let Ok(pool) = &pool {
+                    pool.install(threads::begin);
+                }
+                // What the threads of all take is taken before the first case asks what there is.
+                begun.wait();
+                let worked = pool
+                    .map_err(Failure::from)
+                    .and_then(|pool| work(kit, queue, &pool, table, lines));
+                if let Err(first) = worked {
                     queue.is_closed.store(true, Ordering::SeqCst);
                     let mut failure = failure.lock().unwrap_or_else(PoisonError::into_inner);
                     failure.get_or_insert(first);
@@ -81,13 +91,10 @@ impl Queue<'_> {
 fn work(
     kit: &Kit<'_>,
     queue: &Queue<'_>,
-    threads: usize,
+    pool: &rayon::ThreadPool,
     table: &Mutex<&mut Table>,
     lines: &Lines,
 ) -> Result<(), Failure> {
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(threads)
-        .build()?;
     while let Some(case) = queue.take() {
         let solve = || {
             let mut line = lines.case(kit.study, case);

@@ -13,12 +13,14 @@ use super::columns::{Columns, status};
 use super::status::Status;
 use crate::case::Case;
 use crate::failure::Failure;
+use crate::forecast::Need;
+use crate::memory::Memory;
 use crate::output::folder::{Existing, Extent, Folder};
 use crate::output::summary::{Clock, Summary};
 use crate::output::{own, results};
 
 /// What every case of a study is solved with.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub struct Kit<'a> {
     /// The study.
     pub study: &'a Study,
@@ -26,6 +28,8 @@ pub struct Kit<'a> {
     pub columns: &'a Columns,
     /// Shared by all cases.
     pub cache: Cache,
+    /// What the cases have among them.
+    pub memory: Memory,
     /// Where the results folders of the cases go, if they are wanted.
     pub folders: Option<PathBuf>,
 }
@@ -90,6 +94,11 @@ impl Kit<'_> {
         let tables_seconds = start.elapsed().as_secs_f64();
         let (loads, options) = (case.load.steps(), case.solver.options());
         let (domain, elements) = (case.grid.domain(), case.grid.elements);
+        let writers = folder.as_ref().map_or(0, |_| rayon::current_num_threads());
+        let need = Need::new(&case, &model.value, writers);
+        let Some(_share) = self.memory.take(need)? else {
+            return Ok(None);
+        };
         let path = solve_path(&model.value, domain, elements, &loads, &options, observer)
             .map_err(|error| case.blame(error))?;
         if path.interrupted {

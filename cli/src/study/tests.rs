@@ -294,3 +294,49 @@ fn parts_are_gathered_only_when_no_case_is_missing() {
     );
     assert!(gather(Path::new("nowhere"), Other::Keep).is_err());
 }
+
+#[test]
+fn the_values_of_a_key_are_read_once() {
+    let study = study(TWO_KEYS).unwrap();
+    let thickness = &study.axes()[0];
+    assert_eq!([0, 1, 3].map(|i| thickness.cell(i)), ["1e-8", "2e-8", ""]);
+    // The same text, not one made anew from the values.
+    assert!(std::ptr::eq(thickness.cell(1), thickness.cell(1)));
+}
+
+#[test]
+fn a_row_ends_where_its_quotes_are_closed() {
+    let text = TWO_KEYS.replace("grid.elements", "title").replace(
+        "{ from = 32, to = 128, count = 3, spacing = \"log\" }",
+        "[\"a\\nb\", \"c\\r\\n\\\"d\", \"e,f\"]",
+    );
+    let study = study(&text).unwrap();
+    let plan = Plan::new(&study, Shard::WHOLE).unwrap();
+    let rows = (0..9).map(|case| plan.columns.failed(&study, case, "why"));
+    let table = format!("{}\n{}", plan.identity.header, rows.collect::<String>());
+    for cut in 0..=table.len() {
+        let blocks = Blocks::of(&table.as_bytes()[..cut], &plan.identity).unwrap();
+        let again = Blocks::of(&table.as_bytes()[..blocks.end], &plan.identity).unwrap();
+        assert_eq!(again.statuses(), blocks.statuses(), "{cut}");
+        assert!(cut < table.len() || blocks.statuses().len() == 9, "{cut}");
+    }
+}
+
+#[test]
+fn the_place_is_held_until_the_table_is_in_order() {
+    let folder = tempfile::tempdir().unwrap();
+    let identity = plan(TWO_KEYS, Shard::WHOLE).identity;
+    let columns = identity.header.split(',').count();
+    let mut opened = table(folder.path(), &identity);
+    for case in (0..9).rev() {
+        let rows = rows(columns, case, Status::Certified);
+        opened.add(case, Status::Certified, &rows).unwrap();
+    }
+    // Whoever has the table's old file open does not have the place.
+    let old = fs::File::open(identity.table(folder.path())).unwrap();
+    assert!(Place::claim(folder.path(), &identity, false).is_err());
+    opened.finish(&identity).unwrap();
+    let again = table(folder.path(), &identity);
+    assert_eq!(again.done().len(), 9);
+    assert!(!crate::output::lock::is_at(&old, again.path()));
+}

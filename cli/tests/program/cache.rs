@@ -140,3 +140,20 @@ fn an_empty_variable_means_no_cache_on_disk() {
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
     assert_eq!(folder.names(), ["case.toml"]);
 }
+
+#[cfg(unix)]
+#[test]
+fn others_may_read_what_the_mask_allows() {
+    use std::os::unix::fs::PermissionsExt;
+    let folder = Folder::with_case(CASE);
+    summary(&folder);
+    let mode = |path: &PathBuf| fs::metadata(path).unwrap().permissions().mode();
+    let usual = mode(&folder.path("case.toml"));
+    assert!(kept(&folder).iter().all(|file| mode(file) == usual));
+    assert_eq!(
+        folder.run(&["run", "case.toml", "--out", "a"]).code,
+        Some(0)
+    );
+    assert_eq!(mode(&folder.path("a/summary.json")), usual);
+    assert_eq!(mode(&folder.path("a")), mode(&folder.path("kept")));
+}

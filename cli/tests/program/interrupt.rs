@@ -64,7 +64,7 @@ fn ctrl_c_ends_a_run_within_a_second_with_130_and_leaves_nothing_half_written() 
         // A second, and what a busy machine takes to start and end a process.
         assert!(time < Duration::from_secs(3), "{time:?}");
         assert!(ran.stderr.contains("stopp"), "{}", ran.stderr);
-        assert!(!folder.names().iter().any(|name| name.starts_with('.')));
+        assert_eq!(folder.names(), ["case.toml"]);
     }
 }
 
@@ -125,4 +125,79 @@ fn ctrl_c_keeps_the_finished_cases_of_a_study() {
     assert_eq!(ran.code, Some(130), "{}", ran.stderr);
     assert!(time < Duration::from_secs(3), "{time:?}");
     assert_eq!(rows(), 3);
+}
+
+#[test]
+fn an_unfinished_curve_replaces_no_whole_one() {
+    let folder = Folder::with_case(CASE);
+    let first = ["run", "case.toml", "--quiet", "--out", "a"];
+    assert_eq!(folder.run(&first).code, Some(0));
+    let whole = fs::read(folder.path("a/summary.json")).unwrap();
+    let start = Instant::now();
+    let two_seconds = || start.elapsed() > Duration::from_secs(2);
+    let curve = "load={forces={from=\"0.9 uN\", to=\"1 uN\", count=10000}}";
+    let more = ["--force", "--set", curve, "--set", "grid.elements=128"];
+    let line = [&first[..2], &first[3..], &more].concat();
+    let (ran, _) = interrupted(&folder, &line, "-INT", two_seconds);
+    assert_eq!(ran.code, Some(130), "{}", ran.stderr);
+    assert_eq!(fs::read(folder.path("a/summary.json")).unwrap(), whole);
+    let part = fs::read_to_string(folder.path("a/stopped/summary.json")).unwrap();
+    assert!(part.contains("stopped by the user after"), "{part}");
+    assert!(
+        ran.stderr.contains("written to a/stopped"),
+        "{}",
+        ran.stderr
+    );
+}
+
+#[test]
+fn a_signal_is_heard_from_the_first_thing_a_command_does() {
+    let folder = Folder::new();
+    // Reading from it, a command waits until it is ended.
+    let pipe = |name: &str| {
+        let made = Command::new("mkfifo").arg(folder.path(name)).status();
+        assert!(made.unwrap().success());
+    };
+    pipe("case.toml");
+    for (place, name) in [
+        ("plotted", "summary.json"),
+        ("gathered", "study-1-of-2.json"),
+    ] {
+        fs::create_dir(folder.path(place)).unwrap();
+        pipe(&format!("{place}/{name}"));
+    }
+    let lines = [
+        &["check", "case.toml"][..],
+        &["run", "case.toml"],
+        &["study", "case.toml"],
+        &["plot", "plotted"],
+        &["gather", "gathered"],
+        &["validate"],
+    ];
+    let start = |line: &&[&str]| {
+        let mut command = folder.command(line);
+        let command = command.stdout(Stdio::null()).stderr(Stdio::null());
+        command.spawn().unwrap()
+    };
+    let mut children: Vec<_> = lines.iter().map(start).collect();
+    sleep(Duration::from_millis(300));
+    for child in &children {
+        let id = child.id().to_string();
+        let sent = Command::new("kill").args(["-TERM", &id]).status();
+        assert!(sent.unwrap().success());
+    }
+    for (child, line) in children.iter_mut().zip(lines) {
+        assert_eq!(child.wait().unwrap().code(), Some(130), "{line:?}");
+    }
+}
+
+#[test]
+fn a_study_stopped_while_it_is_planned_leaves_nothing() {
+    let folder = Folder::with_case(CASE);
+    let range = "{ from = \"1 uN\", to = \"2 uN\", count = 100000 }";
+    let study = format!("[study]\ncase = \"case.toml\"\n[study.vary]\nload.force = {range}\n");
+    fs::write(folder.path("many.toml"), study).unwrap();
+    let (ran, _) = interrupted(&folder, &["study", "many.toml"], "-TERM", || true);
+    assert_eq!(ran.code, Some(130), "{}", ran.stderr);
+    assert_eq!(folder.names(), ["case.toml", "many.toml"]);
 }

@@ -13,6 +13,7 @@ mod damage;
 mod files;
 mod guide;
 mod interrupt;
+mod keeping;
 mod maps;
 mod pictures;
 mod read_back;

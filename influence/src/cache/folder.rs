@@ -88,10 +88,12 @@ impl Folder {
     fn write_whole(&self, key: &Key, payload: &[u8]) -> io::Result<()> {
         fs::create_dir_all(&self.path)?;
         let [prefix, suffix] = PARTIAL;
-        let mut partial = tempfile::Builder::new()
-            .prefix(prefix)
-            .suffix(suffix)
-            .tempfile_in(&self.path)?;
+        let mut builder = tempfile::Builder::new();
+        builder.prefix(prefix).suffix(suffix);
+        // As any new file: others may read it unless the user's mask says no.
+        #[cfg(unix)]
+        builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+        let mut partial = builder.tempfile_in(&self.path)?;
         partial.write_all(&file::seal(key, payload))?;
         partial.write_all(payload)?;
         match partial.persist(self.file(key)) {

@@ -1,0 +1,235 @@
+//! How much memory there is for a case. A program that asks the system for more than it has is ended by it, with everything in hand: so a
+//! case asks here first, and fails by itself.
+//!
+//! Known on Linux: what is free, what the control group and the limits of the process (`ulimit -v`, `-d`) leave. Elsewhere nothing is known
+//! and no case is refused.
+
+use std::fs;
+use std::path::Path;
+use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+use crate::failure::Failure;
+use crate::forecast::Need;
+use crate::interrupt;
+
+/// How often a case that waits for memory looks whether the user wants to stop.
+const PAUSE: Duration = Duration::from_millis(100);
+
+/// Addresses without memory, bytes, that the C library sets aside for one more thread.
+const ADDRESSES: u64 = 64 << 20;
+
+/// Bytes that this process can still have; none if that is not known.
+#[must_use]
+pub fn available() -> Option<u64> {
+    let read = |path: &str| fs::read_to_string(path).ok();
+    let system = read("/proc/meminfo").and_then(|text| free(&text));
+    let process = read("/proc/self/limits").zip(read("/proc/self/status"));
+    let process = process.and_then(|(limits, status)| left_by_limits(&limits, &status));
+    let groups = read("/proc/self/cgroup").and_then(|text| left_by_groups(&text));
+    [system, process, groups].into_iter().flatten().min()
+}
+
+/// What is free or can be freed, swap included.
+fn free(meminfo: &str) -> Option<u64> {
+    let kibibytes = |name| number(meminfo, name).map(|value| value * 1024);
+    Some(kibibytes("MemAvailable:")? + kibibytes("SwapFree:").unwrap_or(0))
+}
+
+/// What the limits of the process leave of its address space and its data.
+fn left_by_limits(limits: &str, status: &str) -> Option<u64> {
+    let left = |limit, used| {
+        let used = number(status, used)? * 1024;
+        Some(number(limits, limit)?.saturating_sub(used))
+    };
+    let space = left("Max address space", "VmSize:").map(|left| left.saturating_sub(ADDRESSES));
+    let data = left("Max data size", "VmData:");
+    [space, data].into_iter().flatten().min()
+}
+
+/// The first number behind a name at the beginning of a line.
+fn number(text: &str, name: &str) -> Option<u64> {
+    let line = text.lines().find_map(|line| line.strip_prefix(name))?;
+    line.split_whitespace().next()?.parse().ok()
+}
+
+/// What the control groups of the process leave: its own and all above.
+fn left_by_groups(memberships: &str) -> Option<u64> {
+    let folders = memberships.lines().filter_map(|line| {
+        let (_, rest) = line.split_once(':')?;
+        let (controllers, path) = rest.split_once(':')?;
+        let root = match controllers {
+            "" => "/sys/fs/cgroup",
+            list if list.split(',').any(|name| name == "memory") => "/sys/fs/cgroup/memory",
+            _ => return None,
+        };
+        Some((Path::new(root), path.trim_start_matches('/').to_owned()))
+    });
+    let left = |(root, path): (&Path, String)| {
+        let folder = root.join(path);
+        let groups = folder
+            .ancestors()
+            .take_while(|group| group.starts_with(root));
+        groups.filter_map(left_by_group).min()
+    };
+    folders.filter_map(left).min()
+}
+
+/// What a control group leaves, of either version; what it could drop counts as free.
+fn left_by_group(group: &Path) -> Option<u64> {
+    let read = |name: &str| fs::read_to_string(group.join(name)).ok();
+    let value = |name: &str| read(name)?.trim().parse::<u64>().ok();
+    let droppable = |name: &str| read("memory.stat").and_then(|text| number(&text, name));
+    let left = |limit: u64, used: u64, droppable: Option<u64>| {
+        limit.saturating_sub(used.saturating_sub(droppable.unwrap_or(0)))
+    };
+    match (value("memory.max"), value("memory.current")) {
+        (Some(limit), Some(used)) => Some(left(limit, used, droppable("inactive_file "))),
+        _ => Some(left(
+            value("memory.limit_in_bytes")?,
+            value("memory.usage_in_bytes")?,
+            droppable("total_inactive_file "),
+        )),
+    }
+}
+
+/// The memory that the cases of this process have among them.
+#[derive(Debug)]
+pub struct Memory {
+    known: fn() -> Option<u64>,
+    taken: Mutex<Taken>,
+    freed: Condvar,
+}
+
+#[derive(Debug, Default)]
+struct Taken {
+    bytes: u64,
+    /// What there was when nothing was taken.
+    of: Option<u64>,
+}
+
+impl Default for Memory {
+    fn default() -> Self {
+        Self::of(available)
+    }
+}
+
+impl Memory {
+    fn of(known: fn() -> Option<u64>) -> Self {
+        Self {
+            known,
+            taken: Mutex::default(),
+            freed: Condvar::new(),
+        }
+    }
+
+    /// Takes what a case needs, and waits while other cases have it; none if the user stops meanwhile.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Memory`] if it needs more than there is.
+    pub fn take(&self, need: Need) -> Result<Option<Share<'_>>, Failure> {
+        let mut taken = self.lock();
+        loop {
+            if taken.bytes == 0 {
+                taken.of = (self.known)();
+            }
+            let available = taken.of.unwrap_or(u64::MAX);
+            if need.bytes > available {
+                return Err(Failure::Memory { need, available });
+            }
+            if need.bytes <= available - taken.bytes {
+                break;
+            }
+            if interrupt::is_requested() {
+                return Ok(None);
+            }
+            let waited = self.freed.wait_timeout(taken, PAUSE);
+            taken = waited.unwrap_or_else(PoisonError::into_inner).0;
+        }
+        taken.bytes += need.bytes;
+        Ok(Some(Share {
+            memory: self,
+            bytes: need.bytes,
+        }))
+    }
+
+    fn lock(&self) -> MutexGuard<'_, Taken> {
+        self.taken.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// What a case has taken, given back when it is dropped.
+#[derive(Debug)]
+pub struct Share<'a> {
+    memory: &'a Memory,
+    bytes: u64,
+}
+
+impl Drop for Share<'_> {
+    fn drop(&mut self) {
+        self.memory.lock().bytes -= self.bytes;
+        self.memory.freed.notify_all();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_least_of_what_is_left_counts() {
+        let meminfo = "MemTotal: 900 kB\nMemFree: 10 kB\nMemAvailable:   200 kB\nSwapFree: 50 kB\n";
+        assert_eq!(free(meminfo), Some(250 * 1024));
+        let status = "Name: a\nVmSize:\t   100 kB\nVmData:\t 30 kB\n";
+        let limits = |space: &str| {
+            format!(
+                "Limit  Soft\nMax data size  81920  unlimited bytes\nMax address space {space} unlimited bytes\n"
+            )
+        };
+        assert_eq!(
+            left_by_limits(&limits("unlimited"), status),
+            Some(50 * 1024)
+        );
+        let space = (ADDRESSES + 120 * 1024).to_string();
+        assert_eq!(left_by_limits(&limits(&space), status), Some(20 * 1024));
+        assert_eq!(left_by_limits(&limits("1"), status), Some(0));
+    }
+
+    #[test]
+    fn a_group_leaves_what_it_has_not_used() {
+        let group = tempfile::tempdir().unwrap();
+        let write = |name: &str, text: &str| fs::write(group.path().join(name), text).unwrap();
+        assert_eq!(left_by_group(group.path()), None);
+        write("memory.limit_in_bytes", "1000\n");
+        write("memory.usage_in_bytes", "400\n");
+        assert_eq!(left_by_group(group.path()), Some(600));
+        write("memory.current", "500\n");
+        write("memory.max", "2000\n");
+        write("memory.stat", "anon 400\ninactive_file 100\n");
+        assert_eq!(left_by_group(group.path()), Some(1600));
+        write("memory.limit_in_bytes", "nothing");
+        write("memory.max", "max\n");
+        assert_eq!(left_by_group(group.path()), None);
+    }
+
+    #[test]
+    fn a_case_waits_for_what_another_has_and_fails_if_there_is_too_little_for_it_alone() {
+        let memory = Memory::of(|| Some(10));
+        let need = |bytes| Need { bytes, elements: 1 };
+        let first = memory.take(need(6)).unwrap().unwrap();
+        let second = memory.take(need(4)).unwrap().unwrap();
+        assert!(matches!(
+            memory.take(need(11)),
+            Err(Failure::Memory { available: 10, .. })
+        ));
+        std::thread::scope(|scope| {
+            let third = scope.spawn(|| memory.take(need(5)).unwrap().unwrap().bytes);
+            drop(second);
+            assert!(!third.is_finished());
+            drop(first);
+            assert_eq!(third.join().unwrap(), 5);
+        });
+        assert_eq!(memory.lock().bytes, 0);
+    }
+}

@@ -1,0 +1,364 @@
+//! Nothing lost, nothing overwritten: places claimed before the work, what others wrote kept, tables that read back as they were written.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Child, Stdio};
+use std::thread::sleep;
+use std::time::{Duration, Instant};
+
+use serde_json::Value;
+
+use crate::runner::{CASE, Folder, Ran, names};
+
+/// Three cases that take no time.
+const STUDY: &str =
+    "[study]\ncase = \"case.toml\"\n[study.vary]\nload.force = [\"1 uN\", \"2 uN\", \"3 uN\"]\n";
+
+fn with_study(text: &str) -> Folder {
+    let folder = Folder::with_case(CASE);
+    fs::write(folder.path("many.toml"), text).unwrap();
+    folder
+}
+
+fn study(folder: &Folder, more: &[&str]) -> Ran {
+    folder.run(&[&["study", "many.toml", "--quiet"], more].concat())
+}
+
+fn read(folder: &Folder, name: &str) -> String {
+    fs::read_to_string(folder.path(name)).unwrap()
+}
+
+fn summary(folder: &Path) -> Value {
+    let text = fs::read_to_string(folder.join("summary.json")).unwrap();
+    serde_json::from_str(&text).unwrap()
+}
+
+fn refused(ran: &Ran, words: &str) {
+    assert_eq!(ran.code, Some(2), "{}", ran.stderr);
+    assert!(ran.stderr.contains(words), "{words} in: {}", ran.stderr);
+}
+
+#[test]
+fn runs_of_one_case_at_once_have_a_folder_each() {
+    let folder = Folder::with_case(CASE);
+    let forces = ["1 uN", "2 uN", "3 uN", "4 uN"];
+    let start = |force| {
+        let set = format!("load.force={force}");
+        let line = ["run", "case.toml", "--quiet", "--set", &set];
+        folder.command(&line).spawn().unwrap()
+    };
+    let children: Vec<Child> = forces.map(start).into();
+    for mut child in children {
+        assert_eq!(child.wait().unwrap().code(), Some(0));
+    }
+    let places = names(&folder.path("results"));
+    assert_eq!(places, ["case", "case-2", "case-3", "case-4"]);
+    let force = |name: &String| {
+        let summary = summary(&folder.path("results").join(name));
+        summary["case"]["load"]["force"].as_f64().unwrap()
+    };
+    let mut found: Vec<_> = places.iter().map(force).collect();
+    found.sort_by(f64::total_cmp);
+    assert_eq!(found, [1e-6, 2e-6, 3e-6, 4e-6]);
+}
+
+#[test]
+fn an_empty_folder_is_a_place_as_dot_and_through_a_link() {
+    let folder = Folder::with_case(CASE);
+    fs::create_dir(folder.path("empty")).unwrap();
+    let mut command = folder.command(&["run", "../case.toml", "--quiet", "--out", "."]);
+    let ran = Folder::ran(command.current_dir(folder.path("empty")));
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    assert!(folder.path("empty/summary.json").exists());
+    #[cfg(unix)]
+    {
+        fs::create_dir(folder.path("elsewhere")).unwrap();
+        std::os::unix::fs::symlink("elsewhere", folder.path("link")).unwrap();
+        let ran = folder.run(&["run", "case.toml", "--quiet", "--out", "link"]);
+        assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+        assert!(folder.path("elsewhere/summary.json").exists());
+        assert!(folder.path("link").is_symlink());
+    }
+}
+
+#[test]
+fn force_replaces_every_file_of_the_older_run_and_none_of_others() {
+    let folder = Folder::with_case(CASE);
+    let run = |more: &[&str]| {
+        folder.run(&[&["run", "case.toml", "--quiet", "--out", "a"], more].concat())
+    };
+    assert_eq!(run(&[]).code, Some(0));
+    let files = names(&folder.path("a"));
+    let three = "load={forces=[\"1 uN\", \"2 uN\", \"3 uN\"]}";
+    assert_eq!(run(&["--force", "--set", three]).code, Some(0));
+    assert!(names(&folder.path("a")).len() > files.len());
+    fs::write(folder.path("a/thesis.tex"), "mine").unwrap();
+    assert_eq!(run(&["--force"]).code, Some(0));
+    let mut expected = [files, vec!["thesis.tex".into()]].concat();
+    expected.sort();
+    assert_eq!(names(&folder.path("a")), expected);
+    assert_eq!(read(&folder, "a/thesis.tex"), "mine");
+}
+
+#[test]
+fn a_summary_of_something_else_is_not_replaced_by_a_run_or_by_a_study() {
+    let folder = with_study(STUDY);
+    let foreign = ["a", "results/many/cases/case-0002"];
+    for place in foreign {
+        fs::create_dir_all(folder.path(place)).unwrap();
+        fs::write(folder.path(place).join("summary.json"), "{}").unwrap();
+        fs::write(folder.path(place).join("thesis.tex"), "mine").unwrap();
+    }
+    refused(
+        &folder.run(&["run", "case.toml", "--out", "a", "--force"]),
+        "is not a results folder",
+    );
+    refused(&study(&folder, &["--folders"]), "is not a results folder");
+    for place in foreign {
+        assert_eq!(
+            names(&folder.path(place)),
+            ["summary.json", "thesis.tex"],
+            "{place}"
+        );
+    }
+}
+
+#[test]
+fn a_study_replaces_folders_of_its_own_cases_and_of_no_others() {
+    let folder = with_study(STUDY);
+    let place = folder.path("results/many/cases/case-0002");
+    let out = place.to_str().unwrap().to_owned();
+    let other = [
+        "run",
+        "case.toml",
+        "--quiet",
+        "--out",
+        &out,
+        "--set",
+        "title=other",
+    ];
+    assert_eq!(folder.run(&other).code, Some(0));
+    refused(&study(&folder, &["--folders"]), "another case");
+    assert_eq!(summary(&place)["title"], "other");
+    let same = ["run", "case.toml", "--quiet", "--out", &out, "--force"];
+    let set = ["--set", "load.force=2 uN"];
+    assert_eq!(folder.run(&[&same[..], &set].concat()).code, Some(0));
+    fs::write(place.join("thesis.tex"), "mine").unwrap();
+    let ran = study(&folder, &["--folders"]);
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    assert_eq!(
+        fs::read_to_string(place.join("thesis.tex")).unwrap(),
+        "mine"
+    );
+}
+
+#[test]
+fn line_ends_and_quotes_in_a_value_read_back() {
+    let titles = ["a\nb", "c\rd", "e,f", "g\"h", "i\r\nj", "k"];
+    let list = serde_json::to_string(&titles).unwrap();
+    let folder = with_study(&format!(
+        "[study]\ncase = \"case.toml\"\n[study.vary]\ntitle = {list}\n"
+    ));
+    // The second time the table is read, and nothing is left to do.
+    for _ in 0..2 {
+        let ran = folder.run(&["study", "many.toml", "--json"]);
+        assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+        let report: Value = serde_json::from_str(&ran.stdout).unwrap();
+        assert_eq!(
+            (&report["cases"], &report["certified"]),
+            (&6.into(), &6.into())
+        );
+    }
+    let mut reader = csv::Reader::from_path(folder.path("results/many/results.csv")).unwrap();
+    let rows = reader.records().map(|row| row.unwrap()[2].to_owned());
+    assert_eq!(rows.collect::<Vec<_>>(), titles);
+    let listed = study(&folder, &["--list"]).stdout;
+    assert_eq!(listed.lines().next(), Some("case 1: title = a\\nb"));
+}
+
+#[test]
+fn gather_replaces_no_table_of_another_study_or_of_the_users_own() {
+    let folder = with_study(STUDY);
+    let whole = "results/many/results.csv";
+    for shard in ["1/2", "2/2"] {
+        assert_eq!(study(&folder, &["--shard", shard]).code, Some(0));
+    }
+    fs::write(folder.path(whole), "mine\n").unwrap();
+    for more in [&[][..], &["--force"]] {
+        let line = [&["gather", "results/many"], more].concat();
+        refused(&folder.run(&line), "results.csv");
+        assert_eq!(read(&folder, whole), "mine\n");
+    }
+    // Another study, finished, whose folder the parts were put into.
+    fs::write(folder.path("many.toml"), STUDY.replace("3 uN", "4 uN")).unwrap();
+    assert_eq!(study(&folder, &["--out", "other"]).code, Some(0));
+    for name in ["results.csv", "study.json"] {
+        fs::copy(
+            folder.path("other").join(name),
+            folder.path("results/many").join(name),
+        )
+        .unwrap();
+    }
+    let other = read(&folder, whole);
+    refused(&folder.run(&["gather", "results/many"]), "--force");
+    assert_eq!(read(&folder, whole), other);
+    let forced = folder.run(&["gather", "results/many", "--force"]);
+    assert_eq!(forced.code, Some(0), "{}", forced.stderr);
+    assert_ne!(read(&folder, whole), other);
+}
+
+#[test]
+fn parts_of_two_studies_are_not_put_into_one_folder() {
+    let folder = with_study(STUDY);
+    assert_eq!(study(&folder, &[]).code, Some(0));
+    let whole = read(&folder, "results/many/results.csv");
+    fs::write(folder.path("many.toml"), STUDY.replace("3 uN", "4 uN")).unwrap();
+    refused(&study(&folder, &["--shard", "1/2"]), "--fresh");
+    assert_eq!(read(&folder, "results/many/results.csv"), whole);
+    assert_eq!(study(&folder, &["--shard", "1/2", "--fresh"]).code, Some(0));
+    assert_eq!(
+        names(&folder.path("results/many")),
+        ["results-1-of-2.csv", "study-1-of-2.json"]
+    );
+}
+
+#[test]
+fn a_table_of_the_users_own_is_not_begun_again() {
+    let folder = with_study(STUDY);
+    fs::create_dir_all(folder.path("a")).unwrap();
+    fs::write(folder.path("a/results.csv"), "mine\n").unwrap();
+    for more in [&[][..], &["--fresh"], &["--shard", "1/2"]] {
+        refused(
+            &study(&folder, &[&["--out", "a"], more].concat()),
+            "results.csv",
+        );
+        assert_eq!(read(&folder, "a/results.csv"), "mine\n");
+    }
+}
+
+#[test]
+fn gathers_at_once_all_end_well() {
+    let folder = with_study(STUDY);
+    for shard in ["1/2", "2/2"] {
+        assert_eq!(study(&folder, &["--shard", shard]).code, Some(0));
+    }
+    let start = |_| {
+        let mut command = folder.command(&["gather", "results/many"]);
+        command.stderr(Stdio::null()).spawn().unwrap()
+    };
+    let children: Vec<Child> = (0..4).map(start).collect();
+    for mut child in children {
+        assert_eq!(child.wait().unwrap().code(), Some(0));
+    }
+    assert_eq!(read(&folder, "results/many/results.csv").lines().count(), 4);
+    assert_eq!(names(&folder.path("results/many")).len(), 6);
+}
+
+#[test]
+fn a_template_written_beside_a_file_of_a_temporary_name_leaves_it() {
+    let folder = Folder::new();
+    fs::write(folder.path(".partial-case.toml"), "mine").unwrap();
+    let ran = folder.run(&["init", "--out", "case.toml"]);
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    assert_eq!(folder.names(), [".partial-case.toml", "case.toml"]);
+    assert_eq!(read(&folder, ".partial-case.toml"), "mine");
+}
+
+#[cfg(unix)]
+#[test]
+fn links_in_a_folder_from_elsewhere_are_not_followed() {
+    use std::os::unix::fs::symlink;
+    let folder = with_study(STUDY);
+    fs::write(folder.path("bashrc"), "mine").unwrap();
+    assert_eq!(
+        folder.run(&["run", "case.toml", "--out", "a"]).code,
+        Some(0)
+    );
+    assert_eq!(study(&folder, &[]).code, Some(0));
+    let link = |name: &str| {
+        drop(fs::remove_file(folder.path(name)));
+        symlink(folder.path("bashrc"), folder.path(name)).unwrap();
+    };
+    for name in ["report.html", "section-000.svg", "section-000.png"] {
+        link(&format!("a/{name}"));
+        link(&format!("a/.partial-{name}"));
+    }
+    assert_eq!(folder.run(&["plot", "a"]).code, Some(0));
+    link(".partial-new.toml");
+    assert_eq!(folder.run(&["init", "--out", "new.toml"]).code, Some(0));
+    link("results/many/.partial-study.json");
+    assert_eq!(study(&folder, &[]).code, Some(0));
+    link("results/many/results.csv");
+    for more in [&[][..], &["--fresh"]] {
+        assert_eq!(study(&folder, more).code, Some(2));
+    }
+    assert_eq!(read(&folder, "bashrc"), "mine");
+}
+
+/// Waits for something that a child has to do first.
+fn wait_for(child: &mut Child, is_so: impl Fn() -> bool) {
+    let start = Instant::now();
+    while !is_so() {
+        assert!(start.elapsed() < Duration::from_mins(1), "never so");
+        assert!(child.try_wait().unwrap().is_none(), "ended too early");
+        sleep(Duration::from_millis(5));
+    }
+}
+
+#[test]
+fn what_a_killed_run_leaves_says_so_and_is_removed_by_the_next() {
+    let folder = Folder::with_case(CASE);
+    let long = [
+        "--set",
+        "grid.elements=2048",
+        "--set",
+        "solver.tolerance=1e-13",
+    ];
+    let line = [&["run", "case.toml", "--quiet"][..], &long].concat();
+    let mut child = folder.command(&line).spawn().unwrap();
+    let place = folder.path("results/case");
+    let is_claimed = || place.is_dir() && names(&place).len() == 2;
+    wait_for(&mut child, is_claimed);
+    // A place that is claimed is passed over by others.
+    assert_eq!(folder.run(&["run", "case.toml", "--quiet"]).code, Some(0));
+    assert_eq!(names(&folder.path("results")), ["case", "case-2"]);
+    child.kill().unwrap();
+    child.wait().unwrap();
+    let lock = fs::read_to_string(place.join(".pellicle-lock")).unwrap();
+    assert!(
+        lock.contains("pellicle") && lock.contains("next run"),
+        "{lock}"
+    );
+    let other = ["run", "case.toml", "--quiet", "--out", "results/other"];
+    assert_eq!(folder.run(&other).code, Some(0));
+    assert_eq!(names(&folder.path("results")), ["case-2", "other"]);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_case_for_which_there_is_too_little_memory_fails_by_itself() {
+    let folder =
+        with_study("[study]\ncase = \"case.toml\"\n[study.vary]\ngrid.elements = [32, 8192, 64]\n");
+    let limited = |line: &str| {
+        let program = env!("CARGO_BIN_EXE_pellicle");
+        let script = format!("ulimit -v 900000; exec {program} {line}");
+        let mut command = std::process::Command::new("sh");
+        command.args(["-c", &script]).env("PELLICLE_CACHE", "");
+        Folder::ran(command.current_dir(folder.path(".")))
+    };
+    let ran = limited("run case.toml --set grid.elements=4096");
+    refused(&ran, "memory");
+    assert!(
+        ran.stderr.contains("such as grid.elements = "),
+        "{}",
+        ran.stderr
+    );
+    assert_eq!(ran.stderr.lines().count(), 1, "{}", ran.stderr);
+    assert_eq!(folder.names(), ["case.toml", "many.toml"]);
+    let ran = limited("study many.toml --quiet --threads 2");
+    assert_eq!(ran.code, Some(1), "{}", ran.stderr);
+    let table = read(&folder, "results/many/results.csv");
+    let starts: Vec<_> = table.lines().map(|line| &line[..8]).collect();
+    assert_eq!(starts, ["case,sta", "1,certif", "2,failed", "3,certif"]);
+    assert!(table.contains("GB of memory"), "{table}");
+}
