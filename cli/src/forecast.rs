@@ -59,7 +59,8 @@ impl Need {
     #[must_use]
     pub fn new(case: &Case, model: &Model, writers: usize) -> Self {
         let elements = case.grid.elements;
-        let trial = (elements > LEAST_TRIED).then(|| solve(case, model, elements.min(TRIAL)));
+        let domain = case.grid.domain();
+        let trial = (elements > LEAST_TRIED).then(|| solve(case, model, domain, TRIAL));
         let share = trial
             .and_then(Result::ok)
             .as_ref()

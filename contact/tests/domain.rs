@@ -77,7 +77,7 @@ fn a_ball_on_a_domain_smaller_than_its_contact_is_cut_off() {
     assert!(step.solution.certificate.is_satisfied());
     assert_eq!(step.cut_off, Some(CutOff::Domain));
     assert_eq!(step.status(), Status::CutOff);
-    assert_eq!(codes(&path), ["cut-off"]);
+    assert!(codes(&path).contains(&"cut-off"), "{:?}", codes(&path));
     // the domain chosen holds it
     let path = solve(&model, Domain::Automatic, 32, load);
     assert_eq!(path.steps[0].status(), Status::Certified);

@@ -84,9 +84,12 @@ fn compare(model: &Model, elements: usize, load: Load) {
     }
     // Of equal peaks, each way may find another.
     let grid = Grid::new(SIDE, elements).unwrap();
-    let is_peak = |[x, y]: [f64; 2]| [x, y] == part.summary.max_pressure_at;
+    let [u, v] = part.summary.max_pressure_at;
+    let half = 0.5 * grid.element_side();
+    // An interpolated one may stand between four elements.
+    let is_peak = |[x, y]: [f64; 2]| (x - u).abs().max((y - v).abs()) < 1.001 * half;
     let place = grid.centres().position(is_peak).unwrap();
-    assert!(whole.solution.pressure[place] > (1.0 - 1e-6) * peak);
+    assert!(whole.solution.pressure[place] > (1.0 - 1e-2) * peak);
     assert_eq!(
         part.summary.elements_to_edge,
         whole.summary.elements_to_edge
@@ -183,7 +186,7 @@ fn progress_is_told_of_the_whole_grid() {
     let options = SolverOptions::default();
     let path = solve_path(&model, domain, 64, &loads, &options, &mut watcher).unwrap();
     watcher.grids.dedup();
-    assert_eq!(watcher.grids, [32, 64]);
+    assert_eq!(watcher.grids, [16, 32, 64]);
     assert_eq!(
         watcher.contact_elements,
         path.steps[0].summary.contact_elements

@@ -152,12 +152,12 @@ fn the_grid_error_of_a_smooth_contact_covers_the_true_error() {
     );
     let error = path.steps[0].grid_error.penetration.unwrap();
     let true_error = (path.steps[0].solution.penetration - 0.01).abs();
-    // Hertz: D = a²/R = 0.01. Estimates scatter with how the grid meets the contact's edge.
+    // Hertz: D = a²/R = 0.01.
     assert!(
-        true_error < 5.0 * error.estimate && error.estimate < 1e-4,
+        true_error < error.estimate && error.estimate < 8.0 * true_error,
         "{true_error:e} {error:?}"
     );
-    assert_eq!(path.steps[0].grid_error.levels.len(), 4);
+    assert_eq!(path.steps[0].grid_error.levels.len(), 5);
 }
 
 #[test]
@@ -223,7 +223,7 @@ fn the_observer_sees_every_level_and_step() {
         grids.dedup();
         grids
     };
-    assert_eq!([of_step(0), of_step(1)], [[32, 64], [32, 64]]);
+    assert_eq!([of_step(0), of_step(1)], [[16, 32, 64], [16, 32, 64]]);
 }
 
 #[test]

@@ -78,10 +78,10 @@ fn the_summary_is_what_the_pressure_says() {
     let peak = pressure.iter().copied().fold(0.0, f64::max);
     let peak_at = pressure.iter().position(|p| *p == peak).unwrap();
     assert_eq!(found.contact_elements, pressed.len());
-    // Counted elements lie above the area by some 0.2 elements around the contact's edge, here of some 500 elements.
+    // The count is off by some tenths of an element all around the contact's edge, here of some 300 elements.
     let counted = grid.element_area() * pressed.len() as f64;
     assert!(
-        found.contact_area < counted && found.contact_area > 0.9 * counted,
+        (found.contact_area / counted - 1.0).abs() < 0.06,
         "{found:?}"
     );
     let (on, between) = (found.contact_area_on_relief, found.contact_area_between);

@@ -170,6 +170,7 @@ impl Case {
     #[must_use]
     pub fn blame(&self, error: ContactError) -> Failure {
         let keys: &[&str] = match &error {
+            ContactError::ElementsTooLarge { .. } => &["grid.side"],
             ContactError::NothingCanTouch { .. } => {
                 &["indenter.radius", "indenter.file", "indenter.kind"]
             }

@@ -316,14 +316,14 @@ fn a_needle_that_no_picture_can_show_is_refused() {
 }
 
 #[test]
-fn a_punch_that_misses_every_element_is_told_at_its_key() {
+fn a_punch_that_misses_every_element_is_told_at_the_key_of_the_side() {
     let punch = "kind = \"flat-punch\"\nradius = \"1 nm\"";
     let folder = Folder::with_case(CASE.replace("kind = \"paraboloid\"\nradius = \"4 um\"", punch));
     let ran = folder.run(&["run", "case.toml", "--json"]);
     assert_eq!(ran.code, Some(2), "{}", ran.stderr);
-    let sentence = "case.toml, line 19, key `indenter.radius`: found \"1 nm\": ";
+    let sentence = "key `grid.side`: found \"400 nm\": ";
     assert!(ran.stderr.contains(sentence), "{}", ran.stderr);
-    assert!(ran.stderr.contains("nothing can touch"), "{}", ran.stderr);
+    assert!(ran.stderr.contains("far too large"), "{}", ran.stderr);
 }
 
 #[test]

@@ -8,9 +8,11 @@ use serde_json::Value;
 
 use crate::runner::{CASE, Folder, names};
 
-/// What a run of one step on one grid leaves behind.
-const FILES: [&str; 15] = [
+/// What a run of one step leaves behind.
+const FILES: [&str; 17] = [
     "contact-000.gsf",
+    "convergence.png",
+    "convergence.svg",
     "curve.csv",
     "fields-000.nc",
     "fields-000.npz",
