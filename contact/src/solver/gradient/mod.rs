@@ -28,21 +28,24 @@
 //! fine. Equal neighbourhoods share a row, which makes building it cheaper than a product or two.
 //!
 //! **Newton.** Where the fast steps stall, or the energy cuts one, as on a thin stiff coat whose contact shrinks to rings and edges, a semismooth Newton method solves
-//! the linear system on the set to a tenth and exchanges all elements on the wrong side at once (Hintermüller, Ito and Kunisch 2003). It begins with the load's own preconditioner; should it
-//! fail, the sparse factor takes over.
+//! the linear system on the set until it is clear which elements are on the wrong side, and exchanges them all at once (Hintermüller, Ito and Kunisch 2003). It begins with the load's
+//! own preconditioner; should its systems not converge, the sparse factor takes over.
 //!
 //! **Why it ends.** A conjugate step never raises the energy, and a spectral step keeps it below the largest of the last
 //! few. One that would not is cut back by an exact line search on the segment to it, which costs no
 //! product because the energy is quadratic and both ends are known; a step that does not even start downhill is
 //! replaced by a projection of the plain gradient onto the admissible pressures, which always does. Newton's method has no such
-//! proof: after sixteen exchanges without gain it gives way to a stretch of these descents, each twice as long as the
-//! one before, so that whatever Newton does, the descents prevail; the strictly convex problem has one minimum, and they reach it. The
+//! proof: after sixteen exchanges without gain it gives way to a descent from [face to face](face), whose energy falls from each to the next, so that none comes twice. The
 //! number of products is bounded besides, and the best pressure met is returned.
+//!
+//! **Units.** All is computed in the units that the problem's [scale](crate::scale) sets, powers of two, so that no threshold knows those of the user. Elements beyond the
+//! indenter's end are none of the problem: no set takes them in, and no sum.
 
 mod best;
 mod conjugate;
 mod control;
 mod edge_band;
+mod face;
 mod iterate;
 mod newton;
 mod periodic_filter;
@@ -61,6 +64,7 @@ use self::{
     best::Best,
     conjugate::{ConjugateDirections, Course},
     control::Control,
+    face::FaceDescent,
     iterate::State,
     newton::{Newton, Turn},
     preconditioner::Preconditioner,
@@ -174,6 +178,7 @@ pub struct Workspace {
     spectral: SpectralSteps,
     conjugate: ConjugateDirections,
     newton: Option<Newton>,
+    faces: Option<FaceDescent>,
 }
 
 impl Workspace {
@@ -187,6 +192,7 @@ impl Workspace {
             spectral: SpectralSteps::new(problem.elements()),
             conjugate: ConjugateDirections::new(problem.elements()),
             newton: None,
+            faces: None,
         }
     }
 
@@ -205,7 +211,7 @@ impl Workspace {
         self.spectral.restart();
         self.conjugate.restart();
         if let Some(newton) = &mut self.newton {
-            newton.restart(0);
+            newton.restart();
         }
     }
 }
@@ -243,7 +249,11 @@ impl Iteration {
                 let turn = self.newton_step(problem);
                 self.strategy.after_newton(residual, turn)
             }
-            Phase::Fast | Phase::Descent(_) => {
+            Phase::Descent if self.workspace.preconditioner.knows_operator() => {
+                self.face_step(problem);
+                false
+            }
+            Phase::Fast | Phase::Descent => {
                 let part = self.fast_step(problem);
                 self.strategy.after_fast(residual, part)
             }
@@ -297,34 +307,61 @@ impl Iteration {
         newton.step(problem, preconditioner, state, set, image, tolerance)
     }
 
-    /// Prepares the phase that has just begun.
-    fn change_phase(&mut self, problem: &mut DiscreteProblem) {
-        if let Phase::Newton(failures) = self.strategy.phase() {
-            let Workspace {
-                preconditioner,
-                newton,
-                ..
-            } = &mut *self.workspace;
-            if preconditioner.prepare_for_newton(problem, failures) {
-                if let Some(newton) = newton {
-                    newton.restart(i32::try_from(failures).unwrap_or(i32::MAX));
-                }
-                return;
-            }
-            self.strategy.only_fast();
-        }
-        self.begin_descent(problem);
+    fn face_step(&mut self, problem: &mut DiscreteProblem) {
+        let Workspace {
+            state,
+            set,
+            preconditioner,
+            segment,
+            faces: Some(faces),
+            ..
+        } = &mut *self.workspace
+        else {
+            return;
+        };
+        faces.step(problem, preconditioner, state, set, segment);
     }
 
-    /// Back to an admissible pressure and steps without memory.
+    /// Prepares the phase that has just begun.
+    fn change_phase(&mut self, problem: &mut DiscreteProblem) {
+        let failures = match self.strategy.phase() {
+            Phase::Fast | Phase::Newton(0) => 0,
+            Phase::Newton(_) | Phase::Descent => 1,
+        };
+        let Workspace {
+            preconditioner,
+            newton,
+            ..
+        } = &mut *self.workspace;
+        let is_known = preconditioner.prepare_for_newton(problem, failures);
+        if !is_known {
+            self.strategy.descend();
+        }
+        if self.strategy.phase() == Phase::Descent {
+            self.begin_descent(problem);
+        } else if let Some(newton) = newton {
+            newton.restart();
+        }
+    }
+
+    /// Back to the best admissible pressure, and steps without memory: one product.
     fn begin_descent(&mut self, problem: &mut DiscreteProblem) {
         self.course = Course::Left(Part::Whole);
         self.workspace.restart();
-        let Workspace { state, set, .. } = &mut *self.workspace;
-        if state.pressure.iter().any(|p| *p < 0.0) {
-            state.clip(problem);
-        }
+        let Workspace {
+            state,
+            set,
+            best,
+            faces,
+            ..
+        } = &mut *self.workspace;
+        let (residual, _) = state.residual();
+        let pressure = best.or(state, residual).to_vec();
+        state.pressure.copy_from_slice(&pressure);
+        state.clip(problem);
         set.update(state);
+        let faces = faces.get_or_insert_with(|| FaceDescent::new(state.elements()));
+        faces.begin(state);
     }
 
     /// `dQ/dD` (N/m) on the elements that press, and the products that it takes; none where nothing presses.

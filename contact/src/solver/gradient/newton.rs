@@ -30,8 +30,6 @@ const MOST_STEPS: usize = 60;
 /// The memory of Newton's method.
 pub struct Newton {
     conjugate: ConjugateDirections,
-    /// Factor of what may be unsettled.
-    strictness: f64,
     /// `r·z` at the first step on the present set; none before.
     first: Option<f64>,
     steps: usize,
@@ -52,15 +50,13 @@ impl Newton {
     pub fn new(elements: usize) -> Self {
         Self {
             conjugate: ConjugateDirections::new(elements),
-            strictness: 1.0,
             first: None,
             steps: 0,
         }
     }
 
-    /// Begins anew, solving each system `digits` further than at first.
-    pub fn restart(&mut self, digits: i32) {
-        self.strictness = 10_f64.powi(-digits);
+    /// Begins anew.
+    pub fn restart(&mut self) {
         (self.first, self.steps) = (None, 0);
     }
 
@@ -86,20 +82,8 @@ impl Newton {
         let first = *self.first.get_or_insert(missing);
         let ahead = set.look_ahead(state, self.conjugate.missing(), SLACK * tolerance);
         let are_many = ahead.wrong as f64 > (FEW * set.len() as f64).max(2.0);
-        let most_news = if are_many {
-            UNSETTLED * ahead.wrong as f64
-        } else {
-            0.0
-        };
-        let is_settled = missing <= self.strictness * SETTLED * first;
-        let is_clear = ahead.news as f64 <= self.strictness * most_news;
-        if ahead.wrong > 0
-            && (if are_many {
-                is_clear || is_settled
-            } else {
-                is_settled
-            })
-        {
+        let are_clear = are_many && ahead.news as f64 <= UNSETTLED * ahead.wrong as f64;
+        if ahead.wrong > 0 && (are_clear || missing <= SETTLED * first) {
             return self.exchange(problem, preconditioner, state, set);
         }
         self.steps += 1;

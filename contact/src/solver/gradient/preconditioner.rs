@@ -82,6 +82,11 @@ impl Preconditioner {
         }
     }
 
+    /// Whether anything is known of the operator.
+    pub fn knows_operator(&self) -> bool {
+        !matches!(self.inverse, Inverse::Identity)
+    }
+
     /// Prepares for Newton's method, which has failed so many times on this load: what a load begins with may fail once, then comes the sparse factor, with ever more
     /// neighbours. False where nothing is known of the operator.
     pub fn prepare_for_newton(&mut self, problem: &DiscreteProblem, failures: usize) -> bool {

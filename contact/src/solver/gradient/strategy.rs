@@ -1,4 +1,4 @@
-//! Which kind of step comes next: fast ones while they gain, Newton's where they do not, descent where Newton's fail.
+//! Which kind of step comes next: fast ones while they gain, Newton's where they do not, descent from face to face where Newton's fail.
 
 use super::{newton::Turn, segment::Part};
 
@@ -6,9 +6,6 @@ use super::{newton::Turn, segment::Part};
 const FAST_PATIENCE: usize = 10;
 /// Exchanges without the residual's being halved after which Newton's method is held to cycle.
 const NEWTON_PATIENCE: usize = 16;
-/// Steps of the first descent that stands in for a failed Newton; each later one is twice as long.
-const DESCENT: usize = 40;
-
 /// The kind of steps being taken.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Phase {
@@ -16,14 +13,13 @@ pub enum Phase {
     Fast,
     /// Newton's method; the number of times that it failed before.
     Newton(usize),
-    /// The fast steps again, for as many as are left, however slowly they gain: the energy falls.
-    Descent(usize),
+    /// From face to face, however slowly: the energy falls. The fast steps again where nothing is known of the operator.
+    Descent,
 }
 
 /// The phase and what it has gained.
 pub struct Strategy {
     phase: Phase,
-    failures: usize,
     /// The residual that is to be halved next.
     milestone: f64,
     since: usize,
@@ -33,7 +29,6 @@ impl Strategy {
     pub fn new() -> Self {
         Self {
             phase: Phase::Fast,
-            failures: 0,
             milestone: f64::INFINITY,
             since: 0,
         }
@@ -47,31 +42,23 @@ impl Strategy {
     /// phase changes.
     pub fn after_fast(&mut self, residual: f64, part: Part) -> bool {
         let stalled = self.has_stalled(residual, FAST_PATIENCE) || part == Part::Cut;
-        self.phase = match self.phase {
-            Phase::Descent(left) if left > 1 => Phase::Descent(left - 1),
-            Phase::Fast if !stalled => Phase::Fast,
-            _ => return self.enter(Phase::Newton(self.failures)),
-        };
-        false
+        self.phase == Phase::Fast && stalled && self.enter(Phase::Newton(0))
     }
 
     /// Notes what a step of Newton's method did; true if the phase changes.
     pub fn after_newton(&mut self, residual: f64, turn: Turn) -> bool {
-        let failed = match turn {
-            Turn::Inner => false,
-            Turn::Exchanged => self.has_stalled(residual, NEWTON_PATIENCE),
-            Turn::Failed => true,
-        };
-        if failed {
-            self.failures += 1;
-            return self.enter(Phase::Descent(DESCENT << self.failures.min(16)));
+        match (turn, self.phase) {
+            (Turn::Inner, _) => false,
+            (Turn::Exchanged, _) if !self.has_stalled(residual, NEWTON_PATIENCE) => false,
+            // Not the method but its preconditioner.
+            (Turn::Failed, Phase::Newton(0)) => self.enter(Phase::Newton(1)),
+            _ => self.enter(Phase::Descent),
         }
-        false
     }
 
-    /// Stays with the fast steps for good: there is nothing else to turn to.
-    pub fn only_fast(&mut self) {
-        self.enter(Phase::Descent(usize::MAX));
+    /// Descends for good.
+    pub fn descend(&mut self) {
+        self.enter(Phase::Descent);
     }
 
     fn has_stalled(&mut self, residual: f64, patience: usize) -> bool {
@@ -104,17 +91,28 @@ mod tests {
         assert_eq!(strategy.phase(), Phase::Newton(0));
     }
 
-    #[test]
-    fn a_newton_that_cycles_gives_way_to_ever_longer_descents() {
+    fn at_newton() -> Strategy {
         let mut strategy = Strategy::new();
-        let mut lengths = Vec::new();
-        for _ in 0..3 {
-            while !matches!(strategy.phase(), Phase::Newton(_)) {
-                strategy.after_fast(1.0, Part::Whole);
-            }
-            while !strategy.after_newton(1.0, Turn::Exchanged) {}
-            lengths.push(strategy.phase());
+        while strategy.phase() == Phase::Fast {
+            strategy.after_fast(1.0, Part::Whole);
         }
-        assert_eq!(lengths, [80, 160, 320].map(Phase::Descent));
+        strategy
+    }
+
+    #[test]
+    fn a_newton_that_cycles_gives_way_to_descent_for_good() {
+        let mut strategy = at_newton();
+        while !strategy.after_newton(1.0, Turn::Exchanged) {}
+        assert_eq!(strategy.phase(), Phase::Descent);
+        assert!((0..100).all(|_| !strategy.after_fast(1.0, Part::Cut)));
+    }
+
+    #[test]
+    fn a_newton_whose_systems_are_not_solved_tries_another_preconditioner_once() {
+        let mut strategy = at_newton();
+        for phase in [Phase::Newton(1), Phase::Descent] {
+            assert!(strategy.after_newton(1.0, Turn::Failed));
+            assert_eq!(strategy.phase(), phase);
+        }
     }
 }

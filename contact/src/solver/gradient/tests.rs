@@ -51,7 +51,7 @@ fn newtons_method_alone_solves_a_plate_on_pillars() {
         let (mut state, mut set) = start(&mut problem, load);
         let mut preconditioner = Preconditioner::new(&problem);
         let mut newton = Newton::new(ELEMENTS);
-        newton.restart(0);
+        newton.restart();
         let mut image = [0.0; ELEMENTS];
         let mut exchanges = 0;
         while state.residual().0 > 1e-9 || !state.residual().1 {

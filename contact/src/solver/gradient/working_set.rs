@@ -108,6 +108,11 @@ impl WorkingSet {
         self.wrong.fill(false);
     }
 
+    /// Keeps the elements that belong, by their index and pressure.
+    pub fn keep(&mut self, state: &State, belongs: impl Fn(usize, f64) -> bool + Sync) {
+        self.revise_by(state, |element, member, p, _| member && belongs(element, p));
+    }
+
     /// `I ← {p > 0}`.
     pub fn keep_pressing(&mut self, state: &State) {
         self.revise_by(state, |_, _, p, _| p > 0.0);
