@@ -1,6 +1,6 @@
 //! Random cases from nanometres to metres whose domain is chosen: none is refused for its domain, none is cut off by it.
 //!
-//! 60 by default; `PELLICLE_RANDOM_DOMAINS=2000 cargo test --release -p pellicle-contact --test random_domains` for more.
+//! 20 by default; `PELLICLE_RANDOM_DOMAINS=2000 cargo test --release -p pellicle-contact --test random_domains` for more.
 
 #![expect(
     clippy::unwrap_used,
@@ -33,7 +33,7 @@ const FOUNDATIONS: [Option<(f64, f64, bool)>; 6] = [
 
 /// How many cases.
 fn cases() -> u64 {
-    std::env::var("PELLICLE_RANDOM_DOMAINS").map_or(60, |count| count.parse().unwrap())
+    std::env::var("PELLICLE_RANDOM_DOMAINS").map_or(20, |count| count.parse().unwrap())
 }
 
 /// Evenly distributed numbers from a seed (the generator `SplitMix64`; Steele, Lea and Flood 2014).
