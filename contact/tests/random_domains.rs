@@ -168,7 +168,9 @@ fn every_random_case_has_a_domain_that_holds_its_contact() {
                     let step = &path.steps[0];
                     let part = step.summary.contact_radius / path.grid.side();
                     let holds = step.cut_off != Some(CutOff::Domain);
-                    if holds && part > 0.08 && part < 0.7 {
+                    // What is not solved says nothing of its domain.
+                    let is_solved = step.solution.certificate.is_satisfied();
+                    if !is_solved || (holds && part > 0.08 && part < 0.7) {
                         return None;
                     }
                     format!("{:?}, {part} of {:?}", step.cut_off, path.grid)
