@@ -144,7 +144,7 @@ fn a_contact_at_the_end_of_a_map_is_cut_off_by_it() {
     let with_map = model(
         1.0,
         Relief::Bare,
-        Indenter::from(IndenterMap::new(map(41, 0.2, |x, y| (x * x + y * y) / 2.0))),
+        Indenter::from(IndenterMap::new(map(41, 0.2, |x, y| 0.5 * (x * x + y * y)))),
     );
     for (model, by) in [(on_map, CutOff::ReliefMap), (with_map, CutOff::IndenterMap)] {
         for (radius, cut_off) in [(0.06, None), (0.12, Some(by))] {
@@ -179,7 +179,7 @@ fn a_first_guess_that_is_far_off_is_mended_either_way() {
     // Springs of a map so soft that they spread the contact to ten times the body's own; a tip at the corner of a map.
     let soft = ReliefMap::new(rough(1e-3, 40.0), MapCompliance::Uniform(1e4)).unwrap();
     let on_springs = model(1.0, Relief::Map(soft), paraboloid(1.0));
-    let tip = |x: f64, y: f64| ((x - 0.45).powi(2) + (y - 0.45).powi(2)) / 2.0;
+    let tip = |x: f64, y: f64| 0.5 * ((x - 0.45).powi(2) + (y - 0.45).powi(2));
     let at_corner = model(
         1.0,
         Relief::Bare,

@@ -1,6 +1,6 @@
 //! Random cases from nanometres to metres whose domain is chosen: none is refused for its domain, none is cut off by it.
 //!
-//! 60 by default; `PELLICLE_RANDOM_DOMAINS=2000 cargo test --release -p pellicle-contact --test random_domains` for more.
+//! 20 by default; `PELLICLE_RANDOM_DOMAINS=2000 cargo test --release -p pellicle-contact --test random_domains` for more.
 
 #![expect(
     clippy::unwrap_used,
@@ -33,7 +33,7 @@ const FOUNDATIONS: [Option<(f64, f64, bool)>; 6] = [
 
 /// How many cases.
 fn cases() -> u64 {
-    std::env::var("PELLICLE_RANDOM_DOMAINS").map_or(60, |count| count.parse().unwrap())
+    std::env::var("PELLICLE_RANDOM_DOMAINS").map_or(20, |count| count.parse().unwrap())
 }
 
 /// Evenly distributed numbers from a seed (the generator `SplitMix64`; Steele, Lea and Flood 2014).
@@ -168,7 +168,9 @@ fn every_random_case_has_a_domain_that_holds_its_contact() {
                     let step = &path.steps[0];
                     let part = step.summary.contact_radius / path.grid.side();
                     let holds = step.cut_off != Some(CutOff::Domain);
-                    if holds && part > 0.08 && part < 0.7 {
+                    // What is not solved says nothing of its domain.
+                    let is_solved = step.solution.certificate.is_satisfied();
+                    if !is_solved || (holds && part > 0.08 && part < 0.7) {
                         return None;
                     }
                     format!("{:?}, {part} of {:?}", step.cut_off, path.grid)
