@@ -33,6 +33,9 @@ const QUANTITIES: [(&str, &str); 14] = [
     ("sides", "m"),
 ];
 
+/// A tenth of a nanometre on a side of a centimetre: no measured surface ranges over less.
+const FLAT: f64 = 1e-8;
+
 impl Case {
     /// What should be looked at before the numbers of the case are used, on a domain of this side.
     #[must_use]
@@ -49,6 +52,8 @@ impl Case {
         let coarse =
             |(table, map): (&str, Option<&MapCase>)| coarse(table, map?, element_side, self.units);
         doubts.extend(maps.into_iter().filter_map(coarse));
+        let flat = |(table, map): (&str, Option<&MapCase>)| flat(table, map?, self.units);
+        doubts.extend(maps.into_iter().filter_map(flat));
         doubts
     }
 }
@@ -65,6 +70,22 @@ fn coarse(table: &str, map: &MapCase, element_side: f64, units: Units) -> Option
             map.file,
             metres(pixel),
             metres(element_side)
+        ),
+    })
+}
+
+/// A map with next to no heights: of a thousandth of its unit, more likely than a surface.
+fn flat(table: &str, map: &MapCase, units: Units) -> Option<Doubt> {
+    let samples = map.samples().iter().copied();
+    let least = samples.clone().fold(f64::INFINITY, f64::min);
+    let range = samples.fold(f64::NEG_INFINITY, f64::max) - least;
+    let [x, y] = map.sides;
+    (range > 0.0 && range < FLAT * x.min(y)).then(|| Doubt {
+        code: "flat-map",
+        message: format!(
+            "the heights of the {table}'s map, {}, range over {} only: is height_unit right?",
+            map.file,
+            quantity(range, Unit::Metre, units)
         ),
     })
 }

@@ -278,6 +278,15 @@ fn check_counts_samples_and_a_map_coarser_than_the_grid_is_warned_of() {
             .to_owned()
     };
     assert_eq!(line("samples per element (surface)"), "0.357");
+    let flat = surface
+        .replace("nm\"}", "pm\"}")
+        .replace("840 nm", "840 um");
+    let checked = folder.run(&["check", "case.toml", "--set", &flat]);
+    assert!(
+        checked.stderr.contains("pm only: is height_unit right?"),
+        "{}",
+        checked.stderr
+    );
     assert_eq!(line("samples per shortest wave (surface)"), "6.0");
 }
 
