@@ -314,9 +314,14 @@ fn quantity(text: &str, dimension: Dimension) -> Result<f64, String> {
     let value = bare.or_else(|| quantity::parse(text, dimension).ok());
     let wanted = || {
         let example = dimension.example().trim_matches('"');
-        format!("wanted {} such as {example}, or a bare number", dimension.noun())
+        format!(
+            "wanted {} such as {example}, or a bare number",
+            dimension.noun()
+        )
     };
-    value.filter(|value: &f64| value.is_finite()).ok_or_else(wanted)
+    value
+        .filter(|value: &f64| value.is_finite())
+        .ok_or_else(wanted)
 }
 
 fn range(text: &str) -> Result<[f64; 2], String> {

@@ -229,7 +229,10 @@ mod tests {
 
     #[test]
     fn files_are_counted_while_they_are_written() {
-        assert_eq!(writing(3, 12), "writing results, 3 of 12 fields and pictures");
+        assert_eq!(
+            writing(3, 12),
+            "writing results, 3 of 12 fields and pictures"
+        );
     }
 
     #[test]

@@ -116,7 +116,8 @@ impl OutputCase {
 }
 
 fn formats(field: &Field<'_>) -> Result<Vec<Format>, Diagnosis> {
-    let wanted = "a list of \"npz\", \"vti\", \"nc\", \"gsf\"; for no fields at all write fields = \"none\"";
+    let wanted =
+        "a list of \"npz\", \"vti\", \"nc\", \"gsf\"; for no fields at all write fields = \"none\"";
     let items = field.list(wanted)?.into_iter();
     let mut formats: Vec<_> = items
         .map(|item| item.choice(&FORMATS))

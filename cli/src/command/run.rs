@@ -47,9 +47,8 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
     summary.warnings.extend(unfinished(&case, &path));
     if let Some(folder) = &folder {
         let tell = line.writing();
-        folder.write(|folder| {
-            results::write(folder, &path, &mut summary, start, &tell).map(drop)
-        })?;
+        folder
+            .write(|folder| results::write(folder, &path, &mut summary, start, &tell).map(drop))?;
     }
     drop(line);
     tell(arguments, &summary, folder.as_ref().map(Folder::path));

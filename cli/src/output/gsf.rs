@@ -30,12 +30,7 @@ pub fn file(name: &str, step: usize) -> String {
 /// # Errors
 ///
 /// [`Failure::Write`] if a file cannot be written.
-pub fn write(
-    folder: &Path,
-    fields: &Fields<'_>,
-    units: Units,
-    step: usize,
-) -> Result<(), Failure> {
+pub fn write(folder: &Path, fields: &Fields<'_>, units: Units, step: usize) -> Result<(), Failure> {
     let pressure = Channel {
         title: "Pressure",
         unit: Some("Pa"),
@@ -95,11 +90,7 @@ fn head(fields: &Fields<'_>, units: Units, channel: &Channel<'_>) -> Vec<u8> {
     head
 }
 
-fn write_rows(
-    file: &mut impl Write,
-    size: usize,
-    value: impl Fn(usize) -> f32,
-) -> io::Result<()> {
+fn write_rows(file: &mut impl Write, size: usize, value: impl Fn(usize) -> f32) -> io::Result<()> {
     for j in (0..size).rev() {
         for i in 0..size {
             file.write_all(&value(i * size + j).to_le_bytes())?;

@@ -246,11 +246,7 @@ fn push_count(header: &mut Vec<u8>, count: usize) -> io::Result<()> {
     Ok(())
 }
 
-fn write_values(
-    file: &mut impl Write,
-    fields: &Fields<'_>,
-    values: &Values<'_>,
-) -> io::Result<()> {
+fn write_values(file: &mut impl Write, fields: &Fields<'_>, values: &Values<'_>) -> io::Result<()> {
     match values {
         Values::Centres(_) => {
             (0..fields.size).try_for_each(|i| file.write_all(&fields.centre(i).to_be_bytes()))

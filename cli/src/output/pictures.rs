@@ -111,9 +111,9 @@ pub fn run(
     desk: &Desk<'_>,
 ) -> Result<RunPart, Failure> {
     let one = |name: &str, svg: Option<String>| match svg {
-        Some(svg) if pictures != Steps::None => {
-            desk.picture(folder, name, || svg.clone()).map(|_| Some(svg))
-        }
+        Some(svg) if pictures != Steps::None => desk
+            .picture(folder, name, || svg.clone())
+            .map(|_| Some(svg)),
         svg => Ok(svg),
     };
     let curve = desk.drawn(curve::NAME, || Ok(curve::draw(record, style)));
@@ -133,7 +133,9 @@ pub fn names(record: &Record, steps: &[usize], of_run: Steps) -> Vec<String> {
         (curve::NAME, curve::is_drawn(record)),
         (convergence::NAME, convergence::is_drawn(record)),
     ];
-    let run = run.into_iter().filter(|(_, is)| *is && of_run != Steps::None);
+    let run = run
+        .into_iter()
+        .filter(|(_, is)| *is && of_run != Steps::None);
     let run = run.map(|(name, _)| name.to_owned());
     steps.iter().flat_map(name).chain(run).collect()
 }

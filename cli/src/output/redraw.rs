@@ -56,8 +56,8 @@ pub fn draw(folder: &Path, order: &Order<'_>, tell: Tell<'_>) -> Result<Redrawn,
     } else {
         Steps::None
     };
-    let count = steps.len() * pictures::of_a_step(&record).len()
-        + pictures::count_of_run(&record, of_run);
+    let count =
+        steps.len() * pictures::of_a_step(&record).len() + pictures::count_of_run(&record, of_run);
     let desk = Desk::new(count, tell);
     let out = order.out.unwrap_or(folder);
     if order.out.is_some() && !order.replaces {
@@ -68,7 +68,10 @@ pub fn draw(folder: &Path, order: &Order<'_>, tell: Tell<'_>) -> Result<Redrawn,
     let shown = results::in_report(&steps);
     let parts = steps.par_iter().map(|step| {
         if *step >= record.steps.len() {
-            let reason = format!("there is no step {step}, the last is {}", record.steps.len() - 1);
+            let reason = format!(
+                "there is no step {step}, the last is {}",
+                record.steps.len() - 1
+            );
             return Err(Failure::damaged(folder, &reason));
         }
         let stored = StoredFields::read(&fields(*step))?;
@@ -108,10 +111,14 @@ pub fn draw_curves(
     }
     let records = folders.iter().map(|folder| Record::read(folder));
     let records = records.collect::<Result<Vec<_>, Failure>>()?;
-    let units = records.first().map(|record| record.units).unwrap_or_default();
+    let units = records
+        .first()
+        .map(|record| record.units)
+        .unwrap_or_default();
     let other = records.iter().position(|record| record.units != units);
     if let Some(other) = other {
-        let reason = "its units are not those of the first: one is in SI units, the other in its own";
+        let reason =
+            "its units are not those of the first: one is in SI units, the other in its own";
         return Err(Failure::damaged(&folders[other], &reason));
     }
     let names = names(folders, &records);
@@ -129,7 +136,9 @@ pub fn draw_curves(
 /// Refuses to draw a picture where there is one.
 fn keep(folder: &Path, name: &str) -> Result<(), Failure> {
     let files = ["svg", "png"].map(|ending| folder.join(format!("{name}.{ending}")));
-    let taken = files.into_iter().find(|path| path.symlink_metadata().is_ok());
+    let taken = files
+        .into_iter()
+        .find(|path| path.symlink_metadata().is_ok());
     taken.map_or(Ok(()), |path| Err(Failure::Exists { path }))
 }
 

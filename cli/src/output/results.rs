@@ -83,7 +83,8 @@ fn write_steps(
     desk: &Desk<'_>,
 ) -> Result<Vec<StepPart>, Failure> {
     let count = path.steps.len();
-    let wanted = |i: &usize| output.fields.contains(*i, count) || output.pictures.contains(*i, count);
+    let wanted =
+        |i: &usize| output.fields.contains(*i, count) || output.pictures.contains(*i, count);
     let steps: Vec<_> = (0..count).filter(wanted).collect();
     let pictured: Vec<_> = (0..count)
         .filter(|i| output.pictures.contains(*i, count))

@@ -69,7 +69,10 @@ mod tests {
         assert_eq!(logarithmic_labels(&[0.1, 0.2, 0.5]), ["0.1", "0.2", "0.5"]);
         assert_eq!(logarithmic_labels(&[1.0, 1.5, 2.0]), ["1", "1.5", "2"]);
         assert_eq!(logarithmic_labels(&[1e-5, 1e-3]), ["10⁻⁵", "10⁻³"]);
-        assert_eq!(logarithmic_labels(&[20.0, 20.5, 21.0]), ["20", "20.5", "21"]);
+        assert_eq!(
+            logarithmic_labels(&[20.0, 20.5, 21.0]),
+            ["20", "20.5", "21"]
+        );
     }
 
     #[test]

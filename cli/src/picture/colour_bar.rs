@@ -1,9 +1,9 @@
 //! What the colours of a picture mean: a bar with the values beside it.
 
+use super::colour_map::Shades;
 use super::panel::LABEL;
 use super::raster::Raster;
 use super::svg::{Anchor, Direction, Place, Stroke, Svg};
-use super::colour_map::Shades;
 use super::{axis, colours, ticks};
 
 /// Width of the labels and the title beside the bar, in pixels.

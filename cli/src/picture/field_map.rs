@@ -62,7 +62,9 @@ impl FieldMap {
             from,
             to,
         };
-        let mut svg = subject.style.sheet(pressure_map::WIDTH, pressure_map::HEIGHT);
+        let mut svg = subject
+            .style
+            .sheet(pressure_map::WIDTH, pressure_map::HEIGHT);
         let left = pressure_map::MAP.left;
         subject.draw_heading(&mut svg, left, pressure_map::WIDTH - left, "");
         let (panel, metres) = pressure_map::panel(subject, blocks.ends);
@@ -148,7 +150,12 @@ impl Blocks {
 
     /// The smallest and the largest value; a little more where they are the same.
     fn extent(&self) -> [f64; 2] {
-        let finite = || self.values.iter().copied().filter(|value| value.is_finite());
+        let finite = || {
+            self.values
+                .iter()
+                .copied()
+                .filter(|value| value.is_finite())
+        };
         let low = finite().fold(f64::INFINITY, f64::min);
         let high = finite().fold(f64::NEG_INFINITY, f64::max);
         match (high - low).partial_cmp(&0.0) {

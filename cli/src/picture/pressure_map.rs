@@ -1,12 +1,12 @@
 //! The pressure of one loading step over the surface, with the outlines of the contact and of the relief.
 
 use super::coarse::Coarse;
+use super::colour_map::Shades;
 use super::colours::{self, Colour};
 use super::panel::{Axis, Panel};
 use super::raster::Raster;
 use super::subject::Subject;
 use super::svg::{Anchor, Place, Stroke, Svg};
-use super::colour_map::Shades;
 use super::window::Window;
 use super::{axis, colour_bar, heading, outline};
 
@@ -75,13 +75,7 @@ pub(super) fn panel(subject: &Subject<'_>, [x, y]: [[f64; 2]; 2]) -> (Panel, f64
 }
 
 /// Draws pressure, relief and outlines where a panel's axes have them; coordinates are divided by `divisor`.
-pub fn draw_field(
-    svg: &mut Svg,
-    panel: &Panel,
-    coarse: &Coarse,
-    divisor: f64,
-    shades: &Shades,
-) {
+pub fn draw_field(svg: &mut Svg, panel: &Panel, coarse: &Coarse, divisor: f64, shades: &Shades) {
     let place = within(panel, coarse.ends(), divisor);
     let cells = coarse.cells;
     let colour = |i, j: usize| colour(coarse, i, cells - 1 - j, shades);

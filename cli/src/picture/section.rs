@@ -83,7 +83,13 @@ impl Line {
 
 /// The first of the elements with the largest pressure.
 fn peak(pressure: &[f64]) -> usize {
-    let larger = |best: usize, e: usize| if pressure[e] > pressure[best] { e } else { best };
+    let larger = |best: usize, e: usize| {
+        if pressure[e] > pressure[best] {
+            e
+        } else {
+            best
+        }
+    };
     (0..pressure.len()).fold(0, larger)
 }
 

@@ -49,7 +49,12 @@ pub fn logarithmic(from: f64, to: f64) -> Vec<f64> {
     let mut ticks = few
         .map(|digits| with_digits(digits, low, high))
         .find(|ticks| ticks.len() >= FEWEST)
-        .unwrap_or_else(|| linear(low, high, 4));
+        .or_else(|| {
+            (4..=12)
+                .map(|count| linear(low, high, count))
+                .find(|ticks| ticks.len() >= FEWEST)
+        })
+        .unwrap_or_default();
     // Over very many decades every second, every third and so on.
     let stride = ticks.len().div_ceil(MOST);
     let mut index = 0..;
@@ -112,8 +117,12 @@ mod tests {
         for low in [1e-9, 0.37, 1.0, 2.1, 9.5, 4e7] {
             for ratio in [1.02, 1.3, 1.69, 2.0, 3.3, 10.0, 55.0, 1e3, 2e4, 1e9, 1e30] {
                 let ticks = logarithmic(low, low * ratio);
-                assert!((3..=MOST + 2).contains(&ticks.len()), "{low} {ratio}: {ticks:?}");
-                let within = |tick: &f64| *tick >= low * 0.999_999 && *tick <= low * ratio * 1.000_001;
+                assert!(
+                    (3..=MOST + 2).contains(&ticks.len()),
+                    "{low} {ratio}: {ticks:?}"
+                );
+                let within =
+                    |tick: &f64| *tick >= low * 0.999_999 && *tick <= low * ratio * 1.000_001;
                 assert!(ticks.iter().all(within), "{ticks:?}");
             }
         }

@@ -10,7 +10,13 @@ fn results() -> Folder {
     let folder = Folder::with_case(CASE);
     let curve = "load={forces=[\"1 uN\", \"2 uN\", \"4 uN\"]}";
     for (out, more) in [("one", &[][..]), ("three", &["--set", curve])] {
-        let ran = folder.run(&[&["run", "case.toml", "--out", out, "--formats", "npz"], more].concat());
+        let ran = folder.run(
+            &[
+                &["run", "case.toml", "--out", out, "--formats", "npz"],
+                more,
+            ]
+            .concat(),
+        );
         assert_eq!(ran.code, Some(0), "{}", ran.stderr);
     }
     folder
@@ -30,10 +36,17 @@ fn pictures_are_drawn_to_order_beside_those_that_are_there() {
     let folder = results();
     let before = svg(&folder.path("one/pressure-000.svg"));
     assert!(before.contains("Q = 1.0000 µN"));
-    plot(&folder, "plot one --out fig --no-title --size 600 --colour-map magma --section peak");
+    plot(
+        &folder,
+        "plot one --out fig --no-title --size 600 --colour-map magma --section peak",
+    );
     assert_eq!(svg(&folder.path("one/pressure-000.svg")), before);
     let map = svg(&folder.path("fig/pressure-000.svg"));
-    assert!(map.contains(" width=\"600\"") && !map.contains("Q = "), "{}", &map[..300]);
+    assert!(
+        map.contains(" width=\"600\"") && !map.contains("Q = "),
+        "{}",
+        &map[..300]
+    );
     let png = fs::read(folder.path("fig/pressure-000.png")).unwrap();
     // The width stands in the header of a PNG.
     assert_eq!(png[16..20], 600_u32.to_be_bytes());
@@ -111,7 +124,12 @@ fn a_measured_surface_has_maps_of_its_heights_the_gap_and_the_displacement() {
     let (start, rest) = CASE.split_once("[surface]").unwrap();
     let (_, end) = rest.split_once("[indenter]").unwrap();
     let folder = Folder::with_case(format!("{start}{map}\n[indenter]{end}"));
-    let row = |j: usize| (0..9).map(|i| ((i * j) % 4).to_string()).collect::<Vec<_>>().join(",");
+    let row = |j: usize| {
+        (0..9)
+            .map(|i| ((i * j) % 4).to_string())
+            .collect::<Vec<_>>()
+            .join(",")
+    };
     let rows: Vec<_> = (0..9).map(row).collect();
     fs::write(folder.path("s.csv"), rows.join("\n") + "\n").unwrap();
     let ran = folder.run(&["run", "case.toml", "--out", "a"]);

@@ -77,7 +77,10 @@ fn the_total_time_contains_the_writing() {
     let timing = &summary(&folder, "a")["timing"];
     let total = timing["total_seconds"].as_f64().unwrap();
     // Nine pictures take many times as long as three loads on 32 × 32 elements, and most of the process's time.
-    assert!(total <= passed && total > 0.5 * passed, "{total} of {passed}");
+    assert!(
+        total <= passed && total > 0.5 * passed,
+        "{total} of {passed}"
+    );
 }
 
 #[test]
@@ -104,7 +107,10 @@ fn check_tells_the_room_that_a_run_takes() {
         let entries = fs::read_dir(folder.path(out)).unwrap();
         let sizes = entries.map(|entry| entry.unwrap().metadata().unwrap().len());
         let ratio = sizes.sum::<u64>() as f64 / 1e6 / told;
-        assert!((0.8..1.2).contains(&ratio), "{sets:?}: {ratio} of {told} MB");
+        assert!(
+            (0.8..1.2).contains(&ratio),
+            "{sets:?}: {ratio} of {told} MB"
+        );
     }
 }
 
@@ -138,14 +144,27 @@ mod stopped {
     fn writing(folder: &Folder) -> Child {
         let loads = "load={forces={from=\"1 uN\", to=\"2 uN\", count=24}}";
         let line = [
-            "run", "case.toml", "--out", "a", "--fields", "all", "--pictures", "all", "--set", loads, "--set",
+            "run",
+            "case.toml",
+            "--out",
+            "a",
+            "--fields",
+            "all",
+            "--pictures",
+            "all",
+            "--set",
+            loads,
+            "--set",
             "grid.elements=96",
         ];
         let mut command = folder.command(&line);
         let child = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn();
         let start = Instant::now();
         let has_begun = || {
-            let hidden = folder.names().into_iter().filter(|name| name.starts_with('.'));
+            let hidden = folder
+                .names()
+                .into_iter()
+                .filter(|name| name.starts_with('.'));
             let mut hidden = hidden.map(|name| folder.path(&name));
             hidden.any(|path| fs::read_dir(path).is_ok_and(|mut files| files.next().is_some()))
         };
@@ -170,7 +189,11 @@ mod stopped {
         interrupt(&child);
         let output = child.wait_with_output().unwrap();
         // A second, and what a busy machine takes to end a process.
-        assert!(sent.elapsed() < Duration::from_secs(3), "{:?}", sent.elapsed());
+        assert!(
+            sent.elapsed() < Duration::from_secs(3),
+            "{:?}",
+            sent.elapsed()
+        );
         assert_eq!(output.status.code(), Some(130));
         assert_eq!(folder.names(), ["a", "case.toml"]);
         let summary = summary(&folder, "a");

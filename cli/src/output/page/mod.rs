@@ -182,9 +182,15 @@ fn step_section(record: &Record, part: &StepPart) -> String {
         _ => format!("Loading step {}", part.step),
     };
     [
-        format!("<section class=\"step\" id=\"step-{}\">\n<h2>{heading}</h2>\n", part.step),
+        format!(
+            "<section class=\"step\" id=\"step-{}\">\n<h2>{heading}</h2>\n",
+            part.step
+        ),
         step::numbers(record, step),
-        format!("<h3>Certificate</h3>\n{}", step::certificate(&step.certificate, tolerance)),
+        format!(
+            "<h3>Certificate</h3>\n{}",
+            step::certificate(&step.certificate, tolerance)
+        ),
         drawings(part),
         "</section>\n".into(),
     ]
@@ -196,17 +202,27 @@ fn drawings(part: &StepPart) -> String {
     let figure = |(kind, svg): &(Kind, String)| match kind {
         Kind::Map => format!(
             "<h3>Pressure</h3>\n{}{}",
-            drawing(svg, "The pressure on the surface. Black: outline of the contact; grey: outline of the relief."),
+            drawing(
+                svg,
+                "The pressure on the surface. Black: outline of the contact; grey: outline of the relief."
+            ),
             part.surface.as_deref().map(turned).unwrap_or_default(),
         ),
         Kind::Section => format!(
             "<h3>Section</h3>\n{}",
-            drawing(svg, "Depth is positive into the body; how much it is enlarged against the length across is said above it."),
+            drawing(
+                svg,
+                "Depth is positive into the body; how much it is enlarged against the length across is said above it."
+            ),
         ),
         // The same as the pressure that can be turned.
         Kind::View => String::new(),
         Kind::Field(field) => {
-            format!("<h3>The {}</h3>\n{}", field.title(), drawing(svg, "Black: outline of the contact."))
+            format!(
+                "<h3>The {}</h3>\n{}",
+                field.title(),
+                drawing(svg, "Black: outline of the contact.")
+            )
         }
     };
     part.drawings.iter().map(figure).collect()
