@@ -49,7 +49,12 @@ pub fn logarithmic(from: f64, to: f64) -> Vec<f64> {
     let mut ticks = few
         .map(|digits| with_digits(digits, low, high))
         .find(|ticks| ticks.len() >= FEWEST)
-        .unwrap_or_else(|| linear(low, high, 4));
+        .or_else(|| {
+            (4..=12)
+                .map(|count| linear(low, high, count))
+                .find(|ticks| ticks.len() >= FEWEST)
+        })
+        .unwrap_or_default();
     // Over very many decades every second, every third and so on.
     let stride = ticks.len().div_ceil(MOST);
     let mut index = 0..;
