@@ -116,7 +116,7 @@ fn check_tells_the_room_that_a_run_takes() {
 
 #[test]
 fn a_needle_is_solved_and_drawn() {
-    let needle = "indenter={kind=\"cone\", half_angle=1e-8, tip_radius=\"1 um\"}";
+    let needle = "indenter={kind=\"cone\", half_angle=\"0.1 deg\", tip_radius=\"1 um\"}";
     let folder = Folder::with_case(CASE);
     let ran = folder.run(&[
         "run",
@@ -161,11 +161,11 @@ mod stopped {
         let child = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn();
         let start = Instant::now();
         let has_begun = || {
-            let hidden = folder
-                .names()
-                .into_iter()
-                .filter(|name| name.starts_with('.'));
-            let mut hidden = hidden.map(|name| folder.path(&name));
+            let place = folder.path("a");
+            let inside = fs::read_dir(&place).into_iter().flatten().flatten();
+            let mut hidden = inside
+                .map(|entry| entry.path())
+                .filter(|path| path.is_dir());
             hidden.any(|path| fs::read_dir(path).is_ok_and(|mut files| files.next().is_some()))
         };
         while !has_begun() {
