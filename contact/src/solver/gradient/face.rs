@@ -164,6 +164,8 @@ impl FaceDescent {
                 return;
             }
             self.caution += 2;
+        } else {
+            self.caution = self.caution.saturating_sub(1);
         }
         self.go_back(state);
         state.advance(problem, ends[0], &segment.step, &segment.image);
@@ -172,8 +174,6 @@ impl FaceDescent {
 
     /// Back to where the face was entered.
     fn go_back(&self, state: &mut State) {
-        state.pressure.copy_from_slice(&self.pressure);
-        state.v.copy_from_slice(&self.v);
-        state.penetration = self.penetration;
+        state.go_back(&self.pressure, &self.v, self.penetration);
     }
 }

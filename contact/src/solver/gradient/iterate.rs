@@ -166,6 +166,14 @@ impl State {
         growth
     }
 
+    /// Takes a pressure that it had before, with its `v` and penetration; whether steps keep its total is found anew, since nothing to scale may be left.
+    pub fn go_back(&mut self, pressure: &[f64], v: &[f64], penetration: f64) {
+        self.pressure.copy_from_slice(pressure);
+        self.v.copy_from_slice(v);
+        self.penetration = penetration;
+        self.growth(dot(pressure, v) - dot(pressure, &self.initial_gap));
+    }
+
     /// Makes a direction conjugate to the pressure where that is scaled, so that a step along it leaves the scale right:
     /// `d ← d − (d·(v − g0) / p·(v − g0)) p`.
     pub fn deflate(&self, direction: &mut [f64]) {

@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use super::{
     best::Best,
     control::Control,
+    face::FaceDescent,
     iterate::State,
     newton::{Newton, Turn},
     preconditioner::Preconditioner,
@@ -20,6 +21,9 @@ use crate::{
 };
 
 const ELEMENTS: usize = SIZE * SIZE;
+
+/// Products that a plate on pillars may take from face to face.
+const MOST_ON_FACES: usize = 400;
 
 fn plate() -> DiscreteProblem {
     problem([1000.0, 0.01], |x, y| pillars(x, y, 0.002), RIGID)
@@ -66,6 +70,31 @@ fn newtons_method_alone_solves_a_plate_on_pillars() {
             assert_ne!(turn, Turn::Failed);
             exchanges += usize::from(turn == Turn::Exchanged);
             assert!(state.applications() <= most, "{exchanges} exchanges");
+        }
+    }
+}
+
+#[test]
+fn descent_from_face_to_face_alone_solves_a_plate_on_pillars() {
+    for load in [Load::Force(1e-2), Load::Penetration(0.02)] {
+        let mut problem = plate();
+        let (mut state, mut set) = start(&mut problem, load);
+        let mut preconditioner = Preconditioner::new(&problem);
+        let mut faces = FaceDescent::new(ELEMENTS);
+        let mut segment = Segment::new(ELEMENTS);
+        faces.begin(&state);
+        let mut energy = state.energy();
+        while state.residual().0 > 1e-9 || !state.residual().1 {
+            let products = state.applications();
+            let (preconditioner, segment) = (&mut preconditioner, &mut segment);
+            faces.step(&mut problem, preconditioner, &mut state, &mut set, segment);
+            if set.take_moves() > 0 && state.residual().1 {
+                // Rounding of the energy.
+                assert!(state.energy() <= energy + 1e-12 * energy.abs());
+                energy = state.energy();
+            }
+            assert!(state.applications() <= products + 1);
+            assert!(products < MOST_ON_FACES, "{:?}", state.residual());
         }
     }
 }
