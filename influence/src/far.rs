@@ -2,7 +2,7 @@
 
 use crate::near::near_integral;
 use crate::product_rule::{AtBorder, ProductRule};
-use crate::radial::{RadialFunctions, Worst, Yardstick};
+use crate::radial::{NEAR, RadialFunctions, Worst, Yardstick};
 
 /// What the rules may leave before their borders are put further out.
 const LARGEST_LEFT: f64 = 2e-13;
@@ -57,8 +57,8 @@ fn left_at(functions: &RadialFunctions, border: &AtBorder) -> Worst {
     let [start, end] = functions.ends();
     let distance = 2.0 * border.offset[0] as f64;
     let mut yardstick = Yardstick::new(functions);
-    // Seen from the border, all of T.
-    let smallest = SMALLEST * start / crate::radial::NEAR;
+    // The panels start at NEAR thicknesses of the top layer.
+    let smallest = SMALLEST * start / NEAR;
     let scales = std::iter::successors(Some(smallest), |scale| Some(STEP * scale));
     let left = scales
         .take_while(|scale| scale * distance < end)

@@ -150,8 +150,7 @@ impl CoefficientTable {
 fn accurate_functions(foundation: &Foundation) -> Result<RadialFunctions, InfluenceError> {
     let top = foundation.layers().first().map(Layer::thickness);
     let found = foundation.thickness() / top.unwrap_or(f64::NAN);
-    // An infinite thickness must not pass, nor one that is not a number.
-    if !(found <= LARGEST_SPREAD) {
+    if found.is_nan() || found > LARGEST_SPREAD {
         return Err(InfluenceError::LayerThicknesses {
             found,
             largest: LARGEST_SPREAD,

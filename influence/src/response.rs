@@ -41,7 +41,11 @@ impl ResponseTable {
             .layers()
             .first()
             .map_or(thickness, pellicle_kernel::Layer::thickness);
-        let end = NOTHING_BELOW * thickness / top;
+        let end = if thickness < f64::MAX / NOTHING_BELOW {
+            NOTHING_BELOW * thickness / top
+        } else {
+            NOTHING_BELOW * (thickness / top)
+        };
         let limit = match foundation.base() {
             Base::Rigid => 0.0,
             Base::HalfSpace(_) => foundation.response_at_zero(),
