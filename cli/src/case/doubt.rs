@@ -106,7 +106,7 @@ fn in_table(path: &str, table: &Table, doubts: &mut Vec<Doubt>) {
         let unit = QUANTITIES.iter().find(|(key, _)| *key == entry.key);
         match (&entry.node.value, unit) {
             (_, Some((_, unit))) => {
-                doubts.extend(bare(&entry.node).map(|at| doubt(&path, at, unit)))
+                doubts.extend(bare(&entry.node).map(|at| doubt(&path, at, unit)));
             }
             (Value::Table(table), None) => in_table(&path, table, doubts),
             (Value::List(items), None) => {

@@ -116,7 +116,7 @@ fn half(bits: u16) -> f64 {
     let fraction = f64::from(bits & 0x3ff);
     let size = match (bits >> 10) & 0x1f {
         0 => fraction * 2_f64.powi(-24),
-        31 if bits & 0x3ff == 0 => f64::INFINITY,
+        31 if fraction == 0.0 => f64::INFINITY,
         31 => f64::NAN,
         exponent => (1.0 + fraction / 1024.0) * 2_f64.powi(i32::from(exponent) - 15),
     };

@@ -109,7 +109,7 @@ mod tests {
         let indenter = sampled(20, Interpolation::Bicubic);
         for (x, y) in [(0.0, 0.0), (0.1, 0.2), (-0.7, 0.3), (0.003, -0.001)] {
             // The axis is found to the root of the heights' rounding, 1e-8, which costs that times the slope.
-            let error = indenter.height(x, y) - (x * x + y * y) / 2.0;
+            let error = indenter.height(x, y) - 0.5 * (x * x + y * y);
             assert!(error.abs() < 2e-8, "{x}, {y}: {error:e}");
         }
     }
@@ -122,7 +122,7 @@ mod tests {
             // A height halfway between samples along x, on one along y: h²/8 too high, h = 2/n, against the samples of the axis.
             let half = 1.0 / f64::from(n);
             let height = indenter.height(half, 0.0) + indenter.lowest;
-            height - ((x + half - 0.03).powi(2) + y * y) / 2.0
+            height - 0.5 * ((x + half - 0.03).powi(2) + y * y)
         };
         let order = (error(5) / error(15)).log(3.0);
         assert!((order - 2.0).abs() < 0.05, "order {order}");
