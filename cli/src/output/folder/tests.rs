@@ -1,0 +1,160 @@
+//! Places that are claimed, filled, lost and left behind.
+
+use tempfile::TempDir;
+
+use super::*;
+
+fn summary(title: &str) -> String {
+    format!(
+        r#"{{"schema": "{}", "program": "pellicle", "case": {{}}, "title": "{title}"}}"#,
+        summary::SCHEMA
+    )
+}
+
+fn fill(extent: Extent, title: &str) -> impl FnOnce(&Path) -> Result<Extent, Failure> {
+    move |folder| {
+        fs::write(folder.join(summary::FILE), summary(title)).unwrap();
+        fs::write(folder.join(format!("section-{title}.svg")), title).unwrap();
+        Ok(extent)
+    }
+}
+
+fn put(path: &Path, existing: Existing, extent: Extent, title: &'static str) -> PathBuf {
+    let folder = Folder::claim(path, existing).unwrap();
+    folder.write(fill(extent, title)).unwrap()
+}
+
+fn names(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).unwrap();
+    let names = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());
+    let mut names: Vec<_> = names.collect();
+    names.sort();
+    names
+}
+
+fn parent() -> (TempDir, PathBuf) {
+    let parent = tempfile::tempdir().unwrap();
+    let path = parent.path().join("deep").join("a");
+    (parent, path)
+}
+
+#[test]
+fn results_are_kept_unless_they_may_be_replaced() {
+    let (_parent, path) = parent();
+    put(&path, Existing::Keep, Extent::Whole, "001");
+    let kept = Folder::claim(&path, Existing::Keep);
+    assert!(matches!(kept, Err(Failure::Exists { .. })));
+    fs::write(path.join("thesis.tex"), "").unwrap();
+    put(&path, Existing::Replace, Extent::Whole, "002");
+    assert_eq!(
+        names(&path),
+        ["section-002.svg", "summary.json", "thesis.tex"]
+    );
+}
+
+#[test]
+fn a_part_never_replaces_the_whole() {
+    let (_parent, path) = parent();
+    assert_eq!(put(&path, Existing::Replace, Extent::Part, "001"), path);
+    for place in ["stopped", "stopped-2"] {
+        let put = put(&path, Existing::Replace, Extent::Part, "002");
+        assert_eq!(put, path.join(place));
+        assert_eq!(names(&put), ["section-002.svg", "summary.json"]);
+    }
+    assert_eq!(
+        names(&path),
+        ["section-001.svg", "stopped", "stopped-2", "summary.json"]
+    );
+}
+
+#[test]
+fn a_claimed_place_is_nobody_elses_and_leaves_nothing_if_it_fails() {
+    let (parent, path) = parent();
+    let folder = Folder::claim(&path, Existing::Keep).unwrap();
+    for existing in [Existing::Keep, Existing::Replace] {
+        let second = Folder::claim(&path, existing);
+        assert!(matches!(second, Err(Failure::Busy { .. })));
+    }
+    let failed = folder.write(|scratch| {
+        fs::write(scratch.join("half"), "").unwrap();
+        assert!(names(&path).iter().all(|name| name.starts_with('.')));
+        Err(Failure::NoCases)
+    });
+    assert!(failed.is_err());
+    assert_eq!(names(parent.path()), [""; 0]);
+}
+
+#[test]
+fn an_empty_folder_is_used_and_a_foreign_one_never_replaced() {
+    let path = tempfile::tempdir().unwrap();
+    drop(Folder::claim(path.path(), Existing::Keep).unwrap());
+    for name in ["thesis.tex", summary::FILE] {
+        fs::write(path.path().join(name), "").unwrap();
+        for existing in [Existing::Keep, Existing::Replace] {
+            let claimed = Folder::claim(path.path(), existing);
+            assert!(matches!(claimed, Err(Failure::NoResults { .. })));
+        }
+    }
+}
+
+#[test]
+fn what_comes_into_the_place_meanwhile_is_kept_and_the_results_are_too() {
+    let (_parent, path) = parent();
+    let folder = Folder::claim(&path, Existing::Keep).unwrap();
+    fs::write(path.join(summary::FILE), "mine").unwrap();
+    let written = folder.write(fill(Extent::Whole, "001")).unwrap();
+    assert_eq!(written, path.join("results"));
+    assert_eq!(
+        fs::read_to_string(path.join(summary::FILE)).unwrap(),
+        "mine"
+    );
+}
+
+/// A place as a kill leaves it: what is in the hidden folder of this name, and what is beside it.
+fn left(hidden: &str, inside: &[&str], beside: &[&str]) -> (TempDir, PathBuf) {
+    let (parent, path) = parent();
+    let hidden = path.join(format!("{hidden}0"));
+    fs::create_dir_all(&hidden).unwrap();
+    fs::write(path.join(LOCK), MADE).unwrap();
+    let places = inside.iter().map(|name| hidden.join(name));
+    for place in places.chain(beside.iter().map(|name| path.join(name))) {
+        fs::write(place, summary("left")).unwrap();
+    }
+    (parent, path)
+}
+
+#[test]
+fn what_a_kill_left_half_written_is_removed_by_the_next_run() {
+    let (parent, path) = left(FILLING, &["fields-000.npz", ".pellicle-0.partial"], &[]);
+    sweep_beside(&path.with_file_name("b"));
+    assert_eq!(names(&parent.path().join("deep")), [""; 0]);
+    let (_parent, path) = left(FILLING, &["fields-000.npz"], &["curve.csv", summary::FILE]);
+    put(&path, Existing::Replace, Extent::Whole, "001");
+    assert_eq!(names(&path), ["section-001.svg", "summary.json"]);
+}
+
+#[test]
+fn what_a_kill_left_complete_is_finished_by_the_next_run() {
+    let new = ["fields-001.npz", summary::FILE];
+    let (_parent, path) = left(COMPLETE, &new, &["fields-000.npz", "curve.csv", "notes"]);
+    sweep_beside(&path);
+    assert_eq!(names(&path), ["fields-001.npz", "notes", "summary.json"]);
+    let (_parent, path) = left(EMPTYING, &new, &["curve.csv"]);
+    let claimed = Folder::claim(&path, Existing::Keep);
+    assert!(matches!(claimed, Err(Failure::Exists { .. })));
+    assert_eq!(
+        names(&path),
+        ["curve.csv", "fields-001.npz", "summary.json"]
+    );
+}
+
+#[test]
+fn folders_of_others_are_not_swept() {
+    let (_parent, path) = left(FILLING, &["thesis.tex"], &[]);
+    sweep_beside(&path);
+    assert_eq!(names(&path), [format!("{FILLING}0")]);
+    fs::remove_file(path.join(format!("{FILLING}0/thesis.tex"))).unwrap();
+    // Without a lock nobody has claimed it.
+    sweep_beside(&path);
+    assert_eq!(names(&path), [format!("{FILLING}0")]);
+}
