@@ -41,7 +41,7 @@ impl ContactField<'_> {
         // An element is the first image of its own first image.
         let element = self.window.sector().first_image(image, self.grid.size());
         let origin = self.window.origin();
-        [0, 1].map(|axis: usize| element[axis] as isize - origin[axis] as isize)
+        [0, 1].map(|axis: usize| element[axis].cast_signed() - origin[axis].cast_signed())
     }
 
     /// The pressure at a place, in Pa; 0 outside the window.

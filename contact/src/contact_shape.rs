@@ -79,9 +79,9 @@ impl ContactShape {
     pub fn of(field: &ContactField<'_>) -> Self {
         let (window, grid) = (field.window, field.grid);
         // Cells from one before the window to its last element.
-        let size = window.size() as isize;
+        let size = window.size().cast_signed();
         let lines = window.by_lines(field.pressure, |line, _| {
-            Part::of_line(field, line as isize, size)
+            Part::of_line(field, line.cast_signed(), size)
         });
         let first = Part::of_line(field, -1, size);
         let all = lines.into_iter().fold(first, Part::and);

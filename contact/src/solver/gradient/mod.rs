@@ -35,10 +35,10 @@
 //! few. One that would not is cut back by an exact line search on the segment to it, which costs no
 //! product because the energy is quadratic and both ends are known; a step that does not even start downhill is
 //! replaced by a projection of the plain gradient onto the admissible pressures, which always does. Newton's method has no such
-//! proof: after sixteen exchanges without gain it gives way to a descent from [face to face](face), whose energy falls from each to the next, so that none comes twice. The
+//! proof: after sixteen exchanges without gain it gives way to a descent from face to face (`face.rs`), whose energy falls from each to the next, so that none comes twice. The
 //! number of products is bounded besides, and the best pressure met is returned.
 //!
-//! **Units.** All is computed in the units that the problem's [scale](crate::scale) sets, powers of two, so that no threshold knows those of the user. Elements beyond the
+//! **Units.** All is computed in the units that the problem's scale (`scale.rs`) sets, powers of two, so that no threshold knows those of the user. Elements beyond the
 //! indenter's end are none of the problem: no set takes them in, and no sum.
 
 mod best;
