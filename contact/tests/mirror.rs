@@ -2,8 +2,7 @@
 
 #![expect(
     clippy::unwrap_used,
-    clippy::float_cmp,
-    reason = "a scene that cannot be built fails its test; a place is that of an element to the last bit"
+    reason = "a scene that cannot be built fails its test"
 )]
 
 use std::sync::Arc;
