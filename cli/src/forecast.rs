@@ -82,7 +82,9 @@ impl Need {
         let [any, in_contact] = of_sector(BYTES_PER_ELEMENT_SOLVED);
         let solved = any + in_contact * share;
         let [one, each_more] = of_sector(BYTES_PER_ELEMENT_WRITTEN);
-        let written = match writers.min(steps) {
+        let output = &case.output;
+        let shown = output.fields.count(steps).max(output.pictures.count(steps));
+        let written = match writers.min(shown) {
             0 => 0.0,
             writers => one + each_more * (writers - 1) as f64,
         };

@@ -14,11 +14,16 @@ const OF_A_RUN: [(&str, &[&str]); 2] =
     [("curve", &["svg", "png"]), ("convergence", &["svg", "png"])];
 
 /// Endings of the files that there are once a step, by what stands before the number of the step.
-const OF_A_STEP: [(&str, &[&str]); 4] = [
+const OF_A_STEP: [(&str, &[&str]); 9] = [
     ("fields", &["npz", "vti", "nc"]),
     ("pressure", &["gsf", "svg", "png"]),
+    ("mask", &["gsf"]),
+    ("contact", &["gsf"]),
     ("pressure-3d", &["svg", "png"]),
     ("section", &["svg", "png"]),
+    ("heights", &["svg", "png"]),
+    ("gap", &["svg", "png"]),
+    ("displacement", &["svg", "png"]),
 ];
 
 /// Whether a run writes a file of this name.
