@@ -1,4 +1,4 @@
-//! Random cases in SI units, from nanometres to metres and from kPa to TPa: each is certified or refused with a reason, none is NaN, and none knows its units.
+//! Random cases in SI units, from nanometres to metres and from kilopascals to terapascals: each is certified or refused with a reason, none is NaN, and none knows its units.
 //!
 //! 24 by default; `PELLICLE_RANDOM_CASES=3000 cargo test --release -p pellicle-contact --test random_cases -- --nocapture` for more, larger ones and a table.
 
