@@ -1,5 +1,7 @@
 //! Indenters on a homogeneous body.
 
+use std::f64::consts::PI;
+
 use pellicle_contact::{Cone, FlatPunch, Indenter, Load, LoadingPath, Sphere, reference};
 use pellicle_tests::convergence::{GRIDS, demand};
 use pellicle_tests::scene::{model, paraboloid, penetration, relative, solve, unit_half_space};
@@ -54,6 +56,35 @@ fn hertzs_penetration_converges_with_order_two_and_his_pressure_with_order_one()
         of_pressure(|r| hertz.pressure(r)),
     );
     demand(&found, 0.9, 2e-3).expect("order one");
+}
+
+#[test]
+fn the_area_of_hertzs_contact_converges_with_order_near_two() {
+    let hertz = reference::hertz::from_contact_radius(1.0, 1.0, 0.1);
+    let area = PI * 0.1 * 0.1;
+    let of_area = |path: &LoadingPath| relative(path.steps[0].summary.contact_area, area);
+    let load = Load::Force(hertz.force);
+    let found = errors(paraboloid(1.0), 0.3, load, of_area);
+    // Elements counted are off by 2.5e-3 on the finest grid, with an order of 0.8.
+    demand(&found, 1.5, 5e-5).expect("order near two");
+    let of_radius = |path: &LoadingPath| relative(path.steps[0].summary.contact_radius, 0.1);
+    for (elements, error) in errors(paraboloid(1.0), 0.3, load, of_radius) {
+        // A sixteenth of an element.
+        assert!(
+            error < 0.06 * 3.0 / elements as f64,
+            "{elements}: {error:e}"
+        );
+    }
+}
+
+#[test]
+fn a_flat_punchs_area_is_that_of_its_rim() {
+    let punch = reference::flat_punch::from_force(0.1, 1.0, 0.02);
+    let indenter = Indenter::FlatPunch(FlatPunch::new(0.1).expect("a punch"));
+    let area = |path: &LoadingPath| relative(path.steps[0].summary.contact_area, PI * 0.01);
+    let load = Load::Force(punch.force);
+    // Chords of a circle.
+    demand(&errors(indenter, 0.25, load, area), 1.9, 1e-5).expect("order two");
 }
 
 #[test]
