@@ -42,6 +42,8 @@ struct Lines {
     largest: f64,
     overlap: f64,
     pulls: bool,
+    /// Of all pressures and `v`, to see whether one is no number.
+    sum: f64,
 }
 
 impl State {
@@ -225,14 +227,27 @@ impl State {
             .energy(&self.pressure, &self.v, &self.initial_gap)
     }
 
-    /// The largest line of the certificate, by the running `v`; whether no element pulls.
+    /// Where nothing presses, presses evenly on these elements.
+    pub fn press_somewhere(&mut self, mask: &[bool]) {
+        if !self.pressure.iter().any(|p| *p > 0.0) {
+            update(&mut self.pressure, mask, |p, is_pressed| {
+                *p = f64::from(u8::from(*is_pressed));
+            });
+        }
+    }
+
+    /// The largest line of the certificate, by the running `v`, infinite where something is no number; whether no element pulls.
     ///
     /// The complementarity is a mean of gaps in contact, so it is never the largest.
     pub fn residual(&self) -> (f64, bool) {
         let lines = by_parts(self.elements(), |part| self.lines(part));
         let lines = lines.into_iter().fold(Lines::default(), Lines::and);
         let length = lines.largest.max(lines.overlap);
-        let residual = if length == 0.0 {
+        // `max` drops what is no number, but in a sum it stays.
+        let is_number = (lines.sum + self.penetration).is_finite();
+        let residual = if !is_number {
+            f64::INFINITY
+        } else if length == 0.0 {
             0.0
         } else {
             length / self.penetration.abs()
@@ -250,6 +265,7 @@ impl State {
             let gap = v - self.penetration;
             lines.overlap = lines.overlap.max(-gap);
             lines.pulls |= *p < 0.0;
+            lines.sum += p + v;
             if *p > 0.0 {
                 lines.largest = lines.largest.max(gap.abs());
             }
@@ -264,6 +280,7 @@ impl Lines {
             largest: self.largest.max(other.largest),
             overlap: self.overlap.max(other.overlap),
             pulls: self.pulls || other.pulls,
+            sum: self.sum + other.sum,
         }
     }
 }

@@ -112,6 +112,10 @@ impl Solver for GradientSolver {
             }
             match self.ending(problem, state, set, residual, is_admissible) {
                 Some(ending) => break (ending, residual),
+                // A descent that ends in no number would only begin again.
+                None if residual.is_infinite() && iteration.strategy.phase() == Phase::Descent => {
+                    break (Ending::GivenUp, residual);
+                }
                 None => iteration.step(problem, residual),
             }
         };
@@ -244,6 +248,11 @@ impl Iteration {
     }
 
     fn step(&mut self, problem: &mut DiscreteProblem, residual: f64) {
+        if !residual.is_finite() {
+            // Nothing was left of the pressure, or rounding is all there is: back to the best.
+            self.strategy.descend();
+            return self.begin_descent(problem);
+        }
         let changes = match self.strategy.phase() {
             Phase::Newton(_) => {
                 let turn = self.newton_step(problem);

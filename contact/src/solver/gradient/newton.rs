@@ -108,6 +108,8 @@ impl Newton {
         let mut members = state.pressure.iter().zip(set.mask());
         if members.any(|(p, member)| *p < 0.0 || (*p > 0.0 && !member)) {
             set.clear_outside(&mut state.pressure);
+            // All that pressed may have been on the wrong side.
+            state.press_somewhere(set.mask());
             state.clip(problem);
         }
         Turn::Exchanged
