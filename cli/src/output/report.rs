@@ -53,6 +53,8 @@ impl Lines {
 
     fn estimated(&mut self, name: &str, value: f64, unit: Unit, error: Option<EstimateSummary>) {
         let note = match error {
+            // Prescribed.
+            Some(error) if error.estimate == 0.0 => String::new(),
             Some(error) if error.resolved => {
                 format!(
                     "{} (grid)",
