@@ -5,7 +5,7 @@
 
 use pellicle_contact::{
     ContactError, Domain, Load, LoadingPath, Method, Model, SolverOptions, Step, Warning,
-    choose_side, default_side, domain_much_larger, model_warnings, solve_path,
+    choose_side, default_side, domain_much_larger, loads_at_once, model_warnings, solve_path,
 };
 use pellicle_texture::Grid;
 
@@ -80,7 +80,7 @@ impl Need {
         let is_quadrant = elements.is_multiple_of(2) && is_gradient && model.is_mirrored();
         let of_sector = |bytes: [[f64; 2]; 2]| bytes[usize::from(!is_quadrant)];
         let [any, in_contact] = of_sector(BYTES_PER_ELEMENT_SOLVED);
-        let solved = any + in_contact * share;
+        let solved = (any + in_contact * share) * loads_at_once(elements, steps) as f64;
         let [one, each_more] = of_sector(BYTES_PER_ELEMENT_WRITTEN);
         let output = &case.output;
         let shown = output.fields.count(steps).max(output.pictures.count(steps));

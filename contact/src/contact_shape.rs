@@ -291,8 +291,14 @@ fn crossing(field: &ContactField<'_>, inside: &Corner, outside: &Corner) -> Cros
     let (own, eta) = (field.coefficient, field.compliance_of(element));
     // s = (κ K₀₀ + η) p
     let level = (OWN_PRESSURE * own + eta) * field.pressure[element];
+    // Both are 0 where a pressure is too small for its level.
+    let from_first = if level + gap > 0.0 {
+        level / (level + gap)
+    } else {
+        0.5
+    };
     Crossing {
-        from_first: level / (level + gap),
+        from_first,
         offset: OFFSET * own / (own + eta),
         is_outline: false,
     }

@@ -86,8 +86,8 @@ pub enum ContactError {
     },
     /// The elements are so large that the middle of none is under the indenter.
     #[error(
-        "no element of side {element_side:.3e} has its middle under the indenter: a side (`grid.side`) of {side:.3e} is far too large for a contact of radius \
-         {radius:.2e} or so; choose one near {wanted:.2e}, or none"
+        "no element of side {element_side:.3e} has its middle under the indenter: a `grid.side` of {side:.3e} is far too large for a contact of radius \
+         {radius:.2e} or so; choose one near {wanted:.2e}, or leave it out"
     )]
     ElementsTooLarge {
         /// Side of the domain found, in m.

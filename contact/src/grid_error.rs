@@ -95,8 +95,8 @@ const OLDER: f64 = 0.6;
 const ESTIMATES: usize = 3;
 /// Changes that the order is observed in.
 const CHANGES: usize = 4;
-/// Below this order the changes do not shrink fast enough to call a number resolved …
-const LOWEST_RESOLVED_ORDER: f64 = 0.25;
+/// Below this part of the lowest order believed the changes do not shrink fast enough to call a number resolved …
+const LOWEST_RESOLVED: f64 = 0.5;
 /// … unless its interval is no more than this part of it: small changes scatter, and need not shrink every time.
 const NARROW: f64 = 0.02;
 
@@ -181,6 +181,10 @@ fn estimate(
         return None;
     }
     let recent = &changes[changes.len().saturating_sub(CHANGES)..];
+    if recent.iter().any(|change| !change.size.is_finite()) {
+        // A grid without a number says nothing of the others.
+        return None;
+    }
     let observed = order(recent);
     let Convergence {
         lowest_order,
@@ -204,7 +208,7 @@ fn estimate(
         weight *= OLDER;
     }
     let half_width = safety * largest;
-    let shrinks = observed.is_none_or(|order| order > LOWEST_RESOLVED_ORDER);
+    let shrinks = observed.is_none_or(|order| order > LOWEST_RESOLVED * lowest_order);
     let is_narrow = half_width <= NARROW * value(levels.last()?).abs();
     Some(Estimate {
         estimate: half_width,
@@ -335,6 +339,12 @@ mod tests {
             resolved: true,
         };
         assert_eq!(settled.penetration, Some(wanted));
+    }
+
+    #[test]
+    fn a_grid_without_a_number_leaves_no_error_to_tell() {
+        let error = GridError::new(levels(&[2.0, f64::NAN, 1.25, 1.0625]), 0.0);
+        assert!(error.penetration.is_none(), "{error:?}");
     }
 
     #[test]

@@ -54,7 +54,7 @@ pub use indenter::{
 pub use load::Load;
 pub use model::{Model, SampledModel};
 pub use observer::{Observer, Progress, Signal};
-pub use path::{LoadingPath, Step, solve_path};
+pub use path::{LoadingPath, Step, loads_at_once, solve_path};
 pub use peak::PeakPlace;
 pub use solver::{
     Iterate, Method, Solver, SolverOptions, Watch,

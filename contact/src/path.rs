@@ -163,7 +163,7 @@ fn solve_on_domains(
         trust::check_elements(model, side, elements, loads)?;
         let hierarchy = Hierarchy::new(model, side, elements, loads.len(), &options);
         let mut run = PathRun {
-            lanes: hierarchy.lanes(lanes(elements, loads.len()))?,
+            lanes: hierarchy.lanes(loads_at_once(elements, loads.len()))?,
             steps: Vec::new(),
             solve_seconds: 0.0,
             interrupted: false,
@@ -179,8 +179,9 @@ fn solve_on_domains(
     }
 }
 
-/// How many loads to solve at the same time: one on a grid that keeps several threads busy by itself.
-fn lanes(elements: usize, loads: usize) -> usize {
+/// How many of so many loads a path solves at the same time on `elements` × `elements` elements: one on a grid that keeps several threads busy by itself.
+#[must_use]
+pub fn loads_at_once(elements: usize, loads: usize) -> usize {
     let most = (ELEMENTS_AT_ONCE / elements.pow(2)).max(1);
     rayon::current_num_threads().min(most).min(loads.max(1))
 }

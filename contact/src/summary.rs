@@ -110,7 +110,7 @@ impl Summary {
             meets_outline: shape.meets_outline,
             contact_elements: elements * sector.images(),
             contact_area_on_relief: shape.area_on_relief,
-            contact_area_between: shape.area - shape.area_on_relief,
+            contact_area_between: (shape.area - shape.area_on_relief).max(0.0),
             contact_radius: shape.radius,
             ..nothing
         }

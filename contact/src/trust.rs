@@ -117,7 +117,7 @@ pub fn domain_much_larger(
         clippy::cast_sign_loss,
         reason = "a radius within the grid, in elements"
     )]
-    let elements = (2.0 * radius / grid.element_side()).round() as usize + 1;
+    let elements = ((2.0 * radius / grid.element_side()).round() as usize).saturating_add(1);
     let part = elements as f64 / grid.size() as f64;
     let is_small = part < SMALLEST_PART || (elements < FEWEST_ELEMENTS && part < SMALL_PART);
     (radius > 0.0 && is_small).then(|| {

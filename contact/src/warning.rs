@@ -107,6 +107,12 @@ impl Warning {
     }
 }
 
+/// `1 element`, `2 elements`.
+fn counted(elements: usize) -> String {
+    let ending = if elements == 1 { "" } else { "s" };
+    format!("{elements} element{ending}")
+}
+
 /// A number with so many decimals, or with two digits where it would be told as nothing: `0.4`, `3.2e-5`.
 fn decimals(value: f64, places: i32) -> String {
     if value.abs() < 10_f64.powi(-places) {
@@ -121,14 +127,15 @@ impl fmt::Display for Warning {
         match *self {
             Self::DomainEdge { step, elements } => write!(
                 f,
-                "step {step}: the contact comes within {elements} elements of the edge of the domain; choose a larger side"
+                "step {step}: the contact comes within {} of the edge of the domain; choose a larger side",
+                counted(elements)
             ),
             Self::CutOff { step, by } => write!(
                 f,
                 "step {step}: the contact is cut off by {}",
                 match by {
                     CutOff::Domain =>
-                        "the edge of the domain: choose a larger side (`grid.side`), or none",
+                        "the edge of the domain: choose a larger `grid.side`, or leave it out",
                     CutOff::ReliefMap =>
                         "the end of the surface's map: nothing is known of what it would touch there",
                     CutOff::IndenterMap =>
@@ -142,8 +149,8 @@ impl fmt::Display for Warning {
                 wanted,
             } => write!(
                 f,
-                "the contact, of radius {radius:.2e} or so, is {elements} elements wide: a side (`grid.side`) of {side:.3e} is far too large; choose one near \
-                 {wanted:.2e}, or none"
+                "the contact, of radius {radius:.2e} or so, is {} wide: a `grid.side` of {side:.3e} is far too large; choose one near {wanted:.2e}, or leave it out",
+                counted(elements)
             ),
             Self::FilmShortening { step, times } => write!(
                 f,

@@ -49,7 +49,7 @@ impl Crest {
 /// The highest point of `sign` times the surface; of several equally high the one nearest to the middle of the map.
 pub(crate) fn summit(map: &HeightMap, sign: f64) -> Summit {
     let equal = EQUAL * (map.greatest() - map.least());
-    let crests = near_the_top(crests(map, sign, equal), map);
+    let crests = near_the_top(map, || crests(map, sign, equal));
     let summits: Vec<_> = crests.iter().map(|crest| climb(map, sign, crest)).collect();
     let top = summits.iter().map(|summit| summit.height);
     let enough = top.fold(f64::NEG_INFINITY, f64::max) - equal;
@@ -62,18 +62,28 @@ pub(crate) fn summit(map: &HeightMap, sign: f64) -> Summit {
     })
 }
 
-/// Those that may be the highest: of equals the nearest to the middle first.
-fn near_the_top(mut crests: Vec<Crest>, map: &HeightMap) -> Vec<Crest> {
-    let least = crests.iter().map(Crest::least);
+/// Those that may be the highest: of equals the nearest to the middle first. Of a plateau every sample is a crest, so no more are kept than are looked at,
+/// and as many again until they are sorted.
+fn near_the_top<C: Iterator<Item = Crest>>(map: &HeightMap, crests: impl Fn() -> C) -> Vec<Crest> {
+    let least = crests().map(|crest| crest.least());
     let least = least.fold(f64::NEG_INFINITY, f64::max);
-    crests.retain(|crest| crest.most() >= least);
     let distance = |crest: &Crest| norm(map.point(crest.sample));
-    crests.sort_by(|a, b| {
-        let by_height = b.most().total_cmp(&a.most());
-        by_height.then(distance(a).total_cmp(&distance(b)))
-    });
-    crests.truncate(MOST_CRESTS);
-    crests
+    let cut = |kept: &mut Vec<Crest>| {
+        kept.sort_by(|a, b| {
+            let by_height = b.most().total_cmp(&a.most());
+            by_height.then(distance(a).total_cmp(&distance(b)))
+        });
+        kept.truncate(MOST_CRESTS);
+    };
+    let mut kept = Vec::new();
+    for crest in crests().filter(|crest| crest.most() >= least) {
+        kept.push(crest);
+        if kept.len() == 2 * MOST_CRESTS {
+            cut(&mut kept);
+        }
+    }
+    cut(&mut kept);
+    kept
 }
 
 fn norm([x, y]: [f64; 2]) -> f64 {
@@ -81,11 +91,11 @@ fn norm([x, y]: [f64; 2]) -> f64 {
 }
 
 /// The samples that are as high as their four neighbours; slopes that rise by no more than `equal` a sample are none.
-fn crests(map: &HeightMap, sign: f64, equal: f64) -> Vec<Crest> {
+fn crests(map: &HeightMap, sign: f64, equal: f64) -> impl Iterator<Item = Crest> + '_ {
     let [rows, columns] = map.shape();
-    let at = |i: usize, j: usize| sign * map.heights()[i * columns + j];
-    let samples = (0..rows).flat_map(|i| (0..columns).map(move |j| [i, j]));
-    let crest = |[i, j]: [usize; 2]| {
+    let at = move |i: usize, j: usize| sign * map.heights()[i * columns + j];
+    let samples = (0..rows).flat_map(move |i| (0..columns).map(move |j| [i, j]));
+    let crest = move |[i, j]: [usize; 2]| {
         let along_x = Line::new(i, rows, |i| at(i, j))?;
         let along_y = Line::new(j, columns, |j| at(i, j))?;
         Some(Crest {
@@ -94,7 +104,7 @@ fn crests(map: &HeightMap, sign: f64, equal: f64) -> Vec<Crest> {
             height: at(i, j),
         })
     };
-    samples.filter_map(crest).collect()
+    samples.filter_map(crest)
 }
 
 /// A line of samples through one that is as high as its neighbours on it.

@@ -9,7 +9,7 @@ pub enum MapError {
     #[error("which cannot be read: {0}")]
     Unreadable(#[from] io::Error),
     /// The file is larger than any map.
-    #[error("which is larger than {} GiB", largest >> 30)]
+    #[error("which is larger than {} MiB", largest >> 20)]
     TooLarge {
         /// Most bytes.
         largest: u64,

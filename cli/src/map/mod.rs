@@ -20,7 +20,7 @@ use std::path::Path;
 pub use error::MapError;
 
 /// More bytes than this are no measurement of a surface.
-const LARGEST_FILE: u64 = 2 << 30;
+const LARGEST_FILE: u64 = 512 << 20;
 
 /// What a file says of a surface, in its own units.
 #[derive(Debug, Clone, PartialEq)]

@@ -177,7 +177,7 @@ impl Folder {
         for name in std::iter::once(name.to_owned()).chain(numbered) {
             let path = self.path.join(name);
             if fs::symlink_metadata(&path).is_err() {
-                let moved = fs::rename(self.scratch.path(), &path);
+                let moved = unfinished::undisturbed(|| fs::rename(self.scratch.path(), &path));
                 return moved
                     .map(|()| path)
                     .map_err(|cause| failure(&self.path, cause));
