@@ -98,7 +98,7 @@ const CHANGES: usize = 4;
 /// Below this part of the lowest order believed the changes do not shrink fast enough to call a number resolved …
 const LOWEST_RESOLVED: f64 = 0.5;
 /// … unless its interval is no more than this part of it: small changes scatter, and need not shrink every time.
-const NARROW: f64 = 0.02;
+const NARROW: f64 = 0.05;
 
 impl GridError {
     /// Estimates from the values on all levels, coarsest first; `accuracy` is the relative error that each value has besides, of the solver's tolerance

