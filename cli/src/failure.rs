@@ -58,6 +58,20 @@ pub enum Failure {
         "of several results the curves are drawn in one picture: --step, --section, --range and --colour-map are for a single one"
     )]
     OneResult,
+    /// A folder has no parts of a study in it.
+    #[error("{} holds no parts of a study to gather", path.display())]
+    NoParts {
+        /// The folder.
+        path: PathBuf,
+    },
+    /// The fields of a loading step were not written.
+    #[error("{} holds no fields of step {step} to draw: run the case with --fields all", path.display())]
+    NoFields {
+        /// The results folder.
+        path: PathBuf,
+        /// The loading step, counted from 0.
+        step: usize,
+    },
     /// A study has no cases.
     #[error("the study has no cases")]
     NoCases,

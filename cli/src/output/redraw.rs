@@ -74,7 +74,14 @@ pub fn draw(folder: &Path, order: &Order<'_>, tell: Tell<'_>) -> Result<Redrawn,
             );
             return Err(Failure::damaged(folder, &reason));
         }
-        let stored = StoredFields::read(&fields(*step))?;
+        let path = fields(*step);
+        if !path.exists() {
+            return Err(Failure::NoFields {
+                path: folder.to_owned(),
+                step: *step,
+            });
+        }
+        let stored = StoredFields::read(&path)?;
         let of_step = stored.fields(record.grid.side);
         let part = pictures::step(out, &record, *step, of_step, &order.style, &desk)?;
         Ok(shown.contains(step).then_some(part))

@@ -50,6 +50,12 @@ impl Axis {
             return Err(field.wanted(format!("at most {MOST_VALUES} values")));
         }
         let dimension = common_dimension(&values);
+        if dimension.is_none()
+            && let Some(odd) = odd_quantity(&values)
+        {
+            let field = Field::new(key, odd);
+            return Err(field.wanted("a quantity of the kind that the other values of the key are"));
+        }
         Ok(Self {
             key,
             key_place,
@@ -90,15 +96,31 @@ impl Axis {
     }
 }
 
-/// What the values measure, if all of them are quantities of one dimension.
-fn common_dimension(values: &[Node]) -> Option<Dimension> {
-    let dimension = |node: &Node| match &node.value {
+/// What a value measures, if it is written with a unit.
+fn dimension_of(node: &Node) -> Option<Dimension> {
+    match &node.value {
         Value::Text(text) => quantity::dimension_of(text),
         _ => None,
+    }
+}
+
+/// What the values measure, if all of them are quantities of one dimension, or bare numbers among such.
+fn common_dimension(values: &[Node]) -> Option<Dimension> {
+    let first = values.iter().find_map(dimension_of)?;
+    let same = |node: &Node| match &node.value {
+        Value::Text(_) => dimension_of(node) == Some(first),
+        Value::Float(_) | Value::Integer(_) => true,
+        _ => false,
     };
-    let first = values.first().and_then(dimension)?;
-    let same = |node: &Node| dimension(node) == Some(first);
     values.iter().all(same).then_some(first)
+}
+
+/// The first text that is no quantity like those beside it.
+fn odd_quantity(values: &[Node]) -> Option<&Node> {
+    let first = values.iter().find_map(dimension_of)?;
+    let is_odd =
+        |node: &&Node| matches!(node.value, Value::Text(_)) && dimension_of(node) != Some(first);
+    values.iter().find(is_odd)
 }
 
 fn cell(node: &Node, dimension: Option<Dimension>) -> String {
@@ -106,6 +128,8 @@ fn cell(node: &Node, dimension: Option<Dimension>) -> String {
         (Value::Text(text), Some(dimension)) => {
             quantity::parse(text, dimension).map_or_else(|_| text.clone(), |x| format!("{x:e}"))
         }
+        (Value::Float(number), Some(_)) => format!("{number:e}"),
+        (Value::Integer(number), Some(_)) => format!("{number:e}"),
         (value, _) => words(value),
     }
 }

@@ -41,7 +41,9 @@ pub enum Other {
 pub fn gather(folder: &Path, other: Other) -> Result<Gathered, Failure> {
     let parts = parts(folder)?;
     let Some(first) = parts.first() else {
-        return Err(Failure::damaged(folder, &"there is no study-I-of-N.json"));
+        return Err(Failure::NoParts {
+            path: folder.to_owned(),
+        });
     };
     if let Some(other) = parts.iter().find(|part| !are_of_one(part, first)) {
         let (a, b) = (first.shard, other.shard);

@@ -305,6 +305,28 @@ fn the_values_of_a_key_are_read_once() {
 }
 
 #[test]
+fn values_with_and_without_units_are_one_column_and_what_is_no_quantity_among_them_is_refused() {
+    let values = "[\"10 nm\", \"20 nm\", \"30 nm\"]";
+    assert!(TWO_KEYS.contains(values));
+    let with = |other: &str| study(&TWO_KEYS.replace(values, &format!("[\"10 nm\", {other}]")));
+    let mixed = with("2e-8").unwrap();
+    let thickness = &mixed.axes()[0];
+    assert!(
+        thickness.heading().ends_with("[m]"),
+        "{}",
+        thickness.heading()
+    );
+    assert_eq!([0, 1].map(|i| thickness.cell(i)), ["1e-8", "2e-8"]);
+    for odd in ["\"2 furlong\"", "\"2 N\""] {
+        let refused = with(odd).unwrap_err();
+        assert!(
+            refused.contains("of the kind that the other values"),
+            "{refused}"
+        );
+    }
+}
+
+#[test]
 fn a_row_ends_where_its_quotes_are_closed() {
     let text = TWO_KEYS.replace("grid.elements", "title").replace(
         "{ from = 32, to = 128, count = 3, spacing = \"log\" }",
