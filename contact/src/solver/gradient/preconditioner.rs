@@ -3,12 +3,18 @@
 //! Two of them, for two kinds of problem: the [restricted filter](super::restricted_filter), by FFT, and under a coat so stiff that the contact breaks up into
 //! rings and edges the [factorised sparse approximate inverse](super::sparse_factor) of the restricted system itself.
 
+mod edge_band;
+mod periodic_filter;
+mod plane_filter;
+mod restricted_filter;
+mod sparse_factor;
+
 use pellicle_influence::PeriodicSymbol;
 
-use super::{
-    iterate::State, restricted_filter::RestrictedFilter, sparse_factor::SparseFactor,
-    working_set::WorkingSet,
-};
+use crate::solver::gradient::preconditioner::restricted_filter::RestrictedFilter;
+use crate::solver::gradient::preconditioner::sparse_factor::SparseFactor;
+use crate::solver::gradient::state::State;
+use crate::solver::gradient::working_set::WorkingSet;
 use crate::{
     DiscreteProblem,
     vector::{sum, update, update_with},

@@ -2,22 +2,20 @@
 
 use std::f64::consts::TAU;
 
-use super::{
-    best::Best,
-    control::Control,
-    face::FaceDescent,
-    iterate::State,
-    newton::{Newton, Turn},
-    preconditioner::Preconditioner,
-    segment::{Part, Segment},
-    working_set::WorkingSet,
-};
+use crate::solver::gradient::best::Best;
+use crate::solver::gradient::control::Control;
+use crate::solver::gradient::preconditioner::Preconditioner;
+use crate::solver::gradient::state::State;
+use crate::solver::gradient::steps::face::FaceDescent;
+use crate::solver::gradient::steps::newton::{Newton, Turn};
+use crate::solver::gradient::steps::segment::{Part, Segment};
+use crate::solver::gradient::working_set::WorkingSet;
 use crate::{
     DiscreteProblem, Load,
-    sector::Sector,
+    grid::sector::Sector,
+    grid::window::Window,
     solver::tests::{RIGID, SIZE, paraboloid, pillars, problem},
     vector::{add_scaled, dot, sum},
-    window::Window,
 };
 
 const ELEMENTS: usize = SIZE * SIZE;

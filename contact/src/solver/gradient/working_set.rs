@@ -2,8 +2,8 @@
 
 use rayon::prelude::*;
 
-use super::iterate::State;
-use crate::{sector::Sector, vector::update, window::Window};
+use crate::solver::gradient::state::State;
+use crate::{grid::sector::Sector, grid::window::Window, vector::update};
 
 /// Elements that one thread looks at together.
 const PART: usize = 1 << 12;
