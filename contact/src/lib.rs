@@ -31,7 +31,7 @@ pub use path::{
     loads_at_once, solve_path,
 };
 pub use problem::{
-    discrete_problem::DiscreteProblem,
+    discrete_problem::{DiscreteProblem, Identity},
     load::Load,
     model::{Model, SampledModel},
 };
@@ -48,7 +48,7 @@ pub use result::{
 };
 pub use solver::{
     Iterate, Method, Solver, SolverOptions, Watch,
-    active_set::{ActiveSetSolver, DropOnlySolver},
+    active_set::ActiveSetSolver,
     gradient::GradientSolver,
     observer::{Observer, Progress, Signal},
 };

@@ -77,13 +77,33 @@ pub struct Iterate {
     pub contact_stiffness: Option<f64>,
     /// Products with `K` for the contact stiffness, beside the others.
     pub stiffness_applications: usize,
-    /// The penetration by the solver's own account, in m; infinite where it gives none.
-    pub(crate) penetration: f64,
+    /// The penetration by the solver's own account, in m; infinite where it gives none. It decides how far around the contact the certificate looks first.
+    pub penetration: f64,
     /// Whether the solver stopped because the contact reached the border of a window of a larger grid.
-    pub(crate) reached_border: bool,
+    pub reached_border: bool,
+}
+
+impl Iterate {
+    /// A pressure (Pa; N² values, all ≥ 0) without any work or residual.
+    #[must_use]
+    pub fn of(pressure: Vec<f64>) -> Self {
+        Self {
+            pressure,
+            iterations: 0,
+            operator_applications: 0,
+            residuals: Vec::new(),
+            contact_stiffness: None,
+            stiffness_applications: 0,
+            penetration: f64::INFINITY,
+            reached_border: false,
+        }
+    }
 }
 
 /// One algorithm for one grid's problem.
+///
+/// A solver may keep what it allocated for the load before, if the [identity](DiscreteProblem::identity) says that the problem is the same; the solution must
+/// not depend on it. Whatever it returns is judged by a [`Certificate`](crate::Certificate).
 pub trait Solver {
     /// Solves from the pressure `start` (N² values, in Pa; all zero for a cold start).
     ///
@@ -91,7 +111,7 @@ pub trait Solver {
     /// [`ContactError::Cancelled`] by the observer; a matrix that is not positive definite. A tolerance not met is
     /// no error here: the iterate is returned and judged by its certificate.
     fn solve(
-        &self,
+        &mut self,
         problem: &mut DiscreteProblem,
         load: Load,
         start: &[f64],
@@ -111,9 +131,24 @@ pub struct Watch<'a> {
     pub steps: usize,
 }
 
+impl<'a> Watch<'a> {
+    /// Watches a single solution that belongs to no path.
+    pub fn alone(observer: &'a mut dyn Observer) -> Self {
+        Self {
+            observer,
+            step: 0,
+            finished: 0,
+            steps: 1,
+        }
+    }
+}
+
 impl Watch<'_> {
-    /// Tells the observer, of the working set its elements and how many of them are new or gone; an error if it cancels.
-    pub(crate) fn tell(
+    /// Tells the observer where the solution on a grid of `elements` per side stands; of the working set, its elements and how many of them are new or gone.
+    ///
+    /// # Errors
+    /// [`ContactError::Cancelled`] if the observer cancels.
+    pub fn tell(
         &mut self,
         elements: usize,
         iteration: usize,

@@ -14,7 +14,6 @@
 pub mod choice;
 mod search;
 
-
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use pellicle_texture::Relief;

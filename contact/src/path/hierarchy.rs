@@ -185,10 +185,11 @@ impl<'a> Hierarchy<'a> {
     ) -> Result<(), ContactError> {
         let finest = self.sizes.len() - 1;
         let (model, side, size, sector) = (self.model, self.side, self.sizes[finest], self.sector);
+        let keeps = self.keep;
         let clock = Instant::now();
         let ((coarser, ascended), level) = rayon::join(
             || (self.ascend(ascent, finest, watch), clock.elapsed()),
-            || Level::new(model, side, size, sector),
+            || Level::new(model, side, size, sector, keeps),
         );
         // What passed beside the solution costs no time of its own.
         let waited = clock.elapsed().saturating_sub(ascended);
@@ -229,9 +230,7 @@ impl<'a> Hierarchy<'a> {
             Ok(result) => Some(level.signed_field(result)),
             Err(_) => None,
         };
-        if !self.keep {
-            level.release();
-        }
+        level.release();
         if self.keep || is_finest {
             self.levels[index] = Some(level);
         }
@@ -240,7 +239,8 @@ impl<'a> Hierarchy<'a> {
 
     fn make(&mut self, index: usize) -> Result<Level, ContactError> {
         let clock = Instant::now();
-        let level = Level::new(self.model, self.side, self.sizes[index], self.sector)?;
+        let (size, sector) = (self.sizes[index], self.sector);
+        let level = Level::new(self.model, self.side, size, sector, self.keep)?;
         self.coefficients_seconds += clock.elapsed().as_secs_f64();
         self.note_origin(&level);
         Ok(level)

@@ -29,13 +29,48 @@ pub struct Level {
     grid: Grid,
     elasticity: Arc<SurfaceElasticity>,
     pub coefficients_origin: Origin,
-    problem: DiscreteProblem,
+    /// Whether another load may come on this grid, for which memory is worth keeping.
+    keeps: bool,
+    whole: Posed,
     /// Outline of the relief on the problem's sector.
     outline: Arc<Vec<bool>>,
     /// The window of the last load, and the problem on it.
-    window: Option<(Window, DiscreteProblem)>,
+    part: Option<(Window, Posed)>,
     /// What the last load was judged by.
     judged: JudgedFields,
+}
+
+/// A problem, and the solver with what it keeps of it.
+struct Posed {
+    problem: DiscreteProblem,
+    solver: GradientSolver,
+}
+
+impl Posed {
+    fn new(problem: DiscreteProblem) -> Self {
+        Self {
+            problem,
+            solver: GradientSolver::default(),
+        }
+    }
+
+    /// Solves by the method that the options name.
+    fn solve(
+        &mut self,
+        load: Load,
+        start: &[f64],
+        options: SolverOptions,
+        watch: &mut Watch<'_>,
+    ) -> Result<Iterate, ContactError> {
+        let problem = &mut self.problem;
+        match options.method {
+            Method::Gradient => {
+                self.solver.options = options;
+                self.solver.solve(problem, load, start, watch)
+            }
+            Method::ActiveSet => ActiveSetSolver { options }.solve(problem, load, start, watch),
+        }
+    }
 }
 
 /// What a level starts from.
@@ -64,6 +99,7 @@ impl Level {
         side: f64,
         size: usize,
         sector: Sector,
+        keeps: bool,
     ) -> Result<Self, ContactError> {
         let grid = Grid::new(side, size)?;
         let SampledSector {
@@ -76,33 +112,35 @@ impl Level {
         let problem = DiscreteProblem::of_sector(known, sector, compliance, initial_gap, area)?;
         let everywhere = problem.everywhere();
         Ok(Self {
-            problem,
+            keeps,
+            whole: Posed::new(problem),
             outline: Arc::new(mask),
             grid,
             elasticity: elasticity.value,
             coefficients_origin: elasticity.origin,
-            window: None,
+            part: None,
             judged: JudgedFields::on(everywhere),
         })
     }
 
     /// The same grid without memory of any load; none where the problem cannot be made again.
     pub fn twin(&self) -> Option<Self> {
-        let everywhere = self.problem.everywhere();
+        let everywhere = self.whole.problem.everywhere();
         Some(Self {
             grid: self.grid,
             outline: self.outline.clone(),
             elasticity: self.elasticity.clone(),
-            problem: self.problem.window(&everywhere)?,
+            keeps: self.keeps,
+            whole: Posed::new(self.whole.problem.window(&everywhere)?),
             coefficients_origin: self.coefficients_origin,
-            window: None,
+            part: None,
             judged: JudgedFields::on(everywhere),
         })
     }
 
     /// Elements per side of the grid.
     pub fn size(&self) -> usize {
-        self.problem.grid_size()
+        self.whole.problem.grid_size()
     }
 
     /// Solves from a coarser level's field or a guess, and judges the result afresh.
@@ -116,8 +154,8 @@ impl Level {
     ) -> Result<LevelResult, ContactError> {
         let nothing = || {
             (
-                self.problem.everywhere(),
-                vec![0.0; self.problem.elements()],
+                self.whole.problem.everywhere(),
+                vec![0.0; self.whole.problem.elements()],
             )
         };
         let start = match start {
@@ -134,7 +172,7 @@ impl Level {
             pressure: &solution.pressure,
             judged: &self.judged,
             mask: &self.outline,
-            compliance: self.problem.relief_compliance(),
+            compliance: self.whole.problem.relief_compliance(),
             coefficient: self.elasticity.coefficient([0, 0]),
         };
         Ok(LevelResult {
@@ -154,7 +192,7 @@ impl Level {
 
     /// A guessed pressure on a window around it; none where it presses on no element.
     fn guessed(&self, guess: Guess) -> Option<(Window, Vec<f64>)> {
-        let (grid, everywhere) = (&self.grid, self.problem.everywhere());
+        let (grid, everywhere) = (&self.grid, self.whole.problem.everywhere());
         let pressure: Vec<f64> = grid.centres().map(|place| guess.pressure(place)).collect();
         let pressure = everywhere.sector().cut(&pressure, self.size());
         let window = everywhere.around(pressed(&everywhere, &pressure));
@@ -165,7 +203,7 @@ impl Level {
     /// A coarser level's pressure on a window around it; none where it presses nowhere.
     fn prolonged(&self, coarser: &Field<'_>) -> Option<(Window, Vec<f64>)> {
         let presses = pressed(&coarser.window, coarser.values);
-        let reach = (coarser.window).on_finer(presses, self.problem.size())?;
+        let reach = (coarser.window).on_finer(presses, self.whole.problem.size())?;
         let pressure = prolong(coarser, &reach, &self.outline);
         let window = reach.around(pressed(&reach, &pressure));
         let pressure = window.take_over(&reach, &pressure);
@@ -185,7 +223,7 @@ impl Level {
         options: SolverOptions,
         watch: &mut Watch<'_>,
     ) -> Result<(Solution, Window, Effort), ContactError> {
-        let everywhere = self.problem.everywhere();
+        let everywhere = self.whole.problem.everywhere();
         let (mut window, mut pressure) = start;
         let mut effort = Effort::default();
         loop {
@@ -197,9 +235,9 @@ impl Level {
                 window = window.grown();
                 continue;
             }
-            if watch.steps == 1 {
-                self.window = None;
-                self.problem.release_workspace();
+            if !self.keeps {
+                self.part = None;
+                self.whole.solver.release();
             }
             let tolerance = options.tolerance;
             let trial = Trial {
@@ -208,7 +246,7 @@ impl Level {
                 expected,
                 tolerance,
             };
-            let (problem, judged) = (&mut self.problem, &mut self.judged);
+            let (problem, judged) = (&mut self.whole.problem, &mut self.judged);
             let solution = Solution::judge_within(problem, trial, pressure, judged);
             effort.operator_applications += judged.take_products();
             if window.is_whole() || solution.certificate.overlap <= tolerance {
@@ -232,28 +270,29 @@ impl Level {
         options: SolverOptions,
         watch: &mut Watch<'_>,
     ) -> Result<Iterate, ContactError> {
-        let solver = solver(options);
-        let known = self.window.take_if(|(known, _)| known == window);
+        let known = self.part.take_if(|(known, _)| known == window);
         let part = match known {
-            Some((_, problem)) => Some(problem),
+            Some((_, part)) => Some(part),
             None if window.is_whole() || options.method == Method::ActiveSet => None,
-            None => self.problem.window(window),
+            None => self.whole.problem.window(window).map(Posed::new),
         };
         if let Some(mut part) = part {
-            let iterate = solver.solve(&mut part, load, start, watch);
-            self.window = Some((*window, part));
+            let iterate = part.solve(load, start, options, watch);
+            self.part = Some((*window, part));
             return iterate;
         }
-        let everywhere = self.problem.everywhere();
+        let everywhere = self.whole.problem.everywhere();
         let start = everywhere.take_over(window, start);
         *window = everywhere;
-        solver.solve(&mut self.problem, load, &start, watch)
+        self.whole.solve(load, &start, options, watch)
     }
 
-    /// Gives back the memory that only another load would need.
+    /// Gives back the memory that only another load would need, if none is to come.
     pub fn release(&mut self) {
-        self.problem.release_operator();
-        self.judged = JudgedFields::on(self.problem.everywhere());
+        if !self.keeps {
+            self.whole.problem.release_operator();
+            self.judged = JudgedFields::on(self.whole.problem.everywhere());
+        }
     }
 
     /// What the next finer level starts from: the last load's pressure, and where there is none the gap as a negative pressure, −∞ where nothing can touch.
@@ -338,13 +377,5 @@ fn pressed<'a>(window: &'a Window, pressure: &'a [f64]) -> impl Fn([usize; 2]) -
         window
             .place(element)
             .is_some_and(|place| pressure[place] > 0.0)
-    }
-}
-
-/// The solver that the options name.
-fn solver(options: SolverOptions) -> Box<dyn Solver> {
-    match options.method {
-        Method::Gradient => Box::new(GradientSolver { options }),
-        Method::ActiveSet => Box::new(ActiveSetSolver { options }),
     }
 }

@@ -11,11 +11,21 @@ use rayon::prelude::*;
 
 use crate::{
     ContactError, grid::sector::Sector, grid::window::Window, problem::body::Body,
-    problem::scale::Scale, solver::gradient::Workspace, vector::update_with,
+    problem::scale::Scale, vector::update_with,
 };
 
 /// Values looked at together: to ask after each whether another thread has found a wrong one took a ninth of a Hertz contact's time at N = 2048.
 const VALUES_AT_ONCE: usize = 4096;
+
+/// Tells one problem from all others, however alike; clones are equal.
+#[derive(Debug, Clone, Default)]
+pub struct Identity(Arc<()>);
+
+impl PartialEq for Identity {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+}
 
 /// One grid's problem. Fields hold N² values, index `i N + j`, first index along x.
 pub struct DiscreteProblem {
@@ -28,8 +38,7 @@ pub struct DiscreteProblem {
     scale: Scale,
     /// Elements per side of the sector of the grid that this one is a window of, or its own.
     grid_size: usize,
-    /// What the gradient method keeps from load to load.
-    workspace: Option<Box<Workspace>>,
+    identity: Identity,
 }
 
 impl DiscreteProblem {
@@ -118,7 +127,7 @@ impl DiscreteProblem {
             initial_gap,
             element_area,
             grid_size: size,
-            workspace: None,
+            identity: Identity::default(),
         })
     }
 
@@ -141,7 +150,7 @@ impl DiscreteProblem {
             element_area: self.element_area,
             scale: self.scale,
             grid_size: self.grid_size,
-            workspace: None,
+            identity: Identity::default(),
         })
     }
 
@@ -150,14 +159,10 @@ impl DiscreteProblem {
         self.scale
     }
 
-    /// What the last solution on this problem left, if it came to its end.
-    pub(crate) fn take_workspace(&mut self) -> Option<Box<Workspace>> {
-        self.workspace.take()
-    }
-
-    /// Keeps what the next solution on this problem can use.
-    pub(crate) fn keep_workspace(&mut self, workspace: Box<Workspace>) {
-        self.workspace = Some(workspace);
+    /// A token that no other problem has, by which a solver knows what it keeps from the load before to be of this one.
+    #[must_use]
+    pub fn identity(&self) -> &Identity {
+        &self.identity
     }
 
     /// What part of the surface the elements cover.
@@ -219,11 +224,6 @@ impl DiscreteProblem {
     /// Gives back the memory of operators that can be made again.
     pub(crate) fn release_operator(&mut self) {
         self.body.release();
-    }
-
-    /// Gives back the memory of solutions.
-    pub(crate) fn release_workspace(&mut self) {
-        self.workspace = None;
     }
 
     /// Writes `K p` (m) of a pressure on a window, nought outside, on a `reach` around it.

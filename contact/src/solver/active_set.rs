@@ -11,10 +11,7 @@
 //! set occurs twice (Nocedal and Wright 2006, section 16.5).
 
 mod dense_system;
-mod drop_only;
 mod exchange;
-
-pub use drop_only::DropOnlySolver;
 
 use self::{dense_system::DenseSystem, exchange::Exchange};
 use super::{Iterate, Solver, SolverOptions, Watch};
@@ -24,7 +21,7 @@ use crate::{ContactError, DiscreteProblem, Load};
 pub const LARGEST_ACTIVE_SET_GRID: usize = 80;
 
 /// Refuses a grid whose dense matrix would not fit.
-pub(super) fn check_size(elements: usize) -> Result<(), ContactError> {
+pub fn check_size(elements: usize) -> Result<(), ContactError> {
     let largest = LARGEST_ACTIVE_SET_GRID;
     if elements <= largest {
         Ok(())
@@ -42,7 +39,7 @@ pub struct ActiveSetSolver {
 
 impl Solver for ActiveSetSolver {
     fn solve(
-        &self,
+        &mut self,
         problem: &mut DiscreteProblem,
         load: Load,
         start: &[f64],

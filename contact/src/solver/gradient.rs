@@ -66,29 +66,54 @@ use self::{
     working_set::WorkingSet,
 };
 use super::{Iterate, Solver, SolverOptions, Watch};
-use crate::{ContactError, DiscreteProblem, Load, vector::each};
+use crate::{ContactError, DiscreteProblem, Identity, Load, vector::each};
 
 /// The iteration stops at this part of the tolerance, so that rounding between its running residual and the
 /// freshly computed certificate cannot decide.
 const TOLERANCE_MARGIN: f64 = 0.8;
 
 /// The gradient method; see the module's page.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Default)]
 pub struct GradientSolver {
     /// How far to go.
     pub options: SolverOptions,
+    /// What the last solution left, if it came to its end.
+    memory: Option<(Identity, Box<Workspace>)>,
+}
+
+impl GradientSolver {
+    /// A solver without memory of any problem.
+    #[must_use]
+    pub fn new(options: SolverOptions) -> Self {
+        Self {
+            options,
+            memory: None,
+        }
+    }
+
+    /// Gives back the memory that only another load on the same problem would need.
+    pub fn release(&mut self) {
+        self.memory = None;
+    }
 }
 
 impl Solver for GradientSolver {
     fn solve(
-        &self,
+        &mut self,
         problem: &mut DiscreteProblem,
         load: Load,
         start: &[f64],
         watch: &mut Watch<'_>,
     ) -> Result<Iterate, ContactError> {
         let control = Control::of(problem, load);
-        let mut iteration = Iteration::start(problem, control, start, self.options.tolerance);
+        let known = self.memory.take();
+        let known = known.filter(|(identity, _)| identity == problem.identity());
+        let mut workspace = known.map_or_else(
+            || Box::new(Workspace::new(problem)),
+            |(_, workspace)| workspace,
+        );
+        workspace.begin(problem, control, start);
+        let mut iteration = Iteration::new(workspace, self.options.tolerance);
         let mut residuals = Vec::new();
         let (ending, residual) = loop {
             let Workspace {
@@ -131,7 +156,7 @@ impl Solver for GradientSolver {
             stiffness_applications,
             reached_border: ending == Ending::ReachedBorder,
         };
-        problem.keep_workspace(iteration.workspace);
+        self.memory = Some((problem.identity().clone(), iteration.workspace));
         Ok(iterate)
     }
 }
@@ -164,7 +189,7 @@ impl GradientSolver {
 }
 
 /// All fields of a solution, allocated once for all loads on one problem.
-pub struct Workspace {
+struct Workspace {
     state: State,
     set: WorkingSet,
     best: Best,
@@ -221,16 +246,7 @@ struct Iteration {
 }
 
 impl Iteration {
-    fn start(
-        problem: &mut DiscreteProblem,
-        control: Control,
-        start: &[f64],
-        tolerance: f64,
-    ) -> Self {
-        let mut workspace = problem
-            .take_workspace()
-            .unwrap_or_else(|| Box::new(Workspace::new(problem)));
-        workspace.begin(problem, control, start);
+    fn new(workspace: Box<Workspace>, tolerance: f64) -> Self {
         Self {
             strategy: Strategy::new(),
             course: Course::Left(Part::Whole),

@@ -148,13 +148,7 @@ fn solve(model: &Model, side: f64, load: Load) -> Result<Step, ContactError> {
         contact_stiffness: false,
         ..SolverOptions::default()
     };
-    let mut watch = Watch {
-        observer: &mut (),
-        step: 0,
-        finished: 0,
-        steps: 1,
-    };
-    Hierarchy::new(model, side, TRIAL, 1, &options).solve(load, options, &mut watch)
+    Hierarchy::new(model, side, TRIAL, 1, &options).solve(load, options, &mut Watch::alone(&mut ()))
 }
 
 /// Whether the indenter is lower than the penetration at one of the elements around its axis, so that a grid without contact has none to miss; or nothing is
