@@ -38,7 +38,8 @@ pub struct Preconditioner {
     /// What every load begins with, where this one has turned to another.
     usual: Option<Inverse>,
     even: Even,
-    is_current: bool,
+    /// The revision of the set that it is adapted to.
+    adapted_to: Option<u64>,
 }
 
 enum Inverse {
@@ -84,7 +85,7 @@ impl Preconditioner {
                 total: 0.0,
                 exact_total: 0.0,
             },
-            is_current: false,
+            adapted_to: None,
         }
     }
 
@@ -112,7 +113,7 @@ impl Preconditioner {
                 if times > 1 || !matches!(self.inverse, Inverse::Factor(_)) {
                     let before = std::mem::replace(&mut self.inverse, inverse);
                     self.usual.get_or_insert(before);
-                    self.is_current = false;
+                    self.adapted_to = None;
                 }
                 true
             }
@@ -129,20 +130,15 @@ impl Preconditioner {
 
     /// Forgets the sets met so far.
     pub fn restart(&mut self) {
-        self.outdate();
+        self.adapted_to = None;
         if self.even.exact_total != 0.0 {
             self.even.values.fill(0.0);
         }
     }
 
-    /// Must be told when the working set has changed.
-    pub fn outdate(&mut self) {
-        self.is_current = false;
-    }
-
     /// Adapts to a set that has changed since the last direction.
     pub fn follow(&mut self, problem: &DiscreteProblem, set: &WorkingSet) {
-        if self.is_current {
+        if self.adapted_to == Some(set.revision()) {
             return;
         }
         match &mut self.inverse {
@@ -150,7 +146,7 @@ impl Preconditioner {
             Inverse::Filter(filter) => filter.update(set, problem.relief_compliance()),
             Inverse::Factor(factor) => factor.update(set),
         }
-        self.is_current = true;
+        self.adapted_to = Some(set.revision());
         set.clear_outside(&mut self.even.values);
         self.even.total = sum(&self.even.values);
     }

@@ -180,7 +180,7 @@ mod tests {
     use crate::{
         DiscreteProblem,
         grid::sector::Sector,
-        solver::gradient::{WorkingSet, control::Control, tests::begun},
+        solver::gradient::{control::Control, tests::begun, working_set::WorkingSet},
     };
 
     /// More than one part, the last not full.

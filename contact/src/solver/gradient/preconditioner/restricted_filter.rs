@@ -154,7 +154,7 @@ mod tests {
     use crate::{
         DiscreteProblem,
         grid::sector::Sector,
-        solver::gradient::{WorkingSet, tests::begun},
+        solver::gradient::{tests::begun, working_set::WorkingSet},
         vector::{add_scaled, dot},
     };
 

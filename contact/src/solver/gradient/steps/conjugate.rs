@@ -5,14 +5,9 @@
 
 use rayon::prelude::*;
 
-use crate::solver::gradient::preconditioner::{Preconditioner, residual_into};
-use crate::solver::gradient::state::State;
 use crate::solver::gradient::steps::segment::{Part, Segment};
-use crate::solver::gradient::working_set::WorkingSet;
-use crate::{
-    DiscreteProblem,
-    vector::{dot, update},
-};
+use crate::solver::gradient::{context::Context, preconditioner::residual_into};
+use crate::vector::{dot, update};
 
 /// Elements worth a thread of their own.
 const MIN_PART: usize = 1 << 12;
@@ -76,40 +71,28 @@ impl ConjugateDirections {
 
     /// One step that stops where an element would pull, and goes on from there with that element at zero, as far as the energy
     /// does not rise: one product, two where it is stopped.
-    pub fn step_within(
-        &mut self,
-        problem: &mut DiscreteProblem,
-        preconditioner: &mut Preconditioner,
-        state: &mut State,
-        set: &WorkingSet,
-        segment: &mut Segment,
-    ) -> Course {
-        self.aim(problem, preconditioner, state, set);
-        let alpha = self.reach(problem, state, &mut segment.image);
+    pub fn step_within(&mut self, context: &mut Context<'_>) -> Course {
+        self.aim(context);
+        let alpha = self.reach(context);
         if !alpha.is_finite() {
             return Course::Left(Part::Cut);
         }
         let pulls = |(p, d): (&f64, &f64)| p + alpha * d < 0.0;
-        let steps = state.pressure.par_iter().zip(&self.direction);
+        let steps = context.state.pressure.par_iter().zip(&self.direction);
         if !steps.with_min_len(MIN_PART).any(pulls) {
-            state.advance(problem, alpha, &self.direction, &segment.image);
+            self.advance(context, alpha);
             return Course::Kept;
         }
-        segment.clip(state, alpha, &self.direction);
-        let ceiling = state.energy();
-        Course::Left(segment.take(problem, state, ceiling))
+        context.segment.clip(context.state, alpha, &self.direction);
+        let ceiling = context.state.energy();
+        Course::Left(context.take_segment(ceiling))
     }
 
     /// One step along the direction last [aimed](Self::aim) at, which may pull: one product. False if there is nowhere to go.
-    pub fn step_freely(
-        &mut self,
-        problem: &mut DiscreteProblem,
-        state: &mut State,
-        image: &mut [f64],
-    ) -> bool {
-        let alpha = self.reach(problem, state, image);
+    pub fn step_freely(&mut self, context: &mut Context<'_>) -> bool {
+        let alpha = self.reach(context);
         if alpha.is_finite() {
-            state.advance(problem, alpha, &self.direction, image);
+            self.advance(context, alpha);
         }
         alpha.is_finite()
     }
@@ -120,15 +103,9 @@ impl ConjugateDirections {
     }
 
     /// Finds the next direction; returns `r·z`. No product.
-    pub fn aim(
-        &mut self,
-        problem: &DiscreteProblem,
-        preconditioner: &mut Preconditioner,
-        state: &State,
-        set: &WorkingSet,
-    ) -> f64 {
-        let z = &mut self.preconditioned;
-        preconditioner.direction_into(problem, state, set, z);
+    pub fn aim(&mut self, context: &mut Context<'_>) -> f64 {
+        context.direction_into(&mut self.preconditioned);
+        let Context { state, set, .. } = context;
         // r·z, with r = D − v; z sums to zero or D is prescribed.
         let product = -state.control.slope(&self.preconditioned, &state.v);
         let beta = if self.running {
@@ -150,10 +127,27 @@ impl ConjugateDirections {
         product
     }
 
-    /// Writes the image of the direction into `image`; returns the step to the minimum along it. One product.
-    fn reach(&self, problem: &mut DiscreteProblem, state: &mut State, image: &mut [f64]) -> f64 {
+    /// Writes the image of the direction into the segment's; returns the step to the minimum along it. One product.
+    fn reach(&self, context: &mut Context<'_>) -> f64 {
+        let Context {
+            problem,
+            state,
+            segment: Segment { image, .. },
+            ..
+        } = context;
         state.image_into(problem, &self.direction, image);
         // α = r·d / d·(K + η)d, with r·d = −d·∂E
         -state.control.slope(&self.direction, &state.v) / dot(&self.direction, image)
+    }
+
+    /// Goes so far along the direction whose image the segment holds.
+    fn advance(&self, context: &mut Context<'_>, alpha: f64) {
+        let Context {
+            problem,
+            state,
+            segment,
+            ..
+        } = context;
+        state.advance(problem, alpha, &self.direction, &segment.image);
     }
 }

@@ -11,15 +11,11 @@
 //! Portugal, Júdice and Vicente 1994). Where contact under a plate is a few elements among many that overlap by little, Newton's method leaps from one set
 //! to another that shares none with it, and back; this does not.
 
-use crate::solver::gradient::preconditioner::Preconditioner;
+use crate::solver::gradient::context::Context;
 use crate::solver::gradient::state::State;
 use crate::solver::gradient::steps::conjugate::ConjugateDirections;
 use crate::solver::gradient::steps::segment::Segment;
-use crate::solver::gradient::working_set::WorkingSet;
-use crate::{
-    DiscreteProblem,
-    vector::{add_scaled, update, update_with},
-};
+use crate::vector::{add_scaled, update, update_with};
 
 /// What may be missing from the solution on a face, as a part of what was at first, in the metric of the preconditioner; its square is the error of the energy.
 const SETTLED: f64 = 1e-2;
@@ -75,52 +71,38 @@ impl FaceDescent {
     }
 
     /// One step of the linear system on the present face, or what follows from its solution: one product at most.
-    pub fn step(
-        &mut self,
-        problem: &mut DiscreteProblem,
-        preconditioner: &mut Preconditioner,
-        state: &mut State,
-        set: &mut WorkingSet,
-        segment: &mut Segment,
-    ) {
+    pub fn step(&mut self, context: &mut Context<'_>) {
         if self.first.is_none() {
-            preconditioner.restart();
+            context.preconditioner.restart();
             self.conjugate.restart();
             self.steps = 0;
         }
-        let missing = self.conjugate.aim(problem, preconditioner, state, set);
+        let missing = self.conjugate.aim(context);
         let first = *self.first.get_or_insert(missing);
         self.steps += 1;
         // Never at once: a face costs a product at least, so that the bound on products ends what rounding keeps alive.
         let is_settled = self.steps > 1 && (missing <= SETTLED * first || self.steps > MOST_STEPS);
-        let moves = !is_settled
-            && self
-                .conjugate
-                .step_freely(problem, state, &mut segment.image);
+        let moves = !is_settled && self.conjugate.step_freely(context);
         if !moves {
-            self.leave(problem, state, set, segment);
-            preconditioner.outdate();
+            self.leave(context);
         }
     }
 
     /// Goes from the solution on the face, or what is known of it, to the next face.
-    fn leave(
-        &mut self,
-        problem: &mut DiscreteProblem,
-        state: &mut State,
-        set: &mut WorkingSet,
-        segment: &mut Segment,
-    ) {
-        let ends = self.ends(&state.pressure);
-        if ends.is_empty() {
-            set.update(state);
-        } else if ends[0] > 0.0 {
-            self.come_down(problem, state, segment, &ends);
-            set.keep_pressing(state);
-        } else {
-            let before = &self.pressure;
-            set.keep(state, |element, p| p >= 0.0 || before[element] > 0.0);
-            self.go_back(state);
+    fn leave(&mut self, context: &mut Context<'_>) {
+        let ends = self.ends(&context.state.pressure);
+        if ends.first().is_some_and(|first| *first > 0.0) {
+            self.come_down(context, &ends);
+        }
+        let Context { state, set, .. } = context;
+        match ends.first() {
+            None => set.update(state),
+            Some(first) if *first > 0.0 => set.keep_pressing(state),
+            Some(_) => {
+                let before = &self.pressure;
+                set.keep(state, |element, p| p >= 0.0 || before[element] > 0.0);
+                self.go_back(state);
+            }
         }
         self.begin(state);
     }
@@ -138,14 +120,14 @@ impl FaceDescent {
 
     /// Goes on until a part of the elements that pull have no pressure, as large as has lately lowered the energy more than stopping at the first, and where that
     /// does not, stops at the first: one product, or none.
-    fn come_down(
-        &mut self,
-        problem: &mut DiscreteProblem,
-        state: &mut State,
-        segment: &mut Segment,
-        ends: &[f64],
-    ) {
-        let Segment { step, image } = &mut *segment;
+    fn come_down(&mut self, context: &mut Context<'_>, ends: &[f64]) {
+        let Context {
+            problem,
+            state,
+            segment,
+            ..
+        } = context;
+        let Segment { step, image } = &mut **segment;
         update_with(step, &state.pressure, &self.pressure, |s, p, before| {
             *s = p - before;
         });

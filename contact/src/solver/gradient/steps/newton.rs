@@ -10,11 +10,8 @@
 //! are looked for one step ahead, and the system is solved until they are the same as a step before, but for a third of them; where they are a few, which flip to and
 //! fro, until nothing else is missing either.
 
-use crate::DiscreteProblem;
-use crate::solver::gradient::preconditioner::Preconditioner;
-use crate::solver::gradient::state::State;
+use crate::solver::gradient::context::Context;
 use crate::solver::gradient::steps::conjugate::ConjugateDirections;
-use crate::solver::gradient::working_set::WorkingSet;
 
 /// Part of the elements on the wrong side that may change from one step to the next when they are exchanged.
 const UNSETTLED: f64 = 0.3;
@@ -60,34 +57,27 @@ impl Newton {
         (self.first, self.steps) = (None, 0);
     }
 
-    /// One step of the present linear system, its image into `image`, or the exchange where it is solved far enough for a `tolerance`: one product, or one where
+    /// One step of the present linear system, or the exchange where it is solved far enough for a `tolerance`: one product, or one where
     /// elements pull.
-    pub fn step(
-        &mut self,
-        problem: &mut DiscreteProblem,
-        preconditioner: &mut Preconditioner,
-        state: &mut State,
-        set: &mut WorkingSet,
-        image: &mut [f64],
-        tolerance: f64,
-    ) -> Turn {
+    pub fn step(&mut self, context: &mut Context<'_>, tolerance: f64) -> Turn {
         if self.first.is_none() {
             // Many elements change at once: an even answer cut to what is left would cost every sixth product more.
-            preconditioner.restart();
+            context.preconditioner.restart();
             self.conjugate.restart();
-            set.look_away();
+            context.set.look_away();
             self.steps = 0;
         }
-        let missing = self.conjugate.aim(problem, preconditioner, state, set);
+        let missing = self.conjugate.aim(context);
         let first = *self.first.get_or_insert(missing);
+        let Context { state, set, .. } = context;
         let ahead = set.look_ahead(state, self.conjugate.missing(), SLACK * tolerance);
         let are_many = ahead.wrong as f64 > (FEW * set.len() as f64).max(2.0);
         let are_clear = are_many && ahead.news as f64 <= UNSETTLED * ahead.wrong as f64;
         if ahead.wrong > 0 && (are_clear || missing <= SETTLED * first) {
-            return self.exchange(problem, preconditioner, state, set);
+            return self.exchange(context);
         }
         self.steps += 1;
-        let moved = self.conjugate.step_freely(problem, state, image);
+        let moved = self.conjugate.step_freely(context);
         if moved && self.steps <= MOST_STEPS {
             Turn::Inner
         } else {
@@ -95,15 +85,14 @@ impl Newton {
         }
     }
 
-    fn exchange(
-        &mut self,
-        problem: &mut DiscreteProblem,
-        preconditioner: &mut Preconditioner,
-        state: &mut State,
-        set: &mut WorkingSet,
-    ) -> Turn {
+    fn exchange(&mut self, context: &mut Context<'_>) -> Turn {
+        let Context {
+            problem,
+            state,
+            set,
+            ..
+        } = context;
         set.exchange(state);
-        preconditioner.outdate();
         self.first = None;
         let mut members = state.pressure.iter().zip(set.mask());
         if members.any(|(p, member)| *p < 0.0 || (*p > 0.0 && !member)) {

@@ -4,12 +4,10 @@
 //! `α = s·y / (y·M⁻¹y)`, `s = Δp`, `y = Δv` of the step before (Barzilai and Borwein 1988, in the preconditioner's
 //! metric). `M⁻¹y` is not computed but taken from the two residuals: `M⁻¹Δv = M⁻¹1 Δλ − Δz`, as far as the set is the same.
 
-use crate::solver::gradient::preconditioner::{Preconditioner, residual_into};
-use crate::solver::gradient::state::State;
 use crate::solver::gradient::steps::projection::project;
 use crate::solver::gradient::steps::segment::{Part, Segment};
-use crate::solver::gradient::working_set::WorkingSet;
-use crate::{DiscreteProblem, vector::dot};
+use crate::solver::gradient::{context::Context, preconditioner::residual_into};
+use crate::vector::dot;
 
 /// Bounds of the step `α`; 1 is the preconditioner's own idea. Steps seen in practice lie between 0.02 and 3.
 const STEP_BOUNDS: [f64; 2] = [0.02, 4.0];
@@ -48,30 +46,23 @@ impl SpectralSteps {
     }
 
     /// One step of the state along `segment`, which holds the step before; one product, two where it must fall back.
-    pub fn step(
-        &mut self,
-        problem: &mut DiscreteProblem,
-        preconditioner: &mut Preconditioner,
-        state: &mut State,
-        set: &WorkingSet,
-        segment: &mut Segment,
-    ) -> Part {
-        self.remember_energy(state.energy());
+    pub fn step(&mut self, context: &mut Context<'_>) -> Part {
+        self.remember_energy(context.state.energy());
         std::mem::swap(&mut self.direction, &mut self.direction_before);
-        let level = preconditioner.direction_into(problem, state, set, &mut self.direction);
-        let alpha = self.alpha(level, preconditioner.even(), segment);
+        let level = context.direction_into(&mut self.direction);
+        let alpha = self.alpha(level, context.preconditioner.even(), context.segment);
         self.before = Some(level);
-        segment.clip(state, alpha, &self.direction);
-        let downhill = segment.slope(state) < 0.0;
+        context.segment.clip(context.state, alpha, &self.direction);
+        let downhill = context.segment.slope(context.state) < 0.0;
         if !downhill {
-            self.project_plain_gradient(problem, state, set, segment);
+            self.project_plain_gradient(context);
         }
         let ceiling = self
             .energies
             .iter()
             .copied()
             .fold(f64::NEG_INFINITY, f64::max);
-        let part = segment.take(problem, state, ceiling);
+        let part = context.take_segment(ceiling);
         if downhill { part } else { Part::Cut }
     }
 
@@ -84,13 +75,14 @@ impl SpectralSteps {
 
     /// `s = Π(p + α r) − p` on the working set, which starts downhill for every `α > 0`; `α` minimises the energy along the plain
     /// residual `r`: one product.
-    fn project_plain_gradient(
-        &mut self,
-        problem: &mut DiscreteProblem,
-        state: &mut State,
-        set: &WorkingSet,
-        Segment { step, image }: &mut Segment,
-    ) {
+    fn project_plain_gradient(&mut self, context: &mut Context<'_>) {
+        let Context {
+            problem,
+            state,
+            set,
+            segment: Segment { step, image },
+            ..
+        } = context;
         residual_into(state, set, &mut self.direction);
         state.image_into(problem, &self.direction, image);
         let alpha = dot(&self.direction, &self.direction) / dot(&self.direction, image);

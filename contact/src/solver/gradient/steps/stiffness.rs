@@ -7,14 +7,11 @@
 //! that raises the sum most, and all later directions are kept conjugate to `p`. (Deflation; Nicolaides 1987.) That spares a product of four on a homogeneous body, and
 //! two of seven under a stiff coat.
 
-use crate::solver::gradient::preconditioner::Preconditioner;
-use crate::solver::gradient::state::State;
-use crate::solver::gradient::steps::conjugate::Buffers;
-use crate::solver::gradient::working_set::WorkingSet;
-use crate::{
-    DiscreteProblem,
-    vector::{add_scaled, dot, sum, update_with},
+use crate::solver::gradient::{
+    context::Context,
+    steps::conjugate::{Buffers, ConjugateDirections},
 };
+use crate::vector::{add_scaled, dot, sum, update_with};
 
 /// Part of the sum that the next step would add, by the last one's `α`, from which on it is not taken but estimated: true to a third of itself.
 const SMALLEST_GAIN: f64 = 1e-6;
@@ -24,19 +21,23 @@ const MOST_STEPS: usize = 300;
 /// `Σ q`, in the units of the problem's scale, to some 1e-7 of itself, on the set of the state's elements that press, which is not empty; and the products that it took. None
 /// if the system does not converge.
 pub fn pressure_sum_per_penetration(
-    problem: &mut DiscreteProblem,
-    preconditioner: &mut Preconditioner,
-    state: &State,
-    set: &WorkingSet,
-    buffers: Buffers<'_>,
+    context: &mut Context<'_>,
+    conjugate: &mut ConjugateDirections,
 ) -> (Option<f64>, usize) {
+    let Context {
+        problem,
+        state,
+        set,
+        preconditioner,
+        segment,
+    } = context;
     let Buffers {
         residual,
         direction,
         image,
         preconditioned: z,
         step: image_of_pressure,
-    } = buffers;
+    } = conjugate.lend(segment);
     preconditioner.follow(problem, set);
     let pressure = &state.pressure;
     let (v, initial_gap) = (&state.v, &state.initial_gap);
