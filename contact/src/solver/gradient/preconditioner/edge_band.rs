@@ -125,7 +125,7 @@ impl EdgeBand {
         for _ in 0..MOST_STEPS {
             // d ← r + β d,  y = F_EE d,  α = r·r / d·y
             update(&mut self.direction, &self.residual, |d, r| {
-                *d = r + beta * *d
+                *d = r + beta * *d;
             });
             self.multiply();
             let alpha = product / dot(&self.direction, &self.image);
