@@ -1,8 +1,7 @@
 //! The influence coefficients of one grid, by offset.
 
-mod stored;
-
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 
 use crate::error::InfluenceError;
 
@@ -14,7 +13,7 @@ const ROWS: usize = 64;
 /// The coefficients `k(m, n)` of the square elements of an N × N grid, m/Pa, by the offset in elements.
 ///
 /// Translation and the symmetry of the square leave `0 ≤ n ≤ m < N`: N(N+1)/2 numbers, 4 bytes an element of the grid.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CoefficientTable {
     element_side: f64,
     size: usize,
@@ -115,6 +114,16 @@ impl CoefficientTable {
                 }
             }),
         }
+    }
+
+    /// Bytes of the table of a grid.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::from_fn`] for a side or a size that no table has.
+    pub(crate) fn bytes(element_side: f64, size: usize) -> Result<usize, InfluenceError> {
+        check(element_side, size)?;
+        Ok(size_of::<f64>() * (size * (size + 1) / 2))
     }
 
     fn check_finite(&self) -> Result<(), InfluenceError> {

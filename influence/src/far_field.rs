@@ -3,7 +3,7 @@
 //! The panel and the place in it are read off the bits of u: its exponent and the first [`BITS`] bits of its fraction number the
 //! panel, the rest is the place. So a value costs no logarithm, no root and no division, only a polynomial of degree 8.
 
-mod stored;
+use serde::{Deserialize, Serialize};
 
 use crate::chebyshev::{Transform, nodes};
 
@@ -17,7 +17,7 @@ const PLACE_BITS: u32 = 52 - BITS;
 const TERMS: usize = 9;
 
 /// Piecewise polynomials of `T(√u)/√u`.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct FarField {
     /// Number of the first panel.
     first: usize,

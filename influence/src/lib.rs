@@ -107,7 +107,7 @@ mod twofold;
 mod whole;
 mod window;
 
-pub use cache::{Cache, CacheWarning, Cached, FileFault, Origin, Usage};
+pub use cache::{Cache, CacheWarning, Cached, Origin, Usage};
 pub use coefficient_table::CoefficientTable;
 pub use convolution::ConvolutionOperator;
 pub use dense::DenseOperator;

@@ -1,8 +1,8 @@
 //! A function of the logarithm of a positive variable, as Chebyshev panels of adaptive width.
 
-mod stored;
-
 use std::f64::consts::LN_2;
+
+use serde::{Deserialize, Serialize};
 
 use crate::chebyshev::{Transform, nodes, sum, tail};
 use crate::whole;
@@ -20,7 +20,7 @@ const FINEST: usize = 1 << DEPTH;
 const CELL: f64 = LN_2 / FINEST as f64;
 
 /// One expansion, over `|ln x − centre| ≤ half_width`.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Panel {
     pub centre: f64,
     pub half_width: f64,
@@ -58,7 +58,7 @@ impl Panel {
 }
 
 /// Panels side by side, found in constant time.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Panels {
     start: f64,
     end: f64,

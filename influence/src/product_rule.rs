@@ -9,6 +9,8 @@
 use std::f64::consts::E;
 use std::sync::LazyLock;
 
+use serde::{Deserialize, Serialize};
+
 use crate::gauss::{Node, legendre_of};
 use crate::whole;
 
@@ -30,7 +32,7 @@ static LINES: LazyLock<[ProductRule; 5]> = LazyLock::new(|| {
 });
 
 /// The offsets, in elements, from which each of the rules holds for one foundation.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Borders([usize; 5]);
 
 impl Borders {

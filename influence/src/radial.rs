@@ -5,10 +5,10 @@
 //! `div(r P/r²) = T/r`. (`P = t W` with the `W(t) = ∫ Φ(s) J1(st)/s ds` of the transform.)
 
 mod sampler;
-mod stored;
 mod yardstick;
 
 use pellicle_kernel::Foundation;
+use serde::{Deserialize, Serialize};
 
 use crate::chebyshev;
 use crate::far_field::FarField;
@@ -33,7 +33,7 @@ const TOLERANCE: f64 = 1e-15;
 const RIGID_FLOOR: f64 = 1e-2;
 
 /// `T` and `P` of one layered foundation.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct RadialFunctions {
     limit: f64,
     /// g in `T = 1 + g t`, left of the panels.
@@ -58,7 +58,7 @@ pub(crate) struct RadialFunctions {
 }
 
 /// The largest estimated error of T over its scale, and where.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Worst {
     pub error: f64,
     pub t: f64,

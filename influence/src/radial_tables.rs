@@ -1,6 +1,6 @@
 //! The fast path to influence coefficients: two functions of the radius, tabulated once for a foundation, whatever the grid.
 
-mod stored;
+use std::sync::Arc;
 
 use pellicle_kernel::{Base, Foundation, Interface, Layer};
 
@@ -36,7 +36,7 @@ const LARGEST_SPREAD: f64 = 1e16;
 pub struct RadialTables {
     foundation: Foundation,
     /// None for a homogeneous body, whose coefficients are Love's.
-    functions: Option<RadialFunctions>,
+    functions: Option<Arc<RadialFunctions>>,
     /// What every coefficient is multiplied by: 1 but for a test of tests.
     factor: f64,
 }
@@ -54,16 +54,22 @@ impl RadialTables {
     /// [`InfluenceError::TableAccuracy`] if the estimated error exceeds 1e-8, with which the matrix of stiff coats need not be positive
     /// definite; [`InfluenceError::LayerThicknesses`] if the layers together are more than 1e16 times as thick as the top one.
     pub fn build(foundation: &Foundation) -> Result<Self, InfluenceError> {
-        let functions = if is_homogeneous(foundation) {
-            None
-        } else {
-            Some(accurate_functions(foundation)?)
-        };
-        Ok(Self {
+        let functions = Self::has_functions(foundation).then(|| accurate_functions(foundation));
+        Ok(Self::new(foundation, functions.transpose()?.map(Arc::new)))
+    }
+
+    /// The tables of these functions, which are none for a homogeneous body.
+    pub(crate) fn new(foundation: &Foundation, functions: Option<Arc<RadialFunctions>>) -> Self {
+        Self {
             foundation: foundation.clone(),
             functions,
             factor: 1.0,
-        })
+        }
+    }
+
+    /// Whether there is anything to tabulate.
+    pub(crate) fn has_functions(foundation: &Foundation) -> bool {
+        !is_homogeneous(foundation)
     }
 
     /// The same with every coefficient multiplied by `1 + relative`: wrong on purpose, so that a check can be seen to fail.
@@ -147,7 +153,9 @@ impl CoefficientTable {
 }
 
 /// The functions of a layered foundation, if they are of any use.
-fn accurate_functions(foundation: &Foundation) -> Result<RadialFunctions, InfluenceError> {
+pub(crate) fn accurate_functions(
+    foundation: &Foundation,
+) -> Result<RadialFunctions, InfluenceError> {
     let top = foundation.layers().first().map(Layer::thickness);
     let found = foundation.thickness() / top.unwrap_or(f64::NAN);
     if found.is_nan() || found > LARGEST_SPREAD {

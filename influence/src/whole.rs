@@ -16,19 +16,13 @@ pub(crate) fn ceil(x: f64) -> usize {
     floor(x.ceil())
 }
 
-/// The nearest whole number; 0 for what is negative or not a number.
-pub(crate) fn round(x: f64) -> usize {
-    floor(x.round())
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{ceil, floor, round};
+    use super::{ceil, floor};
 
     #[test]
     fn what_is_no_count_is_none() {
         assert_eq!([floor(3.9), floor(-1.0), floor(f64::NAN)], [3, 0, 0]);
-        assert_eq!([round(3.4), round(3.5), round(-2.0)], [3, 4, 0]);
         assert_eq!([ceil(3.1), ceil(4.0), ceil(-0.5)], [4, 4, 0]);
     }
 }

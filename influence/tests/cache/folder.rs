@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-use pellicle_influence::{Cache, CacheWarning, FileFault, Origin};
+use pellicle_influence::{Cache, CacheWarning, Origin};
 
 use crate::scene::{ELEMENT_SIDE, SIZE, bits, coefficients, expected, filled, only_file, plain};
 
@@ -17,13 +17,7 @@ fn a_folder_in_a_files_place_costs_only_the_cache() {
     assert_eq!((origin, bits(&table)), (Origin::Computed, expected()));
     assert!(matches!(
         &warnings[..],
-        [
-            CacheWarning::File {
-                fault: FileFault::NotAFile,
-                ..
-            },
-            CacheWarning::Folder { .. }
-        ]
+        [CacheWarning::Damaged { .. }, CacheWarning::Folder { .. }]
     ));
     // Nothing incomplete is left behind.
     assert_eq!(only_file(folder.path()), file);
