@@ -1,9 +1,10 @@
-//! Radial tables and coefficients kept: in memory for the run, on disk for the next.
+//! Radial tables and coefficients, kept in memory for the run and on disk for the next.
 //!
-//! What determines the data, bit by bit, is hashed (BLAKE3) to the name of a file: the foundation, the side of an element, the size of
-//! the grid, the version of the format and that of the algorithm. A file is written under a temporary name and renamed, and has a
-//! checksum, so any number of threads and processes may use one folder at once, and what is damaged, cut off or not the cache's own is
-//! computed again. Nothing about the cache is ever an error: at worst there is none.
+//! The name of a file is a hash (BLAKE3) of all that determines the data: every bit of the foundation and of the
+//! side of an element, the size of the grid, and the version of the algorithm. A file is written under a temporary
+//! name and renamed, and has a checksum. So any number of threads and processes may use one folder at once, and a
+//! file that is damaged, cut off or foreign is computed again. The cache never causes an error: at worst nothing is
+//! cached.
 
 mod disk;
 mod memory;
@@ -19,20 +20,19 @@ use serde::de::DeserializeOwned;
 
 use self::disk::Disk;
 use self::memory::Memory;
-use crate::radial::RadialFunctions;
-use crate::radial_tables::accurate_functions;
+use crate::radial::{RadialFunctions, accurate_functions};
 use crate::{CoefficientTable, InfluenceError, RadialTables};
 
 pub use report::{CacheWarning, Cached, Origin, Usage};
 
-/// Version of the numbers and of the structs that are kept. To be raised whenever either changes: when a coefficient or a
-/// number of the radial tables may change by a single bit, because this crate's or the kernel's arithmetic, tolerances or
-/// panels do, or when a struct gets another field. The test `the_algorithm_has_the_version_of_its_numbers` in this crate's
-/// `tests/cache/contents.rs` notices most of it.
+/// Version of the numbers and of the structs that are kept. To be raised whenever either changes: when a
+/// coefficient or a number of the radial tables may change by a single bit, because this crate's or the kernel's
+/// arithmetic, tolerances or panels do, or when a struct gets another field. The test
+/// `the_algorithm_has_the_version_of_its_numbers` in this crate's `tests/cache/contents.rs` notices most of it.
 const VERSION: u32 = 4;
 
-/// Bytes in memory of each kind of data: the coefficients of grids of up to 8000² elements together, next to which a solver
-/// needs a hundred times as much.
+/// Bytes in memory of each kind of data: the coefficients of grids of up to 8000² elements together, next to which
+/// a solver needs a hundred times as much.
 const LIMIT: usize = 1 << 28;
 
 /// Bytes that radial tables may take: twenty times the largest seen.
@@ -65,25 +65,11 @@ struct Parts {
 }
 
 impl Cache {
-    /// Smallest number of elements a side, N, for which a table of coefficients is kept on disk.
+    /// Smallest number of elements a side, N, from which tables of coefficients are kept on disk.
     ///
-    /// *Measured* with `cargo bench -p pellicle-influence --bench cache`: µs to have the table, the fastest of 20 samples, one thread, a
-    /// 2-core machine with other work on it, files in the system's page cache.
-    ///
-    /// | N | computed, coated body | computed, homogeneous body | read |
-    /// |---|---|---|---|
-    /// | 4 | 43 | 2.9 | 7.3 |
-    /// | 8 | 70 | 8.6 | 7.7 |
-    /// | 16 | 89 | 20 | 8.9 |
-    /// | 32 | 147 | 50 | 13 |
-    /// | 128 | 1,130 | 160 | 39 |
-    /// | 512 | 14,000 | 1,600 | 420 |
-    /// | 1024 | 67,000 | 5,600 | 1,900 |
-    /// | 2048 | 270,000 | 30,000 | 9,000 |
-    ///
-    /// So the border of a homogeneous body lies at N = 8. A coated body has none, but below N = 16 its tables take no longer than creating a
-    /// file does, 40 to 150 µs. Radial tables take 11,000 µs to build and 68 µs to read; those of a homogeneous body are empty and never
-    /// written.
+    /// Measured with `cargo bench -p pellicle-influence --bench cache`: a homogeneous body's table is computed
+    /// faster than it is read below N = 8. A coated body's never is, but below N = 16 it takes no longer than
+    /// creating a file does, 40 to 150 µs.
     pub const SMALLEST_STORED: usize = 16;
 
     /// Keeps nothing.
@@ -106,7 +92,8 @@ impl Cache {
         Self::storing_from(Self::SMALLEST_STORED, folder)
     }
 
-    /// As [`Self::at`], with another border than [`Self::SMALLEST_STORED`]: to find out where it lies on other machines.
+    /// As [`Self::at`], with another border than [`Self::SMALLEST_STORED`]: to find out where it lies on other
+    /// machines.
     #[must_use]
     pub fn storing_from(smallest: usize, folder: impl Into<PathBuf>) -> Self {
         Self::new(LIMIT, Some(Disk::new(folder.into())), smallest)
@@ -195,7 +182,8 @@ impl Cache {
         disk.map_or(Ok(Usage::default()), Disk::usage)
     }
 
-    /// Removes the cache's own files from the folder, and nothing else, and tells how much that was. Memory stays as it is.
+    /// Removes the cache's own files from the folder, and nothing else, and tells how much that was. Memory stays
+    /// as it is.
     ///
     /// # Errors
     ///
@@ -242,7 +230,7 @@ impl Cache {
         Ok(Cached { value, origin })
     }
 
-    /// What the disk gave; a warning is kept for [`Self::take_warnings`].
+    /// The disk's answer, none if it failed; a warning is kept for [`Self::take_warnings`].
     fn told<T: Default>(&self, outcome: Result<T, CacheWarning>) -> T {
         outcome.unwrap_or_else(|warning| {
             self.warnings().push(warning);
@@ -265,8 +253,9 @@ struct Wanted {
     is_immediate: bool,
 }
 
-/// The name of data: a hash of all that determines them, every bit of the foundation (`Debug` writes the shortest digits that
-/// are one `f64` only), the release, and the platform, whose exponentials and logarithms may differ in the last bit.
+/// The name of data: a hash of all that determines them, every bit of the foundation (`Debug` writes the shortest
+/// digits that are one `f64` only), the release, and the platform, whose exponentials and logarithms may differ in
+/// the last bit.
 fn key(data: &str, foundation: &Foundation) -> Hash {
     const RELEASE: &str = concat!(env!("CARGO_PKG_NAME"), " ", env!("CARGO_PKG_VERSION"));
     let platform = [std::env::consts::ARCH, std::env::consts::OS];

@@ -1,8 +1,8 @@
 //! A folder of files, one for each value of any type that serde can write.
 //!
-//! A file holds the BLAKE3 of its key and of its payload, then the payload in postcard's format, which keeps every bit of an
-//! `f64`. It is written under a temporary name and renamed, so that a reader sees all of it or none, whatever other threads
-//! and processes do at the same time.
+//! A file holds the BLAKE3 of its key and of its payload, then the payload in postcard's format, which keeps every
+//! bit of an `f64`. It is written under a temporary name and renamed, so that a reader sees all of it or none,
+//! whatever other threads and processes do at the same time.
 
 use std::fs::{self, DirEntry, File, Metadata};
 use std::io::{self, BufReader, ErrorKind, Read, Write};

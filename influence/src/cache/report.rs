@@ -1,14 +1,15 @@
-//! What a cache reports: where data came from, how much it holds, what went wrong.
+//! The reports of a cache: origin of data, size on disk, warnings.
 
 use std::io::ErrorKind;
 use std::path::PathBuf;
 
 use thiserror::Error;
 
-/// Where data came from. The largest of several origins is that of all of them together.
+/// The origin of data. The largest of several origins is that of all of them together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Origin {
-    /// Computed, and never kept on disk, because reading is no faster: a homogeneous body's radial tables, a small grid.
+    /// Computed, and never kept on disk, because reading is no faster: a homogeneous body's radial tables, a small
+    /// grid.
     Immediate,
     /// In memory already.
     Memory,
@@ -26,12 +27,12 @@ impl Origin {
     }
 }
 
-/// Data, and where they came from.
+/// Data and their origin.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Cached<T> {
     /// The data.
     pub value: T,
-    /// Where they came from.
+    /// Their origin.
     pub origin: Origin,
 }
 
@@ -45,7 +46,7 @@ impl<T> Cached<T> {
     }
 }
 
-/// What a cache takes on disk.
+/// The size of a cache on disk.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Usage {
     /// Number of files.
@@ -62,7 +63,7 @@ impl Usage {
     }
 }
 
-/// Something that the cache on disk could not do. The data were computed instead.
+/// A failure of the cache on disk. The data were computed instead.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum CacheWarning {

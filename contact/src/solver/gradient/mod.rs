@@ -48,8 +48,6 @@ mod edge_band;
 mod face;
 mod iterate;
 mod newton;
-mod periodic_filter;
-mod plane_filter;
 mod preconditioner;
 mod projection;
 mod restricted_filter;
