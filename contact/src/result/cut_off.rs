@@ -154,7 +154,7 @@ impl<'a> Surroundings<'a> {
         };
         let pressure = around.summed(&self.grid, &solution.pressure);
         let mut displacement = vec![0.0; AROUND * AROUND];
-        let mut operator = elasticity.spread(AROUND, [FIRST; 2], BLOCKS);
+        let mut operator = elasticity.under_window(AROUND, [FIRST; 2], BLOCKS);
         operator.apply_into(&pressure, &mut displacement);
         let touched = (1.0 - OVERLAP) * solution.penetration;
         let mut places = displacement.iter().zip(&frame.gaps);
