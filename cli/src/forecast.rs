@@ -5,7 +5,7 @@
 
 use pellicle_contact::{
     ContactError, Domain, Load, LoadingPath, Method, Model, SolverOptions, Step, Warning,
-    choose_side, default_side, domain_much_larger, loads_at_once, model_warnings, solve_path,
+    default_side, domain_much_larger, loads_at_once, model_warnings, solve_path,
 };
 use pellicle_texture::Grid;
 
@@ -55,11 +55,10 @@ pub struct Need {
 }
 
 impl Need {
-    /// What a case needs whose results are written by so many threads, none if they are not. How large the contact is a trial tells.
+    /// What a case needs on a domain if its results are written by so many threads, none if they are not. How large the contact is a trial tells.
     #[must_use]
-    pub fn new(case: &Case, model: &Model, writers: usize) -> Self {
+    pub fn new(case: &Case, model: &Model, domain: Domain, writers: usize) -> Self {
         let elements = case.grid.elements;
-        let domain = case.grid.domain();
         let trial = (elements > LEAST_TRIED).then(|| solve(case, model, domain, TRIAL));
         let share = trial
             .and_then(Result::ok)
@@ -145,11 +144,7 @@ impl Forecast {
     pub fn new(case: &Case, model: &Model) -> Self {
         let trial = case.grid.elements.min(TRIAL);
         let loads = case.load.steps();
-        let chosen = case
-            .grid
-            .side
-            .map_or_else(|| choose_side(model, &loads), Ok);
-        let (side, path) = match chosen {
+        let (side, path) = match case.side(model) {
             Ok(side) => (side, solve(case, model, Domain::Side(side), trial)),
             Err(error) => (default_side(model, &loads), Err(error)),
         };
@@ -322,7 +317,8 @@ mod tests {
         {
             let case = hertz(elements);
             let model = case.model(&Cache::in_memory()).unwrap().value;
-            let forecast = Need::new(&case, &model, writers).bytes as f64;
+            let domain = case.domain(&model).unwrap();
+            let forecast = Need::new(&case, &model, domain, writers).bytes as f64;
             let ratio = forecast / measured;
             assert!((1.0..1.4).contains(&ratio), "{elements}: {ratio}");
         }
@@ -332,10 +328,11 @@ mod tests {
     fn what_is_said_to_fit_fits() {
         let case = hertz(4096);
         let model = case.model(&Cache::in_memory()).unwrap().value;
-        let need = Need::new(&case, &model, 1);
+        let domain = case.domain(&model).unwrap();
+        let need = Need::new(&case, &model, domain, 1);
         let available = 300_000_000;
         let fitting = need.fitting(available);
-        let fits = Need::new(&hertz(fitting), &model, 1);
+        let fits = Need::new(&hertz(fitting), &model, domain, 1);
         assert!(fits.bytes <= available && fits.bytes > available / 2);
         assert!(need.hint(available).contains(&fitting.to_string()));
         assert_eq!(need.hint(0), "more memory");

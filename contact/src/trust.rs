@@ -91,7 +91,7 @@ fn edge(domain: Domain, step: usize, found: &Step) -> Option<Warning> {
     }
     let margin = match domain {
         Domain::Side(_) => EDGE_MARGIN,
-        Domain::Automatic => 1,
+        Domain::Chosen(_) | Domain::Automatic => 1,
     };
     let elements = found.summary.elements_to_edge?;
     (elements < margin).then_some(Warning::DomainEdge { step, elements })

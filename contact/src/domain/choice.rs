@@ -7,17 +7,19 @@ use std::ops::ControlFlow;
 
 use super::{default_side, largest, radius_at};
 use crate::{
-    ContactError, Load, Model, SolverOptions, Step,
+    ContactError, Indenter, Load, Model, SolverOptions, Step,
     cut_off::{self, Surroundings},
     hierarchy::Hierarchy,
     levels::COARSE_TOLERANCE,
     solver::Watch,
     trust::EDGE_MARGIN,
 };
-use pellicle_texture::Grid;
+use pellicle_texture::{Grid, Relief};
 
 /// Elements per side of the grid of a trial.
 const TRIAL: usize = 64;
+/// Those of the grids looked at before, which mostly do: on them a contact is known to an element.
+const FIRST_TRIALS: [usize; 2] = [16, 32];
 /// Sides tried are the first guess times powers of this.
 const FACTOR: f64 = 1.5;
 /// A trial that is not solved after so many products is as good as it gets: where the contact ends is known long before.
@@ -118,11 +120,17 @@ impl Search {
 
 /// Solves for one load on a square and judges the square by it.
 fn judge(model: &Model, side: f64, load: Load) -> Result<Verdict, ContactError> {
+    for size in FIRST_TRIALS {
+        let grid = Grid::new(side, size)?;
+        if is_seen_by(model, &grid) && fits_clearly(model, grid, load)? {
+            return Ok(Verdict::Fits);
+        }
+    }
     let grid = Grid::new(side, TRIAL)?;
     if !cut_off::can_touch(model, &grid) {
         return Ok(shrunk_to_fit(1));
     }
-    let step = solve(model, side, load)?;
+    let step = solve(model, grid, load)?;
     let Some(to_edge) = step.summary.elements_to_edge else {
         return Ok(if sees_the_tip(model, &grid, step.solution.penetration) {
             Verdict::Fits
@@ -141,7 +149,30 @@ fn judge(model: &Model, side: f64, load: Load) -> Result<Verdict, ContactError> 
     })
 }
 
-fn solve(model: &Model, side: f64, load: Load) -> Result<Step, ContactError> {
+/// Whether even a grid coarser than that of a trial sees everything that could be touched: nothing of a map is to be missed, and no pillar.
+fn is_seen_by(model: &Model, grid: &Grid) -> bool {
+    let is_relief_seen = match &model.relief {
+        Relief::Bare | Relief::Film(_) => true,
+        Relief::Cylinders(cylinders) => cylinders.radius() >= grid.element_side(),
+        Relief::Map(_) => false,
+    };
+    is_relief_seen && !matches!(model.indenter, Indenter::Map(_)) && cut_off::can_touch(model, grid)
+}
+
+/// Whether a square fits even if a grid of it errs by an element.
+fn fits_clearly(model: &Model, grid: Grid, load: Load) -> Result<bool, ContactError> {
+    let step = solve(model, grid, load)?;
+    let Some(to_edge) = step.summary.elements_to_edge else {
+        return Ok(false);
+    };
+    // An element more or less, in those of a trial.
+    let per_element = TRIAL / grid.size();
+    let is_clear = to_edge.saturating_sub(1) * per_element >= EDGE_MARGIN
+        && (grid.size() / 2 - to_edge).saturating_sub(1) * per_element >= SMALLEST_EXTENT;
+    Ok(is_clear && !Surroundings::of(model, grid).cut_off(&step.solution))
+}
+
+fn solve(model: &Model, grid: Grid, load: Load) -> Result<Step, ContactError> {
     let options = SolverOptions {
         tolerance: COARSE_TOLERANCE,
         max_applications: MOST_PRODUCTS,
@@ -154,7 +185,7 @@ fn solve(model: &Model, side: f64, load: Load) -> Result<Step, ContactError> {
         finished: 0,
         steps: 1,
     };
-    Hierarchy::new(model, side, TRIAL, 1, &options).solve(load, options, &mut watch)
+    Hierarchy::new(model, grid.side(), grid.size(), 1, &options).solve(load, options, &mut watch)
 }
 
 /// Whether the indenter is lower than the penetration at one of the elements around its axis, so that a grid without contact has none to miss; or nothing is
