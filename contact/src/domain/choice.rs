@@ -20,6 +20,8 @@ use pellicle_texture::{Grid, Relief};
 const TRIAL: usize = 64;
 /// Those of the grids looked at before, which mostly do: on them a contact is known to an element.
 const FIRST_TRIALS: [usize; 2] = [16, 32];
+/// They are solved to this, a tenth of what an element is of the penetration.
+const FIRST_TOLERANCE: f64 = 1e-3;
 /// Sides tried are the first guess times powers of this.
 const FACTOR: f64 = 1.5;
 /// A trial that is not solved after so many products is as good as it gets: where the contact ends is known long before.
@@ -130,7 +132,7 @@ fn judge(model: &Model, side: f64, load: Load) -> Result<Verdict, ContactError> 
     if !cut_off::can_touch(model, &grid) {
         return Ok(shrunk_to_fit(1));
     }
-    let step = solve(model, grid, load)?;
+    let step = solve(model, grid, load, COARSE_TOLERANCE)?;
     let Some(to_edge) = step.summary.elements_to_edge else {
         return Ok(if sees_the_tip(model, &grid, step.solution.penetration) {
             Verdict::Fits
@@ -161,7 +163,7 @@ fn is_seen_by(model: &Model, grid: &Grid) -> bool {
 
 /// Whether a square fits even if a grid of it errs by an element.
 fn fits_clearly(model: &Model, grid: Grid, load: Load) -> Result<bool, ContactError> {
-    let step = solve(model, grid, load)?;
+    let step = solve(model, grid, load, FIRST_TOLERANCE)?;
     let Some(to_edge) = step.summary.elements_to_edge else {
         return Ok(false);
     };
@@ -172,9 +174,9 @@ fn fits_clearly(model: &Model, grid: Grid, load: Load) -> Result<bool, ContactEr
     Ok(is_clear && !Surroundings::of(model, grid).cut_off(&step.solution))
 }
 
-fn solve(model: &Model, grid: Grid, load: Load) -> Result<Step, ContactError> {
+fn solve(model: &Model, grid: Grid, load: Load, tolerance: f64) -> Result<Step, ContactError> {
     let options = SolverOptions {
-        tolerance: COARSE_TOLERANCE,
+        tolerance,
         max_applications: MOST_PRODUCTS,
         contact_stiffness: false,
         ..SolverOptions::default()
