@@ -42,6 +42,9 @@ const BYTES_PER_ELEMENT_AND_STEP: f64 = 8.0;
 /// *Measured* as above: 67 to 87 for one step on a quadrant, 108 on the whole grid; 113 to 132 and 167 to 229 for two at a time and a third kept.
 const BYTES_PER_ELEMENT_WRITTEN: [[f64; 2]; 2] = [[88.0, 42.0], [110.0, 100.0]];
 
+/// Memory of a sample of a map, in bytes: in the case, in the model and beside the solution.
+const BYTES_PER_SAMPLE: f64 = 24.0;
+
 /// Fewer elements per side than this need so little that nobody asks how large the contact is.
 const LEAST_TRIED: usize = 512;
 
@@ -89,6 +92,10 @@ impl Need {
         };
         let kept = BYTES_PER_ELEMENT_AND_STEP * steps.saturating_sub(1) as f64;
         let area = (elements as f64).powi(2);
+        let maps = [case.surface.map(), case.indenter.map()]
+            .into_iter()
+            .flatten();
+        let samples: usize = maps.map(|map| map.samples().len()).sum();
         // The dense matrix and its factors.
         let dense = if is_gradient {
             0.0
@@ -96,7 +103,10 @@ impl Need {
             16.0 * area.powi(2)
         };
         Self {
-            bytes: (BYTES + (solved.max(written) + kept) * area + dense) as u64,
+            bytes: (BYTES
+                + BYTES_PER_SAMPLE * samples as f64
+                + (solved.max(written) + kept) * area
+                + dense) as u64,
             elements,
         }
     }

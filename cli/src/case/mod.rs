@@ -5,6 +5,7 @@ pub mod document;
 pub mod doubt;
 pub mod field;
 pub mod foundation;
+pub mod grading;
 pub mod grid;
 pub mod indenter;
 pub mod known_units;
@@ -222,7 +223,7 @@ impl Case {
     ///
     /// [`Failure`] if the tables of this foundation cannot be built.
     pub fn model(&self, cache: &Cache) -> Result<Cached<Model>, Failure> {
-        let foundation = self.foundation.build()?;
+        let foundation = self.foundation.split()?.foundation;
         let (relief, indenter) = (self.surface.build()?, self.indenter.build()?);
         let tables = cache.radial_tables(&foundation)?;
         Ok(tables.map(|tables| Model {

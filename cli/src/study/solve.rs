@@ -58,6 +58,7 @@ impl Kit<'_> {
             Ok(Err(
                 failure @ (Failure::Write { .. }
                 | Failure::NoResults { .. }
+                | Failure::NotWritten { .. }
                 | Failure::OtherCase { .. }
                 | Failure::Busy { .. }),
             )) => Err(failure),

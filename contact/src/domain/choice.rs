@@ -18,7 +18,7 @@ use pellicle_texture::{Grid, Relief};
 
 /// Elements per side of the grid of a trial.
 const TRIAL: usize = 64;
-/// Those of the grids looked at before, which mostly do: on them a contact is known to an element.
+/// Those of the grids looked at before, which mostly do: on them a contact is known to half an element.
 const FIRST_TRIALS: [usize; 2] = [16, 32];
 /// They are solved to this, a tenth of what an element is of the penetration.
 const FIRST_TOLERANCE: f64 = 1e-3;
@@ -47,6 +47,9 @@ pub fn choose_side(model: &Model, loads: &[Load]) -> Result<f64, ContactError> {
         small: None,
         large: None,
     };
+    if is_known_beforehand(model) {
+        return Ok(search.side());
+    }
     let presses = |load: &Load| !matches!(load, Load::Penetration(depth) if *depth <= 0.0);
     let loads: Vec<Load> = largest(loads).filter(presses).collect();
     for _ in 0..MOST_TRIALS {
@@ -66,6 +69,16 @@ pub fn choose_side(model: &Model, loads: &[Load]) -> Result<f64, ContactError> {
         side: search.side(),
         trials: MOST_TRIALS,
     })
+}
+
+/// Whether the first guess is exact: an axisymmetric indenter on a homogeneous body.
+fn is_known_beforehand(model: &Model) -> bool {
+    let is_axisymmetric = matches!(
+        model.indenter,
+        Indenter::Paraboloid(_) | Indenter::Sphere(_) | Indenter::Cone(_) | Indenter::FlatPunch(_)
+    );
+    let is_bare = matches!(model.relief, Relief::Bare);
+    is_axisymmetric && is_bare && model.tables.foundation().layers().is_empty()
 }
 
 /// What a trial says of its square; what wants the largest square is the greatest.
@@ -161,16 +174,17 @@ fn is_seen_by(model: &Model, grid: &Grid) -> bool {
     is_relief_seen && !matches!(model.indenter, Indenter::Map(_)) && cut_off::can_touch(model, grid)
 }
 
-/// Whether a square fits even if a grid of it errs by an element.
+/// Whether a square fits even if a grid of it errs by half an element.
 fn fits_clearly(model: &Model, grid: Grid, load: Load) -> Result<bool, ContactError> {
     let step = solve(model, grid, load, FIRST_TOLERANCE)?;
     let Some(to_edge) = step.summary.elements_to_edge else {
         return Ok(false);
     };
-    // An element more or less, in those of a trial.
+    // Half an element more or less, in those of a trial.
     let per_element = TRIAL / grid.size();
-    let is_clear = to_edge.saturating_sub(1) * per_element >= EDGE_MARGIN
-        && (grid.size() / 2 - to_edge).saturating_sub(1) * per_element >= SMALLEST_EXTENT;
+    let clear_of = |elements: usize| (elements * per_element).saturating_sub(per_element / 2);
+    let is_clear =
+        clear_of(to_edge) >= EDGE_MARGIN && clear_of(grid.size() / 2 - to_edge) >= SMALLEST_EXTENT;
     Ok(is_clear && !Surroundings::of(model, grid).cut_off(&step.solution))
 }
 
