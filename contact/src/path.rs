@@ -129,6 +129,7 @@ fn solve_on_domains(
 ) -> Result<LoadingPath, ContactError> {
     let (mut side, mut enlargements) = match domain {
         Domain::Side(side) => (side, 0),
+        Domain::Chosen(side) => (side, ENLARGEMENTS),
         Domain::Automatic => (choose_side(model, loads)?, ENLARGEMENTS),
     };
     loop {
