@@ -1,4 +1,4 @@
-//! What can go wrong between a model and its solution.
+//! Errors between a model and its solution.
 
 use pellicle_influence::InfluenceError;
 use pellicle_texture::TextureError;
@@ -43,7 +43,7 @@ pub enum ContactError {
         field: &'static str,
         /// Index of the element.
         element: usize,
-        /// What is wanted.
+        /// The values allowed.
         wanted: &'static str,
         /// Value found.
         found: f64,

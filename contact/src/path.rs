@@ -41,7 +41,7 @@ pub struct LoadingPath {
     pub grid: Grid,
     /// One step per load, in the order given.
     pub steps: Vec<Step>,
-    /// What a user should know.
+    /// Warnings to the user.
     pub warnings: Vec<Warning>,
     /// Time spent on coefficients and geometry of all grids while nothing was solved, in s; the radial tables are built before.
     pub coefficients_seconds: f64,

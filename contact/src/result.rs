@@ -1,4 +1,4 @@
-//! What a solved pressure says: whether it solves the problem, the numbers that describe it, and how far they can be trusted.
+//! The result: certificate, the numbers that describe it, and their errors.
 
 pub mod certificate;
 pub mod contact_field;

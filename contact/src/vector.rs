@@ -11,7 +11,7 @@ const SHORT: usize = 1 << 13;
 /// Partial sums that let the processor add independent numbers at once.
 const LANES: usize = 8;
 
-/// What `of_part` says of each part of `0 … length`, in order.
+/// The results of `of_part` for each part of `0 … length`, in order.
 pub fn by_parts<T: Send>(length: usize, of_part: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
     let part = |first: usize| of_part(first * PART..((first + 1) * PART).min(length));
     let parts = 0..length.div_ceil(PART);

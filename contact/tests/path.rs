@@ -309,7 +309,7 @@ fn a_cancelled_path_keeps_the_steps_that_it_finished() {
     assert!(path.interrupted && path.steps.len() <= 1);
 }
 
-/// What `task` gives on a pool of so many threads.
+/// The result of `task` on a pool of so many threads.
 fn with_threads<T: Send>(threads: usize, task: impl FnOnce() -> T + Send) -> T {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
     pool.unwrap().install(task)

@@ -109,7 +109,7 @@ fn problem(random: &mut Random, tables: &RadialTables) -> (DiscreteProblem, Load
     (problem.unwrap(), load)
 }
 
-/// What became of a problem.
+/// The outcome of a problem.
 fn outcome(problem: &mut DiscreteProblem, load: Load) -> Result<Solution, ContactError> {
     let mut solver = GradientSolver::default();
     let start = vec![0.0; problem.elements()];

@@ -1,4 +1,4 @@
-//! What is said about a solution: its summary counted again from the pressure, and warnings with their numbers.
+//! Summary and warnings: the summary counted again from the pressure, warnings with their numbers.
 
 #![expect(
     clippy::unwrap_used,

@@ -1,4 +1,4 @@
-//! What a foundation rests on.
+//! The base of a foundation.
 
 use crate::Material;
 

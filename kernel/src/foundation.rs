@@ -92,7 +92,7 @@ impl Foundation {
         &self.layers
     }
 
-    /// What the layers rest on.
+    /// The base below the layers.
     #[must_use]
     pub fn base(&self) -> Base {
         self.base

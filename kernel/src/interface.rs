@@ -1,6 +1,6 @@
 //! How two bodies of a foundation touch.
 
-/// What a boundary between a layer and the body below it transmits.
+/// The boundary between a layer and the body below it.
 ///
 /// Both kinds are *bilateral*: the normal displacement is continuous, in tension as in
 /// compression, so that the foundation stays linear and a layer cannot lift off. A layer on a

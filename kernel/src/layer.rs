@@ -37,7 +37,7 @@ impl Layer {
         self.thickness
     }
 
-    /// What the layer is made of.
+    /// The material of the layer.
     #[must_use]
     pub fn material(&self) -> Material {
         self.material

@@ -1,4 +1,4 @@
-//! What must hold for every foundation, tried on many.
+//! Properties of every foundation, on many random ones.
 
 #![expect(
     clippy::unwrap_used,

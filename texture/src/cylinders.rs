@@ -3,7 +3,7 @@
 use crate::error::{Quantity, TextureError, finite, positive};
 use crate::lattice::Lattice;
 
-/// What describes a relief of cylinders; [`Cylinders::new`] checks it.
+/// The description of a relief of cylinders; [`Cylinders::new`] checks it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CylinderSpec {
     /// Arrangement of the axes in the plane.

@@ -1,4 +1,4 @@
-//! What can be wrong with a grid or a relief, with the numbers that show it.
+//! Errors of a grid's or a relief's numbers.
 
 use std::fmt;
 

@@ -2,7 +2,6 @@
 
 use crate::error::{Quantity, TextureError, positive};
 use crate::interpolation::{Interpolation, Stencil};
-use crate::summit::summit;
 
 /// Rounding of a place, in samples, on a map of one sample.
 const ON_A_SAMPLE: f64 = 4.0 * f64::EPSILON;
@@ -100,44 +99,6 @@ impl HeightMap {
             .iter()
             .copied()
             .fold(f64::NEG_INFINITY, f64::max)
-    }
-
-    /// The lowest height of the surface, m, which a bicubic one may have between samples.
-    #[must_use]
-    pub fn lowest(&self) -> f64 {
-        match self.interpolation {
-            Interpolation::Bicubic => summit(self, -1.0).height,
-            Interpolation::Linear => self.least(),
-        }
-    }
-
-    /// The largest height of the surface, m, which a bicubic one may have between samples.
-    #[must_use]
-    pub fn highest(&self) -> f64 {
-        match self.interpolation {
-            Interpolation::Bicubic => summit(self, 1.0).height,
-            Interpolation::Linear => self.greatest(),
-        }
-    }
-
-    /// Where the surface is lowest, m; of several equally low points the one nearest to the middle of the map.
-    #[must_use]
-    pub fn lowest_point(&self) -> [f64; 2] {
-        match self.interpolation {
-            Interpolation::Bicubic => summit(self, -1.0).point,
-            Interpolation::Linear => self.least_point(),
-        }
-    }
-
-    /// Where the smallest sample stands.
-    fn least_point(&self) -> [f64; 2] {
-        let lowest = self.least();
-        let columns = self.shape[1];
-        let candidates = (0..self.heights.len()).filter(|&n| self.heights[n] <= lowest);
-        candidates
-            .map(|n| self.point([n / columns, n % columns]))
-            .min_by(|p, q| p[0].hypot(p[1]).total_cmp(&q[0].hypot(q[1])))
-            .unwrap_or([0.0, 0.0])
     }
 
     /// Whether the point (m) lies in the rectangle of the map, its rim included.

@@ -1,4 +1,4 @@
-//! What lies on top of the layered foundation.
+//! The relief on top of the layered foundation.
 
 use rayon::prelude::*;
 
@@ -8,7 +8,7 @@ use crate::grid::Grid;
 use crate::relief_map::ReliefMap;
 use crate::sampled::SampledRelief;
 
-/// What lies on top of the foundation.
+/// The relief on top of the foundation.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum Relief {
     /// Nothing: the foundation's own plane surface.

@@ -1,10 +1,10 @@
-//! The highest point of a map's interpolated surface, which may stand between samples.
+//! Where the surface of a map is highest and lowest, which may be between samples.
 //!
 //! A crest of a surface that its samples resolve lies within one sample of a sample that is as high as its neighbours. The parabola through
 //! three samples tells how high a crest may be; the few that may be the highest are looked at closely.
 
 use crate::height_map::HeightMap;
-use crate::interpolation::Stencil;
+use crate::interpolation::{Interpolation, Stencil};
 
 /// Crests that are looked at: a measured map has one or two whose parabolas come near the highest; one of round numbers may have many.
 const MOST_CRESTS: usize = 256;
@@ -29,6 +29,46 @@ const EQUAL: f64 = 1e-13;
 pub(crate) struct Summit {
     pub(crate) point: [f64; 2],
     pub(crate) height: f64,
+}
+
+impl HeightMap {
+    /// The lowest height of the surface, m, which a bicubic one may have between samples.
+    #[must_use]
+    pub fn lowest(&self) -> f64 {
+        match self.interpolation() {
+            Interpolation::Bicubic => summit(self, -1.0).height,
+            Interpolation::Linear => self.least(),
+        }
+    }
+
+    /// The largest height of the surface, m, which a bicubic one may have between samples.
+    #[must_use]
+    pub fn highest(&self) -> f64 {
+        match self.interpolation() {
+            Interpolation::Bicubic => summit(self, 1.0).height,
+            Interpolation::Linear => self.greatest(),
+        }
+    }
+
+    /// Where the surface is lowest, m; of several equally low points the one nearest to the middle of the map.
+    #[must_use]
+    pub fn lowest_point(&self) -> [f64; 2] {
+        match self.interpolation() {
+            Interpolation::Bicubic => summit(self, -1.0).point,
+            Interpolation::Linear => self.least_point(),
+        }
+    }
+
+    /// Where the smallest sample stands.
+    fn least_point(&self) -> [f64; 2] {
+        let lowest = self.least();
+        let columns = self.shape()[1];
+        let candidates = (0..self.heights().len()).filter(|&n| self.heights()[n] <= lowest);
+        candidates
+            .map(|n| self.point([n / columns, n % columns]))
+            .min_by(|p, q| p[0].hypot(p[1]).total_cmp(&q[0].hypot(q[1])))
+            .unwrap_or([0.0, 0.0])
+    }
 }
 
 /// A sample that is as high as its neighbours.

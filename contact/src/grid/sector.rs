@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-/// What part of the surface the elements of a problem cover.
+/// The part of the surface that the elements of a problem cover.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Sector {
     /// All of it.

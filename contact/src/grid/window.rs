@@ -178,7 +178,7 @@ impl Window {
         self.grid
     }
 
-    /// What part of a grid this is a window of.
+    /// The sector that this is a window of.
     pub fn sector(&self) -> Sector {
         self.sector
     }
@@ -204,7 +204,7 @@ impl Window {
         &field[first..first + self.size]
     }
 
-    /// What `of_line` says of each row of a field on the window, in order.
+    /// The results of `of_line` for each row of a field on the window, in order.
     pub fn by_lines<T: Send>(
         &self,
         part: &[f64],

@@ -1,4 +1,4 @@
-//! What can be wrong with an indenter, with the numbers that show it.
+//! Errors of an indenter's numbers.
 
 use std::fmt;
 

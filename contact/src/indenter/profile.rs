@@ -1,4 +1,4 @@
-//! What every indenter is to a solver: a height above each point of the plane.
+//! The interface of an indenter: a height above each point of the plane.
 
 use std::{f64::consts::TAU, fmt::Debug};
 

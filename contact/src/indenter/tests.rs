@@ -1,4 +1,4 @@
-//! What all indenters have in common.
+//! Tests that every indenter must pass.
 
 use super::*;
 use pellicle_texture::{Grid, HeightMap};

@@ -262,7 +262,7 @@ struct Ascent {
     /// Of each grid solved so far.
     levels: Vec<LevelWork>,
     values: Vec<LevelValues>,
-    /// What the next starts from.
+    /// The start of the next level.
     field: Option<SignedField>,
 }
 

@@ -36,7 +36,7 @@ pub struct Level {
     outline: Arc<Vec<bool>>,
     /// The window of the last load, and the problem on it.
     part: Option<(Window, Posed)>,
-    /// What the last load was judged by.
+    /// Fields of the last load's judgement.
     judged: JudgedFields,
 }
 
@@ -73,7 +73,7 @@ impl Posed {
     }
 }
 
-/// What a level starts from.
+/// The start of a level.
 #[derive(Clone, Copy)]
 pub enum Start<'a> {
     Nothing,
@@ -81,7 +81,7 @@ pub enum Start<'a> {
     Coarser(Field<'a>),
 }
 
-/// What one level ended with.
+/// The result of one level.
 pub struct LevelResult {
     /// Its pressures are those on the window.
     pub solution: Solution,
@@ -295,7 +295,7 @@ impl Level {
         }
     }
 
-    /// What the next finer level starts from: the last load's pressure, and where there is none the gap as a negative pressure, −∞ where nothing can touch.
+    /// The start of the next finer level: the last load's pressure; where it is zero, the gap as a negative pressure, −∞ beyond the indenter.
     pub fn signed_field(&self, result: &LevelResult) -> SignedField {
         let per_gap = PRESSURE_PER_GAP / self.elasticity.coefficient([0, 0]);
         let window = result.window.with_rim(NEIGHBOURS);

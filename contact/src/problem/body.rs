@@ -1,4 +1,4 @@
-//! What answers a pressure with a displacement: an operator, or coefficients that operators are made from when they are needed.
+//! The elastic body: an operator, or coefficients that operators are made from when needed.
 
 use std::sync::Arc;
 
@@ -31,7 +31,7 @@ impl Body {
         })
     }
 
-    /// What the operators are made from, where that is known.
+    /// The source of the operators, where it is known.
     pub fn elasticity(&self) -> Option<&Arc<SurfaceElasticity>> {
         match self {
             Self::Operator(_) => None,

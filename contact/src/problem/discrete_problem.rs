@@ -131,7 +131,7 @@ impl DiscreteProblem {
         })
     }
 
-    /// What the operator was made from, where that is known.
+    /// The source of the operator, where it is known.
     #[must_use]
     pub fn elasticity(&self) -> Option<&Arc<SurfaceElasticity>> {
         self.body.elasticity()
@@ -139,7 +139,7 @@ impl DiscreteProblem {
 
     /// The same problem on a window of the grid, with an operator of the window's own size; none where the elasticity is not known.
     ///
-    /// What lies outside is held to be without pressure.
+    /// The pressure outside is zero.
     pub(crate) fn window(&self, window: &Window) -> Option<Self> {
         Some(Self {
             body: Body::of(self.elasticity()?.clone()),
@@ -165,7 +165,7 @@ impl DiscreteProblem {
         &self.identity
     }
 
-    /// What part of the surface the elements cover.
+    /// The part of the surface that the elements cover.
     pub(crate) fn sector(&self) -> Sector {
         self.sector
     }
@@ -236,7 +236,7 @@ impl DiscreteProblem {
         (self.body).displace_into(window_and_reach, pressure, displacement);
     }
 
-    /// What no displacement is below (m) that is no nearer than so many elements to pressures ≥ 0 of this sum: `min(0, min k) Σ p` over all images; −∞ where
+    /// Lower bound (m) of the displacement at this distance in elements or farther from pressures ≥ 0 of this sum: `min(0, min k) Σ p` over all images; −∞ where
     /// nothing is known of the operator.
     pub(crate) fn least_displacement(&self, total: f64, distance: usize) -> f64 {
         let images = self.sector.images() as f64;

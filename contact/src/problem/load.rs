@@ -1,4 +1,4 @@
-//! What is prescribed of the indenter: its force or its penetration.
+//! The prescribed quantity: force or penetration.
 
 use crate::ContactError;
 

@@ -1,4 +1,4 @@
-//! What is pressed into what, before any grid; and the same on a grid.
+//! The model: foundation, relief and indenter, before any grid; and its samples on a grid.
 
 use std::sync::Arc;
 
@@ -13,9 +13,9 @@ use crate::{ContactError, DiscreteProblem, Indenter, grid::sector::Sector};
 pub struct Model {
     /// Radial tables of the foundation; shared, because they do not depend on the grid.
     pub tables: Arc<RadialTables>,
-    /// What the surface carries.
+    /// The relief on the surface.
     pub relief: Relief,
-    /// What is pressed into it.
+    /// The rigid body pressed into it.
     pub indenter: Indenter,
     /// Where coefficients are looked for and kept, across the grids of a path and the paths of a model;
     /// [`Cache::none`] if nothing is to be kept.
@@ -53,7 +53,7 @@ impl Model {
         Ok(SampledModel::on(grid, &self.relief, &self.indenter))
     }
 
-    /// What a solver needs of the geometry on a sector of a grid, of an even one for a quadrant.
+    /// The geometry on a sector of a grid, an even one for a quadrant.
     pub(crate) fn sample_sector(&self, grid: Grid, sector: Sector) -> SampledSector {
         let (indenter_profile, relief) = match sector {
             Sector::Whole => {

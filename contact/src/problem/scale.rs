@@ -18,7 +18,7 @@ impl Scale {
         }
     }
 
-    /// What gives one unit of length to one of compliance, in Pa.
+    /// Unit of pressure, in Pa: one of length over one of compliance.
     pub fn pressure(self) -> f64 {
         self.length / self.compliance
     }

@@ -1,4 +1,4 @@
-//! What every closed form must satisfy, whatever its shape.
+//! Identities that every closed form satisfies.
 
 use super::{cone, flat_punch, hertz, sphere, winkler};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};

@@ -188,7 +188,7 @@ impl Solution {
     }
 }
 
-/// What a pressure is judged for.
+/// The conditions that a pressure is judged by.
 #[derive(Clone, Copy)]
 pub struct Trial<'a> {
     /// Where it presses.
@@ -254,7 +254,7 @@ fn residuals(
     }
 }
 
-/// What the gap is where there is pressure; NaN where one of the gaps is.
+/// The gap where there is pressure; NaN if one of the gaps is.
 #[derive(Clone, Copy, Default)]
 struct InContact {
     weighted_gap: f64,

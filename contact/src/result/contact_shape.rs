@@ -21,7 +21,7 @@ use crate::result::contact_field::{ContactField, Place};
 const OWN_PRESSURE: f64 = 1.2;
 /// `δ`, in elements.
 const OFFSET: f64 = 0.1316;
-/// What is left of the scatter of `δ` when an edge of many elements is averaged over, in elements.
+/// Scatter of `δ` averaged over an edge of many elements, in elements.
 const UNCERTAINTY: f64 = 0.001;
 /// A contact of single elements is mostly edge: no more than this part of its polygon is taken off.
 const LARGEST_CUT: f64 = 0.5;
@@ -182,7 +182,7 @@ fn corner(field: &ContactField<'_>, place: Place) -> Corner {
 struct Polygon {
     /// In elements.
     area: f64,
-    /// What lies between the zero line and the edge, in elements.
+    /// Distance from the zero line to the edge, in elements.
     cut: f64,
     radius: f64,
     /// Whether geometry says where the contact ends.

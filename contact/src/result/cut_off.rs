@@ -23,7 +23,7 @@ const OVERLAP: f64 = 0.01;
 /// Doublings of the square that are looked at: a thousand million times the domain.
 const MOST_DOUBLINGS: usize = 30;
 
-/// What ends a contact that would go on without it.
+/// The limit at which a contact is cut off.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CutOff {
     /// The edge of the domain.
@@ -50,14 +50,14 @@ pub(crate) fn lowest_height(model: &Model, grid: &Grid) -> f64 {
     heights.fold(f64::INFINITY, f64::min)
 }
 
-/// What lies around a domain, computed as far as it is asked for.
+/// The surroundings of a domain, computed as far as needed.
 pub(crate) struct Surroundings<'a> {
     model: &'a Model,
     grid: Grid,
     frames: Vec<Frame>,
 }
 
-/// What lies between a square and one of twice its side.
+/// The frame between a square and one of twice its side.
 struct Frame {
     /// Under the indenter alone, where it rises from its axis: no gap is smaller than its height.
     outlook: Option<Outlook>,
@@ -95,7 +95,7 @@ impl<'a> Surroundings<'a> {
         }
     }
 
-    /// What ends the contact of a solution too early, if anything does.
+    /// The limit that cuts the contact of a solution off, if any.
     pub fn what_cuts_off(&mut self, solution: &Solution) -> Option<CutOff> {
         map_reached(self.model, &self.grid, &solution.pressure)
             .or_else(|| self.cut_off(solution).then_some(CutOff::Domain))

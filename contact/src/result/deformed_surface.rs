@@ -1,4 +1,4 @@
-//! What a pressure makes of the surface under the indenter.
+//! The surface under the indenter, deformed by a pressure.
 
 use crate::vector::{add_scaled, update_with};
 

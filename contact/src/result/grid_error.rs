@@ -29,7 +29,7 @@ pub struct LevelValues {
     pub edge_uncertainty: f64,
     /// Largest pressure, in Pa.
     pub max_pressure: f64,
-    /// What the largest pressure sits at.
+    /// The place of the largest pressure.
     pub peak_place: PeakPlace,
     /// Whether the contact meets an outline of the relief or the indenter's rim, which elements follow as a staircase.
     pub meets_outline: bool,
@@ -57,7 +57,7 @@ pub struct GridError {
     pub contact_area: Option<Estimate>,
     /// Of the largest pressure, in Pa. Never resolved at an edge, where it grows with the grid.
     pub max_pressure: Option<Estimate>,
-    /// What the estimates are made of, coarsest level first.
+    /// The values on each level, coarsest first.
     pub levels: Vec<LevelValues>,
 }
 
@@ -89,7 +89,7 @@ const EDGE: Convergence = Convergence {
     highest_order: 0.5,
     safety: 1.0,
 };
-/// What an estimate counts beside that of the grid after.
+/// Weight of a level's estimate relative to the next finer one's.
 const OLDER: f64 = 0.6;
 /// Estimates that count.
 const ESTIMATES: usize = 3;

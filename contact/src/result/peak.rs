@@ -12,7 +12,7 @@ const ELEMENTS_FROM_EDGE: f64 = 2.0;
 /// A peak nearer to the axis than this part of an element is at it.
 const AT_AXIS: f64 = 1e-6;
 
-/// What a largest pressure sits at.
+/// The place of the largest pressure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PeakPlace {
     /// Inside the contact, away from everything sharp.

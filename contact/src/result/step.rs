@@ -9,7 +9,7 @@ pub struct Step {
     pub solution: Solution,
     /// The numbers that describe it.
     pub summary: Summary,
-    /// What it cost.
+    /// The work.
     pub work: Work,
     /// How far the grid can be trusted.
     pub grid_error: GridError,
@@ -17,12 +17,12 @@ pub struct Step {
     pub residuals: Vec<f64>,
     /// Contact stiffness `dQ/dD`, in N/m; none without contact, or where it was not asked for or not found.
     pub contact_stiffness: Option<f64>,
-    /// What ends the contact that would go on without it: then this solves another problem than the one posed, however good its certificate.
+    /// The limit that cuts the contact off, if any: then the step solves another problem than the one posed.
     pub cut_off: Option<CutOff>,
 }
 
 impl Step {
-    /// What the step may be used for.
+    /// The status of the step.
     #[must_use]
     pub fn status(&self) -> Status {
         if !self.solution.certificate.is_satisfied() {
@@ -35,7 +35,7 @@ impl Step {
     }
 }
 
-/// What a result may be used for, from good to bad.
+/// The use that a result may be put to, from good to bad.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Status {
     /// Its certificate is satisfied, and it solves the problem posed.

@@ -18,7 +18,7 @@ pub struct Summary {
     pub max_pressure: f64,
     /// Where the pressure is largest, `[x, y]` in m; of several equal places the first.
     pub max_pressure_at: [f64; 2],
-    /// What the largest pressure sits at.
+    /// The place of the largest pressure.
     pub peak_place: PeakPlace,
     /// Force over contact area, in Pa; 0 without contact.
     pub mean_pressure: f64,
@@ -117,7 +117,7 @@ impl Summary {
     }
 }
 
-/// What is counted over some elements.
+/// Counts over some elements.
 #[derive(Clone, Copy, Default)]
 struct Contact {
     /// The largest pressure and the first element that has it.

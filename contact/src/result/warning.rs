@@ -1,4 +1,4 @@
-//! What a user should know about a result that is otherwise sound.
+//! Warnings about a result that is otherwise sound.
 
 use std::fmt;
 
@@ -21,7 +21,7 @@ pub enum Warning {
     CutOff {
         /// Loading step, counted from 0.
         step: usize,
-        /// What ends it.
+        /// The limit.
         by: CutOff,
     },
     /// No contact of the path is more than a small part of the domain.
@@ -67,7 +67,7 @@ pub enum Warning {
         step: usize,
         /// Relative change of the largest pressure from the grid before.
         change: f64,
-        /// What the largest pressure sits at.
+        /// The place of the largest pressure.
         place: PeakPlace,
     },
     /// The indenter is steep where the contact ends, beyond small strains.

@@ -64,7 +64,7 @@ const TOLERANCE_MARGIN: f64 = 0.8;
 pub struct GradientSolver {
     /// How far to go.
     pub options: SolverOptions,
-    /// What the last solution left, if it came to its end.
+    /// Fields of the last solution, if it ended.
     memory: Option<(Identity, Box<Workspace>)>,
 }
 
@@ -148,7 +148,7 @@ impl GradientSolver {
         self.memory = None;
     }
 
-    /// What the load before left on the same problem, or all afresh.
+    /// The fields of the previous load on the same problem, or new ones.
     fn workspace_for(&mut self, problem: &DiscreteProblem) -> Box<Workspace> {
         match self.memory.take() {
             Some((of, workspace)) if of == *problem.identity() => workspace,

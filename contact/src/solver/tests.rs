@@ -16,7 +16,7 @@ use crate::{
 
 pub(in crate::solver) const SIZE: usize = 32;
 
-/// What lengths and moduli are multiplied by.
+/// Factors on lengths and moduli.
 const AS_THEY_ARE: [f64; 2] = [1.0; 2];
 
 /// `SIZE`² elements of a square of side 1, on a coat of relative stiffness `stiffness` and `thickness` on a body.

@@ -23,7 +23,7 @@ const SMALLEST_HALF: usize = 6;
 /// Samples of a map along one side.
 const SAMPLES: usize = 24;
 
-/// What lengths and moduli are multiplied by: the same case in other units.
+/// Factors on lengths and moduli: the same case in other units.
 #[derive(Debug, Clone, Copy)]
 pub struct Units {
     pub length: f64,

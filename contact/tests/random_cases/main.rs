@@ -100,7 +100,7 @@ fn assert_close(one: &[f64; 4], other: &[f64; 4]) {
     }
 }
 
-/// What became of a case.
+/// The outcome of a case.
 enum Outcome {
     /// Its numbers without units, and products with `K` on the finest grid.
     Certified([f64; 4], usize),

@@ -8,7 +8,7 @@ use super::minors::Minors;
 use super::poisson::Poisson;
 use crate::{Base, Interface, Layer, Material};
 
-/// What a layer stands on.
+/// The body that a layer stands on.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Junction {
     /// Bonded to an elastic body.
@@ -55,7 +55,7 @@ impl Junction {
         }
     }
 
-    /// What the base itself looks like from above; on a rigid one it is never asked.
+    /// The response of the base itself; never asked of a rigid one.
     pub(crate) fn base_minors(&self) -> Minors {
         match self {
             Self::Bonded(step) | Self::Frictionless(step) => Minors::half_space(&step.lower),

@@ -26,7 +26,7 @@ const FIRST_TOLERANCE: f64 = 1e-3;
 const FACTOR: f64 = 1.5;
 /// A trial that is not solved after so many products is as good as it gets: where the contact ends is known long before.
 const MOST_PRODUCTS: usize = 300;
-/// What the first guess leaves the contact of the half side, in elements of a trial; sides are shrunk to this.
+/// Half width of the contact under the first guess, in elements of a trial; sides are shrunk to this.
 const USUAL_EXTENT: f64 = 64.0 / 3.0;
 /// A contact of fewer elements than this from the middle wants a smaller square.
 const SMALLEST_EXTENT: usize = 8;
@@ -81,7 +81,7 @@ fn is_known_beforehand(model: &Model) -> bool {
     is_axisymmetric && is_bare && model.tables.foundation().layers().is_empty()
 }
 
-/// What a trial says of its square; what wants the largest square is the greatest.
+/// The verdict of a trial on its square; the one that wants the largest square is the greatest.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Verdict {
     /// Too large by so many powers, negative.

@@ -1,4 +1,4 @@
-//! What every step works on.
+//! The context that every step works on.
 
 use crate::{
     DiscreteProblem,

@@ -1,4 +1,4 @@
-//! What the two ways of loading ask of a pressure: a given total, or nothing but a given penetration.
+//! The two ways of loading: a given total of the pressure, or a given penetration.
 
 use crate::vector::{by_parts, dot, each, sum};
 use crate::{DiscreteProblem, Load};

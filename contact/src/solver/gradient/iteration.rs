@@ -60,7 +60,7 @@ impl Workspace {
         }
     }
 
-    /// What the steps work on, and their memory.
+    /// The context of the steps, and their memory.
     fn on<'a>(&'a mut self, problem: &'a mut DiscreteProblem) -> (Context<'a>, &'a mut Methods) {
         let context = Context {
             problem,
@@ -258,7 +258,7 @@ impl<'a> Iteration<'a> {
         pressure
     }
 
-    /// What the next load on the same problem can use.
+    /// The fields, for the next load on the same problem.
     pub fn into_workspace(self) -> Box<Workspace> {
         self.workspace
     }

@@ -31,9 +31,9 @@ const SMALLEST_SPECTRUM: usize = 8;
 /// An approximate inverse and its answer to an even residual.
 pub struct Preconditioner {
     inverse: Inverse,
-    /// What brings a residual in the units of the problem's scale to those of the inverse, whose answer is then in the former again.
+    /// Factor from the units of the problem's scale to those of the inverse, whose answer is in the former again.
     unit: f64,
-    /// What every load begins with, where this one has turned to another.
+    /// The inverse that every load begins with, if this one has turned to another.
     usual: Option<Inverse>,
     even: Even,
     /// The revision of the set that it is adapted to.

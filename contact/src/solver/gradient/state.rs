@@ -47,7 +47,7 @@ struct Lines {
 }
 
 impl State {
-    /// A state of nothing yet.
+    /// Zero pressure, in the units of the problem's scale.
     pub fn new(problem: &DiscreteProblem) -> Self {
         let elements = problem.elements();
         let per_length = 1.0 / problem.scale().length;

@@ -21,7 +21,7 @@ pub struct WorkingSet {
     moves: usize,
 }
 
-/// What a look ahead has found.
+/// The result of a look ahead.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Ahead {
     /// Elements on the wrong side.

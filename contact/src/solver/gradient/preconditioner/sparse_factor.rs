@@ -58,7 +58,7 @@ pub struct SparseFactor {
     product: Vec<f64>,
 }
 
-/// What decides a row: level and colour, the element's class, its distance from the axes of a quadrant if they are near, and of each neighbour
+/// A row depends on this alone: level and colour, the element's class, its distance from the axes of a quadrant if they are near, and of each neighbour
 /// the index of its offset and its class.
 type Pattern = Box<[u32]>;
 

@@ -12,7 +12,7 @@ use crate::vector::{dot, update};
 /// Elements worth a thread of their own.
 const MIN_PART: usize = 1 << 12;
 
-/// What became of a step that may not pull.
+/// The result of a step that must not pull.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Course {
     /// All pressures of the set stayed positive: the directions go on.

@@ -17,11 +17,11 @@ use crate::solver::gradient::steps::conjugate::ConjugateDirections;
 use crate::solver::gradient::steps::segment::Segment;
 use crate::vector::{add_scaled, update, update_with};
 
-/// What may be missing from the solution on a face, as a part of what was at first, in the metric of the preconditioner; its square is the error of the energy.
+/// Largest error of the solution on a face, relative to the first, in the metric of the preconditioner; its square is the error of the energy.
 const SETTLED: f64 = 1e-2;
 /// Steps of one linear system after which it is taken as it is: conjugate gradients have lowered the energy with each.
 const MOST_STEPS: usize = 60;
-/// What rounding leaves of a pressure at the end of the way to zero, as a part of the way.
+/// Rounding error of a pressure that goes to zero, relative to its change.
 const ROUNDING: f64 = 1e-13;
 
 /// The memory of the descent.

@@ -17,7 +17,7 @@ use crate::solver::gradient::steps::conjugate::ConjugateDirections;
 const UNSETTLED: f64 = 0.3;
 /// Elements on the wrong side, as a part of the set, up to which they count as few.
 const FEW: f64 = 1e-3;
-/// What may be missing when few are exchanged, as a part of what was at first, in the metric of the preconditioner.
+/// Largest error at which few elements are exchanged, relative to the first, in the metric of the preconditioner.
 const SETTLED: f64 = 0.01;
 /// Overlap that does not count, as a part of the tolerance.
 const SLACK: f64 = 0.5;
@@ -32,7 +32,7 @@ pub struct Newton {
     steps: usize,
 }
 
-/// What a step did.
+/// The result of a step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Turn {
     /// The linear system is not solved far enough, or the set stands still.

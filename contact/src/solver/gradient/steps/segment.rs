@@ -71,7 +71,7 @@ impl Segment {
         if whole { Part::Whole } else { Part::Cut }
     }
 
-    /// What has become of a part of the step and its image with the growth after it: `s ← t s + μ/(1 + μ) p`, `y ← t y + μ/(1 + μ) (v − g0)`.
+    /// The part of the step that was taken and its image, with the growth after it: `s ← t s + μ/(1 + μ) p`, `y ← t y + μ/(1 + μ) (v − g0)`.
     fn count_growth(&mut self, state: &State, part: f64, growth: f64) {
         let ratio = growth / (1.0 + growth);
         update(&mut self.step, &state.pressure, |s, p| {
