@@ -9,7 +9,7 @@ use crate::radial::RadialTables;
 
 /// The largest number of elements a side: 16,384² elements are 2 GB of pressure alone.
 const LARGEST_SIZE: usize = 1 << 14;
-/// Rows that one thread looks through.
+/// Rows that one thread searches at once.
 const ROWS: usize = 64;
 
 /// The coefficients `k(m, n)` of the square elements of an N × N grid, m/Pa, by the offset in elements.

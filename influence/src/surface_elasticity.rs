@@ -9,7 +9,7 @@ use crate::filter::PeriodicSymbol;
 use crate::operator::{ConvolutionOperator, QuadrantOperator, WindowOperator};
 use crate::transform::half_length;
 
-/// The influence coefficients of elements of one size, and all that follows from them for square windows of a grid.
+/// The influence coefficients of elements of one size, and the operators of square windows of a grid.
 ///
 /// The coefficients depend on the offset alone, so one table serves every window: [`Self::operator`] makes `K p` for
 /// a window of any size up to the table's, at that window's cost.
@@ -70,7 +70,7 @@ impl SurfaceElasticity {
         self.table.coefficient(offset)
     }
 
-    /// The smallest size ≥ `size` whose products are fast: nothing is padded beyond twice of it.
+    /// The smallest size ≥ `size` whose products are fast: it is padded to twice its length and no further.
     #[must_use]
     pub fn fast_size(size: usize) -> usize {
         half_length(size)
@@ -95,7 +95,7 @@ impl SurfaceElasticity {
         WindowOperator::new(&self.table, grid, origin, size)
     }
 
-    /// `K p` on a quadrant of `size` × `size` elements, where pressure and displacement are mirrored in both axes.
+    /// `K p` on a quadrant of `size` × `size` elements, for pressures that are symmetric in x and y.
     ///
     /// # Panics
     /// As [`QuadrantOperator::new`].

@@ -29,7 +29,7 @@ const TOLERANCE: f64 = 1e-11;
 /// The inner integrals get this share of the error.
 const INNER_SHARE: f64 = 0.1;
 
-/// Absolute error below which no inner integral, of order one, can be had in 16 digits.
+/// Smallest absolute error of an inner integral, of order one, in 16 digits.
 const ROUNDING: f64 = 1e-15;
 
 /// More oscillations than this in either direction are refused: their square is the cost.

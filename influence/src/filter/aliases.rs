@@ -23,12 +23,12 @@ pub struct Body<'a> {
 }
 
 impl Body<'_> {
-    /// `C(k) sinc(k_x a) sinc(k_y a)`, in m/Pa, of a wave that is not even.
+    /// `C(k) sinc(k_x a) sinc(k_y a)`, in m/Pa, for `k ≠ 0`.
     pub fn response(&self, wave: [f64; 2]) -> f64 {
         self.response_of(wave, wave.map(|k| self.sinc(k)))
     }
 
-    /// The same where `sinc(k_x a)` and `sinc(k_y a)` are known.
+    /// The same for known `sinc(k_x a)` and `sinc(k_y a)`.
     pub fn response_of(&self, [kx, ky]: [f64; 2], [of_x, of_y]: [f64; 2]) -> f64 {
         self.foundation.compliance((kx * kx + ky * ky).sqrt()) * (of_x * of_y)
     }

@@ -14,13 +14,13 @@ const MEAN_OF_RECIPROCAL: f64 = 3.525_494_348_078_172;
 /// `Σ C(k) sinc(k_x a) sinc(k_y a)`, m/Pa, at the frequencies of an unpadded, periodic N × N grid of elements of
 /// side 2a.
 ///
-/// The displacement of the element centres under pressures, even on each element, that alternate with one
+/// The displacement of the element centres under pressures, uniform on each element, that alternate with one
 /// wavenumber: the sum runs over that wavenumber and its aliases, which are `π/a` apart and cannot be told from it
 /// at the centres. Without the aliases the response to the shortest waves would be a third of the true one. Only a
 /// preconditioner should use it: the domain it describes is periodic, the true one is not.
 ///
 /// A quarter is stored, frequencies 0 … N/2 in both directions; the others mirror these. At zero frequency, where C
-/// is infinite on a half-space, stands the mean of `1/k` over that frequency's cell, 4 ln(1+√2) times the value at
+/// is infinite on a half-space, it holds the mean of `1/k` over that frequency's cell, 4 ln(1+√2) times the value at
 /// the smallest wavenumber: finite, positive, and right for a pressure that fills the domain once.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PeriodicSymbol {

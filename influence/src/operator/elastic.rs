@@ -40,7 +40,7 @@ pub trait ElasticOperator: Send {
     fn apply_into(&mut self, pressure: &[f64], displacement: &mut [f64]);
 }
 
-/// `u = K p` by N⁴ multiplications, with nothing stored but the table of coefficients.
+/// `u = K p` by N⁴ multiplications, from the table of coefficients alone.
 ///
 /// At N = 48 a product takes some milliseconds; at N = 256 seconds: use [`crate::ConvolutionOperator`] there.
 #[derive(Clone, Debug)]

@@ -47,7 +47,7 @@ pub(crate) struct Worst {
 impl Worst {
     pub(crate) const NONE: Self = Self { error: 0.0, t: 1.0 };
 
-    /// The larger of two, or what is not a number.
+    /// The larger of two; NaN is larger than any number.
     pub(crate) fn larger(self, other: Self) -> Self {
         if other.error.is_nan() || other.error > self.error {
             other
@@ -65,7 +65,7 @@ impl Worst {
     }
 }
 
-/// P for the far and near parts of one element alike.
+/// The two forms of P.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Area {
     /// P itself.
@@ -75,7 +75,7 @@ pub(crate) enum Area {
 }
 
 impl RadialFunctions {
-    /// The largest estimated error of T and of what is made of it, relative to a [`Yardstick`].
+    /// The largest estimated error of T and of all that is made of it, relative to a [`Yardstick`].
     pub(crate) fn worst(&self) -> Worst {
         self.worst
     }
@@ -85,7 +85,7 @@ impl RadialFunctions {
         self.worst = self.worst.and(other);
     }
 
-    /// Puts the borders of the product rules further out, so that they leave this share of what they left.
+    /// Puts the borders of the product rules further out, so that their error falls to this share.
     pub(crate) fn tighten_borders(&mut self, share: f64) {
         self.rule_floor *= share;
         self.borders = Borders::new(self.rule_floor);
@@ -96,7 +96,7 @@ impl RadialFunctions {
         self.ends
     }
 
-    /// From which offsets product rules hold.
+    /// The offsets from which product rules hold.
     pub(crate) fn borders(&self) -> &Borders {
         &self.borders
     }
@@ -113,7 +113,7 @@ impl RadialFunctions {
         }
     }
 
-    /// `T(√u)/√u`, the quick way.
+    /// `T(√u)/√u`, from the far-field table where it reaches.
     #[inline]
     pub(crate) fn over_root(&self, u: f64) -> f64 {
         let table = self.far_field.as_ref();
@@ -128,7 +128,7 @@ impl RadialFunctions {
         self.constant
     }
 
-    /// Which form of P is the smaller for all radii from `t` on.
+    /// The form of P that is smaller for all radii from `t` on.
     pub(crate) fn area_from(&self, t: f64) -> Area {
         let panels = self.panels.panels();
         let beyond = |panel: &Panel| t.ln() >= panel.centre - panel.half_width;
@@ -183,8 +183,8 @@ impl RadialFunctions {
 
 /// The scale that the expansions of T are fitted to.
 pub(super) fn scale(limit: f64, largest: f64, ln_t: f64) -> f64 {
-    // On a rigid base nothing is left far away; there an element's own coefficient, about H/a = 1/t of Love's, is
-    // the measure.
+    // On a rigid base T vanishes far away; an element's own coefficient, about H/a = 1/t of Love's, is the measure
+    // there.
     let floor = if limit > 0.0 {
         limit.min(1.0)
     } else {
@@ -200,7 +200,7 @@ pub(super) fn scale(limit: f64, largest: f64, ln_t: f64) -> f64 {
 /// side. The loaded element itself feels about `2πcH P(a/H)`. The displacement around a point force, T/t, falls
 /// with the distance, so `P(t)` is at most `(tH/a)² P(a/H)`, and with `δT ≤ ε P(t)/t` no coefficient is wrong by
 /// more than ε of the largest, whatever the element; all of them together are wrong by ε of their sum, but for the
-/// logarithm of the radius. On a rigid base, where T falls exponentially, nothing finer can be felt.
+/// logarithm of the radius. On a rigid base, where T falls exponentially, no finer error matters.
 #[derive(Debug)]
 pub(crate) struct Yardstick<'a> {
     functions: &'a RadialFunctions,

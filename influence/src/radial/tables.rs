@@ -140,7 +140,7 @@ impl RadialTables {
     }
 }
 
-/// The functions of a layered foundation, if they are of any use.
+/// The functions of a layered foundation, if they are accurate enough.
 pub(crate) fn accurate_functions(
     foundation: &Foundation,
 ) -> Result<RadialFunctions, InfluenceError> {
