@@ -9,60 +9,46 @@
     )
 )]
 
-mod body;
-mod certificate;
-mod contact_field;
-mod contact_shape;
-mod cut_off;
-mod deformed_surface;
-mod discrete_problem;
-mod domain;
 mod error;
-mod grid_error;
-mod hierarchy;
+mod grid;
 mod indenter;
-mod level;
-mod levels;
-mod load;
-mod model;
-mod observer;
 mod path;
-mod peak;
+mod problem;
 pub mod reference;
-mod scale;
-mod sector;
+mod result;
 pub mod solver;
-mod status;
-mod summary;
-mod trust;
 mod vector;
-mod warning;
-mod window;
-mod work;
 
-pub use certificate::{Certificate, Solution};
-pub use cut_off::CutOff;
-pub use deformed_surface::DeformedSurface;
-pub use discrete_problem::DiscreteProblem;
-pub use domain::{Domain, choose_side, default_side};
 pub use error::ContactError;
-pub use grid_error::{Estimate, GridError, LevelValues};
 pub use indenter::{
-    Cone, FlatPunch, Indenter, IndenterError, IndenterMap, IndenterQuantity, Paraboloid, Profile,
-    Pyramid, Sphere,
+    Cone, CustomProfile, FlatPunch, Indenter, IndenterError, IndenterMap, IndenterQuantity,
+    Paraboloid, Profile, Pyramid, Sphere,
 };
-pub use load::Load;
-pub use model::{Model, SampledModel};
-pub use observer::{Observer, Progress, Signal};
-pub use path::{LoadingPath, Step, loads_at_once, solve_path};
-pub use peak::PeakPlace;
+pub use path::{
+    LoadingPath,
+    cautions::{domain_much_larger, model_warnings},
+    domain::{Domain, choice::choose_side, default_side},
+    loads_at_once, solve_path,
+};
+pub use problem::{
+    discrete_problem::{DiscreteProblem, Identity},
+    load::Load,
+    model::{Model, SampledModel},
+};
+pub use result::{
+    certificate::{Certificate, Solution},
+    cut_off::CutOff,
+    deformed_surface::DeformedSurface,
+    grid_error::{Estimate, GridError, LevelValues},
+    peak::PeakPlace,
+    step::{Status, Step},
+    summary::Summary,
+    warning::Warning,
+    work::{LevelWork, Work},
+};
 pub use solver::{
     Iterate, Method, Solver, SolverOptions, Watch,
-    active_set::{ActiveSetSolver, DropOnlySolver},
+    active_set::ActiveSetSolver,
     gradient::GradientSolver,
+    observer::{Observer, Progress, Signal},
 };
-pub use status::Status;
-pub use summary::Summary;
-pub use trust::{domain_much_larger, model_warnings};
-pub use warning::Warning;
-pub use work::{LevelWork, Work};

@@ -4,6 +4,12 @@
 //! three products fewer. So no load depends on another, bit for bit, and on grids too small to keep all threads busy as many loads are solved at
 //! the same time as there are threads.
 
+pub mod cautions;
+pub mod domain;
+mod hierarchy;
+mod level;
+mod levels;
+
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Instant;
@@ -13,14 +19,13 @@ use pellicle_texture::{Grid, Relief};
 use rayon::prelude::*;
 
 use crate::{
-    ContactError, DeformedSurface, Domain, GridError, Indenter, Load, Model, Observer, Progress,
-    SampledModel, Signal, Solution, SolverOptions, Status, Summary, Warning, Work, choose_side,
-    cut_off::{CutOff, Surroundings},
-    hierarchy::Hierarchy,
-    model::initial_gap,
+    ContactError, DeformedSurface, Domain, Indenter, Load, Model, Observer, Progress, SampledModel,
+    Signal, Solution, SolverOptions, Step, Warning, choose_side,
+    grid::window::Window,
+    path::hierarchy::Hierarchy,
+    problem::model::initial_gap,
+    result::cut_off::{CutOff, Surroundings},
     solver::Watch,
-    trust,
-    window::Window,
 };
 
 /// By how much a chosen domain grows, and how often, should a contact be cut off that the coarse grid of the choice did not see.
@@ -76,7 +81,7 @@ impl LoadingPath {
         let size = self.grid.size();
         let presses = |[i, j]: [usize; 2]| pressure[i * size + j] > 0.0;
         let window = Window::whole(size).around(presses);
-        let mut operator = elasticity.spread(size, window.origin(), window.size());
+        let mut operator = elasticity.under_window(size, window.origin(), window.size());
         let mut displacement = vec![0.0; pressure.len()];
         operator.apply_into(&window.cut(pressure), &mut displacement);
         Some(DeformedSurface::new(
@@ -86,39 +91,6 @@ impl LoadingPath {
             &initial_gap(&geometry.indenter_profile, geometry.relief.profile()),
             *penetration,
         ))
-    }
-}
-
-/// One load's solution. It is converged if its certificate is satisfied.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Step {
-    /// The pressure and its certificate.
-    pub solution: Solution,
-    /// The numbers that describe it.
-    pub summary: Summary,
-    /// What it cost.
-    pub work: Work,
-    /// How far the grid can be trusted.
-    pub grid_error: GridError,
-    /// Largest line of the certificate at each iteration on the finest grid, by the iteration's own residual.
-    pub residuals: Vec<f64>,
-    /// Contact stiffness `dQ/dD`, in N/m; none without contact, or where it was not asked for or not found.
-    pub contact_stiffness: Option<f64>,
-    /// What ends the contact that would go on without it: then this solves another problem than the one posed, however good its certificate.
-    pub cut_off: Option<CutOff>,
-}
-
-impl Step {
-    /// What the step may be used for.
-    #[must_use]
-    pub fn status(&self) -> Status {
-        if !self.solution.certificate.is_satisfied() {
-            Status::NotConverged
-        } else if self.cut_off.is_some() {
-            Status::CutOff
-        } else {
-            Status::Certified
-        }
     }
 }
 
@@ -161,7 +133,7 @@ fn solve_on_domains(
         Domain::Automatic => (choose_side(model, loads)?, ENLARGEMENTS),
     };
     loop {
-        trust::check_elements(model, side, elements, loads)?;
+        cautions::check_elements(model, side, elements, loads)?;
         let hierarchy = Hierarchy::new(model, side, elements, loads.len(), &options);
         let mut run = PathRun {
             lanes: hierarchy.lanes(loads_at_once(elements, loads.len()))?,
@@ -253,7 +225,7 @@ impl PathRun<'_> {
         for step in &mut self.steps {
             step.cut_off = surroundings.what_cuts_off(&step.solution);
         }
-        let warnings = trust::warnings(model, &grid, domain, loads, &self.steps);
+        let warnings = cautions::warnings(model, &grid, domain, loads, &self.steps);
         Ok(LoadingPath {
             grid,
             warnings,

@@ -111,17 +111,9 @@ fn problem(random: &mut Random, tables: &RadialTables) -> (DiscreteProblem, Load
 
 /// What became of a problem.
 fn outcome(problem: &mut DiscreteProblem, load: Load) -> Result<Solution, ContactError> {
-    let solver = GradientSolver {
-        options: SolverOptions::default(),
-    };
+    let mut solver = GradientSolver::default();
     let start = vec![0.0; problem.elements()];
-    let mut watch = Watch {
-        observer: &mut (),
-        step: 0,
-        finished: 0,
-        steps: 1,
-    };
-    let iterate = solver.solve(problem, load, &start, &mut watch)?;
+    let iterate = solver.solve(problem, load, &start, &mut Watch::alone(&mut ()))?;
     Ok(Solution::judge(problem, load, iterate.pressure, 1e-8))
 }
 

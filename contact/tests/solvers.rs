@@ -6,8 +6,8 @@
 )]
 
 use pellicle_contact::{
-    ActiveSetSolver, ContactError, DiscreteProblem, DropOnlySolver, GradientSolver, Load, Observer,
-    Progress, Signal, Solution, Solver, SolverOptions, Watch,
+    ActiveSetSolver, ContactError, DiscreteProblem, GradientSolver, Load, Observer, Progress,
+    Signal, Solution, Solver, SolverOptions, Watch,
 };
 use std::sync::Arc;
 
@@ -51,28 +51,22 @@ fn wavy(x: f64, y: f64) -> f64 {
 }
 
 fn solve(
-    solver: &dyn Solver,
+    solver: &mut dyn Solver,
     problem: &mut DiscreteProblem,
     load: Load,
     start: &[f64],
 ) -> Solution {
-    let mut watch = Watch {
-        observer: &mut (),
-        step: 0,
-        finished: 0,
-        steps: 1,
-    };
-    let iterate = solver.solve(problem, load, start, &mut watch).unwrap();
+    let iterate = solver
+        .solve(problem, load, start, &mut Watch::alone(&mut ()))
+        .unwrap();
     Solution::judge(problem, load, iterate.pressure, TOLERANCE)
 }
 
 fn gradient() -> GradientSolver {
-    GradientSolver {
-        options: SolverOptions {
-            tolerance: TOLERANCE,
-            ..SolverOptions::default()
-        },
-    }
+    GradientSolver::new(SolverOptions {
+        tolerance: TOLERANCE,
+        ..SolverOptions::default()
+    })
 }
 
 fn cold(problem: &DiscreteProblem) -> Vec<f64> {
@@ -95,8 +89,8 @@ fn both_solvers_find_the_same_pressure_under_force_and_under_penetration() {
         for load in [Load::Force(2e-3), Load::Penetration(0.01)] {
             let mut problem = problem(24, stiffness, wavy, |x, _| if x > 0.0 { 0.02 } else { 0.0 });
             let start = cold(&problem);
-            let by_gradient = solve(&gradient(), &mut problem, load, &start);
-            let by_active_set = solve(&ActiveSetSolver::default(), &mut problem, load, &start);
+            let by_gradient = solve(&mut gradient(), &mut problem, load, &start);
+            let by_active_set = solve(&mut ActiveSetSolver::default(), &mut problem, load, &start);
             assert!(
                 by_gradient.certificate.is_satisfied(),
                 "{:?}",
@@ -117,9 +111,9 @@ fn both_solvers_find_the_same_pressure_under_force_and_under_penetration() {
 fn penetration_control_returns_to_the_force_it_came_from() {
     let mut problem = problem(32, 10.0, wavy, |_, _| 0.0);
     let start = cold(&problem);
-    let by_force = solve(&gradient(), &mut problem, Load::Force(1e-3), &start);
+    let by_force = solve(&mut gradient(), &mut problem, Load::Force(1e-3), &start);
     let by_penetration = solve(
-        &gradient(),
+        &mut gradient(),
         &mut problem,
         Load::Penetration(by_force.penetration),
         &start,
@@ -134,10 +128,10 @@ fn the_active_set_takes_back_elements_that_a_bad_start_left_out() {
     let mut problem = problem(24, 10.0, paraboloid, |_, _| 0.0);
     let load = Load::Force(2e-3);
     let start = cold(&problem);
-    let wanted = solve(&gradient(), &mut problem, load, &start);
+    let wanted = solve(&mut gradient(), &mut problem, load, &start);
     let mut corner = cold(&problem);
     corner[0] = 1.0;
-    let found = solve(&ActiveSetSolver::default(), &mut problem, load, &corner);
+    let found = solve(&mut ActiveSetSolver::default(), &mut problem, load, &corner);
     assert!(found.certificate.is_satisfied(), "{:?}", found.certificate);
     assert!(largest_difference(&wanted, &found) < 1e-10);
 }
@@ -145,7 +139,10 @@ fn the_active_set_takes_back_elements_that_a_bad_start_left_out() {
 #[test]
 fn without_contact_force_and_pressure_are_zero_and_the_certificate_is_satisfied() {
     let mut problem = problem(16, 10.0, |x, y| 0.1 + paraboloid(x, y), |_, _| 0.0);
-    for solver in [&gradient() as &dyn Solver, &ActiveSetSolver::default()] {
+    for solver in [
+        &mut gradient() as &mut dyn Solver,
+        &mut ActiveSetSolver::default(),
+    ] {
         for penetration in [0.05, 0.0, -1.0] {
             let start = cold(&problem);
             let solution = solve(solver, &mut problem, Load::Penetration(penetration), &start);
@@ -165,9 +162,9 @@ fn elements_beyond_the_indenters_rim_stay_out_of_contact() {
     // A soft coat: under a stiff one the punch's rim bends it away from the flat within.
     let mut problem = problem(24, 0.1, rim, |_, _| 0.0);
     let start = cold(&problem);
-    let by_gradient = solve(&gradient(), &mut problem, Load::Force(1e-2), &start);
+    let by_gradient = solve(&mut gradient(), &mut problem, Load::Force(1e-2), &start);
     let by_active_set = solve(
-        &ActiveSetSolver::default(),
+        &mut ActiveSetSolver::default(),
         &mut problem,
         Load::Force(1e-2),
         &start,
@@ -193,7 +190,7 @@ fn elements_beyond_the_indenters_rim_stay_out_of_contact() {
 fn contact_that_fills_the_grid_is_solved() {
     let mut problem = problem(24, 0.1, paraboloid, |_, _| 0.0);
     let start = cold(&problem);
-    let solution = solve(&gradient(), &mut problem, Load::Force(1.0), &start);
+    let solution = solve(&mut gradient(), &mut problem, Load::Force(1.0), &start);
     assert!(
         solution.certificate.is_satisfied(),
         "{:?}",
@@ -207,7 +204,7 @@ fn a_pressure_disturbed_by_a_millionth_fails_its_certificate() {
     let mut problem = problem(24, 10.0, paraboloid, |_, _| 0.0);
     let load = Load::Force(2e-3);
     let start = cold(&problem);
-    let good = solve(&gradient(), &mut problem, load, &start);
+    let good = solve(&mut gradient(), &mut problem, load, &start);
     let mut bad = good.pressure.clone();
     let touching = bad.iter().position(|p| *p > 0.0).unwrap();
     bad[touching] *= 1.0 + 1e-6;
@@ -243,18 +240,12 @@ impl Observer for Log {
 
 #[test]
 fn every_solver_tells_its_working_set_and_what_moves() {
-    let (by_gradient, active_set) = (gradient(), ActiveSetSolver::default());
-    let drop_only = DropOnlySolver::default();
-    for solver in [&by_gradient as &dyn Solver, &active_set, &drop_only] {
+    let (mut by_gradient, mut active_set) = (gradient(), ActiveSetSolver::default());
+    for solver in [&mut by_gradient as &mut dyn Solver, &mut active_set] {
         let mut problem = problem(24, 10.0, wavy, |_, _| 0.0);
         let start = cold(&problem);
         let mut log = Log::default();
-        let mut watch = Watch {
-            observer: &mut log,
-            step: 0,
-            finished: 0,
-            steps: 1,
-        };
+        let mut watch = Watch::alone(&mut log);
         let outcome = solver.solve(&mut problem, Load::Force(2e-3), &start, &mut watch);
         let pressing = outcome
             .unwrap()
@@ -320,8 +311,8 @@ proptest! {
         let mut problem = problem(12, stiffness, |x, y| paraboloid(x, y) + at(x, y, &heights), |x, y| at(x, y, &springs));
         let load = Load::Force(10_f64.powf(exponent));
         let start = cold(&problem);
-        let by_gradient = solve(&gradient(), &mut problem, load, &start);
-        let by_active_set = solve(&ActiveSetSolver::default(), &mut problem, load, &start);
+        let by_gradient = solve(&mut gradient(), &mut problem, load, &start);
+        let by_active_set = solve(&mut ActiveSetSolver::default(), &mut problem, load, &start);
         prop_assert!(by_gradient.certificate.is_satisfied(), "{:?}", by_gradient.certificate);
         prop_assert!(by_active_set.certificate.is_satisfied(), "{:?}", by_active_set.certificate);
         prop_assert!(largest_difference(&by_gradient, &by_active_set) < 1e-9);

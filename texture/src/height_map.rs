@@ -196,11 +196,37 @@ impl HeightMap {
                 Stencil::cubic(before, t, samples)
             }
         });
+        self.weighed([&along_x, &along_y], 0.0)
+    }
+
+    /// Slopes along x and y and second derivatives along x, both and y of the bicubic surface at a point (m), in heights per distance between samples.
+    pub(crate) fn slopes_and_bends(&self, point: [f64; 2]) -> ([f64; 2], [f64; 3]) {
+        let [along_x, along_y] = [0, 1].map(|axis| {
+            let (before, _, t) = self.bracket(axis, point[axis]);
+            let samples = self.shape[axis];
+            [
+                Stencil::cubic(before, t, samples),
+                Stencil::cubic_slope(before, t, samples),
+                Stencil::cubic_bend(before, t, samples),
+            ]
+        });
+        // Derivatives of differences, so that a map far from its plane of reference is none the worse.
+        let reference = self.height(point);
+        let derivative = |x: usize, y: usize| self.weighed([&along_x[x], &along_y[y]], reference);
+        let slopes = [derivative(1, 0), derivative(0, 1)];
+        (
+            slopes,
+            [derivative(2, 0), derivative(1, 1), derivative(0, 2)],
+        )
+    }
+
+    /// The sum of the heights above a reference, weighed along both axes.
+    fn weighed(&self, [along_x, along_y]: [&Stencil; 2], reference: f64) -> f64 {
         let row = |i: usize| {
             let row = &self.heights[i * self.shape[1]..];
             along_y
                 .terms()
-                .map(|(j, weight)| weight * row[j])
+                .map(|(j, weight)| weight * (row[j] - reference))
                 .sum::<f64>()
         };
         along_x.terms().map(|(i, weight)| weight * row(i)).sum()
@@ -239,6 +265,11 @@ impl HeightMap {
     fn coordinate(&self, axis: usize, i: usize) -> f64 {
         let pixel = self.extent[axis] / self.shape[axis] as f64;
         ((2 * i + 1) as f64 - self.shape[axis] as f64) * (0.5 * pixel)
+    }
+
+    /// Whether a coordinate lies inside the outermost samples, where the surface has slopes of both signs.
+    pub(crate) fn is_between_samples(&self, axis: usize, coordinate: f64) -> bool {
+        coordinate.abs() < self.coordinate(axis, self.shape[axis] - 1)
     }
 
     /// The samples on either side of a coordinate, and the weight of the second.

@@ -43,34 +43,76 @@ pub(crate) struct Stencil {
 impl Stencil {
     /// The cubic's, at the fraction `t` of the way from sample `before` to the next of so many.
     pub(crate) fn cubic(before: usize, t: f64, samples: usize) -> Self {
-        let after = (before + 1).min(samples - 1);
-        let first = before.saturating_sub(REACH);
-        let last = (after + REACH).min(samples - 1);
-        let mut stencil = Self {
-            first,
-            count: last - first + 1,
-            weights: [0.0; MOST],
-        };
+        let mut stencil = Self::empty(before, samples);
         if t == 0.0 {
             stencil.add(before, 1.0);
             return stencil;
         }
         // f = f0 + t² (3 − 2t) (f1 − f0) + t (1 − t)² f0′ − t² (1 − t) f1′
         let rest = 1.0 - t;
-        let blend = t * t * (3.0 - 2.0 * t);
-        stencil.add(before, 1.0 - blend);
-        stencil.add(after, blend);
-        stencil.add_slope(before, samples, t * rest * rest);
-        stencil.add_slope(after, samples, -t * t * rest);
+        stencil.add(before, 1.0);
+        stencil.add_cubic(
+            before,
+            samples,
+            [t * t * (3.0 - 2.0 * t), t * rest * rest, -t * t * rest],
+        );
         stencil
+    }
+
+    /// That of the cubic's slope, in heights per distance between samples.
+    pub(crate) fn cubic_slope(before: usize, t: f64, samples: usize) -> Self {
+        let mut stencil = Self::empty(before, samples);
+        // f′ = 6 t (1 − t) (f1 − f0) + (1 − t) (1 − 3t) f0′ − t (2 − 3t) f1′
+        let rest = 1.0 - t;
+        stencil.add_cubic(
+            before,
+            samples,
+            [6.0 * t * rest, rest * (1.0 - 3.0 * t), -t * (2.0 - 3.0 * t)],
+        );
+        stencil
+    }
+
+    /// That of the cubic's second derivative, in heights per square of the distance between samples.
+    pub(crate) fn cubic_bend(before: usize, t: f64, samples: usize) -> Self {
+        let mut stencil = Self::empty(before, samples);
+        // f″ = 6 (1 − 2t) (f1 − f0) + (6t − 4) f0′ + (6t − 2) f1′
+        stencil.add_cubic(
+            before,
+            samples,
+            [6.0 * (1.0 - 2.0 * t), 6.0 * t - 4.0, 6.0 * t - 2.0],
+        );
+        stencil
+    }
+
+    /// No weights yet, of the samples that a cubic between `before` and the next depends on.
+    fn empty(before: usize, samples: usize) -> Self {
+        let after = (before + 1).min(samples - 1);
+        let first = before.saturating_sub(REACH);
+        let last = (after + REACH).min(samples - 1);
+        Self {
+            first,
+            count: last - first + 1,
+            weights: [0.0; MOST],
+        }
+    }
+
+    /// Adds `rise (f1 − f0) + before_slope f0′ + after_slope f1′`.
+    fn add_cubic(
+        &mut self,
+        before: usize,
+        samples: usize,
+        [rise, before_slope, after_slope]: [f64; 3],
+    ) {
+        let after = (before + 1).min(samples - 1);
+        self.add(before, -rise);
+        self.add(after, rise);
+        self.add_slope(before, samples, before_slope);
+        self.add_slope(after, samples, after_slope);
     }
 
     /// That of the slope at a sample, in heights per distance between samples.
     pub(crate) fn slope(sample: usize, samples: usize) -> Self {
-        let mut stencil = Self {
-            weights: [0.0; MOST],
-            ..Self::cubic(sample, 0.0, samples)
-        };
+        let mut stencil = Self::empty(sample, samples);
         stencil.add_slope(sample, samples, 1.0);
         stencil
     }

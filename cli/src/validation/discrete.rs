@@ -67,14 +67,13 @@ pub fn solve(scene: Scene, case: &DiscreteContact) -> Result<Solution, Trouble> 
         contact_stiffness: false,
         ..SolverOptions::default()
     };
-    let mut watch = Watch {
-        observer: &mut (),
-        step: 0,
-        finished: 0,
-        steps: 1,
-    };
     let start = vec![0.0; problem.elements()];
-    let iterate = GradientSolver { options }.solve(&mut problem, load, &start, &mut watch)?;
+    let iterate = GradientSolver::new(options).solve(
+        &mut problem,
+        load,
+        &start,
+        &mut Watch::alone(&mut ()),
+    )?;
     let solution = Solution::judge(&mut problem, load, iterate.pressure, CERTIFIED);
     let worst = solution.certificate.worst();
     if solution.certificate.is_satisfied() {

@@ -69,16 +69,10 @@ pub(in crate::solver) fn pillars(x: f64, y: f64, depth: f64) -> f64 {
 }
 
 fn solve(problem: &mut DiscreteProblem, load: Load, start: &[f64]) -> Iterate {
-    let solver = GradientSolver {
-        options: SolverOptions::default(),
-    };
-    let mut watch = Watch {
-        observer: &mut (),
-        step: 0,
-        finished: 0,
-        steps: 1,
-    };
-    let iterate = solver.solve(problem, load, start, &mut watch).unwrap();
+    let mut solver = GradientSolver::default();
+    let iterate = solver
+        .solve(problem, load, start, &mut Watch::alone(&mut ()))
+        .unwrap();
     let judged = Solution::judge(problem, load, iterate.pressure.clone(), 1e-8);
     assert!(
         judged.certificate.is_satisfied(),
@@ -286,16 +280,15 @@ fn both_solvers_agree_on_every_kind_of_problem() {
         ];
         for mut problem in problems {
             let by_gradient = solve(&mut problem, load, &[0.0; SIZE * SIZE]);
-            let mut watch = Watch {
-                observer: &mut (),
-                step: 0,
-                finished: 0,
-                steps: 1,
-            };
             // from a start that lacks most of the contact and holds some that is none
             let mut start = vec![0.0; SIZE * SIZE];
             start[SIZE * SIZE / 2 + 3..][..20].fill(1.0);
-            let found = ActiveSetSolver::default().solve(&mut problem, load, &start, &mut watch);
+            let found = ActiveSetSolver::default().solve(
+                &mut problem,
+                load,
+                &start,
+                &mut Watch::alone(&mut ()),
+            );
             let found = found.unwrap();
             let (stiffness, dense) = (by_gradient.contact_stiffness, found.contact_stiffness);
             approx::assert_relative_eq!(stiffness.unwrap(), dense.unwrap(), max_relative = 5e-7);
@@ -368,15 +361,14 @@ fn a_solver_that_gives_up_returns_the_best_pressure_met() {
             max_applications,
             ..SolverOptions::default()
         };
-        let mut watch = Watch {
-            observer: &mut (),
-            step: 0,
-            finished: 0,
-            steps: 1,
-        };
         let load = Load::Force(1e-2);
         let start = [0.0; SIZE * SIZE];
-        let found = GradientSolver { options }.solve(&mut problem, load, &start, &mut watch);
+        let found = GradientSolver::new(options).solve(
+            &mut problem,
+            load,
+            &start,
+            &mut Watch::alone(&mut ()),
+        );
         let found = found.unwrap();
         // a step takes one product, or two
         assert!(found.operator_applications <= max_applications + 1);

@@ -211,9 +211,9 @@ fn random_cases_give_the_same_numbers_in_other_units() {
         pairs.len(),
         count / 2
     );
-    // Gaps of 1e-12 of the penetration leave the pressures of thin stiff coats, and with them D, uncertain by some thousand times that and more. *Measured* on
-    // the first 300 cases of the long form: 269 of 294 the same to 1e-10, 7 above 1e-8, the worst 3.8e-7.
-    assert!(median <= 1e-14 && largest <= 1e-6, "{differences:?}");
-    assert!(10 * close >= 9 * pairs.len(), "{differences:?}");
+    // *Measured* on 1,200 cases of the long form, 1,147 of them so fine in both: all the same to 1e-10 but one, whose largest pressure differs by 7e-10: its coat is
+    // 1e8 times as stiff as what is below, and rounding leaves no more of the pressure at the edges.
+    assert!(median <= 1e-14 && largest <= 1e-9, "{differences:?}");
+    assert!(100 * close >= 99 * pairs.len(), "{differences:?}");
     assert!(3 * pairs.len() as u64 > count / 2);
 }

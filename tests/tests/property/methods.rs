@@ -20,17 +20,11 @@ fn options(method: Method) -> SolverOptions {
 }
 
 /// The certified solution on 48 elements per side, from a cold start.
-fn solve(panel: &Panel, model: &Model, solver: &dyn Solver) -> Solution {
+fn solve(panel: &Panel, model: &Model, solver: &mut dyn Solver) -> Solution {
     let sampled = model.sample(panel.side, 48).unwrap();
     let mut problem = model.discretize(&sampled).unwrap().value;
-    let mut watch = Watch {
-        observer: &mut (),
-        step: 0,
-        finished: 0,
-        steps: 1,
-    };
     let start = vec![0.0; problem.elements()];
-    let iterate = solver.solve(&mut problem, panel.load, &start, &mut watch);
+    let iterate = solver.solve(&mut problem, panel.load, &start, &mut Watch::alone(&mut ()));
     let solution = Solution::judge(
         &mut problem,
         panel.load,
@@ -44,12 +38,12 @@ fn solve(panel: &Panel, model: &Model, solver: &dyn Solver) -> Solution {
 
 fn by_gradient(panel: &Panel, model: &Model) -> Solution {
     let options = options(Method::Gradient);
-    solve(panel, model, &GradientSolver { options })
+    solve(panel, model, &mut GradientSolver::new(options))
 }
 
 fn by_active_set(panel: &Panel) -> Solution {
     let options = options(Method::ActiveSet);
-    solve(panel, &panel.model, &ActiveSetSolver { options })
+    solve(panel, &panel.model, &mut ActiveSetSolver { options })
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! The best admissible pressure met so far, which is what a solver that has to give up returns.
 
-use super::iterate::State;
+use crate::solver::gradient::state::State;
 use crate::vector::update;
 
 /// A residual is worth a copy of the pressure if it is smaller by this factor.

@@ -3,12 +3,16 @@
 //! Two of them, for two kinds of problem: the [restricted filter](super::restricted_filter), by FFT, and under a coat so stiff that the contact breaks up into
 //! rings and edges the [factorised sparse approximate inverse](super::sparse_factor) of the restricted system itself.
 
+mod edge_band;
+mod restricted_filter;
+mod sparse_factor;
+
 use pellicle_influence::PeriodicSymbol;
 
-use super::{
-    iterate::State, restricted_filter::RestrictedFilter, sparse_factor::SparseFactor,
-    working_set::WorkingSet,
-};
+use crate::solver::gradient::preconditioner::restricted_filter::RestrictedFilter;
+use crate::solver::gradient::preconditioner::sparse_factor::SparseFactor;
+use crate::solver::gradient::state::State;
+use crate::solver::gradient::working_set::WorkingSet;
 use crate::{
     DiscreteProblem,
     vector::{sum, update, update_with},
@@ -32,7 +36,8 @@ pub struct Preconditioner {
     /// What every load begins with, where this one has turned to another.
     usual: Option<Inverse>,
     even: Even,
-    is_current: bool,
+    /// The revision of the set that it is adapted to.
+    adapted_to: Option<u64>,
 }
 
 enum Inverse {
@@ -78,7 +83,7 @@ impl Preconditioner {
                 total: 0.0,
                 exact_total: 0.0,
             },
-            is_current: false,
+            adapted_to: None,
         }
     }
 
@@ -106,7 +111,7 @@ impl Preconditioner {
                 if times > 1 || !matches!(self.inverse, Inverse::Factor(_)) {
                     let before = std::mem::replace(&mut self.inverse, inverse);
                     self.usual.get_or_insert(before);
-                    self.is_current = false;
+                    self.adapted_to = None;
                 }
                 true
             }
@@ -123,20 +128,15 @@ impl Preconditioner {
 
     /// Forgets the sets met so far.
     pub fn restart(&mut self) {
-        self.outdate();
+        self.adapted_to = None;
         if self.even.exact_total != 0.0 {
             self.even.values.fill(0.0);
         }
     }
 
-    /// Must be told when the working set has changed.
-    pub fn outdate(&mut self) {
-        self.is_current = false;
-    }
-
     /// Adapts to a set that has changed since the last direction.
     pub fn follow(&mut self, problem: &DiscreteProblem, set: &WorkingSet) {
-        if self.is_current {
+        if self.adapted_to == Some(set.revision()) {
             return;
         }
         match &mut self.inverse {
@@ -144,7 +144,7 @@ impl Preconditioner {
             Inverse::Filter(filter) => filter.update(set, problem.relief_compliance()),
             Inverse::Factor(factor) => factor.update(set),
         }
-        self.is_current = true;
+        self.adapted_to = Some(set.revision());
         set.clear_outside(&mut self.even.values);
         self.even.total = sum(&self.even.values);
     }

@@ -1,6 +1,7 @@
 //! Which kind of step comes next: fast ones while they gain, Newton's where they do not, descent from face to face where Newton's fail.
 
-use super::{newton::Turn, segment::Part};
+use crate::solver::gradient::steps::newton::Turn;
+use crate::solver::gradient::steps::segment::Part;
 
 /// Steps without the residual's being halved after which a phase is held to have stalled.
 const FAST_PATIENCE: usize = 10;

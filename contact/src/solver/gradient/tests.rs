@@ -2,22 +2,21 @@
 
 use std::f64::consts::TAU;
 
-use super::{
-    best::Best,
-    control::Control,
-    face::FaceDescent,
-    iterate::State,
-    newton::{Newton, Turn},
-    preconditioner::Preconditioner,
-    segment::{Part, Segment},
-    working_set::WorkingSet,
-};
+use crate::solver::gradient::best::Best;
+use crate::solver::gradient::context::Context;
+use crate::solver::gradient::control::Control;
+use crate::solver::gradient::preconditioner::Preconditioner;
+use crate::solver::gradient::state::State;
+use crate::solver::gradient::steps::face::FaceDescent;
+use crate::solver::gradient::steps::newton::{Newton, Turn};
+use crate::solver::gradient::steps::segment::{Part, Segment};
+use crate::solver::gradient::working_set::WorkingSet;
 use crate::{
     DiscreteProblem, Load,
-    sector::Sector,
+    grid::sector::Sector,
+    grid::window::Window,
     solver::tests::{RIGID, SIZE, paraboloid, pillars, problem},
     vector::{add_scaled, dot, sum},
-    window::Window,
 };
 
 const ELEMENTS: usize = SIZE * SIZE;
@@ -56,17 +55,17 @@ fn newtons_method_alone_solves_a_plate_on_pillars() {
         let mut preconditioner = Preconditioner::new(&problem);
         let mut newton = Newton::new(ELEMENTS);
         newton.restart();
-        let mut image = [0.0; ELEMENTS];
+        let mut segment = Segment::new(ELEMENTS);
         let mut exchanges = 0;
         while state.residual().0 > 1e-9 || !state.residual().1 {
-            let turn = newton.step(
-                &mut problem,
-                &mut preconditioner,
-                &mut state,
-                &mut set,
-                &mut image,
-                1e-9,
-            );
+            let mut context = Context {
+                problem: &mut problem,
+                state: &mut state,
+                set: &mut set,
+                preconditioner: &mut preconditioner,
+                segment: &mut segment,
+            };
+            let turn = newton.step(&mut context, 1e-9);
             assert_ne!(turn, Turn::Failed);
             exchanges += usize::from(turn == Turn::Exchanged);
             assert!(state.applications() <= most, "{exchanges} exchanges");
@@ -86,8 +85,13 @@ fn descent_from_face_to_face_alone_solves_a_plate_on_pillars() {
         let mut energy = state.energy();
         while state.residual().0 > 1e-9 || !state.residual().1 {
             let products = state.applications();
-            let (preconditioner, segment) = (&mut preconditioner, &mut segment);
-            faces.step(&mut problem, preconditioner, &mut state, &mut set, segment);
+            faces.step(&mut Context {
+                problem: &mut problem,
+                state: &mut state,
+                set: &mut set,
+                preconditioner: &mut preconditioner,
+                segment: &mut segment,
+            });
             if set.take_moves() > 0 && state.residual().1 {
                 // Rounding of the energy.
                 assert!(state.energy() <= energy + 1e-12 * energy.abs());

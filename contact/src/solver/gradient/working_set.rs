@@ -2,8 +2,8 @@
 
 use rayon::prelude::*;
 
-use super::iterate::State;
-use crate::{sector::Sector, vector::update, window::Window};
+use crate::solver::gradient::state::State;
+use crate::{grid::sector::Sector, grid::window::Window, vector::update};
 
 /// Elements that one thread looks at together.
 const PART: usize = 1 << 12;
@@ -15,6 +15,8 @@ pub struct WorkingSet {
     wrong: Vec<bool>,
     len: usize,
     changed: usize,
+    /// How often elements have entered or left.
+    revision: u64,
     /// Elements that entered or left since that was last asked for.
     moves: usize,
 }
@@ -45,6 +47,7 @@ impl WorkingSet {
             wrong: vec![false; elements],
             len: 0,
             changed: 0,
+            revision: 0,
             moves: 0,
         }
     }
@@ -144,6 +147,12 @@ impl WorkingSet {
         self.len = counts.iter().map(|(len, _)| len).sum();
         self.changed = counts.iter().map(|(_, changed)| changed).sum();
         self.moves += self.changed;
+        self.revision += u64::from(self.changed > 0);
+    }
+
+    /// A number that is another one whenever the set is: what was made for a set is good as long as its revision stays.
+    pub fn revision(&self) -> u64 {
+        self.revision
     }
 
     /// How many elements entered or left since this was asked last, or all since [`Self::start`].

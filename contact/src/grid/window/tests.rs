@@ -1,0 +1,131 @@
+//! Windows: what they hold, how they grow, and how fields move between them.
+
+use std::collections::BTreeSet;
+
+use super::Window;
+use crate::grid::sector::Sector;
+
+/// A window of a grid of 20 × 20 elements.
+fn window(origin: [usize; 2], size: usize) -> Window {
+    Window {
+        origin,
+        size,
+        ..Window::whole(20)
+    }
+}
+
+#[test]
+fn a_window_holds_what_belongs_with_a_margin() {
+    let belongs = |[i, j]: [usize; 2]| i / 10 == 7 && j / 20 == 9;
+    let window = Window::whole(200).around(belongs);
+    let mask: Vec<f64> = (0..200 * 200)
+        .map(|e| f64::from(u8::from(belongs([e / 200, e % 200]))))
+        .collect();
+    let part = window.cut(&mask);
+    assert!(window.size() < 40 && !window.is_whole());
+    assert_eq!(window.spread(part.clone()), mask);
+    // The elements lie at the grid's end along y, but nowhere else at the window's border.
+    let last = window.size() - 1;
+    let border =
+        |e: &usize| [0, last].contains(&(e / window.size())) || e.is_multiple_of(window.size());
+    assert!((0..part.len()).filter(border).all(|e| part[e] == 0.0));
+}
+
+#[test]
+fn a_quadrants_window_begins_at_the_axis_and_spreads_to_four_images() {
+    let everywhere = Window::all_of(Sector::Quadrant, 100);
+    let window = everywhere.around(|[i, j]| i == 20 && j == 7);
+    assert!(window.origin() == [0, 0] && (24..=27).contains(&window.size()));
+    assert_eq!(window.grown().origin(), [0, 0]);
+    assert!(
+        window
+            .on_finer(|[i, j]| i == 3 && j == 2, 200)
+            .unwrap()
+            .size()
+            == 10
+    );
+    let size = window.size();
+    let part: Vec<f64> = (0..size * size).map(|e| 1.0 + e as f64).collect();
+    let whole = window.spread(part.clone());
+    for (e, found) in whole.iter().enumerate() {
+        let [i, j] = [e / 200, e % 200].map(|i| if i < 100 { 99 - i } else { i - 100 });
+        let expected = window.place([i, j]).map_or(0.0, |place| part[place]);
+        assert_eq!(*found, expected);
+    }
+    assert_eq!(window.cut(&Sector::Quadrant.cut(&whole, 200)), part);
+}
+
+#[test]
+fn a_window_grows_until_it_is_the_whole_grid() {
+    let mut window = Window::whole(500).around(|place| place == [250, 3]);
+    for _ in 0..8 {
+        window = window.grown();
+    }
+    assert_eq!(window, Window::whole(500));
+    assert!(Window::whole(500).around(|_| false).is_whole());
+}
+
+#[test]
+fn a_field_moves_between_windows_and_is_nought_where_there_was_none() {
+    let field: Vec<f64> = (0..400).map(|e| 1.0 + f64::from(e)).collect();
+    let (one, other) = (window([2, 5], 9), window([7, 1], 8));
+    let moved = other.take_over(&one, &one.cut(&field));
+    for i in 0..20 {
+        for j in 0..20 {
+            let inside = (2..11).contains(&i) && (5..14).contains(&j);
+            let wanted = if inside { field[i * 20 + j] } else { 0.0 };
+            if let Some(place) = other.place([i, j]) {
+                assert_eq!(moved[place], wanted, "{i} {j}");
+            }
+            let inside = (7..15).contains(&i) && (1..9).contains(&j);
+            assert_eq!(other.place([i, j]).is_some(), inside);
+        }
+    }
+    assert_eq!(other.line(&field, 3), &field[10 * 20 + 1..][..8]);
+    // Windows that have nothing in common.
+    let apart = window([15, 15], 4).take_over(&one, &one.cut(&field));
+    assert!(apart.iter().all(|value| *value == 0.0));
+}
+
+#[test]
+fn a_rim_goes_as_far_as_the_grid() {
+    assert_eq!(window([5, 6], 4).with_rim(2), window([3, 4], 8));
+    assert_eq!(window([0, 15], 4).with_rim(2), window([0, 12], 8));
+    assert_eq!(window([1, 2], 17).with_rim(2), Window::whole(20));
+}
+
+#[test]
+fn on_a_finer_grid_a_window_reaches_as_far_as_interpolation_does() {
+    let belongs = |[i, j]: [usize; 2]| (4..7).contains(&i) && j == 9;
+    for finer in [20, 33, 40] {
+        let reach = Window::whole(20).on_finer(belongs, finer).unwrap();
+        for i in 0..finer {
+            for j in 0..finer {
+                // A centre between those of two coarse elements takes part of both.
+                let near = |i: usize, first: f64, last: f64| {
+                    let place = (i as f64 + 0.5) * 20.0 / finer as f64 - 0.5;
+                    place > first - 1.0 && place < last + 1.0
+                };
+                if near(i, 4.0, 6.0) && near(j, 9.0, 9.0) {
+                    assert!(reach.place([i, j]).is_some(), "{finer}: {i} {j}");
+                }
+            }
+        }
+        assert!(reach.size() <= (7 * finer).div_ceil(20));
+    }
+    assert!(Window::whole(20).on_finer(|_| false, 40).is_none());
+}
+
+#[test]
+fn many_loads_share_windows_of_few_sizes() {
+    let mut sizes = BTreeSet::new();
+    for half in 20..150 {
+        let inside = |i: usize| i.abs_diff(250) < half;
+        let belongs = |place: [usize; 2]| place.into_iter().all(inside);
+        let size = Window::whole(500).around(belongs).size();
+        // Beside the margins a window is larger than the contact by less than a quarter.
+        assert!(size > 2 * half && 4 * size <= 5 * (2 * half + 2 * half / 12 + 8));
+        sizes.insert(size);
+    }
+    assert!(sizes.len() <= 25, "{sizes:?}");
+}

@@ -1,0 +1,217 @@
+//! Doubts about a result: what the grid and the model cannot be trusted with.
+
+use pellicle_influence::RadialTables;
+use pellicle_texture::{Grid, Relief};
+
+use crate::{
+    ContactError, Domain, Load, Model, Step, Warning, default_side, path::domain::slope,
+    result::cut_off,
+};
+
+/// Fewer elements than this per cylinder radius leave its outline to chance.
+const FEWEST_ELEMENTS_PER_RADIUS: f64 = 4.0;
+/// A layer thinner than this part of an element changes no coefficient by more than about as much.
+const FEWEST_ELEMENTS_PER_THICKNESS: f64 = 0.02;
+/// Moduli whose ratio is less belong to layers that are alike.
+const MOST_ALIKE: f64 = 2.0;
+/// A spring cannot shorten by more than its height.
+const LARGEST_SHORTENING: f64 = 1.0;
+/// Slopes up to this are small: the error of linear theory is about the square.
+const LARGEST_SLOPE: f64 = 0.3;
+
+/// A contact of fewer elements across is not resolved, and the domain is to blame where it is less than a quarter of it.
+const FEWEST_ELEMENTS: usize = 8;
+const SMALL_PART: f64 = 0.25;
+/// A contact across less than this part of the side wants a smaller domain, however many elements it has.
+const SMALLEST_PART: f64 = 0.02;
+/// Side of the domain over the contact radius that suits it.
+const SIDE_PER_RADIUS: f64 = 3.0;
+
+/// A contact is near the edge with fewer whole elements than this between.
+pub(crate) const EDGE_MARGIN: usize = 3;
+
+/// Doubts about a model on a grid that hold for every load: a texture or a layer that the elements do not resolve, influence coefficients that are
+/// less accurate than wanted.
+#[must_use]
+pub fn model_warnings(model: &Model, grid: &Grid) -> Vec<Warning> {
+    let mut warnings = Vec::new();
+    if let Relief::Cylinders(cylinders) = &model.relief {
+        let elements_per_radius = cylinders.radius() / grid.element_side();
+        if elements_per_radius < FEWEST_ELEMENTS_PER_RADIUS {
+            warnings.push(Warning::TextureUnderResolved {
+                elements_per_radius,
+            });
+        }
+    }
+    let layers = model.tables.foundation().layers();
+    let moduli = layers.iter().map(|layer| layer.material().young_modulus());
+    let moduli: Vec<_> = moduli.collect();
+    for (layer, found) in layers.iter().enumerate() {
+        let beside = [layer.checked_sub(1), Some(layer + 1)]
+            .into_iter()
+            .flatten();
+        let mut beside = beside.filter_map(|i| moduli.get(i));
+        let alike = 1.0 / MOST_ALIKE..MOST_ALIKE;
+        // A part of a graded layer, which is resolved where the whole of it is.
+        if beside.any(|modulus| alike.contains(&(modulus / moduli[layer]))) {
+            continue;
+        }
+        let elements_per_thickness = found.thickness() / grid.element_side();
+        if elements_per_thickness < FEWEST_ELEMENTS_PER_THICKNESS {
+            warnings.push(Warning::LayerUnderResolved {
+                layer,
+                elements_per_thickness,
+            });
+        }
+    }
+    let (found, wanted) = (model.tables.error_estimate(), RadialTables::GOAL);
+    if found > wanted {
+        warnings.push(Warning::CoefficientAccuracy { found, wanted });
+    }
+    warnings
+}
+
+/// All doubts about a path.
+pub(crate) fn warnings(
+    model: &Model,
+    grid: &Grid,
+    domain: Domain,
+    loads: &[Load],
+    steps: &[Step],
+) -> Vec<Warning> {
+    let much_larger = much_larger(model, grid, loads, steps);
+    // Of a contact that the grid hardly sees, the peak says nothing, and its edge is where it is estimated to be.
+    let is_seen = |warning: &Warning| match (&much_larger, warning) {
+        (Some(_), Warning::PeakNotResolved { .. }) => false,
+        (Some(Warning::DomainMuchLarger { radius, .. }), Warning::SteepIndenter { .. }) => {
+            slope(&model.indenter, *radius) > LARGEST_SLOPE
+        }
+        _ => true,
+    };
+    let edges = steps.iter().enumerate();
+    let edges = edges.filter_map(|(index, step)| edge(domain, index, step));
+    let of_steps = steps.iter().enumerate();
+    let of_steps = of_steps.flat_map(|(index, step)| step_warnings(model, index, step));
+    edges
+        .chain(much_larger)
+        .chain(model_warnings(model, grid))
+        .chain(of_steps.filter(is_seen))
+        .collect()
+}
+
+/// A contact cut off, or near the edge. A domain that was chosen keeps clear of a contact by what the coarse grid of the choice takes for clear.
+fn edge(domain: Domain, step: usize, found: &Step) -> Option<Warning> {
+    if let Some(by) = found.cut_off {
+        return Some(Warning::CutOff { step, by });
+    }
+    let margin = match domain {
+        Domain::Side(_) => EDGE_MARGIN,
+        Domain::Chosen(_) | Domain::Automatic => 1,
+    };
+    let elements = found.summary.elements_to_edge?;
+    (elements < margin).then_some(Warning::DomainEdge { step, elements })
+}
+
+/// Whether the widest contact is a small part of the domain.
+fn much_larger(model: &Model, grid: &Grid, loads: &[Load], steps: &[Step]) -> Option<Warning> {
+    let radii = steps.iter().map(|step| step.summary.contact_radius);
+    let radius = radii.fold(0.0, f64::max);
+    domain_much_larger(model, grid, loads, radius)
+}
+
+/// The doubt whether a domain is far larger than its widest contact, of so large a radius (m) between the middles of elements; none where nothing touches.
+#[must_use]
+pub fn domain_much_larger(
+    model: &Model,
+    grid: &Grid,
+    loads: &[Load],
+    radius: f64,
+) -> Option<Warning> {
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a radius within the grid, in elements"
+    )]
+    let elements = ((2.0 * radius / grid.element_side()).round() as usize).saturating_add(1);
+    let part = elements as f64 / grid.size() as f64;
+    let is_small = part < SMALLEST_PART || (elements < FEWEST_ELEMENTS && part < SMALL_PART);
+    (radius > 0.0 && is_small).then(|| {
+        let wanted = default_side(model, loads);
+        let radius = if elements < FEWEST_ELEMENTS {
+            wanted / SIDE_PER_RADIUS
+        } else {
+            radius
+        };
+        Warning::DomainMuchLarger {
+            elements,
+            radius,
+            side: grid.side(),
+            wanted: wanted.max(SIDE_PER_RADIUS * radius),
+        }
+    })
+}
+
+/// Refuses elements so large that none has its middle under the indenter.
+pub(crate) fn check_elements(
+    model: &Model,
+    side: f64,
+    elements: usize,
+    loads: &[Load],
+) -> Result<(), ContactError> {
+    let grid = Grid::new(side, elements)?;
+    if cut_off::can_touch(model, &grid) {
+        return Ok(());
+    }
+    let wanted = default_side(model, loads);
+    Err(ContactError::ElementsTooLarge {
+        side,
+        element_side: grid.element_side(),
+        radius: wanted / SIDE_PER_RADIUS,
+        wanted,
+    })
+}
+
+/// Doubts about one loading step.
+fn step_warnings(model: &Model, index: usize, step: &Step) -> Vec<Warning> {
+    let certificate = &step.solution.certificate;
+    let not_converged = (!certificate.is_satisfied()).then(|| Warning::NotConverged {
+        step: index,
+        worst: certificate.worst(),
+        tolerance: certificate.tolerance,
+    });
+    [
+        not_converged,
+        shortening(model, index, step),
+        peak(index, step),
+        steepness(model, index, step),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
+}
+
+fn shortening(model: &Model, index: usize, step: &Step) -> Option<Warning> {
+    let times = step.summary.largest_shortening / model.relief.height()?;
+    (times > LARGEST_SHORTENING).then_some(Warning::FilmShortening { step: index, times })
+}
+
+/// Nothing is said of a single grid.
+fn peak(index: usize, step: &Step) -> Option<Warning> {
+    let error = &step.grid_error;
+    let [.., before, last] = error.levels.as_slice() else {
+        return None;
+    };
+    let is_resolved = error.max_pressure?.resolved || last.max_pressure == 0.0;
+    (!is_resolved).then(|| Warning::PeakNotResolved {
+        step: index,
+        change: (1.0 - before.max_pressure / last.max_pressure).abs(),
+        place: step.summary.peak_place,
+    })
+}
+
+fn steepness(model: &Model, index: usize, step: &Step) -> Option<Warning> {
+    let radius = step.summary.contact_radius;
+    let slope = slope(&model.indenter, radius);
+    (radius > 0.0 && slope.is_finite() && slope > LARGEST_SLOPE)
+        .then_some(Warning::SteepIndenter { step: index, slope })
+}

@@ -1,0 +1,211 @@
+//! How large a square to solve on: the first guess.
+//!
+//! The contact radius `a` is estimated from axisymmetric closed forms with the indenter's profile averaged around
+//! its axis: on the elastic foundation (Galin; Sneddon 1965)
+//!
+//! ```text
+//! Q_e(a) = 2 E*(a) a² ∫₀^{π/2} f′(a sin θ) sin²θ dθ,    E*(a) = 2 / (k C(k)) at k = 1/a,
+//! ```
+//!
+//! on the relief's springs alone `Q_w(a) = (φ/η) ∫₀^a (f(a) − f(ρ)) 2πρ dρ`, and on both in series
+//! `1/Q = 1/Q_e + 1/Q_w`. Nothing depends on the estimate but the first domain tried: [`choose_side`](crate::choose_side) asks a solution on a coarse grid whether
+//! it is large enough.
+
+pub mod choice;
+mod search;
+
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::sync::LazyLock;
+
+use pellicle_texture::Relief;
+
+use crate::{Indenter, Load, Model};
+use search::where_zero;
+
+/// The square on which the problem is solved.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Domain {
+    /// A square of this side (m), whatever the contact does; a contact near its edge is a warning.
+    Side(f64),
+    /// A square of this side (m), which [`choose_side`](crate::choose_side) chose: enlarged should a contact reach its edge after all.
+    Chosen(f64),
+    /// [Chosen](crate::choose_side) for the loads, large enough for the contact and the same for every grid.
+    #[default]
+    Automatic,
+}
+
+/// Half the side over the estimated contact radius: the estimate is good to some 20 %.
+const MARGIN: f64 = 1.5;
+/// Midpoints of the quadratures over the profile; the estimate needs no more.
+const POINTS: usize = 64;
+/// `sin θ` at the midpoints of `0 … π/2`.
+static SINES: LazyLock<[f64; POINTS]> = LazyLock::new(|| {
+    let step = FRAC_PI_2 / POINTS as f64;
+    std::array::from_fn(|i| ((i as f64 + 0.5) * step).sin())
+});
+/// Angles at which a map is looked at where a part of the circle lies beyond its end.
+const ANGLES: u32 = 360;
+
+/// The side (m) of the square to try first for all `loads`: three times the largest estimated contact radius.
+///
+/// Where no load makes contact, twice the radius at which the indenter stands one foundation thickness high, or as high as it hangs (or 1 m). See
+/// [`choose_side`] for the square to solve on.
+#[must_use]
+pub fn default_side(model: &Model, loads: &[Load]) -> f64 {
+    let radii = largest(loads).map(|load| contact_radius(model, load));
+    let radius = radii.filter(|radius| *radius > 0.0).fold(0.0, f64::max);
+    if radius > 0.0 {
+        2.0 * MARGIN * radius
+    } else {
+        2.0 * unloaded_radius(model, loads)
+    }
+}
+
+/// The largest force and the largest penetration of some loads: those of the widest contact.
+fn largest(loads: &[Load]) -> impl Iterator<Item = Load> {
+    let force = loads.iter().filter_map(|load| match load {
+        Load::Force(force) => Some(*force),
+        Load::Penetration(_) => None,
+    });
+    let penetration = loads.iter().filter_map(|load| match load {
+        Load::Force(_) => None,
+        Load::Penetration(penetration) => Some(*penetration),
+    });
+    let force = force.reduce(f64::max).map(Load::Force);
+    let penetration = penetration.reduce(f64::max).map(Load::Penetration);
+    force.into_iter().chain(penetration)
+}
+
+/// A paraboloid's pressure `p0 √(1 − ρ²/a²)` with the estimated contact radius of a load and its force: what the coarsest grid starts from.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Guess {
+    /// `a`, in m.
+    radius: f64,
+    /// `p0 = 3 Q/(2π a²)`, in Pa.
+    peak: f64,
+}
+
+impl Guess {
+    /// None without contact.
+    pub(crate) fn new(model: &Model, load: Load) -> Option<Self> {
+        let radius = contact_radius(model, load);
+        let force = match load {
+            Load::Force(force) => force,
+            Load::Penetration(_) => force_at(model, radius),
+        };
+        let peak = 1.5 * force / (PI * radius * radius);
+        (radius > 0.0 && peak.is_finite()).then_some(Self { radius, peak })
+    }
+
+    /// The pressure at a point, in Pa.
+    pub(crate) fn pressure(&self, [x, y]: [f64; 2]) -> f64 {
+        let ratio = x.hypot(y) / self.radius;
+        self.peak * (1.0 - ratio * ratio).max(0.0).sqrt()
+    }
+}
+
+/// The estimated contact radius of one load, in m; 0 without contact.
+fn contact_radius(model: &Model, load: Load) -> f64 {
+    match load {
+        Load::Force(force) => where_zero(|a| (force_at(model, a) / force).ln()),
+        Load::Penetration(penetration) if penetration > 0.0 => radius_at(model, penetration),
+        Load::Penetration(_) => 0.0,
+    }
+}
+
+/// The radius at which the indenter stands so high, m.
+fn radius_at(model: &Model, height: f64) -> f64 {
+    where_zero(|a| (averaged(&model.indenter, a) / height).ln())
+}
+
+/// A length to look at where nothing touches.
+fn unloaded_radius(model: &Model, loads: &[Load]) -> f64 {
+    let hangs = loads.iter().map(|load| match load {
+        Load::Penetration(penetration) => penetration.abs(),
+        Load::Force(_) => 0.0,
+    });
+    let lengths = [
+        model.tables.foundation().thickness(),
+        hangs.fold(0.0, f64::max),
+    ];
+    let height = lengths.into_iter().find(|length| *length > 0.0);
+    radius_at(model, height.unwrap_or(1.0))
+}
+
+/// The mean height over a circle, m; of a map, over as much of the circle as lies on it.
+fn averaged(indenter: &Indenter, radius: f64) -> f64 {
+    if !matches!(indenter, Indenter::Map(_)) {
+        return indenter.mean_profile(radius);
+    }
+    let height = |k: u32| {
+        let (sine, cosine) = ((f64::from(k) + 0.5) * TAU / f64::from(ANGLES)).sin_cos();
+        indenter.height(radius * cosine, radius * sine)
+    };
+    let heights = (0..ANGLES).map(height).filter(|height| height.is_finite());
+    let (count, sum) = heights.fold((0, 0.0), |(count, sum), height| (count + 1, sum + height));
+    if count == 0 {
+        f64::INFINITY
+    } else {
+        sum / f64::from(count)
+    }
+}
+
+/// The force (N) at the contact radius `a`; infinite beyond the indenter's rim.
+fn force_at(model: &Model, a: f64) -> f64 {
+    if averaged(&model.indenter, a).is_infinite() {
+        return f64::INFINITY;
+    }
+    let elastic = elastic_force(model, a);
+    match relief_force(model, a) {
+        // 0 where either is, since 1/0 = ∞
+        Some(relief) => 1.0 / (1.0 / elastic + 1.0 / relief),
+        None => elastic,
+    }
+}
+
+/// `Q_e(a)`.
+fn elastic_force(model: &Model, a: f64) -> f64 {
+    // E*(a) = 2/(k C(k)) at k = 1/a
+    let modulus = 2.0 * a / model.tables.foundation().compliance(1.0 / a);
+    let step = FRAC_PI_2 / POINTS as f64;
+    let integral: f64 = SINES
+        .iter()
+        .map(|sine| slope(&model.indenter, a * sine) * sine * sine * step)
+        .sum();
+    2.0 * modulus * a * a * integral
+}
+
+/// `Q_w(a)`; none without springs.
+fn relief_force(model: &Model, a: f64) -> Option<f64> {
+    let compliance = match &model.relief {
+        Relief::Bare => return None,
+        Relief::Map(map) => Some(map.mean_compliance()).filter(|mean| *mean > 0.0)?,
+        Relief::Film(film) => film.compliance(),
+        // A cylinder also presses itself into the foundation, by some C(1/r) more than an even pressure would.
+        Relief::Cylinders(cylinders) => {
+            let local = model
+                .tables
+                .foundation()
+                .compliance(1.0 / cylinders.radius());
+            cylinders.compliance() + (1.0 - cylinders.area_fraction()) * local
+        }
+    };
+    let step = a / POINTS as f64;
+    let deepest = averaged(&model.indenter, a);
+    let volume: f64 = (0..POINTS)
+        .map(|i| {
+            let rho = (i as f64 + 0.5) * step;
+            (deepest - averaged(&model.indenter, rho)) * TAU * rho * step
+        })
+        .sum();
+    Some(model.relief.area_fraction() * volume / compliance)
+}
+
+/// `f′(ρ)` of the averaged profile, by a central difference.
+pub(crate) fn slope(indenter: &Indenter, rho: f64) -> f64 {
+    let step = 1e-3 * rho;
+    (averaged(indenter, rho + step) - averaged(indenter, rho - step)) / (2.0 * step)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,236 @@
+//! Which square to solve on: the first guess, judged by a solution on a coarse grid that is the same for every grid to come.
+//!
+//! Tried are the first guess times powers of 1.5. A square fits where the contact of the largest load keeps clear of its edge and nothing beyond it would
+//! touch; where the contact is a small part of it, a smaller one is tried.
+
+use std::ops::ControlFlow;
+
+use super::{default_side, largest, radius_at};
+use crate::{
+    ContactError, Indenter, Load, Model, SolverOptions, Step,
+    path::cautions::EDGE_MARGIN,
+    path::hierarchy::Hierarchy,
+    path::levels::COARSE_TOLERANCE,
+    result::cut_off::{self, Surroundings},
+    solver::Watch,
+};
+use pellicle_texture::{Grid, Relief};
+
+/// Elements per side of the grid of a trial.
+const TRIAL: usize = 64;
+/// Those of the grids looked at before, which mostly do: on them a contact is known to half an element.
+const FIRST_TRIALS: [usize; 2] = [16, 32];
+/// They are solved to this, a tenth of what an element is of the penetration.
+const FIRST_TOLERANCE: f64 = 1e-3;
+/// Sides tried are the first guess times powers of this.
+const FACTOR: f64 = 1.5;
+/// A trial that is not solved after so many products is as good as it gets: where the contact ends is known long before.
+const MOST_PRODUCTS: usize = 300;
+/// What the first guess leaves the contact of the half side, in elements of a trial; sides are shrunk to this.
+const USUAL_EXTENT: f64 = 64.0 / 3.0;
+/// A contact of fewer elements than this from the middle wants a smaller square.
+const SMALLEST_EXTENT: usize = 8;
+/// More trials than any case has been seen to take by far.
+const MOST_TRIALS: usize = 100;
+
+/// The side (m) of the square that [`Domain::Automatic`](crate::Domain::Automatic) solves all `loads` on. It does not depend on the grid.
+///
+/// # Errors
+/// A load that makes no sense; coefficients that miss their accuracy; a contact that reaches the edge of every square tried.
+pub fn choose_side(model: &Model, loads: &[Load]) -> Result<f64, ContactError> {
+    for load in loads {
+        load.checked()?;
+    }
+    let mut search = Search {
+        first: default_side(model, loads),
+        power: 0,
+        small: None,
+        large: None,
+    };
+    if is_known_beforehand(model) {
+        return Ok(search.side());
+    }
+    let presses = |load: &Load| !matches!(load, Load::Penetration(depth) if *depth <= 0.0);
+    let loads: Vec<Load> = largest(loads).filter(presses).collect();
+    for _ in 0..MOST_TRIALS {
+        let side = search.side();
+        // What one load wants larger no other can want smaller.
+        let mut verdict = None;
+        for load in &loads {
+            let found = judge(model, side, *load)?;
+            verdict = Some(verdict.map_or(found, |other: Verdict| other.max(found)));
+        }
+        let verdict = verdict.unwrap_or(Verdict::Fits);
+        if let ControlFlow::Break(side) = search.go_on(verdict) {
+            return Ok(side);
+        }
+    }
+    Err(ContactError::DomainTooSmall {
+        side: search.side(),
+        trials: MOST_TRIALS,
+    })
+}
+
+/// Whether the first guess is exact: an axisymmetric indenter on a homogeneous body.
+fn is_known_beforehand(model: &Model) -> bool {
+    let is_axisymmetric = matches!(
+        model.indenter,
+        Indenter::Paraboloid(_) | Indenter::Sphere(_) | Indenter::Cone(_) | Indenter::FlatPunch(_)
+    );
+    let is_bare = matches!(model.relief, Relief::Bare);
+    is_axisymmetric && is_bare && model.tables.foundation().layers().is_empty()
+}
+
+/// What a trial says of its square; what wants the largest square is the greatest.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Verdict {
+    /// Too large by so many powers, negative.
+    TooLarge(i32),
+    Fits,
+    /// Too small by so many powers.
+    TooSmall(i32),
+}
+
+/// The powers tried so far.
+struct Search {
+    first: f64,
+    power: i32,
+    /// The largest known to be too small.
+    small: Option<i32>,
+    /// The smallest known to hold the contact, if with room to spare.
+    large: Option<i32>,
+}
+
+impl Search {
+    fn side(&self) -> f64 {
+        self.first * FACTOR.powi(self.power)
+    }
+
+    /// Takes note of what became of the present square; breaks with the side to solve on if it is known.
+    fn go_on(&mut self, verdict: Verdict) -> ControlFlow<f64> {
+        let next = match verdict {
+            Verdict::Fits => return ControlFlow::Break(self.side()),
+            Verdict::TooSmall(powers) => {
+                self.small = Some(self.power);
+                self.power + powers
+            }
+            Verdict::TooLarge(powers) => {
+                self.large = Some(self.power);
+                self.power + powers
+            }
+        };
+        self.power = match (self.small, self.large) {
+            (Some(small), Some(large)) if large - small <= 1 => {
+                self.power = large;
+                return ControlFlow::Break(self.side());
+            }
+            (Some(small), Some(large)) if next <= small || next >= large => {
+                i32::midpoint(small, large)
+            }
+            _ => next,
+        };
+        ControlFlow::Continue(())
+    }
+}
+
+/// Solves for one load on a square and judges the square by it.
+fn judge(model: &Model, side: f64, load: Load) -> Result<Verdict, ContactError> {
+    for size in FIRST_TRIALS {
+        let grid = Grid::new(side, size)?;
+        if is_seen_by(model, &grid) && fits_clearly(model, grid, load)? {
+            return Ok(Verdict::Fits);
+        }
+    }
+    let grid = Grid::new(side, TRIAL)?;
+    if !cut_off::can_touch(model, &grid) {
+        return Ok(shrunk_to_fit(1));
+    }
+    let step = solve(model, grid, load, COARSE_TOLERANCE)?;
+    let Some(to_edge) = step.summary.elements_to_edge else {
+        return Ok(if sees_the_tip(model, &grid, step.solution.penetration) {
+            Verdict::Fits
+        } else {
+            shrunk_to_fit(1)
+        });
+    };
+    let is_cut_off = Surroundings::of(model, grid).cut_off(&step.solution);
+    let extent = TRIAL / 2 - to_edge;
+    Ok(if to_edge < EDGE_MARGIN || is_cut_off {
+        Verdict::TooSmall(enlarged(model, side, step.solution.penetration))
+    } else if extent < SMALLEST_EXTENT {
+        shrunk_to_fit(extent)
+    } else {
+        Verdict::Fits
+    })
+}
+
+/// Whether even a grid coarser than that of a trial sees everything that could be touched: nothing of a map is to be missed, and no pillar.
+fn is_seen_by(model: &Model, grid: &Grid) -> bool {
+    let is_relief_seen = match &model.relief {
+        Relief::Bare | Relief::Film(_) => true,
+        Relief::Cylinders(cylinders) => cylinders.radius() >= grid.element_side(),
+        Relief::Map(_) => false,
+    };
+    is_relief_seen
+        && !matches!(model.indenter, Indenter::Map(_) | Indenter::Custom(_))
+        && cut_off::can_touch(model, grid)
+}
+
+/// Whether a square fits even if a grid of it errs by half an element.
+fn fits_clearly(model: &Model, grid: Grid, load: Load) -> Result<bool, ContactError> {
+    let step = solve(model, grid, load, FIRST_TOLERANCE)?;
+    let Some(to_edge) = step.summary.elements_to_edge else {
+        return Ok(false);
+    };
+    // Half an element more or less, in those of a trial.
+    let per_element = TRIAL / grid.size();
+    let clear_of = |elements: usize| (elements * per_element).saturating_sub(per_element / 2);
+    let is_clear =
+        clear_of(to_edge) >= EDGE_MARGIN && clear_of(grid.size() / 2 - to_edge) >= SMALLEST_EXTENT;
+    Ok(is_clear && !Surroundings::of(model, grid).cut_off(&step.solution))
+}
+
+fn solve(model: &Model, grid: Grid, load: Load, tolerance: f64) -> Result<Step, ContactError> {
+    let options = SolverOptions {
+        tolerance,
+        max_applications: MOST_PRODUCTS,
+        contact_stiffness: false,
+        ..SolverOptions::default()
+    };
+    let mut grids = Hierarchy::new(model, grid.side(), grid.size(), 1, &options);
+    grids.solve(load, options, &mut Watch::alone(&mut ()))
+}
+
+/// Whether the indenter is lower than the penetration at one of the elements around its axis, so that a grid without contact has none to miss; or nothing is
+/// known of the penetration.
+fn sees_the_tip(model: &Model, grid: &Grid, penetration: f64) -> bool {
+    penetration.is_nan() || cut_off::lowest_height(model, grid) < penetration
+}
+
+/// By how many powers a contact of so many elements from the middle is to be shrunk to.
+fn shrunk_to_fit(extent: usize) -> Verdict {
+    let powers = (USUAL_EXTENT / extent as f64).ln() / FACTOR.ln();
+    Verdict::TooLarge(-whole(powers))
+}
+
+/// By how many powers to enlarge a square that cuts a contact off: to the geometric mean of its half side, which the contact reaches, and the radius where
+/// the indenter is as high as the penetration, beyond which hardly anything touches.
+fn enlarged(model: &Model, side: f64, penetration: f64) -> i32 {
+    let farthest = if penetration > 0.0 {
+        radius_at(model, penetration)
+    } else {
+        0.0
+    };
+    let ratio = (farthest / (0.5 * side)).max(1.0);
+    whole(ratio.sqrt().ln() / FACTOR.ln())
+}
+
+/// The next whole number below, at least 1.
+fn whole(powers: f64) -> i32 {
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "the logarithm of a double is below 2000"
+    )]
+    let powers = powers.floor() as i32;
+    powers.max(1)
+}

@@ -1,0 +1,358 @@
+//! The grids of a path, from the coarsest to the finest, each made when it is first needed, or the finest while the coarser ones are solved.
+
+use std::sync::Arc;
+use std::time::Instant;
+
+use pellicle_influence::{Origin, SurfaceElasticity};
+use pellicle_texture::Grid;
+
+use crate::{
+    ContactError, GridError, LevelValues, LevelWork, Load, Method, Model, SolverOptions, Step,
+    Work,
+    grid::sector::Sector,
+    path::domain::Guess,
+    path::level::{Level, LevelResult, SignedField, Start},
+    path::levels::{COARSE_TOLERANCE, coarser_sizes},
+    result::cut_off,
+    solver::Watch,
+};
+
+/// Elements per side from which on the finest grid is made while the coarser ones are solved.
+const MADE_AHEAD: usize = 512;
+
+/// All grids over one square.
+pub struct Hierarchy<'a> {
+    model: &'a Model,
+    side: f64,
+    sector: Sector,
+    /// Elements per side, coarsest first.
+    sizes: Vec<usize>,
+    /// The grids at hand; where only one load is to come, none but the one in use and the finest, whose memory is most of all.
+    levels: Vec<Option<Level>>,
+    keep: bool,
+    coefficients_seconds: f64,
+    coefficients_origin: Option<Origin>,
+}
+
+impl<'a> Hierarchy<'a> {
+    /// The grids for `loads` loads on a square of side `side` (m), the finest of `elements` elements per side.
+    pub fn new(
+        model: &'a Model,
+        side: f64,
+        elements: usize,
+        loads: usize,
+        options: &SolverOptions,
+    ) -> Self {
+        let mut sizes = coarser_sizes(elements);
+        // Of a domain far larger than the indenter a coarse grid may have no element under it.
+        sizes.retain(|size| {
+            Grid::new(side, *size).is_ok_and(|grid| cut_off::can_touch(model, &grid))
+        });
+        sizes.push(elements);
+        let has_quadrants = sizes.iter().all(|size| size.is_multiple_of(2));
+        let is_for_quadrants = options.method == Method::Gradient && options.mirror_symmetry;
+        let sector = if has_quadrants && is_for_quadrants && model.is_mirrored() {
+            Sector::Quadrant
+        } else {
+            Sector::Whole
+        };
+        Self {
+            model,
+            side,
+            sector,
+            levels: sizes.iter().map(|_| None).collect(),
+            sizes,
+            keep: loads > 1,
+            coefficients_seconds: 0.0,
+            coefficients_origin: None,
+        }
+    }
+
+    /// As many hierarchies of the same grids as are asked for, this one first, each to be used by one thread at a time.
+    pub fn lanes(mut self, lanes: usize) -> Result<Vec<Self>, ContactError> {
+        let twins = if lanes > 1 {
+            for index in 0..self.sizes.len() {
+                if self.levels[index].is_none() {
+                    self.levels[index] = Some(self.make(index)?);
+                }
+            }
+            (1..lanes).map_while(|_| self.twin()).collect()
+        } else {
+            Vec::new()
+        };
+        Ok(std::iter::once(self).chain(twins).collect())
+    }
+
+    /// The same grids without memory of any load; none if they are not all at hand.
+    fn twin(&self) -> Option<Self> {
+        let levels = self.levels.iter();
+        let twins: Option<Vec<_>> = levels.map(|level| level.as_ref()?.twin()).collect();
+        Some(Self {
+            model: self.model,
+            side: self.side,
+            sector: self.sector,
+            sizes: self.sizes.clone(),
+            levels: twins?.into_iter().map(Some).collect(),
+            keep: self.keep,
+            coefficients_seconds: 0.0,
+            coefficients_origin: self.coefficients_origin,
+        })
+    }
+
+    /// Time spent on coefficients and sampling while nothing was solved, in s.
+    pub fn coefficients_seconds(&self) -> f64 {
+        self.coefficients_seconds
+    }
+
+    /// Where the coefficients of all grids together came from.
+    pub fn coefficients_origin(&self) -> Origin {
+        self.coefficients_origin.unwrap_or(Origin::Computed)
+    }
+
+    /// The finest grid, and the elasticity of its elements where a load has come so far.
+    pub fn into_finest(mut self) -> Result<(Grid, Option<Arc<SurfaceElasticity>>), ContactError> {
+        let grid = Grid::new(self.side, self.sizes[self.sizes.len() - 1])?;
+        let level = self.levels.pop().flatten();
+        Ok((grid, level.map(Level::into_elasticity)))
+    }
+
+    /// Solves one load from the coarsest grid to the finest.
+    pub fn solve(
+        &mut self,
+        load: Load,
+        options: SolverOptions,
+        watch: &mut Watch<'_>,
+    ) -> Result<Step, ContactError> {
+        let (clock, spent_before) = (Instant::now(), self.coefficients_seconds);
+        let mut ascent = Ascent::of(load, options);
+        let finest = self.sizes.len() - 1;
+        if self.is_worth_making_ahead() {
+            self.ascend_beside_making(&mut ascent, watch)?;
+        } else {
+            self.ascend(&mut ascent, finest, watch)?;
+        }
+        let result = self.solve_next(&mut ascent, watch)?;
+        let on_coefficients = self.coefficients_seconds - spent_before;
+        let seconds = clock.elapsed().as_secs_f64() - on_coefficients;
+        Ok(ascent.into_step(result, seconds, self.model.tables.error_estimate()))
+    }
+
+    /// Goes on with a load until the grids below `end` are solved.
+    fn ascend(
+        &mut self,
+        ascent: &mut Ascent,
+        end: usize,
+        watch: &mut Watch<'_>,
+    ) -> Result<(), ContactError> {
+        while ascent.levels.len() < end {
+            self.solve_next(ascent, watch)?;
+        }
+        Ok(())
+    }
+
+    /// Solves a load on the next finer grid.
+    fn solve_next(
+        &mut self,
+        ascent: &mut Ascent,
+        watch: &mut Watch<'_>,
+    ) -> Result<LevelResult, ContactError> {
+        let Ascent { load, options, .. } = *ascent;
+        let start = match &ascent.field {
+            Some(coarser) => Start::Coarser(coarser.field()),
+            None => Guess::new(self.model, load).map_or(Start::Nothing, Start::Guess),
+        };
+        let index = ascent.levels.len();
+        let (result, field) = self.solve_level(index, load, start, options, watch)?;
+        ascent.levels.push(result.work);
+        ascent.values.push(result.values(load));
+        ascent.field = field;
+        Ok(result)
+    }
+
+    /// Whether the finest grid is still to make, and that keeps threads busy that the coarser grids do not.
+    fn is_worth_making_ahead(&self) -> bool {
+        let finest = self.sizes.len() - 1;
+        rayon::current_num_threads() > 1
+            && self.levels[finest].is_none()
+            && self.sizes[finest] >= MADE_AHEAD
+    }
+
+    /// Solves on all grids but the finest, which is made at the same time.
+    fn ascend_beside_making(
+        &mut self,
+        ascent: &mut Ascent,
+        watch: &mut Watch<'_>,
+    ) -> Result<(), ContactError> {
+        let finest = self.sizes.len() - 1;
+        let (model, side, size, sector) = (self.model, self.side, self.sizes[finest], self.sector);
+        let keeps = self.keep;
+        let clock = Instant::now();
+        let ((coarser, ascended), level) = rayon::join(
+            || (self.ascend(ascent, finest, watch), clock.elapsed()),
+            || Level::new(model, side, size, sector, keeps),
+        );
+        // What passed beside the solution costs no time of its own.
+        let waited = clock.elapsed().saturating_sub(ascended);
+        self.coefficients_seconds += waited.as_secs_f64();
+        coarser?;
+        let level = level?;
+        self.note_origin(&level);
+        self.levels[finest] = Some(level);
+        Ok(())
+    }
+
+    /// Solves on one grid; returns besides what the next finer one starts from.
+    fn solve_level(
+        &mut self,
+        index: usize,
+        load: Load,
+        start: Start<'_>,
+        options: SolverOptions,
+        watch: &mut Watch<'_>,
+    ) -> Result<(LevelResult, Option<SignedField>), ContactError> {
+        let is_finest = index + 1 == self.sizes.len();
+        let options = if is_finest {
+            options
+        } else {
+            coarse_options(options)
+        };
+        let mut level = match self.levels[index].take() {
+            Some(level) => level,
+            None => self.make(index)?,
+        };
+        let mut result = level.solve(self.model, load, start, options, watch);
+        let field = match &mut result {
+            Ok(result) if is_finest => {
+                let pressure = std::mem::take(&mut result.solution.pressure);
+                result.solution.pressure = result.window.spread(pressure);
+                None
+            }
+            Ok(result) => Some(level.signed_field(result)),
+            Err(_) => None,
+        };
+        level.release();
+        if self.keep || is_finest {
+            self.levels[index] = Some(level);
+        }
+        Ok((result?, field))
+    }
+
+    fn make(&mut self, index: usize) -> Result<Level, ContactError> {
+        let clock = Instant::now();
+        let (size, sector) = (self.sizes[index], self.sector);
+        let level = Level::new(self.model, self.side, size, sector, self.keep)?;
+        self.coefficients_seconds += clock.elapsed().as_secs_f64();
+        self.note_origin(&level);
+        Ok(level)
+    }
+
+    fn note_origin(&mut self, level: &Level) {
+        let origin = level.coefficients_origin;
+        self.coefficients_origin = Some(match self.coefficients_origin {
+            Some(others) => others.max(origin),
+            None => origin,
+        });
+    }
+}
+
+/// One load on its way from the coarsest grid to the finest.
+struct Ascent {
+    load: Load,
+    options: SolverOptions,
+    /// Of each grid solved so far.
+    levels: Vec<LevelWork>,
+    values: Vec<LevelValues>,
+    /// What the next starts from.
+    field: Option<SignedField>,
+}
+
+impl Ascent {
+    fn of(load: Load, options: SolverOptions) -> Self {
+        Self {
+            load,
+            options,
+            levels: Vec::new(),
+            values: Vec::new(),
+            field: None,
+        }
+    }
+
+    /// The step that has been solved in so many seconds, with this result on the finest grid and coefficients of this relative error.
+    fn into_step(self, result: LevelResult, seconds: f64, coefficient_error: f64) -> Step {
+        let accuracy = result.solution.certificate.worst() + coefficient_error;
+        Step {
+            work: Work {
+                iterations: result.work.iterations,
+                operator_applications: result.work.operator_applications,
+                stiffness_applications: result.work.stiffness_applications,
+                seconds,
+                levels: self.levels,
+            },
+            solution: result.solution,
+            summary: result.summary,
+            grid_error: GridError::new(self.values, accuracy),
+            residuals: result.residuals,
+            contact_stiffness: result.contact_stiffness,
+            cut_off: None,
+        }
+    }
+}
+
+/// Coarse grids are solved no further than is worth it.
+fn coarse_options(options: SolverOptions) -> SolverOptions {
+    SolverOptions {
+        tolerance: options.tolerance.max(COARSE_TOLERANCE),
+        contact_stiffness: false,
+        ..options
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use pellicle_influence::{Cache, RadialTables};
+    use pellicle_kernel::{Foundation, Material};
+    use pellicle_texture::Relief;
+
+    use super::Hierarchy;
+    use crate::{
+        Indenter, Method, Model, Paraboloid, Pyramid, SolverOptions, grid::sector::Sector,
+    };
+
+    fn model(indenter: Indenter) -> Model {
+        let body = Foundation::half_space(Material::new(1.0, 0.0).unwrap());
+        Model {
+            tables: Arc::new(RadialTables::build(&body).unwrap()),
+            relief: Relief::Bare,
+            indenter,
+            cache: Cache::none(),
+        }
+    }
+
+    #[test]
+    fn a_quadrant_is_solved_where_everything_is_mirrored_on_every_grid() {
+        let paraboloid = model(Paraboloid::new(1.0).unwrap().into());
+        let berkovich = model(Pyramid::berkovich(0.1).unwrap().into());
+        let usual = SolverOptions::default();
+        let active_set = SolverOptions {
+            method: Method::ActiveSet,
+            ..usual
+        };
+        let whole = SolverOptions {
+            mirror_symmetry: false,
+            ..usual
+        };
+        for (model, elements, options, sector) in [
+            (&paraboloid, 64, usual, Sector::Quadrant),
+            (&paraboloid, 66, usual, Sector::Quadrant),
+            (&paraboloid, 65, usual, Sector::Whole),
+            (&paraboloid, 64, active_set, Sector::Whole),
+            (&paraboloid, 64, whole, Sector::Whole),
+            (&berkovich, 64, usual, Sector::Whole),
+        ] {
+            let hierarchy = Hierarchy::new(model, 1.0, elements, 1, &options);
+            assert_eq!(hierarchy.sector, sector, "{elements} {options:?}");
+        }
+    }
+}

@@ -1,0 +1,381 @@
+//! One grid of a loading path: its problem, and the solution of one load on it after the other, none of which depends on another.
+
+use std::sync::Arc;
+
+use crate::{
+    ActiveSetSolver, ContactError, DiscreteProblem, GradientSolver, Iterate, LevelValues,
+    LevelWork, Load, Method, Model, Solution, Solver, SolverOptions, Summary,
+    grid::prolongation::{Field, prolong},
+    grid::sector::Sector,
+    grid::window::Window,
+    path::domain::Guess,
+    problem::model::SampledSector,
+    result::certificate::{JudgedFields, Trial},
+    result::contact_field::ContactField,
+    solver::Watch,
+    vector::update,
+};
+use pellicle_influence::{Origin, SurfaceElasticity};
+use pellicle_texture::Grid;
+
+/// Pressure that stands for a gap, as a part of what closes the gap alone: halfway between contact that ends at the last element
+/// that presses and at the first that does not. From 0.2 to 1 it matters little.
+const PRESSURE_PER_GAP: f64 = 0.5;
+/// Elements from a pressure within which an interpolation looks.
+const NEIGHBOURS: usize = 2;
+
+/// A grid of a path.
+pub struct Level {
+    grid: Grid,
+    elasticity: Arc<SurfaceElasticity>,
+    pub coefficients_origin: Origin,
+    /// Whether another load may come on this grid, for which memory is worth keeping.
+    keeps: bool,
+    whole: Posed,
+    /// Outline of the relief on the problem's sector.
+    outline: Arc<Vec<bool>>,
+    /// The window of the last load, and the problem on it.
+    part: Option<(Window, Posed)>,
+    /// What the last load was judged by.
+    judged: JudgedFields,
+}
+
+/// A problem, and the solver with what it keeps of it.
+struct Posed {
+    problem: DiscreteProblem,
+    solver: GradientSolver,
+}
+
+impl Posed {
+    fn new(problem: DiscreteProblem) -> Self {
+        Self {
+            problem,
+            solver: GradientSolver::default(),
+        }
+    }
+
+    /// Solves by the method that the options name.
+    fn solve(
+        &mut self,
+        load: Load,
+        start: &[f64],
+        options: SolverOptions,
+        watch: &mut Watch<'_>,
+    ) -> Result<Iterate, ContactError> {
+        let problem = &mut self.problem;
+        match options.method {
+            Method::Gradient => {
+                self.solver.options = options;
+                self.solver.solve(problem, load, start, watch)
+            }
+            Method::ActiveSet => ActiveSetSolver { options }.solve(problem, load, start, watch),
+        }
+    }
+}
+
+/// What a level starts from.
+#[derive(Clone, Copy)]
+pub enum Start<'a> {
+    Nothing,
+    Guess(Guess),
+    Coarser(Field<'a>),
+}
+
+/// What one level ended with.
+pub struct LevelResult {
+    /// Its pressures are those on the window.
+    pub solution: Solution,
+    /// Where its pressures lie.
+    pub window: Window,
+    pub summary: Summary,
+    pub work: LevelWork,
+    pub residuals: Vec<f64>,
+    pub contact_stiffness: Option<f64>,
+}
+
+impl Level {
+    pub fn new(
+        model: &Model,
+        side: f64,
+        size: usize,
+        sector: Sector,
+        keeps: bool,
+    ) -> Result<Self, ContactError> {
+        let grid = Grid::new(side, size)?;
+        let SampledSector {
+            mask,
+            compliance,
+            initial_gap,
+        } = model.sample_sector(grid, sector);
+        let elasticity = model.elasticity(&grid)?;
+        let (known, area) = (elasticity.value.clone(), grid.element_area());
+        let problem = DiscreteProblem::of_sector(known, sector, compliance, initial_gap, area)?;
+        let everywhere = problem.everywhere();
+        Ok(Self {
+            keeps,
+            whole: Posed::new(problem),
+            outline: Arc::new(mask),
+            grid,
+            elasticity: elasticity.value,
+            coefficients_origin: elasticity.origin,
+            part: None,
+            judged: JudgedFields::on(everywhere),
+        })
+    }
+
+    /// The same grid without memory of any load; none where the problem cannot be made again.
+    pub fn twin(&self) -> Option<Self> {
+        let everywhere = self.whole.problem.everywhere();
+        Some(Self {
+            grid: self.grid,
+            outline: self.outline.clone(),
+            elasticity: self.elasticity.clone(),
+            keeps: self.keeps,
+            whole: Posed::new(self.whole.problem.window(&everywhere)?),
+            coefficients_origin: self.coefficients_origin,
+            part: None,
+            judged: JudgedFields::on(everywhere),
+        })
+    }
+
+    /// Elements per side of the grid.
+    pub fn size(&self) -> usize {
+        self.whole.problem.grid_size()
+    }
+
+    /// Solves from a coarser level's field or a guess, and judges the result afresh.
+    pub fn solve(
+        &mut self,
+        model: &Model,
+        load: Load,
+        start: Start<'_>,
+        options: SolverOptions,
+        watch: &mut Watch<'_>,
+    ) -> Result<LevelResult, ContactError> {
+        let nothing = || {
+            (
+                self.whole.problem.everywhere(),
+                vec![0.0; self.whole.problem.elements()],
+            )
+        };
+        let start = match start {
+            Start::Nothing => None,
+            Start::Guess(guess) => self.guessed(guess),
+            Start::Coarser(field) => self.prolonged(&field),
+        };
+        let start = start.unwrap_or_else(nothing);
+        let (solution, window, effort) = self.solve_from(start, load, options, watch)?;
+        let field = ContactField {
+            model,
+            grid: &self.grid,
+            window: &window,
+            pressure: &solution.pressure,
+            judged: &self.judged,
+            mask: &self.outline,
+            compliance: self.whole.problem.relief_compliance(),
+            coefficient: self.elasticity.coefficient([0, 0]),
+        };
+        Ok(LevelResult {
+            summary: Summary::of(&field, solution.force),
+            solution,
+            window,
+            work: LevelWork {
+                elements: self.size(),
+                iterations: effort.iterations,
+                operator_applications: effort.operator_applications,
+                stiffness_applications: effort.stiffness_applications,
+            },
+            residuals: effort.residuals,
+            contact_stiffness: effort.contact_stiffness,
+        })
+    }
+
+    /// A guessed pressure on a window around it; none where it presses on no element.
+    fn guessed(&self, guess: Guess) -> Option<(Window, Vec<f64>)> {
+        let (grid, everywhere) = (&self.grid, self.whole.problem.everywhere());
+        let pressure: Vec<f64> = grid.centres().map(|place| guess.pressure(place)).collect();
+        let pressure = everywhere.sector().cut(&pressure, self.size());
+        let window = everywhere.around(pressed(&everywhere, &pressure));
+        let start = window.cut(&pressure);
+        start.iter().any(|p| *p > 0.0).then_some((window, start))
+    }
+
+    /// A coarser level's pressure on a window around it; none where it presses nowhere.
+    fn prolonged(&self, coarser: &Field<'_>) -> Option<(Window, Vec<f64>)> {
+        let presses = pressed(&coarser.window, coarser.values);
+        let reach = (coarser.window).on_finer(presses, self.whole.problem.size())?;
+        let pressure = prolong(coarser, &reach, &self.outline);
+        let window = reach.around(pressed(&reach, &pressure));
+        let pressure = window.take_over(&reach, &pressure);
+        Some((window, pressure))
+    }
+
+    /// The elasticity of the elements.
+    pub fn into_elasticity(self) -> Arc<SurfaceElasticity> {
+        self.elasticity
+    }
+
+    /// Solves on a window that holds the contact, enlarged as long as it does not; returns it too.
+    fn solve_from(
+        &mut self,
+        start: (Window, Vec<f64>),
+        load: Load,
+        options: SolverOptions,
+        watch: &mut Watch<'_>,
+    ) -> Result<(Solution, Window, Effort), ContactError> {
+        let everywhere = self.whole.problem.everywhere();
+        let (mut window, mut pressure) = start;
+        let mut effort = Effort::default();
+        loop {
+            let iterate = self.solve_in(&mut window, &pressure, load, options, watch)?;
+            let (reached_border, expected) = (iterate.reached_border, iterate.penetration);
+            pressure = effort.take(iterate);
+            if reached_border {
+                pressure = window.grown().take_over(&window, &pressure);
+                window = window.grown();
+                continue;
+            }
+            if !self.keeps {
+                self.part = None;
+                self.whole.solver.release();
+            }
+            let tolerance = options.tolerance;
+            let trial = Trial {
+                window: &window,
+                load,
+                expected,
+                tolerance,
+            };
+            let (problem, judged) = (&mut self.whole.problem, &mut self.judged);
+            let solution = Solution::judge_within(problem, trial, pressure, judged);
+            effort.operator_applications += judged.take_products();
+            if window.is_whole() || solution.certificate.overlap <= tolerance {
+                return Ok((solution, window, effort));
+            }
+            let wider = {
+                let presses = pressed(&window, &solution.pressure);
+                window.wider(everywhere.around(|e| presses(e) || self.judged.overlaps(e)))
+            };
+            pressure = wider.take_over(&window, &solution.pressure);
+            window = wider;
+        }
+    }
+
+    /// Solves on a window, which becomes the whole grid where there is no operator of its size.
+    fn solve_in(
+        &mut self,
+        window: &mut Window,
+        start: &[f64],
+        load: Load,
+        options: SolverOptions,
+        watch: &mut Watch<'_>,
+    ) -> Result<Iterate, ContactError> {
+        let known = self.part.take_if(|(known, _)| known == window);
+        let part = match known {
+            Some((_, part)) => Some(part),
+            None if window.is_whole() || options.method == Method::ActiveSet => None,
+            None => self.whole.problem.window(window).map(Posed::new),
+        };
+        if let Some(mut part) = part {
+            let iterate = part.solve(load, start, options, watch);
+            self.part = Some((*window, part));
+            return iterate;
+        }
+        let everywhere = self.whole.problem.everywhere();
+        let start = everywhere.take_over(window, start);
+        *window = everywhere;
+        self.whole.solve(load, &start, options, watch)
+    }
+
+    /// Gives back the memory that only another load would need, if none is to come.
+    pub fn release(&mut self) {
+        if !self.keeps {
+            self.whole.problem.release_operator();
+            self.judged = JudgedFields::on(self.whole.problem.everywhere());
+        }
+    }
+
+    /// What the next finer level starts from: the last load's pressure, and where there is none the gap as a negative pressure, −∞ where nothing can touch.
+    pub fn signed_field(&self, result: &LevelResult) -> SignedField {
+        let per_gap = PRESSURE_PER_GAP / self.elasticity.coefficient([0, 0]);
+        let window = result.window.with_rim(NEIGHBOURS);
+        let mut values = window.take_over(&result.window, &result.solution.pressure);
+        let gaps = self.judged.gap_on(&window);
+        update(&mut values, &gaps, |value, gap| {
+            if *value <= 0.0 {
+                *value = -per_gap * gap.max(0.0);
+            }
+        });
+        SignedField {
+            window,
+            values,
+            outline: self.outline.clone(),
+        }
+    }
+}
+
+/// A pressure with gaps as negative pressures, on a window that holds all pressures and what lies next to them.
+pub struct SignedField {
+    window: Window,
+    values: Vec<f64>,
+    outline: Arc<Vec<bool>>,
+}
+
+impl SignedField {
+    pub fn field(&self) -> Field<'_> {
+        Field {
+            window: self.window,
+            values: &self.values,
+            mask: &self.outline,
+        }
+    }
+}
+
+/// The work of several windows together.
+#[derive(Default)]
+struct Effort {
+    iterations: usize,
+    operator_applications: usize,
+    stiffness_applications: usize,
+    residuals: Vec<f64>,
+    contact_stiffness: Option<f64>,
+}
+
+impl Effort {
+    /// Adds an iterate's, and returns its pressure.
+    fn take(&mut self, iterate: Iterate) -> Vec<f64> {
+        self.iterations += iterate.iterations;
+        self.operator_applications += iterate.operator_applications;
+        self.stiffness_applications += iterate.stiffness_applications;
+        self.residuals.extend(iterate.residuals);
+        self.contact_stiffness = iterate.contact_stiffness;
+        iterate.pressure
+    }
+}
+
+impl LevelResult {
+    pub fn values(&self, load: Load) -> LevelValues {
+        LevelValues {
+            elements: self.work.elements,
+            penetration: self.solution.penetration,
+            force: match load {
+                Load::Force(force) => force,
+                Load::Penetration(_) => self.solution.force,
+            },
+            contact_area: self.summary.contact_area,
+            edge_uncertainty: self.summary.edge_uncertainty,
+            max_pressure: self.summary.max_pressure,
+            peak_place: self.summary.peak_place,
+            meets_outline: self.summary.meets_outline,
+        }
+    }
+}
+
+/// Whether an element presses, by the pressure on a window that holds all that do.
+fn pressed<'a>(window: &'a Window, pressure: &'a [f64]) -> impl Fn([usize; 2]) -> bool + use<'a> {
+    |element| {
+        window
+            .place(element)
+            .is_some_and(|place| pressure[place] > 0.0)
+    }
+}

@@ -1,0 +1,7 @@
+//! The problem: what is pressed into what, by which load, and its form on one grid.
+
+mod body;
+pub mod discrete_problem;
+pub mod load;
+pub mod model;
+pub mod scale;

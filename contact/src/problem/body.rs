@@ -1,0 +1,120 @@
+//! What answers a pressure with a displacement: an operator, or coefficients that operators are made from when they are needed.
+
+use std::sync::Arc;
+
+use pellicle_influence::{ElasticOperator, SurfaceElasticity, WindowOperator};
+
+use crate::{grid::sector::Sector, grid::window::Window};
+
+/// The elastic body under a grid, a window or a sector of one.
+pub enum Body {
+    /// An operator of which nothing more is known.
+    Operator(Box<dyn ElasticOperator>),
+    /// Coefficients, and the operators made from them so far.
+    Surface(Surface),
+}
+
+/// A body whose coefficients are known.
+pub struct Surface {
+    elasticity: Arc<SurfaceElasticity>,
+    operator: Option<Box<dyn ElasticOperator>>,
+    /// From pressures on one window to displacements on another around it.
+    spread: Option<([Window; 2], Box<WindowOperator>)>,
+}
+
+impl Body {
+    pub fn of(elasticity: Arc<SurfaceElasticity>) -> Self {
+        Self::Surface(Surface {
+            elasticity,
+            operator: None,
+            spread: None,
+        })
+    }
+
+    /// What the operators are made from, where that is known.
+    pub fn elasticity(&self) -> Option<&Arc<SurfaceElasticity>> {
+        match self {
+            Self::Operator(_) => None,
+            Self::Surface(surface) => Some(&surface.elasticity),
+        }
+    }
+
+    /// How far an element in the middle of a grid of `size` elements per side sinks under a unit pressure on itself, in m/Pa: one product where nothing is known
+    /// of the operator.
+    pub fn own_coefficient(&mut self, size: usize) -> f64 {
+        match self {
+            Self::Operator(operator) => {
+                let (mut unit, mut displacement) = (vec![0.0; size * size], vec![0.0; size * size]);
+                let middle = (size / 2) * (size + 1);
+                unit[middle] = 1.0;
+                operator.apply_into(&unit, &mut displacement);
+                displacement[middle]
+            }
+            Self::Surface(surface) => surface.elasticity.coefficient([0, 0]),
+        }
+    }
+
+    /// The operator on a whole grid or sector.
+    pub fn operator_on(&mut self, everywhere: &Window) -> &mut dyn ElasticOperator {
+        match self {
+            Self::Operator(operator) => operator.as_mut(),
+            Self::Surface(surface) => surface.operator_on(everywhere),
+        }
+    }
+
+    /// Writes the displacement on a `reach` around a window, by a pressure on the window, nought outside.
+    pub fn displace_into(
+        &mut self,
+        [window, reach]: [&Window; 2],
+        pressure: &[f64],
+        displacement: &mut [f64],
+    ) {
+        match self {
+            Self::Surface(surface) if !window.is_whole() => {
+                let spread = surface.spread_of([*window, *reach]);
+                spread.apply_into(pressure, displacement);
+            }
+            _ => self
+                .operator_on(&window.everywhere())
+                .apply_into(pressure, displacement),
+        }
+    }
+
+    /// Gives back the memory of operators that can be made again.
+    pub fn release(&mut self) {
+        if let Self::Surface(surface) = self {
+            (surface.operator, surface.spread) = (None, None);
+        }
+    }
+}
+
+impl Surface {
+    fn operator_on(&mut self, everywhere: &Window) -> &mut dyn ElasticOperator {
+        let (elasticity, size) = (&self.elasticity, everywhere.size());
+        let made = || -> Box<dyn ElasticOperator> {
+            match everywhere.sector() {
+                Sector::Whole => Box::new(elasticity.operator(size)),
+                Sector::Quadrant => Box::new(elasticity.quadrant(size)),
+            }
+        };
+        self.operator.get_or_insert_with(made).as_mut()
+    }
+
+    fn spread_of(&mut self, windows: [Window; 2]) -> &mut WindowOperator {
+        let known = self.spread.take_if(|(of, _)| *of == windows);
+        let made = || {
+            let [window, reach] = windows;
+            let (elasticity, shown, size) = (&self.elasticity, reach.size(), window.size());
+            let operator = match window.sector() {
+                Sector::Whole => {
+                    elasticity.under_window(shown, window.within(&reach).origin(), size)
+                }
+                // A quadrant's windows begin at the axis.
+                Sector::Quadrant => elasticity.under_window_on_quadrant(shown, size),
+            };
+            (windows, Box::new(operator))
+        };
+        let (_, operator) = self.spread.insert(known.unwrap_or_else(made));
+        operator
+    }
+}

@@ -1,0 +1,401 @@
+//! The contact problem on one grid, as a solver sees it: an operator, `η`, `g0` and an element area.
+//!
+//! Find `p ≥ 0` and `D` with `g = K p + η p + g0 − D ≥ 0` and `p g = 0`: the conditions (2.1)–(2.2) of the
+//! paper in our signs. It is the minimum of the energy `½ p·(K + η) p + g0·p` over the pressures of the given
+//! force, or of that energy less `D Σ p` where the penetration is given.
+
+use std::sync::Arc;
+
+use pellicle_influence::{ElasticOperator, SurfaceElasticity};
+use rayon::prelude::*;
+
+use crate::{
+    ContactError, grid::sector::Sector, grid::window::Window, problem::body::Body,
+    problem::scale::Scale, vector::update_with,
+};
+
+/// Values looked at together: to ask after each whether another thread has found a wrong one took a ninth of a Hertz contact's time at N = 2048.
+const VALUES_AT_ONCE: usize = 4096;
+
+/// Tells one problem from all others, however alike; clones are equal.
+#[derive(Debug, Clone, Default)]
+pub struct Identity(Arc<()>);
+
+impl PartialEq for Identity {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+}
+
+/// One grid's problem. Fields hold N² values, index `i N + j`, first index along x.
+pub struct DiscreteProblem {
+    body: Body,
+    sector: Sector,
+    size: usize,
+    relief_compliance: Vec<f64>,
+    initial_gap: Vec<f64>,
+    element_area: f64,
+    scale: Scale,
+    /// Elements per side of the sector of the grid that this one is a window of, or its own.
+    grid_size: usize,
+    identity: Identity,
+}
+
+impl DiscreteProblem {
+    /// The problem of the operator `K` (m/Pa on N² elements), the relief's compliance `η` (m/Pa, ≥ 0), the
+    /// initial gap `g0` (m; +∞ where nothing can touch) and the area `4a²` of an element (m²).
+    ///
+    /// # Errors
+    /// A field of another length than N², a compliance that is negative or not finite, a gap that is NaN or −∞,
+    /// an area that is not positive, or a gap that is infinite everywhere.
+    pub fn new(
+        operator: Box<dyn ElasticOperator>,
+        relief_compliance: Vec<f64>,
+        initial_gap: Vec<f64>,
+        element_area: f64,
+    ) -> Result<Self, ContactError> {
+        let size = operator.size();
+        let body = Body::Operator(operator);
+        let whole = (body, Sector::Whole, size);
+        Self::checked(whole, relief_compliance, initial_gap, element_area)
+    }
+
+    /// The problem of a grid of `size` elements per side whose elasticity is known, so that solvers may take windows of the grid and
+    /// precondition; the other fields as for [`Self::new`].
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    ///
+    /// # Panics
+    /// If `size` is above the elasticity's.
+    pub fn elastic(
+        elasticity: Arc<SurfaceElasticity>,
+        size: usize,
+        relief_compliance: Vec<f64>,
+        initial_gap: Vec<f64>,
+        element_area: f64,
+    ) -> Result<Self, ContactError> {
+        assert!(size <= elasticity.size(), "a grid within the coefficients");
+        let whole = (Body::of(elasticity), Sector::Whole, size);
+        Self::checked(whole, relief_compliance, initial_gap, element_area)
+    }
+
+    /// The problem of a sector of the largest grid that the elasticity allows; the fields are the sector's, the area that of one element.
+    pub(crate) fn of_sector(
+        elasticity: Arc<SurfaceElasticity>,
+        sector: Sector,
+        relief_compliance: Vec<f64>,
+        initial_gap: Vec<f64>,
+        element_area: f64,
+    ) -> Result<Self, ContactError> {
+        let size = elasticity.size() / sector.parts();
+        let area = element_area * sector.images() as f64;
+        let part = (Body::of(elasticity), sector, size);
+        Self::checked(part, relief_compliance, initial_gap, area)
+    }
+
+    fn checked(
+        (mut body, sector, size): (Body, Sector, usize),
+        relief_compliance: Vec<f64>,
+        initial_gap: Vec<f64>,
+        element_area: f64,
+    ) -> Result<Self, ContactError> {
+        let elements = size * size;
+        check_length("relief compliance", relief_compliance.len(), elements)?;
+        check_length("initial gap", initial_gap.len(), elements)?;
+        check_values(
+            "relief compliance",
+            &relief_compliance,
+            "finite and ≥ 0",
+            |eta| eta >= 0.0 && eta.is_finite(),
+        )?;
+        check_values("initial gap", &initial_gap, "a number or +∞", |gap| {
+            gap > f64::NEG_INFINITY
+        })?;
+        if !(element_area > 0.0 && element_area.is_finite()) {
+            return Err(ContactError::ElementArea { area: element_area });
+        }
+        if initial_gap.iter().all(|gap| gap.is_infinite()) {
+            return Err(ContactError::NothingCanTouch { elements });
+        }
+        Ok(Self {
+            scale: Scale::new(element_area.sqrt(), body.own_coefficient(size)),
+            body,
+            sector,
+            size,
+            relief_compliance,
+            initial_gap,
+            element_area,
+            grid_size: size,
+            identity: Identity::default(),
+        })
+    }
+
+    /// What the operator was made from, where that is known.
+    #[must_use]
+    pub fn elasticity(&self) -> Option<&Arc<SurfaceElasticity>> {
+        self.body.elasticity()
+    }
+
+    /// The same problem on a window of the grid, with an operator of the window's own size; none where the elasticity is not known.
+    ///
+    /// What lies outside is held to be without pressure.
+    pub(crate) fn window(&self, window: &Window) -> Option<Self> {
+        Some(Self {
+            body: Body::of(self.elasticity()?.clone()),
+            sector: self.sector,
+            size: window.size(),
+            relief_compliance: window.cut(&self.relief_compliance),
+            initial_gap: window.cut(&self.initial_gap),
+            element_area: self.element_area,
+            scale: self.scale,
+            grid_size: self.grid_size,
+            identity: Identity::default(),
+        })
+    }
+
+    /// The units in which the problem's own numbers are of order 1, but for what the load makes of them.
+    pub(crate) fn scale(&self) -> Scale {
+        self.scale
+    }
+
+    /// A token that no other problem has, by which a solver knows what it keeps from the load before to be of this one.
+    #[must_use]
+    pub fn identity(&self) -> &Identity {
+        &self.identity
+    }
+
+    /// What part of the surface the elements cover.
+    pub(crate) fn sector(&self) -> Sector {
+        self.sector
+    }
+
+    /// All of the problem's elements.
+    pub(crate) fn everywhere(&self) -> Window {
+        Window::all_of(self.sector, self.size)
+    }
+
+    /// Elements per side of the whole grid that this one is a part of, or its own.
+    pub(crate) fn grid_size(&self) -> usize {
+        self.sector.parts() * self.grid_size
+    }
+
+    /// Whether the grid is a window of a larger one, so that contact on its border means that the window is too small.
+    pub(crate) fn is_window(&self) -> bool {
+        self.size < self.grid_size
+    }
+
+    /// Elements per side, N.
+    #[must_use]
+    pub fn size(&self) -> usize {
+        self.size
+    }
+
+    /// Number of elements, N².
+    #[must_use]
+    pub fn elements(&self) -> usize {
+        self.initial_gap.len()
+    }
+
+    /// The relief's compliance `η`, in m/Pa.
+    #[must_use]
+    pub fn relief_compliance(&self) -> &[f64] {
+        &self.relief_compliance
+    }
+
+    /// The initial gap `g0 = f − f*`, in m.
+    #[must_use]
+    pub fn initial_gap(&self) -> &[f64] {
+        &self.initial_gap
+    }
+
+    /// The area `4a²` of an element and of those that it stands for, in m².
+    #[must_use]
+    pub fn element_area(&self) -> f64 {
+        self.element_area
+    }
+
+    /// The operator `K`; exclusive, because a product uses the operator's own buffers.
+    pub fn operator_mut(&mut self) -> &mut dyn ElasticOperator {
+        let everywhere = self.everywhere();
+        self.body.operator_on(&everywhere)
+    }
+
+    /// Gives back the memory of operators that can be made again.
+    pub(crate) fn release_operator(&mut self) {
+        self.body.release();
+    }
+
+    /// Writes `K p` (m) of a pressure on a window, nought outside, on a `reach` around it.
+    pub(crate) fn displace_into(
+        &mut self,
+        window_and_reach: [&Window; 2],
+        pressure: &[f64],
+        displacement: &mut [f64],
+    ) {
+        (self.body).displace_into(window_and_reach, pressure, displacement);
+    }
+
+    /// What no displacement is below (m) that is no nearer than so many elements to pressures ≥ 0 of this sum: `min(0, min k) Σ p` over all images; −∞ where
+    /// nothing is known of the operator.
+    pub(crate) fn least_displacement(&self, total: f64, distance: usize) -> f64 {
+        let images = self.sector.images() as f64;
+        self.elasticity().map_or(f64::NEG_INFINITY, |elasticity| {
+            images * total * elasticity.least_coefficient_from(distance).min(0.0)
+        })
+    }
+
+    /// Writes `(K + η) p` (m) of the pressure `p` (Pa) into `deformation`: one product with `K`.
+    pub fn deform_into(&mut self, pressure: &[f64], deformation: &mut [f64]) {
+        self.operator_mut().apply_into(pressure, deformation);
+        update_with(
+            deformation,
+            &self.relief_compliance,
+            pressure,
+            |v, eta, p| *v += eta * p,
+        );
+    }
+
+    /// The same of a pressure and a deformation in the units of the problem's [scale](Self::scale).
+    pub(crate) fn deform_to_scale(&mut self, pressure: &[f64], deformation: &mut [f64]) {
+        let per_unit = 1.0 / self.scale.compliance;
+        self.operator_mut().apply_into(pressure, deformation);
+        update_with(
+            deformation,
+            &self.relief_compliance,
+            pressure,
+            |v, eta, p| *v = (*v + eta * p) * per_unit,
+        );
+    }
+}
+
+/// Refuses a field that has not one value per element.
+fn check_length(field: &'static str, found: usize, wanted: usize) -> Result<(), ContactError> {
+    if found == wanted {
+        Ok(())
+    } else {
+        Err(ContactError::FieldLength {
+            field,
+            found,
+            wanted,
+        })
+    }
+}
+
+/// Refuses a field with a value that is not `legal`.
+fn check_values(
+    field: &'static str,
+    values: &[f64],
+    wanted: &'static str,
+    legal: impl Fn(f64) -> bool + Sync,
+) -> Result<(), ContactError> {
+    let is_legal = |values: &[f64]| values.iter().fold(true, |all, value| all & legal(*value));
+    if values.par_chunks(VALUES_AT_ONCE).all(is_legal) {
+        return Ok(());
+    }
+    match values.iter().position(|value| !legal(*value)) {
+        None => Ok(()),
+        Some(element) => Err(ContactError::FieldValue {
+            field,
+            element,
+            wanted,
+            found: values[element],
+        }),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use pellicle_influence::ElasticOperator;
+
+    use super::{DiscreteProblem, VALUES_AT_ONCE, check_values};
+    use crate::ContactError;
+
+    /// `u = 2 p`.
+    struct Springs;
+
+    impl ElasticOperator for Springs {
+        fn size(&self) -> usize {
+            2
+        }
+
+        fn apply_into(&mut self, pressure: &[f64], displacement: &mut [f64]) {
+            for (u, p) in displacement.iter_mut().zip(pressure) {
+                *u = 2.0 * p;
+            }
+        }
+    }
+
+    fn problem(eta: &[f64], gap: &[f64], area: f64) -> Result<DiscreteProblem, ContactError> {
+        DiscreteProblem::new(Box::new(Springs), eta.to_vec(), gap.to_vec(), area)
+    }
+
+    #[test]
+    fn a_problem_says_what_it_was_made_of() {
+        let (eta, gap) = ([0.5, 0.0, 1.0, 3.0], [0.0, 1.0, f64::INFINITY, -2.0]);
+        let mut problem = problem(&eta, &gap, 0.25).unwrap();
+        assert_eq!((problem.size(), problem.elements()), (2, 4));
+        assert_eq!(problem.relief_compliance(), eta);
+        assert_eq!(problem.initial_gap(), gap);
+        assert_eq!(problem.element_area().to_bits(), 0.25_f64.to_bits());
+        assert!(problem.elasticity().is_none() && !problem.is_window());
+        // (K + η) p, powers of two
+        let mut deformation = [0.0; 4];
+        problem.deform_into(&[1.0, 2.0, 4.0, 0.5], &mut deformation);
+        assert_eq!(deformation, [2.5, 4.0, 12.0, 2.5]);
+    }
+
+    #[test]
+    fn fields_that_no_surface_has_are_refused_at_their_element() {
+        let (zeros, nan) = ([0.0; 4], f64::NAN);
+        for (found, bad) in [(3, &[0.0; 3][..]), (5, &[0.0; 5])] {
+            for outcome in [problem(bad, &zeros, 1.0), problem(&zeros, bad, 1.0)] {
+                assert!(matches!(
+                    outcome,
+                    Err(ContactError::FieldLength { found: f, wanted: 4, .. }) if f == found
+                ));
+            }
+        }
+        for bad in [-1e-300, nan, f64::INFINITY] {
+            let refused = problem(&[0.0, 1.0, bad, 0.0], &zeros, 1.0);
+            assert!(matches!(
+                refused,
+                Err(ContactError::FieldValue { element: 2, .. })
+            ));
+        }
+        for bad in [nan, f64::NEG_INFINITY] {
+            let refused = problem(&zeros, &[0.0, bad, 0.0, 0.0], 1.0);
+            assert!(matches!(
+                refused,
+                Err(ContactError::FieldValue { element: 1, .. })
+            ));
+        }
+    }
+
+    #[test]
+    fn of_many_wrong_values_the_first_is_told() {
+        let mut values = vec![1.0; 3 * VALUES_AT_ONCE];
+        let check = |values: &[f64]| check_values("field", values, "positive", |value| value > 0.0);
+        assert!(check(&values).is_ok());
+        for wrong in [2 * VALUES_AT_ONCE + 5, VALUES_AT_ONCE + 9, VALUES_AT_ONCE] {
+            values[wrong] = -2.0;
+            assert!(matches!(
+                check(&values),
+                Err(ContactError::FieldValue { element, found: -2.0, .. }) if element == wrong
+            ));
+        }
+    }
+
+    #[test]
+    fn areas_must_be_positive_and_something_must_be_able_to_touch() {
+        for area in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            let refused = problem(&[0.0; 4], &[0.0; 4], area);
+            assert!(matches!(refused, Err(ContactError::ElementArea { .. })));
+        }
+        let refused = problem(&[0.0; 4], &[f64::INFINITY; 4], 1.0);
+        assert!(matches!(
+            refused,
+            Err(ContactError::NothingCanTouch { elements: 4 })
+        ));
+    }
+}

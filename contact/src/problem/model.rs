@@ -1,0 +1,129 @@
+//! What is pressed into what, before any grid; and the same on a grid.
+
+use std::sync::Arc;
+
+use pellicle_influence::{Cache, Cached, RadialTables, SurfaceElasticity};
+use pellicle_texture::{Grid, Relief, SampledRelief};
+use rayon::prelude::*;
+
+use crate::{ContactError, DiscreteProblem, Indenter, grid::sector::Sector};
+
+/// A rigid indenter above a relief on an elastic foundation, with no grid and no load yet.
+#[derive(Debug, Clone)]
+pub struct Model {
+    /// Radial tables of the foundation; shared, because they do not depend on the grid.
+    pub tables: Arc<RadialTables>,
+    /// What the surface carries.
+    pub relief: Relief,
+    /// What is pressed into it.
+    pub indenter: Indenter,
+    /// Where coefficients are looked for and kept, across the grids of a path and the paths of a model;
+    /// [`Cache::none`] if nothing is to be kept.
+    pub cache: Cache,
+}
+
+/// The geometry of a [`Model`] sampled at the element centres of a grid; fields hold N² values.
+#[derive(Debug, Clone)]
+pub struct SampledModel {
+    /// The grid.
+    pub grid: Grid,
+    /// Mask, profile `f*` and compliance `η` of the relief.
+    pub relief: SampledRelief,
+    /// Indenter profile `f`, in m.
+    pub indenter_profile: Vec<f64>,
+}
+
+/// The geometry of a [`Model`] at the elements of a sector of a grid.
+pub(crate) struct SampledSector {
+    /// Whether an element lies on the relief.
+    pub mask: Vec<bool>,
+    /// `η` of the relief, in m/Pa.
+    pub compliance: Vec<f64>,
+    /// `g0 = f − f*`, in m.
+    pub initial_gap: Vec<f64>,
+}
+
+impl Model {
+    /// Samples the geometry on a grid of `size` × `size` elements over a square of side `side` (m).
+    ///
+    /// # Errors
+    /// A side or size that is no grid.
+    pub fn sample(&self, side: f64, size: usize) -> Result<SampledModel, ContactError> {
+        let grid = Grid::new(side, size)?;
+        Ok(SampledModel::on(grid, &self.relief, &self.indenter))
+    }
+
+    /// What a solver needs of the geometry on a sector of a grid, of an even one for a quadrant.
+    pub(crate) fn sample_sector(&self, grid: Grid, sector: Sector) -> SampledSector {
+        let (indenter_profile, relief) = match sector {
+            Sector::Whole => {
+                let sampled = SampledModel::on(grid, &self.relief, &self.indenter);
+                (sampled.indenter_profile, sampled.relief)
+            }
+            Sector::Quadrant => (
+                grid.sample_quadrant(|[x, y]| self.indenter.height(x, y)),
+                self.relief.sample_quadrant(&grid),
+            ),
+        };
+        let (mask, profile, compliance) = relief.into_parts();
+        SampledSector {
+            mask,
+            compliance,
+            initial_gap: initial_gap(&indenter_profile, &profile),
+        }
+    }
+
+    /// The discrete problem of a sampled model: coefficients, operator, symbol, `η` and `g0 = f − f*`; and where the
+    /// coefficients came from.
+    ///
+    /// # Errors
+    /// Coefficients that cannot be had to their accuracy on this grid; an indenter that misses the grid.
+    pub fn discretize(
+        &self,
+        sampled: &SampledModel,
+    ) -> Result<Cached<DiscreteProblem>, ContactError> {
+        let Cached { value, origin } = self.elasticity(&sampled.grid)?;
+        let initial_gap = initial_gap(&sampled.indenter_profile, sampled.relief.profile());
+        let (compliance, area) = (sampled.relief.compliance(), sampled.grid.element_area());
+        let sector = Sector::Whole;
+        let value =
+            DiscreteProblem::of_sector(value, sector, compliance.to_vec(), initial_gap, area)?;
+        Ok(Cached { value, origin })
+    }
+
+    /// Whether indenter and relief are their own mirror images in both axes, and the solution with them.
+    #[must_use]
+    pub fn is_mirrored(&self) -> bool {
+        self.indenter.is_mirrored() && self.relief.is_mirrored()
+    }
+
+    /// The elasticity of a grid's elements, and where its coefficients came from.
+    pub(crate) fn elasticity(
+        &self,
+        grid: &Grid,
+    ) -> Result<Cached<Arc<SurfaceElasticity>>, ContactError> {
+        let table = (self.cache).coefficients(&self.tables, grid.element_side(), grid.size())?;
+        let foundation = self.tables.foundation().clone();
+        Ok(Cached {
+            value: Arc::new(SurfaceElasticity::new(table.value, foundation)),
+            origin: table.origin,
+        })
+    }
+}
+
+impl SampledModel {
+    /// Relief and indenter on a grid.
+    pub(crate) fn on(grid: Grid, relief: &Relief, indenter: &Indenter) -> Self {
+        Self {
+            grid,
+            relief: relief.sample(&grid),
+            indenter_profile: grid.sample(indenter.is_mirrored(), |[x, y]| indenter.height(x, y)),
+        }
+    }
+}
+
+/// `g0 = f − f*`, in m.
+pub(crate) fn initial_gap(indenter_profile: &[f64], relief_profile: &[f64]) -> Vec<f64> {
+    let profiles = indenter_profile.par_iter().zip(relief_profile);
+    profiles.map(|(f, relief)| f - relief).collect()
+}

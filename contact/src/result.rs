@@ -1,0 +1,13 @@
+//! What a solved pressure says: whether it solves the problem, the numbers that describe it, and how far they can be trusted.
+
+pub mod certificate;
+pub mod contact_field;
+mod contact_shape;
+pub mod cut_off;
+pub mod deformed_surface;
+pub mod grid_error;
+pub mod peak;
+pub mod step;
+pub mod summary;
+pub mod warning;
+pub mod work;

@@ -1,0 +1,292 @@
+//! The proof that a pressure solves the contact problem, computed afresh from the pressure alone.
+//!
+//! With `v = K p + η p + g0` and `D = Σ p v / Σ p` (or the prescribed penetration), `g = v − D`, every line is
+//! a number without scale:
+//!
+//! ```text
+//! complementarity = Σ p |g| / (D Σ p)        gap_in_contact = max over p > 0 of |g| / D
+//! overlap = max(0, −min g) / D               load = |4a² Σ p − Q| / Q
+//! ```
+//!
+//! and the smallest pressure, which must not be negative. Nothing is taken from an iteration's own residual. No gap is computed where the initial one alone is
+//! too wide for an overlap.
+
+mod reach;
+
+pub use reach::JudgedFields;
+
+use crate::{
+    DeformedSurface, DiscreteProblem, Load,
+    grid::window::Window,
+    vector::{smallest, sum, update},
+};
+
+/// Residuals of the complementarity problem at a pressure; all dimensionless but the smallest pressure.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Certificate {
+    /// `Σ p |g| / (D Σ p)`.
+    pub complementarity: f64,
+    /// `max |g| / D` over the elements with `p > 0`.
+    pub gap_in_contact: f64,
+    /// `max(0, −min g) / D` over all elements.
+    pub overlap: f64,
+    /// `|4a² Σ p − Q| / Q`; 0 where the penetration is prescribed, since `g` is then taken from it.
+    pub load: f64,
+    /// Smallest pressure of all elements, in Pa; must be ≥ 0.
+    pub min_pressure: f64,
+    /// The bound on every line.
+    pub tolerance: f64,
+}
+
+impl Certificate {
+    /// The largest of the dimensionless lines; NaN where one of them is.
+    #[must_use]
+    pub fn worst(&self) -> f64 {
+        let lines = [
+            self.complementarity,
+            self.gap_in_contact,
+            self.overlap,
+            self.load,
+        ];
+        lines.into_iter().fold(0.0, largest)
+    }
+
+    /// Whether every line keeps to the tolerance and the pressure is finite and nowhere negative.
+    #[must_use]
+    pub fn is_satisfied(&self) -> bool {
+        self.worst() <= self.tolerance && self.min_pressure >= 0.0 && self.min_pressure.is_finite()
+    }
+}
+
+/// A pressure judged.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Solution {
+    /// Penetration `D`, in m.
+    pub penetration: f64,
+    /// Force `Q`, in N: as prescribed, to the bit, where it is, and the certificate's line `load` says how far the pressures are from it; otherwise `4a² Σ p`.
+    pub force: f64,
+    /// Pressure `p` of each element, in Pa; N² values.
+    pub pressure: Vec<f64>,
+    /// How well this solves the problem.
+    pub certificate: Certificate,
+}
+
+impl Solution {
+    /// Judges `pressure` (N² values, in Pa) by one fresh product with `K`.
+    #[must_use]
+    pub fn judge(
+        problem: &mut DiscreteProblem,
+        load: Load,
+        pressure: Vec<f64>,
+        tolerance: f64,
+    ) -> Self {
+        Self::judge_with_surface(problem, load, pressure, tolerance).0
+    }
+
+    /// The same, and the surface that was computed for it.
+    #[must_use]
+    pub fn judge_with_surface(
+        problem: &mut DiscreteProblem,
+        load: Load,
+        pressure: Vec<f64>,
+        tolerance: f64,
+    ) -> (Self, DeformedSurface) {
+        let everywhere = problem.everywhere();
+        let mut fields = JudgedFields::on(everywhere);
+        let on_all = Trial {
+            window: &everywhere,
+            load,
+            expected: f64::INFINITY,
+            tolerance,
+        };
+        let solution = Self::judge_within(problem, on_all, pressure, &mut fields);
+        let surface = DeformedSurface::new(
+            fields.displacement,
+            &solution.pressure,
+            problem.relief_compliance(),
+            problem.initial_gap(),
+            solution.penetration,
+        );
+        (solution, surface)
+    }
+
+    /// Judges a pressure on a window of the grid, nought outside, which makes the product cheaper; the solution's pressure is that on the window. The
+    /// displacement's memory is used again for a reach of the same size.
+    ///
+    /// Displacements are computed on a [reach] around the window, chosen by the penetration expected; should the true one be larger, everywhere.
+    pub(crate) fn judge_within(
+        problem: &mut DiscreteProblem,
+        trial: Trial<'_>,
+        pressure: Vec<f64>,
+        fields: &mut JudgedFields,
+    ) -> Self {
+        let Trial {
+            window,
+            load,
+            expected,
+            tolerance,
+        } = trial;
+        let total = sum(&pressure);
+        let highest = reach::highest(expected);
+        let reach = reach::around(problem, window, highest, total);
+        fields.take(problem, reach);
+        let JudgedFields {
+            displacement,
+            gap,
+            products,
+            ..
+        } = &mut *fields;
+        problem.displace_into([window, &reach], &pressure, displacement);
+        *products += 1;
+        let window_of_reach = window.within(&reach);
+        // η p
+        let mut shortening = window.cut(problem.relief_compliance());
+        update(&mut shortening, &pressure, |eta, p| *eta *= p);
+        let penetration = match load {
+            Load::Penetration(penetration) => penetration,
+            // D = Σ p v / Σ p
+            Load::Force(_) => {
+                weighted(
+                    &window_of_reach,
+                    &pressure,
+                    &shortening,
+                    [displacement, gap],
+                ) / total
+            }
+        };
+        // False where it is NaN.
+        let is_as_expected = penetration <= highest;
+        if !(is_as_expected || reach.is_whole()) {
+            let expected = f64::INFINITY;
+            return Self::judge_within(problem, Trial { expected, ..trial }, pressure, fields);
+        }
+        // g = K p + η p + g0 − D
+        update(gap, displacement, |g, u| *g = u + *g - penetration);
+        window_of_reach.add(gap, &shortening);
+        // 4a² Σ p
+        let carried = total * problem.element_area();
+        let (force, residual) = match load {
+            Load::Force(wanted) => (wanted, (carried - wanted).abs() / wanted),
+            Load::Penetration(_) => (carried, 0.0),
+        };
+        let certificate = Certificate {
+            load: residual,
+            min_pressure: if window.is_whole() {
+                smallest(&pressure)
+            } else {
+                smallest(&[smallest(&pressure), 0.0])
+            },
+            tolerance,
+            ..residuals(&window_of_reach, &pressure, gap, penetration, total)
+        };
+        Self {
+            penetration,
+            force,
+            pressure,
+            certificate,
+        }
+    }
+}
+
+/// What a pressure is judged for.
+#[derive(Clone, Copy)]
+pub struct Trial<'a> {
+    /// Where it presses.
+    pub window: &'a Window,
+    pub load: Load,
+    /// The penetration by the solver's own account, in m; infinite where it gives none.
+    pub expected: f64,
+    pub tolerance: f64,
+}
+
+/// `Σ p v` with `v = K p + η p + g0`, over the elements with pressure (`g0` is infinite where the indenter ends).
+fn weighted(
+    window: &Window,
+    pressure: &[f64],
+    shortening: &[f64],
+    [displacement, initial_gap]: [&[f64]; 2],
+) -> f64 {
+    let parts = window.by_lines(pressure, |line, pressure| {
+        let fields = [displacement, initial_gap].map(|field| window.line(field, line));
+        let shortening = &shortening[line * window.size()..][..window.size()];
+        let mut sum = 0.0;
+        for (j, p) in pressure.iter().enumerate().filter(|(_, p)| **p != 0.0) {
+            let [u, g0] = fields.map(|field| field[j]);
+            sum += p * (u + shortening[j] + g0);
+        }
+        sum
+    });
+    parts.into_iter().sum()
+}
+
+/// The lines that need no load, and none of the pressures alone.
+fn residuals(
+    window: &Window,
+    pressure: &[f64],
+    gap: &[f64],
+    penetration: f64,
+    total: f64,
+) -> Certificate {
+    let parts = window.by_lines(pressure, |line, pressure| {
+        InContact::of(pressure, window.line(gap, line))
+    });
+    let found = parts.into_iter().fold(InContact::default(), InContact::and);
+    let overlap = largest(0.0, -smallest(gap));
+    // Without pressure nothing is weighed; without penetration nothing sets a scale, and only zeros pass.
+    let relative = |length: f64| {
+        if length == 0.0 {
+            0.0
+        } else {
+            length / penetration.abs()
+        }
+    };
+    Certificate {
+        complementarity: if total == 0.0 {
+            0.0
+        } else {
+            relative(found.weighted_gap / total)
+        },
+        gap_in_contact: relative(found.largest_gap),
+        overlap: relative(overlap),
+        load: 0.0,
+        min_pressure: 0.0,
+        tolerance: 0.0,
+    }
+}
+
+/// What the gap is where there is pressure; NaN where one of the gaps is.
+#[derive(Clone, Copy, Default)]
+struct InContact {
+    weighted_gap: f64,
+    largest_gap: f64,
+}
+
+impl InContact {
+    fn of(pressure: &[f64], gap: &[f64]) -> Self {
+        let mut found = Self::default();
+        for (p, g) in pressure.iter().zip(gap).filter(|(p, _)| **p != 0.0) {
+            found.weighted_gap += p * g.abs();
+            found.largest_gap = largest(found.largest_gap, g.abs());
+        }
+        found
+    }
+
+    fn and(self, other: Self) -> Self {
+        Self {
+            weighted_gap: self.weighted_gap + other.weighted_gap,
+            largest_gap: largest(self.largest_gap, other.largest_gap),
+        }
+    }
+}
+
+/// The larger of two, NaN if either is: `f64::max` drops NaN, which must not pass for a small number here.
+fn largest(a: f64, b: f64) -> f64 {
+    if a.is_nan() || b.is_nan() {
+        f64::NAN
+    } else {
+        a.max(b)
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,119 @@
+//! A pressure on its elements, with the gaps around it and the geometry that bounds it: what the shape of a contact is read from.
+
+use pellicle_texture::Grid;
+
+use crate::{Model, grid::sector::Sector, grid::window::Window, result::certificate::JudgedFields};
+
+/// A place among the elements of a window, which may lie one element before it: there is its mirror image, or nothing.
+pub type Place = [isize; 2];
+
+/// A solved contact on the window that holds all pressures.
+pub struct ContactField<'a> {
+    pub model: &'a Model,
+    pub grid: &'a Grid,
+    pub window: &'a Window,
+    /// Pressure on the window, in Pa.
+    pub pressure: &'a [f64],
+    /// Gaps on the window and beyond.
+    pub judged: &'a JudgedFields,
+    /// Whether an element lies on the relief, on the window's sector.
+    pub mask: &'a [bool],
+    /// Compliance `η` of the relief on the window's sector, in m/Pa.
+    pub compliance: &'a [f64],
+    /// Influence coefficient of an element on itself, in m/Pa.
+    pub coefficient: f64,
+}
+
+impl ContactField<'_> {
+    /// The element of the window at a place, itself or as the mirror image; none outside the window.
+    pub fn element(&self, place: Place) -> Option<usize> {
+        let size = self.window.size();
+        let along = |i: isize| match usize::try_from(i) {
+            Ok(i) => (i < size).then_some(i),
+            Err(_) if self.window.sector() == Sector::Quadrant => (-1 - i).try_into().ok(),
+            Err(_) => None,
+        };
+        Some(along(place[0])? * size + along(place[1])?)
+    }
+
+    /// The place of the element whose first image is this element of the whole grid.
+    pub fn place_of_image(&self, image: [usize; 2]) -> Place {
+        // An element is the first image of its own first image.
+        let element = self.window.sector().first_image(image, self.grid.size());
+        let origin = self.window.origin();
+        [0, 1].map(|axis: usize| element[axis].cast_signed() - origin[axis].cast_signed())
+    }
+
+    /// The pressure at a place, in Pa; 0 outside the window.
+    pub fn pressure_at(&self, place: Place) -> f64 {
+        self.element(place).map_or(0.0, |e| self.pressure[e])
+    }
+
+    /// Row and column of a window's element on its sector.
+    fn on_sector(&self, element: usize) -> [usize; 2] {
+        let size = self.window.size();
+        let [above, left] = self.window.origin();
+        [above + element / size, left + element % size]
+    }
+
+    /// Whether an element of the window lies on the relief.
+    pub fn is_on_relief(&self, element: usize) -> bool {
+        let [i, j] = self.on_sector(element);
+        self.mask[i * self.window.grid() + j]
+    }
+
+    /// `η` of an element of the window, in m/Pa.
+    pub fn compliance_of(&self, element: usize) -> f64 {
+        let [i, j] = self.on_sector(element);
+        self.compliance[i * self.window.grid() + j]
+    }
+
+    /// The gap of an element of the window, in m; infinite where the indenter has no surface.
+    pub fn gap_of(&self, element: usize) -> f64 {
+        self.judged.gap_of(self.on_sector(element))
+    }
+
+    /// How many of the four elements from a place on are in contact.
+    pub fn in_contact_around(&self, [i, j]: Place) -> usize {
+        let size = self.window.size();
+        let inside = |i: isize| usize::try_from(i).ok().filter(|i| i + 1 < size);
+        if let (Some(i), Some(j)) = (inside(i), inside(j)) {
+            let pair = |line: usize| &self.pressure[line * size + j..][..2];
+            let count = |pair: &[f64]| pair.iter().map(|p| usize::from(*p > 0.0)).sum::<usize>();
+            return count(pair(i)) + count(pair(i + 1));
+        }
+        let corners = [[i, j], [i + 1, j], [i, j + 1], [i + 1, j + 1]];
+        corners
+            .iter()
+            .filter(|place| self.pressure_at(**place) > 0.0)
+            .count()
+    }
+
+    /// Whether the four elements from a place on lie on one side of the relief's outline.
+    pub fn is_one_side(&self, [i, j]: Place) -> bool {
+        let corners = [[i, j], [i + 1, j], [i, j + 1], [i + 1, j + 1]];
+        let side = |place: Place| self.element(place).is_some_and(|e| self.is_on_relief(e));
+        corners.into_iter().map(side).all(|on| on == side([i, j]))
+    }
+
+    /// Coordinates of a place, which need not be a centre, in m.
+    pub fn point(&self, place: [f64; 2]) -> [f64; 2] {
+        let [above, left] = self.window.origin();
+        let (size, half) = (self.grid.size() as f64, 0.5 * self.grid.element_side());
+        let first = match self.window.sector() {
+            Sector::Whole => 0,
+            Sector::Quadrant => self.window.grid(),
+        };
+        // x = (2i + 1 − N) h/2
+        let along = |i: f64, first: usize| (2.0 * (i + first as f64) + 1.0 - size) * half;
+        [
+            along(place[0], first + above),
+            along(place[1], first + left),
+        ]
+    }
+
+    /// Coordinates of an element's centre, in m.
+    pub fn centre(&self, [i, j]: Place) -> [f64; 2] {
+        self.point([i as f64, j as f64])
+    }
+}

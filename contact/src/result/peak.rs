@@ -1,0 +1,132 @@
+//! The largest pressure: its value and place within smooth contact, and whether geometry puts it at an edge.
+//!
+//! Inside smooth contact the paraboloid through the largest element and its eight neighbours has its vertex at the peak, `p = p₀ − ½ gᵀ H⁻¹ g` with the
+//! central differences `g` and `H`, to third order in the element's side. At an edge the element's own value is all there is.
+
+use crate::Profile;
+use crate::result::contact_field::{ContactField, Place};
+
+/// A peak within so many elements of an edge is the edge's.
+const ELEMENTS_FROM_EDGE: f64 = 2.0;
+
+/// A peak nearer to the axis than this part of an element is at it.
+const AT_AXIS: f64 = 1e-6;
+
+/// What a largest pressure sits at.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PeakPlace {
+    /// Inside the contact, away from everything sharp.
+    Inside,
+    /// The outline of the relief.
+    Outline,
+    /// A ridge between the samples of a relief's map.
+    Ridge,
+    /// A rim, a tip or a ridge of the indenter.
+    IndenterEdge,
+}
+
+/// The largest pressure.
+#[derive(Debug, Clone, Copy)]
+pub struct Peak {
+    /// In Pa.
+    pub pressure: f64,
+    /// In m.
+    pub at: [f64; 2],
+    pub place: PeakPlace,
+}
+
+impl Peak {
+    /// The peak of a field whose largest pressure is that of an element of the window.
+    pub fn of(field: &ContactField<'_>, largest: Place) -> Self {
+        let place = place_of(field, field.centre(largest));
+        let around = |[i, j]: Place| field.pressure_at([largest[0] + i, largest[1] + j]);
+        let (own, side) = (around([0, 0]), field.grid.element_side());
+        let vertex = (place == PeakPlace::Inside)
+            .then(|| vertex(&around))
+            .flatten();
+        let (rise, [u, v]) = vertex.unwrap_or((0.0, [0.0; 2]));
+        Self {
+            pressure: own + rise,
+            at: field
+                .point([largest[0] as f64 + u, largest[1] as f64 + v])
+                .map(|x| if x.abs() < AT_AXIS * side { 0.0 } else { x }),
+            place,
+        }
+    }
+}
+
+/// Whether a point is at something sharp, by geometry alone.
+fn place_of(field: &ContactField<'_>, point: [f64; 2]) -> PeakPlace {
+    let (model, side) = (field.model, field.grid.element_side());
+    let is_near = |distance: f64| distance.abs() < ELEMENTS_FROM_EDGE * side;
+    let relief = &model.relief;
+    if relief.distance_to_outline(point).is_some_and(is_near) {
+        PeakPlace::Outline
+    } else if is_near(relief.distance_to_ridge(point)) {
+        PeakPlace::Ridge
+    } else if is_near(model.indenter.distance_to_edge(point[0], point[1], side)) {
+        PeakPlace::IndenterEdge
+    } else {
+        PeakPlace::Inside
+    }
+}
+
+/// How much higher the vertex is than the middle, and where; none where a neighbour is not in contact, or the nine have no vertex within an element.
+fn vertex(around: &impl Fn(Place) -> f64) -> Option<(f64, [f64; 2])> {
+    let mut least = f64::INFINITY;
+    for i in -1..=1 {
+        for j in -1..=1 {
+            least = least.min(around([i, j]));
+        }
+    }
+    let own = around([0, 0]);
+    let along = |at: fn(isize) -> Place| {
+        let [before, after] = [around(at(-1)), around(at(1))];
+        (0.5 * (after - before), after - 2.0 * own + before)
+    };
+    let ((gx, hxx), (gy, hyy)) = (along(|i| [i, 0]), along(|j| [0, j]));
+    let hxy = 0.25 * (around([1, 1]) - around([1, -1]) - around([-1, 1]) + around([-1, -1]));
+    let determinant = hxx * hyy - hxy * hxy;
+    if !(least > 0.0 && hxx < 0.0 && determinant > 0.0) {
+        return None;
+    }
+    // −H⁻¹ g
+    let step = [
+        (hxy * gy - hyy * gx) / determinant,
+        (hxy * gx - hxx * gy) / determinant,
+    ];
+    // The largest of nine is no farther from the vertex of a peak than half an element, but for what is no paraboloid.
+    let is_near = step.iter().all(|part| part.abs() <= 1.0);
+    is_near.then(|| (0.5 * (gx * step[0] + gy * step[1]), step))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Place, vertex};
+
+    #[test]
+    fn a_paraboloid_returns_its_vertex() {
+        let [u, v] = [0.31, -0.44];
+        let pressure = |[i, j]: Place| {
+            let [x, y] = [i as f64 - u, j as f64 - v];
+            9.0 - 2.0 * x * x - 0.7 * x * y - y * y
+        };
+        let (rise, at) = vertex(&pressure).unwrap();
+        // a few roundings of numbers below 9
+        assert!((rise + pressure([0, 0]) - 9.0).abs() < 1e-14, "{rise}");
+        assert!((at[0] - u).hypot(at[1] - v) < 1e-14, "{at:?}");
+    }
+
+    #[test]
+    fn neither_a_saddle_nor_a_contact_of_single_elements_has_a_vertex() {
+        assert!(vertex(&|[i, j]: Place| 9.0 - (i * i) as f64 + 0.5 * (j * j) as f64).is_none());
+        assert!(
+            vertex(&|[i, j]: Place| if i < 1 {
+                9.0 - (i * i + j * j) as f64
+            } else {
+                0.0
+            })
+            .is_none()
+        );
+    }
+}

@@ -1,0 +1,59 @@
+//! One load's solution with all that is known of it, and what it may be used for.
+
+use crate::{GridError, Solution, Summary, Work, result::cut_off::CutOff};
+
+/// One load's solution. It is converged if its certificate is satisfied.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Step {
+    /// The pressure and its certificate.
+    pub solution: Solution,
+    /// The numbers that describe it.
+    pub summary: Summary,
+    /// What it cost.
+    pub work: Work,
+    /// How far the grid can be trusted.
+    pub grid_error: GridError,
+    /// Largest line of the certificate at each iteration on the finest grid, by the iteration's own residual.
+    pub residuals: Vec<f64>,
+    /// Contact stiffness `dQ/dD`, in N/m; none without contact, or where it was not asked for or not found.
+    pub contact_stiffness: Option<f64>,
+    /// What ends the contact that would go on without it: then this solves another problem than the one posed, however good its certificate.
+    pub cut_off: Option<CutOff>,
+}
+
+impl Step {
+    /// What the step may be used for.
+    #[must_use]
+    pub fn status(&self) -> Status {
+        if !self.solution.certificate.is_satisfied() {
+            Status::NotConverged
+        } else if self.cut_off.is_some() {
+            Status::CutOff
+        } else {
+            Status::Certified
+        }
+    }
+}
+
+/// What a result may be used for, from good to bad.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Status {
+    /// Its certificate is satisfied, and it solves the problem posed.
+    Certified,
+    /// Its certificate is satisfied, but the contact would go on where the domain or a map ends: it solves another problem.
+    CutOff,
+    /// Its certificate is not satisfied.
+    NotConverged,
+}
+
+impl Status {
+    /// A word that does not change, for programs.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Certified => "certified",
+            Self::CutOff => "cut-off",
+            Self::NotConverged => "not-converged",
+        }
+    }
+}

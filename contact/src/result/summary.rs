@@ -1,0 +1,165 @@
+//! The few numbers that describe a solved contact.
+
+use std::cmp::Ordering;
+
+use crate::{
+    grid::sector::Sector,
+    result::contact_field::ContactField,
+    result::contact_shape::ContactShape,
+    result::peak::{Peak, PeakPlace},
+};
+
+/// Largest and mean pressure, contact area and extent. An element is in contact where its pressure is positive; the contact's edge is placed within
+/// an element by pressure and gap beside it, and by geometry where the indenter ends or an outline of the relief bounds the contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Summary {
+    /// Largest pressure, in Pa: inside smooth contact the vertex of the paraboloid through the largest element and its neighbours, at an edge the
+    /// largest element's.
+    pub max_pressure: f64,
+    /// Where the pressure is largest, `[x, y]` in m; of several equal places the first.
+    pub max_pressure_at: [f64; 2],
+    /// What the largest pressure sits at.
+    pub peak_place: PeakPlace,
+    /// Force over contact area, in Pa; 0 without contact.
+    pub mean_pressure: f64,
+    /// True contact area, in m².
+    pub contact_area: f64,
+    /// By how much the area is uncertain because its edge is placed within an element, in m².
+    pub edge_uncertainty: f64,
+    /// Whether the contact meets an outline of the relief or the indenter's rim, which elements follow as a staircase.
+    pub meets_outline: bool,
+    /// Elements in contact.
+    pub contact_elements: usize,
+    /// Contact area on the tops of the relief, in m².
+    pub contact_area_on_relief: f64,
+    /// Contact area between the cylinders, in m².
+    pub contact_area_between: f64,
+    /// Largest shortening `η p` of the relief, in m.
+    pub largest_shortening: f64,
+    /// Distance from the axis to the farthest point of the contact's edge, in m; 0 without contact.
+    pub contact_radius: f64,
+    /// Whole elements between the contact and the nearest edge of the domain; none without contact.
+    pub elements_to_edge: Option<usize>,
+}
+
+impl Summary {
+    /// Summarises a solved contact of the force `force` (N).
+    pub(crate) fn of(field: &ContactField<'_>, force: f64) -> Self {
+        let (window, grid) = (field.window, field.grid);
+        let size = grid.size();
+        let place = |e: usize| [grid.centre(e / size), grid.centre(e % size)];
+        let sector = window.sector();
+        let [above, left] = window.origin();
+        let of_line = |line: usize, pressure: &[f64]| {
+            let compliance = window.line(field.compliance, line);
+            let mut found = Contact::default();
+            let image = |column| sector.first_image([above + line, left + column], size);
+            let mut columns = pressure.iter().enumerate().filter(|(_, p)| **p > 0.0);
+            for (column, p) in columns.clone() {
+                let [i, j] = image(column);
+                found.add(i * size + j, *p);
+                found.shortening = found.shortening.max(compliance[column] * p);
+            }
+            // Of one row, no element is nearer to an edge than the outermost two.
+            for (column, _) in [columns.next(), columns.next_back()].into_iter().flatten() {
+                found.reach_to(image(column), size);
+            }
+            found
+        };
+        let lines = window.by_lines(field.pressure, of_line);
+        let Contact {
+            largest: (max_pressure, largest),
+            elements,
+            shortening: largest_shortening,
+            to_edge: elements_to_edge,
+        } = lines.into_iter().fold(Contact::default(), Contact::and);
+        let nothing = Self {
+            max_pressure,
+            max_pressure_at: place(largest),
+            peak_place: PeakPlace::Inside,
+            mean_pressure: 0.0,
+            contact_area: 0.0,
+            edge_uncertainty: 0.0,
+            meets_outline: false,
+            contact_elements: 0,
+            contact_area_on_relief: 0.0,
+            contact_area_between: 0.0,
+            largest_shortening,
+            contact_radius: 0.0,
+            elements_to_edge,
+        };
+        if elements == 0 {
+            return nothing;
+        }
+        let shape = ContactShape::of(field);
+        let peak = Peak::of(
+            field,
+            field.place_of_image([largest / size, largest % size]),
+        );
+        Self {
+            max_pressure: peak.pressure,
+            max_pressure_at: peak.at.map(|x| match sector {
+                Sector::Whole => x,
+                // the first of the images
+                Sector::Quadrant => 0.0 - x,
+            }),
+            peak_place: peak.place,
+            mean_pressure: force / shape.area,
+            contact_area: shape.area,
+            edge_uncertainty: shape.uncertainty,
+            meets_outline: shape.meets_outline,
+            contact_elements: elements * sector.images(),
+            contact_area_on_relief: shape.area_on_relief,
+            contact_area_between: (shape.area - shape.area_on_relief).max(0.0),
+            contact_radius: shape.radius,
+            ..nothing
+        }
+    }
+}
+
+/// What is counted over some elements.
+#[derive(Clone, Copy, Default)]
+struct Contact {
+    /// The largest pressure and the first element that has it.
+    largest: (f64, usize),
+    elements: usize,
+    shortening: f64,
+    to_edge: Option<usize>,
+}
+
+impl Contact {
+    fn add(&mut self, element: usize, pressure: f64) {
+        self.largest = larger(self.largest, (pressure, element));
+        self.elements += 1;
+    }
+
+    /// Counts an element's row and column of so many into the extent.
+    fn reach_to(&mut self, [row, column]: [usize; 2], size: usize) {
+        let last = size - 1;
+        let to_edge = row.min(column).min(last - row).min(last - column);
+        self.to_edge = nearer(self.to_edge, Some(to_edge));
+    }
+
+    /// Both.
+    fn and(self, other: Self) -> Self {
+        Self {
+            largest: larger(self.largest, other.largest),
+            elements: self.elements + other.elements,
+            shortening: self.shortening.max(other.shortening),
+            to_edge: nearer(self.to_edge, other.to_edge),
+        }
+    }
+}
+
+/// The larger of two pressures, or the first of equal ones, with their elements.
+fn larger(one: (f64, usize), other: (f64, usize)) -> (f64, usize) {
+    match one.0.total_cmp(&other.0).then(other.1.cmp(&one.1)) {
+        Ordering::Less => other,
+        _ => one,
+    }
+}
+
+/// The smaller of two numbers that there may not be.
+fn nearer(one: Option<usize>, other: Option<usize>) -> Option<usize> {
+    one.into_iter().chain(other).min()
+}

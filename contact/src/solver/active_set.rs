@@ -1,0 +1,88 @@
+//! The paper's active set on the dense system, completed so that it also takes elements back in.
+//!
+//! The paper solves the linear system of the elements in contact and drops those that pull, until none does. That
+//! may drop an element that belongs to the contact, and end in a state with overlap. Here each iteration exchanges
+//! both ways: drops `p < 0` and takes in `g < 0` (block principal pivoting; Kostreva 1978, Júdice and Pires 1994).
+//!
+//! **Why it ends.** A full exchange is kept while it lowers the number of infeasible elements below the lowest so
+//! far, with a few attempts of grace. After that the method descends: from an admissible pressure it moves
+//! towards the solution on the working set until an element would pull, drops that one, and takes in the element
+//! with the largest overlap only at the minimum of a set. The energy falls strictly from minimum to minimum, so no
+//! set occurs twice (Nocedal and Wright 2006, section 16.5).
+
+mod dense_system;
+mod exchange;
+
+use self::{dense_system::DenseSystem, exchange::Exchange};
+use super::{Iterate, Solver, SolverOptions, Watch};
+use crate::{ContactError, DiscreteProblem, Load};
+
+/// Most elements per side: the matrix of all 80⁴ pairs takes 0.33 GB.
+pub const LARGEST_ACTIVE_SET_GRID: usize = 80;
+
+/// Refuses a grid whose dense matrix would not fit.
+pub(crate) fn check_size(elements: usize) -> Result<(), ContactError> {
+    let largest = LARGEST_ACTIVE_SET_GRID;
+    if elements <= largest {
+        Ok(())
+    } else {
+        Err(ContactError::TooLargeForActiveSet { elements, largest })
+    }
+}
+
+/// The active-set method; see the module's page.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct ActiveSetSolver {
+    /// Its tolerance decides nothing here: the method ends with a set, solved to rounding.
+    pub options: SolverOptions,
+}
+
+impl Solver for ActiveSetSolver {
+    fn solve(
+        &mut self,
+        problem: &mut DiscreteProblem,
+        load: Load,
+        start: &[f64],
+        watch: &mut Watch<'_>,
+    ) -> Result<Iterate, ContactError> {
+        let size = problem.size();
+        check_size(size)?;
+        let system = DenseSystem::new(problem, load);
+        let mut exchange = Exchange::start(&system, start);
+        let (mut residuals, mut before) = (Vec::new(), Vec::new());
+        loop {
+            let members = exchange.members();
+            let trial = system.solve_on(members)?;
+            let working_set = [members.len(), moves(&before, members)];
+            watch.tell(size, residuals.len(), trial.residual(), working_set)?;
+            residuals.push(trial.residual());
+            let given_up = residuals.len() > self.options.max_applications;
+            if trial.infeasible.is_empty() || given_up {
+                return Ok(trial.into_iterate(residuals));
+            }
+            before = members.to_vec();
+            exchange.advance(&system, &trial);
+        }
+    }
+}
+
+/// Elements that are in one of two ascending sets only.
+fn moves(before: &[usize], after: &[usize]) -> usize {
+    let stayed = after.iter().filter(|e| before.binary_search(e).is_ok());
+    before.len() + after.len() - 2 * stayed.count()
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn moves_are_what_entered_and_what_left() {
+        for (before, after, moves) in [
+            (&[][..], &[3, 5][..], 2),
+            (&[3, 5], &[], 2),
+            (&[1, 2, 9], &[2, 3, 9, 11], 3),
+            (&[1, 2], &[1, 2], 0),
+        ] {
+            assert_eq!(super::moves(before, after), moves);
+        }
+    }
+}

@@ -1,0 +1,32 @@
+//! What every step works on.
+
+use crate::{
+    DiscreteProblem,
+    solver::gradient::{
+        preconditioner::Preconditioner, state::State, steps::segment::Segment,
+        working_set::WorkingSet,
+    },
+};
+
+/// The problem, a pressure, the elements whose pressures are free, and the approximate inverse of the system on them.
+pub struct Context<'a> {
+    pub problem: &'a mut DiscreteProblem,
+    pub state: &'a mut State,
+    pub set: &'a mut WorkingSet,
+    pub preconditioner: &'a mut Preconditioner,
+    /// The step that is being taken, of whatever kind.
+    pub segment: &'a mut Segment,
+}
+
+impl Context<'_> {
+    /// Writes into `z` the [preconditioned residual](Preconditioner::direction_into); returns its `λ`.
+    pub fn direction_into(&mut self, z: &mut [f64]) -> f64 {
+        self.preconditioner
+            .direction_into(self.problem, self.state, self.set, z)
+    }
+
+    /// Takes the [segment](Segment::take), unless the energy would rise above `ceiling`: one product.
+    pub fn take_segment(&mut self, ceiling: f64) -> super::steps::segment::Part {
+        self.segment.take(self.problem, self.state, ceiling)
+    }
+}

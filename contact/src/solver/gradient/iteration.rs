@@ -1,0 +1,265 @@
+//! One solution on its way: the fields it works on, and the steps of each phase.
+
+use crate::{
+    ContactError, DiscreteProblem, Load,
+    solver::{
+        Watch,
+        gradient::{
+            best::Best,
+            context::Context,
+            control::Control,
+            preconditioner::Preconditioner,
+            state::State,
+            steps::{
+                conjugate::{ConjugateDirections, Course},
+                face::FaceDescent,
+                newton::{Newton, Turn},
+                segment::{Part, Segment},
+                spectral::SpectralSteps,
+                stiffness,
+            },
+            strategy::{Phase, Strategy},
+            working_set::WorkingSet,
+        },
+    },
+    vector::each,
+};
+
+/// All fields of a solution, allocated once for all loads on one problem.
+pub struct Workspace {
+    state: State,
+    set: WorkingSet,
+    best: Best,
+    preconditioner: Preconditioner,
+    segment: Segment,
+    methods: Methods,
+}
+
+/// The memory of each kind of step.
+struct Methods {
+    spectral: SpectralSteps,
+    conjugate: ConjugateDirections,
+    newton: Option<Newton>,
+    faces: Option<FaceDescent>,
+}
+
+impl Workspace {
+    pub fn new(problem: &DiscreteProblem) -> Self {
+        Self {
+            state: State::new(problem),
+            set: WorkingSet::new(problem.elements()),
+            best: Best::new(),
+            preconditioner: Preconditioner::new(problem),
+            segment: Segment::new(problem.elements()),
+            methods: Methods {
+                spectral: SpectralSteps::new(problem.elements()),
+                conjugate: ConjugateDirections::new(problem.elements()),
+                newton: None,
+                faces: None,
+            },
+        }
+    }
+
+    /// What the steps work on, and their memory.
+    fn on<'a>(&'a mut self, problem: &'a mut DiscreteProblem) -> (Context<'a>, &'a mut Methods) {
+        let context = Context {
+            problem,
+            state: &mut self.state,
+            set: &mut self.set,
+            preconditioner: &mut self.preconditioner,
+            segment: &mut self.segment,
+        };
+        (context, &mut self.methods)
+    }
+
+    /// Forgets the steps so far.
+    fn restart(&mut self) {
+        self.preconditioner.restart();
+        self.methods.spectral.restart();
+        self.methods.conjugate.restart();
+        if let Some(newton) = &mut self.methods.newton {
+            newton.restart();
+        }
+    }
+}
+
+/// Everything that one solution carries from step to step.
+pub struct Iteration<'a> {
+    problem: &'a mut DiscreteProblem,
+    workspace: Box<Workspace>,
+    course: Course,
+    /// The residual of the present pressure.
+    residual: f64,
+}
+
+impl<'a> Iteration<'a> {
+    /// Begins a load, of which nothing depends on the one before, from a pressure (Pa): one product.
+    pub fn begin(
+        problem: &'a mut DiscreteProblem,
+        mut workspace: Box<Workspace>,
+        load: Load,
+        start: &[f64],
+    ) -> Self {
+        let control = Control::of(problem, load);
+        workspace.preconditioner.begin();
+        workspace.restart();
+        workspace.best.restart();
+        workspace.state.start(problem, control, start);
+        workspace.set.start(&workspace.state);
+        Self {
+            problem,
+            workspace,
+            course: Course::Left(Part::Whole),
+            residual: f64::INFINITY,
+        }
+    }
+
+    /// The largest line of the certificate by the running residual, and whether no element pulls; an admissible pressure is kept if it is the best so far.
+    pub fn judge(&mut self) -> (f64, bool) {
+        let Workspace { state, best, .. } = &mut *self.workspace;
+        let (residual, is_admissible) = state.residual();
+        if is_admissible {
+            best.offer(state, residual);
+        }
+        self.residual = residual;
+        (residual, is_admissible)
+    }
+
+    /// Tells who watches; an error if they cancel.
+    pub fn tell(
+        &mut self,
+        watch: &mut Watch<'_>,
+        iteration: usize,
+        residual: f64,
+    ) -> Result<(), ContactError> {
+        let set = &mut self.workspace.set;
+        let images = self.problem.sector().images();
+        let working_set = [set.len(), set.take_moves()].map(|elements| elements * images);
+        watch.tell(self.problem.grid_size(), iteration, residual, working_set)
+    }
+
+    /// Whether the contact reaches the border of a window of a larger grid.
+    pub fn reaches_border(&self) -> bool {
+        let set = &self.workspace.set;
+        self.problem.is_window() && set.touches_border(&self.problem.everywhere())
+    }
+
+    /// Products with `K` so far.
+    pub fn applications(&self) -> usize {
+        self.workspace.state.applications()
+    }
+
+    /// Whether anything is known of the operator.
+    pub fn knows_operator(&self) -> bool {
+        self.workspace.preconditioner.knows_operator()
+    }
+
+    /// A conjugate step on a set that stands still, else a spectral one.
+    pub fn fast_step(&mut self) -> Part {
+        let (mut context, methods) = self.workspace.on(self.problem);
+        let Methods {
+            spectral,
+            conjugate,
+            ..
+        } = methods;
+        let part = if context.set.stands_still() && self.course == Course::Kept {
+            spectral.forget_direction();
+            self.course = conjugate.step_within(&mut context);
+            match self.course {
+                Course::Kept => Part::Whole,
+                Course::Left(part) => part,
+            }
+        } else {
+            conjugate.restart();
+            self.course = Course::Kept;
+            spectral.step(&mut context)
+        };
+        context.set.update(context.state);
+        part
+    }
+
+    /// A step of the linear system on the set, or an exchange.
+    pub fn newton_step(&mut self, tolerance: f64) -> Turn {
+        let (mut context, methods) = self.workspace.on(self.problem);
+        let elements = context.state.elements();
+        let newton = methods.newton.get_or_insert_with(|| Newton::new(elements));
+        newton.step(&mut context, tolerance)
+    }
+
+    /// A step of the linear system on the face, or to the next face. It never ends its phase, and says so.
+    pub fn face_step(&mut self) -> bool {
+        let (mut context, methods) = self.workspace.on(self.problem);
+        if let Some(faces) = &mut methods.faces {
+            faces.step(&mut context);
+        }
+        false
+    }
+
+    /// Prepares the phase that has just begun.
+    pub fn begin_phase(&mut self, strategy: &mut Strategy) {
+        let failures = match strategy.phase() {
+            Phase::Fast | Phase::Newton(0) => 0,
+            Phase::Newton(_) | Phase::Descent => 1,
+        };
+        let (context, methods) = self.workspace.on(self.problem);
+        let is_known = (context.preconditioner).prepare_for_newton(context.problem, failures);
+        if !is_known {
+            strategy.descend();
+        }
+        if strategy.phase() == Phase::Descent {
+            self.begin_descent();
+        } else if let Some(newton) = &mut methods.newton {
+            newton.restart();
+        }
+    }
+
+    /// Back to the best admissible pressure, and steps without memory: one product.
+    pub fn begin_descent(&mut self) {
+        self.course = Course::Left(Part::Whole);
+        self.workspace.restart();
+        let (residual, _) = self.workspace.state.residual();
+        let Workspace { best, state, .. } = &mut *self.workspace;
+        let pressure = best.or(state, residual).to_vec();
+        let (context, methods) = self.workspace.on(self.problem);
+        context.state.pressure.copy_from_slice(&pressure);
+        context.state.clip(context.problem);
+        context.set.update(context.state);
+        let elements = context.state.elements();
+        let faces = methods
+            .faces
+            .get_or_insert_with(|| FaceDescent::new(elements));
+        faces.begin(context.state);
+    }
+
+    /// `dQ/dD` (N/m) on the elements that press, and the products that it takes; none where nothing presses.
+    pub fn contact_stiffness(&mut self) -> (Option<f64>, usize) {
+        let (mut context, methods) = self.workspace.on(self.problem);
+        context.set.keep_pressing(context.state);
+        if context.set.len() == 0 {
+            return (None, 0);
+        }
+        let (sum, applications) =
+            stiffness::pressure_sum_per_penetration(&mut context, &mut methods.conjugate);
+        let per_sum = self.problem.element_area() / self.problem.scale().compliance;
+        (sum.map(|sum| sum * per_sum), applications)
+    }
+
+    /// The penetration by the running account, in m.
+    pub fn penetration(&self) -> f64 {
+        self.problem.scale().length * self.workspace.state.penetration
+    }
+
+    /// The best pressure met, in Pa.
+    pub fn best_pressure(&self) -> Vec<f64> {
+        let Workspace { state, best, .. } = &*self.workspace;
+        let mut pressure = best.or(state, self.residual).to_vec();
+        let unit = self.problem.scale().pressure();
+        each(&mut pressure, |p| *p *= unit);
+        pressure
+    }
+
+    /// What the next load on the same problem can use.
+    pub fn into_workspace(self) -> Box<Workspace> {
+        self.workspace
+    }
+}

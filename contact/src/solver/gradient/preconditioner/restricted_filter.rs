@@ -1,0 +1,292 @@
+//! The inverse of the system on a working set, made from that on the whole periodic grid.
+//!
+//! `F = F⁻¹ 1/(K̂ + η̄) F` by FFT, with `K̂` the symbol of `K` and `η̄` the mean compliance of the relief over the set; restricted to the set, with the
+//! [band](super::edge_band) outside that sees to it that nothing is answered there. (The symbol is positive; the padded operator's own spectrum is
+//! not where a coat is stiff, and must not be inverted.)
+//!
+//! With `X` for the inverse of `F_EE` that the band stands for, the answer to `r` is `F_II − F_IE X F_EI`. Where a coat is stiff, near coefficients of `F` all but cancel, as those of a
+//! plate do, and an `X` a tenth wrong makes that negative for even residuals. There the band answers a second time, what the first has left:
+//!
+//! ```text
+//! M⁻¹ = (1 − F_IE X) F (1 − X F_EI),
+//! ```
+//!
+//! which is never negative, whatever linear `X`, for one application of `F` more.
+//!
+//! Where compliances `η` differ, as between the elements of a relief and beside them, short waves are right to one of them and wrong to the other. With
+//! `κ = 1/F(0) − η̄`, the body's own compliance to what one element feels, the filter is flanked by powers of the ratio of both:
+//!
+//! ```text
+//! M⁻¹ = S F S,    S = ((κ + η̄)/(κ + η))^¼
+//! ```
+//!
+//! The power that would set the short waves right, ½, spoils the long ones; half of it takes a fifth fewer products than none.
+
+use pellicle_influence::{PeriodicFilter, PeriodicSymbol};
+
+use crate::solver::gradient::preconditioner::edge_band::{Answers, EdgeBand};
+use crate::solver::gradient::working_set::WorkingSet;
+use crate::{
+    grid::sector::Sector,
+    vector::{add_scaled, by_parts, update},
+};
+
+/// Filters are made for mean compliances in this ratio, and serve those around.
+const MEAN_RATIO: f64 = 1.1;
+
+/// Sum of the coefficients of `F` within the band's reach, in units of the first, below which they count as a plate's: 0.11 on a homogeneous body, more under soft coats.
+const PLATE: f64 = 0.08;
+
+/// The restricted inverse on one grid.
+pub struct RestrictedFilter {
+    filter: PeriodicFilter,
+    /// Response to the shortest wave, the unit of mean compliances.
+    shortest: f64,
+    /// `η̄` that the filter is made for; NaN before the first.
+    mean_compliance: f64,
+    /// `S` of each element.
+    flank: Vec<f64>,
+    band: EdgeBand,
+    /// Whether the band answers twice.
+    is_plate: bool,
+    answer: Vec<f64>,
+}
+
+impl RestrictedFilter {
+    /// For a sector of the symbol's grid.
+    pub fn new(symbol: PeriodicSymbol, sector: Sector) -> Self {
+        let size = symbol.size() / sector.parts();
+        Self {
+            shortest: symbol.value([symbol.size() / 2; 2]),
+            filter: match sector {
+                Sector::Whole => PeriodicFilter::new(symbol),
+                Sector::Quadrant => PeriodicFilter::on_quadrant(symbol),
+            },
+            mean_compliance: f64::NAN,
+            flank: vec![0.0; size * size],
+            band: EdgeBand::new(size, sector),
+            is_plate: false,
+            answer: vec![0.0; size * size],
+        }
+    }
+
+    /// Adapts to a set.
+    pub fn update(&mut self, set: &WorkingSet, relief_compliance: &[f64]) {
+        let mean = rounded(mean_over(set, relief_compliance) / self.shortest) * self.shortest;
+        if mean.total_cmp(&self.mean_compliance).is_ne() {
+            self.tune(mean, relief_compliance);
+        }
+        self.band.surround(set);
+    }
+
+    fn tune(&mut self, mean: f64, relief_compliance: &[f64]) {
+        self.mean_compliance = mean;
+        let multiplier = |symbol: f64| 1.0 / (symbol + mean);
+        self.filter.multiply_by(multiplier);
+        let answers = self.filter.answers(multiplier);
+        self.band.take_coefficients(&answers);
+        self.is_plate = even_answer(&answers) < PLATE * answers[0][0];
+        let both = 1.0 / answers[0][0];
+        let own = both - mean;
+        update(&mut self.flank, relief_compliance, |s, eta| {
+            *s = (both / (own + eta)).sqrt().sqrt();
+        });
+    }
+
+    /// `r ← M⁻¹_I r`, in place, for an `r` that is 0 outside the set.
+    pub fn apply(&mut self, set: &WorkingSet, residual: &mut [f64]) {
+        update(residual, &self.flank, |r, s| *r *= s);
+        if !self.band.is_empty() {
+            self.answer.copy_from_slice(residual);
+            self.filter.apply(&mut self.answer);
+            self.band.balance(&self.answer, residual);
+        }
+        self.filter.apply(residual);
+        if self.is_plate && !self.band.is_empty() {
+            self.answer.fill(0.0);
+            self.band.balance(residual, &mut self.answer);
+            self.filter.apply(&mut self.answer);
+            add_scaled(residual, 1.0, &self.answer);
+        }
+        set.clear_outside(residual);
+        update(residual, &self.flank, |z, s| *z *= s);
+    }
+}
+
+/// The answer to 1 on all elements within reach: every coefficient for itself and its mirror images.
+fn even_answer(answers: &Answers) -> f64 {
+    let images = |offset: usize| if offset == 0 { 1.0 } else { 2.0 };
+    let rows = answers.iter().enumerate().map(|(i, row)| {
+        let terms = row.iter().enumerate().map(|(j, f)| images(j) * f);
+        images(i) * terms.sum::<f64>()
+    });
+    rows.sum()
+}
+
+/// The nearest power of [`MEAN_RATIO`]; 0 for what is next to the body's own compliance of 1 nothing.
+fn rounded(mean: f64) -> f64 {
+    if mean < f64::EPSILON {
+        0.0
+    } else {
+        MEAN_RATIO.powf((mean.ln() / MEAN_RATIO.ln()).round())
+    }
+}
+
+/// The mean of a field over the set; 0 for an empty one.
+fn mean_over(set: &WorkingSet, field: &[f64]) -> f64 {
+    let sums = by_parts(field.len(), |part| {
+        let members = field[part.clone()].iter().zip(&set.mask()[part]);
+        let sum: f64 = members.filter(|(_, m)| **m).map(|(value, _)| value).sum();
+        sum
+    });
+    sums.iter().sum::<f64>() / set.len().max(1) as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use pellicle_influence::{
+        CoefficientTable, ElasticOperator, RadialTables, SurfaceElasticity, love,
+    };
+    use pellicle_kernel::{Foundation, Material};
+
+    use super::{EdgeBand, RestrictedFilter};
+    use crate::solver::gradient::control::Control;
+    use crate::{
+        DiscreteProblem,
+        grid::sector::Sector,
+        solver::gradient::{tests::begun, working_set::WorkingSet},
+        vector::{add_scaled, dot},
+    };
+
+    const SIZE: usize = 48;
+
+    fn surface() -> Arc<SurfaceElasticity> {
+        let steel = Material::new(210e9, 0.3).unwrap();
+        let table =
+            CoefficientTable::from_fn(1e-6, SIZE, |offset| love::coefficient(&steel, 1e-6, offset));
+        let foundation = Foundation::half_space(steel);
+        Arc::new(SurfaceElasticity::new(Arc::new(table.unwrap()), foundation))
+    }
+
+    /// Pillars within a disc, of this period and radius in elements.
+    fn set_of_pillars(surface: &Arc<SurfaceElasticity>, period: f64, radius: f64) -> WorkingSet {
+        let inside = |e: usize| {
+            let [x, y] = [e / SIZE, e % SIZE].map(|i| i as f64 - 23.5);
+            let [px, py] = [x, y].map(|along| along.rem_euclid(period) - period / 2.0);
+            x.hypot(y) < 19.0 && px.hypot(py) < radius
+        };
+        let pressure: Vec<f64> = (0..SIZE * SIZE)
+            .map(|e| f64::from(u8::from(inside(e))))
+            .collect();
+        let gap = vec![1.0; SIZE * SIZE];
+        let eta = vec![0.0; SIZE * SIZE];
+        let problem = DiscreteProblem::elastic(surface.clone(), SIZE, eta, gap, 1e-12);
+        let control = Control::Penetration(0.0);
+        begun(&mut problem.unwrap(), control, &pressure).1
+    }
+
+    /// The filter on the whole grid without springs, adapted to a set.
+    fn filter_on(surface: &SurfaceElasticity, set: &WorkingSet) -> RestrictedFilter {
+        let mut filter = RestrictedFilter::new(surface.symbol(SIZE), Sector::Whole);
+        filter.update(set, &vec![0.0; SIZE * SIZE]);
+        filter
+    }
+
+    /// The part of `pressure` by which the filter misses it, asked for what answers `K p` on the set.
+    fn miss(filter: &mut RestrictedFilter, surface: &SurfaceElasticity, set: &WorkingSet) -> f64 {
+        let mut pressure: Vec<f64> = (0..SIZE * SIZE).map(|e| (e as f64).sin()).collect();
+        set.clear_outside(&mut pressure);
+        let mut answer = vec![0.0; SIZE * SIZE];
+        surface.operator(SIZE).apply_into(&pressure, &mut answer);
+        set.clear_outside(&mut answer);
+        filter.apply(set, &mut answer);
+        add_scaled(&mut answer, -1.0, &pressure);
+        (dot(&answer, &answer) / dot(&pressure, &pressure)).sqrt()
+    }
+
+    /// The filter's answer to a mirrored field on pillars that stand on both axes, on a sector.
+    fn answer(surface: &Arc<SurfaceElasticity>, sector: Sector) -> Vec<f64> {
+        let cut = |field: Vec<f64>| sector.cut(&field, SIZE);
+        let along = |i: usize| (i as f64 - 23.5).abs();
+        let mirrored = |of: &dyn Fn(f64, f64) -> f64| {
+            let places = (0..SIZE * SIZE).map(|e| [along(e / SIZE), along(e % SIZE)]);
+            cut(places.map(|[x, y]| of(x, y)).collect())
+        };
+        let pillars = mirrored(&|x, y| {
+            let [px, py] = [x, y].map(|along| (along + 4.5).rem_euclid(9.0) - 4.5);
+            f64::from(u8::from(x.hypot(y) < 18.0 && px.hypot(py) < 3.5))
+        });
+        let mut field = mirrored(&|x, y| (0.3 * x).cos() + (0.9 * y).sin());
+        let zeros = vec![0.0; pillars.len()];
+        let gap = vec![1.0; pillars.len()];
+        let problem =
+            DiscreteProblem::of_sector(surface.clone(), sector, zeros.clone(), gap, 1e-12);
+        let set = begun(&mut problem.unwrap(), Control::Penetration(0.0), &pillars).1;
+        let mut filter = RestrictedFilter::new(surface.symbol(SIZE), sector);
+        filter.update(&set, &zeros);
+        assert!(!filter.band.is_empty());
+        set.clear_outside(&mut field);
+        filter.apply(&set, &mut field);
+        field
+    }
+
+    #[test]
+    fn on_a_quadrant_filter_and_band_see_the_images_beyond_the_axes() {
+        let surface = surface();
+        let whole = Sector::Quadrant.cut(&answer(&surface, Sector::Whole), SIZE);
+        let quadrant = answer(&surface, Sector::Quadrant);
+        let largest = whole.iter().fold(0.0, |most: f64, z| most.max(z.abs()));
+        for (one, other) in quadrant.iter().zip(&whole) {
+            // Single precision, and some sums of it.
+            assert!((one - other).abs() < 1e-4 * largest, "{one} {other}");
+        }
+    }
+
+    /// A coat two and a half elements thick, ten times as stiff as its base.
+    fn plate() -> Arc<SurfaceElasticity> {
+        let [coat, base] = [1e9, 1e8].map(|modulus| Material::new(modulus, 0.3).unwrap());
+        let foundation = Foundation::coated(2.5e-6, coat, base).unwrap();
+        let tables = RadialTables::build(&foundation).unwrap();
+        let table = CoefficientTable::assemble(&tables, 1e-6, SIZE).unwrap();
+        Arc::new(SurfaceElasticity::new(Arc::new(table), foundation))
+    }
+
+    #[test]
+    fn under_a_stiff_coat_no_residual_is_answered_by_pulling_where_it_pushes() {
+        let surface = plate();
+        let set = set_of_pillars(&surface, 7.0, 2.2);
+        let mut filter = filter_on(&surface, &set);
+        assert!(filter.is_plate);
+        let work = |filter: &mut RestrictedFilter, wavenumber: f64| {
+            let wave = |e: usize| (wavenumber * (e / SIZE) as f64).cos();
+            let mut residual: Vec<f64> = (0..SIZE * SIZE).map(wave).collect();
+            set.clear_outside(&mut residual);
+            let mut answer = residual.clone();
+            filter.apply(&set, &mut answer);
+            dot(&residual, &answer) / dot(&residual, &residual)
+        };
+        let waves = (0..16).map(|k| 0.2 * f64::from(k));
+        for wavenumber in waves {
+            let twice = work(&mut filter, wavenumber);
+            assert!(twice > 0.0, "{wavenumber}: {twice}");
+        }
+        filter.is_plate = false;
+        assert!(work(&mut filter, 0.0) < 0.0, "once is not enough");
+    }
+
+    #[test]
+    fn with_the_band_it_all_but_inverts_the_system_on_separate_pillars() {
+        let surface = surface();
+        let set = set_of_pillars(&surface, 9.0, 3.5);
+        let mut filter = filter_on(&surface, &set);
+        let with_band = miss(&mut filter, &surface, &set);
+        filter.band = EdgeBand::new(SIZE, Sector::Whole);
+        let without = miss(&mut filter, &surface, &set);
+        assert!(
+            with_band < 0.03 && without > 0.08,
+            "{with_band} and {without}"
+        );
+    }
+}

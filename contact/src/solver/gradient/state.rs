@@ -1,0 +1,286 @@
+//! The state of the iteration: a pressure, what it deforms, and how far it is from a solution.
+//!
+//! Every step keeps the total of the pressure, once there is one. Under a prescribed total `D` follows, as `Σ p v / Σ p`. Under a prescribed penetration the whole pressure is
+//! scaled after each step until that mean is `D`, which takes no product since `(K + η) p = v − g0` is known:
+//!
+//! ```text
+//! p ← c p,    v ← g0 + c (v − g0),    c = p·(D − g0) / p·(v − g0)
+//! ```
+//!
+//! So both kinds of load take the same steps. A residual that is even over the contact, which preconditioners answer worst, never comes up.
+
+use crate::solver::gradient::control::Control;
+use crate::{
+    DiscreteProblem,
+    vector::{add_scaled, by_parts, dot, each, sum, update, update_with},
+};
+
+/// The pressure is not scaled by much more without a product: what rounding has left in `v − g0` would be scaled with it.
+const LARGEST_GROWTH: f64 = 10.0;
+
+/// A pressure that keeps to the control, with `v = (K + η) p + g0` and the penetration `D` up to date, all in the units of the problem's scale.
+///
+/// The pressure is ≥ 0, but for the inner steps of Newton's method. Elements beyond the indenter's end have none and never will: their `v` is without a gap and
+/// means nothing.
+pub struct State {
+    pub control: Control,
+    pub pressure: Vec<f64>,
+    pub v: Vec<f64>,
+    /// `D`.
+    pub penetration: f64,
+    /// `g0`, 0 where nothing can touch.
+    pub initial_gap: Vec<f64>,
+    /// The elements of the problem: those under the indenter.
+    can_touch: Vec<bool>,
+    keeps_total: bool,
+    applications: usize,
+}
+
+/// Extremes that the residual is made of.
+#[derive(Clone, Copy, Default)]
+struct Lines {
+    largest: f64,
+    overlap: f64,
+    pulls: bool,
+    /// Of all pressures and `v`, to see whether one is no number.
+    sum: f64,
+}
+
+impl State {
+    /// A state of nothing yet.
+    pub fn new(problem: &DiscreteProblem) -> Self {
+        let elements = problem.elements();
+        let per_length = 1.0 / problem.scale().length;
+        let mut initial_gap = vec![0.0; elements];
+        update(&mut initial_gap, problem.initial_gap(), |to, g0| {
+            *to = if g0.is_finite() { g0 * per_length } else { 0.0 };
+        });
+        Self {
+            control: Control::Penetration(0.0),
+            pressure: vec![0.0; elements],
+            v: vec![0.0; elements],
+            penetration: 0.0,
+            initial_gap,
+            can_touch: problem
+                .initial_gap()
+                .iter()
+                .map(|g0| g0.is_finite())
+                .collect(),
+            keeps_total: false,
+            applications: 0,
+        }
+    }
+
+    /// Starts from a pressure (Pa), or evenly over all that can touch where that is zero: one product.
+    pub fn start(&mut self, problem: &mut DiscreteProblem, control: Control, start: &[f64]) {
+        (self.control, self.applications) = (control, 0);
+        let per_pressure = 1.0 / problem.scale().pressure();
+        let (pressure, can_touch) = (&mut self.pressure, &self.can_touch);
+        update_with(pressure, start, can_touch, |to, p, can_touch| {
+            *to = if *can_touch {
+                p.max(0.0) * per_pressure
+            } else {
+                0.0
+            };
+        });
+        if matches!(control, Control::Total(_)) && sum(pressure) == 0.0 {
+            update(pressure, can_touch, |p, can_touch| {
+                *p = f64::from(u8::from(*can_touch));
+            });
+        }
+        control.rescale(pressure);
+        self.refresh(problem);
+    }
+
+    pub fn elements(&self) -> usize {
+        self.pressure.len()
+    }
+
+    /// Of each element, whether the indenter is above it.
+    pub fn can_touch(&self) -> &[bool] {
+        &self.can_touch
+    }
+
+    /// Products with `K` so far.
+    pub fn applications(&self) -> usize {
+        self.applications
+    }
+
+    /// `v = (K + η) p + g0` afresh, and balanced; returns what [`Self::advance`] does. One product.
+    pub fn refresh(&mut self, problem: &mut DiscreteProblem) -> f64 {
+        problem.deform_to_scale(&self.pressure, &mut self.v);
+        self.applications += 1;
+        // Scaled before the gap is added, in which the deformation by a pressure far too small would be lost.
+        let growth = self.growth(dot(&self.pressure, &self.v));
+        if growth != 0.0 {
+            for field in [&mut self.pressure, &mut self.v] {
+                each(field, |value| *value *= 1.0 + growth);
+            }
+        }
+        add_scaled(&mut self.v, 1.0, &self.initial_gap);
+        self.penetration = self.control.penetration(&self.pressure, &self.v);
+        growth
+    }
+
+    /// Writes `(K + η) d` into `image`: one product.
+    pub fn image_into(
+        &mut self,
+        problem: &mut DiscreteProblem,
+        direction: &[f64],
+        image: &mut [f64],
+    ) {
+        problem.deform_to_scale(direction, image);
+        self.applications += 1;
+    }
+
+    /// `μ = c − 1` for the `work` `p·(K + η) p`; 0 under a prescribed total.
+    ///
+    /// A pressure that no scale would bring to the penetration is left as it is, and its total is not kept: there may be no contact.
+    fn growth(&mut self, work: f64) -> f64 {
+        self.keeps_total = true;
+        let Control::Penetration(penetration) = self.control else {
+            return 0.0;
+        };
+        // c = p·(D − g0) / p·(K + η) p
+        let reach = penetration * sum(&self.pressure) - dot(&self.pressure, &self.initial_gap);
+        let scale = reach / work;
+        self.keeps_total = scale > 0.0 && scale.is_finite();
+        if self.keeps_total { scale - 1.0 } else { 0.0 }
+    }
+
+    /// Brings `D` and the mean of `v` together, by `D` or by the scale of the pressure; returns the part `μ` that it has grown by. One product where that
+    /// is much, else none.
+    fn balance(&mut self, problem: &mut DiscreteProblem) -> f64 {
+        let gap_sum = dot(&self.pressure, &self.initial_gap);
+        let growth = self.growth(dot(&self.pressure, &self.v) - gap_sum);
+        if growth != 0.0 {
+            each(&mut self.pressure, |p| *p *= 1.0 + growth);
+        }
+        if growth.abs() > LARGEST_GROWTH {
+            return (1.0 + growth) * (1.0 + self.refresh(problem)) - 1.0;
+        }
+        if growth != 0.0 {
+            update(&mut self.v, &self.initial_gap, |v, g0| {
+                *v += growth * (*v - g0);
+            });
+        }
+        self.penetration = self.control.penetration(&self.pressure, &self.v);
+        growth
+    }
+
+    /// Takes a pressure that it had before, with its `v` and penetration; whether steps keep its total is found anew, since nothing to scale may be left.
+    pub fn go_back(&mut self, pressure: &[f64], v: &[f64], penetration: f64) {
+        self.pressure.copy_from_slice(pressure);
+        self.v.copy_from_slice(v);
+        self.penetration = penetration;
+        self.growth(dot(pressure, v) - dot(pressure, &self.initial_gap));
+    }
+
+    /// Makes a direction conjugate to the pressure where that is scaled, so that a step along it leaves the scale right:
+    /// `d ← d − (d·(v − g0) / p·(v − g0)) p`.
+    pub fn deflate(&self, direction: &mut [f64]) {
+        if self.keeps_total && matches!(self.control, Control::Penetration(_)) {
+            let along = |x: &[f64]| dot(x, &self.v) - dot(x, &self.initial_gap);
+            let part = along(direction) / along(&self.pressure);
+            add_scaled(direction, -part, &self.pressure);
+        }
+    }
+
+    /// Whether steps are to keep the total that the pressure has.
+    pub fn keeps_total(&self) -> bool {
+        self.keeps_total
+    }
+
+    /// Brings a pressure ≥ 0 to the total that steps are to keep.
+    pub fn rescale(&self, pressure: &mut [f64]) {
+        match self.control {
+            Control::Penetration(_) if self.keeps_total => {
+                Control::Total(sum(&self.pressure)).rescale(pressure);
+            }
+            control => control.rescale(pressure),
+        }
+    }
+
+    /// `p ← p + t s`, `v ← v + t y` with `y = (K + η) s`, and balanced; returns the part that the pressure has grown by then. No product, but where
+    /// that is much.
+    pub fn advance(
+        &mut self,
+        problem: &mut DiscreteProblem,
+        t: f64,
+        step: &[f64],
+        image: &[f64],
+    ) -> f64 {
+        add_scaled(&mut self.pressure, t, step);
+        add_scaled(&mut self.v, t, image);
+        self.balance(problem)
+    }
+
+    /// `p ← max(p, 0)`, brought to the prescribed total or balanced: one product.
+    pub fn clip(&mut self, problem: &mut DiscreteProblem) {
+        each(&mut self.pressure, |p| *p = p.max(0.0));
+        self.control.rescale(&mut self.pressure);
+        self.refresh(problem);
+    }
+
+    pub fn energy(&self) -> f64 {
+        self.control
+            .energy(&self.pressure, &self.v, &self.initial_gap)
+    }
+
+    /// Where nothing presses, presses evenly on these elements.
+    pub fn press_somewhere(&mut self, mask: &[bool]) {
+        if !self.pressure.iter().any(|p| *p > 0.0) {
+            update(&mut self.pressure, mask, |p, is_pressed| {
+                *p = f64::from(u8::from(*is_pressed));
+            });
+        }
+    }
+
+    /// The largest line of the certificate, by the running `v`, infinite where something is no number; whether no element pulls.
+    ///
+    /// The complementarity is a mean of gaps in contact, so it is never the largest.
+    pub fn residual(&self) -> (f64, bool) {
+        let lines = by_parts(self.elements(), |part| self.lines(part));
+        let lines = lines.into_iter().fold(Lines::default(), Lines::and);
+        let length = lines.largest.max(lines.overlap);
+        // `max` drops what is no number, but in a sum it stays.
+        let is_number = (lines.sum + self.penetration).is_finite();
+        let residual = if !is_number {
+            f64::INFINITY
+        } else if length == 0.0 {
+            0.0
+        } else {
+            length / self.penetration.abs()
+        };
+        (residual, !lines.pulls)
+    }
+
+    fn lines(&self, part: std::ops::Range<usize>) -> Lines {
+        let mut lines = Lines::default();
+        let fields = self.pressure[part.clone()]
+            .iter()
+            .zip(&self.v[part.clone()]);
+        for ((p, v), _) in (fields.zip(&self.can_touch[part])).filter(|(_, can_touch)| **can_touch)
+        {
+            let gap = v - self.penetration;
+            lines.overlap = lines.overlap.max(-gap);
+            lines.pulls |= *p < 0.0;
+            lines.sum += p + v;
+            if *p > 0.0 {
+                lines.largest = lines.largest.max(gap.abs());
+            }
+        }
+        lines
+    }
+}
+
+impl Lines {
+    fn and(self, other: Self) -> Self {
+        Self {
+            largest: self.largest.max(other.largest),
+            overlap: self.overlap.max(other.overlap),
+            pulls: self.pulls || other.pulls,
+            sum: self.sum + other.sum,
+        }
+    }
+}

@@ -1,0 +1,9 @@
+//! The steps that the loop chooses from, one file each, and what they share.
+
+pub mod conjugate;
+pub mod face;
+pub mod newton;
+pub mod projection;
+pub mod segment;
+pub mod spectral;
+pub mod stiffness;

@@ -1,0 +1,153 @@
+//! Preconditioned conjugate gradients on a working set that stands still.
+//!
+//! On the set `I` and the pressures of one total, minimise the energy: `d ← z + β d` with the projected
+//! preconditioned residual `z`, `α = r·z / d·(K + η)d`, `β` by Polak and Ribière, never negative.
+
+use rayon::prelude::*;
+
+use crate::solver::gradient::steps::segment::{Part, Segment};
+use crate::solver::gradient::{context::Context, preconditioner::residual_into};
+use crate::vector::{dot, update};
+
+/// Elements worth a thread of their own.
+const MIN_PART: usize = 1 << 12;
+
+/// What became of a step that may not pull.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Course {
+    /// All pressures of the set stayed positive: the directions go on.
+    Kept,
+    /// Some would have pulled and were held at zero: the set is another one now, and the next step must not be conjugate.
+    Left(Part),
+}
+
+/// The conjugate directions' memory and buffers.
+pub struct ConjugateDirections {
+    /// Whether `direction` and `residual_before` belong to the present set.
+    running: bool,
+    direction: Vec<f64>,
+    preconditioned: Vec<f64>,
+    residual_before: Vec<f64>,
+    product_before: f64,
+}
+
+/// Fields for the terms of a linear system.
+pub struct Buffers<'a> {
+    pub residual: &'a mut [f64],
+    pub direction: &'a mut [f64],
+    pub image: &'a mut [f64],
+    pub preconditioned: &'a mut [f64],
+    pub step: &'a mut [f64],
+}
+
+impl ConjugateDirections {
+    pub fn new(elements: usize) -> Self {
+        let field = || vec![0.0; elements];
+        Self {
+            running: false,
+            direction: field(),
+            preconditioned: field(),
+            residual_before: field(),
+            product_before: 0.0,
+        }
+    }
+
+    /// Forgets the directions: the next step starts from the preconditioned residual.
+    pub fn restart(&mut self) {
+        self.running = false;
+    }
+
+    /// The buffers for another use, after which the directions are forgotten.
+    pub fn lend<'a>(&'a mut self, segment: &'a mut Segment) -> Buffers<'a> {
+        self.restart();
+        Buffers {
+            residual: &mut self.residual_before,
+            direction: &mut self.direction,
+            image: &mut segment.image,
+            preconditioned: &mut self.preconditioned,
+            step: &mut segment.step,
+        }
+    }
+
+    /// One step that stops where an element would pull, and goes on from there with that element at zero, as far as the energy
+    /// does not rise: one product, two where it is stopped.
+    pub fn step_within(&mut self, context: &mut Context<'_>) -> Course {
+        self.aim(context);
+        let alpha = self.reach(context);
+        if !alpha.is_finite() {
+            return Course::Left(Part::Cut);
+        }
+        let pulls = |(p, d): (&f64, &f64)| p + alpha * d < 0.0;
+        let steps = context.state.pressure.par_iter().zip(&self.direction);
+        if !steps.with_min_len(MIN_PART).any(pulls) {
+            self.advance(context, alpha);
+            return Course::Kept;
+        }
+        context.segment.clip(context.state, alpha, &self.direction);
+        let ceiling = context.state.energy();
+        Course::Left(context.take_segment(ceiling))
+    }
+
+    /// One step along the direction last [aimed](Self::aim) at, which may pull: one product. False if there is nowhere to go.
+    pub fn step_freely(&mut self, context: &mut Context<'_>) -> bool {
+        let alpha = self.reach(context);
+        if alpha.is_finite() {
+            self.advance(context, alpha);
+        }
+        alpha.is_finite()
+    }
+
+    /// The preconditioned residual `z` that was last aimed with: by the preconditioner's account, what is missing from the pressure.
+    pub fn missing(&self) -> &[f64] {
+        &self.preconditioned
+    }
+
+    /// Finds the next direction; returns `r·z`. No product.
+    pub fn aim(&mut self, context: &mut Context<'_>) -> f64 {
+        context.direction_into(&mut self.preconditioned);
+        let Context { state, set, .. } = context;
+        // r·z, with r = D − v; z sums to zero or D is prescribed.
+        let product = -state.control.slope(&self.preconditioned, &state.v);
+        let beta = if self.running {
+            let before = dot(&self.preconditioned, &self.residual_before);
+            ((product - before) / self.product_before).max(0.0)
+        } else {
+            0.0
+        };
+        if self.running {
+            update(&mut self.direction, &self.preconditioned, |d, z| {
+                *d = z + beta * *d;
+            });
+        } else {
+            self.direction.copy_from_slice(&self.preconditioned);
+        }
+        state.deflate(&mut self.direction);
+        residual_into(state, set, &mut self.residual_before);
+        (self.product_before, self.running) = (product, true);
+        product
+    }
+
+    /// Writes the image of the direction into the segment's; returns the step to the minimum along it. One product.
+    fn reach(&self, context: &mut Context<'_>) -> f64 {
+        let Context {
+            problem,
+            state,
+            segment: Segment { image, .. },
+            ..
+        } = context;
+        state.image_into(problem, &self.direction, image);
+        // α = r·d / d·(K + η)d, with r·d = −d·∂E
+        -state.control.slope(&self.direction, &state.v) / dot(&self.direction, image)
+    }
+
+    /// Goes so far along the direction whose image the segment holds.
+    fn advance(&self, context: &mut Context<'_>, alpha: f64) {
+        let Context {
+            problem,
+            state,
+            segment,
+            ..
+        } = context;
+        state.advance(problem, alpha, &self.direction, &segment.image);
+    }
+}

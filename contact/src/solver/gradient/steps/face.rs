@@ -1,0 +1,162 @@
+//! Descent from face to face: the floor under Newton's method, which always comes down and always ends.
+//!
+//! A face is a set of elements whose pressures are free. From an admissible pressure conjugate gradients solve the linear system on the face; then
+//!
+//! - nothing pulls: that is the least energy of the face, and what overlaps is taken in;
+//! - something pulls that had no pressure before: it does not belong, leaves the face, and the system is solved again from where it began;
+//! - something else pulls: it loses its pressure and leaves, as much of it at once as lowers the energy more than stopping where the first element would pull;
+//!   there the energy is lower than before for certain.
+//!
+//! The energy falls from each admissible pressure to the next, so no face is solved twice, and there are finitely many (Lawson and Hanson 1974; many elements at once as
+//! Portugal, Júdice and Vicente 1994). Where contact under a plate is a few elements among many that overlap by little, Newton's method leaps from one set
+//! to another that shares none with it, and back; this does not.
+
+use crate::solver::gradient::context::Context;
+use crate::solver::gradient::state::State;
+use crate::solver::gradient::steps::conjugate::ConjugateDirections;
+use crate::solver::gradient::steps::segment::Segment;
+use crate::vector::{add_scaled, update, update_with};
+
+/// What may be missing from the solution on a face, as a part of what was at first, in the metric of the preconditioner; its square is the error of the energy.
+const SETTLED: f64 = 1e-2;
+/// Steps of one linear system after which it is taken as it is: conjugate gradients have lowered the energy with each.
+const MOST_STEPS: usize = 60;
+/// What rounding leaves of a pressure at the end of the way to zero, as a part of the way.
+const ROUNDING: f64 = 1e-13;
+
+/// The memory of the descent.
+pub struct FaceDescent {
+    conjugate: ConjugateDirections,
+    /// Where the present face was entered: an admissible pressure, its `v` and energy.
+    pressure: Vec<f64>,
+    v: Vec<f64>,
+    penetration: f64,
+    energy: f64,
+    /// `r·z` at the first step on the face; none before.
+    first: Option<f64>,
+    steps: usize,
+    /// Halvings of the number of elements that are to lose their pressure at once.
+    caution: u32,
+}
+
+/// Sets to 0 what a step has taken below, up to rounding.
+fn cut_off(pressure: &mut [f64], step: &[f64]) {
+    update(pressure, step, |p, s| {
+        if *p <= -ROUNDING * s {
+            *p = 0.0;
+        }
+    });
+}
+
+impl FaceDescent {
+    pub fn new(elements: usize) -> Self {
+        Self {
+            conjugate: ConjugateDirections::new(elements),
+            pressure: vec![0.0; elements],
+            v: vec![0.0; elements],
+            penetration: 0.0,
+            energy: f64::INFINITY,
+            first: None,
+            steps: 0,
+            caution: 0,
+        }
+    }
+
+    /// Begins from an admissible pressure and its working set.
+    pub fn begin(&mut self, state: &State) {
+        self.pressure.copy_from_slice(&state.pressure);
+        self.v.copy_from_slice(&state.v);
+        (self.penetration, self.energy) = (state.penetration, state.energy());
+        self.first = None;
+    }
+
+    /// One step of the linear system on the present face, or what follows from its solution: one product at most.
+    pub fn step(&mut self, context: &mut Context<'_>) {
+        if self.first.is_none() {
+            context.preconditioner.restart();
+            self.conjugate.restart();
+            self.steps = 0;
+        }
+        let missing = self.conjugate.aim(context);
+        let first = *self.first.get_or_insert(missing);
+        self.steps += 1;
+        // Never at once: a face costs a product at least, so that the bound on products ends what rounding keeps alive.
+        let is_settled = self.steps > 1 && (missing <= SETTLED * first || self.steps > MOST_STEPS);
+        let moves = !is_settled && self.conjugate.step_freely(context);
+        if !moves {
+            self.leave(context);
+        }
+    }
+
+    /// Goes from the solution on the face, or what is known of it, to the next face.
+    fn leave(&mut self, context: &mut Context<'_>) {
+        let ends = self.ends(&context.state.pressure);
+        if ends.first().is_some_and(|first| *first > 0.0) {
+            self.come_down(context, &ends);
+        }
+        let Context { state, set, .. } = context;
+        match ends.first() {
+            None => set.update(state),
+            Some(first) if *first > 0.0 => set.keep_pressing(state),
+            Some(_) => {
+                let before = &self.pressure;
+                set.keep(state, |element, p| p >= 0.0 || before[element] > 0.0);
+                self.go_back(state);
+            }
+        }
+        self.begin(state);
+    }
+
+    /// The parts of the way from where the face was entered to `pressure` after which an element would pull, ascending.
+    fn ends(&self, pressure: &[f64]) -> Vec<f64> {
+        let both = self.pressure.iter().zip(pressure);
+        let pulling = both.filter(|(_, after)| **after < 0.0);
+        let mut ends: Vec<f64> = pulling
+            .map(|(before, after)| before / (before - after))
+            .collect();
+        ends.sort_unstable_by(f64::total_cmp);
+        ends
+    }
+
+    /// Goes on until a part of the elements that pull have no pressure, as large as has lately lowered the energy more than stopping at the first, and where that
+    /// does not, stops at the first: one product, or none.
+    fn come_down(&mut self, context: &mut Context<'_>, ends: &[f64]) {
+        let Context {
+            problem,
+            state,
+            segment,
+            ..
+        } = context;
+        let Segment { step, image } = &mut **segment;
+        update_with(step, &state.pressure, &self.pressure, |s, p, before| {
+            *s = p - before;
+        });
+        update_with(image, &state.v, &self.v, |y, v, before| *y = v - before);
+        // E(p + t s) = E(p) + t s·∂E + ½ t² s·y
+        let slope = state.control.slope(&segment.step, &self.v);
+        let curvature = segment.curvature();
+        let straight = self.energy + ends[0] * (slope + ends[0] * curvature / 2.0);
+        let at_once = ends.len() >> self.caution;
+        if at_once > 0 {
+            self.go_back(state);
+            add_scaled(&mut state.pressure, ends[at_once - 1], &segment.step);
+            cut_off(&mut state.pressure, &segment.step);
+            state.clip(problem);
+            if state.energy() <= straight {
+                self.caution = self.caution.saturating_sub(1);
+                return;
+            }
+            self.caution += 2;
+        } else {
+            self.caution = self.caution.saturating_sub(1);
+        }
+        self.go_back(state);
+        state.advance(problem, ends[0], &segment.step, &segment.image);
+        cut_off(&mut state.pressure, &segment.step);
+    }
+
+    /// Back to where the face was entered.
+    fn go_back(&self, state: &mut State) {
+        state.go_back(&self.pressure, &self.v, self.penetration);
+    }
+}

@@ -1,0 +1,106 @@
+//! The semismooth Newton method: solve on a set, then exchange all elements that are on the wrong side.
+//!
+//! On the set `I` the linear system is solved by preconditioned conjugate gradients, whatever the signs of the pressures, until it is clear which elements are on
+//! the wrong side. Then those that pull leave the set, those that overlap enter it, and the pressures are made admissible again (Hintermüller, Ito and Kunisch
+//! 2003). It finds the set in few exchanges where the contact breaks up into rings and edges, and descending step by step does not; but nothing proves that it
+//! ends, so its caller watches it.
+//!
+//! **When it is clear.** Under a stiff coat `K` falls off so steeply with the wavenumber that the residual says nothing of the short waves of the pressure: solved to a
+//! tenth of it, a system exchanges what is noise. What is still missing from the pressure, by the preconditioner's account, does say it. So the elements on the wrong side
+//! are looked for one step ahead, and the system is solved until they are the same as a step before, but for a third of them; where they are a few, which flip to and
+//! fro, until nothing else is missing either.
+
+use crate::solver::gradient::context::Context;
+use crate::solver::gradient::steps::conjugate::ConjugateDirections;
+
+/// Part of the elements on the wrong side that may change from one step to the next when they are exchanged.
+const UNSETTLED: f64 = 0.3;
+/// Elements on the wrong side, as a part of the set, up to which they count as few.
+const FEW: f64 = 1e-3;
+/// What may be missing when few are exchanged, as a part of what was at first, in the metric of the preconditioner.
+const SETTLED: f64 = 0.01;
+/// Overlap that does not count, as a part of the tolerance.
+const SLACK: f64 = 0.5;
+/// Steps of one linear system after which its preconditioner is held to have failed.
+const MOST_STEPS: usize = 60;
+
+/// The memory of Newton's method.
+pub struct Newton {
+    conjugate: ConjugateDirections,
+    /// `r·z` at the first step on the present set; none before.
+    first: Option<f64>,
+    steps: usize,
+}
+
+/// What a step did.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Turn {
+    /// The linear system is not solved far enough, or the set stands still.
+    Inner,
+    /// Elements were exchanged.
+    Exchanged,
+    /// The linear system does not converge.
+    Failed,
+}
+
+impl Newton {
+    pub fn new(elements: usize) -> Self {
+        Self {
+            conjugate: ConjugateDirections::new(elements),
+            first: None,
+            steps: 0,
+        }
+    }
+
+    /// Begins anew.
+    pub fn restart(&mut self) {
+        (self.first, self.steps) = (None, 0);
+    }
+
+    /// One step of the present linear system, or the exchange where it is solved far enough for a `tolerance`: one product, or one where
+    /// elements pull.
+    pub fn step(&mut self, context: &mut Context<'_>, tolerance: f64) -> Turn {
+        if self.first.is_none() {
+            // Many elements change at once: an even answer cut to what is left would cost every sixth product more.
+            context.preconditioner.restart();
+            self.conjugate.restart();
+            context.set.look_away();
+            self.steps = 0;
+        }
+        let missing = self.conjugate.aim(context);
+        let first = *self.first.get_or_insert(missing);
+        let Context { state, set, .. } = context;
+        let ahead = set.look_ahead(state, self.conjugate.missing(), SLACK * tolerance);
+        let are_many = ahead.wrong as f64 > (FEW * set.len() as f64).max(2.0);
+        let are_clear = are_many && ahead.news as f64 <= UNSETTLED * ahead.wrong as f64;
+        if ahead.wrong > 0 && (are_clear || missing <= SETTLED * first) {
+            return self.exchange(context);
+        }
+        self.steps += 1;
+        let moved = self.conjugate.step_freely(context);
+        if moved && self.steps <= MOST_STEPS {
+            Turn::Inner
+        } else {
+            Turn::Failed
+        }
+    }
+
+    fn exchange(&mut self, context: &mut Context<'_>) -> Turn {
+        let Context {
+            problem,
+            state,
+            set,
+            ..
+        } = context;
+        set.exchange(state);
+        self.first = None;
+        let mut members = state.pressure.iter().zip(set.mask());
+        if members.any(|(p, member)| *p < 0.0 || (*p > 0.0 && !member)) {
+            set.clear_outside(&mut state.pressure);
+            // All that pressed may have been on the wrong side.
+            state.press_somewhere(set.mask());
+            state.clip(problem);
+        }
+        Turn::Exchanged
+    }
+}

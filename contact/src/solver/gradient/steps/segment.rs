@@ -1,0 +1,84 @@
+//! A step from one admissible pressure towards another, and how much of it to take.
+
+use crate::solver::gradient::state::State;
+use crate::{
+    DiscreteProblem,
+    vector::{add_scaled, dot, each, update, update_with},
+};
+
+/// A step `s` that keeps to the control, with `p + s ≥ 0`, and its image `y = (K + η) s`. Every part `t ∈ [0, 1]` of it
+/// leads to an admissible pressure, and the energy there is known without a product:
+/// `E(p + t s) = E(p) + t s·∂E + ½ t² s·y`.
+pub struct Segment {
+    pub step: Vec<f64>,
+    pub image: Vec<f64>,
+}
+
+/// How much of a step was taken.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Part {
+    Whole,
+    /// Up to the minimum of the energy on the segment.
+    Cut,
+}
+
+impl Segment {
+    pub fn new(elements: usize) -> Self {
+        Self {
+            step: vec![0.0; elements],
+            image: vec![0.0; elements],
+        }
+    }
+
+    /// `s = max(p + α d, 0)`, brought to the total that is to be kept, less `p`.
+    pub fn clip(&mut self, state: &State, alpha: f64, direction: &[f64]) {
+        update_with(&mut self.step, direction, &state.pressure, |s, d, p| {
+            *s = (p + alpha * d).max(0.0);
+        });
+        state.rescale(&mut self.step);
+        add_scaled(&mut self.step, -1.0, &state.pressure);
+    }
+
+    /// `s·∂E`: negative where the step starts downhill.
+    pub fn slope(&self, state: &State) -> f64 {
+        state.control.slope(&self.step, &state.v)
+    }
+
+    /// `s·y`.
+    pub fn curvature(&self) -> f64 {
+        dot(&self.step, &self.image)
+    }
+
+    /// Takes the step: all of it unless the energy would rise above `ceiling`, then up to its minimum on the segment. One
+    /// product.
+    pub fn take(&mut self, problem: &mut DiscreteProblem, state: &mut State, ceiling: f64) -> Part {
+        state.image_into(problem, &self.step, &mut self.image);
+        let (slope, curvature) = (self.slope(state), self.curvature());
+        let whole = state.energy() + slope + curvature / 2.0 <= ceiling;
+        // t = −s·∂E / (s·y)
+        let part = if whole {
+            1.0
+        } else {
+            (-slope / curvature).clamp(0.0, 1.0)
+        };
+        // A step of nothing has no curvature, and no part of it is worth taking.
+        let part = if part.is_finite() { part } else { 0.0 };
+        let growth = state.advance(problem, part, &self.step, &self.image);
+        if growth != 0.0 {
+            self.count_growth(state, part, growth);
+        }
+        each(&mut state.pressure, |p| *p = p.max(0.0));
+        if whole { Part::Whole } else { Part::Cut }
+    }
+
+    /// What has become of a part of the step and its image with the growth after it: `s ← t s + μ/(1 + μ) p`, `y ← t y + μ/(1 + μ) (v − g0)`.
+    fn count_growth(&mut self, state: &State, part: f64, growth: f64) {
+        let ratio = growth / (1.0 + growth);
+        update(&mut self.step, &state.pressure, |s, p| {
+            *s = part * *s + ratio * p;
+        });
+        update_with(&mut self.image, &state.v, &state.initial_gap, |y, v, g0| {
+            *y = part * *y + ratio * (v - g0);
+        });
+    }
+}

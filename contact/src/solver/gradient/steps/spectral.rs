@@ -1,0 +1,115 @@
+//! Spectral steps: one product each, for as long as the working set changes.
+//!
+//! `p' = max(p + α z, 0)` brought to the total that is kept, with `z = M⁻¹(λ − v)` the preconditioned residual and the step
+//! `α = s·y / (y·M⁻¹y)`, `s = Δp`, `y = Δv` of the step before (Barzilai and Borwein 1988, in the preconditioner's
+//! metric). `M⁻¹y` is not computed but taken from the two residuals: `M⁻¹Δv = M⁻¹1 Δλ − Δz`, as far as the set is the same.
+
+use crate::solver::gradient::steps::projection::project;
+use crate::solver::gradient::steps::segment::{Part, Segment};
+use crate::solver::gradient::{context::Context, preconditioner::residual_into};
+use crate::vector::dot;
+
+/// Bounds of the step `α`; 1 is the preconditioner's own idea. Steps seen in practice lie between 0.02 and 3.
+const STEP_BOUNDS: [f64; 2] = [0.02, 4.0];
+/// A step may end above the energy before it, but not above the largest of this many energies
+/// (Grippo, Lampariello and Lucidi 1986).
+const ENERGY_WINDOW: usize = 4;
+
+/// The spectral step's memory and buffers.
+pub struct SpectralSteps {
+    energies: Vec<f64>,
+    direction: Vec<f64>,
+    /// The direction of the step before and its `λ`; none after a step of another kind.
+    before: Option<f64>,
+    direction_before: Vec<f64>,
+}
+
+impl SpectralSteps {
+    pub fn new(elements: usize) -> Self {
+        Self {
+            energies: Vec::with_capacity(ENERGY_WINDOW),
+            direction: vec![0.0; elements],
+            before: None,
+            direction_before: vec![0.0; elements],
+        }
+    }
+
+    /// Forgets the steps and energies before.
+    pub fn restart(&mut self) {
+        self.forget_direction();
+        self.energies.clear();
+    }
+
+    /// Forgets the step before: one of another kind has been taken.
+    pub fn forget_direction(&mut self) {
+        self.before = None;
+    }
+
+    /// One step of the state along `segment`, which holds the step before; one product, two where it must fall back.
+    pub fn step(&mut self, context: &mut Context<'_>) -> Part {
+        self.remember_energy(context.state.energy());
+        std::mem::swap(&mut self.direction, &mut self.direction_before);
+        let level = context.direction_into(&mut self.direction);
+        let alpha = self.alpha(level, context.preconditioner.even(), context.segment);
+        self.before = Some(level);
+        context.segment.clip(context.state, alpha, &self.direction);
+        let downhill = context.segment.slope(context.state) < 0.0;
+        if !downhill {
+            self.project_plain_gradient(context);
+        }
+        let ceiling = self
+            .energies
+            .iter()
+            .copied()
+            .fold(f64::NEG_INFINITY, f64::max);
+        let part = context.take_segment(ceiling);
+        if downhill { part } else { Part::Cut }
+    }
+
+    fn remember_energy(&mut self, energy: f64) {
+        if self.energies.len() == ENERGY_WINDOW {
+            self.energies.remove(0);
+        }
+        self.energies.push(energy);
+    }
+
+    /// `s = Π(p + α r) − p` on the working set, which starts downhill for every `α > 0`; `α` minimises the energy along the plain
+    /// residual `r`: one product.
+    fn project_plain_gradient(&mut self, context: &mut Context<'_>) {
+        let Context {
+            problem,
+            state,
+            set,
+            segment: Segment { step, image },
+            ..
+        } = context;
+        residual_into(state, set, &mut self.direction);
+        state.image_into(problem, &self.direction, image);
+        let alpha = dot(&self.direction, &self.direction) / dot(&self.direction, image);
+        let alpha = if alpha.is_finite() { alpha } else { 0.0 };
+        let members = || set.mask().iter().enumerate().filter(|(_, member)| **member);
+        let ahead = members().map(|(e, _)| state.pressure[e] + alpha * self.direction[e]);
+        let mut ahead: Vec<f64> = ahead.collect();
+        project(state.control, &mut ahead);
+        step.fill(0.0);
+        for ((e, _), p) in members().zip(ahead) {
+            step[e] = p - state.pressure[e];
+        }
+    }
+
+    /// `α = s·y / (y·M⁻¹_I y)` within its bounds, from `λ` and `M⁻¹_I 1`; 1 at first.
+    fn alpha(&self, level: f64, even: &[f64], segment: &Segment) -> f64 {
+        let Some(before) = self.before else {
+            return 1.0;
+        };
+        let y = &segment.image;
+        let metric = (level - before) * dot(y, even) + dot(y, &self.direction_before)
+            - dot(y, &self.direction);
+        let alpha = segment.curvature() / metric;
+        if alpha > 0.0 && alpha.is_finite() {
+            alpha.clamp(STEP_BOUNDS[0], STEP_BOUNDS[1])
+        } else {
+            1.0
+        }
+    }
+}
