@@ -1,5 +1,7 @@
 //! `kernel`, `influence`, `check` and `init`: what they print.
 
+use std::fs;
+
 use serde_json::Value;
 
 use crate::runner::{CASE, Folder};
@@ -141,13 +143,48 @@ fn check_warns_of_what_the_solution_would_warn_of() {
 
 #[test]
 fn check_and_run_choose_the_same_domain_on_every_grid() {
-    let folder = Folder::with_case(CASE.replace("side = \"400 nm\"\n", ""));
+    // Rough enough for one grid to find more contact than another.
+    let heights = |i: usize| {
+        let height = |j: usize| {
+            let (x, y) = (i as f64, j as f64);
+            let waves = (0.9 * x + 0.4 * y).sin() + (0.5 * x - 1.3 * y).cos();
+            let chance = (1e4 * (12.9898 * x + 78.233 * y).sin()).rem_euclid(1.0);
+            format!("{:.3}", 40.0 * (waves + chance) / 3.0)
+        };
+        (0..48).map(height).collect::<Vec<_>>().join(",") + "\n"
+    };
+    let rough = Folder::with_case(ROUGH);
+    let map: String = (0..48).map(heights).collect();
+    fs::write(rough.path("map.csv"), map).unwrap();
+    assert_one_domain(&rough);
+    assert_one_domain(&Folder::with_case(CASE.replace("side = \"400 nm\"\n", "")));
+}
+
+/// A ball on a rough body.
+const ROUGH: &str = r#"
+[foundation]
+substrate = { young_modulus = "70 GPa", poisson_ratio = 0.2 }
+[surface]
+kind = "map"
+file = "map.csv"
+side = "30 um"
+height_unit = "3 nm"
+compliance = 0
+[indenter]
+kind = "sphere"
+radius = "100 um"
+[load]
+force = "0.1 mN"
+"#;
+
+#[track_caller]
+fn assert_one_domain(folder: &Folder) {
     let side = |text: &str| {
         let line = text.lines().find(|line| line.starts_with("side = "));
         line.map(|line| line["side = ".len()..].parse::<f64>().unwrap())
     };
     let mut sides = Vec::new();
-    for elements in ["grid.elements=32", "grid.elements=100"] {
+    for elements in ["grid.elements=32", "grid.elements=101"] {
         let checked = folder.run(&["check", "case.toml", "--set", elements]);
         sides.extend(side(&checked.stdout));
         let ran = folder.run(&["run", "case.toml", "--json", "--quiet", "--set", elements]);

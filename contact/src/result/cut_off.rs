@@ -138,7 +138,7 @@ impl<'a> Surroundings<'a> {
             if frame.overlaps(self.model, side, &self.grid, solution) {
                 return true;
             }
-            if frame.is_the_last(solution.penetration) {
+            if frame.is_the_last(self.model, solution.penetration) {
                 break;
             }
         }
@@ -153,7 +153,7 @@ impl<'a> Surroundings<'a> {
 
 impl Frame {
     fn of(model: &Model, side: f64) -> Self {
-        let rises = !matches!(model.indenter, Indenter::Map(_));
+        let rises = !matches!(model.indenter, Indenter::Map(_) | Indenter::Custom(_));
         Self {
             outlook: rises.then(|| Outlook::of(model, side)),
             blocks: None,
@@ -176,10 +176,13 @@ impl Frame {
     }
 
     /// Whether beyond this the indenter is higher than the penetration: every shape rises from its axis but a map, which ends somewhere.
-    fn is_the_last(&self, penetration: f64) -> bool {
+    fn is_the_last(&self, model: &Model, penetration: f64) -> bool {
         match (&self.outlook, &self.blocks) {
             (Some(outlook), _) => outlook.lowest >= penetration,
-            (None, Some(blocks)) => blocks.lowest.is_infinite(),
+            (None, Some(blocks)) if matches!(model.indenter, Indenter::Map(_)) => {
+                blocks.lowest.is_infinite()
+            }
+            (None, Some(blocks)) => blocks.lowest >= penetration,
             (None, None) => false,
         }
     }

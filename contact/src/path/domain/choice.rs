@@ -171,7 +171,9 @@ fn is_seen_by(model: &Model, grid: &Grid) -> bool {
         Relief::Cylinders(cylinders) => cylinders.radius() >= grid.element_side(),
         Relief::Map(_) => false,
     };
-    is_relief_seen && !matches!(model.indenter, Indenter::Map(_)) && cut_off::can_touch(model, grid)
+    is_relief_seen
+        && !matches!(model.indenter, Indenter::Map(_) | Indenter::Custom(_))
+        && cut_off::can_touch(model, grid)
 }
 
 /// Whether a square fits even if a grid of it errs by half an element.
@@ -195,11 +197,8 @@ fn solve(model: &Model, grid: Grid, load: Load, tolerance: f64) -> Result<Step, 
         contact_stiffness: false,
         ..SolverOptions::default()
     };
-    Hierarchy::new(model, grid.side(), grid.size(), 1, &options).solve(
-        load,
-        options,
-        &mut Watch::alone(&mut ()),
-    )
+    let mut grids = Hierarchy::new(model, grid.side(), grid.size(), 1, &options);
+    grids.solve(load, options, &mut Watch::alone(&mut ()))
 }
 
 /// Whether the indenter is lower than the penetration at one of the elements around its axis, so that a grid without contact has none to miss; or nothing is
