@@ -1,9 +1,9 @@
-//! Limits in which a coating, or what is below it, is not felt; and how it comes to be felt.
+//! Limits beyond the rows of `pellicle validate`: how a coating comes to be felt, and the area on springs alone.
 
-use pellicle_contact::Load;
+use pellicle_contact::{Load, reference};
 use pellicle_kernel::{Foundation, Material};
 use pellicle_tests::scene::{coated, material, model, paraboloid, relative, solve};
-use pellicle_texture::Relief;
+use pellicle_texture::{Film, Relief};
 
 /// Penetration and pressures of a paraboloid on a body, on 64 elements per side.
 fn pressed(foundation: &Foundation) -> (f64, Vec<f64>) {
@@ -53,4 +53,16 @@ fn a_thick_coating_hides_its_substrate_in_proportion_to_its_thickness() {
     // First order in a/H.
     assert!((more / less - 10.0).abs() < 0.5, "{more} {less}");
     assert!(less < 1e-2, "{less}");
+}
+
+#[test]
+fn the_contact_area_on_springs_alone_is_winklers() {
+    // Film compliance 0.01; the body gives way by less than 1e-9 of that.
+    let foundation = Foundation::half_space(material(1e9, 0.3));
+    let film = Relief::Film(Film::new(0.01, 1.0).expect("a film"));
+    let winkler = reference::winkler::from_penetration(1.0, 0.01, 0.005);
+    let load = Load::Penetration(winkler.penetration);
+    let path = solve(&model(&foundation, film, paraboloid(1.0)), 0.25, 256, load);
+    let found = path.steps[0].summary.contact_area;
+    assert!(relative(found, winkler.contact_area) < 1e-2, "{found}");
 }
