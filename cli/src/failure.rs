@@ -53,6 +53,12 @@ pub enum Failure {
         /// What is there.
         path: PathBuf,
     },
+    /// Beside the summary of a run is a file under one of its names that it has not written.
+    #[error("{} is not of the run whose summary is beside it: move it away, or give another --out", path.display())]
+    NotWritten {
+        /// The file.
+        path: PathBuf,
+    },
     /// Of several results only the curve can be drawn.
     #[error(
         "of several results the curves are drawn in one picture: --step, --section, --range and --colour-map are for a single one"

@@ -5,7 +5,7 @@
 
 use pellicle_contact::{
     ContactError, Domain, Load, LoadingPath, Method, Model, SolverOptions, Step, Warning,
-    choose_side, default_side, domain_much_larger, loads_at_once, model_warnings, solve_path,
+    default_side, domain_much_larger, loads_at_once, model_warnings, solve_path,
 };
 use pellicle_texture::Grid;
 
@@ -42,6 +42,9 @@ const BYTES_PER_ELEMENT_AND_STEP: f64 = 8.0;
 /// *Measured* as above: 67 to 87 for one step on a quadrant, 108 on the whole grid; 113 to 132 and 167 to 229 for two at a time and a third kept.
 const BYTES_PER_ELEMENT_WRITTEN: [[f64; 2]; 2] = [[88.0, 42.0], [110.0, 100.0]];
 
+/// Memory of a sample of a map, in bytes: in the case, in the model and beside the solution.
+const BYTES_PER_SAMPLE: f64 = 24.0;
+
 /// Fewer elements per side than this need so little that nobody asks how large the contact is.
 const LEAST_TRIED: usize = 512;
 
@@ -55,11 +58,10 @@ pub struct Need {
 }
 
 impl Need {
-    /// What a case needs whose results are written by so many threads, none if they are not. How large the contact is a trial tells.
+    /// What a case needs on a domain if its results are written by so many threads, none if they are not. How large the contact is a trial tells.
     #[must_use]
-    pub fn new(case: &Case, model: &Model, writers: usize) -> Self {
+    pub fn new(case: &Case, model: &Model, domain: Domain, writers: usize) -> Self {
         let elements = case.grid.elements;
-        let domain = case.grid.domain();
         let trial = (elements > LEAST_TRIED).then(|| solve(case, model, domain, TRIAL));
         let share = trial
             .and_then(Result::ok)
@@ -90,6 +92,10 @@ impl Need {
         };
         let kept = BYTES_PER_ELEMENT_AND_STEP * steps.saturating_sub(1) as f64;
         let area = (elements as f64).powi(2);
+        let maps = [case.surface.map(), case.indenter.map()]
+            .into_iter()
+            .flatten();
+        let samples: usize = maps.map(|map| map.samples().len()).sum();
         // The dense matrix and its factors.
         let dense = if is_gradient {
             0.0
@@ -97,7 +103,10 @@ impl Need {
             16.0 * area.powi(2)
         };
         Self {
-            bytes: (BYTES + (solved.max(written) + kept) * area + dense) as u64,
+            bytes: (BYTES
+                + BYTES_PER_SAMPLE * samples as f64
+                + (solved.max(written) + kept) * area
+                + dense) as u64,
             elements,
         }
     }
@@ -145,11 +154,7 @@ impl Forecast {
     pub fn new(case: &Case, model: &Model) -> Self {
         let trial = case.grid.elements.min(TRIAL);
         let loads = case.load.steps();
-        let chosen = case
-            .grid
-            .side
-            .map_or_else(|| choose_side(model, &loads), Ok);
-        let (side, path) = match chosen {
+        let (side, path) = match case.side(model) {
             Ok(side) => (side, solve(case, model, Domain::Side(side), trial)),
             Err(error) => (default_side(model, &loads), Err(error)),
         };
@@ -322,7 +327,8 @@ mod tests {
         {
             let case = hertz(elements);
             let model = case.model(&Cache::in_memory()).unwrap().value;
-            let forecast = Need::new(&case, &model, writers).bytes as f64;
+            let domain = case.domain(&model).unwrap();
+            let forecast = Need::new(&case, &model, domain, writers).bytes as f64;
             let ratio = forecast / measured;
             assert!((1.0..1.4).contains(&ratio), "{elements}: {ratio}");
         }
@@ -332,10 +338,11 @@ mod tests {
     fn what_is_said_to_fit_fits() {
         let case = hertz(4096);
         let model = case.model(&Cache::in_memory()).unwrap().value;
-        let need = Need::new(&case, &model, 1);
+        let domain = case.domain(&model).unwrap();
+        let need = Need::new(&case, &model, domain, 1);
         let available = 300_000_000;
         let fitting = need.fitting(available);
-        let fits = Need::new(&hertz(fitting), &model, 1);
+        let fits = Need::new(&hertz(fitting), &model, domain, 1);
         assert!(fits.bytes <= available && fits.bytes > available / 2);
         assert!(need.hint(available).contains(&fitting.to_string()));
         assert_eq!(need.hint(0), "more memory");

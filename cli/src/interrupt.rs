@@ -22,7 +22,7 @@ pub const EXIT_CODE: u8 = 130;
 const PATIENCE: Duration = Duration::from_millis(900);
 
 /// How long results go on being written: the rest of the second is for the numbers, which come last.
-pub const GRACE: Duration = Duration::from_millis(400);
+pub const GRACE: Duration = Duration::from_millis(100);
 
 static REQUESTED: AtomicBool = AtomicBool::new(false);
 static OVERDUE: AtomicBool = AtomicBool::new(false);

@@ -7,7 +7,7 @@
 use std::fs;
 use std::path::Path;
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use crate::failure::Failure;
 use crate::forecast::Need;
@@ -15,6 +15,11 @@ use crate::interrupt;
 
 /// How often a case that waits for memory looks whether the user wants to stop.
 const PAUSE: Duration = Duration::from_millis(100);
+
+/// How long it is taken for known how much there is, by a case that needs a small part of it.
+const KNOWN: Duration = Duration::from_millis(100);
+/// A small part.
+const SMALL_PART: u64 = 8;
 
 /// Addresses without memory, bytes, that the C library sets aside for one more thread.
 const ADDRESSES: u64 = 64 << 20;
@@ -104,8 +109,20 @@ pub struct Memory {
 #[derive(Debug, Default)]
 struct Taken {
     bytes: u64,
-    /// What there was when nothing was taken.
-    of: Option<u64>,
+    /// What there was when nothing was taken, and when that was.
+    of: Option<(Option<u64>, Instant)>,
+}
+
+impl Taken {
+    /// Everything, if nobody knows.
+    fn available(&self) -> u64 {
+        self.of.and_then(|(bytes, _)| bytes).unwrap_or(u64::MAX)
+    }
+
+    fn is_known_for(&self, need: Need) -> bool {
+        let is_recent = |(_, at): (_, Instant)| at.elapsed() < KNOWN;
+        self.of.is_some_and(is_recent) && need.bytes <= self.available() / SMALL_PART
+    }
 }
 
 impl Default for Memory {
@@ -131,10 +148,10 @@ impl Memory {
     pub fn take(&self, need: Need) -> Result<Option<Share<'_>>, Failure> {
         let mut taken = self.lock();
         loop {
-            if taken.bytes == 0 {
-                taken.of = (self.known)();
+            if taken.bytes == 0 && !taken.is_known_for(need) {
+                taken.of = Some(((self.known)(), Instant::now()));
             }
-            let available = taken.of.unwrap_or(u64::MAX);
+            let available = taken.available();
             if need.bytes > available {
                 return Err(Failure::Memory { need, available });
             }

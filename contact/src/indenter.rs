@@ -11,6 +11,7 @@
 //! | [`FlatPunch`] | 0 up to its radius |
 //! | [`Pyramid`] | n equal faces, tip and ridges rounded with one radius |
 //! | [`IndenterMap`] | measured samples and the smooth surface through them |
+//! | [`Indenter::custom`] | any [`Profile`] of your own |
 //!
 //! ```
 //! use pellicle_contact::{Indenter, Profile, Pyramid};
@@ -24,7 +25,6 @@
 //! # Ok::<(), pellicle_contact::IndenterError>(())
 //! ```
 
-mod any;
 mod cone;
 mod error;
 mod flat_punch;
@@ -34,7 +34,6 @@ mod profile;
 mod pyramid;
 mod sphere;
 
-pub use any::Indenter;
 pub use cone::Cone;
 pub use error::{IndenterError, IndenterQuantity};
 pub use flat_punch::FlatPunch;
@@ -43,3 +42,162 @@ pub use paraboloid::Paraboloid;
 pub use profile::Profile;
 pub use pyramid::Pyramid;
 pub use sphere::Sphere;
+
+use std::sync::Arc;
+
+/// A rigid indenter of any of the known shapes.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Indenter {
+    /// `ρ²/(2R)`.
+    Paraboloid(Paraboloid),
+    /// A sphere up to its equator.
+    Sphere(Sphere),
+    /// A cone, sharp or with a spherical tip.
+    Cone(Cone),
+    /// The flat end of a circular cylinder.
+    FlatPunch(FlatPunch),
+    /// A regular pyramid, sharp or rounded.
+    Pyramid(Pyramid),
+    /// A measured surface.
+    Map(IndenterMap),
+    /// A shape of a user's own.
+    Custom(CustomProfile),
+}
+
+/// A shape that the crate does not know, shared by all copies of an indenter; it equals its copies alone.
+#[derive(Clone, Debug)]
+pub struct CustomProfile(Arc<dyn Profile>);
+
+impl PartialEq for CustomProfile {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+}
+
+impl Indenter {
+    /// An indenter of any shape.
+    ///
+    /// ```
+    /// use pellicle_contact::{Indenter, Profile};
+    ///
+    /// /// `f = (ρ/R)⁴ R`, flatter at its tip than a paraboloid.
+    /// #[derive(Debug)]
+    /// struct Quartic {
+    ///     radius: f64,
+    /// }
+    ///
+    /// impl Profile for Quartic {
+    ///     fn height(&self, x: f64, y: f64) -> f64 {
+    ///         (x * x + y * y).powi(2) / self.radius.powi(3)
+    ///     }
+    ///
+    ///     fn is_mirrored(&self) -> bool {
+    ///         true
+    ///     }
+    /// }
+    ///
+    /// let indenter = Indenter::custom(Quartic { radius: 2.0 });
+    /// assert_eq!(indenter.height(1.0, 1.0), 0.5); // 2² / 2³
+    /// ```
+    #[must_use]
+    pub fn custom(shape: impl Profile + 'static) -> Self {
+        Self::Custom(CustomProfile(Arc::new(shape)))
+    }
+
+    /// The shape behind the name.
+    fn shape(&self) -> &dyn Profile {
+        match self {
+            Self::Paraboloid(shape) => shape,
+            Self::Sphere(shape) => shape,
+            Self::Cone(shape) => shape,
+            Self::FlatPunch(shape) => shape,
+            Self::Pyramid(shape) => shape,
+            Self::Map(shape) => shape,
+            Self::Custom(shape) => &*shape.0,
+        }
+    }
+
+    /// Whether the shape is its own mirror image in both axes; false of every map, and of pyramids with an odd number of faces.
+    #[must_use]
+    pub fn is_mirrored(&self) -> bool {
+        match self {
+            Self::Paraboloid(_) | Self::Sphere(_) | Self::Cone(_) | Self::FlatPunch(_) => true,
+            Self::Pyramid(pyramid) => pyramid.faces().is_multiple_of(2),
+            Self::Map(_) => false,
+            Self::Custom(shape) => shape.0.is_mirrored(),
+        }
+    }
+
+    /// Height f(x, y), m; see [`Profile::height`].
+    #[must_use]
+    pub fn height(&self, x: f64, y: f64) -> f64 {
+        self.shape().height(x, y)
+    }
+
+    /// Average height over a circle, m; see [`Profile::mean_profile`].
+    #[must_use]
+    pub fn mean_profile(&self, radius: f64) -> f64 {
+        self.shape().mean_profile(radius)
+    }
+}
+
+impl Profile for Indenter {
+    fn height(&self, x: f64, y: f64) -> f64 {
+        self.shape().height(x, y)
+    }
+
+    fn mean_profile(&self, radius: f64) -> f64 {
+        self.shape().mean_profile(radius)
+    }
+
+    fn is_mirrored(&self) -> bool {
+        self.is_mirrored()
+    }
+
+    fn distance_to_rim(&self, x: f64, y: f64) -> f64 {
+        self.shape().distance_to_rim(x, y)
+    }
+
+    fn distance_to_edge(&self, x: f64, y: f64, scale: f64) -> f64 {
+        self.shape().distance_to_edge(x, y, scale)
+    }
+}
+
+impl From<Paraboloid> for Indenter {
+    fn from(shape: Paraboloid) -> Self {
+        Self::Paraboloid(shape)
+    }
+}
+
+impl From<Sphere> for Indenter {
+    fn from(shape: Sphere) -> Self {
+        Self::Sphere(shape)
+    }
+}
+
+impl From<Cone> for Indenter {
+    fn from(shape: Cone) -> Self {
+        Self::Cone(shape)
+    }
+}
+
+impl From<FlatPunch> for Indenter {
+    fn from(shape: FlatPunch) -> Self {
+        Self::FlatPunch(shape)
+    }
+}
+
+impl From<Pyramid> for Indenter {
+    fn from(shape: Pyramid) -> Self {
+        Self::Pyramid(shape)
+    }
+}
+
+impl From<IndenterMap> for Indenter {
+    fn from(shape: IndenterMap) -> Self {
+        Self::Map(shape)
+    }
+}
+
+#[cfg(test)]
+mod tests;

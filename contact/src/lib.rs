@@ -21,8 +21,8 @@ mod vector;
 
 pub use error::ContactError;
 pub use indenter::{
-    Cone, FlatPunch, Indenter, IndenterError, IndenterMap, IndenterQuantity, Paraboloid, Profile,
-    Pyramid, Sphere,
+    Cone, CustomProfile, FlatPunch, Indenter, IndenterError, IndenterMap, IndenterQuantity,
+    Paraboloid, Profile, Pyramid, Sphere,
 };
 pub use path::{
     LoadingPath,

@@ -81,7 +81,7 @@ impl LoadingPath {
         let size = self.grid.size();
         let presses = |[i, j]: [usize; 2]| pressure[i * size + j] > 0.0;
         let window = Window::whole(size).around(presses);
-        let mut operator = elasticity.spread(size, window.origin(), window.size());
+        let mut operator = elasticity.under_window(size, window.origin(), window.size());
         let mut displacement = vec![0.0; pressure.len()];
         operator.apply_into(&window.cut(pressure), &mut displacement);
         Some(DeformedSurface::new(
@@ -129,6 +129,7 @@ fn solve_on_domains(
 ) -> Result<LoadingPath, ContactError> {
     let (mut side, mut enlargements) = match domain {
         Domain::Side(side) => (side, 0),
+        Domain::Chosen(side) => (side, ENLARGEMENTS),
         Domain::Automatic => (choose_side(model, loads)?, ENLARGEMENTS),
     };
     loop {

@@ -24,7 +24,7 @@ const SIZE: usize = 16;
 const SIDE: f64 = 1.0 / SIZE as f64;
 const ELEMENTS: usize = SIZE * SIZE;
 
-/// The paper's procedure under a prescribed force, by the public interface alone.
+/// The paper's procedure, by the public interface alone.
 struct DropOnly;
 
 impl Solver for DropOnly {
@@ -35,17 +35,14 @@ impl Solver for DropOnly {
         _: &[f64],
         watch: &mut Watch<'_>,
     ) -> Result<Iterate, ContactError> {
-        let Load::Force(force) = load else {
-            panic!("a force")
-        };
-        let total = force / problem.element_area();
+        let area = problem.element_area();
         let matrix = matrix(problem);
         let gap = DVector::from_column_slice(problem.initial_gap());
         let mut members: Vec<usize> = (0..ELEMENTS).collect();
         let (mut dropped, mut iteration) = (ELEMENTS, 0);
         loop {
             watch.tell(SIZE, iteration, f64::INFINITY, [members.len(), dropped])?;
-            // (K + η) a = 1, (K + η) b = g0 on the members; p = D a − b with D = (Σ p + Σ b)/Σ a
+            // (K + η) a = 1, (K + η) b = g0 on the members; p = D a − b, under a force with D = (Σ p + Σ b)/Σ a
             let factor = matrix
                 .select_rows(&members)
                 .select_columns(&members)
@@ -53,7 +50,11 @@ impl Solver for DropOnly {
                 .unwrap();
             let a = factor.solve(&DVector::repeat(members.len(), 1.0));
             let b = factor.solve(&gap.select_rows(&members));
-            let pressure = &a * ((total + b.sum()) / a.sum()) - &b;
+            let penetration = match load {
+                Load::Force(force) => (force / area + b.sum()) / a.sum(),
+                Load::Penetration(penetration) => penetration,
+            };
+            let pressure = &a * penetration - &b;
             let pulls: Vec<bool> = pressure.iter().map(|p| *p < 0.0).collect();
             dropped = pulls.iter().filter(|pulls| **pulls).count();
             if dropped == 0 {

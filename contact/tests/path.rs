@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use pellicle_contact::{
     ContactError, Domain, Indenter, Load, LoadingPath, Method, Model, Observer, Paraboloid,
-    Progress, Signal, SolverOptions, Status, default_side, solve_path,
+    Profile, Progress, Signal, SolverOptions, Status, default_side, solve_path,
 };
 use pellicle_influence::{Cache, RadialTables};
 use pellicle_kernel::{Foundation, Material};
@@ -224,6 +224,42 @@ fn the_observer_sees_every_level_and_step() {
         grids
     };
     assert_eq!([of_step(0), of_step(1)], [[16, 32, 64], [16, 32, 64]]);
+}
+
+/// `f = ρ⁴/4` on both sides of the axes, by a user's own hand.
+#[derive(Debug)]
+struct Quartic;
+
+impl Profile for Quartic {
+    fn height(&self, x: f64, y: f64) -> f64 {
+        0.25 * (x * x + y * y).powi(2)
+    }
+
+    fn is_mirrored(&self) -> bool {
+        true
+    }
+}
+
+#[test]
+fn an_own_shape_is_solved_on_an_automatic_domain_as_its_closed_form_says() {
+    let model = Model {
+        indenter: Indenter::custom(Quartic),
+        ..model(Relief::Bare)
+    };
+    // f = B ρ⁴ on a body of E* = 1: D = 8/3 B a⁴, Q = 2 · 4/5 a D (Galin 1946; Sneddon 1965)
+    let (a, b) = (0.3_f64, 0.25);
+    let force = 64.0 / 15.0 * b * a.powi(5);
+    let path = solve(&model, Domain::Automatic, 128, &[Load::Force(force)]);
+    let step = &path.steps[0];
+    assert_eq!(step.status(), Status::Certified);
+    let penetration = 8.0 / 3.0 * b * a.powi(4);
+    let error = (step.solution.penetration - penetration).abs();
+    assert!(
+        error <= step.grid_error.penetration.unwrap().estimate,
+        "{error:e}"
+    );
+    assert!(model.is_mirrored() && model.indenter == model.indenter.clone());
+    assert!(model.indenter != Indenter::custom(Quartic));
 }
 
 #[test]

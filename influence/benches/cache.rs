@@ -1,4 +1,5 @@
-//! Coefficients read from disk beside the same coefficients computed: where the border lies below which reading does not pay.
+//! Coefficients read from disk beside the same coefficients computed: where the border lies below which reading
+//! does not pay.
 
 use std::hint::black_box;
 

@@ -1,4 +1,5 @@
-//! `K p` beside its floor: the bare zero-padded pair of transforms, 2N × 2N real to complex and back, with the same library.
+//! `K p` beside its floor: the bare zero-padded pair of transforms, 2N × 2N real to complex and back, with the same
+//! library.
 
 use std::hint::black_box;
 use std::sync::Arc;
@@ -59,7 +60,8 @@ fn products<O: ElasticOperator>(
     group.finish();
 }
 
-/// Rows real to complex, transpose, columns there and back, transpose, rows back: everything at full length, one thread.
+/// Rows real to complex, transpose, columns there and back, transpose, rows back: everything at full length, one
+/// thread.
 fn bare_pair(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("bare padded pair");
     group.sample_size(10);

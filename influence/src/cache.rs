@@ -1,34 +1,42 @@
-//! Radial tables and coefficients kept: in memory for the run, on disk for the next.
+//! Radial tables and coefficients, kept in memory for the run and on disk for the next.
 //!
-//! What determines the data, bit by bit, is hashed (BLAKE3) to the name of a file: the foundation, the side of an element, the size of
-//! the grid, the version of the format and that of the algorithm. A file is written under a temporary name and renamed, and has a
-//! checksum, so any number of threads and processes may use one folder at once, and what is damaged, cut off or not the cache's own is
-//! computed again. Nothing about the cache is ever an error: at worst there is none.
+//! The name of a file is a hash (BLAKE3) of all that determines the data: every bit of the foundation and of the
+//! side of an element, the size of the grid, and the version of the algorithm. A file is written under a temporary
+//! name and renamed, and has a checksum. So any number of threads and processes may use one folder at once, and a
+//! file that is damaged, cut off or foreign is computed again. The cache never causes an error: at worst nothing is
+//! cached.
 
-pub(crate) mod encoding;
-mod file;
-mod folder;
-mod key;
+mod disk;
 mod memory;
-mod origin;
-mod recipe;
-mod warning;
+mod report;
 
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
+use blake3::Hash;
 use pellicle_kernel::Foundation;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
 
-use self::encoding::Decoder;
-use self::folder::Folder;
-use self::key::Key;
+use self::disk::Disk;
 use self::memory::Memory;
-use self::recipe::{CoefficientsOf, Recipe, TablesOf};
+use crate::radial::{RadialFunctions, accurate_functions};
 use crate::{CoefficientTable, InfluenceError, RadialTables};
 
-pub use folder::Usage;
-pub use origin::{Cached, Origin};
-pub use warning::{CacheWarning, FileFault};
+pub use report::{CacheWarning, Cached, Origin, Usage};
+
+/// Version of the numbers and of the structs that are kept. To be raised whenever either changes: when a
+/// coefficient or a number of the radial tables may change by a single bit, because this crate's or the kernel's
+/// arithmetic, tolerances or panels do, or when a struct gets another field. The test
+/// `the_algorithm_has_the_version_of_its_numbers` in this crate's `tests/cache/contents.rs` notices most of it.
+const VERSION: u32 = 4;
+
+/// Bytes in memory of each kind of data: the coefficients of grids of up to 8000² elements together, next to which
+/// a solver needs a hundred times as much.
+const LIMIT: usize = 1 << 28;
+
+/// Bytes that radial tables may take: twenty times the largest seen.
+const LARGEST_TABLES: usize = 1 << 21;
 
 /// Keeps [`RadialTables`] and [`CoefficientTable`]s; clones share what they keep.
 ///
@@ -49,44 +57,31 @@ pub struct Cache(Arc<Parts>);
 
 #[derive(Debug)]
 struct Parts {
-    memory: Option<Memory>,
-    folder: Option<Folder>,
+    functions: Memory<RadialFunctions>,
+    coefficients: Memory<CoefficientTable>,
+    disk: Option<Disk>,
     smallest: usize,
     warnings: Mutex<Vec<CacheWarning>>,
 }
 
 impl Cache {
-    /// Smallest number of elements a side, N, for which a table of coefficients is kept on disk.
+    /// Smallest number of elements a side, N, from which tables of coefficients are kept on disk.
     ///
-    /// *Measured* with `cargo bench -p pellicle-influence --bench cache`: µs to have the table, the fastest of 20 samples, one thread, a
-    /// 2-core machine with other work on it, files in the system's page cache.
-    ///
-    /// | N | computed, coated body | computed, homogeneous body | read |
-    /// |---|---|---|---|
-    /// | 4 | 43 | 2.9 | 7.3 |
-    /// | 8 | 70 | 8.6 | 7.7 |
-    /// | 16 | 89 | 20 | 8.9 |
-    /// | 32 | 147 | 50 | 13 |
-    /// | 128 | 1,130 | 160 | 39 |
-    /// | 512 | 14,000 | 1,600 | 420 |
-    /// | 1024 | 67,000 | 5,600 | 1,900 |
-    /// | 2048 | 270,000 | 30,000 | 9,000 |
-    ///
-    /// So the border of a homogeneous body lies at N = 8. A coated body has none, but below N = 16 its tables take no longer than creating a
-    /// file does, 40 to 150 µs. Radial tables take 11,000 µs to build and 68 µs to read; those of a homogeneous body are empty and never
-    /// written.
+    /// Measured with `cargo bench -p pellicle-influence --bench cache`: a homogeneous body's table is computed
+    /// faster than it is read below N = 8. A coated body's never is, but below N = 16 it takes no longer than
+    /// creating a file does, 40 to 150 µs.
     pub const SMALLEST_STORED: usize = 16;
 
     /// Keeps nothing.
     #[must_use]
     pub fn none() -> Self {
-        Self::new(None, None, Self::SMALLEST_STORED)
+        Self::new(0, None, Self::SMALLEST_STORED)
     }
 
-    /// Keeps up to 256 MB in memory for as long as it or a clone lives; what was not used for longest goes first.
+    /// Keeps up to 256 MB in memory for as long as it or a clone lives; the data not used for longest go first.
     #[must_use]
     pub fn in_memory() -> Self {
-        Self::new(Some(Memory::default()), None, Self::SMALLEST_STORED)
+        Self::new(LIMIT, None, Self::SMALLEST_STORED)
     }
 
     /// Keeps in memory and in this folder, which is created when there is something to write.
@@ -97,17 +92,18 @@ impl Cache {
         Self::storing_from(Self::SMALLEST_STORED, folder)
     }
 
-    /// As [`Self::at`], with another border than [`Self::SMALLEST_STORED`]: to find out where it lies on other machines.
+    /// As [`Self::at`], with another border than [`Self::SMALLEST_STORED`]: to find out where it lies on other
+    /// machines.
     #[must_use]
     pub fn storing_from(smallest: usize, folder: impl Into<PathBuf>) -> Self {
-        let folder = Folder::new(folder.into());
-        Self::new(Some(Memory::default()), Some(folder), smallest)
+        Self::new(LIMIT, Some(Disk::new(folder.into())), smallest)
     }
 
-    fn new(memory: Option<Memory>, folder: Option<Folder>, smallest: usize) -> Self {
+    fn new(limit: usize, disk: Option<Disk>, smallest: usize) -> Self {
         Self(Arc::new(Parts {
-            memory,
-            folder,
+            functions: Memory::new(limit),
+            coefficients: Memory::new(limit),
+            disk,
             smallest,
             warnings: Mutex::default(),
         }))
@@ -122,7 +118,20 @@ impl Cache {
         &self,
         foundation: &Foundation,
     ) -> Result<Cached<Arc<RadialTables>>, InfluenceError> {
-        self.get(&TablesOf(foundation))
+        let tables = |functions| Arc::new(RadialTables::new(foundation, functions));
+        if !RadialTables::has_functions(foundation) {
+            let (value, origin) = (tables(None), Origin::Immediate);
+            return Ok(Cached { value, origin });
+        }
+        let wanted = Wanted {
+            key: key("radial tables", foundation),
+            bytes: LARGEST_TABLES,
+            is_immediate: false,
+        };
+        let functions = self.get(&self.0.functions, &wanted, || {
+            accurate_functions(foundation)
+        })?;
+        Ok(functions.map(|functions| tables(Some(functions))))
     }
 
     /// The coefficients of the `size` × `size` elements of side `element_side` (m) of one grid.
@@ -136,124 +145,161 @@ impl Cache {
         element_side: f64,
         size: usize,
     ) -> Result<Cached<Arc<CoefficientTable>>, InfluenceError> {
-        let recipe = CoefficientsOf::new(tables, element_side, size)?;
+        let bytes = CoefficientTable::bytes(element_side, size)?;
+        let compute = || CoefficientTable::assemble(tables, element_side, size);
         if tables.is_perturbed() {
-            let value = Arc::new(recipe.compute()?);
-            let origin = Origin::Computed;
+            let (value, origin) = (Arc::new(compute()?), Origin::Computed);
             return Ok(Cached { value, origin });
         }
-        self.get(&recipe)
+        let grid = format!("coefficients, {size} elements of {element_side:?}");
+        let wanted = Wanted {
+            key: key(&grid, tables.foundation()),
+            bytes,
+            is_immediate: size < self.0.smallest,
+        };
+        self.get(&self.0.coefficients, &wanted, compute)
     }
 
     /// The folder on disk, if there is to be one.
     #[must_use]
     pub fn folder(&self) -> Option<&Path> {
-        self.0.folder.as_ref().map(Folder::path)
+        self.0.disk.as_ref().map(Disk::path)
     }
 
-    /// What has gone wrong on disk since this was last asked, in order.
+    /// The warnings since this was last asked, in order.
     #[must_use]
     pub fn take_warnings(&self) -> Vec<CacheWarning> {
-        std::mem::take(
-            &mut *self
-                .0
-                .warnings
-                .lock()
-                .unwrap_or_else(PoisonError::into_inner),
-        )
+        std::mem::take(&mut self.warnings())
     }
 
     /// Files and bytes on disk.
     ///
     /// # Errors
     ///
-    /// What the system says if the folder cannot be listed; a folder that is not there yet is empty.
+    /// The system's if the folder cannot be listed; a folder that is not there yet is empty.
     pub fn usage(&self) -> std::io::Result<Usage> {
-        self.0
-            .folder
-            .as_ref()
-            .map_or(Ok(Usage::default()), Folder::usage)
+        let disk = self.0.disk.as_ref();
+        disk.map_or(Ok(Usage::default()), Disk::usage)
     }
 
-    /// Removes the cache's own files from the folder, and nothing else; says what was removed. What is in memory stays.
+    /// Removes the cache's own files from the folder, and nothing else, and tells how much that was. Memory stays
+    /// as it is.
     ///
     /// # Errors
     ///
-    /// What the system says if a file cannot be removed.
+    /// The system's if a file cannot be removed.
     pub fn clear(&self) -> std::io::Result<Usage> {
-        self.0
-            .folder
-            .as_ref()
-            .map_or(Ok(Usage::default()), Folder::clear)
+        let disk = self.0.disk.as_ref();
+        disk.map_or(Ok(Usage::default()), Disk::clear)
     }
 
-    fn get<R: Recipe>(&self, recipe: &R) -> Result<Cached<Arc<R::Product>>, InfluenceError> {
-        let key = recipe.key();
-        let shelf = self.0.memory.as_ref().map(R::shelf);
-        if let Some(value) = shelf.and_then(|shelf| shelf.take_down(&key)) {
-            return Ok(Cached {
-                value,
-                origin: Origin::Memory,
-            });
+    fn get<T: Serialize + DeserializeOwned>(
+        &self,
+        memory: &Memory<T>,
+        wanted: &Wanted,
+        compute: impl FnOnce() -> Result<T, InfluenceError>,
+    ) -> Result<Cached<Arc<T>>, InfluenceError> {
+        if let Some(value) = memory.get(&wanted.key) {
+            let origin = Origin::Memory;
+            return Ok(Cached { value, origin });
         }
-        let found = self.read_or_compute(recipe, &key)?.map(Arc::new);
-        if let Some(shelf) = shelf {
-            shelf.put_up(key, &found.value, recipe.largest_payload());
-        }
+        let found = self.read_or_compute(wanted, compute)?.map(Arc::new);
+        memory.insert(wanted.key, &found.value, wanted.bytes);
         Ok(found)
     }
 
-    fn read_or_compute<R: Recipe>(
+    fn read_or_compute<T: Serialize + DeserializeOwned>(
         &self,
-        recipe: &R,
-        key: &Key,
-    ) -> Result<Cached<R::Product>, InfluenceError> {
-        if recipe.is_immediate(self.0.smallest) {
-            return Ok(Cached {
-                value: recipe.compute()?,
-                origin: Origin::Immediate,
-            });
+        wanted: &Wanted,
+        compute: impl FnOnce() -> Result<T, InfluenceError>,
+    ) -> Result<Cached<T>, InfluenceError> {
+        if wanted.is_immediate {
+            let (value, origin) = (compute()?, Origin::Immediate);
+            return Ok(Cached { value, origin });
         }
-        if let Some(value) = self.read(recipe, key) {
-            return Ok(Cached {
-                value,
-                origin: Origin::Disk,
-            });
+        let Some(disk) = &self.0.disk else {
+            let (value, origin) = (compute()?, Origin::Computed);
+            return Ok(Cached { value, origin });
+        };
+        if let Some(value) = self.told(disk.read(&wanted.key, wanted.bytes)) {
+            let origin = Origin::Disk;
+            return Ok(Cached { value, origin });
         }
-        let value = recipe.compute()?;
-        self.write(key, || R::encode(&value));
-        Ok(Cached {
-            value,
-            origin: Origin::Computed,
+        let (value, origin) = (compute()?, Origin::Computed);
+        self.told(disk.write(&wanted.key, &value));
+        Ok(Cached { value, origin })
+    }
+
+    /// The disk's answer, none if it failed; a warning is kept for [`Self::take_warnings`].
+    fn told<T: Default>(&self, outcome: Result<T, CacheWarning>) -> T {
+        outcome.unwrap_or_else(|warning| {
+            self.warnings().push(warning);
+            T::default()
         })
     }
 
-    fn read<R: Recipe>(&self, recipe: &R, key: &Key) -> Option<R::Product> {
-        let folder = self.0.folder.as_ref()?;
-        let decode = |decoder: &mut Decoder<'_>| recipe.decode(decoder);
-        let read = folder.read(key, recipe.largest_payload(), decode);
-        read.unwrap_or_else(|warning| {
-            self.warn(warning);
-            None
-        })
+    fn warnings(&self) -> MutexGuard<'_, Vec<CacheWarning>> {
+        let warnings = self.0.warnings.lock();
+        warnings.unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// Data that may be kept.
+struct Wanted {
+    key: Hash,
+    /// The bytes they take, or a bound.
+    bytes: usize,
+    /// Whether computing takes no longer than reading.
+    is_immediate: bool,
+}
+
+/// The name of data: a hash of all that determines them, every bit of the foundation (`Debug` writes the shortest
+/// digits that are one `f64` only), the release, and the platform, whose exponentials and logarithms may differ in
+/// the last bit.
+fn key(data: &str, foundation: &Foundation) -> Hash {
+    const RELEASE: &str = concat!(env!("CARGO_PKG_NAME"), " ", env!("CARGO_PKG_VERSION"));
+    let platform = [std::env::consts::ARCH, std::env::consts::OS];
+    let text = format!("{RELEASE}, {VERSION}, {platform:?}, {data}, {foundation:?}");
+    blake3::hash(text.as_bytes())
+}
+
+#[cfg(test)]
+mod tests {
+    use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
+
+    use super::key;
+
+    /// One layer on a half-space or a rigid base, of these numbers.
+    fn foundation(numbers: [f64; 5], interface: Interface, is_rigid: bool) -> Foundation {
+        let [thickness, e1, nu1, e2, nu2] = numbers;
+        let material = |e, nu| Material::new(e, nu).unwrap();
+        let layer = Layer::new(thickness, material(e1, nu1), interface).unwrap();
+        let base = if is_rigid {
+            Base::Rigid
+        } else {
+            Base::HalfSpace(material(e2, nu2))
+        };
+        Foundation::new(vec![layer], base).unwrap()
     }
 
-    fn write(&self, key: &Key, payload: impl FnOnce() -> Vec<u8>) {
-        if let Some(Err(warning)) = self
-            .0
-            .folder
-            .as_ref()
-            .map(|folder| folder.write(key, payload))
-        {
-            self.warn(warning);
+    #[test]
+    fn any_bit_of_the_foundation_changes_the_key() {
+        let numbers = [1e-6, 400e9, 0.25, 210e9, 0.3];
+        let mut foundations = vec![
+            foundation(numbers, Interface::Bonded, false),
+            foundation(numbers, Interface::Frictionless, false),
+            foundation(numbers, Interface::Bonded, true),
+        ];
+        for i in 0..numbers.len() {
+            let mut other = numbers;
+            other[i] = other[i].next_up();
+            foundations.push(foundation(other, Interface::Bonded, false));
         }
-    }
-
-    fn warn(&self, warning: CacheWarning) {
-        self.0
-            .warnings
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner)
-            .push(warning);
+        let keys: Vec<_> = foundations.iter().map(|of| key("tables", of)).collect();
+        for (i, key) in keys.iter().enumerate() {
+            assert!(!keys[..i].contains(key), "{i}");
+        }
+        assert_eq!(key("tables", &foundations[0].clone()), keys[0]);
+        assert_ne!(key("coefficients", &foundations[0]), keys[0]);
     }
 }

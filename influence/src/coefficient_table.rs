@@ -1,10 +1,11 @@
 //! The influence coefficients of one grid, by offset.
 
-mod stored;
-
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 
+use crate::element::check_element_side;
 use crate::error::InfluenceError;
+use crate::radial::RadialTables;
 
 /// The largest number of elements a side: 16,384² elements are 2 GB of pressure alone.
 const LARGEST_SIZE: usize = 1 << 14;
@@ -14,7 +15,7 @@ const ROWS: usize = 64;
 /// The coefficients `k(m, n)` of the square elements of an N × N grid, m/Pa, by the offset in elements.
 ///
 /// Translation and the symmetry of the square leave `0 ≤ n ≤ m < N`: N(N+1)/2 numbers, 4 bytes an element of the grid.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CoefficientTable {
     element_side: f64,
     size: usize,
@@ -23,7 +24,24 @@ pub struct CoefficientTable {
 }
 
 impl CoefficientTable {
-    /// The table of any kernel: `coefficient(offset)` is called once for every offset with `offset[1] ≤ offset[0]`, in parallel.
+    /// The coefficients of the `size` × `size` elements of side `element_side` (m) of one grid, in parallel on the
+    /// current rayon pool.
+    ///
+    /// # Errors
+    ///
+    /// See [`Self::from_fn`].
+    pub fn assemble(
+        tables: &RadialTables,
+        element_side: f64,
+        size: usize,
+    ) -> Result<Self, InfluenceError> {
+        Self::from_fn(element_side, size, |offset| {
+            tables.coefficient(element_side, offset)
+        })
+    }
+
+    /// The table of any kernel: `coefficient(offset)` is called once for every offset with `offset[1] ≤ offset[0]`,
+    /// in parallel.
     ///
     /// ```
     /// use pellicle_influence::{CoefficientTable, love};
@@ -72,8 +90,9 @@ impl CoefficientTable {
         self.triangle[m * (m + 1) / 2 + n]
     }
 
-    /// The smallest coefficient (m/Pa) at each offset and beyond: entry m is that of all elements no nearer than m along one axis or the other. Below 0 where a
-    /// surface bulges beside the load, as over an incompressible layer.
+    /// The smallest coefficient (m/Pa) at each offset and beyond: entry m is that of all elements no nearer than m
+    /// along one axis or the other. It is negative where a surface bulges beside the load, as over an
+    /// incompressible layer.
     #[must_use]
     pub fn least_from(&self) -> Vec<f64> {
         let row = |m: usize| &self.triangle[m * (m + 1) / 2..][..=m];
@@ -100,8 +119,8 @@ impl CoefficientTable {
         self.element_side
     }
 
-    /// The coefficients of the offsets `first` … `first` + C − 1 along one axis and `offset`, which is below the size, along the other; 0 of those that
-    /// the table does not have.
+    /// The coefficients of the offsets `first` … `first` + C − 1 along one axis and `offset`, which is below the
+    /// size, along the other; 0 of those that the table does not have.
     pub(crate) fn side_by_side<const C: usize>(&self, first: usize, offset: usize) -> [f64; C] {
         let row = &self.triangle[offset * (offset + 1) / 2..][..=offset];
         match row.get(first..).and_then(<[f64]>::first_chunk) {
@@ -115,6 +134,16 @@ impl CoefficientTable {
                 }
             }),
         }
+    }
+
+    /// Bytes of the table of a grid.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::from_fn`] for a side or a size that no table has.
+    pub(crate) fn bytes(element_side: f64, size: usize) -> Result<usize, InfluenceError> {
+        check(element_side, size)?;
+        Ok(size_of::<f64>() * (size * (size + 1) / 2))
     }
 
     fn check_finite(&self) -> Result<(), InfluenceError> {
@@ -135,16 +164,6 @@ fn check(element_side: f64, size: usize) -> Result<(), InfluenceError> {
     Err(InfluenceError::TableSize {
         found: size,
         largest: LARGEST_SIZE,
-    })
-}
-
-/// Refuses a side that is not a finite positive length.
-pub(crate) fn check_element_side(element_side: f64) -> Result<(), InfluenceError> {
-    if element_side.is_finite() && element_side > 0.0 {
-        return Ok(());
-    }
-    Err(InfluenceError::ElementSide {
-        found: element_side,
     })
 }
 

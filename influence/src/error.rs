@@ -1,8 +1,8 @@
-//! Everything that can go wrong in this crate, with its numbers.
+//! Every error of this crate, with its numbers.
 
 use thiserror::Error;
 
-/// Why coefficients, tables or integrals could not be given.
+/// The reason why coefficients, tables or integrals are not available.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum InfluenceError {
@@ -25,7 +25,7 @@ pub enum InfluenceError {
     CoefficientNotFinite {
         /// The offset in elements.
         offset: [usize; 2],
-        /// What came out.
+        /// Its value.
         found: f64,
     },
     /// The integrand was NaN or infinite somewhere.

@@ -32,8 +32,8 @@
 //!
 //! # In a solver of one's own
 //!
-//! Any iteration that needs `K p` takes an [`ElasticOperator`]. Conjugate gradients for the pressure under a flat, rigid, frictionless
-//! square that sinks by 1 nm:
+//! Any iteration that needs `K p` takes an [`ElasticOperator`]. Conjugate gradients for the pressure under a flat,
+//! rigid, frictionless square that sinks by 1 nm:
 //!
 //! ```
 //! use pellicle_influence::{CoefficientTable, ConvolutionOperator, ElasticOperator, RadialTables};
@@ -72,49 +72,25 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod aliases;
 mod cache;
-mod chebyshev;
 mod coefficient_table;
-mod column_block;
-mod compensated;
-mod convolution;
-mod cosine;
-mod dense;
-pub mod direct;
-mod edges;
+mod element;
 mod error;
-mod far;
-mod far_field;
-mod gauss;
-pub mod love;
-mod near;
+mod filter;
+mod numerics;
 mod operator;
-mod padding;
-mod panels;
-mod precise;
-mod product_rule;
-mod quadrant;
-mod quadrature;
 mod radial;
-mod radial_tables;
 mod response;
-mod spectrum;
-mod spread;
 mod surface_elasticity;
-mod symbol;
-mod twofold;
-mod whole;
-mod window;
+mod transform;
 
-pub use cache::{Cache, CacheWarning, Cached, FileFault, Origin, Usage};
+pub use cache::{Cache, CacheWarning, Cached, Origin, Usage};
 pub use coefficient_table::CoefficientTable;
-pub use convolution::ConvolutionOperator;
-pub use dense::DenseOperator;
+pub use element::{direct, love};
 pub use error::InfluenceError;
-pub use operator::ElasticOperator;
-pub use quadrant::{QuadrantFilter, QuadrantOperator};
-pub use radial_tables::RadialTables;
-pub use spread::SpreadOperator;
+pub use filter::{PeriodicFilter, PeriodicSymbol};
+pub use operator::{
+    ConvolutionOperator, DenseOperator, ElasticOperator, QuadrantOperator, WindowOperator,
+};
+pub use radial::RadialTables;
 pub use surface_elasticity::SurfaceElasticity;
-pub use symbol::PeriodicSymbol;

@@ -1,37 +1,8 @@
-//! What a solver needs to know of an elastic body: the product of its influence matrix with a pressure.
+//! The product `K p`: by convolution on the whole grid or a quadrant of it, or summed directly.
 
-/// The linear map `u = K p` from the pressures to the displacements of the N × N square elements of a grid.
-///
-/// Fields have N² entries, entry `i N + j` belonging to the element i along x and j along y. Pressure in Pa, compressive positive;
-/// displacement in m, positive into the body.
-///
-/// ```
-/// use pellicle_influence::ElasticOperator;
-///
-/// /// Independent springs of one compliance, m/Pa.
-/// struct Springs { size: usize, compliance: f64 }
-///
-/// impl ElasticOperator for Springs {
-///     fn size(&self) -> usize { self.size }
-///     fn apply_into(&mut self, pressure: &[f64], displacement: &mut [f64]) {
-///         for (u, p) in displacement.iter_mut().zip(pressure) {
-///             *u = self.compliance * p;
-///         }
-///     }
-/// }
-///
-/// let mut u = [0.0; 4];
-/// Springs { size: 2, compliance: 0.5 }.apply_into(&[2.0; 4], &mut u);
-/// assert_eq!(u, [1.0; 4]); // exact in binary
-/// ```
-pub trait ElasticOperator: Send {
-    /// Number of elements N along one side of the grid.
-    fn size(&self) -> usize;
+mod convolution;
+mod elastic;
+mod spectrum;
 
-    /// Writes `u = K p`; both fields have N² entries.
-    ///
-    /// # Panics
-    ///
-    /// An implementation may panic if a field does not have N² entries.
-    fn apply_into(&mut self, pressure: &[f64], displacement: &mut [f64]);
-}
+pub use convolution::{ConvolutionOperator, QuadrantOperator, WindowOperator};
+pub use elastic::{DenseOperator, ElasticOperator};

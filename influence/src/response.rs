@@ -1,10 +1,10 @@
-//! The response Φ of a foundation as a table over the wavenumber, so that the thousands of values a radial table takes cost as
-//! little for 200 layers as for one.
+//! The response Φ of a foundation as a table over the wavenumber, so that the thousands of values a radial table
+//! takes cost as little for 200 layers as for one.
 
 use pellicle_kernel::{Base, Foundation};
 
-use crate::chebyshev::{Transform, nodes, sum, tail, taylor};
-use crate::panels::Panels;
+use crate::numerics::chebyshev::{Transform, nodes, sum, tail, taylor};
+use crate::numerics::panels::Panels;
 
 /// Beyond this wavenumber, in units of 1/thickness of the top layer, `|Φ−1|` is below 4s² e^{−2s} = 3e-18.
 const NOTHING_BELOW: f64 = 24.0;

@@ -1,13 +1,13 @@
-//! The elasticity of a surface of square elements: what operators and preconditioners of any part of a grid are made from.
+//! The elasticity of a surface of square elements, from which operators and symbols of any part of a grid are made.
 
 use std::sync::Arc;
 
 use pellicle_kernel::Foundation;
 
-use crate::{
-    CoefficientTable, ConvolutionOperator, PeriodicSymbol, QuadrantOperator, SpreadOperator,
-    padding::half_length,
-};
+use crate::coefficient_table::CoefficientTable;
+use crate::filter::PeriodicSymbol;
+use crate::operator::{ConvolutionOperator, QuadrantOperator, WindowOperator};
+use crate::transform::half_length;
 
 /// The influence coefficients of elements of one size, and all that follows from them for square windows of a grid.
 ///
@@ -47,8 +47,8 @@ impl SurfaceElasticity {
         }
     }
 
-    /// The smallest coefficient (m/Pa) of elements no nearer than `offset` along one axis or the other; +∞ beyond the table. See
-    /// [`CoefficientTable::least_from`].
+    /// The smallest coefficient (m/Pa) of elements no nearer than `offset` along one axis or the other; +∞ beyond
+    /// the table. See [`CoefficientTable::least_from`].
     #[must_use]
     pub fn least_coefficient_from(&self, offset: usize) -> f64 {
         let least = self.least_from.get(offset);
@@ -85,13 +85,14 @@ impl SurfaceElasticity {
         ConvolutionOperator::windowed(&self.table, size)
     }
 
-    /// `K p` on a grid of `grid` × `grid` elements for pressures on a window of `size` × `size`, the first of which is the element `origin`.
+    /// `K p` on a grid of `grid` × `grid` elements for pressures on a window of `size` × `size`, the first of which
+    /// is the element `origin`.
     ///
     /// # Panics
-    /// As [`SpreadOperator::new`].
+    /// As [`WindowOperator::new`].
     #[must_use]
-    pub fn spread(&self, grid: usize, origin: [usize; 2], size: usize) -> SpreadOperator {
-        SpreadOperator::new(&self.table, grid, origin, size)
+    pub fn under_window(&self, grid: usize, origin: [usize; 2], size: usize) -> WindowOperator {
+        WindowOperator::new(&self.table, grid, origin, size)
     }
 
     /// `K p` on a quadrant of `size` × `size` elements, where pressure and displacement are mirrored in both axes.
@@ -106,10 +107,10 @@ impl SurfaceElasticity {
     /// `K p` on a quadrant of `quadrant` × `quadrant` elements for pressures on the `size` × `size` next to the axis.
     ///
     /// # Panics
-    /// As [`SpreadOperator::on_quadrant`].
+    /// As [`WindowOperator::on_quadrant`].
     #[must_use]
-    pub fn spread_on_quadrant(&self, quadrant: usize, size: usize) -> SpreadOperator {
-        SpreadOperator::on_quadrant(&self.table, quadrant, size)
+    pub fn under_window_on_quadrant(&self, quadrant: usize, size: usize) -> WindowOperator {
+        WindowOperator::on_quadrant(&self.table, quadrant, size)
     }
 
     /// The analytic symbol on a periodic grid of `size` × `size` elements, for preconditioners.

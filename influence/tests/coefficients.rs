@@ -254,7 +254,8 @@ fn quadrature_and_tables_agree_where_a_soft_layer_is_between_stiff_bodies() {
             let found = tables.coefficient(side, offset);
             let error = found - direct::coefficient(&foundation, side, offset).unwrap();
             let love = love::coefficient(&foundation.surface_material(), side, offset);
-            // The quadrature's tolerance, and the rounding of its inner integrals, which the largest Φ, up to 1e5, multiplies.
+            // The quadrature's tolerance, and the rounding of its inner integrals, which the largest Φ, up to 1e5,
+            // multiplies.
             let own = tables.coefficient(side, [0, 0]);
             let allowed = QUADRATURE * love + 1e-13 * own;
             assert!(

@@ -4,7 +4,7 @@ use std::iter::successors;
 
 use pellicle_influence::{
     CoefficientTable, ConvolutionOperator, DenseOperator, ElasticOperator, QuadrantOperator,
-    SpreadOperator, love,
+    WindowOperator, love,
 };
 use pellicle_kernel::Material;
 
@@ -80,13 +80,13 @@ fn a_quadrant_moves_as_the_whole_surface_does() {
                 &unfolded(&pressure, size),
             );
             let mut found = vec![f64::NAN; size * size];
-            let mut spread = SpreadOperator::on_quadrant(&table, size, loaded);
+            let mut under_window = WindowOperator::on_quadrant(&table, size, loaded);
             let mut operator = QuadrantOperator::new(&table, size);
             for is_whole in [false, false, true, true] {
                 if is_whole {
                     operator.apply_into(&pressure, &mut found);
                 } else {
-                    spread.apply_into(&loads, &mut found);
+                    under_window.apply_into(&loads, &mut found);
                 }
                 let found = unfolded(&found, size);
                 let difference: Vec<f64> =
@@ -119,9 +119,9 @@ fn under_a_window_the_grid_moves_as_under_the_whole_pressure() {
         }
         let expected = apply(&mut ConvolutionOperator::new(&table), &pressure);
         let mut found = vec![f64::NAN; size * size];
-        let mut spread = SpreadOperator::new(&table, size, origin, part);
+        let mut under_window = WindowOperator::new(&table, size, origin, part);
         for _ in 0..2 {
-            spread.apply_into(&loads, &mut found);
+            under_window.apply_into(&loads, &mut found);
             for (u, wanted) in found.iter().zip(&expected) {
                 // Rounding of two transforms.
                 assert!(
@@ -143,7 +143,7 @@ fn a_window_beyond_the_grid_is_no_window() {
         (9, [2, 2], 3),
     ] {
         let attempt =
-            std::panic::catch_unwind(|| SpreadOperator::new(&steel_table(8), grid, origin, size));
+            std::panic::catch_unwind(|| WindowOperator::new(&steel_table(8), grid, origin, size));
         assert!(attempt.is_err(), "{origin:?}, {size} of {grid}");
     }
 }

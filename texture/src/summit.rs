@@ -202,7 +202,9 @@ fn level(map: &HeightMap, sign: f64, summit: Summit) -> Summit {
             [false, true] => [0.0, -along_y / yy],
             [false, false] => return summit,
         };
-        if !(step[0].abs().max(step[1].abs()) <= LONGEST_STEP) {
+        // False of what is no number.
+        let is_short = step.iter().all(|step| step.abs() <= LONGEST_STEP);
+        if !is_short {
             return summit;
         }
         for axis in [0, 1] {

@@ -1,13 +1,18 @@
 //! `[foundation]`: the substrate and the layers on it.
 
-use pellicle_kernel::{Base, Foundation, Interface, KernelError, Layer, Material};
+use pellicle_kernel::{
+    Base, Foundation, GradedLayer, GradingOptions, Interface, KernelError, Layer, Material,
+};
 use serde::Serialize;
 
 use super::diagnosis::Diagnosis;
 use super::field::Field;
+use super::grading::ModulusCase;
 use super::quantity::Dimension;
 use super::reader::Reader;
 
+const RATIO: &str = "Poisson's ratio, a number in [0, 0.5]";
+const MODULUS: &str = "a positive pressure such as \"70 GPa\", a bare number, or { from = .., to = .., profile = \"linear\" }";
 const SUBSTRATE: &str = "{ young_modulus = .., poisson_ratio = .. } or \"rigid\"";
 
 /// The foundation of a case, every value in SI units or the case's own.
@@ -44,11 +49,38 @@ pub struct MaterialCase {
 pub struct LayerCase {
     /// Thickness, m.
     pub thickness: f64,
-    /// What it is made of.
-    #[serde(flatten)]
-    pub material: MaterialCase,
+    /// Young's modulus.
+    pub young_modulus: ModulusCase,
+    /// Poisson's ratio `ν`.
+    pub poisson_ratio: f64,
     /// How it holds to what lies below.
     pub interface: InterfaceCase,
+}
+
+/// A foundation whose graded layers are split into homogeneous ones.
+#[derive(Debug, Clone)]
+pub struct SplitFoundation {
+    /// The foundation itself.
+    pub foundation: Foundation,
+    /// How each graded layer was split, from the surface down.
+    pub splits: Vec<Split>,
+}
+
+/// How a graded layer was split.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Split {
+    /// Which layer it is, from 0 at the surface.
+    pub layer: usize,
+    /// Into how many.
+    pub sublayers: usize,
+    /// Estimated relative error of `C(k)` that it causes.
+    pub error: f64,
+}
+
+/// What is refused, and the layer of the case whose fault it is.
+struct Refusal {
+    layer: usize,
+    error: KernelError,
 }
 
 /// How a layer holds to what lies below.
@@ -80,27 +112,57 @@ impl FoundationCase {
             substrate: Substrate::read(substrate)?,
             layer,
         };
-        match foundation.build() {
+        match foundation.try_split() {
             Ok(_) => Ok(foundation),
-            Err(error) => Err(blamed(table, &error)?.refused(&error)),
+            Err(refusal) => Err(blamed(table, &refusal)?.refused(&refusal.error)),
         }
     }
 
-    /// The foundation itself.
+    /// The foundation itself, and how its graded layers were split.
     ///
     /// # Errors
     ///
     /// [`KernelError`] if the kernel refuses a value.
-    pub fn build(&self) -> Result<Foundation, KernelError> {
-        let layers = self.layer.iter().map(LayerCase::build);
-        Foundation::new(layers.collect::<Result<_, _>>()?, self.substrate.build()?)
+    pub fn split(&self) -> Result<SplitFoundation, KernelError> {
+        self.try_split().map_err(|refusal| refusal.error)
+    }
+
+    /// From the bottom up: a layer is split on what lies below it.
+    fn try_split(&self) -> Result<SplitFoundation, Refusal> {
+        let refused = |layer| move |error| Refusal { layer, error };
+        let base = self.substrate.build().map_err(refused(0))?;
+        let (mut below, mut splits) = (Vec::new(), Vec::new());
+        // The layer of the case that each layer is of.
+        let mut origins = Vec::new();
+        for (i, layer) in self.layer.iter().enumerate().rev() {
+            let (layers, error) = layer.split(&below, base).map_err(refused(i))?;
+            let sublayers = layers.len() - below.len();
+            splits.extend(error.map(|error| Split {
+                layer: i,
+                sublayers,
+                error,
+            }));
+            origins.splice(0..0, std::iter::repeat_n(i, sublayers));
+            below = layers;
+        }
+        splits.reverse();
+        let foundation = Foundation::new(below, base).map_err(|error| {
+            let found = match error {
+                KernelError::ModulusRatio { layer, .. } => layer,
+                KernelError::TotalThickness { layers, .. } => layers.saturating_sub(1),
+                _ => 0,
+            };
+            let layer = origins.get(found).copied().unwrap_or(self.layer.len());
+            Refusal { layer, error }
+        })?;
+        Ok(SplitFoundation { foundation, splits })
     }
 
     /// Young's modulus of what lies at the surface, Pa; none on a bare rigid base, which is no foundation.
     #[must_use]
     pub fn surface_young_modulus(&self) -> Option<f64> {
         match (self.layer.first(), self.substrate) {
-            (Some(layer), _) => Some(layer.material.young_modulus),
+            (Some(layer), _) => Some(layer.young_modulus.at_top()),
             (None, Substrate::Elastic(material)) => Some(material.young_modulus),
             (None, Substrate::Rigid) => None,
         }
@@ -108,15 +170,16 @@ impl FoundationCase {
 }
 
 /// The value to change where the layers and the substrate are right but do not go together.
-fn blamed<'a>(table: &Reader<'a>, error: &KernelError) -> Result<Field<'a>, Diagnosis> {
-    let in_layer = |i: usize, key| {
+fn blamed<'a>(table: &Reader<'a>, refusal: &Refusal) -> Result<Field<'a>, Diagnosis> {
+    let in_layer = |key| {
         let layers = table.required("layer", "")?.items("")?;
-        let layer = layers.into_iter().nth(i).map(Field::table).transpose()?;
+        let layer = layers.into_iter().nth(refusal.layer);
+        let layer = layer.map(Field::table).transpose()?;
         layer.unwrap_or_else(|| table.clone()).required(key, "")
     };
-    match error {
-        KernelError::ModulusRatio { layer, .. } => in_layer(*layer, "young_modulus"),
-        KernelError::TotalThickness { layers, .. } => in_layer(layers - 1, "thickness"),
+    match refusal.error {
+        KernelError::ModulusRatio { .. } | KernelError::Grading { .. } => in_layer("young_modulus"),
+        KernelError::TotalThickness { .. } | KernelError::Thickness { .. } => in_layer("thickness"),
         _ => table.required("substrate", SUBSTRATE),
     }
 }
@@ -144,7 +207,6 @@ impl Substrate {
 
 impl MaterialCase {
     fn read(table: &Reader<'_>) -> Result<Self, Diagnosis> {
-        const RATIO: &str = "Poisson's ratio, a number in [0, 0.5]";
         let material = Self {
             young_modulus: table.positive("young_modulus", Dimension::Pressure)?,
             poisson_ratio: table.required("poisson_ratio", RATIO)?.number(RATIO)?,
@@ -171,19 +233,45 @@ impl LayerCase {
             ])?,
             None => InterfaceCase::Bonded,
         };
-        Ok(Self {
-            thickness: table.positive("thickness", Dimension::Length)?,
-            material: MaterialCase::read(&table)?,
+        let thickness = table.positive("thickness", Dimension::Length)?;
+        let modulus = table.required("young_modulus", MODULUS)?;
+        let layer = Self {
+            thickness,
+            young_modulus: ModulusCase::read(modulus)?,
+            poisson_ratio: table.required("poisson_ratio", RATIO)?.number(RATIO)?,
             interface,
-        })
+        };
+        // The modulus is positive by now: what the kernel still refuses is the ratio.
+        let ratio = table.required("poisson_ratio", RATIO)?;
+        let material = layer.material(layer.young_modulus.at_top());
+        material.map_err(|error| ratio.refused(&error))?;
+        Ok(layer)
     }
 
-    fn build(&self) -> Result<Layer, KernelError> {
+    /// The layer as one or more homogeneous ones, and those below; with the error of splitting if it is graded.
+    fn split(&self, below: &[Layer], base: Base) -> Result<(Vec<Layer>, Option<f64>), KernelError> {
         let interface = match self.interface {
             InterfaceCase::Bonded => Interface::Bonded,
             InterfaceCase::Frictionless => Interface::Frictionless,
         };
-        Layer::new(self.thickness, self.material.build()?, interface)
+        let thickness = self.thickness;
+        match self.young_modulus {
+            ModulusCase::Uniform(modulus) => {
+                let layer = Layer::new(thickness, self.material(modulus)?, interface)?;
+                Ok(([&[layer], below].concat(), None))
+            }
+            ModulusCase::Graded(grading) => {
+                let material = |depth: f64| self.material(grading.at(depth / thickness));
+                let graded = GradedLayer::new(thickness, interface, material)?;
+                let split = graded.split(below, base, &GradingOptions::default())?;
+                let layers = split.foundation.layers().to_vec();
+                Ok((layers, Some(split.error_estimate)))
+            }
+        }
+    }
+
+    fn material(&self, young_modulus: f64) -> Result<Material, KernelError> {
+        Material::new(young_modulus, self.poisson_ratio)
     }
 }
 
@@ -207,6 +295,77 @@ mod tests {
         assert_eq!(foundation.layer[0].thickness, 1e-8);
         assert_eq!(foundation.layer[0].interface, InterfaceCase::Frictionless);
         assert_eq!(foundation.surface_young_modulus(), Some(70e9));
+    }
+
+    /// The modulus at the middle of each sublayer of a layer graded so, on the substrate.
+    fn graded(modulus: &str) -> Result<SplitFoundation, String> {
+        let layer = LAYER.replace("\"70 GPa\"", modulus);
+        let foundation = read(&format!("{SUBSTRATE}{layer}"))?;
+        Ok(foundation.split().unwrap())
+    }
+
+    #[test]
+    fn a_graded_layer_is_split_until_its_compliance_is_right() {
+        for (profile, middle) in [("linear", 40e9), ("exponential", 10e9 * 7_f64.sqrt())] {
+            let grading =
+                format!("{{ from = \"10 GPa\", to = \"70 GPa\", profile = \"{profile}\" }}");
+            let SplitFoundation { foundation, splits } = graded(&grading).unwrap();
+            let layers = foundation.layers();
+            let [split] = splits[..] else {
+                panic!("{splits:?}")
+            };
+            assert_eq!((split.layer, split.sublayers), (0, layers.len()));
+            assert!(split.error > 0.0 && split.error <= 1e-4, "{}", split.error);
+            let thickness: f64 = layers.iter().map(Layer::thickness).sum();
+            approx::assert_relative_eq!(thickness, 1e-8, max_relative = 1e-12);
+            let mut depth = 0.0;
+            let of_middle = layers.iter().find(|layer| {
+                depth += layer.thickness();
+                depth > 0.5e-8
+            });
+            let modulus = of_middle.unwrap().material().young_modulus();
+            assert!(
+                (modulus / middle - 1.0).abs() < 0.1,
+                "{profile}: {modulus:e}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_layer_graded_between_equal_moduli_is_a_homogeneous_one() {
+        let same = graded("{ from = \"70 GPa\", to = \"70 GPa\", profile = \"linear\" }").unwrap();
+        let one = graded("\"70 GPa\"").unwrap().foundation;
+        for k in [1e6, 1e8, 1e10] {
+            let (split, whole) = (same.foundation.compliance(k), one.compliance(k));
+            approx::assert_relative_eq!(split, whole, max_relative = 1e-12);
+        }
+    }
+
+    #[test]
+    fn a_grading_that_is_none_is_diagnosed_at_its_key() {
+        let message = |modulus: &str| graded(modulus).err().unwrap();
+        for (modulus, wanted) in [
+            ("{ from = 1, to = 2 }", "young_modulus.profile`"),
+            (
+                "{ from = 1, to = 2, profile = \"liner\" }",
+                "did you mean \"linear\"",
+            ),
+            (
+                "{ from = 0, to = 2, profile = \"linear\" }",
+                "young_modulus.from`",
+            ),
+            (
+                "{ from = 1, too = 2, profile = \"linear\" }",
+                "did you mean `to`",
+            ),
+            ("[1, 2]", "young_modulus`"),
+            (
+                "{ from = 1e-5, to = 1e30, profile = \"exponential\" }",
+                "young_modulus`",
+            ),
+        ] {
+            assert!(message(modulus).contains(wanted), "{}", message(modulus));
+        }
     }
 
     #[test]

@@ -1,6 +1,5 @@
 //! `[grid]`: the square domain and its elements.
 
-use pellicle_contact::Domain;
 use serde::Serialize;
 
 use super::diagnosis::Diagnosis;
@@ -47,12 +46,6 @@ impl GridCase {
         let elements = (table.optional("elements"))
             .map_or(Ok(DEFAULT_ELEMENTS), |field| field.count(ELEMENTS, why))?;
         Ok(Self { side, elements })
-    }
-
-    /// The domain to solve on.
-    #[must_use]
-    pub fn domain(&self) -> Domain {
-        self.side.map_or(Domain::Automatic, Domain::Side)
     }
 }
 

@@ -5,6 +5,7 @@ pub mod document;
 pub mod doubt;
 pub mod field;
 pub mod foundation;
+pub mod grading;
 pub mod grid;
 pub mod indenter;
 pub mod known_units;
@@ -29,7 +30,7 @@ pub mod units;
 use std::path::Path;
 use std::sync::Arc;
 
-use pellicle_contact::{ContactError, Model, choose_side};
+use pellicle_contact::{ContactError, Domain, Model, choose_side};
 use pellicle_influence::{Cache, Cached, InfluenceError};
 use serde::Serialize;
 
@@ -190,15 +191,29 @@ impl Case {
         self.origin.refused(keys, &error).into()
     }
 
-    /// Side of the domain: as given, or chosen for the loads.
+    /// The domain to solve on: as given, or chosen for the loads. It is chosen once and handed on.
     ///
     /// # Errors
     ///
-    /// [`Failure::Contact`] if no domain can be chosen.
-    pub fn side(&self, model: &Model) -> Result<f64, Failure> {
+    /// [`ContactError`] if none can be chosen.
+    pub fn domain(&self, model: &Model) -> Result<Domain, ContactError> {
+        let domain = if self.grid.side.is_some() {
+            Domain::Side
+        } else {
+            Domain::Chosen
+        };
+        self.side(model).map(domain)
+    }
+
+    /// Side of that domain, m.
+    ///
+    /// # Errors
+    ///
+    /// [`ContactError`] if none can be chosen.
+    pub fn side(&self, model: &Model) -> Result<f64, ContactError> {
         match self.grid.side {
             Some(side) => Ok(side),
-            None => choose_side(model, &self.load.steps()).map_err(|error| self.blame(error)),
+            None => choose_side(model, &self.load.steps()),
         }
     }
 
@@ -208,7 +223,7 @@ impl Case {
     ///
     /// [`Failure`] if the tables of this foundation cannot be built.
     pub fn model(&self, cache: &Cache) -> Result<Cached<Model>, Failure> {
-        let foundation = self.foundation.build()?;
+        let foundation = self.foundation.split()?.foundation;
         let (relief, indenter) = (self.surface.build()?, self.indenter.build()?);
         let tables = cache.radial_tables(&foundation)?;
         Ok(tables.map(|tables| Model {

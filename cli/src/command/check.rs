@@ -27,7 +27,7 @@ pub fn check(arguments: &CaseArguments) -> Result<Outcome, Failure> {
     let forecast = Forecast::new(&case, &case.model(&cache)?.value);
     case.grid.side = Some(forecast.side);
     let resolved = toml::to_string(&case)?;
-    let estimates = estimates(&case, &forecast, chosen);
+    let estimates = estimates(&case, &forecast, chosen)?;
     terminal::print(&format!("{}\n{resolved}\n{estimates}", heading(case.units)))?;
     for warning in &forecast.warnings {
         terminal::tell(&format!("warning: {warning}"));
@@ -44,7 +44,7 @@ fn heading(units: Units) -> &'static str {
 }
 
 /// What the grid makes of the case, as comments, so that the whole is a case file again.
-fn estimates(case: &Case, forecast: &Forecast, chosen: bool) -> String {
+fn estimates(case: &Case, forecast: &Forecast, chosen: bool) -> Result<String, Failure> {
     let element_side = forecast.side / case.grid.elements as f64;
     let metres = |value| quantity(value, Unit::Metre, case.units);
     let how = if chosen {
@@ -62,6 +62,7 @@ fn estimates(case: &Case, forecast: &Forecast, chosen: bool) -> String {
         let count = significant(length / element_side, 3);
         lines.add(&format!("elements per {name}"), &count);
     }
+    lines.graded(case)?;
     lines.maps(case, element_side);
     lines.add("loading steps", &case.load.steps().len().to_string());
     lines.add("memory, about", &display::memory(forecast.need.bytes));
@@ -75,7 +76,7 @@ fn estimates(case: &Case, forecast: &Forecast, chosen: bool) -> String {
     if let Some(step) = &forecast.step {
         lines.trial(step, forecast.trial, element_side, case.units);
     }
-    lines.lines.concat()
+    Ok(lines.lines.concat())
 }
 
 fn megabytes(bytes: f64) -> String {
@@ -91,6 +92,19 @@ struct Lines {
 impl Lines {
     fn add(&mut self, name: &str, value: &str) {
         self.lines.push(format!("# {name:<38}{value}\n"));
+    }
+
+    /// Into how many homogeneous layers the graded ones are split.
+    fn graded(&mut self, case: &Case) -> Result<(), Failure> {
+        for split in case.foundation.split()?.splits {
+            let (sublayers, error) = (split.sublayers, significant(split.error, 2));
+            let name = format!("layer {}, graded, is split into", split.layer);
+            self.add(
+                &name,
+                &format!("{sublayers}, relative error of C(k) {error}"),
+            );
+        }
+        Ok(())
     }
 
     /// How finely the maps are sampled: for their shortest waves, and for the elements.

@@ -29,7 +29,8 @@ pub fn influence(arguments: &InfluenceArguments) -> Result<Outcome, Failure> {
     let cache = cache::open();
     let model = case.model(&cache)?.value;
     cache::tell_warnings(&cache);
-    let element_side = case.side(&model)? / case.grid.elements as f64;
+    let element_side =
+        case.side(&model).map_err(|error| case.blame(error))? / case.grid.elements as f64;
     let row = |&offset: &[usize; 2]| {
         let coefficient = if arguments.direct {
             direct::coefficient(model.tables.foundation(), element_side, offset)?

@@ -27,7 +27,7 @@ struct Row {
 /// [`Failure`] if the case cannot be read or its foundation cannot be.
 pub fn kernel(arguments: &KernelArguments) -> Result<Outcome, Failure> {
     let case = Case::read(&arguments.case.path, &arguments.case.sets)?;
-    let foundation = case.foundation.build()?;
+    let foundation = case.foundation.split()?.foundation;
     let row = |&wavenumber: &f64| Row {
         wavenumber,
         compliance: foundation.compliance(wavenumber),

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::time::Instant;
 
-use pellicle_contact::{LoadingPath, Model, Observer, solve_path};
+use pellicle_contact::{Domain, LoadingPath, Model, Observer, solve_path};
 
 use crate::arguments::RunArguments;
 use crate::case::Case;
@@ -36,8 +36,11 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
     threads::begin();
     let memory = Memory::default();
     let writers = folder.as_ref().map_or(0, |_| rayon::current_num_threads());
-    let _share = memory.take(Need::new(&case, &model.value, writers))?;
-    let path = solve(&case, &model.value, &mut line)?;
+    let domain = case
+        .domain(&model.value)
+        .map_err(|error| case.blame(error))?;
+    let _share = memory.take(Need::new(&case, &model.value, domain, writers))?;
+    let path = solve(&case, &model.value, domain, &mut line)?;
     if path.interrupted && path.steps.is_empty() {
         drop(line);
         return Ok(stopped_at_once());
@@ -105,11 +108,22 @@ fn progress_line(arguments: &RunArguments, tolerance: f64) -> ProgressLine {
     line.keeping_steps()
 }
 
-fn solve(case: &Case, model: &Model, observer: &mut dyn Observer) -> Result<LoadingPath, Failure> {
+fn solve(
+    case: &Case,
+    model: &Model,
+    domain: Domain,
+    observer: &mut dyn Observer,
+) -> Result<LoadingPath, Failure> {
     let (loads, options) = (case.load.steps(), case.solver.options());
-    let (domain, elements) = (case.grid.domain(), case.grid.elements);
-    solve_path(model, domain, elements, &loads, &options, observer)
-        .map_err(|error| case.blame(error))
+    let path = solve_path(
+        model,
+        domain,
+        case.grid.elements,
+        &loads,
+        &options,
+        observer,
+    );
+    path.map_err(|error| case.blame(error))
 }
 
 fn stopped_at_once() -> Outcome {

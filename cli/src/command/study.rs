@@ -32,6 +32,12 @@ pub fn study(arguments: &StudyArguments) -> Result<Outcome, Failure> {
     }
     let folder = folder(arguments, &study);
     let place = Place::claim(&folder, &plan.identity, arguments.fresh)?;
+    if let Some(before) = place.before.as_ref().filter(|_| is_watched(arguments)) {
+        terminal::tell(&format!(
+            "the table that was there is kept until the new one is complete: {}",
+            before.display()
+        ));
+    }
     let mut table = Table::open(place, &plan.identity)?;
     let cases = plan.identity.cases();
     let is_to_do = |case: &usize| !table.done().contains_key(case);

@@ -47,6 +47,14 @@ pub enum MapError {
         /// The word.
         found: String,
     },
+    /// Commas that are decimal marks as well as separators.
+    #[error(
+        "where \"{found}\" may be one number or two, and all other lines too: write numbers with a decimal point, or end each line with a semicolon if the comma is a decimal mark, or put a blank after each comma that separates"
+    )]
+    CommaOrPoint {
+        /// The first line.
+        found: String,
+    },
     /// A line of another length than those before.
     #[error("where line {line} holds {found} numbers and those before {wanted}")]
     Ragged {

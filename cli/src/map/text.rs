@@ -5,6 +5,9 @@
 
 use super::{MapError, MapFile, triples};
 
+/// Two columns of integers on fewer lines than this are a small map.
+const FEWEST_OF_A_COLUMN: usize = 3;
+
 /// Reads the text; each line is a row of the picture, from the top down, or a point x, y, z of a grid.
 ///
 /// # Errors
@@ -16,6 +19,11 @@ pub fn parse(bytes: &[u8]) -> Result<MapFile, MapError> {
     })?;
     let text = text.trim_start_matches('\u{feff}');
     let comma = Comma::in_text(text);
+    if comma == Comma::Separator
+        && let Some(found) = either(text)
+    {
+        return Err(MapError::CommaOrPoint { found });
+    }
     let (mut picture, mut columns) = (Vec::new(), 0);
     for (line, row) in rows(text) {
         let before = picture.len();
@@ -84,6 +92,25 @@ impl Comma {
         }
         Ok(())
     }
+}
+
+/// The first line of a text that may as well be one column with decimal commas as two columns of integers.
+fn either(text: &str) -> Option<String> {
+    let is_integer = |text: &str| {
+        let digits = text.strip_prefix(['-', '+']).unwrap_or(text);
+        !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit())
+    };
+    let is_either = |row: &str| {
+        let parts = row.split_once(',');
+        parts.is_some_and(|(whole, fraction)| {
+            is_integer(whole) && is_integer(fraction) && !fraction.starts_with(['-', '+'])
+        })
+    };
+    let lines: Vec<_> = rows(text).map(|(_, row)| row.trim()).collect();
+    let mut lines = lines.into_iter().filter(|row| !row.is_empty()).peekable();
+    let first = lines.peek()?.chars().take(40).collect();
+    let count = lines.clone().count();
+    (count >= FEWEST_OF_A_COLUMN && lines.all(is_either)).then_some(first)
 }
 
 fn number(line: usize, word: &str) -> Result<f64, MapError> {
@@ -155,6 +182,20 @@ mod tests {
         ] {
             let message = parse(text.as_bytes()).unwrap_err().to_string();
             assert!(message.contains("decimal marks"), "{text:?}: {message}");
+        }
+    }
+
+    #[test]
+    fn one_column_of_decimal_commas_is_not_two_of_integers() {
+        let message = parse(b"# nm\n1,5\n-2,25\n3,0\n").unwrap_err().to_string();
+        assert!(message.contains("\"1,5\""), "{message}");
+        assert!(message.contains("decimal point"), "{message}");
+        for text in [
+            "1,5\n2,5\n3,-1\n",
+            "1,5\n2,5\n3,1.0\n",
+            "1, 5\n2, 5\n3, 1\n",
+        ] {
+            assert_eq!(parse(text.as_bytes()).unwrap().shape, [2, 3], "{text:?}");
         }
     }
 

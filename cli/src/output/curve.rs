@@ -75,6 +75,19 @@ pub fn row(i: usize, step: &StepSummary) -> Vec<String> {
     std::iter::once(i.to_string()).chain(values).collect()
 }
 
+/// Whether a text is the curve of a run of so many steps, of this version or another.
+#[must_use]
+pub fn is_of(csv: &str, steps: usize) -> bool {
+    let mut lines = csv.lines();
+    let starts = |line: &str, first: &str| line.split(',').next() == Some(first);
+    let is_header = |line: &str| line.starts_with("step,force");
+    lines.next().is_some_and(is_header)
+        && lines.clone().count() == steps
+        && lines
+            .enumerate()
+            .all(|(i, line)| starts(line, &i.to_string()))
+}
+
 /// The units of a curve, by its header.
 #[must_use]
 pub fn units(csv: &str) -> Units {

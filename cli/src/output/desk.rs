@@ -7,6 +7,7 @@ use std::sync::{Mutex, PoisonError};
 
 use super::file::write_bytes;
 use super::summary::WarningSummary;
+use super::watched;
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::picture::png;
@@ -54,7 +55,7 @@ impl<'a> Desk<'a> {
                     return Ok(Some(written));
                 }
                 // What was stopped half way is no failure.
-                Err(_) if interrupt::is_overdue() => {}
+                Err(failure) if watched::was_stopped(&failure) => {}
                 Err(failure) => return Err(failure),
             }
         }
@@ -76,12 +77,15 @@ impl<'a> Desk<'a> {
     ) -> Result<Option<String>, Failure> {
         let file = |ending| folder.join(format!("{name}.{ending}"));
         let written = self.file(|| {
-            let drawn = self.drawn(name, || {
-                let svg = draw();
+            let render = |svg: String| {
                 let png = png::render(&svg).map_err(|cause| cause.to_string())?;
                 Ok((svg, png))
-            });
-            let Some((svg, png)) = drawn else {
+            };
+            let Some(svg) = self.drawn(name, || Ok(draw())) else {
+                return Ok(None);
+            };
+            watched::heed(&file("png"))?;
+            let Some((svg, png)) = self.drawn(name, || render(svg)) else {
                 return Ok(None);
             };
             write_bytes(&file("svg"), svg.as_bytes())?;

@@ -261,6 +261,10 @@ fn check(path: &Path, existing: Existing) -> Result<(), Failure> {
             Err(Failure::NoResults { path: path_buf() })
         }
         (State::Results, Existing::Keep) => Err(Failure::Exists { path: path_buf() }),
+        (State::Results, Existing::Replace) => match own::not_written(path) {
+            Some(file) if !is_being_emptied(path) => Err(Failure::NotWritten { path: file }),
+            _ => Ok(()),
+        },
         _ => Ok(()),
     }
 }

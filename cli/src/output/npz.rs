@@ -5,13 +5,15 @@ use std::io::{self, Read};
 use std::path::Path;
 
 use ndarray::{Array1, Array2, ArrayView2, ShapeError};
-use ndarray_npy::{NpzReader, NpzWriter, ReadNpyError, ReadNpzError, WriteNpyError, WriteNpzError};
+use ndarray_npy::{
+    NpzReader, ReadNpyError, ReadNpzError, WriteNpyError, WriteNpyExt, WriteNpzError,
+};
 use zip::write::SimpleFileOptions;
-use zip::{CompressionMethod, ZipArchive};
+use zip::{CompressionMethod, ZipArchive, ZipWriter};
 
 use super::fields::Fields;
 use super::file::write_whole;
-use super::watched::Watched;
+use super::watched::{Heeding, Watched};
 use crate::failure::Failure;
 use crate::map::npy_header::Header;
 
@@ -42,18 +44,29 @@ pub fn write(file: &Path, fields: &Fields<'_>) -> Result<(), Failure> {
 fn npz(file: impl io::Write + io::Seek, fields: &Fields<'_>) -> Result<(), WriteNpzError> {
     let size = fields.size;
     let centres: Array1<f64> = (0..size).map(|i| fields.centre(i)).collect();
-    let packed = SimpleFileOptions::default().compression_method(CompressionMethod::Deflated);
-    let packed = packed.compression_level(Some(EFFORT));
-    let mut npz = NpzWriter::new_with_options(file, packed);
-    npz.add_array("x", &centres)?;
-    npz.add_array("y", &centres)?;
+    let mut npz = ZipWriter::new(file);
+    add(&mut npz, "x", &centres)?;
+    add(&mut npz, "y", &centres)?;
     for field in fields.named() {
-        npz.add_array(field.name, &square(size, field.values)?)?;
+        add(&mut npz, field.name, &square(size, field.values)?)?;
     }
     for truth in fields.truths() {
-        npz.add_array(truth.name, &square(size, &truth.values)?)?;
+        add(&mut npz, truth.name, &square(size, &truth.values)?)?;
     }
     npz.finish()?;
+    Ok(())
+}
+
+fn add(
+    npz: &mut ZipWriter<impl io::Write + io::Seek>,
+    name: &str,
+    array: &impl WriteNpyExt,
+) -> Result<(), WriteNpzError> {
+    let packed = SimpleFileOptions::default().compression_method(CompressionMethod::Deflated);
+    let packed = packed.compression_level(Some(EFFORT));
+    npz.start_file(format!("{name}.npy"), packed)?;
+    // What packs to nearly nothing would otherwise be deaf to the user until it is packed.
+    array.write_npy(Heeding(npz))?;
     Ok(())
 }
 

@@ -2,9 +2,10 @@
 
 use std::fs::{self, DirEntry, File};
 use std::io::{self, BufReader};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
+use serde::de::IgnoredAny;
 use serde_json::Value;
 
 use super::{curve, page, summary};
@@ -60,11 +61,16 @@ struct Head {
     schema: String,
     program: String,
     case: Value,
+    steps: Option<Vec<IgnoredAny>>,
 }
 
 /// The case whose results a folder holds, as its summary has it; none if it holds no results of this program.
 #[must_use]
 pub fn case_in(folder: &Path) -> Option<Value> {
+    head(folder).map(|head| head.case)
+}
+
+fn head(folder: &Path) -> Option<Head> {
     let path = folder.join(summary::FILE);
     if !fs::symlink_metadata(&path).ok()?.is_file() {
         return None;
@@ -73,7 +79,32 @@ pub fn case_in(folder: &Path) -> Option<Value> {
     let head: Head = serde_json::from_reader(file).ok()?;
     let (layout, _) = summary::SCHEMA.split_once('/')?;
     let (written, _) = head.schema.split_once('/')?;
-    (written == layout && head.program == summary::PROGRAM).then_some(head.case)
+    (written == layout && head.program == summary::PROGRAM).then_some(head)
+}
+
+/// A file in a folder of results under the name of one of theirs that the run of the summary has not written.
+#[must_use]
+pub fn not_written(folder: &Path) -> Option<PathBuf> {
+    let steps = head(folder)?.steps?.len();
+    let entries = fs::read_dir(folder).ok()?.flatten();
+    let mut named = entries.filter(is_file);
+    let foreign = named.find(|entry| !is_written(entry, steps));
+    foreign.map(|entry| entry.path())
+}
+
+/// Whether a file may be of a run of so many steps: its curve has as many rows, and nothing is of a step beyond.
+fn is_written(entry: &DirEntry, steps: usize) -> bool {
+    let name = entry.file_name();
+    let name = name.to_string_lossy();
+    if name == curve::FILE {
+        let text = fs::read_to_string(entry.path());
+        return text.is_ok_and(|text| curve::is_of(&text, steps));
+    }
+    let stem = name.split('.').next().unwrap_or_default();
+    let step = stem
+        .rsplit_once('-')
+        .and_then(|(_, step)| step.parse::<usize>().ok());
+    step.is_none_or(|step| step < steps)
 }
 
 /// Removes the files of a run in a folder, the summary first: without it nothing is taken for results. The folder goes too if nothing else is

@@ -1,39 +1,102 @@
 //! A file under way that stops where the user does not want to wait any longer.
 
+use std::error::Error;
 use std::fs::File;
 use std::io::{self, BufWriter, Seek, SeekFrom, Write};
+use std::path::Path;
 
+use crate::failure::Failure;
 use crate::interrupt;
 
 /// Bytes after which what is written is put on the disk: the end of a large file would otherwise wait for all of it, deaf to the user.
 const SYNC: usize = 1 << 25;
 
-/// Writes until the user has asked to stop and [`interrupt::GRACE`] is over, then fails.
+/// Most bytes that are written or packed between two looks at the user: some milliseconds of work.
+const CHUNK: usize = 1 << 20;
+
+/// Why a file is not finished that the user does not want to wait for.
+#[derive(Debug, thiserror::Error)]
+#[error("stopped by the user")]
+struct Stopped;
+
+/// Whether a file was stopped half way, which is no failure.
+#[must_use]
+pub fn was_stopped(failure: &Failure) -> bool {
+    let Failure::Write { cause, .. } = failure else {
+        return false;
+    };
+    let mut error = cause.get_ref().map(|inner| inner as &(dyn Error + 'static));
+    while let Some(found) = error {
+        if found.is::<Stopped>() {
+            return true;
+        }
+        let within = found
+            .downcast_ref::<io::Error>()
+            .and_then(io::Error::get_ref);
+        error = within
+            .map(|inner| inner as &(dyn Error + 'static))
+            .or_else(|| found.source());
+    }
+    false
+}
+
+/// Stops where a file is only about to be written.
+///
+/// # Errors
+///
+/// [`Failure::Write`] if the user does not want to wait any longer.
+pub fn heed(path: &Path) -> Result<(), Failure> {
+    if !interrupt::is_overdue() {
+        return Ok(());
+    }
+    let (path, cause) = (path.to_owned(), io::Error::other(Stopped));
+    Err(Failure::Write { path, cause })
+}
+
+/// Hands bytes on until the user has asked to stop and [`interrupt::GRACE`] is over, then fails.
+#[derive(Debug)]
+pub struct Heeding<W>(pub W);
+
+impl<W: Write> Write for Heeding<W> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        if interrupt::is_overdue() {
+            return Err(io::Error::other(Stopped));
+        }
+        self.0.write(&bytes[..bytes.len().min(CHUNK)])
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.0.flush()
+    }
+}
+
+/// The same into a file, part after part of which is put on the disk.
 #[derive(Debug)]
 pub struct Watched<'a> {
-    file: &'a mut BufWriter<File>,
+    file: Heeding<&'a mut BufWriter<File>>,
     unsynced: usize,
 }
 
 impl<'a> Watched<'a> {
     /// Watches over a file.
     pub fn new(file: &'a mut BufWriter<File>) -> Self {
-        Self { file, unsynced: 0 }
+        Self {
+            file: Heeding(file),
+            unsynced: 0,
+        }
     }
 }
 
 impl Write for Watched<'_> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        if interrupt::is_overdue() {
-            return Err(io::Error::other("stopped by the user"));
-        }
-        self.unsynced += bytes.len();
+        let written = self.file.write(bytes)?;
+        self.unsynced += written;
         if self.unsynced > SYNC {
             self.unsynced = 0;
             self.file.flush()?;
-            self.file.get_ref().sync_data()?;
+            self.file.0.get_ref().sync_data()?;
         }
-        self.file.write(bytes)
+        Ok(written)
     }
 
     fn flush(&mut self) -> io::Result<()> {
@@ -43,6 +106,29 @@ impl Write for Watched<'_> {
 
 impl Seek for Watched<'_> {
     fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
-        self.file.seek(to)
+        self.file.0.seek(to)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::PathBuf;
+
+    use super::*;
+
+    #[test]
+    fn a_stop_is_told_from_a_disk_that_fails_however_it_is_wrapped() {
+        let failure = |cause| Failure::Write {
+            path: PathBuf::new(),
+            cause,
+        };
+        let stopped = || io::Error::other(Stopped);
+        assert!(was_stopped(&failure(stopped())));
+        assert!(was_stopped(&failure(io::Error::other(stopped()))));
+        let packed = zip::result::ZipError::Io(stopped());
+        assert!(was_stopped(&failure(io::Error::other(packed))));
+        let full = || io::Error::from(io::ErrorKind::StorageFull);
+        assert!(!was_stopped(&failure(full())));
+        assert!(!was_stopped(&failure(io::Error::other(full()))));
     }
 }

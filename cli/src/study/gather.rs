@@ -75,6 +75,7 @@ pub fn gather(folder: &Path, other: Other) -> Result<Gathered, Failure> {
         // A kill between the two leaves a study that has not begun, not a table that nobody knows.
         whole.write(folder)?;
         table::write_in_order(path, &whole.header, &rows)?;
+        place::forget_before(folder, &whole)?;
     }
     Ok(Gathered {
         tally: Tally::of(statuses.into_values()),

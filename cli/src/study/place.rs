@@ -19,6 +19,9 @@ const AT_WORK: &str = "pellicle is at work on this study.\n";
 /// Folder of the results folders of the cases.
 const CASES: &str = "cases";
 
+/// Beginning of the name of a table that a fresh study replaces, until that is complete.
+const BEFORE: &str = ".pellicle-before-";
+
 /// How often, and after which time, a process that is nearly done is asked again.
 const PATIENCE: (usize, Duration) = (100, Duration::from_millis(50));
 
@@ -38,6 +41,8 @@ pub struct Place {
     pub folder: PathBuf,
     /// What to do with the part's table.
     pub begin: Begin,
+    /// Where the table is that was there before, while this study replaces it.
+    pub before: Option<PathBuf>,
     _lock: Lock,
 }
 
@@ -73,6 +78,10 @@ impl Place {
         if there.iter().any(|other| is_other(&other)) {
             forget_cases(&folder.join(CASES)).map_err(failed)?;
         }
+        if fresh {
+            set_aside(&identity.table(folder))?;
+        }
+        let before = before(&identity.table(folder)).filter(|path| is_file(path));
         let is_empty = fs::metadata(identity.table(folder)).map_or(true, |data| data.len() == 0);
         let begin = if fresh || is_empty {
             Begin::Again
@@ -82,6 +91,7 @@ impl Place {
         Ok(Self {
             folder: folder.to_owned(),
             begin,
+            before,
             _lock: lock,
         })
     }
@@ -180,7 +190,7 @@ fn refuse_foreign(folder: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Removes what another study has left: its table, and then what it remembers.
+/// Sets the table of another study aside, and removes what it remembers.
 fn forget(folder: &Path, other: &Identity, locked: Shard) -> Result<(), Failure> {
     let _lock = if other.shard == locked {
         None
@@ -190,22 +200,54 @@ fn forget(folder: &Path, other: &Identity, locked: Shard) -> Result<(), Failure>
             path: other.table(folder),
         })?)
     };
-    for path in [other.table(folder), Identity::path(folder, other.shard)] {
-        match fs::remove_file(&path) {
-            Err(cause) if cause.kind() != io::ErrorKind::NotFound => {
-                return Err(write_failure(&path, cause));
-            }
-            _ => {}
+    set_aside(&other.table(folder))?;
+    remove(&Identity::path(folder, other.shard))
+}
+
+/// Where a table goes that a fresh study replaces.
+fn before(table: &Path) -> Option<PathBuf> {
+    let name = table.file_name()?.to_string_lossy();
+    Some(table.with_file_name(format!("{BEFORE}{name}")))
+}
+
+/// Keeps a table until the one that replaces it is complete. If one is kept already, this is its replacement, not complete, and goes.
+fn set_aside(table: &Path) -> Result<(), Failure> {
+    let is_empty = fs::symlink_metadata(table).map_or(true, |data| data.len() == 0);
+    match before(table) {
+        Some(before) if !is_empty && fs::symlink_metadata(&before).is_err() => {
+            fs::rename(table, before).map_err(|cause| write_failure(table, cause))
         }
+        _ => remove(table),
     }
-    Ok(())
+}
+
+/// Removes the table that one which is complete now has replaced, and with that of a whole study those of all parts.
+///
+/// # Errors
+///
+/// [`Failure::Write`] if one cannot be removed.
+pub fn forget_before(folder: &Path, identity: &Identity) -> Result<(), Failure> {
+    let own = before(&identity.table(folder));
+    let is_replaced = |path: &PathBuf| identity.shard == Shard::WHOLE || Some(path) == own.as_ref();
+    let kept = names(folder).into_iter();
+    let kept = kept.filter(|name| name.starts_with(BEFORE));
+    let mut kept = kept.map(|name| folder.join(name)).filter(is_replaced);
+    kept.try_for_each(|path| remove(&path))
+}
+
+fn remove(path: &Path) -> Result<(), Failure> {
+    match fs::remove_file(path) {
+        Err(cause) if cause.kind() != io::ErrorKind::NotFound => Err(write_failure(path, cause)),
+        _ => Ok(()),
+    }
 }
 
 /// Removes the results of another study's cases, and nothing that it has not written.
 fn forget_cases(cases: &Path) -> io::Result<()> {
     for name in names(cases) {
         let case = cases.join(&name);
-        if own::case_in(&case).is_some() && !case.is_symlink() {
+        if own::case_in(&case).is_some() && own::not_written(&case).is_none() && !case.is_symlink()
+        {
             own::remove(&case)?;
         }
     }

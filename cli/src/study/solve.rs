@@ -58,6 +58,7 @@ impl Kit<'_> {
             Ok(Err(
                 failure @ (Failure::Write { .. }
                 | Failure::NoResults { .. }
+                | Failure::NotWritten { .. }
                 | Failure::OtherCase { .. }
                 | Failure::Busy { .. }),
             )) => Err(failure),
@@ -93,9 +94,12 @@ impl Kit<'_> {
         let model = case.model(&self.cache)?;
         let tables_seconds = start.elapsed().as_secs_f64();
         let (loads, options) = (case.load.steps(), case.solver.options());
-        let (domain, elements) = (case.grid.domain(), case.grid.elements);
+        let domain = case
+            .domain(&model.value)
+            .map_err(|error| case.blame(error))?;
+        let elements = case.grid.elements;
         let writers = folder.as_ref().map_or(0, |_| rayon::current_num_threads());
-        let need = Need::new(&case, &model.value, writers);
+        let need = Need::new(&case, &model.value, domain, writers);
         let Some(_share) = self.memory.take(need)? else {
             return Ok(None);
         };

@@ -11,7 +11,7 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use super::identity::Identity;
-use super::place::{Begin, Place};
+use super::place::{self, Begin, Place};
 use super::status::{Status, Tally};
 use crate::failure::Failure;
 use crate::output::file;
@@ -114,14 +114,12 @@ impl Table {
         let text = whole(&self.file).map_err(|cause| Failure::damaged(&self.path, &cause))?;
         let blocks = Blocks::of(&text, identity)
             .ok_or_else(|| Failure::damaged(&self.path, &"it has changed meanwhile"))?;
-        if blocks.are_in_order() {
-            return Ok(());
-        }
         // Some systems replace no file that is open.
         drop(self.file);
-        write_in_order(&self.path, &identity.header, &blocks.in_order(&text))?;
-        drop(self.place);
-        Ok(())
+        if !blocks.are_in_order() {
+            write_in_order(&self.path, &identity.header, &blocks.in_order(&text))?;
+        }
+        place::forget_before(&self.place.folder, identity)
     }
 }
 

@@ -101,6 +101,27 @@ fn force_replaces_every_file_of_the_older_run_and_none_of_others() {
 }
 
 #[test]
+fn a_file_of_the_users_own_under_the_name_of_one_of_a_run_is_not_replaced() {
+    let folder = Folder::with_case(CASE);
+    let line = ["run", "case.toml", "--quiet", "--out", "a", "--force"];
+    assert_eq!(folder.run(&line).code, Some(0));
+    let curve = read(&folder, "a/curve.csv");
+    let longer = format!("{curve}1,2,3\n");
+    for (name, text) in [
+        ("a/curve.csv", "time,force\n1,2\n"),
+        ("a/curve.csv", &longer),
+        ("a/section-001.png", "mine"),
+    ] {
+        fs::write(folder.path(name), text).unwrap();
+        refused(&folder.run(&line), name);
+        assert_eq!(read(&folder, name), text);
+        fs::write(folder.path("a/curve.csv"), &curve).unwrap();
+    }
+    fs::remove_file(folder.path("a/section-001.png")).unwrap();
+    assert_eq!(folder.run(&line).code, Some(0));
+}
+
+#[test]
 fn a_summary_of_something_else_is_not_replaced_by_a_run_or_by_a_study() {
     let folder = with_study(STUDY);
     let foreign = ["a", "results/many/cases/case-0002"];
@@ -216,10 +237,17 @@ fn parts_of_two_studies_are_not_put_into_one_folder() {
     refused(&study(&folder, &["--shard", "1/2"]), "--fresh");
     assert_eq!(read(&folder, "results/many/results.csv"), whole);
     assert_eq!(study(&folder, &["--shard", "1/2", "--fresh"]).code, Some(0));
-    assert_eq!(
-        names(&folder.path("results/many")),
-        ["results-1-of-2.csv", "study-1-of-2.json"]
-    );
+    let part = ["results-1-of-2.csv", "study-1-of-2.json"];
+    // The table that was there stays until the whole new one takes its place.
+    let before = ".pellicle-before-results.csv";
+    let there = names(&folder.path("results/many"));
+    assert_eq!(there, [&[before], &part[..]].concat());
+    assert_eq!(read(&folder, &format!("results/many/{before}")), whole);
+    assert_eq!(study(&folder, &["--shard", "2/2"]).code, Some(0));
+    assert_eq!(folder.run(&["gather", "results/many"]).code, Some(0));
+    assert_eq!(read(&folder, "results/many/results.csv").lines().count(), 4);
+    let there = names(&folder.path("results/many"));
+    assert!(!there.contains(&before.to_owned()), "{there:?}");
 }
 
 #[test]

@@ -166,6 +166,45 @@ fn results_of_another_study_are_kept_unless_it_is_begun_again() {
 }
 
 #[test]
+fn a_fresh_study_that_is_killed_leaves_the_table_that_was_there() {
+    let folder = folder();
+    let study_of = |grids: &str| {
+        format!("[study]\ncase = \"case.toml\"\n[study.vary]\ngrid.elements = {grids}\n")
+    };
+    fs::write(folder.path("many.toml"), study_of("[32, 48]")).unwrap();
+    assert_eq!(study(&folder, &[]).code, Some(0));
+    let first = table(&folder, "results.csv");
+    // The second case takes longer than anybody waits.
+    let long = [
+        "--fresh",
+        "--threads",
+        "1",
+        "--set",
+        "solver.tolerance=1e-13",
+    ];
+    fs::write(folder.path("many.toml"), study_of("[32, 2048]")).unwrap();
+    let line = [&["study", "many.toml", "--quiet"], &long[..]].concat();
+    for _ in 0..2 {
+        let mut child = folder.command(&line).spawn().unwrap();
+        let start = Instant::now();
+        let lines = || fs::read_to_string(folder.path("results/many/results.csv"));
+        while !lines().is_ok_and(|text| text.lines().count() == 2) {
+            assert!(start.elapsed() < Duration::from_mins(1), "no first case");
+            sleep(Duration::from_millis(10));
+        }
+        child.kill().unwrap();
+        child.wait().unwrap();
+        assert_eq!(table(&folder, ".pellicle-before-results.csv"), first);
+    }
+    fs::write(folder.path("many.toml"), study_of("[32, 40]")).unwrap();
+    assert_eq!(study(&folder, &["--fresh"]).code, Some(0));
+    assert_eq!(
+        names(&folder.path("results/many")),
+        ["results.csv", "study.json"]
+    );
+}
+
+#[test]
 fn a_study_that_is_wrong_leaves_nothing() {
     let folder = folder();
     for (from, to) in [

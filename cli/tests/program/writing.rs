@@ -142,6 +142,11 @@ mod stopped {
 
     /// A run that takes seconds to write, when it has begun to.
     fn writing(folder: &Folder) -> Child {
+        writing_on(folder, "96")
+    }
+
+    fn writing_on(folder: &Folder, elements: &str) -> Child {
+        let elements = format!("grid.elements={elements}");
         let loads = "load={forces={from=\"1 uN\", to=\"2 uN\", count=24}}";
         let line = [
             "run",
@@ -155,7 +160,7 @@ mod stopped {
             "--set",
             loads,
             "--set",
-            "grid.elements=96",
+            &elements,
         ];
         let mut command = folder.command(&line);
         let child = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn();
@@ -204,6 +209,21 @@ mod stopped {
         let files = names(&folder.path("a"));
         assert!(files.contains(&"report.html".to_owned()), "{files:?}");
         assert!(files.iter().all(|name| !name.starts_with('.')), "{files:?}");
+    }
+
+    #[test]
+    fn large_fields_are_left_out_within_a_second_as_well() {
+        let folder = Folder::with_case(CASE);
+        // Half a minute of packing and drawing.
+        let child = writing_on(&folder, "512");
+        sleep(Duration::from_millis(500));
+        let sent = Instant::now();
+        interrupt(&child);
+        let output = child.wait_with_output().unwrap();
+        let time = sent.elapsed();
+        assert!(time < Duration::from_secs(2), "{time:?}");
+        assert_eq!(output.status.code(), Some(130));
+        assert_eq!(summary(&folder, "a")["steps"].as_array().unwrap().len(), 24);
     }
 
     #[test]

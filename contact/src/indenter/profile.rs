@@ -1,14 +1,14 @@
 //! What every indenter is to a solver: a height above each point of the plane.
 
-use std::f64::consts::TAU;
+use std::{f64::consts::TAU, fmt::Debug};
 
 use pellicle_texture::Grid;
 
 /// Midpoints of the average over a circle; a smooth profile takes far fewer, one with kinks loses about 1/360².
 const ANGLES: u32 = 360;
 
-/// The lower surface of a rigid indenter.
-pub trait Profile {
+/// The lower surface of a rigid indenter; a shape of your own becomes an [`Indenter`](crate::Indenter) by [`custom`](crate::Indenter::custom).
+pub trait Profile: Debug + Send + Sync {
     /// Height f(x, y) of the surface above its lowest point, m: 0 at the origin, not negative, `+∞` where the indenter ends.
     fn height(&self, x: f64, y: f64) -> f64;
 
@@ -21,6 +21,11 @@ pub trait Profile {
             self.height(radius * cosine, radius * sine)
         };
         (0..ANGLES).map(height).sum::<f64>() / f64::from(ANGLES)
+    }
+
+    /// Whether `f(x, y) = f(−x, y) = f(x, −y)`, so that a quadrant is enough where relief and grid allow it.
+    fn is_mirrored(&self) -> bool {
+        false
     }
 
     /// Distance from the point to the rim at which the indenter ends, m: positive under it, negative beyond; infinite where it ends nowhere.

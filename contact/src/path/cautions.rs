@@ -12,6 +12,8 @@ use crate::{
 const FEWEST_ELEMENTS_PER_RADIUS: f64 = 4.0;
 /// A layer thinner than this part of an element changes no coefficient by more than about as much.
 const FEWEST_ELEMENTS_PER_THICKNESS: f64 = 0.02;
+/// Moduli whose ratio is less belong to layers that are alike.
+const MOST_ALIKE: f64 = 2.0;
 /// A spring cannot shorten by more than its height.
 const LARGEST_SHORTENING: f64 = 1.0;
 /// Slopes up to this are small: the error of linear theory is about the square.
@@ -41,7 +43,19 @@ pub fn model_warnings(model: &Model, grid: &Grid) -> Vec<Warning> {
             });
         }
     }
-    for (layer, found) in model.tables.foundation().layers().iter().enumerate() {
+    let layers = model.tables.foundation().layers();
+    let moduli = layers.iter().map(|layer| layer.material().young_modulus());
+    let moduli: Vec<_> = moduli.collect();
+    for (layer, found) in layers.iter().enumerate() {
+        let beside = [layer.checked_sub(1), Some(layer + 1)]
+            .into_iter()
+            .flatten();
+        let mut beside = beside.filter_map(|i| moduli.get(i));
+        let alike = 1.0 / MOST_ALIKE..MOST_ALIKE;
+        // A part of a graded layer, which is resolved where the whole of it is.
+        if beside.any(|modulus| alike.contains(&(modulus / moduli[layer]))) {
+            continue;
+        }
         let elements_per_thickness = found.thickness() / grid.element_side();
         if elements_per_thickness < FEWEST_ELEMENTS_PER_THICKNESS {
             warnings.push(Warning::LayerUnderResolved {
@@ -92,7 +106,7 @@ fn edge(domain: Domain, step: usize, found: &Step) -> Option<Warning> {
     }
     let margin = match domain {
         Domain::Side(_) => EDGE_MARGIN,
-        Domain::Automatic => 1,
+        Domain::Chosen(_) | Domain::Automatic => 1,
     };
     let elements = found.summary.elements_to_edge?;
     (elements < margin).then_some(Warning::DomainEdge { step, elements })

@@ -15,6 +15,7 @@ pub mod choice;
 mod search;
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::sync::LazyLock;
 
 use pellicle_texture::Relief;
 
@@ -26,6 +27,8 @@ use search::where_zero;
 pub enum Domain {
     /// A square of this side (m), whatever the contact does; a contact near its edge is a warning.
     Side(f64),
+    /// A square of this side (m), which [`choose_side`](crate::choose_side) chose: enlarged should a contact reach its edge after all.
+    Chosen(f64),
     /// [Chosen](crate::choose_side) for the loads, large enough for the contact and the same for every grid.
     #[default]
     Automatic,
@@ -35,6 +38,11 @@ pub enum Domain {
 const MARGIN: f64 = 1.5;
 /// Midpoints of the quadratures over the profile; the estimate needs no more.
 const POINTS: usize = 64;
+/// `sin θ` at the midpoints of `0 … π/2`.
+static SINES: LazyLock<[f64; POINTS]> = LazyLock::new(|| {
+    let step = FRAC_PI_2 / POINTS as f64;
+    std::array::from_fn(|i| ((i as f64 + 0.5) * step).sin())
+});
 /// Angles at which a map is looked at where a part of the circle lies beyond its end.
 const ANGLES: u32 = 360;
 
@@ -160,11 +168,9 @@ fn elastic_force(model: &Model, a: f64) -> f64 {
     // E*(a) = 2/(k C(k)) at k = 1/a
     let modulus = 2.0 * a / model.tables.foundation().compliance(1.0 / a);
     let step = FRAC_PI_2 / POINTS as f64;
-    let integral: f64 = (0..POINTS)
-        .map(|i| {
-            let sine = ((i as f64 + 0.5) * step).sin();
-            slope(&model.indenter, a * sine) * sine * sine * step
-        })
+    let integral: f64 = SINES
+        .iter()
+        .map(|sine| slope(&model.indenter, a * sine) * sine * sine * step)
         .sum();
     2.0 * modulus * a * a * integral
 }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use pellicle_influence::{ElasticOperator, SpreadOperator, SurfaceElasticity};
+use pellicle_influence::{ElasticOperator, SurfaceElasticity, WindowOperator};
 
 use crate::{grid::sector::Sector, grid::window::Window};
 
@@ -19,7 +19,7 @@ pub struct Surface {
     elasticity: Arc<SurfaceElasticity>,
     operator: Option<Box<dyn ElasticOperator>>,
     /// From pressures on one window to displacements on another around it.
-    spread: Option<([Window; 2], Box<SpreadOperator>)>,
+    spread: Option<([Window; 2], Box<WindowOperator>)>,
 }
 
 impl Body {
@@ -100,15 +100,17 @@ impl Surface {
         self.operator.get_or_insert_with(made).as_mut()
     }
 
-    fn spread_of(&mut self, windows: [Window; 2]) -> &mut SpreadOperator {
+    fn spread_of(&mut self, windows: [Window; 2]) -> &mut WindowOperator {
         let known = self.spread.take_if(|(of, _)| *of == windows);
         let made = || {
             let [window, reach] = windows;
             let (elasticity, shown, size) = (&self.elasticity, reach.size(), window.size());
             let operator = match window.sector() {
-                Sector::Whole => elasticity.spread(shown, window.within(&reach).origin(), size),
+                Sector::Whole => {
+                    elasticity.under_window(shown, window.within(&reach).origin(), size)
+                }
                 // A quadrant's windows begin at the axis.
-                Sector::Quadrant => elasticity.spread_on_quadrant(shown, size),
+                Sector::Quadrant => elasticity.under_window_on_quadrant(shown, size),
             };
             (windows, Box::new(operator))
         };

@@ -2,7 +2,8 @@
 //!
 //! A solution of a square, continued by no pressure, solves the contact problem on the whole plane if nothing overlaps outside: `u + g0 ≥ D`. Next to the
 //! edge that is so where no element on the rim of the square presses, or the initial gap behind it is wider than `D`. Farther away `u` is computed from the
-//! pressure summed up in blocks, on ever larger squares as far as the indenter is lower than `D`.
+//! pressure summed up in blocks, on ever larger squares as far as the indenter is lower than `D`. Under an indenter that rises from its axis the height alone
+//! mostly settles it, or a few blocks do.
 
 use std::sync::Arc;
 
@@ -13,9 +14,10 @@ use crate::{Indenter, Model, Solution};
 
 /// Blocks per side that the pressure is summed up in.
 const BLOCKS: usize = 64;
-/// Blocks per side of the square around, and the first of those within.
-const AROUND: usize = 2 * BLOCKS;
-const FIRST: usize = BLOCKS / 2;
+/// Blocks per side of the first look.
+const FEW_BLOCKS: usize = 16;
+/// Gap over penetration of the first look that leaves no doubt: it is good to some hundredths of the penetration.
+const CLEAR: f64 = 0.1;
 /// Overlap over penetration beyond the domain that shows contact: the displacement of blocks is good to some thousandths of the penetration.
 const OVERLAP: f64 = 0.01;
 /// Doublings of the square that are looked at: a thousand million times the domain.
@@ -55,15 +57,33 @@ pub(crate) struct Surroundings<'a> {
     frames: Vec<Frame>,
 }
 
-/// What lies between a square and one of twice its side, on blocks.
+/// What lies between a square and one of twice its side.
 struct Frame {
+    /// Under the indenter alone, where it rises from its axis: no gap is smaller than its height.
+    outlook: Option<Outlook>,
+    /// Made when it is first looked at.
+    blocks: Option<Blocks>,
+}
+
+/// A first look at a frame.
+struct Outlook {
+    /// The indenter's smallest height on the inner edge, m.
+    lowest: f64,
+    /// Made when it is first looked at.
+    blocks: Option<Blocks>,
+}
+
+/// A frame in blocks.
+struct Blocks {
+    around: Around,
     /// `g0` (m) at the blocks of the larger square; infinite on those of the smaller.
     gaps: Vec<f64>,
     /// The smallest of them.
     smallest_gap: f64,
     /// The indenter's smallest height there, m.
     lowest: f64,
-    elasticity: Option<Arc<SurfaceElasticity>>,
+    /// None where no coefficients can be had for blocks so large.
+    elasticity: Option<Option<Arc<SurfaceElasticity>>>,
 }
 
 impl<'a> Surroundings<'a> {
@@ -108,99 +128,194 @@ impl<'a> Surroundings<'a> {
 
     /// Whether the indenter overlaps a part of the surface around that moves as the pressure has it.
     fn overlaps_farther_away(&mut self, solution: &Solution) -> bool {
-        let depth = solution.penetration;
         for doublings in 0..MOST_DOUBLINGS {
             if self.frames.len() == doublings {
-                let around = self.around(doublings);
-                self.frames.push(Frame::of(self.model, around));
+                self.frames
+                    .push(Frame::of(self.model, self.side(doublings)));
             }
-            let may_overlap = self.frames[doublings].smallest_gap < (1.0 - OVERLAP) * depth;
-            if may_overlap && self.overlaps_in(doublings, solution) {
+            let side = self.side(doublings);
+            let frame = &mut self.frames[doublings];
+            if frame.overlaps(self.model, side, &self.grid, solution) {
                 return true;
             }
-            if self.is_the_last(doublings, depth) {
+            if frame.is_the_last(solution.penetration) {
                 break;
             }
         }
         false
     }
 
-    /// Whether beyond a frame the indenter is higher than the penetration: every shape rises from its axis but a map, which ends somewhere.
-    fn is_the_last(&self, frame: usize, penetration: f64) -> bool {
-        let lowest = self.frames[frame].lowest;
-        match self.model.indenter {
-            Indenter::Map(_) => lowest.is_infinite(),
-            _ => lowest >= penetration,
-        }
-    }
-
-    /// The blocks of the larger square of a frame.
-    fn around(&self, doublings: usize) -> Around {
-        let side = (0..doublings).fold(self.grid.side(), |side, _| 2.0 * side);
-        Around {
-            block: side / BLOCKS as f64,
-        }
-    }
-
-    /// Whether anything overlaps between a square and one of twice its side; false where no coefficients can be had for blocks so large.
-    fn overlaps_in(&mut self, doublings: usize, solution: &Solution) -> bool {
-        let around = self.around(doublings);
-        let frame = &mut self.frames[doublings];
-        if frame.elasticity.is_none() {
-            frame.elasticity = around.elasticity(self.model);
-        }
-        let Some(elasticity) = &frame.elasticity else {
-            return false;
-        };
-        let pressure = around.summed(&self.grid, &solution.pressure);
-        let mut displacement = vec![0.0; AROUND * AROUND];
-        let mut operator = elasticity.spread(AROUND, [FIRST; 2], BLOCKS);
-        operator.apply_into(&pressure, &mut displacement);
-        let touched = (1.0 - OVERLAP) * solution.penetration;
-        let mut places = displacement.iter().zip(&frame.gaps);
-        places.any(|(u, g0)| u + g0 < touched)
+    /// Side of the smaller square of a frame, m.
+    fn side(&self, doublings: usize) -> f64 {
+        (0..doublings).fold(self.grid.side(), |side, _| 2.0 * side)
     }
 }
 
 impl Frame {
-    fn of(model: &Model, around: Around) -> Self {
-        let (mut gaps, mut lowest) = (Vec::with_capacity(AROUND * AROUND), f64::INFINITY);
-        for i in 0..AROUND {
-            for j in 0..AROUND {
-                let within = [i, j].iter().all(|k| (FIRST..FIRST + BLOCKS).contains(k));
-                if within {
+    fn of(model: &Model, side: f64) -> Self {
+        let rises = !matches!(model.indenter, Indenter::Map(_));
+        Self {
+            outlook: rises.then(|| Outlook::of(model, side)),
+            blocks: None,
+        }
+    }
+
+    /// Whether anything overlaps here.
+    fn overlaps(&mut self, model: &Model, side: f64, grid: &Grid, solution: &Solution) -> bool {
+        if let Some(outlook) = &mut self.outlook
+            && outlook.is_clear(model, side, grid, solution)
+        {
+            return false;
+        }
+        let blocks = self.blocks.get_or_insert_with(|| {
+            let gap = |place| initial_gap_at(model, place);
+            Blocks::of(model, Around::new(side, BLOCKS), gap)
+        });
+        let touched = (1.0 - OVERLAP) * solution.penetration;
+        blocks.is_closer_than(touched, model, grid, solution)
+    }
+
+    /// Whether beyond this the indenter is higher than the penetration: every shape rises from its axis but a map, which ends somewhere.
+    fn is_the_last(&self, penetration: f64) -> bool {
+        match (&self.outlook, &self.blocks) {
+            (Some(outlook), _) => outlook.lowest >= penetration,
+            (None, Some(blocks)) => blocks.lowest.is_infinite(),
+            (None, None) => false,
+        }
+    }
+}
+
+impl Outlook {
+    fn of(model: &Model, side: f64) -> Self {
+        let edge = |k: usize| (k as f64 / BLOCKS as f64 - 0.5) * side;
+        let half = 0.5 * side;
+        let heights = (0..=BLOCKS).flat_map(|k| {
+            let along = edge(k);
+            let places = [[-half, along], [half, along], [along, -half], [along, half]];
+            places.map(|[x, y]| model.indenter.height(x, y))
+        });
+        Self {
+            lowest: heights.fold(f64::INFINITY, f64::min),
+            blocks: None,
+        }
+    }
+
+    /// Whether nothing overlaps, without doubt.
+    fn is_clear(&mut self, model: &Model, side: f64, grid: &Grid, solution: &Solution) -> bool {
+        let depth = solution.penetration;
+        if self.lowest >= depth {
+            return true;
+        }
+        let blocks = self.blocks.get_or_insert_with(|| {
+            let height = |[x, y]: [f64; 2]| model.indenter.height(x, y);
+            Blocks::of(model, Around::new(side, FEW_BLOCKS), height)
+        });
+        blocks.can_move(model)
+            && !blocks.is_closer_than((1.0 + CLEAR) * depth, model, grid, solution)
+    }
+}
+
+impl Blocks {
+    fn of(model: &Model, around: Around, gap: impl Fn([f64; 2]) -> f64) -> Self {
+        let count = around.count();
+        let (mut gaps, mut lowest) = (Vec::with_capacity(count * count), f64::INFINITY);
+        for i in 0..count {
+            for j in 0..count {
+                if around.is_within([i, j]) {
                     gaps.push(f64::INFINITY);
                     continue;
                 }
                 let place = [around.centre(i), around.centre(j)];
                 lowest = lowest.min(model.indenter.height(place[0], place[1]));
-                gaps.push(initial_gap_at(model, place));
+                gaps.push(gap(place));
             }
         }
         Self {
+            around,
             smallest_gap: gaps.iter().copied().fold(f64::INFINITY, f64::min),
             gaps,
             lowest,
             elasticity: None,
         }
     }
+
+    fn elasticity(&mut self, model: &Model) -> Option<&Arc<SurfaceElasticity>> {
+        let around = self.around;
+        self.elasticity
+            .get_or_insert_with(|| around.elasticity(model))
+            .as_ref()
+    }
+
+    /// Whether there are coefficients for blocks so large.
+    fn can_move(&mut self, model: &Model) -> bool {
+        self.elasticity(model).is_some()
+    }
+
+    /// Whether the gap from the undeformed indenter to the moved surface is anywhere less than `limit` (m); false without coefficients.
+    fn is_closer_than(
+        &mut self,
+        limit: f64,
+        model: &Model,
+        grid: &Grid,
+        solution: &Solution,
+    ) -> bool {
+        if self.smallest_gap >= limit {
+            return false;
+        }
+        let around = self.around;
+        let Some(elasticity) = self.elasticity(model) else {
+            return false;
+        };
+        let pressure = around.summed(grid, &solution.pressure);
+        let count = around.count();
+        let mut displacement = vec![0.0; count * count];
+        let mut operator = elasticity.under_window(count, [around.first(); 2], around.within);
+        operator.apply_into(&pressure, &mut displacement);
+        let mut places = displacement.iter().zip(&self.gaps);
+        places.any(|(u, g0)| u + g0 < limit)
+    }
 }
 
-/// The blocks of a square around a domain.
+/// The blocks of a square around another of half its side.
 #[derive(Clone, Copy)]
 struct Around {
     /// Side of a block, m.
     block: f64,
+    /// Blocks per side of the smaller square.
+    within: usize,
 }
 
 impl Around {
+    /// Of a smaller square of side `side` (m) in so many blocks per side.
+    fn new(side: f64, within: usize) -> Self {
+        Self {
+            block: side / within as f64,
+            within,
+        }
+    }
+
+    /// Blocks per side of the larger square.
+    fn count(self) -> usize {
+        2 * self.within
+    }
+
+    /// The first block of the smaller square.
+    fn first(self) -> usize {
+        self.within / 2
+    }
+
+    fn is_within(self, block: [usize; 2]) -> bool {
+        let within = self.first()..self.first() + self.within;
+        block.iter().all(|k| within.contains(k))
+    }
+
     fn elasticity(self, model: &Model) -> Option<Arc<SurfaceElasticity>> {
-        let grid = Grid::new(self.block * AROUND as f64, AROUND).ok()?;
+        let grid = Grid::new(self.block * self.count() as f64, self.count()).ok()?;
         Some(model.elasticity(&grid).ok()?.value)
     }
 
     fn centre(self, i: usize) -> f64 {
-        (i as f64 + 0.5 - FIRST as f64 - BLOCKS as f64 / 2.0) * self.block
+        (i as f64 + 0.5 - self.within as f64) * self.block
     }
 
     /// The pressure of a grid in the middle, summed up in the blocks of the smaller square.
@@ -208,12 +323,12 @@ impl Around {
         let size = grid.size();
         let shares: Vec<_> = (0..size).map(|i| self.shares(grid, i)).collect();
         let per_block = (grid.element_side() / self.block).powi(2);
-        let mut blocks = vec![0.0; BLOCKS * BLOCKS];
+        let mut blocks = vec![0.0; self.within.pow(2)];
         for (i, row) in pressure.chunks_exact(size).enumerate() {
             for (j, p) in row.iter().enumerate().filter(|(_, p)| **p > 0.0) {
                 for (bi, along_x) in &shares[i] {
                     for (bj, along_y) in &shares[j] {
-                        blocks[bi * BLOCKS + bj] += along_x * along_y * per_block * p;
+                        blocks[bi * self.within + bj] += along_x * along_y * per_block * p;
                     }
                 }
             }
@@ -224,14 +339,15 @@ impl Around {
     /// The blocks that an element lies in along one axis, with its parts in them.
     fn shares(self, grid: &Grid, i: usize) -> Vec<(usize, f64)> {
         let half = grid.element_side() / 2.0;
-        let place = |x: f64| (x / self.block + BLOCKS as f64 / 2.0).clamp(0.0, BLOCKS as f64);
+        let count = self.within as f64;
+        let place = |x: f64| (x / self.block + count / 2.0).clamp(0.0, count);
         let (from, to) = (place(grid.centre(i) - half), place(grid.centre(i) + half));
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
             reason = "clamped to the blocks"
         )]
-        let blocks = from as usize..(to.ceil() as usize).min(BLOCKS);
+        let blocks = from as usize..(to.ceil() as usize).min(self.within);
         let part = |block: usize| {
             let start = (block as f64).max(from);
             let end = (block as f64 + 1.0).min(to);

@@ -21,7 +21,7 @@ use crate::{ContactError, DiscreteProblem, Load};
 pub const LARGEST_ACTIVE_SET_GRID: usize = 80;
 
 /// Refuses a grid whose dense matrix would not fit.
-pub fn check_size(elements: usize) -> Result<(), ContactError> {
+pub(crate) fn check_size(elements: usize) -> Result<(), ContactError> {
     let largest = LARGEST_ACTIVE_SET_GRID;
     if elements <= largest {
         Ok(())

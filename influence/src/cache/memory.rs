@@ -1,41 +1,35 @@
-//! What is kept in memory, up to a limit.
+//! Values kept in memory, up to a limit.
 
 use std::sync::{Arc, Mutex, PoisonError};
 
-use super::key::Key;
-use crate::{CoefficientTable, RadialTables};
+use blake3::Hash;
 
-/// Bytes of each shelf: the coefficients of grids of up to 8000² elements together, next to which a solver needs a hundred times as much.
-const LIMIT: usize = 1 << 28;
-
-/// One shelf for each kind of data.
-#[derive(Debug, Default)]
-pub(super) struct Memory {
-    pub tables: Shelf<RadialTables>,
-    pub coefficients: Shelf<CoefficientTable>,
-}
-
-/// Data by key, those used last at the end.
+/// Values of one type by key, those used last at the end.
 #[derive(Debug)]
-pub(super) struct Shelf<T>(Mutex<Vec<Entry<T>>>);
+pub(super) struct Memory<T> {
+    /// Bytes that the values may take together.
+    limit: usize,
+    entries: Mutex<Vec<Entry<T>>>,
+}
 
 #[derive(Debug)]
 struct Entry<T> {
-    key: Key,
+    key: Hash,
     value: Arc<T>,
     bytes: usize,
 }
 
-impl<T> Default for Shelf<T> {
-    fn default() -> Self {
-        Self(Mutex::default())
+impl<T> Memory<T> {
+    pub(super) fn new(limit: usize) -> Self {
+        Self {
+            limit,
+            entries: Mutex::default(),
+        }
     }
-}
 
-impl<T> Shelf<T> {
-    /// The data of this key, if they are there.
-    pub(super) fn take_down(&self, key: &Key) -> Option<Arc<T>> {
-        let mut entries = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+    /// The value of a key, if it is there.
+    pub(super) fn get(&self, key: &Hash) -> Option<Arc<T>> {
+        let mut entries = self.entries.lock().unwrap_or_else(PoisonError::into_inner);
         let place = entries.iter().position(|entry| entry.key == *key)?;
         let entry = entries.remove(place);
         let value = entry.value.clone();
@@ -43,12 +37,12 @@ impl<T> Shelf<T> {
         Some(value)
     }
 
-    /// Keeps data of about so many bytes; what was not used for longest makes room.
-    pub(super) fn put_up(&self, key: Key, value: &Arc<T>, bytes: usize) {
-        if bytes > LIMIT {
+    /// Keeps a value of about so many bytes; the one that was not used for longest makes room.
+    pub(super) fn insert(&self, key: Hash, value: &Arc<T>, bytes: usize) {
+        if bytes > self.limit {
             return;
         }
-        let mut entries = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut entries = self.entries.lock().unwrap_or_else(PoisonError::into_inner);
         entries.retain(|entry| entry.key != key);
         entries.push(Entry {
             key,
@@ -58,7 +52,7 @@ impl<T> Shelf<T> {
         let mut kept = 0;
         let fits = |entry: &&Entry<T>| {
             kept += entry.bytes;
-            kept <= LIMIT
+            kept <= self.limit
         };
         let count = entries.iter().rev().take_while(fits).count();
         let surplus = entries.len() - count;
@@ -70,30 +64,30 @@ impl<T> Shelf<T> {
 mod tests {
     use std::sync::Arc;
 
-    use super::{Key, LIMIT, Shelf};
+    use super::{Hash, Memory};
 
-    fn key(number: u8) -> Key {
-        Key(blake3::hash(&[number]))
+    fn key(number: u8) -> Hash {
+        blake3::hash(&[number])
     }
 
     #[test]
-    fn what_was_not_used_for_longest_makes_room() {
-        let shelf = Shelf::default();
+    fn the_value_that_was_not_used_for_longest_makes_room() {
+        let memory = Memory::new(30);
         for number in 0..3 {
-            shelf.put_up(key(number), &Arc::new(number), LIMIT / 3);
+            memory.insert(key(number), &Arc::new(number), 10);
         }
-        assert_eq!(shelf.take_down(&key(0)).as_deref(), Some(&0));
-        shelf.put_up(key(3), &Arc::new(3), LIMIT / 3);
-        let found: Vec<_> = (0..4).map(|n| shelf.take_down(&key(n)).is_some()).collect();
+        assert_eq!(memory.get(&key(0)).as_deref(), Some(&0));
+        memory.insert(key(3), &Arc::new(3), 10);
+        let found: Vec<_> = (0..4).map(|n| memory.get(&key(n)).is_some()).collect();
         assert_eq!(found, [true, false, true, true]);
     }
 
     #[test]
-    fn what_is_too_large_is_not_kept() {
-        let shelf = Shelf::default();
-        shelf.put_up(key(0), &Arc::new(0), 1);
-        shelf.put_up(key(1), &Arc::new(1), LIMIT + 1);
-        assert!(shelf.take_down(&key(1)).is_none());
-        assert!(shelf.take_down(&key(0)).is_some());
+    fn a_value_that_is_too_large_is_not_kept() {
+        let memory = Memory::new(30);
+        memory.insert(key(0), &Arc::new(0), 1);
+        memory.insert(key(1), &Arc::new(1), 31);
+        assert!(memory.get(&key(1)).is_none());
+        assert!(memory.get(&key(0)).is_some());
     }
 }

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-use pellicle_influence::{Cache, CacheWarning, FileFault, Origin};
+use pellicle_influence::{Cache, CacheWarning, Origin};
 
 use crate::scene::{ELEMENT_SIDE, SIZE, bits, coefficients, expected, filled, only_file, plain};
 
@@ -17,13 +17,7 @@ fn a_folder_in_a_files_place_costs_only_the_cache() {
     assert_eq!((origin, bits(&table)), (Origin::Computed, expected()));
     assert!(matches!(
         &warnings[..],
-        [
-            CacheWarning::File {
-                fault: FileFault::NotAFile,
-                ..
-            },
-            CacheWarning::Folder { .. }
-        ]
+        [CacheWarning::Damaged { .. }, CacheWarning::Folder { .. }]
     ));
     // Nothing incomplete is left behind.
     assert_eq!(only_file(folder.path()), file);
@@ -89,7 +83,8 @@ fn a_disk_that_is_full_in_the_middle_of_a_file_costs_only_the_cache() {
         return;
     }
     let folder = tempfile::tempdir().unwrap();
-    // A process whose files cannot grow beyond 8 blocks, half of what the coefficients take, and that is told so by the write.
+    // A process whose files cannot grow beyond 8 blocks, half of what the coefficients take, and that is told so by
+    // the write.
     let name = "folder::a_disk_that_is_full_in_the_middle_of_a_file_costs_only_the_cache";
     let line = format!("trap '' XFSZ; ulimit -f 8; exec \"$0\" {name} --exact");
     let mut limited = Command::new("sh");

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use pellicle_influence::{Cache, CacheWarning, CoefficientTable, FileFault, Origin, RadialTables};
+use pellicle_influence::{Cache, CacheWarning, CoefficientTable, Origin, RadialTables};
 use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
 use tempfile::TempDir;
 
@@ -77,17 +77,14 @@ pub fn only_file(folder: &Path) -> PathBuf {
     file
 }
 
-/// Puts bytes in the file's place: they must be found out, be replaced, and be good the next time.
-pub fn fault_of(folder: &TempDir, file: &Path, bytes: &[u8]) -> FileFault {
+/// Puts bytes in the file's place: they must be found out and told of, be replaced, and be good the next time.
+pub fn assert_replaced(folder: &TempDir, file: &Path, bytes: &[u8]) {
     fs::write(file, bytes).unwrap();
     let (table, origin, warnings) = coefficients(folder.path());
-    assert_eq!(origin, Origin::Computed);
-    assert_eq!(bits(&table), expected());
+    assert_eq!((origin, bits(&table)), (Origin::Computed, expected()));
+    let path = file.to_owned();
+    assert_eq!(warnings, [CacheWarning::Damaged { path }]);
     let (table, origin, none) = coefficients(folder.path());
     assert_eq!((origin, none), (Origin::Disk, Vec::new()));
     assert_eq!(bits(&table), expected());
-    match &warnings[..] {
-        [CacheWarning::File { path, fault }] if path == file => *fault,
-        other => unreachable!("{other:?}"),
-    }
 }

@@ -54,6 +54,10 @@ fn text(path: &str, value: &Value, units: Units) -> String {
         }
         Value::String(text) => text.clone(),
         Value::Number(number) if number.is_f64() => {
+            let path = path
+                .strip_suffix(".from")
+                .or(path.strip_suffix(".to"))
+                .unwrap_or(path);
             real(key_of(path), number.as_f64().unwrap_or(f64::NAN), units)
         }
         other => other.to_string(),

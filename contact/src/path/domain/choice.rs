@@ -7,17 +7,21 @@ use std::ops::ControlFlow;
 
 use super::{default_side, largest, radius_at};
 use crate::{
-    ContactError, Load, Model, SolverOptions, Step,
+    ContactError, Indenter, Load, Model, SolverOptions, Step,
     path::cautions::EDGE_MARGIN,
     path::hierarchy::Hierarchy,
     path::levels::COARSE_TOLERANCE,
     result::cut_off::{self, Surroundings},
     solver::Watch,
 };
-use pellicle_texture::Grid;
+use pellicle_texture::{Grid, Relief};
 
 /// Elements per side of the grid of a trial.
 const TRIAL: usize = 64;
+/// Those of the grids looked at before, which mostly do: on them a contact is known to half an element.
+const FIRST_TRIALS: [usize; 2] = [16, 32];
+/// They are solved to this, a tenth of what an element is of the penetration.
+const FIRST_TOLERANCE: f64 = 1e-3;
 /// Sides tried are the first guess times powers of this.
 const FACTOR: f64 = 1.5;
 /// A trial that is not solved after so many products is as good as it gets: where the contact ends is known long before.
@@ -43,6 +47,9 @@ pub fn choose_side(model: &Model, loads: &[Load]) -> Result<f64, ContactError> {
         small: None,
         large: None,
     };
+    if is_known_beforehand(model) {
+        return Ok(search.side());
+    }
     let presses = |load: &Load| !matches!(load, Load::Penetration(depth) if *depth <= 0.0);
     let loads: Vec<Load> = largest(loads).filter(presses).collect();
     for _ in 0..MOST_TRIALS {
@@ -62,6 +69,16 @@ pub fn choose_side(model: &Model, loads: &[Load]) -> Result<f64, ContactError> {
         side: search.side(),
         trials: MOST_TRIALS,
     })
+}
+
+/// Whether the first guess is exact: an axisymmetric indenter on a homogeneous body.
+fn is_known_beforehand(model: &Model) -> bool {
+    let is_axisymmetric = matches!(
+        model.indenter,
+        Indenter::Paraboloid(_) | Indenter::Sphere(_) | Indenter::Cone(_) | Indenter::FlatPunch(_)
+    );
+    let is_bare = matches!(model.relief, Relief::Bare);
+    is_axisymmetric && is_bare && model.tables.foundation().layers().is_empty()
 }
 
 /// What a trial says of its square; what wants the largest square is the greatest.
@@ -118,11 +135,17 @@ impl Search {
 
 /// Solves for one load on a square and judges the square by it.
 fn judge(model: &Model, side: f64, load: Load) -> Result<Verdict, ContactError> {
+    for size in FIRST_TRIALS {
+        let grid = Grid::new(side, size)?;
+        if is_seen_by(model, &grid) && fits_clearly(model, grid, load)? {
+            return Ok(Verdict::Fits);
+        }
+    }
     let grid = Grid::new(side, TRIAL)?;
     if !cut_off::can_touch(model, &grid) {
         return Ok(shrunk_to_fit(1));
     }
-    let step = solve(model, side, load)?;
+    let step = solve(model, grid, load, COARSE_TOLERANCE)?;
     let Some(to_edge) = step.summary.elements_to_edge else {
         return Ok(if sees_the_tip(model, &grid, step.solution.penetration) {
             Verdict::Fits
@@ -141,14 +164,42 @@ fn judge(model: &Model, side: f64, load: Load) -> Result<Verdict, ContactError> 
     })
 }
 
-fn solve(model: &Model, side: f64, load: Load) -> Result<Step, ContactError> {
+/// Whether even a grid coarser than that of a trial sees everything that could be touched: nothing of a map is to be missed, and no pillar.
+fn is_seen_by(model: &Model, grid: &Grid) -> bool {
+    let is_relief_seen = match &model.relief {
+        Relief::Bare | Relief::Film(_) => true,
+        Relief::Cylinders(cylinders) => cylinders.radius() >= grid.element_side(),
+        Relief::Map(_) => false,
+    };
+    is_relief_seen && !matches!(model.indenter, Indenter::Map(_)) && cut_off::can_touch(model, grid)
+}
+
+/// Whether a square fits even if a grid of it errs by half an element.
+fn fits_clearly(model: &Model, grid: Grid, load: Load) -> Result<bool, ContactError> {
+    let step = solve(model, grid, load, FIRST_TOLERANCE)?;
+    let Some(to_edge) = step.summary.elements_to_edge else {
+        return Ok(false);
+    };
+    // Half an element more or less, in those of a trial.
+    let per_element = TRIAL / grid.size();
+    let clear_of = |elements: usize| (elements * per_element).saturating_sub(per_element / 2);
+    let is_clear =
+        clear_of(to_edge) >= EDGE_MARGIN && clear_of(grid.size() / 2 - to_edge) >= SMALLEST_EXTENT;
+    Ok(is_clear && !Surroundings::of(model, grid).cut_off(&step.solution))
+}
+
+fn solve(model: &Model, grid: Grid, load: Load, tolerance: f64) -> Result<Step, ContactError> {
     let options = SolverOptions {
-        tolerance: COARSE_TOLERANCE,
+        tolerance,
         max_applications: MOST_PRODUCTS,
         contact_stiffness: false,
         ..SolverOptions::default()
     };
-    Hierarchy::new(model, side, TRIAL, 1, &options).solve(load, options, &mut Watch::alone(&mut ()))
+    Hierarchy::new(model, grid.side(), grid.size(), 1, &options).solve(
+        load,
+        options,
+        &mut Watch::alone(&mut ()),
+    )
 }
 
 /// Whether the indenter is lower than the penetration at one of the elements around its axis, so that a grid without contact has none to miss; or nothing is

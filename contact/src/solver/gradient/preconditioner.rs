@@ -4,8 +4,6 @@
 //! rings and edges the [factorised sparse approximate inverse](super::sparse_factor) of the restricted system itself.
 
 mod edge_band;
-mod periodic_filter;
-mod plane_filter;
 mod restricted_filter;
 mod sparse_factor;
 

@@ -22,10 +22,9 @@
 //!
 //! The power that would set the short waves right, ½, spoils the long ones; half of it takes a fifth fewer products than none.
 
-use pellicle_influence::PeriodicSymbol;
+use pellicle_influence::{PeriodicFilter, PeriodicSymbol};
 
 use crate::solver::gradient::preconditioner::edge_band::{Answers, EdgeBand};
-use crate::solver::gradient::preconditioner::periodic_filter::PeriodicFilter;
 use crate::solver::gradient::working_set::WorkingSet;
 use crate::{
     grid::sector::Sector,
@@ -59,7 +58,10 @@ impl RestrictedFilter {
         let size = symbol.size() / sector.parts();
         Self {
             shortest: symbol.value([symbol.size() / 2; 2]),
-            filter: PeriodicFilter::new(symbol, sector),
+            filter: match sector {
+                Sector::Whole => PeriodicFilter::new(symbol),
+                Sector::Quadrant => PeriodicFilter::on_quadrant(symbol),
+            },
             mean_compliance: f64::NAN,
             flank: vec![0.0; size * size],
             band: EdgeBand::new(size, sector),

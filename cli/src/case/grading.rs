@@ -1,0 +1,83 @@
+//! Young's modulus of a layer: the same everywhere, or graded from the top of the layer to its bottom.
+
+use serde::Serialize;
+
+use super::diagnosis::Diagnosis;
+use super::field::{Field, Sign};
+use super::quantity::Dimension;
+
+/// Young's modulus of a layer, Pa.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum ModulusCase {
+    /// The same at every depth.
+    Uniform(f64),
+    /// Changing with depth.
+    Graded(GradingCase),
+}
+
+/// How Young's modulus changes with depth.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct GradingCase {
+    /// At the top, Pa.
+    pub from: f64,
+    /// At the bottom, Pa.
+    pub to: f64,
+    /// In between.
+    pub profile: ProfileCase,
+}
+
+/// What a graded modulus does between top and bottom.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum ProfileCase {
+    /// It changes by the same amount over equal depths.
+    Linear,
+    /// It changes by the same factor over equal depths.
+    Exponential,
+}
+
+impl ModulusCase {
+    /// Reads a modulus or a table of two and a profile.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] if it is neither, or a modulus is not positive.
+    pub fn read(field: Field<'_>) -> Result<Self, Diagnosis> {
+        if !field.is_table() {
+            let modulus = field.quantity(Dimension::Pressure, Sign::Positive)?;
+            return Ok(Self::Uniform(modulus));
+        }
+        let table = field.table()?;
+        table.only(&["from", "to", "profile"])?;
+        let profile = table.required("profile", "\"linear\" or \"exponential\"")?;
+        Ok(Self::Graded(GradingCase {
+            from: table.positive("from", Dimension::Pressure)?,
+            to: table.positive("to", Dimension::Pressure)?,
+            profile: profile.choice(&[
+                ("linear", ProfileCase::Linear),
+                ("exponential", ProfileCase::Exponential),
+            ])?,
+        }))
+    }
+
+    /// At the top, Pa.
+    #[must_use]
+    pub fn at_top(self) -> f64 {
+        match self {
+            Self::Uniform(modulus) | Self::Graded(GradingCase { from: modulus, .. }) => modulus,
+        }
+    }
+}
+
+impl GradingCase {
+    /// The modulus (Pa) at a part of the way from top to bottom.
+    #[must_use]
+    pub fn at(self, part: f64) -> f64 {
+        let Self { from, to, profile } = self;
+        match profile {
+            ProfileCase::Linear => from + (to - from) * part,
+            ProfileCase::Exponential => from * (to / from).powf(part),
+        }
+    }
+}

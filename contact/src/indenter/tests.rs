@@ -1,0 +1,84 @@
+//! What all indenters have in common.
+
+use super::*;
+use pellicle_texture::{Grid, HeightMap};
+
+fn all() -> [Indenter; 6] {
+    let bowl = vec![2.0, 1.0, 2.0, 1.0, 0.5, 1.0, 2.0, 1.0, 2.0];
+    [
+        Paraboloid::new(2.0).unwrap().into(),
+        Sphere::new(2.0).unwrap().into(),
+        Cone::new(1.2, 0.3).unwrap().into(),
+        FlatPunch::new(0.5).unwrap().into(),
+        Pyramid::vickers(0.3).unwrap().into(),
+        IndenterMap::new(HeightMap::new(bowl, [3, 3], [3.0, 3.0]).unwrap()).into(),
+    ]
+}
+
+#[test]
+fn every_indenter_touches_the_origin_and_nothing_below_it() {
+    for indenter in all() {
+        assert_eq!(indenter.height(0.0, 0.0), 0.0, "{indenter:?}");
+        for k in 0..200 {
+            let (x, y) = (f64::from(k % 20) / 7.0 - 1.4, f64::from(k / 20) / 3.5 - 1.4);
+            assert!(indenter.height(x, y) >= 0.0, "{indenter:?} at {x}, {y}");
+        }
+    }
+}
+
+#[test]
+fn the_mean_over_a_circle_is_the_mean_of_many_heights() {
+    for indenter in all() {
+        let turn = |k: i32| (f64::from(k) * std::f64::consts::TAU / 9001.0).sin_cos();
+        let heights = (0..9001)
+            .map(turn)
+            .map(|(sine, cosine)| indenter.height(0.9 * cosine, 0.9 * sine));
+        let mean = heights.sum::<f64>() / 9001.0;
+        let error = (indenter.mean_profile(0.9) - mean).abs();
+        // A profile of height about 1 with a few kinks on 360 angles: some 1/360² of it each.
+        assert!(
+            mean.is_infinite() || error < 3e-5,
+            "{indenter:?}: {error:e}"
+        );
+        assert_eq!(mean.is_infinite(), indenter.mean_profile(0.9).is_infinite());
+        // The name hides nothing of the shape: the same numbers either way.
+        let through_trait = Profile::mean_profile(&indenter, 0.9);
+        assert_eq!(
+            through_trait.to_bits(),
+            indenter.mean_profile(0.9).to_bits()
+        );
+    }
+}
+
+#[test]
+fn mirrored_shapes_are_those_of_the_same_height_on_both_sides() {
+    let mut shapes = all().to_vec();
+    shapes.push(Pyramid::berkovich(0.3).unwrap().into());
+    for indenter in shapes {
+        let heights =
+            |[x, y]: [f64; 2]| [[x, y], [-x, y], [x, -y]].map(|[x, y]| indenter.height(x, y));
+        let is_same = |at| {
+            let [here, left, below] = heights(at);
+            // Rounding of the ridges' directions.
+            let differs = |there: f64| (there - here).abs() > 1e-14;
+            !(differs(left) || differs(below))
+        };
+        let places = [[0.7, 0.1], [0.2, 0.9], [1.1, 1.3], [0.05, 0.02]];
+        let is_symmetric_map = matches!(indenter, Indenter::Map(_));
+        assert_eq!(
+            indenter.is_mirrored() || is_symmetric_map,
+            places.into_iter().all(is_same),
+            "{indenter:?}"
+        );
+    }
+}
+
+#[test]
+fn the_samples_lie_on_the_grid_x_first() {
+    let indenter = Indenter::from(IndenterMap::new(
+        HeightMap::new(vec![0.0, 1.0], [2, 1], [2.0, 2.0]).unwrap(),
+    ));
+    // The lowest sample, at x = −½ of the map, stands on the origin, so the map spans x from −½ to 3/2.
+    let grid = Grid::new(2.0, 2).unwrap();
+    assert_eq!(indenter.sample(&grid), [0.0, 0.0, 0.5, 0.5]);
+}

@@ -1,0 +1,264 @@
+//! A folder of files, one for each value of any type that serde can write.
+//!
+//! A file holds the BLAKE3 of its key and of its payload, then the payload in postcard's format, which keeps every
+//! bit of an `f64`. It is written under a temporary name and renamed, so that a reader sees all of it or none,
+//! whatever other threads and processes do at the same time.
+
+use std::fs::{self, DirEntry, File, Metadata};
+use std::io::{self, BufReader, ErrorKind, Read, Write};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use blake3::{Hash, Hasher, OUT_LEN};
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+
+use super::report::{CacheWarning, Usage};
+
+/// End of the names of complete files.
+const EXTENSION: &str = ".pellicle";
+
+/// Beginning and end of the names of incomplete files.
+const PARTIAL: [&str; 2] = [".pellicle-", ".partial"];
+
+/// Bytes read and hashed at once: BLAKE3 is twice as slow when it is given a few thousand at a time.
+const BUFFER: usize = 1 << 18;
+
+/// Bytes of the widest single number.
+const WIDEST: usize = 8;
+
+/// Bytes that a file may have beyond those of its numbers.
+const OVERHEAD: usize = 1 << 10;
+
+/// The files of one folder, by key.
+#[derive(Debug)]
+pub(super) struct Disk {
+    path: PathBuf,
+    /// Set by the first failure to write; nothing is written from then on.
+    refused: AtomicBool,
+}
+
+impl Disk {
+    pub(super) fn new(path: PathBuf) -> Self {
+        Self {
+            path,
+            refused: AtomicBool::new(false),
+        }
+    }
+
+    pub(super) fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// The value of a key, which has at most `bytes` bytes; none if there is no file.
+    pub(super) fn read<T: DeserializeOwned>(
+        &self,
+        key: &Hash,
+        bytes: usize,
+    ) -> Result<Option<T>, CacheWarning> {
+        let path = self.file(key);
+        match read(&path, key, bytes + OVERHEAD) {
+            Ok(value) => Ok(Some(value)),
+            Err(error) => match error.kind() {
+                // If a file stands in the folder's place, writing will tell.
+                ErrorKind::NotFound | ErrorKind::NotADirectory => Ok(None),
+                ErrorKind::InvalidData | ErrorKind::UnexpectedEof => {
+                    Err(CacheWarning::Damaged { path })
+                }
+                kind => Err(CacheWarning::Unreadable { path, kind }),
+            },
+        }
+    }
+
+    /// Keeps a value, unless the folder has refused one before.
+    pub(super) fn write<T: Serialize>(&self, key: &Hash, value: &T) -> Result<(), CacheWarning> {
+        if self.refused.load(Ordering::Relaxed) {
+            return Ok(());
+        }
+        self.write_whole(key, value).map_err(|error| {
+            self.refused.store(true, Ordering::Relaxed);
+            CacheWarning::Folder {
+                path: self.path.clone(),
+                kind: error.kind(),
+            }
+        })
+    }
+
+    /// Nothing waits for the disk: the checksum reveals a file that a power failure has cut off.
+    fn write_whole<T: Serialize>(&self, key: &Hash, value: &T) -> io::Result<()> {
+        let payload = postcard::to_stdvec(value).map_err(io::Error::other)?;
+        let checksum = checksum_of(key).update(&payload).finalize();
+        fs::create_dir_all(&self.path)?;
+        let [prefix, suffix] = PARTIAL;
+        let mut builder = tempfile::Builder::new();
+        builder.prefix(prefix).suffix(suffix);
+        // Temporary files are private by default; the user's umask decides instead, as for any new file.
+        #[cfg(unix)]
+        builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+        let mut partial = builder.tempfile_in(&self.path)?;
+        partial.write_all(checksum.as_bytes())?;
+        partial.write_all(&payload)?;
+        match partial.persist(self.file(key)) {
+            // Another process has cleared the cache meanwhile.
+            Err(failure) if failure.error.kind() == ErrorKind::NotFound => Ok(()),
+            Err(failure) => Err(failure.error),
+            Ok(_) => Ok(()),
+        }
+    }
+
+    /// The number and the size of the cache's own files.
+    pub(super) fn usage(&self) -> io::Result<Usage> {
+        let mut usage = Usage::default();
+        for (_, metadata) in self.own_files()? {
+            usage.add(metadata.len());
+        }
+        Ok(usage)
+    }
+
+    /// Removes the cache's own files, and tells which.
+    pub(super) fn clear(&self) -> io::Result<Usage> {
+        let mut usage = Usage::default();
+        for (path, metadata) in self.own_files()? {
+            if unless_missing(fs::remove_file(path))?.is_some() {
+                usage.add(metadata.len());
+            }
+        }
+        Ok(usage)
+    }
+
+    fn own_files(&self) -> io::Result<Vec<(PathBuf, Metadata)>> {
+        let Some(entries) = unless_missing(fs::read_dir(&self.path))? else {
+            return Ok(Vec::new());
+        };
+        let mut own = Vec::new();
+        for entry in entries {
+            let entry = entry?;
+            if !is_own(&entry) {
+                continue;
+            }
+            if let Some(metadata) = unless_missing(entry.metadata())?.filter(Metadata::is_file) {
+                own.push((entry.path(), metadata));
+            }
+        }
+        Ok(own)
+    }
+
+    fn file(&self, key: &Hash) -> PathBuf {
+        self.path.join(format!("{}{EXTENSION}", key.to_hex()))
+    }
+}
+
+/// The value in a file of at most `longest` bytes. The file is never in memory as a whole.
+fn read<T: DeserializeOwned>(path: &Path, key: &Hash, longest: usize) -> io::Result<T> {
+    let metadata = fs::metadata(path)?;
+    // A pipe would never end.
+    if !metadata.is_file() || metadata.len() > longest as u64 {
+        return Err(ErrorKind::InvalidData.into());
+    }
+    let mut file = File::open(path)?;
+    let mut checksum = [0; OUT_LEN];
+    file.read_exact(&mut checksum)?;
+    let hashed = Hashed {
+        source: file,
+        hasher: checksum_of(key),
+    };
+    let mut payload = BufReader::with_capacity(BUFFER, hashed);
+    let mut number = [0; WIDEST];
+    let value = postcard::from_io((&mut payload, &mut number)).map(|(value, _)| value);
+    // The decoder stops at the first byte that makes no sense.
+    io::copy(&mut payload, &mut io::sink())?;
+    let is_whole = payload.get_ref().hasher.finalize() == checksum;
+    match value {
+        Ok(value) if is_whole => Ok(value),
+        _ => Err(ErrorKind::InvalidData.into()),
+    }
+}
+
+/// The start of a checksum. With the key in it, a file under another file's name is found out.
+fn checksum_of(key: &Hash) -> Hasher {
+    let mut hasher = Hasher::new();
+    hasher.update(key.as_bytes());
+    hasher
+}
+
+/// A source whose bytes are hashed as they are read.
+struct Hashed<R> {
+    source: R,
+    hasher: Hasher,
+}
+
+impl<R: Read> Read for Hashed<R> {
+    fn read(&mut self, bytes: &mut [u8]) -> io::Result<usize> {
+        let count = self.source.read(bytes)?;
+        self.hasher.update(&bytes[..count]);
+        Ok(count)
+    }
+}
+
+fn unless_missing<T>(result: io::Result<T>) -> io::Result<Option<T>> {
+    match result {
+        Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),
+        result => result.map(Some),
+    }
+}
+
+/// Whether a file has a name that the cache gives.
+fn is_own(entry: &DirEntry) -> bool {
+    let name = entry.file_name();
+    let Some(name) = name.to_str() else {
+        return false;
+    };
+    let [prefix, suffix] = PARTIAL;
+    let is_key = |stem: &str| {
+        let digit = |byte: u8| matches!(byte, b'0'..=b'9' | b'a'..=b'f');
+        stem.len() == 2 * OUT_LEN && stem.bytes().all(digit)
+    };
+    name.strip_suffix(EXTENSION).is_some_and(is_key)
+        || (name.starts_with(prefix) && name.ends_with(suffix))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{BUFFER, CacheWarning, Disk, Hash};
+
+    fn key() -> Hash {
+        blake3::hash(b"a")
+    }
+
+    fn bits(values: &[f64]) -> Vec<u64> {
+        values.iter().map(|value| value.to_bits()).collect()
+    }
+
+    /// A folder with one value, of several buffers.
+    fn filled() -> (tempfile::TempDir, Disk, Vec<f64>) {
+        let folder = tempfile::tempdir().unwrap();
+        let disk = Disk::new(folder.path().to_owned());
+        let mut values = vec![-0.0, f64::MIN_POSITIVE / 8.0, 0.1, -f64::MAX, f64::INFINITY];
+        values.extend((0..BUFFER / 4).map(|i| 1.0 / (i + 3) as f64));
+        disk.write(&key(), &values).unwrap();
+        (folder, disk, values)
+    }
+
+    #[test]
+    fn every_bit_comes_back() {
+        let (_folder, disk, values) = filled();
+        let found: Vec<f64> = disk.read(&key(), 8 * values.len()).unwrap().unwrap();
+        assert_eq!(bits(&found), bits(&values));
+        let nothing: Option<Vec<f64>> = disk.read(&blake3::hash(b"b"), 0).unwrap();
+        assert_eq!(nothing, None);
+    }
+
+    #[test]
+    fn a_file_that_is_longer_than_its_value_can_be_is_refused() {
+        let (_folder, disk, values) = filled();
+        let found = disk.read::<Vec<f64>>(&key(), 4 * values.len());
+        assert!(matches!(found, Err(CacheWarning::Damaged { .. })));
+    }
+
+    #[test]
+    fn a_payload_of_another_type_is_refused() {
+        let (_folder, disk, values) = filled();
+        let found = disk.read::<(bool, bool, Vec<f64>)>(&key(), 8 * values.len());
+        assert!(matches!(found, Err(CacheWarning::Damaged { .. })));
+    }
+}

@@ -1,0 +1,18 @@
+//! One square element: its boundary, rules for integrals over it, and the coefficients that need no radial tables.
+
+pub mod direct;
+pub(crate) mod edges;
+pub mod love;
+pub(crate) mod product_rule;
+
+use crate::error::InfluenceError;
+
+/// Refuses a side that is not a finite positive length.
+pub(crate) fn check_element_side(element_side: f64) -> Result<(), InfluenceError> {
+    if element_side.is_finite() && element_side > 0.0 {
+        return Ok(());
+    }
+    Err(InfluenceError::ElementSide {
+        found: element_side,
+    })
+}

@@ -1,0 +1,228 @@
+//! Multiplication of a field's Fourier series by a function of the symbol, on the periodic grid or the quadrant of one.
+//!
+//! In single precision: the result only preconditions, and seven digits of a direction are more than it needs. The
+//! field is scaled to a largest value of 1 first, so that no unit can overflow.
+
+use std::f64::consts::TAU;
+
+use rayon::prelude::*;
+
+use super::symbol::PeriodicSymbol;
+use crate::transform::{EvenLines, FourierLines, Lines, PlaneTransform};
+
+/// Numbers of a field looked through at once.
+const PART: usize = 1 << 14;
+
+/// `F⁻¹ f(K̂) F` on one grid, with the [symbol](PeriodicSymbol) `K̂` and any function f of it.
+pub struct PeriodicFilter {
+    symbol: PeriodicSymbol,
+    transform: Transform,
+    /// The factor over the largest one, and the normalisation, of each frequency along one axis and of each along
+    /// the other.
+    multipliers: Vec<f32>,
+    largest_multiplier: f64,
+}
+
+enum Transform {
+    Whole(PlaneTransform<FourierLines<f32>>),
+    Quadrant(PlaneTransform<EvenLines<f32>>),
+}
+
+impl PeriodicFilter {
+    /// For fields on the symbol's grid, N × N values; multiplies by 0 until [`Self::multiply_by`] is called.
+    #[must_use]
+    pub fn new(symbol: PeriodicSymbol) -> Self {
+        let transform = PlaneTransform::new(FourierLines::periodic(symbol.size()));
+        Self::with(symbol, Transform::Whole(transform))
+    }
+
+    /// For fields on the quadrant x, y > 0 of the symbol's grid that are symmetric in x and y, N/2 × N/2 values.
+    #[must_use]
+    pub fn on_quadrant(symbol: PeriodicSymbol) -> Self {
+        let transform = PlaneTransform::new(EvenLines::periodic(symbol.size() / 2));
+        Self::with(symbol, Transform::Quadrant(transform))
+    }
+
+    fn with(symbol: PeriodicSymbol, transform: Transform) -> Self {
+        let multipliers = vec![0.0; transform.frequencies().pow(2)];
+        Self {
+            symbol,
+            transform,
+            multipliers,
+            largest_multiplier: 0.0,
+        }
+    }
+
+    /// Takes `multiplier(symbol)` as the factor of every frequency from now on.
+    pub fn multiply_by(&mut self, multiplier: impl Fn(f64) -> f64 + Sync) {
+        let quarter = self.symbol.quarter();
+        let multipliers = quarter.iter().map(|symbol| multiplier(*symbol));
+        let largest = multipliers.fold(0.0, f64::max);
+        self.largest_multiplier = largest;
+        let (symbol, size) = (&self.symbol, self.symbol.size());
+        // There and back the transforms multiply by the elements of the period.
+        let scale = 1.0 / narrow((size * size) as f64);
+        let rows = self
+            .multipliers
+            .par_chunks_exact_mut(self.transform.frequencies());
+        rows.enumerate().for_each(|(i, factors)| {
+            for (j, factor) in factors.iter_mut().enumerate() {
+                *factor = scale * narrow(multiplier(symbol.value([i, j])) / largest);
+            }
+        });
+    }
+
+    /// `field ← F⁻¹ multiplier F field`, in place.
+    ///
+    /// # Panics
+    /// If the field has not one value per element.
+    pub fn apply(&mut self, field: &mut [f64]) {
+        let most = |part: &[f64]| {
+            part.iter()
+                .fold(0.0, |most: f64, value| most.max(value.abs()))
+        };
+        let largest = field.par_chunks(PART).map(most);
+        let largest = largest.collect::<Vec<_>>().into_iter().fold(0.0, f64::max);
+        if largest == 0.0 {
+            return;
+        }
+        let scales = [1.0 / largest, largest * self.largest_multiplier];
+        match &mut self.transform {
+            Transform::Whole(transform) => filter(transform, &self.multipliers, field, scales),
+            Transform::Quadrant(transform) => filter(transform, &self.multipliers, field, scales),
+        }
+    }
+
+    /// The answer of the filter of `multiplier(symbol)` on the whole periodic grid to a unit, at the offsets below
+    /// `REACH` along both axes: `F_mn = N⁻² Σ_ij multiplier cos(2πim/N) cos(2πjn/N)`.
+    pub fn answers<const REACH: usize>(
+        &self,
+        multiplier: impl Fn(f64) -> f64 + Sync,
+    ) -> [[f64; REACH]; REACH] {
+        let size = self.symbol.size();
+        let half = size / 2 + 1;
+        // Each of the quarter's frequencies stands for its mirror images, the ends of the range for themselves.
+        let wave = |i: usize| {
+            let images = if i == 0 || 2 * i == size { 1.0 } else { 2.0 };
+            let cosine = |m: usize| (TAU * (i * m % size) as f64 / size as f64).cos();
+            std::array::from_fn(|m| images / size as f64 * cosine(m))
+        };
+        let waves: Vec<[f64; REACH]> = (0..half).map(wave).collect();
+        let rows = self.symbol.quarter().par_chunks_exact(half);
+        let along: Vec<[f64; REACH]> = rows
+            .map(|row| {
+                let mut sums = [0.0; REACH];
+                for (symbol, wave) in row.iter().zip(&waves) {
+                    let multiplier = multiplier(*symbol);
+                    (sums.iter_mut().zip(wave)).for_each(|(sum, w)| *sum += multiplier * w);
+                }
+                sums
+            })
+            .collect();
+        let mut answers = [[0.0; REACH]; REACH];
+        for (wave, along) in waves.iter().zip(&along) {
+            for (row, w) in answers.iter_mut().zip(wave) {
+                (row.iter_mut().zip(along)).for_each(|(answer, sum)| *answer += w * sum);
+            }
+        }
+        answers
+    }
+}
+
+impl Transform {
+    /// Frequencies along one axis.
+    fn frequencies(&self) -> usize {
+        match self {
+            Self::Whole(transform) => transform.lines().width(),
+            Self::Quadrant(transform) => transform.lines().length(),
+        }
+    }
+}
+
+/// Transforms a field, times the first scale, multiplies it, and transforms it back, times the second.
+fn filter<L: Lines<Real = f32>>(
+    transform: &mut PlaneTransform<L>,
+    multipliers: &[f32],
+    field: &mut [f64],
+    [scale, scale_back]: [f64; 2],
+) {
+    let width = multipliers.len().isqrt();
+    transform.load(field, scale);
+    transform.multiply(|frequency| [&multipliers[frequency * width..][..width], &[]]);
+    transform.restore(field, scale_back);
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "preconditioners are applied in single precision"
+)]
+fn narrow(value: f64) -> f32 {
+    value as f32
+}
+
+impl std::fmt::Debug for PeriodicFilter {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let mut shown = formatter.debug_struct("PeriodicFilter");
+        shown
+            .field("size", &self.symbol.size())
+            .finish_non_exhaustive()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use pellicle_kernel::{Foundation, Material};
+
+    use super::{PeriodicFilter, PeriodicSymbol};
+
+    fn symbol(size: usize) -> PeriodicSymbol {
+        let foundation = Foundation::half_space(Material::new(1.0, 0.0).unwrap());
+        PeriodicSymbol::new(&foundation, 0.5, size)
+    }
+
+    fn reciprocal(symbol: f64) -> f64 {
+        1.0 / (symbol + 0.3)
+    }
+
+    #[test]
+    fn the_answers_are_those_to_a_unit() {
+        for size in [8, 15, 64] {
+            let mut filter = PeriodicFilter::new(symbol(size));
+            filter.multiply_by(reciprocal);
+            let mut unit = vec![0.0; size * size];
+            unit[0] = 1.0;
+            filter.apply(&mut unit);
+            let answers = filter.answers::<4>(reciprocal);
+            for (m, row) in answers.iter().enumerate() {
+                for (n, answer) in row.iter().enumerate() {
+                    // Single precision of an answer of order 1.
+                    assert!((answer - unit[m * size + n]).abs() < 1e-6, "{size} {m} {n}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_quadrant_is_filtered_as_the_whole_field_is() {
+        for half in [4, 9, 32] {
+            let part: Vec<f64> = (0..half * half).map(|e| (0.7 * e as f64).sin()).collect();
+            let along = |i: usize| if i < half { half - 1 - i } else { i - half };
+            let unfolded = |part: &[f64]| -> Vec<f64> {
+                let elements = 0..4 * half * half;
+                let image = |e: usize| along(e / (2 * half)) * half + along(e % (2 * half));
+                elements.map(|e| part[image(e)]).collect()
+            };
+            let (mut whole, mut quadrant) = (unfolded(&part), part);
+            let mut filter = PeriodicFilter::new(symbol(2 * half));
+            filter.multiply_by(reciprocal);
+            filter.apply(&mut whole);
+            let mut filter = PeriodicFilter::on_quadrant(symbol(2 * half));
+            filter.multiply_by(reciprocal);
+            filter.apply(&mut quadrant);
+            for (one, other) in whole.iter().zip(&unfolded(&quadrant)) {
+                // Single precision of answers of order 1.
+                assert!((one - other).abs() < 2e-6, "{half}");
+            }
+        }
+    }
+}

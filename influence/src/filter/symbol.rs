@@ -1,0 +1,151 @@
+//! The analytic symbol of `K` on a periodic grid, for preconditioners.
+
+use std::f64::consts::PI;
+
+use pellicle_kernel::Foundation;
+use rayon::prelude::*;
+
+use super::aliases::{Aliases, Body, Weights, weights};
+
+/// `∫∫ dA/k` over a square of side 1 centred at k = 0: 4 ln(1+√2). The mean of `1/k` over the zero frequency's
+/// cell, in units of that at its neighbour.
+const MEAN_OF_RECIPROCAL: f64 = 3.525_494_348_078_172;
+
+/// `Σ C(k) sinc(k_x a) sinc(k_y a)`, m/Pa, at the frequencies of an unpadded, periodic N × N grid of elements of
+/// side 2a.
+///
+/// The displacement of the element centres under pressures, even on each element, that alternate with one
+/// wavenumber: the sum runs over that wavenumber and its aliases, which are `π/a` apart and cannot be told from it
+/// at the centres. Without the aliases the response to the shortest waves would be a third of the true one. Only a
+/// preconditioner should use it: the domain it describes is periodic, the true one is not.
+///
+/// A quarter is stored, frequencies 0 … N/2 in both directions; the others mirror these. At zero frequency, where C
+/// is infinite on a half-space, stands the mean of `1/k` over that frequency's cell, 4 ln(1+√2) times the value at
+/// the smallest wavenumber: finite, positive, and right for a pressure that fills the domain once.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PeriodicSymbol {
+    size: usize,
+    quarter: Vec<f64>,
+}
+
+impl PeriodicSymbol {
+    /// The symbol for `size` × `size` elements of side `element_side`, m.
+    #[must_use]
+    pub fn new(foundation: &Foundation, element_side: f64, size: usize) -> Self {
+        let width = size / 2 + 1;
+        // k = 2π i/(N h)
+        let step = 2.0 * PI / (size as f64 * element_side);
+        let body = Body {
+            foundation,
+            half_side: element_side / 2.0,
+        };
+        let aliases = Aliases::new(&body);
+        let weights: Vec<Weights> = (0..width)
+            .map(|j| weights(j as f64 * 2.0 / size as f64))
+            .collect();
+        let waves: Vec<f64> = (0..width).map(|i| step * i as f64).collect();
+        let sincs: Vec<f64> = waves.iter().map(|k| body.sinc(*k)).collect();
+        let mut quarter = vec![0.0; width * width];
+        let rows = quarter.par_chunks_exact_mut(width).enumerate();
+        rows.for_each(|(i, row)| {
+            let aliases = aliases.along(&weights[i]);
+            for (j, (entry, weights)) in row.iter_mut().zip(&weights).enumerate() {
+                if i + j > 0 {
+                    let own = body.response_of([waves[i], waves[j]], [sincs[i], sincs[j]]);
+                    *entry = own + aliases.at(weights).max(0.0);
+                }
+            }
+        });
+        quarter[0] = MEAN_OF_RECIPROCAL * foundation.compliance(step);
+        Self { size, quarter }
+    }
+
+    /// Number of elements N along one side of the grid.
+    #[must_use]
+    pub fn size(&self) -> usize {
+        self.size
+    }
+
+    /// The symbol at frequencies i and j, each 0 … N−1 (beyond N/2: negative frequencies), m/Pa.
+    ///
+    /// # Panics
+    ///
+    /// If a frequency is not below N.
+    #[must_use]
+    pub fn value(&self, frequency: [usize; 2]) -> f64 {
+        let [i, j] = frequency.map(|f| f.min(self.size - f));
+        self.quarter[i * (self.size / 2 + 1) + j]
+    }
+
+    /// The stored quarter: frequencies i = 0 … N/2, of each all j = 0 … N/2, at index `i (N/2 + 1) + j`.
+    #[must_use]
+    pub fn quarter(&self) -> &[f64] {
+        &self.quarter
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::PI;
+
+    use pellicle_kernel::{Foundation, Material};
+
+    use super::PeriodicSymbol;
+    use crate::element::love;
+
+    fn symbol(size: usize) -> PeriodicSymbol {
+        let steel = Material::new(1.0, 0.0).unwrap();
+        PeriodicSymbol::new(&Foundation::half_space(steel), 0.5, size)
+    }
+
+    #[test]
+    fn frequencies_beyond_the_middle_mirror_those_before() {
+        for size in [6, 7] {
+            let symbol = symbol(size);
+            for i in 1..size {
+                for j in 1..size {
+                    let (direct, mirrored) = (symbol.value([i, j]), symbol.value([size - i, j]));
+                    assert!((direct - mirrored).abs() < f64::EPSILON);
+                }
+            }
+        }
+    }
+
+    /// `Σ k cos cos` over the offsets up to 200 elements, faded out towards the end, where the terms alternate.
+    fn sum_of_coefficients(wave: [f64; 2]) -> f64 {
+        const REACH: i32 = 200;
+        let steel = Material::new(1.0, 0.0).unwrap();
+        let fade = |m: i32| (PI * f64::from(m) / f64::from(2 * REACH)).cos().powi(2);
+        let mut sum = 0.0;
+        for m in -REACH..=REACH {
+            for n in -REACH..=REACH {
+                let offset = [m, n].map(|along| along.unsigned_abs() as usize);
+                let [x, y] = [m, n].map(f64::from);
+                sum += love::coefficient(&steel, 0.5, offset)
+                    * (wave[0] * x).cos()
+                    * (wave[1] * y).cos()
+                    * fade(m)
+                    * fade(n);
+            }
+        }
+        sum
+    }
+
+    #[test]
+    fn it_is_the_fourier_sum_of_the_coefficients_down_to_the_shortest_wave() {
+        for frequency in [[0, 2], [1, 3], [0, 4], [4, 4]] {
+            let wave = frequency.map(|f: usize| f as f64 * PI / 4.0);
+            let (expected, found) = (sum_of_coefficients(wave), symbol(8).value(frequency));
+            // The aliases beyond the fourth.
+            assert!((found / expected - 1.0).abs() < 0.02, "{found} {expected}");
+        }
+    }
+
+    #[test]
+    fn the_zero_frequency_is_finite_and_the_largest() {
+        let symbol = symbol(8);
+        let others = symbol.quarter()[1..].iter().copied();
+        assert!(symbol.value([0, 0]).is_finite());
+        assert!(others.fold(0.0, f64::max) < symbol.value([0, 0]));
+    }
+}

@@ -1,0 +1,175 @@
+//! The fast path to influence coefficients: two functions of the radius, tabulated once for a foundation, whatever
+//! the grid.
+
+use std::sync::Arc;
+
+use pellicle_kernel::{Base, Foundation, Interface, Layer};
+
+use super::functions::RadialFunctions;
+use super::integrals::{far_integral, fit_borders, near_integral};
+use crate::element::love;
+use crate::error::InfluenceError;
+
+/// Tables with a larger estimated error are refused. Contacts are solved to this accuracy, and an error of this
+/// size with one sign in all coefficients makes the smallest eigenvalue of their matrix negative where the largest
+/// is 1e7 times as large: that is a coating 1e4 times as stiff as its base, on 1000 elements a side.
+const LARGEST_ERROR: f64 = 1e-8;
+
+/// The layers together may be this many times as thick as the top one: a film of atoms on a planet.
+const LARGEST_RATIO: f64 = 1e16;
+
+/// Radial tables of one foundation, from which the coefficient of any element size and offset follows in under a
+/// microsecond.
+///
+/// ```
+/// use pellicle_influence::{RadialTables, love};
+/// use pellicle_kernel::{Foundation, Material};
+///
+/// let (coating, steel) = (Material::new(400e9, 0.25)?, Material::new(210e9, 0.3)?);
+/// let tables = RadialTables::build(&Foundation::coated(2e-6, coating, steel)?)?;
+/// // Elements much larger than the coating is thick feel the steel: 1 % is the coating's share at this ratio.
+/// let coarse = tables.coefficient(1e-3, [0, 0]) / love::coefficient(&steel, 1e-3, [0, 0]);
+/// assert!((coarse - 1.0).abs() < 0.01);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct RadialTables {
+    foundation: Foundation,
+    /// None for a homogeneous body, whose coefficients are Love's.
+    functions: Option<Arc<RadialFunctions>>,
+    /// Factor of every coefficient: 1, unless a check is being checked.
+    factor: f64,
+}
+
+impl RadialTables {
+    /// Goal of [`Self::error_estimate`]: below it no digit that a grid resolves depends on the tables.
+    pub const GOAL: f64 = 1e-12;
+
+    /// Tabulates the foundation's radial functions; some tens of milliseconds.
+    ///
+    /// Tables that miss [`Self::GOAL`] are returned all the same up to an [`Self::error_estimate`] of 1e-8.
+    ///
+    /// # Errors
+    ///
+    /// [`InfluenceError::TableAccuracy`] if the estimated error exceeds 1e-8, with which the matrix of stiff coats
+    /// need not be positive definite; [`InfluenceError::LayerThicknesses`] if the layers together are more than
+    /// 1e16 times as thick as the top one.
+    pub fn build(foundation: &Foundation) -> Result<Self, InfluenceError> {
+        let functions = Self::has_functions(foundation).then(|| accurate_functions(foundation));
+        Ok(Self::new(foundation, functions.transpose()?.map(Arc::new)))
+    }
+
+    /// The tables of these functions, which are none for a homogeneous body.
+    pub(crate) fn new(foundation: &Foundation, functions: Option<Arc<RadialFunctions>>) -> Self {
+        Self {
+            foundation: foundation.clone(),
+            functions,
+            factor: 1.0,
+        }
+    }
+
+    /// Whether there is anything to tabulate.
+    pub(crate) fn has_functions(foundation: &Foundation) -> bool {
+        !is_homogeneous(foundation)
+    }
+
+    /// The same with every coefficient multiplied by `1 + relative`: wrong on purpose, to show that a check can fail.
+    ///
+    /// A [`Cache`](crate::Cache) neither keeps nor finds coefficients made from them.
+    #[must_use]
+    pub fn perturbed(&self, relative: f64) -> Self {
+        Self {
+            factor: self.factor * (1.0 + relative),
+            ..self.clone()
+        }
+    }
+
+    /// Whether the coefficients are wrong on purpose.
+    pub(crate) fn is_perturbed(&self) -> bool {
+        self.factor.to_bits() != 1_f64.to_bits()
+    }
+
+    /// Influence coefficient `k`, m/Pa: displacement of the centre of one square element, of side `element_side`
+    /// (m), for unit pressure on another, `offset` elements away. Equation (3.4) of Stepanov and Torskaya (2022),
+    /// with u positive into the body.
+    ///
+    /// Error: see [`Self::error_estimate`].
+    #[must_use]
+    pub fn coefficient(&self, element_side: f64, offset: [usize; 2]) -> f64 {
+        self.factor * self.true_coefficient(element_side, offset)
+    }
+
+    fn true_coefficient(&self, element_side: f64, offset: [usize; 2]) -> f64 {
+        let surface = self.foundation.surface_material();
+        let Some(functions) = &self.functions else {
+            return love::coefficient(&surface, element_side, offset);
+        };
+        let half_side = element_side / 2.0;
+        let scale = half_side / self.foundation.thickness();
+        let integral = match functions.borders().rule(offset) {
+            Some(rule) => far_integral(functions, rule, scale, offset),
+            None => near_integral(functions, scale, offset),
+        };
+        // k = (1−ν1²)/(πE1) ∫ T(ρ/H)/ρ dA
+        half_side * integral / (std::f64::consts::PI * surface.plane_strain_modulus())
+    }
+
+    /// The foundation the tables are of.
+    #[must_use]
+    pub fn foundation(&self) -> &Foundation {
+        &self.foundation
+    }
+
+    /// Estimated error of a coefficient, relative to the largest of
+    ///
+    /// - `|k|`; where k changes sign with the distance, the largest within an octave of the distance;
+    /// - `min(1, Φ(0)) k_Love`, with `min(1, H/r)` for Φ(0) on a rigid base, at the distance r, for the total
+    ///   thickness H;
+    /// - `P k_Love/r`, `P` the largest integral up to r of `k/k_Love` around a point force, over the distance. It
+    ///   is less than the loaded element's own coefficient, so the estimate bounds every error by its share of the
+    ///   largest coefficient, and the errors of all coefficients together by their share of the displacement under
+    ///   a uniform pressure, but for the logarithm of the radius.
+    ///
+    /// It adds the expansions' tails, rounding, and the errors of the rules over an element, with margins; an error
+    /// on purpose counts, too.
+    #[must_use]
+    pub fn error_estimate(&self) -> f64 {
+        let functions = self.functions.as_ref();
+        let own = functions.map_or(f64::EPSILON, |functions| functions.worst().error);
+        own + (self.factor - 1.0).abs()
+    }
+}
+
+/// The functions of a layered foundation, if they are of any use.
+pub(crate) fn accurate_functions(
+    foundation: &Foundation,
+) -> Result<RadialFunctions, InfluenceError> {
+    let top = foundation.layers().first().map(Layer::thickness);
+    let found = foundation.thickness() / top.unwrap_or(f64::NAN);
+    if found.is_nan() || found > LARGEST_RATIO {
+        return Err(InfluenceError::LayerThicknesses {
+            found,
+            largest: LARGEST_RATIO,
+        });
+    }
+    let mut functions = RadialFunctions::new(foundation);
+    fit_borders(&mut functions);
+    let worst = functions.worst();
+    if worst.error <= LARGEST_ERROR {
+        return Ok(functions);
+    }
+    Err(InfluenceError::TableAccuracy {
+        wanted: LARGEST_ERROR,
+        found: worst.error,
+        radius: worst.t * foundation.thickness(),
+    })
+}
+
+/// Whether every layer is bonded to the next and made of the base's material.
+fn is_homogeneous(foundation: &Foundation) -> bool {
+    let Base::HalfSpace(base) = foundation.base() else {
+        return false;
+    };
+    let same = |layer: &Layer| layer.material() == base && layer.interface() == Interface::Bonded;
+    foundation.layers().iter().all(same)
+}

@@ -1,0 +1,204 @@
+//! Lines of real numbers that are zero beyond their ends, or periodic, by real and complex fast Fourier transforms.
+//!
+//! A column of no more than M numbers, padded to L = 2M, has even frequencies that are the M-point transform of the
+//! column itself, and odd ones that are the M-point transform of the column times `exp(−2πi n/L)`. The inverse too
+//! splits into an even and an odd half:
+//!
+//! `y_n = Σ_j Y_2j e^{2πi jn/M} + e^{2πi n/L} Σ_j Y_(2j+1) e^{2πi jn/M}`,
+//!
+//! and `y_(n+M)` is their difference.
+
+use std::f64::consts::PI;
+use std::ops::Range;
+use std::sync::Arc;
+
+use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
+use rustfft::num_complex::Complex;
+use rustfft::{Fft, FftPlanner};
+
+use super::lines::{Factors, Lines, Real, Space};
+
+/// Plans for fields of one size.
+pub(crate) struct FourierLines<T: Real> {
+    loaded: usize,
+    shown: usize,
+    /// Numbers along x and y that are wanted before the first that is given. They stand at the end of the padded lines.
+    before: [usize; 2],
+    /// Of a row with its padding.
+    period: usize,
+    rows: Arc<dyn RealToComplex<T>>,
+    rows_back: Arc<dyn ComplexToReal<T>>,
+    columns: Arc<dyn Fft<T>>,
+    columns_back: Arc<dyn Fft<T>>,
+    /// `exp(−2πi n/L)` for n < M; none of a periodic field.
+    turns: Vec<Complex<T>>,
+}
+
+impl<T: Real> FourierLines<T> {
+    /// For fields of period `length`, all of which is given and wanted.
+    pub(crate) fn periodic(length: usize) -> Self {
+        Self::new([length; 2], [0; 2], [length; 2])
+    }
+
+    /// For fields padded to 2 · `length`: `loaded` numbers along a side are given, `shown` wanted from `before` of
+    /// them on.
+    pub(crate) fn padded(loaded: usize, shown: usize, before: [usize; 2], length: usize) -> Self {
+        Self::new([loaded, shown], before, [2 * length, length])
+    }
+
+    fn new([loaded, shown]: [usize; 2], before: [usize; 2], [period, length]: [usize; 2]) -> Self {
+        let (mut real, mut complex) = (RealFftPlanner::new(), FftPlanner::new());
+        let turn = |n: usize| {
+            let turned = Complex::cis(-PI * n as f64 / length as f64);
+            Complex::new(T::narrowed(turned.re), T::narrowed(turned.im))
+        };
+        let turned = if period == length { 0 } else { length };
+        Self {
+            loaded,
+            shown,
+            before,
+            period,
+            rows: real.plan_fft_forward(period),
+            rows_back: real.plan_fft_inverse(period),
+            columns: complex.plan_fft_forward(length),
+            columns_back: complex.plan_fft_inverse(length),
+            turns: (0..turned).map(turn).collect(),
+        }
+    }
+}
+
+impl<T: Real> Lines for FourierLines<T> {
+    type Real = T;
+
+    fn loaded(&self) -> usize {
+        self.loaded
+    }
+
+    fn shown(&self) -> usize {
+        self.shown
+    }
+
+    fn width(&self) -> usize {
+        self.period / 2 + 1
+    }
+
+    fn length(&self) -> usize {
+        self.columns.len()
+    }
+
+    fn parts(&self) -> usize {
+        self.period / self.length()
+    }
+
+    fn space(&self) -> Space<T> {
+        let along_rows = self
+            .rows
+            .get_scratch_len()
+            .max(self.rows_back.get_scratch_len());
+        let along_columns = self.columns.get_inplace_scratch_len();
+        let along_columns = along_columns.max(self.columns_back.get_inplace_scratch_len());
+        Space {
+            reals: vec![T::default(); self.period],
+            pair: Vec::new(),
+            transform: vec![Complex::default(); along_rows.max(along_columns)],
+        }
+    }
+
+    fn transform_rows(
+        &self,
+        field: &[f64],
+        scale: f64,
+        rows: &mut [Complex<T>],
+        space: &mut Space<T>,
+    ) {
+        let Space {
+            reals, transform, ..
+        } = space;
+        let transform = &mut transform[..self.rows.get_scratch_len()];
+        let rows = rows.chunks_exact_mut(self.width());
+        for (values, row) in field.chunks_exact(self.loaded).zip(rows) {
+            let (given, padding) = reals.split_at_mut(self.loaded);
+            for (number, value) in given.iter_mut().zip(values) {
+                *number = T::narrowed(value * scale);
+            }
+            padding.fill(T::default());
+            let outcome = self.rows.process_with_scratch(reals, row, transform);
+            debug_assert!(outcome.is_ok(), "the lengths are the plan's");
+        }
+    }
+
+    fn restore_rows(
+        &self,
+        rows: &mut [Complex<T>],
+        field: &mut [f64],
+        scale: f64,
+        space: &mut Space<T>,
+    ) {
+        let Space {
+            reals, transform, ..
+        } = space;
+        let transform = &mut transform[..self.rows_back.get_scratch_len()];
+        let [_, before] = self.before;
+        let rows = rows.chunks_exact_mut(self.width());
+        for (values, row) in field.chunks_exact_mut(self.shown).zip(rows) {
+            // Real up to rounding; the plan wants it exact.
+            row[0].im = T::default();
+            if self.period.is_multiple_of(2) {
+                row[self.period / 2].im = T::default();
+            }
+            let outcome = self.rows_back.process_with_scratch(row, reals, transform);
+            debug_assert!(outcome.is_ok(), "the lengths are the plan's");
+            let numbers = reals[self.period - before..].iter().chain(&*reals);
+            for (value, number) in values.iter_mut().zip(numbers) {
+                *value = number.widened() * scale;
+            }
+        }
+    }
+
+    fn place(&self, n: usize) -> usize {
+        n
+    }
+
+    fn padding(&self) -> Range<usize> {
+        self.loaded..self.length()
+    }
+
+    fn turn(&self, n: usize) -> Complex<T> {
+        self.turns[n]
+    }
+
+    fn folded(&self, n: usize) -> (usize, T) {
+        let [before, _] = self.before;
+        let place = (n + self.period - before) % self.period;
+        if place < self.length() {
+            (place, T::one())
+        } else {
+            (place - self.length(), -T::one())
+        }
+    }
+
+    fn filter<'a>(
+        &self,
+        [index, part]: [usize; 2],
+        column: &mut [Complex<T>],
+        factors: &impl Fn(usize) -> Factors<'a, T>,
+        space: &mut Space<T>,
+    ) where
+        T: 'a,
+    {
+        let factors = factors(index)[part];
+        self.columns
+            .process_with_scratch(column, &mut space.transform);
+        let (rising, falling) = column.split_at_mut(factors.len());
+        for (entry, factor) in rising.iter_mut().zip(factors) {
+            *entry = *entry * factor;
+        }
+        // The frequency 0 has no mirror image, and is in the first part.
+        let mirrored = factors[1 - part..][..falling.len()].iter();
+        for (entry, factor) in falling.iter_mut().zip(mirrored.rev()) {
+            *entry = *entry * factor;
+        }
+        self.columns_back
+            .process_with_scratch(column, &mut space.transform);
+    }
+}

@@ -1,0 +1,120 @@
+//! The rows and columns of a field as the [plane transform](super::plane) sees them: how they continue beyond their
+//! ends, and how they are transformed.
+
+use std::ops::Range;
+
+use rustfft::FftNum;
+use rustfft::num_complex::Complex;
+
+/// A number that fields are transformed in.
+pub(crate) trait Real: FftNum + Default {
+    fn narrowed(value: f64) -> Self;
+    fn widened(self) -> f64;
+}
+
+impl Real for f64 {
+    fn narrowed(value: f64) -> Self {
+        value
+    }
+
+    fn widened(self) -> f64 {
+        self
+    }
+}
+
+impl Real for f32 {
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "preconditioners are applied in single precision"
+    )]
+    fn narrowed(value: f64) -> Self {
+        value as Self
+    }
+
+    fn widened(self) -> f64 {
+        self.into()
+    }
+}
+
+/// The factors of a column by frequency: those of its first part, and those of the second if there is one.
+pub(crate) type Factors<'a, T> = [&'a [T]; 2];
+
+/// The rows and columns of a square field, which is given and wanted from its first corner on.
+///
+/// A column is transformed in one part where the field is periodic. In two where it is padded to twice its length:
+/// at the even frequencies of the padded column, which are those of the column itself, and at the odd ones, which
+/// are those of the column turned by a phase. The padding is neither stored nor transformed.
+pub(crate) trait Lines: Sync {
+    type Real: Real;
+
+    /// Numbers along a side that are given.
+    fn loaded(&self) -> usize;
+
+    /// Numbers along a side that are wanted, no fewer.
+    fn shown(&self) -> usize;
+
+    /// Complex numbers of a transformed row. Each belongs to one column or, as its real and imaginary part, to two.
+    fn width(&self) -> usize;
+
+    /// Complex numbers of one part of a column.
+    fn length(&self) -> usize;
+
+    /// Parts of a column, 1 or 2.
+    fn parts(&self) -> usize;
+
+    /// Buffers for the other functions.
+    fn space(&self) -> Space<Self::Real>;
+
+    /// Transforms up to [`ROWS`] rows, times `scale`.
+    fn transform_rows(
+        &self,
+        field: &[f64],
+        scale: f64,
+        rows: &mut [Complex<Self::Real>],
+        space: &mut Space<Self::Real>,
+    );
+
+    /// Transforms up to [`ROWS`] rows back and keeps the numbers that are wanted, times `scale`.
+    fn restore_rows(
+        &self,
+        rows: &mut [Complex<Self::Real>],
+        field: &mut [f64],
+        scale: f64,
+        space: &mut Space<Self::Real>,
+    );
+
+    /// The place of the `n`-th number of a column in each part.
+    fn place(&self, n: usize) -> usize;
+
+    /// The places that no given number takes.
+    fn padding(&self) -> Range<usize>;
+
+    /// The phase of the `n`-th number in the second part.
+    fn turn(&self, n: usize) -> Complex<Self::Real>;
+
+    /// The number below [`Self::length`] that stands for the `n`-th wanted one, and the sign of the second part there.
+    fn folded(&self, n: usize) -> (usize, Self::Real);
+
+    /// Transforms one part of the column or columns `index`, multiplies it by its factors, and transforms it back.
+    fn filter<'a>(
+        &self,
+        index_and_part: [usize; 2],
+        column: &mut [Complex<Self::Real>],
+        factors: &impl Fn(usize) -> Factors<'a, Self::Real>,
+        space: &mut Space<Self::Real>,
+    ) where
+        Self::Real: 'a;
+}
+
+/// Rows transformed at once: long enough stretches of each block for the memory, few enough for the cache; even.
+pub(crate) const ROWS: usize = 8;
+
+/// Buffers of one thread.
+pub(crate) struct Space<T> {
+    /// One padded row of real numbers.
+    pub reals: Vec<T>,
+    /// The transforms of two rows at once.
+    pub pair: Vec<Complex<T>>,
+    /// Space the transforms ask for.
+    pub transform: Vec<Complex<T>>,
+}

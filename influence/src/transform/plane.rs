@@ -1,0 +1,219 @@
+//! Multiplication of the Fourier series of a square field, a block of columns at a time so that each block stays in
+//! the cache.
+//!
+//! Three passes, none of which touches a number that is known to be zero or not wanted:
+//! 1. the rows are transformed;
+//! 2. the columns are transformed, multiplied and transformed back, 16 complex numbers wide;
+//! 3. the rows are transformed back.
+//!
+//! [`Lines`] says how. Every row and every column is computed by itself, or with the same neighbour, so the result
+//! has the same bits for every number of threads.
+
+use std::sync::{Mutex, MutexGuard, PoisonError, RwLock};
+
+use rayon::prelude::*;
+use rustfft::num_complex::Complex;
+
+use super::lines::{Factors, Lines, ROWS, Space};
+
+/// Complex numbers of a row in a block: four cache lines in double precision.
+const WIDTH: usize = 16;
+
+/// Extra numbers between columns, so that the columns of a block do not all fall into one cache set when their
+/// length is a power of two.
+const SKEW: usize = 8;
+
+/// Plans and buffers for one size.
+pub(crate) struct PlaneTransform<L: Lines> {
+    lines: L,
+    /// Block b holds, row after row, the numbers 16 b … 16 b + 15 of the transformed rows; the last may be narrower.
+    blocks: Vec<RwLock<Vec<Complex<L::Real>>>>,
+    scratch: Vec<Mutex<Scratch<L::Real>>>,
+}
+
+/// The buffers of one thread beside the shared field.
+struct Scratch<T> {
+    /// The transforms of [`ROWS`] rows.
+    rows: Vec<Complex<T>>,
+    /// The columns of one block, of each its parts one after the other.
+    columns: Vec<Complex<T>>,
+    space: Space<T>,
+}
+
+impl<L: Lines> PlaneTransform<L> {
+    pub(crate) fn new(lines: L) -> Self {
+        let zeros = |count: usize| vec![Complex::default(); count];
+        let scratch = || Scratch {
+            rows: zeros(ROWS * lines.width()),
+            columns: zeros(WIDTH * lines.parts() * (lines.length() + SKEW)),
+            space: lines.space(),
+        };
+        let scratch = (0..rayon::current_num_threads()).map(|_| Mutex::new(scratch()));
+        let width = |index: usize| WIDTH.min(lines.width() - index * WIDTH);
+        let blocks = (0..lines.width().div_ceil(WIDTH)).into_par_iter();
+        let block = |index: usize| RwLock::new(zeros(lines.shown() * width(index)));
+        Self {
+            blocks: blocks.map(block).collect(),
+            scratch: scratch.collect(),
+            lines,
+        }
+    }
+
+    pub(crate) fn lines(&self) -> &L {
+        &self.lines
+    }
+
+    /// Pass 1: takes a field, times `scale`.
+    ///
+    /// # Panics
+    /// If the field has not as many numbers as the lines say.
+    pub(crate) fn load(&mut self, field: &[f64], scale: f64) {
+        let loaded = self.lines.loaded();
+        assert_eq!(field.len(), loaded.pow(2), "as many numbers are given");
+        let groups = field.par_chunks(ROWS * loaded).enumerate();
+        groups.for_each(|(group, rows)| self.transform_rows(group * ROWS, rows, scale));
+    }
+
+    /// Pass 2: multiplies by the factors of every frequency along the rows. They hold the normalisation, too: there
+    /// and back the transforms multiply a field by the number of elements of its period.
+    pub(crate) fn multiply<'a>(&mut self, factors: impl Fn(usize) -> Factors<'a, L::Real> + Sync)
+    where
+        L::Real: 'a,
+    {
+        let mut blocks = std::mem::take(&mut self.blocks);
+        let of_blocks = blocks.par_iter_mut().enumerate();
+        of_blocks.for_each(|(index, block)| {
+            let block = block.get_mut().unwrap_or_else(PoisonError::into_inner);
+            self.multiply_block(index * WIDTH, block, &factors);
+        });
+        self.blocks = blocks;
+    }
+
+    /// Pass 3: writes the field, times `scale`.
+    ///
+    /// # Panics
+    /// If the field has not as many numbers as the lines say.
+    pub(crate) fn restore(&mut self, field: &mut [f64], scale: f64) {
+        let shown = self.lines.shown();
+        assert_eq!(field.len(), shown.pow(2), "as many numbers are wanted");
+        let groups = field.par_chunks_mut(ROWS * shown).enumerate();
+        groups.for_each(|(group, rows)| self.restore_rows(group * ROWS, rows, scale));
+    }
+
+    /// The scratch of the calling thread of the pool.
+    fn scratch(&self) -> MutexGuard<'_, Scratch<L::Real>> {
+        let thread = rayon::current_thread_index().unwrap_or(0);
+        let scratch = &self.scratch[thread % self.scratch.len()];
+        scratch.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Pass 1 for up to [`ROWS`] rows, the first of which is `first`.
+    fn transform_rows(&self, first: usize, field: &[f64], scale: f64) {
+        let mut scratch = self.scratch();
+        let Scratch { rows, space, .. } = &mut *scratch;
+        let count = field.len() / self.lines.loaded();
+        let rows = &mut rows[..count * self.lines.width()];
+        self.lines.transform_rows(field, scale, rows, space);
+        for (index, block) in self.blocks.iter().enumerate() {
+            let mut block = block.write().unwrap_or_else(PoisonError::into_inner);
+            let width = block.len() / self.lines.shown();
+            let stretches = block[first * width..].chunks_exact_mut(width);
+            for (stretch, row) in stretches.zip(rows.chunks_exact(self.lines.width())) {
+                stretch.copy_from_slice(&row[index * WIDTH..index * WIDTH + width]);
+            }
+        }
+    }
+
+    /// Pass 3 for up to [`ROWS`] rows, the first of which is `first`.
+    fn restore_rows(&self, first: usize, field: &mut [f64], scale: f64) {
+        let mut scratch = self.scratch();
+        let Scratch { rows, space, .. } = &mut *scratch;
+        let count = field.len() / self.lines.shown();
+        let rows = &mut rows[..count * self.lines.width()];
+        for (index, block) in self.blocks.iter().enumerate() {
+            let block = block.read().unwrap_or_else(PoisonError::into_inner);
+            let width = block.len() / self.lines.shown();
+            let stretches = block[first * width..].chunks_exact(width);
+            for (stretch, row) in stretches.zip(rows.chunks_exact_mut(self.lines.width())) {
+                row[index * WIDTH..index * WIDTH + width].copy_from_slice(stretch);
+            }
+        }
+        self.lines.restore_rows(rows, field, scale, space);
+    }
+
+    /// Pass 2 for one block, the first column of which is `first`.
+    fn multiply_block<'a>(
+        &self,
+        first: usize,
+        block: &mut [Complex<L::Real>],
+        factors: &impl Fn(usize) -> Factors<'a, L::Real>,
+    ) where
+        L::Real: 'a,
+    {
+        let mut scratch = self.scratch();
+        let Scratch { columns, space, .. } = &mut *scratch;
+        let width = block.len() / self.lines.shown();
+        let columns = &mut columns[..width * self.stride()];
+        self.gather(block, columns);
+        for (index, parts) in columns.chunks_exact_mut(self.stride()).enumerate() {
+            for (part, column) in parts.chunks_exact_mut(self.pitch()).enumerate() {
+                let column = &mut column[..self.lines.length()];
+                let which = [first + index, part];
+                self.lines.filter(which, column, factors, space);
+            }
+        }
+        self.scatter(columns, block);
+    }
+
+    /// Copies the numbers that are given of every column of the block into each part, and pads them.
+    fn gather(&self, block: &[Complex<L::Real>], columns: &mut [Complex<L::Real>]) {
+        let (pitch, stride) = (self.pitch(), self.stride());
+        for part in columns.chunks_exact_mut(pitch) {
+            part[self.lines.padding()].fill(Complex::default());
+        }
+        let rows = block.chunks_exact(columns.len() / stride);
+        for (n, row) in rows.take(self.lines.loaded()).enumerate() {
+            let place = self.lines.place(n);
+            for (column, x) in columns[place..].iter_mut().step_by(stride).zip(row) {
+                *column = *x;
+            }
+            if self.lines.parts() == 2 {
+                let turn = self.lines.turn(n);
+                let turned = columns[pitch + place..].iter_mut().step_by(stride);
+                turned.zip(row).for_each(|(column, x)| *column = turn * x);
+            }
+        }
+    }
+
+    /// Adds the parts of every column into the block, at the numbers that are wanted.
+    fn scatter(&self, columns: &[Complex<L::Real>], block: &mut [Complex<L::Real>]) {
+        let (pitch, stride) = (self.pitch(), self.stride());
+        let rows = block.chunks_exact_mut(columns.len() / stride);
+        for (row, entries) in rows.enumerate() {
+            let (n, sign) = self.lines.folded(row);
+            let columns = &columns[self.lines.place(n)..];
+            if self.lines.parts() == 2 {
+                let back = self.lines.turn(n).conj() * sign;
+                for (index, entry) in entries.iter_mut().enumerate() {
+                    *entry = columns[index * stride] + back * columns[index * stride + pitch];
+                }
+            } else {
+                let columns = columns.iter().step_by(stride);
+                entries
+                    .iter_mut()
+                    .zip(columns)
+                    .for_each(|(entry, x)| *entry = *x);
+            }
+        }
+    }
+
+    /// Numbers from one part of a column to the next.
+    fn pitch(&self) -> usize {
+        self.lines.length() + SKEW
+    }
+
+    /// Numbers from one column to the next.
+    fn stride(&self) -> usize {
+        self.lines.parts() * self.pitch()
+    }
+}
