@@ -89,7 +89,7 @@ fn textured_scenes() -> [Scene; 4] {
 }
 
 /// The rivals' problems at `elements` per side: Hertz with contact radius 0.15 on the unit square, and the same above
-/// rigid pillars with a period of 16 elements (`cargo xtask compare` holds the definition).
+/// rigid pillars with a period of 16 elements (`xtask/compare/problem.py` holds the definition).
 fn rivals_scenes(elements: usize) -> [Scene; 2] {
     let (contact_radius, period) = (0.15_f64, 16.0 / elements as f64);
     let pillars = cylinders(CylinderSpec {

@@ -1,12 +1,14 @@
 """The same certificate for everyone, from nothing but a saved pressure.
 
-    python certificate.py CASE N PRESSURE_FILE
+    python certificate.py CASE N PRESSURE_FILE [REFERENCE_FILE]
 
 One product with Love's coefficients (1929; uniform pressure on a square), computed here with numpy and scipy and shared
-with no program that is judged. With v = K p + g0, D = sum(p v) / sum(p), g = v - D and d_H the Hertzian approach:
+with no program that is judged. With v = K p + g0, D = sum(p v) / sum(p), g = v - D and L the length of the problem:
 
-    complementarity = sum(p |g|) / (d_H sum(p))      gap_in_contact = max over p > 0 of |g| / d_H
-    overlap = max(0, -min g) / d_H                   load = |h^2 sum(p) - F| / F
+    complementarity = sum(p |g|) / (L sum(p))        gap_in_contact = max over p > 0 of |g| / L
+    overlap = max(0, -min g) / L                     load = |h^2 sum(p) - F| / F
+
+With a second pressure, `difference` is the largest difference of the two over the largest of the second.
 
 The coefficients of far elements carry rounding errors of about 1e-16 r each: 1e-12 of d_H in g for all of them.
 """
@@ -17,7 +19,7 @@ import sys
 import numpy as np
 import scipy.fft
 
-from problem import FORCE, HERTZ_APPROACH, MODULUS, Problem
+from problem import MODULUS, Problem
 
 
 def corner(x, y):
@@ -52,10 +54,10 @@ def certificate(problem, pressure):
     penetration = (pressure * v).sum() / total
     gap = v - penetration
     return {
-        "complementarity": (pressure * np.abs(gap)).sum() / total / HERTZ_APPROACH,
-        "gap_in_contact": np.abs(gap[pressure > 0.0]).max() / HERTZ_APPROACH,
-        "overlap": max(0.0, -gap.min()) / HERTZ_APPROACH,
-        "load": abs(total * problem.element_side**2 - FORCE) / FORCE,
+        "complementarity": (pressure * np.abs(gap)).sum() / total / problem.length,
+        "gap_in_contact": np.abs(gap[pressure > 0.0]).max() / problem.length,
+        "overlap": max(0.0, -gap.min()) / problem.length,
+        "load": abs(total * problem.element_side**2 - problem.force) / problem.force,
         "min_pressure": pressure.min(),
         "penetration": penetration,
         "contact_elements": int(np.count_nonzero(pressure > 0.0)),
@@ -63,9 +65,13 @@ def certificate(problem, pressure):
 
 
 def main():
-    case, n, pressure_file = sys.argv[1:]
+    case, n, pressure_file, *reference_file = sys.argv[1:]
     problem = Problem(case, int(n))
-    lines = certificate(problem, np.load(pressure_file))
+    pressure = np.load(pressure_file)
+    lines = certificate(problem, pressure)
+    for file in reference_file:
+        reference = np.load(file)
+        lines["difference"] = np.abs(pressure - reference).max() / reference.max()
     print(json.dumps({name: value if isinstance(value, int) else float(value) for name, value in lines.items()}))
 
 

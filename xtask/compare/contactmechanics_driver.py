@@ -1,7 +1,7 @@
 """ContactMechanics: its constrained conjugate gradients on its free (non-periodic) half-space.
 
 Its tolerances are absolute: a gap, a force on an element and a relative change of the total force. One relative
-tolerance is turned into all three by the Hertzian approach and peak pressure. The package of PyPI is serial.
+tolerance is turned into all three by the problem's length and peak pressure. The package of PyPI is serial.
 """
 
 from importlib.metadata import version
@@ -11,7 +11,7 @@ import numpy as np
 from SurfaceTopography import Topography
 
 import driver
-from problem import FORCE, HERTZ_APPROACH, MODULUS, PEAK_PRESSURE, SIDE
+from problem import MODULUS, SIDE
 
 LONGEST = 20000
 
@@ -26,8 +26,8 @@ def setup(problem, tolerance, threads):
 def solve(state):
     problem, tolerance, system = state
     return system.minimize_proxy(
-        external_force=FORCE, maxiter=LONGEST, pentol=tolerance * HERTZ_APPROACH,
-        forcetol=tolerance * PEAK_PRESSURE * problem.element_side**2, thermotol=tolerance,
+        external_force=problem.force, maxiter=LONGEST, pentol=tolerance * problem.length,
+        forcetol=tolerance * problem.peak_pressure * problem.element_side**2, thermotol=tolerance,
     )
 
 
@@ -36,7 +36,7 @@ def read(state, result):
         "pressure": np.asarray(result.jac) / state[0].element_side ** 2,
         "products": int(result.nfev),
         "converged": result.success,
-        "own_error": float(result.maxcv["max_pen"] / HERTZ_APPROACH),
+        "own_error": float(result.maxcv["max_pen"] / state[0].length),
     }
 
 

@@ -1,6 +1,6 @@
 """What the drivers of all rivals share: the command line, the clock, the peak of memory, the one line of JSON.
 
-    python aspher_driver.py CASE N THREADS TOLERANCE PRESSURE_FILE
+    python aspher_driver.py CASE N THREADS TOLERANCE PRESSURE_FILE [OPTION]
 
 The caller sets the thread variables of the environment before the process starts. A rival is three functions:
 
@@ -26,18 +26,18 @@ WARM_UP_ELEMENTS = 64
 
 def run(version, setup, solve, read):
     """Solves the problem of the command line, writes its pressure and prints its measurement."""
-    case, n, threads, tolerance, pressure_file = sys.argv[1:]
+    case, n, threads, tolerance, pressure_file = sys.argv[1:6]
     arguments = float(tolerance), int(threads)
-    warm_up = setup(Problem(case, WARM_UP_ELEMENTS), *arguments)
+    warm_up = setup(Problem("hertz", WARM_UP_ELEMENTS), *arguments)
     solve(warm_up)
     del warm_up
     problem = Problem(case, int(n))
 
-    start = time.perf_counter()
+    start, cpu = time.perf_counter(), time.process_time()
     state = setup(problem, *arguments)
     built = time.perf_counter()
     result = solve(state)
-    solved = time.perf_counter()
+    solved, cpu = time.perf_counter(), time.process_time() - cpu
     peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
 
     answer = read(state, result)
@@ -47,6 +47,7 @@ def run(version, setup, solve, read):
         "version": version,
         "setup_seconds": built - start,
         "solve_seconds": solved - built,
+        "cpu_seconds": cpu,
         "products": answer["products"],
         "peak_bytes": peak * (1 if sys.platform == "darwin" else 1024),
         "converged": bool(answer["converged"]),

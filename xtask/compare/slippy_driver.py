@@ -11,7 +11,7 @@ import slippy
 import slippy.core as core
 
 import driver
-from problem import FORCE, MODULUS
+from problem import MODULUS
 
 LONGEST = 20000
 
@@ -39,7 +39,7 @@ def setup(problem, tolerance, threads):
 def solve(state):
     problem, tolerance, spacing, operator = state
     return core.polonsky_and_keer(
-        operator, np.ones_like(problem.gap), problem.gap, FORCE, spacing, eps_0=tolerance, max_it=LONGEST
+        operator, np.ones_like(problem.gap), problem.gap, problem.force, spacing, eps_0=tolerance, max_it=LONGEST
     )
 
 

@@ -1,17 +1,10 @@
-//! What can go wrong before a rule is checked or a program compared.
+//! What can go wrong before a rule is checked or a figure drawn.
 
 use std::io;
 use std::path::PathBuf;
-use std::process::ExitStatus;
 
 use pellicle_cli::failure::Failure;
-use pellicle_contact::{ContactError, IndenterError};
-use pellicle_influence::InfluenceError;
-use pellicle_kernel::KernelError;
-use pellicle_texture::TextureError;
 use thiserror::Error;
-
-use crate::ClaimsError;
 
 /// Why a chore could not be done.
 #[derive(Debug, Error)]
@@ -46,24 +39,8 @@ pub enum XtaskError {
         /// What the operating system said.
         source: io::Error,
     },
-    /// A release build failed.
-    #[error("cargo could not build {package} in release ({status})")]
-    Build {
-        /// What was built.
-        package: &'static str,
-        /// How cargo ended.
-        status: ExitStatus,
-    },
-    /// A number of elements that whole periods of pillars do not fill.
-    #[error("elements per side must be a positive multiple of {period}, got {found}")]
-    Size {
-        /// Elements per side found.
-        found: usize,
-        /// Elements per period of the pillars.
-        period: usize,
-    },
     /// A run of a case of the paper did not converge: nothing may be said from it.
-    #[error("not certified: {run}: nothing is drawn or claimed from it")]
+    #[error("not certified: {run}: nothing is drawn from it")]
     NotCertified {
         /// The case, its elements and values.
         run: String,
@@ -79,31 +56,7 @@ pub enum XtaskError {
     /// Results of a run that cannot be read.
     #[error(transparent)]
     Results(#[from] Failure),
-    /// A claim that could not be judged.
-    #[error(transparent)]
-    Claims(#[from] ClaimsError),
-    /// A material or foundation that cannot be.
-    #[error(transparent)]
-    Kernel(#[from] KernelError),
-    /// From the influence coefficients.
-    #[error(transparent)]
-    Influence(#[from] InfluenceError),
-    /// A relief that cannot be.
-    #[error(transparent)]
-    Texture(#[from] TextureError),
-    /// An indenter that cannot be.
-    #[error(transparent)]
-    Indenter(#[from] IndenterError),
-    /// Pellicle refused the problem.
-    #[error(transparent)]
-    Contact(#[from] ContactError),
-    /// The threads of a run could not be started.
-    #[error(transparent)]
-    Threads(#[from] rayon::ThreadPoolBuildError),
-    /// A pressure could not be written.
-    #[error(transparent)]
-    Pressure(#[from] ndarray_npy::WriteNpyError),
-    /// A result could not be written as JSON.
+    /// A summary that is not one.
     #[error(transparent)]
     Json(#[from] serde_json::Error),
 }

@@ -5,7 +5,6 @@
 
 mod arguments;
 mod chart;
-mod figure;
 mod figure_2;
 mod figure_3;
 mod figure_4;
@@ -18,18 +17,18 @@ mod parameters;
 mod picture;
 mod pressure_sheet;
 mod pressures;
-mod quality;
+mod run;
 mod section;
 mod sheet;
 mod studio;
 
 use std::path::Path;
 
-pub use arguments::FiguresArguments;
-pub use figure::Figure;
-pub use quality::Quality;
+pub use arguments::{Figure, FiguresArguments};
+pub use run::Runner;
+pub use studio::Quality;
 
-use crate::{Runner, XtaskError};
+use crate::XtaskError;
 use picture::Picture;
 use studio::Studio;
 
@@ -43,7 +42,7 @@ pub fn figures(
     root: &Path,
     tell: &mut dyn FnMut(&str),
 ) -> Result<usize, XtaskError> {
-    let runner = Runner::prepare(root, tell)?;
+    let runner = Runner::release(root);
     let quality = arguments.quality();
     let out = root.join(arguments.folder());
     let mut drawn = 0;

@@ -1,40 +1,65 @@
-//! The house rules, one a file, each a function from the tree to what breaks it.
+//! The house rules, each a function from the tree to what breaks it.
 
-mod architecture;
-mod cases;
-mod crate_roots;
-mod dependencies;
-mod evidence;
-mod headers;
-mod inheritance;
-mod links;
-mod readmes;
-mod test_command;
-mod traces;
-mod versions;
+mod documents;
+mod manifests;
+mod sources;
 
-use crate::{Tree, Violation};
+use std::fmt;
 
-/// A house rule: everything in the tree that breaks it.
+use crate::Tree;
+
+/// A house rule that is broken somewhere; it reads like a message of the compiler.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Violation {
+    /// Path of the file from the root of the workspace.
+    pub path: String,
+    /// Line in the file, from 1; none if the rule is about the whole file.
+    pub line: Option<usize>,
+    /// What was found and what is wanted.
+    pub message: String,
+}
+
+/// A house rule.
 type Rule = fn(&Tree) -> Vec<Violation>;
 
-const RULES: [Rule; 12] = [
-    dependencies::point_downward,
-    versions::stand_in_the_root,
-    inheritance::of_package_fields,
-    headers::open_every_source,
-    crate_roots::hold_no_code,
-    readmes::introduce_every_package,
-    links::resolve,
-    traces::are_removed,
-    cases::say_what_they_show,
-    evidence::names_tests_that_exist,
-    architecture::stays_short,
-    test_command::is_what_ci_runs,
+const RULES: [Rule; 7] = [
+    manifests::dependencies_point_downward,
+    manifests::versions_stand_in_the_root,
+    manifests::fields_are_inherited,
+    sources::begin_with_their_job,
+    sources::hold_no_trace_of_a_machine,
+    documents::links_resolve,
+    documents::named_tests_exist,
 ];
 
 /// Everything in the tree that breaks a house rule, rule by rule; empty for a tidy workspace.
 #[must_use]
 pub fn tidy(tree: &Tree) -> Vec<Violation> {
     RULES.iter().flat_map(|rule| rule(tree)).collect()
+}
+
+impl Violation {
+    fn new(path: &str, line: Option<usize>, message: impl Into<String>) -> Self {
+        Self {
+            path: path.to_owned(),
+            line,
+            message: message.into(),
+        }
+    }
+}
+
+impl fmt::Display for Violation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.line {
+            Some(line) => write!(f, "{}:{line}: {}", self.path, self.message),
+            None => write!(f, "{}: {}", self.path, self.message),
+        }
+    }
+}
+
+/// The violations of one rule on a tree of these files, as text.
+#[cfg(test)]
+fn broken(rule: Rule, files: &[(&str, &str)]) -> Vec<String> {
+    let found = rule(&Tree::of(files));
+    found.iter().map(ToString::to_string).collect()
 }

@@ -10,7 +10,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use tempfile::TempDir;
-use xtask::{Figure, Program, Quality, Runner, draw_figure};
+use xtask::{Figure, Quality, Runner, XtaskError, draw_figure};
 
 /// Elements per side: few enough for a test, and a multiple of four, so that there is a coarser grid.
 const TINY: Quality = Quality {
@@ -24,15 +24,15 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
 }
 
-fn runner(results: &TempDir) -> Runner {
-    let program = Program::at(Path::new(env!("CARGO_BIN_EXE_xtask")), &["program"]).unwrap();
-    Runner::new(&root(), results.path().join("runs"), program)
+fn runner(root: &Path, results: &TempDir) -> Runner {
+    let program = [env!("CARGO_BIN_EXE_xtask"), "program"];
+    Runner::new(root, results.path().join("runs"), &program)
 }
 
 /// The files of a figure, by name.
 fn drawn(figure: Figure, results: &TempDir, folder: &str) -> BTreeMap<String, Vec<u8>> {
     let out = results.path().join(folder);
-    let names = draw_figure(figure, &runner(results), TINY, &out).unwrap();
+    let names = draw_figure(figure, &runner(&root(), results), TINY, &out).unwrap();
     let file = |name: String| (name.clone(), fs::read(out.join(name)).unwrap());
     names.into_iter().map(file).collect()
 }
@@ -65,7 +65,7 @@ fn a_figure_is_drawing_pixels_and_table_with_its_certificate() {
 }
 
 #[test]
-fn a_figure_drawn_again_from_what_is_kept_has_the_same_bytes() {
+fn a_figure_drawn_again_has_the_same_bytes() {
     let results = tempfile::tempdir().unwrap();
     let first = drawn(Figure::Two, &results, "first");
     assert!(first.contains_key("fig2-map.png") && first.contains_key("fig2-surface.svg"));
@@ -74,12 +74,20 @@ fn a_figure_drawn_again_from_what_is_kept_has_the_same_bytes() {
 }
 
 #[test]
-fn no_figure_is_drawn_from_a_run_that_is_missing() {
+fn a_case_that_is_missing_refused_or_not_certified_is_an_error_and_not_drawn() {
     let results = tempfile::tempdir().unwrap();
     let nowhere = TempDir::new().unwrap();
-    let program = Program::at(Path::new(env!("CARGO_BIN_EXE_xtask")), &["program"]).unwrap();
-    let runner = Runner::new(nowhere.path(), results.path().join("runs"), program);
     let out = results.path().join("out");
-    assert!(draw_figure(Figure::Five, &runner, TINY, &out).is_err());
+    assert!(draw_figure(Figure::Five, &runner(nowhere.path(), &results), TINY, &out).is_err());
     assert!(!out.exists());
+    let run = |set: &str| {
+        let sets = ["grid.elements=32", set].map(str::to_owned);
+        let run = runner(&root(), &results).run("cases/fig2a", &sets, false);
+        run.unwrap_err()
+    };
+    let refused = run("load.force=-1");
+    assert!(matches!(&refused, XtaskError::Refused { message, .. } if message.contains("force")));
+    // The smallest force that a number can hold: spread over the elements it is no number any more.
+    let sentence = run("load.force=5e-324").to_string();
+    assert!(sentence.starts_with("not certified: fig2a"), "{sentence}");
 }

@@ -14,7 +14,7 @@ use super::picture::Picture;
 use super::pressure_sheet::{Common, Shown, maps, surfaces};
 use super::pressures::{Loaded, TOLD_APART, reach, rounded_up};
 use super::studio::Studio;
-use crate::{PaperCase, XtaskError};
+use crate::XtaskError;
 
 /// Names of the panels.
 const PANELS: [&str; 4] = ["(a)", "(b)", "(c)", "(d)"];
@@ -25,12 +25,7 @@ const MODULI: [f64; 4] = [0.1, 1.0, 0.1, 1.0];
 
 /// The pressure as maps, and as columns over the surface.
 pub(super) fn draw(studio: &mut Studio<'_>) -> Result<Vec<Picture>, XtaskError> {
-    let cases = [
-        PaperCase::Fig2a,
-        PaperCase::Fig2b,
-        PaperCase::Fig2c,
-        PaperCase::Fig2d,
-    ];
+    let cases = ["cases/fig2a", "cases/fig2b", "cases/fig2c", "cases/fig2d"];
     let loaded = Loaded::all(studio, cases)?;
     let case = Parameters::of(&loaded[0].run).textured_coating();
     let subtitle = format!("{}{case}", studio.quality.mark());

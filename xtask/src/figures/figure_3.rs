@@ -9,11 +9,12 @@ use pellicle_cli::picture::svg::{Dash, Place};
 use super::line::{self, Line};
 use super::parameters::Parameters;
 use super::picture::Picture;
+use super::run::PaperRun;
 use super::section::Section;
 use super::sheet::Sheet;
 use super::studio::Studio;
 use super::{chart, note};
-use crate::{PaperCase, PaperRun, XtaskError};
+use crate::XtaskError;
 
 /// In pixels.
 const LEFT: f64 = 112.0;
@@ -40,22 +41,22 @@ struct Profile {
 }
 
 /// By the loads of Fig. 2, and by the labels of Fig. 3, which give each coating the loads of the other.
-const PANELS: [(&str, [(PaperCase, usize); 2]); 4] = [
+const PANELS: [(&str, [(&str, usize); 2]); 4] = [
     (
         "compliant, Q as in Fig. 2",
-        [(PaperCase::Fig2a, 0), (PaperCase::Fig2c, 0)],
+        [("cases/fig2a", 0), ("cases/fig2c", 0)],
     ),
     (
         "stiff, Q as in Fig. 2",
-        [(PaperCase::Fig2b, 0), (PaperCase::Fig2d, 0)],
+        [("cases/fig2b", 0), ("cases/fig2d", 0)],
     ),
     (
         "compliant, Q as labelled",
-        [(PaperCase::Fig3Soft, 0), (PaperCase::Fig3Soft, 1)],
+        [("cases/paper/fig3-soft", 0), ("cases/paper/fig3-soft", 1)],
     ),
     (
         "stiff, Q as labelled",
-        [(PaperCase::Fig3Stiff, 0), (PaperCase::Fig3Stiff, 1)],
+        [("cases/paper/fig3-stiff", 0), ("cases/paper/fig3-stiff", 1)],
     ),
 ];
 
@@ -80,7 +81,7 @@ pub(super) fn draw(studio: &mut Studio<'_>) -> Result<Vec<Picture>, XtaskError> 
 fn profile(
     studio: &mut Studio<'_>,
     name: &'static str,
-    cases: [(PaperCase, usize); 2],
+    cases: [(&'static str, usize); 2],
 ) -> Result<Profile, XtaskError> {
     let load = |(case, step)| Ok((studio.fields(case)?, step));
     let loads = cases
@@ -141,7 +142,7 @@ fn sheet(studio: &Studio<'_>, profiles: &[Profile]) -> Sheet {
 
 /// The note on the data of a load.
 fn data((run, step): &Load) -> String {
-    let (name, step) = (run.request.case.name(), &run.steps()[*step]);
+    let (name, step) = (run.case, &run.steps()[*step]);
     let force = power(step.force, 4);
     format!("{name}, Q = {force}: {}", note::of_step(run, step))
 }

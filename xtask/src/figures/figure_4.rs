@@ -7,7 +7,7 @@ use super::loading::{self, Curve, LoadAxis, Loading, Planned, View};
 use super::parameters::Parameters;
 use super::picture::Picture;
 use super::studio::{PENETRATION, Studio};
-use crate::{PaperCase, XtaskError};
+use crate::XtaskError;
 
 const STIFF: Colour = colours::PURPLE;
 const COMPLIANT: Colour = colours::GREEN;
@@ -15,25 +15,25 @@ const COMPLIANT: Colour = colours::GREEN;
 /// Every curve: colours are coatings, dashes the larger period.
 const CURVES: [Planned; 4] = [
     (
-        PaperCase::Fig4Stiff60,
+        "cases/paper/fig4-stiff-60",
         "stiff coating, T = R/60",
         STIFF,
         Dash::Dashed,
     ),
     (
-        PaperCase::Fig4Stiff80,
+        "cases/paper/fig4-stiff-80",
         "stiff coating, T = R/80",
         STIFF,
         Dash::Solid,
     ),
     (
-        PaperCase::Fig4Soft60,
+        "cases/paper/fig4-soft-60",
         "compliant coating, T = R/60",
         COMPLIANT,
         Dash::Dashed,
     ),
     (
-        PaperCase::Fig4Soft80,
+        "cases/paper/fig4-soft-80",
         "compliant coating, T = R/80",
         COMPLIANT,
         Dash::Solid,

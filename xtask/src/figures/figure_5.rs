@@ -14,7 +14,7 @@ use super::pressures::{Loaded, reach, rounded_up};
 use super::sheet::Sheet;
 use super::studio::Studio;
 use super::{chart, note};
-use crate::{PaperCase, XtaskError};
+use crate::XtaskError;
 
 /// Names of the panels.
 const PANELS: [&str; 2] = ["with film", "without film"];
@@ -31,7 +31,7 @@ const TITLE: &str = "Fig. 5: pressure under a Berkovich pyramid with a rounded t
 
 /// The pressure as maps, as columns over the surface, and along the axis of symmetry.
 pub(super) fn draw(studio: &mut Studio<'_>) -> Result<Vec<Picture>, XtaskError> {
-    let loaded = Loaded::all(studio, [PaperCase::Fig5Film, PaperCase::Fig5Bare])?;
+    let loaded = Loaded::all(studio, ["cases/fig5-film", "cases/fig5-bare"])?;
     let (subtitle, notes) = (subtitle(studio, &loaded), notes(&loaded));
     let reach = reach(&loaded);
     let metres = Scale::of(reach, Unit::Metre, Units::Si);

@@ -8,12 +8,12 @@ use super::loading::{self, BARE, Curve, FILM, LoadAxis, Loading, Planned, View};
 use super::parameters::{Parameters, short};
 use super::picture::Picture;
 use super::studio::{PEAK, PENETRATION, Studio};
-use crate::{PaperCase, XtaskError};
+use crate::XtaskError;
 
 /// Both curves up to the load of Fig. 5.
 const CURVES: [Planned; 2] = [
-    (PaperCase::Fig6Film, "with film", FILM, Dash::Solid),
-    (PaperCase::Fig6Bare, "without film", BARE, Dash::Solid),
+    ("cases/paper/fig6-film", "with film", FILM, Dash::Solid),
+    ("cases/paper/fig6-bare", "without film", BARE, Dash::Solid),
 ];
 
 const VIEWS: [View; 2] = [

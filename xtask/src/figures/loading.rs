@@ -6,10 +6,11 @@ use pellicle_cli::picture::svg::{Dash, Place};
 
 use super::line::{self, Line};
 use super::picture::Picture;
+use super::run::PaperRun;
 use super::sheet::Sheet;
 use super::studio::{Drawn, Studio};
 use super::{chart, note};
-use crate::{PaperCase, PaperRun, XtaskError};
+use crate::XtaskError;
 
 /// In pixels.
 const LEFT: f64 = 112.0;
@@ -34,7 +35,7 @@ pub(super) struct Curve {
 }
 
 /// A curve that is still to be computed: its case, name, colour and dash.
-pub(super) type Planned = (PaperCase, &'static str, Colour, Dash);
+pub(super) type Planned = (&'static str, &'static str, Colour, Dash);
 
 /// The curves, computed or taken from an earlier run, as fine as what is drawn of them needs.
 pub(super) fn curves(
@@ -44,7 +45,7 @@ pub(super) fn curves(
 ) -> Result<Vec<Curve>, XtaskError> {
     let computed = planned.iter().map(|(case, name, colour, dash)| {
         Ok(Curve {
-            run: studio.path(*case, drawn)?,
+            run: studio.path(case, drawn)?,
             name,
             colour: *colour,
             dash: *dash,

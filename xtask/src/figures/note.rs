@@ -6,7 +6,7 @@ use pellicle_cli::picture::trust::{self, last_change, percent};
 
 pub(super) use pellicle_cli::picture::trust::BRACKETS;
 
-use crate::PaperRun;
+use super::run::PaperRun;
 
 /// The note of one loading step.
 pub(super) fn of_step(run: &PaperRun, step: &StepSummary) -> String {

@@ -5,7 +5,7 @@ use pellicle_cli::display::{Unit, quantity};
 use pellicle_cli::picture::number::power;
 use serde_json::Value;
 
-use crate::PaperRun;
+use super::run::PaperRun;
 
 /// The case as the run resolved it.
 pub(super) struct Parameters<'a> {

@@ -3,8 +3,9 @@
 use pellicle_cli::output::npz::StoredFields;
 
 use super::note;
+use super::run::PaperRun;
 use super::studio::Studio;
-use crate::{PaperCase, PaperRun, XtaskError};
+use crate::XtaskError;
 
 /// What is shown around the contact, as a part of it.
 const MARGIN: f64 = 1.06;
@@ -23,7 +24,7 @@ impl Loaded {
     /// The runs of these cases.
     pub(super) fn all<const N: usize>(
         studio: &mut Studio<'_>,
-        cases: [PaperCase; N],
+        cases: [&'static str; N],
     ) -> Result<Vec<Self>, XtaskError> {
         let load = |case| {
             let run = studio.fields(case)?;

@@ -1,0 +1,186 @@
+//! The paper's cases and ours beyond them, each solved once on a grid, whichever tests look at it.
+
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+
+use pellicle_contact::{
+    Domain, FlatPunch, Indenter, Load, LoadingPath, Model, Pyramid, SolverOptions, Step, solve_path,
+};
+use pellicle_kernel::Foundation;
+use pellicle_tests::scene::{coated, cylinders, material, model, paraboloid};
+use pellicle_texture::{Film, Relief};
+
+/// Radius of the paper's cylinders, in units of the indenter's radius.
+pub const RADIUS: f64 = 5e-3;
+/// Height of the cylinders and thickness of the coating.
+const HEIGHT: f64 = 1e-4;
+/// Distance of neighbouring cylinders in Figs. 2 and 3.
+pub const PERIOD: f64 = 1.0 / 80.0;
+
+/// Forces of the curves of Fig. 4, in units of `1e-5 E1 R²` with the stiff coating's E1.
+const LOADING: [f64; 18] = [
+    0.02, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.3571, 0.45, 0.55, 0.7142, 0.9, 1.1, 1.3, 1.5, 1.7,
+    1.9, 2.1426,
+];
+/// Forces of the curves of Fig. 6, in mN; the last is that of Fig. 5.
+const INDENTATION: [f64; 19] = [
+    0.01, 0.02, 0.04, 0.07, 0.1, 0.15, 0.2, 0.3, 0.4, 0.55, 0.7, 0.9, 1.1, 1.3, 1.5, 1.7, 1.9, 2.1,
+    2.3,
+];
+
+/// The paper's two coatings.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Coat {
+    /// Ten times softer than its base.
+    Soft,
+    /// Ten times stiffer than its base.
+    Stiff,
+}
+
+/// What is solved: one case file, or a case file with something replaced.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Case {
+    /// Fig. 2: soft coating, small load.
+    Fig2a,
+    /// Fig. 2: stiff coating, small load.
+    Fig2b,
+    /// Fig. 2: soft coating, six times the load.
+    Fig2c,
+    /// Fig. 2: stiff coating, six times the load.
+    Fig2d,
+    /// Fig. 2(d) on a domain of eleven periods.
+    WholePeriods,
+    /// Fig. 3 by its labels: both loads of the other coating.
+    Labels(Coat),
+    /// Fig. 4: the curve with so many periods to the indenter's radius.
+    Curve(Coat, u8),
+    /// Period R/80 at one to ten times the last load of Fig. 4.
+    Beyond(Coat),
+    /// Fig. 6: the pyramid's curve, with or without the film; its last load is that of Fig. 5.
+    Berkovich {
+        /// Whether the film is there.
+        film: bool,
+    },
+    /// One cylinder under a flat punch of its own size.
+    OneCylinder(Coat),
+}
+
+type Solved = Arc<OnceLock<Arc<LoadingPath>>>;
+
+/// The certified path of a case; solved by the first test that asks for it.
+pub fn path(case: Case, elements: usize) -> Arc<LoadingPath> {
+    static SOLVED: Mutex<BTreeMap<(Case, usize), Solved>> = Mutex::new(BTreeMap::new());
+    let solved = Arc::clone(
+        SOLVED
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .entry((case, elements))
+            .or_default(),
+    );
+    Arc::clone(solved.get_or_init(|| {
+        let (model, domain, loads) = case.posed();
+        let options = SolverOptions::default();
+        let path = solve_path(&model, domain, elements, &loads, &options, &mut ());
+        let path = path.expect("a solution");
+        for step in &path.steps {
+            let certificate = &step.solution.certificate;
+            assert!(certificate.is_satisfied(), "{case:?}: {certificate:?}");
+        }
+        Arc::new(path)
+    }))
+}
+
+/// The only step of a case of one load.
+pub fn only_step(case: Case, elements: usize) -> Step {
+    path(case, elements).steps[0].clone()
+}
+
+impl Case {
+    /// The model, where it is solved, and its loads.
+    fn posed(self) -> (Model, Domain, Vec<Load>) {
+        let [soft, stiff] = [Coat::Soft, Coat::Stiff];
+        match self {
+            Self::Fig2a => textured(soft, 1.0, 80, 0.08, &[0.3571e-4]),
+            Self::Fig2b => textured(stiff, 1.0, 80, 0.08, &[0.3571e-5]),
+            Self::Fig2c => textured(soft, 1.0, 80, 0.12, &[2.1426e-4]),
+            Self::Fig2d => textured(stiff, 1.0, 80, 0.14, &[2.1426e-5]),
+            Self::WholePeriods => textured(stiff, 1.0, 80, 0.1375, &[2.1426e-5]),
+            Self::Labels(Coat::Soft) => textured(soft, 1.0, 80, 0.08, &[0.3571e-5, 2.1426e-5]),
+            Self::Labels(Coat::Stiff) => textured(stiff, 1.0, 80, 0.3, &[0.3571e-4, 2.1426e-4]),
+            Self::Curve(coat, periods) => {
+                let side = [0.08, 0.14][coat as usize];
+                textured(
+                    coat,
+                    of_stiff(coat),
+                    periods,
+                    side,
+                    &LOADING.map(|q| q * 1e-5),
+                )
+            }
+            Self::Beyond(coat) => {
+                let side = [0.18, 0.32][coat as usize];
+                let forces =
+                    [0, 1, 2, 3, 4, 5, 6].map(|i| 2.1426e-5 * 10_f64.powf(f64::from(i) / 6.0));
+                textured(coat, of_stiff(coat), 80, side, &forces)
+            }
+            Self::Berkovich { film } => berkovich(film),
+            Self::OneCylinder(coat) => one_cylinder(coat),
+        }
+    }
+}
+
+/// The coating's modulus in units of the stiff one's, as Fig. 4 has it for both.
+fn of_stiff(coat: Coat) -> f64 {
+    [0.1, 1.0][coat as usize]
+}
+
+/// The coated body with this modulus of its coating.
+fn body(coat: Coat, young_modulus: f64) -> Foundation {
+    let (poisson_ratio, base) = match coat {
+        Coat::Soft => (0.4, material(10.0 * young_modulus, 0.3)),
+        Coat::Stiff => (0.3, material(0.1 * young_modulus, 0.4)),
+    };
+    coated(HEIGHT, material(young_modulus, poisson_ratio), base)
+}
+
+/// A paraboloid on cylinders of the coating's own material.
+fn textured(
+    coat: Coat,
+    young_modulus: f64,
+    periods: u8,
+    side: f64,
+    forces: &[f64],
+) -> (Model, Domain, Vec<Load>) {
+    let relief = cylinders(RADIUS, HEIGHT, 1.0 / f64::from(periods), young_modulus);
+    let model = model(&body(coat, young_modulus), relief, paraboloid(1.0));
+    let loads = forces.iter().copied().map(Load::Force).collect();
+    (model, Domain::Side(side), loads)
+}
+
+/// A Berkovich pyramid of tip radius 400 nm on the stiff coat of 10 nm, in SI units.
+fn berkovich(film: bool) -> (Model, Domain, Vec<Load>) {
+    let body = coated(10e-9, material(70e9, 0.3), material(7e9, 0.4));
+    let relief = if film {
+        Relief::Film(Film::new(5e-9, 0.14e9).expect("a film"))
+    } else {
+        Relief::Bare
+    };
+    let indenter = Indenter::Pyramid(Pyramid::berkovich(400e-9).expect("a pyramid"));
+    let loads = INDENTATION.map(|q| Load::Force(q * 1e-3)).to_vec();
+    (model(&body, relief, indenter), Domain::Automatic, loads)
+}
+
+/// A flat punch of a cylinder's radius on a film of the cylinders' compliance.
+fn one_cylinder(coat: Coat) -> (Model, Domain, Vec<Load>) {
+    let relief = Relief::Film(Film::new(HEIGHT, 1.0).expect("a film"));
+    let indenter = Indenter::FlatPunch(FlatPunch::new(RADIUS).expect("a punch"));
+    let model = model(&body(coat, 1.0), relief, indenter);
+    (model, Domain::Side(0.0105), vec![Load::Penetration(1e-4)])
+}
+
+/// `ℓ = η E1 / (2 (1 − ν1²))`, below which springs of compliance `η = h/E1` are the more compliant: half the cylinders'
+/// height over `1 − ν1²`.
+pub fn spring_length(coat: Coat) -> f64 {
+    let poisson_ratio: f64 = [0.4, 0.3][coat as usize];
+    HEIGHT / (1.0 - poisson_ratio.powi(2)) / 2.0
+}

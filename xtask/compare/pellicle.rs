@@ -1,0 +1,183 @@
+//! Pellicle's driver in the comparison: solves one problem in a process of its own and prints what it took.
+//!
+//! ```text
+//! compare-pellicle CASE N THREADS TOLERANCE PRESSURE_FILE [--whole-grid]
+//! ```
+//!
+//! The problems are those of `problem.py`; the gap of `rough` is read from the file that `GAP_FILE` names. The
+//! certificate, which is computed from `problem.py` alone, holds the two definitions together.
+
+#![expect(clippy::print_stdout, reason = "its one line of JSON is its result")]
+
+use std::error::Error;
+use std::fs;
+use std::sync::Arc;
+use std::time::Instant;
+
+use ndarray::Array2;
+use pellicle_contact::{
+    Domain, FlatPunch, Indenter, Load, LoadingPath, Model, Paraboloid, SolverOptions, solve_path,
+};
+use pellicle_influence::{Cache, RadialTables};
+use pellicle_kernel::{Foundation, Material};
+use pellicle_texture::{
+    CylinderSpec, Cylinders, HeightMap, Lattice, MapCompliance, Relief, ReliefMap,
+};
+
+type Failure = Box<dyn Error + Send + Sync>;
+
+const SIDE: f64 = 1.0;
+/// Hertzian contact radius under the paraboloid, whose radius is 1.
+const CONTACT_RADIUS: f64 = 0.15;
+const PILLAR_HEIGHT: f64 = 0.1 * CONTACT_RADIUS * CONTACT_RADIUS;
+const ELEMENTS_PER_PERIOD: usize = 16;
+const RADIUS_OVER_PERIOD: f64 = 0.4;
+/// Modulus of the pillars: their shortening is below 1e-33 and changes no bit of a displacement of 1e-2.
+const PILLAR_MODULUS: f64 = 1e30;
+/// Elements per side of the problem solved before the clock starts, so that code is loaded and threads run.
+const WARM_UP_ELEMENTS: usize = 64;
+
+fn main() -> Result<(), Failure> {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let (arguments, whole_grid) = match arguments.split_last() {
+        Some((last, rest)) if last == "--whole-grid" => (rest.to_vec(), true),
+        _ => (arguments, false),
+    };
+    let [case, elements, threads, tolerance, pressure_file] = &arguments[..] else {
+        return Err("CASE N THREADS TOLERANCE PRESSURE_FILE [--whole-grid] wanted".into());
+    };
+    let elements: usize = elements.parse()?;
+    let options = SolverOptions {
+        tolerance: tolerance.parse()?,
+        // The rivals do not compute it.
+        contact_stiffness: false,
+        mirror_symmetry: !whole_grid,
+        ..SolverOptions::default()
+    };
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(threads.parse()?)
+        .build()?;
+    pool.install(|| solve("hertz", WARM_UP_ELEMENTS, None, &options))?;
+
+    let gap = case.starts_with("rough").then(read_gap).transpose()?;
+    let (clock, cpu) = (Instant::now(), cpu_seconds());
+    let path = pool.install(|| solve(case, elements, gap, &options))?;
+    let (total_seconds, cpu) = (
+        clock.elapsed().as_secs_f64(),
+        difference(cpu, cpu_seconds()),
+    );
+    let peak_bytes = peak_bytes();
+
+    let step = &path.steps[0];
+    let pressure = Array2::from_shape_vec((elements, elements), step.solution.pressure.clone())?;
+    ndarray_npy::write_npy(pressure_file, &pressure)?;
+    let measurement = serde_json::json!({
+        "version": env!("CARGO_PKG_VERSION"),
+        "setup_seconds": total_seconds - path.solve_seconds,
+        "solve_seconds": path.solve_seconds,
+        "cpu_seconds": cpu,
+        "products": step.work.operator_applications,
+        "peak_bytes": peak_bytes,
+        "converged": step.solution.certificate.is_satisfied(),
+        "own_error": step.solution.certificate.worst(),
+    });
+    println!("{measurement}");
+    Ok(())
+}
+
+/// The gap and the mean pressure of `rough`, which `problem.py` has written.
+fn read_gap() -> Result<(Array2<f64>, f64), Failure> {
+    let gap = ndarray_npy::read_npy(std::env::var("GAP_FILE")?)?;
+    Ok((gap, std::env::var("MEAN_PRESSURE")?.parse()?))
+}
+
+fn solve(
+    case: &str,
+    elements: usize,
+    gap: Option<(Array2<f64>, f64)>,
+    options: &SolverOptions,
+) -> Result<LoadingPath, Failure> {
+    // F = 4 E* a³/(3R), E* = E/(1 − ν²) = 1
+    let hertz = 4.0 * CONTACT_RADIUS.powi(3) / 3.0;
+    let force = gap.as_ref().map_or(hertz, |(_, mean)| mean * SIDE * SIDE);
+    let (relief, indenter) = match (case, gap) {
+        ("hertz", _) => (Relief::Bare, Indenter::Paraboloid(Paraboloid::new(1.0)?)),
+        ("pillars", _) => (
+            pillars(elements)?,
+            Indenter::Paraboloid(Paraboloid::new(1.0)?),
+        ),
+        (_, Some((gap, _))) => (
+            rough(&gap)?,
+            Indenter::FlatPunch(FlatPunch::new(2.0 * SIDE)?),
+        ),
+        _ => return Err(format!("no case {case}").into()),
+    };
+    let model = Model {
+        tables: Arc::new(RadialTables::build(&Foundation::half_space(
+            Material::new(1.0, 0.0)?,
+        ))?),
+        relief,
+        indenter,
+        cache: Cache::none(),
+    };
+    let domain = Domain::Side(SIDE);
+    let loads = [Load::Force(force)];
+    Ok(solve_path(
+        &model,
+        domain,
+        elements,
+        &loads,
+        options,
+        &mut (),
+    )?)
+}
+
+/// The rough body itself, which yields by its elastic displacement alone, under a plane that covers the square.
+fn rough(gap: &Array2<f64>) -> Result<Relief, Failure> {
+    let heights = gap.iter().map(|gap| -gap).collect();
+    let map = HeightMap::new(heights, [gap.nrows(), gap.ncols()], [SIDE; 2])?;
+    let compliance = MapCompliance::Uniform(0.0);
+    Ok(Relief::Map(ReliefMap::new(map, compliance)?))
+}
+
+/// Whole periods of pillars fill the grid.
+fn pillars(elements: usize) -> Result<Relief, Failure> {
+    if !elements.is_multiple_of(ELEMENTS_PER_PERIOD) {
+        return Err(
+            format!("a multiple of {ELEMENTS_PER_PERIOD} elements wanted, got {elements}").into(),
+        );
+    }
+    let period = SIDE * ELEMENTS_PER_PERIOD as f64 / elements as f64;
+    Ok(Relief::Cylinders(Cylinders::new(CylinderSpec {
+        lattice: Lattice::Square,
+        radius: RADIUS_OVER_PERIOD * period,
+        height: PILLAR_HEIGHT,
+        period,
+        offset: [0.5 * (period - SIDE); 2],
+        young_modulus: PILLAR_MODULUS,
+    })?))
+}
+
+/// CPU time of all threads of this process so far, in s; none where the system keeps no such account.
+fn cpu_seconds() -> Option<f64> {
+    let mut nanoseconds = 0.0;
+    for task in fs::read_dir("/proc/self/task").ok()? {
+        let account = fs::read_to_string(task.ok()?.path().join("schedstat")).ok()?;
+        nanoseconds += account.split(' ').next()?.parse::<f64>().ok()?;
+    }
+    Some(nanoseconds * 1e-9)
+}
+
+fn difference(before: Option<f64>, after: Option<f64>) -> Option<f64> {
+    Some(after? - before?)
+}
+
+/// The largest resident memory of this process so far, the line `VmHWM: … kB` of its status.
+fn peak_bytes() -> Option<u64> {
+    let status = fs::read_to_string("/proc/self/status").ok()?;
+    let line = status
+        .lines()
+        .find_map(|line| line.strip_prefix("VmHWM:"))?;
+    let kilobytes: u64 = line.trim().strip_suffix("kB")?.trim().parse().ok()?;
+    Some(1024 * kilobytes)
+}

@@ -1,0 +1,99 @@
+//! Rules about text: a source begins with its one job, and no file keeps a trace of the machine it was written on.
+
+use super::Violation;
+use crate::Tree;
+
+/// First folders of absolute paths that exist on a developer's machine only.
+const FOLDERS: [&str; 3] = ["work", "tmp", "home"];
+/// Marks of open work, in two halves so that this file does not carry them.
+const MARKS: [(&str, &str); 2] = [("TO", "DO"), ("FIX", "ME")];
+
+/// Every `.rs` file whose first line is not `//!` and a text.
+pub(super) fn begin_with_their_job(tree: &Tree) -> Vec<Violation> {
+    let says_something = |text: &str| {
+        let first = text.lines().next().unwrap_or("");
+        first
+            .strip_prefix("//!")
+            .is_some_and(|rest| !rest.trim().is_empty())
+    };
+    let silent = tree
+        .texts_ending(".rs")
+        .filter(|(_, text)| !says_something(text));
+    let message = "must begin with `//!` and the file's one job";
+    silent
+        .map(|(path, _)| Violation::new(path, Some(1), message))
+        .collect()
+}
+
+/// Every line of every text file that holds an absolute path of one machine or a mark of open work.
+pub(super) fn hold_no_trace_of_a_machine(tree: &Tree) -> Vec<Violation> {
+    let mut found = Vec::new();
+    for (path, text) in tree.texts() {
+        for (index, line) in text.lines().enumerate() {
+            let traces = [machine_path(line), open_work(line)];
+            let at_line = |message| Violation::new(path, Some(index + 1), message);
+            found.extend(traces.into_iter().flatten().map(at_line));
+        }
+    }
+    found
+}
+
+fn machine_path(line: &str) -> Option<String> {
+    let paths = FOLDERS.map(|folder| format!("/{folder}/"));
+    let is_there = |path: &&String| {
+        line.match_indices(*path)
+            .any(|(at, _)| is_absolute(line, at))
+    };
+    let path = paths.iter().find(is_there)?;
+    Some(format!("`{path}` is a path of one machine"))
+}
+
+/// Whether the slash at `at` begins a path, rather than continuing one or the name of a host.
+fn is_absolute(line: &str, at: usize) -> bool {
+    let before = line[..at].chars().next_back();
+    before.is_none_or(|c| !c.is_alphanumeric() && !".-_~})".contains(c))
+}
+
+fn open_work(line: &str) -> Option<String> {
+    let marks = MARKS.map(|(first, second)| format!("{first}{second}"));
+    let mut words = line.split(|c: char| !c.is_alphanumeric());
+    let mark = words.find(|word| marks.iter().any(|mark| mark == word))?;
+    Some(format!("`{mark}`: finish it or write an issue"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::broken;
+    use super::*;
+
+    #[test]
+    fn a_file_without_a_job_is_found() {
+        let count = |text| broken(begin_with_their_job, &[("a/b.rs", text)]).len();
+        assert_eq!(count("//! Its job.\n"), 0);
+        for text in [
+            "",
+            "use std::fmt;\n//! Late.",
+            "//!\n//! Late.",
+            "// No doc comment.",
+        ] {
+            assert_eq!(count(text), 1, "{text:?}");
+        }
+    }
+
+    #[test]
+    fn absolute_paths_are_found_and_addresses_and_relative_paths_are_not() {
+        let count = |text: &str| broken(hold_no_trace_of_a_machine, &[("a.txt", text)]).len();
+        for folder in FOLDERS {
+            for start in ["https://x.org", "..", "results", "~", "${ROOT}"] {
+                assert_eq!(count(&format!("{start}/{folder}/y")), 0, "{start} {folder}");
+            }
+            for start in ["", "in ", "\"", "file://", "="] {
+                assert_eq!(count(&format!("{start}/{folder}/y")), 1, "{start} {folder}");
+            }
+        }
+        for (first, second) in MARKS {
+            assert_eq!(count(&format!("fine\n// {first}{second}: later")), 1);
+            assert_eq!(count(&format!("{first}{second}S")), 0);
+        }
+    }
+}
