@@ -348,7 +348,7 @@ mod tests {
             ("{ from = 1, to = 2 }", "young_modulus.profile`"),
             (
                 "{ from = 1, to = 2, profile = \"liner\" }",
-                "did you mean \"linear\"",
+                "wanted one of \"linear\", \"exponential\"",
             ),
             (
                 "{ from = 0, to = 2, profile = \"linear\" }",
