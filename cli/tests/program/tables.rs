@@ -225,7 +225,7 @@ fn a_template_never_replaces_a_file_unless_told() {
     let folder = Folder::with_case("mine");
     assert_eq!(folder.run(&["init", "--out", "case.toml"]).code, Some(2));
     assert_eq!(
-        std::fs::read_to_string(folder.path("case.toml")).unwrap(),
+        fs::read_to_string(folder.path("case.toml")).unwrap(),
         "mine"
     );
     assert_eq!(
