@@ -19,9 +19,12 @@ use pellicle_texture::{CylinderSpec, Cylinders, Film, Grid, Lattice, Relief};
 /// A paraboloid of radius 1 on layers of the given thicknesses over a body of plane-strain modulus 1.
 fn model(thicknesses: &[f64], relief: Relief) -> Model {
     let body = Material::new(1.0, 0.0).unwrap();
+    // No two neighbours are alike.
+    let material = |layer: usize| Material::new([1.0, 10.0][layer % 2], 0.0).unwrap();
     let layers = thicknesses
         .iter()
-        .map(|thickness| Layer::new(*thickness, body, Interface::Bonded).unwrap());
+        .enumerate()
+        .map(|(i, thickness)| Layer::new(*thickness, material(i), Interface::Bonded).unwrap());
     let foundation = Foundation::new(layers.collect(), Base::HalfSpace(body)).unwrap();
     Model {
         tables: Arc::new(RadialTables::build(&foundation).unwrap()),
