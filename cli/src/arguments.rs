@@ -29,7 +29,8 @@ pub struct Arguments {
 pub enum Command {
     /// Solve a case and write a results folder
     Run(RunArguments),
-    /// Solve a case for many values of its keys, in parallel; killed at any moment, the same command goes on where it stopped
+    /// Solve a case for many values of its keys, in parallel; killed at any moment, the same command goes on where it
+    /// stopped
     #[command(
         after_help = "A study file is a table [study] with the keys that vary, and the base case: `pellicle init study` prints one.\n\
                             Exit codes: 0 every case is certified, 1 some case is not (the others are there), \
@@ -53,7 +54,8 @@ pub enum Command {
         after_help = "PELLICLE_CACHE names the folder; set but empty, it turns the cache on disk off."
     )]
     Cache(CacheArguments),
-    /// Compare the program with what is known: closed forms, data of many digits, limits, and pressures that its certificate must refuse
+    /// Compare the program with what is known: closed forms, data of many digits, limits, and pressures that its
+    /// certificate must refuse
     #[command(
         after_help = "Takes some seconds, reads and writes no files. The error of each row is as the line below its section says; \
                             in the certificate's negative controls it is the worst line of a wrong pressure's certificate and must exceed \
@@ -267,7 +269,8 @@ pub struct PlotArguments {
     /// The results folder; of several, the curves are drawn in one picture, curves.svg and curves.png
     #[arg(value_name = "DIR", required = true)]
     pub folders: Vec<PathBuf>,
-    /// Folder for the pictures [default: that of the results, whose pictures and report are replaced; of several the current one]
+    /// Folder for the pictures [default: that of the results, whose pictures and report are replaced; of several the
+    /// current one]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// Replace pictures that are there, in a folder that is not that of the results
@@ -285,10 +288,12 @@ pub struct PlotArguments {
     /// Colours of the maps [default: viridis]
     #[arg(long, value_enum, value_name = "COLOURS")]
     pub colour_map: Option<ColourMap>,
-    /// Ends of the scale of pressures: "2 GPa", or "0.5 GPa:2 GPa"; a bare number is in Pa or the case's own unit [default: the largest]
+    /// Ends of the scale of pressures: "2 GPa", or "0.5 GPa:2 GPa"; a bare number is in Pa or the case's own unit
+    /// [default: the largest]
     #[arg(long, value_name = "[FROM:]TO", value_parser = range)]
     pub range: Option<[f64; 2]>,
-    /// Where the section is: axis, peak (through the largest pressure), y="5 um" (along x there), x="5 um" (along y) [default: axis]
+    /// Where the section is: axis, peak (through the largest pressure), y="5 um" (along x there), x="5 um" (along y)
+    /// [default: axis]
     #[arg(long, value_name = "PLACE", value_parser = section)]
     pub section: Option<Cut>,
 }

@@ -1,4 +1,5 @@
-//! Where the program keeps radial tables and coefficients: in the folder that `PELLICLE_CACHE` names, or else in the platform's.
+//! Where the program keeps radial tables and coefficients: in the folder that `PELLICLE_CACHE` names, or else in the
+//! platform's.
 
 use std::env;
 use std::ffi::OsString;

@@ -1,7 +1,8 @@
 //! What solving a case will take and what its model is worth, judged by a trial on a coarse grid.
 //!
-//! The trial solves for the smallest and the largest load, on at most 64 × 64 elements, which takes some milliseconds. It finds the contact's size, and what
-//! the solution's own warnings would say of the model. The domain is the very one of the solution.
+//! The trial solves for the smallest and the largest load, on at most 64 × 64 elements, which takes some milliseconds.
+//! It finds the contact's size, and what the solution's own warnings would say of the model. The domain is the very one
+//! of the solution.
 
 use pellicle_contact::{
     ContactError, Domain, Load, LoadingPath, Method, Model, SolverOptions, Step, Warning,
@@ -18,28 +19,31 @@ const TRIAL: usize = 64;
 /// Products after which the trial gives up: it is to be quick.
 const MOST_PRODUCTS: usize = 150;
 
-/// By how much the products of a hard case grow when the elements are halved; those of an easy case hardly do. *Measured* on the cases of
-/// Fig. 2 of the paper, N = 128 to 1024: 1.0 to 1.1 on soft coatings, 1.2 to 1.6 on stiff ones.
+/// By how much the products of a hard case grow when the elements are halved; those of an easy case hardly do.
+/// *Measured* on the cases of Fig. 2 of the paper, N = 128 to 1024: 1.0 to 1.1 on soft coatings, 1.2 to 1.6 on stiff
+/// ones.
 const GROWTH: f64 = 1.5;
 
-/// Fewer elements than this from the middle of a contact to its edge leave an area uncertain by a tenth and more: a circle of radius 5 holds
-/// some 80 elements, of which 30 are cut by its rim.
+/// Fewer elements than this from the middle of a contact to its edge leave an area uncertain by a tenth and more: a
+/// circle of radius 5 holds some 80 elements, of which 30 are cut by its rim.
 const FEWEST_PER_CONTACT: f64 = 5.0;
 
 /// Memory of any run, bytes: the program, its fonts and tables.
 const BYTES: f64 = 40e6;
 
-/// Memory of a solution per element, in bytes, on a quadrant and on the whole grid: of any element, and of one in the square around the contact.
-/// *Measured* as the largest resident set at N = 2048 on Hertz' contact, pillars, films, punches and pyramids, the contact filling 16 to 100 %
-/// of the domain's side squared: 14 to 54 on a quadrant, where these give 30 to 80; 61 to 220, where these give 61 to 220, on the whole grid. Hertz' contact at
-/// N = 8192 takes 2.93 GB, forecast 3.17; pillars 2.12, forecast 2.22.
+/// Memory of a solution per element, in bytes, on a quadrant and on the whole grid: of any element, and of one in the
+/// square around the contact. *Measured* as the largest resident set at N = 2048 on Hertz' contact, pillars, films,
+/// punches and pyramids, the contact filling 16 to 100 % of the domain's side squared: 14 to 54 on a quadrant, where
+/// these give 30 to 80; 61 to 220, where these give 61 to 220, on the whole grid. Hertz' contact at N = 8192 takes 2.93
+/// GB, forecast 3.17; pillars 2.12, forecast 2.22.
 const BYTES_PER_ELEMENT_SOLVED: [[f64; 2]; 2] = [[20.0, 60.0], [20.0, 200.0]];
 
 /// Memory of a loading step per element, in bytes: its pressure.
 const BYTES_PER_ELEMENT_AND_STEP: f64 = 8.0;
 
-/// Memory of writing per element, in bytes, on a quadrant and on the whole grid: of one loading step, and of each that is written beside it.
-/// *Measured* as above: 67 to 87 for one step on a quadrant, 108 on the whole grid; 113 to 132 and 167 to 229 for two at a time and a third kept.
+/// Memory of writing per element, in bytes, on a quadrant and on the whole grid: of one loading step, and of each that
+/// is written beside it. *Measured* as above: 67 to 87 for one step on a quadrant, 108 on the whole grid; 113 to 132
+/// and 167 to 229 for two at a time and a third kept.
 const BYTES_PER_ELEMENT_WRITTEN: [[f64; 2]; 2] = [[88.0, 42.0], [110.0, 100.0]];
 
 /// Memory of a sample of a map, in bytes: in the case, in the model and beside the solution.
@@ -58,7 +62,8 @@ pub struct Need {
 }
 
 impl Need {
-    /// What a case needs on a domain if its results are written by so many threads, none if they are not. How large the contact is a trial tells.
+    /// What a case needs on a domain if its results are written by so many threads, none if they are not. How large the
+    /// contact is a trial tells.
     #[must_use]
     pub fn new(case: &Case, model: &Model, domain: Domain, writers: usize) -> Self {
         let elements = case.grid.elements;
@@ -226,7 +231,8 @@ fn extremes(loads: &[Load]) -> Vec<Load> {
     extremes
 }
 
-/// Whether the domain is far too large for the largest load's contact: as the trial has it, or as estimated where the trial is too coarse to tell.
+/// Whether the domain is far too large for the largest load's contact: as the trial has it, or as estimated where the
+/// trial is too coarse to tell.
 fn far_too_large(case: &Case, model: &Model, path: &LoadingPath) -> Option<String> {
     let loads = case.load.steps();
     let found = path.steps.last()?.summary.contact_radius;
@@ -255,7 +261,8 @@ fn smallest(path: &LoadingPath, element_side: f64) -> Option<String> {
     })
 }
 
-/// What the trial's last step says of the model and not of its own coarse grid; a chosen domain is never near the edge but to a grid too coarse to tell.
+/// What the trial's last step says of the model and not of its own coarse grid; a chosen domain is never near the edge
+/// but to a grid too coarse to tell.
 fn of_the_model(warning: &Warning, last: usize, is_given: bool) -> Option<String> {
     if matches!(warning, Warning::DomainEdge { .. }) && !is_given {
         return None;

@@ -1,9 +1,10 @@
 //! Ctrl-C: work under way stops within a second, what is finished is written, and the exit code is 130.
 //!
-//! The first signal sets a flag that every observer of a solution looks at. Where no observer is asked for a second (coefficients of a large
-//! grid), the program ends itself, unless it has said with [`hold`] that something finished is still to be written. A second signal ends it
-//! at once, and what was half written with it. While results are written, what is not done within [`GRACE`] of the first signal is left
-//! out. SIGTERM, which batch systems send before they kill, counts as Ctrl-C.
+//! The first signal sets a flag that every observer of a solution looks at. Where no observer is asked for a second
+//! (coefficients of a large grid), the program ends itself, unless it has said with [`hold`] that something finished is
+//! still to be written. A second signal ends it at once, and what was half written with it. While results are written,
+//! what is not done within [`GRACE`] of the first signal is left out. SIGTERM, which batch systems send before they
+//! kill, counts as Ctrl-C.
 
 use std::process;
 use std::sync::atomic::{AtomicBool, Ordering};

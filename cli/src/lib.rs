@@ -1,7 +1,8 @@
 //! The program `pellicle`: a case file in, a certified contact solution out.
 //!
-//! [`program::main`] goes from the command line to the exit code; [`case::Case`] is a case file as read; a command is a function of
-//! its arguments in [`command`]; [`output`] and [`picture`] are what a run leaves behind; [`validation`] is what the program has to show for itself.
+//! [`program::main`] goes from the command line to the exit code; [`case::Case`] is a case file as read; a command is a
+//! function of its arguments in [`command`]; [`output`] and [`picture`] are what a run leaves behind; [`validation`] is
+//! what the program has to show for itself.
 
 #![cfg_attr(
     test,

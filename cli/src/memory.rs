@@ -1,8 +1,8 @@
-//! How much memory there is for a case. A program that asks the system for more than it has is ended by it, with everything in hand: so a
-//! case asks here first, and fails by itself.
+//! How much memory there is for a case. A program that asks the system for more than it has is ended by it, with
+//! everything in hand: so a case asks here first, and fails by itself.
 //!
-//! Known on Linux: what is free, what the control group and the limits of the process (`ulimit -v`, `-d`) leave. Elsewhere nothing is known
-//! and no case is refused.
+//! Known on Linux: what is free, what the control group and the limits of the process (`ulimit -v`, `-d`) leave.
+//! Elsewhere nothing is known and no case is refused.
 
 use std::fs;
 use std::path::Path;

@@ -123,8 +123,8 @@ pub fn in_words(time: Duration) -> String {
 
 /// How long the rest will take, judged by what is done.
 ///
-/// Steps to come take as long as those that are done did. Within a step only the finest grid counts, which takes nearly all the time: its
-/// residual is taken to fall by the same factor in every iteration.
+/// Steps to come take as long as those that are done did. Within a step only the finest grid counts, which takes nearly
+/// all the time: its residual is taken to fall by the same factor in every iteration.
 #[derive(Debug, Clone, Copy)]
 struct Clock {
     tolerance: f64,

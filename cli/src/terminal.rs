@@ -25,14 +25,15 @@ pub fn tell(line: &str) {
     tell_drawn(&clean(line));
 }
 
-/// Writes what the program has drawn itself, in colours, to standard error, which there is nobody to tell about if it fails.
+/// Writes what the program has drawn itself, in colours, to standard error, which there is nobody to tell about if it
+/// fails.
 pub fn tell_drawn(line: &str) {
     let mut stderr = io::stderr().lock();
     drop(writeln!(stderr, "{line}"));
 }
 
-/// The text with every control character but line breaks and tabs written out, `\\u001b`, so that a terminal shows what a user's file says and does
-/// not obey it. What is cleaned inside a string of JSON or TOML means the same there.
+/// The text with every control character but line breaks and tabs written out, `\\u001b`, so that a terminal shows what
+/// a user's file says and does not obey it. What is cleaned inside a string of JSON or TOML means the same there.
 #[must_use]
 pub fn clean(text: &str) -> String {
     let is_obeyed = |c: char| c.is_control() && !matches!(c, '\n' | '\t');

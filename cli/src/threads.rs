@@ -15,7 +15,8 @@ pub fn set(threads: Option<u16>) -> Result<(), Failure> {
     Ok(pool.build_global()?)
 }
 
-/// Lets every thread of the present pool begin: the address space that the system sets aside for each is taken when this returns.
+/// Lets every thread of the present pool begin: the address space that the system sets aside for each is taken when
+/// this returns.
 pub fn begin() {
     rayon::broadcast(|_| drop(std::hint::black_box(vec![0_u8; 64])));
 }

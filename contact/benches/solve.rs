@@ -1,8 +1,8 @@
 //! Whole solutions to a certificate of 1e-8: the paper's four textured cases, and the rivals' two problems on a
 //! homogeneous body. The products with K on the finest grid are printed to standard error.
 //!
-//! Coefficients, operators and plans of transforms are computed anew on every grid in every run; only the radial tables of
-//! the foundation, which no grid changes, are built before.
+//! Coefficients, operators and plans of transforms are computed anew on every grid in every run; only the radial tables
+//! of the foundation, which no grid changes, are built before.
 
 #![expect(
     clippy::print_stderr,

@@ -1,7 +1,7 @@
 //! Shapes of rigid indenters: the height `f(x, y)` of the surface above its lowest point.
 //!
-//! The lowest point lies on the origin, where `f = 0`; elsewhere `f ≥ 0`, and `f = +∞` where the indenter ends. Lengths are in
-//! m, angles in radians; `ρ = √(x² + y²)`.
+//! The lowest point lies on the origin, where `f = 0`; elsewhere `f ≥ 0`, and `f = +∞` where the indenter ends. Lengths
+//! are in m, angles in radians; `ρ = √(x² + y²)`.
 //!
 //! | shape | height |
 //! |---|---|
@@ -117,7 +117,8 @@ impl Indenter {
         }
     }
 
-    /// Whether the shape is its own mirror image in both axes; false of every map, and of pyramids with an odd number of faces.
+    /// Whether the shape is its own mirror image in both axes; false of every map, and of pyramids with an odd number
+    /// of faces.
     #[must_use]
     pub fn is_mirrored(&self) -> bool {
         match self {

@@ -1,8 +1,8 @@
 //! A loading path: many loads on one model, each from coarse to fine, on a domain that holds the contact.
 //!
-//! Each load starts from its own solution on coarser grids, which was measured to be nearer than the load before, by itself or as a correction: one to
-//! three products fewer. So no load depends on another, bit for bit, and on grids too small to keep all threads busy as many loads are solved at
-//! the same time as there are threads.
+//! Each load starts from its own solution on coarser grids, which was measured to be nearer than the load before, by
+//! itself or as a correction: one to three products fewer. So no load depends on another, bit for bit, and on grids too
+//! small to keep all threads busy as many loads are solved at the same time as there are threads.
 
 pub mod cautions;
 pub mod domain;
@@ -28,7 +28,8 @@ use crate::{
     solver::Watch,
 };
 
-/// By how much a chosen domain grows, and how often, should a contact be cut off that the coarse grid of the choice did not see.
+/// By how much a chosen domain grows, and how often, should a contact be cut off that the coarse grid of the choice did
+/// not see.
 const ENLARGEMENT: f64 = 1.5;
 const ENLARGEMENTS: usize = 8;
 /// Elements of all loads that are solved at the same time, at most: each takes some 100 bytes beside its solution.
@@ -43,7 +44,8 @@ pub struct LoadingPath {
     pub steps: Vec<Step>,
     /// Warnings to the user.
     pub warnings: Vec<Warning>,
-    /// Time spent on coefficients and geometry of all grids while nothing was solved, in s; the radial tables are built before.
+    /// Time spent on coefficients and geometry of all grids while nothing was solved, in s; the radial tables are built
+    /// before.
     pub coefficients_seconds: f64,
     /// Where the coefficients of all grids together came from; the radial tables are not among them.
     pub coefficients_origin: Origin,
@@ -58,14 +60,15 @@ pub struct LoadingPath {
 }
 
 impl LoadingPath {
-    /// Relief and indenter on the finest grid, sampled when they are asked for: a path does not keep what it was solved without.
+    /// Relief and indenter on the finest grid, sampled when they are asked for: a path does not keep what it was solved
+    /// without.
     #[must_use]
     pub fn geometry(&self) -> SampledModel {
         SampledModel::on(self.grid, &self.relief, &self.indenter)
     }
 
-    /// The surface at a step, afresh from its pressure and the path's [geometry](Self::geometry) by one product with `K`: a path keeps the pressures alone, a
-    /// quarter of the memory. None where there is no such step.
+    /// The surface at a step, afresh from its pressure and the path's [geometry](Self::geometry) by one product with
+    /// `K`: a path keeps the pressures alone, a quarter of the memory. None where there is no such step.
     ///
     /// # Panics
     /// If the geometry is that of another grid.
@@ -96,12 +99,13 @@ impl LoadingPath {
 
 /// Solves `model` for every one of `loads` on `elements` × `elements` elements.
 ///
-/// A step that misses its tolerance is in the path with an unsatisfied certificate and a warning, not an error. If the observer
-/// cancels, whatever load it is told of, all loads under way are cancelled, and the path holds the steps before the first that is not finished.
+/// A step that misses its tolerance is in the path with an unsatisfied certificate and a warning, not an error. If the
+/// observer cancels, whatever load it is told of, all loads under way are cancelled, and the path holds the steps
+/// before the first that is not finished.
 ///
 /// # Errors
-/// A load, tolerance, side or grid that makes no sense; elements so large that none is under the indenter; coefficients that miss their accuracy; a contact that
-/// outgrows every domain.
+/// A load, tolerance, side or grid that makes no sense; elements so large that none is under the indenter; coefficients
+/// that miss their accuracy; a contact that outgrows every domain.
 pub fn solve_path(
     model: &Model,
     domain: Domain,
@@ -114,7 +118,8 @@ pub fn solve_path(
     for load in loads {
         load.checked()?;
     }
-    // On a thread of the pool from beginning to end: every parallel loop entered from outside would cost two changes of thread.
+    // On a thread of the pool from beginning to end: every parallel loop entered from outside would cost two changes of
+    // thread.
     rayon::scope(|_| solve_on_domains(model, domain, elements, loads, options, observer))
 }
 
@@ -152,7 +157,8 @@ fn solve_on_domains(
     }
 }
 
-/// How many of so many loads a path solves at the same time on `elements` × `elements` elements: one on a grid that keeps several threads busy by itself.
+/// How many of so many loads a path solves at the same time on `elements` × `elements` elements: one on a grid that
+/// keeps several threads busy by itself.
 #[must_use]
 pub fn loads_at_once(elements: usize, loads: usize) -> usize {
     let most = (ELEMENTS_AT_ONCE / elements.pow(2)).max(1);
@@ -204,7 +210,8 @@ impl PathRun<'_> {
         Ok(())
     }
 
-    /// Time spent on coefficients of all grids while nothing was solved; those of a single lane are made when they are first needed or beside a solution.
+    /// Time spent on coefficients of all grids while nothing was solved; those of a single lane are made when they are
+    /// first needed or beside a solution.
     fn coefficients_seconds(&self) -> f64 {
         self.lanes.iter().map(Hierarchy::coefficients_seconds).sum()
     }

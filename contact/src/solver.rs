@@ -27,8 +27,9 @@ pub struct SolverOptions {
     pub max_applications: usize,
     /// Whether to find the contact stiffness `dQ/dD` of each solution, by one more linear system.
     pub contact_stiffness: bool,
-    /// Whether a path solves on a quadrant where indenter and relief are their own mirror images in both axes and the elements per side are even. The
-    /// gradient method only; the solution is the same to rounding, in a third of the time.
+    /// Whether a path solves on a quadrant where indenter and relief are their own mirror images in both axes and the
+    /// elements per side are even. The gradient method only; the solution is the same to rounding, in a third of the
+    /// time.
     pub mirror_symmetry: bool,
 }
 
@@ -77,7 +78,8 @@ pub struct Iterate {
     pub contact_stiffness: Option<f64>,
     /// Products with `K` for the contact stiffness, beside the others.
     pub stiffness_applications: usize,
-    /// The penetration by the solver's own account, in m; infinite where it gives none. It decides how far around the contact the certificate looks first.
+    /// The penetration by the solver's own account, in m; infinite where it gives none. It decides how far around the
+    /// contact the certificate looks first.
     pub penetration: f64,
     /// Whether the solver stopped because the contact reached the border of a window of a larger grid.
     pub reached_border: bool,
@@ -102,8 +104,9 @@ impl Iterate {
 
 /// One algorithm for one grid's problem.
 ///
-/// A solver may keep what it allocated for the load before, if the [identity](DiscreteProblem::identity) says that the problem is the same; the solution must
-/// not depend on it. Whatever it returns is judged by a [`Certificate`](crate::Certificate).
+/// A solver may keep what it allocated for the load before, if the [identity](DiscreteProblem::identity) says that the
+/// problem is the same; the solution must not depend on it. Whatever it returns is judged by a
+/// [`Certificate`](crate::Certificate).
 pub trait Solver {
     /// Solves from the pressure `start` (N² values, in Pa; all zero for a cold start).
     ///
@@ -144,7 +147,8 @@ impl<'a> Watch<'a> {
 }
 
 impl Watch<'_> {
-    /// Tells the observer where the solution on a grid of `elements` per side stands; of the working set, its elements and how many of them are new or gone.
+    /// Tells the observer where the solution on a grid of `elements` per side stands; of the working set, its elements
+    /// and how many of them are new or gone.
     ///
     /// # Errors
     /// [`ContactError::Cancelled`] if the observer cancels.

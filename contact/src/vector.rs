@@ -1,4 +1,5 @@
-//! Sums and updates of fields, by several threads in parts of one fixed length, so that every number of threads gives the same bits.
+//! Sums and updates of fields, by several threads in parts of one fixed length, so that every number of threads gives
+//! the same bits.
 
 use std::ops::Range;
 

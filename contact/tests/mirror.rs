@@ -1,4 +1,5 @@
-//! A quadrant stands for the whole surface: the same solution, by another operator, another preconditioner and a quarter of the elements.
+//! A quadrant stands for the whole surface: the same solution, by another operator, another preconditioner and a
+//! quarter of the elements.
 
 #![expect(
     clippy::unwrap_used,

@@ -1,8 +1,9 @@
 //! A solver written outside the crate: the paper's own procedure, which drops what pulls and never takes anything back.
 //!
-//! Stepanov and Torskaya (2022) solve the linear system of all elements that may touch, drop those with negative pressure, and repeat until there are
-//! none. Nothing looks at the gaps. Where the first systems pull on elements that belong to the contact, as under a stiff coat or on a relief of
-//! islands, the procedure ends with an indenter that overlaps the surface, and the certificate says so.
+//! Stepanov and Torskaya (2022) solve the linear system of all elements that may touch, drop those with negative
+//! pressure, and repeat until there are none. Nothing looks at the gaps. Where the first systems pull on elements that
+//! belong to the contact, as under a stiff coat or on a relief of islands, the procedure ends with an indenter that
+//! overlaps the surface, and the certificate says so.
 
 #![expect(
     clippy::unwrap_used,

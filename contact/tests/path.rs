@@ -304,7 +304,8 @@ fn a_cancelled_path_keeps_the_steps_that_it_finished() {
     assert!(path.interrupted);
     assert_eq!(path.steps.len(), 1);
     assert!(path.steps[0].solution.certificate.is_satisfied());
-    // Where loads are solved at the same time, the first may be under way when the second is cancelled, and is cancelled too.
+    // Where loads are solved at the same time, the first may be under way when the second is cancelled, and is
+    // cancelled too.
     let path = solved_by(3);
     assert!(path.interrupted && path.steps.len() <= 1);
 }

@@ -1,6 +1,8 @@
-//! Random cases from nanometres to metres whose domain is chosen: none is refused for its domain, none is cut off by it.
+//! Random cases from nanometres to metres whose domain is chosen: none is refused for its domain, none is cut off by
+//! it.
 //!
-//! 20 by default; `PELLICLE_RANDOM_DOMAINS=2000 cargo test --release -p pellicle-contact --test random_domains` for more.
+//! 20 by default; `PELLICLE_RANDOM_DOMAINS=2000 cargo test --release -p pellicle-contact --test random_domains` for
+//! more.
 
 #![expect(
     clippy::unwrap_used,

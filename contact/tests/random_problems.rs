@@ -1,6 +1,7 @@
 //! Random problems, from the soft extreme to the stiff: each is certified or refused with a reason.
 //!
-//! 1000 of each kind by default; `PELLICLE_RANDOM_PROBLEMS=10000 cargo test --release -p pellicle-contact --test random_problems` for more.
+//! 1000 of each kind by default;
+//! `PELLICLE_RANDOM_PROBLEMS=10000 cargo test --release -p pellicle-contact --test random_problems` for more.
 
 #![expect(
     clippy::unwrap_used,
@@ -62,7 +63,8 @@ fn foundation(seed: u64) -> Foundation {
     Foundation::new(layers, base).unwrap()
 }
 
-/// One problem on a foundation: a blunt or flat or rough indenter over springs of many kinds, under a load of one of eight decades.
+/// One problem on a foundation: a blunt or flat or rough indenter over springs of many kinds, under a load of one of
+/// eight decades.
 fn problem(random: &mut Random, tables: &RadialTables) -> (DiscreteProblem, Load) {
     let size = 8 + random.below(57);
     let side = random.decades(1e-2, 10.0) / size as f64;
@@ -117,7 +119,8 @@ fn outcome(problem: &mut DiscreteProblem, load: Load) -> Result<Solution, Contac
     Ok(Solution::judge(problem, load, iterate.pressure, 1e-8))
 }
 
-/// One model that is its own mirror image in both axes, on a grid of an even number of elements per side, under a force of one of five decades.
+/// One model that is its own mirror image in both axes, on a grid of an even number of elements per side, under a force
+/// of one of five decades.
 fn mirrored_model(random: &mut Random, tables: &Arc<RadialTables>) -> (SampledModel, Model, Load) {
     let (side, elements) = (random.decades(1e-2, 10.0), 2 * (4 + random.below(29)));
     // What a pressure over the whole domain meets, and one over an element.

@@ -294,8 +294,8 @@ fn an_observer_can_cancel() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(48))]
 
-    /// Random rough reliefs with random springs and loads over four decades: the gradient method certifies and agrees with the
-    /// active set.
+    /// Random rough reliefs with random springs and loads over four decades: the gradient method certifies and agrees
+    /// with the active set.
     #[test]
     fn random_reliefs_are_certified_and_agree(
         heights in prop::collection::vec(0.0..0.05_f64, 144),

@@ -23,7 +23,8 @@ pub enum Refusal {
     },
 }
 
-/// Demands of errors, by elements per side, an order of at least `order` and a last error of at most `error`; returns the order.
+/// Demands of errors, by elements per side, an order of at least `order` and a last error of at most `error`; returns
+/// the order.
 ///
 /// # Errors
 /// [`Refusal`], also of what is no number.

@@ -66,7 +66,8 @@ pub struct Row {
 }
 
 impl Benchmark {
-    /// The error bars on `grids`; what is not known in closed form is taken from a grid of `finest` elements per side, and judged on grids of at most half of them.
+    /// The error bars on `grids`; what is not known in closed form is taken from a grid of `finest` elements per side,
+    /// and judged on grids of at most half of them.
     ///
     /// # Panics
     /// If a grid cannot be solved.
@@ -197,7 +198,8 @@ fn median(mut values: Vec<f64>) -> f64 {
     values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
 }
 
-/// `count` grids from `first` to `last` elements per side, as evenly in the logarithm as whole numbers allow, odd ones among them.
+/// `count` grids from `first` to `last` elements per side, as evenly in the logarithm as whole numbers allow, odd ones
+/// among them.
 #[must_use]
 pub fn grids(count: usize, first: usize, last: usize) -> Vec<usize> {
     let (low, high) = ((first as f64).ln(), (last as f64).ln());

@@ -1,5 +1,5 @@
-//! Cross-crate evidence that Pellicle is right: the scenes that the test binaries share. The example of the workspace's README is
-//! compiled and run here as a documentation test.
+//! Cross-crate evidence that Pellicle is right: the scenes that the test binaries share. The example of the workspace's
+//! README is compiled and run here as a documentation test.
 
 pub mod convergence;
 pub mod coverage;

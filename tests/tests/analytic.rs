@@ -18,7 +18,8 @@ fn a_coating_of_the_substrates_own_material_is_not_felt() {
     for nu in [0.0, 0.3, 0.5] {
         let body = material(0.91, nu);
         let (penetration, pressure) = pressed(&Foundation::half_space(body));
-        // The same but for a bit, so that it is computed as a coating: equal materials are known for a half-space at once.
+        // The same but for a bit, so that it is computed as a coating: equal materials are known for a half-space at
+        // once.
         let coating = material(0.91_f64.next_up(), nu);
         for thickness in [1e-4, 0.05, 10.0] {
             let (found, pressures) = pressed(&coated(thickness, coating, body));

@@ -35,7 +35,8 @@ impl Cylinders {
     /// # Errors
     ///
     /// [`TextureError::NotPositive`] if radius, height, period or Young's modulus is not positive and finite,
-    /// [`TextureError::NotFinite`] if the offset is not finite, [`TextureError::Overlap`] if the radius exceeds half the period.
+    /// [`TextureError::NotFinite`] if the offset is not finite, [`TextureError::Overlap`] if the radius exceeds half
+    /// the period.
     pub fn new(spec: CylinderSpec) -> Result<Self, TextureError> {
         let CylinderSpec {
             radius,
@@ -108,7 +109,8 @@ impl Cylinders {
             .area_fraction(self.spec.radius, self.spec.period)
     }
 
-    /// Whether the lattice is its own mirror image in both axes: whether they pass through a centre or halfway between two.
+    /// Whether the lattice is its own mirror image in both axes: whether they pass through a centre or halfway between
+    /// two.
     #[must_use]
     pub fn is_mirrored(&self) -> bool {
         let CylinderSpec {
@@ -124,13 +126,15 @@ impl Cylinders {
             .all(|axis: usize| (2.0 * offset[axis] / cell[axis]).fract() == 0.0)
     }
 
-    /// Whether the point (m) lies on the top of a cylinder, the rim included (with a relative slack of 1e-12 on the radius).
+    /// Whether the point (m) lies on the top of a cylinder, the rim included (with a relative slack of 1e-12 on the
+    /// radius).
     #[must_use]
     pub fn contains(&self, point: [f64; 2]) -> bool {
         self.distance_to_axis(point) <= self.spec.radius * (1.0 + RIM_SLACK)
     }
 
-    /// Distance from the point to the nearest rim, m: positive on the top of a cylinder, negative between the cylinders.
+    /// Distance from the point to the nearest rim, m: positive on the top of a cylinder, negative between the
+    /// cylinders.
     #[must_use]
     pub fn distance_to_rim(&self, point: [f64; 2]) -> f64 {
         self.spec.radius - self.distance_to_axis(point)

@@ -6,8 +6,8 @@ use crate::error::{Quantity, TextureError, positive};
 
 /// A square domain centred on the origin, cut into N × N square elements of side `h = 2a`.
 ///
-/// Element `(i, j)` has its centre at `(x_i, x_j)`, `x_i = (i + ½) h − side/2`, and the index `i * N + j` in every field on the
-/// grid: the first index runs along x, the second along y.
+/// Element `(i, j)` has its centre at `(x_i, x_j)`, `x_i = (i + ½) h − side/2`, and the index `i * N + j` in every
+/// field on the grid: the first index runs along x, the second along y.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Grid {
     side: f64,
@@ -22,8 +22,8 @@ impl Grid {
     ///
     /// # Errors
     ///
-    /// [`TextureError::NotPositive`] if `side` is not positive and finite, [`TextureError::GridSize`] if `size` is 0 or above
-    /// [`Grid::LARGEST_SIZE`].
+    /// [`TextureError::NotPositive`] if `side` is not positive and finite, [`TextureError::GridSize`] if `size` is 0 or
+    /// above [`Grid::LARGEST_SIZE`].
     pub fn new(side: f64, size: usize) -> Result<Self, TextureError> {
         let side = positive(Quantity::Side, side)?;
         if size == 0 || size > Self::LARGEST_SIZE {
@@ -76,8 +76,8 @@ impl Grid {
         ((2 * i + 1) as f64 - self.size as f64) * (0.5 * self.element_side())
     }
 
-    /// A function of the point at the centres of all elements; of one that is its own mirror image in both axes at those of a quadrant, from which the others
-    /// are copied to the last bit.
+    /// A function of the point at the centres of all elements; of one that is its own mirror image in both axes at
+    /// those of a quadrant, from which the others are copied to the last bit.
     pub fn sample<T: Copy + Default + Send + Sync>(
         &self,
         is_mirrored: bool,
@@ -105,8 +105,8 @@ impl Grid {
         field
     }
 
-    /// A function of the point at the centres of the elements with x, y > 0, row after row, each element's row and column counted from the axis; of an
-    /// odd N those on the axes are among them.
+    /// A function of the point at the centres of the elements with x, y > 0, row after row, each element's row and
+    /// column counted from the axis; of an odd N those on the axes are among them.
     pub fn sample_quadrant<T: Copy + Default + Send + Sync>(
         &self,
         function: impl Fn([f64; 2]) -> T + Sync,

@@ -6,10 +6,12 @@ use crate::interpolation::{Interpolation, Stencil};
 /// Rounding of a place, in samples, on a map of one sample.
 const ON_A_SAMPLE: f64 = 4.0 * f64::EPSILON;
 
-/// Heights (m) measured at the centres of `shape[0]` × `shape[1]` equal pixels that fill a rectangle centred on the origin.
+/// Heights (m) measured at the centres of `shape[0]` × `shape[1]` equal pixels that fill a rectangle centred on the
+/// origin.
 ///
-/// Sample `(i, j)` has the index `i * shape[1] + j` and stands at `x_i = (i + ½) w_x − L_x/2`, `y_j = (j + ½) w_y − L_y/2`, where
-/// `L` is the extent and `w = L / shape` a pixel: the layout of a [`Grid`](crate::Grid), and that of the usual instrument files.
+/// Sample `(i, j)` has the index `i * shape[1] + j` and stands at `x_i = (i + ½) w_x − L_x/2`,
+/// `y_j = (j + ½) w_y − L_y/2`, where `L` is the extent and `w = L / shape` a pixel: the layout of a
+/// [`Grid`](crate::Grid), and that of the usual instrument files.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HeightMap {
     heights: Vec<f64>,
@@ -19,13 +21,14 @@ pub struct HeightMap {
 }
 
 impl HeightMap {
-    /// A map of `shape[0] * shape[1]` heights (m, above any plane) over a rectangle of sides `extent` (m), bicubic between them.
+    /// A map of `shape[0] * shape[1]` heights (m, above any plane) over a rectangle of sides `extent` (m), bicubic
+    /// between them.
     ///
     /// # Errors
     ///
     /// [`TextureError::MapShape`] if the number of heights is not the product of the shape or is zero,
-    /// [`TextureError::NotPositive`] if a side of the extent is not positive and finite, [`TextureError::MapSample`] if a height
-    /// is NaN or infinite.
+    /// [`TextureError::NotPositive`] if a side of the extent is not positive and finite, [`TextureError::MapSample`] if
+    /// a height is NaN or infinite.
     pub fn new(
         heights: Vec<f64>,
         shape: [usize; 2],
@@ -121,7 +124,8 @@ impl HeightMap {
         }
     }
 
-    /// Distance from the point to the nearest line of samples along which the surface has a ridge, m: infinite where the interpolation is smooth.
+    /// Distance from the point to the nearest line of samples along which the surface has a ridge, m: infinite where
+    /// the interpolation is smooth.
     #[must_use]
     pub fn distance_to_ridge(&self, point: [f64; 2]) -> f64 {
         if self.interpolation == Interpolation::Bicubic {
@@ -135,7 +139,8 @@ impl HeightMap {
         along(0).min(along(1))
     }
 
-    /// Height at a point (m) by the map's interpolation; beyond the outermost samples, the height of the nearest point among them.
+    /// Height at a point (m) by the map's interpolation; beyond the outermost samples, the height of the nearest point
+    /// among them.
     #[must_use]
     pub fn height(&self, point: [f64; 2]) -> f64 {
         match self.interpolation {
@@ -160,7 +165,8 @@ impl HeightMap {
         self.weighed([&along_x, &along_y], 0.0)
     }
 
-    /// Slopes along x and y and second derivatives along x, both and y of the bicubic surface at a point (m), in heights per distance between samples.
+    /// Slopes along x and y and second derivatives along x, both and y of the bicubic surface at a point (m), in
+    /// heights per distance between samples.
     pub(crate) fn slopes_and_bends(&self, point: [f64; 2]) -> ([f64; 2], [f64; 3]) {
         let [along_x, along_y] = [0, 1].map(|axis| {
             let (before, _, t) = self.bracket(axis, point[axis]);
@@ -326,7 +332,8 @@ mod tests {
         for k in 0..80_u32 {
             let y = f64::from(k) / 40.0 - 1.0;
             let [before, here, after] = [-h, 0.0, h].map(|dx| map.height([x + dx, y]));
-            // A ridge's second difference is of the order h, as a bilinear map has it; that of a smooth surface h² f″, f″ < 100.
+            // A ridge's second difference is of the order h, as a bilinear map has it; that of a smooth surface h² f″,
+            // f″ < 100.
             let bend = (after - 2.0 * here + before).abs();
             assert!(bend < 100.0 * h * h, "{y}: {bend:e}");
         }

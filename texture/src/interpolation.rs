@@ -1,10 +1,11 @@
 //! How heights between the samples of a map are found, along one axis at a time.
 //!
-//! Bicubic: between two samples the cubic that has their heights and their slopes (Hermite), a sample's slope being that of the polynomial
-//! through it and three neighbours on either side, fewer near the rim. The slope belongs to the sample, so the surface is smooth (C¹) across
-//! every line of samples, where a bilinear one has a ridge; cubics come back exactly wherever three neighbours are there, and the error of
-//! a smooth surface falls with the fourth power of the distance between samples. A wave of four samples keeps 97 % of its height midway between two
-//! samples, of which a bilinear map leaves 71 %.
+//! Bicubic: between two samples the cubic that has their heights and their slopes (Hermite), a sample's slope being
+//! that of the polynomial through it and three neighbours on either side, fewer near the rim. The slope belongs to the
+//! sample, so the surface is smooth (C¹) across every line of samples, where a bilinear one has a ridge; cubics come
+//! back exactly wherever three neighbours are there, and the error of a smooth surface falls with the fourth power of
+//! the distance between samples. A wave of four samples keeps 97 % of its height midway between two samples, of which a
+//! bilinear map leaves 71 %.
 
 /// How heights between the samples of a map are found.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -12,7 +13,8 @@ pub enum Interpolation {
     /// Smooth: piecewise bicubic, continuous with its slopes.
     #[default]
     Bicubic,
-    /// Piecewise bilinear: no height lies beyond those of the four samples around it, and every line of samples is a ridge.
+    /// Piecewise bilinear: no height lies beyond those of the four samples around it, and every line of samples is a
+    /// ridge.
     Linear,
 }
 
@@ -22,7 +24,8 @@ const MOST: usize = 8;
 /// Neighbours on either side that a sample's slope is taken from, where there are as many.
 const REACH: usize = 3;
 
-/// Weights of the differences `f(k) − f(−k)`, k = 1, 2, …, in the slope of the polynomial through `2m + 1` equally spaced samples, m = 1, 2, 3.
+/// Weights of the differences `f(k) − f(−k)`, k = 1, 2, …, in the slope of the polynomial through `2m + 1` equally
+/// spaced samples, m = 1, 2, 3.
 const CENTRAL: [&[f64]; REACH] = [
     &[0.5],
     &[2.0 / 3.0, -1.0 / 12.0],
@@ -137,7 +140,8 @@ impl Stencil {
                 self.add(1, weight);
             }
             (0, _) => {
-                // Seen from the last sample the others come in the opposite order, and the slope with the opposite sign.
+                // Seen from the last sample the others come in the opposite order, and the slope with the opposite
+                // sign.
                 let is_first = sample == 0;
                 for (k, one_sided) in ONE_SIDED.into_iter().enumerate() {
                     let (at, sign) = if is_first {

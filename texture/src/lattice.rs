@@ -1,8 +1,8 @@
 //! The two planar lattices on which cylinders stand.
 //!
-//! Both are described by a rectangular cell: one centre at its corner and, for the hexagonal lattice, one more in its middle. The
-//! nearest point of a rectangular lattice is found exactly by rounding each coordinate, so the nearest centre is the nearer of at
-//! most two candidates.
+//! Both are described by a rectangular cell: one centre at its corner and, for the hexagonal lattice, one more in its
+//! middle. The nearest point of a rectangular lattice is found exactly by rounding each coordinate, so the nearest
+//! centre is the nearer of at most two candidates.
 
 use std::f64::consts::PI;
 
@@ -17,7 +17,8 @@ pub enum Lattice {
 }
 
 impl Lattice {
-    /// Sides along x and y of the rectangular cell, in the unit of `period`: `T × T`, or `T × √3 T` holding two centres.
+    /// Sides along x and y of the rectangular cell, in the unit of `period`: `T × T`, or `T × √3 T` holding two
+    /// centres.
     #[must_use]
     pub fn cell(self, period: f64) -> [f64; 2] {
         match self {
@@ -26,7 +27,8 @@ impl Lattice {
         }
     }
 
-    /// Distance from `point` to the nearest centre of the lattice that has one centre on the origin, in the unit of `period`.
+    /// Distance from `point` to the nearest centre of the lattice that has one centre on the origin, in the unit of
+    /// `period`.
     ///
     /// Exact up to rounding for points anywhere in the plane.
     #[must_use]

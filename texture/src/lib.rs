@@ -1,12 +1,14 @@
-//! Geometry of textured surfaces: periodic cylinders, films and measured height maps, sampled on a grid of square elements.
+//! Geometry of textured surfaces: periodic cylinders, films and measured height maps, sampled on a grid of square
+//! elements.
 //!
-//! The crate answers one question: at every element of a [`Grid`], does the surface carry relief, how high does it stand and how
-//! soft is it? The answer is a [`SampledRelief`] of three fields: the mask, the surface profile `f*` (m, 0 on the tops) and the
-//! compliance `η` (m/Pa) of the one-dimensional springs that stand for the relief, `η = h / E_a` ((3.3) of Stepanov and
-//! Torskaya, Mech. Solids 57, 2022). It knows no elasticity beyond that quotient and depends on no other crate of the workspace.
+//! The crate answers one question: at every element of a [`Grid`], does the surface carry relief, how high does it
+//! stand and how soft is it? The answer is a [`SampledRelief`] of three fields: the mask, the surface profile `f*` (m,
+//! 0 on the tops) and the compliance `η` (m/Pa) of the one-dimensional springs that stand for the relief, `η = h / E_a`
+//! ((3.3) of Stepanov and Torskaya, Mech. Solids 57, 2022). It knows no elasticity beyond that quotient and depends on
+//! no other crate of the workspace.
 //!
-//! A field is a `Vec<f64>` of N² values with index `i * N + j`, first index along x, second along y; see [`Grid`]. Lengths and
-//! moduli may be in SI or in any consistent dimensionless system.
+//! A field is a `Vec<f64>` of N² values with index `i * N + j`, first index along x, second along y; see [`Grid`].
+//! Lengths and moduli may be in SI or in any consistent dimensionless system.
 //!
 //! ```
 //! use pellicle_texture::{CylinderSpec, Cylinders, Grid, Lattice, Relief};

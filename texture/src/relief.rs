@@ -84,7 +84,8 @@ impl Relief {
         }
     }
 
-    /// Fraction of the plane that carries relief: closed form for cylinders, 1 for a film or a map, 0 for a bare surface.
+    /// Fraction of the plane that carries relief: closed form for cylinders, 1 for a film or a map, 0 for a bare
+    /// surface.
     #[must_use]
     pub fn area_fraction(&self) -> f64 {
         match self {
@@ -104,7 +105,8 @@ impl Relief {
         }
     }
 
-    /// Distance from the point to the nearest outline of the relief, m: positive on the tops, negative between them; none where there is no outline.
+    /// Distance from the point to the nearest outline of the relief, m: positive on the tops, negative between them;
+    /// none where there is no outline.
     #[must_use]
     pub fn distance_to_outline(&self, point: [f64; 2]) -> Option<f64> {
         match self {
@@ -113,7 +115,8 @@ impl Relief {
         }
     }
 
-    /// Distance from the point to the nearest ridge of the relief, m; infinite where it has none. See [`HeightMap::distance_to_ridge`](crate::HeightMap::distance_to_ridge).
+    /// Distance from the point to the nearest ridge of the relief, m; infinite where it has none. See
+    /// [`HeightMap::distance_to_ridge`](crate::HeightMap::distance_to_ridge).
     #[must_use]
     pub fn distance_to_ridge(&self, point: [f64; 2]) -> f64 {
         match self {

@@ -15,8 +15,8 @@ pub enum MapCompliance {
 
 /// A measured relief: a height map whose highest point is level with the plane of the tops, and its compliance.
 ///
-/// Outside the map's rectangle the height of its rim continues outwards, so that a domain may be larger than the measurement;
-/// [`ReliefMap::covers`] tells whether it is.
+/// Outside the map's rectangle the height of its rim continues outwards, so that a domain may be larger than the
+/// measurement; [`ReliefMap::covers`] tells whether it is.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReliefMap {
     map: HeightMap,
@@ -30,8 +30,8 @@ impl ReliefMap {
     ///
     /// # Errors
     ///
-    /// [`TextureError::Negative`] if a uniform compliance is negative or not finite, [`TextureError::NotPositive`] if Young's
-    /// modulus is not positive and finite.
+    /// [`TextureError::Negative`] if a uniform compliance is negative or not finite, [`TextureError::NotPositive`] if
+    /// Young's modulus is not positive and finite.
     pub fn new(map: HeightMap, compliance: MapCompliance) -> Result<Self, TextureError> {
         match compliance {
             MapCompliance::Uniform(found) => not_negative(Quantity::Compliance, found)?,

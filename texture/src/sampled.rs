@@ -1,6 +1,7 @@
 //! A relief as a solver sees it: three fields on a grid.
 
-/// The relief at the centres of a grid's elements: mask, surface profile and compliance, N² values each, index `i * N + j`; or at those of a quadrant.
+/// The relief at the centres of a grid's elements: mask, surface profile and compliance, N² values each, index
+/// `i * N + j`; or at those of a quadrant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SampledRelief {
     pub(crate) mask: Vec<bool>,
@@ -33,7 +34,8 @@ impl SampledRelief {
         (self.mask, self.profile, self.compliance)
     }
 
-    /// Fraction of the elements that lie on the relief; tends to [`Relief::area_fraction`](crate::Relief::area_fraction).
+    /// Fraction of the elements that lie on the relief; tends to
+    /// [`Relief::area_fraction`](crate::Relief::area_fraction).
     #[must_use]
     pub fn mask_fraction(&self) -> f64 {
         self.mask.iter().filter(|&&on| on).count() as f64 / self.mask.len() as f64

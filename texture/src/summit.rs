@@ -1,18 +1,21 @@
 //! Where the surface of a map is highest and lowest, which may be between samples.
 //!
-//! A crest of a surface that its samples resolve lies within one sample of a sample that is as high as its neighbours. The parabola through
-//! three samples tells how high a crest may be; the few that may be the highest are looked at closely.
+//! A crest of a surface that its samples resolve lies within one sample of a sample that is as high as its neighbours.
+//! The parabola through three samples tells how high a crest may be; the few that may be the highest are looked at
+//! closely.
 
 use crate::height_map::HeightMap;
 use crate::interpolation::{Interpolation, Stencil};
 
-/// Crests that are looked at: a measured map has one or two whose parabolas come near the highest; one of round numbers may have many.
+/// Crests that are looked at: a measured map has one or two whose parabolas come near the highest; one of round numbers
+/// may have many.
 const MOST_CRESTS: usize = 256;
 
 /// Points along each axis of one look.
 const POINTS: i32 = 8;
 
-/// Looks, each at a region of a third of the side: down to 3⁻¹⁸ of a sample, beyond which heights no longer tell places apart.
+/// Looks, each at a region of a third of the side: down to 3⁻¹⁸ of a sample, beyond which heights no longer tell places
+/// apart.
 const LOOKS: usize = 18;
 
 /// Newton steps to where the slope is zero, from where the looks end; two suffice.
@@ -21,7 +24,8 @@ const NEWTON_STEPS: usize = 4;
 /// The longest Newton step, in samples: a longer one leads elsewhere, as on a plateau.
 const LONGEST_STEP: f64 = 1e-3;
 
-/// Two crests that differ by less than this, relative to the map's range, are equally high: rounding of 64 products, with a margin.
+/// Two crests that differ by less than this, relative to the map's range, are equally high: rounding of 64 products,
+/// with a margin.
 const EQUAL: f64 = 1e-13;
 
 /// A point and the height of the surface there.
@@ -80,8 +84,8 @@ struct Crest {
 }
 
 impl Crest {
-    /// More than the crest can have. Of a wave of four samples, half of whose samples stand beside a crest, the surface rises by 0.68 of its
-    /// parabola's rise, of a flat line with a slope at its end by 8/27.
+    /// More than the crest can have. Of a wave of four samples, half of whose samples stand beside a crest, the surface
+    /// rises by 0.68 of its parabola's rise, of a flat line with a slope at its end by 8/27.
     fn most(&self) -> f64 {
         self.height + 2.0 * self.rise
     }
@@ -108,8 +112,8 @@ pub(crate) fn summit(map: &HeightMap, sign: f64) -> Summit {
     })
 }
 
-/// Those that may be the highest: of equals the nearest to the middle first. Of a plateau every sample is a crest, so no more are kept than are looked at,
-/// and as many again until they are sorted.
+/// Those that may be the highest: of equals the nearest to the middle first. Of a plateau every sample is a crest, so
+/// no more are kept than are looked at, and as many again until they are sorted.
 fn near_the_top<C: Iterator<Item = Crest>>(map: &HeightMap, crests: impl Fn() -> C) -> Vec<Crest> {
     let least = crests().map(|crest| crest.least());
     let least = least.fold(f64::NEG_INFINITY, f64::max);
@@ -223,7 +227,8 @@ fn climb(map: &HeightMap, sign: f64, crest: &Crest) -> Summit {
     level(map, sign, best)
 }
 
-/// The point near a summit where the surface is level. A height tells a summit's place to the root of its rounding, 1e-8 of a sample, a slope to rounding.
+/// The point near a summit where the surface is level. A height tells a summit's place to the root of its rounding,
+/// 1e-8 of a sample, a slope to rounding.
 fn level(map: &HeightMap, sign: f64, summit: Summit) -> Summit {
     let pixel = map.pixel();
     let mut point = summit.point;
@@ -270,7 +275,8 @@ mod tests {
     fn a_crest_between_samples_is_found_where_it_stands() {
         let map = map(|x, y| 7.0 - (x - 0.123).powi(2) - 2.0 * (y + 0.456).powi(2));
         let found = summit(&map, 1.0);
-        // The quadratic comes back, and its slope tells the place to some roundings of heights up to 7 over the bend of 2.
+        // The quadratic comes back, and its slope tells the place to some roundings of heights up to 7 over the bend of
+        // 2.
         assert!((found.height - 7.0).abs() < 1e-14, "{found:?}");
         let [x, y] = found.point;
         assert!((x - 0.123).hypot(y + 0.456) < 1e-13, "{found:?}");

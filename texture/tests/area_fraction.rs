@@ -40,8 +40,9 @@ fn the_sampled_fraction_converges_to_the_closed_form_with_order_three_halves() {
     for lattice in [Lattice::Square, Lattice::Hexagonal] {
         let (coarse, fine) = (error(lattice, 16), error(lattice, 128));
         let order = (coarse / fine).log2() / 3.0;
-        // The number of points of a grid in a disc of r/h elements at a random place scatters by about (r/h)^½ (D. G. Kendall,
-        // Quart. J. Math. 19, 1948), so the fraction errs by h^(3/2); 80 samples leave the order uncertain by about 0.1.
+        // The number of points of a grid in a disc of r/h elements at a random place scatters by about (r/h)^½ (D. G.
+        // Kendall, Quart. J. Math. 19, 1948), so the fraction errs by h^(3/2); 80 samples leave the order uncertain by
+        // about 0.1.
         assert!(
             (1.3..1.7).contains(&order),
             "{lattice:?}: order {order}, {coarse:e} then {fine:e}"
@@ -54,6 +55,7 @@ fn the_sampled_fraction_converges_to_the_closed_form_with_order_three_halves() {
 fn a_grid_of_whole_periods_samples_the_closed_form() {
     let relief = Relief::Cylinders(cylinders(Lattice::Square, [0.0, 0.0]));
     let sampled = relief.sample(&Grid::new(4.0, 400).unwrap());
-    // 100 elements a period, centred offset: the discrepancy is below one element per period and side, 1e-3 of the area.
+    // 100 elements a period, centred offset: the discrepancy is below one element per period and side, 1e-3 of the
+    // area.
     assert!((sampled.mask_fraction() - relief.area_fraction()).abs() < 1e-3);
 }

@@ -32,8 +32,8 @@ use crate::XtaskError;
 use picture::Picture;
 use studio::Studio;
 
-/// Draws the figures of `arguments` from the cases of the workspace at `root`, and returns how many pictures there are; `tell`
-/// hears what is going on.
+/// Draws the figures of `arguments` from the cases of the workspace at `root`, and returns how many pictures there are;
+/// `tell` hears what is going on.
 ///
 /// # Errors
 /// A program that cannot be built, a run that is not certified, a file that cannot be written.

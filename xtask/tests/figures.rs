@@ -1,4 +1,5 @@
-//! Figures on tiny grids: every picture as three files, with the certificate of its data, drawn again to the same bytes.
+//! Figures on tiny grids: every picture as three files, with the certificate of its data, drawn again to the same
+//! bytes.
 
 #![expect(
     clippy::unwrap_used,

@@ -15,7 +15,8 @@ pub struct Doubt {
     pub message: String,
 }
 
-/// Keys of lengths, pressures, forces and compliances, and the unit that a bare number of theirs has in a case with units.
+/// Keys of lengths, pressures, forces and compliances, and the unit that a bare number of theirs has in a case with
+/// units.
 const QUANTITIES: [(&str, &str); 14] = [
     ("thickness", "m"),
     ("young_modulus", "Pa"),

@@ -241,7 +241,8 @@ impl<'a> Field<'a> {
         self.in_range(dimension, value)
     }
 
-    /// The value itself if it is of a size that the arithmetic of a contact can hold: squares and quotients of such numbers are numbers.
+    /// The value itself if it is of a size that the arithmetic of a contact can hold: squares and quotients of such
+    /// numbers are numbers.
     ///
     /// # Errors
     ///

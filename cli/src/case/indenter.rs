@@ -183,8 +183,8 @@ fn tip_radius(table: &Reader<'_>) -> Result<f64, Diagnosis> {
     table.optional("tip_radius").map_or(Ok(0.0), read)
 }
 
-/// Angles from the axis: a needle sharper than the first (0.1 degrees) is far beyond small slopes and any picture, one blunter than the last
-/// (10⁻⁴ degrees from flat) is a flat surface.
+/// Angles from the axis: a needle sharper than the first (0.1 degrees) is far beyond small slopes and any picture, one
+/// blunter than the last (10⁻⁴ degrees from flat) is a flat surface.
 const ANGLES: std::ops::RangeInclusive<f64> = 1.745e-3..=FRAC_PI_2 - 1.745e-6;
 
 /// An angle from the axis, between 0 and 90 degrees.

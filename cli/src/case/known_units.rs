@@ -20,8 +20,8 @@ pub fn names(dimension: Dimension) -> &'static [&'static str] {
     }
 }
 
-/// How large the size of a quantity may be, in SI units or the case's own: far beyond all that is measured, and such that products of several
-/// are numbers of 64 bits.
+/// How large the size of a quantity may be, in SI units or the case's own: far beyond all that is measured, and such
+/// that products of several are numbers of 64 bits.
 #[must_use]
 pub fn sizes(dimension: Dimension) -> RangeInclusive<f64> {
     match dimension {

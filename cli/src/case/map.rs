@@ -1,9 +1,9 @@
 //! A height map that a case names: `file`, and what the file does not say of it.
 //!
-//! `side` is its length along x, with square pixels, `sides` the lengths along x and y; a `.gsf` file says them itself, and what the case
-//! says goes before. `height_unit` is the length that a 1 in the file stands for: `"nm"`, `"0.5 um"` or a bare number, negative to turn
-//! heights into depths. Without it heights are in the unit that the file names, or in metres, or in the case's own unit of length.
-//! `interpolation` is how heights between the samples are found.
+//! `side` is its length along x, with square pixels, `sides` the lengths along x and y; a `.gsf` file says them itself,
+//! and what the case says goes before. `height_unit` is the length that a 1 in the file stands for: `"nm"`, `"0.5 um"`
+//! or a bare number, negative to turn heights into depths. Without it heights are in the unit that the file names, or
+//! in metres, or in the case's own unit of length. `interpolation` is how heights between the samples are found.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -87,7 +87,8 @@ impl MapCase {
     ///
     /// # Errors
     ///
-    /// A [`Diagnosis`] of the first key that no map can have, of the file if it is no map, or of the unit if with it no surface is like that.
+    /// A [`Diagnosis`] of the first key that no map can have, of the file if it is no map, or of the unit if with it no
+    /// surface is like that.
     pub fn read(table: &Reader<'_>, folder: &Path, likely: Likely) -> Result<Self, Diagnosis> {
         let field = table.required("file", FILE)?;
         let name = field.text()?;

@@ -176,8 +176,8 @@ fn spelling(unit: &str) -> String {
     }
 }
 
-/// The number of a text times a factor: of a power of ten, the number with its decimal point moved, which is what the bare number of the same value would
-/// have been read as; rounded twice otherwise.
+/// The number of a text times a factor: of a power of ten, the number with its decimal point moved, which is what the
+/// bare number of the same value would have been read as; rounded twice otherwise.
 fn times(number: &str, factor: f64) -> f64 {
     let shifted = decimal_exponent(factor).and_then(|shift| shifted(number, shift));
     shifted.unwrap_or_else(|| number.parse().unwrap_or(f64::NAN) * factor)

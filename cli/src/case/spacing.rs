@@ -28,7 +28,8 @@ impl Spacing {
         }
     }
 
-    /// `count` ≥ 2 values from `from` to `to`, both ends exact, the others to 15 digits: 0.3 and not 0.30000000000000004.
+    /// `count` ≥ 2 values from `from` to `to`, both ends exact, the others to 15 digits: 0.3 and not
+    /// 0.30000000000000004.
     #[must_use]
     pub fn between(self, from: f64, to: f64, count: usize) -> Vec<f64> {
         let last = count - 1;

@@ -101,8 +101,8 @@ const KINDS: [(&str, Kind); 5] = [
 ];
 
 impl SurfaceCase {
-    /// Reads the table, and a map's file by its path from `folder`; the foundation gives the cylinders' modulus where the table does
-    /// not.
+    /// Reads the table, and a map's file by its path from `folder`; the foundation gives the cylinders' modulus where
+    /// the table does not.
     ///
     /// # Errors
     ///

@@ -15,7 +15,8 @@ use crate::output::disk;
 use crate::program::Outcome;
 use crate::{cache, terminal};
 
-/// Prints the case with every default filled in, below it what the grid makes of it, and what the solution would warn of.
+/// Prints the case with every default filled in, below it what the grid makes of it, and what the solution would warn
+/// of.
 ///
 /// # Errors
 ///

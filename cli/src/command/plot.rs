@@ -1,4 +1,5 @@
-//! `pellicle plot`: the pictures of results drawn again, as they are or to order, and the curves of several results in one.
+//! `pellicle plot`: the pictures of results drawn again, as they are or to order, and the curves of several results in
+//! one.
 
 use std::fs;
 use std::path::Path;

@@ -1,8 +1,8 @@
 //! `.gsf`: Gwyddion Simple Field, a text header and numbers of four bytes.
 //!
-//! A line `Gwyddion Simple Field 1.0`, lines `key = value`, one to four NUL bytes up to a multiple of four, then `XRes · YRes` floats with
-//! the smallest byte first, row by row from the top.
-//! Source: Gwyddion user guide, *Simple Field Files*, gwyddion.net/documentation/user-guide-en/gsf.html.
+//! A line `Gwyddion Simple Field 1.0`, lines `key = value`, one to four NUL bytes up to a multiple of four, then
+//! `XRes · YRes` floats with the smallest byte first, row by row from the top. Source: Gwyddion user guide, *Simple
+//! Field Files*, gwyddion.net/documentation/user-guide-en/gsf.html.
 
 use super::{MapError, MapFile};
 

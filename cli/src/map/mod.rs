@@ -1,9 +1,9 @@
 //! Height maps from files: NumPy's `.npy`, text in columns, Gwyddion's `.gsf`.
 //!
-//! All three end as one [`MapFile`], whose heights have the layout of a [`Grid`](pellicle_texture::Grid): first index along x, second
-//! along y, both rising. An array of NumPy has that layout already, as the arrays in a results folder have. Text and `.gsf` are pictures:
-//! a line is a row of pixels from left to right, x rising, and the first line is the top, where y is largest. Three numbers a line that are
-//! the points x, y, z of a grid are read as such.
+//! All three end as one [`MapFile`], whose heights have the layout of a [`Grid`](pellicle_texture::Grid): first index
+//! along x, second along y, both rising. An array of NumPy has that layout already, as the arrays in a results folder
+//! have. Text and `.gsf` are pictures: a line is a row of pixels from left to right, x rising, and the first line is
+//! the top, where y is largest. Three numbers a line that are the points x, y, z of a grid are read as such.
 
 mod error;
 mod gsf;

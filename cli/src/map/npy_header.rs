@@ -1,8 +1,9 @@
 //! The header of an array that NumPy saved: kind of its numbers, order, shape.
 //!
-//! Six bytes of name, two of version, the header's length in two bytes or four, then a Python dictionary of exactly three keys. Only what NumPy
-//! writes is read, without recursion and without asking for memory: a header is the first thing that a damaged or a made-up file is wrong in.
-//! Source: NumPy's `lib/_format_impl`, numpy.org/doc/stable/reference/generated/numpy.lib.format.html.
+//! Six bytes of name, two of version, the header's length in two bytes or four, then a Python dictionary of exactly
+//! three keys. Only what NumPy writes is read, without recursion and without asking for memory: a header is the first
+//! thing that a damaged or a made-up file is wrong in. Source: NumPy's `lib/_format_impl`,
+//! numpy.org/doc/stable/reference/generated/numpy.lib.format.html.
 
 use super::MapError;
 

@@ -1,12 +1,13 @@
 //! The shortest wave of a map: the wavelength below which there is next to no slope.
 //!
-//! Every line of samples, less its mean and its trend, is tapered (Hann) and transformed; the squares of all lines, each times the square of
-//! its wavenumber, are how the mean square slope is spread over wavelengths.
+//! Every line of samples, less its mean and its trend, is tapered (Hann) and transformed; the squares of all lines,
+//! each times the square of its wavenumber, are how the mean square slope is spread over wavelengths.
 
 use realfft::RealFftPlanner;
 use realfft::num_complex::Complex;
 
-/// Share of the mean square slope that longer waves have. A surface of Hurst exponent 0.8 reaches it within 3 % of the wavelength where it ends.
+/// Share of the mean square slope that longer waves have. A surface of Hurst exponent 0.8 reaches it within 3 % of the
+/// wavelength where it ends.
 const SHARE: f64 = 0.99;
 
 /// Lines shorter than this have no spectrum worth the name.

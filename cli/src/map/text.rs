@@ -1,7 +1,7 @@
 //! Numbers in columns: `.csv`, and what Gwyddion and NumPy write as text.
 //!
-//! Numbers are separated by commas, semicolons, tabs or spaces; what follows a `#` is a comment. Where semicolons or blanks separate numbers, a
-//! comma is a decimal mark.
+//! Numbers are separated by commas, semicolons, tabs or spaces; what follows a `#` is a comment. Where semicolons or
+//! blanks separate numbers, a comma is a decimal mark.
 
 use super::{MapError, MapFile, triples};
 
@@ -64,7 +64,8 @@ enum Comma {
 }
 
 impl Comma {
-    /// What separates numbers is the same on all lines: a comma does unless semicolons do, or blanks with no comma beside them.
+    /// What separates numbers is the same on all lines: a comma does unless semicolons do, or blanks with no comma
+    /// beside them.
     fn in_text(text: &str) -> Self {
         let is_separated = |row: &str| {
             let mut words = row.split_whitespace();

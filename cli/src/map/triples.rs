@@ -2,11 +2,12 @@
 
 use super::MapFile;
 
-/// How far a coordinate may lie from its place on the grid, in distances between its lines: coordinates are printed with few digits.
+/// How far a coordinate may lie from its place on the grid, in distances between its lines: coordinates are printed
+/// with few digits.
 const OFF_THE_LINE: f64 = 0.05;
 
-/// The map of the points, if they are those of a rectangular grid of equal distances, each once and in any order. Its sides are in the unit of
-/// the heights.
+/// The map of the points, if they are those of a rectangular grid of equal distances, each once and in any order. Its
+/// sides are in the unit of the heights.
 pub fn map(numbers: &[f64]) -> Option<MapFile> {
     let points = numbers.as_chunks::<3>().0;
     let [along_x, along_y] = [lines(points, 0)?, lines(points, 1)?];

@@ -1,4 +1,5 @@
-//! The writing of a results folder as the user sees it: how far it is, whether it is to stop, and what went wrong on the way.
+//! The writing of a results folder as the user sees it: how far it is, whether it is to stop, and what went wrong on
+//! the way.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
@@ -63,8 +64,8 @@ impl<'a> Desk<'a> {
         Ok(None)
     }
 
-    /// Writes a picture as it is drawn and rendered, and gives the drawing back; none if it was left out or cannot be drawn, which is a
-    /// warning. Neither file is forced onto the disk: they can be drawn again.
+    /// Writes a picture as it is drawn and rendered, and gives the drawing back; none if it was left out or cannot be
+    /// drawn, which is a warning. Neither file is forced onto the disk: they can be drawn again.
     ///
     /// # Errors
     ///

@@ -1,7 +1,8 @@
 //! How much room on the disk a run will take.
 //!
-//! Fields are a known number of bytes an element, but for those that are packed; pictures are about as large as others of as many elements.
-//! *Measured* on the templates, a film and a rough surface, N = 64 to 512: within a tenth where fields count, within a fifth where pictures do.
+//! Fields are a known number of bytes an element, but for those that are packed; pictures are about as large as others
+//! of as many elements. *Measured* on the templates, a film and a rough surface, N = 64 to 512: within a tenth where
+//! fields count, within a fifth where pictures do.
 
 use super::results::STEPS_IN_REPORT;
 use crate::case::Case;
@@ -9,19 +10,21 @@ use crate::case::output::{Format, OutputCase};
 use crate::case::surface::SurfaceCase;
 use crate::picture::pressure_map::CELLS;
 
-/// Bytes of an element in a file that is not packed: five numbers and two truth values, once more the contact in `.nc`, three files of `.gsf`.
+/// Bytes of an element in a file that is not packed: five numbers and two truth values, once more the contact in `.nc`,
+/// three files of `.gsf`.
 const VTI: f64 = 22.0;
 const NC: f64 = 43.0;
 const GSF: f64 = 12.0;
 
-/// The same packed: displacement and gap of a symmetric contact; a film's pressure and shortening are more, and nothing packs well that has
-/// no symmetry.
+/// The same packed: displacement and gap of a symmetric contact; a film's pressure and shortening are more, and nothing
+/// packs well that has no symmetry.
 const NPZ: f64 = 12.0;
 const NPZ_OF_A_FILM: f64 = 2.5;
 const NPZ_OF_A_SURFACE: f64 = 14.5;
 const NPZ_OF_AN_INDENTER: f64 = 6.0;
 
-/// Bytes of a step's three pictures of the pressure on 64 × 64 elements, and the power of the elements per side with which they grow.
+/// Bytes of a step's three pictures of the pressure on 64 × 64 elements, and the power of the elements per side with
+/// which they grow.
 const PICTURES: f64 = 480e3;
 const GROWTH: f64 = 0.34;
 

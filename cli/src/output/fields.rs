@@ -113,7 +113,8 @@ impl<'a> Fields<'a> {
         ]
     }
 
-    /// The fields of truth values, in the order in which files hold them: every format has both, with these names and meanings.
+    /// The fields of truth values, in the order in which files hold them: every format has both, with these names and
+    /// meanings.
     #[must_use]
     pub fn truths(&self) -> [Truth<'a>; 2] {
         let contact = self.pressure.iter().map(|pressure| *pressure > 0.0);

@@ -1,4 +1,5 @@
-//! Files that are there whole or not at all. What is written has a random name of its own until it is complete; nobody else's file is opened.
+//! Files that are there whole or not at all. What is written has a random name of its own until it is complete; nobody
+//! else's file is opened.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufWriter, ErrorKind, Write};

@@ -1,7 +1,9 @@
-//! A results folder: its place claimed before the work, filled when the work is done, and never in the place of what somebody else has written.
+//! A results folder: its place claimed before the work, filled when the work is done, and never in the place of what
+//! somebody else has written.
 //!
-//! A claimed place is a folder with a lock in it and a hidden folder that is filled. When that is complete it is renamed, which makes it
-//! valid, and its files move up into the place, `summary.json` last. The names of the hidden folder say how far this is:
+//! A claimed place is a folder with a lock in it and a hidden folder that is filled. When that is complete it is
+//! renamed, which makes it valid, and its files move up into the place, `summary.json` last. The names of the hidden
+//! folder say how far this is:
 //!
 //! | name | what a run that finds it, its owner dead, does with it |
 //! |---|---|
@@ -74,7 +76,8 @@ impl Folder {
     /// # Errors
     ///
     /// [`Failure::Exists`] if results are there and are to be kept, [`Failure::NoResults`] if something else is there,
-    /// which is never replaced, [`Failure::Busy`] if another process has claimed it, [`Failure::Write`] if nothing can be written here.
+    /// which is never replaced, [`Failure::Busy`] if another process has claimed it, [`Failure::Write`] if nothing can
+    /// be written here.
     pub fn claim(path: &Path, existing: Existing) -> Result<Self, Failure> {
         check(path, existing)?;
         for _ in 0..ATTEMPTS {
@@ -141,8 +144,8 @@ impl Folder {
         &self.path
     }
 
-    /// Fills the hidden folder, then moves what is in it to the place; where it is now. Part of a result, as `fill` says, never replaces a whole one:
-    /// it is put into a folder of its own in the place.
+    /// Fills the hidden folder, then moves what is in it to the place; where it is now. Part of a result, as `fill`
+    /// says, never replaces a whole one: it is put into a folder of its own in the place.
     ///
     /// # Errors
     ///

@@ -1,7 +1,9 @@
-//! `pressure-NNN.gsf`, `mask-NNN.gsf`, `contact-NNN.gsf`: one field of a loading step each, as a simple field of Gwyddion.
+//! `pressure-NNN.gsf`, `mask-NNN.gsf`, `contact-NNN.gsf`: one field of a loading step each, as a simple field of
+//! Gwyddion.
 //!
-//! A file of this format holds one field; a truth value is 1 or 0. //! It is a line that names the format, lines `name = value`, one to four zero bytes that end at a multiple of four, and the values
-//! in single precision by rows from the top: y falls from row to row, x grows along a row.
+//! A file of this format holds one field; a truth value is 1 or 0. //! It is a line that names the format, lines
+//! `name = value`, one to four zero bytes that end at a multiple of four, and the values in single precision by rows
+//! from the top: y falls from row to row, x grows along a row.
 
 use std::io::{self, Write};
 use std::path::Path;

@@ -1,4 +1,5 @@
-//! A lock that a process holds on a place: a file that says so, locked by the system, which lets it go when the process dies.
+//! A lock that a process holds on a place: a file that says so, locked by the system, which lets it go when the process
+//! dies.
 
 use std::fs::{self, File, Metadata, OpenOptions, TryLockError};
 use std::io::{self, ErrorKind, Read, Write};
@@ -20,8 +21,8 @@ pub struct Lock {
 }
 
 impl Lock {
-    /// Takes the lock and writes into its file what is going on; none if another process has it. Where the file system knows no locks,
-    /// nobody has it.
+    /// Takes the lock and writes into its file what is going on; none if another process has it. Where the file system
+    /// knows no locks, nobody has it.
     ///
     /// # Errors
     ///

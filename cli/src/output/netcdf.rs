@@ -1,10 +1,11 @@
 //! `fields-NNN.nc`: the fields of one loading step in the layout of contact.engineering's results.
 //!
-//! Dimensions `x` and `y`; variables `pressure`, `contacting_points`, `gap`, `displacement` over `(x, y)`, and beside them the
-//! coordinates, `shortening`, `profile`, `mask` and `contact`, which are the same in every format; global attributes
-//! `total_contact_area`, the part of the domain in contact, and `type` with the meaning they have there. `mean_pressure` is that of the
-//! summary, force over contact area; what it is there, force over the whole domain, is `nominal_pressure`. The file is of the classic format
-//! with 64-bit offsets: a header of big-endian numbers and padded names, then the variables one after the other.
+//! Dimensions `x` and `y`; variables `pressure`, `contacting_points`, `gap`, `displacement` over `(x, y)`, and beside
+//! them the coordinates, `shortening`, `profile`, `mask` and `contact`, which are the same in every format; global
+//! attributes `total_contact_area`, the part of the domain in contact, and `type` with the meaning they have there.
+//! `mean_pressure` is that of the summary, force over contact area; what it is there, force over the whole domain, is
+//! `nominal_pressure`. The file is of the classic format with 64-bit offsets: a header of big-endian numbers and padded
+//! names, then the variables one after the other.
 
 use std::borrow::Cow;
 use std::io::{self, Write};

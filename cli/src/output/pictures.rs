@@ -98,7 +98,8 @@ pub fn step(
     })
 }
 
-/// The pictures of the run as a whole, those that there are, for the report; they are written as well unless no pictures are wanted.
+/// The pictures of the run as a whole, those that there are, for the report; they are written as well unless no
+/// pictures are wanted.
 ///
 /// # Errors
 ///

@@ -69,8 +69,8 @@ impl Record {
         ["surface", "indenter"].map(|table| self.case[table]["file"].is_string())
     }
 
-    /// Height of the relief above the surface of the body, m, where it is the same everywhere: of cylinders or a film, 0 of
-    /// a bare surface.
+    /// Height of the relief above the surface of the body, m, where it is the same everywhere: of cylinders or a film,
+    /// 0 of a bare surface.
     #[must_use]
     pub fn relief_height(&self) -> Option<f64> {
         let surface = &self.case["surface"];

@@ -106,7 +106,8 @@ pub fn draw(folder: &Path, order: &Order<'_>, tell: Tell<'_>) -> Result<Redrawn,
 ///
 /// # Errors
 ///
-/// [`Failure`] if a folder holds no results, if some have units and others have none, or if the picture cannot be written.
+/// [`Failure`] if a folder holds no results, if some have units and others have none, or if the picture cannot be
+/// written.
 pub fn draw_curves(
     folders: &[PathBuf],
     out: &Path,

@@ -22,11 +22,11 @@ use crate::picture::style::Style;
 /// Most loading steps on the report's page: some 100 kB each.
 pub(super) const STEPS_IN_REPORT: usize = 24;
 
-/// Writes everything a run leaves behind into an empty folder. The summary gets the time since `start`, writing included, and what is to be
-/// said of the writing.
+/// Writes everything a run leaves behind into an empty folder. The summary gets the time since `start`, writing
+/// included, and what is to be said of the writing.
 ///
-/// When the user asks to stop, fields and pictures that are not done soon are left out, and the result is a part; summary, curve and report are always
-/// there.
+/// When the user asks to stop, fields and pictures that are not done soon are left out, and the result is a part;
+/// summary, curve and report are always there.
 ///
 /// # Errors
 ///

@@ -211,7 +211,8 @@ pub struct LevelSummary {
 /// How long a run took, and on how many threads.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub struct Timing {
-    /// For coefficients and geometry while nothing was solved, s; the finest grid may be made beside the solution of coarser ones.
+    /// For coefficients and geometry while nothing was solved, s; the finest grid may be made beside the solution of
+    /// coarser ones.
     #[serde(deserialize_with = "null::or_nan")]
     pub coefficients_seconds: f64,
     /// Whether coefficients were read instead of computed: all that are worth keeping, the radial tables included.

@@ -1,4 +1,5 @@
-//! What is not finished and must not stay behind: removed when dropped, and when the program ends itself without dropping anything.
+//! What is not finished and must not stay behind: removed when dropped, and when the program ends itself without
+//! dropping anything.
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,7 +1,7 @@
 //! `fields-NNN.vti`: the fields of one loading step, for `ParaView` and everything else that reads VTK's XML.
 //!
-//! An image of N × N cells; the numbers follow the text as they are, each array after its length in bytes. They have single
-//! precision, which no picture tells from double and which halves the file; `fields-NNN.npz` holds them in full.
+//! An image of N × N cells; the numbers follow the text as they are, each array after its length in bytes. They have
+//! single precision, which no picture tells from double and which halves the file; `fields-NNN.npz` holds them in full.
 
 use std::io::{self, Write};
 use std::path::Path;

@@ -8,7 +8,8 @@ use std::path::Path;
 use crate::failure::Failure;
 use crate::interrupt;
 
-/// Bytes after which what is written is put on the disk: the end of a large file would otherwise wait for all of it, deaf to the user.
+/// Bytes after which what is written is put on the disk: the end of a large file would otherwise wait for all of it,
+/// deaf to the user.
 const SYNC: usize = 1 << 25;
 
 /// Most bytes that are written or packed between two looks at the user: some milliseconds of work.

@@ -27,7 +27,8 @@ pub fn label(value: f64, length: f64) -> String {
 /// Most digits of a label.
 const DIGITS: usize = 12;
 
-/// The labels of the ticks of a logarithmic axis: as many digits as tell them apart, in powers of ten where they are far from 1.
+/// The labels of the ticks of a logarithmic axis: as many digits as tell them apart, in powers of ten where they are
+/// far from 1.
 #[must_use]
 pub fn logarithmic_labels(ticks: &[f64]) -> Vec<String> {
     let labels = |digits| ticks.iter().map(|tick| power(*tick, digits)).collect();

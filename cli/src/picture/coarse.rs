@@ -17,8 +17,8 @@ pub struct Coarse {
 }
 
 impl Coarse {
-    /// The window with at most `most` cells per side. A cell has the largest pressure of its elements, so that no peak is lost,
-    /// and belongs to the relief if half of them do.
+    /// The window with at most `most` cells per side. A cell has the largest pressure of its elements, so that no peak
+    /// is lost, and belongs to the relief if half of them do.
     #[must_use]
     pub fn new(fields: &Fields<'_>, window: &Window, most: usize) -> Self {
         let block = window.x.len().div_ceil(most).max(1);

@@ -67,7 +67,8 @@ impl Shades {
         Self { map, from, to }
     }
 
-    /// How far along the scale a value is: 0 at its first colour, 1 at its last, neither below nor above; 0 of what is no number.
+    /// How far along the scale a value is: 0 at its first colour, 1 at its last, neither below nor above; 0 of what is
+    /// no number.
     #[must_use]
     pub fn fraction(&self, value: f64) -> f64 {
         within_the_scale((value - self.from) / (self.to - self.from))

@@ -1,4 +1,5 @@
-//! A field of lengths over the surface, as a map with the outline of the contact: heights of a measured surface, gap, displacement.
+//! A field of lengths over the surface, as a map with the outline of the contact: heights of a measured surface, gap,
+//! displacement.
 
 use super::colour_map::Shades;
 use super::raster::Raster;

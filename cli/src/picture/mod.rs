@@ -1,4 +1,5 @@
-//! Pictures of a solution, readable in print and by the colour-blind: each is drawn as SVG and rendered from that to PNG.
+//! Pictures of a solution, readable in print and by the colour-blind: each is drawn as SVG and rendered from that to
+//! PNG.
 
 pub mod axis;
 pub mod coarse;

@@ -1,4 +1,5 @@
-//! The outline of a set of elements: the sides between one that is in the set and one that is not, joined to long lines.
+//! The outline of a set of elements: the sides between one that is in the set and one that is not, joined to long
+//! lines.
 
 /// Right, up, left, down: walking so, the set lies on the left hand.
 const DIRECTIONS: [(isize, isize); 4] = [(1, 0), (0, 1), (-1, 0), (0, -1)];
@@ -9,8 +10,8 @@ struct Ways {
     leaving: Vec<u8>,
 }
 
-/// The outlines of the elements for which `inside(i, j)` holds, of `cells` × `cells`: lines through corners of elements, each
-/// with its first corner at its end if it is closed. The rim of the field is no outline.
+/// The outlines of the elements for which `inside(i, j)` holds, of `cells` × `cells`: lines through corners of
+/// elements, each with its first corner at its end if it is closed. The rim of the field is no outline.
 #[must_use]
 pub fn trace(cells: usize, inside: impl Fn(usize, usize) -> bool) -> Vec<Vec<(usize, usize)>> {
     let mut ways = Ways::new(cells, inside);

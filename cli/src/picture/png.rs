@@ -8,8 +8,8 @@ use resvg::{tiny_skia, usvg};
 use super::palette;
 use super::svg::FAMILY;
 
-/// Pixels of a picture per unit of its drawing. Twice as many take twice as long, some 0.1 s a picture; the drawing itself is
-/// what is sharp at any size.
+/// Pixels of a picture per unit of its drawing. Twice as many take twice as long, some 0.1 s a picture; the drawing
+/// itself is what is sharp at any size.
 const ZOOM: f32 = 1.0;
 
 /// Pixels per metre of paper: 150 per inch, so that the widest picture fits a page.
@@ -96,7 +96,8 @@ fn try_encode(
     });
     encoder.set_depth(png::BitDepth::Eight);
     encoder.set_compression(png::Compression::Fast);
-    // As small as with a filter chosen for each row, which the compression sets, and a twentieth of a curve's run saved.
+    // As small as with a filter chosen for each row, which the compression sets, and a twentieth of a curve's run
+    // saved.
     encoder.set_filter(png::Filter::Paeth);
     encoder.write_header()?.write_image_data(pixels)
 }

@@ -25,8 +25,8 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// Draws walls, columns and labels; coordinates are divided by `metres`, pressures by `pascals`, of which the colours are then. The
-    /// field may be smaller than the box.
+    /// Draws walls, columns and labels; coordinates are divided by `metres`, pressures by `pascals`, of which the
+    /// colours are then. The field may be smaller than the box.
     pub fn draw(
         &self,
         svg: &mut Svg,

@@ -1,4 +1,5 @@
-//! A section along x or y, through the axis unless ordered otherwise: indenter, tops of the relief, surface of the body, and the pressure above them.
+//! A section along x or y, through the axis unless ordered otherwise: indenter, tops of the relief, surface of the
+//! body, and the pressure above them.
 
 use std::ops::Range;
 
@@ -32,7 +33,8 @@ const DEPTH: Place = Place {
 };
 const HEIGHT: f64 = DEPTH.top + DEPTH.height + 72.0;
 
-/// What the depth axis shows above the highest point of the surface and below the deepest, as parts of the depth between.
+/// What the depth axis shows above the highest point of the surface and below the deepest, as parts of the depth
+/// between.
 const ABOVE: f64 = 0.3;
 const BELOW: f64 = 0.12;
 

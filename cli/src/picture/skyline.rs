@@ -1,7 +1,8 @@
 //! A field of columns as the eye sees it, one line of pixels at a time.
 //!
-//! What lies one above the other on the sheet lies over one straight line of the plan. Followed into the depth, each column shows of its side and its top what rises above
-//! all before it, so that every pixel is coloured once: a floating horizon.
+//! What lies one above the other on the sheet lies over one straight line of the plan. Followed into the depth, each
+//! column shows of its side and its top what rises above all before it, so that every pixel is coloured once: a
+//! floating horizon.
 
 use super::colours::Colour;
 use super::projection::Projection;

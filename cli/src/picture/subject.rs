@@ -72,7 +72,8 @@ impl Subject<'_> {
         Scale::of(largest, Unit::Metre, self.units)
     }
 
-    /// The scale of the pressures, and their colours in its unit: as ordered, or from 0 to the largest pressure, or to 1 without contact.
+    /// The scale of the pressures, and their colours in its unit: as ordered, or from 0 to the largest pressure, or to
+    /// 1 without contact.
     #[must_use]
     pub fn pressures(&self) -> (Scale, Shades) {
         let [from, to] = (self.style.pressures).unwrap_or([0.0, self.largest_pressure()]);

@@ -263,8 +263,8 @@ fn path(points: &[(f64, f64)]) -> String {
     points.iter().enumerate().map(step).collect()
 }
 
-/// Coordinates farther away than this are drawn here: nobody sees the difference, and the renderer counts quarters of pixels in 16 bits and
-/// panics beyond.
+/// Coordinates farther away than this are drawn here: nobody sees the difference, and the renderer counts quarters of
+/// pixels in 16 bits and panics beyond.
 const FARTHEST: f64 = 8e3;
 
 /// A coordinate to a hundredth of a pixel, in the fewest letters; what is no number is at 0.

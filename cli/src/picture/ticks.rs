@@ -37,8 +37,8 @@ const DIGITS: [&[f64]; 4] = [
     &[1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0],
 ];
 
-/// The round numbers between two positive ends: powers of ten, or so many between them that there are at least three; on an axis too short
-/// for any of them those of a linear one. None where the ends are no positive numbers.
+/// The round numbers between two positive ends: powers of ten, or so many between them that there are at least three;
+/// on an axis too short for any of them those of a linear one. None where the ends are no positive numbers.
 #[must_use]
 pub fn logarithmic(from: f64, to: f64) -> Vec<f64> {
     let (low, high) = (from.min(to), from.max(to));

@@ -7,8 +7,8 @@ use crate::output::summary::{EstimateSummary, LevelSummary, StepSummary};
 /// What the brackets of [`of_step`] mean.
 pub const BRACKETS: &str = "[…]: not resolved by the grids; the change from the next coarser grid";
 
-/// The certificate of a step on `elements` × `elements` elements, and the errors of its numbers: `± 0.1 %` where the grids tell
-/// it, else in brackets the change from the next coarser grid.
+/// The certificate of a step on `elements` × `elements` elements, and the errors of its numbers: `± 0.1 %` where the
+/// grids tell it, else in brackets the change from the next coarser grid.
 #[must_use]
 pub fn of_step(elements: usize, step: &StepSummary) -> String {
     let errors = &step.grid_error;
@@ -42,7 +42,8 @@ fn error(value: f64, estimate: Option<EstimateSummary>, change: f64) -> String {
     }
 }
 
-/// By how much a number changed from the next coarser grid to the finest, as a part of it; not a number on a single grid.
+/// By how much a number changed from the next coarser grid to the finest, as a part of it; not a number on a single
+/// grid.
 #[must_use]
 pub fn last_change(step: &StepSummary, value: fn(&LevelSummary) -> f64) -> f64 {
     match step.grid_error.levels.as_slice() {

@@ -18,8 +18,8 @@ pub struct Window {
 }
 
 impl Window {
-    /// The square around the axis that reaches `part` of the way from it to the edge of a field of `size` × `size`, which is
-    /// all of it from 1 on.
+    /// The square around the axis that reaches `part` of the way from it to the edge of a field of `size` × `size`,
+    /// which is all of it from 1 on.
     #[must_use]
     pub fn around_axis(size: usize, part: f64) -> Self {
         #[expect(

@@ -32,12 +32,13 @@ pub enum Other {
     Replace,
 }
 
-/// Puts the parts in `folder` together and, if no case is missing, writes the table that the undivided study would have written.
+/// Puts the parts in `folder` together and, if no case is missing, writes the table that the undivided study would have
+/// written.
 ///
 /// # Errors
 ///
-/// [`Failure`] if there are no parts, if they are of different studies, if a table cannot be read or written, or if the place of the whole
-/// table is taken by something else.
+/// [`Failure`] if there are no parts, if they are of different studies, if a table cannot be read or written, or if the
+/// place of the whole table is taken by something else.
 pub fn gather(folder: &Path, other: Other) -> Result<Gathered, Failure> {
     let parts = parts(folder)?;
     let Some(first) = parts.first() else {

@@ -1,7 +1,8 @@
 //! A study: one case solved for many values of its keys, on all cores, over many machines, through kills.
 //!
-//! [`file`](mod@file) reads it, [`plan`] says what there is to do, [`table`] keeps what is done, one durable block of rows a case, [`runner`]
-//! does the rest of it, and [`gather`](mod@gather) puts the tables of several machines together.
+//! [`file`](mod@file) reads it, [`plan`] says what there is to do, [`table`] keeps what is done, one durable block of
+//! rows a case, [`runner`] does the rest of it, and [`gather`](mod@gather) puts the tables of several machines
+//! together.
 
 pub mod axis;
 pub mod columns;

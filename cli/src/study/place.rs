@@ -51,8 +51,9 @@ impl Place {
     ///
     /// # Errors
     ///
-    /// [`Failure::NoResults`] if there is something that no study has written, [`Failure::OtherStudy`] if there are results of another
-    /// study, [`Failure::Busy`] if another process is at work on this part, [`Failure::Write`] if nothing can be written here.
+    /// [`Failure::NoResults`] if there is something that no study has written, [`Failure::OtherStudy`] if there are
+    /// results of another study, [`Failure::Busy`] if another process is at work on this part, [`Failure::Write`] if
+    /// nothing can be written here.
     pub fn claim(folder: &Path, identity: &Identity, fresh: bool) -> Result<Self, Failure> {
         refuse_foreign(folder)?;
         let failed = |cause| write_failure(folder, cause);
@@ -210,7 +211,8 @@ fn before(table: &Path) -> Option<PathBuf> {
     Some(table.with_file_name(format!("{BEFORE}{name}")))
 }
 
-/// Keeps a table until the one that replaces it is complete. If one is kept already, this is its replacement, not complete, and goes.
+/// Keeps a table until the one that replaces it is complete. If one is kept already, this is its replacement, not
+/// complete, and goes.
 fn set_aside(table: &Path) -> Result<(), Failure> {
     let is_empty = fs::symlink_metadata(table).map_or(true, |data| data.len() == 0);
     match before(table) {

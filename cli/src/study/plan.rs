@@ -24,7 +24,8 @@ impl Plan {
     ///
     /// # Errors
     ///
-    /// The first case's [`Diagnosis`] if no case can be; one that cannot among others that can is recorded when its turn comes.
+    /// The first case's [`Diagnosis`] if no case can be; one that cannot among others that can is recorded when its
+    /// turn comes.
     pub fn new(study: &Study, shard: Shard) -> Result<Self, Failure> {
         let mut hasher = blake3::Hasher::new();
         hasher.update(env!("CARGO_PKG_VERSION").as_bytes());

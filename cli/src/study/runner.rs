@@ -11,10 +11,11 @@ use super::table::Table;
 use crate::failure::Failure;
 use crate::{interrupt, threads};
 
-/// Solves `cases` and adds each to the table as soon as it is done. Returns early, without an error, if the user asks to stop.
+/// Solves `cases` and adds each to the table as soon as it is done. Returns early, without an error, if the user asks
+/// to stop.
 ///
-/// Every case has its own threads, one if there are more cases than threads: cases do not wait for each other, and results do not
-/// depend on the number of threads.
+/// Every case has its own threads, one if there are more cases than threads: cases do not wait for each other, and
+/// results do not depend on the number of threads.
 ///
 /// # Errors
 ///

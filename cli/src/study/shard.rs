@@ -20,8 +20,8 @@ impl Shard {
 
     /// Whether a case, counted from 0, belongs to this part.
     ///
-    /// Each of `count` neighbours goes to another part, so that the parts are equally large, in an order that changes irregularly, so
-    /// that no part has all the cases of one value, which may be the large grids.
+    /// Each of `count` neighbours goes to another part, so that the parts are equally large, in an order that changes
+    /// irregularly, so that no part has all the cases of one value, which may be the large grids.
     #[must_use]
     pub fn holds(self, case: usize) -> bool {
         let (round, place) = (case / self.count, case % self.count);

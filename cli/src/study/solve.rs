@@ -50,7 +50,8 @@ impl Kit<'_> {
     ///
     /// # Errors
     ///
-    /// [`Failure`] if its results folder cannot be written or something else is there; whatever else goes wrong is a result, `failed`.
+    /// [`Failure`] if its results folder cannot be written or something else is there; whatever else goes wrong is a
+    /// result, `failed`.
     pub fn solve(&self, case: usize, observer: &mut dyn Observer) -> Result<Option<Done>, Failure> {
         let solved = catch_unwind(AssertUnwindSafe(|| self.attempt(case, observer)));
         match solved {
@@ -67,7 +68,8 @@ impl Kit<'_> {
         }
     }
 
-    /// The place of the results folder of a case, if one is wanted. One that is there already is of this case, from before a kill.
+    /// The place of the results folder of a case, if one is wanted. One that is there already is of this case, from
+    /// before a kill.
     fn claim(&self, number: usize, case: &Case) -> Result<Option<Folder>, Failure> {
         let Some(folders) = &self.folders else {
             return Ok(None);
@@ -133,8 +135,8 @@ impl Kit<'_> {
     }
 }
 
-/// Whether this is the case as a summary has it, where the side of the domain is filled in if the case leaves it open. What is written of the result
-/// is not part of it.
+/// Whether this is the case as a summary has it, where the side of the domain is filled in if the case leaves it open.
+/// What is written of the result is not part of it.
 fn is_of(written: &Value, case: &Case) -> bool {
     let mut case = case.clone();
     let side = written["grid"]["side"].as_f64();

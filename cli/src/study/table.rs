@@ -1,8 +1,9 @@
 //! The table of a study's results, safe from a kill at any moment.
 //!
-//! A case is a block of rows, one a loading step, handed to the system in one write and then forced to the disk. What a kill can leave is a block
-//! that is cut off at the end of the file; it is recognised because its last row has no end or because rows of it are missing, and
-//! removed when the study goes on. When every case is there the blocks are put in order, in a new file that takes the place of the old one.
+//! A case is a block of rows, one a loading step, handed to the system in one write and then forced to the disk. What a
+//! kill can leave is a block that is cut off at the end of the file; it is recognised because its last row has no end
+//! or because rows of it are missing, and removed when the study goes on. When every case is there the blocks are put
+//! in order, in a new file that takes the place of the old one.
 
 use std::collections::BTreeMap;
 use std::fs::{self, File, OpenOptions};
@@ -27,8 +28,8 @@ pub struct Table {
 }
 
 impl Table {
-    /// Opens the table of a study's part and removes what a kill has left half-written; begins it if it is not there or is to be begun
-    /// again.
+    /// Opens the table of a study's part and removes what a kill has left half-written; begins it if it is not there or
+    /// is to be begun again.
     ///
     /// # Errors
     ///
@@ -105,7 +106,8 @@ impl Table {
         &self.place
     }
 
-    /// Puts the cases in order, once all are there, and closes the table. Until it is in order nobody else has the place.
+    /// Puts the cases in order, once all are there, and closes the table. Until it is in order nobody else has the
+    /// place.
     ///
     /// # Errors
     ///

@@ -17,8 +17,8 @@ pub const PLAN: Plan = Plan {
 
 /// A penetration follows the certificate's 1e-8 by less than ten times as much.
 const CERTIFIED: f64 = 1e-7;
-/// Coatings are a millionth or a million contact radii thick, a stiff substrate a million times as stiff: felt by as much, times
-/// some ratio of moduli.
+/// Coatings are a millionth or a million contact radii thick, a stiff substrate a million times as stiff: felt by as
+/// much, times some ratio of moduli.
 const MILLIONTH: f64 = 1e-5;
 
 /// Two contacts with one answer.

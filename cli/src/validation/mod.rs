@@ -1,7 +1,7 @@
 //! `pellicle validate`: what the program computes beside what is known otherwise.
 //!
-//! A [`Section`] is one kind of evidence, one file here, with the source of its references and the cause of its tolerances; a [`Row`]
-//! is one comparison. Everything goes through the same crates as `pellicle run`.
+//! A [`Section`] is one kind of evidence, one file here, with the source of its references and the cause of its
+//! tolerances; a [`Row`] is one comparison. Everything goes through the same crates as `pellicle run`.
 
 mod certificate;
 mod closed_forms;

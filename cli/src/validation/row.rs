@@ -16,7 +16,8 @@ pub struct Row {
     pub computed: Value,
     /// Distance of the two, without dimension; `null` in JSON if it is no number.
     pub error: f64,
-    /// The largest error that passes; of a negative control, the certificate's own tolerance, which the error must exceed.
+    /// The largest error that passes; of a negative control, the certificate's own tolerance, which the error must
+    /// exceed.
     pub tolerance: f64,
     /// Whether the row passes.
     pub verdict: Verdict,

@@ -18,7 +18,8 @@ const LONG: [&str; 4] = [
     "solver.tolerance=1e-13",
 ];
 
-/// Starts the program, sends it a signal when `ready`, and waits for its end: what it did, and how long after the signal.
+/// Starts the program, sends it a signal when `ready`, and waits for its end: what it did, and how long after the
+/// signal.
 fn interrupted(
     folder: &Folder,
     line: &[&str],

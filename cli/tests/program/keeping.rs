@@ -1,4 +1,5 @@
-//! Nothing lost, nothing overwritten: places claimed before the work, what others wrote kept, tables that read back as they were written.
+//! Nothing lost, nothing overwritten: places claimed before the work, what others wrote kept, tables that read back as
+//! they were written.
 
 use std::fs;
 use std::path::Path;

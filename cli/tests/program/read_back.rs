@@ -1,5 +1,6 @@
-//! Every file of a results folder read back by the tool it is written for. The tools are Python packages, installed once into a
-//! folder of the build; where there is no Python or no network, the tests say so on standard error and pass.
+//! Every file of a results folder read back by the tool it is written for. The tools are Python packages, installed
+//! once into a folder of the build; where there is no Python or no network, the tests say so on standard error and
+//! pass.
 
 use std::fs;
 use std::io::Write;

@@ -14,8 +14,8 @@ pub struct Field<'a> {
 
 /// The field on a window `onto` of a grid over the same square, whose relief has the outline `mask`.
 ///
-/// Bilinear between the centres of elements on the same side of the outline, constant beyond the outermost; 0 where the four centres around
-/// lie all on the other side, or outside the field's window. Values of −∞ count for nothing.
+/// Bilinear between the centres of elements on the same side of the outline, constant beyond the outermost; 0 where the
+/// four centres around lie all on the other side, or outside the field's window. Values of −∞ count for nothing.
 #[must_use]
 pub fn prolong(field: &Field<'_>, onto: &Window, mask: &[bool]) -> Vec<f64> {
     let places = [0, 1].map(|axis: usize| {

@@ -1,7 +1,7 @@
 //! A square part of a grid that holds the whole contact, on which products cost as much less as it is smaller.
 //!
-//! Only elements with pressure or overlap take part in an iteration; as much of the rest as may overlap is looked at once, by the
-//! certificate.
+//! Only elements with pressure or overlap take part in an iteration; as much of the rest as may overlap is looked at
+//! once, by the certificate.
 
 use pellicle_influence::SurfaceElasticity;
 use rayon::prelude::*;
@@ -56,7 +56,8 @@ impl Window {
         Self::all_of(self.sector, self.grid)
     }
 
-    /// The smallest window of a fast size around those of this window's elements that belong; the whole grid where none belongs.
+    /// The smallest window of a fast size around those of this window's elements that belong; the whole grid where none
+    /// belongs.
     pub fn around(&self, belongs: impl Fn([usize; 2]) -> bool + Sync) -> Self {
         let grid = self.grid;
         let Some(extent) = self.extent(belongs) else {
@@ -75,8 +76,8 @@ impl Window {
         extent.centred(size, &self.everywhere())
     }
 
-    /// The smallest window of a finer grid over the same square that holds what lies within one element of those of this window that belong; none
-    /// where none does.
+    /// The smallest window of a finer grid over the same square that holds what lies within one element of those of
+    /// this window that belong; none where none does.
     pub fn on_finer(
         &self,
         belongs: impl Fn([usize; 2]) -> bool + Sync,
@@ -234,7 +235,8 @@ impl Window {
         self.take_over(&self.everywhere(), field)
     }
 
-    /// The field of the whole grid that is `part` in the window and its mirror images, and 0 outside, where no memory is touched.
+    /// The field of the whole grid that is `part` in the window and its mirror images, and 0 outside, where no memory
+    /// is touched.
     pub fn spread(&self, part: Vec<f64>) -> Vec<f64> {
         match self.sector {
             Sector::Whole if self.is_whole() => part,
@@ -290,7 +292,8 @@ impl Extent {
         lengths[0].max(lengths[1])
     }
 
-    /// The window of `size` elements per side around the centre, moved into the grid; from the axis on where the extent reaches from there.
+    /// The window of `size` elements per side around the centre, moved into the grid; from the axis on where the extent
+    /// reaches from there.
     fn centred(&self, size: usize, everywhere: &Window) -> Window {
         let origin = [0, 1].map(|axis: usize| {
             let twice_centre = self.first[axis] + self.last[axis] + 1;

@@ -6,8 +6,8 @@ use super::sphere::cap_height;
 
 /// A cone whose tip is sharp or a sphere that touches its side.
 ///
-/// With half-angle α between axis and side, slope `m = cot α` and tip radius R, the tip is the sphere of radius R that touches the
-/// side from inside; both have the slope m at `ρ = R cos α`, so height and slope are continuous there:
+/// With half-angle α between axis and side, slope `m = cot α` and tip radius R, the tip is the sphere of radius R that
+/// touches the side from inside; both have the slope m at `ρ = R cos α`, so height and slope are continuous there:
 ///
 /// ```text
 /// f = R − √(R² − ρ²)               ρ < R cos α
@@ -26,8 +26,8 @@ impl Cone {
     ///
     /// # Errors
     ///
-    /// [`IndenterError::Angle`] if the half-angle does not lie in (0, π/2), [`IndenterError::Negative`] if the tip radius is
-    /// negative or not finite.
+    /// [`IndenterError::Angle`] if the half-angle does not lie in (0, π/2), [`IndenterError::Negative`] if the tip
+    /// radius is negative or not finite.
     pub fn new(half_angle: f64, tip_radius: f64) -> Result<Self, IndenterError> {
         let half_angle = acute(IndenterQuantity::HalfAngle, half_angle)?;
         let tip_radius = not_negative(IndenterQuantity::TipRadius, tip_radius)?;

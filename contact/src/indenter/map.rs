@@ -6,8 +6,9 @@ use super::Profile;
 
 /// A measured indenter: a height map, placed so that its lowest point stands on the origin at height 0.
 ///
-/// Between samples the height is that of the map's [interpolation](pellicle_texture::Interpolation). Beyond the map's rectangle the indenter ends, `f = +∞`: a contact that reaches the
-/// rim of the measurement is bounded by it as by the rim of a punch, and a [step](crate::Step) says that it is cut off.
+/// Between samples the height is that of the map's [interpolation](pellicle_texture::Interpolation). Beyond the map's
+/// rectangle the indenter ends, `f = +∞`: a contact that reaches the rim of the measurement is bounded by it as by the
+/// rim of a punch, and a [step](crate::Step) says that it is cut off.
 #[derive(Clone, Debug, PartialEq)]
 pub struct IndenterMap {
     map: HeightMap,
@@ -119,7 +120,8 @@ mod tests {
         let error = |n: u32| {
             let indenter = sampled(n, Interpolation::Linear);
             let [x, y] = indenter.lowest_point;
-            // A height halfway between samples along x, on one along y: h²/8 too high, h = 2/n, against the samples of the axis.
+            // A height halfway between samples along x, on one along y: h²/8 too high, h = 2/n, against the samples of
+            // the axis.
             let half = 1.0 / f64::from(n);
             let height = indenter.height(half, 0.0) + indenter.lowest;
             height - 0.5 * ((x + half - 0.03).powi(2) + y * y)

@@ -7,12 +7,15 @@ use pellicle_texture::Grid;
 /// Midpoints of the average over a circle; a smooth profile takes far fewer, one with kinks loses about 1/360².
 const ANGLES: u32 = 360;
 
-/// The lower surface of a rigid indenter; a shape of your own becomes an [`Indenter`](crate::Indenter) by [`custom`](crate::Indenter::custom).
+/// The lower surface of a rigid indenter; a shape of your own becomes an [`Indenter`](crate::Indenter) by
+/// [`custom`](crate::Indenter::custom).
 pub trait Profile: Debug + Send + Sync {
-    /// Height f(x, y) of the surface above its lowest point, m: 0 at the origin, not negative, `+∞` where the indenter ends.
+    /// Height f(x, y) of the surface above its lowest point, m: 0 at the origin, not negative, `+∞` where the indenter
+    /// ends.
     fn height(&self, x: f64, y: f64) -> f64;
 
-    /// Average of the height over the circle of the given radius about the axis, m; infinite if the indenter ends on it.
+    /// Average of the height over the circle of the given radius about the axis, m; infinite if the indenter ends on
+    /// it.
     ///
     /// By the midpoint rule in the angle: meant for estimates, and exact for axisymmetric shapes.
     fn mean_profile(&self, radius: f64) -> f64 {
@@ -28,12 +31,14 @@ pub trait Profile: Debug + Send + Sync {
         false
     }
 
-    /// Distance from the point to the rim at which the indenter ends, m: positive under it, negative beyond; infinite where it ends nowhere.
+    /// Distance from the point to the rim at which the indenter ends, m: positive under it, negative beyond; infinite
+    /// where it ends nowhere.
     fn distance_to_rim(&self, _x: f64, _y: f64) -> f64 {
         f64::INFINITY
     }
 
-    /// Distance from the point to the nearest rim, tip or ridge, m. What is rounded over fewer than two lengths of `scale` (m) counts as sharp.
+    /// Distance from the point to the nearest rim, tip or ridge, m. What is rounded over fewer than two lengths of
+    /// `scale` (m) counts as sharp.
     fn distance_to_edge(&self, x: f64, y: f64, _scale: f64) -> f64 {
         self.distance_to_rim(x, y).abs()
     }

@@ -1,4 +1,5 @@
-//! Regular pyramids whose tip and ridges are rounded with one radius: the shape, its derivation and the standard face angles.
+//! Regular pyramids whose tip and ridges are rounded with one radius: the shape, its derivation and the standard face
+//! angles.
 
 use std::f64::consts::PI;
 
@@ -11,19 +12,21 @@ use super::sphere::{cap_height, half_chord};
 ///
 /// # Shape
 ///
-/// With n faces at the angle α to the axis, the sharp pyramid is `f = m max_k n_k·x`, `m = cot α`, where `n_k` are the horizontal
-/// directions that the faces rise in. A sphere and a plane touch in one point only, so a cap and flat faces alone cannot meet smoothly:
-/// something must join them. Here it is the smallest convex body that contains the tip sphere, radius R, and opens like the pyramid: a
-/// sharp pyramid with a ball of radius R about each of its points (a Minkowski sum). Its lower surface is the upper envelope of all
-/// planes that touch the sphere and whose slope s the pyramid has among its supporting planes,
+/// With n faces at the angle α to the axis, the sharp pyramid is `f = m max_k n_k·x`, `m = cot α`, where `n_k` are the
+/// horizontal directions that the faces rise in. A sphere and a plane touch in one point only, so a cap and flat faces
+/// alone cannot meet smoothly: something must join them. Here it is the smallest convex body that contains the tip
+/// sphere, radius R, and opens like the pyramid: a sharp pyramid with a ball of radius R about each of its points (a
+/// Minkowski sum). Its lower surface is the upper envelope of all planes that touch the sphere and whose slope s the
+/// pyramid has among its supporting planes,
 ///
 /// ```text
 /// f(x) = max over s in P of  s·x − R (√(1 + |s|²) − 1),      P the polygon with the corners m n_k
 /// ```
 ///
-/// As a maximum of planes f is convex; as the conjugate of a strictly convex function it is C¹ everywhere (its curvature at most
-/// `1/(R sin³ α)`), and `R → 0` gives the sharp pyramid. Let u ≥ 0 be the distance from the axis along the nearest ridge, v ≥ 0
-/// the distance across it, `c = m cos(π/n)` the slope of a ridge, `q = √(1 + c²)` and `w = √(R² − v²)`. The maximum lies
+/// As a maximum of planes f is convex; as the conjugate of a strictly convex function it is C¹ everywhere (its
+/// curvature at most `1/(R sin³ α)`), and `R → 0` gives the sharp pyramid. Let u ≥ 0 be the distance from the axis
+/// along the nearest ridge, v ≥ 0 the distance across it, `c = m cos(π/n)` the slope of a ridge, `q = √(1 + c²)` and
+/// `w = √(R² − v²)`. The maximum lies
 ///
 /// ```text
 /// inside P           the sphere        f = ρ²/(R + √(R² − ρ²))             v < v₁ and q u < c w
@@ -31,8 +34,9 @@ use super::sphere::{cap_height, half_chord};
 /// in a corner of P   a flat face       f = m (u cos(π/n) + v sin(π/n)) − R (1/sin α − 1)   v ≥ v₁ = R cos α sin(π/n)
 /// ```
 ///
-/// A ridge is a cylinder of radius R whose axis runs parallel to it; the faces are those of the sharp pyramid with its apex at the depth
-/// `R (1/sin α − 1)` below the tip, the same as for a [`Cone`](super::Cone), to which the pyramid tends with n.
+/// A ridge is a cylinder of radius R whose axis runs parallel to it; the faces are those of the sharp pyramid with its
+/// apex at the depth `R (1/sin α − 1)` below the tip, the same as for a [`Cone`](super::Cone), to which the pyramid
+/// tends with n.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pyramid {
     face_angle: f64,
@@ -50,7 +54,8 @@ impl Pyramid {
     /// That of the original (E. S. Berkovich, Zavodskaya Laboratoriya 16, 1950, 345–347).
     pub const BERKOVICH_FACE_ANGLE: f64 = 65.03_f64.to_radians();
 
-    /// Face angle of the modified Berkovich pyramid, 65.27°: three faces with the Vickers ratio of projected area to depth², 24.50.
+    /// Face angle of the modified Berkovich pyramid, 65.27°: three faces with the Vickers ratio of projected area to
+    /// depth², 24.50.
     pub const MODIFIED_BERKOVICH_FACE_ANGLE: f64 = 65.27_f64.to_radians();
 
     /// Face angle of the Vickers pyramid, 68°: half the angle of 136° between opposite faces.
@@ -65,13 +70,13 @@ impl Pyramid {
     /// The most faces: 360 differ from a cone by less than 4e-5 of its height.
     pub const MOST_FACES: usize = 360;
 
-    /// A pyramid with `faces` equal faces at the angle `face_angle` (rad) to its axis, and the radius `tip_radius` (m) of its tip
-    /// and ridges, 0 for sharp ones.
+    /// A pyramid with `faces` equal faces at the angle `face_angle` (rad) to its axis, and the radius `tip_radius` (m)
+    /// of its tip and ridges, 0 for sharp ones.
     ///
     /// # Errors
     ///
-    /// [`IndenterError::FaceCount`] if there are fewer than 3 or more than 360 faces, [`IndenterError::Angle`] if the face angle
-    /// does not lie in (0, π/2), [`IndenterError::Negative`] if the tip radius is negative or not finite.
+    /// [`IndenterError::FaceCount`] if there are fewer than 3 or more than 360 faces, [`IndenterError::Angle`] if the
+    /// face angle does not lie in (0, π/2), [`IndenterError::Negative`] if the tip radius is negative or not finite.
     pub fn new(faces: usize, face_angle: f64, tip_radius: f64) -> Result<Self, IndenterError> {
         let (least, most) = (Self::FEWEST_FACES, Self::MOST_FACES);
         if !(least..=most).contains(&faces) {

@@ -19,7 +19,8 @@ const LARGEST_SHORTENING: f64 = 1.0;
 /// Slopes up to this are small: the error of linear theory is about the square.
 const LARGEST_SLOPE: f64 = 0.3;
 
-/// A contact of fewer elements across is not resolved, and the domain is to blame where it is less than a quarter of it.
+/// A contact of fewer elements across is not resolved, and the domain is to blame where it is less than a quarter of
+/// it.
 const FEWEST_ELEMENTS: usize = 8;
 const SMALL_PART: f64 = 0.25;
 /// A contact across less than this part of the side wants a smaller domain, however many elements it has.
@@ -30,8 +31,8 @@ const SIDE_PER_RADIUS: f64 = 3.0;
 /// A contact is near the edge with fewer whole elements than this between.
 pub(crate) const EDGE_MARGIN: usize = 3;
 
-/// Doubts about a model on a grid that hold for every load: a texture or a layer that the elements do not resolve, influence coefficients that are
-/// less accurate than wanted.
+/// Doubts about a model on a grid that hold for every load: a texture or a layer that the elements do not resolve,
+/// influence coefficients that are less accurate than wanted.
 #[must_use]
 pub fn model_warnings(model: &Model, grid: &Grid) -> Vec<Warning> {
     let mut warnings = Vec::new();
@@ -99,7 +100,8 @@ pub(crate) fn warnings(
         .collect()
 }
 
-/// A contact cut off, or near the edge. A domain that was chosen keeps clear of a contact by what the coarse grid of the choice takes for clear.
+/// A contact cut off, or near the edge. A domain that was chosen keeps clear of a contact by what the coarse grid of
+/// the choice takes for clear.
 fn edge(domain: Domain, step: usize, found: &Step) -> Option<Warning> {
     if let Some(by) = found.cut_off {
         return Some(Warning::CutOff { step, by });
@@ -119,7 +121,8 @@ fn much_larger(model: &Model, grid: &Grid, loads: &[Load], steps: &[Step]) -> Op
     domain_much_larger(model, grid, loads, radius)
 }
 
-/// The doubt whether a domain is far larger than its widest contact, of so large a radius (m) between the middles of elements; none where nothing touches.
+/// The doubt whether a domain is far larger than its widest contact, of so large a radius (m) between the middles of
+/// elements; none where nothing touches.
 #[must_use]
 pub fn domain_much_larger(
     model: &Model,

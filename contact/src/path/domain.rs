@@ -8,8 +8,8 @@
 //! ```
 //!
 //! on the relief's springs alone `Q_w(a) = (φ/η) ∫₀^a (f(a) − f(ρ)) 2πρ dρ`, and on both in series
-//! `1/Q = 1/Q_e + 1/Q_w`. Nothing depends on the estimate but the first domain tried: [`choose_side`](crate::choose_side) asks a solution on a coarse grid whether
-//! it is large enough.
+//! `1/Q = 1/Q_e + 1/Q_w`. Nothing depends on the estimate but the first domain tried:
+//! [`choose_side`](crate::choose_side) asks a solution on a coarse grid whether it is large enough.
 
 pub mod choice;
 mod search;
@@ -27,7 +27,8 @@ use search::where_zero;
 pub enum Domain {
     /// A square of this side (m), whatever the contact does; a contact near its edge is a warning.
     Side(f64),
-    /// A square of this side (m), which [`choose_side`](crate::choose_side) chose: enlarged should a contact reach its edge after all.
+    /// A square of this side (m), which [`choose_side`](crate::choose_side) chose: enlarged should a contact reach its
+    /// edge after all.
     Chosen(f64),
     /// [Chosen](crate::choose_side) for the loads, large enough for the contact and the same for every grid.
     #[default]
@@ -48,8 +49,8 @@ const ANGLES: u32 = 360;
 
 /// The side (m) of the square to try first for all `loads`: three times the largest estimated contact radius.
 ///
-/// Where no load makes contact, twice the radius at which the indenter stands one foundation thickness high, or as high as it hangs (or 1 m). See
-/// [`choose_side`] for the square to solve on.
+/// Where no load makes contact, twice the radius at which the indenter stands one foundation thickness high, or as high
+/// as it hangs (or 1 m). See [`choose_side`] for the square to solve on.
 #[must_use]
 pub fn default_side(model: &Model, loads: &[Load]) -> f64 {
     let radii = largest(loads).map(|load| contact_radius(model, load));
@@ -76,7 +77,8 @@ fn largest(loads: &[Load]) -> impl Iterator<Item = Load> {
     force.into_iter().chain(penetration)
 }
 
-/// A paraboloid's pressure `p0 √(1 − ρ²/a²)` with the estimated contact radius of a load and its force: what the coarsest grid starts from.
+/// A paraboloid's pressure `p0 √(1 − ρ²/a²)` with the estimated contact radius of a load and its force: what the
+/// coarsest grid starts from.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Guess {
     /// `a`, in m.

@@ -1,4 +1,5 @@
-//! The grids of a path, from the coarsest to the finest, each made when it is first needed, or the finest while the coarser ones are solved.
+//! The grids of a path, from the coarsest to the finest, each made when it is first needed, or the finest while the
+//! coarser ones are solved.
 
 use std::sync::Arc;
 use std::time::Instant;
@@ -27,7 +28,8 @@ pub struct Hierarchy<'a> {
     sector: Sector,
     /// Elements per side, coarsest first.
     sizes: Vec<usize>,
-    /// The grids at hand; where only one load is to come, none but the one in use and the finest, whose memory is most of all.
+    /// The grids at hand; where only one load is to come, none but the one in use and the finest, whose memory is most
+    /// of all.
     levels: Vec<Option<Level>>,
     keep: bool,
     coefficients_seconds: f64,
@@ -277,7 +279,8 @@ impl Ascent {
         }
     }
 
-    /// The step that has been solved in so many seconds, with this result on the finest grid and coefficients of this relative error.
+    /// The step that has been solved in so many seconds, with this result on the finest grid and coefficients of this
+    /// relative error.
     fn into_step(self, result: LevelResult, seconds: f64, coefficient_error: f64) -> Step {
         let accuracy = result.solution.certificate.worst() + coefficient_error;
         Step {

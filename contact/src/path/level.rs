@@ -1,4 +1,5 @@
-//! One grid of a loading path: its problem, and the solution of one load on it after the other, none of which depends on another.
+//! One grid of a loading path: its problem, and the solution of one load on it after the other, none of which depends
+//! on another.
 
 use std::sync::Arc;
 
@@ -18,8 +19,8 @@ use crate::{
 use pellicle_influence::{Origin, SurfaceElasticity};
 use pellicle_texture::Grid;
 
-/// Pressure that stands for a gap, as a part of what closes the gap alone: halfway between contact that ends at the last element
-/// that presses and at the first that does not. From 0.2 to 1 it matters little.
+/// Pressure that stands for a gap, as a part of what closes the gap alone: halfway between contact that ends at the
+/// last element that presses and at the first that does not. From 0.2 to 1 it matters little.
 const PRESSURE_PER_GAP: f64 = 0.5;
 /// Elements from a pressure within which an interpolation looks.
 const NEIGHBOURS: usize = 2;
@@ -295,7 +296,8 @@ impl Level {
         }
     }
 
-    /// The start of the next finer level: the last load's pressure; where it is zero, the gap as a negative pressure, −∞ beyond the indenter.
+    /// The start of the next finer level: the last load's pressure; where it is zero, the gap as a negative pressure,
+    /// −∞ beyond the indenter.
     pub fn signed_field(&self, result: &LevelResult) -> SignedField {
         let per_gap = PRESSURE_PER_GAP / self.elasticity.coefficient([0, 0]);
         let window = result.window.with_rim(NEIGHBOURS);

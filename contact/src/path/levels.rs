@@ -1,16 +1,17 @@
 //! The sizes of a path's grids, and how far the coarser ones are solved.
 //!
-//! The coarser grids give the finest one its start, and their solutions, which cost little, show how every number changes with the grid.
+//! The coarser grids give the finest one its start, and their solutions, which cost little, show how every number
+//! changes with the grid.
 
-/// The coarsest grid worth a level: a contact of some four elements across the radius. A grid of 48 elements then has three levels, from which an
-/// error can be told.
+/// The coarsest grid worth a level: a contact of some four elements across the radius. A grid of 48 elements then has
+/// three levels, from which an error can be told.
 const COARSEST: usize = 12;
 /// Coarser grids are solved to this, or to the finest grid's tolerance if that is looser: far below their own
 /// discretisation error, so that their differences show the grid and nothing else.
 pub const COARSE_TOLERANCE: f64 = 1e-6;
 
-/// Elements per side of the levels coarser than `finest`, coarsest first; each is half of the next, rounded up to an even number, which a grid of
-/// mirror images has.
+/// Elements per side of the levels coarser than `finest`, coarsest first; each is half of the next, rounded up to an
+/// even number, which a grid of mirror images has.
 pub fn coarser_sizes(finest: usize) -> Vec<usize> {
     let half = |size: &usize| Some(size.div_ceil(2).next_multiple_of(2));
     let halves = std::iter::successors(Some(finest), half);

@@ -39,8 +39,8 @@ impl Body {
         }
     }
 
-    /// How far an element in the middle of a grid of `size` elements per side sinks under a unit pressure on itself, in m/Pa: one product where nothing is known
-    /// of the operator.
+    /// How far an element in the middle of a grid of `size` elements per side sinks under a unit pressure on itself, in
+    /// m/Pa: one product where nothing is known of the operator.
     pub fn own_coefficient(&mut self, size: usize) -> f64 {
         match self {
             Self::Operator(operator) => {

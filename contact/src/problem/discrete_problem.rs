@@ -14,7 +14,8 @@ use crate::{
     problem::scale::Scale, vector::update_with,
 };
 
-/// Values looked at together: to ask after each whether another thread has found a wrong one took a ninth of a Hertz contact's time at N = 2048.
+/// Values looked at together: to ask after each whether another thread has found a wrong one took a ninth of a Hertz
+/// contact's time at N = 2048.
 const VALUES_AT_ONCE: usize = 4096;
 
 /// Tells one problem from all others, however alike; clones are equal.
@@ -60,8 +61,8 @@ impl DiscreteProblem {
         Self::checked(whole, relief_compliance, initial_gap, element_area)
     }
 
-    /// The problem of a grid of `size` elements per side whose elasticity is known, so that solvers may take windows of the grid and
-    /// precondition; the other fields as for [`Self::new`].
+    /// The problem of a grid of `size` elements per side whose elasticity is known, so that solvers may take windows of
+    /// the grid and precondition; the other fields as for [`Self::new`].
     ///
     /// # Errors
     /// As [`Self::new`].
@@ -80,7 +81,8 @@ impl DiscreteProblem {
         Self::checked(whole, relief_compliance, initial_gap, element_area)
     }
 
-    /// The problem of a sector of the largest grid that the elasticity allows; the fields are the sector's, the area that of one element.
+    /// The problem of a sector of the largest grid that the elasticity allows; the fields are the sector's, the area
+    /// that of one element.
     pub(crate) fn of_sector(
         elasticity: Arc<SurfaceElasticity>,
         sector: Sector,
@@ -137,7 +139,8 @@ impl DiscreteProblem {
         self.body.elasticity()
     }
 
-    /// The same problem on a window of the grid, with an operator of the window's own size; none where the elasticity is not known.
+    /// The same problem on a window of the grid, with an operator of the window's own size; none where the elasticity
+    /// is not known.
     ///
     /// The pressure outside is zero.
     pub(crate) fn window(&self, window: &Window) -> Option<Self> {
@@ -236,8 +239,8 @@ impl DiscreteProblem {
         (self.body).displace_into(window_and_reach, pressure, displacement);
     }
 
-    /// Lower bound (m) of the displacement at this distance in elements or farther from pressures ≥ 0 of this sum: `min(0, min k) Σ p` over all images; −∞ where
-    /// nothing is known of the operator.
+    /// Lower bound (m) of the displacement at this distance in elements or farther from pressures ≥ 0 of this sum:
+    /// `min(0, min k) Σ p` over all images; −∞ where nothing is known of the operator.
     pub(crate) fn least_displacement(&self, total: f64, distance: usize) -> f64 {
         let images = self.sector.images() as f64;
         self.elasticity().map_or(f64::NEG_INFINITY, |elasticity| {

@@ -1,6 +1,8 @@
-//! The units that the gradient method computes in, which the problem itself sets, so that no number of it depends on the user's.
+//! The units that the gradient method computes in, which the problem itself sets, so that no number of it depends on
+//! the user's.
 
-/// Units of length, compliance and pressure. All are powers of two: a number in them differs from that in SI by its exponent alone.
+/// Units of length, compliance and pressure. All are powers of two: a number in them differs from that in SI by its
+/// exponent alone.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scale {
     /// In m.

@@ -15,7 +15,8 @@ pub struct ConeContact {
     pub mean_pressure: f64,
 }
 
-/// The contact at a penetration D (m), for the angle α (rad) between axis and side and the plane-strain modulus E* (Pa).
+/// The contact at a penetration D (m), for the angle α (rad) between axis and side and the plane-strain modulus E*
+/// (Pa).
 #[must_use]
 pub fn from_penetration(
     half_angle: f64,
@@ -46,7 +47,8 @@ pub fn from_force(half_angle: f64, plane_strain_modulus: f64, force: f64) -> Con
 }
 
 impl ConeContact {
-    /// Pressure at the distance ρ (m) from the axis, Pa: `p = (Q/πa²) arcosh(a/ρ)`, 0 outside the contact, `+∞` on the axis.
+    /// Pressure at the distance ρ (m) from the axis, Pa: `p = (Q/πa²) arcosh(a/ρ)`, 0 outside the contact, `+∞` on the
+    /// axis.
     #[must_use]
     pub fn pressure(&self, distance: f64) -> f64 {
         if distance < self.contact_radius {

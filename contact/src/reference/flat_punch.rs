@@ -43,7 +43,8 @@ pub fn from_force(radius: f64, plane_strain_modulus: f64, force: f64) -> FlatPun
 }
 
 impl FlatPunchContact {
-    /// Pressure at the distance ρ (m) from the axis, Pa: `p = p(0)/√(1 − ρ²/a²)`, 0 outside the contact, `+∞` on its rim.
+    /// Pressure at the distance ρ (m) from the axis, Pa: `p = p(0)/√(1 − ρ²/a²)`, 0 outside the contact, `+∞` on its
+    /// rim.
     #[must_use]
     pub fn pressure(&self, distance: f64) -> f64 {
         let share = distance / self.contact_radius;

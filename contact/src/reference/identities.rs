@@ -166,7 +166,8 @@ fn the_sphere_too_has_the_stiffness_of_its_radius() {
     for a in [0.02, 0.4, 0.7, 1.9] {
         let (less, more) = (at(a * (1.0 - 1e-4)), at(a * (1.0 + 1e-4)));
         let slope = (more.force - less.force) / (more.penetration - less.penetration);
-        // The step, 1e-4 of a, squared; the sphere's force grows steeply near a = R, where the factor is about (R/(R − a))².
+        // The step, 1e-4 of a, squared; the sphere's force grows steeply near a = R, where the factor is about (R/(R −
+        // a))².
         assert!(
             (slope / (2.0 * MODULUS * a) - 1.0).abs() < 1e-8 * (RADIUS / (RADIUS - a)).powi(2),
             "{a}"

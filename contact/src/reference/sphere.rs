@@ -1,6 +1,7 @@
 //! Sneddon: a sphere on an elastic half-space, its exact shape in place of Hertz's paraboloid.
 
-/// Below this a/R the series takes over from the closed form, which loses one digit to cancellation there and more below.
+/// Below this a/R the series takes over from the closed form, which loses one digit to cancellation there and more
+/// below.
 const SERIES_BELOW: f64 = 0.3;
 
 /// The contact of a sphere `f = R − √(R² − ρ²)` with an elastic half-space.

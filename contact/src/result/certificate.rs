@@ -8,8 +8,8 @@
 //! overlap = max(0, −min g) / D               load = |4a² Σ p − Q| / Q
 //! ```
 //!
-//! and the smallest pressure, which must not be negative. Nothing is taken from an iteration's own residual. No gap is computed where the initial one alone is
-//! too wide for an overlap.
+//! and the smallest pressure, which must not be negative. Nothing is taken from an iteration's own residual. No gap is
+//! computed where the initial one alone is too wide for an overlap.
 
 mod reach;
 
@@ -63,7 +63,8 @@ impl Certificate {
 pub struct Solution {
     /// Penetration `D`, in m.
     pub penetration: f64,
-    /// Force `Q`, in N: as prescribed, to the bit, where it is, and the certificate's line `load` says how far the pressures are from it; otherwise `4a² Σ p`.
+    /// Force `Q`, in N: as prescribed, to the bit, where it is, and the certificate's line `load` says how far the
+    /// pressures are from it; otherwise `4a² Σ p`.
     pub force: f64,
     /// Pressure `p` of each element, in Pa; N² values.
     pub pressure: Vec<f64>,
@@ -110,10 +111,11 @@ impl Solution {
         (solution, surface)
     }
 
-    /// Judges a pressure on a window of the grid, nought outside, which makes the product cheaper; the solution's pressure is that on the window. The
-    /// displacement's memory is used again for a reach of the same size.
+    /// Judges a pressure on a window of the grid, nought outside, which makes the product cheaper; the solution's
+    /// pressure is that on the window. The displacement's memory is used again for a reach of the same size.
     ///
-    /// Displacements are computed on a [reach] around the window, chosen by the penetration expected; should the true one be larger, everywhere.
+    /// Displacements are computed on a [reach] around the window, chosen by the penetration expected; should the true
+    /// one be larger, everywhere.
     pub(crate) fn judge_within(
         problem: &mut DiscreteProblem,
         trial: Trial<'_>,

@@ -1,4 +1,5 @@
-//! A pressure on its elements, with the gaps around it and the geometry that bounds it: what the shape of a contact is read from.
+//! A pressure on its elements, with the gaps around it and the geometry that bounds it: what the shape of a contact is
+//! read from.
 
 use pellicle_texture::Grid;
 

@@ -6,13 +6,14 @@
 //! s = (κ K₀₀ + η) p   in contact,      s = −g   beside it
 //! ```
 //!
-//! crosses zero between a centre in contact and one beside it, `δ` elements outside of the edge; with `K₀₀` the coefficient of an element on
-//! itself. Both numbers are those of a square-root pressure at a straight edge of a half-space, on the elements of this method: over all
-//! directions and places of the edge `δ` scatters by 0.02 for this κ, and over a circle by 0.0005. Springs that are soft beside an element's own elasticity make the field linear across
-//! the edge, and `δ` vanishes.
+//! crosses zero between a centre in contact and one beside it, `δ` elements outside of the edge; with `K₀₀` the
+//! coefficient of an element on itself. Both numbers are those of a square-root pressure at a straight edge of a
+//! half-space, on the elements of this method: over all directions and places of the edge `δ` scatters by 0.02 for this
+//! κ, and over a circle by 0.0005. Springs that are soft beside an element's own elasticity make the field linear
+//! across the edge, and `δ` vanishes.
 //!
-//! The zero line is drawn by marching squares over the centres. Where the contact ends with the indenter or at the outline of a relief, geometry says
-//! where. Checked against closed forms in `tests/tests/convergence`.
+//! The zero line is drawn by marching squares over the centres. Where the contact ends with the indenter or at the
+//! outline of a relief, geometry says where. Checked against closed forms in `tests/tests/convergence`.
 
 use crate::grid::sector::Sector;
 use crate::result::contact_field::{ContactField, Place};
@@ -304,7 +305,8 @@ fn crossing(field: &ContactField<'_>, inside: &Corner, outside: &Corner) -> Cros
     }
 }
 
-/// Where a distance that is positive at the first of two places and negative at the second vanishes between them; halfway where it does neither.
+/// Where a distance that is positive at the first of two places and negative at the second vanishes between them;
+/// halfway where it does neither.
 fn between([first, second]: [f64; 2]) -> f64 {
     let part = first / (first - second);
     if (0.0..=1.0).contains(&part) {

@@ -1,9 +1,10 @@
 //! Whether a contact goes on where its domain, or the map of a measured surface, ends.
 //!
-//! A solution of a square, continued by no pressure, solves the contact problem on the whole plane if nothing overlaps outside: `u + g0 ≥ D`. Next to the
-//! edge that is so where no element on the rim of the square presses, or the initial gap behind it is wider than `D`. Farther away `u` is computed from the
-//! pressure summed up in blocks, on ever larger squares as far as the indenter is lower than `D`. Under an indenter that rises from its axis the height alone
-//! mostly settles it, or a few blocks do.
+//! A solution of a square, continued by no pressure, solves the contact problem on the whole plane if nothing overlaps
+//! outside: `u + g0 ≥ D`. Next to the edge that is so where no element on the rim of the square presses, or the initial
+//! gap behind it is wider than `D`. Farther away `u` is computed from the pressure summed up in blocks, on ever larger
+//! squares as far as the indenter is lower than `D`. Under an indenter that rises from its axis the height alone mostly
+//! settles it, or a few blocks do.
 
 use std::sync::Arc;
 
@@ -18,7 +19,8 @@ const BLOCKS: usize = 64;
 const FEW_BLOCKS: usize = 16;
 /// Gap over penetration of the first look that leaves no doubt: it is good to some hundredths of the penetration.
 const CLEAR: f64 = 0.1;
-/// Overlap over penetration beyond the domain that shows contact: the displacement of blocks is good to some thousandths of the penetration.
+/// Overlap over penetration beyond the domain that shows contact: the displacement of blocks is good to some
+/// thousandths of the penetration.
 const OVERLAP: f64 = 0.01;
 /// Doublings of the square that are looked at: a thousand million times the domain.
 const MOST_DOUBLINGS: usize = 30;
@@ -39,8 +41,8 @@ pub(crate) fn can_touch(model: &Model, grid: &Grid) -> bool {
     lowest_height(model, grid).is_finite()
 }
 
-/// The indenter's smallest height at the elements next to its axis, m: infinite if it is nowhere above the middle of an element, since no indenter has a hole
-/// or a recess at its axis.
+/// The indenter's smallest height at the elements next to its axis, m: infinite if it is nowhere above the middle of an
+/// element, since no indenter has a hole or a recess at its axis.
 pub(crate) fn lowest_height(model: &Model, grid: &Grid) -> f64 {
     let middle = grid.size() / 2;
     let centres = [middle.saturating_sub(1), middle.min(grid.size() - 1)].map(|i| grid.centre(i));
@@ -175,7 +177,8 @@ impl Frame {
         blocks.is_closer_than(touched, model, grid, solution)
     }
 
-    /// Whether beyond this the indenter is higher than the penetration: every shape rises from its axis but a map, which ends somewhere.
+    /// Whether beyond this the indenter is higher than the penetration: every shape rises from its axis but a map,
+    /// which ends somewhere.
     fn is_the_last(&self, model: &Model, penetration: f64) -> bool {
         match (&self.outlook, &self.blocks) {
             (Some(outlook), _) => outlook.lowest >= penetration,
@@ -254,7 +257,8 @@ impl Blocks {
         self.elasticity(model).is_some()
     }
 
-    /// Whether the gap from the undeformed indenter to the moved surface is anywhere less than `limit` (m); false without coefficients.
+    /// Whether the gap from the undeformed indenter to the moved surface is anywhere less than `limit` (m); false
+    /// without coefficients.
     fn is_closer_than(
         &mut self,
         limit: f64,

@@ -1,16 +1,20 @@
-//! How far the grid can be trusted: the changes of each number from grid to grid, as an interval that contains the truth.
+//! How far the grid can be trusted: the changes of each number from grid to grid, as an interval that contains the
+//! truth.
 //!
-//! A number with an error `c hᵒ` changes from one grid to the next, `r` times as fine, by `Δ`; the error of the finer is then `|Δ|/(rᵒ − 1)`
-//! (Richardson), and that of the finest grid `(h/h_l)ᵒ` of it. Every grid at hand so gives an estimate of the finest grid's error,
+//! A number with an error `c hᵒ` changes from one grid to the next, `r` times as fine, by `Δ`; the error of the finer
+//! is then `|Δ|/(rᵒ − 1)` (Richardson), and that of the finest grid `(h/h_l)ᵒ` of it. Every grid at hand so gives an
+//! estimate of the finest grid's error,
 //!
 //! ```text
 //! e_l = |Δ_l|/(r_lᵒ − 1) (h/h_l)ᵒ,        ± = F max(e_L, 0.6 e_(L−1), 0.6² e_(L−2))
 //! ```
 //!
-//! and the largest of the last three counts, older ones for less: neither two grids that agree by luck nor a change of sign makes an error small. F is a
-//! safety factor, as in Roache's grid convergence index (J. Fluids Eng. 116, 1994, 405–413); the order is the slope of all changes together, kept
-//! within what theory allows. A grid meets the contact's edge by chance, so the errors scatter around every power law; factor, weights and bounds are those with which the
-//! interval covers. `cargo run --release -p pellicle-tests --bin coverage` prints how often it does, and how much wider it is than the error.
+//! and the largest of the last three counts, older ones for less: neither two grids that agree by luck nor a change of
+//! sign makes an error small. F is a safety factor, as in Roache's grid convergence index (J. Fluids Eng. 116, 1994,
+//! 405–413); the order is the slope of all changes together, kept within what theory allows. A grid meets the contact's
+//! edge by chance, so the errors scatter around every power law; factor, weights and bounds are those with which the
+//! interval covers. `cargo run --release -p pellicle-tests --bin coverage` prints how often it does, and how much wider
+//! it is than the error.
 
 use crate::PeakPlace;
 
@@ -101,8 +105,8 @@ const LOWEST_RESOLVED: f64 = 0.5;
 const NARROW: f64 = 0.05;
 
 impl GridError {
-    /// Estimates from the values on all levels, coarsest first; `accuracy` is the relative error that each value has besides, of the solver's tolerance
-    /// and of the coefficients.
+    /// Estimates from the values on all levels, coarsest first; `accuracy` is the relative error that each value has
+    /// besides, of the solver's tolerance and of the coefficients.
     #[must_use]
     pub fn new(levels: Vec<LevelValues>, accuracy: f64) -> Self {
         let [.., last] = levels.as_slice() else {

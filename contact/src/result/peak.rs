@@ -1,7 +1,8 @@
 //! The largest pressure: its value and place within smooth contact, and whether geometry puts it at an edge.
 //!
-//! Inside smooth contact the paraboloid through the largest element and its eight neighbours has its vertex at the peak, `p = p₀ − ½ gᵀ H⁻¹ g` with the
-//! central differences `g` and `H`, to third order in the element's side. At an edge the element's own value is all there is.
+//! Inside smooth contact the paraboloid through the largest element and its eight neighbours has its vertex at the
+//! peak, `p = p₀ − ½ gᵀ H⁻¹ g` with the central differences `g` and `H`, to third order in the element's side. At an
+//! edge the element's own value is all there is.
 
 use crate::Profile;
 use crate::result::contact_field::{ContactField, Place};
@@ -71,7 +72,8 @@ fn place_of(field: &ContactField<'_>, point: [f64; 2]) -> PeakPlace {
     }
 }
 
-/// How much higher the vertex is than the middle, and where; none where a neighbour is not in contact, or the nine have no vertex within an element.
+/// How much higher the vertex is than the middle, and where; none where a neighbour is not in contact, or the nine have
+/// no vertex within an element.
 fn vertex(around: &impl Fn(Place) -> f64) -> Option<(f64, [f64; 2])> {
     let mut least = f64::INFINITY;
     for i in -1..=1 {

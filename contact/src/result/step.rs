@@ -40,7 +40,8 @@ impl Step {
 pub enum Status {
     /// Its certificate is satisfied, and it solves the problem posed.
     Certified,
-    /// Its certificate is satisfied, but the contact would go on where the domain or a map ends: it solves another problem.
+    /// Its certificate is satisfied, but the contact would go on where the domain or a map ends: it solves another
+    /// problem.
     CutOff,
     /// Its certificate is not satisfied.
     NotConverged,

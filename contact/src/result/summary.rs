@@ -9,12 +9,13 @@ use crate::{
     result::peak::{Peak, PeakPlace},
 };
 
-/// Largest and mean pressure, contact area and extent. An element is in contact where its pressure is positive; the contact's edge is placed within
-/// an element by pressure and gap beside it, and by geometry where the indenter ends or an outline of the relief bounds the contact.
+/// Largest and mean pressure, contact area and extent. An element is in contact where its pressure is positive; the
+/// contact's edge is placed within an element by pressure and gap beside it, and by geometry where the indenter ends or
+/// an outline of the relief bounds the contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Summary {
-    /// Largest pressure, in Pa: inside smooth contact the vertex of the paraboloid through the largest element and its neighbours, at an edge the
-    /// largest element's.
+    /// Largest pressure, in Pa: inside smooth contact the vertex of the paraboloid through the largest element and its
+    /// neighbours, at an edge the largest element's.
     pub max_pressure: f64,
     /// Where the pressure is largest, `[x, y]` in m; of several equal places the first.
     pub max_pressure_at: [f64; 2],

@@ -61,7 +61,8 @@ pub enum Warning {
         /// Error wanted.
         wanted: f64,
     },
-    /// The largest pressure is not the continuum's: it sits at an edge, where it grows with the grid, or it still changes.
+    /// The largest pressure is not the continuum's: it sits at an edge, where it grows with the grid, or it still
+    /// changes.
     PeakNotResolved {
         /// Loading step, counted from 0.
         step: usize,

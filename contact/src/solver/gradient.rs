@@ -1,6 +1,7 @@
 //! Preconditioned projected gradients: any grid, one product with `K` a step.
 //!
-//! With `v = (K + η) p + g0`, working set `I = {p > 0} ∪ {g < 0}` and preconditioner `M_I`, an approximate inverse of the system on `I`:
+//! With `v = (K + η) p + g0`, working set `I = {p > 0} ∪ {g < 0}` and preconditioner `M_I`, an approximate inverse of
+//! the system on `I`:
 //!
 //! ```text
 //! while the largest line of the certificate is above the tolerance:
@@ -13,30 +14,35 @@
 //! then dQ/dD by one more system on {p > 0}
 //! ```
 //!
-//! Polonsky and Keer (1999) is the projected form of the fast steps, with conjugate steps throughout and no preconditioner; Vollebregt (2014) and
-//! Rey, Anciaux and Molinari (2017) precondition in Fourier space, Bugnicourt, Sainsot and Lubrecht (2018) bring conjugate gradients to a contact
-//! whose set changes. Different here: spectral steps until the set is found, because a conjugate direction is worth nothing on another set; the
-//! exact line search only where the energy asks for it; starts that respect the outline of the relief; products on the smallest square that holds
-//! the contact.
+//! Polonsky and Keer (1999) is the projected form of the fast steps, with conjugate steps throughout and no
+//! preconditioner; Vollebregt (2014) and Rey, Anciaux and Molinari (2017) precondition in Fourier space, Bugnicourt,
+//! Sainsot and Lubrecht (2018) bring conjugate gradients to a contact whose set changes. Different here: spectral steps
+//! until the set is found, because a conjugate direction is worth nothing on another set; the exact line search only
+//! where the energy asks for it; starts that respect the outline of the relief; products on the smallest square that
+//! holds the contact.
 //!
-//! **Quadrants.** Where indenter and relief are symmetric in x and y, so is the one solution, and a path solves on the quadrant x, y > 0 alone: `K`
-//! is the sum over an element's four images, applied by cosine transforms of half the length. All sums are a quarter of those on the whole grid.
-//! Only what looks across the axes knows of it: filter, band and sparse factor see the images beyond, and an axis is no border of a window.
+//! **Quadrants.** Where indenter and relief are symmetric in x and y, so is the one solution, and a path solves on the
+//! quadrant x, y > 0 alone: `K` is the sum over an element's four images, applied by cosine transforms of half the
+//! length. All sums are a quarter of those on the whole grid. Only what looks across the axes knows of it: filter, band
+//! and sparse factor see the images beyond, and an axis is no border of a window.
 //!
-//! **Both kinds of load.** Every step keeps the total of the pressure. Under a prescribed penetration the pressure is then scaled until the mean of
-//! `v` over it is `D`, which takes no product, and the conjugate directions are conjugate to the pressure besides. With the plain residual `D − v` a
-//! stiff coat under the paper's cylinders took eight times the products, because preconditioners answer an even residual worst.
+//! **Both kinds of load.** Every step keeps the total of the pressure. Under a prescribed penetration the pressure is
+//! then scaled until the mean of `v` over it is `D`, which takes no product, and the conjugate directions are conjugate
+//! to the pressure besides. With the plain residual `D − v` a stiff coat under the paper's cylinders took eight times
+//! the products, because preconditioners answer an even residual worst.
 //!
-//! **Preconditioners.** The reciprocal of the symbol of `K` on the periodic grid, aliases included, whose answer is made to vanish in a narrow band
-//! around the set: without aliases or band it takes twice the products. Under a coat more than some twenty times as stiff as its base a factorised
-//! sparse approximate inverse `Gᵀ G` of the restricted system (Kaporin 1994; Schäfer, Katzfuss and Owhadi 2021).
+//! **Preconditioners.** The reciprocal of the symbol of `K` on the periodic grid, aliases included, whose answer is
+//! made to vanish in a narrow band around the set: without aliases or band it takes twice the products. Under a coat
+//! more than some twenty times as stiff as its base a factorised sparse approximate inverse `Gᵀ G` of the restricted
+//! system (Kaporin 1994; Schäfer, Katzfuss and Owhadi 2021).
 //!
-//! **Why it ends.** No accepted fast step raises the energy above the largest of the last few; a step that does not start downhill is replaced by a
-//! projection of the plain gradient, which always does. After sixteen exchanges without gain Newton gives way to the descent, which visits no face
-//! twice. The number of products is bounded besides, and the best pressure met is returned.
+//! **Why it ends.** No accepted fast step raises the energy above the largest of the last few; a step that does not
+//! start downhill is replaced by a projection of the plain gradient, which always does. After sixteen exchanges without
+//! gain Newton gives way to the descent, which visits no face twice. The number of products is bounded besides, and the
+//! best pressure met is returned.
 //!
-//! **Units.** Everything is computed in the powers of two that the problem's scale sets, so no threshold knows the user's units. Elements beyond
-//! the indenter's end are none of the problem: no set takes them in, and no sum.
+//! **Units.** Everything is computed in the powers of two that the problem's scale sets, so no threshold knows the
+//! user's units. Elements beyond the indenter's end are none of the problem: no set takes them in, and no sum.
 
 mod best;
 mod context;

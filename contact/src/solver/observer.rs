@@ -30,7 +30,8 @@ pub enum Signal {
     Cancel,
 }
 
-/// Receives the progress of a solution, on a thread of the pool that computes it, never on two at once. `()` is the observer that looks away.
+/// Receives the progress of a solution, on a thread of the pool that computes it, never on two at once. `()` is the
+/// observer that looks away.
 pub trait Observer: Send {
     /// Called once per iteration.
     fn progress(&mut self, progress: &Progress) -> Signal;

@@ -1,5 +1,5 @@
-//! Small problems of every kind: the work in products with `K`, where a step that no longer helps shows first; and the agreement of
-//! both solvers.
+//! Small problems of every kind: the work in products with `K`, where a step that no longer helps shows first; and the
+//! agreement of both solvers.
 
 use std::sync::{
     Arc,
@@ -82,7 +82,8 @@ fn solve(problem: &mut DiscreteProblem, load: Load, start: &[f64]) -> Iterate {
     iterate
 }
 
-/// Solves from cold and asserts the products of the solution and of its stiffness; they are as measured, with a tenth to spare.
+/// Solves from cold and asserts the products of the solution and of its stiffness; they are as measured, with a tenth
+/// to spare.
 #[track_caller]
 fn assert_work(mut problem: DiscreteProblem, load: Load, most: [usize; 2]) {
     let found = solve(&mut problem, load, &[0.0; SIZE * SIZE]);
@@ -164,7 +165,8 @@ fn no_threshold_knows_the_units() {
         let pressure: Vec<f64> = found.pressure.iter().map(|p| p / modulus).collect();
         (found.operator_applications, stiffness, pressure)
     };
-    // Powers of two, which change no digit: up to what squares of would neither under- nor overflow beside lengths and pressures alone.
+    // Powers of two, which change no digit: up to what squares of would neither under- nor overflow beside lengths and
+    // pressures alone.
     for stiff in [false, true] {
         let as_they_are = solved(AS_THEY_ARE, stiff);
         for exponents in [[-30, 40], [200, -100], [-300, 300]] {
@@ -194,7 +196,8 @@ fn a_load_costs_the_same_after_another_as_alone() {
         let mut used = fresh();
         solve(&mut used, Load::Penetration(0.03), &cold);
         let after = solve(&mut used, Load::Force(2e-3), &cold);
-        // What is kept from load to load is storage and rows of the preconditioner, which may serve better than new ones.
+        // What is kept from load to load is storage and rows of the preconditioner, which may serve better than new
+        // ones.
         assert!(
             after.operator_applications <= alone.operator_applications + 1,
             "{} {}",

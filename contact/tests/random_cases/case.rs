@@ -1,4 +1,5 @@
-//! Random cases as a user might write them: every kind of body, relief, indenter and load, from nanometres to metres and from kilopascals to terapascals.
+//! Random cases as a user might write them: every kind of body, relief, indenter and load, from nanometres to metres
+//! and from kilopascals to terapascals.
 
 use std::sync::Arc;
 

@@ -1,6 +1,9 @@
-//! Random cases in SI units, from nanometres to metres and from kilopascals to terapascals: each is certified or refused with a reason, none is NaN, and none knows its units.
+//! Random cases in SI units, from nanometres to metres and from kilopascals to terapascals: each is certified or
+//! refused with a reason, none is NaN, and none knows its units.
 //!
-//! 24 by default; `PELLICLE_RANDOM_CASES=3000 cargo test --release -p pellicle-contact --test random_cases -- --nocapture` for more, larger ones and a table.
+//! 24 by default;
+//! `PELLICLE_RANDOM_CASES=3000 cargo test --release -p pellicle-contact --test random_cases -- --nocapture` for more,
+//! larger ones and a table.
 
 #![expect(
     clippy::unwrap_used,
@@ -211,8 +214,9 @@ fn random_cases_give_the_same_numbers_in_other_units() {
         pairs.len(),
         count / 2
     );
-    // *Measured* on 1,200 cases of the long form, 1,147 of them so fine in both: all the same to 1e-10 but one, whose largest pressure differs by 7e-10: its coat is
-    // 1e8 times as stiff as what is below, and rounding leaves no more of the pressure at the edges.
+    // *Measured* on 1,200 cases of the long form, 1,147 of them so fine in both: all the same to 1e-10 but one, whose
+    // largest pressure differs by 7e-10: its coat is 1e8 times as stiff as what is below, and rounding leaves no more
+    // of the pressure at the edges.
     assert!(median <= 1e-14 && largest <= 1e-9, "{differences:?}");
     assert!(100 * close >= 99 * pairs.len(), "{differences:?}");
     assert!(3 * pairs.len() as u64 > count / 2);

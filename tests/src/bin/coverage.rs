@@ -1,4 +1,5 @@
-//! Prints how often the error bars of the grid contain the truth: `cargo run --release -p pellicle-tests --bin coverage [NAME…]`.
+//! Prints how often the error bars of the grid contain the truth:
+//! `cargo run --release -p pellicle-tests --bin coverage [NAME…]`.
 
 #![expect(clippy::print_stdout, reason = "a table for people at a terminal")]
 

@@ -228,7 +228,8 @@ fn reliefs() -> Vec<Benchmark> {
     ]
 }
 
-/// A rough half-space: waves of all directions, with three to ten of them along the map of side 1.2, an rms height of 0.001 and 13 samples or more a wave.
+/// A rough half-space: waves of all directions, with three to ten of them along the map of side 1.2, an rms height of
+/// 0.001 and 13 samples or more a wave.
 fn rough() -> Relief {
     const SAMPLES: usize = 128;
     const SIDE: f64 = 1.2;

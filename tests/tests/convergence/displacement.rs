@@ -33,7 +33,8 @@ fn displacement_error(elements: usize) -> f64 {
 #[test]
 fn hertzs_pressure_gives_hertzs_displacement_with_almost_order_two() {
     let errors = GRIDS.map(|elements| (elements, displacement_error(elements)));
-    // Pressure at the centres stands for the elements' means: second order but for the square root at the contact's edge.
+    // Pressure at the centres stands for the elements' means: second order but for the square root at the contact's
+    // edge.
     demand(&errors, 1.7, 1e-5).expect("almost order two");
 }
 

@@ -7,8 +7,8 @@ use crate::scenes::{Case, Coat, path};
 const BEND: f64 = 0.05;
 /// The sampled edges of cylinders make ∂D/∂Q jump by less than a hundredth.
 const JUMP: f64 = 0.01;
-/// A constant changes by nothing; a bare half-space, where ∂D/∂Q ~ Q^(−1/3) for ever, by 21 % over the upper half of the
-/// loads. A twentieth lies well between.
+/// A constant changes by nothing; a bare half-space, where ∂D/∂Q ~ Q^(−1/3) for ever, by 21 % over the upper half of
+/// the loads. A twentieth lies well between.
 const CONSTANT: f64 = 0.05;
 /// Penetrations are certified to about 1e-8, so a millionth is no difference.
 const DIFFERENT: f64 = 1e-6;

@@ -1,4 +1,5 @@
-//! Error bars of the grid contain the truth, and are not wider than they must be: the panel of the program `coverage` in short form.
+//! Error bars of the grid contain the truth, and are not wider than they must be: the panel of the program `coverage`
+//! in short form.
 
 use pellicle_tests::coverage::{Quantity, Row, benchmarks, coverage, grids};
 

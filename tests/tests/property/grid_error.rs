@@ -1,4 +1,5 @@
-//! What a solution says of its grid. That a finite peak is resolved and an infinite one is not is a row of `pellicle validate`.
+//! What a solution says of its grid. That a finite peak is resolved and an infinite one is not is a row of
+//! `pellicle validate`.
 
 use pellicle_contact::{Cone, Indenter, Load, Step};
 use pellicle_tests::scene::{model, paraboloid, solve, unit_half_space};

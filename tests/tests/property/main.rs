@@ -1,5 +1,6 @@
-//! What every solution must have in common: symmetries, scales, one state for force and penetration, no memory of the path, a bounded
-//! amount of work; and that the program's own judgements, certificate, grid error and warnings, say what they are meant to and no more.
+//! What every solution must have in common: symmetries, scales, one state for force and penetration, no memory of the
+//! path, a bounded amount of work; and that the program's own judgements, certificate, grid error and warnings, say
+//! what they are meant to and no more.
 
 #![expect(
     clippy::unwrap_used,

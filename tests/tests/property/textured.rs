@@ -10,8 +10,8 @@ fn solve(panel: &Panel) -> Step {
     path.steps[0].clone()
 }
 
-/// Penetrations of an independent prototype on the same grid, in units of R, and the most products that each may take: what
-/// it took when this was written, and a tenth more.
+/// Penetrations of an independent prototype on the same grid, in units of R, and the most products that each may take:
+/// what it took when this was written, and a tenth more.
 const EXPECTED: [(f64, usize); 4] = [
     (2.0219e-4, 9),
     (8.137e-4, 17),

@@ -38,7 +38,8 @@ pub struct FiguresArguments {
     /// Write small versions into docs/figures too.
     #[arg(long, conflicts_with = "quick")]
     pub docs: bool,
-    /// Folder of the pictures, relative to the workspace [default: target/paper/figures, with --quick target/paper/quick].
+    /// Folder of the pictures, relative to the workspace [default: target/paper/figures, with --quick
+    /// target/paper/quick].
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
 }

@@ -19,8 +19,8 @@ use crate::XtaskError;
 /// Names of the panels.
 const PANELS: [&str; 4] = ["(a)", "(b)", "(c)", "(d)"];
 
-/// E₁ of a panel's coating over E₁ of the stiff one: the paper's two materials change places, so the compliant coating's
-/// modulus is a tenth. Axes whose ends are ten to one in units of E₁ are the same axis.
+/// E₁ of a panel's coating over E₁ of the stiff one: the paper's two materials change places, so the compliant
+/// coating's modulus is a tenth. Axes whose ends are ten to one in units of E₁ are the same axis.
 const MODULI: [f64; 4] = [0.1, 1.0, 0.1, 1.0];
 
 /// The pressure as maps, and as columns over the surface.

@@ -75,7 +75,8 @@ pub(super) struct Loading<'a> {
 }
 
 impl Loading<'_> {
-    /// Its sheet: heading, first note, and a note on the data of every curve, with its largest pressure if that is shown.
+    /// Its sheet: heading, first note, and a note on the data of every curve, with its largest pressure if that is
+    /// shown.
     pub(super) fn sheet(
         &self,
         title: &str,

@@ -10,8 +10,8 @@ use crate::XtaskError;
 /// What is shown around the contact, as a part of it.
 const MARGIN: f64 = 1.06;
 
-/// The part of the elements in contact whose pressures the colours of a map tell apart: an edge peak would leave the same
-/// dark colour to all the rest.
+/// The part of the elements in contact whose pressures the colours of a map tell apart: an edge peak would leave the
+/// same dark colour to all the rest.
 pub(super) const TOLD_APART: f64 = 0.95;
 
 /// A run and the fields of its only step.
@@ -66,7 +66,8 @@ pub(super) fn reach(loaded: &[Loaded]) -> f64 {
     MARGIN * radii.fold(0.0, f64::max)
 }
 
-/// The largest value, rounded up to two digits of which the second is even, so that the end of an axis is a round number.
+/// The largest value, rounded up to two digits of which the second is even, so that the end of an axis is a round
+/// number.
 pub(super) fn rounded_up(values: impl Iterator<Item = f64>) -> f64 {
     let largest = values.fold(0.0, f64::max);
     let unit = 2.0 * 10_f64.powf(largest.log10().floor() - 1.0);

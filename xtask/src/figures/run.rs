@@ -60,12 +60,12 @@ impl Runner {
         }
     }
 
-    /// Solves a case, `cases/fig2a` or `cases/paper/fig4-soft-60`, with values replaced as `--set` takes them, and keeps the
-    /// fields of every step if asked.
+    /// Solves a case, `cases/fig2a` or `cases/paper/fig4-soft-60`, with values replaced as `--set` takes them, and
+    /// keeps the fields of every step if asked.
     ///
     /// # Errors
-    /// [`XtaskError::NotCertified`] if a step is not, [`XtaskError::Refused`] if the program refuses the case, or whatever
-    /// stands against starting it or reading its results.
+    /// [`XtaskError::NotCertified`] if a step is not, [`XtaskError::Refused`] if the program refuses the case, or
+    /// whatever stands against starting it or reading its results.
     pub fn run(
         &self,
         case: &'static str,

@@ -1,4 +1,5 @@
-//! `report.html`: a run on one page that needs no network. Drawings can be moved and zoomed, the pressure can be turned.
+//! `report.html`: a run on one page that needs no network. Drawings can be moved and zoomed, the pressure can be
+//! turned.
 
 mod case_table;
 mod step;

@@ -4,7 +4,8 @@ use serde::Deserialize;
 
 use super::{Decimal, Values, decimal};
 
-/// Approach and load of an indenter at contact radius 1 on a coated half-space of modulus 1: auxiliary-function method, 22 digits.
+/// Approach and load of an indenter at contact radius 1 on a coated half-space of modulus 1: auxiliary-function method,
+/// 22 digits.
 #[derive(Debug, Clone, Deserialize)]
 pub struct AxisymmetricContact {
     /// Young's modulus of the coating.

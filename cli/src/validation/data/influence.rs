@@ -1,5 +1,5 @@
-//! Influence coefficients of 20 and 30 digits: `influence_two_layer.json`, and `influence_extreme.json` for the softest and stiffest
-//! coatings.
+//! Influence coefficients of 20 and 30 digits: `influence_two_layer.json`, and `influence_extreme.json` for the softest
+//! and stiffest coatings.
 
 use std::collections::BTreeMap;
 

@@ -45,7 +45,8 @@ fn the_standard_angles_have_their_area_ratios() {
     assert!((modified - 1.0).abs() < 4.6e-4, "{modified}");
     let original = surface(3.0, Pyramid::BERKOVICH_FACE_ANGLE) / surface(4.0, vickers);
     assert!((original - 1.0).abs() < 4.6e-4, "{original}");
-    // Three faces of a cube meet at right angles: n₁·n₂ = 0 for normals (cos α · horizontal, sin α), cos² α cos 120° + sin² α = 0.
+    // Three faces of a cube meet at right angles: n₁·n₂ = 0 for normals (cos α · horizontal, sin α), cos² α cos 120° +
+    // sin² α = 0.
     let (sine, cosine) = Pyramid::CUBE_CORNER_FACE_ANGLE.sin_cos();
     assert!((sine * sine - 0.5 * cosine * cosine).abs() < 2.0 * f64::EPSILON);
 }
@@ -65,7 +66,8 @@ fn without_a_tip_radius_it_is_the_sharp_pyramid() {
 fn it_tends_to_the_sharp_pyramid_with_the_tip_radius() {
     for radius in [1e-1, 1e-3, 1e-6] {
         for pyramid in pyramids(radius) {
-            // The sharp pyramid through the same faces, R (1/sin α − 1) deeper, lies below the blunt one and inside it nowhere.
+            // The sharp pyramid through the same faces, R (1/sin α − 1) deeper, lies below the blunt one and inside it
+            // nowhere.
             let depth = radius * (pyramid.face_angle().sin().recip() - 1.0);
             for [x, y] in points(500, 1.0) {
                 let above = pyramid.height(x, y) - (sharp(&pyramid, x, y) - depth);
@@ -130,7 +132,8 @@ fn it_is_the_envelope_of_the_planes_that_touch_the_tip() {
 
 #[test]
 fn it_is_convex_and_its_slope_is_continuous() {
-    // Convexity: second differences ≥ 0. C¹: they are at most h² / (R sin³ α), where a kink would leave a multiple of h.
+    // Convexity: second differences ≥ 0. C¹: they are at most h² / (R sin³ α), where a kink would leave a multiple of
+    // h.
     for pyramid in pyramids(0.3) {
         let bound = 1.0 / (0.3 * pyramid.face_angle().sin().powi(3));
         for step in [1e-1, 1e-2, 1e-3] {
@@ -178,7 +181,8 @@ fn height_and_slope_agree_from_both_sides_of_every_seam_with_first_order_in_the_
                 ((at(h) - at(0.0)) / h - (at(0.0) - at(-h)) / h).abs()
             };
             let bound = 1.0 / (0.3 * pyramid.face_angle().sin().powi(3));
-            // A continuous slope: the jump vanishes with the step at a bounded rate; the rest is rounding over the step.
+            // A continuous slope: the jump vanishes with the step at a bounded rate; the rest is rounding over the
+            // step.
             for h in [1e-2, 1e-3, 1e-4, 1e-5] {
                 assert!(
                     jump(h) <= bound * h + 2e-15 / h,

@@ -1,7 +1,8 @@
-//! Which square to solve on: the first guess, judged by a solution on a coarse grid that is the same for every grid to come.
+//! Which square to solve on: the first guess, judged by a solution on a coarse grid that is the same for every grid to
+//! come.
 //!
-//! Tried are the first guess times powers of 1.5. A square fits where the contact of the largest load keeps clear of its edge and nothing beyond it would
-//! touch; where the contact is a small part of it, a smaller one is tried.
+//! Tried are the first guess times powers of 1.5. A square fits where the contact of the largest load keeps clear of
+//! its edge and nothing beyond it would touch; where the contact is a small part of it, a smaller one is tried.
 
 use std::ops::ControlFlow;
 
@@ -24,7 +25,8 @@ const FIRST_TRIALS: [usize; 2] = [16, 32];
 const FIRST_TOLERANCE: f64 = 1e-3;
 /// Sides tried are the first guess times powers of this.
 const FACTOR: f64 = 1.5;
-/// A trial that is not solved after so many products is as good as it gets: where the contact ends is known long before.
+/// A trial that is not solved after so many products is as good as it gets: where the contact ends is known long
+/// before.
 const MOST_PRODUCTS: usize = 300;
 /// Half width of the contact under the first guess, in elements of a trial; sides are shrunk to this.
 const USUAL_EXTENT: f64 = 64.0 / 3.0;
@@ -33,10 +35,12 @@ const SMALLEST_EXTENT: usize = 8;
 /// More trials than any case has been seen to take by far.
 const MOST_TRIALS: usize = 100;
 
-/// The side (m) of the square that [`Domain::Automatic`](crate::Domain::Automatic) solves all `loads` on. It does not depend on the grid.
+/// The side (m) of the square that [`Domain::Automatic`](crate::Domain::Automatic) solves all `loads` on. It does not
+/// depend on the grid.
 ///
 /// # Errors
-/// A load that makes no sense; coefficients that miss their accuracy; a contact that reaches the edge of every square tried.
+/// A load that makes no sense; coefficients that miss their accuracy; a contact that reaches the edge of every square
+/// tried.
 pub fn choose_side(model: &Model, loads: &[Load]) -> Result<f64, ContactError> {
     for load in loads {
         load.checked()?;
@@ -164,7 +168,8 @@ fn judge(model: &Model, side: f64, load: Load) -> Result<Verdict, ContactError> 
     })
 }
 
-/// Whether even a grid coarser than that of a trial sees everything that could be touched: nothing of a map is to be missed, and no pillar.
+/// Whether even a grid coarser than that of a trial sees everything that could be touched: nothing of a map is to be
+/// missed, and no pillar.
 fn is_seen_by(model: &Model, grid: &Grid) -> bool {
     let is_relief_seen = match &model.relief {
         Relief::Bare | Relief::Film(_) => true,
@@ -201,8 +206,8 @@ fn solve(model: &Model, grid: Grid, load: Load, tolerance: f64) -> Result<Step, 
     grids.solve(load, options, &mut Watch::alone(&mut ()))
 }
 
-/// Whether the indenter is lower than the penetration at one of the elements around its axis, so that a grid without contact has none to miss; or nothing is
-/// known of the penetration.
+/// Whether the indenter is lower than the penetration at one of the elements around its axis, so that a grid without
+/// contact has none to miss; or nothing is known of the penetration.
 fn sees_the_tip(model: &Model, grid: &Grid, penetration: f64) -> bool {
     penetration.is_nan() || cut_off::lowest_height(model, grid) < penetration
 }
@@ -213,8 +218,9 @@ fn shrunk_to_fit(extent: usize) -> Verdict {
     Verdict::TooLarge(-whole(powers))
 }
 
-/// By how many powers to enlarge a square that cuts a contact off: to the geometric mean of its half side, which the contact reaches, and the radius where
-/// the indenter is as high as the penetration, beyond which hardly anything touches.
+/// By how many powers to enlarge a square that cuts a contact off: to the geometric mean of its half side, which the
+/// contact reaches, and the radius where the indenter is as high as the penetration, beyond which hardly anything
+/// touches.
 fn enlarged(model: &Model, side: f64, penetration: f64) -> i32 {
     let farthest = if penetration > 0.0 {
         radius_at(model, penetration)

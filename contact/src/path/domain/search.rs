@@ -5,7 +5,8 @@ const LONGEST_SEARCH: usize = 400;
 /// The search ends when it knows the length to this: rounding, so that in another unit it is the same length.
 const PRECISION: f64 = 1e-14;
 
-/// The length at which a function that grows with the logarithm of its argument, nearly in proportion, passes through zero; it may be infinite on either side.
+/// The length at which a function that grows with the logarithm of its argument, nearly in proportion, passes through
+/// zero; it may be infinite on either side.
 ///
 /// 0 where it is positive down to the smallest length, and the largest length where it is negative everywhere.
 pub fn where_zero(value: impl Fn(f64) -> f64) -> f64 {
@@ -60,7 +61,8 @@ fn bracket(value: &impl Fn(f64) -> f64) -> (f64, f64) {
     }
 }
 
-/// Where a straight line over the logarithm passes through zero, or the geometric mean where there is none or it leads to an end.
+/// Where a straight line over the logarithm passes through zero, or the geometric mean where there is none or it leads
+/// to an end.
 fn between(low: f64, high: f64, below: f64, above: f64) -> f64 {
     let ratio = high / low;
     let part = below / (below - above);

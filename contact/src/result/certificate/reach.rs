@@ -1,6 +1,7 @@
 //! The part of a grid that a certificate looks at: all elements that may overlap.
 //!
-//! Where the initial gap alone is wider than the penetration and all by which the surface can rise beside the load, nothing overlaps, whatever the displacement:
+//! Where the initial gap alone is wider than the penetration and all by which the surface can rise beside the load,
+//! nothing overlaps, whatever the displacement:
 //!
 //! ```text
 //! g = K p + η p + g0 − D ≥ min(0, min k) Σ p + g0 − D,    min k over the offsets from there to the pressures
@@ -10,7 +11,8 @@ use crate::{DiscreteProblem, grid::window::Window};
 
 /// The part of the penetration expected by which the true one may be larger.
 const LEEWAY: f64 = 1e-6;
-/// A reach goes beyond the window by its side over this, at least: bulges are near the load, and need not be reckoned with further away.
+/// A reach goes beyond the window by its side over this, at least: bulges are near the load, and need not be reckoned
+/// with further away.
 const RIM_PART: usize = 4;
 
 /// The largest penetration (m) that a reach is to serve where this one is expected.
@@ -18,8 +20,8 @@ pub fn highest(expected: f64) -> f64 {
     expected + LEEWAY * expected.abs()
 }
 
-/// The window that holds a rim around another, and all elements that may overlap there under a penetration of no more than `highest` (m): those whose initial gap
-/// is below it and by what pressures of this total can raise them.
+/// The window that holds a rim around another, and all elements that may overlap there under a penetration of no more
+/// than `highest` (m): those whose initial gap is below it and by what pressures of this total can raise them.
 pub fn around(problem: &DiscreteProblem, window: &Window, highest: f64, total: f64) -> Window {
     let everywhere = problem.everywhere();
     let rim = window.size() / RIM_PART;

@@ -175,8 +175,8 @@ fn a_number_that_is_none_fails_wherever_it_stands() {
 
 const SIZE: usize = 48;
 
-/// A paraboloid above a sector of `SIZE` elements per side on a layer of this Poisson's ratio, ten times softer than its base; element (0, 0) of a quadrant
-/// lies at the axis.
+/// A paraboloid above a sector of `SIZE` elements per side on a layer of this Poisson's ratio, ten times softer than
+/// its base; element (0, 0) of a quadrant lies at the axis.
 fn pressed_layer(sector: Sector, poisson_ratio: f64) -> DiscreteProblem {
     let layer = Material::new(0.1, poisson_ratio).unwrap();
     let foundation = Foundation::coated(0.05, layer, Material::new(1.0, 0.3).unwrap()).unwrap();

@@ -114,7 +114,8 @@ impl<'a> Iteration<'a> {
         }
     }
 
-    /// The largest line of the certificate by the running residual, and whether no element pulls; an admissible pressure is kept if it is the best so far.
+    /// The largest line of the certificate by the running residual, and whether no element pulls; an admissible
+    /// pressure is kept if it is the best so far.
     pub fn judge(&mut self) -> (f64, bool) {
         let Workspace { state, best, .. } = &mut *self.workspace;
         let (residual, is_admissible) = state.residual();

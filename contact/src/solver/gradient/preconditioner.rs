@@ -1,7 +1,8 @@
 //! The preconditioner: an approximate inverse of the system on the working set.
 //!
-//! Two of them, for two kinds of problem: the [restricted filter](super::restricted_filter), by FFT, and under a coat so stiff that the contact breaks up into
-//! rings and edges the [factorised sparse approximate inverse](super::sparse_factor) of the restricted system itself.
+//! Two of them, for two kinds of problem: the [restricted filter](super::restricted_filter), by FFT, and under a coat
+//! so stiff that the contact breaks up into rings and edges the [factorised sparse approximate
+//! inverse](super::sparse_factor) of the restricted system itself.
 
 mod edge_band;
 mod restricted_filter;
@@ -18,12 +19,15 @@ use crate::{
     vector::{sum, update, update_with},
 };
 
-/// Response to the longest wave over that to the shortest from which on a coat counts as stiff. Under a coat ten times as stiff as what it lies
-/// on, the filter takes as many products as the factor; above, it is the factor that the fast steps end with in any case.
+/// Response to the longest wave over that to the shortest from which on a coat counts as stiff. Under a coat ten times
+/// as stiff as what it lies on, the filter takes as many products as the factor; above, it is the factor that the fast
+/// steps end with in any case.
 const STIFF: f64 = 20.0;
-/// `k` times the symbol at the shortest wave along one side, in units of that at the longest, on a homogeneous body: `2/π` and its aliases.
+/// `k` times the symbol at the shortest wave along one side, in units of that at the longest, on a homogeneous body:
+/// `2/π` and its aliases.
 const SHORTEST_RESPONSE: f64 = 1.166;
-/// Neighbours of an element in the sparse factor: with 12 a fifth more products, with 30 a tenth fewer, at three times the cost.
+/// Neighbours of an element in the sparse factor: with 12 a fifth more products, with 30 a tenth fewer, at three times
+/// the cost.
 const NEIGHBOURS: usize = 20;
 /// Sides below which no spectrum tells stiff from soft.
 const SMALLEST_SPECTRUM: usize = 8;
@@ -47,8 +51,8 @@ enum Inverse {
     Factor(Box<SparseFactor>),
 }
 
-/// `w = M⁻¹_I 1`, cut to the sets met since it was made: that spares an application of the inverse for each and costs no product, as long as few elements
-/// change.
+/// `w = M⁻¹_I 1`, cut to the sets met since it was made: that spares an application of the inverse for each and costs
+/// no product, as long as few elements change.
 struct Even {
     values: Vec<f64>,
     total: f64,
@@ -92,8 +96,8 @@ impl Preconditioner {
         !matches!(self.inverse, Inverse::Identity)
     }
 
-    /// Prepares for Newton's method, which has failed so many times on this load: what a load begins with may fail once, then comes the sparse factor, with ever more
-    /// neighbours. False where nothing is known of the operator.
+    /// Prepares for Newton's method, which has failed so many times on this load: what a load begins with may fail
+    /// once, then comes the sparse factor, with ever more neighbours. False where nothing is known of the operator.
     pub fn prepare_for_newton(&mut self, problem: &DiscreteProblem, failures: usize) -> bool {
         match (self.usual.as_ref().unwrap_or(&self.inverse), failures) {
             (Inverse::Identity, _) => false,
@@ -103,7 +107,8 @@ impl Preconditioner {
         }
     }
 
-    /// Turns to the sparse factor, with so many times its usual neighbours; false where nothing is known of the operator.
+    /// Turns to the sparse factor, with so many times its usual neighbours; false where nothing is known of the
+    /// operator.
     pub fn turn_to_factor(&mut self, problem: &DiscreteProblem, times: usize) -> bool {
         match factor(problem, times * NEIGHBOURS) {
             None => false,
@@ -165,7 +170,8 @@ impl Preconditioner {
         }
     }
 
-    /// `r ← M⁻¹_I r`, in place and in the units of the problem's scale; the values of `r` outside the set do not matter.
+    /// `r ← M⁻¹_I r`, in place and in the units of the problem's scale; the values of `r` outside the set do not
+    /// matter.
     pub fn apply(&mut self, set: &WorkingSet, residual: &mut [f64]) {
         set.scale_within(residual, self.unit);
         match &mut self.inverse {
@@ -175,8 +181,8 @@ impl Preconditioner {
         }
     }
 
-    /// Writes into `z` the preconditioned residual `M⁻¹_I (λ − v)`, with `λ` such that `z` keeps the total: the projection `z ← z − (Σz/Σw) w`. Returns
-    /// `λ`, which is the penetration where there is no total to keep.
+    /// Writes into `z` the preconditioned residual `M⁻¹_I (λ − v)`, with `λ` such that `z` keeps the total: the
+    /// projection `z ← z − (Σz/Σw) w`. Returns `λ`, which is the penetration where there is no total to keep.
     pub fn direction_into(
         &mut self,
         problem: &DiscreteProblem,

@@ -1,13 +1,15 @@
 //! The state of the iteration: a pressure, what it deforms, and how far it is from a solution.
 //!
-//! Every step keeps the total of the pressure, once there is one. Under a prescribed total `D` follows, as `Σ p v / Σ p`. Under a prescribed penetration the whole pressure is
-//! scaled after each step until that mean is `D`, which takes no product since `(K + η) p = v − g0` is known:
+//! Every step keeps the total of the pressure, once there is one. Under a prescribed total `D` follows, as
+//! `Σ p v / Σ p`. Under a prescribed penetration the whole pressure is scaled after each step until that mean is `D`,
+//! which takes no product since `(K + η) p = v − g0` is known:
 //!
 //! ```text
 //! p ← c p,    v ← g0 + c (v − g0),    c = p·(D − g0) / p·(v − g0)
 //! ```
 //!
-//! So both kinds of load take the same steps. A residual that is even over the contact, which preconditioners answer worst, never comes up.
+//! So both kinds of load take the same steps. A residual that is even over the contact, which preconditioners answer
+//! worst, never comes up.
 
 use crate::solver::gradient::control::Control;
 use crate::{
@@ -15,13 +17,15 @@ use crate::{
     vector::{add_scaled, by_parts, dot, each, sum, update, update_with},
 };
 
-/// The pressure is not scaled by much more without a product: what rounding has left in `v − g0` would be scaled with it.
+/// The pressure is not scaled by much more without a product: what rounding has left in `v − g0` would be scaled with
+/// it.
 const LARGEST_GROWTH: f64 = 10.0;
 
-/// A pressure that keeps to the control, with `v = (K + η) p + g0` and the penetration `D` up to date, all in the units of the problem's scale.
+/// A pressure that keeps to the control, with `v = (K + η) p + g0` and the penetration `D` up to date, all in the units
+/// of the problem's scale.
 ///
-/// The pressure is ≥ 0, but for the inner steps of Newton's method. Elements beyond the indenter's end have none and never will: their `v` is without a gap and
-/// means nothing.
+/// The pressure is ≥ 0, but for the inner steps of Newton's method. Elements beyond the indenter's end have none and
+/// never will: their `v` is without a gap and means nothing.
 pub struct State {
     pub control: Control,
     pub pressure: Vec<f64>,
@@ -135,7 +139,8 @@ impl State {
 
     /// `μ = c − 1` for the `work` `p·(K + η) p`; 0 under a prescribed total.
     ///
-    /// A pressure that no scale would bring to the penetration is left as it is, and its total is not kept: there may be no contact.
+    /// A pressure that no scale would bring to the penetration is left as it is, and its total is not kept: there may
+    /// be no contact.
     fn growth(&mut self, work: f64) -> f64 {
         self.keeps_total = true;
         let Control::Penetration(penetration) = self.control else {
@@ -148,8 +153,8 @@ impl State {
         if self.keeps_total { scale - 1.0 } else { 0.0 }
     }
 
-    /// Brings `D` and the mean of `v` together, by `D` or by the scale of the pressure; returns the part `μ` that it has grown by. One product where that
-    /// is much, else none.
+    /// Brings `D` and the mean of `v` together, by `D` or by the scale of the pressure; returns the part `μ` that it
+    /// has grown by. One product where that is much, else none.
     fn balance(&mut self, problem: &mut DiscreteProblem) -> f64 {
         let gap_sum = dot(&self.pressure, &self.initial_gap);
         let growth = self.growth(dot(&self.pressure, &self.v) - gap_sum);
@@ -168,7 +173,8 @@ impl State {
         growth
     }
 
-    /// Takes a pressure that it had before, with its `v` and penetration; whether steps keep its total is found anew, since nothing to scale may be left.
+    /// Takes a pressure that it had before, with its `v` and penetration; whether steps keep its total is found anew,
+    /// since nothing to scale may be left.
     pub fn go_back(&mut self, pressure: &[f64], v: &[f64], penetration: f64) {
         self.pressure.copy_from_slice(pressure);
         self.v.copy_from_slice(v);
@@ -176,8 +182,8 @@ impl State {
         self.growth(dot(pressure, v) - dot(pressure, &self.initial_gap));
     }
 
-    /// Makes a direction conjugate to the pressure where that is scaled, so that a step along it leaves the scale right:
-    /// `d ← d − (d·(v − g0) / p·(v − g0)) p`.
+    /// Makes a direction conjugate to the pressure where that is scaled, so that a step along it leaves the scale
+    /// right: `d ← d − (d·(v − g0) / p·(v − g0)) p`.
     pub fn deflate(&self, direction: &mut [f64]) {
         if self.keeps_total && matches!(self.control, Control::Penetration(_)) {
             let along = |x: &[f64]| dot(x, &self.v) - dot(x, &self.initial_gap);
@@ -201,8 +207,8 @@ impl State {
         }
     }
 
-    /// `p ← p + t s`, `v ← v + t y` with `y = (K + η) s`, and balanced; returns the part that the pressure has grown by then. No product, but where
-    /// that is much.
+    /// `p ← p + t s`, `v ← v + t y` with `y = (K + η) s`, and balanced; returns the part that the pressure has grown by
+    /// then. No product, but where that is much.
     pub fn advance(
         &mut self,
         problem: &mut DiscreteProblem,
@@ -236,7 +242,8 @@ impl State {
         }
     }
 
-    /// The largest line of the certificate, by the running `v`, infinite where something is no number; whether no element pulls.
+    /// The largest line of the certificate, by the running `v`, infinite where something is no number; whether no
+    /// element pulls.
     ///
     /// The complementarity is a mean of gaps in contact, so it is never the largest.
     pub fn residual(&self) -> (f64, bool) {

@@ -1,4 +1,5 @@
-//! Which kind of step comes next: fast ones while they gain, Newton's where they do not, descent from face to face where Newton's fail.
+//! Which kind of step comes next: fast ones while they gain, Newton's where they do not, descent from face to face
+//! where Newton's fail.
 
 use crate::solver::gradient::steps::newton::Turn;
 use crate::solver::gradient::steps::segment::Part;
@@ -14,7 +15,8 @@ pub enum Phase {
     Fast,
     /// Newton's method; the number of times that it failed before.
     Newton(usize),
-    /// From face to face, however slowly: the energy falls. The fast steps again where nothing is known of the operator.
+    /// From face to face, however slowly: the energy falls. The fast steps again where nothing is known of the
+    /// operator.
     Descent,
 }
 
@@ -39,8 +41,8 @@ impl Strategy {
         self.phase
     }
 
-    /// Notes the residual after a fast step, and whether the energy cut the step short, as it does where steps creep along an edge of the contact; true if the
-    /// phase changes.
+    /// Notes the residual after a fast step, and whether the energy cut the step short, as it does where steps creep
+    /// along an edge of the contact; true if the phase changes.
     pub fn after_fast(&mut self, residual: f64, part: Part) -> bool {
         let stalled = self.has_stalled(residual, FAST_PATIENCE) || part == Part::Cut;
         self.phase == Phase::Fast && stalled && self.enter(Phase::Newton(0))

@@ -65,8 +65,8 @@ impl WorkingSet {
         self.revise_by(state, |_, _, p, v| p > 0.0 || v < penetration);
     }
 
-    /// `I ← {p > 0 in I and not on the wrong side} ∪ {what is on the wrong side outside I}`, from the solution on `I`, which may pull: the semismooth Newton step of
-    /// the set.
+    /// `I ← {p > 0 in I and not on the wrong side} ∪ {what is on the wrong side outside I}`, from the solution on `I`,
+    /// which may pull: the semismooth Newton step of the set.
     pub fn exchange(&mut self, state: &State) {
         let wrong = std::mem::take(&mut self.wrong);
         self.revise_by(state, |element, member, p, _| {
@@ -79,8 +79,9 @@ impl WorkingSet {
         self.wrong = wrong;
     }
 
-    /// Finds the elements that will be on the wrong side once the pressure has what is `missing` from it: those that will pull, and those outside that overlap by
-    /// more than a part `slack` of the penetration. Returns how many they are, and how many were or were not by the look before.
+    /// Finds the elements that will be on the wrong side once the pressure has what is `missing` from it: those that
+    /// will pull, and those outside that overlap by more than a part `slack` of the penetration. Returns how many they
+    /// are, and how many were or were not by the look before.
     pub fn look_ahead(&mut self, state: &State, missing: &[f64], slack: f64) -> Ahead {
         let lowest = state.penetration - slack * state.penetration.abs();
         let fields = (state.pressure.par_chunks(PART)).zip(missing.par_chunks(PART));

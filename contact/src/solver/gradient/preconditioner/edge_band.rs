@@ -1,15 +1,16 @@
-//! The band of elements just outside the working set, where the answer of a filter of the whole plane must be made to vanish.
+//! The band of elements just outside the working set, where the answer of a filter of the whole plane must be made to
+//! vanish.
 //!
-//! With `F` the inverse of the system on the whole periodic grid, `I` the working set and `E` all that lies outside, the inverse of the system on `I`
-//! is the Schur complement `F_II − F_IE F_EE⁻¹ F_EI`: it answers a residual `r` on `I` by `F (r + s)`, with the `s` on `E` that makes the answer
-//! vanish there:
+//! With `F` the inverse of the system on the whole periodic grid, `I` the working set and `E` all that lies outside,
+//! the inverse of the system on `I` is the Schur complement `F_II − F_IE F_EE⁻¹ F_EI`: it answers a residual `r` on `I`
+//! by `F (r + s)`, with the `s` on `E` that makes the answer vanish there:
 //!
 //! ```text
 //! F_EE s = −(F r)_E
 //! ```
 //!
-//! `F` falls off so quickly that a band a few elements wide stands for all of `E`, and a few of its coefficients for all of them. Without the
-//! band the filter is wrong at the contact's edge, and that alone takes twice the iterations.
+//! `F` falls off so quickly that a band a few elements wide stands for all of `E`, and a few of its coefficients for
+//! all of them. Without the band the filter is wrong at the contact's edge, and that alone takes twice the iterations.
 
 use rayon::prelude::*;
 
@@ -25,10 +26,11 @@ const REACH: usize = 3;
 const ANSWERS: usize = REACH + 1;
 /// Answers of `F` to a unit, by offset along both axes.
 pub type Answers = [[f64; ANSWERS]; ANSWERS];
-/// Elements from the set to the outer rim of the band, along both axes. One more gains nothing, one less costs a tenth more products.
+/// Elements from the set to the outer rim of the band, along both axes. One more gains nothing, one less costs a tenth
+/// more products.
 const WIDTH: usize = 3;
-/// Part of its residual to which `s` is found, and the steps after which it is good enough as it is: 3 on a homogeneous body, up to all under
-/// a stiff coat.
+/// Part of its residual to which `s` is found, and the steps after which it is good enough as it is: 3 on a homogeneous
+/// body, up to all under a stiff coat.
 const ACCURACY: f64 = 0.1;
 const MOST_STEPS: usize = 12;
 /// Elements worth a thread of their own.
@@ -112,7 +114,8 @@ impl EdgeBand {
         self.elements.is_empty()
     }
 
-    /// Writes `s` for the `answer` `F r` into the band's elements of `field`: conjugate gradients on `F_EE s = −(F r)_E`.
+    /// Writes `s` for the `answer` `F r` into the band's elements of `field`: conjugate gradients on
+    /// `F_EE s = −(F r)_E`.
     pub fn balance(&mut self, answer: &[f64], field: &mut [f64]) {
         update(&mut self.residual, &self.elements, |r, e| *r = -answer[*e]);
         self.solution.fill(0.0);
@@ -167,7 +170,8 @@ impl EdgeBand {
     }
 }
 
-/// The sum of a field times the coefficients around an element; the field from where the coefficient of the lowest offsets lies.
+/// The sum of a field times the coefficients around an element; the field from where the coefficient of the lowest
+/// offsets lies.
 fn stencil(field: &[f64], width: usize, coefficients: &Answers) -> f64 {
     let row = |i: usize| -> &[f64] { &field[i * width..][..=2 * REACH] };
     let mut sum = 0.0;
@@ -189,7 +193,8 @@ fn stencil(field: &[f64], width: usize, coefficients: &Answers) -> f64 {
     sum
 }
 
-/// Where the band's elements lie, on the grid and in the field that its stencil is laid over, which has the elements beyond a quadrant's axes besides.
+/// Where the band's elements lie, on the grid and in the field that its stencil is laid over, which has the elements
+/// beyond a quadrant's axes besides.
 #[derive(Clone, Copy)]
 struct Layout {
     /// Elements per side.

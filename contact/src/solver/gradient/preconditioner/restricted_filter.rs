@@ -1,11 +1,12 @@
 //! The inverse of the system on a working set, made from that on the whole periodic grid.
 //!
-//! `F = F⁻¹ 1/(K̂ + η̄) F` by FFT, with `K̂` the symbol of `K` and `η̄` the mean compliance of the relief over the set; restricted to the set, with the
-//! [band](super::edge_band) outside that sees to it that nothing is answered there. (The symbol is positive; the padded operator's own spectrum is
-//! not where a coat is stiff, and must not be inverted.)
+//! `F = F⁻¹ 1/(K̂ + η̄) F` by FFT, with `K̂` the symbol of `K` and `η̄` the mean compliance of the relief over the set;
+//! restricted to the set, with the [band](super::edge_band) outside that sees to it that nothing is answered there.
+//! (The symbol is positive; the padded operator's own spectrum is not where a coat is stiff, and must not be inverted.)
 //!
-//! With `X` for the inverse of `F_EE` that the band stands for, the answer to `r` is `F_II − F_IE X F_EI`. Where a coat is stiff, near coefficients of `F` all but cancel, as those of a
-//! plate do, and an `X` a tenth wrong makes that negative for even residuals. There the band answers a second time, what the first has left:
+//! With `X` for the inverse of `F_EE` that the band stands for, the answer to `r` is `F_II − F_IE X F_EI`. Where a coat
+//! is stiff, near coefficients of `F` all but cancel, as those of a plate do, and an `X` a tenth wrong makes that
+//! negative for even residuals. There the band answers a second time, what the first has left:
 //!
 //! ```text
 //! M⁻¹ = (1 − F_IE X) F (1 − X F_EI),
@@ -13,14 +14,16 @@
 //!
 //! which is never negative, whatever linear `X`, for one application of `F` more.
 //!
-//! Where compliances `η` differ, as between the elements of a relief and beside them, short waves are right to one of them and wrong to the other. With
-//! `κ = 1/F(0) − η̄`, the body's own compliance to what one element feels, the filter is flanked by powers of the ratio of both:
+//! Where compliances `η` differ, as between the elements of a relief and beside them, short waves are right to one of
+//! them and wrong to the other. With `κ = 1/F(0) − η̄`, the body's own compliance to what one element feels, the filter
+//! is flanked by powers of the ratio of both:
 //!
 //! ```text
 //! M⁻¹ = S F S,    S = ((κ + η̄)/(κ + η))^¼
 //! ```
 //!
-//! The power that would set the short waves right, ½, spoils the long ones; half of it takes a fifth fewer products than none.
+//! The power that would set the short waves right, ½, spoils the long ones; half of it takes a fifth fewer products
+//! than none.
 
 use pellicle_influence::{PeriodicFilter, PeriodicSymbol};
 
@@ -34,7 +37,8 @@ use crate::{
 /// Filters are made for mean compliances in this ratio, and serve those around.
 const MEAN_RATIO: f64 = 1.1;
 
-/// Sum of the coefficients of `F` within the band's reach, in units of the first, below which they count as a plate's: 0.11 on a homogeneous body, more under soft coats.
+/// Sum of the coefficients of `F` within the band's reach, in units of the first, below which they count as a plate's:
+/// 0.11 on a homogeneous body, more under soft coats.
 const PLATE: f64 = 0.08;
 
 /// The restricted inverse on one grid.

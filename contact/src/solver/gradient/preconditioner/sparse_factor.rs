@@ -1,16 +1,16 @@
 //! A factorised sparse approximate inverse of the system on the working set, `(K + η)_II⁻¹ ≈ Gᵀ G`.
 //!
-//! The elements are ordered from coarse to fine. Each is given its nearest *earlier* elements, and its row of `G` is the
-//! last row of the inverse Cholesky factor of the small dense system of these and itself (Kaporin 1994; Vecchia's
+//! The elements are ordered from coarse to fine. Each is given its nearest *earlier* elements, and its row of `G` is
+//! the last row of the inverse Cholesky factor of the small dense system of these and itself (Kaporin 1994; Vecchia's
 //! approximation, optimal in the Kullback–Leibler sense: Schäfer, Katzfuss and Owhadi 2021):
 //!
 //! ```text
 //! (K + η)_nn = L Lᵀ,    Lᵀ g = e_last
 //! ```
 //!
-//! Coefficients depend on the offset alone, so elements with neighbours in the same places and of the same compliances share one
-//! row; inside a contact nearly all of them do. Rows once computed are kept while the set changes. Building it for 10⁵ elements
-//! takes some 30 ms, updating it 20 ms (20 neighbours, one thread).
+//! Coefficients depend on the offset alone, so elements with neighbours in the same places and of the same compliances
+//! share one row; inside a contact nearly all of them do. Rows once computed are kept while the set changes. Building
+//! it for 10⁵ elements takes some 30 ms, updating it 20 ms (20 neighbours, one thread).
 
 mod order;
 mod row;
@@ -31,7 +31,8 @@ use crate::{grid::sector::Sector, grid::window::Window};
 const OUTSIDE: u32 = u32::MAX;
 /// Places looked at for each neighbour wanted: an island's outermost elements find few nearby.
 const PLACES_PER_NEIGHBOUR: usize = 8;
-/// Elements, in units of the spacing of an element's level, from the axis of a quadrant within which mirror images count in a row.
+/// Elements, in units of the spacing of an element's level, from the axis of a quadrant within which mirror images
+/// count in a row.
 const NEAR_AXIS: u32 = 8;
 /// Numbers in a pattern before the neighbours.
 const HEAD: usize = 4;
@@ -58,8 +59,8 @@ pub struct SparseFactor {
     product: Vec<f64>,
 }
 
-/// A row depends on this alone: level and colour, the element's class, its distance from the axes of a quadrant if they are near, and of each neighbour
-/// the index of its offset and its class.
+/// A row depends on this alone: level and colour, the element's class, its distance from the axes of a quadrant if they
+/// are near, and of each neighbour the index of its offset and its class.
 type Pattern = Box<[u32]>;
 
 /// A row of `G`.

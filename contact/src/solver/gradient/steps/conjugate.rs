@@ -17,7 +17,8 @@ const MIN_PART: usize = 1 << 12;
 pub enum Course {
     /// All pressures of the set stayed positive: the directions go on.
     Kept,
-    /// Some would have pulled and were held at zero: the set is another one now, and the next step must not be conjugate.
+    /// Some would have pulled and were held at zero: the set is another one now, and the next step must not be
+    /// conjugate.
     Left(Part),
 }
 
@@ -69,8 +70,8 @@ impl ConjugateDirections {
         }
     }
 
-    /// One step that stops where an element would pull, and goes on from there with that element at zero, as far as the energy
-    /// does not rise: one product, two where it is stopped.
+    /// One step that stops where an element would pull, and goes on from there with that element at zero, as far as the
+    /// energy does not rise: one product, two where it is stopped.
     pub fn step_within(&mut self, context: &mut Context<'_>) -> Course {
         self.aim(context);
         let alpha = self.reach(context);
@@ -88,7 +89,8 @@ impl ConjugateDirections {
         Course::Left(context.take_segment(ceiling))
     }
 
-    /// One step along the direction last [aimed](Self::aim) at, which may pull: one product. False if there is nowhere to go.
+    /// One step along the direction last [aimed](Self::aim) at, which may pull: one product. False if there is nowhere
+    /// to go.
     pub fn step_freely(&mut self, context: &mut Context<'_>) -> bool {
         let alpha = self.reach(context);
         if alpha.is_finite() {
@@ -97,7 +99,8 @@ impl ConjugateDirections {
         alpha.is_finite()
     }
 
-    /// The preconditioned residual `z` that was last aimed with: by the preconditioner's account, what is missing from the pressure.
+    /// The preconditioned residual `z` that was last aimed with: by the preconditioner's account, what is missing from
+    /// the pressure.
     pub fn missing(&self) -> &[f64] {
         &self.preconditioned
     }

@@ -1,15 +1,18 @@
 //! Descent from face to face: the floor under Newton's method, which always comes down and always ends.
 //!
-//! A face is a set of elements whose pressures are free. From an admissible pressure conjugate gradients solve the linear system on the face; then
+//! A face is a set of elements whose pressures are free. From an admissible pressure conjugate gradients solve the
+//! linear system on the face; then
 //!
 //! - nothing pulls: that is the least energy of the face, and what overlaps is taken in;
-//! - something pulls that had no pressure before: it does not belong, leaves the face, and the system is solved again from where it began;
-//! - something else pulls: it loses its pressure and leaves, as much of it at once as lowers the energy more than stopping where the first element would pull;
-//!   there the energy is lower than before for certain.
+//! - something pulls that had no pressure before: it does not belong, leaves the face, and the system is solved again
+//!   from where it began;
+//! - something else pulls: it loses its pressure and leaves, as much of it at once as lowers the energy more than
+//!   stopping where the first element would pull; there the energy is lower than before for certain.
 //!
-//! The energy falls from each admissible pressure to the next, so no face is solved twice, and there are finitely many (Lawson and Hanson 1974; many elements at once as
-//! Portugal, Júdice and Vicente 1994). Where contact under a plate is a few elements among many that overlap by little, Newton's method leaps from one set
-//! to another that shares none with it, and back; this does not.
+//! The energy falls from each admissible pressure to the next, so no face is solved twice, and there are finitely many
+//! (Lawson and Hanson 1974; many elements at once as Portugal, Júdice and Vicente 1994). Where contact under a plate is
+//! a few elements among many that overlap by little, Newton's method leaps from one set to another that shares none
+//! with it, and back; this does not.
 
 use crate::solver::gradient::context::Context;
 use crate::solver::gradient::state::State;
@@ -17,7 +20,8 @@ use crate::solver::gradient::steps::conjugate::ConjugateDirections;
 use crate::solver::gradient::steps::segment::Segment;
 use crate::vector::{add_scaled, update, update_with};
 
-/// Largest error of the solution on a face, relative to the first, in the metric of the preconditioner; its square is the error of the energy.
+/// Largest error of the solution on a face, relative to the first, in the metric of the preconditioner; its square is
+/// the error of the energy.
 const SETTLED: f64 = 1e-2;
 /// Steps of one linear system after which it is taken as it is: conjugate gradients have lowered the energy with each.
 const MOST_STEPS: usize = 60;
@@ -118,8 +122,8 @@ impl FaceDescent {
         ends
     }
 
-    /// Goes on until a part of the elements that pull have no pressure, as large as has lately lowered the energy more than stopping at the first, and where that
-    /// does not, stops at the first: one product, or none.
+    /// Goes on until a part of the elements that pull have no pressure, as large as has lately lowered the energy more
+    /// than stopping at the first, and where that does not, stops at the first: one product, or none.
     fn come_down(&mut self, context: &mut Context<'_>, ends: &[f64]) {
         let Context {
             problem,

@@ -1,14 +1,16 @@
 //! The semismooth Newton method: solve on a set, then exchange all elements that are on the wrong side.
 //!
-//! On the set `I` the linear system is solved by preconditioned conjugate gradients, whatever the signs of the pressures, until it is clear which elements are on
-//! the wrong side. Then those that pull leave the set, those that overlap enter it, and the pressures are made admissible again (Hintermüller, Ito and Kunisch
-//! 2003). It finds the set in few exchanges where the contact breaks up into rings and edges, and descending step by step does not; but nothing proves that it
-//! ends, so its caller watches it.
+//! On the set `I` the linear system is solved by preconditioned conjugate gradients, whatever the signs of the
+//! pressures, until it is clear which elements are on the wrong side. Then those that pull leave the set, those that
+//! overlap enter it, and the pressures are made admissible again (Hintermüller, Ito and Kunisch 2003). It finds the set
+//! in few exchanges where the contact breaks up into rings and edges, and descending step by step does not; but nothing
+//! proves that it ends, so its caller watches it.
 //!
-//! **When it is clear.** Under a stiff coat `K` falls off so steeply with the wavenumber that the residual says nothing of the short waves of the pressure: solved to a
-//! tenth of it, a system exchanges what is noise. What is still missing from the pressure, by the preconditioner's account, does say it. So the elements on the wrong side
-//! are looked for one step ahead, and the system is solved until they are the same as a step before, but for a third of them; where they are a few, which flip to and
-//! fro, until nothing else is missing either.
+//! **When it is clear.** Under a stiff coat `K` falls off so steeply with the wavenumber that the residual says nothing
+//! of the short waves of the pressure: solved to a tenth of it, a system exchanges what is noise. What is still missing
+//! from the pressure, by the preconditioner's account, does say it. So the elements on the wrong side are looked for
+//! one step ahead, and the system is solved until they are the same as a step before, but for a third of them; where
+//! they are a few, which flip to and fro, until nothing else is missing either.
 
 use crate::solver::gradient::context::Context;
 use crate::solver::gradient::steps::conjugate::ConjugateDirections;
@@ -57,8 +59,8 @@ impl Newton {
         (self.first, self.steps) = (None, 0);
     }
 
-    /// One step of the present linear system, or the exchange where it is solved far enough for a `tolerance`: one product, or one where
-    /// elements pull.
+    /// One step of the present linear system, or the exchange where it is solved far enough for a `tolerance`: one
+    /// product, or one where elements pull.
     pub fn step(&mut self, context: &mut Context<'_>, tolerance: f64) -> Turn {
         if self.first.is_none() {
             // Many elements change at once: an even answer cut to what is left would cost every sixth product more.

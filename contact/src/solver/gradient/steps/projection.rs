@@ -3,8 +3,8 @@
 use crate::solver::gradient::control::Control;
 use crate::vector::{by_parts, each, sum};
 
-/// Replaces `x`, a value of each element that may press, by the nearest pressure `p ≥ 0` that keeps to the control: `p = max(x − θ, 0)`, where `θ` gives
-/// the prescribed total (0 where none is prescribed).
+/// Replaces `x`, a value of each element that may press, by the nearest pressure `p ≥ 0` that keeps to the control:
+/// `p = max(x − θ, 0)`, where `θ` gives the prescribed total (0 where none is prescribed).
 ///
 /// `θ` is the root of a convex, piecewise linear, falling function; Newton's method from below reaches it in
 /// finitely many steps (Michelot 1986).

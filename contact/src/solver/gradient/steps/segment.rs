@@ -49,8 +49,8 @@ impl Segment {
         dot(&self.step, &self.image)
     }
 
-    /// Takes the step: all of it unless the energy would rise above `ceiling`, then up to its minimum on the segment. One
-    /// product.
+    /// Takes the step: all of it unless the energy would rise above `ceiling`, then up to its minimum on the segment.
+    /// One product.
     pub fn take(&mut self, problem: &mut DiscreteProblem, state: &mut State, ceiling: f64) -> Part {
         state.image_into(problem, &self.step, &mut self.image);
         let (slope, curvature) = (self.slope(state), self.curvature());
@@ -71,7 +71,8 @@ impl Segment {
         if whole { Part::Whole } else { Part::Cut }
     }
 
-    /// The part of the step that was taken and its image, with the growth after it: `s ← t s + μ/(1 + μ) p`, `y ← t y + μ/(1 + μ) (v − g0)`.
+    /// The part of the step that was taken and its image, with the growth after it: `s ← t s + μ/(1 + μ) p`,
+    /// `y ← t y + μ/(1 + μ) (v − g0)`.
     fn count_growth(&mut self, state: &State, part: f64, growth: f64) {
         let ratio = growth / (1.0 + growth);
         update(&mut self.step, &state.pressure, |s, p| {

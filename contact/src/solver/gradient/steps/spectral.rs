@@ -1,8 +1,9 @@
 //! Spectral steps: one product each, for as long as the working set changes.
 //!
-//! `p' = max(p + α z, 0)` brought to the total that is kept, with `z = M⁻¹(λ − v)` the preconditioned residual and the step
-//! `α = s·y / (y·M⁻¹y)`, `s = Δp`, `y = Δv` of the step before (Barzilai and Borwein 1988, in the preconditioner's
-//! metric). `M⁻¹y` is not computed but taken from the two residuals: `M⁻¹Δv = M⁻¹1 Δλ − Δz`, as far as the set is the same.
+//! `p' = max(p + α z, 0)` brought to the total that is kept, with `z = M⁻¹(λ − v)` the preconditioned residual and the
+//! step `α = s·y / (y·M⁻¹y)`, `s = Δp`, `y = Δv` of the step before (Barzilai and Borwein 1988, in the preconditioner's
+//! metric). `M⁻¹y` is not computed but taken from the two residuals: `M⁻¹Δv = M⁻¹1 Δλ − Δz`, as far as the set is the
+//! same.
 
 use crate::solver::gradient::steps::projection::project;
 use crate::solver::gradient::steps::segment::{Part, Segment};
@@ -73,8 +74,8 @@ impl SpectralSteps {
         self.energies.push(energy);
     }
 
-    /// `s = Π(p + α r) − p` on the working set, which starts downhill for every `α > 0`; `α` minimises the energy along the plain
-    /// residual `r`: one product.
+    /// `s = Π(p + α r) − p` on the working set, which starts downhill for every `α > 0`; `α` minimises the energy along
+    /// the plain residual `r`: one product.
     fn project_plain_gradient(&mut self, context: &mut Context<'_>) {
         let Context {
             problem,

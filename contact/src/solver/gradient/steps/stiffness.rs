@@ -1,11 +1,12 @@
 //! The contact stiffness `dQ/dD`: how the force grows with the penetration while the set of elements in contact stays.
 //!
-//! Differentiating `(K + η) p + g0 = D` on the contact `I` gives `(K + η)_II q = 1` for `q = dp/dD`, and `dQ/dD = 4a² Σ q`. Conjugate
-//! gradients raise `Σ q = qᵀ (K + η) q` at each step by `α r·z` to its largest value, so the error of the sum is the square of that of the solution.
+//! Differentiating `(K + η) p + g0 = D` on the contact `I` gives `(K + η)_II q = 1` for `q = dp/dD`, and
+//! `dQ/dD = 4a² Σ q`. Conjugate gradients raise `Σ q = qᵀ (K + η) q` at each step by `α r·z` to its largest value, so
+//! the error of the sum is the square of that of the solution.
 //!
-//! The pressure itself is a first direction for nothing, since its image `(K + η) p = v − g0` is known: they begin from `q = c p` with the `c`
-//! that raises the sum most, and all later directions are kept conjugate to `p`. (Deflation; Nicolaides 1987.) That spares a product of four on a homogeneous body, and
-//! two of seven under a stiff coat.
+//! The pressure itself is a first direction for nothing, since its image `(K + η) p = v − g0` is known: they begin from
+//! `q = c p` with the `c` that raises the sum most, and all later directions are kept conjugate to `p`. (Deflation;
+//! Nicolaides 1987.) That spares a product of four on a homogeneous body, and two of seven under a stiff coat.
 
 use crate::solver::gradient::{
     context::Context,
@@ -13,13 +14,14 @@ use crate::solver::gradient::{
 };
 use crate::vector::{add_scaled, dot, sum, update_with};
 
-/// Part of the sum that the next step would add, by the last one's `α`, from which on it is not taken but estimated: true to a third of itself.
+/// Part of the sum that the next step would add, by the last one's `α`, from which on it is not taken but estimated:
+/// true to a third of itself.
 const SMALLEST_GAIN: f64 = 1e-6;
 /// Steps after which the stiffness is held not to be found.
 const MOST_STEPS: usize = 300;
 
-/// `Σ q`, in the units of the problem's scale, to some 1e-7 of itself, on the set of the state's elements that press, which is not empty; and the products that it took. None
-/// if the system does not converge.
+/// `Σ q`, in the units of the problem's scale, to some 1e-7 of itself, on the set of the state's elements that press,
+/// which is not empty; and the products that it took. None if the system does not converge.
 pub fn pressure_sum_per_penetration(
     context: &mut Context<'_>,
     conjugate: &mut ConjugateDirections,

@@ -1,9 +1,9 @@
 //! The order from coarse to fine, and where the nearest earlier elements of an element lie.
 //!
 //! An element of indices (i, j) is of the level `l` for which 2ˡ is the largest power of two that divides both, and of
-//! one of three colours by the parities of (i, j)/2ˡ. Higher levels come first; within a level first the elements with both
-//! odd, then those with the first odd, then the rest; within a colour by index. Which offsets lead to earlier elements then
-//! depends on the colour alone, in units of 2ˡ.
+//! one of three colours by the parities of (i, j)/2ˡ. Higher levels come first; within a level first the elements with
+//! both odd, then those with the first odd, then the rest; within a colour by index. Which offsets lead to earlier
+//! elements then depends on the colour alone, in units of 2ˡ.
 
 /// Number of colours.
 pub const COLOURS: u32 = 3;
@@ -32,7 +32,8 @@ impl Rank {
     }
 }
 
-/// The `count` offsets, nearest first and in units of the level's spacing, that lead from an element of `colour` to earlier elements.
+/// The `count` offsets, nearest first and in units of the level's spacing, that lead from an element of `colour` to
+/// earlier elements.
 pub fn earlier_offsets(colour: u32, count: usize) -> Vec<[i32; 2]> {
     let mut offsets = Vec::new();
     let mut reach = 4;
