@@ -6,7 +6,7 @@
 //! squares as far as the indenter is lower than `D`. Under an indenter that rises from its axis the height alone mostly
 //! settles it, or a few blocks do.
 
-use std::sync::Arc;
+use std::{cell::OnceCell, sync::Arc};
 
 use pellicle_influence::SurfaceElasticity;
 use pellicle_texture::{Grid, Relief};
@@ -84,8 +84,8 @@ struct Blocks {
     smallest_gap: f64,
     /// The indenter's smallest height there, m.
     lowest: f64,
-    /// None where no coefficients can be had for blocks so large.
-    elasticity: Option<Option<Arc<SurfaceElasticity>>>,
+    /// Made when it is first asked for; none where no coefficients can be had for blocks so large.
+    elasticity: OnceCell<Option<Arc<SurfaceElasticity>>>,
 }
 
 impl<'a> Surroundings<'a> {
@@ -241,31 +241,25 @@ impl Blocks {
             smallest_gap: gaps.iter().copied().fold(f64::INFINITY, f64::min),
             gaps,
             lowest,
-            elasticity: None,
+            elasticity: OnceCell::new(),
         }
     }
 
-    fn elasticity(&mut self, model: &Model) -> Option<&Arc<SurfaceElasticity>> {
-        let around = self.around;
-        self.elasticity
-            .get_or_insert_with(|| around.elasticity(model))
-            .as_ref()
+    fn elasticity(&self, model: &Model) -> Option<&Arc<SurfaceElasticity>> {
+        let made = self
+            .elasticity
+            .get_or_init(|| self.around.elasticity(model));
+        made.as_ref()
     }
 
     /// Whether there are coefficients for blocks so large.
-    fn can_move(&mut self, model: &Model) -> bool {
+    fn can_move(&self, model: &Model) -> bool {
         self.elasticity(model).is_some()
     }
 
     /// Whether the gap from the undeformed indenter to the moved surface is anywhere less than `limit` (m); false
     /// without coefficients.
-    fn is_closer_than(
-        &mut self,
-        limit: f64,
-        model: &Model,
-        grid: &Grid,
-        solution: &Solution,
-    ) -> bool {
+    fn is_closer_than(&self, limit: f64, model: &Model, grid: &Grid, solution: &Solution) -> bool {
         if self.smallest_gap >= limit {
             return false;
         }
