@@ -50,7 +50,7 @@ const ANGLES: u32 = 360;
 /// The side (m) of the square to try first for all `loads`: three times the largest estimated contact radius.
 ///
 /// Where no load makes contact, twice the radius at which the indenter stands one foundation thickness high, or as high
-/// as it hangs (or 1 m). See [`choose_side`] for the square to solve on.
+/// as it hangs (or 1 m). See [`choose_side`](crate::choose_side) for the square to solve on.
 #[must_use]
 pub fn default_side(model: &Model, loads: &[Load]) -> f64 {
     let radii = largest(loads).map(|load| contact_radius(model, load));
