@@ -26,9 +26,9 @@ pub use indenter::{
 };
 pub use path::{
     LoadingPath,
-    cautions::{domain_much_larger, model_warnings},
     domain::{Domain, choice::choose_side, default_side},
     loads_at_once, solve_path,
+    warnings::{domain_much_larger, model_warnings},
 };
 pub use problem::{
     discrete_problem::{DiscreteProblem, Identity},

@@ -4,11 +4,11 @@
 //! itself or as a correction: one to three products fewer. So no load depends on another, bit for bit, and on grids too
 //! small to keep all threads busy as many loads are solved at the same time as there are threads.
 
-pub mod cautions;
 pub mod domain;
 mod hierarchy;
 mod level;
 mod levels;
+pub mod warnings;
 
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -138,7 +138,7 @@ fn solve_on_domains(
         Domain::Automatic => (choose_side(model, loads)?, ENLARGEMENTS),
     };
     loop {
-        cautions::check_elements(model, side, elements, loads)?;
+        warnings::check_elements(model, side, elements, loads)?;
         let hierarchy = Hierarchy::new(model, side, elements, loads.len(), &options);
         let mut run = PathRun {
             lanes: hierarchy.lanes(loads_at_once(elements, loads.len()))?,
@@ -232,7 +232,7 @@ impl PathRun<'_> {
         for step in &mut self.steps {
             step.cut_off = surroundings.what_cuts_off(&step.solution);
         }
-        let warnings = cautions::warnings(model, &grid, domain, loads, &self.steps);
+        let warnings = warnings::warnings(model, &grid, domain, loads, &self.steps);
         Ok(LoadingPath {
             grid,
             warnings,

@@ -11,7 +11,7 @@ use crate::display::{self, Unit, quantity, significant};
 use crate::failure::Failure;
 use crate::forecast::Forecast;
 use crate::map::spectrum;
-use crate::output::disk;
+use crate::output::disk_space;
 use crate::program::Outcome;
 use crate::{cache, terminal};
 
@@ -67,7 +67,7 @@ fn estimates(case: &Case, forecast: &Forecast, chosen: bool) -> Result<String, F
     lines.maps(case, element_side);
     lines.add("loading steps", &case.load.steps().len().to_string());
     lines.add("memory, about", &display::memory(forecast.need.bytes));
-    lines.add("disk, about", &megabytes(disk::bytes(case)));
+    lines.add("disk, about", &megabytes(disk_space::bytes(case)));
     if let Some([least, most]) = forecast.products(case.grid.elements) {
         lines.add(
             "products with K a step, about",

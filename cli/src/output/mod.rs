@@ -2,7 +2,7 @@
 
 pub mod curve;
 pub mod desk;
-pub mod disk;
+pub mod disk_space;
 pub mod fields;
 pub mod file;
 pub mod folder;

@@ -12,7 +12,7 @@
 //! [`choose_side`](crate::choose_side) asks a solution on a coarse grid whether it is large enough.
 
 pub mod choice;
-mod search;
+mod root;
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::sync::LazyLock;
@@ -20,7 +20,7 @@ use std::sync::LazyLock;
 use pellicle_texture::Relief;
 
 use crate::{Indenter, Load, Model};
-use search::where_zero;
+use root::where_zero;
 
 /// The square on which the problem is solved.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

@@ -47,7 +47,7 @@
 mod best;
 mod context;
 mod control;
-mod iteration;
+mod ongoing_solution;
 mod preconditioner;
 mod state;
 mod steps;
@@ -55,7 +55,7 @@ mod strategy;
 mod working_set;
 
 use self::{
-    iteration::{Iteration, Workspace},
+    ongoing_solution::{OngoingSolution, Workspace},
     strategy::{Phase, Strategy},
 };
 use super::{Iterate, Solver, SolverOptions, Watch};
@@ -83,49 +83,47 @@ impl Solver for GradientSolver {
         watch: &mut Watch<'_>,
     ) -> Result<Iterate, ContactError> {
         let workspace = self.workspace_for(problem);
-        let mut iteration = Iteration::begin(problem, workspace, load, start);
+        let mut solution = OngoingSolution::begin(problem, workspace, load, start);
         let mut strategy = Strategy::new();
         let mut residuals = Vec::new();
         let ending = loop {
-            let (residual, is_admissible) = iteration.judge();
-            iteration.tell(watch, residuals.len(), residual)?;
+            let (residual, is_admissible) = solution.judge();
+            solution.tell(watch, residuals.len(), residual)?;
             residuals.push(residual);
-            if let Some(ending) = self.ending(&iteration, &strategy, residual, is_admissible) {
+            if let Some(ending) = self.ending(&solution, &strategy, residual, is_admissible) {
                 break ending;
             }
             if !residual.is_finite() {
                 // Nothing was left of the pressure, or rounding is all there is: back to the best.
                 strategy.descend();
-                iteration.begin_descent();
+                solution.begin_descent();
                 continue;
             }
             let begins_phase = match strategy.phase() {
                 Phase::Newton(_) => {
-                    strategy.after_newton(residual, iteration.newton_step(self.options.tolerance))
+                    strategy.after_newton(residual, solution.newton_step(self.options.tolerance))
                 }
-                Phase::Descent if iteration.knows_operator() => iteration.face_step(),
-                Phase::Fast | Phase::Descent => {
-                    strategy.after_fast(residual, iteration.fast_step())
-                }
+                Phase::Descent if solution.knows_operator() => solution.face_step(),
+                Phase::Fast | Phase::Descent => strategy.after_fast(residual, solution.fast_step()),
             };
             if begins_phase {
-                iteration.begin_phase(&mut strategy);
+                solution.begin_phase(&mut strategy);
             }
         };
         let stiffness = (ending == Ending::Solved && self.options.contact_stiffness)
-            .then(|| iteration.contact_stiffness());
+            .then(|| solution.contact_stiffness());
         let (contact_stiffness, stiffness_applications) = stiffness.unwrap_or((None, 0));
         let iterate = Iterate {
             iterations: residuals.len() - 1,
-            operator_applications: iteration.applications(),
-            penetration: iteration.penetration(),
+            operator_applications: solution.applications(),
+            penetration: solution.penetration(),
             residuals,
             contact_stiffness,
             stiffness_applications,
             reached_border: ending == Ending::ReachedBorder,
-            ..Iterate::of(iteration.best_pressure())
+            ..Iterate::of(solution.best_pressure())
         };
-        let workspace = iteration.into_workspace();
+        let workspace = solution.into_workspace();
         self.memory = Some((problem.identity().clone(), workspace));
         Ok(iterate)
     }
@@ -164,7 +162,7 @@ impl GradientSolver {
 
     fn ending(
         &self,
-        iteration: &Iteration<'_>,
+        solution: &OngoingSolution<'_>,
         strategy: &Strategy,
         residual: f64,
         is_admissible: bool,
@@ -172,12 +170,12 @@ impl GradientSolver {
         let options = &self.options;
         // A descent that ends in no number would only begin again.
         let is_lost = residual.is_infinite() && strategy.phase() == Phase::Descent;
-        if iteration.reaches_border() {
+        if solution.reaches_border() {
             Some(Ending::ReachedBorder)
         } else if is_admissible && residual <= TOLERANCE_MARGIN * options.tolerance {
             Some(Ending::Solved)
         } else {
-            (is_lost || iteration.applications() >= options.max_applications)
+            (is_lost || solution.applications() >= options.max_applications)
                 .then_some(Ending::GivenUp)
         }
     }

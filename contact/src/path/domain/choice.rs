@@ -9,9 +9,9 @@ use std::ops::ControlFlow;
 use super::{default_side, largest, radius_at};
 use crate::{
     ContactError, Indenter, Load, Model, SolverOptions, Step,
-    path::cautions::EDGE_MARGIN,
     path::hierarchy::Hierarchy,
     path::levels::COARSE_TOLERANCE,
+    path::warnings::EDGE_MARGIN,
     result::cut_off::{self, Surroundings},
     solver::Watch,
 };

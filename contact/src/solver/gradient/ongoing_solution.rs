@@ -84,7 +84,7 @@ impl Workspace {
 }
 
 /// Everything that one solution carries from step to step.
-pub struct Iteration<'a> {
+pub struct OngoingSolution<'a> {
     problem: &'a mut DiscreteProblem,
     workspace: Box<Workspace>,
     course: Course,
@@ -92,7 +92,7 @@ pub struct Iteration<'a> {
     residual: f64,
 }
 
-impl<'a> Iteration<'a> {
+impl<'a> OngoingSolution<'a> {
     /// Begins a load, of which nothing depends on the one before, from a pressure (Pa): one product.
     pub fn begin(
         problem: &'a mut DiscreteProblem,
