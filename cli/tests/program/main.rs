@@ -15,6 +15,7 @@ mod guide;
 mod interrupt;
 mod keeping;
 mod maps;
+mod odd_values;
 mod pictures;
 mod read_back;
 mod runner;
