@@ -103,7 +103,10 @@ impl Solver for GradientSolver {
                 Phase::Newton(_) => {
                     strategy.after_newton(residual, solution.newton_step(self.options.tolerance))
                 }
-                Phase::Descent if solution.knows_operator() => solution.face_step(),
+                Phase::Descent if solution.knows_operator() => {
+                    solution.face_step();
+                    false
+                }
                 Phase::Fast | Phase::Descent => strategy.after_fast(residual, solution.fast_step()),
             };
             if begins_phase {

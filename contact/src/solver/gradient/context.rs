@@ -3,7 +3,9 @@
 use crate::{
     DiscreteProblem,
     solver::gradient::{
-        preconditioner::Preconditioner, state::State, steps::segment::Segment,
+        preconditioner::Preconditioner,
+        state::State,
+        steps::segment::{Part, Segment},
         working_set::WorkingSet,
     },
 };
@@ -26,7 +28,7 @@ impl Context<'_> {
     }
 
     /// Takes the [segment](Segment::take), unless the energy would rise above `ceiling`: one product.
-    pub fn take_segment(&mut self, ceiling: f64) -> super::steps::segment::Part {
+    pub fn take_segment(&mut self, ceiling: f64) -> Part {
         self.segment.take(self.problem, self.state, ceiling)
     }
 }

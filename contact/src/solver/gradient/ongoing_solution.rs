@@ -187,13 +187,12 @@ impl<'a> OngoingSolution<'a> {
         newton.step(&mut context, tolerance)
     }
 
-    /// A step of the linear system on the face, or to the next face. It never ends its phase, and says so.
-    pub fn face_step(&mut self) -> bool {
+    /// A step of the linear system on the face, or to the next face.
+    pub fn face_step(&mut self) {
         let (mut context, methods) = self.workspace.on(self.problem);
         if let Some(faces) = &mut methods.faces {
             faces.step(&mut context);
         }
-        false
     }
 
     /// Prepares the phase that has just begun.
