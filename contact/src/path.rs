@@ -14,7 +14,7 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Instant;
 
-use pellicle_influence::{Origin, SurfaceElasticity};
+use pellicle_influence::{Origin, Sector, SurfaceElasticity};
 use pellicle_texture::{Grid, Relief};
 use rayon::prelude::*;
 
@@ -84,7 +84,8 @@ impl LoadingPath {
         let size = self.grid.size();
         let presses = |[i, j]: [usize; 2]| pressure[i * size + j] > 0.0;
         let window = Window::whole(size).around(presses);
-        let mut operator = elasticity.under_window(size, window.origin(), window.size());
+        let mut operator =
+            elasticity.under_window((Sector::Whole, size), window.origin(), window.size());
         let mut displacement = vec![0.0; pressure.len()];
         operator.apply_into(&window.cut(pressure), &mut displacement);
         Some(DeformedSurface::new(

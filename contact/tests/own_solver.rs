@@ -36,7 +36,7 @@ impl Solver for DropOnly {
         _: &[f64],
         watch: &mut Watch<'_>,
     ) -> Result<Iterate, ContactError> {
-        let area = problem.element_area();
+        let area = problem.loaded_area();
         let matrix = matrix(problem);
         let gap = DVector::from_column_slice(problem.initial_gap());
         let mut members: Vec<usize> = (0..ELEMENTS).collect();

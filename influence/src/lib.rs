@@ -81,6 +81,7 @@ mod numerics;
 mod operator;
 mod radial;
 mod response;
+mod sector;
 mod surface_elasticity;
 mod transform;
 
@@ -93,4 +94,5 @@ pub use operator::{
     ConvolutionOperator, DenseOperator, ElasticOperator, QuadrantOperator, WindowOperator,
 };
 pub use radial::RadialTables;
+pub use sector::Sector;
 pub use surface_elasticity::SurfaceElasticity;

@@ -6,7 +6,8 @@ use pellicle_kernel::Foundation;
 
 use crate::coefficient_table::CoefficientTable;
 use crate::filter::PeriodicSymbol;
-use crate::operator::{ConvolutionOperator, QuadrantOperator, WindowOperator};
+use crate::operator::{ConvolutionOperator, ElasticOperator, QuadrantOperator, WindowOperator};
+use crate::sector::Sector;
 use crate::transform::half_length;
 
 /// The influence coefficients of elements of one size, and the operators of square windows of a grid.
@@ -85,32 +86,31 @@ impl SurfaceElasticity {
         ConvolutionOperator::windowed(&self.table, size)
     }
 
-    /// `K p` on a grid of `grid` × `grid` elements for pressures on a window of `size` × `size`, the first of which
+    /// `K p` on a sector of `size` × `size` elements.
+    ///
+    /// # Panics
+    /// As [`Self::operator`], or [`QuadrantOperator::new`].
+    #[must_use]
+    pub fn operator_on(&self, sector: Sector, size: usize) -> Box<dyn ElasticOperator> {
+        match sector {
+            Sector::Whole => Box::new(self.operator(size)),
+            Sector::Quadrant => Box::new(QuadrantOperator::new(&self.table, size)),
+        }
+    }
+
+    /// `K p` on a sector of `shown` × `shown` elements for pressures on a window of `size` × `size`, the first of which
     /// is the element `origin`.
     ///
     /// # Panics
     /// As [`WindowOperator::new`].
     #[must_use]
-    pub fn under_window(&self, grid: usize, origin: [usize; 2], size: usize) -> WindowOperator {
-        WindowOperator::new(&self.table, grid, origin, size)
-    }
-
-    /// `K p` on a quadrant of `size` × `size` elements, for pressures that are symmetric in x and y.
-    ///
-    /// # Panics
-    /// As [`QuadrantOperator::new`].
-    #[must_use]
-    pub fn quadrant(&self, size: usize) -> QuadrantOperator {
-        QuadrantOperator::new(&self.table, size)
-    }
-
-    /// `K p` on a quadrant of `quadrant` × `quadrant` elements for pressures on the `size` × `size` next to the axis.
-    ///
-    /// # Panics
-    /// As [`WindowOperator::on_quadrant`].
-    #[must_use]
-    pub fn under_window_on_quadrant(&self, quadrant: usize, size: usize) -> WindowOperator {
-        WindowOperator::on_quadrant(&self.table, quadrant, size)
+    pub fn under_window(
+        &self,
+        (sector, shown): (Sector, usize),
+        origin: [usize; 2],
+        size: usize,
+    ) -> WindowOperator {
+        WindowOperator::new(&self.table, (sector, shown), origin, size)
     }
 
     /// The analytic symbol on a periodic grid of `size` × `size` elements, for preconditioners.

@@ -4,7 +4,7 @@ use std::iter::successors;
 
 use pellicle_influence::{
     CoefficientTable, ConvolutionOperator, DenseOperator, ElasticOperator, QuadrantOperator,
-    WindowOperator, love,
+    Sector, WindowOperator, love,
 };
 use pellicle_kernel::Material;
 
@@ -80,7 +80,8 @@ fn a_quadrant_moves_as_the_whole_surface_does() {
                 &unfolded(&pressure, size),
             );
             let mut found = vec![f64::NAN; size * size];
-            let mut under_window = WindowOperator::on_quadrant(&table, size, loaded);
+            let mut under_window =
+                WindowOperator::new(&table, (Sector::Quadrant, size), [0; 2], loaded);
             let mut operator = QuadrantOperator::new(&table, size);
             for is_whole in [false, false, true, true] {
                 if is_whole {
@@ -119,7 +120,7 @@ fn under_a_window_the_grid_moves_as_under_the_whole_pressure() {
         }
         let expected = apply(&mut ConvolutionOperator::new(&table), &pressure);
         let mut found = vec![f64::NAN; size * size];
-        let mut under_window = WindowOperator::new(&table, size, origin, part);
+        let mut under_window = WindowOperator::new(&table, (Sector::Whole, size), origin, part);
         for _ in 0..2 {
             under_window.apply_into(&loads, &mut found);
             for (u, wanted) in found.iter().zip(&expected) {
@@ -142,8 +143,9 @@ fn a_window_beyond_the_grid_is_no_window() {
         (8, [2, 2], 0),
         (9, [2, 2], 3),
     ] {
-        let attempt =
-            std::panic::catch_unwind(|| WindowOperator::new(&steel_table(8), grid, origin, size));
+        let attempt = std::panic::catch_unwind(|| {
+            WindowOperator::new(&steel_table(8), (Sector::Whole, grid), origin, size)
+        });
         assert!(attempt.is_err(), "{origin:?}, {size} of {grid}");
     }
 }

@@ -3,10 +3,8 @@
 //! Only elements with pressure or overlap take part in an iteration; as much of the rest as may overlap is looked at
 //! once, by the certificate.
 
-use pellicle_influence::SurfaceElasticity;
+use pellicle_influence::{Sector, SurfaceElasticity};
 use rayon::prelude::*;
-
-use crate::grid::sector::Sector;
 
 /// Elements between the contact expected and the window's border, at least.
 const MARGIN: usize = 3;
@@ -18,6 +16,9 @@ const MARGIN_PART: usize = 24;
 
 /// Elements worth a thread of their own.
 const ELEMENTS_PER_THREAD: usize = 1 << 14;
+
+/// Row and column among the elements of a window, which may lie before it: there is a mirror image, or nothing.
+pub type Place = [isize; 2];
 
 /// A window of a grid of N × N elements, or of a sector of one; on a quadrant it begins at the axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -65,10 +66,8 @@ impl Window {
         };
         let longest = extent.longest();
         let margin = MARGIN.max(self.sector.parts() * longest / MARGIN_PART);
-        let margins = match self.sector {
-            Sector::Whole => 2 * margin,
-            Sector::Quadrant => margin,
-        };
+        // A quadrant has none at the axis.
+        let margins = 2 * margin / self.sector.parts();
         let size = SurfaceElasticity::fast_size(longest + margins);
         if size as f64 > LARGEST_PART * grid as f64 {
             return self.everywhere();
@@ -187,6 +186,67 @@ impl Window {
     /// The first element along both axes.
     pub fn origin(&self) -> [usize; 2] {
         self.origin
+    }
+
+    /// Elements per side of the whole grid, of which the window's grid is a sector.
+    pub fn whole_grid(&self) -> usize {
+        self.sector.parts() * self.grid
+    }
+
+    /// Indices on the whole grid of the element at a place in the window.
+    pub fn index_on_whole(&self, [i, j]: Place) -> [isize; 2] {
+        let first = self.sector.first_index(self.whole_grid());
+        let [above, left] = self.origin.map(|origin| (first + origin).cast_signed());
+        [above + i, left + j]
+    }
+
+    /// The element of the window at a place, itself or as the mirror image; none outside the window.
+    pub fn element(&self, place: Place) -> Option<usize> {
+        let along = |i: isize| match usize::try_from(i) {
+            Ok(i) => (i < self.size).then_some(i),
+            Err(_) => {
+                let image = (-1 - i).cast_unsigned();
+                (image < self.sector.mirrored_lines(self.size)).then_some(image)
+            }
+        };
+        Some(along(place[0])? * self.size + along(place[1])?)
+    }
+
+    /// The first, by index, of the elements of the whole grid that the element in a row and column stands for.
+    pub fn first_image(&self, [row, column]: [usize; 2]) -> [usize; 2] {
+        let [above, left] = self.origin;
+        let element = [above + row, left + column];
+        self.sector.first_image(element, self.whole_grid())
+    }
+
+    /// The place of the element whose first image is this element of the whole grid.
+    pub fn place_of_image(&self, image: [usize; 2]) -> Place {
+        // An element is the first image of its own first image.
+        let element = self.sector.first_image(image, self.whole_grid());
+        [0, 1].map(|axis: usize| element[axis].cast_signed() - self.origin[axis].cast_signed())
+    }
+
+    /// The part of the cell between four places from this one on that belongs to the sector: one across an axis of
+    /// symmetry belongs to several quadrants.
+    pub fn share_of_cell(&self, place: Place) -> f64 {
+        let part = |i: isize| if i < 0 { self.sector.parts() } else { 1 };
+        1.0 / place.map(part).iter().product::<usize>() as f64
+    }
+
+    /// The elements on the window's border, which the axes of a quadrant are not.
+    pub fn border(&self) -> impl Iterator<Item = usize> + use<> {
+        let size = self.size;
+        let last = size * (size - 1);
+        let sides = match self.sector {
+            Sector::Whole => 4,
+            Sector::Quadrant => 2,
+        };
+        let of_line = move |i: usize| {
+            [last + i, i * size + size - 1, i, i * size]
+                .into_iter()
+                .take(sides)
+        };
+        (0..size).flat_map(of_line)
     }
 
     /// The place within the window of the element in a row and column of the grid; none of one outside.

@@ -4,13 +4,12 @@
 use std::sync::Arc;
 use std::time::Instant;
 
-use pellicle_influence::{Origin, SurfaceElasticity};
+use pellicle_influence::{Origin, Sector, SurfaceElasticity};
 use pellicle_texture::Grid;
 
 use crate::{
     ContactError, GridError, LevelValues, LevelWork, Load, Method, Model, SolverOptions, Step,
     Work,
-    grid::sector::Sector,
     path::domain::Guess,
     path::level::{Level, LevelResult, SignedField, Start},
     path::levels::{COARSE_TOLERANCE, coarser_sizes},
@@ -314,14 +313,12 @@ fn coarse_options(options: SolverOptions) -> SolverOptions {
 mod tests {
     use std::sync::Arc;
 
-    use pellicle_influence::{Cache, RadialTables};
+    use pellicle_influence::{Cache, RadialTables, Sector};
     use pellicle_kernel::{Foundation, Material};
     use pellicle_texture::Relief;
 
     use super::Hierarchy;
-    use crate::{
-        Indenter, Method, Model, Paraboloid, Pyramid, SolverOptions, grid::sector::Sector,
-    };
+    use crate::{Indenter, Method, Model, Paraboloid, Pyramid, SolverOptions};
 
     fn model(indenter: Indenter) -> Model {
         let body = Foundation::half_space(Material::new(1.0, 0.0).unwrap());

@@ -7,7 +7,6 @@ use crate::{
     ActiveSetSolver, ContactError, DiscreteProblem, GradientSolver, Iterate, LevelValues,
     LevelWork, Load, Method, Model, Solution, Solver, SolverOptions, Summary,
     grid::prolongation::{Field, prolong},
-    grid::sector::Sector,
     grid::window::Window,
     path::domain::Guess,
     problem::model::SampledSector,
@@ -16,7 +15,7 @@ use crate::{
     solver::Watch,
     vector::update,
 };
-use pellicle_influence::{Origin, SurfaceElasticity};
+use pellicle_influence::{Origin, Sector, SurfaceElasticity};
 use pellicle_texture::Grid;
 
 /// Pressure that stands for a gap, as a part of what closes the gap alone: halfway between contact that ends at the

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use pellicle_influence::{ElasticOperator, SurfaceElasticity, WindowOperator};
 
-use crate::{grid::sector::Sector, grid::window::Window};
+use crate::grid::window::Window;
 
 /// The elastic body under a grid, a window or a sector of one.
 pub enum Body {
@@ -90,13 +90,8 @@ impl Body {
 
 impl Surface {
     fn operator_on(&mut self, everywhere: &Window) -> &mut dyn ElasticOperator {
-        let (elasticity, size) = (&self.elasticity, everywhere.size());
-        let made = || -> Box<dyn ElasticOperator> {
-            match everywhere.sector() {
-                Sector::Whole => Box::new(elasticity.operator(size)),
-                Sector::Quadrant => Box::new(elasticity.quadrant(size)),
-            }
-        };
+        let elasticity = &self.elasticity;
+        let made = || elasticity.operator_on(everywhere.sector(), everywhere.size());
         self.operator.get_or_insert_with(made).as_mut()
     }
 
@@ -104,14 +99,11 @@ impl Surface {
         let known = self.spread.take_if(|(of, _)| *of == windows);
         let made = || {
             let [window, reach] = windows;
-            let (elasticity, shown, size) = (&self.elasticity, reach.size(), window.size());
-            let operator = match window.sector() {
-                Sector::Whole => {
-                    elasticity.under_window(shown, window.within(&reach).origin(), size)
-                }
-                // A quadrant's windows begin at the axis.
-                Sector::Quadrant => elasticity.under_window_on_quadrant(shown, size),
-            };
+            let (shown, origin) = (
+                (reach.sector(), reach.size()),
+                window.within(&reach).origin(),
+            );
+            let operator = (self.elasticity).under_window(shown, origin, window.size());
             (windows, Box::new(operator))
         };
         let (_, operator) = self.spread.insert(known.unwrap_or_else(made));

@@ -6,12 +6,12 @@
 
 use std::sync::Arc;
 
-use pellicle_influence::{ElasticOperator, SurfaceElasticity};
+use pellicle_influence::{ElasticOperator, Sector, SurfaceElasticity};
 use rayon::prelude::*;
 
 use crate::{
-    ContactError, grid::sector::Sector, grid::window::Window, problem::body::Body,
-    problem::scale::Scale, vector::update_with,
+    ContactError, grid::window::Window, problem::body::Body, problem::scale::Scale,
+    vector::update_with,
 };
 
 /// Values looked at together: to ask after each whether another thread has found a wrong one took a ninth of a Hertz
@@ -91,9 +91,8 @@ impl DiscreteProblem {
         element_area: f64,
     ) -> Result<Self, ContactError> {
         let size = elasticity.size() / sector.parts();
-        let area = element_area * sector.images() as f64;
         let part = (Body::of(elasticity), sector, size);
-        Self::checked(part, relief_compliance, initial_gap, area)
+        Self::checked(part, relief_compliance, initial_gap, element_area)
     }
 
     fn checked(
@@ -121,7 +120,10 @@ impl DiscreteProblem {
             return Err(ContactError::NothingCanTouch { elements });
         }
         Ok(Self {
-            scale: Scale::new(element_area.sqrt(), body.own_coefficient(size)),
+            scale: Scale::new(
+                element_area.sqrt() * sector.parts() as f64,
+                body.own_coefficient(size),
+            ),
             body,
             sector,
             size,
@@ -212,10 +214,16 @@ impl DiscreteProblem {
         &self.initial_gap
     }
 
-    /// The area `4a²` of an element and of those that it stands for, in m².
+    /// The area `4a²` of an element, in m².
     #[must_use]
     pub fn element_area(&self) -> f64 {
         self.element_area
+    }
+
+    /// The area on which one value of the pressure acts, in m²: an element and its mirror images. `Q = area Σ p`.
+    #[must_use]
+    pub fn loaded_area(&self) -> f64 {
+        self.sector.images() as f64 * self.element_area
     }
 
     /// The operator `K`; exclusive, because a product uses the operator's own buffers.

@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
-use pellicle_influence::{Cache, Cached, RadialTables, SurfaceElasticity};
+use pellicle_influence::{Cache, Cached, RadialTables, Sector, SurfaceElasticity};
 use pellicle_texture::{Grid, Relief, SampledRelief};
 use rayon::prelude::*;
 
-use crate::{ContactError, DiscreteProblem, Indenter, grid::sector::Sector};
+use crate::{ContactError, DiscreteProblem, Indenter};
 
 /// A rigid indenter above a relief on an elastic foundation, with no grid and no load yet.
 #[derive(Debug, Clone)]

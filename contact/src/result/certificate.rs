@@ -166,7 +166,7 @@ impl Solution {
         update(gap, displacement, |g, u| *g = u + *g - penetration);
         window_of_reach.add(gap, &shortening);
         // 4a² Σ p
-        let carried = total * problem.element_area();
+        let carried = total * problem.loaded_area();
         let (force, residual) = match load {
             Load::Force(wanted) => (wanted, (carried - wanted).abs() / wanted),
             Load::Penetration(_) => (carried, 0.0),

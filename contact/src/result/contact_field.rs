@@ -3,10 +3,11 @@
 
 use pellicle_texture::Grid;
 
-use crate::{Model, grid::sector::Sector, grid::window::Window, result::certificate::JudgedFields};
-
-/// A place among the elements of a window, which may lie one element before it: there is its mirror image, or nothing.
-pub type Place = [isize; 2];
+use crate::{
+    Model,
+    grid::window::{Place, Window},
+    result::certificate::JudgedFields,
+};
 
 /// A solved contact on the window that holds all pressures.
 pub struct ContactField<'a> {
@@ -28,21 +29,7 @@ pub struct ContactField<'a> {
 impl ContactField<'_> {
     /// The element of the window at a place, itself or as the mirror image; none outside the window.
     pub fn element(&self, place: Place) -> Option<usize> {
-        let size = self.window.size();
-        let along = |i: isize| match usize::try_from(i) {
-            Ok(i) => (i < size).then_some(i),
-            Err(_) if self.window.sector() == Sector::Quadrant => (-1 - i).try_into().ok(),
-            Err(_) => None,
-        };
-        Some(along(place[0])? * size + along(place[1])?)
-    }
-
-    /// The place of the element whose first image is this element of the whole grid.
-    pub fn place_of_image(&self, image: [usize; 2]) -> Place {
-        // An element is the first image of its own first image.
-        let element = self.window.sector().first_image(image, self.grid.size());
-        let origin = self.window.origin();
-        [0, 1].map(|axis: usize| element[axis].cast_signed() - origin[axis].cast_signed())
+        self.window.element(place)
     }
 
     /// The pressure at a place, in Pa; 0 outside the window.
@@ -99,18 +86,10 @@ impl ContactField<'_> {
 
     /// Coordinates of a place, which need not be a centre, in m.
     pub fn point(&self, place: [f64; 2]) -> [f64; 2] {
-        let [above, left] = self.window.origin();
         let (size, half) = (self.grid.size() as f64, 0.5 * self.grid.element_side());
-        let first = match self.window.sector() {
-            Sector::Whole => 0,
-            Sector::Quadrant => self.window.grid(),
-        };
+        let first = self.window.index_on_whole([0, 0]);
         // x = (2i + 1 − N) h/2
-        let along = |i: f64, first: usize| (2.0 * (i + first as f64) + 1.0 - size) * half;
-        [
-            along(place[0], first + above),
-            along(place[1], first + left),
-        ]
+        [0, 1].map(|axis: usize| (2.0 * (place[axis] + first[axis] as f64) + 1.0 - size) * half)
     }
 
     /// Coordinates of an element's centre, in m.

@@ -15,8 +15,7 @@
 //! The zero line is drawn by marching squares over the centres. Where the contact ends with the indenter or at the
 //! outline of a relief, geometry says where. Checked against closed forms in `tests/tests/convergence`.
 
-use crate::grid::sector::Sector;
-use crate::result::contact_field::{ContactField, Place};
+use crate::{grid::window::Place, result::contact_field::ContactField};
 
 /// `κ`.
 const OWN_PRESSURE: f64 = 1.2;
@@ -117,7 +116,7 @@ impl Part {
 
     /// Adds a cell whose corners are all in contact, and all on one side of an outline.
     fn add_whole(&mut self, field: &ContactField<'_>, place: Place) {
-        let share = share(field, place);
+        let share = field.window.share_of_cell(place);
         self.area += share;
         if field.element(place).is_some_and(|e| field.is_on_relief(e)) {
             self.area_on_relief += share;
@@ -128,7 +127,7 @@ impl Part {
         let count = |is: fn(&Corner) -> bool| corners.iter().filter(|corner| is(corner)).count();
         let in_contact = count(|corner| corner.is_in_contact);
         let on_relief = count(|corner| corner.is_in_contact && corner.is_on_relief);
-        let share = share(field, corners[0].place);
+        let share = field.window.share_of_cell(corners[0].place);
         let polygon = Polygon::of(field, &corners, |corner| corner.is_in_contact);
         self.area += share * polygon.area;
         self.cut += share * polygon.cut;
@@ -154,17 +153,6 @@ impl Part {
             radius: self.radius.max(other.radius),
             meets_outline: self.meets_outline || other.meets_outline,
         }
-    }
-}
-
-/// The part of a cell that belongs to the sector: one across the axis belongs to several quadrants.
-fn share(field: &ContactField<'_>, place: Place) -> f64 {
-    match field.window.sector() {
-        Sector::Whole => 1.0,
-        Sector::Quadrant => place
-            .iter()
-            .map(|i| if *i < 0 { 0.5 } else { 1.0 })
-            .product(),
     }
 }
 

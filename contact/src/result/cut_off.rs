@@ -8,7 +8,7 @@
 
 use std::{cell::OnceCell, sync::Arc};
 
-use pellicle_influence::SurfaceElasticity;
+use pellicle_influence::{Sector, SurfaceElasticity};
 use pellicle_texture::{Grid, Relief};
 
 use crate::{Indenter, Model, Solution};
@@ -270,7 +270,8 @@ impl Blocks {
         let pressure = around.summed(grid, &solution.pressure);
         let count = around.count();
         let mut displacement = vec![0.0; count * count];
-        let mut operator = elasticity.under_window(count, [around.first(); 2], around.within);
+        let mut operator =
+            elasticity.under_window((Sector::Whole, count), [around.first(); 2], around.within);
         operator.apply_into(&pressure, &mut displacement);
         let mut places = displacement.iter().zip(&self.gaps);
         places.any(|(u, g0)| u + g0 < limit)

@@ -5,7 +5,7 @@
 //! edge the element's own value is all there is.
 
 use crate::Profile;
-use crate::result::contact_field::{ContactField, Place};
+use crate::{grid::window::Place, result::contact_field::ContactField};
 
 /// A peak within so many elements of an edge is the edge's.
 const ELEMENTS_FROM_EDGE: f64 = 2.0;

@@ -3,7 +3,6 @@
 use std::cmp::Ordering;
 
 use crate::{
-    grid::sector::Sector,
     result::contact_field::ContactField,
     result::contact_shape::ContactShape,
     result::peak::{Peak, PeakPlace},
@@ -49,12 +48,10 @@ impl Summary {
         let (window, grid) = (field.window, field.grid);
         let size = grid.size();
         let place = |e: usize| [grid.centre(e / size), grid.centre(e % size)];
-        let sector = window.sector();
-        let [above, left] = window.origin();
         let of_line = |line: usize, pressure: &[f64]| {
             let compliance = window.line(field.compliance, line);
             let mut found = Contact::default();
-            let image = |column| sector.first_image([above + line, left + column], size);
+            let image = |column| window.first_image([line, column]);
             let mut columns = pressure.iter().enumerate().filter(|(_, p)| **p > 0.0);
             for (column, p) in columns.clone() {
                 let [i, j] = image(column);
@@ -93,17 +90,11 @@ impl Summary {
             return nothing;
         }
         let shape = ContactShape::of(field);
-        let peak = Peak::of(
-            field,
-            field.place_of_image([largest / size, largest % size]),
-        );
+        let largest = window.place_of_image([largest / size, largest % size]);
+        let (peak, sector) = (Peak::of(field, largest), window.sector());
         Self {
             max_pressure: peak.pressure,
-            max_pressure_at: peak.at.map(|x| match sector {
-                Sector::Whole => x,
-                // the first of the images
-                Sector::Quadrant => 0.0 - x,
-            }),
+            max_pressure_at: sector.first_image_of_point(peak.at),
             peak_place: peak.place,
             mean_pressure: force / shape.area,
             contact_area: shape.area,

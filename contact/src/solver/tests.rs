@@ -319,7 +319,7 @@ fn a_punch_has_the_stiffness_of_its_force_over_its_penetration() {
         let mut problem = problem([stiffness, 0.05], flat, |_, _| 0.5);
         let load = Load::Penetration(0.01);
         let found = solve(&mut problem, load, &[0.0; SIZE * SIZE]);
-        let force = found.pressure.iter().sum::<f64>() * problem.element_area();
+        let force = found.pressure.iter().sum::<f64>() * problem.loaded_area();
         let wanted = force / 0.01;
         // The solution's tolerance is 1e-8.
         assert!((found.contact_stiffness.unwrap() / wanted - 1.0).abs() < 1e-7);

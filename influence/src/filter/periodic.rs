@@ -8,6 +8,7 @@ use std::f64::consts::TAU;
 use rayon::prelude::*;
 
 use super::symbol::PeriodicSymbol;
+use crate::sector::Sector;
 use crate::transform::{EvenLines, FourierLines, Lines, PlaneTransform};
 
 /// Numbers of a field looked through at once.
@@ -29,21 +30,14 @@ enum Transform {
 }
 
 impl PeriodicFilter {
-    /// For fields on the symbol's grid, N × N values; multiplies by 0 until [`Self::multiply_by`] is called.
+    /// For fields on a sector of the symbol's grid; multiplies by 0 until [`Self::multiply_by`] is called.
     #[must_use]
-    pub fn new(symbol: PeriodicSymbol) -> Self {
-        let transform = PlaneTransform::new(FourierLines::periodic(symbol.size()));
-        Self::with(symbol, Transform::Whole(transform))
-    }
-
-    /// For fields on the quadrant x, y > 0 of the symbol's grid that are symmetric in x and y, N/2 × N/2 values.
-    #[must_use]
-    pub fn on_quadrant(symbol: PeriodicSymbol) -> Self {
-        let transform = PlaneTransform::new(EvenLines::periodic(symbol.size() / 2));
-        Self::with(symbol, Transform::Quadrant(transform))
-    }
-
-    fn with(symbol: PeriodicSymbol, transform: Transform) -> Self {
+    pub fn new(symbol: PeriodicSymbol, sector: Sector) -> Self {
+        let size = symbol.size() / sector.parts();
+        let transform = match sector {
+            Sector::Whole => Transform::Whole(PlaneTransform::new(FourierLines::periodic(size))),
+            Sector::Quadrant => Transform::Quadrant(PlaneTransform::new(EvenLines::periodic(size))),
+        };
         let multipliers = vec![0.0; transform.frequencies().pow(2)];
         Self {
             symbol,
@@ -173,7 +167,7 @@ impl std::fmt::Debug for PeriodicFilter {
 mod tests {
     use pellicle_kernel::{Foundation, Material};
 
-    use super::{PeriodicFilter, PeriodicSymbol};
+    use super::{PeriodicFilter, PeriodicSymbol, Sector};
 
     fn symbol(size: usize) -> PeriodicSymbol {
         let foundation = Foundation::half_space(Material::new(1.0, 0.0).unwrap());
@@ -187,7 +181,7 @@ mod tests {
     #[test]
     fn the_answers_are_those_to_a_unit() {
         for size in [8, 15, 64] {
-            let mut filter = PeriodicFilter::new(symbol(size));
+            let mut filter = PeriodicFilter::new(symbol(size), Sector::Whole);
             filter.multiply_by(reciprocal);
             let mut unit = vec![0.0; size * size];
             unit[0] = 1.0;
@@ -213,10 +207,10 @@ mod tests {
                 elements.map(|e| part[image(e)]).collect()
             };
             let (mut whole, mut quadrant) = (unfolded(&part), part);
-            let mut filter = PeriodicFilter::new(symbol(2 * half));
+            let mut filter = PeriodicFilter::new(symbol(2 * half), Sector::Whole);
             filter.multiply_by(reciprocal);
             filter.apply(&mut whole);
-            let mut filter = PeriodicFilter::on_quadrant(symbol(2 * half));
+            let mut filter = PeriodicFilter::new(symbol(2 * half), Sector::Quadrant);
             filter.multiply_by(reciprocal);
             filter.apply(&mut quadrant);
             for (one, other) in whole.iter().zip(&unfolded(&quadrant)) {

@@ -3,6 +3,7 @@
 use super::elastic::ElasticOperator;
 use super::spectrum::Spectrum;
 use crate::coefficient_table::CoefficientTable;
+use crate::sector::Sector;
 use crate::transform::{EvenLines, FourierLines, Lines, PlaneTransform, half_length};
 
 /// From a square of pressures to the square of displacements around it.
@@ -140,37 +141,31 @@ enum Surface {
 }
 
 impl WindowOperator {
-    /// For a window of `size` × `size` elements, the first of which is the element `origin`, of a grid of `grid` ×
-    /// `grid`.
+    /// For a window of `size` × `size` elements, the first of which is the element `origin`, of a sector of `shown` ×
+    /// `shown`; a quadrant's windows begin at the axis, and their pressures are mirrored in both axes.
     ///
     /// # Panics
-    /// If the window is empty or does not lie within the grid, or the grid is larger than the table's.
+    /// If the window is empty or does not lie within the sector, or the table does not reach across the whole grid.
     #[must_use]
-    pub fn new(table: &CoefficientTable, grid: usize, origin: [usize; 2], size: usize) -> Self {
-        let lies_within = origin.iter().all(|first| first + size <= grid);
+    pub fn new(
+        table: &CoefficientTable,
+        (sector, shown): (Sector, usize),
+        origin: [usize; 2],
+        size: usize,
+    ) -> Self {
+        let lies_within = origin.iter().all(|first| first + size <= shown);
         assert!(
-            size > 0 && lies_within && grid <= table.size(),
-            "a window of {size} elements from {origin:?} within {grid}, these within {}",
+            size > 0 && lies_within && sector.parts() * shown <= table.size(),
+            "a window of {size} elements from {origin:?} within {shown}, these within {}",
             table.size()
         );
-        Self(Surface::Grid(Convolution::on_grid(
-            table,
-            [size, grid],
-            origin,
-        )))
-    }
-
-    /// For pressures on the `size` × `size` elements next to the axis of a quadrant of `quadrant` × `quadrant`, as a
-    /// [`QuadrantOperator`] has them: all mirrored in both axes.
-    ///
-    /// # Panics
-    /// If the window is empty or larger than the quadrant, or the table does not reach across twice the quadrant.
-    #[must_use]
-    pub fn on_quadrant(table: &CoefficientTable, quadrant: usize, size: usize) -> Self {
-        Self(Surface::Quadrant(Convolution::on_quadrant(
-            table,
-            [size, quadrant],
-        )))
+        Self(match sector {
+            Sector::Whole => Surface::Grid(Convolution::on_grid(table, [size, shown], origin)),
+            Sector::Quadrant => {
+                assert_eq!(origin, [0; 2], "a quadrant's window begins at the axis");
+                Surface::Quadrant(Convolution::on_quadrant(table, [size, shown]))
+            }
+        })
     }
 
     /// Writes the displacements (m, positive into the body; those of the grid) of the pressures (Pa, compressive

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::Window;
-use crate::grid::sector::Sector;
+use pellicle_influence::Sector;
 
 /// A window of a grid of 20 × 20 elements.
 fn window(origin: [usize; 2], size: usize) -> Window {

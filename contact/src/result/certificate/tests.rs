@@ -2,11 +2,13 @@
 
 use std::sync::Arc;
 
-use pellicle_influence::{CoefficientTable, ElasticOperator, RadialTables, SurfaceElasticity};
+use pellicle_influence::{
+    CoefficientTable, ElasticOperator, RadialTables, Sector, SurfaceElasticity,
+};
 use pellicle_kernel::{Foundation, Material};
 
 use super::{Certificate, JudgedFields, Solution, Trial};
-use crate::{DeformedSurface, DiscreteProblem, Load, grid::sector::Sector};
+use crate::{DeformedSurface, DiscreteProblem, Load};
 
 /// Independent springs of 0.5 m/Pa.
 struct Springs(usize);

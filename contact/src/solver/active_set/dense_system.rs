@@ -18,7 +18,7 @@ const ROUNDING: f64 = 1e-12;
 pub struct DenseSystem {
     size: usize,
     load: Load,
-    element_area: f64,
+    loaded_area: f64,
     /// Coefficient by offset, `k(m, n)` at `m N + n`.
     coefficients: Vec<f64>,
     relief_compliance: Vec<f64>,
@@ -49,7 +49,7 @@ impl DenseSystem {
         Self {
             size: problem.size(),
             load,
-            element_area: problem.element_area(),
+            loaded_area: problem.loaded_area(),
             coefficients,
             relief_compliance: problem.relief_compliance().to_vec(),
             initial_gap: problem.initial_gap().to_vec(),
@@ -71,7 +71,7 @@ impl DenseSystem {
     /// `Σ p` that the load prescribes, if it does.
     pub fn total(&self) -> Option<f64> {
         match self.load {
-            Load::Force(force) => Some(force / self.element_area),
+            Load::Force(force) => Some(force / self.loaded_area),
             Load::Penetration(_) => None,
         }
     }
@@ -113,14 +113,14 @@ impl DenseSystem {
         let penetration = match self.load {
             Load::Penetration(penetration) => penetration,
             // D = (Σ p + Σ b)/Σ a
-            Load::Force(force) => (force / self.element_area + column(1)) / column(0),
+            Load::Force(force) => (force / self.loaded_area + column(1)) / column(0),
         };
         let mut pressure = vec![0.0; self.elements()];
         for (i, member) in members.iter().enumerate() {
             pressure[*member] = penetration * solved[(i, 0)] - solved[(i, 1)];
         }
         let mut trial = self.trial(members, pressure, penetration);
-        trial.stiffness = self.element_area * column(0);
+        trial.stiffness = self.loaded_area * column(0);
         Ok(trial)
     }
 

@@ -167,7 +167,7 @@ mod tests {
     #[test]
     fn a_trial_says_how_far_its_set_is_from_right_and_how_stiff_it_is() {
         let mut problem = problem([1.0, 0.1], paraboloid, RIGID);
-        let area = problem.element_area();
+        let area = problem.loaded_area();
         let by_force = DenseSystem::new(&mut problem, Load::Force(1e-3));
         assert_eq!(by_force.total(), Some(1e-3 / area));
         let (pressure, _) = run(&by_force, &[0.0; 1024], Exchange::advance);

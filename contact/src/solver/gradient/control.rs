@@ -17,7 +17,7 @@ impl Control {
     pub fn of(problem: &DiscreteProblem, load: Load) -> Self {
         let scale = problem.scale();
         match load {
-            Load::Force(force) => Self::Total(force / problem.element_area() / scale.pressure()),
+            Load::Force(force) => Self::Total(force / problem.loaded_area() / scale.pressure()),
             Load::Penetration(penetration) => Self::Penetration(penetration / scale.length),
         }
     }

@@ -240,7 +240,7 @@ impl<'a> OngoingSolution<'a> {
         }
         let (sum, applications) =
             stiffness::pressure_sum_per_penetration(&mut context, &mut methods.conjugate);
-        let per_sum = self.problem.element_area() / self.problem.scale().compliance;
+        let per_sum = self.problem.loaded_area() / self.problem.scale().compliance;
         (sum.map(|sum| sum * per_sum), applications)
     }
 

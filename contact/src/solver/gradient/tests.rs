@@ -2,6 +2,8 @@
 
 use std::f64::consts::TAU;
 
+use pellicle_influence::Sector;
+
 use crate::solver::gradient::best::Best;
 use crate::solver::gradient::context::Context;
 use crate::solver::gradient::control::Control;
@@ -13,7 +15,6 @@ use crate::solver::gradient::steps::segment::{Part, Segment};
 use crate::solver::gradient::working_set::WorkingSet;
 use crate::{
     DiscreteProblem, Load,
-    grid::sector::Sector,
     grid::window::Window,
     solver::tests::{RIGID, SIZE, paraboloid, pillars, problem},
     vector::{add_scaled, dot, sum},

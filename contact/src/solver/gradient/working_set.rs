@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use crate::solver::gradient::state::State;
-use crate::{grid::sector::Sector, grid::window::Window, vector::update};
+use crate::{grid::window::Window, vector::update};
 
 /// Elements that one thread looks at together.
 const PART: usize = 1 << 12;
@@ -191,17 +191,8 @@ impl WorkingSet {
         });
     }
 
-    /// Whether an element of the set lies on the border of the grid, which a quadrant's axes are not.
+    /// Whether an element of the set lies on the border of the grid.
     pub fn touches_border(&self, grid: &Window) -> bool {
-        let size = grid.size();
-        let last = size * (size - 1);
-        (0..size).any(|i| {
-            let places = [last + i, i * size + size - 1, i, i * size];
-            let borders = match grid.sector() {
-                Sector::Whole => &places[..],
-                Sector::Quadrant => &places[..2],
-            };
-            borders.iter().any(|e| self.mask[*e])
-        })
+        grid.border().any(|element| self.mask[element])
     }
 }

@@ -12,10 +12,10 @@
 //! `F` falls off so quickly that a band a few elements wide stands for all of `E`, and a few of its coefficients for
 //! all of them. Without the band the filter is wrong at the contact's edge, and that alone takes twice the iterations.
 
+use pellicle_influence::Sector;
 use rayon::prelude::*;
 
 use crate::{
-    grid::sector::Sector,
     solver::gradient::working_set::WorkingSet,
     vector::{add_scaled, dot, update},
 };
@@ -205,10 +205,7 @@ struct Layout {
 
 impl Layout {
     fn new(size: usize, sector: Sector) -> Self {
-        let beyond = match sector {
-            Sector::Whole => 0,
-            Sector::Quadrant => REACH,
-        };
+        let beyond = sector.mirrored_lines(REACH);
         Self { size, beyond }
     }
 
@@ -261,12 +258,11 @@ impl Layout {
 
 #[cfg(test)]
 mod tests {
-    use pellicle_influence::ElasticOperator;
+    use pellicle_influence::{ElasticOperator, Sector};
 
     use super::{ACCURACY, Answers, EdgeBand};
     use crate::{
         DiscreteProblem,
-        grid::sector::Sector,
         solver::gradient::{control::Control, tests::begun, working_set::WorkingSet},
     };
 

@@ -25,14 +25,11 @@
 //! The power that would set the short waves right, ½, spoils the long ones; half of it takes a fifth fewer products
 //! than none.
 
-use pellicle_influence::{PeriodicFilter, PeriodicSymbol};
+use pellicle_influence::{PeriodicFilter, PeriodicSymbol, Sector};
 
 use crate::solver::gradient::preconditioner::edge_band::{Answers, EdgeBand};
 use crate::solver::gradient::working_set::WorkingSet;
-use crate::{
-    grid::sector::Sector,
-    vector::{add_scaled, by_parts, update},
-};
+use crate::vector::{add_scaled, by_parts, update};
 
 /// Filters are made for mean compliances in this ratio, and serve those around.
 const MEAN_RATIO: f64 = 1.1;
@@ -62,10 +59,7 @@ impl RestrictedFilter {
         let size = symbol.size() / sector.parts();
         Self {
             shortest: symbol.value([symbol.size() / 2; 2]),
-            filter: match sector {
-                Sector::Whole => PeriodicFilter::new(symbol),
-                Sector::Quadrant => PeriodicFilter::on_quadrant(symbol),
-            },
+            filter: PeriodicFilter::new(symbol, sector),
             mean_compliance: f64::NAN,
             flank: vec![0.0; size * size],
             band: EdgeBand::new(size, sector),
@@ -151,7 +145,7 @@ mod tests {
     use std::sync::Arc;
 
     use pellicle_influence::{
-        CoefficientTable, ElasticOperator, RadialTables, SurfaceElasticity, love,
+        CoefficientTable, ElasticOperator, RadialTables, Sector, SurfaceElasticity, love,
     };
     use pellicle_kernel::{Foundation, Material};
 
@@ -159,7 +153,6 @@ mod tests {
     use crate::solver::gradient::control::Control;
     use crate::{
         DiscreteProblem,
-        grid::sector::Sector,
         solver::gradient::{tests::begun, working_set::WorkingSet},
         vector::{add_scaled, dot},
     };

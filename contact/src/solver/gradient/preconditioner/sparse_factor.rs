@@ -17,15 +17,15 @@ mod row;
 
 use std::{collections::HashMap, sync::Arc};
 
-use pellicle_influence::SurfaceElasticity;
+use pellicle_influence::{Sector, SurfaceElasticity};
 use rayon::prelude::*;
 
 use self::{
     order::{COLOURS, Rank, earlier_offsets},
     row::{LocalSystem, class},
 };
+use crate::grid::window::Window;
 use crate::solver::gradient::working_set::WorkingSet;
-use crate::{grid::sector::Sector, grid::window::Window};
 
 /// Stands for the row of an element outside the set.
 const OUTSIDE: u32 = u32::MAX;
@@ -145,10 +145,7 @@ impl SparseFactor {
         pattern.clear();
         pattern.push(COLOURS * level + colour);
         pattern.push(u32::from(self.classes[element]));
-        let near = match self.sector {
-            Sector::Whole => 0,
-            Sector::Quadrant => NEAR_AXIS << level,
-        };
+        let near = self.near_axis(level);
         pattern.extend([i, j].map(|along| along.unsigned_abs().min(near)));
         for (place, [x, y]) in (0..).zip(&self.offsets[colour as usize]) {
             let (Some(i), Some(j)) = (self.within(i, x << level), self.within(j, y << level))
@@ -163,6 +160,11 @@ impl SparseFactor {
                 }
             }
         }
+    }
+
+    /// Elements from an axis within which mirror images count in a row of this level; none but on a quadrant.
+    fn near_axis(&self, level: u32) -> u32 {
+        index(self.sector.mirrored_lines((NEAR_AXIS << level) as usize)).unsigned_abs()
     }
 
     /// The index `offset` from `index`, if it lies on the grid.
@@ -180,14 +182,13 @@ impl SparseFactor {
         let (head, neighbours) = pattern.split_at(HEAD);
         let places: Vec<[i32; 2]> = neighbours.iter().map(offset).collect();
         let classes: Vec<u16> = neighbours.iter().map(|entry| class_in(*entry)).collect();
-        let to_axis = [head[2], head[3]].map(|along| (along < NEAR_AXIS << level).then_some(along));
-        let is_quadrant = self.sector == Sector::Quadrant;
+        let near = self.near_axis(level);
         let mut values = LocalSystem {
             elasticity: &self.elasticity,
             places: &places,
             classes: &classes,
             own_class: class_in(head[1]),
-            to_axis: to_axis.map(|along| along.filter(|_| is_quadrant)),
+            to_axis: [head[2], head[3]].map(|along| (along < near).then_some(along)),
         }
         .row();
         let diagonal = values.pop().unwrap_or_default();

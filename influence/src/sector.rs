@@ -1,18 +1,20 @@
-//! A quadrant in place of the whole surface, where everything is its own mirror image in both axes.
+//! The part of a grid that stands for all of it: a quadrant, where everything is symmetric in x and y.
 
 use rayon::prelude::*;
 
-/// The part of the surface that the elements of a problem cover.
+/// The part of a grid whose elements a problem is solved on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Sector {
-    /// All of it.
+    /// The whole grid.
     Whole,
-    /// The elements at x, y > 0, each of which stands for its three mirror images too. Element (0, 0) lies at the axis.
+    /// The elements at x, y > 0 of a grid of an even number per side, each of which stands for its three mirror images
+    /// too. Element (0, 0) lies at the axis.
     Quadrant,
 }
 
 impl Sector {
-    /// Elements of the whole grid that one element stands for.
+    /// Elements of the whole grid that one element stands for, itself included.
+    #[must_use]
     pub fn images(self) -> usize {
         match self {
             Self::Whole => 1,
@@ -20,7 +22,8 @@ impl Sector {
         }
     }
 
-    /// Parts along one axis.
+    /// Number of such parts along one axis of the grid.
+    #[must_use]
     pub fn parts(self) -> usize {
         match self {
             Self::Whole => 1,
@@ -28,7 +31,23 @@ impl Sector {
         }
     }
 
+    /// Index along an axis, on a grid of `size` elements per side, of the first element.
+    #[must_use]
+    pub fn first_index(self, size: usize) -> usize {
+        size - size / self.parts()
+    }
+
+    /// Lines of elements beyond the first, of `reach` looked at, that are mirror images of those on this side.
+    #[must_use]
+    pub fn mirrored_lines(self, reach: usize) -> usize {
+        match self {
+            Self::Whole => 0,
+            Self::Quadrant => reach,
+        }
+    }
+
     /// The first, by index, of the elements that an element stands for on a grid of `size` elements per side.
+    #[must_use]
     pub fn first_image(self, element: [usize; 2], size: usize) -> [usize; 2] {
         match self {
             Self::Whole => element,
@@ -36,10 +55,19 @@ impl Sector {
         }
     }
 
+    /// The first of the points that a point of the sector stands for.
+    #[must_use]
+    pub fn first_image_of_point(self, point: [f64; 2]) -> [f64; 2] {
+        match self {
+            Self::Whole => point,
+            Self::Quadrant => point.map(|x| 0.0 - x),
+        }
+    }
+
     /// The sector's part of a field on a grid of `size` elements per side.
+    #[must_use]
     pub fn cut<T: Copy + Default + Send + Sync>(self, field: &[T], size: usize) -> Vec<T> {
-        let part = size / self.parts();
-        let first = size - part;
+        let (part, first) = (size / self.parts(), self.first_index(size));
         let mut values = vec![T::default(); part * part];
         let rows = field.par_chunks_exact(size).skip(first);
         let rows = values.par_chunks_exact_mut(part).zip(rows);
