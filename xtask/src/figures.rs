@@ -1,98 +1,64 @@
 //! The figures of the paper, drawn from certified runs of its cases.
 //!
-//! A figure asks the [`Runner`] for its cases through a [`Studio`], which knows how fine the grids are to be, and gives
-//! [`Picture`]s: a drawing and the numbers in it.
+//! A figure asks the [`Runner`] for solutions and returns [`Picture`]s: a drawing and the numbers in it. Captions are
+//! literal: the cases are the paper's, whose parameters do not change.
 
 mod arguments;
 mod chart;
 mod figure_2;
 mod figure_3;
-mod figure_4;
 mod figure_5;
-mod figure_6;
-mod line;
 mod loading;
-mod note;
-mod parameters;
-mod picture;
-mod pressure_sheet;
 mod pressures;
-mod run;
-mod section;
+mod runner;
 mod sheet;
-mod studio;
 
 use std::path::Path;
 
 pub use arguments::{Figure, FiguresArguments};
-pub use run::Runner;
-pub use studio::Quality;
+pub use runner::Runner;
 
 use crate::XtaskError;
-use picture::Picture;
-use studio::Studio;
+use sheet::Picture;
 
-/// Draws the figures of `arguments` from the cases of the workspace at `root`, and returns how many pictures there are;
-/// `tell` hears what is going on.
+/// The two coatings of figures 2 to 4.
+const MATERIALS: &str = "compliant coating: E₁/E₂ = 0.1, ν₁ = 0.4, ν₂ = 0.3; stiff coating: E₁/E₂ = 10, ν₁ = 0.3, ν₂ = 0.4";
+
+/// Body and indenter of figures 2 and 3.
+const TEXTURED: &str =
+    "paraboloid of radius R; coating H = 10⁻⁴ R; cylinders r = 5·10⁻³ R, h = 10⁻⁴ R, T = R/80";
+
+/// Draws figures and writes their pictures into the folder `out`, and small versions into `small` if there is one;
+/// returns how many pictures there are.
 ///
 /// # Errors
-/// A program that cannot be built, a run that is not certified, a file that cannot be written.
+/// A program that cannot be run, a solution that is not certified, a file that cannot be written.
 pub fn figures(
-    arguments: &FiguresArguments,
-    root: &Path,
-    tell: &mut dyn FnMut(&str),
+    figures: &[Figure],
+    runner: &Runner,
+    out: &Path,
+    small: Option<&Path>,
 ) -> Result<usize, XtaskError> {
-    let runner = Runner::release(root);
-    let quality = arguments.quality();
-    let out = root.join(arguments.folder());
-    let mut drawn = 0;
-    for figure in arguments.figures() {
-        for picture in draw(figure, &runner, quality, tell)? {
-            picture.write(&out)?;
-            if arguments.docs {
-                picture.write_small(&root.join("docs").join("figures"))?;
+    let mut count = 0;
+    for figure in figures {
+        for picture in draw(*figure, runner)? {
+            picture.write(out)?;
+            if let Some(folder) = small {
+                picture.write_small(folder)?;
             }
-            tell(&format!("drawn:  {}", out.join(picture.name).display()));
-            drawn += 1;
+            (runner.tell)(&format!("drawn:  {}", out.join(picture.name).display()));
+            count += 1;
         }
     }
-    Ok(drawn)
+    Ok(count)
 }
 
-/// Draws one figure and writes its pictures into a folder; the names of the files.
-///
-/// # Errors
-/// A run that is not certified, a file that cannot be written.
-pub fn draw_figure(
-    figure: Figure,
-    runner: &Runner,
-    quality: Quality,
-    out: &Path,
-) -> Result<Vec<String>, XtaskError> {
-    let pictures = draw(figure, runner, quality, &mut |_| ())?;
-    let mut names = Vec::new();
-    for picture in pictures {
-        names.extend(picture.write(out)?);
-    }
-    Ok(names)
-}
-
-fn draw(
-    figure: Figure,
-    runner: &Runner,
-    quality: Quality,
-    tell: &mut dyn FnMut(&str),
-) -> Result<Vec<Picture>, XtaskError> {
-    let mut studio = Studio {
-        runner,
-        quality,
-        tell,
-    };
+fn draw(figure: Figure, runner: &Runner) -> Result<Vec<Picture>, XtaskError> {
     match figure {
-        Figure::Two => figure_2::draw(&mut studio),
-        Figure::Three => figure_3::draw(&mut studio),
-        Figure::Four => figure_4::draw(&mut studio),
-        Figure::Five => figure_5::draw(&mut studio),
-        Figure::Six => figure_6::draw(&mut studio),
+        Figure::Two => figure_2::draw(runner),
+        Figure::Three => Ok(vec![figure_3::draw(runner)?]),
+        Figure::Four => Ok(vec![loading::figure_4(runner)?]),
+        Figure::Five => figure_5::draw(runner),
+        Figure::Six => Ok(vec![loading::figure_6(runner)?]),
     }
 }

@@ -12,6 +12,6 @@ mod tree;
 
 pub use arguments::{Arguments, Command};
 pub use error::XtaskError;
-pub use figures::{Figure, FiguresArguments, Quality, Runner, draw_figure, figures};
+pub use figures::{Figure, FiguresArguments, Runner, figures};
 pub use tidy::{Violation, tidy};
 pub use tree::{File, Tree};

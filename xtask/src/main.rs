@@ -10,7 +10,7 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use clap::Parser;
-use xtask::{Arguments, Command, FiguresArguments, Tree, XtaskError};
+use xtask::{Arguments, Command, FiguresArguments, Runner, Tree, XtaskError};
 
 fn main() -> ExitCode {
     let done = match Arguments::parse().command {
@@ -47,9 +47,12 @@ fn tidy() -> Result<ExitCode, XtaskError> {
     Ok(ExitCode::FAILURE)
 }
 
-/// Draws the paper's figures, and says on standard error what is going on.
+/// Draws the paper's figures and reports progress on standard error.
 fn figures(arguments: &FiguresArguments) -> Result<ExitCode, XtaskError> {
-    let count = xtask::figures(arguments, root(), &mut |line| eprintln!("{line}"))?;
+    let runner = Runner::release(root(), arguments.elements(), |line| eprintln!("{line}"));
+    let out = root().join(arguments.folder());
+    let small = arguments.docs.then(|| root().join("docs/figures"));
+    let count = xtask::figures(&arguments.figures(), &runner, &out, small.as_deref())?;
     eprintln!("{count} pictures in {}", arguments.folder().display());
     Ok(ExitCode::SUCCESS)
 }

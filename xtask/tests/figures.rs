@@ -7,35 +7,42 @@
 )]
 
 use std::collections::BTreeMap;
+use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use tempfile::TempDir;
-use xtask::{Figure, Quality, Runner, XtaskError, draw_figure};
-
-/// Elements per side: few enough for a test, and a multiple of four, so that there is a coarser grid.
-const TINY: Quality = Quality {
-    fields: 32,
-    path: 32,
-    finest_path: 32,
-    is_quick: true,
-};
+use xtask::{Figure, Runner, XtaskError, figures};
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
 }
 
+/// Elements per side: few enough for a test, and a multiple of four, so that there is a coarser grid.
 fn runner(root: &Path, results: &TempDir) -> Runner {
-    let program = [env!("CARGO_BIN_EXE_xtask"), "program"];
-    Runner::new(root, results.path().join("runs"), &program)
+    Runner {
+        root: root.into(),
+        results: results.path().join("runs"),
+        program: [env!("CARGO_BIN_EXE_xtask"), "program"]
+            .map(OsString::from)
+            .to_vec(),
+        elements: 32,
+        tell: |_| (),
+    }
 }
 
 /// The files of a figure, by name.
 fn drawn(figure: Figure, results: &TempDir, folder: &str) -> BTreeMap<String, Vec<u8>> {
     let out = results.path().join(folder);
-    let names = draw_figure(figure, &runner(&root(), results), TINY, &out).unwrap();
-    let file = |name: String| (name.clone(), fs::read(out.join(name)).unwrap());
-    names.into_iter().map(file).collect()
+    let count = figures(&[figure], &runner(&root(), results), &out, None).unwrap();
+    let file = |entry: fs::DirEntry| {
+        let name = entry.file_name().into_string().unwrap();
+        (name, fs::read(entry.path()).unwrap())
+    };
+    let entries = fs::read_dir(out).unwrap();
+    let files: BTreeMap<_, _> = entries.map(|entry| file(entry.unwrap())).collect();
+    assert_eq!(files.len(), 3 * count);
+    files
 }
 
 fn text<'a>(files: &'a BTreeMap<String, Vec<u8>>, name: &str) -> &'a str {
@@ -79,11 +86,11 @@ fn a_case_that_is_missing_refused_or_not_certified_is_an_error_and_not_drawn() {
     let results = tempfile::tempdir().unwrap();
     let nowhere = TempDir::new().unwrap();
     let out = results.path().join("out");
-    assert!(draw_figure(Figure::Five, &runner(nowhere.path(), &results), TINY, &out).is_err());
+    let runner_of_nothing = runner(nowhere.path(), &results);
+    assert!(figures(&[Figure::Five], &runner_of_nothing, &out, None).is_err());
     assert!(!out.exists());
     let run = |set: &str| {
-        let sets = ["grid.elements=32", set].map(str::to_owned);
-        let run = runner(&root(), &results).run("cases/fig2a", &sets, false);
+        let run = runner(&root(), &results).run("cases/fig2a", &[set]);
         run.unwrap_err()
     };
     let refused = run("load.force=-1");

@@ -1,10 +1,10 @@
-//! What `cargo xtask figures` is asked for.
+//! The command line of `cargo xtask figures`.
 
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
-use super::studio::Quality;
+use super::runner::{FULL, QUICK};
 
 /// A figure of the paper that shows results.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, ValueEnum)]
@@ -53,14 +53,10 @@ impl FiguresArguments {
         all.filter(is_wanted).collect()
     }
 
-    /// How fine the grids are.
+    /// Elements along a side of every grid.
     #[must_use]
-    pub fn quality(&self) -> Quality {
-        if self.quick {
-            Quality::QUICK
-        } else {
-            Quality::FULL
-        }
+    pub fn elements(&self) -> usize {
+        if self.quick { QUICK } else { FULL }
     }
 
     /// Folder of the pictures.
@@ -93,14 +89,14 @@ mod tests {
     fn without_options_all_figures_are_drawn_at_full_resolution() {
         let arguments = parsed("").unwrap();
         assert_eq!(arguments.figures(), Figure::value_variants());
-        assert_eq!(arguments.quality(), Quality::FULL);
+        assert_eq!(arguments.elements(), FULL);
     }
 
     #[test]
     fn figures_can_be_chosen_and_come_in_order() {
         let arguments = parsed("--only 6,4 --only 4 --quick").unwrap();
         assert_eq!(arguments.figures(), [Figure::Four, Figure::Six]);
-        assert_eq!(arguments.quality(), Quality::QUICK);
+        assert_eq!(arguments.elements(), QUICK);
         assert_ne!(arguments.folder(), parsed("").unwrap().folder());
     }
 

@@ -4,69 +4,63 @@ use pellicle_cli::display::Scale;
 use pellicle_cli::picture::number::power;
 use pellicle_cli::picture::style::Style;
 use pellicle_cli::picture::subject::Subject;
-use pellicle_cli::picture::svg::Dash;
+use pellicle_cli::picture::trust::BRACKETS;
 use pellicle_cli::picture::{colours, pressure_map, section};
 
-use super::line::{self, Line};
-use super::note;
-use super::parameters::Parameters;
-use super::picture::Picture;
-use super::pressure_sheet::{Common, Shown, maps, surfaces};
-use super::pressures::{Loaded, TOLD_APART, reach, rounded_up};
-use super::studio::Studio;
+use super::chart;
+use super::pressures::{Pressures, Shown, reach, rounded_up};
+use super::runner::{Runner, SolvedStep};
+use super::sheet::{Caption, Picture};
+use super::{MATERIALS, TEXTURED};
 use crate::XtaskError;
 
-/// Names of the panels.
-const PANELS: [&str; 4] = ["(a)", "(b)", "(c)", "(d)"];
+/// The panels and their cases.
+const PANELS: [(&str, &str); 4] = [
+    ("(a)", "cases/fig2a"),
+    ("(b)", "cases/fig2b"),
+    ("(c)", "cases/fig2c"),
+    ("(d)", "cases/fig2d"),
+];
 
 /// E₁ of a panel's coating over E₁ of the stiff one: the paper's two materials change places, so the compliant
 /// coating's modulus is a tenth. Axes whose ends are ten to one in units of E₁ are the same axis.
 const MODULI: [f64; 4] = [0.1, 1.0, 0.1, 1.0];
 
-/// The pressure as maps, and as columns over the surface.
-pub(super) fn draw(studio: &mut Studio<'_>) -> Result<Vec<Picture>, XtaskError> {
-    let cases = ["cases/fig2a", "cases/fig2b", "cases/fig2c", "cases/fig2d"];
-    let loaded = Loaded::all(studio, cases)?;
-    let case = Parameters::of(&loaded[0].run).textured_coating();
-    let subtitle = format!("{}{case}", studio.quality.mark());
-    let notes = notes(&loaded);
-    let common = Common {
-        title: "Fig. 2: pressure on a textured coating",
-        subtitle: &subtitle,
-        notes: &notes,
+/// The part of the elements in contact whose pressures the colours of a map tell apart: an edge peak would leave the
+/// same dark colour to all the rest.
+const TOLD_APART: f64 = 0.95;
+
+/// The pressure as maps, and as columns over the surface; and panel (c) as the program draws it, for the README.
+pub(super) fn draw(runner: &Runner) -> Result<Vec<Picture>, XtaskError> {
+    let steps = PANELS.iter().map(|(_, case)| runner.step(case, 0));
+    let steps = steps.collect::<Result<Vec<_>, _>>()?;
+    let pressures = Pressures {
+        caption: Caption {
+            title: "Fig. 2: pressure on a textured coating",
+            subtitle: format!("{}{TEXTURED}", runner.mark()),
+            notes: notes(&steps),
+        },
         metres: in_units_of("R"),
-        reach: reach(&loaded),
+        reach: reach(&steps),
+        panels: panels(&steps),
     };
-    let panels = panels(&loaded);
-    let [map, section] = of_the_readme(&common, &loaded[2], &panels[2]);
-    Ok(vec![
-        maps("fig2-map", &common, &panels),
-        surfaces("fig2-surface", &common, &panels),
-        map,
-        section,
-    ])
+    let mut pictures = Vec::from(pressures.draw("fig2-map", "fig2-surface"));
+    pictures.extend(of_the_readme(&pressures, &steps[2]));
+    Ok(pictures)
 }
 
 /// The map and the section of Fig. 2(c) as the program draws them.
-fn of_the_readme(common: &Common<'_>, loaded: &Loaded, shown: &Shown<'_>) -> [Picture; 2] {
-    let record = &loaded.run.record;
+fn of_the_readme(pressures: &Pressures<'_>, step: &SolvedStep) -> [Picture; 2] {
     let subject = Subject {
-        title: &record.title,
-        units: record.units,
-        relief_height: record.relief_height(),
-        step: loaded.run.last(),
-        fields: shown.fields,
+        title: &step.record.title,
+        units: step.record.units,
+        relief_height: step.record.relief_height(),
+        step: step.numbers(),
+        fields: step.fields(),
         style: Style::default(),
     };
-    let profile = Line {
-        name: shown.title.clone(),
-        colour: colours::BLUE,
-        dash: Dash::Solid,
-        width: Line::WIDTH,
-        is_marked: false,
-        parts: vec![common.profile(shown)],
-    };
-    let csv = line::csv([("pressure along x", [profile].as_slice())]);
+    let profile = [pressures.profile(2, colours::BLUE)];
+    let csv = chart::csv([("pressure along x", profile.as_slice())]);
     let picture = |name, svg, width| Picture {
         name,
         svg,
@@ -80,46 +74,54 @@ fn of_the_readme(common: &Common<'_>, loaded: &Loaded, shown: &Shown<'_>) -> [Pi
 }
 
 /// Heights are the same pressure in all panels, colours of the maps in those of one coating.
-fn panels<'a>(loaded: &'a [Loaded]) -> Vec<Shown<'a>> {
-    let peaks = loaded
-        .iter()
-        .zip(MODULI)
-        .map(|(loaded, modulus)| loaded.peak() * modulus);
-    let top = rounded_up(peaks);
+fn panels<'a>(steps: &'a [SolvedStep]) -> Vec<Shown<'a>> {
+    let peaks = steps.iter().zip(MODULI);
+    let top = rounded_up(peaks.map(|(step, modulus)| step.numbers().max_pressure * modulus));
     let brightest = [0, 1].map(|coating| {
-        let panels = [&loaded[coating], &loaded[coating + 2]];
-        rounded_up(panels.into_iter().map(Loaded::common_peak))
+        let panels = [&steps[coating], &steps[coating + 2]];
+        rounded_up(panels.into_iter().map(common_peak))
     });
-    let panel = |(i, loaded): (usize, &'a Loaded)| Shown {
-        title: title(i, loaded),
-        fields: loaded.stored.fields(loaded.run.side()),
+    let panel = |(i, step): (usize, &'a SolvedStep)| Shown {
+        title: title(i, step),
+        step,
         pascals: in_units_of("E₁"),
         top: top / MODULI[i],
         brightest: brightest[i % 2],
     };
-    loaded.iter().enumerate().map(panel).collect()
+    steps.iter().enumerate().map(panel).collect()
 }
 
-fn title(i: usize, loaded: &Loaded) -> String {
-    let step = loaded.run.last();
-    let coating = ["compliant", "stiff"][i % 2];
-    let (name, force, depth) = (PANELS[i], power(step.force, 5), power(step.penetration, 4));
+fn title(i: usize, step: &SolvedStep) -> String {
+    let (name, coating, step) = (PANELS[i].0, ["compliant", "stiff"][i % 2], step.numbers());
+    let (force, depth) = (power(step.force, 5), power(step.penetration, 4));
     format!("{name} {coating} coating, Q = {force} E₁R², D = {depth} R")
 }
 
-fn notes(loaded: &[Loaded]) -> Vec<String> {
-    let [compliant, stiff] = [0, 1].map(|i: usize| Parameters::of(&loaded[i].run).materials());
-    let fixed = [
-        format!("compliant coating: {compliant}; stiff coating: {stiff}. Grey: relief that carries nothing."),
+fn notes(steps: &[SolvedStep]) -> Vec<String> {
+    let mut notes = vec![
+        format!("{MATERIALS}. Grey: relief that carries nothing."),
         "E₁ of (a), (c) is a tenth of E₁ of (b), (d): equal heights are equal pressures in all panels. A cell has the largest of its elements."
             .into(),
-        format!("Colours of the maps end where {} % of the contact lies below. {}.", power(100.0 * TOLD_APART, 2), note::BRACKETS),
+        format!("Colours of the maps end where {} % of the contact lies below. {BRACKETS}.", power(100.0 * TOLD_APART, 2)),
     ];
-    let data = loaded
-        .iter()
-        .zip(PANELS)
-        .map(|(loaded, name)| loaded.note(name));
-    fixed.into_iter().chain(data).collect()
+    let data = steps.iter().zip(PANELS);
+    notes.extend(data.map(|(step, (name, _))| step.note(name)));
+    notes
+}
+
+/// The pressure that all but a few of the elements in contact stay below.
+fn common_peak(step: &SolvedStep) -> f64 {
+    let fields = step.fields();
+    let in_contact = fields.pressure.iter().copied().filter(|p| *p > 0.0);
+    let mut pressures: Vec<f64> = in_contact.collect();
+    pressures.sort_by(f64::total_cmp);
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a part of a length"
+    )]
+    let at = (TOLD_APART * pressures.len() as f64) as usize;
+    pressures.get(at).copied().unwrap_or(0.0)
 }
 
 /// A unit of the paper's system.

@@ -3,138 +3,98 @@
 use pellicle_cli::case::units::Units;
 use pellicle_cli::display::{Scale, Unit, quantity};
 use pellicle_cli::picture::panel::Axis;
-use pellicle_cli::picture::svg::{Dash, Place};
+use pellicle_cli::picture::svg::Place;
+use pellicle_cli::picture::trust::BRACKETS;
 
-use super::line::{self, Line};
-use super::loading::{BARE, FILM};
-use super::parameters::{Parameters, short};
-use super::picture::Picture;
-use super::pressure_sheet::{Common, Shown, maps, surfaces};
-use super::pressures::{Loaded, reach, rounded_up};
-use super::sheet::Sheet;
-use super::studio::Studio;
-use super::{chart, note};
+use super::chart::{self, AXIS, LEFT, Line};
+use super::pressures::{FILM_AND_BARE, Pressures, Shown, reach, rounded_up};
+use super::runner::{Runner, SolvedStep};
+use super::sheet::{Caption, Picture, Sheet};
 use crate::XtaskError;
 
-/// Names of the panels.
-const PANELS: [&str; 2] = ["with film", "without film"];
+/// The panels and their cases.
+const PANELS: [(&str, &str); 2] = [
+    ("with film", "cases/fig5-film"),
+    ("without film", "cases/fig5-bare"),
+];
 
 /// Of the profiles, in pixels.
+const LEGEND: f64 = 50.0;
 const PLACE: Place = Place {
-    left: 112.0,
-    top: Sheet::TOP + 50.0,
+    left: LEFT,
+    top: Sheet::TOP + LEGEND,
     width: 1060.0,
     height: 440.0,
 };
 
-const TITLE: &str = "Fig. 5: pressure under a Berkovich pyramid with a rounded tip";
-
 /// The pressure as maps, as columns over the surface, and along the axis of symmetry.
-pub(super) fn draw(studio: &mut Studio<'_>) -> Result<Vec<Picture>, XtaskError> {
-    let loaded = Loaded::all(studio, ["cases/fig5-film", "cases/fig5-bare"])?;
-    let (subtitle, notes) = (subtitle(studio, &loaded), notes(&loaded));
-    let reach = reach(&loaded);
+pub(super) fn draw(runner: &Runner) -> Result<Vec<Picture>, XtaskError> {
+    let steps = PANELS.iter().map(|(_, case)| runner.step(case, 0));
+    let steps = steps.collect::<Result<Vec<_>, _>>()?;
+    let reach = reach(&steps);
     let metres = Scale::of(reach, Unit::Metre, Units::Si);
-    let common = Common {
-        title: TITLE,
-        subtitle: &subtitle,
-        notes: &notes,
+    let pressures = Pressures {
+        caption: Caption {
+            title: "Fig. 5: pressure under a Berkovich pyramid with a rounded tip",
+            subtitle: format!(
+                "{}Q = 2.3 mN; tip radius 400 nm; coating H = 10 nm; film 5 nm thick, modulus 140 MPa",
+                runner.mark()
+            ),
+            notes: notes(&steps),
+        },
         reach: reach / metres.divisor,
         metres,
+        panels: panels(&steps),
     };
-    let panels = panels(&loaded);
-    Ok(vec![
-        maps("fig5-map", &common, &panels),
-        surfaces("fig5-surface", &common, &panels),
-        profiles(&common, &panels),
-    ])
+    let mut pictures = Vec::from(pressures.draw("fig5-map", "fig5-surface"));
+    pictures.push(profiles(&pressures));
+    Ok(pictures)
 }
 
 /// The same ends of axes and colours in both panels.
-fn panels(loaded: &[Loaded]) -> Vec<Shown<'_>> {
-    let peaks = || loaded.iter().map(Loaded::peak);
+fn panels<'a>(steps: &'a [SolvedStep]) -> Vec<Shown<'a>> {
+    let peaks = || steps.iter().map(|step| step.numbers().max_pressure);
     let pascals = Scale::of(peaks().fold(0.0, f64::max), Unit::Pascal, Units::Si);
     let top = rounded_up(peaks().map(|peak| peak / pascals.divisor));
-    let panels = loaded.iter().zip(PANELS);
-    panels
-        .map(|(loaded, name)| Shown {
-            title: format!("{name}, {}", penetration(loaded)),
-            fields: loaded.stored.fields(loaded.run.side()),
+    let panel = |(step, (name, _)): (&'a SolvedStep, (&str, &str))| {
+        let depth = quantity(step.numbers().penetration, Unit::Metre, Units::Si);
+        Shown {
+            title: format!("{name}, D = {depth}"),
+            step,
             pascals: pascals.clone(),
             top,
             brightest: top,
-        })
-        .collect()
+        }
+    };
+    steps.iter().zip(PANELS).map(panel).collect()
 }
 
-fn penetration(loaded: &Loaded) -> String {
-    let depth = quantity(loaded.run.last().penetration, Unit::Metre, Units::Si);
-    format!("D = {depth}")
-}
-
-fn subtitle(studio: &Studio<'_>, loaded: &[Loaded]) -> String {
-    let film = Parameters::of(&loaded[0].run);
-    let force = quantity(loaded[0].run.last().force, Unit::Newton, Units::Si);
-    format!(
-        "{}Q = {}; tip radius {}; coating {}; film {}",
-        studio.quality.mark(),
-        short(&force),
-        film.tip_radius(),
-        film.thickness(),
-        film.film()
-    )
-}
-
-fn notes(loaded: &[Loaded]) -> Vec<String> {
-    let film = Parameters::of(&loaded[0].run);
-    let fixed = [
-        format!("coating: {}, {}. Grey: film that carries nothing. {}.", film.modulus(), film.materials(), note::BRACKETS),
+fn notes(steps: &[SolvedStep]) -> Vec<String> {
+    let mut notes = vec![
+        format!("coating: E₁ = 70 GPa, E₁/E₂ = 10, ν₁ = 0.3, ν₂ = 0.4. Grey: film that carries nothing. {BRACKETS}."),
         "The film shortens by many times its thickness at this force, as printed: linear springs are used outside their validity.".into(),
     ];
-    let data = loaded
-        .iter()
-        .zip(PANELS)
-        .map(|(loaded, name)| loaded.note(name));
-    fixed.into_iter().chain(data).collect()
+    let data = steps.iter().zip(PANELS);
+    notes.extend(data.map(|(step, (name, _))| step.note(name)));
+    notes
 }
 
 /// The pressures along x beside the axis, in one panel.
-fn profiles(common: &Common<'_>, panels: &[Shown<'_>]) -> Picture {
-    let height = 50.0 + PLACE.height + 76.0;
-    let size = (PLACE.right() + 40.0, height);
-    let mut sheet = Sheet::new(size, TITLE, common.subtitle, common.notes);
-    let lines: Vec<_> = (panels.iter().zip([FILM, BARE]))
-        .map(|(shown, colour)| Line {
-            name: shown.title.clone(),
-            colour,
-            dash: Dash::Solid,
-            width: Line::WIDTH,
-            is_marked: false,
-            parts: vec![common.profile(shown)],
-        })
+fn profiles(pressures: &Pressures<'_>) -> Picture {
+    let size = (PLACE.right() + 40.0, LEGEND + PLACE.height + AXIS);
+    let mut sheet = Sheet::new(size, &pressures.caption);
+    let colours = FILM_AND_BARE.into_iter().enumerate();
+    let lines: Vec<Line> = colours
+        .map(|(i, colour)| pressures.profile(i, colour))
         .collect();
-    let axes = (
-        Axis::new(
-            -common.reach,
-            common.reach,
-            format!("x, {}", common.metres.label),
-            8,
-        ),
-        Axis::new(
-            0.0,
-            1.06 * panels[0].top,
-            format!("p beside the axis, {}", panels[0].pascals.label),
-            5,
-        ),
-    );
+    let (reach, panel) = (pressures.reach, &pressures.panels[0]);
+    let along = format!("x, {}", pressures.metres.label);
+    let pressure = format!("p beside the axis, {}", panel.pascals.label);
+    let axes = [
+        Axis::new(-reach, reach, along, 8),
+        Axis::new(0.0, 1.06 * panel.top, pressure, 5),
+    ];
     chart::draw(&mut sheet.svg, "", PLACE, axes, &lines);
-    let entries: Vec<&Line> = lines.iter().collect();
-    chart::legend(
-        &mut sheet.svg,
-        (PLACE.left, Sheet::TOP + 12.0),
-        420.0,
-        &[&entries],
-    );
-    let csv = line::csv([("along x", lines.as_slice())]);
-    sheet.finish("fig5-profile", csv)
+    chart::legend(&mut sheet.svg, (2, 420.0), &lines);
+    sheet.finish("fig5-profile", chart::csv([("along x", lines.as_slice())]))
 }

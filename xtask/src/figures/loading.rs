@@ -1,146 +1,203 @@
-//! What figures 4 and 6 share: curves over the load, side by side.
+//! Figures 4 and 6: two numbers of a curve over its load, side by side.
 
+use pellicle_cli::output::record::Record;
 use pellicle_cli::output::summary::StepSummary;
 use pellicle_cli::picture::colours::{self, Colour};
+use pellicle_cli::picture::number::power;
+use pellicle_cli::picture::panel::Axis;
 use pellicle_cli::picture::svg::{Dash, Place};
+use pellicle_cli::picture::trust::{last_change, percent};
 
-use super::line::{self, Line};
-use super::picture::Picture;
-use super::run::PaperRun;
-use super::sheet::Sheet;
-use super::studio::{Drawn, Studio};
-use super::{chart, note};
+use super::chart::{self, AXIS, LEFT, Line};
+use super::runner::Runner;
+use super::sheet::{Caption, Picture, Sheet};
+use super::{MATERIALS, pressures};
 use crate::XtaskError;
 
 /// In pixels.
-const LEFT: f64 = 112.0;
 const SIDE: f64 = 500.0;
 const COLUMN: f64 = LEFT + SIDE + 36.0;
-const LEGEND: f64 = 66.0;
-const HEIGHT: f64 = LEGEND + 44.0 + SIDE + 76.0;
+const LEGEND: f64 = 66.0 + 44.0;
 
-/// Curves in a row of the legend.
-const IN_A_ROW: usize = 2;
+/// One curve: its case, its name, how it is drawn.
+type Curve = (&'static str, &'static str, Colour, Dash);
 
-/// The coating with and without film.
-pub(super) const FILM: Colour = colours::SKY;
-pub(super) const BARE: Colour = colours::AMBER;
-
-/// A curve of a figure: the run, its name, how it is drawn.
-pub(super) struct Curve {
-    pub run: PaperRun,
-    pub name: &'static str,
-    pub colour: Colour,
-    pub dash: Dash,
-}
-
-/// A curve that is still to be computed: its case, name, colour and dash.
-pub(super) type Planned = (&'static str, &'static str, Colour, Dash);
-
-/// The curves, computed or taken from an earlier run, as fine as what is drawn of them needs.
-pub(super) fn curves(
-    studio: &mut Studio<'_>,
-    planned: &[Planned],
-    drawn: &[Drawn],
-) -> Result<Vec<Curve>, XtaskError> {
-    let computed = planned.iter().map(|(case, name, colour, dash)| {
-        Ok(Curve {
-            run: studio.path(case, drawn)?,
-            name,
-            colour: *colour,
-            dash: *dash,
-        })
-    });
-    computed.collect()
-}
-
-/// One panel: what is shown of each step, in what unit.
-pub(super) struct View {
-    pub title: &'static str,
-    pub y: &'static str,
-    pub value: fn(&StepSummary) -> f64,
-}
-
-/// The load's axis: its title and what a force is divided by.
-pub(super) struct LoadAxis {
-    pub title: &'static str,
-    pub divisor: f64,
+/// One panel: a number of each step.
+struct View {
+    title: &'static str,
+    axis: &'static str,
+    value: fn(&StepSummary) -> f64,
 }
 
 /// A figure of two views of the same curves.
-pub(super) struct Loading<'a> {
-    pub curves: &'a [Curve],
-    pub load: LoadAxis,
-    pub views: [View; 2],
+struct Loading {
+    name: &'static str,
+    title: &'static str,
+    subtitle: &'static str,
+    /// The first note.
+    remark: String,
+    curves: Vec<Curve>,
+    /// The load's axis and its unit.
+    load: (&'static str, f64),
+    views: [View; 2],
+    /// Whether the notes tell the change of the largest pressure.
+    shows_peak: bool,
 }
 
-impl Loading<'_> {
-    /// Its sheet: heading, first note, and a note on the data of every curve, with its largest pressure if that is
-    /// shown.
-    pub(super) fn sheet(
-        &self,
-        title: &str,
-        subtitle: &str,
-        note: String,
-        with_peak: bool,
-    ) -> Sheet {
-        let data =
-            |curve: &Curve| format!("{}: {}", curve.name, note::of_path(&curve.run, with_peak));
-        let notes: Vec<_> = std::iter::once(note)
-            .chain(self.curves.iter().map(data))
-            .collect();
-        Sheet::new((2.0 * COLUMN, HEIGHT), title, subtitle, &notes)
-    }
+/// Fig. 4: penetration, and its derivative, over the load: two coatings with two periods each, under the same forces.
+pub(super) fn figure_4(runner: &Runner) -> Result<Picture, XtaskError> {
+    let (stiff, compliant) = (colours::PURPLE, colours::GREEN);
+    let (wide, narrow) = (Dash::Dashed, Dash::Solid);
+    let figure = Loading {
+        name: "fig4",
+        title: "Fig. 4: penetration of a paraboloid into a textured coating against load",
+        subtitle: "paraboloid of radius R; coating H = 10⁻⁴ R; cylinders r = 5·10⁻³ R, h = 10⁻⁴ R",
+        remark: format!("{MATERIALS}; the same forces on both, in units of the stiff coating's E₁"),
+        curves: vec![
+            (
+                "cases/paper/fig4-stiff-60",
+                "stiff coating, T = R/60",
+                stiff,
+                wide,
+            ),
+            (
+                "cases/paper/fig4-stiff-80",
+                "stiff coating, T = R/80",
+                stiff,
+                narrow,
+            ),
+            (
+                "cases/paper/fig4-soft-60",
+                "compliant coating, T = R/60",
+                compliant,
+                wide,
+            ),
+            (
+                "cases/paper/fig4-soft-80",
+                "compliant coating, T = R/80",
+                compliant,
+                narrow,
+            ),
+        ],
+        load: ("Q, 10⁻⁵ E₁R² (E₁ of the stiff coating)", 1e-5),
+        views: [
+            View {
+                title: "penetration",
+                axis: "D, 10⁻³ R",
+                value: |step| step.penetration / 1e-3,
+            },
+            View {
+                title: "its derivative, the inverse of the contact stiffness",
+                axis: "dD/dQ, 1/(E₁R)",
+                value: |step| 1.0 / step.contact_stiffness.unwrap_or(f64::NAN),
+            },
+        ],
+        shows_peak: false,
+    };
+    figure.draw(runner)
+}
 
-    /// Draws both views side by side, and the legend above.
-    pub(super) fn draw(&self, name: &'static str, mut sheet: Sheet) -> Picture {
-        let drawn = self
-            .views
-            .each_ref()
-            .map(|view| (view.title, self.lines(view)));
-        for (i, (view, (_, lines))) in self.views.iter().zip(&drawn).enumerate() {
-            self.draw_view(&mut sheet, i, view, lines);
+/// Fig. 6: largest pressure and penetration of the pyramid over the load, with and without film.
+pub(super) fn figure_6(runner: &Runner) -> Result<Picture, XtaskError> {
+    let [film, bare] = pressures::FILM_AND_BARE;
+    let figure = Loading {
+        name: "fig6",
+        title: "Fig. 6: Berkovich pyramid with a rounded tip, with and without film",
+        subtitle: "tip radius 400 nm; coating H = 10 nm; film 5 nm thick, modulus 140 MPa",
+        remark: "coating: E₁ = 70 GPa, E₁/E₂ = 10, ν₁ = 0.3, ν₂ = 0.4. The last load, 2.3 mN, is that of Fig. 5; the film shortens by more than its thickness, as printed.".into(),
+        curves: vec![
+            ("cases/paper/fig6-film", "with film", film, Dash::Solid),
+            ("cases/paper/fig6-bare", "without film", bare, Dash::Solid),
+        ],
+        load: ("Q, mN", 1e-3),
+        views: [
+            View {
+                title: "(a) largest pressure",
+                axis: "largest p, GPa",
+                value: |step| step.max_pressure / 1e9,
+            },
+            View {
+                title: "(b) penetration",
+                axis: "D, nm",
+                value: |step| step.penetration / 1e-9,
+            },
+        ],
+        shows_peak: true,
+    };
+    figure.draw(runner)
+}
+
+impl Loading {
+    fn draw(&self, runner: &Runner) -> Result<Picture, XtaskError> {
+        let records = self.curves.iter().map(|curve| runner.run(curve.0, &[]));
+        let records = records.collect::<Result<Vec<Record>, _>>()?;
+        let notes = self.curves.iter().zip(&records);
+        let notes = notes.map(|(curve, record)| format!("{}: {}", curve.1, self.note(record)));
+        let caption = Caption {
+            title: self.title,
+            subtitle: format!("{}{}", runner.mark(), self.subtitle),
+            notes: std::iter::once(self.remark.clone()).chain(notes).collect(),
+        };
+        let mut sheet = Sheet::new((2.0 * COLUMN, LEGEND + SIDE + AXIS), &caption);
+        let lines = self.views.each_ref().map(|view| self.lines(view, &records));
+        for (i, (view, lines)) in self.views.iter().zip(&lines).enumerate() {
+            let place = Place {
+                left: COLUMN * i as f64 + LEFT,
+                top: Sheet::TOP + LEGEND,
+                width: SIDE,
+                height: SIDE,
+            };
+            let points = || lines.iter().flat_map(Line::points);
+            let axes = [
+                from_zero(points().map(|(x, _)| x), self.load.0),
+                from_zero(points().map(|(_, y)| y), view.axis),
+            ];
+            chart::draw(&mut sheet.svg, view.title, place, axes, lines);
         }
-        let entries: Vec<&Line> = drawn[0].1.iter().collect();
-        let rows: Vec<_> = entries.chunks(IN_A_ROW).collect();
-        chart::legend(&mut sheet.svg, (LEFT, Sheet::TOP + 12.0), 420.0, &rows);
-        let tables = drawn
-            .iter()
-            .map(|(title, lines)| (*title, lines.as_slice()));
-        let csv = line::csv(tables);
-        sheet.finish(name, csv)
+        chart::legend(&mut sheet.svg, (2, 420.0), &lines[0]);
+        let tables = self.views.iter().zip(&lines);
+        let csv = chart::csv(tables.map(|(view, lines)| (view.title, lines.as_slice())));
+        Ok(sheet.finish(self.name, csv))
     }
 
-    fn draw_view(&self, sheet: &mut Sheet, i: usize, view: &View, lines: &[Line]) {
-        let place = Place {
-            left: COLUMN * i as f64 + LEFT,
-            top: Sheet::TOP + LEGEND + 44.0,
-            width: SIDE,
-            height: SIDE,
-        };
-        let points = || lines.iter().flat_map(Line::points);
-        let axes = (
-            chart::from_zero(points().map(|(x, _)| x), self.load.title),
-            chart::from_zero(points().map(|(_, y)| y), view.y),
-        );
-        chart::draw(&mut sheet.svg, view.title, place, axes, lines);
+    fn lines(&self, view: &View, records: &[Record]) -> Vec<Line> {
+        let point = |step: &StepSummary| (step.force / self.load.1, (view.value)(step));
+        let lines = self.curves.iter().zip(records);
+        let lines = lines.map(|(&(_, name, colour, dash), record)| {
+            let points = record
+                .steps
+                .iter()
+                .map(point)
+                .filter(|(_, y)| y.is_finite());
+            Line {
+                dash,
+                is_marked: true,
+                ..Line::new(name.into(), colour, vec![points.collect()])
+            }
+        });
+        lines.collect()
     }
 
-    fn lines(&self, view: &View) -> Vec<Line> {
-        let line = |curve: &Curve| Line {
-            name: curve.name.to_owned(),
-            colour: curve.colour,
-            dash: curve.dash,
-            width: Line::WIDTH,
-            is_marked: true,
-            parts: vec![self.points(&curve.run, view)],
-        };
-        self.curves.iter().map(line).collect()
+    /// The note on the data of a curve: its grid, and the largest of its certificates and of the changes between grids.
+    fn note(&self, record: &Record) -> String {
+        let largest = |of: fn(&StepSummary) -> f64| record.steps.iter().map(of).fold(0.0, f64::max);
+        let certificate = largest(|step| step.certificate.worst);
+        let penetration = largest(|step| last_change(step, |level| level.penetration).abs());
+        let peak = largest(|step| last_change(step, |level| level.max_pressure).abs());
+        let peak = format!(", of the largest p ≤ {}", percent(peak));
+        format!(
+            "{n} × {n} elements, {} loads, certificates ≤ {}; change of D from the next coarser grid ≤ {}{}",
+            record.steps.len(),
+            power(certificate, 1),
+            percent(penetration),
+            if self.shows_peak { &peak } else { "" },
+            n = record.grid.elements,
+        )
     }
+}
 
-    fn points(&self, run: &PaperRun, view: &View) -> Vec<(f64, f64)> {
-        let point = |step: &StepSummary| (step.force / self.load.divisor, (view.value)(step));
-        let points = run.steps().iter().map(point);
-        points.filter(|(_, y)| y.is_finite()).collect()
-    }
+/// An axis from 0 to a little above the largest of these values.
+fn from_zero(values: impl Iterator<Item = f64>, title: &str) -> Axis {
+    let largest = values.fold(0.0, f64::max);
+    Axis::new(0.0, 1.06 * largest, title.into(), 6)
 }

@@ -1,68 +1,211 @@
-//! What figures 2 and 5 share: runs with the fields of their only step, and the ends of axes and colours.
+//! Figures 2 and 5: pressures as maps, and as columns over the surface, with the same axes in every panel.
 
-use pellicle_cli::output::npz::StoredFields;
+use std::fmt::Write as _;
 
-use super::note;
-use super::run::PaperRun;
-use super::studio::Studio;
-use crate::XtaskError;
+use pellicle_cli::display::Scale;
+use pellicle_cli::picture::coarse::Coarse;
+use pellicle_cli::picture::colour_map::Shades;
+use pellicle_cli::picture::colours::{self, Colour};
+use pellicle_cli::picture::panel::{Axis, Panel};
+use pellicle_cli::picture::projection::Projection;
+use pellicle_cli::picture::scene::Scene;
+use pellicle_cli::picture::svg::{Anchor, Place, Svg};
+use pellicle_cli::picture::window::Window;
+use pellicle_cli::picture::{axis, colour_bar, pressure_map};
 
-/// What is shown around the contact, as a part of it.
+use super::chart::{Line, quoted};
+use super::runner::SolvedStep;
+use super::sheet::{Caption, Picture, Sheet};
+
+/// Colours of the coating with and without film.
+pub(super) const FILM_AND_BARE: [Colour; 2] = [colours::SKY, colours::AMBER];
+
+/// Panels side by side.
+const COLUMNS: usize = 2;
+
+/// Of a map and its colour bar, in pixels.
+const MAP: f64 = 480.0;
+const MAP_LEFT: f64 = 104.0;
+const MAP_GAP: f64 = 16.0;
+const BAR: f64 = 22.0;
+const MAP_CELL: (f64, f64) = (
+    MAP_LEFT + MAP + MAP_GAP + BAR + colour_bar::BESIDE,
+    TITLE_ROOM + MAP + 74.0,
+);
+
+/// Of a scene, in pixels.
+const SCENE: (f64, f64) = (720.0, 560.0);
+const SCENE_CELL: (f64, f64) = (SCENE.0, TITLE_ROOM + SCENE.1);
+
+/// Above a panel.
+const TITLE_ROOM: f64 = 34.0;
+const TITLE: f64 = 18.0;
+
+/// Most cells of a map, and most columns of a scene, along a side.
+const MAP_CELLS: usize = 480;
+const SCENE_CELLS: usize = 200;
+
+/// Half the side of the part shown, in radii of the contact.
 const MARGIN: f64 = 1.06;
 
-/// The part of the elements in contact whose pressures the colours of a map tell apart: an edge peak would leave the
-/// same dark colour to all the rest.
-pub(super) const TOLD_APART: f64 = 0.95;
-
-/// A run and the fields of its only step.
-pub(super) struct Loaded {
-    pub run: PaperRun,
-    pub stored: StoredFields,
+/// One panel.
+pub(super) struct Shown<'a> {
+    pub title: String,
+    pub step: &'a SolvedStep,
+    /// The unit of its pressures.
+    pub pascals: Scale,
+    /// The end of its pressures' axis, in that unit.
+    pub top: f64,
+    /// The end of the colours of its map, in that unit; what is above has the last colour.
+    pub brightest: f64,
 }
 
-impl Loaded {
-    /// The runs of these cases.
-    pub(super) fn all<const N: usize>(
-        studio: &mut Studio<'_>,
-        cases: [&'static str; N],
-    ) -> Result<Vec<Self>, XtaskError> {
-        let load = |case| {
-            let run = studio.fields(case)?;
-            let stored = run.fields(0)?;
-            Ok(Self { run, stored })
+/// Panels with the same axes.
+pub(super) struct Pressures<'a> {
+    pub caption: Caption,
+    /// The unit of x and y.
+    pub metres: Scale,
+    /// Half the side of what is shown, in that unit.
+    pub reach: f64,
+    pub panels: Vec<Shown<'a>>,
+}
+
+impl Pressures<'_> {
+    /// The pressures as maps and as columns over the surface, under these names.
+    pub(super) fn draw(&self, maps: &'static str, surfaces: &'static str) -> [Picture; 2] {
+        let csv = self.csv();
+        [
+            self.sheet(MAP_CELL, Self::draw_map)
+                .finish(maps, csv.clone()),
+            self.sheet(SCENE_CELL, Self::draw_scene)
+                .finish(surfaces, csv),
+        ]
+    }
+
+    /// The pressure of a panel along x beside the axis, constant over an element, in the units of axes.
+    pub(super) fn profile(&self, panel: usize, colour: Colour) -> Line {
+        let shown = &self.panels[panel];
+        let fields = shown.step.fields();
+        let along = |i: usize| {
+            let pressure = fields.pressure[i * fields.size + fields.size / 2];
+            let pressure = pressure / shown.pascals.divisor;
+            [i, i + 1].map(|i| (fields.edge(i) / self.metres.divisor, pressure))
         };
-        cases.into_iter().map(load).collect()
+        let points = (0..fields.size).flat_map(along).collect();
+        Line::new(shown.title.clone(), colour, vec![points])
     }
 
-    /// The largest pressure.
-    pub(super) fn peak(&self) -> f64 {
-        self.run.last().max_pressure
+    /// A sheet of the panels, each drawn from the left and upper corner of its cell.
+    fn sheet(
+        &self,
+        (width, height): (f64, f64),
+        draw: fn(&Self, &mut Svg, (f64, f64), &Shown<'_>),
+    ) -> Sheet {
+        let rows = self.panels.len().div_ceil(COLUMNS) as f64;
+        let mut sheet = Sheet::new((COLUMNS as f64 * width, rows * height), &self.caption);
+        for (i, shown) in self.panels.iter().enumerate() {
+            let left = width * (i % COLUMNS) as f64;
+            let top = Sheet::TOP + height * (i / COLUMNS) as f64;
+            draw(self, &mut sheet.svg, (left, top), shown);
+        }
+        sheet
     }
 
-    /// The pressure that all but a few of the elements in contact stay below.
-    pub(super) fn common_peak(&self) -> f64 {
-        let fields = self.stored.fields(self.run.side());
-        let in_contact = fields.pressure.iter().copied().filter(|p| *p > 0.0);
-        let mut pressures: Vec<f64> = in_contact.collect();
-        pressures.sort_by(f64::total_cmp);
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "a part of a length"
-        )]
-        let at = (TOLD_APART * pressures.len() as f64) as usize;
-        pressures.get(at).copied().unwrap_or(0.0)
+    fn draw_map(&self, svg: &mut Svg, (left, top): (f64, f64), shown: &Shown<'_>) {
+        let place = Place {
+            left: left + MAP_LEFT,
+            top: top + TITLE_ROOM,
+            width: MAP,
+            height: MAP,
+        };
+        svg.text((place.left, top + 14.0), TITLE, Anchor::Start, &shown.title);
+        let panel = Panel {
+            place,
+            x: self.axis("x", 6),
+            y: self.axis("y", 6),
+        };
+        let coarse = self.coarse(shown, MAP_CELLS);
+        let shades = Shades::up_to(shown.brightest * shown.pascals.divisor);
+        svg.within(place, |svg| {
+            pressure_map::draw_field(svg, &panel, &coarse, self.metres.divisor, &shades);
+        });
+        panel.draw_axes(svg);
+        let bar = Place {
+            left: place.right() + MAP_GAP,
+            width: BAR,
+            ..place
+        };
+        let title = axis::title("pressure p", &shown.pascals.label);
+        colour_bar::draw(svg, bar, &Shades::up_to(shown.brightest), &title);
     }
 
-    /// The note on its data.
-    pub(super) fn note(&self, name: &str) -> String {
-        format!("{name}: {}", note::of_step(&self.run, self.run.last()))
+    fn draw_scene(&self, svg: &mut Svg, (left, top): (f64, f64), shown: &Shown<'_>) {
+        svg.text(
+            (left + 40.0, top + 14.0),
+            TITLE,
+            Anchor::Start,
+            &shown.title,
+        );
+        let place = Place {
+            left,
+            top: top + TITLE_ROOM,
+            width: SCENE.0,
+            height: SCENE.1,
+        };
+        let view = Projection {
+            unit: 215.0,
+            height: 225.0,
+            centre: (left + 380.0, place.top + 372.0),
+        };
+        let pressure = axis::title("p", &shown.pascals.label);
+        let scene = Scene {
+            place,
+            view,
+            x: self.axis("x", 5),
+            y: self.axis("y", 5),
+            z: Axis::new(0.0, shown.top, pressure, 5),
+        };
+        let divisors = (self.metres.divisor, shown.pascals.divisor);
+        let coarse = self.coarse(shown, SCENE_CELLS);
+        scene.draw(svg, &coarse, divisors, &Shades::up_to(shown.top));
+    }
+
+    /// One row a cell of every panel; a cell has the largest pressure of its elements.
+    fn csv(&self) -> String {
+        let mut csv = String::from("panel,x,y,pressure\n");
+        for shown in &self.panels {
+            let (panel, coarse) = (quoted(&shown.title), self.coarse(shown, SCENE_CELLS));
+            let centre = |[from, to]: [f64; 2], i: usize| {
+                from + (to - from) * (i as f64 + 0.5) / coarse.cells as f64
+            };
+            for i in 0..coarse.cells {
+                for j in 0..coarse.cells {
+                    let (x, y) = (centre(coarse.x, i), centre(coarse.y, j));
+                    let p = coarse.pressure(i, j);
+                    // Writing to a string does not fail.
+                    let _ = writeln!(csv, "{panel},{x:e},{y:e},{p:e}");
+                }
+            }
+        }
+        csv
+    }
+
+    fn axis(&self, symbol: &str, ticks: usize) -> Axis {
+        let title = axis::title(symbol, &self.metres.label);
+        Axis::new(-self.reach, self.reach, title, ticks)
+    }
+
+    fn coarse(&self, shown: &Shown<'_>, cells: usize) -> Coarse {
+        let fields = shown.step.fields();
+        let part = 2.0 * self.reach * self.metres.divisor / fields.side;
+        let window = Window::around_axis(fields.size, part);
+        Coarse::new(&fields, &window, cells)
     }
 }
 
 /// The largest contact and a margin.
-pub(super) fn reach(loaded: &[Loaded]) -> f64 {
-    let radii = loaded.iter().map(|loaded| loaded.run.last().contact_radius);
+pub(super) fn reach(steps: &[SolvedStep]) -> f64 {
+    let radii = steps.iter().map(|step| step.numbers().contact_radius);
     MARGIN * radii.fold(0.0, f64::max)
 }
 

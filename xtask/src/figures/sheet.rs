@@ -1,9 +1,14 @@
-//! A sheet with a heading, room for panels, and notes on the data below.
+//! A sheet with a heading, room for panels, and notes on the data below; finished, it is a picture with its numbers.
 
-use pellicle_cli::picture::heading;
+use std::fs;
+use std::io::{self, Write};
+use std::path::Path;
+
+use pellicle_cli::output::file::{write_bytes, write_whole};
 use pellicle_cli::picture::svg::{Anchor, Svg};
+use pellicle_cli::picture::{heading, png};
 
-use super::picture::Picture;
+use crate::XtaskError;
 
 /// Left side of heading and notes, in pixels.
 const LEFT: f64 = 40.0;
@@ -13,24 +18,53 @@ const NOTE: f64 = 15.0;
 const LINE: f64 = 24.0;
 const BELOW: f64 = 18.0;
 
-/// A sheet under way.
+/// Width of a small version, in pixels: a page of documentation.
+const SMALL_WIDTH: f64 = 940.0;
+/// Most bytes of a small version: it is kept in the repository.
+const SMALL_BYTES: usize = 100_000;
+
+/// The words around the panels.
+pub(super) struct Caption {
+    pub title: &'static str,
+    /// A line on what is the same in all panels.
+    pub subtitle: String,
+    pub notes: Vec<String>,
+}
+
+/// A sheet on which panels are drawn.
 pub(super) struct Sheet {
     pub svg: Svg,
     width: f64,
+}
+
+/// A drawing and the numbers in it.
+pub(super) struct Picture {
+    /// Name of its files, without ending.
+    pub name: &'static str,
+    /// The drawing.
+    pub svg: String,
+    /// Width of the drawing, in pixels.
+    pub width: f64,
+    /// Every curve or field in it.
+    pub csv: String,
 }
 
 impl Sheet {
     /// Where panels begin, from the top: the notes are below, not in the heading.
     pub(super) const TOP: f64 = heading::HEIGHT - 22.0;
 
-    /// A sheet of this width whose panels need this height, with a title, a line on what is the same in all panels, and
-    /// notes.
-    pub(super) fn new(size: (f64, f64), title: &str, subtitle: &str, notes: &[String]) -> Self {
-        let (width, height) = size;
+    /// A sheet of this width whose panels need this height.
+    pub(super) fn new((width, height): (f64, f64), caption: &Caption) -> Self {
         let bottom = Self::TOP + height;
-        let mut svg = Svg::new(width, bottom + LINE * notes.len() as f64 + BELOW);
-        heading::draw(&mut svg, LEFT, width - LEFT, title, subtitle);
-        for (i, note) in notes.iter().enumerate() {
+        let mut svg = Svg::new(width, bottom + LINE * caption.notes.len() as f64 + BELOW);
+        heading::draw(
+            &mut svg,
+            LEFT,
+            width - LEFT,
+            caption.title,
+            &caption.subtitle,
+        );
+        for (i, note) in caption.notes.iter().enumerate() {
             let y = bottom + LINE * (i as f64 + 0.5);
             svg.text((LEFT, y), NOTE, Anchor::Start, note);
         }
@@ -46,4 +80,47 @@ impl Sheet {
             csv,
         }
     }
+}
+
+impl Picture {
+    /// Writes SVG, PNG and CSV.
+    pub(super) fn write(&self, folder: &Path) -> Result<(), XtaskError> {
+        create_folder(folder)?;
+        let file = |ending| folder.join(format!("{}.{ending}", self.name));
+        write_bytes(&file("svg"), self.svg.as_bytes())?;
+        write_bytes(&file("csv"), self.csv.as_bytes())?;
+        write_whole(&file("png"), |file| {
+            file.write_all(&png::render(&self.svg)?)
+        })?;
+        Ok(())
+    }
+
+    /// Writes a PNG no wider than a page of documentation and no larger than [`SMALL_BYTES`].
+    pub(super) fn write_small(&self, folder: &Path) -> Result<(), XtaskError> {
+        create_folder(folder)?;
+        let path = folder.join(format!("{}.png", self.name));
+        write_whole(&path, |file| file.write_all(&self.small()?))?;
+        Ok(())
+    }
+
+    /// The widest small version that is not too large.
+    fn small(&self) -> io::Result<Vec<u8>> {
+        let mut width = SMALL_WIDTH.min(self.width);
+        loop {
+            #[expect(clippy::cast_possible_truncation, reason = "between 0 and 1")]
+            let zoom = (width / self.width) as f32;
+            let bytes = png::render_small(&self.svg, zoom)?;
+            if bytes.len() <= SMALL_BYTES || width < 0.5 * SMALL_WIDTH {
+                return Ok(bytes);
+            }
+            width *= 0.93;
+        }
+    }
+}
+
+fn create_folder(folder: &Path) -> Result<(), XtaskError> {
+    fs::create_dir_all(folder).map_err(|source| XtaskError::Write {
+        path: folder.into(),
+        source,
+    })
 }
