@@ -10,7 +10,7 @@ use crate::FiguresArguments;
 #[derive(Debug, Parser)]
 #[command(name = "cargo xtask", bin_name = "cargo xtask")]
 pub struct Arguments {
-    /// What to do.
+    /// The chore to do.
     #[command(subcommand)]
     pub command: Command,
 }
@@ -22,7 +22,7 @@ pub enum Command {
     Tidy,
     /// Draw the figures of the paper from its cases: SVG, PNG and CSV.
     Figures(FiguresArguments),
-    /// The program `pellicle` itself, with its own command line: what the tests run instead of a release build.
+    /// The program `pellicle` itself, with its own command line; tests run it instead of a release build.
     #[command(hide = true, disable_help_flag = true)]
     Program {
         /// Its command line.

@@ -1,4 +1,4 @@
-//! What can go wrong before a rule is checked or a figure drawn.
+//! The errors of the chores.
 
 use std::io;
 use std::path::PathBuf;
@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use pellicle_cli::failure::Failure;
 use thiserror::Error;
 
-/// Why a chore could not be done.
+/// The reason why a chore could not be done.
 #[derive(Debug, Error)]
 pub enum XtaskError {
     /// A file or folder could not be read.
@@ -14,7 +14,7 @@ pub enum XtaskError {
     Read {
         /// The file or folder.
         path: PathBuf,
-        /// What the operating system said.
+        /// The error of the operating system.
         source: io::Error,
     },
     /// The root holds no `Cargo.toml`, so there is nothing to check.
@@ -28,7 +28,7 @@ pub enum XtaskError {
     Write {
         /// The file or folder.
         path: PathBuf,
-        /// What the operating system said.
+        /// The error of the operating system.
         source: io::Error,
     },
     /// A program could not be started or waited for.
@@ -36,10 +36,10 @@ pub enum XtaskError {
     Start {
         /// The program.
         program: PathBuf,
-        /// What the operating system said.
+        /// The error of the operating system.
         source: io::Error,
     },
-    /// A run of a case of the paper did not converge: nothing may be said from it.
+    /// A run of a case of the paper is not certified, so nothing is drawn from it.
     #[error("not certified: {run}: nothing is drawn from it")]
     NotCertified {
         /// The case, its elements and values.
@@ -50,7 +50,7 @@ pub enum XtaskError {
     Refused {
         /// The case, its elements and values.
         run: String,
-        /// What the program said.
+        /// The program's error message.
         message: String,
     },
     /// Results of a run that cannot be read.

@@ -1,7 +1,7 @@
 //! The house rules, each a function from the tree to what breaks it.
 
+mod dependencies;
 mod documents;
-mod manifests;
 mod sources;
 
 use std::fmt;
@@ -15,18 +15,17 @@ pub struct Violation {
     pub path: String,
     /// Line in the file, from 1; none if the rule is about the whole file.
     pub line: Option<usize>,
-    /// What was found and what is wanted.
+    /// The finding and the rule.
     pub message: String,
 }
 
 /// A house rule.
 type Rule = fn(&Tree) -> Vec<Violation>;
 
-const RULES: [Rule; 7] = [
-    manifests::dependencies_point_downward,
-    manifests::versions_stand_in_the_root,
-    manifests::fields_are_inherited,
+const RULES: [Rule; 6] = [
+    dependencies::point_downward,
     sources::begin_with_their_job,
+    sources::have_lines_of_prose_that_fit,
     sources::hold_no_trace_of_a_machine,
     documents::links_resolve,
     documents::named_tests_exist,

@@ -90,14 +90,19 @@ fn promised(page: &str) -> Vec<(usize, &str)> {
     found
 }
 
-/// The lines outside fenced code, numbered from 1.
-fn prose(text: &str) -> impl Iterator<Item = (usize, &str)> {
+/// The lines outside fenced code, numbered from 1; fences may stand in comments.
+pub(super) fn prose(text: &str) -> impl Iterator<Item = (usize, &str)> {
     let mut in_code = false;
     text.lines().enumerate().filter_map(move |(index, line)| {
-        let is_fence = line.trim_start().starts_with("```");
+        let is_fence = unmarked(line).starts_with("```");
         in_code ^= is_fence;
         (!in_code && !is_fence).then_some((index + 1, line))
     })
+}
+
+/// The line without its indentation and the mark of a comment.
+pub(super) fn unmarked(line: &str) -> &str {
+    line.trim_start_matches(|c: char| c.is_whitespace() || "/!".contains(c))
 }
 
 /// The line without its code spans.
@@ -105,7 +110,7 @@ fn without_code(line: &str) -> String {
     line.split('`').step_by(2).collect::<Vec<_>>().join("`")
 }
 
-/// What the links, pictures and reference definitions of a line lead to.
+/// The targets of the links, pictures and reference definitions of a line.
 fn targets(line: &str) -> Vec<String> {
     let inline = line
         .split("](")

@@ -1,8 +1,12 @@
-//! Rules about text: a source begins with its one job, and no file keeps a trace of the machine it was written on.
+//! Rules about text: a source begins with its one job, lines of prose fit, and no file keeps a trace of the machine it
+//! was written on.
 
 use super::Violation;
+use super::documents::{prose, unmarked};
 use crate::Tree;
 
+/// Most characters in a line of prose.
+const WIDTH: usize = 120;
 /// First folders of absolute paths that exist on a developer's machine only.
 const FOLDERS: [&str; 3] = ["work", "tmp", "home"];
 /// Marks of open work, in two halves so that this file does not carry them.
@@ -23,6 +27,24 @@ pub(super) fn begin_with_their_job(tree: &Tree) -> Vec<Violation> {
     silent
         .map(|(path, _)| Violation::new(path, Some(1), message))
         .collect()
+}
+
+/// Every line of a comment or document that is too long; tables and code may be wider.
+pub(super) fn have_lines_of_prose_that_fit(tree: &Tree) -> Vec<Violation> {
+    let is_comment = |line: &str| line.trim_start().starts_with("//");
+    let mut found = Vec::new();
+    for ending in [".rs", ".md"] {
+        for (path, text) in tree.texts_ending(ending) {
+            let lines = prose(text).filter(|(_, line)| ending == ".md" || is_comment(line));
+            for (number, line) in lines.filter(|(_, line)| !unmarked(line).starts_with('|')) {
+                if line.chars().count() > WIDTH {
+                    let message = format!("a line of prose above {WIDTH} characters");
+                    found.push(Violation::new(path, Some(number), message));
+                }
+            }
+        }
+    }
+    found
 }
 
 /// Every line of every text file that holds an absolute path of one machine or a mark of open work.
@@ -78,6 +100,18 @@ mod tests {
         ] {
             assert_eq!(count(text), 1, "{text:?}");
         }
+    }
+
+    #[test]
+    fn long_lines_of_prose_are_found_and_tables_and_code_may_be_wider() {
+        let count = |path, text: &str| broken(have_lines_of_prose_that_fit, &[(path, text)]).len();
+        let long = "é".repeat(WIDTH);
+        let source = format!(
+            "let x = \"{long}\";\n//! {long}\n    // {long}\n/// ```\n/// {long}\n/// ```\n"
+        );
+        assert_eq!(count("a.rs", &source), 2);
+        let page = format!("{long}\n| {long} |\n```\n{long}x\n```\n{long}x\n");
+        assert_eq!(count("a.md", &page), 1);
     }
 
     #[test]
