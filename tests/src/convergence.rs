@@ -6,7 +6,7 @@ pub const GRIDS: [usize; 9] = [64, 80, 104, 128, 160, 208, 256, 320, 416];
 
 /// Why a sequence of errors does not converge as it should.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Refusal {
+pub enum NoConvergence {
     /// The order is too low.
     Order {
         /// Observed.
@@ -27,16 +27,16 @@ pub enum Refusal {
 /// the order.
 ///
 /// # Errors
-/// [`Refusal`], also of what is no number.
-pub fn demand(errors: &[(usize, f64)], order: f64, error: f64) -> Result<f64, Refusal> {
+/// [`NoConvergence`], also of what is no number.
+pub fn demand(errors: &[(usize, f64)], order: f64, error: f64) -> Result<f64, NoConvergence> {
     let found = observed_order(errors);
     if found.is_nan() || found < order {
         let wanted = order;
-        return Err(Refusal::Order { found, wanted });
+        return Err(NoConvergence::Order { found, wanted });
     }
     match errors.last() {
         Some((_, last)) if *last <= error => Ok(found),
-        last => Err(Refusal::Error {
+        last => Err(NoConvergence::Error {
             found: last.map_or(f64::NAN, |last| last.1),
             wanted: error,
         }),
@@ -61,7 +61,7 @@ pub fn observed_order(errors: &[(usize, f64)]) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{GRIDS, Refusal, demand, observed_order};
+    use super::{GRIDS, NoConvergence, demand, observed_order};
 
     /// `0.1 (N/64)⁻ᵒ` on all grids, and a part that no grid takes away.
     fn errors(order: f64, rest: f64) -> [(usize, f64); 9] {
@@ -78,7 +78,7 @@ mod tests {
         assert!(demand(&errors(2.0, 0.0), 1.7, 1.0).is_ok());
         let refused = demand(&errors(1.0, 0.0), 1.7, 1.0);
         assert!(
-            matches!(refused, Err(Refusal::Order { found, .. }) if (found - 1.0).abs() < 1e-13)
+            matches!(refused, Err(NoConvergence::Order { found, .. }) if (found - 1.0).abs() < 1e-13)
         );
     }
 
@@ -86,13 +86,16 @@ mod tests {
     fn second_order_to_a_wrong_limit_is_refused() {
         // A tenth of the first error remains.
         let refused = demand(&errors(2.0, 0.01), 1.7, 1.0);
-        assert!(matches!(refused, Err(Refusal::Order { .. })), "{refused:?}");
+        assert!(
+            matches!(refused, Err(NoConvergence::Order { .. })),
+            "{refused:?}"
+        );
     }
 
     #[test]
     fn an_error_that_is_large_everywhere_is_refused_whatever_its_order() {
         let refused = demand(&errors(2.0, 0.0), 1.7, 1e-3);
-        assert!(matches!(refused, Err(Refusal::Error { .. })));
+        assert!(matches!(refused, Err(NoConvergence::Error { .. })));
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! How often the error bars of the grid contain the truth, and how much wider than the error they are.
+//! The error bars of the grid: how often they contain the truth, and how much wider than the error they are.
 
 mod benchmarks;
 
@@ -8,9 +8,9 @@ use pellicle_contact::{Domain, Estimate, Load, Model, SolverOptions, Step, solve
 
 pub use benchmarks::benchmarks;
 
-/// A number that has an error bar.
+/// A number that depends on the grid.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Quantity {
+pub enum GridQuantity {
     /// Penetration.
     Penetration,
     /// Force, under a prescribed penetration.
@@ -22,30 +22,30 @@ pub enum Quantity {
 }
 
 /// All quantities.
-pub const QUANTITIES: [Quantity; 4] = [
-    Quantity::Penetration,
-    Quantity::Force,
-    Quantity::ContactArea,
-    Quantity::MaxPressure,
+pub const QUANTITIES: [GridQuantity; 4] = [
+    GridQuantity::Penetration,
+    GridQuantity::Force,
+    GridQuantity::ContactArea,
+    GridQuantity::MaxPressure,
 ];
 
 /// A contact whose numbers are known, in closed form or from its finest grid.
 pub struct Benchmark {
     /// Its name in the table.
     pub name: String,
-    /// What is pressed into what.
+    /// Foundation, relief and indenter.
     pub model: Model,
     /// Side of the domain, in m.
     pub side: f64,
     /// How hard.
     pub load: Load,
     /// The numbers that are known in closed form.
-    pub known: Vec<(Quantity, f64)>,
+    pub known: Vec<(GridQuantity, f64)>,
 }
 
 /// The error bar of one number on one grid.
 #[derive(Debug, Clone, Copy)]
-pub struct Outcome {
+pub struct ErrorBar {
     /// Elements per side.
     pub elements: usize,
     /// Error over half the interval.
@@ -56,13 +56,13 @@ pub struct Outcome {
 
 /// The error bars of one number over many grids.
 #[derive(Debug, Clone)]
-pub struct Row {
+pub struct ErrorBars {
     /// The benchmark.
     pub benchmark: String,
     /// The number.
-    pub quantity: Quantity,
+    pub quantity: GridQuantity,
     /// One a grid.
-    pub outcomes: Vec<Outcome>,
+    pub bars: Vec<ErrorBar>,
 }
 
 impl Benchmark {
@@ -72,12 +72,12 @@ impl Benchmark {
     /// # Panics
     /// If a grid cannot be solved.
     #[must_use]
-    pub fn rows(&self, grids: &[usize], finest: usize) -> Vec<Row> {
+    pub fn rows(&self, grids: &[usize], finest: usize) -> Vec<ErrorBars> {
         let reference = self.step(finest);
         let steps: Vec<(usize, Step)> = grids.iter().map(|n| (*n, self.step(*n))).collect();
         let prescribed = match self.load {
-            Load::Force(_) => Quantity::Force,
-            Load::Penetration(_) => Quantity::Penetration,
+            Load::Force(_) => GridQuantity::Force,
+            Load::Penetration(_) => GridQuantity::Penetration,
         };
         let quantities = QUANTITIES
             .into_iter()
@@ -88,13 +88,13 @@ impl Benchmark {
                 let truth = known.map_or_else(|| quantity.value(&reference), |(_, value)| *value);
                 let judged =
                     |(elements, _): &&(usize, Step)| known.is_some() || 2 * elements <= finest;
-                let outcome = |(elements, step): &(usize, Step)| {
-                    Outcome::of(*elements, quantity, step, truth)
+                let bar = |(elements, step): &(usize, Step)| {
+                    ErrorBar::of(*elements, quantity, step, truth)
                 };
-                Row {
+                ErrorBars {
                     benchmark: self.name.clone(),
                     quantity,
-                    outcomes: steps.iter().filter(judged).map(outcome).collect(),
+                    bars: steps.iter().filter(judged).map(bar).collect(),
                 }
             })
             .collect()
@@ -114,7 +114,7 @@ impl Benchmark {
     }
 }
 
-impl Quantity {
+impl GridQuantity {
     /// The number in a step.
     #[must_use]
     pub fn value(self, step: &Step) -> f64 {
@@ -139,9 +139,9 @@ impl Quantity {
     }
 }
 
-impl Outcome {
+impl ErrorBar {
     /// A number without an error bar is not resolved.
-    fn of(elements: usize, quantity: Quantity, step: &Step, truth: f64) -> Self {
+    fn of(elements: usize, quantity: GridQuantity, step: &Step, truth: f64) -> Self {
         let error = (quantity.value(step) - truth).abs();
         let estimate = quantity.estimate(step);
         Self {
@@ -152,42 +152,38 @@ impl Outcome {
     }
 }
 
-impl Row {
+impl ErrorBars {
     /// Numbers called resolved.
-    pub fn resolved(&self) -> impl Iterator<Item = &Outcome> {
-        self.outcomes.iter().filter(|outcome| outcome.resolved)
+    pub fn resolved(&self) -> impl Iterator<Item = &ErrorBar> {
+        self.bars.iter().filter(|bar| bar.resolved)
     }
 
     /// Resolved numbers whose error is above so many times half the interval.
     #[must_use]
     pub fn above(&self, times: f64) -> usize {
-        self.resolved()
-            .filter(|outcome| outcome.ratio > times)
-            .count()
+        self.resolved().filter(|bar| bar.ratio > times).count()
     }
 
     /// Half the interval over the error, its median; not a number where nothing is resolved.
     #[must_use]
     pub fn width(&self) -> f64 {
-        1.0 / median(self.resolved().map(|outcome| outcome.ratio).collect())
+        1.0 / median(self.resolved().map(|bar| bar.ratio).collect())
     }
 
     /// The largest error over half the interval.
     #[must_use]
     pub fn worst(&self) -> f64 {
-        self.resolved()
-            .map(|outcome| outcome.ratio)
-            .fold(0.0, f64::max)
+        self.resolved().map(|bar| bar.ratio).fold(0.0, f64::max)
     }
 }
 
 /// The part of all resolved numbers that lie within their interval, and the median of half the interval over the error.
 #[must_use]
-pub fn coverage(rows: &[Row]) -> (f64, f64) {
+pub fn coverage(rows: &[ErrorBars]) -> (f64, f64) {
     let ratios: Vec<f64> = rows
         .iter()
-        .flat_map(Row::resolved)
-        .map(|outcome| outcome.ratio)
+        .flat_map(ErrorBars::resolved)
+        .map(|bar| bar.ratio)
         .collect();
     let within = ratios.iter().filter(|ratio| **ratio <= 1.0).count();
     (within as f64 / ratios.len() as f64, 1.0 / median(ratios))
@@ -218,7 +214,7 @@ pub fn grids(count: usize, first: usize, last: usize) -> Vec<usize> {
     grids
 }
 
-impl fmt::Display for Quantity {
+impl fmt::Display for GridQuantity {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(match self {
             Self::Penetration => "penetration",
@@ -233,16 +229,16 @@ impl fmt::Display for Quantity {
 mod tests {
     use super::*;
 
-    fn row(ratios: &[f64]) -> Row {
-        let outcome = |ratio: &f64| Outcome {
+    fn row(ratios: &[f64]) -> ErrorBars {
+        let bar = |ratio: &f64| ErrorBar {
             elements: 64,
             ratio: *ratio,
             resolved: ratio.is_finite(),
         };
-        Row {
+        ErrorBars {
             benchmark: String::new(),
-            quantity: Quantity::Force,
-            outcomes: ratios.iter().map(outcome).collect(),
+            quantity: GridQuantity::Force,
+            bars: ratios.iter().map(bar).collect(),
         }
     }
 

@@ -1,9 +1,11 @@
-//! Cross-crate evidence that Pellicle is right: the scenes that the test binaries share. The example of the workspace's
-//! README is compiled and run here as a documentation test.
+//! Cross-crate evidence that Pellicle is right: scenes and judgements that the test binaries share. The example of the
+//! workspace's README is compiled and run here as a documentation test.
 
 pub mod convergence;
 pub mod coverage;
-pub mod paper;
-#[cfg(doctest)]
-mod readme;
+pub mod figure_2;
 pub mod scene;
+
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+mod readme {}

@@ -24,7 +24,7 @@ use pellicle_texture::{
     CylinderSpec, Cylinders, HeightMap, Lattice, MapCompliance, Relief, ReliefMap,
 };
 
-type Failure = Box<dyn Error + Send + Sync>;
+type DriverError = Box<dyn Error + Send + Sync>;
 
 const SIDE: f64 = 1.0;
 /// Hertzian contact radius under the paraboloid, whose radius is 1.
@@ -37,7 +37,7 @@ const PILLAR_MODULUS: f64 = 1e30;
 /// Elements per side of the problem solved before the clock starts, so that code is loaded and threads run.
 const WARM_UP_ELEMENTS: usize = 64;
 
-fn main() -> Result<(), Failure> {
+fn main() -> Result<(), DriverError> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let (arguments, whole_grid) = match arguments.split_last() {
         Some((last, rest)) if last == "--whole-grid" => (rest.to_vec(), true),
@@ -86,7 +86,7 @@ fn main() -> Result<(), Failure> {
 }
 
 /// The gap and the mean pressure of `rough`, which `problem.py` has written.
-fn read_gap() -> Result<(Array2<f64>, f64), Failure> {
+fn read_gap() -> Result<(Array2<f64>, f64), DriverError> {
     let gap = ndarray_npy::read_npy(std::env::var("GAP_FILE")?)?;
     Ok((gap, std::env::var("MEAN_PRESSURE")?.parse()?))
 }
@@ -96,7 +96,7 @@ fn solve(
     elements: usize,
     gap: Option<(Array2<f64>, f64)>,
     options: &SolverOptions,
-) -> Result<LoadingPath, Failure> {
+) -> Result<LoadingPath, DriverError> {
     // F = 4 E* a³/(3R), E* = E/(1 − ν²) = 1
     let hertz = 4.0 * CONTACT_RADIUS.powi(3) / 3.0;
     let force = gap.as_ref().map_or(hertz, |(_, mean)| mean * SIDE * SIDE);
@@ -133,7 +133,7 @@ fn solve(
 }
 
 /// The rough body itself, which yields by its elastic displacement alone, under a plane that covers the square.
-fn rough(gap: &Array2<f64>) -> Result<Relief, Failure> {
+fn rough(gap: &Array2<f64>) -> Result<Relief, DriverError> {
     let heights = gap.iter().map(|gap| -gap).collect();
     let map = HeightMap::new(heights, [gap.nrows(), gap.ncols()], [SIDE; 2])?;
     let compliance = MapCompliance::Uniform(0.0);
@@ -141,7 +141,7 @@ fn rough(gap: &Array2<f64>) -> Result<Relief, Failure> {
 }
 
 /// Whole periods of pillars fill the grid.
-fn pillars(elements: usize) -> Result<Relief, Failure> {
+fn pillars(elements: usize) -> Result<Relief, DriverError> {
     if !elements.is_multiple_of(ELEMENTS_PER_PERIOD) {
         return Err(
             format!("a multiple of {ELEMENTS_PER_PERIOD} elements wanted, got {elements}").into(),

@@ -5,7 +5,7 @@
 
 use pellicle_tests::coverage::{benchmarks, coverage, grids};
 
-/// What is not known in closed form is taken from this grid.
+/// The grid whose numbers count as true where no closed form is known.
 const FINEST: usize = 3072;
 
 fn main() {
@@ -24,7 +24,7 @@ fn main() {
     {
         for row in benchmark.rows(&grids, FINEST) {
             let (above, far_above, worst) = (row.above(1.0), row.above(3.0), row.worst());
-            let (name, quantity, count) = (&row.benchmark, row.quantity, row.outcomes.len());
+            let (name, quantity, count) = (&row.benchmark, row.quantity, row.bars.len());
             let (resolved, width) = (row.resolved().count(), row.width());
             let numbers = if resolved == 0 {
                 "| | | |".to_owned()

@@ -13,8 +13,8 @@ use pellicle_influence::Cache;
 use pellicle_kernel::Foundation;
 use pellicle_texture::{Film, HeightMap, MapCompliance, Relief, ReliefMap};
 
-use super::{Benchmark, Quantity};
-use crate::paper::figure_2;
+use super::{Benchmark, GridQuantity};
+use crate::figure_2::figure_2;
 use crate::scene::{coated, cylinders, material, model, paraboloid, unit_half_space};
 
 /// All of them.
@@ -60,7 +60,7 @@ fn bare(
     indenter: Indenter,
     side: f64,
     load: Load,
-    known: Vec<(Quantity, f64)>,
+    known: Vec<(GridQuantity, f64)>,
 ) -> Benchmark {
     Benchmark {
         known,
@@ -70,7 +70,7 @@ fn bare(
 
 /// Paraboloid, sphere, sharp cone and flat punch on a half-space.
 fn closed_forms() -> Vec<Benchmark> {
-    use Quantity::{ContactArea, Force, MaxPressure, Penetration};
+    use GridQuantity::{ContactArea, Force, MaxPressure, Penetration};
     let hertz = reference::hertz::from_contact_radius(1.0, 1.0, 0.1);
     let sphere = reference::sphere::from_contact_radius(1.0, 1.0, 0.35);
     let cone = reference::cone::from_penetration(1.2, 1.0, 0.1);
@@ -153,8 +153,8 @@ fn layered() -> Vec<Benchmark> {
         let name = format!("{shape}, E₁ = {}, H = {} a", case.e1, case.thickness);
         Benchmark {
             known: vec![
-                (Quantity::Penetration, case.penetration),
-                (Quantity::ContactArea, PI),
+                (GridQuantity::Penetration, case.penetration),
+                (GridQuantity::ContactArea, PI),
             ],
             ..benchmark(
                 &name,

@@ -1,11 +1,14 @@
-//! Indenters on a homogeneous body.
+//! Indenters on a homogeneous body and on springs alone, beside closed forms.
 
 use std::f64::consts::PI;
 
 use pellicle_contact::{Cone, FlatPunch, Indenter, Load, LoadingPath, Sphere, reference};
-use pellicle_tests::convergence::{GRIDS, demand, observed_order};
-use pellicle_tests::scene::{model, paraboloid, relative, solve, unit_half_space};
-use pellicle_texture::Relief;
+use pellicle_kernel::Foundation;
+use pellicle_tests::convergence::{GRIDS, NoConvergence, demand, observed_order};
+use pellicle_tests::scene::{
+    material, model, paraboloid, penetration, relative, solve, unit_half_space,
+};
+use pellicle_texture::{Film, Relief};
 
 /// Errors over all grids, of the certified solution of a bare half-space.
 fn errors(
@@ -152,4 +155,34 @@ fn the_error_that_a_solution_estimates_is_of_the_size_of_its_error() {
         said.resolved && said.estimate > 0.2 * truth && said.estimate < 20.0 * truth,
         "{said:?} {truth:e}"
     );
+}
+
+/// Negative control: a method of first order does not pass for one of second.
+#[test]
+fn a_penetration_off_by_a_part_of_an_element_is_seen_to_be_of_first_order() {
+    let hertz = reference::hertz::from_contact_radius(1.0, 1.0, 0.1);
+    let model = model(&unit_half_space(), Relief::Bare, paraboloid(1.0));
+    let error = |elements| {
+        let found = penetration(&model, 0.3, elements, Load::Force(hertz.force));
+        // As if the tip were sampled a hundredth of an element too low.
+        let spoilt = found * (1.0 + 0.01 * 3.0 / elements as f64);
+        (elements, relative(spoilt, hertz.penetration))
+    };
+    let found = demand(&GRIDS.map(error), 1.7, 1e-5);
+    assert!(
+        matches!(found, Err(NoConvergence::Order { .. })),
+        "{found:?}"
+    );
+}
+
+#[test]
+fn the_contact_area_on_springs_alone_is_winklers() {
+    // Film compliance 0.01; the body gives way by less than 1e-9 of that.
+    let foundation = Foundation::half_space(material(1e9, 0.3));
+    let film = Relief::Film(Film::new(0.01, 1.0).expect("a film"));
+    let winkler = reference::winkler::from_penetration(1.0, 0.01, 0.005);
+    let load = Load::Penetration(winkler.penetration);
+    let path = solve(&model(&foundation, film, paraboloid(1.0)), 0.25, 256, load);
+    let found = path.steps[0].summary.contact_area;
+    assert!(relative(found, winkler.contact_area) < 1e-2, "{found}");
 }

@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use crate::fields::{Fields, nearest_cylinder, relative_distance};
+use crate::cases::{PaperCase, RADIUS, only_step};
+use crate::fields::{SolvedFields, nearest_cylinder, relative_distance};
 use crate::numbers::assert_reads;
-use crate::scenes::{Case, RADIUS, only_step};
 
 /// The edge of a cylinder: from here to its boundary, in radii. A tenth of the radius is three elements of the grid at
 /// N = 512 in Fig. 2(a), so a stair in the sampled circle does not put a peak beside it.
@@ -13,8 +13,8 @@ const EDGE: f64 = 0.9;
 const MIDDLE: f64 = 0.25;
 
 /// Pressure and distance from the axis, in radii, of every grid element on each cylinder.
-fn cylinders(case: Case, elements: usize) -> BTreeMap<[i64; 2], Vec<(f64, f64)>> {
-    let fields = Fields::of(case, 0, elements);
+fn cylinders(case: PaperCase, elements: usize) -> BTreeMap<[i64; 2], Vec<(f64, f64)>> {
+    let fields = SolvedFields::of(case, 0, elements);
     let mut loaded: BTreeMap<_, Vec<_>> = BTreeMap::new();
     for index in (0..fields.pressure.len()).filter(|&index| fields.is_on_relief(index)) {
         let point = fields.point(index);
@@ -31,7 +31,7 @@ fn mean(cylinder: &[(f64, f64)], belongs: impl Fn(f64) -> bool) -> f64 {
 }
 
 /// Distance of the largest pressure from the axis, in radii, and whether it is at the edge of the central cylinder.
-fn largest(case: Case, elements: usize) -> (f64, bool) {
+fn largest(case: PaperCase, elements: usize) -> (f64, bool) {
     let point = only_step(case, elements).summary.max_pressure_at;
     let at_edge = (EDGE..=1.0).contains(&relative_distance(point));
     let [x, y] = point;
@@ -44,10 +44,10 @@ fn largest(case: Case, elements: usize) -> (f64, bool) {
 #[test]
 fn the_pressure_peaks_at_the_edges_of_the_elements() {
     for (case, full, found) in [
-        (Case::Fig2a, 1, ["1.90", "2.02"]),
-        (Case::Fig2b, 9, ["13.7", "19.9"]),
-        (Case::Fig2c, 9, ["2.40", "2.56"]),
-        (Case::Fig2d, 45, ["9.17", "16.1"]),
+        (PaperCase::Fig2a, 1, ["1.90", "2.02"]),
+        (PaperCase::Fig2b, 9, ["13.7", "19.9"]),
+        (PaperCase::Fig2c, 9, ["2.40", "2.56"]),
+        (PaperCase::Fig2d, 45, ["9.17", "16.1"]),
     ] {
         for (elements, written) in [512, 1024].into_iter().zip(found) {
             let loaded = cylinders(case, elements);
@@ -71,9 +71,9 @@ fn the_pressure_peaks_at_the_edges_of_the_elements() {
 #[test]
 fn the_largest_pressure_of_all_is_at_the_edge_of_the_central_element_in_2a_2b_and_2c() {
     for (case, found) in [
-        (Case::Fig2a, ["0.998", "0.999", "1.00"]),
-        (Case::Fig2b, ["0.998", "0.999", "1.00"]),
-        (Case::Fig2c, ["0.999", "0.998", "1.00"]),
+        (PaperCase::Fig2a, ["0.998", "0.999", "1.00"]),
+        (PaperCase::Fig2b, ["0.998", "0.999", "1.00"]),
+        (PaperCase::Fig2c, ["0.999", "0.998", "1.00"]),
     ] {
         for (elements, written) in [512, 1024, 2048].into_iter().zip(found) {
             let (radii, central) = largest(case, elements);
@@ -90,7 +90,7 @@ fn whether_the_largest_pressure_of_2d_is_at_the_central_element_depends_on_the_g
         (1024, "6.54", false),
         (2048, "1.00", true),
     ] {
-        let (radii, central) = largest(Case::Fig2d, elements);
+        let (radii, central) = largest(PaperCase::Fig2d, elements);
         assert_reads(radii, written);
         assert_eq!(central, wanted, "N = {elements}");
     }
@@ -99,7 +99,7 @@ fn whether_the_largest_pressure_of_2d_is_at_the_central_element_depends_on_the_g
 #[test]
 fn with_whole_periods_of_elements_the_largest_pressure_of_2d_is_at_the_central_element() {
     for (elements, written) in [(264, "0.969"), (528, "0.997"), (1056, "0.999")] {
-        let (radii, central) = largest(Case::WholePeriods, elements);
+        let (radii, central) = largest(PaperCase::WholePeriods, elements);
         assert_reads(radii, written);
         assert!(central, "N = {elements}");
     }
@@ -108,7 +108,7 @@ fn with_whole_periods_of_elements_the_largest_pressure_of_2d_is_at_the_central_e
 #[test]
 fn the_mean_pressure_along_the_edge_is_largest_at_the_central_element_of_2d() {
     for (elements, pressure, excess) in [(512, "0.0127", "3.27 %"), (1024, "0.0131", "2.82 %")] {
-        let mut loaded = cylinders(Case::Fig2d, elements);
+        let mut loaded = cylinders(PaperCase::Fig2d, elements);
         let at_edge = |cylinder: &Vec<(f64, f64)>| mean(cylinder, |distance| distance >= EDGE);
         let central = at_edge(&loaded.remove(&[0, 0]).expect("a central cylinder"));
         let others = loaded.values().map(at_edge).fold(0.0, f64::max);

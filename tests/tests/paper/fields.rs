@@ -2,10 +2,10 @@
 
 use pellicle_contact::SampledModel;
 
-use crate::scenes::{Case, PERIOD, RADIUS, path};
+use crate::cases::{PERIOD, PaperCase, RADIUS, path};
 
 /// N² values each, first index along x.
-pub struct Fields {
+pub struct SolvedFields {
     /// Pressure `p`.
     pub pressure: Vec<f64>,
     /// Displacement `u` of the body's surface, positive into the body.
@@ -14,9 +14,9 @@ pub struct Fields {
     pub geometry: SampledModel,
 }
 
-impl Fields {
+impl SolvedFields {
     /// The fields of a case's step.
-    pub fn of(case: Case, step: usize, elements: usize) -> Self {
+    pub fn of(case: PaperCase, step: usize, elements: usize) -> Self {
         let path = path(case, elements);
         let geometry = path.geometry();
         let surface = path.surface(&geometry, step).expect("a solved step");

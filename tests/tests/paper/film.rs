@@ -1,9 +1,9 @@
 //! A soft film under the pyramid (Figs. 5 and 6).
 
-use crate::fields::Fields;
-use crate::loading::{Curve, range};
+use crate::cases::PaperCase;
+use crate::fields::SolvedFields;
+use crate::loading::{LoadingCurve, range};
 use crate::numbers::assert_reads;
-use crate::scenes::Case;
 
 /// A twentieth is more than the error of areas and peaks on these grids, and of the range of r² from grid to grid.
 const CLEAR: f64 = 0.05;
@@ -16,9 +16,9 @@ const FADED: f64 = 0.5;
 const FIG5: usize = 18;
 
 /// The film's effect at each load: a quantity with the film over that without, less 1.
-fn effect(elements: usize, quantity: impl Fn(Curve) -> Vec<f64>) -> Vec<f64> {
-    let [with, without] =
-        [true, false].map(|film| quantity(Curve::of(Case::Berkovich { film }, elements)));
+fn effect(elements: usize, quantity: impl Fn(LoadingCurve) -> Vec<f64>) -> Vec<f64> {
+    let [with, without] = [true, false]
+        .map(|film| quantity(LoadingCurve::of(PaperCase::Berkovich { film }, elements)));
     with.iter()
         .zip(&without)
         .map(|(with, without)| with / without - 1.0)
@@ -28,7 +28,7 @@ fn effect(elements: usize, quantity: impl Fn(Curve) -> Vec<f64>) -> Vec<f64> {
 /// Squared correlation of the pressure with the indenter's height over the contact: on springs alone `p = (D − f)/η`,
 /// the indenter turned over, and it is 1.
 fn likeness_to_the_indenter(film: bool, elements: usize) -> f64 {
-    let fields = Fields::of(Case::Berkovich { film }, FIG5, elements);
+    let fields = SolvedFields::of(PaperCase::Berkovich { film }, FIG5, elements);
     let height = &fields.geometry.indenter_profile;
     let contact: Vec<[f64; 2]> = fields
         .contact()

@@ -1,8 +1,8 @@
 //! Who touches whom: the cylinders alone, or the layer between them too.
 
-use crate::fields::Fields;
+use crate::cases::{Coat, PaperCase, only_step};
+use crate::fields::SolvedFields;
 use crate::numbers::assert_reads;
-use crate::scenes::{Case, Coat, only_step};
 
 /// Below a twentieth a picture of the contact would look closed.
 const OPEN: f64 = 0.05;
@@ -12,8 +12,8 @@ const SEEN: f64 = 1e-3;
 const RIM: f64 = 0.9;
 
 /// Share of the layer between the cylinders, inside the circle around the contact, that carries no pressure.
-fn open_share(case: Case, step: usize, elements: usize) -> f64 {
-    let fields = Fields::of(case, step, elements);
+fn open_share(case: PaperCase, step: usize, elements: usize) -> f64 {
+    let fields = SolvedFields::of(case, step, elements);
     let reach = fields.farthest(fields.contact());
     let inside = |&index: &usize| !fields.is_on_relief(index) && fields.radius(index) <= reach;
     let between: Vec<usize> = (0..fields.pressure.len()).filter(inside).collect();
@@ -22,7 +22,7 @@ fn open_share(case: Case, step: usize, elements: usize) -> f64 {
 }
 
 /// Share of the contact area that lies between the cylinders.
-pub fn share_between(case: Case, elements: usize) -> f64 {
+pub fn share_between(case: PaperCase, elements: usize) -> f64 {
     let summary = only_step(case, elements).summary;
     summary.contact_area_between / summary.contact_area
 }
@@ -30,8 +30,8 @@ pub fn share_between(case: Case, elements: usize) -> f64 {
 #[test]
 fn contact_is_incomplete_under_the_small_loads() {
     for (case, found) in [
-        (Case::Fig2a, ["100 %", "100 %"]),
-        (Case::Fig2b, ["98.8 %", "98.8 %"]),
+        (PaperCase::Fig2a, ["100 %", "100 %"]),
+        (PaperCase::Fig2b, ["98.8 %", "98.8 %"]),
     ] {
         for (elements, written) in [512, 1024].into_iter().zip(found) {
             let open = open_share(case, 0, elements);
@@ -48,7 +48,7 @@ fn by_the_labels_of_figure_3_contact_on_the_stiff_coating_is_incomplete_too() {
         .enumerate()
     {
         for (elements, written) in [512, 1024].into_iter().zip(found) {
-            let open = open_share(Case::Labels(Coat::Stiff), step, elements);
+            let open = open_share(PaperCase::Labels(Coat::Stiff), step, elements);
             assert_reads(open, written);
             assert!(open > OPEN, "step {step}");
         }
@@ -58,7 +58,7 @@ fn by_the_labels_of_figure_3_contact_on_the_stiff_coating_is_incomplete_too() {
 #[test]
 fn only_the_elements_touch_the_indenter_in_2a() {
     for elements in [512, 1024, 2048] {
-        let share = share_between(Case::Fig2a, elements);
+        let share = share_between(PaperCase::Fig2a, elements);
         assert_reads(share, "0 %");
         assert!(share <= SEEN);
     }
@@ -67,7 +67,7 @@ fn only_the_elements_touch_the_indenter_in_2a() {
 #[test]
 fn in_2b_the_layer_between_the_elements_touches_the_indenter_too() {
     for (elements, written) in [(512, "1.12 %"), (1024, "1.08 %"), (2048, "1.10 %")] {
-        let share = share_between(Case::Fig2b, elements);
+        let share = share_between(PaperCase::Fig2b, elements);
         assert_reads(share, written);
         assert!(share > SEEN);
     }
@@ -76,11 +76,17 @@ fn in_2b_the_layer_between_the_elements_touches_the_indenter_too() {
 #[test]
 fn under_six_times_the_load_the_layer_between_the_elements_is_touched_near_the_axis() {
     for (case, found) in [
-        (Case::Fig2c, [("9.90 %", "42.2 %"), ("9.95 %", "42.3 %")]),
-        (Case::Fig2d, [("18.9 %", "84.1 %"), ("17.9 %", "84.1 %")]),
+        (
+            PaperCase::Fig2c,
+            [("9.90 %", "42.2 %"), ("9.95 %", "42.3 %")],
+        ),
+        (
+            PaperCase::Fig2d,
+            [("18.9 %", "84.1 %"), ("17.9 %", "84.1 %")],
+        ),
     ] {
         for (elements, (share, reach)) in [512, 1024].into_iter().zip(found) {
-            let fields = Fields::of(case, 0, elements);
+            let fields = SolvedFields::of(case, 0, elements);
             let between = || {
                 fields
                     .contact()

@@ -1,7 +1,7 @@
 //! Penetration D against load Q (Fig. 4).
 
+use crate::cases::{Coat, PaperCase, path};
 use crate::numbers::assert_reads;
-use crate::scenes::{Case, Coat, path};
 
 /// A twentieth of the full scale is a bend that anyone sees.
 const BEND: f64 = 0.05;
@@ -16,15 +16,15 @@ const DIFFERENT: f64 = 1e-6;
 const SIMILAR: f64 = 0.1;
 
 /// The four curves of Fig. 4.
-const CURVES: [Case; 4] = [
-    Case::Curve(Coat::Soft, 60),
-    Case::Curve(Coat::Soft, 80),
-    Case::Curve(Coat::Stiff, 60),
-    Case::Curve(Coat::Stiff, 80),
+const CURVES: [PaperCase; 4] = [
+    PaperCase::Curve(Coat::Soft, 60),
+    PaperCase::Curve(Coat::Soft, 80),
+    PaperCase::Curve(Coat::Stiff, 60),
+    PaperCase::Curve(Coat::Stiff, 80),
 ];
 
 /// One value a load each, in order of increasing force.
-pub struct Curve {
+pub struct LoadingCurve {
     /// Force Q.
     pub force: Vec<f64>,
     /// Penetration D.
@@ -37,9 +37,9 @@ pub struct Curve {
     pub contact_area: Vec<f64>,
 }
 
-impl Curve {
+impl LoadingCurve {
     /// The curve of a case.
-    pub fn of(case: Case, elements: usize) -> Self {
+    pub fn of(case: PaperCase, elements: usize) -> Self {
         let steps = &path(case, elements).steps;
         Self {
             force: steps.iter().map(|step| step.solution.force).collect(),
@@ -94,7 +94,7 @@ fn penetration_grows_nonlinearly_with_the_load() {
     ];
     for (case, found) in CURVES.into_iter().zip(found) {
         for (elements, written) in [256, 512].into_iter().zip(found) {
-            let off: Vec<f64> = Curve::of(case, elements)
+            let off: Vec<f64> = LoadingCurve::of(case, elements)
                 .scaled()
                 .map(|[q, d]| (d - q).abs())
                 .collect();
@@ -115,7 +115,7 @@ fn the_gradient_of_penetration_decreases_with_the_load() {
     ];
     for (case, found) in CURVES.into_iter().zip(found) {
         for (elements, written) in [256, 512].into_iter().zip(found) {
-            let Curve { gradient, .. } = Curve::of(case, elements);
+            let LoadingCurve { gradient, .. } = LoadingCurve::of(case, elements);
             let fall = last(&gradient) / gradient[0];
             assert_reads(fall, written);
             assert!(fall < 1.0 - JUMP, "{case:?}");
@@ -128,9 +128,9 @@ fn the_gradient_of_penetration_decreases_with_the_load() {
     }
 }
 
-fn assert_still_falls(case: Case, found: [[&str; 2]; 2]) {
+fn assert_still_falls(case: PaperCase, found: [[&str; 2]; 2]) {
     for (elements, [change, power]) in [256, 512].into_iter().zip(found) {
-        let [fall, exponent] = Curve::of(case, elements).change_over_upper_half();
+        let [fall, exponent] = LoadingCurve::of(case, elements).change_over_upper_half();
         assert_reads(fall, change);
         assert_reads(exponent, power);
         assert!(fall > CONSTANT, "{case:?}");
@@ -148,8 +148,8 @@ fn the_gradient_of_penetration_does_not_become_constant() {
 
 #[test]
 fn nor_does_the_gradient_become_constant_within_ten_times_the_loads() {
-    assert_still_falls(Case::Beyond(Coat::Soft), [["21.1 %", "-0.34"]; 2]);
-    assert_still_falls(Case::Beyond(Coat::Stiff), [["21.0 %", "-0.34"]; 2]);
+    assert_still_falls(PaperCase::Beyond(Coat::Soft), [["21.1 %", "-0.34"]; 2]);
+    assert_still_falls(PaperCase::Beyond(Coat::Stiff), [["21.0 %", "-0.34"]; 2]);
 }
 
 #[test]
@@ -169,7 +169,7 @@ fn a_smaller_period_gives_a_smaller_penetration() {
     ] {
         for (elements, written) in [256, 512].into_iter().zip(found) {
             let [less, more] =
-                [80, 60].map(|periods| Curve::of(Case::Curve(coat, periods), elements));
+                [80, 60].map(|periods| LoadingCurve::of(PaperCase::Curve(coat, periods), elements));
             let pairs = less.penetration.iter().zip(&more.penetration);
             let shortfall: Vec<f64> = pairs.map(|(less, more)| 1.0 - less / more).collect();
             let [smallest, largest] = range(&shortfall);
@@ -196,7 +196,7 @@ fn the_curves_of_the_soft_and_the_stiff_coating_are_similar() {
     ] {
         for (elements, [apart, deeper]) in [256, 512].into_iter().zip(found) {
             let [soft, stiff] = [Coat::Soft, Coat::Stiff]
-                .map(|coat| Curve::of(Case::Curve(coat, periods), elements));
+                .map(|coat| LoadingCurve::of(PaperCase::Curve(coat, periods), elements));
             let pairs = soft.scaled().zip(stiff.scaled());
             let distances: Vec<f64> = pairs
                 .map(|([_, one], [_, other])| (one - other).abs())

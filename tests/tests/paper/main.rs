@@ -4,6 +4,7 @@
 //! gives. A sentence holds if it is true on every grid, is refuted if it is true on none, and depends on the grid
 //! otherwise. Thresholds have their reason beside them.
 
+mod cases;
 mod edges;
 mod fields;
 mod film;
@@ -11,5 +12,4 @@ mod layer_between;
 mod loading;
 mod numbers;
 mod refinement;
-mod scenes;
 mod section;

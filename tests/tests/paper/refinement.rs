@@ -1,8 +1,8 @@
 //! Peaks followed over grids that the paper could not afford: the tables of `docs/claims.md`, line by line.
 
+use crate::cases::{Coat, PaperCase, only_step, path, spring_length};
 use crate::layer_between::share_between;
 use crate::numbers::{assert_reads, exponent, fitted_exponent};
-use crate::scenes::{Case, Coat, only_step, path, spring_length};
 
 /// The page whose tables these are.
 const PAGE: &str = include_str!("../../../docs/claims.md");
@@ -10,34 +10,34 @@ const PAGE: &str = include_str!("../../../docs/claims.md");
 const SETTLED: f64 = 0.1;
 
 /// A case, its coating, and the heading of its table.
-const TABLES: [(Case, Coat, &str); 6] = [
+const TABLES: [(PaperCase, Coat, &str); 6] = [
     (
-        Case::Fig2a,
+        PaperCase::Fig2a,
         Coat::Soft,
         "Fig. 2(a): soft coating, small load",
     ),
     (
-        Case::Fig2b,
+        PaperCase::Fig2b,
         Coat::Stiff,
         "Fig. 2(b): stiff coating, small load",
     ),
     (
-        Case::Fig2c,
+        PaperCase::Fig2c,
         Coat::Soft,
         "Fig. 2(c): soft coating, six times the load",
     ),
     (
-        Case::Fig2d,
+        PaperCase::Fig2d,
         Coat::Stiff,
         "Fig. 2(d): stiff coating, six times the load",
     ),
     (
-        Case::OneCylinder(Coat::Soft),
+        PaperCase::OneCylinder(Coat::Soft),
         Coat::Soft,
         "One cylinder of the soft coating under a flat punch of its own size",
     ),
     (
-        Case::OneCylinder(Coat::Stiff),
+        PaperCase::OneCylinder(Coat::Stiff),
         Coat::Stiff,
         "One cylinder of the stiff coating under a flat punch of its own size",
     ),
@@ -56,7 +56,7 @@ fn table(heading: &str) -> (Vec<Vec<&'static str>>, &'static str) {
     (rows, lines.next().expect("fits below the table"))
 }
 
-fn peak(case: Case, elements: usize) -> (usize, f64) {
+fn peak(case: PaperCase, elements: usize) -> (usize, f64) {
     (elements, only_step(case, elements).summary.max_pressure)
 }
 
@@ -132,20 +132,20 @@ fn every_line_of_the_tables_of_4096_elements_and_every_fit_is_what_is_found() {
 }
 
 /// Whether the largest pressure has settled at 1024 and at 2048 elements a side.
-fn settles(case: Case) -> [bool; 2] {
+fn settles(case: PaperCase) -> [bool; 2] {
     [1024, 2048].map(|n| exponent(peak(case, n / 2), peak(case, n)).abs() < SETTLED)
 }
 
 #[test]
 fn whether_the_largest_pressure_on_the_soft_coating_has_settled_depends_on_the_grid() {
-    for case in [Case::Fig2a, Case::Fig2c] {
+    for case in [PaperCase::Fig2a, PaperCase::Fig2c] {
         assert_eq!(settles(case), [true, false], "{case:?}");
     }
 }
 
 #[test]
 fn the_largest_pressure_on_the_stiff_coating_has_not_settled() {
-    for case in [Case::Fig2b, Case::Fig2d] {
+    for case in [PaperCase::Fig2b, PaperCase::Fig2d] {
         assert_eq!(settles(case), [false, false], "{case:?}");
     }
 }
@@ -153,6 +153,10 @@ fn the_largest_pressure_on_the_stiff_coating_has_not_settled() {
 #[test]
 fn the_edge_peak_of_one_cylinder_settles_once_elements_are_much_smaller_than_the_springs_length() {
     for coat in [Coat::Soft, Coat::Stiff] {
-        assert_eq!(settles(Case::OneCylinder(coat)), [true, true], "{coat:?}");
+        assert_eq!(
+            settles(PaperCase::OneCylinder(coat)),
+            [true, true],
+            "{coat:?}"
+        );
     }
 }

@@ -1,8 +1,8 @@
 //! The deformed layer along the axis, between the central cylinder and its neighbour (Fig. 3).
 
-use crate::fields::Fields;
+use crate::cases::{Coat, PERIOD, PaperCase, RADIUS};
+use crate::fields::SolvedFields;
 use crate::numbers::assert_reads;
-use crate::scenes::{Case, Coat, PERIOD, RADIUS};
 
 /// One part in a hundred of the displacement is about the width of a line in a printed figure.
 const SEEN: f64 = 0.01;
@@ -11,8 +11,13 @@ const SEEN: f64 = 0.01;
 const NEAR: f64 = 0.1;
 
 /// Displacements in the row beside the axis, where x belongs to the stretch.
-fn stretch(case: Case, step: usize, elements: usize, belongs: impl Fn(f64) -> bool) -> Vec<f64> {
-    let fields = Fields::of(case, step, elements);
+fn stretch(
+    case: PaperCase,
+    step: usize,
+    elements: usize,
+    belongs: impl Fn(f64) -> bool,
+) -> Vec<f64> {
+    let fields = SolvedFields::of(case, step, elements);
     let inside = (0..elements).filter(|&i| belongs(fields.geometry.grid.centre(i)));
     inside
         .map(|i| fields.displacement[i * elements + elements / 2])
@@ -20,7 +25,7 @@ fn stretch(case: Case, step: usize, elements: usize, belongs: impl Fn(f64) -> bo
 }
 
 /// The layer between the central cylinder and its neighbour.
-fn gap(case: Case, step: usize, elements: usize) -> Vec<f64> {
+fn gap(case: PaperCase, step: usize, elements: usize) -> Vec<f64> {
     stretch(case, step, elements, |x| x > RADIUS && x < PERIOD - RADIUS)
 }
 
@@ -48,10 +53,10 @@ fn rise(stretch: &[f64]) -> f64 {
 
 #[test]
 fn under_incomplete_contact_the_layer_between_the_elements_is_curved() {
-    let labels = Case::Labels(Coat::Soft);
+    let labels = PaperCase::Labels(Coat::Soft);
     for (case, step, found) in [
-        (Case::Fig2a, 0, ["6.66 %", "7.79 %"]),
-        (Case::Fig2b, 0, ["5.25 %", "5.94 %"]),
+        (PaperCase::Fig2a, 0, ["6.66 %", "7.79 %"]),
+        (PaperCase::Fig2b, 0, ["5.25 %", "5.94 %"]),
         (labels, 0, ["7.14 %", "8.35 %"]),
         (labels, 1, ["7.51 %", "8.77 %"]),
     ] {
@@ -67,10 +72,18 @@ fn under_incomplete_contact_the_layer_between_the_elements_is_curved() {
 #[test]
 fn the_layer_between_the_elements_is_displaced_most_beside_them() {
     for (case, step, found) in [
-        (Case::Fig2a, 0, [["11.5 %", "3.24 %"], ["12.7 %", "4.24 %"]]),
-        (Case::Fig2b, 0, [["6.24 %", "4.38 %"], ["6.95 %", "5.04 %"]]),
         (
-            Case::Labels(Coat::Soft),
+            PaperCase::Fig2a,
+            0,
+            [["11.5 %", "3.24 %"], ["12.7 %", "4.24 %"]],
+        ),
+        (
+            PaperCase::Fig2b,
+            0,
+            [["6.24 %", "4.38 %"], ["6.95 %", "5.04 %"]],
+        ),
+        (
+            PaperCase::Labels(Coat::Soft),
             1,
             [["14.5 %", "2.92 %"], ["15.9 %", "4.01 %"]],
         ),
@@ -89,7 +102,7 @@ fn the_layer_between_the_elements_is_displaced_most_beside_them() {
 /// Another reading of the same sentence, which does not hold.
 #[test]
 fn the_layer_under_the_central_element_is_displaced_most_in_its_middle_and_not_at_its_edge() {
-    for case in [Case::Fig2a, Case::Fig2b] {
+    for case in [PaperCase::Fig2a, PaperCase::Fig2b] {
         for elements in [512, 1024] {
             let under = stretch(case, 0, elements, |x| x.abs() < RADIUS);
             let (at, above) = deepest(&under);

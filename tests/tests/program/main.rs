@@ -1,9 +1,8 @@
-//! Through the command line, across the crates: the program's numbers are those of the library, its validation passes
-//! and sees what is wrong, its exit codes say what happened. What the program alone promises is in the tests of `cli`.
+//! The command line across the crates: its numbers are those of the libraries, its validation passes and detects
+//! errors. The behaviour of the program by itself is tested in `cli/tests/program`.
 
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
-mod cases;
 mod library;
 mod runner;
 mod validate;

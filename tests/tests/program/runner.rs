@@ -5,7 +5,7 @@ use std::process::{Command, Stdio};
 
 use serde_json::Value;
 
-/// What the program did.
+/// The exit code and the outputs of a run.
 pub struct Ran {
     pub code: Option<i32>,
     pub stdout: String,
@@ -13,7 +13,7 @@ pub struct Ran {
 }
 
 impl Ran {
-    /// What it printed, as JSON.
+    /// The standard output, as JSON.
     pub fn json(&self) -> Value {
         serde_json::from_str(&self.stdout).unwrap()
     }

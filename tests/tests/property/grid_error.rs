@@ -1,9 +1,48 @@
-//! What a solution says of its grid. That a finite peak is resolved and an infinite one is not is a row of
-//! `pellicle validate`.
+//! Error bars of the grid: resolved where they should be, containing the truth, not wider than they must be. The panel
+//! of contacts is that of the program `coverage` in short form. That a finite peak is resolved and an infinite one is
+//! not is a row of `pellicle validate`.
 
 use pellicle_contact::{Cone, Indenter, Load, Step};
+use pellicle_tests::coverage::{ErrorBars, GridQuantity, benchmarks, coverage, grids};
 use pellicle_tests::scene::{model, paraboloid, solve, unit_half_space};
 use pellicle_texture::Relief;
+
+/// Contacts of every kind: smooth, at a rim, on a coating, on reliefs.
+const NAMES: [&str; 8] = [
+    "Hertz, force",
+    "sharp cone",
+    "flat punch",
+    "rounded Berkovich",
+    "soft coating",
+    "film",
+    "Fig. 2a",
+    "Fig. 2c",
+];
+
+fn rows() -> Vec<ErrorBars> {
+    let benchmarks = benchmarks()
+        .into_iter()
+        .filter(|benchmark| NAMES.contains(&benchmark.name.as_str()));
+    benchmarks
+        .flat_map(|benchmark| benchmark.rows(&grids(12, 48, 256), 512))
+        .collect()
+}
+
+#[test]
+fn nineteen_of_twenty_error_bars_contain_the_truth_and_are_eight_times_the_error_at_most() {
+    let rows = rows();
+    let (within, width) = coverage(&rows);
+    assert!(within >= 0.95 && width <= 8.0, "{within} {width}");
+    let resolved: usize = rows.iter().map(|row| row.resolved().count()).sum();
+    let bars: usize = rows.iter().map(|row| row.bars.len()).sum();
+    // The peaks at edges are not, of a third of the contacts.
+    assert!(3 * resolved > 2 * bars, "{resolved} of {bars}");
+    for row in &rows {
+        let is_edge_peak = row.quantity == GridQuantity::MaxPressure
+            && ["sharp cone", "flat punch", "Fig. 2a", "Fig. 2c"].contains(&row.benchmark.as_str());
+        assert!(!is_edge_peak || row.resolved().count() == 0, "{row:?}");
+    }
+}
 
 fn pressed(indenter: Indenter, elements: usize) -> Step {
     let model = model(&unit_half_space(), Relief::Bare, indenter);

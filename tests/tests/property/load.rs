@@ -1,7 +1,7 @@
 //! Force and penetration are two names of one state, and a state does not remember how it was reached.
 
 use pellicle_contact::{Domain, Load, SolverOptions, Step, solve_path};
-use pellicle_tests::paper::{Panel, figure_2};
+use pellicle_tests::figure_2::{Fig2Panel, figure_2};
 use pellicle_tests::scene::largest_difference;
 
 fn options(tolerance: f64) -> SolverOptions {
@@ -12,7 +12,7 @@ fn options(tolerance: f64) -> SolverOptions {
 }
 
 /// The certified steps of a panel of Fig. 2.
-pub fn solve(panel: &Panel, elements: usize, loads: &[Load], tolerance: f64) -> Vec<Step> {
+pub fn solve(panel: &Fig2Panel, elements: usize, loads: &[Load], tolerance: f64) -> Vec<Step> {
     let (domain, options) = (Domain::Side(panel.side), options(tolerance));
     let path = solve_path(&panel.model, domain, elements, loads, &options, &mut ()).unwrap();
     for step in &path.steps {

@@ -1,6 +1,6 @@
-//! What every solution must have in common: symmetries, scales, one state for force and penetration, no memory of the
-//! path, a bounded amount of work; and that the program's own judgements, certificate, grid error and warnings, say
-//! what they are meant to and no more.
+//! Properties of every solution: symmetries, scales, one state for force and penetration, no memory of the path, a
+//! bounded amount of work. And of the program's own judgements: certificate, grid error and warnings appear where they
+//! should and nowhere else.
 
 #![expect(
     clippy::unwrap_used,
@@ -8,7 +8,6 @@
 )]
 
 mod certificate;
-mod coverage;
 mod grid_error;
 mod load;
 mod methods;

@@ -3,7 +3,7 @@
 use pellicle_contact::{
     ActiveSetSolver, GradientSolver, Method, Model, Solution, Solver, SolverOptions, Watch,
 };
-use pellicle_tests::paper::{Panel, figure_2};
+use pellicle_tests::figure_2::{Fig2Panel, figure_2};
 use pellicle_tests::scene::largest_difference;
 
 const TOLERANCE: f64 = 1e-11;
@@ -20,7 +20,7 @@ fn options(method: Method) -> SolverOptions {
 }
 
 /// The certified solution on 48 elements per side, from a cold start.
-fn solve(panel: &Panel, model: &Model, solver: &mut dyn Solver) -> Solution {
+fn solve(panel: &Fig2Panel, model: &Model, solver: &mut dyn Solver) -> Solution {
     let sampled = model.sample(panel.side, 48).unwrap();
     let mut problem = model.discretize(&sampled).unwrap().value;
     let start = vec![0.0; problem.elements()];
@@ -36,12 +36,12 @@ fn solve(panel: &Panel, model: &Model, solver: &mut dyn Solver) -> Solution {
     solution
 }
 
-fn by_gradient(panel: &Panel, model: &Model) -> Solution {
+fn by_gradient(panel: &Fig2Panel, model: &Model) -> Solution {
     let options = options(Method::Gradient);
     solve(panel, model, &mut GradientSolver::new(options))
 }
 
-fn by_active_set(panel: &Panel) -> Solution {
+fn by_active_set(panel: &Fig2Panel) -> Solution {
     let options = options(Method::ActiveSet);
     solve(panel, &panel.model, &mut ActiveSetSolver { options })
 }

@@ -1,9 +1,9 @@
 //! The paper's textured cases at N = 256: what they cost, what they give, where they touch.
 
 use pellicle_contact::{Domain, SolverOptions, Step, solve_path};
-use pellicle_tests::paper::{Panel, figure_2};
+use pellicle_tests::figure_2::{Fig2Panel, figure_2};
 
-fn solve(panel: &Panel) -> Step {
+fn solve(panel: &Fig2Panel) -> Step {
     let domain = Domain::Side(panel.side);
     let options = SolverOptions::default();
     let path = solve_path(&panel.model, domain, 256, &[panel.load], &options, &mut ()).unwrap();
@@ -40,7 +40,7 @@ fn the_textured_cases_are_certified_within_their_products() {
 #[test]
 fn large_loads_touch_between_the_cylinders_and_the_soft_coatings_small_load_does_not() {
     let [small_soft, _, large_soft, large_stiff] = figure_2();
-    let between = |panel: &Panel| solve(panel).summary.contact_area_between;
+    let between = |panel: &Fig2Panel| solve(panel).summary.contact_area_between;
     assert_eq!(between(&small_soft).to_bits(), 0.0_f64.to_bits());
     assert!(between(&large_soft) > 0.0);
     assert!(between(&large_stiff) > 0.0);

@@ -1,4 +1,5 @@
-//! What solutions cost, counted in products with `K`, where methods are known to fail; and that threads change no bit.
+//! The work of solutions, counted in products with `K`, on problems where methods are known to fail; and equal bits for
+//! every number of threads.
 
 use std::sync::Arc;
 
@@ -7,7 +8,7 @@ use pellicle_contact::{
 };
 use pellicle_influence::{Cache, RadialTables};
 use pellicle_kernel::{Foundation, Material};
-use pellicle_tests::paper::figure_2;
+use pellicle_tests::figure_2::figure_2;
 use pellicle_texture::{CylinderSpec, Cylinders, Lattice, Relief};
 
 /// A paraboloid of radius 1 on `foundation`, on the square of side 1.

@@ -24,7 +24,7 @@ const GAP: f64 = 8.0;
 const ROW: f64 = 26.0;
 
 /// A curve in one or more parts, each a list of points.
-pub(super) struct Line {
+pub(super) struct ChartLine {
     /// Its name in the legend and in the table.
     pub name: String,
     pub colour: Colour,
@@ -36,7 +36,7 @@ pub(super) struct Line {
     pub parts: Vec<Vec<(f64, f64)>>,
 }
 
-impl Line {
+impl ChartLine {
     /// A solid line of usual width.
     pub(super) fn new(name: String, colour: Colour, parts: Vec<Vec<(f64, f64)>>) -> Self {
         Self {
@@ -68,7 +68,13 @@ impl Line {
 }
 
 /// Draws curves on a panel, with a title above it; what leaves the panel is cut off at its frame.
-pub(super) fn draw(svg: &mut Svg, title: &str, place: Place, [x, y]: [Axis; 2], lines: &[Line]) {
+pub(super) fn draw(
+    svg: &mut Svg,
+    title: &str,
+    place: Place,
+    [x, y]: [Axis; 2],
+    lines: &[ChartLine],
+) {
     let panel = Panel { place, x, y };
     svg.text((place.left, place.top - 20.0), TITLE, Anchor::Start, title);
     panel.draw_mesh(svg);
@@ -82,7 +88,7 @@ pub(super) fn draw(svg: &mut Svg, title: &str, place: Place, [x, y]: [Axis; 2], 
 pub(super) fn legend<'a>(
     svg: &mut Svg,
     (columns, width): (usize, f64),
-    lines: impl IntoIterator<Item = &'a Line>,
+    lines: impl IntoIterator<Item = &'a ChartLine>,
 ) {
     for (i, line) in lines.into_iter().enumerate() {
         let x = LEFT + width * (i % columns) as f64;
@@ -98,7 +104,7 @@ pub(super) fn legend<'a>(
 }
 
 /// A table of the points of curves: panel, curve, x, y, every bit of the numbers.
-pub(super) fn csv<'a>(panels: impl IntoIterator<Item = (&'a str, &'a [Line])>) -> String {
+pub(super) fn csv<'a>(panels: impl IntoIterator<Item = (&'a str, &'a [ChartLine])>) -> String {
     let mut text = String::from("panel,curve,x,y\n");
     for (panel, lines) in panels {
         for line in lines {
@@ -125,7 +131,7 @@ mod tests {
     fn a_table_holds_every_bit_of_every_point() {
         let third = 1.0 / 3.0;
         let parts = vec![vec![(1.0, third)], vec![(2.0, -third)]];
-        let line = Line::new("a, b".into(), Colour(0, 0, 0), parts);
+        let line = ChartLine::new("a, b".into(), Colour(0, 0, 0), parts);
         let table = csv([("p", [line].as_slice())]);
         let rows: Vec<_> = table.lines().collect();
         assert_eq!(rows.len(), 3);

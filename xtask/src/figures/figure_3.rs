@@ -6,7 +6,7 @@ use pellicle_cli::picture::panel::Axis;
 use pellicle_cli::picture::svg::{Dash, Place};
 use pellicle_cli::picture::trust::BRACKETS;
 
-use super::chart::{self, LEFT, Line};
+use super::chart::{self, ChartLine, LEFT};
 use super::runner::{Runner, SolvedStep};
 use super::sheet::{Caption, Picture, Sheet};
 use super::{MATERIALS, TEXTURED};
@@ -50,7 +50,7 @@ const PANELS: [(&str, [(&str, usize); 2]); 4] = [
 struct Reading {
     name: &'static str,
     loads: [SolvedStep; 2],
-    lines: Vec<Line>,
+    lines: Vec<ChartLine>,
 }
 
 /// Both readings of the labels, for both coatings.
@@ -130,7 +130,7 @@ impl Reading {
         let reach = 1.12 * self.loads.iter().map(radius).fold(0.0, f64::max);
         let surface = self.lines.iter().filter(|line| line.colour != colours::INK);
         let shown = surface
-            .flat_map(Line::points)
+            .flat_map(ChartLine::points)
             .filter(|(x, _)| x.abs() <= reach);
         let depth = shown.map(|(_, depth)| depth).fold(0.0, f64::max);
         [
@@ -146,7 +146,7 @@ impl Reading {
 }
 
 /// Depths of indenter, layer and tops below the undeformed tops, along x beside the axis.
-fn lines(load: &SolvedStep, which: &str, dash: Dash) -> [Line; 3] {
+fn lines(load: &SolvedStep, which: &str, dash: Dash) -> [ChartLine; 3] {
     let fields = load.fields();
     let height = load.record.relief_height().unwrap_or(0.0);
     // u + w* − f*
@@ -161,13 +161,13 @@ fn lines(load: &SolvedStep, which: &str, dash: Dash) -> [Line; 3] {
         runs.map(|run| run.iter().map(point).collect()).collect()
     };
     let everywhere = |_| true;
-    let line = |name: &str, colour, parts| Line {
+    let line = |name: &str, colour, parts| ChartLine {
         dash,
-        ..Line::new(format!("{name}, {which} load"), colour, parts)
+        ..ChartLine::new(format!("{name}, {which} load"), colour, parts)
     };
     // In contact the indenter lies on what it touches, and is drawn below it.
     [
-        Line {
+        ChartLine {
             width: 1.4,
             ..line(
                 "indenter",
@@ -180,7 +180,7 @@ fn lines(load: &SolvedStep, which: &str, dash: Dash) -> [Line; 3] {
             colours::ORANGE,
             along(&|e| fields.displacement[e] + height, &everywhere),
         ),
-        Line {
+        ChartLine {
             width: 2.6,
             ..line(
                 "tops of the elements",

@@ -6,7 +6,7 @@ use pellicle_cli::picture::panel::Axis;
 use pellicle_cli::picture::svg::Place;
 use pellicle_cli::picture::trust::BRACKETS;
 
-use super::chart::{self, AXIS, LEFT, Line};
+use super::chart::{self, AXIS, ChartLine, LEFT};
 use super::pressures::{FILM_AND_BARE, Pressures, Shown, reach, rounded_up};
 use super::runner::{Runner, SolvedStep};
 use super::sheet::{Caption, Picture, Sheet};
@@ -84,7 +84,7 @@ fn profiles(pressures: &Pressures<'_>) -> Picture {
     let size = (PLACE.right() + 40.0, LEGEND + PLACE.height + AXIS);
     let mut sheet = Sheet::new(size, &pressures.caption);
     let colours = FILM_AND_BARE.into_iter().enumerate();
-    let lines: Vec<Line> = colours
+    let lines: Vec<ChartLine> = colours
         .map(|(i, colour)| pressures.profile(i, colour))
         .collect();
     let (reach, panel) = (pressures.reach, &pressures.panels[0]);

@@ -8,7 +8,7 @@ use pellicle_cli::picture::panel::Axis;
 use pellicle_cli::picture::svg::{Dash, Place};
 use pellicle_cli::picture::trust::{last_change, percent};
 
-use super::chart::{self, AXIS, LEFT, Line};
+use super::chart::{self, AXIS, ChartLine, LEFT};
 use super::runner::Runner;
 use super::sheet::{Caption, Picture, Sheet};
 use super::{MATERIALS, pressures};
@@ -20,7 +20,7 @@ const COLUMN: f64 = LEFT + SIDE + 36.0;
 const LEGEND: f64 = 66.0 + 44.0;
 
 /// One curve: its case, its name, how it is drawn.
-type Curve = (&'static str, &'static str, Colour, Dash);
+type CurveSpec = (&'static str, &'static str, Colour, Dash);
 
 /// One panel: a number of each step.
 struct View {
@@ -36,7 +36,7 @@ struct Loading {
     subtitle: &'static str,
     /// The first note.
     remark: String,
-    curves: Vec<Curve>,
+    curves: Vec<CurveSpec>,
     /// The load's axis and its unit.
     load: (&'static str, f64),
     views: [View; 2],
@@ -147,7 +147,7 @@ impl Loading {
                 width: SIDE,
                 height: SIDE,
             };
-            let points = || lines.iter().flat_map(Line::points);
+            let points = || lines.iter().flat_map(ChartLine::points);
             let axes = [
                 from_zero(points().map(|(x, _)| x), self.load.0),
                 from_zero(points().map(|(_, y)| y), view.axis),
@@ -160,7 +160,7 @@ impl Loading {
         Ok(sheet.finish(self.name, csv))
     }
 
-    fn lines(&self, view: &View, records: &[Record]) -> Vec<Line> {
+    fn lines(&self, view: &View, records: &[Record]) -> Vec<ChartLine> {
         let point = |step: &StepSummary| (step.force / self.load.1, (view.value)(step));
         let lines = self.curves.iter().zip(records);
         let lines = lines.map(|(&(_, name, colour, dash), record)| {
@@ -169,10 +169,10 @@ impl Loading {
                 .iter()
                 .map(point)
                 .filter(|(_, y)| y.is_finite());
-            Line {
+            ChartLine {
                 dash,
                 is_marked: true,
-                ..Line::new(name.into(), colour, vec![points.collect()])
+                ..ChartLine::new(name.into(), colour, vec![points.collect()])
             }
         });
         lines.collect()

@@ -13,7 +13,7 @@ use pellicle_cli::picture::svg::{Anchor, Place, Svg};
 use pellicle_cli::picture::window::Window;
 use pellicle_cli::picture::{axis, colour_bar, pressure_map};
 
-use super::chart::{Line, quoted};
+use super::chart::{ChartLine, quoted};
 use super::runner::SolvedStep;
 use super::sheet::{Caption, Picture, Sheet};
 
@@ -83,7 +83,7 @@ impl Pressures<'_> {
     }
 
     /// The pressure of a panel along x beside the axis, constant over an element, in the units of axes.
-    pub(super) fn profile(&self, panel: usize, colour: Colour) -> Line {
+    pub(super) fn profile(&self, panel: usize, colour: Colour) -> ChartLine {
         let shown = &self.panels[panel];
         let fields = shown.step.fields();
         let along = |i: usize| {
@@ -92,7 +92,7 @@ impl Pressures<'_> {
             [i, i + 1].map(|i| (fields.edge(i) / self.metres.divisor, pressure))
         };
         let points = (0..fields.size).flat_map(along).collect();
-        Line::new(shown.title.clone(), colour, vec![points])
+        ChartLine::new(shown.title.clone(), colour, vec![points])
     }
 
     /// A sheet of the panels, each drawn from the left and upper corner of its cell.

@@ -8,7 +8,7 @@ use crate::scene::{coated, cylinders, material, model, paraboloid};
 
 /// One panel of Fig. 2.
 #[derive(Debug, Clone)]
-pub struct Panel {
+pub struct Fig2Panel {
     /// Its letter.
     pub name: &'static str,
     /// Foundation, relief and indenter.
@@ -21,10 +21,10 @@ pub struct Panel {
 
 /// The four panels.
 #[must_use]
-pub fn figure_2() -> [Panel; 4] {
+pub fn figure_2() -> [Fig2Panel; 4] {
     let soft = || textured(material(1.0, 0.4), material(10.0, 0.3));
     let stiff = || textured(material(1.0, 0.3), material(0.1, 0.4));
-    let panel = |name, model, side, force| Panel {
+    let panel = |name, model, side, force| Fig2Panel {
         name,
         model,
         side,

@@ -37,9 +37,9 @@ pub enum Coat {
     Stiff,
 }
 
-/// What is solved: one case file, or a case file with something replaced.
+/// One case file, or a case file with something replaced.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Case {
+pub enum PaperCase {
     /// Fig. 2: soft coating, small load.
     Fig2a,
     /// Fig. 2: stiff coating, small load.
@@ -68,8 +68,8 @@ pub enum Case {
 type Solved = Arc<OnceLock<Arc<LoadingPath>>>;
 
 /// The certified path of a case; solved by the first test that asks for it.
-pub fn path(case: Case, elements: usize) -> Arc<LoadingPath> {
-    static SOLVED: Mutex<BTreeMap<(Case, usize), Solved>> = Mutex::new(BTreeMap::new());
+pub fn path(case: PaperCase, elements: usize) -> Arc<LoadingPath> {
+    static SOLVED: Mutex<BTreeMap<(PaperCase, usize), Solved>> = Mutex::new(BTreeMap::new());
     let solved = Arc::clone(
         SOLVED
             .lock()
@@ -91,11 +91,11 @@ pub fn path(case: Case, elements: usize) -> Arc<LoadingPath> {
 }
 
 /// The only step of a case of one load.
-pub fn only_step(case: Case, elements: usize) -> Step {
+pub fn only_step(case: PaperCase, elements: usize) -> Step {
     path(case, elements).steps[0].clone()
 }
 
-impl Case {
+impl PaperCase {
     /// The model, where it is solved, and its loads.
     fn posed(self) -> (Model, Domain, Vec<Load>) {
         let [soft, stiff] = [Coat::Soft, Coat::Stiff];
