@@ -1,4 +1,4 @@
-//! The files of the workspace, read once, so that a rule is a function of text and its test needs no disk.
+//! The files of the workspace, read once. A rule is a function of their text, so its test needs no disk.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -8,7 +8,7 @@ use crate::XtaskError;
 
 /// Folders that hold no source: build output and results of runs.
 const OUTPUT: [&str; 2] = ["target", "results"];
-/// Hidden folders that are part of the workspace; all others belong to somebody's tools.
+/// Hidden folders that are part of the workspace; all others belong to tools.
 const HIDDEN_SOURCE: [&str; 2] = [".ci", ".cargo"];
 
 /// One file of the workspace.

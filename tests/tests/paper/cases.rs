@@ -1,4 +1,4 @@
-//! The paper's cases and ours beyond them, each solved once on a grid, whichever tests look at it.
+//! The paper's cases and our own. Each is solved once a grid, for all tests that ask for it.
 
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};

@@ -1,4 +1,4 @@
-//! Where on the cylinders the pressure is largest.
+//! The place of the largest pressure on the cylinders.
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,4 @@
-//! One solved step as pictures of it show it: pressure, displacement and the cylinders under them.
+//! The fields of one solved step: pressure, displacement and the cylinders under them.
 
 use pellicle_contact::SampledModel;
 

@@ -1,4 +1,4 @@
-//! Who touches whom: the cylinders alone, or the layer between them too.
+//! The parts of the surface that the indenter touches: the cylinders alone, or the layer between them too.
 
 use crate::cases::{Coat, PaperCase, only_step};
 use crate::fields::SolvedFields;

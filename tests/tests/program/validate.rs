@@ -1,4 +1,4 @@
-//! `pellicle validate` passes as it is, and fails with coefficients that are wrong by little.
+//! `pellicle validate` passes, and fails with slightly wrong coefficients.
 
 use pellicle_cli::validation::{PLANS, Scene};
 use serde_json::Value;

@@ -1,4 +1,4 @@
-//! The certificate, line by line: for each a pressure that breaks it and no other; for what is right, none.
+//! The certificate, line by line: a pressure that breaks this line and no other; the right pressure breaks none.
 
 use pellicle_contact::{Certificate, DiscreteProblem, Load, Solution};
 use pellicle_influence::ElasticOperator;

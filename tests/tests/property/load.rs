@@ -1,4 +1,4 @@
-//! Force and penetration are two names of one state, and a state does not remember how it was reached.
+//! A force and its penetration give the same state, and the state does not depend on the path to it.
 
 use pellicle_contact::{Domain, Load, SolverOptions, Step, solve_path};
 use pellicle_tests::figure_2::{Fig2Panel, figure_2};

@@ -1,4 +1,4 @@
-//! Scales, orders and energy: what must hold whatever the numbers.
+//! Scaling, monotonicity and energy, whatever the numbers.
 
 use pellicle_contact::{Load, LoadingPath, Model, Step};
 use pellicle_tests::scene::{

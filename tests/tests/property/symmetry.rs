@@ -7,7 +7,7 @@ use pellicle_tests::scene::{
 };
 use pellicle_texture::{CylinderSpec, Cylinders, Lattice, Relief};
 
-/// Where a symmetry takes the element `(i, j)`, given the last index.
+/// The element to which a symmetry takes `(i, j)`, given the last index.
 type Image = fn(usize, usize, usize) -> (usize, usize);
 
 /// The eight of the square.

@@ -1,4 +1,4 @@
-//! The paper's textured cases at N = 256: what they cost, what they give, where they touch.
+//! The paper's textured cases at N = 256: their products, penetrations and places of contact.
 
 use pellicle_contact::{Domain, SolverOptions, Step, solve_path};
 use pellicle_tests::figure_2::{Fig2Panel, figure_2};
@@ -11,7 +11,7 @@ fn solve(panel: &Fig2Panel) -> Step {
 }
 
 /// Penetrations of an independent prototype on the same grid, in units of R, and the most products that each may take:
-/// what it took when this was written, and a tenth more.
+/// a tenth more than at the time of writing.
 const EXPECTED: [(f64, usize); 4] = [
     (2.0219e-4, 9),
     (8.137e-4, 17),

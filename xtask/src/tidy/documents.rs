@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::Violation;
 use crate::Tree;
 
-/// Pages that promise tests: in a table's last column headed `test`, or on a line of its own.
+/// Pages that name tests, in a table's last column headed `test` or on a line of their own.
 const PROMISES: [&str; 2] = ["docs/evidence.md", "docs/claims.md"];
 
 /// Every relative link in a `.md` file that leads to no file, or to no heading. Links to other sites are not followed.
