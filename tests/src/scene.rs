@@ -1,5 +1,5 @@
-//! Bodies, models and certified solutions that the test binaries share. A scene that cannot be built or is not certified
-//! fails its test.
+//! Bodies, models and certified solutions that the test binaries share. A scene that cannot be built or is not
+//! certified fails its test.
 
 use std::sync::Arc;
 
