@@ -24,6 +24,18 @@ pub enum KernelError {
         /// The thickness given, m.
         found: f64,
     },
+    /// The normal compliance of an interface is negative, infinite or not a number.
+    #[error("an interface's normal compliance must be at least 0 and finite, got {found}")]
+    NormalCompliance {
+        /// The compliance given, m/Pa.
+        found: f64,
+    },
+    /// The shear compliance of an interface is negative or not a number.
+    #[error("an interface's shear compliance must be at least 0, got {found}")]
+    ShearCompliance {
+        /// The compliance given, m/Pa.
+        found: f64,
+    },
     /// The thicknesses of all layers together are too large for a number.
     #[error("the thickness of all {layers} layers together must be finite, got {found}")]
     TotalThickness {

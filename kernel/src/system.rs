@@ -12,7 +12,7 @@
 //! exponential is large and no two columns become alike.
 
 use crate::response::Poisson;
-use crate::wave::{LayerEquations, V};
+use crate::wave::{LayerEquations, Place, Profile, TopPair, V};
 use crate::{KernelError, Material};
 use nalgebra::{Matrix4, RowVector4, Vector4};
 
@@ -54,12 +54,12 @@ impl TransformedSystem {
         Self {
             s,
             surface: upper,
-            equations: LayerEquations::new(&upper, s, [0.0, -1.0], bottom),
+            equations: LayerEquations::new(&upper, s, TopPair::TRACTIONS, bottom),
         }
     }
 
     /// The matrix: rows shear on top, pressure on top, shear and normal traction at the interface;
-    /// columns the state `(U, V, τ, σ)` at mid-depth times `e^{−s/2}` (`s < 2`) or the four waves.
+    /// columns the state `(U, V, τ, σ)` at mid-depth (`s < 2`) or the four waves.
     #[must_use]
     pub fn matrix(&self) -> Matrix4<f64> {
         self.equations.matrix
@@ -68,7 +68,7 @@ impl TransformedSystem {
     /// The right-hand side: no shear, unit pressure, an interface in equilibrium.
     #[must_use]
     pub fn load(&self) -> Vector4<f64> {
-        self.equations.load
+        Vector4::new(0.0, -1.0, 0.0, 0.0)
     }
 
     /// `Φ = V(0) / (2 (1 − ν₁))` by elimination with partial pivoting.
@@ -77,9 +77,10 @@ impl TransformedSystem {
     ///
     /// [`KernelError::Singular`] if a pivot vanishes.
     pub fn response(&self) -> Result<f64, KernelError> {
-        let wave = self.equations.solve();
-        let wave = wave.ok_or(KernelError::Singular { s: self.s })?;
-        Ok(self.surface.x * wave.at(0.0)[V])
+        let waves = self.equations.solve([self.load()]);
+        let [wave] = waves.ok_or(KernelError::Singular { s: self.s })?;
+        let top = Profile::new(self.s, &Place::top(self.s));
+        Ok(self.surface.x * wave.at(&top)[V])
     }
 }
 
