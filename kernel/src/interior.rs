@@ -50,8 +50,10 @@ impl Foundation {
     ///
     /// The work grows with the number of layers, that of [`Interior::at`] hardly does.
     ///
-    /// Accuracy: 1e-13 of the larger components of the state (displacements times `2 G k`, stresses) at every depth
-    /// (`tests/interior.rs`). Waves decay without underflow to anything but 0.
+    /// Accuracy: 1e-13 of the larger components of the state (displacements times `2 G k`, stresses) at every depth,
+    /// plus `2e-15 k z` from the rounding of `e^{−kz}` (`tests/interior_reference.rs`, `tests/dense.rs`). Below a
+    /// frictionless interface, where a long wave of traction leaves stresses of the order of `k H`, their error is
+    /// 1e-16 of the traction. What has decayed below the smallest number is 0.
     ///
     /// `k = 0` is refused, every small `k` is as accurate as others. For `k → 0` displacements grow like `1/k` on
     /// a half-space, where `k u` has the limit of the base alone; on a rigid base they have finite limits. Under the
@@ -128,8 +130,9 @@ impl Interior {
     /// Zero for a half-space; `None` below the top layer, where the amplitudes themselves have decayed by `e^{−kH}`.
     /// The homogeneous amplitudes are `Foundation::half_space(foundation.surface_material()).interior(k)`.
     ///
-    /// Accuracy: 1e-12 of the larger components of the difference, times `1 + 2kH`, as the roundings of `e^{−2kH}`
-    /// (`tests/interior.rs`).
+    /// Accuracy: 3e-13 of the larger components of the difference, times `1 + 2kH`, `H` the top layer's thickness, as
+    /// `e^{−2kH}` magnifies roundings (`tests/interior_reference.rs`); where reflections of several interfaces cancel, a
+    /// rounding of the largest.
     #[must_use]
     pub fn correction(&self, depth: f64) -> Option<Amplitudes> {
         let body = &self.bodies[0];

@@ -25,7 +25,7 @@ pub(super) struct Held {
 /// The wave in one body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Wave {
-    /// `s = k H`, what holds the bottom, `T` on the top over [`Held::top`].
+    /// `s = k H`, what holds the bottom, and what that is to be multiplied by.
     Layer { s: f64, held: Held, scale: f64 },
     /// `T` on the top.
     HalfSpace(f64),
@@ -62,17 +62,11 @@ impl Held {
     fn through(self, s: f64) -> Self {
         let theta = (-2.0 * s).exp();
         Self {
-            w: self.at(s, self.w, self.t),
-            t: self.at(s, self.t, self.w),
+            w: carried(s, self.w, self.t),
+            t: carried(s, self.t, self.w),
             difference: 2.0 * theta * self.difference,
         }
         .normalised()
-    }
-
-    /// `2 e^{−r} (first cosh r + second sinh r)`
-    fn at(self, r: f64, first: f64, second: f64) -> f64 {
-        let lost = -(-2.0 * r).exp_m1();
-        first * (2.0 - lost) + second * lost
     }
 
     fn normalised(self) -> Self {
@@ -83,6 +77,12 @@ impl Held {
             difference: self.difference * factor,
         }
     }
+}
+
+/// `2 e^{−r} (first cosh r + second sinh r)`
+fn carried(r: f64, first: f64, second: f64) -> f64 {
+    let lost = -(-2.0 * r).exp_m1();
+    first * (2.0 - lost) + second * lost
 }
 
 impl Wave {
@@ -98,7 +98,7 @@ impl Wave {
         let mut waves = Vec::with_capacity(layers.len() + 1);
         for (layer, (held, mu)) in layers.iter().zip(held) {
             let s = wavenumber * layer.thickness();
-            let scale = traction / held.at(s, held.t, held.w);
+            let scale = traction / carried(s, held.t, held.w);
             waves.push(Self::Layer { s, held, scale });
             // T on the bottom, in the units of what lies below
             traction = mu * (2.0 * held.t * scale * (-s).exp());
@@ -118,8 +118,8 @@ impl Wave {
                 let r = place.above_bottom;
                 let factor = scale * decay;
                 (
-                    factor * held.at(r, held.w, held.t),
-                    factor * held.at(r, held.t, held.w),
+                    factor * carried(r, held.w, held.t),
+                    factor * carried(r, held.t, held.w),
                 )
             }
             Self::HalfSpace(t) => (t * decay, t * decay),

@@ -1,7 +1,8 @@
 //! From the top of one body to the bottom of the layer above it.
 //!
 //! Tractions change their unit from `2 G₂ k` to `2 G₁ k`, `μ = G₁/G₂`; across a frictionless
-//! interface the minors start anew from the compliance `g/d` alone, with no shear on either side.
+//! interface the minors start anew from the compliance `g/d` alone, with no shear on either side. Springs come on
+//! top of a bond ([`spring`](super::spring)).
 
 use super::contrast::Contrast;
 use super::minors::Minors;
