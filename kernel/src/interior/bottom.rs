@@ -41,7 +41,8 @@ fn equations(minors: &Minors) -> [Equation; 2] {
     }
 }
 
-/// A part of the largest minor: from 1e-4 to 0.1 the errors are the same, 1 costs a digit in thin layers.
+/// A part of the largest minor. Before solutions were refined, errors on 4000 random places were the same from 1e-4 to
+/// 0.1 and seven times as large at 1.
 const NEARLY_LARGEST: f64 = 0.1;
 
 /// The two equations as rows, `row · v = 0`.
