@@ -34,7 +34,7 @@ fn case(line: &str) -> Case {
         layers.split(';').map(layer).collect()
     };
     Case {
-        line: format!("{layers} {base} {k} {body} {offset}"),
+        line: fields[..5].join(" "),
         foundation: Foundation::new(layers, self::base(base)).unwrap(),
         wavenumber: number(k),
         body: body.parse().unwrap(),
