@@ -1,5 +1,6 @@
 //! Every error of this crate, with its numbers.
 
+use pellicle_kernel::KernelError;
 use thiserror::Error;
 
 /// The reason why coefficients, tables or integrals are not available.
@@ -12,6 +13,17 @@ pub enum InfluenceError {
         /// The side given, m.
         found: f64,
     },
+    /// A depth above the surface, inside a rigid base, or not a number.
+    #[error("a depth must lie in the body, from 0 to {largest} m, got {found} m")]
+    Depth {
+        /// The depth given, m.
+        found: f64,
+        /// The largest depth, m; infinite above a half-space.
+        largest: f64,
+    },
+    /// The amplitudes of a wave inside the body cannot be computed.
+    #[error(transparent)]
+    Amplitudes(#[from] KernelError),
     /// A table of coefficients needs at least one element a side, and no more than fit in memory.
     #[error("a table of coefficients takes 1 to {largest} elements a side, got {found}")]
     TableSize {

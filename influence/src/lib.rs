@@ -82,6 +82,7 @@ mod operator;
 mod radial;
 mod response;
 mod sector;
+mod subsurface;
 mod surface_elasticity;
 mod transform;
 
@@ -95,4 +96,5 @@ pub use operator::{
 };
 pub use radial::RadialTables;
 pub use sector::Sector;
+pub use subsurface::{ElementFields, ElementLoads, Plane, SubsurfaceState};
 pub use surface_elasticity::SurfaceElasticity;
