@@ -84,7 +84,7 @@ impl ElementFields {
             foundation: foundation.clone(),
             element_side,
             depth: plane.depth,
-            has_homogeneous: plane.is_in_top(foundation),
+            has_homogeneous: plane.is_split(foundation),
             kernels,
         })
     }

@@ -19,10 +19,13 @@ impl Plane {
         self.depth < bottom || (self.depth <= bottom && self.side == Side::Above)
     }
 
-    /// Whether the plane lies in the body at the surface.
-    pub(super) fn is_in_top(&self, foundation: &Foundation) -> bool {
+    /// Whether the fields are those of a half-space of the top layer's material and what the layers change.
+    ///
+    /// In the lower half of a layer both would be large where a stiff coat leaves little stress, and the fields
+    /// themselves are smooth over a distance of the depth.
+    pub(super) fn is_split(&self, foundation: &Foundation) -> bool {
         let top = foundation.layers().first();
-        top.is_none_or(|top| self.is_above(top.thickness()))
+        top.is_none_or(|top| self.depth < top.thickness() / 2.0)
     }
 
     /// Whether something below holds the plane along the surface: no frictionless interface does.

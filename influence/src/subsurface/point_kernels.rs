@@ -67,8 +67,8 @@ pub struct PointKernels {
 impl PointKernels {
     /// The kernels of a plane, for radii up to `largest_radius` (m).
     ///
-    /// In the top layer they are what the body has more than a half-space of its material; none for a half-space,
-    /// which has nothing more.
+    /// Near the surface they are what the body has more than a half-space of the top layer's material; none for a
+    /// half-space, which has nothing more.
     pub fn new(
         foundation: &Foundation,
         plane: Plane,
@@ -78,8 +78,8 @@ impl PointKernels {
             return Ok(None);
         };
         let thickness = top.thickness();
-        let (is_in_top, depth) = (plane.is_in_top(foundation), plane.depth);
-        let reach = if is_in_top {
+        let (is_split, depth) = (plane.is_split(foundation), plane.depth);
+        let reach = if is_split {
             2.0 * thickness - depth
         } else {
             depth
@@ -99,7 +99,7 @@ impl PointKernels {
                 return Ok([0.0; FUNCTIONS]);
             }
             let interior = foundation.interior((f64::from(index) * STEP - first).exp())?;
-            let amplitudes = if is_in_top {
+            let amplitudes = if is_split {
                 interior.correction(depth)
             } else {
                 Some(interior.at(depth, plane.side))
