@@ -96,5 +96,5 @@ pub use operator::{
 };
 pub use radial::RadialTables;
 pub use sector::Sector;
-pub use subsurface::{ElementFields, ElementLoads, Plane, SubsurfaceState};
+pub use subsurface::{ElementFields, ElementLoads, LoadedGrid, Plane, Squares, SubsurfaceState};
 pub use surface_elasticity::SurfaceElasticity;

@@ -7,11 +7,13 @@
 
 mod element;
 mod homogeneous;
+mod loaded_grid;
 mod log_lattice;
 mod plane;
 mod point_kernels;
 mod state;
 
 pub use element::{ElementFields, ElementLoads};
+pub use loaded_grid::{LoadedGrid, Squares};
 pub use plane::Plane;
 pub use state::SubsurfaceState;

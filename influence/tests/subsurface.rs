@@ -2,7 +2,9 @@
 
 use std::f64::consts::PI;
 
-use pellicle_influence::{ElementFields, Plane, RadialTables, SubsurfaceState};
+use pellicle_influence::{
+    ElementFields, LoadedGrid, Plane, RadialTables, Squares, SubsurfaceState,
+};
 use pellicle_kernel::{Base, Foundation, Interface, Layer, Material, Side};
 use serde_json::Value;
 
@@ -356,5 +358,53 @@ fn depths_outside_the_body_are_refused() {
             error.to_string().contains("a depth must lie in the body"),
             "{error}"
         );
+    }
+}
+
+#[test]
+fn planes_are_the_sums_over_the_elements() {
+    let squares = Squares {
+        loaded: 5,
+        shown: 9,
+        before: [3, 1],
+    };
+    let pressure: Vec<f64> = (0..25).map(|e| 1.0 + f64::from(e * e % 7)).collect();
+    for (foundation, depth) in stacks().iter().zip([0.0, 0.01, 2.0, 1.0, 0.3, 1.0, 0.0]) {
+        for friction in [[0.0, 0.0], [0.3, 0.0], [-0.2, 0.4]] {
+            let plane = Plane {
+                depth,
+                side: Side::Above,
+            };
+            let mut grid = LoadedGrid::new(foundation, 1.0, squares, &pressure, friction);
+            let element = ElementFields::new(foundation, 1.0, plane, 20.0).unwrap();
+            let state_at = |i: usize, j: usize| {
+                let mut sum = SubsurfaceState::default();
+                for (e, p) in pressure.iter().enumerate() {
+                    let [x, y] = [i as f64 - (3 + e / 5) as f64, j as f64 - (1 + e % 5) as f64];
+                    let loads = element.at([x, y]);
+                    let along_y = element.at([y, x]).tangential.transposed();
+                    sum += (loads.normal + loads.tangential * friction[0] + along_y * friction[1])
+                        * *p;
+                }
+                sum
+            };
+            let states: Vec<_> = (0..81).map(|e| state_at(e / 9, e % 9)).collect();
+            grid.fields_on(plane, |f, field| {
+                let expected: Vec<f64> = states.iter().map(|state| state.field(f)).collect();
+                let largest = expected
+                    .iter()
+                    .fold(0.0, |most: f64, value| most.max(value.abs()));
+                for (e, (found, expected)) in field.iter().zip(&expected).enumerate() {
+                    let error = (found - expected).abs();
+                    // Of pressures of order 1.
+                    assert!(
+                        error <= 1e-13 * largest + 1e-14,
+                        "{depth} {friction:?} {} {e}: {found:e} {expected:e}",
+                        KEYS[f]
+                    );
+                }
+            })
+            .unwrap();
+        }
     }
 }

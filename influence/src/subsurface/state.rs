@@ -25,6 +25,18 @@ impl SubsurfaceState {
         }
     }
 
+    /// The displacements, then the stresses, by one index.
+    ///
+    /// # Panics
+    /// If the index is above 8.
+    #[must_use]
+    pub fn field(&self, index: usize) -> f64 {
+        match index.checked_sub(3) {
+            None => self.displacement[index],
+            Some(index) => self.stress[index],
+        }
+    }
+
     /// Von Mises' equivalent stress.
     #[must_use]
     pub fn von_mises(&self) -> f64 {
