@@ -96,5 +96,7 @@ pub use operator::{
 };
 pub use radial::RadialTables;
 pub use sector::Sector;
-pub use subsurface::{ElementFields, ElementLoads, LoadedGrid, Plane, Squares, SubsurfaceState};
+pub use subsurface::{
+    ElementFields, ElementLoads, LoadedGrid, Plane, Squares, SubsurfaceState, SurfaceLoad,
+};
 pub use surface_elasticity::SurfaceElasticity;

@@ -6,6 +6,7 @@
 //! [over the element](element) by Gauss points.
 
 mod element;
+mod element_table;
 mod homogeneous;
 mod loaded_grid;
 mod log_lattice;
@@ -13,7 +14,7 @@ mod plane;
 mod point_kernels;
 mod state;
 
-pub use element::{ElementFields, ElementLoads};
+pub use element::{ElementFields, ElementLoads, SurfaceLoad};
 pub use loaded_grid::{LoadedGrid, Squares};
 pub use plane::Plane;
 pub use state::SubsurfaceState;

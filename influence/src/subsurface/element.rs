@@ -12,6 +12,15 @@ use crate::element::check_element_side;
 use crate::error::InfluenceError;
 use crate::numerics::quadrature::{Node, legendre_of};
 
+/// A uniform load on an element, of 1 Pa.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SurfaceLoad {
+    /// A pressure.
+    Pressure,
+    /// A traction that drags the surface along +x.
+    Traction,
+}
+
 /// The states of one point under the two loads of an element.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ElementLoads {
@@ -52,12 +61,14 @@ static RULES: LazyLock<[(f64, Vec<Node>); 5]> = LazyLock::new(|| {
 /// ```
 #[derive(Clone, Debug)]
 pub struct ElementFields {
-    foundation: Foundation,
-    element_side: f64,
-    depth: f64,
+    pub(super) foundation: Foundation,
+    pub(super) element_side: f64,
+    pub(super) depth: f64,
     /// Whether the fields of a half-space of the top layer's material are to be added.
-    has_homogeneous: bool,
-    kernels: Option<PointKernels>,
+    pub(super) has_homogeneous: bool,
+    /// Whether `u_x` and `u_y` under a traction are bounded.
+    is_held: bool,
+    pub(super) kernels: Option<PointKernels>,
 }
 
 impl ElementFields {
@@ -85,6 +96,7 @@ impl ElementFields {
             element_side,
             depth: plane.depth,
             has_homogeneous: plane.is_split(foundation),
+            is_held: plane.is_held(foundation),
             kernels,
         })
     }
@@ -95,27 +107,43 @@ impl ElementFields {
     /// traction are unbounded and returned as NaN.
     #[must_use]
     pub fn at(&self, point: [f64; 2]) -> ElementLoads {
-        let mut loads = if self.has_homogeneous {
+        ElementLoads {
+            normal: self.state(SurfaceLoad::Pressure, point),
+            tangential: self.state(SurfaceLoad::Traction, point),
+        }
+    }
+
+    /// The state at a point under one of the loads.
+    #[must_use]
+    pub fn state(&self, load: SurfaceLoad, point: [f64; 2]) -> SubsurfaceState {
+        let mut state = self.smooth_part(load, point);
+        if self.has_homogeneous {
             let material = self.foundation.surface_material();
-            loaded_square(
-                &material,
-                self.element_side,
-                [point[0], point[1], self.depth],
-            )
-        } else {
-            ElementLoads::default()
-        };
+            let point = [point[0], point[1], self.depth];
+            state += loaded_square(load, &material, self.element_side, point);
+        }
+        if load == SurfaceLoad::Traction && !self.is_held {
+            state.displacement[..2].fill(f64::NAN);
+        }
+        state
+    }
+
+    /// Whether a field under the traction is bounded.
+    pub(super) fn is_bounded(&self, field: usize) -> bool {
+        self.is_held || field > 1
+    }
+
+    /// The part of the state that comes from point loads.
+    pub(super) fn smooth_part(&self, load: SurfaceLoad, point: [f64; 2]) -> SubsurfaceState {
+        let mut state = SubsurfaceState::default();
         if let Some(kernels) = &self.kernels {
             let element = Cell {
                 centre: [0.0, 0.0],
                 half_side: self.element_side / 2.0,
             };
-            element.add_to(&mut loads, kernels, point);
-            if !kernels.is_held {
-                loads.tangential.displacement[..2].fill(f64::NAN);
-            }
+            element.add_to(&mut state, load, kernels, point);
         }
-        loads
+        state
     }
 }
 
@@ -126,9 +154,15 @@ struct Cell {
 }
 
 impl Cell {
-    /// Adds the fields of the cell's loads at a point: by a Gauss rule where the kernels are smooth on its scale, by
+    /// Adds the field of the cell's load at a point: by a Gauss rule where the kernels are smooth on its scale, by
     /// its quarters else.
-    fn add_to(&self, loads: &mut ElementLoads, kernels: &PointKernels, point: [f64; 2]) {
+    fn add_to(
+        &self,
+        state: &mut SubsurfaceState,
+        load: SurfaceLoad,
+        kernels: &PointKernels,
+        point: [f64; 2],
+    ) {
         let [x, y] = [0, 1].map(|axis: usize| point[axis] - self.centre[axis]);
         // The kernels are analytic for radii within i times their reach.
         let distance = x.hypot(y).hypot(kernels.reach) / self.half_side;
@@ -139,7 +173,7 @@ impl Cell {
                     self.centre[0] + side_x * half_side,
                     self.centre[1] + side_y * half_side,
                 ];
-                Self { centre, half_side }.add_to(loads, kernels, point);
+                Self { centre, half_side }.add_to(state, load, kernels, point);
             }
             return;
         };
@@ -150,9 +184,7 @@ impl Cell {
                     y - self.half_side * other.position,
                 ];
                 let weight = self.half_side * self.half_side * one.weight * other.weight;
-                let fields = kernels.at(from);
-                loads.normal += fields.normal * weight;
-                loads.tangential += fields.tangential * weight;
+                *state += kernels.at(load, from) * weight;
             }
         }
     }

@@ -28,32 +28,64 @@ use std::f64::consts::PI;
 
 use pellicle_kernel::Material;
 
-use super::element::ElementLoads;
+use super::element::SurfaceLoad;
 use super::state::SubsurfaceState;
 
-/// The states at `point` (x, y from the centre of the square, depth; m) for unit loads on a square of side
+/// The state at `point` (x, y from the centre of the square, depth; m) for a unit load on a square of side
 /// `element_side` (m).
 ///
 /// Some fields are unbounded at the square's outline on the surface itself, where they are returned as ±∞ or NaN.
-pub fn loaded_square(material: &Material, element_side: f64, point: [f64; 3]) -> ElementLoads {
+pub fn loaded_square(
+    load: SurfaceLoad,
+    material: &Material,
+    element_side: f64,
+    point: [f64; 3],
+) -> SubsurfaceState {
+    let corners = Corners::new(load, material, element_side, point[2]);
     let half_side = element_side / 2.0;
-    let [x, y, z] = point.map(|coordinate| coordinate / half_side);
-    let nu = material.poisson_ratio();
-    let mut sum = ElementLoads::default();
+    let mut sum = SubsurfaceState::default();
     for (sign_x, sign_y) in [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)] {
-        let corner = Corner::new([x + sign_x, y + sign_y, z]);
-        sum.normal += corner.under_pressure(nu) * (sign_x * sign_y);
-        sum.tangential += corner.under_traction(nu) * (sign_x * sign_y);
+        let [x, y] = [point[0] + sign_x * half_side, point[1] + sign_y * half_side];
+        sum += corners.at([x, y]) * (sign_x * sign_y);
     }
-    // Displacements are sums over 4πG, stresses over 2π.
-    let per_displacement = half_side / (4.0 * PI * material.shear_modulus());
-    let scaled = |sum: SubsurfaceState| SubsurfaceState {
-        displacement: sum.displacement.map(|u| u * per_displacement),
-        stress: sum.stress.map(|stress| stress / (2.0 * PI)),
-    };
-    ElementLoads {
-        normal: scaled(sum.normal),
-        tangential: scaled(sum.tangential),
+    sum
+}
+
+/// The functions of a corner's place whose sum over the corners, with signs, are the fields at one depth.
+pub struct Corners {
+    load: SurfaceLoad,
+    nu: f64,
+    half_side: f64,
+    depth: f64,
+    /// Displacements are sums over 4πG, stresses over 2π.
+    per_displacement: f64,
+}
+
+impl Corners {
+    /// For squares of side `element_side` (m).
+    pub fn new(load: SurfaceLoad, material: &Material, element_side: f64, depth: f64) -> Self {
+        let half_side = element_side / 2.0;
+        Self {
+            load,
+            nu: material.poisson_ratio(),
+            half_side,
+            depth: depth / half_side,
+            per_displacement: half_side / (4.0 * PI * material.shear_modulus()),
+        }
+    }
+
+    /// For a corner from which the point lies at (x, y) (m).
+    pub fn at(&self, place: [f64; 2]) -> SubsurfaceState {
+        let [x, y] = place.map(|along| along / self.half_side);
+        let corner = Corner::new([x, y, self.depth]);
+        let sum = match self.load {
+            SurfaceLoad::Pressure => corner.under_pressure(self.nu),
+            SurfaceLoad::Traction => corner.under_traction(self.nu),
+        };
+        SubsurfaceState {
+            displacement: sum.displacement.map(|u| u * self.per_displacement),
+            stress: sum.stress.map(|stress| stress / (2.0 * PI)),
+        }
     }
 }
 
@@ -79,8 +111,8 @@ struct Corner {
 
 impl Corner {
     fn new([x, y, z]: [f64; 3]) -> Self {
-        let r = x.hypot(y).hypot(z);
-        let (xz, yz) = (x.hypot(z), y.hypot(z));
+        let r = (x * x + y * y + z * z).sqrt();
+        let (xz, yz) = ((x * x + z * z).sqrt(), (y * y + z * z).sqrt());
         let v_z = -(x * y).atan2(z * r);
         // atan(y/x) − atan(y z/(x r)) = atan(x y (r − z)/(x² r + y² z)), r − z = (x² + y²)/(r + z)
         let from_z = (x * x + y * y) / (r + z);
@@ -91,8 +123,8 @@ impl Corner {
             y,
             z,
             r,
-            v_x: logarithm(y, xz),
-            v_y: logarithm(x, yz),
+            v_x: logarithm(y, xz, r),
+            v_y: logarithm(x, yz, r),
             v_z,
             lambda_xx,
             // Λ_xx + Λ_yy = −V_z
@@ -191,9 +223,13 @@ impl Corner {
     }
 }
 
-/// `asinh(a/c)`, which is `ln(r + a)` less a part that does not depend on `a`.
-fn logarithm(a: f64, c: f64) -> f64 {
-    if a == 0.0 { 0.0 } else { (a / c).asinh() }
+/// `asinh(a/c)` with `r² = a² + c²`, which is `ln(r + a)` less a part that does not depend on `a`.
+fn logarithm(a: f64, c: f64, r: f64) -> f64 {
+    if a == 0.0 {
+        0.0
+    } else {
+        ((r + a.abs()) / c).ln().copysign(a)
+    }
 }
 
 /// `factor · value` with 0 for a factor of 0, whatever the value: the limit of `x ln x`.

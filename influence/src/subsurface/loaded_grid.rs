@@ -8,7 +8,8 @@ use pellicle_kernel::Foundation;
 use rayon::prelude::*;
 use rustfft::num_complex::Complex64;
 
-use super::element::{ElementFields, ElementLoads};
+use super::element::{ElementFields, SurfaceLoad};
+use super::element_table::ElementTable;
 use super::plane::Plane;
 use crate::error::InfluenceError;
 use crate::operator::Spectrum;
@@ -63,10 +64,10 @@ pub struct LoadedGrid {
     half: usize,
     /// Offsets along a side.
     offsets: usize,
-    /// The fields of one element at the offsets of a quarter.
-    element: Vec<ElementLoads>,
-    /// One of them.
-    quarter: Vec<f64>,
+    /// The fields of one element under a pressure and, where there is friction, under a traction.
+    normal: ElementTable,
+    tangential: Option<ElementTable>,
+    quarter: Quarter,
     /// One field on the plane.
     shown: Vec<f64>,
 }
@@ -109,14 +110,18 @@ impl LoadedGrid {
             transform,
             half,
             offsets,
-            element: vec![ElementLoads::default(); offsets * offsets],
-            quarter: vec![0.0; offsets * offsets],
+            normal: ElementTable::new(offsets),
+            tangential: (friction != [0.0; 2]).then(|| ElementTable::new(offsets)),
+            quarter: Quarter {
+                size: offsets,
+                values: vec![0.0; offsets * offsets],
+            },
             shown: vec![0.0; shown * shown],
         }
     }
 
     /// Calls `take` with each of the nine fields on a plane, in the order of [`SubsurfaceState`]: at the centres of the
-    /// shown elements, row after row, displacements in m and stresses in Pa.
+    /// shown elements, row after row, displacements in m and stresses in Pa; NaN where they are unbounded.
     ///
     /// # Errors
     /// As [`ElementFields::new`].
@@ -128,17 +133,18 @@ impl LoadedGrid {
         let (side, offsets) = (self.element_side, self.offsets);
         let diagonal = std::f64::consts::SQRT_2 * side * offsets as f64;
         let fields = ElementFields::new(&self.foundation, side, plane, diagonal)?;
-        let rows = self.element.par_chunks_mut(offsets).enumerate();
-        rows.for_each(|(m, row)| {
-            for (n, loads) in row.iter_mut().enumerate() {
-                *loads = fields.at([m as f64 * side, n as f64 * side]);
-            }
-        });
+        self.normal.fill(&fields, SurfaceLoad::Pressure);
+        if let Some(tangential) = &mut self.tangential {
+            tangential.fill(&fields, SurfaceLoad::Traction);
+        }
         for field in 0..FIELDS {
             let parts = self.parts(field);
             let weigh = |which, column: &mut [Complex64]| weigh(&parts, which, column);
             self.transform.take_product(&self.pressure, weigh);
             self.transform.restore(&mut self.shown, 1.0);
+            if self.tangential.is_some() && !fields.is_bounded(field) {
+                self.shown.fill(f64::NAN);
+            }
             take(field, &self.shown);
         }
         Ok(())
@@ -146,44 +152,29 @@ impl LoadedGrid {
 
     /// The spectra whose sum is that of a field.
     fn parts(&mut self, field: usize) -> Vec<Part> {
+        let (quarter, half) = (&mut self.quarter, self.half);
+        let normal = &self.normal;
+        let pressed = |offset| normal.state(offset).field(field);
+        let mut parts = vec![Part::new(quarter, half, UNDER_PRESSURE[field], pressed)];
+        let Some(tangential) = &self.tangential else {
+            return parts;
+        };
         let [along_x, along_y] = self.friction;
-        let mut parts = vec![self.part(UNDER_PRESSURE[field], |element, [m, n]| {
-            element(m, n).normal.field(field)
-        })];
-        if along_x != 0.0 {
-            parts.push(self.part(under_traction(field), |element, [m, n]| {
-                along_x * element(m, n).tangential.field(field)
-            }));
-        }
-        if along_y != 0.0 {
-            // x and y change places.
-            let transposed = TRANSPOSED[field];
-            let [x, y] = under_traction(transposed);
-            parts.push(self.part([y, x], |element, [m, n]| {
-                along_y * element(n, m).tangential.field(transposed)
-            }));
-        }
+        let dragged = |offset| along_x * tangential.state(offset).field(field);
+        parts.push(Part::new(quarter, half, under_traction(field), dragged));
+        // x and y change places.
+        let transposed = TRANSPOSED[field];
+        let [x, y] = under_traction(transposed);
+        let dragged = |[m, n]: [usize; 2]| along_y * tangential.state([n, m]).field(transposed);
+        parts.push(Part::new(quarter, half, [y, x], dragged));
         parts
     }
+}
 
-    /// The spectrum of a value at each offset, given the fields of the element.
-    fn part(
-        &mut self,
-        parities: [Parity; 2],
-        value: impl Fn(&dyn Fn(usize, usize) -> ElementLoads, [usize; 2]) -> f64 + Sync,
-    ) -> Part {
-        let (offsets, element) = (self.offsets, &self.element);
-        let rows = self.quarter.par_chunks_mut(offsets).enumerate();
-        rows.for_each(|(m, row)| {
-            for (n, entry) in row.iter_mut().enumerate() {
-                *entry = value(&|m, n| element[m * offsets + n], [m, n]);
-            }
-        });
-        Part {
-            spectrum: Spectrum::of_quarter(&self.quarter, parities, offsets, self.half),
-            parities,
-        }
-    }
+/// One field at the offsets of a quarter of the grid.
+struct Quarter {
+    size: usize,
+    values: Vec<f64>,
 }
 
 /// A spectrum of one parity.
@@ -211,6 +202,26 @@ fn weigh(parts: &[Part], [frequency, which]: [usize; 2], column: &mut [Complex64
 }
 
 impl Part {
+    /// The spectrum of a value at each offset, by way of the buffer.
+    fn new(
+        quarter: &mut Quarter,
+        half: usize,
+        parities: [Parity; 2],
+        value: impl Fn([usize; 2]) -> f64 + Sync,
+    ) -> Self {
+        let size = quarter.size;
+        let rows = quarter.values.par_chunks_mut(size).enumerate();
+        rows.for_each(|(m, row)| {
+            for (n, entry) in row.iter_mut().enumerate() {
+                *entry = value([m, n]);
+            }
+        });
+        Self {
+            spectrum: Spectrum::of_quarter(&quarter.values, parities, size, half),
+            parities,
+        }
+    }
+
     /// The spectrum at one frequency along y and a place among the even or odd ones along x, or at its mirror image.
     fn value(&self, [frequency, which]: [usize; 2], place: usize, sign: f64) -> Complex64 {
         let value = self.spectrum.column(frequency)[which][place];

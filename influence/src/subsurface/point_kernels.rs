@@ -25,14 +25,18 @@ use std::f64::consts::TAU;
 use pellicle_kernel::{Amplitudes, Foundation, KernelError};
 use rayon::prelude::*;
 
-use super::element::ElementLoads;
+use super::element::SurfaceLoad;
 use super::log_lattice::{ENDS, EVERY_FROM, NODES, RADIUS_STRIDE, STEP};
 use super::plane::Plane;
 use super::state::SubsurfaceState;
 use crate::numerics::rounding::{ceil, floor};
 
+/// Functions of the radius under a pressure, and under a traction.
+const NORMAL: usize = 6;
+const TANGENTIAL: usize = 9;
+
 /// Functions of the radius.
-const FUNCTIONS: usize = 15;
+const FUNCTIONS: usize = NORMAL + TANGENTIAL;
 
 /// Order of the Bessel function of each.
 const ORDER: [usize; FUNCTIONS] = [0, 1, 0, 1, 0, 2, 0, 2, 1, 1, 0, 2, 1, 1, 3];
@@ -46,6 +50,12 @@ const NEAREST: f64 = 1.0 / 3000.0;
 /// Amplitudes have fallen to e^{−60} at this wavenumber over the reach's.
 const DECAYED: f64 = 60.0;
 
+/// Step of `ln r`.
+const STRIDE: f64 = RADIUS_STRIDE as f64 * STEP;
+
+/// Steps in which the radius doubles.
+const DOUBLED: usize = 17;
+
 /// Points of the interpolation over `ln r`: with steps of 0.04 it is right to 1e-13 for functions that are analytic
 /// in r within i times the reach.
 const STENCIL: usize = 10;
@@ -53,15 +63,10 @@ const STENCIL: usize = 10;
 /// The functions, tabulated over the logarithm of the radius.
 #[derive(Clone, Debug)]
 pub struct PointKernels {
-    /// ln r of the first entry.
-    first: f64,
-    table: Vec<Values>,
-    /// `f/rⁿ` at r = 0 and its slope over r².
-    at_axis: [Values; 2],
+    normal: Table<NORMAL>,
+    tangential: Table<TANGENTIAL>,
     /// Depth with which the amplitudes decay, m: `e^{−k reach}`.
     pub reach: f64,
-    /// Whether `u_x` and `u_y` under a traction are bounded.
-    pub is_held: bool,
 }
 
 impl PointKernels {
@@ -84,9 +89,8 @@ impl PointKernels {
         } else {
             depth
         };
-        let stride = RADIUS_STRIDE as f64 * STEP;
         let first = (NEAREST * reach).ln();
-        let steps = ((largest_radius.ln() - first) / stride).max(0.0);
+        let steps = ((largest_radius.ln() - first) / STRIDE).max(0.0);
         let radii = ceil(steps) + 2 * STENCIL;
         // ln k = ln x − ln r
         let shift = RADIUS_STRIDE as i32;
@@ -109,7 +113,7 @@ impl PointKernels {
         let amplitudes = (lowest..=highest).into_par_iter().map(amplitudes_at);
         let amplitudes = amplitudes.collect::<Result<Vec<Values>, _>>()?;
         let at_radius = |i: usize| {
-            let r = (first + i as f64 * stride).exp();
+            let r = (first + i as f64 * STRIDE).exp();
             let below = RADIUS_STRIDE as i32 * i as i32 + lowest;
             let mut sums = [0.0; FUNCTIONS];
             for node in NODES.iter() {
@@ -125,63 +129,100 @@ impl PointKernels {
         };
         let table: Vec<Values> = (0..radii).into_par_iter().map(at_radius).collect();
         Ok(Some(Self {
-            at_axis: at_axis(first.exp(), stride, &table),
-            first,
-            table,
+            normal: Table::new(first, &table, 0),
+            tangential: Table::new(first, &table, NORMAL),
             reach,
-            is_held: plane.is_held(foundation),
         }))
     }
 
-    /// The fields at (x, y) (m) from the loads.
-    pub fn at(&self, [x, y]: [f64; 2]) -> ElementLoads {
+    /// The fields at (x, y) (m) from a unit force of this kind.
+    pub fn at(&self, load: SurfaceLoad, [x, y]: [f64; 2]) -> SubsurfaceState {
         let r = x.hypot(y);
-        let values = self.values(r);
         let [cos, sin] = if r > 0.0 { [x / r, y / r] } else { [1.0, 0.0] };
         let [cos_2, sin_2] = [cos * cos - sin * sin, 2.0 * sin * cos];
-        let [cos_3, sin_3] = [cos * cos_2 - sin * sin_2, sin * cos_2 + cos * sin_2];
-        let [uz, ur, zz, rz, mean, half, ..] = values;
-        let normal = SubsurfaceState {
-            displacement: [ur * cos, ur * sin, uz],
-            stress: [
-                mean - half * cos_2,
-                mean + half * cos_2,
-                zz,
-                -half * sin_2,
-                rz * cos,
-                rz * sin,
-            ],
-        };
-        let [.., u0, u2, uz, zz, t0, t2, x, y, z] = values;
-        let tangential = SubsurfaceState {
-            displacement: [u0 - u2 * cos_2, -u2 * sin_2, -uz * cos],
-            stress: [
-                -(x + y) * cos + z * cos_3,
-                -(x - y) * cos - z * cos_3,
-                -zz * cos,
-                -y * sin + z * sin_3,
-                t0 - t2 * cos_2,
-                -t2 * sin_2,
-            ],
-        };
-        ElementLoads { normal, tangential }
+        match load {
+            SurfaceLoad::Pressure => {
+                let [uz, ur, zz, rz, mean, half] = self.normal.values(r);
+                SubsurfaceState {
+                    displacement: [ur * cos, ur * sin, uz],
+                    stress: [
+                        mean - half * cos_2,
+                        mean + half * cos_2,
+                        zz,
+                        -half * sin_2,
+                        rz * cos,
+                        rz * sin,
+                    ],
+                }
+            }
+            SurfaceLoad::Traction => {
+                let [cos_3, sin_3] = [cos * cos_2 - sin * sin_2, sin * cos_2 + cos * sin_2];
+                let [u0, u2, uz, zz, t0, t2, x, y, z] = self.tangential.values(r);
+                SubsurfaceState {
+                    displacement: [u0 - u2 * cos_2, -u2 * sin_2, -uz * cos],
+                    stress: [
+                        -(x + y) * cos + z * cos_3,
+                        -(x - y) * cos - z * cos_3,
+                        -zz * cos,
+                        -y * sin + z * sin_3,
+                        t0 - t2 * cos_2,
+                        -t2 * sin_2,
+                    ],
+                }
+            }
+        }
+    }
+}
+
+/// Some of the functions over the logarithm of the radius.
+#[derive(Clone, Debug)]
+struct Table<const F: usize> {
+    /// ln r of the first entry.
+    first: f64,
+    entries: Vec<[f64; F]>,
+    orders: [i32; F],
+    /// `f/rⁿ` at r = 0 and its slope over r².
+    at_axis: [[f64; F]; 2],
+}
+
+impl<const F: usize> Table<F> {
+    /// The functions from index `from` on.
+    fn new(first: f64, table: &[Values], from: usize) -> Self {
+        let entries = table
+            .iter()
+            .map(|values| std::array::from_fn(|f| values[from + f]));
+        let entries: Vec<[f64; F]> = entries.collect();
+        let orders = std::array::from_fn(|f| ORDER[from + f] as i32);
+        // `f/rⁿ` and its slope from the first entry and one at twice its radius
+        let radii = [0, DOUBLED].map(|i| (first + i as f64 * STRIDE).exp());
+        let mut at_axis = [[0.0; F]; 2];
+        for f in 0..F {
+            let over_power = |i: usize| entries[i * DOUBLED][f] / radii[i].powi(orders[f]);
+            let [near, far] = [over_power(0), over_power(1)];
+            let slope = (far - near) / (radii[1].powi(2) - radii[0].powi(2));
+            (at_axis[0][f], at_axis[1][f]) = (near - slope * radii[0].powi(2), slope);
+        }
+        Self {
+            first,
+            entries,
+            orders,
+            at_axis,
+        }
     }
 
-    /// All functions at a radius (m).
-    fn values(&self, r: f64) -> Values {
-        let place = (r.ln() - self.first) / (RADIUS_STRIDE as f64 * STEP);
+    /// The functions at a radius (m).
+    fn values(&self, r: f64) -> [f64; F] {
+        let place = (r.ln() - self.first) / STRIDE;
         // In the middle of the stencil.
         let middle = (STENCIL / 2) as f64;
         if r == 0.0 || place < middle {
             let [value, slope] = &self.at_axis;
-            return std::array::from_fn(|f| {
-                (value[f] + slope[f] * r * r) * r.powi(ORDER[f] as i32)
-            });
+            return std::array::from_fn(|f| (value[f] + slope[f] * r * r) * r.powi(self.orders[f]));
         }
-        let first = floor(place - middle + 1.0).min(self.table.len() - STENCIL);
+        let first = floor(place - middle + 1.0).min(self.entries.len() - STENCIL);
         let weights = lagrange_weights(place - first as f64);
-        let mut sums = [0.0; FUNCTIONS];
-        for (values, weight) in self.table[first..].iter().zip(weights) {
+        let mut sums = [0.0; F];
+        for (values, weight) in self.entries[first..].iter().zip(weights) {
             for (sum, value) in sums.iter_mut().zip(values) {
                 *sum += weight * value;
             }
@@ -236,19 +277,4 @@ fn combined(amplitudes: &Amplitudes) -> Values {
         difference + lateral,
         difference - lateral,
     ]
-}
-
-/// `f/rⁿ` at the axis and its slope over r², from the first entries.
-fn at_axis(first: f64, stride: f64, table: &[Values]) -> [Values; 2] {
-    const NEXT: usize = 2 * STENCIL - 1;
-    let radii = [first, first * (NEXT as f64 * stride).exp()];
-    let mut fitted = [[0.0; FUNCTIONS]; 2];
-    for f in 0..FUNCTIONS {
-        let over_power = |i: usize| table[i * NEXT][f] / radii[i].powi(ORDER[f] as i32);
-        let [near, far] = [over_power(0), over_power(1)];
-        let slope = (far - near) / (radii[1].powi(2) - radii[0].powi(2));
-        fitted[0][f] = near - slope * radii[0].powi(2);
-        fitted[1][f] = slope;
-    }
-    fitted
 }
