@@ -9,8 +9,7 @@ use rayon::prelude::*;
 
 use super::element::{ElementFields, SurfaceLoad};
 use super::homogeneous::Corners;
-use super::point_kernels::PointKernels;
-use super::state::SubsurfaceState;
+use super::state::{FIELDS, SubsurfaceState};
 
 /// Elements to either side whose centres count in a mean.
 const REACH: usize = 5;
@@ -31,120 +30,160 @@ const SMOOTH_FROM: f64 = 20.0;
 /// Rows computed together, which share their corners.
 const ROWS: usize = 8;
 
-/// The states under one load at `size` × `size` offsets, and the buffer of the means along y.
+/// One field after the other, each a row of numbers or a square of rows.
+type Fields<T> = [T; FIELDS];
+
+/// The fields under one load at `size` × `size` offsets, and the buffer of the means along y.
 pub struct ElementTable {
     size: usize,
-    states: Vec<SubsurfaceState>,
-    means: Vec<SubsurfaceState>,
+    fields: Fields<Vec<f64>>,
+    means: Fields<Vec<f64>>,
 }
 
 impl ElementTable {
     pub fn new(size: usize) -> Self {
         Self {
             size,
-            states: vec![SubsurfaceState::default(); size * size],
-            means: vec![SubsurfaceState::default(); size * (size + 2 * REACH)],
+            fields: std::array::from_fn(|_| vec![0.0; size * size]),
+            means: std::array::from_fn(|_| vec![0.0; size * (size + 2 * REACH)]),
         }
     }
 
-    /// The state at the offset (m, n).
-    pub fn state(&self, [m, n]: [usize; 2]) -> &SubsurfaceState {
-        &self.states[m * self.size + n]
+    /// A field at the offsets (m, n), row after row.
+    pub fn field(&self, index: usize) -> &[f64] {
+        &self.fields[index]
     }
 
-    /// Computes the states of an element.
-    pub fn fill(&mut self, fields: &ElementFields, load: SurfaceLoad) {
-        let (size, side) = (self.size, fields.element_side);
-        let means = fields.kernels.as_ref().map(|kernels| {
-            let rows = self.means.par_chunks_mut(size).enumerate();
-            // From REACH rows before the first on.
-            rows.for_each(|(row, means)| {
-                mean_along_y(
-                    kernels,
-                    load,
-                    (row as f64 - REACH as f64) * side,
-                    side,
-                    means,
-                );
+    /// Computes the fields of an element.
+    pub fn fill(&mut self, element: &ElementFields, load: SurfaceLoad) {
+        let (size, side) = (self.size, element.element_side);
+        let smooth = element.kernels.as_ref().map(|kernels| {
+            let mut rows = groups_of_rows(&mut self.means, size);
+            rows.par_iter_mut().enumerate().for_each(|(row, means)| {
+                // From REACH rows before the first on.
+                let x = (row as f64 - REACH as f64) * side;
+                mean_along_y(|y| kernels.at(load, [x, y]) * (side * side), side, means);
             });
-            (kernels, &self.means[..])
+            (kernels.reach / side, &self.means)
         });
-        let material = fields.foundation.surface_material();
-        let corners = fields
-            .has_homogeneous
-            .then(|| Corners::new(load, &material, side, fields.depth));
-        let groups = self.states.par_chunks_mut(ROWS * size).enumerate();
-        groups.for_each(|(group, states)| {
-            let first = ROWS * group;
-            let mut before = vec![SubsurfaceState::default(); size + 1];
-            let mut after = before.clone();
-            if let Some(corners) = &corners {
-                corner_row(corners, first as f64 - 0.5, side, &mut after);
-            }
-            for (m, row) in (first..).zip(states.chunks_exact_mut(size)) {
-                row.fill(SubsurfaceState::default());
-                if let Some((kernels, means)) = means {
-                    add_smooth_part(row, (m, fields, kernels, load), means);
-                }
-                if let Some(corners) = &corners {
-                    std::mem::swap(&mut before, &mut after);
-                    corner_row(corners, m as f64 + 0.5, side, &mut after);
-                    for (n, state) in row.iter_mut().enumerate() {
-                        *state += after[n + 1] + before[n] + (after[n] + before[n + 1]) * -1.0;
+        let material = element.foundation.surface_material();
+        let corners = Corners::new(load, &material, side, element.depth);
+        let mut groups = groups_of_rows(&mut self.fields, ROWS * size);
+        groups
+            .par_iter_mut()
+            .enumerate()
+            .for_each(|(group, fields)| {
+                let first = ROWS * group;
+                match smooth {
+                    None => fields.iter_mut().for_each(|field| field.fill(0.0)),
+                    Some((reach, means)) => {
+                        mean_along_x(fields, first, size, means);
+                        integrate_near(fields, first, size, reach, |offset| {
+                            element.smooth_part(load, offset.map(|along| along * side))
+                        });
                     }
                 }
+                if element.has_homogeneous {
+                    add_corners(fields, first, size, |place| {
+                        corners.at(place.map(|along| along * side))
+                    });
+                }
+            });
+    }
+}
+
+/// The same rows, `length` numbers of each field, together.
+fn groups_of_rows(fields: &mut Fields<Vec<f64>>, length: usize) -> Vec<Fields<&mut [f64]>> {
+    let mut chunks = fields.each_mut().map(|field| field.chunks_mut(length));
+    let count = chunks[0].len();
+    let mut next = || std::array::from_fn(|f| chunks[f].next().unwrap_or_default());
+    (0..count).map(|_| next()).collect()
+}
+
+/// Means of a function over elements along y, from 0 on.
+fn mean_along_y(value: impl Fn(f64) -> SubsurfaceState, side: f64, means: &mut Fields<&mut [f64]>) {
+    let count = means[0].len() + 2 * REACH;
+    let states = (0..count).map(|n| value((n as f64 - REACH as f64) * side));
+    let states: Vec<SubsurfaceState> = states.collect();
+    let mut line = vec![0.0; count];
+    for (f, means) in means.iter_mut().enumerate() {
+        for (value, state) in line.iter_mut().zip(&states) {
+            *value = state.field(f);
+        }
+        for (mean, around) in means.iter_mut().zip(line.windows(2 * REACH + 1)) {
+            *mean = weighted(|i| around[i]);
+        }
+    }
+}
+
+/// Writes the means along x of the means along y to rows from `first` on.
+fn mean_along_x(
+    fields: &mut Fields<&mut [f64]>,
+    first: usize,
+    size: usize,
+    means: &Fields<Vec<f64>>,
+) {
+    for (field, means) in fields.iter_mut().zip(means) {
+        for (m, row) in (first..).zip(field.chunks_exact_mut(size)) {
+            let around: [&[f64]; 2 * REACH + 1] =
+                std::array::from_fn(|i| &means[(m + i) * size..][..size]);
+            for (n, entry) in row.iter_mut().enumerate() {
+                *entry = weighted(|i| around[i][n]);
             }
-        });
+        }
     }
 }
 
-/// The functions of the corners from which a row of points lies `x` elements away.
-fn corner_row(corners: &Corners, x: f64, side: f64, row: &mut [SubsurfaceState]) {
-    for (n, corner) in row.iter_mut().enumerate() {
-        *corner = corners.at([x * side, (n as f64 - 0.5) * side]);
-    }
-}
-
-/// The area of an element times the mean of the kernels over elements along y, at `x` (m).
-fn mean_along_y(
-    kernels: &PointKernels,
-    load: SurfaceLoad,
-    x: f64,
-    side: f64,
-    means: &mut [SubsurfaceState],
+/// Replaces the means of rows from `first` on by integrals where the point load is too near.
+fn integrate_near(
+    fields: &mut Fields<&mut [f64]>,
+    first: usize,
+    size: usize,
+    reach: f64,
+    integral: impl Fn([f64; 2]) -> SubsurfaceState,
 ) {
-    let from = |n: usize| [x, (n as f64 - REACH as f64) * side];
-    let values: Vec<_> = (0..means.len() + 2 * REACH)
-        .map(|n| kernels.at(load, from(n)) * (side * side))
-        .collect();
-    for (mean, around) in means.iter_mut().zip(values.windows(2 * REACH + 1)) {
-        *mean = weighted(|i| around[i]);
+    for row in 0..fields[0].len() / size {
+        let x = (first + row) as f64;
+        let is_near = |n: &usize| x.hypot(*n as f64).hypot(reach) < SMOOTH_FROM;
+        for n in (0..size).take_while(is_near) {
+            let state = integral([x, n as f64]);
+            for (f, field) in fields.iter_mut().enumerate() {
+                field[row * size + n] = state.field(f);
+            }
+        }
     }
 }
 
-/// Adds the part of point loads to the row `m`: means of the means along y, integrals where these are too near.
-fn add_smooth_part(
-    row: &mut [SubsurfaceState],
-    (m, fields, kernels, load): (usize, &ElementFields, &PointKernels, SurfaceLoad),
-    means: &[SubsurfaceState],
+/// Adds the sums over the corners, with signs, of a function of the places that they are seen at, in elements.
+fn add_corners(
+    fields: &mut Fields<&mut [f64]>,
+    first: usize,
+    size: usize,
+    corner: impl Fn([f64; 2]) -> SubsurfaceState,
 ) {
-    let (size, side) = (row.len(), fields.element_side);
-    let reach = kernels.reach / side;
-    for (n, state) in row.iter_mut().enumerate() {
-        let [x, y] = [m, n].map(|offset| offset as f64);
-        *state += if x.hypot(y).hypot(reach) < SMOOTH_FROM {
-            fields.smooth_part(load, [x * side, y * side])
-        } else {
-            weighted(|i| means[(m + i) * size + n])
-        };
+    let corners_at = |x: f64| -> Vec<SubsurfaceState> {
+        (0..=size).map(|n| corner([x, n as f64 - 0.5])).collect()
+    };
+    let mut after = corners_at(first as f64 - 0.5);
+    for row in 0..fields[0].len() / size {
+        let before = after;
+        after = corners_at((first + row) as f64 + 0.5);
+        for (f, field) in fields.iter_mut().enumerate() {
+            let pairs = before.windows(2).zip(after.windows(2));
+            let row = &mut field[row * size..(row + 1) * size];
+            for (entry, (before, after)) in row.iter_mut().zip(pairs) {
+                let along = |pair: &[SubsurfaceState]| pair[1].field(f) - pair[0].field(f);
+                *entry += along(after) - along(before);
+            }
+        }
     }
 }
 
 /// The weighted sum of a value and those around it.
-fn weighted(value: impl Fn(usize) -> SubsurfaceState) -> SubsurfaceState {
+fn weighted(value: impl Fn(usize) -> f64) -> f64 {
     let mut sum = value(REACH) * WEIGHTS[0];
     for (i, weight) in WEIGHTS.iter().enumerate().skip(1) {
-        sum += (value(REACH - i) + value(REACH + i)) * *weight;
+        sum += (value(REACH - i) + value(REACH + i)) * weight;
     }
     sum
 }

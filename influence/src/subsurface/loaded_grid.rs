@@ -5,19 +5,16 @@
 //! in each offset, and so is its spectrum; a traction in any direction is the sum of one along x and one along y.
 
 use pellicle_kernel::Foundation;
-use rayon::prelude::*;
 use rustfft::num_complex::Complex64;
 
 use super::element::{ElementFields, SurfaceLoad};
 use super::element_table::ElementTable;
 use super::plane::Plane;
+use super::state::FIELDS;
 use crate::error::InfluenceError;
 use crate::operator::Spectrum;
 use crate::transform::Parity::{Even, Odd};
 use crate::transform::{FourierLines, Parity, PlaneSpectrum, PlaneTransform, half_length};
-
-/// Fields at a point: three displacements and six stresses.
-pub const FIELDS: usize = 9;
 
 /// Parities along x and y of the fields under a pressure, in the order of [`SubsurfaceState`].
 const UNDER_PRESSURE: [[Parity; 2]; FIELDS] = [
@@ -67,7 +64,6 @@ pub struct LoadedGrid {
     /// The fields of one element under a pressure and, where there is friction, under a traction.
     normal: ElementTable,
     tangential: Option<ElementTable>,
-    quarter: Quarter,
     /// One field on the plane.
     shown: Vec<f64>,
 }
@@ -112,10 +108,6 @@ impl LoadedGrid {
             offsets,
             normal: ElementTable::new(offsets),
             tangential: (friction != [0.0; 2]).then(|| ElementTable::new(offsets)),
-            quarter: Quarter {
-                size: offsets,
-                values: vec![0.0; offsets * offsets],
-            },
             shown: vec![0.0; shown * shown],
         }
     }
@@ -151,36 +143,41 @@ impl LoadedGrid {
     }
 
     /// The spectra whose sum is that of a field.
-    fn parts(&mut self, field: usize) -> Vec<Part> {
-        let (quarter, half) = (&mut self.quarter, self.half);
-        let normal = &self.normal;
-        let pressed = |offset| normal.state(offset).field(field);
-        let mut parts = vec![Part::new(quarter, half, UNDER_PRESSURE[field], pressed)];
-        let Some(tangential) = &self.tangential else {
-            return parts;
+    fn parts(&self, field: usize) -> Vec<Part> {
+        let part = |quarter: &[f64], parities, factor| Part {
+            spectrum: Spectrum::of_quarter(quarter, parities, self.offsets, self.half),
+            parities,
+            factor,
         };
-        let [along_x, along_y] = self.friction;
-        let dragged = |offset| along_x * tangential.state(offset).field(field);
-        parts.push(Part::new(quarter, half, under_traction(field), dragged));
-        // x and y change places.
-        let transposed = TRANSPOSED[field];
-        let [x, y] = under_traction(transposed);
-        let dragged = |[m, n]: [usize; 2]| along_y * tangential.state([n, m]).field(transposed);
-        parts.push(Part::new(quarter, half, [y, x], dragged));
+        let mut parts = vec![part(self.normal.field(field), UNDER_PRESSURE[field], 1.0)];
+        if let Some(tangential) = &self.tangential {
+            let [along_x, along_y] = self.friction;
+            parts.push(part(
+                tangential.field(field),
+                under_traction(field),
+                along_x,
+            ));
+            // x and y change places.
+            let other = TRANSPOSED[field];
+            let transposed = transposed(tangential.field(other), self.offsets);
+            let [x, y] = under_traction(other);
+            parts.push(part(&transposed, [y, x], along_y));
+        }
         parts
     }
 }
 
-/// One field at the offsets of a quarter of the grid.
-struct Quarter {
-    size: usize,
-    values: Vec<f64>,
+/// A square field with x and y in each other's place.
+fn transposed(field: &[f64], size: usize) -> Vec<f64> {
+    let row = |m: usize| (0..size).map(move |n| field[n * size + m]);
+    (0..size).flat_map(row).collect()
 }
 
 /// A spectrum of one parity.
 struct Part {
     spectrum: Spectrum,
     parities: [Parity; 2],
+    factor: f64,
 }
 
 /// Multiplies one part of the column of this frequency along y by the sum of the spectra.
@@ -202,29 +199,9 @@ fn weigh(parts: &[Part], [frequency, which]: [usize; 2], column: &mut [Complex64
 }
 
 impl Part {
-    /// The spectrum of a value at each offset, by way of the buffer.
-    fn new(
-        quarter: &mut Quarter,
-        half: usize,
-        parities: [Parity; 2],
-        value: impl Fn([usize; 2]) -> f64 + Sync,
-    ) -> Self {
-        let size = quarter.size;
-        let rows = quarter.values.par_chunks_mut(size).enumerate();
-        rows.for_each(|(m, row)| {
-            for (n, entry) in row.iter_mut().enumerate() {
-                *entry = value([m, n]);
-            }
-        });
-        Self {
-            spectrum: Spectrum::of_quarter(&quarter.values, parities, size, half),
-            parities,
-        }
-    }
-
     /// The spectrum at one frequency along y and a place among the even or odd ones along x, or at its mirror image.
     fn value(&self, [frequency, which]: [usize; 2], place: usize, sign: f64) -> Complex64 {
-        let value = self.spectrum.column(frequency)[which][place];
+        let value = self.factor * self.spectrum.column(frequency)[which][place];
         let [x, y] = self.parities;
         let value = if x == Odd { sign * value } else { value };
         x.phase() * y.phase() * value

@@ -2,6 +2,9 @@
 
 use std::ops::{Add, AddAssign, Mul};
 
+/// Fields at a point: three displacements and six stresses.
+pub const FIELDS: usize = 9;
+
 /// Displacements and stresses at a point of the body. Tension is positive, z into the body.
 ///
 /// Of a unit load, in Pa, displacements are in m/Pa and stresses without unit.
