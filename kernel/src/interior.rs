@@ -124,7 +124,7 @@ impl Interior {
         self.bodies[index.min(last)].at(depth, self.wavenumber)
     }
 
-    /// What the amplitudes in the top layer are more than those of a half-space of its material, without the
+    /// The amplitudes in the top layer less those in a half-space of its material, without the
     /// cancellation of a difference: of the order of `e^{−k (2H − z)}` where the amplitudes are of `e^{−kz}`.
     ///
     /// Zero for a half-space; `None` below the top layer, where the amplitudes themselves have decayed by `e^{−kH}`.

@@ -113,7 +113,7 @@ fn equilibrated(mut matrix: DMatrix<f64>, mut load: DVector<f64>) -> DVector<f64
     solution.component_mul(&DVector::from_vec(scales))
 }
 
-/// What holds at an interface, as products with the states above and below, whose sum is zero.
+/// The conditions at an interface, as products with the states above and below, whose sum is zero.
 fn conditions(interface: Interface, is_rigid_below: bool) -> Vec<[Vector4<f64>; 2]> {
     let axis = |i: usize, x: f64| {
         let mut axis = Vector4::zeros();

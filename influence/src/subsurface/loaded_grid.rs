@@ -107,7 +107,10 @@ impl LoadedGrid {
             half,
             offsets,
             normal: ElementTable::new(offsets),
-            tangential: (friction != [0.0; 2]).then(|| ElementTable::new(offsets)),
+            tangential: friction
+                .iter()
+                .any(|factor| *factor != 0.0)
+                .then(|| ElementTable::new(offsets)),
             shown: vec![0.0; shown * shown],
         }
     }

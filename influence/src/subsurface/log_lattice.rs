@@ -24,24 +24,24 @@ pub const ORDERS: usize = 4;
 const TAPER: [f64; 2] = [82.0, 13.0];
 
 /// Lattice points of `ln x` at which the taper is 2e-19.
-const LAST: i32 = 510;
+const LAST: isize = 510;
 
 /// The taper between the steps: `½ erfc((ln x + 1.6)/0.34)`. Its Fourier transform is 3e-18 at the coarse step's
 /// frequency, 2π/0.12.
 const HANDOVER: [f64; 2] = [-1.6, 0.34];
 
 /// Lattice points of `ln x` between which the taper between the steps changes: 6 of its widths to either side.
-const FINE_FIRST: i32 = -364;
-const COARSE_LAST: i32 = 44;
+const FINE_FIRST: isize = -364;
+const COARSE_LAST: isize = 44;
 
 /// Lattice points of `ln x` below which `x² A` is below 1e-16 of the integral even for an A that grows like 1/k.
-const FIRST: i32 = -3720;
+const FIRST: isize = -3720;
 
 /// One node of the rule.
 #[derive(Clone, Copy, Debug)]
 pub struct LatticeNode {
     /// `ln x` in steps.
-    pub index: i32,
+    pub index: isize,
     /// Of the integrals `∫ A(x/r) x² J_n(x) d ln x`, n = 0 to 3.
     pub weights: [f64; ORDERS],
 }
@@ -55,18 +55,18 @@ pub static NODES: LazyLock<Vec<LatticeNode>> = LazyLock::new(|| {
 });
 
 /// Lattice points of `ln x` from which on every point is a node; below, only multiples of the coarse stride.
-pub const EVERY_FROM: i32 = FINE_FIRST;
+pub const EVERY_FROM: isize = FINE_FIRST;
 
 /// The first and last lattice points of `ln x`.
-pub const ENDS: [i32; 2] = [FIRST, LAST];
+pub const ENDS: [isize; 2] = [FIRST, LAST];
 
-fn handover(index: i32) -> f64 {
+fn handover(index: isize) -> f64 {
     let [centre, width] = HANDOVER;
-    libm::erfc((f64::from(index) * STEP - centre) / width) / 2.0
+    libm::erfc((index as f64 * STEP - centre) / width) / 2.0
 }
 
-fn node(index: i32, width: f64) -> LatticeNode {
-    let x = (f64::from(index) * STEP).exp();
+fn node(index: isize, width: f64) -> LatticeNode {
+    let x = (index as f64 * STEP).exp();
     let [centre, taper_width] = TAPER;
     let taper = libm::erfc((x - centre) / taper_width) / 2.0;
     let common = width * x * x * taper;
@@ -85,10 +85,10 @@ mod tests {
     #[test]
     fn transforms_of_an_exponential_are_met_to_rounding() {
         for index in (-700..=700).step_by(35) {
-            let r = (f64::from(index) * STEP).exp();
+            let r = (index as f64 * STEP).exp();
             let mut sums = [0.0; 4];
             for node in NODES.iter() {
-                let k = (f64::from(node.index - index) * STEP).exp();
+                let k = ((node.index - index) as f64 * STEP).exp();
                 for (sum, weight) in sums.iter_mut().zip(node.weights) {
                     *sum += weight * (-k).exp() / (r * r);
                 }

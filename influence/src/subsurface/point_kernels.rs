@@ -39,7 +39,7 @@ const TANGENTIAL: usize = 9;
 const FUNCTIONS: usize = NORMAL + TANGENTIAL;
 
 /// Order of the Bessel function of each.
-const ORDER: [usize; FUNCTIONS] = [0, 1, 0, 1, 0, 2, 0, 2, 1, 1, 0, 2, 1, 1, 3];
+const ORDER: [u8; FUNCTIONS] = [0, 1, 0, 1, 0, 2, 0, 2, 1, 1, 0, 2, 1, 1, 3];
 
 /// Values of all functions at one radius, or of the amplitudes that they are made of at one wavenumber.
 type Values = [f64; FUNCTIONS];
@@ -92,17 +92,18 @@ impl PointKernels {
         let first = (NEAREST * reach).ln();
         let steps = ((largest_radius.ln() - first) / STRIDE).max(0.0);
         let radii = ceil(steps) + 2 * STENCIL;
-        // ln k = ln x − ln r
-        let shift = RADIUS_STRIDE as i32;
-        let lowest = ENDS[0] - shift * (radii as i32 - 1);
-        let every_from = EVERY_FROM - shift * (radii as i32 - 1);
-        let highest = (((DECAYED / reach).ln() + first) / STEP).floor() as i32;
-        let amplitudes_at = |index: i32| -> Result<Values, KernelError> {
-            let is_node = index >= every_from || index.rem_euclid(shift) == 0;
-            if !is_node {
+        // ln k = ln x − ln r, in steps from that of the first radius
+        let shift = (RADIUS_STRIDE * (radii - 1)).cast_signed();
+        let lowest = ENDS[0] - shift;
+        let every_from = EVERY_FROM - shift;
+        let highest = ((DECAYED / reach).ln() + first) / STEP;
+        let count = floor(highest - lowest as f64);
+        let amplitudes_at = |place: usize| -> Result<Values, KernelError> {
+            let index = lowest + place.cast_signed();
+            if index < every_from && index.rem_euclid(RADIUS_STRIDE.cast_signed()) != 0 {
                 return Ok([0.0; FUNCTIONS]);
             }
-            let interior = foundation.interior((f64::from(index) * STEP - first).exp())?;
+            let interior = foundation.interior((index as f64 * STEP - first).exp())?;
             let amplitudes = if is_split {
                 interior.correction(depth)
             } else {
@@ -110,11 +111,11 @@ impl PointKernels {
             };
             Ok(amplitudes.map_or([0.0; FUNCTIONS], |amplitudes| combined(&amplitudes)))
         };
-        let amplitudes = (lowest..=highest).into_par_iter().map(amplitudes_at);
+        let amplitudes = (0..count).into_par_iter().map(amplitudes_at);
         let amplitudes = amplitudes.collect::<Result<Vec<Values>, _>>()?;
         let at_radius = |i: usize| {
             let r = (first + i as f64 * STRIDE).exp();
-            let below = RADIUS_STRIDE as i32 * i as i32 + lowest;
+            let below = lowest + (RADIUS_STRIDE * i).cast_signed();
             let mut sums = [0.0; FUNCTIONS];
             for node in NODES.iter() {
                 let place = usize::try_from(node.index - below).ok();
@@ -122,7 +123,7 @@ impl PointKernels {
                     continue;
                 };
                 for ((sum, value), order) in sums.iter_mut().zip(values).zip(ORDER) {
-                    *sum += node.weights[order] * value;
+                    *sum += node.weights[usize::from(order)] * value;
                 }
             }
             sums.map(|sum| sum / (TAU * r * r))
@@ -192,7 +193,7 @@ impl<const F: usize> Table<F> {
             .iter()
             .map(|values| std::array::from_fn(|f| values[from + f]));
         let entries: Vec<[f64; F]> = entries.collect();
-        let orders = std::array::from_fn(|f| ORDER[from + f] as i32);
+        let orders = std::array::from_fn(|f| ORDER[from + f].into());
         // `f/rⁿ` and its slope from the first entry and one at twice its radius
         let radii = [0, DOUBLED].map(|i| (first + i as f64 * STRIDE).exp());
         let mut at_axis = [[0.0; F]; 2];
@@ -254,10 +255,10 @@ const DENOMINATORS: [f64; STENCIL] = [
     362_880.0,
 ];
 
-/// What the functions are made of, in the order of the module's formulas.
+/// The amplitudes that the functions are transforms of, in the order of the module's formulas.
 fn combined(amplitudes: &Amplitudes) -> Values {
     let (p, q, a) = (&amplitudes.normal, &amplitudes.shear, &amplitudes.antiplane);
-    let mean = |one: f64, other: f64| (one + other) / 2.0;
+    let mean = f64::midpoint;
     let difference = (q.longitudinal_stress - q.transverse_stress) / 4.0;
     let lateral = a.lateral_shear_stress / 2.0;
     [

@@ -128,7 +128,7 @@ impl Wave {
         antiplane(w, t, stiffness)
     }
 
-    /// What the amplitudes in the top layer are more than on a half-space of its material.
+    /// The amplitudes in the top layer less those in a half-space of its material.
     pub(super) fn correction(&self, place: &Place, stiffness: f64) -> Antiplane {
         let Self::Layer { s, held, scale } = *self else {
             return antiplane(0.0, 0.0, stiffness);
@@ -148,7 +148,7 @@ fn antiplane(w: f64, t: f64, stiffness: f64) -> Antiplane {
     }
 }
 
-/// What holds the bottom of every layer, surface first, with `μ`, the layer's shear modulus over that of what
+/// The support of the bottom of every layer, surface first, with `μ`, the layer's shear modulus over that of what
 /// lies below (1 on a rigid base).
 fn held_bottoms(layers: &[Layer], base: Base, wavenumber: f64) -> Vec<(Held, f64)> {
     let (mut held, mut below) = match base {

@@ -1,6 +1,6 @@
 //! From the bottom of a layer to the top of what lies below, without loss of digits.
 //!
-//! What lies below a plane allows a two-dimensional set of states, so two components give the others, and by the
+//! The body below a plane allows a two-dimensional set of states, so two components give the others, and by the
 //! [minors](crate::response::Minors) alone: `(XY) Z = (ZY) X + (XZ) Y`. Of the four pairs that do not vanish in
 //! general, the one of the largest minor magnifies no error. Of what is known above an interface, in the units of
 //! the body above, the components below it follow so directly, without the difference that a spring's jump would be.

@@ -54,7 +54,7 @@ impl Wave {
 pub(super) struct Waves {
     /// Of every body, surface first, the base last.
     pub(super) bodies: Vec<Wave>,
-    /// What the waves of the top layer are more than on a half-space of its material.
+    /// The waves of the top layer less those of a half-space of its material.
     pub(super) correction: Wave,
 }
 
@@ -131,7 +131,7 @@ fn in_units_below(state: Vector4<f64>, mu: f64) -> Vector4<f64> {
     Vector4::new(state[U], state[V], mu * state[TAU], mu * state[SIGMA])
 }
 
-/// What a layered body adds to the waves of the homogeneous one inside its top layer: no tractions on the
+/// The waves that a layered body adds to those of the homogeneous one inside its top layer: no tractions on the
 /// surface, and on the bottom what the homogeneous waves lack there.
 fn correction(
     layer: &Layer,

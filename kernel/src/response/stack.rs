@@ -27,7 +27,7 @@ struct LayerStep {
     junction: Junction,
 }
 
-/// What holds the bottom of one layer, in the units of the layer.
+/// The support of the bottom of one layer, in the units of the layer.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct HeldBottom {
     /// The minors of what lies below the interface.
