@@ -37,18 +37,18 @@ impl Template {
     #[must_use]
     pub fn text(self) -> &'static str {
         match self {
-            Self::Cylinders => include_str!("cylinders.toml"),
-            Self::Film => include_str!("film.toml"),
-            Self::Coating => include_str!("coating.toml"),
-            Self::Berkovich => include_str!("berkovich.toml"),
-            Self::Vickers => include_str!("vickers.toml"),
-            Self::CubeCorner => include_str!("cube-corner.toml"),
-            Self::Cone => include_str!("cone.toml"),
-            Self::FlatPunch => include_str!("flat-punch.toml"),
-            Self::Hertz => include_str!("hertz.toml"),
-            Self::Rough => include_str!("rough.toml"),
-            Self::RoughMap => include_str!("rough-surface.csv"),
-            Self::Study => include_str!("study.toml"),
+            Self::Cylinders => include_str!("templates/cylinders.toml"),
+            Self::Film => include_str!("templates/film.toml"),
+            Self::Coating => include_str!("templates/coating.toml"),
+            Self::Berkovich => include_str!("templates/berkovich.toml"),
+            Self::Vickers => include_str!("templates/vickers.toml"),
+            Self::CubeCorner => include_str!("templates/cube-corner.toml"),
+            Self::Cone => include_str!("templates/cone.toml"),
+            Self::FlatPunch => include_str!("templates/flat-punch.toml"),
+            Self::Hertz => include_str!("templates/hertz.toml"),
+            Self::Rough => include_str!("templates/rough.toml"),
+            Self::RoughMap => include_str!("templates/rough-surface.csv"),
+            Self::Study => include_str!("templates/study.toml"),
         }
     }
 
