@@ -4,8 +4,9 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
 
+use crate::case::dimension::Dimension;
 use crate::case::output::{Format, OutputCase, Steps};
-use crate::case::quantity::{self, Dimension};
+use crate::case::quantity;
 use crate::picture::colour_map::ColourMap;
 use crate::picture::style::Cut;
 use crate::study::shard::Shard;

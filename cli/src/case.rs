@@ -1,31 +1,26 @@
 //! The case file: one problem in TOML, read into numbers and checked, every default filled in.
 
 pub mod diagnosis;
+pub mod dimension;
 pub mod document;
-pub mod doubt;
-pub mod field;
 pub mod foundation;
-pub mod grading;
 pub mod grid;
+pub mod height_limits;
 pub mod indenter;
-pub mod known_units;
-pub mod likely;
 pub mod load;
 pub mod map;
-pub mod origin;
 pub mod output;
 pub mod overrides;
-pub mod place;
 pub mod quantity;
-pub mod reader;
 pub mod solver;
+pub mod source;
 pub mod spacing;
-pub mod spelling;
+pub mod span;
 pub mod surface;
-#[cfg(test)]
-mod testing;
-pub mod text;
+pub mod table_reader;
 pub mod units;
+pub mod value_reader;
+pub mod warnings;
 
 use std::path::Path;
 use std::sync::Arc;
@@ -35,18 +30,19 @@ use pellicle_influence::{Cache, Cached, InfluenceError};
 use serde::Serialize;
 
 use self::diagnosis::Diagnosis;
-use self::document::Node;
+use self::document::Document;
+use self::document::TomlNode;
 use self::foundation::FoundationCase;
 use self::grid::GridCase;
 use self::indenter::IndenterCase;
 use self::load::LoadCase;
-use self::origin::Origin;
 use self::output::OutputCase;
-use self::place::Source;
-use self::reader::Reader;
 use self::solver::SolverCase;
+use self::source::Source;
 use self::surface::SurfaceCase;
+use self::table_reader::TableReader;
 use self::units::Units;
+use self::value_reader::ValueReader;
 use crate::failure::Failure;
 
 /// A problem as resolved: every default filled in, every value in SI units or the case's own consistent ones.
@@ -75,7 +71,7 @@ pub struct Case {
     pub units: Units,
     /// Where it was written.
     #[serde(skip)]
-    pub origin: Origin,
+    pub document: Document,
 }
 
 impl Case {
@@ -85,7 +81,7 @@ impl Case {
     ///
     /// [`Failure::Unreadable`] if the file cannot be read, [`Failure::Case`] if it is no case.
     pub fn read(path: &Path, sets: &[String]) -> Result<Self, Failure> {
-        let source = Arc::new(text::read(path)?);
+        let source = Arc::new(source::read(path)?);
         let stem = path.file_stem().unwrap_or_default().to_string_lossy();
         let folder = path.parent().unwrap_or(Path::new(""));
         Ok(Self::parse(&source, &stem, folder, sets)?)
@@ -114,7 +110,7 @@ impl Case {
     /// # Errors
     ///
     /// A [`Diagnosis`] of the first thing wrong with it.
-    pub fn resolve(root: &Node, name: &str, folder: &Path) -> Result<Self, Diagnosis> {
+    pub fn resolve(root: &TomlNode, name: &str, folder: &Path) -> Result<Self, Diagnosis> {
         const TABLES: [&str; 8] = [
             "title",
             "foundation",
@@ -125,7 +121,7 @@ impl Case {
             "solver",
             "output",
         ];
-        let table = Reader::root(root)?;
+        let table = TableReader::root(root)?;
         table.only(&TABLES).map_err(|diagnosis| {
             if table.optional("study").is_none() {
                 return diagnosis;
@@ -139,7 +135,7 @@ impl Case {
         // One line for pictures, tables and terminals, without what a terminal would obey.
         let title = title.replace(char::is_control, " ");
         let required = |key| table.required(key, &format!("a table [{key}]"))?.table();
-        let optional = |key| table.optional(key).map(field::Field::table).transpose();
+        let optional = |key| table.optional(key).map(ValueReader::table).transpose();
         let foundation = FoundationCase::read(&required("foundation")?)?;
         let surface = match optional("surface")? {
             Some(table) => SurfaceCase::read(&table, &foundation, folder)?,
@@ -163,7 +159,7 @@ impl Case {
             solver: optional("solver")?.map_or(Ok(SolverCase::default()), read_solver)?,
             output: output.transpose()?.unwrap_or_default(),
             units,
-            origin: Origin::new(root),
+            document: Document::new(root),
         })
     }
 
@@ -188,7 +184,7 @@ impl Case {
             ],
             _ => return error.into(),
         };
-        self.origin.refused(keys, &error).into()
+        self.document.refused(keys, &error).into()
     }
 
     /// The domain to solve on: as given, or chosen for the loads. It is chosen once and handed on.
@@ -213,7 +209,7 @@ impl Case {
     pub fn side(&self, model: &Model) -> Result<f64, ContactError> {
         match self.grid.side {
             Some(side) => Ok(side),
-            None => choose_side(model, &self.load.steps()),
+            None => choose_side(model, &self.load.loads()),
         }
     }
 

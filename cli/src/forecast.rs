@@ -82,7 +82,7 @@ impl Need {
         reason = "a number of bytes"
     )]
     fn of(case: &Case, model: &Model, writers: usize, share: f64) -> Self {
-        let (elements, steps) = (case.grid.elements, case.load.steps().len());
+        let (elements, steps) = (case.grid.elements, case.load.loads().len());
         let is_gradient = case.solver.options().method == Method::Gradient;
         let is_quadrant = elements.is_multiple_of(2) && is_gradient && model.is_mirrored();
         let of_sector = |bytes: [[f64; 2]; 2]| bytes[usize::from(!is_quadrant)];
@@ -158,13 +158,13 @@ impl Forecast {
     #[must_use]
     pub fn new(case: &Case, model: &Model) -> Self {
         let trial = case.grid.elements.min(TRIAL);
-        let loads = case.load.steps();
+        let loads = case.load.loads();
         let (side, path) = match case.side(model) {
             Ok(side) => (side, solve(case, model, Domain::Side(side), trial)),
             Err(error) => (default_side(model, &loads), Err(error)),
         };
-        let doubts = case.doubts(side).into_iter().map(|doubt| doubt.message);
-        let mut warnings: Vec<_> = doubts.collect();
+        let of_case = case.warnings(side).into_iter();
+        let mut warnings: Vec<_> = of_case.map(|warning| warning.message).collect();
         warnings.extend(resolution(model, side, case.grid.elements));
         match &path {
             Ok(path) => {
@@ -208,7 +208,7 @@ fn solve(
         max_applications: MOST_PRODUCTS,
         ..case.solver.options()
     };
-    let loads = extremes(&case.load.steps());
+    let loads = extremes(&case.load.loads());
     solve_path(model, domain, elements, &loads, &options, &mut ())
 }
 
@@ -234,7 +234,7 @@ fn extremes(loads: &[Load]) -> Vec<Load> {
 /// Whether the domain is far too large for the largest load's contact: as the trial has it, or as estimated where the
 /// trial is too coarse to tell.
 fn far_too_large(case: &Case, model: &Model, path: &LoadingPath) -> Option<String> {
-    let loads = case.load.steps();
+    let loads = case.load.loads();
     let found = path.steps.last()?.summary.contact_radius;
     let estimated = default_side(model, &loads) / 3.0;
     let radius = if found < FEWEST_PER_CONTACT * path.grid.element_side() {
@@ -315,7 +315,7 @@ mod tests {
     use pellicle_influence::Cache;
 
     use super::*;
-    use crate::case::place::Source;
+    use crate::case::source::Source;
 
     /// Hertz' contact of `cases/hertz.toml`.
     fn hertz(elements: usize) -> Case {

@@ -6,12 +6,12 @@
 //! the top, where y is largest. Three numbers a line that are the points x, y, z of a grid are read as such.
 
 mod error;
+mod grid_points;
 mod gsf;
 mod npy;
 pub mod npy_header;
-pub mod spectrum;
+pub mod shortest_wave;
 mod text;
-mod triples;
 
 use std::fs::{self, File};
 use std::io::{self, Read};

@@ -100,7 +100,7 @@ fn left_by_group(group: &Path) -> Option<u64> {
 
 /// The memory that the cases of this process have among them.
 #[derive(Debug)]
-pub struct Memory {
+pub struct MemoryBudget {
     known: fn() -> Option<u64>,
     taken: Mutex<Taken>,
     freed: Condvar,
@@ -125,13 +125,13 @@ impl Taken {
     }
 }
 
-impl Default for Memory {
+impl Default for MemoryBudget {
     fn default() -> Self {
         Self::of(available)
     }
 }
 
-impl Memory {
+impl MemoryBudget {
     fn of(known: fn() -> Option<u64>) -> Self {
         Self {
             known,
@@ -179,7 +179,7 @@ impl Memory {
 /// What a case has taken, given back when it is dropped.
 #[derive(Debug)]
 pub struct Share<'a> {
-    memory: &'a Memory,
+    memory: &'a MemoryBudget,
     bytes: u64,
 }
 
@@ -232,7 +232,7 @@ mod tests {
 
     #[test]
     fn a_case_waits_for_what_another_has_and_fails_if_there_is_too_little_for_it_alone() {
-        let memory = Memory::of(|| Some(10));
+        let memory = MemoryBudget::of(|| Some(10));
         let need = |bytes| Need { bytes, elements: 1 };
         let first = memory.take(need(6)).unwrap().unwrap();
         let second = memory.take(need(4)).unwrap().unwrap();

@@ -13,7 +13,7 @@ pub struct ProgressLine {
     line: ProgressBar,
     /// What stands before and behind the progress.
     around: [String; 2],
-    clock: Clock,
+    clock: TimeLeft,
     keeps_steps: bool,
 }
 
@@ -30,7 +30,7 @@ impl ProgressLine {
         Self {
             line: ProgressBar::hidden(),
             around: Default::default(),
-            clock: Clock::start(1.0),
+            clock: TimeLeft::start(1.0),
             keeps_steps: false,
         }
     }
@@ -61,7 +61,7 @@ impl ProgressLine {
         Self {
             line,
             around,
-            clock: Clock::start(tolerance),
+            clock: TimeLeft::start(tolerance),
             keeps_steps: false,
         }
     }
@@ -126,7 +126,7 @@ pub fn in_words(time: Duration) -> String {
 /// Steps to come take as long as those that are done did. Within a step only the finest grid counts, which takes nearly
 /// all the time: its residual is taken to fall by the same factor in every iteration.
 #[derive(Debug, Clone, Copy)]
-struct Clock {
+struct TimeLeft {
     tolerance: f64,
     /// When the first step began.
     start: Option<Instant>,
@@ -145,7 +145,7 @@ struct Mark {
     time: Instant,
 }
 
-impl Clock {
+impl TimeLeft {
     fn start(tolerance: f64) -> Self {
         let now = Instant::now();
         Self {
@@ -237,7 +237,7 @@ mod tests {
 
     #[test]
     fn a_residual_that_has_fallen_half_way_takes_as_long_again() {
-        let (mut clock, start) = (Clock::start(1e-8), Instant::now());
+        let (mut clock, start) = (TimeLeft::start(1e-8), Instant::now());
         assert_eq!(clock.remaining(&progress(0, 1, 0, 1.0), start), None);
         let left = clock.remaining(&progress(0, 1, 10, 1e-4), after(start, 5.0));
         assert!((left.unwrap().as_secs_f64() - 5.0).abs() < 1e-6);
@@ -245,7 +245,7 @@ mod tests {
 
     #[test]
     fn steps_to_come_take_as_long_as_those_before() {
-        let (mut clock, start) = (Clock::start(1e-8), Instant::now());
+        let (mut clock, start) = (TimeLeft::start(1e-8), Instant::now());
         assert_eq!(clock.remaining(&progress(0, 4, 0, 1.0), start), None);
         clock.remaining(&progress(1, 4, 0, 1.0), after(start, 10.0));
         let left = clock.remaining(&progress(1, 4, 3, 0.1), after(start, 14.0));

@@ -1,28 +1,28 @@
 //! A study: one case solved for many values of its keys, on all cores, over many machines, through kills.
 //!
-//! [`file`](mod@file) reads it, [`plan`] says what there is to do, [`table`] keeps what is done, one durable block of
-//! rows a case, [`runner`] does the rest of it, and [`gather`](mod@gather) puts the tables of several machines
-//! together.
+//! [`study_file`] reads it, [`plan`] lists the cases to solve, [`results_table`] keeps the results, one durable block of
+//! rows per case, [`runner`] solves the remaining cases, and [`gather`](mod@gather) merges the tables of several
+//! machines.
 
-pub mod axis;
-pub mod columns;
-pub mod file;
+pub mod case_solver;
+pub mod case_status;
 pub mod gather;
 pub mod identity;
 pub mod place;
 pub mod plan;
 pub mod progress;
+pub mod results_table;
 pub mod runner;
 pub mod shard;
-pub mod solve;
-pub mod status;
-pub mod table;
+pub mod study_file;
+pub mod table_columns;
+pub mod varied_key;
 
 use std::path::PathBuf;
 
-use self::axis::Axis;
+use self::varied_key::VariedKey;
 use crate::case::diagnosis::Diagnosis;
-use crate::case::document::Node;
+use crate::case::document::TomlNode;
 use crate::case::{Case, overrides};
 
 /// How the values of several keys are put together.
@@ -43,23 +43,23 @@ pub struct Study {
     case_name: String,
     /// Folder from which the base case names its files.
     folder: PathBuf,
-    base: Node,
+    base: TomlNode,
     combine: Combine,
-    axes: Vec<Axis>,
+    varied_keys: Vec<VariedKey>,
 }
 
 impl Study {
     /// The keys that vary, in the order of the file.
     #[must_use]
-    pub fn axes(&self) -> &[Axis] {
-        &self.axes
+    pub fn varied_keys(&self) -> &[VariedKey] {
+        &self.varied_keys
     }
 
     /// Number of cases.
     #[must_use]
     #[expect(clippy::len_without_is_empty, reason = "a study has at least one case")]
     pub fn len(&self) -> usize {
-        let mut lengths = self.axes.iter().map(|axis| axis.values.len());
+        let mut lengths = self.varied_keys.iter().map(|varied| varied.values.len());
         match self.combine {
             Combine::Product => lengths.product(),
             Combine::Zip => lengths.next().unwrap_or(0),
@@ -70,8 +70,8 @@ impl Study {
     #[must_use]
     pub fn choice(&self, case: usize) -> Vec<usize> {
         let mut rest = case;
-        let digit = |axis: &Axis| {
-            let count = axis.values.len();
+        let digit = |varied: &VariedKey| {
+            let count = varied.values.len();
             let digit = rest % count;
             if self.combine == Combine::Product {
                 rest /= count;
@@ -79,7 +79,7 @@ impl Study {
             digit
         };
         // The last key is the last digit.
-        let mut choice: Vec<_> = self.axes.iter().rev().map(digit).collect();
+        let mut choice: Vec<_> = self.varied_keys.iter().rev().map(digit).collect();
         choice.reverse();
         choice
     }
@@ -91,9 +91,9 @@ impl Study {
     /// A [`Diagnosis`] if with these values it is no case.
     pub fn case(&self, case: usize) -> Result<Case, Diagnosis> {
         let mut root = self.base.clone();
-        for (axis, i) in self.axes.iter().zip(self.choice(case)) {
-            let value = axis.values[i].clone();
-            overrides::replace(&mut root, &axis.key, &axis.key_place, value)?;
+        for (varied, i) in self.varied_keys.iter().zip(self.choice(case)) {
+            let value = varied.values[i].clone();
+            overrides::replace(&mut root, &varied.key, &varied.key_span, value)?;
         }
         Case::resolve(&root, &self.case_name, &self.folder)
     }
@@ -102,8 +102,9 @@ impl Study {
     #[must_use]
     pub fn words(&self, case: usize) -> String {
         let choice = self.choice(case);
-        let pair = |(axis, i): (&Axis, &usize)| format!("{} = {}", axis.key, axis.words(*i));
-        let pairs: Vec<_> = self.axes.iter().zip(&choice).map(pair).collect();
+        let pair =
+            |(varied, i): (&VariedKey, &usize)| format!("{} = {}", varied.key, varied.words(*i));
+        let pairs: Vec<_> = self.varied_keys.iter().zip(&choice).map(pair).collect();
         crate::terminal::clean(&pairs.join(", "))
     }
 }

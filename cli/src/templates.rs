@@ -72,7 +72,7 @@ mod tests {
 
     use super::*;
     use crate::case::Case;
-    use crate::case::place::Source;
+    use crate::case::source::Source;
     use crate::case::units::Units;
 
     #[test]

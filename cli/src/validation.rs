@@ -1,75 +1,70 @@
-//! `pellicle validate`: what the program computes beside what is known otherwise.
+//! `pellicle validate`: the program's numbers compared with known ones.
 //!
-//! A [`Section`] is one kind of evidence, one file here, with the source of its references and the cause of its
-//! tolerances; a [`Row`] is one comparison. Everything goes through the same crates as `pellicle run`.
+//! A [`ValidationSection`] is one kind of evidence, one file here, with the source of its references and the cause of
+//! its tolerances; each of its rows is a [`Comparison`]. Everything goes through the same crates as `pellicle run`.
 
+mod axisymmetric;
 mod certificate;
 mod closed_forms;
 mod coefficients;
+mod comparison;
 mod compliance;
 pub mod data;
 pub mod discrete;
 mod grid_error;
-mod layered;
 mod limits;
 mod products;
 mod report;
-mod row;
-mod scene;
+mod run;
 mod table;
 
-pub use report::Report;
-pub use row::{Row, Value, Verdict};
-pub use scene::{Scene, Trouble};
+pub use comparison::{ComparedValue, Comparison, Verdict};
+pub use report::ValidationReport;
+pub use run::{ValidationError, ValidationRun};
 pub use table::{heading, section_text};
 
 /// One kind of evidence.
-#[derive(Debug, Clone)]
-pub struct Section {
+#[derive(Debug)]
+pub struct ValidationSection {
     /// Its name.
     pub name: &'static str,
     /// Where the references come from.
     pub source: &'static str,
-    /// What errors are relative to, and why they may be as large as the tolerance.
+    /// The quantity that errors are relative to, and the cause of the tolerance.
     pub because: &'static str,
-    /// The comparisons.
-    pub rows: Vec<Row>,
+    rows: fn(ValidationRun) -> Result<Vec<Comparison>, ValidationError>,
 }
 
-/// A section that is still to be computed.
-#[derive(Debug)]
-pub struct Plan {
-    /// Name of the section.
-    pub name: &'static str,
-    source: &'static str,
-    because: &'static str,
-    rows: fn(Scene) -> Result<Vec<Row>, Trouble>,
+/// The comparisons of a section.
+#[derive(Debug, Clone)]
+pub struct SectionResult {
+    /// The section.
+    pub section: &'static ValidationSection,
+    /// The comparisons.
+    pub rows: Vec<Comparison>,
 }
 
 /// All sections, from the kernel up.
-pub const PLANS: [Plan; 9] = [
-    compliance::PLAN,
-    coefficients::PLAN,
-    products::PLAN,
-    closed_forms::PLAN,
-    layered::PLAN,
-    discrete::PLAN,
-    limits::PLAN,
-    certificate::PLAN,
-    grid_error::PLAN,
+pub static SECTIONS: [ValidationSection; 9] = [
+    compliance::SECTION,
+    coefficients::SECTION,
+    products::SECTION,
+    closed_forms::SECTION,
+    axisymmetric::SECTION,
+    discrete::SECTION,
+    limits::SECTION,
+    certificate::SECTION,
+    grid_error::SECTION,
 ];
 
-impl Plan {
-    /// Computes the section. What cannot be computed is a row that fails.
+impl ValidationSection {
+    /// Computes the section. If that fails, its one row says why, and fails.
     #[must_use]
-    pub fn carry_out(&self, scene: Scene) -> Section {
-        let rows = (self.rows)(scene)
-            .unwrap_or_else(|trouble| vec![Row::failed(self.name.into(), &trouble)]);
-        Section {
-            name: self.name,
-            source: self.source,
-            because: self.because,
-            rows,
+    pub fn compute(&'static self, run: ValidationRun) -> SectionResult {
+        let failed = |error| vec![Comparison::failed(self.name.into(), &error)];
+        SectionResult {
+            section: self,
+            rows: (self.rows)(run).unwrap_or_else(failed),
         }
     }
 }

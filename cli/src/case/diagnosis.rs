@@ -6,7 +6,8 @@ use std::sync::Arc;
 
 use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, LabeledSpan, SourceCode};
 
-use super::place::{Place, Source};
+use super::source::Source;
+use super::span::Span;
 use crate::terminal::clean;
 
 /// A line longer than this, in bytes, is not a line a person wrote: it is named, not drawn.
@@ -51,7 +52,7 @@ pub struct Diagnosis {
     /// Dotted path of the key, such as `foundation.layer[0].thickness`; none if the whole file is meant.
     pub key: Option<String>,
     /// Where it stands.
-    pub place: Box<Place>,
+    pub span: Box<Span>,
     /// What is wrong.
     pub fault: Fault,
     /// What to do about it, where that is more than the fault says.
@@ -61,10 +62,10 @@ pub struct Diagnosis {
 impl Diagnosis {
     /// A fault of the whole text, or of a place in it that no key names.
     #[must_use]
-    pub fn of_text(place: Place, fault: Fault) -> Self {
+    pub fn of_text(span: Span, fault: Fault) -> Self {
         Self {
             key: None,
-            place: Box::new(place),
+            span: Box::new(span),
             fault,
             help: None,
         }
@@ -72,10 +73,10 @@ impl Diagnosis {
 
     /// A fault of the key with this dotted path.
     #[must_use]
-    pub fn of_key(key: impl Into<String>, place: Place, fault: Fault) -> Self {
+    pub fn of_key(key: impl Into<String>, span: Span, fault: Fault) -> Self {
         Self {
             key: Some(key.into()),
-            ..Self::of_text(place, fault)
+            ..Self::of_text(span, fault)
         }
     }
 
@@ -104,11 +105,11 @@ impl Diagnosis {
 
     /// The same in a text without what a terminal would obey, every byte in its place.
     fn cleaned(&self) -> Self {
-        let (source, span) = (&self.place.source, self.place.span.clone());
+        let (source, bytes) = (&self.span.source, self.span.bytes.clone());
         let text = source.inner().chars().map(harmless).collect();
         let source = Arc::new(Source::new(clean(source.name()), text));
         Self {
-            place: Box::new(Place { source, span }),
+            span: Box::new(Span { source, bytes }),
             help: self.help.as_deref().map(clean),
             ..self.clone()
         }
@@ -148,8 +149,8 @@ fn theme() -> GraphicalTheme {
 impl fmt::Display for Diagnosis {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let key = self.key.as_ref().map(|key| format!(", key `{key}`"));
-        let (place, key) = (self.place.words(), key.unwrap_or_default());
-        f.write_str(&clean(&format!("{place}{key}: {}", self.fault)))
+        let (span, key) = (self.span.words(), key.unwrap_or_default());
+        f.write_str(&clean(&format!("{span}{key}: {}", self.fault)))
     }
 }
 
@@ -161,13 +162,37 @@ impl Diagnostic for Diagnosis {
     }
 
     fn source_code(&self) -> Option<&dyn SourceCode> {
-        let drawable = self.place.line_length() <= LONGEST_DRAWN_LINE;
-        drawable.then(|| self.place.source.as_ref() as _)
+        let drawable = self.span.line_length() <= LONGEST_DRAWN_LINE;
+        drawable.then(|| self.span.source.as_ref() as _)
     }
 
     fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
-        let span = self.place.span.clone();
-        let label = LabeledSpan::new_with_span(Some(self.label().to_owned()), span);
+        let bytes = self.span.bytes.clone();
+        let label = LabeledSpan::new_with_span(Some(self.label().to_owned()), bytes);
         Some(Box::new(std::iter::once(label)))
+    }
+}
+
+/// The one of `known` that `word` is most likely a misspelling of.
+#[must_use]
+pub fn closest<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
+    let word = word.to_lowercase().replace('-', "_");
+    let distance = |key: &str| strsim::damerau_levenshtein(&word, &key.replace('-', "_"));
+    let near = |key: &&&str| distance(key) <= 1 + key.len() / 4;
+    let near = known.iter().filter(near);
+    near.min_by_key(|key| distance(key)).copied()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nothing_is_suggested_for_a_key_unlike_any() {
+        assert_eq!(closest("colour", &["thickness", "young_modulus"]), None);
+        assert_eq!(
+            closest("Flat_Punch", &["flat-punch", "cone"]),
+            Some("flat-punch")
+        );
     }
 }

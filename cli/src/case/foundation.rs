@@ -1,60 +1,26 @@
 //! `[foundation]`: the substrate and the layers on it.
 
-use pellicle_kernel::{
-    Base, Foundation, GradedLayer, GradingOptions, Interface, KernelError, Layer, Material,
-};
+mod layer;
+mod modulus;
+mod substrate;
+
+use pellicle_kernel::{Foundation, KernelError};
 use serde::Serialize;
 
+pub use self::layer::{InterfaceCase, LayerCase};
+pub use self::modulus::{GradingCase, GradingProfile, ModulusCase};
+pub use self::substrate::{MaterialCase, SubstrateCase};
 use super::diagnosis::Diagnosis;
-use super::field::Field;
-use super::grading::ModulusCase;
-use super::quantity::Dimension;
-use super::reader::Reader;
-
-const RATIO: &str = "Poisson's ratio, a number in [0, 0.5]";
-const MODULUS: &str = "a positive pressure such as \"70 GPa\", a bare number, or { from = .., to = .., profile = \"linear\" }";
-const SUBSTRATE: &str = "{ young_modulus = .., poisson_ratio = .. } or \"rigid\"";
+use super::table_reader::TableReader;
+use super::value_reader::ValueReader;
 
 /// The foundation of a case, every value in SI units or the case's own.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct FoundationCase {
     /// What everything rests on.
-    pub substrate: Substrate,
+    pub substrate: SubstrateCase,
     /// The layers from the surface down.
     pub layer: Vec<LayerCase>,
-}
-
-/// What everything rests on.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Substrate {
-    /// A base that does not deform.
-    Rigid,
-    /// An elastic half-space.
-    #[serde(untagged)]
-    Elastic(MaterialCase),
-}
-
-/// An isotropic elastic material.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct MaterialCase {
-    /// Young's modulus `E`, Pa.
-    pub young_modulus: f64,
-    /// Poisson's ratio `ν`.
-    pub poisson_ratio: f64,
-}
-
-/// One layer and how it holds to what lies below.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct LayerCase {
-    /// Thickness, m.
-    pub thickness: f64,
-    /// Young's modulus.
-    pub young_modulus: ModulusCase,
-    /// Poisson's ratio `ν`.
-    pub poisson_ratio: f64,
-    /// How it holds to what lies below.
-    pub interface: InterfaceCase,
 }
 
 /// A foundation whose graded layers are split into homogeneous ones.
@@ -78,19 +44,9 @@ pub struct Split {
 }
 
 /// What is refused, and the layer of the case whose fault it is.
-struct Refusal {
+struct RefusedLayer {
     layer: usize,
     error: KernelError,
-}
-
-/// How a layer holds to what lies below.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum InterfaceCase {
-    /// It sticks.
-    Bonded,
-    /// It slides.
-    Frictionless,
 }
 
 impl FoundationCase {
@@ -99,7 +55,7 @@ impl FoundationCase {
     /// # Errors
     ///
     /// A [`Diagnosis`] of the first key that no foundation can have.
-    pub fn read(table: &Reader<'_>) -> Result<Self, Diagnosis> {
+    pub fn read(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
         table.only(&["substrate", "layer"])?;
         let layers = match table.optional("layer") {
             Some(field) => field.items("a list of tables, each [[foundation.layer]]")?,
@@ -107,9 +63,9 @@ impl FoundationCase {
         };
         let layer = layers.into_iter().map(LayerCase::read);
         let layer = layer.collect::<Result<Vec<_>, _>>()?;
-        let substrate = table.required("substrate", SUBSTRATE)?;
+        let substrate = table.required("substrate", substrate::WANTED)?;
         let foundation = Self {
-            substrate: Substrate::read(substrate)?,
+            substrate: SubstrateCase::read(substrate)?,
             layer,
         };
         match foundation.try_split() {
@@ -128,8 +84,8 @@ impl FoundationCase {
     }
 
     /// From the bottom up: a layer is split on what lies below it.
-    fn try_split(&self) -> Result<SplitFoundation, Refusal> {
-        let refused = |layer| move |error| Refusal { layer, error };
+    fn try_split(&self) -> Result<SplitFoundation, RefusedLayer> {
+        let refused = |layer| move |error| RefusedLayer { layer, error };
         let base = self.substrate.build().map_err(refused(0))?;
         let (mut below, mut splits) = (Vec::new(), Vec::new());
         // The layer of the case that each layer is of.
@@ -153,7 +109,7 @@ impl FoundationCase {
                 _ => 0,
             };
             let layer = origins.get(found).copied().unwrap_or(self.layer.len());
-            Refusal { layer, error }
+            RefusedLayer { layer, error }
         })?;
         Ok(SplitFoundation { foundation, splits })
     }
@@ -163,121 +119,35 @@ impl FoundationCase {
     pub fn surface_young_modulus(&self) -> Option<f64> {
         match (self.layer.first(), self.substrate) {
             (Some(layer), _) => Some(layer.young_modulus.at_top()),
-            (None, Substrate::Elastic(material)) => Some(material.young_modulus),
-            (None, Substrate::Rigid) => None,
+            (None, SubstrateCase::Elastic(material)) => Some(material.young_modulus),
+            (None, SubstrateCase::Rigid) => None,
         }
     }
 }
 
 /// The value to change where the layers and the substrate are right but do not go together.
-fn blamed<'a>(table: &Reader<'a>, refusal: &Refusal) -> Result<Field<'a>, Diagnosis> {
+fn blamed<'a>(
+    table: &TableReader<'a>,
+    refusal: &RefusedLayer,
+) -> Result<ValueReader<'a>, Diagnosis> {
     let in_layer = |key| {
         let layers = table.required("layer", "")?.items("")?;
         let layer = layers.into_iter().nth(refusal.layer);
-        let layer = layer.map(Field::table).transpose()?;
+        let layer = layer.map(ValueReader::table).transpose()?;
         layer.unwrap_or_else(|| table.clone()).required(key, "")
     };
     match refusal.error {
         KernelError::ModulusRatio { .. } | KernelError::Grading { .. } => in_layer("young_modulus"),
         KernelError::TotalThickness { .. } | KernelError::Thickness { .. } => in_layer("thickness"),
-        _ => table.required("substrate", SUBSTRATE),
-    }
-}
-
-impl Substrate {
-    fn read(field: Field<'_>) -> Result<Self, Diagnosis> {
-        if !field.is_table() {
-            return match field.text() {
-                Ok("rigid") => Ok(Self::Rigid),
-                _ => Err(field.wanted(SUBSTRATE)),
-            };
-        }
-        let table = field.table()?;
-        table.only(&["young_modulus", "poisson_ratio"])?;
-        Ok(Self::Elastic(MaterialCase::read(&table)?))
-    }
-
-    fn build(self) -> Result<Base, KernelError> {
-        match self {
-            Self::Rigid => Ok(Base::Rigid),
-            Self::Elastic(material) => material.build().map(Base::HalfSpace),
-        }
-    }
-}
-
-impl MaterialCase {
-    fn read(table: &Reader<'_>) -> Result<Self, Diagnosis> {
-        let material = Self {
-            young_modulus: table.positive("young_modulus", Dimension::Pressure)?,
-            poisson_ratio: table.required("poisson_ratio", RATIO)?.number(RATIO)?,
-        };
-        // The modulus is positive by now: what the kernel still refuses is the ratio.
-        let ratio = table.required("poisson_ratio", RATIO)?;
-        material.build().map_err(|error| ratio.refused(&error))?;
-        Ok(material)
-    }
-
-    fn build(self) -> Result<Material, KernelError> {
-        Material::new(self.young_modulus, self.poisson_ratio)
-    }
-}
-
-impl LayerCase {
-    fn read(field: Field<'_>) -> Result<Self, Diagnosis> {
-        let table = field.table()?;
-        table.only(&["thickness", "young_modulus", "poisson_ratio", "interface"])?;
-        let interface = match table.optional("interface") {
-            Some(field) => field.choice(&[
-                ("bonded", InterfaceCase::Bonded),
-                ("frictionless", InterfaceCase::Frictionless),
-            ])?,
-            None => InterfaceCase::Bonded,
-        };
-        let thickness = table.positive("thickness", Dimension::Length)?;
-        let modulus = table.required("young_modulus", MODULUS)?;
-        let layer = Self {
-            thickness,
-            young_modulus: ModulusCase::read(modulus)?,
-            poisson_ratio: table.required("poisson_ratio", RATIO)?.number(RATIO)?,
-            interface,
-        };
-        // The modulus is positive by now: what the kernel still refuses is the ratio.
-        let ratio = table.required("poisson_ratio", RATIO)?;
-        let material = layer.material(layer.young_modulus.at_top());
-        material.map_err(|error| ratio.refused(&error))?;
-        Ok(layer)
-    }
-
-    /// The layer as one or more homogeneous ones, and those below; with the error of splitting if it is graded.
-    fn split(&self, below: &[Layer], base: Base) -> Result<(Vec<Layer>, Option<f64>), KernelError> {
-        let interface = match self.interface {
-            InterfaceCase::Bonded => Interface::Bonded,
-            InterfaceCase::Frictionless => Interface::Frictionless,
-        };
-        let thickness = self.thickness;
-        match self.young_modulus {
-            ModulusCase::Uniform(modulus) => {
-                let layer = Layer::new(thickness, self.material(modulus)?, interface)?;
-                Ok(([&[layer], below].concat(), None))
-            }
-            ModulusCase::Graded(grading) => {
-                let material = |depth: f64| self.material(grading.at(depth / thickness));
-                let graded = GradedLayer::new(thickness, interface, material)?;
-                let split = graded.split(below, base, &GradingOptions::default())?;
-                let layers = split.foundation.layers().to_vec();
-                Ok((layers, Some(split.error_estimate)))
-            }
-        }
-    }
-
-    fn material(&self, young_modulus: f64) -> Result<Material, KernelError> {
-        Material::new(young_modulus, self.poisson_ratio)
+        _ => table.required("substrate", substrate::WANTED),
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::testing::read_table;
+    use pellicle_kernel::Layer;
+
+    use super::super::table_reader::tests::read_table;
     use super::*;
 
     fn read(text: &str) -> Result<FoundationCase, String> {
@@ -367,7 +237,7 @@ mod tests {
     #[test]
     fn layers_may_rest_on_a_rigid_base() {
         let foundation = read(&format!("substrate = \"rigid\"\n{LAYER}")).unwrap();
-        assert_eq!(foundation.substrate, Substrate::Rigid);
+        assert_eq!(foundation.substrate, SubstrateCase::Rigid);
         assert!(read("substrate = \"rigid\"").is_err());
     }
 

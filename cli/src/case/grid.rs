@@ -3,9 +3,9 @@
 use serde::Serialize;
 
 use super::diagnosis::Diagnosis;
-use super::field::Sign;
-use super::quantity::Dimension;
-use super::reader::Reader;
+use super::dimension::Dimension;
+use super::table_reader::TableReader;
+use super::value_reader::Sign;
 
 /// Elements per side unless given.
 const DEFAULT_ELEMENTS: usize = 256;
@@ -37,7 +37,7 @@ impl GridCase {
     /// # Errors
     ///
     /// A [`Diagnosis`] of the first key that no grid can have.
-    pub fn read(table: &Reader<'_>) -> Result<Self, Diagnosis> {
+    pub fn read(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
         table.only(&["side", "elements"])?;
         let side = (table.optional("side"))
             .map(|field| field.quantity(Dimension::Length, Sign::Positive))
@@ -51,7 +51,7 @@ impl GridCase {
 
 #[cfg(test)]
 mod tests {
-    use super::super::testing::read_table;
+    use super::super::table_reader::tests::read_table;
     use super::*;
 
     fn read(text: &str) -> Result<GridCase, String> {

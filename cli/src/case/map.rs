@@ -12,14 +12,14 @@ use pellicle_texture::{HeightMap, Interpolation};
 use serde::Serialize;
 
 use super::diagnosis::{Diagnosis, Fault};
-use super::document::Value;
-use super::field::{Field, Sign};
-use super::quantity::{self, Dimension};
-use super::reader::Reader;
+use super::dimension::Dimension;
+use super::document::TomlValue;
+use super::height_limits::HeightLimits;
+use super::quantity;
+use super::table_reader::TableReader;
 use super::units::Units;
+use super::value_reader::{Sign, ValueReader};
 use crate::map::MapFile;
-
-pub use super::likely::Likely;
 
 const FILE: &str =
     "a height map (.npy, .csv, .txt or .gsf) by its path from the folder of the case file";
@@ -56,7 +56,7 @@ pub enum InterpolationCase {
 }
 
 impl InterpolationCase {
-    fn read(table: &Reader<'_>) -> Result<Self, Diagnosis> {
+    fn read(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
         let choices = [("bicubic", Self::Bicubic), ("linear", Self::Linear)];
         let given = table.optional("interpolation");
         given.map_or(Ok(Self::Bicubic), |field| field.choice(&choices))
@@ -83,13 +83,17 @@ impl MapCase {
         "interpolation",
     ];
 
-    /// Reads the keys and the file, by its path from `folder`, and weighs the heights.
+    /// Reads the keys and the file, by its path from `folder`, and checks the heights.
     ///
     /// # Errors
     ///
     /// A [`Diagnosis`] of the first key that no map can have, of the file if it is no map, or of the unit if with it no
     /// surface is like that.
-    pub fn read(table: &Reader<'_>, folder: &Path, likely: Likely) -> Result<Self, Diagnosis> {
+    pub fn read(
+        table: &TableReader<'_>,
+        folder: &Path,
+        limits: HeightLimits,
+    ) -> Result<Self, Diagnosis> {
         let field = table.required("file", FILE)?;
         let name = field.text()?;
         let read = MapFile::read(&folder.join(name));
@@ -101,11 +105,12 @@ impl MapCase {
         let heights = file.heights.iter().map(|height| height * height_unit);
         let heights = HeightMap::new(heights.collect(), file.shape, sides);
         let heights = heights.map_err(|error| field.refused(&error))?;
-        likely.weigh(&heights).map_err(|unlikely| {
+        limits.check(&heights).map_err(|too_steep| {
             let blamed = table.optional("height_unit").unwrap_or(field);
-            let has_unit = matches!(blamed.value(), Value::Text(_)) || names_a_unit(table, &file);
-            let wanted = likely.wanted(&heights, height_unit, has_unit);
-            blamed.unusable(&unlikely, wanted)
+            let has_unit =
+                matches!(blamed.value(), TomlValue::Text(_)) || names_a_unit(table, &file);
+            let wanted = limits.wanted(&heights, height_unit, has_unit);
+            blamed.unusable(&too_steep, wanted)
         })?;
         Ok(Self {
             file: name.to_owned(),
@@ -144,10 +149,10 @@ impl MapCase {
 }
 
 /// Whether sides that are given, or the file, have a unit: heights then have one, too.
-fn names_a_unit(table: &Reader<'_>, file: &MapFile) -> bool {
-    let is_text = |value: &Value| matches!(value, Value::Text(_));
-    let has_unit = |field: Field<'_>| match field.value() {
-        Value::List(items) => items.iter().any(|item| is_text(&item.value)),
+fn names_a_unit(table: &TableReader<'_>, file: &MapFile) -> bool {
+    let is_text = |value: &TomlValue| matches!(value, TomlValue::Text(_));
+    let has_unit = |field: ValueReader<'_>| match field.value() {
+        TomlValue::List(items) => items.iter().any(|item| is_text(&item.value)),
         value => is_text(value),
     };
     let mut sides = ["side", "sides"]
@@ -157,7 +162,11 @@ fn names_a_unit(table: &Reader<'_>, file: &MapFile) -> bool {
 }
 
 /// Refuses many lines of three numbers that are not the points of a grid, unless both sides of a strip are given.
-fn refuse_points(table: &Reader<'_>, field: &Field<'_>, file: &MapFile) -> Result<(), Diagnosis> {
+fn refuse_points(
+    table: &TableReader<'_>,
+    field: &ValueReader<'_>,
+    file: &MapFile,
+) -> Result<(), Diagnosis> {
     let [x, y] = file.shape;
     let is_slender = x.min(y) == 3 && x.max(y) >= MANY_LINES;
     if !is_slender || file.sides.is_some() || table.optional("sides").is_some() {
@@ -183,15 +192,15 @@ fn units(file: &MapFile) -> Units {
 
 /// The sides as the case gives them, or else the file: of points in the unit of their heights.
 fn sides(
-    table: &Reader<'_>,
-    field: &Field<'_>,
+    table: &TableReader<'_>,
+    field: &ValueReader<'_>,
     file: &MapFile,
     height_unit: f64,
 ) -> Result<[f64; 2], Diagnosis> {
     const WANTED: &str =
         "side, the length of the map along x, or sides = [x, y], since the file does not say it";
     const LENGTHS: &str = "a list of two positive lengths, [x, y]";
-    let length = |field: &Field<'_>| field.quantity(Dimension::Length, Sign::Positive);
+    let length = |field: &ValueReader<'_>| field.quantity(Dimension::Length, Sign::Positive);
     match (table.optional("side"), table.optional("sides")) {
         (Some(_), Some(sides)) => Err(sides.diagnosis(Fault::Wrong {
             found: "side and sides".into(),
@@ -219,13 +228,17 @@ fn sides(
 }
 
 /// What a 1 in the file stands for, by the case or else by the file.
-fn height_unit(table: &Reader<'_>, field: &Field<'_>, file: &MapFile) -> Result<f64, Diagnosis> {
+fn height_unit(
+    table: &TableReader<'_>,
+    field: &ValueReader<'_>,
+    file: &MapFile,
+) -> Result<f64, Diagnosis> {
     const WANTED: &str = "the length that a 1 in the file stands for, such as \"nm\" or \"0.5 um\", or a bare number other than 0";
     let Some(given) = table.optional("height_unit") else {
         return unit(field, "height", file.height_unit.as_deref());
     };
     let alone = match given.value() {
-        Value::Text(text) => quantity::one(text, Dimension::Length).ok(),
+        TomlValue::Text(text) => quantity::one(text, Dimension::Length).ok(),
         _ => None,
     };
     let length = alone.map_or_else(|| given.quantity(Dimension::Length, Sign::Any), Ok)?;
@@ -236,7 +249,7 @@ fn height_unit(table: &Reader<'_>, field: &Field<'_>, file: &MapFile) -> Result<
 }
 
 /// One of the unit that the file names, m; 1 if it names none.
-fn unit(field: &Field<'_>, what: &str, name: Option<&str>) -> Result<f64, Diagnosis> {
+fn unit(field: &ValueReader<'_>, what: &str, name: Option<&str>) -> Result<f64, Diagnosis> {
     let Some(name) = name else {
         return Ok(1.0);
     };
@@ -255,7 +268,7 @@ mod tests {
 
     use tempfile::TempDir;
 
-    use super::super::testing::read_table;
+    use super::super::table_reader::tests::read_table;
     use super::*;
 
     fn folder() -> TempDir {
@@ -271,7 +284,7 @@ mod tests {
     fn read(text: &str) -> Result<MapCase, String> {
         let folder = folder();
         read_table(text, |table| {
-            MapCase::read(&table, folder.path(), Likely::SURFACE)
+            MapCase::read(&table, folder.path(), HeightLimits::SURFACE)
         })
     }
 

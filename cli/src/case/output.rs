@@ -4,8 +4,8 @@ use clap::ValueEnum;
 use serde::Serialize;
 
 use super::diagnosis::Diagnosis;
-use super::field::Field;
-use super::reader::Reader;
+use super::table_reader::TableReader;
+use super::value_reader::ValueReader;
 
 /// What a run writes beside summary, curve and report, which are always there.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
@@ -95,7 +95,7 @@ impl OutputCase {
     /// # Errors
     ///
     /// A [`Diagnosis`] of the first key that says nothing known.
-    pub fn read(table: &Reader<'_>) -> Result<Self, Diagnosis> {
+    pub fn read(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
         table.only(&["fields", "pictures", "formats"])?;
         let default = Self::default();
         let steps = |key| table.optional(key).map(|field| field.choice(&STEPS));
@@ -115,7 +115,7 @@ impl OutputCase {
     }
 }
 
-fn formats(field: &Field<'_>) -> Result<Vec<Format>, Diagnosis> {
+fn formats(field: &ValueReader<'_>) -> Result<Vec<Format>, Diagnosis> {
     let wanted =
         "a list of \"npz\", \"vti\", \"nc\", \"gsf\"; for no fields at all write fields = \"none\"";
     let items = field.list(wanted)?.into_iter();
@@ -129,7 +129,7 @@ fn formats(field: &Field<'_>) -> Result<Vec<Format>, Diagnosis> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::testing::read_table;
+    use super::super::table_reader::tests::read_table;
     use super::*;
 
     fn read(text: &str) -> Result<OutputCase, String> {

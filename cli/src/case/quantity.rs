@@ -2,23 +2,10 @@
 
 use uom::si::f64::{Angle, Force, Length, Pressure};
 
+use super::dimension::Dimension;
+
 /// No number a person writes is longer than this, in bytes.
 const LONGEST_NUMBER: usize = 64;
-
-/// What a quantity measures.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Dimension {
-    /// Metres.
-    Length,
-    /// Pascals: pressures and moduli.
-    Pressure,
-    /// Newtons.
-    Force,
-    /// Radians.
-    Angle,
-    /// Metres per pascal: a length over a pressure.
-    Compliance,
-}
 
 /// Why a text is not a quantity of the dimension that is wanted.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -37,68 +24,6 @@ pub enum QuantityError {
     OtherDimension(Dimension),
 }
 
-impl Dimension {
-    const ALL: [Self; 5] = [
-        Self::Length,
-        Self::Pressure,
-        Self::Force,
-        Self::Angle,
-        Self::Compliance,
-    ];
-
-    /// What it is called in a message.
-    #[must_use]
-    pub fn noun(self) -> &'static str {
-        match self {
-            Self::Length => "a length",
-            Self::Pressure => "a pressure",
-            Self::Force => "a force",
-            Self::Angle => "an angle",
-            Self::Compliance => "a compliance",
-        }
-    }
-
-    /// Its SI unit.
-    #[must_use]
-    pub fn si_unit(self) -> &'static str {
-        match self {
-            Self::Length => "m",
-            Self::Pressure => "Pa",
-            Self::Force => "N",
-            Self::Angle => "rad",
-            Self::Compliance => "m/Pa",
-        }
-    }
-
-    /// How one is written.
-    #[must_use]
-    pub fn example(self) -> &'static str {
-        match self {
-            Self::Length => "\"5 nm\"",
-            Self::Pressure => "\"70 GPa\"",
-            Self::Force => "\"2.3 mN\"",
-            Self::Angle => "\"65.03 deg\"",
-            Self::Compliance => "\"5 nm/GPa\"",
-        }
-    }
-
-    /// One of `unit` in SI units; `None` if the unit is not of this dimension.
-    fn factor(self, unit: &str) -> Option<f64> {
-        let one = format!("1 {unit}");
-        match self {
-            Self::Length => one.parse::<Length>().ok().map(|length| length.value),
-            Self::Pressure => one.parse::<Pressure>().ok().map(|pressure| pressure.value),
-            Self::Force => one.parse::<Force>().ok().map(|force| force.value),
-            Self::Angle => one.parse::<Angle>().ok().map(|angle| angle.value),
-            Self::Compliance => {
-                let (length, pressure) = unit.split_once('/')?;
-                let length = Self::Length.factor(&spelling(length))?;
-                Some(length / Self::Pressure.factor(&spelling(pressure))?)
-            }
-        }
-    }
-}
-
 /// The quantity in SI units (m, Pa, N, rad, m/Pa), correctly rounded where the unit is a decimal one.
 ///
 /// # Errors
@@ -107,7 +32,7 @@ impl Dimension {
 pub fn parse(text: &str, dimension: Dimension) -> Result<f64, QuantityError> {
     let (number, unit) = split(text)?;
     let unit = spelling(unit);
-    let factor = dimension.factor(&unit);
+    let factor = factor(dimension, &unit);
     factor.map_or_else(
         || Err(not_of_dimension(&unit)),
         |factor| Ok(times(number, factor)),
@@ -138,8 +63,24 @@ fn not_of_dimension(unit: &str) -> QuantityError {
 }
 
 fn dimension_of_unit(unit: &str) -> Option<Dimension> {
-    let has = |dimension: &Dimension| dimension.factor(unit).is_some();
+    let has = |dimension: &Dimension| factor(*dimension, unit).is_some();
     Dimension::ALL.into_iter().find(has)
+}
+
+/// One of `unit` in SI units; `None` if the unit is not of this dimension.
+fn factor(dimension: Dimension, unit: &str) -> Option<f64> {
+    let one = format!("1 {unit}");
+    match dimension {
+        Dimension::Length => one.parse::<Length>().ok().map(|length| length.value),
+        Dimension::Pressure => one.parse::<Pressure>().ok().map(|pressure| pressure.value),
+        Dimension::Force => one.parse::<Force>().ok().map(|force| force.value),
+        Dimension::Angle => one.parse::<Angle>().ok().map(|angle| angle.value),
+        Dimension::Compliance => {
+            let (length, pressure) = unit.split_once('/')?;
+            let length = factor(Dimension::Length, &spelling(length))?;
+            Some(length / factor(Dimension::Pressure, &spelling(pressure))?)
+        }
+    }
 }
 
 /// The longest beginning of the text that is a number, and what follows.

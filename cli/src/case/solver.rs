@@ -4,7 +4,7 @@ use pellicle_contact::{Method, SolverOptions};
 use serde::Serialize;
 
 use super::diagnosis::Diagnosis;
-use super::reader::Reader;
+use super::table_reader::TableReader;
 
 /// Below the lower end rounding decides, above the upper one the answer is not worth its name.
 const TOLERANCES: std::ops::RangeInclusive<f64> = 1e-13..=1e-2;
@@ -43,7 +43,7 @@ impl SolverCase {
     /// # Errors
     ///
     /// A [`Diagnosis`] of the first key that no solver can have, or not on this grid.
-    pub fn read(table: &Reader<'_>, elements: usize) -> Result<Self, Diagnosis> {
+    pub fn read(table: &TableReader<'_>, elements: usize) -> Result<Self, Diagnosis> {
         table.only(&["tolerance", "method"])?;
         let mut solver = Self::default();
         if let Some(field) = table.optional("tolerance") {
@@ -85,7 +85,7 @@ impl SolverCase {
 
 #[cfg(test)]
 mod tests {
-    use super::super::testing::read_table;
+    use super::super::table_reader::tests::read_table;
     use super::*;
 
     fn read(text: &str) -> Result<SolverCase, String> {

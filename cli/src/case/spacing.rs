@@ -1,7 +1,7 @@
 //! Ranges of values: `{ from, to, count, spacing = "linear" | "log" }`.
 
 use super::diagnosis::Diagnosis;
-use super::reader::Reader;
+use super::table_reader::TableReader;
 
 /// The keys of a range.
 pub const KEYS: [&str; 4] = ["from", "to", "count", "spacing"];
@@ -21,7 +21,7 @@ impl Spacing {
     /// # Errors
     ///
     /// A [`Diagnosis`] if it is neither of the two words.
-    pub fn read(table: &Reader<'_>) -> Result<Self, Diagnosis> {
+    pub fn read(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
         match table.optional("spacing") {
             Some(field) => field.choice(&[("linear", Self::Linear), ("log", Self::Log)]),
             None => Ok(Self::Linear),

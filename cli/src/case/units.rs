@@ -1,7 +1,8 @@
 //! What the numbers of a case are measured in.
 
-use super::document::{Node, Value};
-use super::quantity::{Dimension, dimension_of};
+use super::dimension::Dimension;
+use super::document::{TomlNode, TomlValue};
+use super::quantity::dimension_of;
 
 /// The system of units of a case.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -16,7 +17,7 @@ pub enum Units {
 impl Units {
     /// The units of a case: SI as soon as one value carries a unit.
     #[must_use]
-    pub fn of(root: &Node) -> Self {
+    pub fn of(root: &TomlNode) -> Self {
         if names_a_unit(&root.value) {
             Self::Si
         } else {
@@ -46,12 +47,12 @@ impl Units {
 /// Keys whose text is no quantity.
 const PROSE: [&str; 2] = ["title", "file"];
 
-fn names_a_unit(value: &Value) -> bool {
+fn names_a_unit(value: &TomlValue) -> bool {
     match value {
-        Value::Text(text) => dimension_of(text).is_some_and(|found| found != Dimension::Angle),
-        Value::List(items) => items.iter().any(|item| names_a_unit(&item.value)),
+        TomlValue::Text(text) => dimension_of(text).is_some_and(|found| found != Dimension::Angle),
+        TomlValue::List(items) => items.iter().any(|item| names_a_unit(&item.value)),
         // The title and the name of a file are prose, even where they begin like a quantity.
-        Value::Table(table) => {
+        TomlValue::Table(table) => {
             let mut entries = table
                 .entries
                 .iter()
@@ -67,7 +68,7 @@ mod tests {
     use std::sync::Arc;
 
     use super::super::document;
-    use super::super::place::Source;
+    use super::super::source::Source;
     use super::*;
 
     fn units(text: &str) -> Units {

@@ -10,7 +10,7 @@ use crate::case::units::Units;
 use crate::display::{self, Unit, quantity, significant};
 use crate::failure::Failure;
 use crate::forecast::Forecast;
-use crate::map::spectrum;
+use crate::map::shortest_wave;
 use crate::output::disk_space;
 use crate::program::Outcome;
 use crate::{cache, terminal};
@@ -53,7 +53,7 @@ fn estimates(case: &Case, forecast: &Forecast, chosen: bool) -> Result<String, F
     } else {
         "as given"
     };
-    let mut lines = Lines::default();
+    let mut lines = Estimates::default();
     lines.add(
         "side of the domain",
         &format!("{} ({how})", metres(forecast.side)),
@@ -65,7 +65,7 @@ fn estimates(case: &Case, forecast: &Forecast, chosen: bool) -> Result<String, F
     }
     lines.graded(case)?;
     lines.maps(case, element_side);
-    lines.add("loading steps", &case.load.steps().len().to_string());
+    lines.add("loading steps", &case.load.loads().len().to_string());
     lines.add("memory, about", &display::memory(forecast.need.bytes));
     lines.add("disk, about", &megabytes(disk_space::bytes(case)));
     if let Some([least, most]) = forecast.products(case.grid.elements) {
@@ -86,11 +86,11 @@ fn megabytes(bytes: f64) -> String {
 
 /// Comments of name and value, in columns.
 #[derive(Default)]
-struct Lines {
+struct Estimates {
     lines: Vec<String>,
 }
 
-impl Lines {
+impl Estimates {
     fn add(&mut self, name: &str, value: &str) {
         self.lines.push(format!("# {name:<38}{value}\n"));
     }
@@ -120,7 +120,7 @@ impl Lines {
         {
             let per_element = significant(element_side / sample(map), 3);
             self.add(&format!("samples per element ({table})"), &per_element);
-            let wave = spectrum::shortest_wave(map.shape(), map.samples());
+            let wave = shortest_wave::shortest_wave(map.shape(), map.samples());
             let wave = wave.map_or_else(|| "none found".into(), |wave| significant(wave, 2));
             self.add(&format!("samples per shortest wave ({table})"), &wave);
         }

@@ -4,7 +4,7 @@ use crate::arguments::GatherArguments;
 use crate::command::study::words;
 use crate::failure::Failure;
 use crate::program::Outcome;
-use crate::study::gather::{self, Other};
+use crate::study::gather::{self, OtherTable};
 use crate::terminal;
 
 /// How many missing cases are named.
@@ -17,9 +17,9 @@ const MOST_NAMED: usize = 10;
 /// [`Failure`] if there are no parts or they do not go together.
 pub fn gather(arguments: &GatherArguments) -> Result<Outcome, Failure> {
     let other = if arguments.force {
-        Other::Replace
+        OtherTable::Replace
     } else {
-        Other::Keep
+        OtherTable::Keep
     };
     let found = gather::gather(&arguments.folder, other)?;
     let cases = found.tally.done() + found.missing.len();

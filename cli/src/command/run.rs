@@ -9,7 +9,7 @@ use crate::arguments::RunArguments;
 use crate::case::Case;
 use crate::failure::Failure;
 use crate::forecast::Need;
-use crate::memory::Memory;
+use crate::memory::MemoryBudget;
 use crate::output::folder::{self, Existing, Extent, Folder};
 use crate::output::summary::{Clock, Status, Summary, WarningSummary};
 use crate::output::{json, page, report, results};
@@ -34,7 +34,7 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
     let model = case.model(&cache)?;
     let tables_seconds = tables.elapsed().as_secs_f64();
     threads::begin();
-    let memory = Memory::default();
+    let memory = MemoryBudget::default();
     let writers = folder.as_ref().map_or(0, |_| rayon::current_num_threads());
     let domain = case
         .domain(&model.value)
@@ -75,7 +75,7 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
 
 /// What a path that the user stopped has to say of itself.
 fn unfinished(case: &Case, path: &LoadingPath) -> Option<WarningSummary> {
-    let (done, steps) = (path.steps.len(), case.load.steps().len());
+    let (done, steps) = (path.steps.len(), case.load.loads().len());
     path.interrupted.then(|| WarningSummary {
         code: "stopped",
         message: format!("stopped by the user after {done} of {steps} loading steps"),
@@ -114,7 +114,7 @@ fn solve(
     domain: Domain,
     observer: &mut dyn Observer,
 ) -> Result<LoadingPath, Failure> {
-    let (loads, options) = (case.load.steps(), case.solver.options());
+    let (loads, options) = (case.load.loads(), case.solver.options());
     let path = solve_path(
         model,
         domain,

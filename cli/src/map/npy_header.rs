@@ -14,7 +14,7 @@ const LONGEST: usize = 1 << 16;
 
 /// What the header of an array says.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Header {
+pub struct NpyHeader {
     /// NumPy's name of the kind of its numbers, `<f8`.
     pub kind: String,
     /// Whether the first index runs fastest.
@@ -25,7 +25,7 @@ pub struct Header {
     pub length: usize,
 }
 
-impl Header {
+impl NpyHeader {
     /// Reads the beginning of a file.
     ///
     /// # Errors
@@ -68,7 +68,7 @@ impl Header {
     }
 }
 
-impl Header {
+impl NpyHeader {
     /// Bytes of the whole file, header and numbers; none if there are more than can be counted, or numbers of no size.
     #[must_use]
     pub fn size(&self) -> Option<u64> {
@@ -166,7 +166,7 @@ pub(super) mod tests {
     #[test]
     fn the_three_keys_are_read_in_any_order() {
         let header = "{'shape': (3, 20,), \"descr\":'<f8','fortran_order': True}  \n";
-        let read = Header::read(&file(header, &[])).unwrap();
+        let read = NpyHeader::read(&file(header, &[])).unwrap();
         assert_eq!((read.kind.as_str(), read.is_fortran), ("<f8", true));
         assert_eq!(
             (&read.shape[..], read.length),
@@ -190,11 +190,11 @@ pub(super) mod tests {
                 .into(),
             "[]".into(),
         ] {
-            let found = Header::read(&file(&header, &[0; 16]));
+            let found = NpyHeader::read(&file(&header, &[0; 16]));
             assert!(found.is_err(), "{}", &header[..header.len().min(100)]);
         }
         // Four thousand million bytes of header in a file of sixteen.
         let long = b"\x93NUMPY\x02\x00\xff\xff\xff\xff{}..".to_vec();
-        assert!(Header::read(&long).is_err());
+        assert!(NpyHeader::read(&long).is_err());
     }
 }

@@ -3,7 +3,7 @@
 //! Numbers are separated by commas, semicolons, tabs or spaces; what follows a `#` is a comment. Where semicolons or
 //! blanks separate numbers, a comma is a decimal mark.
 
-use super::{MapError, MapFile, triples};
+use super::{MapError, MapFile, grid_points};
 
 /// Two columns of integers on fewer lines than this are a small map.
 const FEWEST_OF_A_COLUMN: usize = 3;
@@ -43,7 +43,7 @@ pub fn parse(bytes: &[u8]) -> Result<MapFile, MapError> {
     }
     match columns {
         0 => Err(MapError::Empty),
-        3 => Ok(triples::map(&picture).unwrap_or_else(|| MapFile::from_picture(3, &picture))),
+        3 => Ok(grid_points::map(&picture).unwrap_or_else(|| MapFile::from_picture(3, &picture))),
         _ => Ok(MapFile::from_picture(columns, &picture)),
     }
 }

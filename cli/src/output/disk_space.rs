@@ -50,7 +50,7 @@ const NUMBERS: f64 = 3.2e3;
 /// The room that a run of a case takes, in bytes.
 #[must_use]
 pub fn bytes(case: &Case) -> f64 {
-    let (steps, elements) = (case.load.steps().len(), case.grid.elements);
+    let (steps, elements) = (case.load.loads().len(), case.grid.elements);
     let OutputCase {
         fields, pictures, ..
     } = case.output;
@@ -93,7 +93,7 @@ fn of_a_step_in_report(case: &Case) -> f64 {
 }
 
 fn of_the_run(case: &Case, pictures: bool) -> f64 {
-    let has_curve = case.load.steps().len() > 1;
+    let has_curve = case.load.loads().len() > 1;
     let has_grids = case.grid.elements >= FEWEST_OF_SEVERAL_GRIDS;
     let curve = f64::from(u8::from(pictures && has_curve)) * CURVE;
     curve + f64::from(u8::from(pictures && has_grids)) * CONVERGENCE

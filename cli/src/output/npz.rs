@@ -15,7 +15,7 @@ use super::fields::Fields;
 use super::file::write_whole;
 use super::watched::{Heeding, Watched};
 use crate::failure::Failure;
-use crate::map::npy_header::Header;
+use crate::map::npy_header::NpyHeader;
 
 /// Most bytes of an array: 8192² numbers, the largest grid of a case, and a header.
 const LARGEST_ARRAY: u64 = (8 << 26) + (1 << 16);
@@ -92,7 +92,7 @@ fn check(path: &Path) -> Result<(), String> {
         let mut start = Vec::new();
         let read = entry.take(1 << 16).read_to_end(&mut start);
         read.map_err(|cause| cause.to_string())?;
-        let header = Header::read(&start).map_err(|error| format!("{name}, {error}"))?;
+        let header = NpyHeader::read(&start).map_err(|error| format!("{name}, {error}"))?;
         if header.size() != Some(size) {
             return Err(format!(
                 "{name} unpacks to {size} bytes, and its header says otherwise"

@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 use super::null;
 
 use crate::case::Case;
-use crate::case::doubt::Doubt;
+use crate::case::warnings::CaseWarning;
 
 /// Name of the file in a results folder.
 pub const FILE: &str = "summary.json";
@@ -259,8 +259,8 @@ impl Summary {
         let mut case = case.clone();
         case.grid.side.get_or_insert(path.grid.side());
         let origin = clock.tables_origin.max(path.coefficients_origin);
-        let doubts = case.doubts(path.grid.side()).into_iter();
-        let warnings = doubts.map(WarningSummary::from);
+        let warnings = case.warnings(path.grid.side()).into_iter();
+        let warnings = warnings.map(WarningSummary::from);
         let warnings = warnings.chain(path.warnings.iter().map(WarningSummary::from));
         let cache_warnings = cache_warnings.iter().map(WarningSummary::from);
         let statuses = path.steps.iter().map(|step| step.status().into());
@@ -305,8 +305,8 @@ impl From<contact::Status> for Status {
     }
 }
 
-impl From<Doubt> for WarningSummary {
-    fn from(Doubt { code, message }: Doubt) -> Self {
+impl From<CaseWarning> for WarningSummary {
+    fn from(CaseWarning { code, message }: CaseWarning) -> Self {
         Self { code, message }
     }
 }

@@ -4,11 +4,11 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use super::identity::Identity;
+use super::case_status::Tally;
+use super::identity::StudyIdentity;
 use super::place;
+use super::results_table::{self, CaseBlocks};
 use super::shard::Shard;
-use super::status::Tally;
-use super::table::{self, Blocks};
 use crate::failure::Failure;
 use crate::output::file;
 
@@ -25,7 +25,7 @@ pub struct Gathered {
 
 /// What to do with the table of another study in the place of the whole one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Other {
+pub enum OtherTable {
     /// Leave it alone.
     Keep,
     /// Replace it.
@@ -39,7 +39,7 @@ pub enum Other {
 ///
 /// [`Failure`] if there are no parts, if they are of different studies, if a table cannot be read or written, or if the
 /// place of the whole table is taken by something else.
-pub fn gather(folder: &Path, other: Other) -> Result<Gathered, Failure> {
+pub fn gather(folder: &Path, other: OtherTable) -> Result<Gathered, Failure> {
     let parts = parts(folder)?;
     let Some(first) = parts.first() else {
         return Err(Failure::NoParts {
@@ -51,7 +51,7 @@ pub fn gather(folder: &Path, other: Other) -> Result<Gathered, Failure> {
         let reason = format!("the parts {a} and {b} are of different studies");
         return Err(Failure::damaged(folder, &reason));
     }
-    let whole = Identity {
+    let whole = StudyIdentity {
         shard: Shard::WHOLE,
         ..first.clone()
     };
@@ -64,7 +64,7 @@ pub fn gather(folder: &Path, other: Other) -> Result<Gathered, Failure> {
     let mut statuses = BTreeMap::new();
     for (part, text) in parts.iter().zip(&texts) {
         let path = part.table(folder);
-        let blocks = Blocks::of(text, part)
+        let blocks = CaseBlocks::of(text, part)
             .ok_or_else(|| Failure::damaged(&path, &"its first line is not that of this study"))?;
         rows.extend(blocks.in_order(text));
         statuses.extend(blocks.statuses());
@@ -75,7 +75,7 @@ pub fn gather(folder: &Path, other: Other) -> Result<Gathered, Failure> {
     if let Some(path) = &table {
         // A kill between the two leaves a study that has not begun, not a table that nobody knows.
         whole.write(folder)?;
-        table::write_in_order(path, &whole.header, &rows)?;
+        results_table::write_in_order(path, &whole.header, &rows)?;
         place::forget_before(folder, &whole)?;
     }
     Ok(Gathered {
@@ -86,18 +86,18 @@ pub fn gather(folder: &Path, other: Other) -> Result<Gathered, Failure> {
 }
 
 /// Refuses a table in the place of the whole one that is not of this study.
-fn check_whole(folder: &Path, whole: &Identity, other: Other) -> Result<(), Failure> {
+fn check_whole(folder: &Path, whole: &StudyIdentity, other: OtherTable) -> Result<(), Failure> {
     let path = whole.table(folder);
     if fs::symlink_metadata(&path).is_err() {
         return Ok(());
     }
-    let remembered = Identity::read(&Identity::path(folder, Shard::WHOLE))?;
+    let remembered = StudyIdentity::read(&StudyIdentity::path(folder, Shard::WHOLE))?;
     let is_known = match &remembered {
         Some(remembered) => place::is_table_of(folder, remembered)?,
         None => false,
     };
     match (remembered, other) {
-        (Some(_), Other::Replace) if is_known => Ok(()),
+        (Some(_), OtherTable::Replace) if is_known => Ok(()),
         (Some(remembered), _) if is_known && remembered.fingerprint == whole.fingerprint => Ok(()),
         (Some(_), _) if is_known => Err(Failure::OtherTable { path }),
         _ => Err(Failure::NoResults { path }),
@@ -105,21 +105,21 @@ fn check_whole(folder: &Path, whole: &Identity, other: Other) -> Result<(), Fail
 }
 
 /// A part that has not written its first row yet has no table.
-fn read(folder: &Path, part: &Identity) -> Result<Vec<u8>, Failure> {
+fn read(folder: &Path, part: &StudyIdentity) -> Result<Vec<u8>, Failure> {
     let path = part.table(folder);
     if path.exists() {
-        table::read(&path)
+        results_table::read(&path)
     } else {
         Ok(Vec::new())
     }
 }
 
-fn are_of_one(part: &Identity, first: &Identity) -> bool {
+fn are_of_one(part: &StudyIdentity, first: &StudyIdentity) -> bool {
     part.fingerprint == first.fingerprint && part.shard.count == first.shard.count
 }
 
 /// What the parts in a folder remember, in order.
-fn parts(folder: &Path) -> Result<Vec<Identity>, Failure> {
+fn parts(folder: &Path) -> Result<Vec<StudyIdentity>, Failure> {
     fs::read_dir(folder).map_err(|cause| Failure::damaged(folder, &cause))?;
     let mut parts = place::identities(folder)?;
     parts.retain(|part| part.shard != Shard::WHOLE);

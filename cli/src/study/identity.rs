@@ -16,7 +16,7 @@ const SCHEMA: &str = "pellicle-study/1";
 
 /// A study and its part, as remembered in its folder.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Identity {
+pub struct StudyIdentity {
     /// Name and version of this layout.
     pub schema: String,
     /// Version of the program.
@@ -33,7 +33,7 @@ pub struct Identity {
     pub rows: Vec<usize>,
 }
 
-impl Identity {
+impl StudyIdentity {
     /// The identity of a study with this hash, these rows and this header.
     #[must_use]
     pub fn new(

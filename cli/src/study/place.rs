@@ -6,9 +6,9 @@ use std::path::{Path, PathBuf};
 use std::thread;
 use std::time::Duration;
 
-use super::identity::Identity;
+use super::identity::StudyIdentity;
+use super::results_table::{self, CaseBlocks};
 use super::shard::Shard;
-use super::table::{self, Blocks};
 use crate::failure::Failure;
 use crate::output::lock::Lock;
 use crate::output::{file, own};
@@ -54,7 +54,7 @@ impl Place {
     /// [`Failure::NoResults`] if there is something that no study has written, [`Failure::OtherStudy`] if there are
     /// results of another study, [`Failure::Busy`] if another process is at work on this part, [`Failure::Write`] if
     /// nothing can be written here.
-    pub fn claim(folder: &Path, identity: &Identity, fresh: bool) -> Result<Self, Failure> {
+    pub fn claim(folder: &Path, identity: &StudyIdentity, fresh: bool) -> Result<Self, Failure> {
         refuse_foreign(folder)?;
         let failed = |cause| write_failure(folder, cause);
         fs::create_dir_all(folder).map_err(failed)?;
@@ -63,14 +63,14 @@ impl Place {
         })?;
         file::sweep(folder);
         let there = identities(folder)?;
-        let is_other = |other: &&Identity| other.fingerprint != identity.fingerprint;
+        let is_other = |other: &&StudyIdentity| other.fingerprint != identity.fingerprint;
         for other in there.iter().filter(is_other) {
             if !fresh {
                 let path = other.table(folder);
                 let path = if path.exists() {
                     path
                 } else {
-                    Identity::path(folder, other.shard)
+                    StudyIdentity::path(folder, other.shard)
                 };
                 return Err(Failure::OtherStudy { path });
             }
@@ -136,11 +136,11 @@ pub fn wait_for_lock(folder: &Path, part: Shard) -> Result<Lock, Failure> {
 /// # Errors
 ///
 /// [`Failure::Damaged`] if one is not what a study writes.
-pub fn identities(folder: &Path) -> Result<Vec<Identity>, Failure> {
+pub fn identities(folder: &Path) -> Result<Vec<StudyIdentity>, Failure> {
     let mut identities = Vec::new();
     for name in names(folder) {
         if part(&name, "study", "json").is_some() {
-            identities.extend(Identity::read(&folder.join(name))?);
+            identities.extend(StudyIdentity::read(&folder.join(name))?);
         }
     }
     identities.sort_by_key(|identity| (identity.shard.count, identity.shard.index));
@@ -152,12 +152,12 @@ pub fn identities(folder: &Path) -> Result<Vec<Identity>, Failure> {
 /// # Errors
 ///
 /// [`Failure::Damaged`] if it cannot be read.
-pub fn is_table_of(folder: &Path, identity: &Identity) -> Result<bool, Failure> {
+pub fn is_table_of(folder: &Path, identity: &StudyIdentity) -> Result<bool, Failure> {
     let path = identity.table(folder);
     if !is_file(&path) {
         return Ok(false);
     }
-    Ok(Blocks::of(&table::read(&path)?, identity).is_some())
+    Ok(CaseBlocks::of(&results_table::read(&path)?, identity).is_some())
 }
 
 fn is_file(path: &Path) -> bool {
@@ -192,7 +192,7 @@ fn refuse_foreign(folder: &Path) -> Result<(), Failure> {
 }
 
 /// Sets the table of another study aside, and removes what it remembers.
-fn forget(folder: &Path, other: &Identity, locked: Shard) -> Result<(), Failure> {
+fn forget(folder: &Path, other: &StudyIdentity, locked: Shard) -> Result<(), Failure> {
     let _lock = if other.shard == locked {
         None
     } else {
@@ -202,7 +202,7 @@ fn forget(folder: &Path, other: &Identity, locked: Shard) -> Result<(), Failure>
         })?)
     };
     set_aside(&other.table(folder))?;
-    remove(&Identity::path(folder, other.shard))
+    remove(&StudyIdentity::path(folder, other.shard))
 }
 
 /// Where a table goes that a fresh study replaces.
@@ -228,7 +228,7 @@ fn set_aside(table: &Path) -> Result<(), Failure> {
 /// # Errors
 ///
 /// [`Failure::Write`] if one cannot be removed.
-pub fn forget_before(folder: &Path, identity: &Identity) -> Result<(), Failure> {
+pub fn forget_before(folder: &Path, identity: &StudyIdentity) -> Result<(), Failure> {
     let own = before(&identity.table(folder));
     let is_replaced = |path: &PathBuf| identity.shard == Shard::WHOLE || Some(path) == own.as_ref();
     let kept = names(folder).into_iter();

@@ -1,9 +1,9 @@
 //! What a study has to do: every case resolved once, before any long work.
 
 use super::Study;
-use super::columns::Columns;
-use super::identity::Identity;
+use super::identity::StudyIdentity;
 use super::shard::Shard;
+use super::table_columns::TableColumns;
 use crate::case::Case;
 use crate::case::diagnosis::Diagnosis;
 use crate::case::output::OutputCase;
@@ -12,14 +12,14 @@ use crate::failure::Failure;
 
 /// A study looked through.
 #[derive(Debug, Clone)]
-pub struct Plan {
+pub struct StudyPlan {
     /// The table's columns.
-    pub columns: Columns,
+    pub columns: TableColumns,
     /// What makes it this study and no other.
-    pub identity: Identity,
+    pub identity: StudyIdentity,
 }
 
-impl Plan {
+impl StudyPlan {
     /// Resolves every case of the study.
     ///
     /// # Errors
@@ -35,7 +35,7 @@ impl Plan {
                 Ok(case) => {
                     add(&mut hasher, &case)?;
                     units = units.or(Some(case.units));
-                    rows.push(case.load.steps().len());
+                    rows.push(case.load.loads().len());
                 }
                 Err(diagnosis) => {
                     hasher.update(diagnosis.to_string().as_bytes());
@@ -45,10 +45,10 @@ impl Plan {
             }
         }
         let units = units.ok_or_else(|| none_can_be(refused))?;
-        let columns = Columns::new(study, units);
+        let columns = TableColumns::new(study, units);
         hasher.update(columns.header().as_bytes());
         let fingerprint = hasher.finalize().to_hex().to_string();
-        let identity = Identity::new(study, fingerprint, rows, columns.header(), shard);
+        let identity = StudyIdentity::new(study, fingerprint, rows, columns.header(), shard);
         Ok(Self { columns, identity })
     }
 }

@@ -7,13 +7,13 @@ use indicatif::{MultiProgress, ProgressBar};
 use pellicle_contact::SolverOptions;
 
 use super::Study;
-use super::solve::Done;
+use super::case_solver::CaseResult;
 use crate::progress::{ProgressLine, in_words};
 use crate::terminal;
 
 /// The lines of a study.
 #[derive(Debug)]
-pub struct Lines {
+pub struct StudyProgress {
     terminal: Option<MultiProgress>,
     total: usize,
     start: Instant,
@@ -21,8 +21,8 @@ pub struct Lines {
     done: Mutex<(usize, usize)>,
 }
 
-impl Lines {
-    /// Lines for a part of this many cases, of which some are done; none at all if nobody watches.
+impl StudyProgress {
+    /// StudyProgress for a part of this many cases, of which some are done; none at all if nobody watches.
     #[must_use]
     pub fn new(total: usize, before: usize, watched: bool) -> Self {
         Self {
@@ -48,7 +48,7 @@ impl Lines {
     }
 
     /// Tells that a case has ended.
-    pub fn ended(&self, study: &Study, case: usize, done: &Done) {
+    pub fn ended(&self, study: &Study, case: usize, done: &CaseResult) {
         let (count, left) = self.count();
         let Some(lines) = &self.terminal else {
             return;

@@ -5,9 +5,9 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Barrier, Mutex, PoisonError};
 use std::thread;
 
-use super::progress::Lines;
-use super::solve::Kit;
-use super::table::Table;
+use super::case_solver::CaseSolver;
+use super::progress::StudyProgress;
+use super::results_table::ResultsTable;
 use crate::failure::Failure;
 use crate::{interrupt, threads};
 
@@ -21,17 +21,17 @@ use crate::{interrupt, threads};
 ///
 /// [`Failure`] of the first thing that keeps results from being written: the others would fare no better.
 pub fn run(
-    kit: &Kit<'_>,
+    kit: &CaseSolver<'_>,
     cases: &[usize],
     count: usize,
-    table: &mut Table,
-    lines: &Lines,
+    table: &mut ResultsTable,
+    lines: &StudyProgress,
 ) -> Result<(), Failure> {
     let workers = count.min(cases.len());
     if workers == 0 {
         return Ok(());
     }
-    let queue = Queue {
+    let queue = CaseQueue {
         cases,
         next: AtomicUsize::new(0),
         is_closed: AtomicBool::new(false),
@@ -73,13 +73,13 @@ pub fn default_threads() -> usize {
 }
 
 /// The cases to do, in order.
-struct Queue<'a> {
+struct CaseQueue<'a> {
     cases: &'a [usize],
     next: AtomicUsize,
     is_closed: AtomicBool,
 }
 
-impl Queue<'_> {
+impl CaseQueue<'_> {
     fn take(&self) -> Option<usize> {
         if self.is_closed.load(Ordering::SeqCst) || interrupt::is_requested() {
             return None;
@@ -90,11 +90,11 @@ impl Queue<'_> {
 }
 
 fn work(
-    kit: &Kit<'_>,
-    queue: &Queue<'_>,
+    kit: &CaseSolver<'_>,
+    queue: &CaseQueue<'_>,
     pool: &rayon::ThreadPool,
-    table: &Mutex<&mut Table>,
-    lines: &Lines,
+    table: &Mutex<&mut ResultsTable>,
+    lines: &StudyProgress,
 ) -> Result<(), Failure> {
     while let Some(case) = queue.take() {
         let solve = || {

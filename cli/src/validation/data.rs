@@ -8,7 +8,7 @@ use serde::{Deserialize, Deserializer, de::Error};
 
 /// A list behind the key `values`.
 #[derive(Deserialize)]
-struct Values<T> {
+struct ValueList<T> {
     values: Vec<T>,
 }
 

@@ -2,11 +2,11 @@
 
 use serde::Serialize;
 
-use super::{Row, Scene, Section};
+use super::{Comparison, SectionResult, ValidationRun};
 
 /// Everything that was compared.
 #[derive(Debug, Serialize)]
-pub struct Report<'a> {
+pub struct ValidationReport<'a> {
     /// Version of this layout.
     schema: u32,
     program: &'static str,
@@ -26,13 +26,13 @@ struct SectionReport<'a> {
     name: &'static str,
     reference: &'static str,
     error: &'static str,
-    rows: &'a [Row],
+    rows: &'a [Comparison],
 }
 
-impl<'a> Report<'a> {
+impl<'a> ValidationReport<'a> {
     /// The report of these sections, which took so many seconds.
     #[must_use]
-    pub fn new(scene: Scene, sections: &'a [Section], seconds: f64) -> Self {
+    pub fn new(run: ValidationRun, sections: &'a [SectionResult], seconds: f64) -> Self {
         let rows = || sections.iter().flat_map(|section| &section.rows);
         let passed = rows().filter(|row| row.passes()).count();
         let failed = rows().count() - passed;
@@ -40,7 +40,7 @@ impl<'a> Report<'a> {
             schema: 1,
             program: "pellicle",
             version: env!("CARGO_PKG_VERSION"),
-            perturbation: scene.perturbation,
+            perturbation: run.perturbation,
             verdict: if failed == 0 { "pass" } else { "fail" },
             passed,
             failed,
@@ -51,7 +51,7 @@ impl<'a> Report<'a> {
     }
 }
 
-impl Report<'_> {
+impl ValidationReport<'_> {
     /// Whether every row passes.
     #[must_use]
     pub fn passes(&self) -> bool {
@@ -79,11 +79,11 @@ fn failures(section: &SectionReport<'_>) -> Option<String> {
 }
 
 impl<'a> SectionReport<'a> {
-    fn new(section: &'a Section) -> Self {
+    fn new(section: &'a SectionResult) -> Self {
         Self {
-            name: section.name,
-            reference: section.source,
-            error: section.because,
+            name: section.section.name,
+            reference: section.section.source,
+            error: section.section.because,
             rows: &section.rows,
         }
     }

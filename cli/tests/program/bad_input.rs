@@ -1,6 +1,6 @@
 //! Bad input: exit code 2, exactly one diagnosis that names key, line, found and wanted, and nothing written.
 
-use crate::runner::{CASE, Folder};
+use crate::runner::{CASE, TestFolder};
 
 /// What the one diagnosis of a wrong case must name.
 struct Names<'a> {
@@ -22,7 +22,7 @@ fn refuses(from: &str, to: &str, names: &Names<'_>) {
 
 fn refuses_case(text: &[u8], names: &Names<'_>) {
     for command in ["run", "check"] {
-        let folder = Folder::with_case(text);
+        let folder = TestFolder::with_case(text);
         let ran = folder.run(&[command, "case.toml"]);
         assert_eq!(ran.code, Some(2), "{}", ran.stderr);
         assert_eq!(ran.stdout, "");
@@ -67,7 +67,7 @@ fn an_unknown_key_is_refused_and_the_right_one_suggested() {
         wanted: "wanted one of kind, radius",
     };
     refuses("radius = \"4 um\"", "raduis = \"4 um\"", &names);
-    let folder = Folder::with_case(CASE.replace("radius = \"4 um\"", "raduis = \"4 um\""));
+    let folder = TestFolder::with_case(CASE.replace("radius = \"4 um\"", "raduis = \"4 um\""));
     assert!(
         folder
             .run(&["run", "case.toml"])
@@ -229,7 +229,7 @@ fn a_map_that_cannot_be_read_is_refused_with_one_sentence() {
 
 #[test]
 fn a_file_that_is_not_there_and_a_folder_are_refused() {
-    let folder = Folder::new();
+    let folder = TestFolder::new();
     for (path, reason) in [("none.toml", "No such file"), (".", "directory")] {
         let ran = folder.run(&["run", path]);
         assert_eq!(ran.code, Some(2));
@@ -245,7 +245,7 @@ fn a_file_that_is_not_there_and_a_folder_are_refused() {
 
 #[test]
 fn a_wrong_value_on_the_command_line_is_diagnosed_there() {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     for set in [
         "load.force=-1",
         "load.force",
@@ -267,7 +267,7 @@ fn a_wrong_value_on_the_command_line_is_diagnosed_there() {
 
 #[test]
 fn a_wrong_command_line_exits_with_2() {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     for line in [
         &["walk"][..],
         &["run"],
@@ -318,7 +318,8 @@ fn a_needle_that_no_picture_can_show_is_refused() {
 #[test]
 fn a_punch_that_misses_every_element_is_told_at_the_key_of_the_side() {
     let punch = "kind = \"flat-punch\"\nradius = \"1 nm\"";
-    let folder = Folder::with_case(CASE.replace("kind = \"paraboloid\"\nradius = \"4 um\"", punch));
+    let folder =
+        TestFolder::with_case(CASE.replace("kind = \"paraboloid\"\nradius = \"4 um\"", punch));
     let ran = folder.run(&["run", "case.toml", "--json"]);
     assert_eq!(ran.code, Some(2), "{}", ran.stderr);
     let sentence = "key `grid.side`: found \"400 nm\": ";
@@ -328,11 +329,11 @@ fn a_punch_that_misses_every_element_is_told_at_the_key_of_the_side() {
 
 #[test]
 fn a_case_with_a_byte_order_mark_is_read() {
-    let folder = Folder::with_case(format!("\u{feff}{CASE}"));
+    let folder = TestFolder::with_case(format!("\u{feff}{CASE}"));
     let checked = folder.run(&["check", "case.toml"]);
     assert_eq!(checked.code, Some(0), "{}", checked.stderr);
     // Places are those of what the editor shows.
-    let folder = Folder::with_case(format!("\u{feff}{}", CASE.replace("title", "titel")));
+    let folder = TestFolder::with_case(format!("\u{feff}{}", CASE.replace("title", "titel")));
     let message = folder.run(&["check", "case.toml"]).stderr;
     assert!(
         message.contains("case.toml, line 1, key `titel`"),
@@ -342,7 +343,7 @@ fn a_case_with_a_byte_order_mark_is_read() {
 
 #[test]
 fn a_bare_number_among_units_is_warned_of_with_its_line() {
-    let folder = Folder::with_case(CASE.replace("thickness = \"10 nm\"", "thickness = 10e-9"));
+    let folder = TestFolder::with_case(CASE.replace("thickness = \"10 nm\"", "thickness = 10e-9"));
     let sentence = "case.toml, line 7, key `foundation.layer[0].thickness`: 10e-9 among values with units is 10e-9 m";
     let checked = folder.run(&["check", "case.toml"]);
     assert!(checked.stderr.contains(sentence), "{}", checked.stderr);
@@ -352,7 +353,7 @@ fn a_bare_number_among_units_is_warned_of_with_its_line() {
     assert_eq!(summary["warnings"][0]["code"], "bare-number");
     // With no unit anywhere a bare number is what it is.
     let checked = folder.run(&["check", "case.toml"]).stdout;
-    let resolved = Folder::with_case(checked).run(&["check", "case.toml"]);
+    let resolved = TestFolder::with_case(checked).run(&["check", "case.toml"]);
     assert!(
         !resolved.stderr.contains("among values with units"),
         "{}",
@@ -363,7 +364,7 @@ fn a_bare_number_among_units_is_warned_of_with_its_line() {
 #[test]
 fn a_load_set_beside_another_says_what_to_write() {
     let curve = CASE.replace("force = \"1 uN\"", "forces = [\"1 uN\", \"2 uN\"]");
-    let folder = Folder::with_case(curve);
+    let folder = TestFolder::with_case(curve);
     let ran = folder.run(&["run", "case.toml", "--set", "load.force=3 uN"]);
     assert_eq!(ran.code, Some(2));
     assert!(
@@ -377,14 +378,14 @@ fn a_load_set_beside_another_says_what_to_write() {
 
 #[test]
 fn an_unknown_unit_comes_with_the_known_ones() {
-    let folder = Folder::with_case(CASE.replace("\"4 um\"", "\"4 micros\""));
+    let folder = TestFolder::with_case(CASE.replace("\"4 um\"", "\"4 micros\""));
     let message = folder.run(&["check", "case.toml"]).stderr;
     assert!(message.contains("the unknown unit `micros`"), "{message}");
     assert!(
         message.contains("units of a length: m, km, cm, mm, um"),
         "{message}"
     );
-    let folder = Folder::with_case(CASE.replace("\"4 um\"", "\"4,5 um\""));
+    let folder = TestFolder::with_case(CASE.replace("\"4 um\"", "\"4,5 um\""));
     let message = folder.run(&["check", "case.toml"]).stderr;
     assert!(message.contains("the decimal mark is a point"), "{message}");
 }
@@ -392,7 +393,7 @@ fn an_unknown_unit_comes_with_the_known_ones() {
 #[test]
 fn a_list_of_a_study_refuses_what_the_study_refuses() {
     let study = format!("{CASE}\n[study.vary]\n\"indenter.radius\" = [\"-1 um\"]\n");
-    let folder = Folder::with_case(study);
+    let folder = TestFolder::with_case(study);
     let [listed, solved] = [
         &["study", "case.toml", "--list"][..],
         &["study", "case.toml"],
@@ -423,7 +424,7 @@ fn what_a_terminal_would_obey_never_reaches_it() {
         .into_bytes(),
     ];
     for text in texts {
-        let folder = Folder::with_case(&text);
+        let folder = TestFolder::with_case(&text);
         for line in [&["check", "case.toml"][..], &["run", "case.toml"]] {
             let ran = folder.run(line);
             let obeyed = |c: char| c.is_control() && c != '\n' && c != '\t';
@@ -431,7 +432,7 @@ fn what_a_terminal_would_obey_never_reaches_it() {
             assert!(!shown.contains(obeyed), "{line:?}: {shown:?}");
         }
     }
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     let set = folder.run(&["check", "case.toml", "--set", "load.force=\u{1b}[31m"]);
     assert!(!set.stderr.contains('\u{1b}'), "{:?}", set.stderr);
 }

@@ -6,7 +6,7 @@ use ndarray::{Array1, Array2};
 use ndarray_npy::NpzReader;
 use serde_json::Value;
 
-use crate::runner::{CASE, Folder, names};
+use crate::runner::{CASE, TestFolder, names};
 
 /// What a run of one step leaves behind.
 const FILES: [&str; 17] = [
@@ -31,7 +31,7 @@ const FILES: [&str; 17] = [
 
 #[test]
 fn a_run_leaves_a_folder_named_after_the_case_and_numbers_the_next() {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     for _ in 0..2 {
         let ran = folder.run(&["run", "case.toml"]);
         assert_eq!(ran.code, Some(0), "{}", ran.stderr);
@@ -45,7 +45,7 @@ fn a_run_leaves_a_folder_named_after_the_case_and_numbers_the_next() {
 
 #[test]
 fn a_results_folder_is_replaced_only_with_force() {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     let run = |more: &[&str]| folder.run(&[&["run", "case.toml", "--out", "a"], more].concat());
     assert_eq!(run(&[]).code, Some(0));
     let old = fs::read(folder.path("a/summary.json")).unwrap();
@@ -64,7 +64,7 @@ fn a_results_folder_is_replaced_only_with_force() {
 
 #[test]
 fn a_folder_of_something_else_is_never_replaced() {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     let ran = folder.run(&["run", "case.toml", "--out", ".", "--force"]);
     assert_eq!(ran.code, Some(2), "{}", ran.stderr);
     assert_eq!(folder.names(), ["case.toml"]);
@@ -72,7 +72,7 @@ fn a_folder_of_something_else_is_never_replaced() {
 
 #[test]
 fn a_result_that_did_not_converge_is_written_and_marked() {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     // The smallest force that a number can hold: spread over the elements it is no number any more.
     let ran = folder.run(&[
         "run",
@@ -92,7 +92,7 @@ fn a_result_that_did_not_converge_is_written_and_marked() {
 
 #[test]
 fn a_contact_that_the_domain_cuts_off_is_written_and_marked() {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     let side = "grid.side=40 nm";
     let ran = folder.run(&["run", "case.toml", "--out", "a", "--set", side]);
     assert_eq!(ran.code, Some(1), "{}", ran.stderr);
@@ -111,7 +111,7 @@ fn a_contact_that_the_domain_cuts_off_is_written_and_marked() {
 
 #[test]
 fn json_alone_prints_the_summary_and_writes_nothing() {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     let ran = folder.run(&["run", "case.toml", "--json"]);
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
     assert_eq!(folder.names(), ["case.toml"]);
@@ -129,7 +129,7 @@ fn json_alone_prints_the_summary_and_writes_nothing() {
 
 #[test]
 fn quiet_is_silent_and_json_with_a_folder_does_both() {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     let ran = folder.run(&["run", "case.toml", "--quiet"]);
     assert_eq!(
         (ran.code, ran.stdout.as_str(), ran.stderr.as_str()),
@@ -144,7 +144,7 @@ fn quiet_is_silent_and_json_with_a_folder_does_both() {
 
 #[test]
 fn the_curve_has_units_in_its_header_and_a_row_a_step() {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     let ran = folder.run(&[
         "run",
         "case.toml",
@@ -179,7 +179,7 @@ fn the_curve_has_units_in_its_header_and_a_row_a_step() {
 
 #[test]
 fn the_fields_are_arrays_of_the_grid() {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     folder.run(&["run", "case.toml", "--out", "a"]);
     let mut npz = NpzReader::new(fs::File::open(folder.path("a/fields-000.npz")).unwrap()).unwrap();
     let x: Array1<f64> = npz.by_name("x").unwrap();
@@ -209,7 +209,7 @@ fn the_fields_are_arrays_of_the_grid() {
 
 #[test]
 fn pictures_are_drawn_again_from_the_files_alone() {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     folder.run(&["run", "case.toml", "--out", "a"]);
     let pictures = || {
         let names = FILES
@@ -237,7 +237,7 @@ fn pictures_are_drawn_again_from_the_files_alone() {
 
 #[test]
 fn the_report_holds_everything_it_shows_and_says_warnings_aloud() {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     folder.run(&[
         "run",
         "case.toml",

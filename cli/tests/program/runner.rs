@@ -36,16 +36,16 @@ elements = 32
 "#;
 
 /// A folder to run the program in.
-pub struct Folder(TempDir);
+pub struct TestFolder(TempDir);
 
 /// What the program did.
-pub struct Ran {
+pub struct ProgramOutput {
     pub code: Option<i32>,
     pub stdout: String,
     pub stderr: String,
 }
 
-impl Folder {
+impl TestFolder {
     pub fn new() -> Self {
         Self(tempfile::tempdir().unwrap())
     }
@@ -77,28 +77,28 @@ impl Folder {
         command
     }
 
-    pub fn run(&self, arguments: &[&str]) -> Ran {
+    pub fn run(&self, arguments: &[&str]) -> ProgramOutput {
         Self::ran(&mut self.command(arguments))
     }
 
-    pub fn ran(command: &mut Command) -> Ran {
+    pub fn ran(command: &mut Command) -> ProgramOutput {
         Self::read(command.output().unwrap())
     }
 
     /// The same with standard output going elsewhere.
     #[cfg(target_os = "linux")]
-    pub fn ran_with_stdout(command: &mut Command, stdout: impl Into<Stdio>) -> Ran {
+    pub fn ran_with_stdout(command: &mut Command, stdout: impl Into<Stdio>) -> ProgramOutput {
         let child = command.stdout(stdout).stderr(Stdio::piped()).spawn();
         Self::read(child.unwrap().wait_with_output().unwrap())
     }
 
-    fn read(output: Output) -> Ran {
+    fn read(output: Output) -> ProgramOutput {
         let Output {
             status,
             stdout,
             stderr,
         } = output;
-        Ran {
+        ProgramOutput {
             code: status.code(),
             stdout: String::from_utf8(stdout).unwrap(),
             stderr: String::from_utf8(stderr).unwrap(),

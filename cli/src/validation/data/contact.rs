@@ -2,7 +2,7 @@
 
 use serde::Deserialize;
 
-use super::{Decimal, Values, decimal};
+use super::{Decimal, ValueList, decimal};
 
 /// Approach and load of an indenter at contact radius 1 on a coated half-space of modulus 1: auxiliary-function method,
 /// 22 digits.
@@ -64,7 +64,8 @@ pub struct DiscreteContact {
     #[serde(rename = "N")]
     pub size: usize,
     /// What is pressed.
-    pub surface: Surface,
+    #[serde(rename = "surface")]
+    pub profile: DiscreteProfile,
     /// Approach.
     #[serde(rename = "delta", deserialize_with = "decimal")]
     pub penetration: f64,
@@ -90,17 +91,17 @@ pub struct DiscreteContact {
     pub pressure: Vec<Vec<Decimal>>,
 }
 
-/// The surfaces of the small grids.
+/// The profiles pressed into the small grids.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Surface {
+pub enum DiscreteProfile {
     /// `(x² + y²)/2`.
     Paraboloid,
     /// `0.1 (x² + y²/2) + 0.02 (1 − cos(7x + 0.3) cos(5y − 0.2))`.
     Wavy,
 }
 
-impl Surface {
+impl DiscreteProfile {
     /// Height at a point.
     #[must_use]
     pub fn height(self, x: f64, y: f64) -> f64 {
@@ -131,7 +132,7 @@ pub enum Given {
 /// A file that is not what these types say.
 pub fn axisymmetric() -> serde_json::Result<Vec<AxisymmetricContact>> {
     let text = include_str!("../../../../tests/data/axisymmetric_contact.json");
-    Ok(serde_json::from_str::<Values<_>>(text)?.values)
+    Ok(serde_json::from_str::<ValueList<_>>(text)?.values)
 }
 
 /// The contacts on small grids.
@@ -140,5 +141,5 @@ pub fn axisymmetric() -> serde_json::Result<Vec<AxisymmetricContact>> {
 /// A file that is not what these types say.
 pub fn discrete() -> serde_json::Result<Vec<DiscreteContact>> {
     let text = include_str!("../../../../tests/data/discrete_contact.json");
-    Ok(serde_json::from_str::<Values<_>>(text)?.values)
+    Ok(serde_json::from_str::<ValueList<_>>(text)?.values)
 }

@@ -1,21 +1,21 @@
-//! Heights weighed: a map in the wrong unit is steeper than any surface, by a factor of a thousand and more.
+//! Limits on the heights of a map: in the wrong unit it is a thousand times and more steeper than any surface.
 
 use std::fmt;
 
 use pellicle_texture::HeightMap;
 
-/// The steepest map that is believed.
+/// The steepest map that is accepted.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Likely {
+pub struct HeightLimits {
     /// Largest root mean square slope.
     slope: f64,
     /// Largest range of the heights over the shorter side.
     range: f64,
 }
 
-/// How a map is steeper than that.
+/// How a map exceeds the limits.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Unlikely {
+pub struct TooSteep {
     slope: f64,
     range: f64,
     side: f64,
@@ -24,7 +24,7 @@ pub struct Unlikely {
 /// Units that heights are written in, m.
 const UNITS: [(&str, f64); 4] = [("mm", 1e-3), ("um", 1e-6), ("nm", 1e-9), ("pm", 1e-12)];
 
-impl Likely {
+impl HeightLimits {
     /// A surface: at an rms slope of 1 it stands at 45 degrees everywhere, far beyond small strains.
     pub const SURFACE: Self = Self {
         slope: 1.0,
@@ -37,37 +37,37 @@ impl Likely {
         range: 6.0,
     };
 
-    /// Weighs the heights.
+    /// Checks the heights.
     ///
     /// # Errors
     ///
-    /// [`Unlikely`] if they are too steep or range too far for the map's sides.
-    pub fn weigh(self, map: &HeightMap) -> Result<(), Unlikely> {
-        let unlikely = Unlikely {
+    /// [`TooSteep`] if they are too steep or range too far for the map's sides.
+    pub fn check(self, map: &HeightMap) -> Result<(), TooSteep> {
+        let too_steep = TooSteep {
             slope: rms_slope(map),
             range: range(map),
             side: map.extent().into_iter().fold(f64::INFINITY, f64::min),
         };
-        if self.allows(unlikely, 1.0) {
+        if self.allows(too_steep, 1.0) {
             Ok(())
         } else {
-            Err(unlikely)
+            Err(too_steep)
         }
     }
 
-    /// Whether heights that many times as large are believed.
-    fn allows(self, found: Unlikely, times: f64) -> bool {
+    /// Whether heights that many times as large are within the limits.
+    fn allows(self, found: TooSteep, times: f64) -> bool {
         found.slope * times <= self.slope && found.range * times <= self.range * found.side
     }
 
-    /// What is wanted, with the unit that the heights are likely in: the largest with which they are believed.
+    /// The limits in words, with the likely unit of the heights: the largest that brings them within the limits.
     #[must_use]
     pub fn wanted(self, map: &HeightMap, height_unit: f64, has_unit: bool) -> String {
         let most = format!(
             "an rms slope of at most {} and a range of at most {} times the shorter side",
             self.slope, self.range
         );
-        let Err(found) = self.weigh(map) else {
+        let Err(found) = self.check(map) else {
             return most;
         };
         let fits = |(_, unit): &&(&str, f64)| self.allows(found, unit / height_unit.abs());
@@ -83,7 +83,7 @@ impl Likely {
     }
 }
 
-impl fmt::Display for Unlikely {
+impl fmt::Display for TooSteep {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { slope, range, side } = self;
         write!(
@@ -132,9 +132,9 @@ mod tests {
     #[test]
     fn nanometres_read_as_metres_are_recognised_and_named() {
         let wrong = map(50.0);
-        let unlikely = Likely::SURFACE.weigh(&wrong).unwrap_err().to_string();
-        assert!(unlikely.contains("an rms slope of 1.1"), "{unlikely}");
-        let wanted = |has_unit| Likely::SURFACE.wanted(&wrong, 1.0, has_unit);
+        let too_steep = HeightLimits::SURFACE.check(&wrong).unwrap_err().to_string();
+        assert!(too_steep.contains("an rms slope of 1.1"), "{too_steep}");
+        let wanted = |has_unit| HeightLimits::SURFACE.wanted(&wrong, 1.0, has_unit);
         assert!(
             wanted(true).ends_with("as with height_unit = \"nm\""),
             "{}",
@@ -143,21 +143,21 @@ mod tests {
         assert!(wanted(false).ends_with("as with height_unit = 1e-9"));
         // Micrometres given, nanometres meant.
         assert!(
-            Likely::SURFACE
+            HeightLimits::SURFACE
                 .wanted(&map(50e-6), 1e-6, true)
                 .ends_with("\"nm\"")
         );
     }
 
     #[test]
-    fn surfaces_and_tips_as_steep_as_they_may_be_are_believed() {
+    fn surfaces_and_tips_as_steep_as_they_may_be_are_accepted() {
         // A slope of 0.24.
-        assert_eq!(Likely::SURFACE.weigh(&map(1e-6)), Ok(()));
+        assert_eq!(HeightLimits::SURFACE.check(&map(1e-6)), Ok(()));
         let cube_corner = (0..400_u32).map(|n| 1.42e-6 * f64::from(n / 20));
         let map = HeightMap::new(cube_corner.collect(), [20, 20], [20e-6, 20e-6]).unwrap();
-        assert!(Likely::SURFACE.weigh(&map).is_err());
-        assert_eq!(Likely::INDENTER.weigh(&map), Ok(()));
+        assert!(HeightLimits::SURFACE.check(&map).is_err());
+        assert_eq!(HeightLimits::INDENTER.check(&map), Ok(()));
         let one = HeightMap::new(vec![3.0], [1, 1], [1e-6, 1e-6]).unwrap();
-        assert_eq!(Likely::SURFACE.weigh(&one), Ok(()));
+        assert_eq!(HeightLimits::SURFACE.check(&one), Ok(()));
     }
 }

@@ -1,25 +1,25 @@
 //! A table being read: takes its keys one by one and says what is wrong with them.
 
+use super::diagnosis::closest;
 use super::diagnosis::{Diagnosis, Fault};
-use super::document::{Entry, Node, Table};
-use super::field::{Field, Sign};
-use super::place::Place;
-use super::quantity::Dimension;
-use super::spelling::closest;
+use super::dimension::Dimension;
+use super::document::{TomlEntry, TomlNode, TomlTable};
+use super::span::Span;
+use super::value_reader::{Sign, ValueReader};
 
 /// A table and the dotted path that leads to it.
 #[derive(Debug, Clone)]
-pub struct Reader<'a> {
+pub struct TableReader<'a> {
     path: String,
-    table: &'a Table,
-    place: &'a Place,
+    table: &'a TomlTable,
+    span: &'a Span,
 }
 
-impl<'a> Reader<'a> {
+impl<'a> TableReader<'a> {
     /// A table, the dotted path that leads to it, and its place.
     #[must_use]
-    pub fn new(path: String, table: &'a Table, place: &'a Place) -> Self {
-        Self { path, table, place }
+    pub fn new(path: String, table: &'a TomlTable, span: &'a Span) -> Self {
+        Self { path, table, span }
     }
 
     /// The table at the root of a case.
@@ -27,8 +27,8 @@ impl<'a> Reader<'a> {
     /// # Errors
     ///
     /// A [`Diagnosis`] if the node is not a table.
-    pub fn root(node: &'a Node) -> Result<Self, Diagnosis> {
-        Field::new(String::new(), node).table()
+    pub fn root(node: &'a TomlNode) -> Result<Self, Diagnosis> {
+        ValueReader::new(String::new(), node).table()
     }
 
     /// Refuses every key but these, with a suggestion for a misspelt one.
@@ -37,17 +37,17 @@ impl<'a> Reader<'a> {
     ///
     /// A [`Diagnosis`] of the first key in the text that is none of `known`.
     pub fn only(&self, known: &[&str]) -> Result<(), Diagnosis> {
-        let unknown = |entry: &&Entry| !known.contains(&entry.key.as_str());
+        let unknown = |entry: &&TomlEntry| !known.contains(&entry.key.as_str());
         let first = (self.table.entries.iter())
             .filter(unknown)
-            .min_by_key(|entry| entry.key_place.span.start);
+            .min_by_key(|entry| entry.key_span.bytes.start);
         first.map_or(Ok(()), |entry| Err(self.unknown(entry, known)))
     }
 
-    fn unknown(&self, entry: &Entry, known: &[&str]) -> Diagnosis {
+    fn unknown(&self, entry: &TomlEntry, known: &[&str]) -> Diagnosis {
         let wanted = format!("one of {}", known.join(", "));
         let path = self.path_of(&entry.key);
-        let diagnosis = Diagnosis::of_key(path, entry.key_place.clone(), Fault::Unknown { wanted });
+        let diagnosis = Diagnosis::of_key(path, entry.key_span.clone(), Fault::Unknown { wanted });
         match closest(&entry.key, known) {
             Some(key) => diagnosis.with_help(format!("did you mean `{key}`?")),
             None => diagnosis,
@@ -56,10 +56,10 @@ impl<'a> Reader<'a> {
 
     /// The value of a key that may be left out.
     #[must_use]
-    pub fn optional(&self, key: &str) -> Option<Field<'a>> {
+    pub fn optional(&self, key: &str) -> Option<ValueReader<'a>> {
         let node = &self.table.entry(key)?.node;
         let path = self.path_of(key);
-        Some(Field::new(path, node))
+        Some(ValueReader::new(path, node))
     }
 
     /// The value of a key that must be there; `wanted` says what it holds.
@@ -67,7 +67,7 @@ impl<'a> Reader<'a> {
     /// # Errors
     ///
     /// A [`Diagnosis`] at the table's place if the key is missing.
-    pub fn required(&self, key: &str, wanted: &str) -> Result<Field<'a>, Diagnosis> {
+    pub fn required(&self, key: &str, wanted: &str) -> Result<ValueReader<'a>, Diagnosis> {
         self.optional(key)
             .ok_or_else(|| self.missing(key, wanted.to_owned()))
     }
@@ -87,7 +87,7 @@ impl<'a> Reader<'a> {
     #[must_use]
     pub fn missing(&self, key: &str, wanted: String) -> Diagnosis {
         let path = self.path_of(key);
-        Diagnosis::of_key(path, self.place.clone(), Fault::Missing { wanted })
+        Diagnosis::of_key(path, self.span.clone(), Fault::Missing { wanted })
     }
 
     /// The keys of `candidates` that are there.
@@ -106,26 +106,45 @@ impl<'a> Reader<'a> {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use std::sync::Arc;
 
-    use super::super::document;
-    use super::super::place::Source;
+    use super::super::document::{self, TomlValue};
+    use super::super::source::Source;
     use super::*;
 
-    fn root(text: &str) -> Node {
+    /// Reads the text as one table; a diagnosis comes back as its sentence.
+    pub fn read_table<T>(
+        text: &str,
+        read: impl FnOnce(TableReader<'_>) -> Result<T, Diagnosis>,
+    ) -> Result<T, String> {
+        // A key of its own keeps a text without keys from being an empty file.
+        let source = Arc::new(Source::new("case.toml", format!("{text}\n[unused]\n")));
+        let mut root = document::parse(&source).map_err(|diagnosis| diagnosis.to_string())?;
+        if let TomlValue::Table(table) = &mut root.value {
+            table.entries.retain(|entry| entry.key != "unused");
+        }
+        TableReader::root(&root)
+            .and_then(read)
+            .map_err(|diagnosis| diagnosis.to_string())
+    }
+
+    fn root(text: &str) -> TomlNode {
         document::parse(&Arc::new(Source::new("case.toml", text.into()))).unwrap()
     }
 
     #[test]
     fn a_misspelt_key_is_named_and_the_right_one_suggested() {
         let root = root("[layer]\nthickness = 1\nyuong_modulus = 2\n");
-        let layer = Reader::root(&root).unwrap().required("layer", "").unwrap();
+        let layer = TableReader::root(&root)
+            .unwrap()
+            .required("layer", "")
+            .unwrap();
         let diagnosis = (layer.table().unwrap())
             .only(&["thickness", "young_modulus"])
             .unwrap_err();
         assert_eq!(diagnosis.key.as_deref(), Some("layer.yuong_modulus"));
-        assert_eq!(diagnosis.place.line(), 3);
+        assert_eq!(diagnosis.span.line(), 3);
         assert_eq!(
             diagnosis.help.as_deref(),
             Some("did you mean `young_modulus`?")
@@ -135,7 +154,10 @@ mod tests {
     #[test]
     fn a_missing_key_is_diagnosed_at_its_table() {
         let root = root("title = \"a\"\n[load]\n");
-        let load = Reader::root(&root).unwrap().required("load", "").unwrap();
+        let load = TableReader::root(&root)
+            .unwrap()
+            .required("load", "")
+            .unwrap();
         let diagnosis = load
             .table()
             .unwrap()

@@ -1,25 +1,28 @@
 //! The columns of a study's table: case, status, the keys that vary, and those of a curve.
 
 use super::Study;
-use super::status::Status;
+use super::case_status::CaseStatus;
 use crate::case::units::Units;
 use crate::output::curve;
 use crate::output::summary::{self, Summary};
 
 /// The columns, with units.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Columns {
+pub struct TableColumns {
     names: Vec<String>,
     /// How many of them a curve has.
     curve: usize,
 }
 
-impl Columns {
+impl TableColumns {
     /// The columns of a study whose cases have these units.
     #[must_use]
     pub fn new(study: &Study, units: Units) -> Self {
         let curve = curve::header(units);
-        let keys = study.axes().iter().map(super::axis::Axis::heading);
+        let keys = study
+            .varied_keys()
+            .iter()
+            .map(super::varied_key::VariedKey::heading);
         let metres = format!("domain side [{}]", units.name("m"));
         let first = ["case".to_owned(), "status".to_owned()];
         let last = [metres, "warnings".to_owned(), "message".to_owned()];
@@ -68,25 +71,25 @@ impl Columns {
         let empty = vec![String::new(); self.curve + 2];
         // A row is a line: what is read back is cut at its end.
         let message = message.split_whitespace().collect::<Vec<_>>().join(" ");
-        let cells = [first(study, case, Status::Failed), empty, vec![message]];
+        let cells = [first(study, case, CaseStatus::Failed), empty, vec![message]];
         line(&cells.concat())
     }
 }
 
 /// How a case ended that has a result.
 #[must_use]
-pub fn status(summary: &Summary) -> Status {
+pub fn status(summary: &Summary) -> CaseStatus {
     match summary.status {
-        summary::Status::Certified => Status::Certified,
-        summary::Status::CutOff => Status::CutOff,
-        summary::Status::NotConverged => Status::NotConverged,
+        summary::Status::Certified => CaseStatus::Certified,
+        summary::Status::CutOff => CaseStatus::CutOff,
+        summary::Status::NotConverged => CaseStatus::NotConverged,
     }
 }
 
-fn first(study: &Study, case: usize, status: Status) -> Vec<String> {
+fn first(study: &Study, case: usize, status: CaseStatus) -> Vec<String> {
     let choice = study.choice(case);
-    let cells = study.axes().iter().zip(choice);
-    let cells = cells.map(|(axis, i)| axis.cell(i).to_owned());
+    let cells = study.varied_keys().iter().zip(choice);
+    let cells = cells.map(|(varied, i)| varied.cell(i).to_owned());
     [(case + 1).to_string(), status.word().to_owned()]
         .into_iter()
         .chain(cells)

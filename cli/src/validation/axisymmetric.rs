@@ -8,11 +8,11 @@ use pellicle_texture::Relief;
 use rayon::prelude::*;
 
 use super::data::contact::{AxisymmetricContact, Shape, axisymmetric};
-use super::scene::{Contact, paraboloid};
-use super::{Plan, Row, Scene, Trouble};
+use super::run::{ContactSetup, paraboloid};
+use super::{Comparison, ValidationError, ValidationRun, ValidationSection};
 
 /// The section.
-pub const PLAN: Plan = Plan {
+pub const SECTION: ValidationSection = ValidationSection {
     name: "Layered bodies, axisymmetric",
     source: "tests/data/axisymmetric_contact.json, 22 digits",
     because: "relative; the grid: of second order in the element's side, which is 1/107 of the contact's radius",
@@ -26,12 +26,12 @@ const SIDE: f64 = 2.4;
 /// (1/107)² = 9e-5 times a factor that scatters with how the grid meets the contact's edge.
 const SECOND_ORDER: f64 = 1e-5;
 
-fn rows(scene: Scene) -> Result<Vec<Row>, Trouble> {
+fn rows(run: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
     let cases = axisymmetric()?;
-    Ok(cases.par_iter().map(|case| row(scene, case)).collect())
+    Ok(cases.par_iter().map(|case| row(run, case)).collect())
 }
 
-fn row(scene: Scene, case: &AxisymmetricContact) -> Row {
+fn row(run: ValidationRun, case: &AxisymmetricContact) -> Comparison {
     let shape = match case.shape {
         Shape::Paraboloid => "paraboloid",
         Shape::Cone => "cone",
@@ -40,18 +40,18 @@ fn row(scene: Scene, case: &AxisymmetricContact) -> Row {
         "{shape}, χ = {}, H/a = {}: penetration",
         case.e1, case.thickness
     );
-    let found = contact(case).and_then(|contact| scene.penetration(&contact));
+    let found = contact(case).and_then(|contact| run.penetration(&contact));
     match found {
-        Ok(found) => Row::relative(check, case.penetration, found, SECOND_ORDER),
-        Err(trouble) => Row::failed(check, &trouble),
+        Ok(found) => Comparison::relative(check, case.penetration, found, SECOND_ORDER),
+        Err(error) => Comparison::failed(check, &error),
     }
 }
 
 /// The contact under its force.
-fn contact(case: &AxisymmetricContact) -> Result<Contact, Trouble> {
+fn contact(case: &AxisymmetricContact) -> Result<ContactSetup, ValidationError> {
     let coating = Material::new(case.e1, case.nu1)?;
     let substrate = Material::new(1.0, case.nu2)?;
-    Ok(Contact {
+    Ok(ContactSetup {
         foundation: Foundation::coated(case.thickness, coating, substrate)?,
         relief: Relief::Bare,
         indenter: match case.shape {

@@ -2,19 +2,19 @@
 
 use std::ops::RangeInclusive;
 
+use super::diagnosis::closest;
 use super::diagnosis::{Diagnosis, Fault};
-use super::document::{Node, Value};
-use super::known_units;
-use super::place::Place;
-use super::quantity::{self, Dimension, QuantityError};
-use super::reader::Reader;
-use super::spelling::closest;
+use super::dimension::Dimension;
+use super::document::{TomlNode, TomlValue};
+use super::quantity::{self, QuantityError};
+use super::span::Span;
+use super::table_reader::TableReader;
 
 /// The value of one key, and the dotted path that leads to it.
 #[derive(Debug, Clone)]
-pub struct Field<'a> {
+pub struct ValueReader<'a> {
     path: String,
-    node: &'a Node,
+    node: &'a TomlNode,
 }
 
 /// The sign a quantity must have.
@@ -56,10 +56,10 @@ impl Sign {
     }
 }
 
-impl<'a> Field<'a> {
+impl<'a> ValueReader<'a> {
     /// A value and the dotted path that leads to it.
     #[must_use]
-    pub fn new(path: String, node: &'a Node) -> Self {
+    pub fn new(path: String, node: &'a TomlNode) -> Self {
         Self { path, node }
     }
 
@@ -71,14 +71,14 @@ impl<'a> Field<'a> {
 
     /// The value itself.
     #[must_use]
-    pub fn value(&self) -> &'a Value {
+    pub fn value(&self) -> &'a TomlValue {
         &self.node.value
     }
 
     /// Where it stands.
     #[must_use]
-    pub fn place(&self) -> &'a Place {
-        &self.node.place
+    pub fn span(&self) -> &'a Span {
+        &self.node.span
     }
 
     /// The diagnosis that something else is wanted here.
@@ -102,14 +102,14 @@ impl<'a> Field<'a> {
     /// The diagnosis of a fault of this value.
     #[must_use]
     pub fn diagnosis(&self, fault: Fault) -> Diagnosis {
-        Diagnosis::of_key(self.path.clone(), self.node.place.clone(), fault)
+        Diagnosis::of_key(self.path.clone(), self.node.span.clone(), fault)
     }
 
     /// What the user wrote, as it stands; a table or a long text only by its kind.
     fn found(&self) -> String {
-        let written = self.node.place.text();
+        let written = self.node.span.text();
         match &self.node.value {
-            Value::Table(_) => "a table".into(),
+            TomlValue::Table(_) => "a table".into(),
             _ if written.is_empty() || written.len() > 60 || written.contains('\n') => {
                 self.node.value.noun().into()
             }
@@ -122,17 +122,17 @@ impl<'a> Field<'a> {
     /// # Errors
     ///
     /// A [`Diagnosis`] if something else does.
-    pub fn table(self) -> Result<Reader<'a>, Diagnosis> {
-        let Value::Table(table) = &self.node.value else {
+    pub fn table(self) -> Result<TableReader<'a>, Diagnosis> {
+        let TomlValue::Table(table) = &self.node.value else {
             return Err(self.wanted("a table"));
         };
-        Ok(Reader::new(self.path, table, &self.node.place))
+        Ok(TableReader::new(self.path, table, &self.node.span))
     }
 
     /// Whether a table stands here.
     #[must_use]
     pub fn is_table(&self) -> bool {
-        matches!(self.node.value, Value::Table(_))
+        matches!(self.node.value, TomlValue::Table(_))
     }
 
     /// The items of the list that stands here.
@@ -154,7 +154,7 @@ impl<'a> Field<'a> {
     ///
     /// A [`Diagnosis`] if something else does.
     pub fn items(&self, wanted: &str) -> Result<Vec<Self>, Diagnosis> {
-        let Value::List(items) = &self.node.value else {
+        let TomlValue::List(items) = &self.node.value else {
             return Err(self.wanted(wanted));
         };
         let item = |(i, node)| Self {
@@ -171,7 +171,7 @@ impl<'a> Field<'a> {
     /// A [`Diagnosis`] if something else does.
     pub fn text(&self) -> Result<&'a str, Diagnosis> {
         match &self.node.value {
-            Value::Text(text) => Ok(text),
+            TomlValue::Text(text) => Ok(text),
             _ => Err(self.wanted("a string")),
         }
     }
@@ -184,7 +184,7 @@ impl<'a> Field<'a> {
     pub fn choice<T: Copy>(&self, choices: &[(&str, T)]) -> Result<T, Diagnosis> {
         let words: Vec<_> = choices.iter().map(|(word, _)| *word).collect();
         let wanted = format!("one of \"{}\"", words.join("\", \""));
-        let Value::Text(found) = &self.node.value else {
+        let TomlValue::Text(found) = &self.node.value else {
             return Err(self.wanted(wanted));
         };
         if let Some((_, meaning)) = choices.iter().find(|(word, _)| word == found) {
@@ -204,7 +204,7 @@ impl<'a> Field<'a> {
     /// A [`Diagnosis`] if something else does.
     pub fn count(&self, range: RangeInclusive<usize>, why: &str) -> Result<usize, Diagnosis> {
         let count = match self.node.value {
-            Value::Integer(count) => usize::try_from(count).ok(),
+            TomlValue::Integer(count) => usize::try_from(count).ok(),
             _ => None,
         };
         count.filter(|count| range.contains(count)).ok_or_else(|| {
@@ -231,7 +231,7 @@ impl<'a> Field<'a> {
     /// A [`Diagnosis`] if something else does, if its unit is of another kind, or its sign is not allowed.
     pub fn quantity(&self, dimension: Dimension, sign: Sign) -> Result<f64, Diagnosis> {
         let value = match &self.node.value {
-            Value::Text(text) => quantity::parse(text, dimension)
+            TomlValue::Text(text) => quantity::parse(text, dimension)
                 .map_err(|error| self.not_a_quantity(dimension, sign, &error))?,
             _ => (self.bare_number()).ok_or_else(|| self.wanted(sign.wanted(dimension)))?,
         };
@@ -248,7 +248,7 @@ impl<'a> Field<'a> {
     ///
     /// A [`Diagnosis`] with the limits if it is not.
     pub fn in_range(&self, dimension: Dimension, value: f64) -> Result<f64, Diagnosis> {
-        let range = known_units::sizes(dimension);
+        let range = dimension.magnitudes();
         if value == 0.0 || range.contains(&value.abs()) {
             return Ok(value);
         }
@@ -261,8 +261,8 @@ impl<'a> Field<'a> {
 
     fn bare_number(&self) -> Option<f64> {
         match self.node.value {
-            Value::Float(number) => Some(number),
-            Value::Integer(number) => Some(number as f64),
+            TomlValue::Float(number) => Some(number),
+            TomlValue::Integer(number) => Some(number as f64),
             _ => None,
         }
     }
@@ -277,7 +277,7 @@ impl<'a> Field<'a> {
                 diagnosis.with_help("the decimal mark is a point")
             }
             QuantityError::UnknownUnit(_) => {
-                let units = known_units::names(dimension).join(", ");
+                let units = dimension.unit_names().join(", ");
                 diagnosis.with_help(format!("units of {}: {units}", dimension.noun()))
             }
             _ => diagnosis,
@@ -290,16 +290,16 @@ mod tests {
     use std::sync::Arc;
 
     use super::super::document;
-    use super::super::place::Source;
+    use super::super::source::Source;
     use super::*;
 
-    fn root(text: &str) -> Node {
+    fn root(text: &str) -> TomlNode {
         document::parse(&Arc::new(Source::new("case.toml", text.into()))).unwrap()
     }
 
     fn quantity(text: &str, dimension: Dimension) -> Result<f64, String> {
         let root = root(&format!("\na = {text}\n"));
-        let field = Reader::root(&root).unwrap().required("a", "").unwrap();
+        let field = TableReader::root(&root).unwrap().required("a", "").unwrap();
         field
             .quantity(dimension, Sign::Positive)
             .map_err(|diagnosis| diagnosis.to_string())
@@ -336,7 +336,7 @@ mod tests {
     #[test]
     fn an_unknown_unit_comes_with_the_known_ones() {
         let root = root("a = \"5 micros\"");
-        let field = Reader::root(&root).unwrap().required("a", "").unwrap();
+        let field = TableReader::root(&root).unwrap().required("a", "").unwrap();
         let diagnosis = field
             .quantity(Dimension::Length, Sign::Positive)
             .unwrap_err();
@@ -378,7 +378,7 @@ mod tests {
             "9999999999999999999999",
         ] {
             let root = root(&format!("n = {text}"));
-            let field = Reader::root(&root).unwrap().required("n", "").unwrap();
+            let field = TableReader::root(&root).unwrap().required("n", "").unwrap();
             let message = field.count(2..=8192, "").unwrap_err().to_string();
             assert!(
                 message.contains("wanted an integer from 2 to 8192"),

@@ -9,50 +9,54 @@ use pellicle_influence::Cache;
 use serde_json::Value;
 
 use super::Study;
-use super::columns::{Columns, status};
-use super::status::Status;
+use super::case_status::CaseStatus;
+use super::table_columns::{TableColumns, status};
 use crate::case::Case;
 use crate::failure::Failure;
 use crate::forecast::Need;
-use crate::memory::Memory;
+use crate::memory::MemoryBudget;
 use crate::output::folder::{Existing, Extent, Folder};
 use crate::output::summary::{Clock, Summary};
 use crate::output::{own, results};
 
 /// What every case of a study is solved with.
 #[derive(Debug)]
-pub struct Kit<'a> {
+pub struct CaseSolver<'a> {
     /// The study.
     pub study: &'a Study,
     /// The columns of its table.
-    pub columns: &'a Columns,
+    pub columns: &'a TableColumns,
     /// Shared by all cases.
     pub cache: Cache,
     /// What the cases have among them.
-    pub memory: Memory,
+    pub memory: MemoryBudget,
     /// Where the results folders of the cases go, if they are wanted.
     pub folders: Option<PathBuf>,
 }
 
 /// What a case left.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Done {
+pub struct CaseResult {
     /// How it ended.
-    pub status: Status,
+    pub status: CaseStatus,
     /// Its rows of the table.
     pub rows: String,
     /// What a person at the terminal wants to know of it.
     pub words: String,
 }
 
-impl Kit<'_> {
+impl CaseSolver<'_> {
     /// Solves a case; none if the user stops it, and what it had by then is not kept.
     ///
     /// # Errors
     ///
     /// [`Failure`] if its results folder cannot be written or something else is there; whatever else goes wrong is a
     /// result, `failed`.
-    pub fn solve(&self, case: usize, observer: &mut dyn Observer) -> Result<Option<Done>, Failure> {
+    pub fn solve(
+        &self,
+        case: usize,
+        observer: &mut dyn Observer,
+    ) -> Result<Option<CaseResult>, Failure> {
         let solved = catch_unwind(AssertUnwindSafe(|| self.attempt(case, observer)));
         match solved {
             Ok(Ok(done)) => Ok(done),
@@ -81,21 +85,25 @@ impl Kit<'_> {
         Folder::claim(&path, Existing::Replace).map(Some)
     }
 
-    fn failed(&self, case: usize, message: &str) -> Done {
-        Done {
-            status: Status::Failed,
+    fn failed(&self, case: usize, message: &str) -> CaseResult {
+        CaseResult {
+            status: CaseStatus::Failed,
             rows: self.columns.failed(self.study, case, message),
             words: message.to_owned(),
         }
     }
 
-    fn attempt(&self, number: usize, observer: &mut dyn Observer) -> Result<Option<Done>, Failure> {
+    fn attempt(
+        &self,
+        number: usize,
+        observer: &mut dyn Observer,
+    ) -> Result<Option<CaseResult>, Failure> {
         let start = Instant::now();
         let case = self.study.case(number)?;
         let folder = self.claim(number, &case)?;
         let model = case.model(&self.cache)?;
         let tables_seconds = start.elapsed().as_secs_f64();
-        let (loads, options) = (case.load.steps(), case.solver.options());
+        let (loads, options) = (case.load.loads(), case.solver.options());
         let domain = case
             .domain(&model.value)
             .map_err(|error| case.blame(error))?;
@@ -127,7 +135,7 @@ impl Kit<'_> {
                 return Ok(None);
             }
         }
-        Ok(Some(Done {
+        Ok(Some(CaseResult {
             status: status(&summary),
             rows: self.columns.solved(self.study, number, &summary),
             words: words(&case, &summary),

@@ -1,13 +1,14 @@
 //! One key of a study and the values it takes: a list, or a range.
 
 use crate::case::diagnosis::{Diagnosis, Fault};
-use crate::case::document::{Node, Value};
-use crate::case::field::Field;
-use crate::case::place::Place;
-use crate::case::quantity::{self, Dimension};
-use crate::case::reader::Reader;
+use crate::case::dimension::Dimension;
+use crate::case::document::{TomlNode, TomlValue};
+use crate::case::quantity;
 use crate::case::spacing::{self, Spacing};
+use crate::case::span::Span;
+use crate::case::table_reader::TableReader;
 use crate::case::units::Units;
+use crate::case::value_reader::ValueReader;
 use crate::display::{self, Unit, significant};
 
 /// More values of one key than this are a mistake.
@@ -17,13 +18,13 @@ const WANTED: &str = "a list of values, or a table of from, to, count and spacin
 
 /// One key and its values.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Axis {
+pub struct VariedKey {
     /// Dotted path of the key in the case, such as `foundation.layer[0].thickness`.
     pub key: String,
     /// Where the key stands in the study.
-    pub key_place: Place,
+    pub key_span: Span,
     /// Its values, in order.
-    pub values: Vec<Node>,
+    pub values: Vec<TomlNode>,
     /// The values as a table has them. A study asks for them again and again: they are made once.
     cells: Vec<String>,
     /// What the values measure, if all of them are quantities of one dimension.
@@ -32,37 +33,37 @@ pub struct Axis {
     is_range: bool,
 }
 
-impl Axis {
+impl VariedKey {
     /// Reads the values of a key.
     ///
     /// # Errors
     ///
     /// A [`Diagnosis`] if they are neither a list nor a range.
-    pub fn read(key: String, key_place: Place, node: &Node) -> Result<Self, Diagnosis> {
-        let field = Field::new(key.clone(), node);
+    pub fn read(key: String, key_span: Span, node: &TomlNode) -> Result<Self, Diagnosis> {
+        let field = ValueReader::new(key.clone(), node);
         let values = match &node.value {
-            Value::List(items) if !items.is_empty() => items.clone(),
-            Value::Table(_) => range(&field.table()?, &node.place)?,
+            TomlValue::List(items) if !items.is_empty() => items.clone(),
+            TomlValue::Table(_) => range(&field.table()?, &node.span)?,
             _ => return Err(field.wanted(WANTED)),
         };
         if values.len() > MOST_VALUES {
-            let field = Field::new(key, node);
+            let field = ValueReader::new(key, node);
             return Err(field.wanted(format!("at most {MOST_VALUES} values")));
         }
         let dimension = common_dimension(&values);
         if dimension.is_none()
             && let Some(odd) = odd_quantity(&values)
         {
-            let field = Field::new(key, odd);
+            let field = ValueReader::new(key, odd);
             return Err(field.wanted("a quantity of the kind that the other values of the key are"));
         }
         Ok(Self {
             key,
-            key_place,
+            key_span,
             cells: values.iter().map(|node| cell(node, dimension)).collect(),
             values,
             dimension,
-            is_range: matches!(node.value, Value::Table(_)),
+            is_range: matches!(node.value, TomlValue::Table(_)),
         })
     }
 
@@ -86,10 +87,10 @@ impl Axis {
     pub fn words(&self, i: usize) -> String {
         let value = self.values.get(i).map(|node| &node.value);
         let words = match (value, self.dimension) {
-            (Some(Value::Text(text)), Some(dimension)) if self.is_range => {
+            (Some(TomlValue::Text(text)), Some(dimension)) if self.is_range => {
                 rounded(text, dimension).unwrap_or_else(|| text.clone())
             }
-            (Some(Value::Float(number)), _) => significant(*number, 5),
+            (Some(TomlValue::Float(number)), _) => significant(*number, 5),
             (value, _) => value.map_or_else(String::new, words),
         };
         on_one_line(&words)
@@ -97,39 +98,40 @@ impl Axis {
 }
 
 /// What a value measures, if it is written with a unit.
-fn dimension_of(node: &Node) -> Option<Dimension> {
+fn dimension_of(node: &TomlNode) -> Option<Dimension> {
     match &node.value {
-        Value::Text(text) => quantity::dimension_of(text),
+        TomlValue::Text(text) => quantity::dimension_of(text),
         _ => None,
     }
 }
 
 /// What the values measure, if all of them are quantities of one dimension, or bare numbers among such.
-fn common_dimension(values: &[Node]) -> Option<Dimension> {
+fn common_dimension(values: &[TomlNode]) -> Option<Dimension> {
     let first = values.iter().find_map(dimension_of)?;
-    let same = |node: &Node| match &node.value {
-        Value::Text(_) => dimension_of(node) == Some(first),
-        Value::Float(_) | Value::Integer(_) => true,
+    let same = |node: &TomlNode| match &node.value {
+        TomlValue::Text(_) => dimension_of(node) == Some(first),
+        TomlValue::Float(_) | TomlValue::Integer(_) => true,
         _ => false,
     };
     values.iter().all(same).then_some(first)
 }
 
 /// The first text that is no quantity like those beside it.
-fn odd_quantity(values: &[Node]) -> Option<&Node> {
+fn odd_quantity(values: &[TomlNode]) -> Option<&TomlNode> {
     let first = values.iter().find_map(dimension_of)?;
-    let is_odd =
-        |node: &&Node| matches!(node.value, Value::Text(_)) && dimension_of(node) != Some(first);
+    let is_odd = |node: &&TomlNode| {
+        matches!(node.value, TomlValue::Text(_)) && dimension_of(node) != Some(first)
+    };
     values.iter().find(is_odd)
 }
 
-fn cell(node: &Node, dimension: Option<Dimension>) -> String {
+fn cell(node: &TomlNode, dimension: Option<Dimension>) -> String {
     match (&node.value, dimension) {
-        (Value::Text(text), Some(dimension)) => {
+        (TomlValue::Text(text), Some(dimension)) => {
             quantity::parse(text, dimension).map_or_else(|_| text.clone(), |x| format!("{x:e}"))
         }
-        (Value::Float(number), Some(_)) => format!("{number:e}"),
-        (Value::Integer(number), Some(_)) => format!("{number:e}"),
+        (TomlValue::Float(number), Some(_)) => format!("{number:e}"),
+        (TomlValue::Integer(number), Some(_)) => format!("{number:e}"),
         (value, _) => words(value),
     }
 }
@@ -158,20 +160,20 @@ fn rounded(text: &str, dimension: Dimension) -> Option<String> {
     })
 }
 
-fn words(value: &Value) -> String {
+fn words(value: &TomlValue) -> String {
     let list = |items: Vec<String>| items.join(", ");
     match value {
-        Value::Text(text) => text.clone(),
-        Value::Integer(number) => number.to_string(),
-        Value::Float(number) => format!("{number:e}"),
-        Value::Boolean(value) => value.to_string(),
-        Value::Datetime => "a date".into(),
-        Value::List(items) => {
+        TomlValue::Text(text) => text.clone(),
+        TomlValue::Integer(number) => number.to_string(),
+        TomlValue::Float(number) => format!("{number:e}"),
+        TomlValue::Boolean(value) => value.to_string(),
+        TomlValue::Datetime => "a date".into(),
+        TomlValue::List(items) => {
             let items = items.iter().map(|node| words(&node.value)).collect();
             format!("[{}]", list(items))
         }
-        Value::Table(table) => {
-            let entry = |entry: &crate::case::document::Entry| {
+        TomlValue::Table(table) => {
+            let entry = |entry: &crate::case::document::TomlEntry| {
                 format!("{} = {}", entry.key, words(&entry.node.value))
             };
             format!("{{ {} }}", list(table.entries.iter().map(entry).collect()))
@@ -180,7 +182,7 @@ fn words(value: &Value) -> String {
 }
 
 /// The values of `{ from, to, count, spacing }`, all written at its place.
-fn range(table: &Reader<'_>, place: &Place) -> Result<Vec<Node>, Diagnosis> {
+fn range(table: &TableReader<'_>, span: &Span) -> Result<Vec<TomlNode>, Diagnosis> {
     table.only(&spacing::KEYS)?;
     let spacing = Spacing::read(table)?;
     let [from, to] = [End::read(table, "from")?, End::read(table, "to")?];
@@ -197,27 +199,27 @@ fn range(table: &Reader<'_>, place: &Place) -> Result<Vec<Node>, Diagnosis> {
     let count = table.required("count", "how many values, an integer")?;
     let count = count.count(2..=MOST_VALUES, " values")?;
     let integers = from.is_integer && to.is_integer;
-    let node = |number: f64| Node {
+    let node = |number: f64| TomlNode {
         value: value(number, from.dimension, integers),
-        place: place.clone(),
+        span: span.clone(),
     };
     let numbers = spacing.between(from.number, to.number, count);
     Ok(numbers.into_iter().map(node).collect())
 }
 
 /// One value of a range; one that is an integer up to rounding stays one between integers.
-fn value(number: f64, dimension: Option<Dimension>, integers: bool) -> Value {
+fn value(number: f64, dimension: Option<Dimension>, integers: bool) -> TomlValue {
     let nearest = number.round();
     match dimension {
-        Some(dimension) => Value::Text(format!("{number:e} {}", dimension.si_unit())),
+        Some(dimension) => TomlValue::Text(format!("{number:e} {}", dimension.si_unit())),
         #[expect(
             clippy::cast_possible_truncation,
             reason = "between two integers of 64 bits"
         )]
         None if integers && (number - nearest).abs() <= 1e-9 * nearest.abs() => {
-            Value::Integer(nearest as i64)
+            TomlValue::Integer(nearest as i64)
         }
-        None => Value::Float(number),
+        None => TomlValue::Float(number),
     }
 }
 
@@ -229,7 +231,7 @@ struct End {
 }
 
 impl End {
-    fn read(table: &Reader<'_>, key: &str) -> Result<Self, Diagnosis> {
+    fn read(table: &TableReader<'_>, key: &str) -> Result<Self, Diagnosis> {
         const WANTED: &str = "a number, or a quantity such as \"5 nm\"";
         let field = table.required(key, WANTED)?;
         let bare = |number, is_integer| Self {
@@ -238,9 +240,9 @@ impl End {
             is_integer,
         };
         let end = match field.value() {
-            Value::Integer(number) => Some(bare(*number as f64, true)),
-            Value::Float(number) => Some(bare(*number, false)),
-            Value::Text(text) => quantity::dimension_of(text).and_then(|dimension| {
+            TomlValue::Integer(number) => Some(bare(*number as f64, true)),
+            TomlValue::Float(number) => Some(bare(*number, false)),
+            TomlValue::Text(text) => quantity::dimension_of(text).and_then(|dimension| {
                 Some(Self {
                     number: quantity::parse(text, dimension).ok()?,
                     dimension: Some(dimension),

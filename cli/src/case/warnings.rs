@@ -1,14 +1,14 @@
-//! What may be meant otherwise than it is written: warnings of a case that can be solved.
+//! Warnings about a case that can be solved but may not be meant as it is written.
 
 use super::Case;
-use super::document::{Node, Table, Value};
+use super::document::{TomlNode, TomlTable, TomlValue};
 use super::map::MapCase;
 use super::units::Units;
 use crate::display::{Unit, quantity};
 
-/// Something that should be looked at.
+/// A warning about a case.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Doubt {
+pub struct CaseWarning {
     /// A word for programs.
     pub code: &'static str,
     /// A sentence for people.
@@ -38,12 +38,12 @@ const QUANTITIES: [(&str, &str); 14] = [
 const FLAT: f64 = 1e-8;
 
 impl Case {
-    /// What should be looked at before the numbers of the case are used, on a domain of this side.
+    /// The warnings about the case, solved on a domain of this side.
     #[must_use]
-    pub fn doubts(&self, side: f64) -> Vec<Doubt> {
-        let mut doubts = Vec::new();
-        if Units::of(self.origin.root()) == Units::Si {
-            bare_numbers(self.origin.root(), &mut doubts);
+    pub fn warnings(&self, side: f64) -> Vec<CaseWarning> {
+        let mut warnings = Vec::new();
+        if Units::of(self.document.root()) == Units::Si {
+            bare_numbers(self.document.root(), &mut warnings);
         }
         let element_side = side / self.grid.elements as f64;
         let maps = [
@@ -52,19 +52,19 @@ impl Case {
         ];
         let coarse =
             |(table, map): (&str, Option<&MapCase>)| coarse(table, map?, element_side, self.units);
-        doubts.extend(maps.into_iter().filter_map(coarse));
+        warnings.extend(maps.into_iter().filter_map(coarse));
         let flat = |(table, map): (&str, Option<&MapCase>)| flat(table, map?, self.units);
-        doubts.extend(maps.into_iter().filter_map(flat));
-        doubts
+        warnings.extend(maps.into_iter().filter_map(flat));
+        warnings
     }
 }
 
 /// A map whose pixels are larger than the elements: more elements see no more of the surface.
-fn coarse(table: &str, map: &MapCase, element_side: f64, units: Units) -> Option<Doubt> {
+fn coarse(table: &str, map: &MapCase, element_side: f64, units: Units) -> Option<CaseWarning> {
     let pixel = map.pixel();
     let metres = |value| quantity(value, Unit::Metre, units);
     // A map on its own grid has the pixels of its elements up to rounding.
-    (pixel > element_side * (1.0 + 1e-9)).then(|| Doubt {
+    (pixel > element_side * (1.0 + 1e-9)).then(|| CaseWarning {
         code: "coarse-map",
         message: format!(
             "the map of the {table}, {}, has a sample every {}, farther apart than elements of {}: what lies between is interpolated",
@@ -76,12 +76,12 @@ fn coarse(table: &str, map: &MapCase, element_side: f64, units: Units) -> Option
 }
 
 /// A map with next to no heights: of a thousandth of its unit, more likely than a surface.
-fn flat(table: &str, map: &MapCase, units: Units) -> Option<Doubt> {
+fn flat(table: &str, map: &MapCase, units: Units) -> Option<CaseWarning> {
     let samples = map.samples().iter().copied();
     let least = samples.clone().fold(f64::INFINITY, f64::min);
     let range = samples.fold(f64::NEG_INFINITY, f64::max) - least;
     let [x, y] = map.sides;
-    (range > 0.0 && range < FLAT * x.min(y)).then(|| Doubt {
+    (range > 0.0 && range < FLAT * x.min(y)).then(|| CaseWarning {
         code: "flat-map",
         message: format!(
             "the heights of the {table}'s map, {}, range over {} only: is height_unit right?",
@@ -92,13 +92,13 @@ fn flat(table: &str, map: &MapCase, units: Units) -> Option<Doubt> {
 }
 
 /// The bare numbers of a case that has units elsewhere, each key once.
-fn bare_numbers(root: &Node, doubts: &mut Vec<Doubt>) {
-    if let Value::Table(table) = &root.value {
-        in_table("", table, doubts);
+fn bare_numbers(root: &TomlNode, warnings: &mut Vec<CaseWarning>) {
+    if let TomlValue::Table(table) = &root.value {
+        in_table("", table, warnings);
     }
 }
 
-fn in_table(path: &str, table: &Table, doubts: &mut Vec<Doubt>) {
+fn in_table(path: &str, table: &TomlTable, warnings: &mut Vec<CaseWarning>) {
     for entry in &table.entries {
         let path = match path {
             "" => entry.key.clone(),
@@ -107,13 +107,13 @@ fn in_table(path: &str, table: &Table, doubts: &mut Vec<Doubt>) {
         let unit = QUANTITIES.iter().find(|(key, _)| *key == entry.key);
         match (&entry.node.value, unit) {
             (_, Some((_, unit))) => {
-                doubts.extend(bare(&entry.node).map(|at| doubt(&path, at, unit)));
+                warnings.extend(bare(&entry.node).map(|at| warn_of(&path, at, unit)));
             }
-            (Value::Table(table), None) => in_table(&path, table, doubts),
-            (Value::List(items), None) => {
+            (TomlValue::Table(table), None) => in_table(&path, table, warnings),
+            (TomlValue::List(items), None) => {
                 for (i, item) in items.iter().enumerate() {
-                    if let Value::Table(table) = &item.value {
-                        in_table(&format!("{path}[{i}]"), table, doubts);
+                    if let TomlValue::Table(table) = &item.value {
+                        in_table(&format!("{path}[{i}]"), table, warnings);
                     }
                 }
             }
@@ -123,12 +123,12 @@ fn in_table(path: &str, table: &Table, doubts: &mut Vec<Doubt>) {
 }
 
 /// The first bare number of a value, of a list, or of the ends of a range; zero needs no unit.
-fn bare(node: &Node) -> Option<&Node> {
+fn bare(node: &TomlNode) -> Option<&TomlNode> {
     match &node.value {
-        Value::Integer(number) => (*number != 0).then_some(node),
-        Value::Float(number) => (*number != 0.0).then_some(node),
-        Value::List(items) => items.iter().find_map(bare),
-        Value::Table(table) => {
+        TomlValue::Integer(number) => (*number != 0).then_some(node),
+        TomlValue::Float(number) => (*number != 0.0).then_some(node),
+        TomlValue::List(items) => items.iter().find_map(bare),
+        TomlValue::Table(table) => {
             let ends = ["from", "to"]
                 .into_iter()
                 .filter_map(|key| table.entry(key));
@@ -138,13 +138,13 @@ fn bare(node: &Node) -> Option<&Node> {
     }
 }
 
-fn doubt(path: &str, at: &Node, unit: &str) -> Doubt {
-    let (written, place) = (at.place.text(), &at.place);
-    Doubt {
+fn warn_of(path: &str, at: &TomlNode, unit: &str) -> CaseWarning {
+    let (written, span) = (at.span.text(), &at.span);
+    CaseWarning {
         code: "bare-number",
         message: format!(
             "{}, key `{path}`: {written} among values with units is {written} {unit}; write \"{written} {unit}\" if that is meant",
-            place.words()
+            span.words()
         ),
     }
 }
@@ -154,14 +154,17 @@ mod tests {
     use std::sync::Arc;
 
     use super::super::document;
-    use super::super::place::Source;
+    use super::super::source::Source;
     use super::*;
 
     fn found(text: &str) -> Vec<String> {
         let root = document::parse(&Arc::new(Source::new("case.toml", text.into()))).unwrap();
-        let mut doubts = Vec::new();
-        bare_numbers(&root, &mut doubts);
-        doubts.into_iter().map(|doubt| doubt.message).collect()
+        let mut warnings = Vec::new();
+        bare_numbers(&root, &mut warnings);
+        warnings
+            .into_iter()
+            .map(|warning| warning.message)
+            .collect()
     }
 
     #[test]

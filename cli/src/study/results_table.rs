@@ -11,30 +11,30 @@ use std::io::{self, ErrorKind, Read, Seek, Write};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use super::identity::Identity;
+use super::case_status::{CaseStatus, Tally};
+use super::identity::StudyIdentity;
 use super::place::{self, Begin, Place};
-use super::status::{Status, Tally};
 use crate::failure::Failure;
 use crate::output::file;
 
 /// The table on disk, open for this process alone as long as it has the place.
 #[derive(Debug)]
-pub struct Table {
+pub struct ResultsTable {
     path: PathBuf,
     file: File,
     place: Place,
     header: String,
-    done: BTreeMap<usize, Status>,
+    done: BTreeMap<usize, CaseStatus>,
 }
 
-impl Table {
+impl ResultsTable {
     /// Opens the table of a study's part and removes what a kill has left half-written; begins it if it is not there or
     /// is to be begun again.
     ///
     /// # Errors
     ///
     /// [`Failure`] if it cannot be opened, or if it is the table of something else.
-    pub fn open(place: Place, identity: &Identity) -> Result<Self, Failure> {
+    pub fn open(place: Place, identity: &StudyIdentity) -> Result<Self, Failure> {
         let path = identity.table(&place.folder);
         let failed = |cause| write_failure(&path, cause);
         let file = open(&path).map_err(failed)?;
@@ -43,7 +43,7 @@ impl Table {
         }
         identity.write(&place.folder)?;
         let text = whole(&file).map_err(failed)?;
-        let blocks = Blocks::of(&text, identity)
+        let blocks = CaseBlocks::of(&text, identity)
             .ok_or_else(|| Failure::damaged(&path, &"its first line is not that of this study"))?;
         let mut table = Self {
             header: identity.header.clone(),
@@ -73,7 +73,7 @@ impl Table {
     /// # Errors
     ///
     /// [`Failure::Write`] if they are not.
-    pub fn add(&mut self, case: usize, status: Status, rows: &str) -> Result<(), Failure> {
+    pub fn add(&mut self, case: usize, status: CaseStatus, rows: &str) -> Result<(), Failure> {
         let written = self.file.write_all(rows.as_bytes());
         written
             .and_then(|()| self.file.sync_data())
@@ -84,7 +84,7 @@ impl Table {
 
     /// The cases that are there, and how they ended.
     #[must_use]
-    pub fn done(&self) -> &BTreeMap<usize, Status> {
+    pub fn done(&self) -> &BTreeMap<usize, CaseStatus> {
         &self.done
     }
 
@@ -112,9 +112,9 @@ impl Table {
     /// # Errors
     ///
     /// [`Failure`] if the table cannot be read or written.
-    pub fn finish(self, identity: &Identity) -> Result<(), Failure> {
+    pub fn finish(self, identity: &StudyIdentity) -> Result<(), Failure> {
         let text = whole(&self.file).map_err(|cause| Failure::damaged(&self.path, &cause))?;
-        let blocks = Blocks::of(&text, identity)
+        let blocks = CaseBlocks::of(&text, identity)
             .ok_or_else(|| Failure::damaged(&self.path, &"it has changed meanwhile"))?;
         // Some systems replace no file that is open.
         drop(self.file);
@@ -177,19 +177,19 @@ fn open(path: &Path) -> io::Result<File> {
 
 /// The whole blocks of a table.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Blocks {
+pub struct CaseBlocks {
     /// Case, how it ended, and where its lines are, in the order of the file.
-    blocks: Vec<(usize, Status, Range<usize>)>,
+    blocks: Vec<(usize, CaseStatus, Range<usize>)>,
     /// Bytes up to the end of the last of them; 0 if not even the first line is whole.
     pub end: usize,
 }
 
-impl Blocks {
+impl CaseBlocks {
     /// The blocks of a text that stand before anything half-written; none if the first line is not that of this study.
     #[must_use]
-    pub fn of(text: &[u8], identity: &Identity) -> Option<Self> {
+    pub fn of(text: &[u8], identity: &StudyIdentity) -> Option<Self> {
         let (mut blocks, mut end) = (Vec::new(), 0);
-        let mut lines = Lines { text, at: 0 };
+        let mut lines = RowReader { text, at: 0 };
         let Some(first) = lines.next() else {
             return identity
                 .header
@@ -211,7 +211,7 @@ impl Blocks {
 
     /// How the cases ended.
     #[must_use]
-    pub fn statuses(&self) -> BTreeMap<usize, Status> {
+    pub fn statuses(&self) -> BTreeMap<usize, CaseStatus> {
         let statuses = self.blocks.iter();
         statuses.map(|(case, status, _)| (*case, *status)).collect()
     }
@@ -231,12 +231,12 @@ impl Blocks {
 }
 
 /// The whole rows of a text, one after the other.
-struct Lines<'t> {
+struct RowReader<'t> {
     text: &'t [u8],
     at: usize,
 }
 
-impl Lines<'_> {
+impl RowReader<'_> {
     /// The next row that has an end, without it. A line end between quotes is none of a row.
     fn next(&mut self) -> Option<Range<usize>> {
         let mut is_quoted = false;
@@ -251,13 +251,17 @@ impl Lines<'_> {
     }
 
     /// The next block, if it is whole: all lines of one case of this part.
-    fn block(&mut self, columns: usize, identity: &Identity) -> Option<(usize, Status)> {
+    fn block(&mut self, columns: usize, identity: &StudyIdentity) -> Option<(usize, CaseStatus)> {
         let (case, status) = self.row(columns)?;
         let rows = *identity
             .rows
             .get(case)
             .filter(|_| identity.shard.holds(case))?;
-        let rows = if status == Status::Failed { 1 } else { rows };
+        let rows = if status == CaseStatus::Failed {
+            1
+        } else {
+            rows
+        };
         for _ in 1..rows {
             self.row(columns).filter(|row| *row == (case, status))?;
         }
@@ -265,14 +269,14 @@ impl Lines<'_> {
     }
 
     /// Case and status of the next line.
-    fn row(&mut self, columns: usize) -> Option<(usize, Status)> {
+    fn row(&mut self, columns: usize) -> Option<(usize, CaseStatus)> {
         let line = self.next()?;
         let fields = fields(&self.text[line])?;
         if fields.len() != columns {
             return None;
         }
         let case = fields.first()?.parse::<usize>().ok()?.checked_sub(1)?;
-        Some((case, Status::of(fields.get(1)?)?))
+        Some((case, CaseStatus::of(fields.get(1)?)?))
     }
 }
 

@@ -1,4 +1,4 @@
-//! Lines of x, y, z: the points of a grid one by one, as instruments and other programs write a surface.
+//! GridLines of x, y, z: the points of a grid one by one, as instruments and other programs write a surface.
 
 use super::MapFile;
 
@@ -30,13 +30,13 @@ pub fn map(numbers: &[f64]) -> Option<MapFile> {
 }
 
 /// Coordinates at equal distances.
-struct Lines {
+struct GridLines {
     first: f64,
     distance: f64,
     count: usize,
 }
 
-impl Lines {
+impl GridLines {
     fn number(&self, coordinate: f64) -> Option<usize> {
         let number = (coordinate - self.first) / self.distance;
         let is_on = (number - number.round()).abs() < OFF_THE_LINE;
@@ -55,7 +55,7 @@ impl Lines {
 }
 
 /// The different coordinates of the points along one axis, at least two.
-fn lines(points: &[[f64; 3]], axis: usize) -> Option<Lines> {
+fn lines(points: &[[f64; 3]], axis: usize) -> Option<GridLines> {
     let mut sorted: Vec<_> = points.iter().map(|point| point[axis]).collect();
     sorted.sort_by(f64::total_cmp);
     let steps = || sorted.windows(2).map(|pair| pair[1] - pair[0]);
@@ -63,7 +63,7 @@ fn lines(points: &[[f64; 3]], axis: usize) -> Option<Lines> {
     let count = 1 + steps().filter(|step| *step > 0.5 * widest).count();
     let [first, last] = [*sorted.first()?, *sorted.last()?];
     let distance = (last - first) / (count - 1).max(1) as f64;
-    (count > 1 && distance.is_finite()).then_some(Lines {
+    (count > 1 && distance.is_finite()).then_some(GridLines {
         first,
         distance,
         count,

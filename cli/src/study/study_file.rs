@@ -13,13 +13,13 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use super::axis::Axis;
+use super::varied_key::VariedKey;
 use super::{Combine, Study};
 use crate::case::diagnosis::{Diagnosis, Fault};
-use crate::case::document::{self, Node, Table, Value};
-use crate::case::place::Source;
-use crate::case::reader::Reader;
-use crate::case::{overrides, text};
+use crate::case::document::{self, TomlNode, TomlTable, TomlValue};
+use crate::case::source::Source;
+use crate::case::table_reader::TableReader;
+use crate::case::{overrides, source};
 use crate::failure::Failure;
 
 /// More cases than this are a mistake.
@@ -32,7 +32,7 @@ const MOST_CASES: usize = 1_000_000;
 /// [`Failure`] if a file cannot be read or is no study.
 pub fn read(path: &Path, sets: &[String]) -> Result<Study, Failure> {
     let root = parse(path)?;
-    let parts = Parts::of(&root)?;
+    let parts = StudyTable::of(&root)?;
     let here = path.parent().unwrap_or(Path::new(""));
     let (mut base, case) = match parts.case {
         Some(case) => (parse(&here.join(case))?, here.join(case)),
@@ -53,33 +53,33 @@ pub fn read(path: &Path, sets: &[String]) -> Result<Study, Failure> {
         folder: case.parent().unwrap_or(Path::new("")).to_owned(),
         base,
         combine: parts.combine,
-        axes: parts.axes,
+        varied_keys: parts.varied_keys,
     })
 }
 
-fn parse(path: &Path) -> Result<Node, Failure> {
-    let source: Arc<Source> = Arc::new(text::read(path)?);
+fn parse(path: &Path) -> Result<TomlNode, Failure> {
+    let source: Arc<Source> = Arc::new(source::read(path)?);
     Ok(document::parse(&source)?)
 }
 
-fn without_study(root: &Node) -> Node {
+fn without_study(root: &TomlNode) -> TomlNode {
     let mut base = root.clone();
-    if let Value::Table(table) = &mut base.value {
+    if let TomlValue::Table(table) = &mut base.value {
         table.entries.retain(|entry| entry.key != "study");
     }
     base
 }
 
 /// What the table `[study]` says.
-struct Parts<'a> {
+struct StudyTable<'a> {
     case: Option<&'a str>,
     combine: Combine,
-    axes: Vec<Axis>,
+    varied_keys: Vec<VariedKey>,
 }
 
-impl<'a> Parts<'a> {
-    fn of(root: &'a Node) -> Result<Self, Diagnosis> {
-        let root = Reader::root(root)?;
+impl<'a> StudyTable<'a> {
+    fn of(root: &'a TomlNode) -> Result<Self, Diagnosis> {
+        let root = TableReader::root(root)?;
         let study = root.required("study", "a table [study]")?.table()?;
         study.only(&["case", "combine", "vary"])?;
         let case = study
@@ -94,69 +94,77 @@ impl<'a> Parts<'a> {
             None => Combine::Product,
         };
         let vary = study.required("vary", "a table of keys, each with a list or a range")?;
-        let Value::Table(table) = vary.value() else {
+        let TomlValue::Table(table) = vary.value() else {
             return Err(vary.wanted("a table of keys, each with a list or a range"));
         };
-        let mut axes = Vec::new();
-        collect("", table, &mut axes)?;
-        axes.sort_by_key(|axis| axis.key_place.span.start);
-        if axes.is_empty() {
+        let mut varied_keys = Vec::new();
+        collect("", table, &mut varied_keys)?;
+        varied_keys.sort_by_key(|varied| varied.key_span.bytes.start);
+        if varied_keys.is_empty() {
             return Err(vary.wanted("at least one key with a list or a range"));
         }
-        check(&axes, combine)?;
+        check(&varied_keys, combine)?;
         Ok(Self {
             case,
             combine,
-            axes,
+            varied_keys,
         })
     }
 }
 
 /// The keys of a table and of the tables in it: `load.force = …` is the key `force` of the table `load`.
-fn collect(path: &str, table: &Table, axes: &mut Vec<Axis>) -> Result<(), Diagnosis> {
+fn collect(
+    path: &str,
+    table: &TomlTable,
+    varied_keys: &mut Vec<VariedKey>,
+) -> Result<(), Diagnosis> {
     for entry in &table.entries {
         let key = match path {
             "" => entry.key.clone(),
             path => format!("{path}.{}", entry.key),
         };
         match &entry.node.value {
-            Value::Table(inner) if inner.entry("from").is_none() => collect(&key, inner, axes)?,
-            _ => axes.push(Axis::read(key, entry.key_place.clone(), &entry.node)?),
+            TomlValue::Table(inner) if inner.entry("from").is_none() => {
+                collect(&key, inner, varied_keys)?
+            }
+            _ => varied_keys.push(VariedKey::read(key, entry.key_span.clone(), &entry.node)?),
         }
     }
     Ok(())
 }
 
 /// Refuses lists of different lengths that are to be zipped, and more cases than anybody wants.
-fn check(axes: &[Axis], combine: Combine) -> Result<(), Diagnosis> {
-    let wrong = |axis: &Axis, found: String, wanted: String| {
+fn check(varied_keys: &[VariedKey], combine: Combine) -> Result<(), Diagnosis> {
+    let wrong = |varied: &VariedKey, found: String, wanted: String| {
         let fault = Fault::Wrong { found, wanted };
         Err(Diagnosis::of_key(
-            axis.key.clone(),
-            axis.key_place.clone(),
+            varied.key.clone(),
+            varied.key_span.clone(),
             fault,
         ))
     };
-    let Some(first) = axes.first() else {
+    let Some(first) = varied_keys.first() else {
         return Ok(());
     };
-    let is_given_before = |(i, axis): &(usize, &Axis)| {
-        let steps = overrides::steps(&axis.key);
-        axes[..*i]
+    let is_given_before = |(i, varied): &(usize, &VariedKey)| {
+        let path = overrides::key_path(&varied.key);
+        varied_keys[..*i]
             .iter()
-            .any(|other| overrides::steps(&other.key) == steps)
+            .any(|other| overrides::key_path(&other.key) == path)
     };
-    if let Some((_, axis)) = axes.iter().enumerate().find(is_given_before) {
-        return wrong(axis, "the same key twice".into(), "each key once".into());
+    if let Some((_, varied)) = varied_keys.iter().enumerate().find(is_given_before) {
+        return wrong(varied, "the same key twice".into(), "each key once".into());
     }
     let wanted = first.values.len();
-    let other = axes.iter().find(|axis| axis.values.len() != wanted);
+    let other = varied_keys
+        .iter()
+        .find(|varied| varied.values.len() != wanted);
     if let (Combine::Zip, Some(other)) = (combine, other) {
         let found = format!("{} values", other.values.len());
         let wanted = format!("{wanted}, as many as `{}` has, to be zipped", first.key);
         return wrong(other, found, wanted);
     }
-    let lengths = axes.iter().map(|axis| axis.values.len());
+    let lengths = varied_keys.iter().map(|varied| varied.values.len());
     let cases = lengths.fold(1, usize::saturating_mul);
     if combine == Combine::Product && cases > MOST_CASES {
         return wrong(

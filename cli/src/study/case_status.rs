@@ -2,7 +2,7 @@
 
 /// How a case ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Status {
+pub enum CaseStatus {
     /// Every step is certified.
     Certified,
     /// There is a result, but a certificate is not satisfied.
@@ -13,7 +13,7 @@ pub enum Status {
     Failed,
 }
 
-impl Status {
+impl CaseStatus {
     const ALL: [Self; 4] = [
         Self::Certified,
         Self::NotConverged,
@@ -54,18 +54,18 @@ pub struct Tally {
 
 impl Tally {
     /// Counts these.
-    pub fn of(statuses: impl IntoIterator<Item = Status>) -> Self {
+    pub fn of(statuses: impl IntoIterator<Item = CaseStatus>) -> Self {
         let mut tally = Self::default();
         statuses.into_iter().for_each(|status| tally.add(status));
         tally
     }
 
-    fn add(&mut self, status: Status) {
+    fn add(&mut self, status: CaseStatus) {
         let count = match status {
-            Status::Certified => &mut self.certified,
-            Status::NotConverged => &mut self.not_converged,
-            Status::CutOff => &mut self.cut_off,
-            Status::Failed => &mut self.failed,
+            CaseStatus::Certified => &mut self.certified,
+            CaseStatus::NotConverged => &mut self.not_converged,
+            CaseStatus::CutOff => &mut self.cut_off,
+            CaseStatus::Failed => &mut self.failed,
         };
         *count += 1;
     }

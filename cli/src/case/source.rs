@@ -1,18 +1,23 @@
-//! The text of a case file.
+//! A text the user wrote: a case file, or one `--set` on the command line.
 
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 use std::sync::Arc;
 
+use miette::NamedSource;
+
 use super::diagnosis::{Diagnosis, Fault};
-use super::place::{Place, Source};
+use super::span::Span;
 use crate::failure::Failure;
 
-/// A case is some lines of text; more bytes than this are another file.
+/// A text with the name it goes by in messages: the path of a case file, or `--set`.
+pub type Source = NamedSource<String>;
+
+/// A case file is some lines of text; a file of more bytes than this is not one.
 const LARGEST_FILE: u64 = 16 << 20;
 
-/// What some editors put before the first character of UTF-8.
+/// Some editors write it before the first character of UTF-8.
 const BYTE_ORDER_MARK: char = '\u{feff}';
 
 /// The text of the file without a byte-order mark, and its path as its name.
@@ -59,7 +64,7 @@ fn not_utf8(name: &str, error: &std::string::FromUtf8Error) -> Diagnosis {
         found: format!("the byte 0x{byte:02x}, which is not UTF-8"),
         wanted: "TOML in UTF-8".into(),
     };
-    let diagnosis = Diagnosis::of_text(Place::new(&source, valid..valid), fault);
+    let diagnosis = Diagnosis::of_text(Span::new(&source, valid..valid), fault);
     match byte {
         0xff | 0xfe if valid == 0 => {
             diagnosis.with_help("the file looks like UTF-16: save it as UTF-8")

@@ -12,14 +12,14 @@ use pellicle_texture::{Relief, TextureError};
 
 /// Makes and solves contacts.
 #[derive(Debug, Clone, Copy, Default)]
-pub struct Scene {
+pub struct ValidationRun {
     /// By how much, relatively, every influence coefficient is wrong: 0 but for the test hook.
     pub perturbation: f64,
 }
 
 /// One contact on one grid.
 #[derive(Debug, Clone)]
-pub struct Contact {
+pub struct ContactSetup {
     /// The elastic body.
     pub foundation: Foundation,
     /// What its surface carries.
@@ -37,7 +37,7 @@ pub struct Contact {
 /// Why something cannot be compared.
 #[derive(Debug, thiserror::Error)]
 #[expect(missing_docs, reason = "each is the error it holds")]
-pub enum Trouble {
+pub enum ValidationError {
     #[error(transparent)]
     Kernel(#[from] KernelError),
     #[error(transparent)]
@@ -47,7 +47,7 @@ pub enum Trouble {
     #[error(transparent)]
     Indenter(#[from] IndenterError),
     #[error(transparent)]
-    Contact(#[from] ContactError),
+    ContactSetup(#[from] ContactError),
     #[error("reference data: {0}")]
     Data(#[from] serde_json::Error),
     #[error("not certified: {worst:.1e}")]
@@ -56,12 +56,12 @@ pub enum Trouble {
     NoSolution,
 }
 
-impl Scene {
+impl ValidationRun {
     /// The tables of a foundation.
     ///
     /// # Errors
     /// As [`RadialTables::build`].
-    pub fn tables(self, foundation: &Foundation) -> Result<RadialTables, Trouble> {
+    pub fn tables(self, foundation: &Foundation) -> Result<RadialTables, ValidationError> {
         Ok(RadialTables::build(foundation)?.perturbed(self.perturbation))
     }
 
@@ -69,7 +69,7 @@ impl Scene {
     ///
     /// # Errors
     /// As [`Self::tables`].
-    pub fn model(self, contact: &Contact) -> Result<Model, Trouble> {
+    pub fn model(self, contact: &ContactSetup) -> Result<Model, ValidationError> {
         Ok(Model {
             tables: Arc::new(self.tables(&contact.foundation)?),
             relief: contact.relief.clone(),
@@ -81,8 +81,8 @@ impl Scene {
     /// The certified solution of a contact: a path of one step.
     ///
     /// # Errors
-    /// What the crates refuse, and [`Trouble::NotCertified`].
-    pub fn solve(self, contact: &Contact) -> Result<LoadingPath, Trouble> {
+    /// What the crates refuse, and [`ValidationError::NotCertified`].
+    pub fn solve(self, contact: &ContactSetup) -> Result<LoadingPath, ValidationError> {
         self.solve_with(contact, SolverOptions::default())
     }
 
@@ -92,26 +92,26 @@ impl Scene {
     /// As [`Self::solve`].
     pub fn solve_with(
         self,
-        contact: &Contact,
+        contact: &ContactSetup,
         options: SolverOptions,
-    ) -> Result<LoadingPath, Trouble> {
+    ) -> Result<LoadingPath, ValidationError> {
         let (domain, loads) = (Domain::Side(contact.side), [contact.load]);
         let model = self.model(contact)?;
         let path = solve_path(&model, domain, contact.elements, &loads, &options, &mut ())?;
-        let step = path.steps.first().ok_or(Trouble::NoSolution)?;
+        let step = path.steps.first().ok_or(ValidationError::NoSolution)?;
         let certificate = &step.solution.certificate;
         if certificate.is_satisfied() {
             return Ok(path);
         }
         let worst = certificate.worst();
-        Err(Trouble::NotCertified { worst })
+        Err(ValidationError::NotCertified { worst })
     }
 
     /// Penetration of the certified solution.
     ///
     /// # Errors
     /// As [`Self::solve`].
-    pub fn penetration(self, contact: &Contact) -> Result<f64, Trouble> {
+    pub fn penetration(self, contact: &ContactSetup) -> Result<f64, ValidationError> {
         Ok(self.solve(contact)?.steps[0].solution.penetration)
     }
 }

@@ -3,17 +3,17 @@
 use pellicle_contact::Certificate;
 use serde::Serialize;
 
-use super::Trouble;
+use super::ValidationError;
 
 /// One line of the table.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Row {
+pub struct Comparison {
     /// What is compared.
     pub check: String,
     /// What is known.
-    pub reference: Value,
+    pub reference: ComparedValue,
     /// What the program computes.
-    pub computed: Value,
+    pub computed: ComparedValue,
     /// Distance of the two, without dimension; `null` in JSON if it is no number.
     pub error: f64,
     /// The largest error that passes; of a negative control, the certificate's own tolerance, which the error must
@@ -26,7 +26,7 @@ pub struct Row {
 /// A number, or a word where a judgement is compared.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(untagged)]
-pub enum Value {
+pub enum ComparedValue {
     /// A number.
     Number(f64),
     /// A word.
@@ -49,7 +49,7 @@ impl Verdict {
     }
 }
 
-impl Row {
+impl Comparison {
     /// Two numbers, their error relative to the reference.
     #[must_use]
     pub fn relative(check: String, reference: f64, computed: f64, tolerance: f64) -> Self {
@@ -67,8 +67,8 @@ impl Row {
     ) -> Self {
         Self {
             check,
-            reference: Value::Number(reference),
-            computed: Value::Number(computed),
+            reference: ComparedValue::Number(reference),
+            computed: ComparedValue::Number(computed),
             error,
             tolerance,
             verdict: Verdict::of(error <= tolerance),
@@ -127,8 +127,8 @@ impl Row {
         let same = wanted == found;
         Self {
             check,
-            reference: Value::Word(wanted.into()),
-            computed: Value::Word(found.into()),
+            reference: ComparedValue::Word(wanted.into()),
+            computed: ComparedValue::Word(found.into()),
             error: if same { 0.0 } else { 1.0 },
             tolerance: 0.0,
             verdict: Verdict::of(same),
@@ -137,9 +137,9 @@ impl Row {
 
     /// What could not be computed.
     #[must_use]
-    pub fn failed(check: String, trouble: &Trouble) -> Self {
+    pub fn failed(check: String, error: &ValidationError) -> Self {
         Self {
-            computed: Value::Word(trouble.to_string()),
+            computed: ComparedValue::Word(error.to_string()),
             ..Self::compare(check, [f64::NAN; 2], f64::NAN, 0.0)
         }
     }
@@ -157,18 +157,18 @@ mod tests {
 
     #[test]
     fn an_error_above_the_tolerance_fails_and_so_does_what_is_no_number() {
-        let row = |computed| Row::relative("x".into(), 2.0, computed, 1e-3);
+        let row = |computed| Comparison::relative("x".into(), 2.0, computed, 1e-3);
         assert!(row(2.001).passes());
         assert!(!row(2.003).passes());
         assert!(!row(f64::NAN).passes());
-        assert!(!Row::compare("x".into(), [0.0; 2], f64::NAN, f64::INFINITY).passes());
+        assert!(!Comparison::compare("x".into(), [0.0; 2], f64::NAN, f64::INFINITY).passes());
     }
 
     #[test]
     fn the_worst_of_none_fails_and_what_is_no_number_is_the_worst() {
         let worst = |errors: &[f64]| {
             let comparisons = errors.iter().map(|error| ([1.0, 2.0], *error));
-            Row::worst("x".into(), comparisons, 0.5)
+            Comparison::worst("x".into(), comparisons, 0.5)
         };
         assert!(worst(&[0.1, 0.4, 0.2]).passes());
         assert_eq!(worst(&[0.1, 0.4, 0.2]).error, 0.4);
@@ -187,9 +187,9 @@ mod tests {
             min_pressure: 0.0,
             tolerance: 1e-8,
         };
-        assert!(Row::refused("x".into(), &certificate(1e-7)).passes());
-        assert!(!Row::refused("x".into(), &certificate(1e-9)).passes());
-        assert!(Row::accepted("x".into(), &certificate(1e-9)).passes());
-        assert!(!Row::accepted("x".into(), &certificate(1e-7)).passes());
+        assert!(Comparison::refused("x".into(), &certificate(1e-7)).passes());
+        assert!(!Comparison::refused("x".into(), &certificate(1e-9)).passes());
+        assert!(Comparison::accepted("x".into(), &certificate(1e-9)).passes());
+        assert!(!Comparison::accepted("x".into(), &certificate(1e-7)).passes());
     }
 }

@@ -2,9 +2,9 @@
 
 use serde::Serialize;
 
-use super::diagnosis::Diagnosis;
-use super::field::{Field, Sign};
-use super::quantity::Dimension;
+use super::super::diagnosis::Diagnosis;
+use super::super::dimension::Dimension;
+use super::super::value_reader::{Sign, ValueReader};
 
 /// Young's modulus of a layer, Pa.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -24,13 +24,13 @@ pub struct GradingCase {
     /// At the bottom, Pa.
     pub to: f64,
     /// In between.
-    pub profile: ProfileCase,
+    pub profile: GradingProfile,
 }
 
 /// What a graded modulus does between top and bottom.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
-pub enum ProfileCase {
+pub enum GradingProfile {
     /// It changes by the same amount over equal depths.
     Linear,
     /// It changes by the same factor over equal depths.
@@ -43,7 +43,7 @@ impl ModulusCase {
     /// # Errors
     ///
     /// A [`Diagnosis`] if it is neither, or a modulus is not positive.
-    pub fn read(field: Field<'_>) -> Result<Self, Diagnosis> {
+    pub fn read(field: ValueReader<'_>) -> Result<Self, Diagnosis> {
         if !field.is_table() {
             let modulus = field.quantity(Dimension::Pressure, Sign::Positive)?;
             return Ok(Self::Uniform(modulus));
@@ -55,8 +55,8 @@ impl ModulusCase {
             from: table.positive("from", Dimension::Pressure)?,
             to: table.positive("to", Dimension::Pressure)?,
             profile: profile.choice(&[
-                ("linear", ProfileCase::Linear),
-                ("exponential", ProfileCase::Exponential),
+                ("linear", GradingProfile::Linear),
+                ("exponential", GradingProfile::Exponential),
             ])?,
         }))
     }
@@ -76,8 +76,8 @@ impl GradingCase {
     pub fn at(self, part: f64) -> f64 {
         let Self { from, to, profile } = self;
         match profile {
-            ProfileCase::Linear => from + (to - from) * part,
-            ProfileCase::Exponential => from * (to / from).powf(part),
+            GradingProfile::Linear => from + (to - from) * part,
+            GradingProfile::Exponential => from * (to / from).powf(part),
         }
     }
 }

@@ -1,28 +1,25 @@
-//! Where something stands in what the user wrote: a case file, or one `--set` on the command line.
+//! Where something stands in what the user wrote.
 
 use std::ops::Range;
 use std::sync::Arc;
 
-use miette::NamedSource;
-
-/// A text the user wrote, with the name it goes by in messages: the path of a case file, or `--set`.
-pub type Source = NamedSource<String>;
+use super::source::Source;
 
 /// A range of bytes of a [`Source`].
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Place {
-    /// The text this is a place in.
+pub struct Span {
+    /// The text.
     pub source: Arc<Source>,
-    /// The bytes meant.
-    pub span: Range<usize>,
+    /// The range.
+    pub bytes: Range<usize>,
 }
 
-impl Place {
-    /// The place `span` of `source`.
+impl Span {
+    /// The range `bytes` of `source`.
     #[must_use]
-    pub fn new(source: &Arc<Source>, span: Range<usize>) -> Self {
+    pub fn new(source: &Arc<Source>, bytes: Range<usize>) -> Self {
         let source = Arc::clone(source);
-        Self { source, span }
+        Self { source, bytes }
     }
 
     /// The end of a text: where something missing would be written.
@@ -35,7 +32,7 @@ impl Place {
     /// Number of the line it begins on, from 1.
     #[must_use]
     pub fn line(&self) -> usize {
-        let before = self.source.inner().as_bytes().iter().take(self.span.start);
+        let before = self.source.inner().as_bytes().iter().take(self.bytes.start);
         1 + before.filter(|byte| **byte == b'\n').count()
     }
 
@@ -61,7 +58,7 @@ impl Place {
     pub fn text(&self) -> &str {
         self.source
             .inner()
-            .get(self.span.clone())
+            .get(self.bytes.clone())
             .unwrap_or_default()
     }
 }
@@ -76,13 +73,13 @@ mod tests {
 
     #[test]
     fn lines_are_counted_from_one() {
-        assert_eq!(Place::new(&source(), 0..1).line(), 1);
-        assert_eq!(Place::new(&source(), 6..7).line(), 2);
-        assert_eq!(Place::new(&source(), 6..11).text(), "b = 2");
+        assert_eq!(Span::new(&source(), 0..1).line(), 1);
+        assert_eq!(Span::new(&source(), 6..7).line(), 2);
+        assert_eq!(Span::new(&source(), 6..11).text(), "b = 2");
     }
 
     #[test]
     fn the_end_is_behind_the_last_thing_written() {
-        assert_eq!(Place::end_of(&source()).line(), 2);
+        assert_eq!(Span::end_of(&source()).line(), 2);
     }
 }
