@@ -161,6 +161,13 @@ impl From<Diagnosis> for Failure {
 }
 
 impl Failure {
+    /// The failure that this file or folder cannot be written.
+    #[must_use]
+    pub fn write(path: &Path, cause: io::Error) -> Self {
+        let path = path.to_owned();
+        Self::Write { path, cause }
+    }
+
     /// The failure that this file of a results folder is missing or not what a run writes.
     pub fn damaged(path: &Path, reason: &dyn std::fmt::Display) -> Self {
         Self::Damaged {

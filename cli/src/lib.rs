@@ -19,8 +19,6 @@ pub mod command;
 pub mod display;
 pub mod failure;
 pub mod forecast;
-#[cfg(doctest)]
-mod guide;
 pub mod interrupt;
 pub mod map;
 pub mod memory;
@@ -33,3 +31,8 @@ pub mod templates;
 pub mod terminal;
 pub mod threads;
 pub mod validation;
+
+/// The guide, whose example in Rust is a documentation test of this crate.
+#[cfg(doctest)]
+#[doc = include_str!("../../docs/guide.md")]
+mod guide {}

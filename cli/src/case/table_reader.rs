@@ -98,10 +98,16 @@ impl<'a> TableReader<'a> {
     }
 
     fn path_of(&self, key: &str) -> String {
-        match self.path.as_str() {
-            "" => key.to_owned(),
-            path => format!("{path}.{key}"),
-        }
+        dotted(&self.path, key)
+    }
+}
+
+/// The dotted path of a key in the table at `path`; empty for the root.
+#[must_use]
+pub fn dotted(path: &str, key: &str) -> String {
+    match path {
+        "" => key.to_owned(),
+        path => format!("{path}.{key}"),
     }
 }
 

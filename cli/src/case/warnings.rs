@@ -3,6 +3,7 @@
 use super::Case;
 use super::document::{TomlNode, TomlTable, TomlValue};
 use super::map::MapCase;
+use super::table_reader::dotted;
 use super::units::Units;
 use crate::display::{Unit, quantity};
 
@@ -100,10 +101,7 @@ fn bare_numbers(root: &TomlNode, warnings: &mut Vec<CaseWarning>) {
 
 fn in_table(path: &str, table: &TomlTable, warnings: &mut Vec<CaseWarning>) {
     for entry in &table.entries {
-        let path = match path {
-            "" => entry.key.clone(),
-            path => format!("{path}.{}", entry.key),
-        };
+        let path = dotted(path, &entry.key);
         let unit = QUANTITIES.iter().find(|(key, _)| *key == entry.key);
         match (&entry.node.value, unit) {
             (_, Some((_, unit))) => {

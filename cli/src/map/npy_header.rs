@@ -66,9 +66,7 @@ impl NpyHeader {
             _ => Err(fault("its header lacks descr, fortran_order or shape")),
         }
     }
-}
 
-impl NpyHeader {
     /// Bytes of the whole file, header and numbers; none if there are more than can be counted, or numbers of no size.
     #[must_use]
     pub fn size(&self) -> Option<u64> {

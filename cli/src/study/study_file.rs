@@ -18,7 +18,7 @@ use super::{Combine, Study};
 use crate::case::diagnosis::{Diagnosis, Fault};
 use crate::case::document::{self, TomlNode, TomlTable, TomlValue};
 use crate::case::source::Source;
-use crate::case::table_reader::TableReader;
+use crate::case::table_reader::{TableReader, dotted};
 use crate::case::{overrides, source};
 use crate::failure::Failure;
 
@@ -119,10 +119,7 @@ fn collect(
     varied_keys: &mut Vec<VariedKey>,
 ) -> Result<(), Diagnosis> {
     for entry in &table.entries {
-        let key = match path {
-            "" => entry.key.clone(),
-            path => format!("{path}.{}", entry.key),
-        };
+        let key = dotted(path, &entry.key);
         match &entry.node.value {
             TomlValue::Table(inner) if inner.entry("from").is_none() => {
                 collect(&key, inner, varied_keys)?

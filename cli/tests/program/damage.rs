@@ -244,6 +244,7 @@ fn a_reader_that_leaves_early_is_no_error() {
     for line in [
         &["run", "case.toml", "--json", "--quiet"][..],
         &["check", "case.toml", "--set", "surface={}"],
+        &["init"],
         &["man"],
         &["completions", "zsh"],
     ] {

@@ -85,8 +85,7 @@ fn a_result_that_did_not_converge_is_written_and_marked() {
     assert_eq!(ran.code, Some(1), "{}", ran.stderr);
     assert!(ran.stderr.contains("not converged"), "{}", ran.stderr);
     assert_eq!(names(&folder.path("a")), FILES);
-    let summary = fs::read_to_string(folder.path("a/summary.json")).unwrap();
-    let summary: Value = serde_json::from_str(&summary).unwrap();
+    let summary = folder.summary("a");
     assert_eq!(summary["steps"][0]["certificate"]["satisfied"], false);
 }
 
@@ -97,8 +96,7 @@ fn a_contact_that_the_domain_cuts_off_is_written_and_marked() {
     let ran = folder.run(&["run", "case.toml", "--out", "a", "--set", side]);
     assert_eq!(ran.code, Some(1), "{}", ran.stderr);
     assert!(ran.stderr.contains("cut off"), "{}", ran.stderr);
-    let summary = fs::read_to_string(folder.path("a/summary.json")).unwrap();
-    let summary: Value = serde_json::from_str(&summary).unwrap();
+    let summary = folder.summary("a");
     let step = &summary["steps"][0];
     assert_eq!(step["certificate"]["satisfied"], true);
     assert_eq!(
@@ -251,8 +249,7 @@ fn the_report_holds_everything_it_shows_and_says_warnings_aloud() {
     let addresses = page.replace("http://www.w3.org/2000/svg", "");
     assert!(!addresses.contains("http:") && !addresses.contains("https:"));
     assert!(page.contains("<title>&lt;b&gt;5 &amp; 6&lt;/b&gt;</title>"));
-    let summary = fs::read_to_string(folder.path("a/summary.json")).unwrap();
-    let summary: Value = serde_json::from_str(&summary).unwrap();
+    let summary = folder.summary("a");
     let warnings = summary["warnings"].as_array().unwrap();
     assert!(!warnings.is_empty());
     for warning in warnings {

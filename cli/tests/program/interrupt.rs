@@ -6,8 +6,6 @@ use std::process::{Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-use serde_json::Value;
-
 use crate::runner::{CASE, ProgramOutput, TestFolder};
 
 /// More work than any test waits for.
@@ -46,12 +44,7 @@ fn interrupted(
             .unwrap()
             .success()
     );
-    let output = child.wait_with_output().unwrap();
-    let ran = ProgramOutput {
-        code: output.status.code(),
-        stdout: String::from_utf8(output.stdout).unwrap(),
-        stderr: String::from_utf8(output.stderr).unwrap(),
-    };
+    let ran = child.wait_with_output().unwrap().into();
     (ran, sent.elapsed())
 }
 
@@ -88,8 +81,7 @@ fn ctrl_c_keeps_the_finished_steps_of_a_curve_and_says_that_it_is_not_whole() {
     ];
     let (ran, _) = interrupted(&folder, &line, "-INT", a_second);
     assert_eq!(ran.code, Some(130), "{}", ran.stderr);
-    let summary = fs::read_to_string(folder.path("a/summary.json")).unwrap();
-    let summary: Value = serde_json::from_str(&summary).unwrap();
+    let summary = folder.summary("a");
     let steps = summary["steps"].as_array().unwrap();
     assert!((1..10_000).contains(&steps.len()), "{}", steps.len());
     assert!(

@@ -2,7 +2,6 @@
 //! they were written.
 
 use std::fs;
-use std::path::Path;
 use std::process::{Child, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
@@ -29,11 +28,6 @@ fn read(folder: &TestFolder, name: &str) -> String {
     fs::read_to_string(folder.path(name)).unwrap()
 }
 
-fn summary(folder: &Path) -> Value {
-    let text = fs::read_to_string(folder.join("summary.json")).unwrap();
-    serde_json::from_str(&text).unwrap()
-}
-
 fn refused(ran: &ProgramOutput, words: &str) {
     assert_eq!(ran.code, Some(2), "{}", ran.stderr);
     assert!(ran.stderr.contains(words), "{words} in: {}", ran.stderr);
@@ -55,7 +49,7 @@ fn runs_of_one_case_at_once_have_a_folder_each() {
     let places = names(&folder.path("results"));
     assert_eq!(places, ["case", "case-2", "case-3", "case-4"]);
     let force = |name: &String| {
-        let summary = summary(&folder.path("results").join(name));
+        let summary = folder.summary(&format!("results/{name}"));
         summary["case"]["load"]["force"].as_f64().unwrap()
     };
     let mut found: Vec<_> = places.iter().map(force).collect();
@@ -148,7 +142,8 @@ fn a_summary_of_something_else_is_not_replaced_by_a_run_or_by_a_study() {
 #[test]
 fn a_study_replaces_folders_of_its_own_cases_and_of_no_others() {
     let folder = with_study(STUDY);
-    let place = folder.path("results/many/cases/case-0002");
+    let case = "results/many/cases/case-0002";
+    let place = folder.path(case);
     let out = place.to_str().unwrap().to_owned();
     let other = [
         "run",
@@ -161,7 +156,7 @@ fn a_study_replaces_folders_of_its_own_cases_and_of_no_others() {
     ];
     assert_eq!(folder.run(&other).code, Some(0));
     refused(&study(&folder, &["--folders"]), "another case");
-    assert_eq!(summary(&place)["title"], "other");
+    assert_eq!(folder.summary(case)["title"], "other");
     let same = ["run", "case.toml", "--quiet", "--out", &out, "--force"];
     let set = ["--set", "load.force=2 uN"];
     assert_eq!(folder.run(&[&same[..], &set].concat()).code, Some(0));

@@ -68,8 +68,7 @@ fn a_section_is_where_it_is_ordered_and_says_how_depth_is_enlarged() {
     assert!(axis.contains("section at y = 6.2500 nm"), "{axis}");
     assert!(axis.contains(" × enlarged"));
     let peak = section(" --section peak");
-    let summary = fs::read_to_string(folder.path("one/summary.json")).unwrap();
-    let summary: serde_json::Value = serde_json::from_str(&summary).unwrap();
+    let summary = folder.summary("one");
     let y = summary["steps"][0]["max_pressure_at"][1].as_f64().unwrap();
     let y = pellicle_cli::display::quantity(
         y,

@@ -236,18 +236,3 @@ fn a_template_never_replaces_a_file_unless_told() {
     );
     assert_eq!(folder.names(), ["case.toml"]);
 }
-
-#[test]
-fn a_reader_that_leaves_early_is_no_error() {
-    let folder = TestFolder::with_case(CASE);
-    let mut child = folder
-        .command(&["init"])
-        .stdout(std::process::Stdio::piped())
-        .stderr(std::process::Stdio::piped())
-        .spawn()
-        .unwrap();
-    drop(child.stdout.take());
-    let output = child.wait_with_output().unwrap();
-    assert_eq!(output.status.code(), Some(0));
-    assert_eq!(String::from_utf8_lossy(&output.stderr), "");
-}

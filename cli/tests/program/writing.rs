@@ -16,11 +16,6 @@ fn run(folder: &TestFolder, out: &str, more: &[&str]) -> String {
     ran.stderr
 }
 
-fn summary(folder: &TestFolder, out: &str) -> Value {
-    let text = fs::read_to_string(folder.path(out).join("summary.json")).unwrap();
-    serde_json::from_str(&text).unwrap()
-}
-
 /// The steps whose files begin and end so.
 fn steps(folder: &TestFolder, out: &str, start: &str, end: &str) -> Vec<String> {
     let names = names(&folder.path(out)).into_iter();
@@ -54,7 +49,7 @@ fn the_case_says_what_is_written_and_in_which_formats() {
         assert!(steps(&folder, "a", prefix, ending).is_empty());
     }
     let wanted = serde_json::json!({"fields": "all", "pictures": "all", "formats": ["npz", "vti"]});
-    assert_eq!(summary(&folder, "a")["case"]["output"], wanted);
+    assert_eq!(folder.summary("a")["case"]["output"], wanted);
 }
 
 #[test]
@@ -74,7 +69,7 @@ fn the_total_time_contains_the_writing() {
     let start = Instant::now();
     run(&folder, "a", &["--set", LOADS, "--pictures", "all"]);
     let passed = start.elapsed().as_secs_f64();
-    let timing = &summary(&folder, "a")["timing"];
+    let timing = &folder.summary("a")["timing"];
     let total = timing["total_seconds"].as_f64().unwrap();
     // Nine pictures take many times as long as three loads on 32 × 32 elements, and most of the process's time.
     assert!(
@@ -201,7 +196,7 @@ mod stopped {
         );
         assert_eq!(output.status.code(), Some(130));
         assert_eq!(folder.names(), ["a", "case.toml"]);
-        let summary = summary(&folder, "a");
+        let summary = folder.summary("a");
         assert_eq!(summary["steps"].as_array().unwrap().len(), 24);
         let warnings = summary["warnings"].as_array().unwrap().iter();
         let codes: Vec<_> = warnings.map(|warning| &warning["code"]).collect();
@@ -223,7 +218,7 @@ mod stopped {
         let time = sent.elapsed();
         assert!(time < Duration::from_secs(2), "{time:?}");
         assert_eq!(output.status.code(), Some(130));
-        assert_eq!(summary(&folder, "a")["steps"].as_array().unwrap().len(), 24);
+        assert_eq!(folder.summary("a")["steps"].as_array().unwrap().len(), 24);
     }
 
     #[test]
