@@ -30,7 +30,7 @@ pub enum Failure {
     #[error("the foundation is refused: {0}")]
     Kernel(#[from] KernelError),
     /// The influence coefficients cannot be computed.
-    #[error("no influence coefficients for this foundation: {0}")]
+    #[error("the influence coefficients cannot be computed: {0}")]
     Influence(#[from] InfluenceError),
     /// The relief is refused.
     #[error("the surface is refused: {0}")]
@@ -48,24 +48,24 @@ pub enum Failure {
         path: PathBuf,
     },
     /// Something is there that is not a results folder, and is not touched.
-    #[error("{} is there and is not a results folder: give another --out", path.display())]
+    #[error("{} exists and is not a results folder: give another --out", path.display())]
     NoResults {
         /// What is there.
         path: PathBuf,
     },
     /// Beside the summary of a run is a file under one of its names that it has not written.
-    #[error("{} is not of the run whose summary is beside it: move it away, or give another --out", path.display())]
+    #[error("{} was not written by the run whose summary is beside it: move it away, or give another --out", path.display())]
     NotWritten {
         /// The file.
         path: PathBuf,
     },
     /// Of several results only the curve can be drawn.
     #[error(
-        "of several results the curves are drawn in one picture: --step, --section, --range and --colour-map are for a single one"
+        "several results are drawn as curves in one picture: --step, --section, --range and --colour-map are for a single one"
     )]
     OneResult,
     /// A folder has no parts of a study in it.
-    #[error("{} holds no parts of a study to gather", path.display())]
+    #[error("{} holds no parts of a study", path.display())]
     NoParts {
         /// The folder.
         path: PathBuf,
@@ -106,7 +106,7 @@ pub enum Failure {
         path: PathBuf,
     },
     /// There is too little memory for the case.
-    #[error("the case needs some {} of memory and there are {}: wanted {}", memory(need.bytes), memory(*available), need.hint(*available))]
+    #[error("found {} for a case that needs {} of memory, wanted {}", memory(*available), memory(need.bytes), need.hint(*available))]
     Memory {
         /// What it needs.
         need: Need,
@@ -147,10 +147,10 @@ pub enum Failure {
     #[error("the threads cannot be started: {0}")]
     Threads(#[from] rayon::ThreadPoolBuildError),
     /// A value has no JSON form.
-    #[error("no JSON form: {0}")]
+    #[error("cannot be written as JSON: {0}")]
     Json(#[from] serde_json::Error),
     /// A value has no TOML form.
-    #[error("no TOML form: {0}")]
+    #[error("cannot be written as TOML: {0}")]
     Toml(#[from] toml::ser::Error),
 }
 

@@ -36,12 +36,10 @@ pub enum Fault {
         /// The keys that have a meaning here.
         wanted: String,
     },
-    /// A value that is of the right kind, but that the model refuses.
-    #[error("found {found}: {reason}")]
+    /// A value of the right kind that the model refuses.
+    #[error("{reason}")]
     Refused {
-        /// What the user wrote.
-        found: String,
-        /// The sentence of the library that refused it: says what is wanted.
+        /// The sentence of the crate that refused it, which says what it found and wanted.
         reason: String,
     },
 }

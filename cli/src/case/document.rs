@@ -115,8 +115,8 @@ impl Document {
         let found = keys.iter().find_map(|key| self.field(key));
         found.map_or_else(
             || {
-                let (found, reason) = ("this case".into(), reason.to_string());
-                Diagnosis::of_text(self.0.span.clone(), Fault::Refused { found, reason })
+                let reason = reason.to_string();
+                Diagnosis::of_text(self.0.span.clone(), Fault::Refused { reason })
             },
             |field| field.refused(reason),
         )

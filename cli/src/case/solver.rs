@@ -100,9 +100,8 @@ mod tests {
     #[test]
     fn a_grid_too_large_for_the_dense_system_is_diagnosed_at_the_method() {
         let message = read("method = \"active-set\"").unwrap_err();
-        let start = "case.toml, line 1, key `method`: found \"active-set\"";
+        let start = "case.toml, line 1, key `method`: found 256 elements";
         assert!(message.starts_with(start), "{message}");
-        assert!(message.contains("got 256"), "{message}");
     }
 
     #[test]

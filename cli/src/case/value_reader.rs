@@ -89,8 +89,8 @@ impl<'a> ValueReader<'a> {
 
     /// The diagnosis that the model refuses this value, for this reason.
     pub fn refused(&self, reason: &dyn std::error::Error) -> Diagnosis {
-        let (found, reason) = (self.found(), reason.to_string());
-        self.diagnosis(Fault::Refused { found, reason })
+        let reason = reason.to_string();
+        self.diagnosis(Fault::Refused { reason })
     }
 
     /// The diagnosis that this value cannot be used, for a reason that follows what the user wrote.

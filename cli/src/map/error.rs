@@ -21,16 +21,16 @@ pub enum MapError {
         found: String,
     },
     /// Not an array that NumPy saved, or not one of numbers in two dimensions.
-    #[error("which is no NumPy array of numbers in two dimensions: {0}")]
+    #[error("which is not a two-dimensional NumPy array of numbers: {0}")]
     Npy(String),
     /// Not text.
-    #[error("which is not text: its byte {at} is no UTF-8")]
+    #[error("which is not text: its byte {at} is not UTF-8")]
     NotText {
         /// Bytes before it.
         at: usize,
     },
     /// A word where a number should be.
-    #[error("where line {line} holds \"{found}\", which is no number")]
+    #[error("where line {line} holds \"{found}\", which is not a number")]
     NotANumber {
         /// Line, from 1.
         line: usize,
@@ -39,7 +39,7 @@ pub enum MapError {
     },
     /// A comma between numbers that are separated otherwise, and is no decimal mark either.
     #[error(
-        "where line {line} holds \"{found}\": commas beside semicolons or blanks can only be decimal marks, one a number and none with a point"
+        "where line {line} holds \"{found}\": next to semicolons or blanks a comma can only be a decimal mark, once in a number that has no point"
     )]
     Comma {
         /// Line, from 1.
@@ -49,14 +49,14 @@ pub enum MapError {
     },
     /// Commas that are decimal marks as well as separators.
     #[error(
-        "where \"{found}\" may be one number or two, and all other lines too: write numbers with a decimal point, or end each line with a semicolon if the comma is a decimal mark, or put a blank after each comma that separates"
+        "where \"{found}\", like every other line, may be one number or two: write a decimal point; or end each line with a semicolon if the comma is a decimal mark; or put a blank after each comma that separates numbers"
     )]
     CommaOrPoint {
         /// The first line.
         found: String,
     },
     /// A line of another length than those before.
-    #[error("where line {line} holds {found} numbers and those before {wanted}")]
+    #[error("where line {line} holds {found} numbers and those before it {wanted}")]
     Ragged {
         /// Line, from 1.
         line: usize,
@@ -82,7 +82,7 @@ pub enum MapError {
         wanted: &'static str,
     },
     /// Fewer data than the header says.
-    #[error("which holds {found} bytes of data where its header says {wanted}")]
+    #[error("which holds {found} bytes of data, but its header says {wanted}")]
     Short {
         /// Bytes found.
         found: usize,

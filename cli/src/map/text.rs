@@ -182,7 +182,7 @@ mod tests {
             "1,2,3 4,5,6\n1,2,3 4,5,6",
         ] {
             let message = parse(text.as_bytes()).unwrap_err().to_string();
-            assert!(message.contains("decimal marks"), "{text:?}: {message}");
+            assert!(message.contains("decimal mark"), "{text:?}: {message}");
         }
     }
 
@@ -213,13 +213,13 @@ mod tests {
     fn what_is_no_table_of_numbers_is_told_by_its_line() {
         let message = |text: &str| parse(text.as_bytes()).unwrap_err().to_string();
         assert!(message("x,y\n1,2").contains("line 1 holds \"x\""));
-        assert!(message("1,2\n\n3").contains("line 3 holds 1 numbers and those before 2"));
+        assert!(message("1,2\n\n3").contains("line 3 holds 1 numbers and those before it 2"));
         assert!(message("# nothing\n").contains("no numbers"));
         assert!(
             parse(b"1\xff")
                 .unwrap_err()
                 .to_string()
-                .contains("no UTF-8")
+                .contains("not UTF-8")
         );
     }
 }
