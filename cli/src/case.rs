@@ -50,26 +50,26 @@ use crate::failure::Failure;
 /// Written as TOML it is a case file again.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Case {
-    /// What it is called; the name of the file unless given.
+    /// Title; the name of the file unless given.
     pub title: String,
     /// The elastic body.
     pub foundation: FoundationCase,
-    /// What its surface carries.
+    /// The relief on it.
     pub surface: SurfaceCase,
-    /// What is pressed into it.
+    /// The indenter.
     pub indenter: IndenterCase,
-    /// How hard, or how deep.
+    /// Force or penetration, or a list of either.
     pub load: LoadCase,
-    /// On which grid.
+    /// The grid.
     pub grid: GridCase,
-    /// How it is solved.
+    /// Tolerance and method.
     pub solver: SolverCase,
-    /// What is written beside the numbers.
+    /// The fields and pictures to write.
     pub output: OutputCase,
-    /// What its numbers are measured in.
+    /// The system of units.
     #[serde(skip)]
     pub units: Units,
-    /// Where it was written.
+    /// The document it was read from.
     #[serde(skip)]
     pub document: Document,
 }
@@ -79,7 +79,7 @@ impl Case {
     ///
     /// # Errors
     ///
-    /// [`Failure::Unreadable`] if the file cannot be read, [`Failure::Case`] if it is no case.
+    /// [`Failure::Unreadable`] if the file cannot be read, [`Failure::Case`] if it is not a valid case.
     pub fn read(path: &Path, sets: &[String]) -> Result<Self, Failure> {
         let source = Arc::new(source::read(path)?);
         let stem = path.file_stem().unwrap_or_default().to_string_lossy();
@@ -87,11 +87,11 @@ impl Case {
         Ok(Self::parse(&source, &stem, folder, sets)?)
     }
 
-    /// Reads the text of a case whose files are named from `folder`.
+    /// Reads the text of a case that names its files relative to `folder`.
     ///
     /// # Errors
     ///
-    /// A [`Diagnosis`] of the first thing wrong with it.
+    /// A [`Diagnosis`] of the first fault.
     pub fn parse(
         source: &Arc<Source>,
         name: &str,
@@ -109,7 +109,7 @@ impl Case {
     ///
     /// # Errors
     ///
-    /// A [`Diagnosis`] of the first thing wrong with it.
+    /// A [`Diagnosis`] of the first fault.
     pub fn resolve(root: &TomlNode, name: &str, folder: &Path) -> Result<Self, Diagnosis> {
         const TABLES: [&str; 8] = [
             "title",
@@ -132,7 +132,7 @@ impl Case {
             Some(field) => field.text()?,
             None => name,
         };
-        // One line for pictures, tables and terminals, without what a terminal would obey.
+        // One line for pictures, tables and terminals, without control characters.
         let title = title.replace(char::is_control, " ");
         let required = |key| table.required(key, &format!("a table [{key}]"))?.table();
         let optional = |key| table.optional(key).map(ValueReader::table).transpose();
@@ -163,7 +163,7 @@ impl Case {
         })
     }
 
-    /// The failure of a solution, at the key that has to change where it is the case's doing.
+    /// The failure of a solution, with the key to change if the case is to blame.
     #[must_use]
     pub fn blame(&self, error: ContactError) -> Failure {
         let keys: &[&str] = match &error {
@@ -187,7 +187,7 @@ impl Case {
         self.document.refused(keys, &error).into()
     }
 
-    /// The domain to solve on: as given, or chosen for the loads. It is chosen once and handed on.
+    /// The domain to solve on: as given, or chosen for the loads.
     ///
     /// # Errors
     ///
@@ -201,7 +201,7 @@ impl Case {
         self.side(model).map(domain)
     }
 
-    /// Side of that domain, m.
+    /// Side of the domain, m.
     ///
     /// # Errors
     ///
@@ -213,7 +213,7 @@ impl Case {
         }
     }
 
-    /// The model of the case and where its radial tables came from: the first real work on a case.
+    /// The model of the case, and whether its radial tables came from the cache.
     ///
     /// # Errors
     ///

@@ -1,9 +1,9 @@
 //! Height maps from files: NumPy's `.npy`, text in columns, Gwyddion's `.gsf`.
 //!
-//! All three end as one [`MapFile`], whose heights have the layout of a [`Grid`](pellicle_texture::Grid): first index
-//! along x, second along y, both rising. An array of NumPy has that layout already, as the arrays in a results folder
-//! have. Text and `.gsf` are pictures: a line is a row of pixels from left to right, x rising, and the first line is
-//! the top, where y is largest. Three numbers a line that are the points x, y, z of a grid are read as such.
+//! All three are read into a [`MapFile`], whose heights have the layout of a [`Grid`](pellicle_texture::Grid): first
+//! index along x, second along y, both increasing. NumPy arrays have that layout already, as do the arrays in a results
+//! folder. Text and `.gsf` are pictures: a line is a row of pixels from left to right, x increasing, and the first line
+//! is the top, where y is largest. Three numbers per line that are the points x, y, z of a grid are read as such.
 
 mod error;
 mod grid_points;
@@ -19,10 +19,10 @@ use std::path::Path;
 
 pub use error::MapError;
 
-/// More bytes than this are no measurement of a surface.
+/// The largest file that is read, bytes.
 const LARGEST_FILE: u64 = 512 << 20;
 
-/// What a file says of a surface, in its own units.
+/// The contents of a map's file, in its own units.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MapFile {
     /// Samples along x and along y.
@@ -35,7 +35,7 @@ pub struct MapFile {
     pub lateral_unit: Option<String>,
     /// Unit of the heights; none if the file names none.
     pub height_unit: Option<String>,
-    /// Whether the sides are in the unit of the heights, as those of points x, y, z are.
+    /// Whether the sides are in the unit of the heights, as for points x, y, z.
     pub has_one_unit: bool,
 }
 
@@ -47,7 +47,7 @@ impl MapFile {
     ///
     /// # Errors
     ///
-    /// A [`MapError`] if the file cannot be read or is not what its name says.
+    /// A [`MapError`] if the file cannot be read or is not of the format that its name says.
     pub fn read(path: &Path) -> Result<Self, MapError> {
         let ending = path.extension().unwrap_or_default().to_string_lossy();
         let parse: Parser = match ending.to_lowercase().as_str() {
@@ -63,7 +63,7 @@ impl MapFile {
         parse(&bytes(path)?)
     }
 
-    /// A map that says nothing of its size and units, from the values of an array: first index along x.
+    /// A map without size and units, from the values of an array, first index along x.
     fn bare(shape: [usize; 2], heights: Vec<f64>) -> Self {
         Self {
             shape,
@@ -75,7 +75,7 @@ impl MapFile {
         }
     }
 
-    /// The same from a picture: `columns` values a row, rows from the top down.
+    /// The same from a picture, `columns` values per row, rows from the top down.
     fn from_picture(columns: usize, picture: &[f64]) -> Self {
         let rows = picture.len() / columns;
         let column = |i: usize| (0..rows).rev().map(move |row| picture[row * columns + i]);
@@ -84,7 +84,7 @@ impl MapFile {
 }
 
 fn bytes(path: &Path) -> Result<Vec<u8>, MapError> {
-    // A pipe would be waited for without end.
+    // Reading from a pipe might never end.
     if !fs::metadata(path)?.is_file() {
         let message = "it is not a regular file";
         return Err(io::Error::new(io::ErrorKind::InvalidInput, message).into());
@@ -112,7 +112,7 @@ mod tests {
         assert_eq!(map.heights, [4.0, 1.0, 5.0, 2.0, 6.0, 3.0]);
     }
 
-    /// Small files of the three formats, which are right.
+    /// Small valid files of the three formats.
     fn right() -> [(Parser, Vec<u8>); 3] {
         use ndarray_npy::WriteNpyExt;
         let mut npy = Vec::new();

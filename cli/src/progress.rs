@@ -7,18 +7,18 @@ use pellicle_contact::{Observer, Progress, Signal};
 
 use crate::interrupt;
 
-/// Shows the progress of a solution on standard error, if that is a terminal, and passes Ctrl-C on.
+/// Shows the progress of a solution on standard error if it is a terminal, and passes Ctrl-C on.
 #[derive(Debug)]
 pub struct ProgressLine {
     line: ProgressBar,
-    /// What stands before and behind the progress.
+    /// The texts before and after the progress.
     around: [String; 2],
     clock: TimeLeft,
     keeps_steps: bool,
 }
 
 impl ProgressLine {
-    /// A line that is there until it is dropped; it says that the coefficients come first.
+    /// A line that is shown until it is dropped; it begins with the coefficients.
     #[must_use]
     pub fn new(tolerance: f64) -> Self {
         Self::on(ProgressBar::new_spinner(), Default::default(), tolerance)
@@ -35,7 +35,7 @@ impl ProgressLine {
         }
     }
 
-    /// The same for a path whose finished steps are written even if the user stops it.
+    /// The same line for a path whose finished steps are written even if the user stops it.
     #[must_use]
     pub fn keeping_steps(mut self) -> Self {
         self.keeps_steps = true;
@@ -48,12 +48,12 @@ impl ProgressLine {
         move |done, total| line.set_message(writing(done, total))
     }
 
-    /// A line of somebody else's, with these words before and behind the progress.
+    /// The given line, with these texts before and after the progress.
     #[must_use]
     pub fn on(line: ProgressBar, around: [String; 2], tolerance: f64) -> Self {
         let [before, behind] = &around;
         line.set_message(format!("{before}influence coefficients{behind}"));
-        // The template is a constant: were it faulty, the default style would stand.
+        // The template is a constant; if it were invalid, the default style would remain.
         if let Ok(style) = ProgressStyle::with_template("{spinner} {elapsed} {msg}") {
             line.set_style(style);
         }
@@ -108,7 +108,7 @@ fn writing(done: usize, total: usize) -> String {
     format!("writing results, {done} of {total} fields and pictures")
 }
 
-/// A time as people say it: `40 s`, `3 min`, `2.5 h`.
+/// A time in words: `40 s`, `3 min`, `2.5 h`.
 #[must_use]
 pub fn in_words(time: Duration) -> String {
     let seconds = time.as_secs_f64();
@@ -121,18 +121,18 @@ pub fn in_words(time: Duration) -> String {
     }
 }
 
-/// How long the rest will take, judged by what is done.
+/// An estimate of the time left, from the work done so far.
 ///
-/// Steps to come take as long as those that are done did. Within a step only the finest grid counts, which takes nearly
-/// all the time: its residual is taken to fall by the same factor in every iteration.
+/// Each remaining step is taken to last as long as the finished ones on average. Within a step only the finest grid
+/// counts, which takes nearly all the time: its residual is taken to fall by the same factor in every iteration.
 #[derive(Debug, Clone, Copy)]
 struct TimeLeft {
     tolerance: f64,
     /// When the first step began.
     start: Option<Instant>,
-    /// When the present step began, and how many were finished before; those that are solved together count as one.
+    /// When the present step began, and how many were finished by then; steps solved together count as one.
     step: (Instant, usize),
-    /// Where the present grid began.
+    /// The first iteration on the present grid.
     level: Mark,
 }
 
@@ -161,7 +161,7 @@ impl TimeLeft {
         }
     }
 
-    /// The time left at this progress; none while there is nothing to judge it by.
+    /// The time left at this progress; none while there is nothing to estimate it from.
     fn remaining(&mut self, progress: &Progress, now: Instant) -> Option<Duration> {
         let start = *self.start.get_or_insert(now);
         let finished = progress.finished;

@@ -1,7 +1,7 @@
-//! A study: one case solved for many values of its keys, on all cores, over many machines, through kills.
+//! A study: one case solved for many values of its keys, on all cores and on many machines, resumed after kills.
 //!
-//! [`study_file`] reads it, [`plan`] lists the cases to solve, [`results_table`] keeps the results, one durable block of
-//! rows per case, [`runner`] solves the remaining cases, and [`gather`](mod@gather) merges the tables of several
+//! [`study_file`] reads it, [`plan`] lists the cases to solve, [`results_table`] keeps the results, one durable block
+//! of rows per case, [`runner`] solves the remaining cases, and [`gather`](mod@gather) merges the tables of several
 //! machines.
 
 pub mod case_solver;
@@ -25,23 +25,23 @@ use crate::case::diagnosis::Diagnosis;
 use crate::case::document::TomlNode;
 use crate::case::{Case, overrides};
 
-/// How the values of several keys are put together.
+/// The combination of the values of several keys.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Combine {
-    /// Every value of one with every value of the others; the last key changes fastest.
+    /// Every value of each with every value of the others; the last key changes fastest.
     Product,
     /// The first values of all, the second values of all, and so on.
     Zip,
 }
 
-/// A base case and what varies in it.
+/// A base case and the keys that vary in it.
 #[derive(Debug, Clone)]
 pub struct Study {
     /// Name of its file, without the ending.
     pub name: String,
-    /// Title of the cases, unless the base has one.
+    /// Title of the cases, unless the base case has one.
     case_name: String,
-    /// Folder from which the base case names its files.
+    /// Folder to which the file names of the base case are relative.
     folder: PathBuf,
     base: TomlNode,
     combine: Combine,
@@ -66,7 +66,7 @@ impl Study {
         }
     }
 
-    /// Which value each key has in a case, counted from 0.
+    /// The number of each key's value in a case, all counted from 0.
     #[must_use]
     pub fn choice(&self, case: usize) -> Vec<usize> {
         let mut rest = case;
@@ -88,7 +88,7 @@ impl Study {
     ///
     /// # Errors
     ///
-    /// A [`Diagnosis`] if with these values it is no case.
+    /// A [`Diagnosis`] if these values make an invalid case.
     pub fn case(&self, case: usize) -> Result<Case, Diagnosis> {
         let mut root = self.base.clone();
         for (varied, i) in self.varied_keys.iter().zip(self.choice(case)) {

@@ -2,7 +2,7 @@
 
 use clap::ValueEnum;
 
-/// A case to begin with.
+/// A case to start from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
 pub enum Template {
     /// A ball on a coating with a pattern of pillars
@@ -26,7 +26,7 @@ pub enum Template {
     Hertz,
     /// A ball on a rough elastic body
     Rough,
-    /// The heights that the case `rough` names, rough-surface.csv
+    /// The heights of the case `rough`, rough-surface.csv
     RoughMap,
     /// A parameter study: a ball on coatings of several thicknesses under several loads
     Study,
@@ -52,7 +52,7 @@ impl Template {
         }
     }
 
-    /// What to do with the file of this name that it was written to.
+    /// The next command, for a template written to the file `path`.
     #[must_use]
     pub fn next(self, path: &str) -> String {
         match self {

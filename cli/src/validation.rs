@@ -30,7 +30,7 @@ pub struct ValidationSection {
     pub name: &'static str,
     /// Where the references come from.
     pub source: &'static str,
-    /// The quantity that errors are relative to, and the cause of the tolerance.
+    /// The scale of the errors, and the cause of the tolerance.
     pub because: &'static str,
     rows: fn(ValidationRun) -> Result<Vec<Comparison>, ValidationError>,
 }

@@ -1,4 +1,4 @@
-//! Values of options, from text: quantities, ranges, places and offsets.
+//! Parsers of option values: quantities, ranges, sections and offsets.
 
 use crate::case::dimension::Dimension;
 use crate::case::quantity;
@@ -34,7 +34,7 @@ pub(super) fn range(text: &str) -> Result<[f64; 2], String> {
     if from < to {
         Ok([from, to])
     } else {
-        Err("the range ends before it begins".into())
+        Err("wanted a range whose end is above its start".into())
     }
 }
 

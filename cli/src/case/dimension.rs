@@ -79,8 +79,8 @@ impl Dimension {
         }
     }
 
-    /// The magnitudes allowed, in SI units or the case's own: far beyond anything measured, yet products of several still
-    /// fit into 64 bits.
+    /// The magnitudes allowed, in SI units or the case's own: far beyond anything measured, yet products of several
+    /// still fit into 64 bits.
     #[must_use]
     pub fn magnitudes(self) -> RangeInclusive<f64> {
         match self {

@@ -1,4 +1,4 @@
-//! A case as a tree of TOML values that remember where each was written.
+//! A case as a tree of TOML values, each with its place in the text.
 
 use std::sync::Arc;
 
@@ -11,12 +11,12 @@ use super::source::Source;
 use super::span::Span;
 use super::value_reader::ValueReader;
 
-/// A value and where it was written.
+/// A value and its place in the text.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TomlNode {
     /// The value.
     pub value: TomlValue,
-    /// Where it stands.
+    /// Its place in the text.
     pub span: Span,
 }
 
@@ -40,7 +40,7 @@ pub enum TomlValue {
 }
 
 impl TomlValue {
-    /// What it is, as a noun for a message.
+    /// A noun for messages.
     #[must_use]
     pub fn noun(&self) -> &'static str {
         match self {
@@ -67,7 +67,7 @@ pub struct TomlTable {
 pub struct TomlEntry {
     /// The key.
     pub key: String,
-    /// Where the key stands.
+    /// The place of the key.
     pub key_span: Span,
     /// The value.
     pub node: TomlNode,
@@ -86,7 +86,8 @@ impl TomlTable {
     }
 }
 
-/// The tree that a case was read from. It is no part of what the case says: any two are equal.
+/// The tree that a case was read from, for diagnoses and warnings after reading. It does not count when cases are
+/// compared: any two are equal.
 #[derive(Debug, Clone)]
 pub struct Document(Arc<TomlNode>);
 
@@ -109,7 +110,7 @@ impl Document {
         &self.0
     }
 
-    /// The diagnosis that the value of the first of these keys that is there is refused, for this reason.
+    /// The diagnosis that a value is refused for this reason: that of the first of these keys in the document.
     #[must_use]
     pub fn refused(&self, keys: &[&str], reason: &dyn std::error::Error) -> Diagnosis {
         let found = keys.iter().find_map(|key| self.field(key));
@@ -193,7 +194,7 @@ pub fn node(source: &Arc<Source>, start: usize, spanned: &Spanned<DeValue<'_>>) 
     TomlNode { value, span }
 }
 
-/// The parser has checked the spelling; what f64 cannot hold becomes infinite and is refused by the reader.
+/// The parser has checked the spelling; a number beyond f64 becomes infinite and is refused by the reader.
 fn float(digits: &str) -> TomlValue {
     TomlValue::Float(digits.parse().unwrap_or(f64::NAN))
 }

@@ -17,7 +17,7 @@ use super::value_reader::ValueReader;
 /// The foundation of a case, every value in SI units or the case's own.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct FoundationCase {
-    /// What everything rests on.
+    /// The base of the layers.
     pub substrate: SubstrateCase,
     /// The layers from the surface down.
     pub layer: Vec<LayerCase>,
@@ -28,22 +28,22 @@ pub struct FoundationCase {
 pub struct SplitFoundation {
     /// The foundation itself.
     pub foundation: Foundation,
-    /// How each graded layer was split, from the surface down.
+    /// The splits of the graded layers, from the surface down.
     pub splits: Vec<Split>,
 }
 
-/// How a graded layer was split.
+/// The split of a graded layer.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Split {
-    /// Which layer it is, from 0 at the surface.
+    /// The layer, counted from 0 at the surface.
     pub layer: usize,
-    /// Into how many.
+    /// Number of sublayers.
     pub sublayers: usize,
-    /// Estimated relative error of `C(k)` that it causes.
+    /// Estimated relative error of `C(k)` due to the split.
     pub error: f64,
 }
 
-/// What is refused, and the layer of the case whose fault it is.
+/// The error of a foundation, and the layer of the case that causes it.
 struct RefusedLayer {
     layer: usize,
     error: KernelError,
@@ -54,7 +54,7 @@ impl FoundationCase {
     ///
     /// # Errors
     ///
-    /// A [`Diagnosis`] of the first key that no foundation can have.
+    /// A [`Diagnosis`] of the first invalid key.
     pub fn read(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
         table.only(&["substrate", "layer"])?;
         let layers = match table.optional("layer") {
@@ -74,7 +74,7 @@ impl FoundationCase {
         }
     }
 
-    /// The foundation itself, and how its graded layers were split.
+    /// The foundation itself, with its graded layers split.
     ///
     /// # Errors
     ///
@@ -83,12 +83,12 @@ impl FoundationCase {
         self.try_split().map_err(|refusal| refusal.error)
     }
 
-    /// From the bottom up: a layer is split on what lies below it.
+    /// Splits from the bottom up, since the split of a layer depends on what lies below it.
     fn try_split(&self) -> Result<SplitFoundation, RefusedLayer> {
         let refused = |layer| move |error| RefusedLayer { layer, error };
         let base = self.substrate.build().map_err(refused(0))?;
         let (mut below, mut splits) = (Vec::new(), Vec::new());
-        // The layer of the case that each layer is of.
+        // The layer of the case that each layer belongs to.
         let mut origins = Vec::new();
         for (i, layer) in self.layer.iter().enumerate().rev() {
             let (layers, error) = layer.split(&below, base).map_err(refused(i))?;
@@ -114,7 +114,7 @@ impl FoundationCase {
         Ok(SplitFoundation { foundation, splits })
     }
 
-    /// Young's modulus of what lies at the surface, Pa; none on a bare rigid base, which is no foundation.
+    /// Young's modulus at the surface, Pa; none on a bare rigid base, which is no foundation.
     #[must_use]
     pub fn surface_young_modulus(&self) -> Option<f64> {
         match (self.layer.first(), self.substrate) {
@@ -125,7 +125,7 @@ impl FoundationCase {
     }
 }
 
-/// The value to change where the layers and the substrate are right but do not go together.
+/// The value to change if the layers and the substrate are valid but do not go together.
 fn blamed<'a>(
     table: &TableReader<'a>,
     refusal: &RefusedLayer,

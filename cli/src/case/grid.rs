@@ -10,13 +10,13 @@ use super::value_reader::Sign;
 /// Elements per side unless given.
 const DEFAULT_ELEMENTS: usize = 256;
 
-/// None is no field; more than 8192² are beyond the memory of a workstation: at some 240 bytes each they take 16 GB.
+/// More than 8192² elements are beyond the memory of a workstation: at some 240 bytes each, these take 16 GB.
 const ELEMENTS: std::ops::RangeInclusive<usize> = 1..=8192;
 
 /// The grid of a case.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct GridCase {
-    /// Side of the square domain, m; none until it is chosen from the load.
+    /// Side of the square domain, m; none if it is to be chosen from the load.
     pub side: Option<f64>,
     /// Elements per side.
     pub elements: usize,
@@ -36,7 +36,7 @@ impl GridCase {
     ///
     /// # Errors
     ///
-    /// A [`Diagnosis`] of the first key that no grid can have.
+    /// A [`Diagnosis`] of the first invalid key.
     pub fn read(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
         table.only(&["side", "elements"])?;
         let side = (table.optional("side"))

@@ -13,7 +13,7 @@ pub struct HeightLimits {
     range: f64,
 }
 
-/// How a map exceeds the limits.
+/// The slope and range of a map that exceeds the limits.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TooSteep {
     slope: f64,
@@ -21,17 +21,17 @@ pub struct TooSteep {
     side: f64,
 }
 
-/// Units that heights are written in, m.
+/// Usual units of heights, m.
 const UNITS: [(&str, f64); 4] = [("mm", 1e-3), ("um", 1e-6), ("nm", 1e-9), ("pm", 1e-12)];
 
 impl HeightLimits {
-    /// A surface: at an rms slope of 1 it stands at 45 degrees everywhere, far beyond small strains.
+    /// For a surface: an rms slope of 1 means 45 degrees everywhere, far beyond small strains.
     pub const SURFACE: Self = Self {
         slope: 1.0,
         range: 1.0,
     };
 
-    /// A tip: the faces of a cube corner have a slope of 1.4, a cone of half-angle 10 degrees one of 5.7.
+    /// For a tip: the faces of a cube corner have a slope of 1.4, a cone of half-angle 10 degrees has one of 5.7.
     pub const INDENTER: Self = Self {
         slope: 6.0,
         range: 6.0,

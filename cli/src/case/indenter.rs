@@ -1,4 +1,4 @@
-//! `[indenter]`: what is pressed into the surface.
+//! `[indenter]`: the rigid body pressed into the surface.
 
 use std::f64::consts::FRAC_PI_2;
 use std::path::Path;
@@ -90,7 +90,7 @@ impl IndenterCase {
     ///
     /// # Errors
     ///
-    /// A [`Diagnosis`] of the first key that no indenter of this kind can have.
+    /// A [`Diagnosis`] of the first key that is invalid for its kind.
     pub fn read(table: &TableReader<'_>, folder: &Path) -> Result<Self, Diagnosis> {
         let field = table.required("kind", WANTED)?;
         let indenter = match field.choice(&KINDS)? {
@@ -113,7 +113,7 @@ impl IndenterCase {
             IndenterKind::CubeCorner => {
                 Self::CubeCorner(PyramidCase::read(table, Pyramid::CUBE_CORNER_FACE_ANGLE)?)
             }
-            // What a map can be refused for is checked where it is read.
+            // A map is checked as it is read.
             IndenterKind::Map => {
                 table.only(&MapCase::KEYS)?;
                 return MapCase::read(table, folder, HeightLimits::INDENTER).map(Self::Map);
@@ -127,7 +127,7 @@ impl IndenterCase {
     ///
     /// # Errors
     ///
-    /// [`IndenterError`] if the indenter cannot be.
+    /// [`IndenterError`] if a value is invalid.
     pub fn build(&self) -> Result<Indenter, IndenterError> {
         match self {
             Self::Paraboloid { radius } => Paraboloid::new(*radius).map(Indenter::from),
@@ -187,8 +187,8 @@ fn tip_radius(table: &TableReader<'_>) -> Result<f64, Diagnosis> {
     table.optional("tip_radius").map_or(Ok(0.0), read)
 }
 
-/// Angles from the axis: a needle sharper than the first (0.1 degrees) is far beyond small slopes and any picture, one
-/// blunter than the last (10⁻⁴ degrees from flat) is a flat surface.
+/// Angles from the axis. A needle sharper than the first (0.1 degrees) is far beyond small slopes and any picture; a
+/// cone blunter than the last (10⁻⁴ degrees from flat) is flat.
 const ANGLES: std::ops::RangeInclusive<f64> = 1.745e-3..=FRAC_PI_2 - 1.745e-6;
 
 /// An angle from the axis, between 0 and 90 degrees.

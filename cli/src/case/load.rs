@@ -13,10 +13,10 @@ const KEYS: [&str; 4] = ["force", "forces", "penetration", "penetrations"];
 
 const WANTED: &str = "exactly one of force, forces, penetration, penetrations";
 
-/// Where one came from a file and the other from the command line or a study.
-const HELP: &str = "to put one in place of the other replace the whole table: --set load='{ force = \"3 mN\" }', or in a study \"load\" = [{ force = \"3 mN\" }]";
+/// The hint if one load comes from the file and the other from the command line or a study.
+const HELP: &str = "to replace one by the other, replace the whole table: --set load='{ force = \"3 mN\" }', or in a study \"load\" = [{ force = \"3 mN\" }]";
 
-/// More steps than this are not a curve but a mistake.
+/// The most steps of a curve; more are a mistake.
 const MOST_STEPS: usize = 10_000;
 
 /// The load of a case, every value in SI units or the case's own.
@@ -53,7 +53,7 @@ impl LoadCase {
         }
     }
 
-    /// The loads one after the other.
+    /// The loads in order.
     #[must_use]
     pub fn loads(&self) -> Vec<pellicle_contact::Load> {
         use pellicle_contact::Load;
@@ -81,7 +81,7 @@ fn the_one_given(table: &TableReader<'_>) -> Result<&'static str, Diagnosis> {
     }
 }
 
-/// What one value of the load may be.
+/// The dimension and sign of a load.
 struct LoadQuantity {
     dimension: Dimension,
     sign: Sign,

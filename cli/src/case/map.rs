@@ -1,9 +1,9 @@
-//! A height map that a case names: `file`, and what the file does not say of it.
+//! A height map named by a case: `file`, and the keys for what the file does not say.
 //!
-//! `side` is its length along x, with square pixels, `sides` the lengths along x and y; a `.gsf` file says them itself,
-//! and what the case says goes before. `height_unit` is the length that a 1 in the file stands for: `"nm"`, `"0.5 um"`
-//! or a bare number, negative to turn heights into depths. Without it heights are in the unit that the file names, or
-//! in metres, or in the case's own unit of length. `interpolation` is how heights between the samples are found.
+//! `side` is its length along x, with square pixels; `sides` are its lengths along x and y. A `.gsf` file has them
+//! itself, but the case takes precedence. `height_unit` is the length of a 1 in the file: `"nm"`, `"0.5 um"` or a bare
+//! number, negative to turn heights into depths. Without it heights are in the unit that the file names, or in metres,
+//! or in the case's own unit of length. `interpolation` gives the heights between the samples.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -24,19 +24,19 @@ use crate::map::MapFile;
 const FILE: &str =
     "a height map (.npy, .csv, .txt or .gsf) by its path from the folder of the case file";
 
-/// Three numbers a line and at least so many lines are points x, y, z and no strip of a surface.
+/// At least this many lines of three numbers are points x, y, z and not a strip of a surface.
 const MANY_LINES: usize = 30;
 
-/// A height map of a case. Written down it is the keys that give it again; the heights themselves stay in the file.
+/// A height map of a case. It is written as the keys that it was read from; the heights stay in the file.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct MapCase {
     /// Path of the file, from the folder of the case.
     pub file: String,
     /// Sides along x and along y, m.
     pub sides: [f64; 2],
-    /// What a 1 in the file stands for, m.
+    /// The length of a 1 in the file, m.
     pub height_unit: f64,
-    /// How heights between the samples are found.
+    /// The interpolation between the samples.
     pub interpolation: InterpolationCase,
     /// SI if the file names a unit.
     #[serde(skip)]
@@ -45,13 +45,13 @@ pub struct MapCase {
     heights: Arc<HeightMap>,
 }
 
-/// How heights between the samples are found.
+/// The interpolation between samples.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum InterpolationCase {
-    /// Smooth.
+    /// Bicubic, smooth.
     Bicubic,
-    /// With a ridge along every line of samples.
+    /// Linear, with a ridge along every line of samples.
     Linear,
 }
 
@@ -73,7 +73,7 @@ impl From<InterpolationCase> for Interpolation {
 }
 
 impl MapCase {
-    /// Every key of a map; a relief of springs has some more.
+    /// The keys of a map; a relief of springs has more.
     pub const KEYS: [&str; 6] = [
         "kind",
         "file",
@@ -87,8 +87,8 @@ impl MapCase {
     ///
     /// # Errors
     ///
-    /// A [`Diagnosis`] of the first key that no map can have, of the file if it is no map, or of the unit if with it no
-    /// surface is like that.
+    /// A [`Diagnosis`] of the first invalid key, of the file if it is not a map, or of the unit if it makes the map too
+    /// steep.
     pub fn read(
         table: &TableReader<'_>,
         folder: &Path,
@@ -148,7 +148,7 @@ impl MapCase {
     }
 }
 
-/// Whether sides that are given, or the file, have a unit: heights then have one, too.
+/// Whether the given sides or the file have a unit: then heights have one too.
 fn names_a_unit(table: &TableReader<'_>, file: &MapFile) -> bool {
     let is_text = |value: &TomlValue| matches!(value, TomlValue::Text(_));
     let has_unit = |field: ValueReader<'_>| match field.value() {
@@ -161,7 +161,7 @@ fn names_a_unit(table: &TableReader<'_>, file: &MapFile) -> bool {
     sides.any(has_unit) || units(file) == Units::Si
 }
 
-/// Refuses many lines of three numbers that are not the points of a grid, unless both sides of a strip are given.
+/// Refuses many lines of three numbers that are not the points of a grid, unless the sides of a strip are given.
 fn refuse_points(
     table: &TableReader<'_>,
     field: &ValueReader<'_>,
@@ -173,12 +173,12 @@ fn refuse_points(
         return Ok(());
     }
     let reason = format!(
-        "which holds {} lines of three numbers: points x, y, z of no rectangular grid, it seems",
+        "which holds {} lines of three numbers, apparently points x, y, z of no rectangular grid",
         x.max(y)
     );
     Err(field.unusable(
         &reason,
-        "rows of heights, or every point x, y, z of a grid of equal distances; of a strip that is three samples wide, sides = [x, y]",
+        "rows of heights, or every point x, y, z of a regular grid; for a strip three samples wide, sides = [x, y]",
     ))
 }
 
@@ -190,7 +190,7 @@ fn units(file: &MapFile) -> Units {
     }
 }
 
-/// The sides as the case gives them, or else the file: of points in the unit of their heights.
+/// The sides from the case or else from the file; those of points are in the unit of their heights.
 fn sides(
     table: &TableReader<'_>,
     field: &ValueReader<'_>,
@@ -198,7 +198,7 @@ fn sides(
     height_unit: f64,
 ) -> Result<[f64; 2], Diagnosis> {
     const WANTED: &str =
-        "side, the length of the map along x, or sides = [x, y], since the file does not say it";
+        "side, the length of the map along x, or sides = [x, y], since the file does not give it";
     const LENGTHS: &str = "a list of two positive lengths, [x, y]";
     let length = |field: &ValueReader<'_>| field.quantity(Dimension::Length, Sign::Positive);
     match (table.optional("side"), table.optional("sides")) {
@@ -227,13 +227,13 @@ fn sides(
     }
 }
 
-/// What a 1 in the file stands for, by the case or else by the file.
+/// The length of a 1 in the file, from the case or else from the file.
 fn height_unit(
     table: &TableReader<'_>,
     field: &ValueReader<'_>,
     file: &MapFile,
 ) -> Result<f64, Diagnosis> {
-    const WANTED: &str = "the length that a 1 in the file stands for, such as \"nm\" or \"0.5 um\", or a bare number other than 0";
+    const WANTED: &str = "the length of a 1 in the file, such as \"nm\" or \"0.5 um\", or a bare number other than 0";
     let Some(given) = table.optional("height_unit") else {
         return unit(field, "height", file.height_unit.as_deref());
     };
@@ -248,16 +248,16 @@ fn height_unit(
     given.in_range(Dimension::Length, length)
 }
 
-/// One of the unit that the file names, m; 1 if it names none.
+/// The unit that the file names, m; 1 if it names none.
 fn unit(field: &ValueReader<'_>, what: &str, name: Option<&str>) -> Result<f64, Diagnosis> {
     let Some(name) = name else {
         return Ok(1.0);
     };
     quantity::one(name, Dimension::Length).map_err(|_| {
-        let reason = format!("whose header has the {what} unit \"{name}\", which is no length");
+        let reason = format!("whose header has the {what} unit \"{name}\", which is not a length");
         field.unusable(
             &reason,
-            "a map of heights, or the key that says it otherwise",
+            "a map of heights, or the key that overrides the header",
         )
     })
 }

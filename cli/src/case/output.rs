@@ -1,4 +1,4 @@
-//! `[output]`: what a run leaves behind beside its numbers.
+//! `[output]`: the fields and pictures that a run writes.
 
 use clap::ValueEnum;
 use serde::Serialize;
@@ -7,18 +7,18 @@ use super::diagnosis::Diagnosis;
 use super::table_reader::TableReader;
 use super::value_reader::ValueReader;
 
-/// What a run writes beside summary, curve and report, which are always there.
+/// The files that a run writes in addition to summary, curve and report.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct OutputCase {
-    /// Of which loading steps the fields are written.
+    /// The loading steps whose fields are written.
     pub fields: Steps,
-    /// Of which loading steps pictures are drawn; with `none` there are none of the run as a whole either.
+    /// The loading steps whose pictures are drawn; with `none`, pictures of the whole run are left out too.
     pub pictures: Steps,
-    /// In which formats fields are written, each once.
+    /// The formats of the fields, each once.
     pub formats: Vec<Format>,
 }
 
-/// Which loading steps.
+/// A choice of loading steps.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, ValueEnum)]
 #[serde(rename_all = "lowercase")]
 pub enum Steps {
@@ -34,13 +34,13 @@ pub enum Steps {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, ValueEnum)]
 #[serde(rename_all = "lowercase")]
 pub enum Format {
-    /// Arrays of NumPy, from which pictures can be drawn again
+    /// NumPy arrays, from which pictures can be redrawn
     Npz,
-    /// An image of VTK, for ParaView
+    /// VTK image data, for ParaView
     Vti,
-    /// The layout of contact.engineering
+    /// NetCDF in the layout of contact.engineering
     Nc,
-    /// Simple fields of Gwyddion
+    /// Gwyddion simple fields
     Gsf,
 }
 
@@ -68,7 +68,7 @@ impl Steps {
         }
     }
 
-    /// How many of `steps` they are.
+    /// Their number, of `steps` in all.
     #[must_use]
     pub fn count(self, steps: usize) -> usize {
         match self {
@@ -94,7 +94,7 @@ impl OutputCase {
     ///
     /// # Errors
     ///
-    /// A [`Diagnosis`] of the first key that says nothing known.
+    /// A [`Diagnosis`] of the first key with an unknown value.
     pub fn read(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
         table.only(&["fields", "pictures", "formats"])?;
         let default = Self::default();
@@ -107,7 +107,7 @@ impl OutputCase {
         })
     }
 
-    /// Takes these formats, each once.
+    /// Sets the formats, each once.
     pub fn set_formats(&mut self, formats: &[Format]) {
         self.formats = formats.to_vec();
         self.formats.sort_unstable();

@@ -9,17 +9,17 @@ use super::document::{self, TomlEntry, TomlNode, TomlTable, TomlValue};
 use super::source::Source;
 use super::span::Span;
 
-/// Name of the command line's own text in messages.
+/// The name of the command line's text in messages.
 pub const NAME: &str = "--set";
 
-/// The tree with the value of `argument`, `key.of.table=value`, in place of what the file says.
+/// Replaces the value of a key in the tree by that of `argument`, `key.of.table=value`.
 ///
-/// The value is read as TOML, and as a string if it is none: `load.force=3 mN` needs no second pair of quotes.
-/// Lists are entered by number from 0: `foundation.layer.0.thickness`. A table that is not there is made.
+/// The value is read as TOML, or else as a string: `load.force=3 mN` needs no second pair of quotes. Items of lists are
+/// numbered from 0: `foundation.layer.0.thickness`. Missing tables are created.
 ///
 /// # Errors
 ///
-/// A [`Diagnosis`] naming `--set` if the argument has no key or the key leads through something that is no table.
+/// A [`Diagnosis`] naming `--set` if the argument has no key or the key leads through a value that is not a table.
 pub fn set(root: &mut TomlNode, argument: &str) -> Result<(), Diagnosis> {
     let source = Arc::new(Source::new(NAME, argument.to_owned()));
     let (key, value) = argument.split_once('=').ok_or_else(|| malformed(&source))?;
@@ -35,11 +35,11 @@ pub fn set(root: &mut TomlNode, argument: &str) -> Result<(), Diagnosis> {
     }
 }
 
-/// Puts a value in place of that of a key, `foundation.layer[0].thickness`; a table that is not there is made.
+/// Replaces the value of a key, `foundation.layer[0].thickness`; missing tables are created.
 ///
 /// # Errors
 ///
-/// A [`Diagnosis`] if there is no such key and none can be made.
+/// A [`Diagnosis`] if there is no such key and it cannot be created.
 pub fn replace(
     root: &mut TomlNode,
     key: &str,
@@ -47,12 +47,15 @@ pub fn replace(
     value: TomlNode,
 ) -> Result<(), Diagnosis> {
     let diagnosis = |found| {
-        let wanted = "a key that the case can have".into();
+        let wanted = "a key of a case".into();
         Diagnosis::of_key(key.trim(), key_span.clone(), Fault::Wrong { found, wanted })
     };
     let parts = key_path(key).ok_or_else(|| diagnosis(format!("`{key}`")))?;
-    put(root, &parts, value, key_span)
-        .map_err(|at| diagnosis(format!("`{at}`, which is neither a table nor in the list")))
+    put(root, &parts, value, key_span).map_err(|at| {
+        diagnosis(format!(
+            "`{at}`, which is neither a table nor an item of the list"
+        ))
+    })
 }
 
 fn malformed(source: &Arc<Source>) -> Diagnosis {
@@ -82,7 +85,7 @@ fn read(source: &Arc<Source>, start: usize, text: &str) -> TomlNode {
     }
 }
 
-/// Puts the value at the end of the parts; the part that leads nowhere is the error.
+/// Puts the value at the end of the path; the error is the part that leads nowhere.
 fn put<'s>(
     node: &mut TomlNode,
     parts: &'s [String],
@@ -101,7 +104,7 @@ fn put<'s>(
     put(next.ok_or(part.as_str())?, rest, value, at)
 }
 
-/// The value of a key, made as an empty table if it is not there.
+/// The value of a key, created as an empty table if it is missing.
 fn entry<'t>(table: &'t mut TomlTable, key: &str, at: &Span) -> Option<&'t mut TomlNode> {
     if table.entry(key).is_none() {
         table.entries.push(TomlEntry {
@@ -155,7 +158,7 @@ mod tests {
     }
 
     #[test]
-    fn a_table_that_is_not_there_is_made() {
+    fn a_missing_table_is_created() {
         let root = with("grid.elements=64").unwrap();
         let root = TableReader::root(&root).unwrap();
         assert!(root.optional("grid").unwrap().is_table());

@@ -4,27 +4,27 @@ use uom::si::f64::{Angle, Force, Length, Pressure};
 
 use super::dimension::Dimension;
 
-/// No number a person writes is longer than this, in bytes.
+/// The longest number that is read, in bytes.
 const LONGEST_NUMBER: usize = 64;
 
-/// Why a text is not a quantity of the dimension that is wanted.
+/// The reason why a text is not a quantity of the wanted dimension.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum QuantityError {
     /// The text does not begin with a number.
     #[error("no number")]
     NoNumber,
-    /// The number stands alone.
+    /// There is no unit.
     #[error("a number without a unit")]
     NoUnit,
     /// No dimension has this unit.
     #[error("the unknown unit `{0}`")]
     UnknownUnit(String),
-    /// The unit is one of another dimension.
+    /// The unit belongs to another dimension.
     #[error("{}", .0.noun())]
     OtherDimension(Dimension),
 }
 
-/// The quantity in SI units (m, Pa, N, rad, m/Pa), correctly rounded where the unit is a decimal one.
+/// The quantity in SI units (m, Pa, N, rad, m/Pa), correctly rounded if the unit is a power of ten of the SI unit.
 ///
 /// # Errors
 ///
@@ -48,7 +48,7 @@ pub fn one(unit: &str, dimension: Dimension) -> Result<f64, QuantityError> {
     parse(&format!("1 {unit}"), dimension)
 }
 
-/// The dimension of a text that is a quantity with a unit.
+/// The dimension of a quantity with a unit; none if the text is not one.
 #[must_use]
 pub fn dimension_of(text: &str) -> Option<Dimension> {
     let (_, unit) = split(text).ok()?;
@@ -83,7 +83,7 @@ fn factor(dimension: Dimension, unit: &str) -> Option<f64> {
     }
 }
 
-/// The longest beginning of the text that is a number, and what follows.
+/// The longest prefix of the text that is a number, and the rest.
 fn split(text: &str) -> Result<(&str, &str), QuantityError> {
     let text = text.trim();
     let is_number = |end: &usize| {
@@ -100,7 +100,7 @@ fn split(text: &str) -> Result<(&str, &str), QuantityError> {
     }
 }
 
-/// The library's spelling of a unit that people also spell otherwise: `um`, `μm` with a Greek mu, `deg`, `N/m^2`.
+/// The library's spelling of a unit with several spellings: `um`, `μm` with a Greek mu, `deg`, `N/m^2`.
 fn spelling(unit: &str) -> String {
     let unit = unit
         .trim()
@@ -117,8 +117,8 @@ fn spelling(unit: &str) -> String {
     }
 }
 
-/// The number of a text times a factor: of a power of ten, the number with its decimal point moved, which is what the
-/// bare number of the same value would have been read as; rounded twice otherwise.
+/// The number of a text times a factor. For a power of ten the decimal point is moved, which gives the same bits as the
+/// bare number of that value; otherwise the product is rounded twice.
 fn times(number: &str, factor: f64) -> f64 {
     let shifted = decimal_exponent(factor).and_then(|shift| shifted(number, shift));
     shifted.unwrap_or_else(|| number.parse().unwrap_or(f64::NAN) * factor)
@@ -135,7 +135,7 @@ fn decimal_exponent(factor: f64) -> Option<i32> {
     ((factor / power - 1.0).abs() <= 4.0 * f64::EPSILON).then_some(exponent)
 }
 
-/// The number of a text with its decimal point moved; none where it is infinite or no number, or its exponent none.
+/// The number of a text with its decimal point moved; none if it is not finite or its exponent overflows.
 fn shifted(number: &str, places: i32) -> Option<f64> {
     let (mantissa, exponent) = number.split_once(['e', 'E']).unwrap_or((number, "0"));
     let exponent = exponent.parse::<i32>().ok()?.checked_add(places)?;

@@ -1,4 +1,4 @@
-//! `[solver]`: how exact, and by which method.
+//! `[solver]`: tolerance and method.
 
 use pellicle_contact::{Method, SolverOptions};
 use serde::Serialize;
@@ -6,19 +6,19 @@ use serde::Serialize;
 use super::diagnosis::Diagnosis;
 use super::table_reader::TableReader;
 
-/// Below the lower end rounding decides, above the upper one the answer is not worth its name.
+/// Below the lower end rounding errors dominate; above the upper one the answer is useless.
 const TOLERANCES: std::ops::RangeInclusive<f64> = 1e-13..=1e-2;
 
-/// How a case is solved.
+/// Tolerance and method of a case.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct SolverCase {
-    /// On every line of the certificate.
+    /// Bound on every line of the certificate.
     pub tolerance: f64,
-    /// Which solver.
+    /// The solver.
     pub method: MethodCase,
 }
 
-/// Which solver.
+/// A solver.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum MethodCase {
@@ -42,7 +42,7 @@ impl SolverCase {
     ///
     /// # Errors
     ///
-    /// A [`Diagnosis`] of the first key that no solver can have, or not on this grid.
+    /// A [`Diagnosis`] of the first invalid key, or of a method that is too expensive for this grid.
     pub fn read(table: &TableReader<'_>, elements: usize) -> Result<Self, Diagnosis> {
         table.only(&["tolerance", "method"])?;
         let mut solver = Self::default();

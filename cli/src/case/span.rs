@@ -1,4 +1,4 @@
-//! Where something stands in what the user wrote.
+//! A place in a text that the user wrote.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -22,21 +22,21 @@ impl Span {
         Self { source, bytes }
     }
 
-    /// The end of a text: where something missing would be written.
+    /// The end of a text, where missing keys would be written.
     #[must_use]
     pub fn end_of(source: &Arc<Source>) -> Self {
         let end = source.inner().trim_end().len();
         Self::new(source, end..end)
     }
 
-    /// Number of the line it begins on, from 1.
+    /// The line on which it begins, counted from 1.
     #[must_use]
     pub fn line(&self) -> usize {
         let before = self.source.inner().as_bytes().iter().take(self.bytes.start);
         1 + before.filter(|byte| **byte == b'\n').count()
     }
 
-    /// Text and line in words, `case.toml, line 3`; of the command line only its name, since it has but one line.
+    /// Source and line in words, `case.toml, line 3`; for the command line only its name, since it has a single line.
     #[must_use]
     pub fn words(&self) -> String {
         let name = self.source.name();
@@ -46,7 +46,7 @@ impl Span {
         format!("{name}, line {}", self.line())
     }
 
-    /// Length in bytes of the line it begins on.
+    /// Length in bytes of the line on which it begins.
     #[must_use]
     pub fn line_length(&self) -> usize {
         let text = self.source.inner().as_str();

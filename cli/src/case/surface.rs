@@ -36,18 +36,18 @@ pub enum SurfaceCase {
     Rough(MapCase),
 }
 
-/// A measured relief and how soft it is.
+/// A measured relief and its compliance.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ReliefMapCase {
     /// Its heights.
     #[serde(flatten)]
     pub map: MapCase,
-    /// Its softness.
+    /// Its compliance.
     #[serde(flatten)]
     pub compliance: ComplianceCase,
 }
 
-/// How soft a measured relief is.
+/// The compliance of a measured relief.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum ComplianceCase {
@@ -68,7 +68,7 @@ pub struct CylindersCase {
     pub height: f64,
     /// Distance `T` between neighbouring axes, m.
     pub period: f64,
-    /// Place of one axis relative to the indenter's, m.
+    /// Position of one axis relative to the indenter's, m.
     pub offset: [f64; 2],
     /// Young's modulus `E_a`, Pa; that of the surface unless given.
     pub young_modulus: f64,
@@ -102,12 +102,12 @@ const KINDS: [(&str, SurfaceKind); 5] = [
 ];
 
 impl SurfaceCase {
-    /// Reads the table, and a map's file by its path from `folder`; the foundation gives the cylinders' modulus where
-    /// the table does not.
+    /// Reads the table, and a map's file by its path from `folder`; the foundation gives the cylinders' modulus if the
+    /// table does not.
     ///
     /// # Errors
     ///
-    /// A [`Diagnosis`] of the first key that no surface of this kind can have.
+    /// A [`Diagnosis`] of the first key that is invalid for its kind.
     pub fn read(
         table: &TableReader<'_>,
         foundation: &FoundationCase,
@@ -140,7 +140,7 @@ impl SurfaceCase {
             if springs.is_empty() {
                 return diagnosis;
             }
-            diagnosis.with_help("a rough surface is that of the body itself and has no springs: springs belong to kind = \"map\"")
+            diagnosis.with_help("a rough surface is the body's own and has no springs: springs belong to kind = \"map\"")
         })?;
         MapCase::read(table, folder, HeightLimits::SURFACE).map(Self::Rough)
     }
@@ -149,7 +149,7 @@ impl SurfaceCase {
     ///
     /// # Errors
     ///
-    /// [`TextureError`] if the relief cannot be.
+    /// [`TextureError`] if the relief is invalid.
     pub fn build(&self) -> Result<Relief, TextureError> {
         match self {
             Self::Bare => Ok(Relief::Bare),
@@ -165,7 +165,7 @@ impl SurfaceCase {
         }
     }
 
-    /// The measured map, if the surface is one.
+    /// The measured map, if there is one.
     #[must_use]
     pub fn map(&self) -> Option<&MapCase> {
         match self {
@@ -198,7 +198,7 @@ impl ComplianceCase {
     const KEYS: [&str; 2] = ["compliance", "young_modulus"];
 
     fn read(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
-        const WANTED: &str = "exactly one of compliance and young_modulus, of the springs that the map's heights stand for; for a body that is itself rough write kind = \"rough\"";
+        const WANTED: &str = "exactly one of compliance and young_modulus, for the springs of the map; if the body itself is rough, write kind = \"rough\"";
         match table.given(&Self::KEYS)[..] {
             ["compliance"] => table
                 .required("compliance", WANTED)?
@@ -238,7 +238,7 @@ impl CylindersCase {
             offset: offset(table)?,
             young_modulus: young_modulus(table, foundation)?,
         };
-        // Every number is in range by now: what the texture still refuses is the overlap.
+        // Every number is in range by now: only an overlap can still be refused.
         let radius = table.required("radius", "")?;
         cylinders.build().map_err(|error| radius.refused(&error))?;
         Ok(cylinders)

@@ -1,4 +1,4 @@
-//! A table being read: takes its keys one by one and says what is wrong with them.
+//! Reads a table key by key and diagnoses its faults.
 
 use super::diagnosis::closest;
 use super::diagnosis::{Diagnosis, Fault};
@@ -31,11 +31,11 @@ impl<'a> TableReader<'a> {
         ValueReader::new(String::new(), node).table()
     }
 
-    /// Refuses every key but these, with a suggestion for a misspelt one.
+    /// Refuses unknown keys, with a suggestion for a misspelt one.
     ///
     /// # Errors
     ///
-    /// A [`Diagnosis`] of the first key in the text that is none of `known`.
+    /// A [`Diagnosis`] of the first key in the text that is not in `known`.
     pub fn only(&self, known: &[&str]) -> Result<(), Diagnosis> {
         let unknown = |entry: &&TomlEntry| !known.contains(&entry.key.as_str());
         let first = (self.table.entries.iter())
@@ -54,7 +54,7 @@ impl<'a> TableReader<'a> {
         }
     }
 
-    /// The value of a key that may be left out.
+    /// The value of an optional key.
     #[must_use]
     pub fn optional(&self, key: &str) -> Option<ValueReader<'a>> {
         let node = &self.table.entry(key)?.node;
@@ -62,7 +62,7 @@ impl<'a> TableReader<'a> {
         Some(ValueReader::new(path, node))
     }
 
-    /// The value of a key that must be there; `wanted` says what it holds.
+    /// The value of a required key; `wanted` describes it.
     ///
     /// # Errors
     ///
@@ -72,7 +72,7 @@ impl<'a> TableReader<'a> {
             .ok_or_else(|| self.missing(key, wanted.to_owned()))
     }
 
-    /// The quantity of a key that must be there and positive.
+    /// The positive quantity of a required key.
     ///
     /// # Errors
     ///
@@ -90,7 +90,7 @@ impl<'a> TableReader<'a> {
         Diagnosis::of_key(path, self.span.clone(), Fault::Missing { wanted })
     }
 
-    /// The keys of `candidates` that are there.
+    /// The keys of `candidates` in the table.
     #[must_use]
     pub fn given(&self, candidates: &[&'static str]) -> Vec<&'static str> {
         let is_there = |key: &&&str| self.table.entry(key).is_some();

@@ -1,4 +1,4 @@
-//! One value being read: what the user wrote under a key, as the type that is wanted there.
+//! Reads the value of a key as the type wanted there.
 
 use std::ops::RangeInclusive;
 
@@ -38,7 +38,7 @@ impl Sign {
             }
     }
 
-    /// What is wanted, in words: `a positive length such as "5 nm"`.
+    /// The wanted values in words: `a positive length such as "5 nm"`.
     #[must_use]
     pub fn wanted(self, dimension: Dimension) -> String {
         let noun = dimension.noun();
@@ -75,25 +75,25 @@ impl<'a> ValueReader<'a> {
         &self.node.value
     }
 
-    /// Where it stands.
+    /// Its place in the text.
     #[must_use]
     pub fn span(&self) -> &'a Span {
         &self.node.span
     }
 
-    /// The diagnosis that something else is wanted here.
+    /// The diagnosis that another value is wanted here.
     pub fn wanted(&self, wanted: impl Into<String>) -> Diagnosis {
         let (found, wanted) = (self.found(), wanted.into());
         self.diagnosis(Fault::Wrong { found, wanted })
     }
 
-    /// The diagnosis that the model refuses this value, for this reason.
+    /// The diagnosis that the model refuses this value for this reason.
     pub fn refused(&self, reason: &dyn std::error::Error) -> Diagnosis {
         let reason = reason.to_string();
         self.diagnosis(Fault::Refused { reason })
     }
 
-    /// The diagnosis that this value cannot be used, for a reason that follows what the user wrote.
+    /// The diagnosis that this value cannot be used; the reason follows the user's text.
     pub fn unusable(&self, reason: &dyn std::fmt::Display, wanted: impl Into<String>) -> Diagnosis {
         let (found, wanted) = (format!("{}, {reason}", self.found()), wanted.into());
         self.diagnosis(Fault::Wrong { found, wanted })
@@ -105,7 +105,7 @@ impl<'a> ValueReader<'a> {
         Diagnosis::of_key(self.path.clone(), self.node.span.clone(), fault)
     }
 
-    /// What the user wrote, as it stands; a table or a long text only by its kind.
+    /// The user's text; of a table or a long text only its kind.
     fn found(&self) -> String {
         let written = self.node.span.text();
         match &self.node.value {
@@ -176,11 +176,11 @@ impl<'a> ValueReader<'a> {
         }
     }
 
-    /// What the one of these words that stands here means.
+    /// The meaning of the word that stands here, one of these choices.
     ///
     /// # Errors
     ///
-    /// A [`Diagnosis`] if none of them does, with a suggestion for a misspelt one.
+    /// A [`Diagnosis`] if none of them stands here, with a suggestion for a misspelt one.
     pub fn choice<T: Copy>(&self, choices: &[(&str, T)]) -> Result<T, Diagnosis> {
         let words: Vec<_> = choices.iter().map(|(word, _)| *word).collect();
         let wanted = format!("one of \"{}\"", words.join("\", \""));
@@ -197,7 +197,7 @@ impl<'a> ValueReader<'a> {
         })
     }
 
-    /// The integer of `range` that stands here; `why` follows what is wanted.
+    /// The integer of `range` that stands here; in the diagnosis `why` follows the range.
     ///
     /// # Errors
     ///
@@ -228,7 +228,7 @@ impl<'a> ValueReader<'a> {
     ///
     /// # Errors
     ///
-    /// A [`Diagnosis`] if something else does, if its unit is of another kind, or its sign is not allowed.
+    /// A [`Diagnosis`] if something else does, or if its unit or sign is not allowed.
     pub fn quantity(&self, dimension: Dimension, sign: Sign) -> Result<f64, Diagnosis> {
         let value = match &self.node.value {
             TomlValue::Text(text) => quantity::parse(text, dimension)
@@ -241,8 +241,8 @@ impl<'a> ValueReader<'a> {
         self.in_range(dimension, value)
     }
 
-    /// The value itself if it is of a size that the arithmetic of a contact can hold: squares and quotients of such
-    /// numbers are numbers.
+    /// The value itself if its magnitude is one that the arithmetic of a contact can hold: squares and quotients of
+    /// such numbers are finite.
     ///
     /// # Errors
     ///

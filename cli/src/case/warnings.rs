@@ -10,14 +10,13 @@ use crate::display::{Unit, quantity};
 /// A warning about a case.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct CaseWarning {
-    /// A word for programs.
+    /// A short name, for programs.
     pub code: &'static str,
-    /// A sentence for people.
+    /// A sentence, for people.
     pub message: String,
 }
 
-/// Keys of lengths, pressures, forces and compliances, and the unit that a bare number of theirs has in a case with
-/// units.
+/// Keys of lengths, pressures, forces and compliances, with the unit of a bare number in a case that has units.
 const QUANTITIES: [(&str, &str); 14] = [
     ("thickness", "m"),
     ("young_modulus", "Pa"),
@@ -35,7 +34,7 @@ const QUANTITIES: [(&str, &str); 14] = [
     ("sides", "m"),
 ];
 
-/// A tenth of a nanometre on a side of a centimetre: no measured surface ranges over less.
+/// A tenth of a nanometre on a side of a centimetre: the heights of every measured surface range over more.
 const FLAT: f64 = 1e-8;
 
 impl Case {
@@ -60,7 +59,7 @@ impl Case {
     }
 }
 
-/// A map whose pixels are larger than the elements: more elements see no more of the surface.
+/// The warning about a map whose pixels are larger than the elements: more elements resolve no more of the surface.
 fn coarse(table: &str, map: &MapCase, element_side: f64, units: Units) -> Option<CaseWarning> {
     let pixel = map.pixel();
     let metres = |value| quantity(value, Unit::Metre, units);
@@ -76,7 +75,7 @@ fn coarse(table: &str, map: &MapCase, element_side: f64, units: Units) -> Option
     })
 }
 
-/// A map with next to no heights: of a thousandth of its unit, more likely than a surface.
+/// The warning about an almost flat map, whose unit is probably a thousand times too small.
 fn flat(table: &str, map: &MapCase, units: Units) -> Option<CaseWarning> {
     let samples = map.samples().iter().copied();
     let least = samples.clone().fold(f64::INFINITY, f64::min);
@@ -92,7 +91,7 @@ fn flat(table: &str, map: &MapCase, units: Units) -> Option<CaseWarning> {
     })
 }
 
-/// The bare numbers of a case that has units elsewhere, each key once.
+/// Warns of the bare numbers of a case that has units elsewhere, once per key.
 fn bare_numbers(root: &TomlNode, warnings: &mut Vec<CaseWarning>) {
     if let TomlValue::Table(table) = &root.value {
         in_table("", table, warnings);

@@ -1,4 +1,4 @@
-//! `pellicle check`: the case as resolved, and what solving it would take.
+//! `pellicle check`: the case as resolved, and estimates of the work of solving it.
 
 use pellicle_contact::Step;
 
@@ -15,8 +15,7 @@ use crate::output::disk_space;
 use crate::program::Outcome;
 use crate::{cache, terminal};
 
-/// Prints the case with every default filled in, below it what the grid makes of it, and what the solution would warn
-/// of.
+/// Prints the case with every default filled in, the estimates below it, and the warnings to expect.
 ///
 /// # Errors
 ///
@@ -44,7 +43,7 @@ fn heading(units: Units) -> &'static str {
     }
 }
 
-/// What the grid makes of the case, as comments, so that the whole is a case file again.
+/// Resolution, work and memory, as comments, so that the output is a case file again.
 fn estimates(case: &Case, forecast: &Forecast, chosen: bool) -> Result<String, Failure> {
     let element_side = forecast.side / case.grid.elements as f64;
     let metres = |value| quantity(value, Unit::Metre, case.units);
@@ -84,7 +83,7 @@ fn megabytes(bytes: f64) -> String {
     format!("{} MB", significant(bytes / 1e6, 2))
 }
 
-/// Comments of name and value, in columns.
+/// Comments of names and values, in columns.
 #[derive(Default)]
 struct Estimates {
     lines: Vec<String>,
@@ -95,7 +94,7 @@ impl Estimates {
         self.lines.push(format!("# {name:<38}{value}\n"));
     }
 
-    /// Into how many homogeneous layers the graded ones are split.
+    /// The number of homogeneous layers into which each graded layer is split.
     fn graded(&mut self, case: &Case) -> Result<(), Failure> {
         for split in case.foundation.split()?.splits {
             let (sublayers, error) = (split.sublayers, significant(split.error, 2));
@@ -108,7 +107,7 @@ impl Estimates {
         Ok(())
     }
 
-    /// How finely the maps are sampled: for their shortest waves, and for the elements.
+    /// The sampling of the maps: samples per element and per shortest wave.
     fn maps(&mut self, case: &Case, element_side: f64) {
         let maps = [
             ("surface", case.surface.map()),
@@ -126,7 +125,7 @@ impl Estimates {
         }
     }
 
-    /// What the largest load does on a coarse grid.
+    /// The contact of the largest load on a coarse grid.
     fn trial(&mut self, step: &Step, elements: usize, element_side: f64, units: Units) {
         let (solution, summary) = (&step.solution, &step.summary);
         let of = |value, unit| quantity(value, unit, units);

@@ -1,4 +1,4 @@
-//! `pellicle gather`: the parts of a study put together.
+//! `pellicle gather`: merges the parts of a study.
 
 use crate::arguments::GatherArguments;
 use crate::command::study::words;
@@ -7,10 +7,10 @@ use crate::program::Outcome;
 use crate::study::gather::{self, OtherTable};
 use crate::terminal;
 
-/// How many missing cases are named.
+/// The most missing cases that are named.
 const MOST_NAMED: usize = 10;
 
-/// Writes the whole table if every case is there, and says which are not otherwise.
+/// Writes the merged table if every case is there; otherwise names the missing ones.
 ///
 /// # Errors
 ///

@@ -10,7 +10,7 @@ use crate::failure::Failure;
 use crate::program::Outcome;
 use crate::{cache, output, terminal};
 
-/// One offset.
+/// The coefficient at one offset.
 #[derive(Debug, Clone, Copy, Serialize)]
 struct CoefficientRow {
     /// Distance in elements along x and y.

@@ -9,7 +9,7 @@ use crate::failure::Failure;
 use crate::program::Outcome;
 use crate::{output, terminal};
 
-/// One wavenumber.
+/// Compliance and response at one wavenumber.
 #[derive(Debug, Clone, Copy, Serialize)]
 struct ComplianceRow {
     /// `k`, 1/m.
@@ -24,7 +24,7 @@ struct ComplianceRow {
 ///
 /// # Errors
 ///
-/// [`Failure`] if the case cannot be read or its foundation cannot be.
+/// [`Failure`] if the case cannot be read or its foundation is invalid.
 pub fn kernel(arguments: &KernelArguments) -> Result<Outcome, Failure> {
     let case = Case::read(&arguments.case.path, &arguments.case.sets)?;
     let foundation = case.foundation.split()?.foundation;

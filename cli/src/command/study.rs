@@ -1,4 +1,4 @@
-//! `pellicle study`: one case for many values of its keys.
+//! `pellicle study`: solves a case for many values of its keys.
 
 use std::path::{Path, PathBuf};
 
@@ -19,11 +19,11 @@ use crate::study::shard::Shard;
 use crate::study::{runner, study_file};
 use crate::{cache, output, terminal};
 
-/// Solves the cases that are not done yet and says how all of them ended.
+/// Solves the remaining cases and prints the number of cases by status.
 ///
 /// # Errors
 ///
-/// [`Failure`] if the study is wrong or its table cannot be written. A case that fails is none.
+/// [`Failure`] if the study is invalid or its table cannot be written; not if a case fails.
 pub fn study(arguments: &StudyArguments) -> Result<Outcome, Failure> {
     let study = study_file::read(&arguments.path, &arguments.sets)?;
     let plan = StudyPlan::new(&study, arguments.shard)?;
@@ -34,7 +34,7 @@ pub fn study(arguments: &StudyArguments) -> Result<Outcome, Failure> {
     let place = Place::claim(&folder, &plan.identity, arguments.fresh)?;
     if let Some(before) = place.before.as_ref().filter(|_| is_watched(arguments)) {
         terminal::tell(&format!(
-            "the table that was there is kept until the new one is complete: {}",
+            "the old table is kept until the new one is complete: {}",
             before.display()
         ));
     }
@@ -76,7 +76,7 @@ fn folder(arguments: &StudyArguments, study: &Study) -> PathBuf {
     arguments.out.clone().unwrap_or_else(default)
 }
 
-/// What `--json` prints.
+/// The output of `--json`.
 #[derive(Debug, Serialize)]
 struct StudyReport {
     cases: usize,
@@ -109,7 +109,7 @@ fn report(
     })
 }
 
-/// How the cases ended, in words.
+/// The number of cases by status, in words.
 #[must_use]
 pub fn words(tally: Tally, cases: usize) -> String {
     let Tally {

@@ -1,4 +1,4 @@
-//! `pellicle validate`: the program beside what is known otherwise.
+//! `pellicle validate`: compares the program with known results.
 
 use std::time::{Duration, Instant};
 
@@ -17,7 +17,7 @@ use crate::{output, terminal, threads};
 ///
 /// # Errors
 ///
-/// [`Failure`] if the threads cannot be had or standard output cannot be written to.
+/// [`Failure`] if the threads cannot be started or standard output cannot be written to.
 pub fn validate(arguments: &ValidateArguments) -> Result<Outcome, Failure> {
     let start = Instant::now();
     threads::set(arguments.threads)?;
@@ -58,10 +58,10 @@ fn warn_of_hook(run: ValidationRun) {
     }
 }
 
-/// Computes a section with a line on the terminal meanwhile.
+/// Computes a section, with a progress line on the terminal.
 fn watched(section: &'static ValidationSection, count: usize, run: ValidationRun) -> SectionResult {
     let line = ProgressBar::new_spinner();
-    // The template is a constant: were it faulty, the default style would stand.
+    // The template is a constant; if it were invalid, the default style would remain.
     if let Ok(style) = ProgressStyle::with_template("{spinner} {elapsed} {msg}") {
         line.set_style(style);
     }

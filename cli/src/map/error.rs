@@ -1,26 +1,26 @@
-//! Why a file is no height map.
+//! The reasons why a file is not a height map.
 
 use std::io;
 
-/// What is wrong with the file of a map, as the words that follow its name.
+/// The fault of a map's file, as a clause that follows its name.
 #[derive(Debug, thiserror::Error)]
 pub enum MapError {
     /// The file cannot be read.
     #[error("which cannot be read: {0}")]
     Unreadable(#[from] io::Error),
-    /// The file is larger than any map.
+    /// The file is too large.
     #[error("which is larger than {} MiB", largest >> 20)]
     TooLarge {
         /// Most bytes.
         largest: u64,
     },
-    /// The ending of the name is that of no format known here.
+    /// The file name has an unknown ending.
     #[error("a file of the unknown kind \".{found}\"")]
     Ending {
         /// The ending, without its dot.
         found: String,
     },
-    /// Not an array that NumPy saved, or not one of numbers in two dimensions.
+    /// Not a NumPy array, or not a two-dimensional one of numbers.
     #[error("which is not a two-dimensional NumPy array of numbers: {0}")]
     Npy(String),
     /// Not text.
@@ -37,7 +37,7 @@ pub enum MapError {
         /// The word.
         found: String,
     },
-    /// A comma between numbers that are separated otherwise, and is no decimal mark either.
+    /// A comma between numbers that are separated otherwise, and that is not a decimal mark either.
     #[error(
         "where line {line} holds \"{found}\": next to semicolons or blanks a comma can only be a decimal mark, once in a number that has no point"
     )]
@@ -47,7 +47,7 @@ pub enum MapError {
         /// The word.
         found: String,
     },
-    /// Commas that are decimal marks as well as separators.
+    /// Commas that may be decimal marks or separators.
     #[error(
         "where \"{found}\", like every other line, may be one number or two: write a decimal point; or end each line with a semicolon if the comma is a decimal mark; or put a blank after each comma that separates numbers"
     )]
@@ -55,7 +55,7 @@ pub enum MapError {
         /// The first line.
         found: String,
     },
-    /// A line of another length than those before.
+    /// A line with another number of numbers than those before.
     #[error("where line {line} holds {found} numbers and those before it {wanted}")]
     Ragged {
         /// Line, from 1.
@@ -65,20 +65,20 @@ pub enum MapError {
         /// Numbers on the first.
         wanted: usize,
     },
-    /// No number at all.
+    /// No numbers.
     #[error("which holds no numbers")]
     Empty,
     /// Not a Gwyddion Simple Field.
     #[error("which does not begin with the line \"Gwyddion Simple Field 1.0\"")]
     NotGsf,
-    /// A field of the header that is missing or makes no sense.
+    /// A field of the header that is missing or invalid.
     #[error("whose header has {key} = {found}, not {wanted}")]
     Header {
         /// Its name.
         key: &'static str,
         /// Its value.
         found: String,
-        /// What is wanted.
+        /// The values wanted.
         wanted: &'static str,
     },
     /// Fewer data than the header says.

@@ -2,12 +2,11 @@
 
 use super::MapFile;
 
-/// How far a coordinate may lie from its place on the grid, in distances between its lines: coordinates are printed
-/// with few digits.
+/// The largest distance of a coordinate from its grid line, in grid spacings: coordinates are printed with few digits.
 const OFF_THE_LINE: f64 = 0.05;
 
-/// The map of the points, if they are those of a rectangular grid of equal distances, each once and in any order. Its
-/// sides are in the unit of the heights.
+/// The map of the points, if they form a regular rectangular grid, each once and in any order. Its sides are in the
+/// unit of the heights.
 pub fn map(numbers: &[f64]) -> Option<MapFile> {
     let points = numbers.as_chunks::<3>().0;
     let [along_x, along_y] = [lines(points, 0)?, lines(points, 1)?];
@@ -29,7 +28,7 @@ pub fn map(numbers: &[f64]) -> Option<MapFile> {
     })
 }
 
-/// Coordinates at equal distances.
+/// Equidistant coordinates.
 struct GridLines {
     first: f64,
     distance: f64,
@@ -48,13 +47,13 @@ impl GridLines {
         (is_on && number.is_finite()).then_some(number.round() as usize)
     }
 
-    /// Of the pixels around the points.
+    /// The side of the pixels around the points.
     fn side(&self) -> f64 {
         self.distance * self.count as f64
     }
 }
 
-/// The different coordinates of the points along one axis, at least two.
+/// The distinct coordinates of the points along one axis, at least two.
 fn lines(points: &[[f64; 3]], axis: usize) -> Option<GridLines> {
     let mut sorted: Vec<_> = points.iter().map(|point| point[axis]).collect();
     sorted.sort_by(f64::total_cmp);

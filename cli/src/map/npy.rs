@@ -7,7 +7,7 @@ use super::{MapError, MapFile, grid_points};
 ///
 /// # Errors
 ///
-/// [`MapError::Npy`] if there is no such array; an array of objects or of complex numbers is none.
+/// [`MapError::Npy`] if there is no such array; arrays of objects or complex numbers are not read.
 pub fn parse(bytes: &[u8]) -> Result<MapFile, MapError> {
     let header = NpyHeader::read(bytes)?;
     let kind = NumberType::named(&header.kind)?;
@@ -42,7 +42,7 @@ fn npy(reason: String) -> MapError {
     MapError::Npy(reason)
 }
 
-/// A kind of number, by NumPy's name: `<f8` is a float of 8 bytes, the smallest first.
+/// A type of number, by NumPy's name: `<f8` is a float of 8 bytes, the lowest first.
 #[derive(Clone, Copy)]
 struct NumberType {
     class: NumberClass,

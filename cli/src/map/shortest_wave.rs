@@ -1,19 +1,19 @@
-//! The shortest wave of a map: the wavelength below which there is next to no slope.
+//! The shortest wave of a map: the wavelength below which there is almost no slope.
 //!
-//! Every line of samples, less its mean and its trend, is tapered (Hann) and transformed; the squares of all lines,
-//! each times the square of its wavenumber, are how the mean square slope is spread over wavelengths.
+//! Every line of samples, less its mean and trend, is tapered (Hann) and transformed. The sum over all lines of the
+//! squared amplitude times the squared wavenumber is the spectrum of the mean square slope.
 
 use realfft::RealFftPlanner;
 use realfft::num_complex::Complex;
 
-/// Share of the mean square slope that longer waves have. A surface of Hurst exponent 0.8 reaches it within 3 % of the
-/// wavelength where it ends.
+/// Share of the mean square slope in longer waves. A surface of Hurst exponent 0.8 reaches it within 3 % of its cutoff
+/// wavelength.
 const SHARE: f64 = 0.99;
 
-/// Lines shorter than this have no spectrum worth the name.
+/// The shortest lines with a useful spectrum, samples.
 const FEWEST: usize = 16;
 
-/// The shortest wave along either axis, in samples; none of a map that is flat or small along both.
+/// The shortest wave along either axis, in samples; none if the map is flat or small along both.
 #[must_use]
 pub fn shortest_wave(shape: [usize; 2], heights: &[f64]) -> Option<f64> {
     let [rows, columns] = shape;
@@ -51,7 +51,7 @@ fn of_lines(samples: usize, lines: impl Iterator<Item = Vec<f64>>) -> Option<f64
     (all > 0.0).then(|| samples as f64 / number as f64)
 }
 
-/// Takes the mean and the line through both ends' neighbourhood away, and lets the rest begin and end at zero.
+/// Subtracts the mean and the linear trend, and tapers the rest to zero at both ends.
 fn taper(line: &mut [f64]) {
     let count = line.len() as f64;
     let middle = 0.5 * (count - 1.0);

@@ -5,7 +5,7 @@
 
 use super::{MapError, MapFile, grid_points};
 
-/// Two columns of integers on fewer lines than this are a small map.
+/// On fewer lines than this, two columns of integers are a small map.
 const FEWEST_OF_A_COLUMN: usize = 3;
 
 /// Reads the text; each line is a row of the picture, from the top down, or a point x, y, z of a grid.
@@ -56,7 +56,7 @@ fn rows(text: &str) -> impl Iterator<Item = (usize, &str)> {
     (1..).zip(rows)
 }
 
-/// What a comma is in a text.
+/// The meaning of a comma in a text.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Comma {
     Separator,
@@ -64,8 +64,8 @@ enum Comma {
 }
 
 impl Comma {
-    /// What separates numbers is the same on all lines: a comma does unless semicolons do, or blanks with no comma
-    /// beside them.
+    /// The separator is the same on all lines: a comma, unless there are semicolons, or blanks without a comma beside
+    /// them.
     fn in_text(text: &str) -> Self {
         let is_separated = |row: &str| {
             let mut words = row.split_whitespace();
@@ -95,7 +95,7 @@ impl Comma {
     }
 }
 
-/// The first line of a text that may as well be one column with decimal commas as two columns of integers.
+/// The first line of a text that may be one column with decimal commas or two columns of integers.
 fn either(text: &str) -> Option<String> {
     let is_integer = |text: &str| {
         let digits = text.strip_prefix(['-', '+']).unwrap_or(text);

@@ -1,4 +1,4 @@
-//! One case of a study: from its values to the rows of the table.
+//! Solves one case of a study: from its values to the rows of the table.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
@@ -19,39 +19,39 @@ use crate::output::folder::{Existing, Extent, Folder};
 use crate::output::summary::{Clock, Summary};
 use crate::output::{own, results};
 
-/// What every case of a study is solved with.
+/// Solves the cases of a study.
 #[derive(Debug)]
 pub struct CaseSolver<'a> {
     /// The study.
     pub study: &'a Study,
     /// The columns of its table.
     pub columns: &'a TableColumns,
-    /// Shared by all cases.
+    /// The cache, shared by all cases.
     pub cache: Cache,
-    /// What the cases have among them.
+    /// The memory, shared by all cases.
     pub memory: MemoryBudget,
-    /// Where the results folders of the cases go, if they are wanted.
+    /// The parent of the cases' results folders, if these are wanted.
     pub folders: Option<PathBuf>,
 }
 
-/// What a case left.
+/// The result of a case.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CaseResult {
-    /// How it ended.
+    /// Its status.
     pub status: CaseStatus,
     /// Its rows of the table.
     pub rows: String,
-    /// What a person at the terminal wants to know of it.
+    /// A summary for the terminal.
     pub words: String,
 }
 
 impl CaseSolver<'_> {
-    /// Solves a case; none if the user stops it, and what it had by then is not kept.
+    /// Solves a case; none if the user stops it, and its unfinished results are discarded.
     ///
     /// # Errors
     ///
-    /// [`Failure`] if its results folder cannot be written or something else is there; whatever else goes wrong is a
-    /// result, `failed`.
+    /// [`Failure`] if its results folder cannot be written or is something else. Any other error is the result
+    /// `failed`.
     pub fn solve(
         &self,
         case: usize,
@@ -72,8 +72,7 @@ impl CaseSolver<'_> {
         }
     }
 
-    /// The place of the results folder of a case, if one is wanted. One that is there already is of this case, from
-    /// before a kill.
+    /// Claims the results folder of a case, if one is wanted. An existing one is of this case, from before a kill.
     fn claim(&self, number: usize, case: &Case) -> Result<Option<Folder>, Failure> {
         let Some(folders) = &self.folders else {
             return Ok(None);
@@ -123,7 +122,7 @@ impl CaseSolver<'_> {
             tables_seconds,
             tables_origin: model.origin,
         };
-        // Warnings of the cache are those of all cases together.
+        // Warnings of the cache concern all cases, and are printed at the end.
         let mut summary = Summary::new(&case, &path, clock, &[]);
         if let Some(folder) = folder {
             let mut extent = Extent::Whole;
@@ -143,8 +142,8 @@ impl CaseSolver<'_> {
     }
 }
 
-/// Whether this is the case as a summary has it, where the side of the domain is filled in if the case leaves it open.
-/// What is written of the result is not part of it.
+/// Whether the case of a summary is this one. The summary has a side of the domain even if the case leaves it open; the
+/// choice of files does not count.
 fn is_of(written: &Value, case: &Case) -> bool {
     let mut case = case.clone();
     let side = written["grid"]["side"].as_f64();

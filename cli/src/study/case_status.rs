@@ -1,13 +1,13 @@
-//! How a case of a study ended.
+//! The status of a study's cases.
 
-/// How a case ended.
+/// The status of a case.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CaseStatus {
     /// Every step is certified.
     Certified,
-    /// There is a result, but a certificate is not satisfied.
+    /// There is a result, but some certificate is not satisfied.
     NotConverged,
-    /// A contact would go on where the domain or a map ends, so another problem is solved.
+    /// A contact is cut off by the edge of the domain or a map, so that another problem is solved.
     CutOff,
     /// There is no result.
     Failed,
@@ -39,21 +39,21 @@ impl CaseStatus {
     }
 }
 
-/// How many cases ended in which way.
+/// The number of cases with each status.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, serde::Serialize)]
 pub struct Tally {
-    /// Certified.
+    /// Cases that are certified.
     pub certified: usize,
-    /// With a result that is not certified.
+    /// Cases with a result that is not certified.
     pub not_converged: usize,
-    /// With a result whose contact is cut off.
+    /// Cases with a result whose contact is cut off.
     pub cut_off: usize,
-    /// Without a result.
+    /// Cases without a result.
     pub failed: usize,
 }
 
 impl Tally {
-    /// Counts these.
+    /// Counts these statuses.
     pub fn of(statuses: impl IntoIterator<Item = CaseStatus>) -> Self {
         let mut tally = Self::default();
         statuses.into_iter().for_each(|status| tally.add(status));
@@ -70,7 +70,7 @@ impl Tally {
         *count += 1;
     }
 
-    /// All together.
+    /// The number of all cases.
     #[must_use]
     pub fn done(&self) -> usize {
         self.certified + self.not_converged + self.cut_off + self.failed

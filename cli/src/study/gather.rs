@@ -1,4 +1,4 @@
-//! The tables of a study's parts put together into one.
+//! Merges the tables of a study's parts into one.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -12,18 +12,18 @@ use super::shard::Shard;
 use crate::failure::Failure;
 use crate::output::file;
 
-/// What gathering found.
+/// The result of merging.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Gathered {
-    /// How the cases that are there ended.
+    /// The statuses of the cases found.
     pub tally: Tally,
-    /// The cases that are not there, counted from 0.
+    /// The missing cases, counted from 0.
     pub missing: Vec<usize>,
-    /// Where the whole table is; none if cases are missing.
+    /// The merged table; none if cases are missing.
     pub table: Option<PathBuf>,
 }
 
-/// What to do with the table of another study in the place of the whole one.
+/// The treatment of another study's table in the place of the merged one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum OtherTable {
     /// Leave it alone.
@@ -32,13 +32,13 @@ pub enum OtherTable {
     Replace,
 }
 
-/// Puts the parts in `folder` together and, if no case is missing, writes the table that the undivided study would have
+/// Reads the parts in `folder` and, if no case is missing, writes the table that the undivided study would have
 /// written.
 ///
 /// # Errors
 ///
-/// [`Failure`] if there are no parts, if they are of different studies, if a table cannot be read or written, or if the
-/// place of the whole table is taken by something else.
+/// [`Failure`] if there are no parts, if they are of different studies, if a table cannot be read or written, or if
+/// something else stands in the place of the merged table.
 pub fn gather(folder: &Path, other: OtherTable) -> Result<Gathered, Failure> {
     let parts = parts(folder)?;
     let Some(first) = parts.first() else {
@@ -73,7 +73,7 @@ pub fn gather(folder: &Path, other: OtherTable) -> Result<Gathered, Failure> {
     let missing: Vec<_> = missing.filter(|case| !rows.contains_key(case)).collect();
     let table = missing.is_empty().then(|| whole.table(folder));
     if let Some(path) = &table {
-        // A kill between the two leaves a study that has not begun, not a table that nobody knows.
+        // A kill between the two leaves a study that has not begun, and not a table of an unknown study.
         whole.write(folder)?;
         results_table::write_in_order(path, &whole.header, &rows)?;
         place::forget_before(folder, &whole)?;
@@ -85,7 +85,7 @@ pub fn gather(folder: &Path, other: OtherTable) -> Result<Gathered, Failure> {
     })
 }
 
-/// Refuses a table in the place of the whole one that is not of this study.
+/// Refuses a table of another study in the place of the merged one.
 fn check_whole(folder: &Path, whole: &StudyIdentity, other: OtherTable) -> Result<(), Failure> {
     let path = whole.table(folder);
     if fs::symlink_metadata(&path).is_err() {
@@ -104,7 +104,7 @@ fn check_whole(folder: &Path, whole: &StudyIdentity, other: OtherTable) -> Resul
     }
 }
 
-/// A part that has not written its first row yet has no table.
+/// The table of a part; empty if no row has been written yet.
 fn read(folder: &Path, part: &StudyIdentity) -> Result<Vec<u8>, Failure> {
     let path = part.table(folder);
     if path.exists() {
@@ -118,7 +118,7 @@ fn are_of_one(part: &StudyIdentity, first: &StudyIdentity) -> bool {
     part.fingerprint == first.fingerprint && part.shard.count == first.shard.count
 }
 
-/// What the parts in a folder remember, in order.
+/// The identities of the parts in a folder, in order.
 fn parts(folder: &Path) -> Result<Vec<StudyIdentity>, Failure> {
     fs::read_dir(folder).map_err(|cause| Failure::damaged(folder, &cause))?;
     let mut parts = place::identities(folder)?;

@@ -1,4 +1,4 @@
-//! What a study has to do: every case resolved once, before any long work.
+//! The plan of a study: every case is resolved once, before any long work.
 
 use super::Study;
 use super::identity::StudyIdentity;
@@ -10,12 +10,12 @@ use crate::case::output::OutputCase;
 use crate::case::units::Units;
 use crate::failure::Failure;
 
-/// A study looked through.
+/// The columns and the identity of a study.
 #[derive(Debug, Clone)]
 pub struct StudyPlan {
     /// The table's columns.
     pub columns: TableColumns,
-    /// What makes it this study and no other.
+    /// The study's identity.
     pub identity: StudyIdentity,
 }
 
@@ -24,8 +24,7 @@ impl StudyPlan {
     ///
     /// # Errors
     ///
-    /// The first case's [`Diagnosis`] if no case can be; one that cannot among others that can is recorded when its
-    /// turn comes.
+    /// The [`Diagnosis`] of the first case if no case is valid; if others are, an invalid case is recorded in its turn.
     pub fn new(study: &Study, shard: Shard) -> Result<Self, Failure> {
         let mut hasher = blake3::Hasher::new();
         hasher.update(env!("CARGO_PKG_VERSION").as_bytes());
@@ -44,7 +43,7 @@ impl StudyPlan {
                 }
             }
         }
-        let units = units.ok_or_else(|| none_can_be(refused))?;
+        let units = units.ok_or_else(|| none_is_valid(refused))?;
         let columns = TableColumns::new(study, units);
         hasher.update(columns.header().as_bytes());
         let fingerprint = hasher.finalize().to_hex().to_string();
@@ -53,9 +52,9 @@ impl StudyPlan {
     }
 }
 
-/// What the case says and, where it names a map, its heights.
+/// Adds the case and the heights of its maps to the hash.
 fn add(hasher: &mut blake3::Hasher, case: &Case) -> Result<(), Failure> {
-    // What is written of a solution is no part of it.
+    // The choice of files does not change the solution.
     let case = Case {
         output: OutputCase::default(),
         ..case.clone()
@@ -73,7 +72,7 @@ fn add(hasher: &mut blake3::Hasher, case: &Case) -> Result<(), Failure> {
     Ok(())
 }
 
-fn none_can_be(refused: Option<Diagnosis>) -> Failure {
+fn none_is_valid(refused: Option<Diagnosis>) -> Failure {
     match refused {
         Some(diagnosis) => diagnosis.into(),
         None => Failure::NoCases,

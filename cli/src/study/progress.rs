@@ -1,4 +1,4 @@
-//! What a study tells the person at the terminal: a line a case under way, and one for every case that ends.
+//! The progress of a study on the terminal: a line for each case being solved, and one for every finished case.
 
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
@@ -11,7 +11,7 @@ use super::case_solver::CaseResult;
 use crate::progress::{ProgressLine, in_words};
 use crate::terminal;
 
-/// The lines of a study.
+/// The progress lines of a study.
 #[derive(Debug)]
 pub struct StudyProgress {
     terminal: Option<MultiProgress>,
@@ -33,7 +33,7 @@ impl StudyProgress {
         }
     }
 
-    /// The line of a case under way.
+    /// The line of a case being solved.
     #[must_use]
     pub fn case(&self, study: &Study, case: usize) -> ProgressLine {
         match &self.terminal {
@@ -47,7 +47,7 @@ impl StudyProgress {
         }
     }
 
-    /// Tells that a case has ended.
+    /// Prints that a case has ended.
     pub fn ended(&self, study: &Study, case: usize, done: &CaseResult) {
         let (count, left) = self.count();
         let Some(lines) = &self.terminal else {
@@ -62,12 +62,12 @@ impl StudyProgress {
         if lines.is_hidden() {
             terminal::tell(&line);
         } else {
-            // The terminal is gone: nobody is left to tell.
+            // If the terminal is gone, there is nobody to tell.
             drop(lines.println(line));
         }
     }
 
-    /// Counts one more; how many are done, and how long the others will take if they take as long.
+    /// Counts one more case; returns how many are done, and the time left if the others take as long on average.
     fn count(&self) -> (usize, Option<Duration>) {
         let mut done = self
             .done

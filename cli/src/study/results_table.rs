@@ -1,9 +1,9 @@
-//! The table of a study's results, safe from a kill at any moment.
+//! The table of a study's results, which survives a kill at any moment.
 //!
-//! A case is a block of rows, one a loading step, handed to the system in one write and then forced to the disk. What a
-//! kill can leave is a block that is cut off at the end of the file; it is recognised because its last row has no end
-//! or because rows of it are missing, and removed when the study goes on. When every case is there the blocks are put
-//! in order, in a new file that takes the place of the old one.
+//! A case is a block of rows, one per loading step, passed to the system in one write and then flushed to the disk. A
+//! kill can leave at most an incomplete block at the end of the file: its last row has no end, or rows are missing. It
+//! is removed when the study continues. When every case is done, the blocks are sorted into a new file that replaces
+//! the old one.
 
 use std::collections::BTreeMap;
 use std::fs::{self, File, OpenOptions};
@@ -17,7 +17,7 @@ use super::place::{self, Begin, Place};
 use crate::failure::Failure;
 use crate::output::file;
 
-/// The table on disk, open for this process alone as long as it has the place.
+/// The table on disk, open for this process alone as long as it holds the place.
 #[derive(Debug)]
 pub struct ResultsTable {
     path: PathBuf,
@@ -28,12 +28,12 @@ pub struct ResultsTable {
 }
 
 impl ResultsTable {
-    /// Opens the table of a study's part and removes what a kill has left half-written; begins it if it is not there or
-    /// is to be begun again.
+    /// Opens the table of a study's part and removes an incomplete block; creates it if it is missing or to be started
+    /// afresh.
     ///
     /// # Errors
     ///
-    /// [`Failure`] if it cannot be opened, or if it is the table of something else.
+    /// [`Failure`] if it cannot be opened, or is another table.
     pub fn open(place: Place, identity: &StudyIdentity) -> Result<Self, Failure> {
         let path = identity.table(&place.folder);
         let failed = |cause| Failure::write(&path, cause);
@@ -56,7 +56,7 @@ impl ResultsTable {
         Ok(table)
     }
 
-    /// Cuts off what is half-written, and writes the first line if it is not there.
+    /// Cuts off the incomplete block, and writes the first line if it is missing.
     fn mend(&mut self, text: &[u8], end: usize) -> io::Result<()> {
         if end < text.len() {
             self.file.set_len(end as u64)?;
@@ -68,7 +68,7 @@ impl ResultsTable {
         self.file.sync_all()
     }
 
-    /// Adds the rows of a case, which are on the disk when this returns.
+    /// Appends the rows of a case, which are on the disk when this returns.
     ///
     /// # Errors
     ///
@@ -82,32 +82,31 @@ impl ResultsTable {
         Ok(())
     }
 
-    /// The cases that are there, and how they ended.
+    /// The finished cases and their statuses.
     #[must_use]
     pub fn done(&self) -> &BTreeMap<usize, CaseStatus> {
         &self.done
     }
 
-    /// How many ended in which way.
+    /// The number of finished cases by status.
     #[must_use]
     pub fn tally(&self) -> Tally {
         Tally::of(self.done.values().copied())
     }
 
-    /// Where it is.
+    /// Its path.
     #[must_use]
     pub fn path(&self) -> &Path {
         &self.path
     }
 
-    /// Where the study is.
+    /// The place of the study.
     #[must_use]
     pub fn place(&self) -> &Place {
         &self.place
     }
 
-    /// Puts the cases in order, once all are there, and closes the table. Until it is in order nobody else has the
-    /// place.
+    /// Sorts the cases, once all are done, and closes the table. The place stays locked until then.
     ///
     /// # Errors
     ///
@@ -116,7 +115,7 @@ impl ResultsTable {
         let text = whole(&self.file).map_err(|cause| Failure::damaged(&self.path, &cause))?;
         let blocks = CaseBlocks::of(&text, identity)
             .ok_or_else(|| Failure::damaged(&self.path, &"it has changed meanwhile"))?;
-        // Some systems replace no file that is open.
+        // Some systems cannot replace an open file.
         drop(self.file);
         if !blocks.are_in_order() {
             write_in_order(&self.path, &identity.header, &blocks.in_order(&text))?;
@@ -158,7 +157,7 @@ pub fn write_in_order(
     })
 }
 
-/// The table, to be read and appended to. A link in its place is not followed.
+/// Opens the table for reading and appending. A link in its place is not followed.
 fn open(path: &Path) -> io::Result<File> {
     if fs::symlink_metadata(path).is_ok_and(|data| !data.is_file()) {
         return Err(io::Error::new(ErrorKind::InvalidInput, "it is not a file"));
@@ -170,17 +169,17 @@ fn open(path: &Path) -> io::Result<File> {
         .open(path)
 }
 
-/// The whole blocks of a table.
+/// The complete blocks of a table.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CaseBlocks {
-    /// Case, how it ended, and where its lines are, in the order of the file.
+    /// Case, status and bytes of its lines, in the order of the file.
     blocks: Vec<(usize, CaseStatus, Range<usize>)>,
-    /// Bytes up to the end of the last of them; 0 if not even the first line is whole.
+    /// Bytes up to the end of the last block; 0 if not even the first line is complete.
     pub end: usize,
 }
 
 impl CaseBlocks {
-    /// The blocks of a text that stand before anything half-written; none if the first line is not that of this study.
+    /// The complete blocks of a text; none if the first line is not that of this study.
     #[must_use]
     pub fn of(text: &[u8], identity: &StudyIdentity) -> Option<Self> {
         let (mut blocks, mut end) = (Vec::new(), 0);
@@ -204,14 +203,14 @@ impl CaseBlocks {
         Some(Self { blocks, end })
     }
 
-    /// How the cases ended.
+    /// The statuses of the cases.
     #[must_use]
     pub fn statuses(&self) -> BTreeMap<usize, CaseStatus> {
         let statuses = self.blocks.iter();
         statuses.map(|(case, status, _)| (*case, *status)).collect()
     }
 
-    /// The lines of every case; of a case that is there twice, the last.
+    /// The lines of every case; for a repeated case, the last block.
     #[must_use]
     pub fn in_order<'t>(&self, text: &'t [u8]) -> BTreeMap<usize, &'t [u8]> {
         let blocks = self.blocks.iter();
@@ -225,14 +224,14 @@ impl CaseBlocks {
     }
 }
 
-/// The whole rows of a text, one after the other.
+/// Reads the complete rows of a text one by one.
 struct RowReader<'t> {
     text: &'t [u8],
     at: usize,
 }
 
 impl RowReader<'_> {
-    /// The next row that has an end, without it. A line end between quotes is none of a row.
+    /// The next row that has an end, without it. A line end between quotes does not end a row.
     fn next(&mut self) -> Option<Range<usize>> {
         let mut is_quoted = false;
         let ends = |byte: &u8| {
@@ -245,7 +244,7 @@ impl RowReader<'_> {
         Some(line)
     }
 
-    /// The next block, if it is whole: all lines of one case of this part.
+    /// The next block, if it is complete: all lines of one case of this part.
     fn block(&mut self, columns: usize, identity: &StudyIdentity) -> Option<(usize, CaseStatus)> {
         let (case, status) = self.row(columns)?;
         let rows = *identity
@@ -275,7 +274,7 @@ impl RowReader<'_> {
     }
 }
 
-/// The cells of one row; none if it is no text.
+/// The cells of one row; none if it is not text.
 fn fields(line: &[u8]) -> Option<Vec<String>> {
     let mut reader = csv::ReaderBuilder::new()
         .has_headers(false)

@@ -22,14 +22,14 @@ use crate::case::table_reader::{TableReader, dotted};
 use crate::case::{overrides, source};
 use crate::failure::Failure;
 
-/// More cases than this are a mistake.
+/// The most cases of a study; more are a mistake.
 const MOST_CASES: usize = 1_000_000;
 
 /// Reads the file, and the base case with the values of `sets` in place of its own.
 ///
 /// # Errors
 ///
-/// [`Failure`] if a file cannot be read or is no study.
+/// [`Failure`] if a file cannot be read or is not a valid study.
 pub fn read(path: &Path, sets: &[String]) -> Result<Study, Failure> {
     let root = parse(path)?;
     let parts = StudyTable::of(&root)?;
@@ -70,7 +70,7 @@ fn without_study(root: &TomlNode) -> TomlNode {
     base
 }
 
-/// What the table `[study]` says.
+/// The table `[study]`.
 struct StudyTable<'a> {
     case: Option<&'a str>,
     combine: Combine,
@@ -112,7 +112,7 @@ impl<'a> StudyTable<'a> {
     }
 }
 
-/// The keys of a table and of the tables in it: `load.force = …` is the key `force` of the table `load`.
+/// Collects the keys of a table and of its subtables: `load.force = …` is the key `force` of the table `load`.
 fn collect(
     path: &str,
     table: &TomlTable,
@@ -130,7 +130,7 @@ fn collect(
     Ok(())
 }
 
-/// Refuses lists of different lengths that are to be zipped, and more cases than anybody wants.
+/// Refuses repeated keys, lists of different lengths to be zipped, and too many cases.
 fn check(varied_keys: &[VariedKey], combine: Combine) -> Result<(), Diagnosis> {
     let wrong = |varied: &VariedKey, found: String, wanted: String| {
         let fault = Fault::Wrong { found, wanted };

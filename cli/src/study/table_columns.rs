@@ -10,7 +10,7 @@ use crate::output::summary::{self, Summary};
 #[derive(Debug, Clone, PartialEq)]
 pub struct TableColumns {
     names: Vec<String>,
-    /// How many of them a curve has.
+    /// The number of columns of a curve.
     curve: usize,
 }
 
@@ -43,7 +43,7 @@ impl TableColumns {
         line(&self.names).trim_end().to_owned()
     }
 
-    /// The rows of a case that has a result: one a loading step.
+    /// The rows of a case that has a result, one per loading step.
     #[must_use]
     pub fn solved(&self, study: &Study, case: usize, summary: &Summary) -> String {
         let status = status(summary);
@@ -65,18 +65,18 @@ impl TableColumns {
         steps.map(row).collect()
     }
 
-    /// The one row of a case that has none.
+    /// The one row of a case without a result.
     #[must_use]
     pub fn failed(&self, study: &Study, case: usize, message: &str) -> String {
         let empty = vec![String::new(); self.curve + 2];
-        // A row is a line: what is read back is cut at its end.
+        // A row is a line: a message with line ends would be cut when it is read back.
         let message = message.split_whitespace().collect::<Vec<_>>().join(" ");
         let cells = [first(study, case, CaseStatus::Failed), empty, vec![message]];
         line(&cells.concat())
     }
 }
 
-/// How a case ended that has a result.
+/// The status of a case that has a result.
 #[must_use]
 pub fn status(summary: &Summary) -> CaseStatus {
     match summary.status {
@@ -96,10 +96,10 @@ fn first(study: &Study, case: usize, status: CaseStatus) -> Vec<String> {
         .collect()
 }
 
-/// The cells as one row with its end. Line ends within a cell stand between quotes.
+/// The cells as one row with its line end. Line ends within a cell are quoted.
 fn line(cells: &[String]) -> String {
     let mut writer = csv::Writer::from_writer(Vec::new());
-    // Into memory everything can be written, and UTF-8 it stays.
+    // Writing to memory cannot fail, and the text stays UTF-8.
     drop(writer.write_record(cells));
     let bytes = writer.into_inner().unwrap_or_default();
     String::from_utf8(bytes).unwrap_or_default()

@@ -1,4 +1,4 @@
-//! What a study makes of its file, and what is left of a table after a kill.
+//! Tests of a study's file, and of its table after a kill.
 
 use std::fs;
 use std::path::Path;
@@ -327,7 +327,7 @@ fn values_with_and_without_units_are_one_column_and_what_is_no_quantity_among_th
     for odd in ["\"2 furlong\"", "\"2 N\""] {
         let refused = with(odd).unwrap_err();
         assert!(
-            refused.contains("of the kind that the other values"),
+            refused.contains("of the kind of the key's other values"),
             "{refused}"
         );
     }

@@ -11,7 +11,7 @@ use crate::case::units::Units;
 use crate::case::value_reader::ValueReader;
 use crate::display::{self, Unit, significant};
 
-/// More values of one key than this are a mistake.
+/// The most values of one key; more are a mistake.
 const MOST_VALUES: usize = 100_000;
 
 const WANTED: &str = "a list of values, or a table of from, to, count and spacing";
@@ -21,15 +21,15 @@ const WANTED: &str = "a list of values, or a table of from, to, count and spacin
 pub struct VariedKey {
     /// Dotted path of the key in the case, such as `foundation.layer[0].thickness`.
     pub key: String,
-    /// Where the key stands in the study.
+    /// The place of the key in the study.
     pub key_span: Span,
     /// Its values, in order.
     pub values: Vec<TomlNode>,
-    /// The values as a table has them. A study asks for them again and again: they are made once.
+    /// The values as they stand in the table; made once, since a study needs them often.
     cells: Vec<String>,
-    /// What the values measure, if all of them are quantities of one dimension.
+    /// The common dimension of the values, if all of them are quantities.
     dimension: Option<Dimension>,
-    /// Whether nobody wrote them one by one.
+    /// Whether they come from a range.
     is_range: bool,
 }
 
@@ -55,7 +55,7 @@ impl VariedKey {
             && let Some(odd) = odd_quantity(&values)
         {
             let field = ValueReader::new(key, odd);
-            return Err(field.wanted("a quantity of the kind that the other values of the key are"));
+            return Err(field.wanted("a quantity of the kind of the key's other values"));
         }
         Ok(Self {
             key,
@@ -67,7 +67,7 @@ impl VariedKey {
         })
     }
 
-    /// Name of its column in a table, with the unit of what is in it.
+    /// Name of its column in the table, with the unit.
     #[must_use]
     pub fn heading(&self) -> String {
         match self.dimension {
@@ -76,13 +76,13 @@ impl VariedKey {
         }
     }
 
-    /// The `i`-th value as a table has it: in SI units if it has a unit, as a bare number or as it was written.
+    /// The `i`-th value as it stands in the table: in SI units if it has a unit, otherwise as it was written.
     #[must_use]
     pub fn cell(&self, i: usize) -> &str {
         self.cells.get(i).map_or("", String::as_str)
     }
 
-    /// The `i`-th value as a person wrote it or would have written it, on one line.
+    /// The `i`-th value for people, on one line: as written, or rounded if it comes from a range.
     #[must_use]
     pub fn words(&self, i: usize) -> String {
         let value = self.values.get(i).map(|node| &node.value);
@@ -97,7 +97,7 @@ impl VariedKey {
     }
 }
 
-/// What a value measures, if it is written with a unit.
+/// The dimension of a value that is written with a unit.
 fn dimension_of(node: &TomlNode) -> Option<Dimension> {
     match &node.value {
         TomlValue::Text(text) => quantity::dimension_of(text),
@@ -105,7 +105,7 @@ fn dimension_of(node: &TomlNode) -> Option<Dimension> {
     }
 }
 
-/// What the values measure, if all of them are quantities of one dimension, or bare numbers among such.
+/// The common dimension of the values, if all of them are quantities of it or bare numbers.
 fn common_dimension(values: &[TomlNode]) -> Option<Dimension> {
     let first = values.iter().find_map(dimension_of)?;
     let same = |node: &TomlNode| match &node.value {
@@ -116,7 +116,7 @@ fn common_dimension(values: &[TomlNode]) -> Option<Dimension> {
     values.iter().all(same).then_some(first)
 }
 
-/// The first text that is no quantity like those beside it.
+/// The first text that is not a quantity of the same dimension as the others.
 fn odd_quantity(values: &[TomlNode]) -> Option<&TomlNode> {
     let first = values.iter().find_map(dimension_of)?;
     let is_odd = |node: &&TomlNode| {
@@ -136,7 +136,7 @@ fn cell(node: &TomlNode, dimension: Option<Dimension>) -> String {
     }
 }
 
-/// The text with line ends and whatever else is no character to be seen spelt out.
+/// The text with line ends and other control characters escaped.
 fn on_one_line(text: &str) -> String {
     let spelt = |character: char| {
         let is_control = character.is_control();
@@ -181,7 +181,7 @@ fn words(value: &TomlValue) -> String {
     }
 }
 
-/// The values of `{ from, to, count, spacing }`, all written at its place.
+/// The values of `{ from, to, count, spacing }`, all with its place.
 fn range(table: &TableReader<'_>, span: &Span) -> Result<Vec<TomlNode>, Diagnosis> {
     table.only(&spacing::KEYS)?;
     let spacing = Spacing::read(table)?;
@@ -192,7 +192,7 @@ fn range(table: &TableReader<'_>, span: &Span) -> Result<Vec<TomlNode>, Diagnosi
     }
     if spacing == Spacing::Log && from.number * to.number <= 0.0 {
         return Err(field.diagnosis(Fault::Wrong {
-            found: "a range with spacing = \"log\" that is not on one side of zero".into(),
+            found: "a range with spacing = \"log\" that includes zero".into(),
             wanted: "from and to both positive, or both negative".into(),
         }));
     }
@@ -207,7 +207,7 @@ fn range(table: &TableReader<'_>, span: &Span) -> Result<Vec<TomlNode>, Diagnosi
     Ok(numbers.into_iter().map(node).collect())
 }
 
-/// One value of a range; one that is an integer up to rounding stays one between integers.
+/// One value of a range; between integers, a value that is an integer up to rounding stays one.
 fn value(number: f64, dimension: Option<Dimension>, integers: bool) -> TomlValue {
     let nearest = number.round();
     match dimension {

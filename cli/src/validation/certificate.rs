@@ -1,4 +1,4 @@
-//! Negative controls of the certificate: pressures that are wrong on purpose.
+//! Negative controls of the certificate: deliberately wrong pressures.
 
 use pellicle_contact::{Certificate, DiscreteProblem, Load, Solution, SolverOptions};
 use pellicle_kernel::{Foundation, Material};
@@ -15,10 +15,10 @@ pub const SECTION: ValidationSection = ValidationSection {
     rows,
 };
 
-/// A change that is still small, and a hundred times what the certificate allows.
+/// A small change, but a hundred times the certificate's tolerance.
 const SMALL: f64 = 1e-6;
 
-/// What is done to a right pressure.
+/// A change that spoils a correct pressure.
 type Spoil = fn(&mut Vec<f64>);
 
 const SPOILT: [(&str, Spoil); 8] = [
@@ -116,7 +116,7 @@ fn textured() -> Result<ContactSetup, ValidationError> {
     })
 }
 
-/// The problem that pressures are judged by.
+/// Judges pressures by the certificate of a problem.
 struct Judge {
     problem: DiscreteProblem,
     load: Load,

@@ -19,15 +19,16 @@ pub const SECTION: ValidationSection = ValidationSection {
     rows,
 };
 
-/// Elements per side; the domains are two and a half to three contact radii wide, so an element is some 1/90 of one.
+/// Elements per side; the domains are two and a half to three contact radii wide, so an element is some 1/90 of a
+/// radius.
 const ELEMENTS: usize = 256;
 /// Error of second order: (1/85)² = 1.4e-4 times a factor that scatters with how the grid meets the contact's edge.
 const SECOND_ORDER: f64 = 2e-5;
 /// The nearest centre to the axis lies some 1/120 of a radius off it.
 const PEAK: f64 = 2e-4;
-/// The edge of the contact is a staircase: 1/85 times what its ups and downs leave.
+/// The edge of the contact is a staircase: 1/85, reduced by the averaging of its steps.
 const STAIRCASE: f64 = 5e-3;
-/// Without elasticity there is no error of the grid: what the certificate's 1e-8 leaves, and the body's 1e-9.
+/// Without elasticity there is no discretisation error: only the certificate's 1e-8 and the body's 1e-9 remain.
 const CERTIFIED: f64 = 1e-7;
 
 fn rows(run: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
@@ -84,7 +85,7 @@ fn hertz_rows(run: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
 }
 
 fn sphere_rows(run: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
-    // So deep that Hertz's penetration under the same force is 0.9 % off.
+    // Deep enough for Hertz's penetration under the same force to be 0.9 % off.
     let wanted = sphere::from_contact_radius(1.0, 1.0, 0.35);
     let indenter = Indenter::Sphere(Sphere::new(1.0)?);
     let found = run.penetration(&on_half_space(indenter, 1.05, Load::Force(wanted.force))?)?;
@@ -148,7 +149,7 @@ fn punch_rows(run: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
 }
 
 fn winkler_rows(run: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
-    // The body gives way by less than 1e-9 of what the film does.
+    // The body deforms by less than 1e-9 of the film's shortening.
     let body = Foundation::half_space(Material::new(1e9, 0.3)?);
     let film = Film::new(0.01, 1.0)?;
     let wanted = winkler::from_penetration(1.0, film.compliance(), 0.005);

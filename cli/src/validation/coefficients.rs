@@ -15,11 +15,11 @@ pub const SECTION: ValidationSection = ValidationSection {
     rows,
 };
 
-/// What product rules leave around the softest layers.
+/// Error of the product rules around the softest layers.
 const PRODUCT_RULES: f64 = 1e-13;
 /// Rounding of some tens of terms of Love's formula.
 const ROUNDING: f64 = 1e-14;
-/// What the quadrature asks of itself.
+/// The quadrature's own tolerance.
 const QUADRATURE: f64 = 1e-11;
 
 fn rows(run: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {

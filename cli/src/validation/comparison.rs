@@ -8,22 +8,21 @@ use super::ValidationError;
 /// One line of the table.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Comparison {
-    /// What is compared.
+    /// The quantity compared.
     pub check: String,
-    /// What is known.
+    /// The known value.
     pub reference: ComparedValue,
-    /// What the program computes.
+    /// The computed value.
     pub computed: ComparedValue,
-    /// Distance of the two, without dimension; `null` in JSON if it is no number.
+    /// Dimensionless difference of the two; `null` in JSON if it is NaN.
     pub error: f64,
-    /// The largest error that passes; of a negative control, the certificate's own tolerance, which the error must
-    /// exceed.
+    /// The largest error that passes; for a negative control, the certificate's tolerance, which the error must exceed.
     pub tolerance: f64,
     /// Whether the row passes.
     pub verdict: Verdict,
 }
 
-/// A number, or a word where a judgement is compared.
+/// A number, or a word if a judgement is compared.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum ComparedValue {
@@ -37,9 +36,9 @@ pub enum ComparedValue {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Verdict {
-    /// As it should be.
+    /// The comparison is as it should be.
     Pass,
-    /// Not as it should be.
+    /// It is not.
     Fail,
 }
 
@@ -50,14 +49,14 @@ impl Verdict {
 }
 
 impl Comparison {
-    /// Two numbers, their error relative to the reference.
+    /// Compares two numbers by their relative error.
     #[must_use]
     pub fn relative(check: String, reference: f64, computed: f64, tolerance: f64) -> Self {
         let error = (computed / reference - 1.0).abs();
         Self::compare(check, [reference, computed], error, tolerance)
     }
 
-    /// Reference and computed number, with an error measured otherwise.
+    /// Compares two numbers by an error measured otherwise.
     #[must_use]
     pub fn compare(
         check: String,
@@ -75,7 +74,7 @@ impl Comparison {
         }
     }
 
-    /// The worst of many comparisons, each of the reference, the computed number and the error.
+    /// The worst of many comparisons, each given by reference, computed number and error.
     #[must_use]
     pub fn worst(
         check: String,
@@ -83,7 +82,7 @@ impl Comparison {
         tolerance: f64,
     ) -> Self {
         let none = ([f64::NAN; 2], f64::NEG_INFINITY);
-        // What is no number is worse than any.
+        // NaN is worse than any number.
         let (numbers, error) = comparisons.fold(none, |worst, next| {
             let is_worse = !worst.1.is_nan() && (next.1.is_nan() || next.1 > worst.1);
             if is_worse { next } else { worst }
@@ -96,13 +95,13 @@ impl Comparison {
         Self::compare(check, numbers, error, tolerance)
     }
 
-    /// A pressure that the certificate must refuse.
+    /// Checks that the certificate refuses a pressure.
     #[must_use]
     pub fn refused(check: String, certificate: &Certificate) -> Self {
         Self::judged(check, "refused", certificate)
     }
 
-    /// A pressure that the certificate must accept.
+    /// Checks that the certificate accepts a pressure.
     #[must_use]
     pub fn accepted(check: String, certificate: &Certificate) -> Self {
         Self::judged(check, "accepted", certificate)
@@ -121,7 +120,7 @@ impl Comparison {
         }
     }
 
-    /// Two words that must be the same.
+    /// Compares two words, which must be the same.
     #[must_use]
     pub fn words(check: String, wanted: &str, found: &str) -> Self {
         let same = wanted == found;
@@ -135,7 +134,7 @@ impl Comparison {
         }
     }
 
-    /// What could not be computed.
+    /// A comparison that could not be computed.
     #[must_use]
     pub fn failed(check: String, error: &ValidationError) -> Self {
         Self {

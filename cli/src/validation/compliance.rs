@@ -16,7 +16,7 @@ pub const SECTION: ValidationSection = ValidationSection {
 
 /// A dozen roundings.
 const ROUNDING: f64 = 2e-15;
-/// The same and one more for `Φ − 1`, which two cancelling terms make.
+/// The same and one more for `Φ − 1`, the difference of two terms that cancel.
 const DIFFERENCE: f64 = 1e-14;
 
 fn rows(_: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {

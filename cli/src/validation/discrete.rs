@@ -1,4 +1,4 @@
-//! The same problem on the same small grid, solved by others.
+//! The same problem on the same small grid, solved by other programs.
 
 use std::sync::Arc;
 
@@ -52,10 +52,10 @@ fn row(run: ValidationRun, case: &DiscreteContact) -> Comparison {
     }
 }
 
-/// The solution of the grid's problem from a cold start, certified to 1e-12.
+/// The solution of the grid problem from a cold start, certified to 1e-12.
 ///
 /// # Errors
-/// What the crates refuse, and [`ValidationError::NotCertified`].
+/// Errors of the crates, and [`ValidationError::NotCertified`].
 pub fn solve(run: ValidationRun, case: &DiscreteContact) -> Result<Solution, ValidationError> {
     let mut problem = problem(run, case)?;
     let load = match case.given {

@@ -15,16 +15,16 @@ pub const SECTION: ValidationSection = ValidationSection {
     rows,
 };
 
-/// A penetration follows the certificate's 1e-8 by less than ten times as much.
+/// The error of a penetration is less than ten times the certificate's 1e-8.
 const CERTIFIED: f64 = 1e-7;
-/// Coatings are a millionth or a million contact radii thick, a stiff substrate a million times as stiff: felt by as
-/// much, times some ratio of moduli.
+/// Coatings are a millionth or a million contact radii thick, a stiff substrate a million times as stiff: their effect
+/// is a millionth, times some ratio of moduli.
 const MILLIONTH: f64 = 1e-5;
 
 /// Two contacts with one answer.
 type Pair = fn() -> Result<[ContactSetup; 2], ValidationError>;
 
-/// What becomes what, the tolerance, and both.
+/// The limit in words, the tolerance, and the two contacts.
 const LIMITS: [(&str, f64, Pair); 8] = [
     ("χ → 1, equal ν: the half-space", CERTIFIED, equal_materials),
     ("thick coating: the coating alone", MILLIONTH, thick),
@@ -107,7 +107,7 @@ fn other_material() -> Result<Material, ValidationError> {
 
 fn equal_materials() -> Result<[ContactSetup; 2], ValidationError> {
     let substrate = unit_material()?;
-    // Equal to the bit it would be taken for a half-space at once.
+    // If equal to the bit, it would be recognised as a half-space.
     let coating = Material::new(substrate.young_modulus() * (1.0 + 1e-12), 0.3)?;
     Ok([half_space(substrate)?, coated(0.05, coating, substrate)?])
 }
@@ -206,7 +206,7 @@ fn textured() -> Result<ContactSetup, ValidationError> {
     })
 }
 
-/// The force of a penetration of a force.
+/// A force, its penetration, and the force of that penetration.
 fn there_and_back(run: ValidationRun) -> Result<Comparison, ValidationError> {
     let by_force = textured()?;
     let there = run.solve(&by_force)?.steps.remove(0).solution;

@@ -11,7 +11,7 @@ pub struct ValidationReport<'a> {
     schema: u32,
     program: &'static str,
     version: &'static str,
-    /// By how much, relatively, every coefficient was made wrong: 0 but for the test hook.
+    /// Relative error of every coefficient: 0 except for the test hook.
     perturbation: f64,
     verdict: &'static str,
     passed: usize,
@@ -30,7 +30,7 @@ struct SectionReport<'a> {
 }
 
 impl<'a> ValidationReport<'a> {
-    /// The report of these sections, which took so many seconds.
+    /// The report of these sections, computed in this many seconds.
     #[must_use]
     pub fn new(run: ValidationRun, sections: &'a [SectionResult], seconds: f64) -> Self {
         let rows = || sections.iter().flat_map(|section| &section.rows);
@@ -58,7 +58,7 @@ impl ValidationReport<'_> {
         self.failed == 0
     }
 
-    /// How many rows pass, and the sections of those that do not.
+    /// The number of rows that pass, and the sections of those that fail.
     #[must_use]
     pub fn conclusion(&self) -> String {
         let (seconds, rows) = (self.seconds, self.passed + self.failed);
@@ -71,7 +71,7 @@ impl ValidationReport<'_> {
     }
 }
 
-/// How many rows of a section fail, if any does.
+/// The number of rows of a section that fail, if any does.
 fn failures(section: &SectionReport<'_>) -> Option<String> {
     let failed = section.rows.iter().filter(|row| !row.passes()).count();
     let (name, rows) = (section.name, section.rows.len());

@@ -1,4 +1,4 @@
-//! Contacts to be compared, all with the coefficients of one run of the validation.
+//! A run of the validation: it solves the contacts to be compared, all with its own coefficients.
 
 use std::sync::Arc;
 
@@ -10,21 +10,21 @@ use pellicle_influence::{Cache, InfluenceError, RadialTables};
 use pellicle_kernel::{Foundation, KernelError, Material};
 use pellicle_texture::{Relief, TextureError};
 
-/// Makes and solves contacts.
+/// A run of the validation, which makes and solves contacts.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct ValidationRun {
-    /// By how much, relatively, every influence coefficient is wrong: 0 but for the test hook.
+    /// Relative error of every influence coefficient: 0 except for the test hook.
     pub perturbation: f64,
 }
 
-/// One contact on one grid.
+/// A contact on a grid.
 #[derive(Debug, Clone)]
 pub struct ContactSetup {
     /// The elastic body.
     pub foundation: Foundation,
-    /// What its surface carries.
+    /// The relief on it.
     pub relief: Relief,
-    /// What is pressed into it.
+    /// The indenter.
     pub indenter: Indenter,
     /// Side of the domain.
     pub side: f64,
@@ -34,7 +34,7 @@ pub struct ContactSetup {
     pub load: Load,
 }
 
-/// Why something cannot be compared.
+/// The reason why something cannot be compared.
 #[derive(Debug, thiserror::Error)]
 #[expect(missing_docs, reason = "each is the error it holds")]
 pub enum ValidationError {
@@ -81,7 +81,7 @@ impl ValidationRun {
     /// The certified solution of a contact: a path of one step.
     ///
     /// # Errors
-    /// What the crates refuse, and [`ValidationError::NotCertified`].
+    /// Errors of the crates, and [`ValidationError::NotCertified`].
     pub fn solve(self, contact: &ContactSetup) -> Result<LoadingPath, ValidationError> {
         self.solve_with(contact, SolverOptions::default())
     }

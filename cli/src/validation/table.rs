@@ -16,7 +16,7 @@ pub fn heading() -> String {
     line("check", cells)
 }
 
-/// A section: its name, its rows, and where its references and tolerances come from.
+/// A section: its name, its rows, and the sources of its references and tolerances.
 #[must_use]
 pub fn section_text(section: &SectionResult) -> String {
     let rows: String = section.rows.iter().map(row).collect();
@@ -35,7 +35,7 @@ fn row(row: &Comparison) -> String {
         Verdict::Fail => "FAIL",
     };
     let (reference, computed) = (value(&row.reference), value(&row.computed));
-    // What went wrong has a line of its own.
+    // An error message gets a line of its own.
     let (computed, reason) = if computed.chars().count() > LONGEST_WORD {
         ("none".to_owned(), format!("      {computed}\n"))
     } else {

@@ -8,7 +8,7 @@ use serde_json::Value;
 
 use crate::runner::{CASE, TestFolder, names};
 
-/// What a run of one step leaves behind.
+/// The files of a run of one step.
 const FILES: [&str; 17] = [
     "contact-000.gsf",
     "convergence.png",

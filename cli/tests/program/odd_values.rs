@@ -2,7 +2,7 @@
 
 use crate::runner::{CASE, TestFolder};
 
-/// What to replace in the case by what, and the key, what is found and what is wanted in the sentence about it.
+/// A text of the case, its replacement, and the key, the value found and the value wanted in the sentence about it.
 const ODD: [(&str, &str, &str, &str, &str); 16] = [
     (
         "title = \"Test\"",

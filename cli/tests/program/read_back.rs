@@ -10,7 +10,7 @@ use std::sync::OnceLock;
 
 use crate::runner::{CASE, TestFolder};
 
-/// What the scripts import; VTK without the plotting libraries that it only asks for.
+/// The packages that the scripts import; VTK is installed without its plotting libraries.
 const PACKAGES: [&str; 5] = ["numpy", "scipy", "xarray", "gsffile", "jsonschema"];
 const ALONE: &str = "vtk";
 

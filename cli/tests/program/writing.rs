@@ -1,4 +1,4 @@
-//! What a run writes, how much of it, how long it says that it took, and when it stops.
+//! The files that a run writes: their choice, size and time, and an interruption.
 
 use std::fs;
 use std::time::Instant;

@@ -11,7 +11,7 @@ use super::substrate::POISSON_RATIO;
 
 const MODULUS: &str = "a positive pressure such as \"70 GPa\", a bare number, or { from = .., to = .., profile = \"linear\" }";
 
-/// One layer and how it holds to what lies below.
+/// One layer and the interface below it.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct LayerCase {
     /// Thickness, m.
@@ -20,17 +20,17 @@ pub struct LayerCase {
     pub young_modulus: ModulusCase,
     /// Poisson's ratio `ν`.
     pub poisson_ratio: f64,
-    /// How it holds to what lies below.
+    /// The interface below it.
     pub interface: InterfaceCase,
 }
 
-/// How a layer holds to what lies below.
+/// The interface between a layer and what lies below.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum InterfaceCase {
-    /// It sticks.
+    /// It sticks to what lies below.
     Bonded,
-    /// It slides.
+    /// It slides without friction.
     Frictionless,
 }
 
@@ -55,14 +55,14 @@ impl LayerCase {
                 .number(POISSON_RATIO)?,
             interface,
         };
-        // The modulus is positive by now: what the kernel still refuses is the ratio.
+        // The modulus is positive by now: only the ratio can still be refused.
         let ratio = table.required("poisson_ratio", POISSON_RATIO)?;
         let material = layer.material(layer.young_modulus.at_top());
         material.map_err(|error| ratio.refused(&error))?;
         Ok(layer)
     }
 
-    /// The layer as one or more homogeneous ones, and those below; with the error of splitting if it is graded.
+    /// The layer as one or more homogeneous layers on those below, and the error of the split if it is graded.
     pub(super) fn split(
         &self,
         below: &[Layer],

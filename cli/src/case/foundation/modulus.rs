@@ -16,18 +16,18 @@ pub enum ModulusCase {
     Graded(GradingCase),
 }
 
-/// How Young's modulus changes with depth.
+/// A Young's modulus that changes with depth.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct GradingCase {
-    /// At the top, Pa.
+    /// Modulus at the top, Pa.
     pub from: f64,
-    /// At the bottom, Pa.
+    /// Modulus at the bottom, Pa.
     pub to: f64,
-    /// In between.
+    /// Its profile in between.
     pub profile: GradingProfile,
 }
 
-/// What a graded modulus does between top and bottom.
+/// The profile of a graded modulus between top and bottom.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum GradingProfile {
@@ -38,7 +38,7 @@ pub enum GradingProfile {
 }
 
 impl ModulusCase {
-    /// Reads a modulus or a table of two and a profile.
+    /// Reads a modulus, or a table of two moduli and a profile.
     ///
     /// # Errors
     ///
@@ -61,7 +61,7 @@ impl ModulusCase {
         }))
     }
 
-    /// At the top, Pa.
+    /// The modulus at the top, Pa.
     #[must_use]
     pub fn at_top(self) -> f64 {
         match self {
@@ -71,7 +71,7 @@ impl ModulusCase {
 }
 
 impl GradingCase {
-    /// The modulus (Pa) at a part of the way from top to bottom.
+    /// The modulus (Pa) at this fraction of the depth, 0 at the top and 1 at the bottom.
     #[must_use]
     pub fn at(self, part: f64) -> f64 {
         let Self { from, to, profile } = self;

@@ -1,4 +1,4 @@
-//! What the layers rest on: an elastic half-space or a rigid base.
+//! The base of the layers: an elastic half-space or a rigid base.
 
 use pellicle_kernel::{Base, KernelError, Material};
 use serde::Serialize;
@@ -12,7 +12,7 @@ pub(super) const WANTED: &str = "{ young_modulus = .., poisson_ratio = .. } or \
 
 pub(super) const POISSON_RATIO: &str = "Poisson's ratio, a number in [0, 0.5]";
 
-/// What everything rests on.
+/// The base of the layers.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum SubstrateCase {
@@ -61,7 +61,7 @@ impl MaterialCase {
                 .required("poisson_ratio", POISSON_RATIO)?
                 .number(POISSON_RATIO)?,
         };
-        // The modulus is positive by now: what the kernel still refuses is the ratio.
+        // The modulus is positive by now: only the ratio can still be refused.
         let ratio = table.required("poisson_ratio", POISSON_RATIO)?;
         material.build().map_err(|error| ratio.refused(&error))?;
         Ok(material)

@@ -63,7 +63,7 @@ impl OneLayerResponse {
     }
 }
 
-/// LayerStacks and what was computed for them.
+/// Stacks and their computed values.
 #[derive(Debug, Clone, Deserialize)]
 pub struct LayerStacks {
     /// The stacks by name.
@@ -72,14 +72,14 @@ pub struct LayerStacks {
     pub values: Vec<StackValue>,
 }
 
-/// Layers from the surface down, and what they rest on.
+/// Layers from the surface down, and their base.
 #[derive(Debug, Clone, Deserialize)]
 pub struct LayerStack {
     /// Thickness, Young's modulus and Poisson's ratio of each layer.
     layers: Vec<[Decimal; 3]>,
     /// Young's modulus and Poisson's ratio of the half-space, or the word `rigid`.
     substrate: StackSubstrate,
-    /// What joins each layer to the next: `bonded` or `slip`.
+    /// The interface between each layer and the next: `bonded` or `slip`.
     interfaces: Vec<StackInterface>,
 }
 

@@ -63,7 +63,7 @@ pub struct DiscreteContact {
     /// Elements per side.
     #[serde(rename = "N")]
     pub size: usize,
-    /// What is pressed.
+    /// The profile of the indenter.
     #[serde(rename = "surface")]
     pub profile: DiscreteProfile,
     /// Approach.
@@ -72,7 +72,7 @@ pub struct DiscreteContact {
     /// Load.
     #[serde(rename = "P", deserialize_with = "decimal")]
     pub force: f64,
-    /// Which of the two was given.
+    /// The one of the two that was given.
     pub given: Given,
     /// Elements in contact.
     #[serde(rename = "n_contact")]
@@ -115,7 +115,7 @@ impl DiscreteProfile {
     }
 }
 
-/// What a contact was computed for.
+/// The quantity given for a contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
 pub enum Given {
     /// The approach.
