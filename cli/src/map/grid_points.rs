@@ -1,4 +1,4 @@
-//! GridLines of x, y, z: the points of a grid one by one, as instruments and other programs write a surface.
+//! Lines of x, y, z: the points of a grid one by one, as instruments and other programs export a surface.
 
 use super::MapFile;
 

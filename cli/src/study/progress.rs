@@ -22,7 +22,7 @@ pub struct StudyProgress {
 }
 
 impl StudyProgress {
-    /// StudyProgress for a part of this many cases, of which some are done; none at all if nobody watches.
+    /// Lines for a part of `total` cases, of which `before` are done; no lines unless `watched`.
     #[must_use]
     pub fn new(total: usize, before: usize, watched: bool) -> Self {
         Self {

@@ -159,7 +159,7 @@ pub fn one_layer() -> serde_json::Result<Vec<OneLayerResponse>> {
     Ok(serde_json::from_str::<ValueList<_>>(text)?.values)
 }
 
-/// LayerStacks of two and three layers.
+/// Stacks of two and three layers.
 ///
 /// # Errors
 /// A file that is not what these types say.
