@@ -161,7 +161,7 @@ impl From<Diagnosis> for Failure {
 }
 
 impl Failure {
-    /// The failure that this file or folder cannot be written.
+    /// The failure to write a file or folder.
     #[must_use]
     pub fn write(path: &Path, cause: io::Error) -> Self {
         let path = path.to_owned();

@@ -38,7 +38,7 @@ pub enum Format {
     Npz,
     /// VTK image data, for ParaView
     Vti,
-    /// NetCDF in the layout of contact.engineering
+    /// The layout of contact.engineering
     Nc,
     /// Gwyddion simple fields
     Gsf,

@@ -7,7 +7,6 @@ use super::diagnosis::{Diagnosis, Fault};
 use super::dimension::Dimension;
 use super::document::{TomlNode, TomlValue};
 use super::quantity::{self, QuantityError};
-use super::span::Span;
 use super::table_reader::TableReader;
 
 /// The value of one key, and the dotted path that leads to it.
@@ -73,12 +72,6 @@ impl<'a> ValueReader<'a> {
     #[must_use]
     pub fn value(&self) -> &'a TomlValue {
         &self.node.value
-    }
-
-    /// Its place in the text.
-    #[must_use]
-    pub fn span(&self) -> &'a Span {
-        &self.node.span
     }
 
     /// The diagnosis that another value is wanted here.

@@ -122,7 +122,7 @@ fn collect(
         let key = dotted(path, &entry.key);
         match &entry.node.value {
             TomlValue::Table(inner) if inner.entry("from").is_none() => {
-                collect(&key, inner, varied_keys)?
+                collect(&key, inner, varied_keys)?;
             }
             _ => varied_keys.push(VariedKey::read(key, entry.key_span.clone(), &entry.node)?),
         }
