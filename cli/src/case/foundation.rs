@@ -1,15 +1,14 @@
 //! `[foundation]`: the substrate and the layers on it.
 
-mod layer;
-mod modulus;
-mod substrate;
+pub mod layer;
+pub mod modulus;
+pub mod substrate;
 
 use pellicle_kernel::{Foundation, KernelError};
 use serde::Serialize;
 
-pub use self::layer::{InterfaceCase, LayerCase};
-pub use self::modulus::{GradingCase, GradingProfile, ModulusCase};
-pub use self::substrate::{MaterialCase, SubstrateCase};
+use self::layer::LayerCase;
+use self::substrate::SubstrateCase;
 use super::diagnosis::Diagnosis;
 use super::table_reader::TableReader;
 use super::value_reader::ValueReader;
@@ -148,6 +147,7 @@ mod tests {
     use pellicle_kernel::Layer;
 
     use super::super::table_reader::tests::read_table;
+    use super::layer::InterfaceCase;
     use super::*;
 
     fn read(text: &str) -> Result<FoundationCase, String> {

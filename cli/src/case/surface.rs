@@ -293,7 +293,7 @@ fn young_modulus(table: &TableReader<'_>, foundation: &FoundationCase) -> Result
 
 #[cfg(test)]
 mod tests {
-    use super::super::foundation::{MaterialCase, SubstrateCase};
+    use super::super::foundation::substrate::{MaterialCase, SubstrateCase};
     use super::super::table_reader::tests::read_table;
     use super::*;
 
