@@ -51,12 +51,12 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
         tables_seconds,
         tables_origin: model.origin,
     };
-    let mut summary = Summary::new(&case, &path, clock, &cache.take_warnings());
+    let mut summary = Summary::new(&case, &path, clock, &cache.take_warnings())?;
     summary.warnings.extend(unfinished(&case, &path));
     let write = |folder: Folder| {
         let tell = line.writing();
         folder.write(|folder| {
-            let written = results::write(folder, &path, &mut summary, start, &tell)?;
+            let written = results::write(folder, &path, &mut summary, &case.output, start, &tell)?;
             Ok(if path.interrupted {
                 Extent::Part
             } else {
@@ -77,7 +77,7 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
 fn unfinished(case: &Case, path: &LoadingPath) -> Option<WarningSummary> {
     let (done, steps) = (path.steps.len(), case.load.steps().len());
     path.interrupted.then(|| WarningSummary {
-        code: "stopped",
+        code: "stopped".into(),
         message: format!("stopped by the user after {done} of {steps} loading steps"),
     })
 }

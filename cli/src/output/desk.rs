@@ -106,7 +106,7 @@ impl<'a> Desk<'a> {
         };
         let message = format!("the picture {name} cannot be drawn: {reason}");
         let warning = WarningSummary {
-            code: "picture-failed",
+            code: "picture-failed".into(),
             message,
         };
         self.failures().push(warning);
@@ -125,7 +125,7 @@ impl<'a> Desk<'a> {
         let (left_out, total) = (self.left_out.load(Ordering::Relaxed), self.total);
         if left_out > 0 {
             warnings.push(WarningSummary {
-                code: "stopped",
+                code: "stopped".into(),
                 message: format!(
                     "stopped by the user while results were written: {left_out} of {total} fields and pictures are missing"
                 ),
@@ -167,9 +167,10 @@ mod tests {
         assert_eq!(draw("panics", "").unwrap(), None);
         assert_eq!(draw("no-svg", "<svg").unwrap(), None);
         assert_eq!(draw("good", svg).unwrap().as_deref(), Some(svg));
-        let codes: Vec<_> = desk.warnings().iter().map(|warning| warning.code).collect();
+        let warnings = desk.warnings();
+        let codes: Vec<_> = warnings.iter().map(|warning| &warning.code[..]).collect();
         assert_eq!(codes, ["picture-failed"; 2]);
-        assert!(desk.warnings()[1].message.contains("picture panics"));
+        assert!(warnings[1].message.contains("picture panics"));
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 2);
     }
 

@@ -14,7 +14,6 @@ mod null;
 pub mod own;
 pub mod page;
 pub mod pictures;
-pub mod record;
 pub mod redraw;
 pub mod report;
 pub mod results;

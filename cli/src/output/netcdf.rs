@@ -13,7 +13,7 @@ use std::path::Path;
 
 use super::fields::{Fields, Truth};
 use super::file::write_whole;
-use super::record::Record;
+use super::summary::Summary;
 use super::watched::Watched;
 use crate::failure::Failure;
 
@@ -65,11 +65,11 @@ struct Variable<'a> {
 pub fn write(
     path: &Path,
     fields: &Fields<'_>,
-    record: &Record,
+    summary: &Summary,
     step: usize,
 ) -> Result<(), Failure> {
-    let variables = variables(fields, record);
-    let attributes = global_attributes(fields, record, step);
+    let variables = variables(fields, summary);
+    let attributes = global_attributes(fields, summary, step);
     write_whole(path, |file| {
         // The offsets are known once the length of the header is: it does not depend on them.
         let file = &mut Watched::new(file);
@@ -82,9 +82,9 @@ pub fn write(
     })
 }
 
-fn variables<'a>(fields: &Fields<'a>, record: &Record) -> Vec<Variable<'a>> {
+fn variables<'a>(fields: &Fields<'a>, summary: &Summary) -> Vec<Variable<'a>> {
     let described = |unit, meaning: &str| {
-        let unit = Attribute::Text("units", record.units.name(unit).to_owned());
+        let unit = Attribute::Text("units", summary.units.name(unit).to_owned());
         vec![unit, Attribute::Text("long_name", meaning.to_owned())]
     };
     let coordinate = |name, dimension| Variable {
@@ -115,23 +115,24 @@ fn variables<'a>(fields: &Fields<'a>, record: &Record) -> Vec<Variable<'a>> {
     variables
 }
 
-fn global_attributes(fields: &Fields<'_>, record: &Record, step: usize) -> Vec<Attribute> {
-    let (summary, area) = (&record.steps[step], fields.side.powi(2));
-    let (length, force) = (record.units.name("m"), record.units.name("N"));
+fn global_attributes(fields: &Fields<'_>, summary: &Summary, step: usize) -> Vec<Attribute> {
+    let area = fields.side.powi(2);
+    let (length, force) = (summary.units.name("m"), summary.units.name("N"));
+    let of_step = &summary.steps[step];
     vec![
-        Attribute::Text("title", record.title.clone()),
-        Attribute::Text("source", format!("pellicle {}", record.version)),
+        Attribute::Text("title", summary.title.clone()),
+        Attribute::Text("source", format!("pellicle {}", summary.version)),
         Attribute::Text("type", "nonperiodic".into()),
-        Attribute::Number("mean_pressure", summary.mean_pressure),
-        Attribute::Number("nominal_pressure", summary.force / area),
-        Attribute::Number("total_contact_area", summary.contact_area / area),
-        Attribute::Number("force", summary.force),
+        Attribute::Number("mean_pressure", of_step.mean_pressure),
+        Attribute::Number("nominal_pressure", of_step.force / area),
+        Attribute::Number("total_contact_area", of_step.contact_area / area),
+        Attribute::Number("force", of_step.force),
         Attribute::Text("force_units", force.to_owned()),
-        Attribute::Number("penetration", summary.penetration),
+        Attribute::Number("penetration", of_step.penetration),
         Attribute::Text("penetration_units", length.to_owned()),
         Attribute::Text(
             "certificate_satisfied",
-            summary.certificate.satisfied.to_string(),
+            of_step.certificate.satisfied.to_string(),
         ),
     ]
 }

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use super::desk::Desk;
 use super::fields::Fields;
 use super::page::{RunPart, StepPart, surface};
-use super::record::Record;
+use super::summary::Summary;
 use crate::case::output::Steps;
 use crate::failure::Failure;
 use crate::picture::field_map::FieldMap;
@@ -30,9 +30,9 @@ pub enum Kind {
 
 /// The pictures of a loading step: of a measured surface or indenter more than of others.
 #[must_use]
-pub fn of_a_step(record: &Record) -> Vec<Kind> {
+pub fn of_a_step(summary: &Summary) -> Vec<Kind> {
     let mut kinds = vec![Kind::Map, Kind::Section, Kind::View];
-    let fields: &[_] = match record.maps() {
+    let fields: &[_] = match summary.maps() {
         [true, _] => &[FieldMap::Heights, FieldMap::Gap, FieldMap::Displacement],
         [false, true] => &[FieldMap::Gap, FieldMap::Displacement],
         [false, false] => &[],
@@ -68,21 +68,21 @@ impl Kind {
 /// [`Failure::Write`] if a picture cannot be written.
 pub fn step(
     folder: &Path,
-    record: &Record,
+    summary: &Summary,
     step: usize,
     fields: Fields<'_>,
     style: &Style,
     desk: &Desk<'_>,
 ) -> Result<StepPart, Failure> {
     let subject = Subject {
-        title: &record.title,
-        units: record.units,
-        relief_height: record.relief_height(),
-        step: &record.steps[step],
+        title: &summary.title,
+        units: summary.units,
+        relief_height: summary.relief_height(),
+        step: &summary.steps[step],
         fields,
         style: *style,
     };
-    let kinds = of_a_step(record).into_par_iter();
+    let kinds = of_a_step(summary).into_par_iter();
     let drawn = kinds.map(|kind| {
         let svg = desk.picture(folder, &kind.name(step), || kind.draw(&subject))?;
         Ok(svg.map(|svg| (kind, svg)))
@@ -106,7 +106,7 @@ pub fn step(
 /// [`Failure::Write`] if a picture cannot be written.
 pub fn run(
     folder: &Path,
-    record: &Record,
+    summary: &Summary,
     pictures: Steps,
     style: &Style,
     desk: &Desk<'_>,
@@ -117,8 +117,8 @@ pub fn run(
             .map(|_| Some(svg)),
         svg => Ok(svg),
     };
-    let curve = desk.drawn(curve::NAME, || Ok(curve::draw(record, style)));
-    let convergence = desk.drawn(convergence::NAME, || Ok(convergence::draw(record, style)));
+    let curve = desk.drawn(curve::NAME, || Ok(curve::draw(summary, style)));
+    let convergence = desk.drawn(convergence::NAME, || Ok(convergence::draw(summary, style)));
     Ok(RunPart {
         curve: one(curve::NAME, curve.flatten())?,
         convergence: one(convergence::NAME, convergence.flatten())?,
@@ -127,12 +127,12 @@ pub fn run(
 
 /// Names of the pictures of some steps, and of the run unless no pictures of it are wanted, without endings.
 #[must_use]
-pub fn names(record: &Record, steps: &[usize], of_run: Steps) -> Vec<String> {
-    let kinds = of_a_step(record);
+pub fn names(summary: &Summary, steps: &[usize], of_run: Steps) -> Vec<String> {
+    let kinds = of_a_step(summary);
     let name = |step: &usize| -> Vec<_> { kinds.iter().map(|kind| kind.name(*step)).collect() };
     let run = [
-        (curve::NAME, curve::is_drawn(record)),
-        (convergence::NAME, convergence::is_drawn(record)),
+        (curve::NAME, curve::is_drawn(summary)),
+        (convergence::NAME, convergence::is_drawn(summary)),
     ];
     let run = run
         .into_iter()
@@ -143,8 +143,8 @@ pub fn names(record: &Record, steps: &[usize], of_run: Steps) -> Vec<String> {
 
 /// How many pictures of the run as a whole are written.
 #[must_use]
-pub fn count_of_run(record: &Record, pictures: Steps) -> usize {
-    let there_are = [curve::is_drawn(record), convergence::is_drawn(record)];
+pub fn count_of_run(summary: &Summary, pictures: Steps) -> usize {
+    let there_are = [curve::is_drawn(summary), convergence::is_drawn(summary)];
     let count = there_are.into_iter().filter(|is| *is).count();
     if pictures == Steps::None { 0 } else { count }
 }

@@ -7,8 +7,7 @@ use rayon::prelude::*;
 use super::desk::{Desk, Tell};
 use super::npz::{self, StoredFields};
 use super::page::{self, StepPart};
-use super::record::Record;
-use super::summary::WarningSummary;
+use super::summary::{Summary, WarningSummary};
 use super::{pictures, results};
 use crate::case::output::Steps;
 use crate::failure::Failure;
@@ -43,11 +42,11 @@ pub struct Redrawn {
 ///
 /// [`Failure`] if the folder holds no results, the step ordered has no fields, or a picture cannot be written.
 pub fn draw(folder: &Path, order: &Order<'_>, tell: Tell<'_>) -> Result<Redrawn, Failure> {
-    let record = Record::read(folder)?;
+    let summary = Summary::read(folder)?;
     let fields = |step: usize| folder.join(npz::file(step));
     let steps: Vec<_> = match order.step {
         Some(step) => vec![step],
-        None => (0..record.steps.len())
+        None => (0..summary.steps.len())
             .filter(|step| fields(*step).is_file())
             .collect(),
     };
@@ -56,21 +55,21 @@ pub fn draw(folder: &Path, order: &Order<'_>, tell: Tell<'_>) -> Result<Redrawn,
     } else {
         Steps::None
     };
-    let count =
-        steps.len() * pictures::of_a_step(&record).len() + pictures::count_of_run(&record, of_run);
+    let count = steps.len() * pictures::of_a_step(&summary).len()
+        + pictures::count_of_run(&summary, of_run);
     let desk = Desk::new(count, tell);
     let out = order.out.unwrap_or(folder);
     if order.out.is_some() && !order.replaces {
-        pictures::names(&record, &steps, of_run)
+        pictures::names(&summary, &steps, of_run)
             .iter()
             .try_for_each(|name| keep(out, name))?;
     }
     let shown = results::in_report(&steps);
     let parts = steps.par_iter().map(|step| {
-        if *step >= record.steps.len() {
+        if *step >= summary.steps.len() {
             let reason = format!(
                 "there is no step {step}, the last is {}",
-                record.steps.len() - 1
+                summary.steps.len() - 1
             );
             return Err(Failure::damaged(folder, &reason));
         }
@@ -82,18 +81,18 @@ pub fn draw(folder: &Path, order: &Order<'_>, tell: Tell<'_>) -> Result<Redrawn,
             });
         }
         let stored = StoredFields::read(&path)?;
-        let of_step = stored.fields(record.grid.side);
-        let part = pictures::step(out, &record, *step, of_step, &order.style, &desk)?;
+        let of_step = stored.fields(summary.grid.side);
+        let part = pictures::step(out, &summary, *step, of_step, &order.style, &desk)?;
         Ok(shown.contains(step).then_some(part))
     });
     let parts = parts.collect::<Result<Vec<Option<StepPart>>, Failure>>()?;
     let parts: Vec<_> = parts.into_iter().flatten().collect();
-    let run = pictures::run(out, &record, of_run, &order.style, &desk)?;
+    let run = pictures::run(out, &summary, of_run, &order.style, &desk)?;
     // A report whose drawings cannot all be made again is better than one without them.
     let report = folder.join(page::FILE);
     let is_whole = order.out.is_none() && order.step.is_none();
     if is_whole && (!parts.is_empty() || !report.exists()) {
-        results::write_page(folder, &page::html(&record, &parts, &run))?;
+        results::write_page(folder, &page::html(&summary, &parts, &run))?;
     }
     let warnings = desk.warnings();
     Ok(Redrawn {
@@ -117,22 +116,22 @@ pub fn draw_curves(
     if !replaces {
         keep(out, curve::NAME_OF_SEVERAL)?;
     }
-    let records = folders.iter().map(|folder| Record::read(folder));
-    let records = records.collect::<Result<Vec<_>, Failure>>()?;
-    let units = records
+    let summaries = folders.iter().map(|folder| Summary::read(folder));
+    let summaries = summaries.collect::<Result<Vec<_>, Failure>>()?;
+    let units = summaries
         .first()
-        .map(|record| record.units)
+        .map(|summary| summary.units)
         .unwrap_or_default();
-    let other = records.iter().position(|record| record.units != units);
+    let other = summaries.iter().position(|summary| summary.units != units);
     if let Some(other) = other {
         let reason =
             "its units are not those of the first: one is in SI units, the other in its own";
         return Err(Failure::damaged(&folders[other], &reason));
     }
-    let names = names(folders, &records);
-    let curves = records.iter().zip(names).map(|(record, name)| Curve {
+    let names = names(folders, &summaries);
+    let curves = summaries.iter().zip(names).map(|(summary, name)| Curve {
         name,
-        steps: &record.steps,
+        steps: &summary.steps,
     });
     let desk = Desk::new(1, &|_, _| ());
     desk.picture(out, curve::NAME_OF_SEVERAL, || {
@@ -151,14 +150,20 @@ fn keep(folder: &Path, name: &str) -> Result<(), Failure> {
 }
 
 /// What results are called: by their titles, and by their folders too where two have the same.
-fn names(folders: &[PathBuf], records: &[Record]) -> Vec<String> {
-    let is_twice = |title: &str| records.iter().filter(|other| other.title == title).count() > 1;
-    let name = |(folder, record): (&PathBuf, &Record)| {
-        if is_twice(&record.title) {
-            format!("{} ({})", folder.display(), record.title)
+fn names(folders: &[PathBuf], summaries: &[Summary]) -> Vec<String> {
+    let is_twice = |title: &str| {
+        summaries
+            .iter()
+            .filter(|other| other.title == title)
+            .count()
+            > 1
+    };
+    let name = |(folder, summary): (&PathBuf, &Summary)| {
+        if is_twice(&summary.title) {
+            format!("{} ({})", folder.display(), summary.title)
         } else {
-            record.title.clone()
+            summary.title.clone()
         }
     };
-    folders.iter().zip(records).map(name).collect()
+    folders.iter().zip(summaries).map(name).collect()
 }

@@ -1,7 +1,6 @@
 //! A summary in words, for the person at the terminal.
 
 use super::summary::{EstimateSummary, Status, StepSummary, Summary};
-use crate::case::surface::SurfaceCase;
 use crate::case::units::Units;
 use crate::display::{Unit, error_of, quantity, significant};
 
@@ -10,8 +9,8 @@ use crate::display::{Unit, error_of, quantity, significant};
 pub fn text(summary: &Summary) -> String {
     let mut text = format!("{}\n{}", summary.title, grid(summary));
     match &summary.steps[..] {
-        [step] => text.push_str(&single(step, &summary.case.surface, summary.case.units)),
-        steps => text.push_str(&table(steps, summary.case.units)),
+        [step] => text.push_str(&single(step, summary.has_relief(), summary.units)),
+        steps => text.push_str(&table(steps, summary.units)),
     }
     text
 }
@@ -26,7 +25,7 @@ pub fn warnings(summary: &Summary) -> String {
 
 fn grid(summary: &Summary) -> String {
     let grid = &summary.grid;
-    let metres = |value| quantity(value, Unit::Metre, summary.case.units);
+    let metres = |value| quantity(value, Unit::Metre, summary.units);
     let (side, element_side) = (metres(grid.side), metres(grid.element_side));
     let elements = grid.elements;
     format!(
@@ -68,7 +67,7 @@ impl Lines {
     }
 }
 
-fn single(step: &StepSummary, surface: &SurfaceCase, units: Units) -> String {
+fn single(step: &StepSummary, has_relief: bool, units: Units) -> String {
     let text = String::new();
     let mut lines = Lines { units, text };
     let error = &step.grid_error;
@@ -96,7 +95,7 @@ fn single(step: &StepSummary, surface: &SurfaceCase, units: Units) -> String {
         Unit::SquareMetre,
         error.contact_area,
     );
-    if *surface != SurfaceCase::Bare {
+    if has_relief {
         lines.quantity(
             "  on the relief",
             step.contact_area_on_relief,

@@ -11,7 +11,6 @@ use super::desk::{Desk, Tell};
 use super::fields::Fields;
 use super::folder::Extent;
 use super::page::{self, StepPart};
-use super::record::Record;
 use super::summary::Summary;
 use super::{curve, file, gsf, json, netcdf, npz, pictures, summary, vti};
 use crate::case::output::{Format, OutputCase};
@@ -35,21 +34,18 @@ pub fn write(
     folder: &Path,
     path: &LoadingPath,
     summary: &mut Summary,
+    output: &OutputCase,
     start: Instant,
     tell: Tell<'_>,
 ) -> Result<Extent, Failure> {
-    let output = summary.case.output.clone();
-    let record = Record::parse(&json(summary)?, summary.case.units)?;
-    let desk = Desk::new(files(&record, &output), tell);
-    let parts = write_steps(folder, path, &record, &output, &desk)?;
-    let run = pictures::run(folder, &record, output.pictures, &Style::default(), &desk)?;
+    let desk = Desk::new(files(summary, output), tell);
+    let parts = write_steps(folder, path, summary, output, &desk)?;
+    let run = pictures::run(folder, summary, output.pictures, &Style::default(), &desk)?;
     summary.warnings.extend(desk.warnings());
     summary.timing.total_seconds = start.elapsed().as_secs_f64();
-    let text = json(summary)?;
-    let record = Record::parse(&text, summary.case.units)?;
-    write_page(folder, &page::html(&record, &parts, &run))?;
+    write_page(folder, &page::html(summary, &parts, &run))?;
     write_text(&folder.join(curve::FILE), &curve::csv(summary))?;
-    write_text(&folder.join(summary::FILE), &text)?;
+    write_text(&folder.join(summary::FILE), &json(summary)?)?;
     Ok(if desk.is_whole() {
         Extent::Whole
     } else {
@@ -58,18 +54,18 @@ pub fn write(
 }
 
 /// Files of fields, and pictures.
-fn files(record: &Record, output: &OutputCase) -> usize {
-    let steps = record.steps.len();
+fn files(summary: &Summary, output: &OutputCase) -> usize {
+    let steps = summary.steps.len();
     let fields = output.fields.count(steps) * output.formats.len();
-    let pictures = output.pictures.count(steps) * pictures::of_a_step(record).len();
-    fields + pictures + pictures::count_of_run(record, output.pictures)
+    let pictures = output.pictures.count(steps) * pictures::of_a_step(summary).len();
+    fields + pictures + pictures::count_of_run(summary, output.pictures)
 }
 
 /// The fields and pictures of the steps that have some; what the report shows of them.
 fn write_steps(
     folder: &Path,
     path: &LoadingPath,
-    record: &Record,
+    summary: &Summary,
     output: &OutputCase,
     desk: &Desk<'_>,
 ) -> Result<Vec<StepPart>, Failure> {
@@ -90,7 +86,7 @@ fn write_steps(
             &[]
         };
         if interrupt::is_overdue() {
-            let pictures = usize::from(pictured.contains(&i)) * pictures::of_a_step(record).len();
+            let pictures = usize::from(pictured.contains(&i)) * pictures::of_a_step(summary).len();
             desk.leave_out(formats.len() + pictures);
             return Ok(None);
         }
@@ -103,10 +99,10 @@ fn write_steps(
             if !pictured.contains(&i) {
                 return Ok(None);
             }
-            pictures::step(folder, record, i, fields, &Style::default(), desk).map(Some)
+            pictures::step(folder, summary, i, fields, &Style::default(), desk).map(Some)
         };
         let (written, part) = rayon::join(
-            || write_fields(folder, record, i, &fields, formats, desk),
+            || write_fields(folder, summary, i, &fields, formats, desk),
             draw,
         );
         written?;
@@ -119,18 +115,18 @@ fn write_steps(
 /// The fields of a step in every format wanted; what is packed takes about as long as all the rest.
 fn write_fields(
     folder: &Path,
-    record: &Record,
+    summary: &Summary,
     step: usize,
     fields: &Fields<'_>,
     formats: &[Format],
     desk: &Desk<'_>,
 ) -> Result<(), Failure> {
-    let units = record.units;
+    let units = summary.units;
     formats.par_iter().try_for_each(|format| {
         let write = || match format {
             Format::Npz => npz::write(&folder.join(npz::file(step)), fields),
             Format::Vti => vti::write(&folder.join(vti::file(step)), fields, units),
-            Format::Nc => netcdf::write(&folder.join(netcdf::file(step)), fields, record, step),
+            Format::Nc => netcdf::write(&folder.join(netcdf::file(step)), fields, summary, step),
             Format::Gsf => gsf::write(folder, fields, units, step),
         };
         desk.file(write).map(drop)

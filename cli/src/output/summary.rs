@@ -1,5 +1,7 @@
 //! `summary.json`: the numbers of a run, also the output of `run --json`.
 
+use std::fs;
+use std::path::Path;
 use std::time::Instant;
 
 use pellicle_contact::{
@@ -8,10 +10,13 @@ use pellicle_contact::{
 use pellicle_influence::{CacheWarning, Origin};
 use serde::{Deserialize, Serialize};
 
-use super::null;
+use serde_json::Value;
 
+use super::{curve, null};
 use crate::case::Case;
 use crate::case::doubt::Doubt;
+use crate::case::units::Units;
+use crate::failure::Failure;
 
 /// Name of the file in a results folder.
 pub const FILE: &str = "summary.json";
@@ -22,20 +27,24 @@ pub const SCHEMA: &str = "pellicle-summary/1";
 /// What writes it.
 pub const PROGRAM: &str = "pellicle";
 
-/// The numbers of a run, in SI units or the case's own.
-#[derive(Debug, Clone, Serialize)]
+/// The numbers of a run, in SI units or the case's own: as solved, or as read back to draw its pictures again.
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Summary {
     /// Name and version of this layout.
-    pub schema: &'static str,
-    /// What wrote it.
-    pub program: &'static str,
+    pub schema: String,
+    /// The program that wrote it.
+    pub program: String,
     /// Version of the program.
-    pub version: &'static str,
-    /// What the case is called.
+    pub version: String,
+    /// Title of the case.
     pub title: String,
-    /// The case as resolved.
-    pub case: Case,
-    /// What the whole may be used for: what the worst of its steps may.
+    /// The case as resolved, keys in the order of a case file.
+    pub case: Value,
+    /// The units of its numbers, which `curve.csv` names.
+    #[serde(skip)]
+    pub units: Units,
+    /// Status of the run: the worst of its steps; `certified` in a file from before there was one.
+    #[serde(default)]
     pub status: Status,
     /// The grid it was solved on.
     pub grid: GridSummary,
@@ -238,24 +247,27 @@ pub struct Clock {
     pub tables_origin: Origin,
 }
 
-/// What should be known before the numbers are used.
-#[derive(Debug, Clone, Serialize)]
+/// A warning about the numbers.
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct WarningSummary {
     /// A word for programs.
-    pub code: &'static str,
+    pub code: String,
     /// A sentence for people.
     pub message: String,
 }
 
 impl Summary {
     /// The summary of a solved case; the side of the domain is filled in where the case left it open.
-    #[must_use]
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Json`] if the case has no JSON form.
     pub fn new(
         case: &Case,
         path: &LoadingPath,
         clock: Clock,
         cache_warnings: &[CacheWarning],
-    ) -> Self {
+    ) -> Result<Self, Failure> {
         let mut case = case.clone();
         case.grid.side.get_or_insert(path.grid.side());
         let origin = clock.tables_origin.max(path.coefficients_origin);
@@ -264,13 +276,14 @@ impl Summary {
         let warnings = warnings.chain(path.warnings.iter().map(WarningSummary::from));
         let cache_warnings = cache_warnings.iter().map(WarningSummary::from);
         let statuses = path.steps.iter().map(|step| step.status().into());
-        Self {
-            status: statuses.max().unwrap_or_default(),
-            schema: SCHEMA,
-            program: PROGRAM,
-            version: env!("CARGO_PKG_VERSION"),
+        Ok(Self {
+            schema: SCHEMA.into(),
+            program: PROGRAM.into(),
+            version: env!("CARGO_PKG_VERSION").into(),
             title: case.title.clone(),
-            case,
+            case: serde_json::to_value(&case)?,
+            units: case.units,
+            status: statuses.max().unwrap_or_default(),
             grid: GridSummary {
                 side: path.grid.side(),
                 elements: path.grid.size(),
@@ -285,7 +298,29 @@ impl Summary {
                 threads: rayon::current_num_threads(),
             },
             warnings: warnings.chain(cache_warnings).collect(),
-        }
+        })
+    }
+
+    /// The summary in the text of a `summary.json`, which does not say its units.
+    ///
+    /// # Errors
+    ///
+    /// Those of the reader if it is no summary.
+    pub fn parse(text: &str, units: Units) -> Result<Self, serde_json::Error> {
+        let summary = serde_json::from_str(text)?;
+        Ok(Self { units, ..summary })
+    }
+
+    /// The summary of a results folder.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Damaged`] if its files are missing or not what a run writes.
+    pub fn read(folder: &Path) -> Result<Self, Failure> {
+        let path = folder.join(FILE);
+        let text = read_text(&path)?;
+        let units = curve::units(&read_text(&folder.join(curve::FILE))?);
+        Self::parse(&text, units).map_err(|cause| Failure::damaged(&path, &cause))
     }
 
     /// Whether every step is certified.
@@ -293,6 +328,35 @@ impl Summary {
     pub fn is_certified(&self) -> bool {
         self.status == Status::Certified
     }
+
+    /// Whether the surface, and whether the indenter, is a measured map.
+    #[must_use]
+    pub fn maps(&self) -> [bool; 2] {
+        ["surface", "indenter"].map(|table| self.case[table]["file"].is_string())
+    }
+
+    /// Whether the foundation carries a relief.
+    #[must_use]
+    pub fn has_relief(&self) -> bool {
+        self.case["surface"]["kind"] != "bare"
+    }
+
+    /// Height of the relief above the surface of the body, m, where it is the same everywhere: of cylinders or a film,
+    /// 0 of a bare surface.
+    #[must_use]
+    pub fn relief_height(&self) -> Option<f64> {
+        let surface = &self.case["surface"];
+        match surface["kind"].as_str()? {
+            "bare" => Some(0.0),
+            "cylinders" => surface["height"].as_f64(),
+            "film" => surface["thickness"].as_f64(),
+            _ => None,
+        }
+    }
+}
+
+fn read_text(path: &Path) -> Result<String, Failure> {
+    fs::read_to_string(path).map_err(|cause| Failure::damaged(path, &cause))
 }
 
 impl From<contact::Status> for Status {
@@ -307,6 +371,7 @@ impl From<contact::Status> for Status {
 
 impl From<Doubt> for WarningSummary {
     fn from(Doubt { code, message }: Doubt) -> Self {
+        let code = code.into();
         Self { code, message }
     }
 }
@@ -314,7 +379,7 @@ impl From<Doubt> for WarningSummary {
 impl From<&pellicle_contact::Warning> for WarningSummary {
     fn from(warning: &pellicle_contact::Warning) -> Self {
         Self {
-            code: warning.code(),
+            code: warning.code().into(),
             message: warning.to_string(),
         }
     }
@@ -323,7 +388,7 @@ impl From<&pellicle_contact::Warning> for WarningSummary {
 impl From<&CacheWarning> for WarningSummary {
     fn from(warning: &CacheWarning) -> Self {
         Self {
-            code: warning.code(),
+            code: warning.code().into(),
             message: warning.to_string(),
         }
     }

@@ -7,8 +7,9 @@ use super::style::{Heading, Style};
 use super::svg::{Anchor, Place, Stroke, Svg};
 use crate::case::units::Units;
 use crate::display::{Unit, error_of, quantity};
-use crate::output::record::Record;
-use crate::output::summary::{EstimateSummary, GridErrorSummary, LevelSummary, StepSummary};
+use crate::output::summary::{
+    EstimateSummary, GridErrorSummary, LevelSummary, StepSummary, Summary,
+};
 
 /// Name of the picture, without ending.
 pub const NAME: &str = "convergence";
@@ -63,36 +64,36 @@ const NUMBERS: [Number; 3] = [
 
 /// Whether there is a picture: not of a run on one grid.
 #[must_use]
-pub fn is_drawn(record: &Record) -> bool {
-    let mut steps = record.steps.iter();
+pub fn is_drawn(summary: &Summary) -> bool {
+    let mut steps = summary.steps.iter();
     steps.any(|step| step.grid_error.levels.len() > 1)
 }
 
 /// The picture as SVG; none of a run on one grid.
 #[must_use]
-pub fn draw(record: &Record, style: &Style) -> Option<String> {
-    if !is_drawn(record) {
+pub fn draw(summary: &Summary, style: &Style) -> Option<String> {
+    if !is_drawn(summary) {
         return None;
     }
     let mut svg = style.sheet(WIDTH, HEIGHT);
-    let numbers = match record.steps.len() {
+    let numbers = match summary.steps.len() {
         1 => "change against the finest grid".to_owned(),
         steps => {
             format!("change against the finest grid; {steps} loading steps, from dark to light")
         }
     };
     if style.heading == Heading::Shown {
-        heading::draw(&mut svg, LEFT, WIDTH - LEFT, &record.title, &numbers);
+        heading::draw(&mut svg, LEFT, WIDTH - LEFT, &summary.title, &numbers);
     }
     for (i, number) in NUMBERS.into_iter().enumerate() {
         let left = LEFT + i as f64 * (PANEL_WIDTH + BETWEEN);
-        draw_panel(&mut svg, record, left, number);
+        draw_panel(&mut svg, summary, left, number);
     }
     Some(svg.finish())
 }
 
-fn draw_panel(svg: &mut Svg, record: &Record, left: f64, number: Number) {
-    let changes: Vec<_> = record
+fn draw_panel(svg: &mut Svg, summary: &Summary, left: f64, number: Number) {
+    let changes: Vec<_> = summary
         .steps
         .iter()
         .map(|step| changes(step, number))
@@ -105,12 +106,12 @@ fn draw_panel(svg: &mut Svg, record: &Record, left: f64, number: Number) {
             width: PANEL_WIDTH,
             height: PANEL_HEIGHT,
         },
-        x: grids(record),
+        x: grids(summary),
         y: percent(&changes, title),
     };
     svg.text((left, TOP - 40.0), 18.0, Anchor::Start, number.name);
-    if let [step] = &record.steps[..] {
-        let note = note(step, number, record.units);
+    if let [step] = &summary.steps[..] {
+        let note = note(step, number, summary.units);
         svg.text((left, TOP - 16.0), 15.0, Anchor::Start, &note);
     }
     panel.draw_mesh(svg);
@@ -153,8 +154,11 @@ fn note(step: &StepSummary, number: Number, units: Units) -> String {
 }
 
 /// The grids, each as far from the next as its elements are in ratio.
-fn grids(record: &Record) -> Axis {
-    let levels = record.steps.iter().flat_map(|step| &step.grid_error.levels);
+fn grids(summary: &Summary) -> Axis {
+    let levels = summary
+        .steps
+        .iter()
+        .flat_map(|step| &step.grid_error.levels);
     let mut elements: Vec<_> = levels.map(|level| level.elements).collect();
     elements.sort_unstable();
     elements.dedup();

@@ -7,8 +7,7 @@ use super::svg::{Anchor, Dash, Place, Stroke, Svg};
 use super::{axis, heading};
 use crate::case::units::Units;
 use crate::display::{Scale, Unit};
-use crate::output::record::Record;
-use crate::output::summary::StepSummary;
+use crate::output::summary::{StepSummary, Summary};
 
 /// Name of the picture, without ending.
 pub const NAME: &str = "curve";
@@ -79,19 +78,19 @@ pub struct Curve<'a> {
 
 /// Whether there is a picture: not of a single step.
 #[must_use]
-pub fn is_drawn(record: &Record) -> bool {
-    record.steps.len() > 1
+pub fn is_drawn(summary: &Summary) -> bool {
+    summary.steps.len() > 1
 }
 
 /// The picture as SVG; none of a single step.
 #[must_use]
-pub fn draw(record: &Record, style: &Style) -> Option<String> {
+pub fn draw(summary: &Summary, style: &Style) -> Option<String> {
     let curve = Curve {
-        name: record.title.clone(),
-        steps: &record.steps,
+        name: summary.title.clone(),
+        steps: &summary.steps,
     };
-    let numbers = format!("{} loading steps", record.steps.len());
-    is_drawn(record).then(|| Sheet::new(vec![curve], record.units).draw(&numbers, style))
+    let numbers = format!("{} loading steps", summary.steps.len());
+    is_drawn(summary).then(|| Sheet::new(vec![curve], summary.units).draw(&numbers, style))
 }
 
 /// The picture of several results as SVG, all of them in these units.

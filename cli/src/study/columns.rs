@@ -45,7 +45,7 @@ impl Columns {
     pub fn solved(&self, study: &Study, case: usize, summary: &Summary) -> String {
         let status = status(summary);
         let side = format!("{:e}", summary.grid.side);
-        let codes = summary.warnings.iter().map(|warning| warning.code);
+        let codes = summary.warnings.iter().map(|warning| &warning.code[..]);
         let mut codes: Vec<_> = codes.filter(|code| !code.starts_with("cache")).collect();
         codes.sort_unstable();
         codes.dedup();

@@ -116,11 +116,12 @@ impl Kit<'_> {
             tables_origin: model.origin,
         };
         // Warnings of the cache are those of all cases together.
-        let mut summary = Summary::new(&case, &path, clock, &[]);
+        let mut summary = Summary::new(&case, &path, clock, &[])?;
         if let Some(folder) = folder {
             let mut extent = Extent::Whole;
             folder.write(|folder| {
-                extent = results::write(folder, &path, &mut summary, start, &|_, _| ())?;
+                extent =
+                    results::write(folder, &path, &mut summary, &case.output, start, &|_, _| ())?;
                 Ok(extent)
             })?;
             if extent == Extent::Part {

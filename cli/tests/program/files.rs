@@ -118,7 +118,7 @@ fn json_alone_prints_the_summary_and_writes_nothing() {
     let summary: Value = serde_json::from_str(&ran.stdout).unwrap();
     let keys: Vec<_> = summary.as_object().unwrap().keys().collect();
     let wanted = [
-        "case", "grid", "program", "schema", "status", "steps", "timing", "title", "version",
+        "schema", "program", "version", "title", "case", "status", "grid", "steps", "timing",
         "warnings",
     ];
     assert_eq!(keys, wanted);

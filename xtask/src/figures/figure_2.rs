@@ -49,11 +49,11 @@ pub(super) fn draw(studio: &mut Studio<'_>) -> Result<Vec<Picture>, XtaskError> 
 
 /// The map and the section of Fig. 2(c) as the program draws them.
 fn of_the_readme(common: &Common<'_>, loaded: &Loaded, shown: &Shown<'_>) -> [Picture; 2] {
-    let record = &loaded.run.record;
+    let summary = &loaded.run.summary;
     let subject = Subject {
-        title: &record.title,
-        units: record.units,
-        relief_height: record.relief_height(),
+        title: &summary.title,
+        units: summary.units,
+        relief_height: summary.relief_height(),
         step: loaded.run.last(),
         fields: shown.fields,
         style: Style::default(),

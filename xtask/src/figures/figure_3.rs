@@ -185,7 +185,7 @@ fn lines(loads: &[Load]) -> Result<Vec<Line>, XtaskError> {
         .zip([(Dash::Dashed, "small"), (Dash::Solid, "large")])
     {
         let stored = run.fields(*step)?;
-        let height = run.record.relief_height().unwrap_or(0.0);
+        let height = run.summary.relief_height().unwrap_or(0.0);
         let section = Section {
             fields: stored.fields(run.side()),
             height,

@@ -10,7 +10,7 @@ use super::run::PaperRun;
 
 /// The note of one loading step.
 pub(super) fn of_step(run: &PaperRun, step: &StepSummary) -> String {
-    trust::of_step(run.record.grid.elements, step)
+    trust::of_step(run.summary.grid.elements, step)
 }
 
 /// The note of a loading path of which penetration and perhaps largest pressure are of interest.
@@ -23,7 +23,7 @@ pub(super) fn of_path(run: &PaperRun, with_peak: bool) -> String {
     } else {
         String::new()
     };
-    let n = run.record.grid.elements;
+    let n = run.summary.grid.elements;
     format!(
         "{n} × {n} elements, {} loads, certificates ≤ {}; change of D from the next coarser grid ≤ {}{peak}",
         run.steps().len(),

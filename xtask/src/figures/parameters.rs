@@ -17,8 +17,8 @@ impl<'a> Parameters<'a> {
     /// Those of a run.
     pub(super) fn of(run: &'a PaperRun) -> Self {
         Self {
-            case: &run.record.case,
-            units: run.record.units,
+            case: &run.summary.case,
+            units: run.summary.units,
         }
     }
 

@@ -24,11 +24,13 @@ fn push(rows: &mut String, path: &str, value: &Value, units: Units) {
     };
     match value {
         Value::Object(entries) => {
-            for (key, value) in entries
-                .iter()
-                .filter(|(key, _)| !(path.is_empty() && *key == "title"))
-            {
-                push(rows, &below(key), value, units);
+            // By their names, as no reader knows the order of a case file by heart.
+            let mut entries: Vec<_> = entries.iter().collect();
+            entries.sort_by_key(|(key, _)| *key);
+            for (key, value) in entries {
+                if !(path.is_empty() && key == "title") {
+                    push(rows, &below(key), value, units);
+                }
             }
         }
         Value::Array(items) if items.iter().any(Value::is_object) => {

@@ -6,8 +6,7 @@ mod step;
 pub mod surface;
 
 use super::pictures::Kind;
-use super::record::{Record, StoredWarning};
-use super::summary::{Status, StepSummary};
+use super::summary::{Status, StepSummary, Summary, WarningSummary};
 use crate::display::{Unit, quantity, significant};
 use crate::picture::svg::escaped;
 
@@ -47,11 +46,11 @@ pub struct RunPart {
 
 /// The page.
 #[must_use]
-pub fn html(record: &Record, steps: &[StepPart], run: &RunPart) -> String {
-    let title = escaped(&record.title);
+pub fn html(summary: &Summary, steps: &[StepPart], run: &RunPart) -> String {
+    let title = escaped(&summary.title);
     let mut steps = steps.to_vec();
     // The numbers of the last step are there, drawn or not.
-    if let Some(last) = record.steps.len().checked_sub(1)
+    if let Some(last) = summary.steps.len().checked_sub(1)
         && steps.last().is_none_or(|part| part.step != last)
     {
         steps.push(StepPart {
@@ -60,17 +59,17 @@ pub fn html(record: &Record, steps: &[StepPart], run: &RunPart) -> String {
         });
     }
     let body = [
-        head(record),
-        warnings(record),
-        curve(record, run),
-        choice(record, &steps),
+        head(summary),
+        warnings(summary),
+        curve(summary, run),
+        choice(summary, &steps),
         steps
             .iter()
-            .map(|part| step_section(record, part))
+            .map(|part| step_section(summary, part))
             .collect(),
         convergence(run),
-        case(record),
-        timing(record),
+        case(summary),
+        timing(summary),
     ];
     format!(
         "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
@@ -82,13 +81,13 @@ pub fn html(record: &Record, steps: &[StepPart], run: &RunPart) -> String {
     )
 }
 
-fn head(record: &Record) -> String {
-    let (title, version) = (escaped(&record.title), escaped(&record.version));
-    let metres = |value| quantity(value, Unit::Metre, record.units);
-    let grid = &record.grid;
+fn head(summary: &Summary) -> String {
+    let (title, version) = (escaped(&summary.title), escaped(&summary.version));
+    let metres = |value| quantity(value, Unit::Metre, summary.units);
+    let grid = &summary.grid;
     let (elements, side, element) = (grid.elements, metres(grid.side), metres(grid.element_side));
-    let failed = record.steps.iter().any(|step| !step.certificate.satisfied);
-    let cut_off = (record.steps.iter()).any(|step| step.status == Status::CutOff);
+    let failed = summary.steps.iter().any(|step| !step.certificate.satisfied);
+    let cut_off = (summary.steps.iter()).any(|step| step.status == Status::CutOff);
     let failure = if failed {
         "<p class=\"failure\" role=\"alert\">Not converged: the certificate of at least one loading step is not satisfied. \
          Do not use its numbers.</p>\n"
@@ -105,23 +104,23 @@ fn head(record: &Record) -> String {
 }
 
 /// The warnings, before any number.
-fn warnings(record: &Record) -> String {
-    if record.warnings.is_empty() {
+fn warnings(summary: &Summary) -> String {
+    if summary.warnings.is_empty() {
         return String::new();
     }
-    let line = |warning: &StoredWarning| format!("<li>{}</li>\n", escaped(&warning.message));
-    let lines: String = record.warnings.iter().map(line).collect();
+    let line = |warning: &WarningSummary| format!("<li>{}</li>\n", escaped(&warning.message));
+    let lines: String = summary.warnings.iter().map(line).collect();
     format!(
         "<div class=\"warnings\" role=\"alert\"><strong>Before these numbers are used:</strong>\n<ul>\n{lines}</ul></div>\n"
     )
 }
 
-fn curve(record: &Record, run: &RunPart) -> String {
+fn curve(summary: &Summary, run: &RunPart) -> String {
     let Some(curve) = &run.curve else {
         return String::new();
     };
-    let rows = record.steps.iter().enumerate();
-    let rows: Vec<_> = rows.map(|(i, step)| curve_row(record, i, step)).collect();
+    let rows = summary.steps.iter().enumerate();
+    let rows: Vec<_> = rows.map(|(i, step)| curve_row(summary, i, step)).collect();
     let rows = rows.concat();
     format!(
         "<h2>Curve</h2>\n{}<div class=\"wide\"><table><thead><tr><th>step</th><th>force Q</th><th>penetration D</th>\
@@ -133,12 +132,12 @@ fn curve(record: &Record, run: &RunPart) -> String {
     )
 }
 
-fn curve_row(record: &Record, i: usize, step: &StepSummary) -> String {
+fn curve_row(summary: &Summary, i: usize, step: &StepSummary) -> String {
     let cells = [
-        quantity(step.force, Unit::Newton, record.units),
-        quantity(step.penetration, Unit::Metre, record.units),
-        quantity(step.max_pressure, Unit::Pascal, record.units),
-        quantity(step.contact_area, Unit::SquareMetre, record.units),
+        quantity(step.force, Unit::Newton, summary.units),
+        quantity(step.penetration, Unit::Metre, summary.units),
+        quantity(step.max_pressure, Unit::Pascal, summary.units),
+        quantity(step.contact_area, Unit::SquareMetre, summary.units),
     ];
     let cells = cells
         .map(|cell| format!("<td class=\"number\">{cell}</td>"))
@@ -152,20 +151,20 @@ fn curve_row(record: &Record, i: usize, step: &StepSummary) -> String {
 }
 
 /// The choice of the step that is shown.
-fn choice(record: &Record, steps: &[StepPart]) -> String {
+fn choice(summary: &Summary, steps: &[StepPart]) -> String {
     if steps.len() < 2 {
         return String::new();
     }
     // The page opens at the last step.
     let last = steps.last().map(|part| part.step);
     let option = |part: &StepPart| {
-        let force = quantity(record.steps[part.step].force, Unit::Newton, record.units);
+        let force = quantity(summary.steps[part.step].force, Unit::Newton, summary.units);
         let step = part.step;
         let selected = if last == Some(step) { " selected" } else { "" };
         format!("<option value=\"step-{step}\"{selected}>step {step}, Q = {force}</option>\n")
     };
     let options: String = steps.iter().map(option).collect();
-    let all = record.steps.len();
+    let all = summary.steps.len();
     let some = match steps.len() {
         shown if shown < all => {
             format!(" {shown} of {all} steps are on this page.")
@@ -177,12 +176,12 @@ fn choice(record: &Record, steps: &[StepPart]) -> String {
     )
 }
 
-fn step_section(record: &Record, part: &StepPart) -> String {
-    let step = &record.steps[part.step];
-    let tolerance = record.case["solver"]["tolerance"]
+fn step_section(summary: &Summary, part: &StepPart) -> String {
+    let step = &summary.steps[part.step];
+    let tolerance = summary.case["solver"]["tolerance"]
         .as_f64()
         .unwrap_or(f64::NAN);
-    let heading = match record.steps.len() {
+    let heading = match summary.steps.len() {
         1 => "Result".to_owned(),
         _ => format!("Loading step {}", part.step),
     };
@@ -191,7 +190,7 @@ fn step_section(record: &Record, part: &StepPart) -> String {
             "<section class=\"step\" id=\"step-{}\">\n<h2>{heading}</h2>\n",
             part.step
         ),
-        step::numbers(record, step),
+        step::numbers(summary, step),
         format!(
             "<h3>Certificate</h3>\n{}",
             step::certificate(&step.certificate, tolerance)
@@ -247,15 +246,15 @@ fn convergence(run: &RunPart) -> String {
     format!("<h2>Grids</h2>\n{}", drawing(convergence, caption))
 }
 
-fn case(record: &Record) -> String {
-    let rows = case_table::rows(&record.case, record.units);
+fn case(summary: &Summary) -> String {
+    let rows = case_table::rows(&summary.case, summary.units);
     format!(
         "<h2>Case</h2>\n<p>As resolved, every default filled in.</p>\n<div class=\"wide\"><table>\n{rows}</table></div>\n"
     )
 }
 
-fn timing(record: &Record) -> String {
-    let timing = &record.timing;
+fn timing(summary: &Summary) -> String {
+    let timing = &summary.timing;
     let seconds = |value| significant(value, 3);
     let origin = if timing.coefficients_from_cache {
         "read from the cache"

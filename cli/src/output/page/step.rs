@@ -2,13 +2,12 @@
 
 use crate::case::units::Units;
 use crate::display::{Unit, error_of, quantity, significant};
-use crate::output::record::Record;
-use crate::output::summary::{CertificateSummary, EstimateSummary, StepSummary};
+use crate::output::summary::{CertificateSummary, EstimateSummary, StepSummary, Summary};
 
 /// The numbers of a step as a table.
 #[must_use]
-pub fn numbers(record: &Record, step: &StepSummary) -> String {
-    let units = record.units;
+pub fn numbers(summary: &Summary, step: &StepSummary) -> String {
+    let units = summary.units;
     let error = &step.grid_error;
     let plain = |name: &str, value, unit| row(name, &quantity(value, unit, units), "");
     let estimated = |name: &str, value, unit, error| {
@@ -55,7 +54,7 @@ pub fn numbers(record: &Record, step: &StepSummary) -> String {
             "",
         ),
     ];
-    if record.case["surface"]["kind"] != "bare" {
+    if summary.has_relief() {
         let (on, between) = (step.contact_area_on_relief, step.contact_area_between);
         rows.push(plain("contact on the relief", on, Unit::SquareMetre));
         rows.push(plain("contact beside it", between, Unit::SquareMetre));

@@ -82,9 +82,9 @@ fn labels(subject: &Subject<'_>, coarse: &Coarse) -> serde_json::Value {
     };
     let top = display::significant(shades.to, 4);
     serde_json::json!({
+        "p": format!("p up to {}", format!("{top} {}", pascals.label).trim_end()),
         "x": along(coarse.x, "x"),
         "y": along(coarse.y, "y"),
-        "p": format!("p up to {}", format!("{top} {}", pascals.label).trim_end()),
     })
 }
 
