@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::time::Instant;
 
-use pellicle_contact::{Domain, LoadingPath, Model, Observer, solve_path};
+use pellicle_contact::{Domain, LoadingPath, Model, Observer, Status, solve_path};
 
 use crate::arguments::RunArguments;
 use crate::case::Case;
@@ -11,7 +11,7 @@ use crate::failure::Failure;
 use crate::forecast::Need;
 use crate::memory::Memory;
 use crate::output::folder::{self, Existing, Extent, Folder};
-use crate::output::summary::{Clock, Status, Summary, WarningSummary};
+use crate::output::summary::{Clock, Summary, WarningSummary};
 use crate::output::{json, page, report, results};
 use crate::program::Outcome;
 use crate::progress::ProgressLine;

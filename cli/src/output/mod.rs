@@ -10,7 +10,6 @@ pub mod gsf;
 pub mod lock;
 pub mod netcdf;
 pub mod npz;
-mod null;
 pub mod own;
 pub mod page;
 pub mod pictures;

@@ -1,6 +1,8 @@
 //! A summary in words, for the person at the terminal.
 
-use super::summary::{EstimateSummary, Status, StepSummary, Summary};
+use pellicle_contact::{Estimate, Status};
+
+use super::summary::{StepSummary, Summary};
 use crate::case::units::Units;
 use crate::display::{Unit, error_of, quantity, significant};
 
@@ -50,7 +52,7 @@ impl Lines {
         self.push(name, &quantity(value, unit, self.units), "");
     }
 
-    fn estimated(&mut self, name: &str, value: f64, unit: Unit, error: Option<EstimateSummary>) {
+    fn estimated(&mut self, name: &str, value: f64, unit: Unit, error: Option<Estimate>) {
         let note = match error {
             // Prescribed.
             Some(error) if error.estimate == 0.0 => String::new(),

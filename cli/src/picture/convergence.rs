@@ -1,5 +1,7 @@
 //! How penetration, contact area and largest pressure change from grid to grid.
 
+use pellicle_contact::{Estimate, GridError, LevelValues};
+
 use super::colours::{self, Colour};
 use super::heading;
 use super::panel::{Axis, Panel};
@@ -7,9 +9,7 @@ use super::style::{Heading, Style};
 use super::svg::{Anchor, Place, Stroke, Svg};
 use crate::case::units::Units;
 use crate::display::{Unit, error_of, quantity};
-use crate::output::summary::{
-    EstimateSummary, GridErrorSummary, LevelSummary, StepSummary, Summary,
-};
+use crate::output::summary::{StepSummary, Summary};
 
 /// Name of the picture, without ending.
 pub const NAME: &str = "convergence";
@@ -33,9 +33,9 @@ const LIGHTEST: f64 = 0.85;
 struct Number {
     name: &'static str,
     unit: Unit,
-    on_level: fn(&LevelSummary) -> f64,
+    on_level: fn(&LevelValues) -> f64,
     value: fn(&StepSummary) -> f64,
-    estimate: fn(&GridErrorSummary) -> Option<EstimateSummary>,
+    estimate: fn(&GridError) -> Option<Estimate>,
 }
 
 const NUMBERS: [Number; 3] = [
@@ -130,7 +130,7 @@ fn draw_panel(svg: &mut Svg, summary: &Summary, left: f64, number: Number) {
 fn changes(step: &StepSummary, number: Number) -> Vec<(f64, f64)> {
     let levels = &step.grid_error.levels;
     let finest = levels.last().map_or(f64::NAN, number.on_level);
-    let change = |level: &LevelSummary| 100.0 * ((number.on_level)(level) / finest - 1.0);
+    let change = |level: &LevelValues| 100.0 * ((number.on_level)(level) / finest - 1.0);
     let points = levels
         .iter()
         .map(|level| (level.elements as f64, change(level)));

@@ -1,8 +1,10 @@
 //! What a picture says of its data: grid, certificate, grid error.
 
+use pellicle_contact::{Estimate, LevelValues};
+
 use super::number::power;
 use crate::display::significant;
-use crate::output::summary::{EstimateSummary, LevelSummary, StepSummary};
+use crate::output::summary::StepSummary;
 
 /// What the brackets of [`of_step`] mean.
 pub const BRACKETS: &str = "[…]: not resolved by the grids; the change from the next coarser grid";
@@ -34,7 +36,7 @@ pub fn of_step(elements: usize, step: &StepSummary) -> String {
 }
 
 /// The estimated error, or, where there is none that means something, the change from the next coarser grid.
-fn error(value: f64, estimate: Option<EstimateSummary>, change: f64) -> String {
+fn error(value: f64, estimate: Option<Estimate>, change: f64) -> String {
     match estimate {
         Some(error) if error.resolved => format!("± {}", percent(error.estimate / value)),
         _ if change.is_finite() => format!("[{}]", percent(change)),
@@ -45,7 +47,7 @@ fn error(value: f64, estimate: Option<EstimateSummary>, change: f64) -> String {
 /// By how much a number changed from the next coarser grid to the finest, as a part of it; not a number on a single
 /// grid.
 #[must_use]
-pub fn last_change(step: &StepSummary, value: fn(&LevelSummary) -> f64) -> f64 {
+pub fn last_change(step: &StepSummary, value: fn(&LevelValues) -> f64) -> f64 {
     match step.grid_error.levels.as_slice() {
         [.., coarser, finest] => 1.0 - value(coarser) / value(finest),
         _ => f64::NAN,
@@ -75,7 +77,7 @@ mod tests {
     #[test]
     fn an_error_that_is_not_resolved_is_not_given_as_an_error() {
         let estimate = |resolved| {
-            Some(EstimateSummary {
+            Some(Estimate {
                 estimate: 0.02,
                 order: None,
                 resolved,

@@ -4,7 +4,7 @@ use super::Study;
 use super::status::Status;
 use crate::case::units::Units;
 use crate::output::curve;
-use crate::output::summary::{self, Summary};
+use crate::output::summary::Summary;
 
 /// The columns, with units.
 #[derive(Debug, Clone, PartialEq)]
@@ -77,9 +77,9 @@ impl Columns {
 #[must_use]
 pub fn status(summary: &Summary) -> Status {
     match summary.status {
-        summary::Status::Certified => Status::Certified,
-        summary::Status::CutOff => Status::CutOff,
-        summary::Status::NotConverged => Status::NotConverged,
+        pellicle_contact::Status::Certified => Status::Certified,
+        pellicle_contact::Status::CutOff => Status::CutOff,
+        pellicle_contact::Status::NotConverged => Status::NotConverged,
     }
 }
 

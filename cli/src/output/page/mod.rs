@@ -5,8 +5,10 @@ mod case_table;
 mod step;
 pub mod surface;
 
+use pellicle_contact::Status;
+
 use super::pictures::Kind;
-use super::summary::{Status, StepSummary, Summary, WarningSummary};
+use super::summary::{StepSummary, Summary, WarningSummary};
 use crate::display::{Unit, quantity, significant};
 use crate::picture::svg::escaped;
 

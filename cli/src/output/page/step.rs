@@ -1,8 +1,10 @@
 //! One loading step in the report: its numbers with their errors, and its certificate in words.
 
+use pellicle_contact::Estimate;
+
 use crate::case::units::Units;
 use crate::display::{Unit, error_of, quantity, significant};
-use crate::output::summary::{CertificateSummary, EstimateSummary, StepSummary, Summary};
+use crate::output::summary::{CertificateSummary, StepSummary, Summary};
 
 /// The numbers of a step as a table.
 #[must_use]
@@ -70,7 +72,7 @@ fn row(name: &str, value: &str, note: &str) -> String {
 }
 
 /// How far the grid can be trusted with a number.
-fn note(value: f64, unit: Unit, error: Option<EstimateSummary>, units: Units) -> String {
+fn note(value: f64, unit: Unit, error: Option<Estimate>, units: Units) -> String {
     let Some(error) = error else {
         return "none: there was one grid only".into();
     };
