@@ -6,7 +6,8 @@ use rayon::prelude::*;
 
 use super::desk::Desk;
 use super::fields::Fields;
-use super::page::{RunPart, StepPart, surface};
+use super::page::surface::Surface;
+use super::page::{RunDrawings, StepDrawings};
 use super::summary::Summary;
 use crate::case::output::Steps;
 use crate::failure::Failure;
@@ -17,45 +18,49 @@ use crate::picture::{convergence, curve, pressure_map, pressure_view, section};
 
 /// A picture of a loading step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub enum StepPicture {
     /// The pressure from above.
-    Map,
+    PressureMap,
     /// The section.
     Section,
     /// The pressure in three dimensions.
-    View,
+    PressureView,
     /// Another field from above.
     Field(FieldMap),
 }
 
 /// The pictures of a loading step: of a measured surface or indenter more than of others.
 #[must_use]
-pub fn of_a_step(summary: &Summary) -> Vec<Kind> {
-    let mut kinds = vec![Kind::Map, Kind::Section, Kind::View];
+pub fn of_a_step(summary: &Summary) -> Vec<StepPicture> {
+    let mut pictures = vec![
+        StepPicture::PressureMap,
+        StepPicture::Section,
+        StepPicture::PressureView,
+    ];
     let fields: &[_] = match summary.maps() {
         [true, _] => &[FieldMap::Heights, FieldMap::Gap, FieldMap::Displacement],
         [false, true] => &[FieldMap::Gap, FieldMap::Displacement],
         [false, false] => &[],
     };
-    kinds.extend(fields.iter().map(|field| Kind::Field(*field)));
-    kinds
+    pictures.extend(fields.iter().map(|field| StepPicture::Field(*field)));
+    pictures
 }
 
-impl Kind {
+impl StepPicture {
     fn name(self, step: usize) -> String {
         match self {
-            Self::Map => pressure_map::name(step),
+            Self::PressureMap => pressure_map::name(step),
             Self::Section => section::name(step),
-            Self::View => pressure_view::name(step),
+            Self::PressureView => pressure_view::name(step),
             Self::Field(field) => field.name(step),
         }
     }
 
     fn draw(self, subject: &Subject<'_>) -> String {
         match self {
-            Self::Map => pressure_map::draw(subject),
+            Self::PressureMap => pressure_map::draw(subject),
             Self::Section => section::draw(subject),
-            Self::View => pressure_view::draw(subject),
+            Self::PressureView => pressure_view::draw(subject),
             Self::Field(field) => field.draw(subject),
         }
     }
@@ -73,7 +78,7 @@ pub fn step(
     fields: Fields<'_>,
     style: &Style,
     desk: &Desk<'_>,
-) -> Result<StepPart, Failure> {
+) -> Result<StepDrawings, Failure> {
     let subject = Subject {
         title: &summary.title,
         units: summary.units,
@@ -82,16 +87,16 @@ pub fn step(
         fields,
         style: *style,
     };
-    let kinds = of_a_step(summary).into_par_iter();
-    let drawn = kinds.map(|kind| {
-        let svg = desk.picture(folder, &kind.name(step), || kind.draw(&subject))?;
-        Ok(svg.map(|svg| (kind, svg)))
+    let pictures = of_a_step(summary).into_par_iter();
+    let drawn = pictures.map(|picture| {
+        let svg = desk.picture(folder, &picture.name(step), || picture.draw(&subject))?;
+        Ok(svg.map(|svg| (picture, svg)))
     });
     let drawn = drawn.collect::<Result<Vec<_>, Failure>>()?;
     let surface = desk.drawn(&format!("turned by hand, of step {step}"), || {
-        Ok(surface::figure(&subject))
+        Ok(Surface::new(&subject))
     });
-    Ok(StepPart {
+    Ok(StepDrawings {
         step,
         drawings: drawn.into_iter().flatten().collect(),
         surface,
@@ -110,7 +115,7 @@ pub fn run(
     pictures: Steps,
     style: &Style,
     desk: &Desk<'_>,
-) -> Result<RunPart, Failure> {
+) -> Result<RunDrawings, Failure> {
     let one = |name: &str, svg: Option<String>| match svg {
         Some(svg) if pictures != Steps::None => desk
             .picture(folder, name, || svg.clone())
@@ -119,7 +124,7 @@ pub fn run(
     };
     let curve = desk.drawn(curve::NAME, || Ok(curve::draw(summary, style)));
     let convergence = desk.drawn(convergence::NAME, || Ok(convergence::draw(summary, style)));
-    Ok(RunPart {
+    Ok(RunDrawings {
         curve: one(curve::NAME, curve.flatten())?,
         convergence: one(convergence::NAME, convergence.flatten())?,
     })
@@ -128,8 +133,9 @@ pub fn run(
 /// Names of the pictures of some steps, and of the run unless no pictures of it are wanted, without endings.
 #[must_use]
 pub fn names(summary: &Summary, steps: &[usize], of_run: Steps) -> Vec<String> {
-    let kinds = of_a_step(summary);
-    let name = |step: &usize| -> Vec<_> { kinds.iter().map(|kind| kind.name(*step)).collect() };
+    let pictures = of_a_step(summary);
+    let name =
+        |step: &usize| -> Vec<_> { pictures.iter().map(|picture| picture.name(*step)).collect() };
     let run = [
         (curve::NAME, curve::is_drawn(summary)),
         (convergence::NAME, convergence::is_drawn(summary)),

@@ -6,7 +6,7 @@ use rayon::prelude::*;
 
 use super::desk::{Desk, Tell};
 use super::npz::{self, StoredFields};
-use super::page::{self, StepPart};
+use super::page::{self, StepDrawings};
 use super::summary::{Summary, WarningSummary};
 use super::{pictures, results};
 use crate::case::output::Steps;
@@ -85,7 +85,7 @@ pub fn draw(folder: &Path, order: &Order<'_>, tell: Tell<'_>) -> Result<Redrawn,
         let part = pictures::step(out, &summary, *step, of_step, &order.style, &desk)?;
         Ok(shown.contains(step).then_some(part))
     });
-    let parts = parts.collect::<Result<Vec<Option<StepPart>>, Failure>>()?;
+    let parts = parts.collect::<Result<Vec<Option<StepDrawings>>, Failure>>()?;
     let parts: Vec<_> = parts.into_iter().flatten().collect();
     let run = pictures::run(out, &summary, of_run, &order.style, &desk)?;
     // A report whose drawings cannot all be made again is better than one without them.

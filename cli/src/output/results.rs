@@ -10,7 +10,7 @@ use rayon::prelude::*;
 use super::desk::{Desk, Tell};
 use super::fields::Fields;
 use super::folder::Extent;
-use super::page::{self, StepPart};
+use super::page::{self, StepDrawings};
 use super::summary::Summary;
 use super::{curve, file, gsf, json, netcdf, npz, pictures, summary, vti};
 use crate::case::output::{Format, OutputCase};
@@ -68,7 +68,7 @@ fn write_steps(
     summary: &Summary,
     output: &OutputCase,
     desk: &Desk<'_>,
-) -> Result<Vec<StepPart>, Failure> {
+) -> Result<Vec<StepDrawings>, Failure> {
     let count = path.steps.len();
     let wanted =
         |i: &usize| output.fields.contains(*i, count) || output.pictures.contains(*i, count);
@@ -108,7 +108,7 @@ fn write_steps(
         written?;
         Ok(part?.filter(|part| shown.contains(&part.step)))
     });
-    let parts = parts.collect::<Result<Vec<Option<StepPart>>, Failure>>()?;
+    let parts = parts.collect::<Result<Vec<Option<StepDrawings>>, Failure>>()?;
     Ok(parts.into_iter().flatten().collect())
 }
 

@@ -250,7 +250,7 @@ fn the_report_holds_everything_it_shows_and_says_warnings_aloud() {
     // The name of SVG's vocabulary is the only address on the page, and nothing is fetched from it.
     let addresses = page.replace("http://www.w3.org/2000/svg", "");
     assert!(!addresses.contains("http:") && !addresses.contains("https:"));
-    assert!(page.contains("<title>&lt;b&gt;5 &amp; 6&lt;/b&gt;</title>"));
+    assert!(page.contains("<title>&#60;b&#62;5 &#38; 6&#60;/b&#62;</title>"));
     let summary = fs::read_to_string(folder.path("a/summary.json")).unwrap();
     let summary: Value = serde_json::from_str(&summary).unwrap();
     let warnings = summary["warnings"].as_array().unwrap();

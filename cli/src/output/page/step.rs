@@ -1,131 +1,153 @@
-//! One loading step in the report: its numbers with their errors, and its certificate in words.
+//! One loading step in the report: its numbers with their errors, and its certificate.
 
 use pellicle_contact::Estimate;
 
+use super::StepDrawings;
+use super::surface::Surface;
 use crate::case::units::Units;
 use crate::display::{Unit, error_of, quantity, significant};
+use crate::output::pictures::StepPicture;
 use crate::output::summary::{CertificateSummary, StepSummary, Summary};
 
-/// The numbers of a step as a table.
-#[must_use]
-pub fn numbers(summary: &Summary, step: &StepSummary) -> String {
+/// The section of a step.
+pub struct StepSection<'a> {
+    /// Loading step, counted from 0.
+    pub index: usize,
+    pub force: String,
+    pub rows: Vec<NumberRow>,
+    pub certificate: CertificateText,
+    pub drawings: &'a [(StepPicture, String)],
+    pub surface: Option<&'a Surface>,
+}
+
+/// A number of a step.
+pub struct NumberRow {
+    pub name: &'static str,
+    pub value: String,
+    pub error: GridErrorNote,
+}
+
+/// How far the grid can be trusted with a number.
+#[derive(Debug, PartialEq, Eq)]
+pub enum GridErrorNote {
+    /// Nobody estimates it.
+    NotEstimated,
+    /// There is no coarser grid to compare with.
+    OneGrid,
+    /// The number still changes from grid to grid.
+    NotResolved,
+    /// The error and its order.
+    Estimated(String),
+}
+
+/// The lines of a certificate, as the page writes their numbers.
+pub struct CertificateText {
+    pub complementarity: String,
+    pub gap_in_contact: String,
+    pub overlap: String,
+    pub load: String,
+    /// Whether a pressure is negative or no number.
+    pub pulls: bool,
+    pub worst: String,
+    pub bound: String,
+    pub satisfied: bool,
+}
+
+impl<'a> StepSection<'a> {
+    pub fn new(summary: &Summary, drawings: &'a StepDrawings) -> Self {
+        let step = &summary.steps[drawings.step];
+        let tolerance = summary.case["solver"]["tolerance"].as_f64();
+        Self {
+            index: drawings.step,
+            force: quantity(step.force, Unit::Newton, summary.units),
+            rows: rows(summary, step),
+            certificate: CertificateText::new(&step.certificate, tolerance.unwrap_or(f64::NAN)),
+            drawings: &drawings.drawings,
+            surface: drawings.surface.as_ref(),
+        }
+    }
+}
+
+fn rows(summary: &Summary, step: &StepSummary) -> Vec<NumberRow> {
     let units = summary.units;
-    let error = &step.grid_error;
-    let plain = |name: &str, value, unit| row(name, &quantity(value, unit, units), "");
-    let estimated = |name: &str, value, unit, error| {
-        row(
-            name,
-            &quantity(value, unit, units),
-            &note(value, unit, error, units),
-        )
+    let errors = &step.grid_error;
+    let plain = |name, value| NumberRow {
+        name,
+        value,
+        error: GridErrorNote::NotEstimated,
+    };
+    let number = |name, value, unit| plain(name, quantity(value, unit, units));
+    let estimated = |name, value, unit, error| NumberRow {
+        error: GridErrorNote::new(value, unit, error, units),
+        ..number(name, value, unit)
     };
     let [x, y] = step
         .max_pressure_at
         .map(|at| quantity(at, Unit::Metre, units));
+    let stiffness = step.contact_stiffness.unwrap_or(0.0);
     let mut rows = vec![
-        plain("force Q", step.force, Unit::Newton),
+        number("force Q", step.force, Unit::Newton),
         estimated(
             "penetration D",
             step.penetration,
             Unit::Metre,
-            error.penetration,
+            errors.penetration,
         ),
         estimated(
             "largest pressure",
             step.max_pressure,
             Unit::Pascal,
-            error.max_pressure,
+            errors.max_pressure,
         ),
-        row("at x, y", &format!("{x}, {y}"), ""),
-        plain("mean pressure", step.mean_pressure, Unit::Pascal),
+        plain("at x, y", format!("{x}, {y}")),
+        number("mean pressure", step.mean_pressure, Unit::Pascal),
         estimated(
             "contact area",
             step.contact_area,
             Unit::SquareMetre,
-            error.contact_area,
+            errors.contact_area,
         ),
-        plain("contact radius", step.contact_radius, Unit::Metre),
-        plain(
-            "contact stiffness",
-            step.contact_stiffness.unwrap_or(0.0),
-            Unit::NewtonPerMetre,
-        ),
-        row(
-            "elements in contact",
-            &step.contact_elements.to_string(),
-            "",
-        ),
+        number("contact radius", step.contact_radius, Unit::Metre),
+        number("contact stiffness", stiffness, Unit::NewtonPerMetre),
+        plain("elements in contact", step.contact_elements.to_string()),
     ];
     if summary.has_relief() {
         let (on, between) = (step.contact_area_on_relief, step.contact_area_between);
-        rows.push(plain("contact on the relief", on, Unit::SquareMetre));
-        rows.push(plain("contact beside it", between, Unit::SquareMetre));
+        rows.push(number("contact on the relief", on, Unit::SquareMetre));
+        rows.push(number("contact beside it", between, Unit::SquareMetre));
     }
-    format!(
-        "<table><thead><tr><th>quantity</th><th>value</th><th>estimated error of the grid</th></tr></thead>\n<tbody>\n{}</tbody></table>\n",
-        rows.concat()
-    )
+    rows
 }
 
-fn row(name: &str, value: &str, note: &str) -> String {
-    format!("<tr><th>{name}</th><td class=\"number\">{value}</td><td>{note}</td></tr>\n")
-}
-
-/// How far the grid can be trusted with a number.
-fn note(value: f64, unit: Unit, error: Option<Estimate>, units: Units) -> String {
-    let Some(error) = error else {
-        return "none: there was one grid only".into();
-    };
-    if !error.resolved {
-        return "<strong>not resolved</strong>: the number still changes from grid to grid".into();
+impl GridErrorNote {
+    fn new(value: f64, unit: Unit, error: Option<Estimate>, units: Units) -> Self {
+        let Some(error) = error else {
+            return Self::OneGrid;
+        };
+        if !error.resolved {
+            return Self::NotResolved;
+        }
+        let order = error.order.map(|order| format!(", order {order:.1}"));
+        let error = error_of(value, error.estimate, unit, units);
+        Self::Estimated(error + &order.unwrap_or_default())
     }
-    let order = error.order.map(|order| format!(", order {order:.1}"));
-    error_of(value, error.estimate, unit, units) + &order.unwrap_or_default()
 }
 
-/// The certificate of a step in words.
-#[must_use]
-pub fn certificate(certificate: &CertificateSummary, tolerance: f64) -> String {
-    let part = |value: f64| significant(value, 2);
-    let lines = [
-        format!(
-            "Where there is pressure the surfaces touch: the gap there, weighted by the pressure, is {} of the penetration, \
-             and nowhere more than {}.",
-            part(certificate.complementarity),
-            part(certificate.gap_in_contact)
-        ),
-        format!(
-            "The bodies do not overlap by more than {} of the penetration.",
-            part(certificate.overlap)
-        ),
-        format!(
-            "The pressures add up to the force but for {} of it.",
-            part(certificate.load)
-        ),
-        pulling(certificate.min_pressure),
-    ];
-    let lines = lines.map(|line| format!("<li>{line}</li>\n")).concat();
-    let (worst, bound) = (part(certificate.worst), part(tolerance));
-    let verdict = if certificate.satisfied {
-        format!(
-            "<p class=\"verdict good\">Satisfied: the worst of these is {worst}, the bound is {bound}.</p>"
-        )
-    } else {
-        format!(
-            "<p class=\"verdict bad\">NOT SATISFIED: the worst of these is {worst}, the bound is {bound}. \
-             Do not use these numbers.</p>"
-        )
-    };
-    format!(
-        "<p>Computed afresh from the pressure alone, not from the iteration that found it:</p>\n<ul>\n{lines}</ul>\n{verdict}\n"
-    )
-}
-
-fn pulling(min_pressure: f64) -> String {
-    if min_pressure >= 0.0 {
-        "Nothing pulls: no pressure is negative.".into()
-    } else {
-        "The surfaces pull at each other somewhere, or a pressure is no number.".into()
+impl CertificateText {
+    fn new(certificate: &CertificateSummary, tolerance: f64) -> Self {
+        let part = |value: f64| significant(value, 2);
+        // True where it is NaN.
+        let pulls = !(certificate.min_pressure >= 0.0);
+        Self {
+            complementarity: part(certificate.complementarity),
+            gap_in_contact: part(certificate.gap_in_contact),
+            overlap: part(certificate.overlap),
+            load: part(certificate.load),
+            pulls,
+            worst: part(certificate.worst),
+            bound: part(tolerance),
+            satisfied: certificate.satisfied,
+        }
     }
 }
 
@@ -144,18 +166,31 @@ mod tests {
     };
 
     #[test]
-    fn a_certificate_says_its_verdict() {
-        assert!(
-            certificate(&GOOD, 1e-8)
-                .contains("Satisfied: the worst of these is 3.0e-9, the bound is 1.0e-8")
-        );
+    fn a_pressure_that_is_no_number_pulls() {
+        let text = CertificateText::new(&GOOD, 1e-8);
+        assert_eq!((&text.worst[..], &text.bound[..]), ("3.0e-9", "1.0e-8"));
+        assert!(!text.pulls);
         let bad = CertificateSummary {
-            worst: f64::NAN,
             min_pressure: f64::NAN,
-            satisfied: false,
             ..GOOD
         };
-        let text = certificate(&bad, 1e-8);
-        assert!(text.contains("NOT SATISFIED") && text.contains("pull at each other"));
+        assert!(CertificateText::new(&bad, 1e-8).pulls);
+    }
+
+    #[test]
+    fn an_error_that_is_not_resolved_is_not_given_as_an_error() {
+        let note = |resolved| {
+            let estimate = Estimate {
+                estimate: 0.02,
+                order: Some(2.0),
+                resolved,
+            };
+            GridErrorNote::new(1.0, Unit::Metre, Some(estimate), Units::Consistent)
+        };
+        assert_eq!(note(false), GridErrorNote::NotResolved);
+        let GridErrorNote::Estimated(text) = note(true) else {
+            unreachable!("it is resolved")
+        };
+        assert!(text.ends_with(", order 2.0"), "{text}");
     }
 }

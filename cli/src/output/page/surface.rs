@@ -9,7 +9,6 @@ use crate::picture::coarse::Coarse;
 use crate::picture::colour_map::ColourMap;
 use crate::picture::colours::Colour;
 use crate::picture::subject::Subject;
-use crate::picture::svg::escaped;
 use crate::picture::window::Window;
 
 /// Most columns along a side: what a browser turns without delay.
@@ -20,22 +19,35 @@ const BARE: u16 = 0;
 const RELIEF: u16 = 1;
 const PRESSURES: [u16; 2] = [2, u16::MAX];
 
-/// A figure whose data the script draws.
-#[must_use]
-pub fn figure(subject: &Subject<'_>) -> String {
-    let fields = &subject.fields;
-    let window = Window::around_contact(fields.pressure, fields.size);
-    let coarse = Coarse::new(fields, &window, CELLS);
-    let (scale, shades) = subject.pressures();
-    let fraction = |pressure: f64| shades.fraction(pressure / scale.divisor);
-    let values = STANDARD.encode(values(&coarse, fraction));
-    let labels = escaped(&labels(subject, &coarse).to_string());
-    let (cells, palette) = (coarse.cells, STANDARD.encode(palette(shades.map)));
-    format!(
-        "<figure class=\"surface\" tabindex=\"0\" data-cells=\"{cells}\" data-values=\"{values}\" \
-         data-palette=\"{palette}\" data-labels=\"{labels}\">\n\
-         <canvas width=\"1400\" height=\"980\" role=\"img\" aria-label=\"Pressure in three dimensions\"></canvas>\n"
-    )
+/// The data of a figure that the script draws.
+#[derive(Debug, Clone)]
+pub struct Surface {
+    /// Cells per side.
+    pub cells: usize,
+    /// Two bytes a cell, in base 64.
+    pub values: String,
+    /// Three bytes a colour, in base 64.
+    pub palette: String,
+    /// The words at the axes, as JSON.
+    pub labels: String,
+}
+
+impl Surface {
+    /// The pressure of a step.
+    #[must_use]
+    pub fn new(subject: &Subject<'_>) -> Self {
+        let fields = &subject.fields;
+        let window = Window::around_contact(fields.pressure, fields.size);
+        let coarse = Coarse::new(fields, &window, CELLS);
+        let (scale, shades) = subject.pressures();
+        let fraction = |pressure: f64| shades.fraction(pressure / scale.divisor);
+        Self {
+            cells: coarse.cells,
+            values: STANDARD.encode(values(&coarse, fraction)),
+            palette: STANDARD.encode(palette(shades.map)),
+            labels: labels(subject, &coarse).to_string(),
+        }
+    }
 }
 
 /// Two bytes a cell, the lower first.

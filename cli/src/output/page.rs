@@ -1,0 +1,117 @@
+//! `report.html`: a run on one page that needs no network. Drawings can be moved and zoomed, the pressure can be
+//! turned. The page itself is `cli/templates/report.html`; here is the text that stands in it.
+
+mod case_table;
+mod step;
+pub mod surface;
+
+use askama::Template;
+use pellicle_contact::Status;
+
+use self::step::{GridErrorNote, StepSection};
+use self::surface::Surface;
+use super::pictures::StepPicture;
+use super::summary::{StepSummary, Summary};
+use crate::display::{Unit, quantity, significant};
+
+/// Name of the file in a results folder.
+pub const FILE: &str = "report.html";
+
+/// The pictures of one loading step.
+#[derive(Debug, Clone, Default)]
+pub struct StepDrawings {
+    /// Loading step, counted from 0.
+    pub step: usize,
+    /// The pictures that were drawn, as SVG.
+    pub drawings: Vec<(StepPicture, String)>,
+    /// The pressure that can be turned; none if it cannot be drawn.
+    pub surface: Option<Surface>,
+}
+
+/// The pictures of the run as a whole, as SVG.
+#[derive(Debug, Clone, Default)]
+pub struct RunDrawings {
+    /// Force over penetration, pressure over force.
+    pub curve: Option<String>,
+    /// Values from grid to grid.
+    pub convergence: Option<String>,
+}
+
+/// The page, its numbers in words.
+#[derive(Template)]
+#[template(path = "report.html")]
+struct Page<'a> {
+    summary: &'a Summary,
+    run: &'a RunDrawings,
+    side: String,
+    element_side: String,
+    /// The worst status of a step.
+    worst: Status,
+    curve: Vec<CurveRow>,
+    steps: Vec<StepSection<'a>>,
+    /// Keys of the case and their values.
+    case: Vec<(String, String)>,
+    coefficients_seconds: String,
+    solve_seconds: String,
+}
+
+/// A loading step in the table of the curve.
+struct CurveRow {
+    cells: [String; 4],
+    status: Status,
+}
+
+/// The page as HTML.
+#[must_use]
+pub fn html(summary: &Summary, steps: &[StepDrawings], run: &RunDrawings) -> String {
+    let last = summary.steps.len().checked_sub(1);
+    let section = |drawings| StepSection::new(summary, drawings);
+    // The numbers of the last step are there, drawn or not.
+    let undrawn = StepDrawings {
+        step: last.unwrap_or_default(),
+        ..StepDrawings::default()
+    };
+    let is_there = last.is_none() || steps.last().map(|drawings| drawings.step) == last;
+    let undrawn = (!is_there).then_some(&undrawn);
+    let metres = |value| quantity(value, Unit::Metre, summary.units);
+    let seconds = |value| significant(value, 3);
+    let page = Page {
+        summary,
+        run,
+        side: metres(summary.grid.side),
+        element_side: metres(summary.grid.element_side),
+        worst: (summary.steps.iter().map(verdict).max()).unwrap_or_default(),
+        curve: summary
+            .steps
+            .iter()
+            .map(|step| row(summary, step))
+            .collect(),
+        steps: steps.iter().chain(undrawn).map(section).collect(),
+        case: case_table::rows(&summary.case, summary.units),
+        coefficients_seconds: seconds(summary.timing.coefficients_seconds),
+        solve_seconds: seconds(summary.timing.solve_seconds),
+    };
+    page.to_string()
+}
+
+/// The status of a step; by its certificate if the file is from before there was one.
+fn verdict(step: &StepSummary) -> Status {
+    if step.certificate.satisfied {
+        step.status
+    } else {
+        Status::NotConverged
+    }
+}
+
+fn row(summary: &Summary, step: &StepSummary) -> CurveRow {
+    let quantity = |value, unit| quantity(value, unit, summary.units);
+    CurveRow {
+        cells: [
+            quantity(step.force, Unit::Newton),
+            quantity(step.penetration, Unit::Metre),
+            quantity(step.max_pressure, Unit::Pascal),
+            quantity(step.contact_area, Unit::SquareMetre),
+        ],
+        status: verdict(step),
+    }
+}
