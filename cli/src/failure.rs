@@ -161,6 +161,12 @@ impl From<Diagnosis> for Failure {
 }
 
 impl Failure {
+    /// The failure to write a file or folder.
+    pub fn write(path: &Path, cause: io::Error) -> Self {
+        let path = path.to_owned();
+        Self::Write { path, cause }
+    }
+
     /// The failure that this file of a results folder is missing or not what a run writes.
     pub fn damaged(path: &Path, reason: &dyn std::fmt::Display) -> Self {
         Self::Damaged {

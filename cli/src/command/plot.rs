@@ -20,10 +20,7 @@ use crate::terminal;
 /// [`Failure`] if a folder holds no results, what is ordered cannot be, or a picture cannot be written.
 pub fn plot(arguments: &PlotArguments) -> Result<Outcome, Failure> {
     if let Some(out) = &arguments.out {
-        fs::create_dir_all(out).map_err(|cause| Failure::Write {
-            path: out.clone(),
-            cause,
-        })?;
+        fs::create_dir_all(out).map_err(|cause| Failure::write(out, cause))?;
     }
     let (count, out, warnings) = match &arguments.folders[..] {
         [folder] => one(arguments, folder)?,

@@ -7,8 +7,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 use super::file::write_bytes;
+use super::stoppable;
 use super::summary::WarningSummary;
-use super::watched;
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::picture::png;
@@ -56,7 +56,7 @@ impl<'a> Desk<'a> {
                     return Ok(Some(written));
                 }
                 // What was stopped half way is no failure.
-                Err(failure) if watched::was_stopped(&failure) => {}
+                Err(failure) if stoppable::was_stopped(&failure) => {}
                 Err(failure) => return Err(failure),
             }
         }
@@ -85,7 +85,7 @@ impl<'a> Desk<'a> {
             let Some(svg) = self.drawn(name, || Ok(draw())) else {
                 return Ok(None);
             };
-            watched::heed(&file("png"))?;
+            stoppable::check(&file("png"))?;
             let Some((svg, png)) = self.drawn(name, || render(svg)) else {
                 return Ok(None);
             };

@@ -16,9 +16,10 @@ use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 use std::process;
 
+use super::file::{self, Existing};
 use super::lock::Lock;
 use super::unfinished::{self, Unfinished};
-use super::{file, own, summary};
+use super::{own, summary};
 use crate::failure::Failure;
 
 /// Name of the lock in a claimed place.
@@ -40,15 +41,6 @@ const MOST_NUMBERS: usize = 9999;
 
 /// How often another process may remove a folder while it is being claimed.
 const ATTEMPTS: usize = 100;
-
-/// What to do with a results folder that is already there.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Existing {
-    /// Leave it alone.
-    Keep,
-    /// Replace what a run has written in it when the new one is complete.
-    Replace,
-}
 
 /// Whether results are all that was asked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -118,7 +110,7 @@ impl Folder {
     }
 
     fn take(path: &Path, existing: Existing) -> Result<Self, Failure> {
-        let failed = |cause| failure(path, cause);
+        let failed = |cause| Failure::write(path, cause);
         let mut made = make(path).map_err(failed)?;
         let lock = take_lock(path, !made.is_empty()).map_err(failed)?;
         let lock = lock.ok_or_else(|| Failure::Busy {
@@ -155,7 +147,7 @@ impl Folder {
         fill: impl FnOnce(&Path) -> Result<Extent, Failure>,
     ) -> Result<PathBuf, Failure> {
         let extent = fill(self.scratch.path())?;
-        let failed = |cause| failure(&self.path, cause);
+        let failed = |cause| Failure::write(&self.path, cause);
         let aside = match (state(&self.path), self.existing, extent) {
             (State::Free, ..) | (State::Results, Existing::Replace, Extent::Whole) => None,
             (State::Results, Existing::Replace, Extent::Part) => Some(STOPPED),
@@ -183,7 +175,7 @@ impl Folder {
                 let moved = unfinished::undisturbed(|| fs::rename(self.scratch.path(), &path));
                 return moved
                     .map(|()| path)
-                    .map_err(|cause| failure(&self.path, cause));
+                    .map_err(|cause| Failure::write(&self.path, cause));
             }
         }
         Err(Failure::Exists {
@@ -390,11 +382,6 @@ fn move_up(path: &Path, emptying: &Path) -> io::Result<()> {
         fs::rename(emptying.join(&name), path.join(&name))?;
     }
     fs::remove_dir(emptying)
-}
-
-fn failure(path: &Path, cause: io::Error) -> Failure {
-    let path = path.to_owned();
-    Failure::Write { path, cause }
 }
 
 #[cfg(test)]

@@ -9,8 +9,7 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use super::fields::Fields;
-use super::file::write_whole;
-use super::watched::Watched;
+use super::file::write_stoppable;
 use crate::case::units::Units;
 use crate::failure::Failure;
 
@@ -64,8 +63,7 @@ fn write_channel(
     channel: &Channel<'_>,
     value: impl Fn(usize) -> f32,
 ) -> Result<(), Failure> {
-    write_whole(path, |file| {
-        let file = &mut Watched::new(file);
+    write_stoppable(path, |file| {
         file.write_all(&head(fields, units, channel))?;
         write_rows(file, fields.size, value)
     })

@@ -16,10 +16,10 @@ pub mod pictures;
 pub mod redraw;
 pub mod report;
 pub mod results;
+mod stoppable;
 pub mod summary;
 pub mod unfinished;
 pub mod vti;
-mod watched;
 
 use serde::Serialize;
 

@@ -12,9 +12,8 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use super::fields::{Fields, Truth};
-use super::file::write_whole;
+use super::file::write_stoppable;
 use super::summary::Summary;
-use super::watched::Watched;
 use crate::failure::Failure;
 
 /// Numbers of the format that say what follows.
@@ -70,9 +69,8 @@ pub fn write(
 ) -> Result<(), Failure> {
     let variables = variables(fields, summary);
     let attributes = global_attributes(fields, summary, step);
-    write_whole(path, |file| {
+    write_stoppable(path, |file| {
         // The offsets are known once the length of the header is: it does not depend on them.
-        let file = &mut Watched::new(file);
         let length = header(fields.size, &attributes, &variables, 0)?.len();
         file.write_all(&header(fields.size, &attributes, &variables, length)?)?;
         for variable in &variables {

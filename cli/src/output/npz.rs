@@ -12,8 +12,8 @@ use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipArchive, ZipWriter};
 
 use super::fields::Fields;
-use super::file::write_whole;
-use super::watched::{Heeding, Watched};
+use super::file::write_stoppable;
+use super::stoppable::StoppableWriter;
 use crate::failure::Failure;
 use crate::map::npy_header::Header;
 
@@ -37,9 +37,7 @@ pub fn file(step: usize) -> String {
 ///
 /// [`Failure::Write`] if the file cannot be written.
 pub fn write(file: &Path, fields: &Fields<'_>) -> Result<(), Failure> {
-    write_whole(file, |file| {
-        npz(Watched::new(file), fields).map_err(io::Error::other)
-    })
+    write_stoppable(file, |file| npz(file, fields).map_err(io::Error::other))
 }
 
 fn npz(file: impl io::Write + io::Seek, fields: &Fields<'_>) -> Result<(), WriteNpzError> {
@@ -67,7 +65,7 @@ fn add(
     let packed = packed.compression_level(Some(EFFORT));
     npz.start_file(format!("{name}.npy"), packed)?;
     // What packs to nearly nothing would otherwise be deaf to the user until it is packed.
-    array.write_npy(Heeding(npz))?;
+    array.write_npy(StoppableWriter(npz))?;
     Ok(())
 }
 

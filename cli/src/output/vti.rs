@@ -7,8 +7,7 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use super::fields::{Fields, Named};
-use super::file::write_whole;
-use super::watched::Watched;
+use super::file::write_stoppable;
 use crate::case::units::Units;
 use crate::failure::Failure;
 
@@ -27,8 +26,7 @@ pub fn file(step: usize) -> String {
 ///
 /// [`Failure::Write`] if the file cannot be written.
 pub fn write(path: &Path, fields: &Fields<'_>, units: Units) -> Result<(), Failure> {
-    write_whole(path, |file| {
-        let file = &mut Watched::new(file);
+    write_stoppable(path, |file| {
         file.write_all(head(fields, units).as_bytes())?;
         for field in fields.named() {
             write_numbers(file, fields, field.values)?;

@@ -56,7 +56,7 @@ impl Place {
     /// nothing can be written here.
     pub fn claim(folder: &Path, identity: &Identity, fresh: bool) -> Result<Self, Failure> {
         refuse_foreign(folder)?;
-        let failed = |cause| write_failure(folder, cause);
+        let failed = |cause| Failure::write(folder, cause);
         fs::create_dir_all(folder).map_err(failed)?;
         let lock = lock(folder, identity.shard)?.ok_or_else(|| Failure::Busy {
             path: identity.table(folder),
@@ -111,7 +111,7 @@ impl Place {
 /// [`Failure::Write`] if it cannot be made.
 pub fn lock(folder: &Path, part: Shard) -> Result<Option<Lock>, Failure> {
     let path = folder.join(format!(".pellicle-{}", part.file("study", "lock")));
-    Lock::take(&path, AT_WORK).map_err(|cause| write_failure(&path, cause))
+    Lock::take(&path, AT_WORK).map_err(|cause| Failure::write(&path, cause))
 }
 
 /// The same, asked for again while another process has it, for some seconds.
@@ -217,7 +217,7 @@ fn set_aside(table: &Path) -> Result<(), Failure> {
     let is_empty = fs::symlink_metadata(table).map_or(true, |data| data.len() == 0);
     match before(table) {
         Some(before) if !is_empty && fs::symlink_metadata(&before).is_err() => {
-            fs::rename(table, before).map_err(|cause| write_failure(table, cause))
+            fs::rename(table, before).map_err(|cause| Failure::write(table, cause))
         }
         _ => remove(table),
     }
@@ -239,7 +239,7 @@ pub fn forget_before(folder: &Path, identity: &Identity) -> Result<(), Failure> 
 
 fn remove(path: &Path) -> Result<(), Failure> {
     match fs::remove_file(path) {
-        Err(cause) if cause.kind() != io::ErrorKind::NotFound => Err(write_failure(path, cause)),
+        Err(cause) if cause.kind() != io::ErrorKind::NotFound => Err(Failure::write(path, cause)),
         _ => Ok(()),
     }
 }
@@ -279,11 +279,6 @@ fn names(folder: &Path) -> Vec<String> {
     entries
         .map(|entry| entry.file_name().to_string_lossy().into_owned())
         .collect()
-}
-
-fn write_failure(path: &Path, cause: io::Error) -> Failure {
-    let path = path.to_owned();
-    Failure::Write { path, cause }
 }
 
 #[cfg(test)]

@@ -15,7 +15,8 @@ use crate::case::Case;
 use crate::failure::Failure;
 use crate::forecast::Need;
 use crate::memory::Memory;
-use crate::output::folder::{Existing, Extent, Folder};
+use crate::output::file::Existing;
+use crate::output::folder::{Extent, Folder};
 use crate::output::summary::{Clock, Summary};
 use crate::output::{own, results};
 

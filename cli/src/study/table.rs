@@ -36,7 +36,7 @@ impl Table {
     /// [`Failure`] if it cannot be opened, or if it is the table of something else.
     pub fn open(place: Place, identity: &Identity) -> Result<Self, Failure> {
         let path = identity.table(&place.folder);
-        let failed = |cause| write_failure(&path, cause);
+        let failed = |cause| Failure::write(&path, cause);
         let file = open(&path).map_err(failed)?;
         if place.begin == Begin::Again {
             file.set_len(0).map_err(failed)?;
@@ -77,7 +77,7 @@ impl Table {
         let written = self.file.write_all(rows.as_bytes());
         written
             .and_then(|()| self.file.sync_data())
-            .map_err(|cause| write_failure(&self.path, cause))?;
+            .map_err(|cause| Failure::write(&self.path, cause))?;
         self.done.insert(case, status);
         Ok(())
     }
@@ -156,11 +156,6 @@ pub fn write_in_order(
         writeln!(file, "{header}")?;
         blocks.values().try_for_each(|rows| file.write_all(rows))
     })
-}
-
-fn write_failure(path: &Path, cause: io::Error) -> Failure {
-    let path = path.to_owned();
-    Failure::Write { path, cause }
 }
 
 /// The table, to be read and appended to. A link in its place is not followed.
