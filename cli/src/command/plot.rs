@@ -1,4 +1,4 @@
-//! `pellicle plot`: the pictures of results drawn again, as they are or to order, and the curves of several results in
+//! `pellicle plot`: the pictures of results drawn again, as they are or to options, and the curves of several results in
 //! one.
 
 use std::fs;
@@ -6,7 +6,7 @@ use std::path::Path;
 
 use crate::arguments::PlotArguments;
 use crate::failure::Failure;
-use crate::output::redraw::{self, Order};
+use crate::output::redraw::{self, RedrawOptions};
 use crate::output::summary::WarningSummary;
 use crate::picture::style::{Heading, Style};
 use crate::program::Outcome;
@@ -38,15 +38,15 @@ pub fn plot(arguments: &PlotArguments) -> Result<Outcome, Failure> {
 type Drawn<'a> = (usize, &'a Path, Vec<WarningSummary>);
 
 fn one<'a>(arguments: &'a PlotArguments, folder: &'a Path) -> Result<Drawn<'a>, Failure> {
-    let order = Order {
+    let options = RedrawOptions {
         style: style(arguments),
         step: arguments.step,
         out: arguments.out.as_deref(),
         replaces: arguments.force,
     };
     let line = ProgressLine::new(1.0);
-    let redrawn = redraw::draw(folder, &order, &line.writing())?;
-    let out = order.out.unwrap_or(folder);
+    let redrawn = redraw::draw(folder, &options, &line.writing())?;
+    let out = options.out.unwrap_or(folder);
     Ok((redrawn.pictures, out, redrawn.warnings))
 }
 

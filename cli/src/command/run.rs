@@ -11,9 +11,9 @@ use crate::failure::Failure;
 use crate::forecast::Need;
 use crate::memory::Memory;
 use crate::output::file::Existing;
-use crate::output::folder::{self, Extent, Folder};
+use crate::output::folder::{self, Extent, ResultsFolder};
 use crate::output::summary::{Clock, Summary, WarningSummary};
-use crate::output::{json, page, report, results};
+use crate::output::{json, report, results, summary_text};
 use crate::program::Outcome;
 use crate::progress::ProgressLine;
 use crate::{cache, interrupt, terminal, threads};
@@ -54,7 +54,7 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
     };
     let mut summary = Summary::new(&case, &path, clock, &cache.take_warnings())?;
     summary.warnings.extend(unfinished(&case, &path));
-    let write = |folder: Folder| {
+    let write = |folder: ResultsFolder| {
         let tell = line.writing();
         folder.write(|folder| {
             let written = results::write(folder, &path, &mut summary, &case.output, start, &tell)?;
@@ -84,7 +84,7 @@ fn unfinished(case: &Case, path: &LoadingPath) -> Option<WarningSummary> {
 }
 
 /// Where the results go: nowhere with `--json` alone.
-fn claim(arguments: &RunArguments) -> Result<Option<Folder>, Failure> {
+fn claim(arguments: &RunArguments) -> Result<Option<ResultsFolder>, Failure> {
     let existing = if arguments.force {
         Existing::Replace
     } else {
@@ -92,9 +92,9 @@ fn claim(arguments: &RunArguments) -> Result<Option<Folder>, Failure> {
     };
     let name = arguments.case.path.file_stem().unwrap_or_default();
     let folder = match &arguments.out {
-        Some(path) => Folder::claim(path, existing)?,
+        Some(path) => ResultsFolder::claim(path, existing)?,
         None if arguments.json => return Ok(None),
-        None => Folder::claim_default(&name.to_string_lossy(), existing)?,
+        None => ResultsFolder::claim_default(&name.to_string_lossy(), existing)?,
     };
     folder::sweep_beside(folder.path());
     Ok(Some(folder))
@@ -139,10 +139,10 @@ fn is_watched(arguments: &RunArguments) -> bool {
 /// The summary in words, the warnings, and where the results are.
 fn tell(arguments: &RunArguments, summary: &Summary, folder: Option<&Path>) {
     if is_watched(arguments) {
-        terminal::tell(report::text(summary).trim_end());
+        terminal::tell(summary_text::text(summary).trim_end());
     }
     if !arguments.quiet && !summary.warnings.is_empty() {
-        terminal::tell(&report::warnings(summary));
+        terminal::tell(&summary_text::warnings(summary));
     }
     match summary.status {
         Status::Certified => {}
@@ -155,7 +155,7 @@ fn tell(arguments: &RunArguments, summary: &Summary, folder: Option<&Path>) {
     }
     if let (true, Some(folder)) = (is_watched(arguments), folder) {
         terminal::tell(&format!("written to {}", folder.display()));
-        let report = folder.join(page::FILE);
+        let report = folder.join(report::FILE);
         terminal::tell(&format!("report: {}", report.display()));
     }
 }

@@ -9,7 +9,7 @@ use crate::failure::Failure;
 use crate::memory::Memory;
 use crate::program::Outcome;
 use crate::study::Study;
-use crate::study::place::Place;
+use crate::study::folder::StudyFolder;
 use crate::study::plan::Plan;
 use crate::study::progress::Lines;
 use crate::study::shard::Shard;
@@ -31,7 +31,7 @@ pub fn study(arguments: &StudyArguments) -> Result<Outcome, Failure> {
         return list(&study, arguments.shard);
     }
     let folder = folder(arguments, &study);
-    let place = Place::claim(&folder, &plan.identity, arguments.fresh)?;
+    let place = StudyFolder::claim(&folder, &plan.identity, arguments.fresh)?;
     if let Some(before) = place.before.as_ref().filter(|_| is_watched(arguments)) {
         terminal::tell(&format!(
             "the table that was there is kept until the new one is complete: {}",

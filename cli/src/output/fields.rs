@@ -27,7 +27,7 @@ pub struct Fields<'a> {
 
 /// What a field of truth values is called.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Truth<'a> {
+pub struct TruthField<'a> {
     /// Its name in every file.
     pub name: &'static str,
     /// What it is, in words.
@@ -38,7 +38,7 @@ pub struct Truth<'a> {
 
 /// What a field of lengths or pressures is called and measured in.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Named<'a> {
+pub struct NumberField<'a> {
     /// Its name in every file.
     pub name: &'static str,
     /// Its unit in SI.
@@ -72,8 +72,8 @@ impl<'a> Fields<'a> {
 
     /// The fields of numbers, in the order in which files hold them.
     #[must_use]
-    pub fn named(&self) -> [Named<'a>; 5] {
-        let named = |name, unit, meaning, values| Named {
+    pub fn numbers(&self) -> [NumberField<'a>; 5] {
+        let named = |name, unit, meaning, values| NumberField {
             name,
             unit,
             meaning,
@@ -116,15 +116,15 @@ impl<'a> Fields<'a> {
     /// The fields of truth values, in the order in which files hold them: every format has both, with these names and
     /// meanings.
     #[must_use]
-    pub fn truths(&self) -> [Truth<'a>; 2] {
+    pub fn truths(&self) -> [TruthField<'a>; 2] {
         let contact = self.pressure.iter().map(|pressure| *pressure > 0.0);
         [
-            Truth {
+            TruthField {
                 name: "mask",
                 meaning: "whether the element belongs to the relief",
                 values: Cow::Borrowed(self.mask),
             },
-            Truth {
+            TruthField {
                 name: "contact",
                 meaning: "whether the element carries pressure",
                 values: contact.collect(),

@@ -19,7 +19,7 @@ use std::process;
 use super::file::{self, Existing};
 use super::lock::Lock;
 use super::unfinished::{self, Unfinished};
-use super::{own, summary};
+use super::{run_files, summary};
 use crate::failure::Failure;
 
 /// Name of the lock in a claimed place.
@@ -53,7 +53,7 @@ pub enum Extent {
 
 /// A claimed place for a results folder. Dropped without being written, it leaves nothing.
 #[derive(Debug)]
-pub struct Folder {
+pub struct ResultsFolder {
     path: PathBuf,
     existing: Existing,
     // In this order they are removed.
@@ -62,7 +62,7 @@ pub struct Folder {
     _made: Vec<Unfinished>,
 }
 
-impl Folder {
+impl ResultsFolder {
     /// Claims a place, before any long work, for this process alone.
     ///
     /// # Errors
@@ -86,7 +86,7 @@ impl Folder {
     ///
     /// # Errors
     ///
-    /// Those of [`Folder::claim`].
+    /// Those of [`ResultsFolder::claim`].
     pub fn claim_default(name: &str, existing: Existing) -> Result<Self, Failure> {
         let results = Path::new("results");
         let first = results.join(name);
@@ -148,9 +148,9 @@ impl Folder {
     ) -> Result<PathBuf, Failure> {
         let extent = fill(self.scratch.path())?;
         let failed = |cause| Failure::write(&self.path, cause);
-        let aside = match (state(&self.path), self.existing, extent) {
-            (State::Free, ..) | (State::Results, Existing::Replace, Extent::Whole) => None,
-            (State::Results, Existing::Replace, Extent::Part) => Some(STOPPED),
+        let aside = match (contents(&self.path), self.existing, extent) {
+            (Contents::Empty, ..) | (Contents::Results, Existing::Replace, Extent::Whole) => None,
+            (Contents::Results, Existing::Replace, Extent::Part) => Some(STOPPED),
             _ => Some(BESIDE),
         };
         if let Some(name) = aside {
@@ -215,28 +215,28 @@ fn sweep(folder: &Path) {
 
 /// What is at a path.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum State {
+enum Contents {
     /// Nothing, or a folder with nothing but the hidden files of a claim.
-    Free,
+    Empty,
     /// Results of this program.
     Results,
     /// Something that this program did not write.
     Foreign,
 }
 
-fn state(path: &Path) -> State {
+fn contents(path: &Path) -> Contents {
     if fs::symlink_metadata(path).is_err() {
-        return State::Free;
+        return Contents::Empty;
     }
     let Ok(mut entries) = fs::read_dir(path) else {
-        return State::Foreign;
+        return Contents::Foreign;
     };
     if entries.all(|entry| entry.is_ok_and(|entry| is_hidden(&entry))) {
-        State::Free
-    } else if own::case_in(path).is_some() {
-        State::Results
+        Contents::Empty
+    } else if run_files::case_in(path).is_some() {
+        Contents::Results
     } else {
-        State::Foreign
+        Contents::Foreign
     }
 }
 
@@ -251,12 +251,12 @@ fn is_hidden(entry: &DirEntry) -> bool {
 
 fn check(path: &Path, existing: Existing) -> Result<(), Failure> {
     let path_buf = || path.to_owned();
-    match (state(path), existing) {
-        (State::Foreign, _) if !is_being_emptied(path) => {
+    match (contents(path), existing) {
+        (Contents::Foreign, _) if !is_being_emptied(path) => {
             Err(Failure::NoResults { path: path_buf() })
         }
-        (State::Results, Existing::Keep) => Err(Failure::Exists { path: path_buf() }),
-        (State::Results, Existing::Replace) => match own::not_written(path) {
+        (Contents::Results, Existing::Keep) => Err(Failure::Exists { path: path_buf() }),
+        (Contents::Results, Existing::Replace) => match run_files::not_written(path) {
             Some(file) if !is_being_emptied(path) => Err(Failure::NotWritten { path: file }),
             _ => Ok(()),
         },
@@ -349,7 +349,7 @@ fn remove_half_written(folder: &Path) {
     };
     for entry in entries.flatten() {
         let is_partial = entry.file_name().to_str().is_some_and(file::is_partial);
-        if own::is_file(&entry) || is_partial {
+        if run_files::is_file(&entry) || is_partial {
             // Best effort: what stays is tried again by the next run.
             drop(fs::remove_file(entry.path()));
         }
@@ -368,7 +368,7 @@ fn renamed(folder: &Path, start: &str) -> io::Result<PathBuf> {
 
 /// Removes the results that complete ones replace.
 fn remove_older(path: &Path, complete: &Path) -> io::Result<PathBuf> {
-    own::remove_files(path)?;
+    run_files::remove_files(path)?;
     renamed(complete, EMPTYING)
 }
 

@@ -11,7 +11,7 @@ use std::borrow::Cow;
 use std::io::{self, Write};
 use std::path::Path;
 
-use super::fields::{Fields, Truth};
+use super::fields::{Fields, TruthField};
 use super::file::write_stoppable;
 use super::summary::Summary;
 use crate::failure::Failure;
@@ -40,7 +40,7 @@ enum Attribute {
 
 /// The values of a variable.
 #[derive(Clone)]
-enum Values<'a> {
+enum VariableValues<'a> {
     /// Along x or y: the coordinate, whose dimension has this number.
     Centres(u32),
     /// Over the grid.
@@ -53,7 +53,7 @@ enum Values<'a> {
 struct Variable<'a> {
     name: &'static str,
     attributes: Vec<Attribute>,
-    values: Values<'a>,
+    values: VariableValues<'a>,
 }
 
 /// Writes the fields of a step.
@@ -88,16 +88,16 @@ fn variables<'a>(fields: &Fields<'a>, summary: &Summary) -> Vec<Variable<'a>> {
     let coordinate = |name, dimension| Variable {
         name,
         attributes: described("m", "centre of the element"),
-        values: Values::Centres(dimension),
+        values: VariableValues::Centres(dimension),
     };
     let mut variables = vec![coordinate("x", 0), coordinate("y", 1)];
-    variables.extend(fields.named().map(|field| Variable {
+    variables.extend(fields.numbers().map(|field| Variable {
         name: field.name,
         attributes: described(field.unit, field.meaning),
-        values: Values::Numbers(field.values),
+        values: VariableValues::Numbers(field.values),
     }));
     let [mask, contact] = fields.truths();
-    let contacting_points = Truth {
+    let contacting_points = TruthField {
         name: "contacting_points",
         ..contact.clone()
     };
@@ -108,7 +108,7 @@ fn variables<'a>(fields: &Fields<'a>, summary: &Summary) -> Vec<Variable<'a>> {
             Attribute::Text("dtype", "bool".into()),
             Attribute::Text("long_name", truth.meaning.to_owned()),
         ],
-        values: Values::Truths(truth.values),
+        values: VariableValues::Truths(truth.values),
     }));
     variables
 }
@@ -135,7 +135,7 @@ fn global_attributes(fields: &Fields<'_>, summary: &Summary, step: usize) -> Vec
     ]
 }
 
-impl Values<'_> {
+impl VariableValues<'_> {
     fn kind(&self) -> u32 {
         match self {
             Self::Centres(_) | Self::Numbers(_) => DOUBLE,
@@ -246,15 +246,19 @@ fn push_count(header: &mut Vec<u8>, count: usize) -> io::Result<()> {
     Ok(())
 }
 
-fn write_values(file: &mut impl Write, fields: &Fields<'_>, values: &Values<'_>) -> io::Result<()> {
+fn write_values(
+    file: &mut impl Write,
+    fields: &Fields<'_>,
+    values: &VariableValues<'_>,
+) -> io::Result<()> {
     match values {
-        Values::Centres(_) => {
+        VariableValues::Centres(_) => {
             (0..fields.size).try_for_each(|i| file.write_all(&fields.centre(i).to_be_bytes()))
         }
-        Values::Numbers(numbers) => numbers
+        VariableValues::Numbers(numbers) => numbers
             .iter()
             .try_for_each(|number| file.write_all(&number.to_be_bytes())),
-        Values::Truths(truths) => {
+        VariableValues::Truths(truths) => {
             let padding = truths.len().next_multiple_of(4) - truths.len();
             let bytes = truths.iter().map(|truth| u8::from(*truth));
             let bytes: Vec<u8> = bytes.chain(std::iter::repeat_n(0, padding)).collect();

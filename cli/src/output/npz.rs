@@ -46,7 +46,7 @@ fn npz(file: impl io::Write + io::Seek, fields: &Fields<'_>) -> Result<(), Write
     let mut npz = ZipWriter::new(file);
     add(&mut npz, "x", &centres)?;
     add(&mut npz, "y", &centres)?;
-    for field in fields.named() {
+    for field in fields.numbers() {
         add(&mut npz, field.name, &square(size, field.values)?)?;
     }
     for truth in fields.truths() {

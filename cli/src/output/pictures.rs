@@ -4,11 +4,11 @@ use std::path::Path;
 
 use rayon::prelude::*;
 
-use super::desk::Desk;
 use super::fields::Fields;
-use super::page::surface::Surface;
-use super::page::{RunDrawings, StepDrawings};
+use super::report::surface::Surface;
+use super::report::{RunDrawings, StepDrawings};
 use super::summary::Summary;
+use super::writer::ResultsWriter;
 use crate::case::output::Steps;
 use crate::failure::Failure;
 use crate::picture::field_map::FieldMap;
@@ -77,7 +77,7 @@ pub fn step(
     step: usize,
     fields: Fields<'_>,
     style: &Style,
-    desk: &Desk<'_>,
+    writer: &ResultsWriter<'_>,
 ) -> Result<StepDrawings, Failure> {
     let subject = Subject {
         title: &summary.title,
@@ -89,11 +89,11 @@ pub fn step(
     };
     let pictures = of_a_step(summary).into_par_iter();
     let drawn = pictures.map(|picture| {
-        let svg = desk.picture(folder, &picture.name(step), || picture.draw(&subject))?;
+        let svg = writer.picture(folder, &picture.name(step), || picture.draw(&subject))?;
         Ok(svg.map(|svg| (picture, svg)))
     });
     let drawn = drawn.collect::<Result<Vec<_>, Failure>>()?;
-    let surface = desk.drawn(&format!("turned by hand, of step {step}"), || {
+    let surface = writer.drawn(&format!("turned by hand, of step {step}"), || {
         Ok(Surface::new(&subject))
     });
     Ok(StepDrawings {
@@ -114,16 +114,16 @@ pub fn run(
     summary: &Summary,
     pictures: Steps,
     style: &Style,
-    desk: &Desk<'_>,
+    writer: &ResultsWriter<'_>,
 ) -> Result<RunDrawings, Failure> {
     let one = |name: &str, svg: Option<String>| match svg {
-        Some(svg) if pictures != Steps::None => desk
+        Some(svg) if pictures != Steps::None => writer
             .picture(folder, name, || svg.clone())
             .map(|_| Some(svg)),
         svg => Ok(svg),
     };
-    let curve = desk.drawn(curve::NAME, || Ok(curve::draw(summary, style)));
-    let convergence = desk.drawn(convergence::NAME, || Ok(convergence::draw(summary, style)));
+    let curve = writer.drawn(curve::NAME, || Ok(curve::draw(summary, style)));
+    let convergence = writer.drawn(convergence::NAME, || Ok(convergence::draw(summary, style)));
     Ok(RunDrawings {
         curve: one(curve::NAME, curve.flatten())?,
         convergence: one(convergence::NAME, convergence.flatten())?,

@@ -4,10 +4,10 @@ use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
 
-use super::desk::{Desk, Tell};
 use super::npz::{self, StoredFields};
-use super::page::{self, StepDrawings};
+use super::report::{self, StepDrawings};
 use super::summary::{Summary, WarningSummary};
+use super::writer::{OnProgress, ResultsWriter};
 use super::{pictures, results};
 use crate::case::output::Steps;
 use crate::failure::Failure;
@@ -16,7 +16,7 @@ use crate::picture::style::Style;
 
 /// What is drawn of one results folder.
 #[derive(Debug, Clone, Default)]
-pub struct Order<'a> {
+pub struct RedrawOptions<'a> {
     /// How pictures look.
     pub style: Style,
     /// The only step that is drawn; all that have fields unless given.
@@ -41,25 +41,29 @@ pub struct Redrawn {
 /// # Errors
 ///
 /// [`Failure`] if the folder holds no results, the step ordered has no fields, or a picture cannot be written.
-pub fn draw(folder: &Path, order: &Order<'_>, tell: Tell<'_>) -> Result<Redrawn, Failure> {
+pub fn draw(
+    folder: &Path,
+    options: &RedrawOptions<'_>,
+    tell: OnProgress<'_>,
+) -> Result<Redrawn, Failure> {
     let summary = Summary::read(folder)?;
     let fields = |step: usize| folder.join(npz::file(step));
-    let steps: Vec<_> = match order.step {
+    let steps: Vec<_> = match options.step {
         Some(step) => vec![step],
         None => (0..summary.steps.len())
             .filter(|step| fields(*step).is_file())
             .collect(),
     };
-    let of_run = if order.step.is_none() {
+    let of_run = if options.step.is_none() {
         Steps::All
     } else {
         Steps::None
     };
     let count = steps.len() * pictures::of_a_step(&summary).len()
         + pictures::count_of_run(&summary, of_run);
-    let desk = Desk::new(count, tell);
-    let out = order.out.unwrap_or(folder);
-    if order.out.is_some() && !order.replaces {
+    let writer = ResultsWriter::new(count, tell);
+    let out = options.out.unwrap_or(folder);
+    if options.out.is_some() && !options.replaces {
         pictures::names(&summary, &steps, of_run)
             .iter()
             .try_for_each(|name| keep(out, name))?;
@@ -82,19 +86,19 @@ pub fn draw(folder: &Path, order: &Order<'_>, tell: Tell<'_>) -> Result<Redrawn,
         }
         let stored = StoredFields::read(&path)?;
         let of_step = stored.fields(summary.grid.side);
-        let part = pictures::step(out, &summary, *step, of_step, &order.style, &desk)?;
+        let part = pictures::step(out, &summary, *step, of_step, &options.style, &writer)?;
         Ok(shown.contains(step).then_some(part))
     });
     let parts = parts.collect::<Result<Vec<Option<StepDrawings>>, Failure>>()?;
     let parts: Vec<_> = parts.into_iter().flatten().collect();
-    let run = pictures::run(out, &summary, of_run, &order.style, &desk)?;
+    let run = pictures::run(out, &summary, of_run, &options.style, &writer)?;
     // A report whose drawings cannot all be made again is better than one without them.
-    let report = folder.join(page::FILE);
-    let is_whole = order.out.is_none() && order.step.is_none();
+    let report = folder.join(report::FILE);
+    let is_whole = options.out.is_none() && options.step.is_none();
     if is_whole && (!parts.is_empty() || !report.exists()) {
-        results::write_page(folder, &page::html(&summary, &parts, &run))?;
+        results::write_page(folder, &report::html(&summary, &parts, &run))?;
     }
-    let warnings = desk.warnings();
+    let warnings = writer.warnings();
     Ok(Redrawn {
         pictures: count - warnings.len(),
         warnings,
@@ -133,11 +137,11 @@ pub fn draw_curves(
         name,
         steps: &summary.steps,
     });
-    let desk = Desk::new(1, &|_, _| ());
-    desk.picture(out, curve::NAME_OF_SEVERAL, || {
+    let writer = ResultsWriter::new(1, &|_, _| ());
+    writer.picture(out, curve::NAME_OF_SEVERAL, || {
         curve::draw_several(curves.collect(), units, style)
     })?;
-    Ok(desk.warnings())
+    Ok(writer.warnings())
 }
 
 /// Refuses to draw a picture where there is one.

@@ -7,11 +7,11 @@ use std::time::Instant;
 use pellicle_contact::LoadingPath;
 use rayon::prelude::*;
 
-use super::desk::{Desk, Tell};
 use super::fields::Fields;
 use super::folder::Extent;
-use super::page::{self, StepDrawings};
+use super::report::{self, StepDrawings};
 use super::summary::Summary;
+use super::writer::{OnProgress, ResultsWriter};
 use super::{curve, file, gsf, json, netcdf, npz, pictures, summary, vti};
 use crate::case::output::{Format, OutputCase};
 use crate::failure::Failure;
@@ -36,17 +36,17 @@ pub fn write(
     summary: &mut Summary,
     output: &OutputCase,
     start: Instant,
-    tell: Tell<'_>,
+    tell: OnProgress<'_>,
 ) -> Result<Extent, Failure> {
-    let desk = Desk::new(files(summary, output), tell);
-    let parts = write_steps(folder, path, summary, output, &desk)?;
-    let run = pictures::run(folder, summary, output.pictures, &Style::default(), &desk)?;
-    summary.warnings.extend(desk.warnings());
+    let writer = ResultsWriter::new(files(summary, output), tell);
+    let parts = write_steps(folder, path, summary, output, &writer)?;
+    let run = pictures::run(folder, summary, output.pictures, &Style::default(), &writer)?;
+    summary.warnings.extend(writer.warnings());
     summary.timing.total_seconds = start.elapsed().as_secs_f64();
-    write_page(folder, &page::html(summary, &parts, &run))?;
+    write_page(folder, &report::html(summary, &parts, &run))?;
     write_text(&folder.join(curve::FILE), &curve::csv(summary))?;
     write_text(&folder.join(summary::FILE), &json(summary)?)?;
-    Ok(if desk.is_whole() {
+    Ok(if writer.is_whole() {
         Extent::Whole
     } else {
         Extent::Part
@@ -67,7 +67,7 @@ fn write_steps(
     path: &LoadingPath,
     summary: &Summary,
     output: &OutputCase,
-    desk: &Desk<'_>,
+    writer: &ResultsWriter<'_>,
 ) -> Result<Vec<StepDrawings>, Failure> {
     let count = path.steps.len();
     let wanted =
@@ -87,7 +87,7 @@ fn write_steps(
         };
         if interrupt::is_overdue() {
             let pictures = usize::from(pictured.contains(&i)) * pictures::of_a_step(summary).len();
-            desk.leave_out(formats.len() + pictures);
+            writer.leave_out(formats.len() + pictures);
             return Ok(None);
         }
         let surface = || path.surface(geometry.as_ref()?, i);
@@ -99,10 +99,10 @@ fn write_steps(
             if !pictured.contains(&i) {
                 return Ok(None);
             }
-            pictures::step(folder, summary, i, fields, &Style::default(), desk).map(Some)
+            pictures::step(folder, summary, i, fields, &Style::default(), writer).map(Some)
         };
         let (written, part) = rayon::join(
-            || write_fields(folder, summary, i, &fields, formats, desk),
+            || write_fields(folder, summary, i, &fields, formats, writer),
             draw,
         );
         written?;
@@ -119,7 +119,7 @@ fn write_fields(
     step: usize,
     fields: &Fields<'_>,
     formats: &[Format],
-    desk: &Desk<'_>,
+    writer: &ResultsWriter<'_>,
 ) -> Result<(), Failure> {
     let units = summary.units;
     formats.par_iter().try_for_each(|format| {
@@ -129,7 +129,7 @@ fn write_fields(
             Format::Nc => netcdf::write(&folder.join(netcdf::file(step)), fields, summary, step),
             Format::Gsf => gsf::write(folder, fields, units, step),
         };
-        desk.file(write).map(drop)
+        writer.file(write).map(drop)
     })
 }
 
@@ -151,7 +151,7 @@ pub fn in_report(pictured: &[usize]) -> Vec<usize> {
 ///
 /// [`Failure::Write`] if it cannot be written.
 pub fn write_page(folder: &Path, page: &str) -> Result<(), Failure> {
-    file::write_bytes(&folder.join(page::FILE), page.as_bytes())
+    file::write_bytes(&folder.join(report::FILE), page.as_bytes())
 }
 
 fn write_text(path: &Path, text: &str) -> Result<(), Failure> {

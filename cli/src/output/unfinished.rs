@@ -6,11 +6,11 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// Everything unfinished of this process, in the order in which it was begun.
-static ALL: Mutex<Vec<(PathBuf, Kind)>> = Mutex::new(Vec::new());
+static ALL: Mutex<Vec<(PathBuf, Leftover)>> = Mutex::new(Vec::new());
 
 /// What is at a path.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Kind {
+enum Leftover {
     File,
     /// A folder that is removed if nothing is in it any more.
     Empty,
@@ -22,29 +22,29 @@ enum Kind {
 #[derive(Debug)]
 pub struct Unfinished {
     path: PathBuf,
-    kind: Kind,
+    kind: Leftover,
 }
 
 impl Unfinished {
     /// A file.
     #[must_use]
     pub fn file(path: &Path) -> Self {
-        Self::new(path, Kind::File)
+        Self::new(path, Leftover::File)
     }
 
     /// A folder that this process has made, to be removed if it is empty.
     #[must_use]
     pub fn empty_folder(path: &Path) -> Self {
-        Self::new(path, Kind::Empty)
+        Self::new(path, Leftover::Empty)
     }
 
     /// A folder that this process has made, with everything in it.
     #[must_use]
     pub fn folder(path: &Path) -> Self {
-        Self::new(path, Kind::Tree)
+        Self::new(path, Leftover::Tree)
     }
 
-    fn new(path: &Path, kind: Kind) -> Self {
+    fn new(path: &Path, kind: Leftover) -> Self {
         let path = path.to_owned();
         all().push((path.clone(), kind));
         Self { path, kind }
@@ -82,10 +82,10 @@ pub fn remove_all() {
     let all = all();
     all.iter().rev().for_each(|(path, kind)| match kind {
         // Where it was nobody can begin another file.
-        Kind::Tree => {
+        Leftover::Tree => {
             let aside = path.with_extension("ended");
             let path = fs::rename(path, &aside).map_or(path, |()| &aside);
-            remove(path, Kind::Tree);
+            remove(path, Leftover::Tree);
         }
         kind => remove(path, *kind),
     });
@@ -99,16 +99,16 @@ pub fn undisturbed<T>(work: impl FnOnce() -> T) -> T {
     work()
 }
 
-fn all() -> MutexGuard<'static, Vec<(PathBuf, Kind)>> {
+fn all() -> MutexGuard<'static, Vec<(PathBuf, Leftover)>> {
     ALL.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// Best effort: what cannot be removed stays, and is removed by the next run.
-fn remove(path: &Path, kind: Kind) {
+fn remove(path: &Path, kind: Leftover) {
     drop(match kind {
-        Kind::File => fs::remove_file(path),
-        Kind::Empty => fs::remove_dir(path),
-        Kind::Tree => fs::remove_dir_all(path),
+        Leftover::File => fs::remove_file(path),
+        Leftover::Empty => fs::remove_dir(path),
+        Leftover::Tree => fs::remove_dir_all(path),
     });
 }
 

@@ -50,7 +50,7 @@ pub fn within_the_scale(number: f64) -> f64 {
 
 /// A scale of colours from one value to another.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Shades {
+pub struct ColourScale {
     /// The colours.
     pub map: ColourMap,
     /// The value of the first.
@@ -59,7 +59,7 @@ pub struct Shades {
     pub to: f64,
 }
 
-impl Shades {
+impl ColourScale {
     /// The standard colours from 0 to a value.
     #[must_use]
     pub fn up_to(to: f64) -> Self {
@@ -87,7 +87,7 @@ mod tests {
 
     #[test]
     fn every_value_has_a_colour_of_the_scale() {
-        let shades = Shades {
+        let shades = ColourScale {
             map: ColourMap::Greys,
             from: 1.0,
             to: 3.0,
@@ -96,7 +96,7 @@ mod tests {
         assert_eq!(shades.colour(-7.0), ColourMap::Greys.at(0.0));
         assert_eq!(shades.colour(f64::INFINITY), ColourMap::Greys.at(1.0));
         assert_eq!(shades.colour(f64::NAN), ColourMap::Greys.at(0.0));
-        let empty = Shades { to: 1.0, ..shades };
+        let empty = ColourScale { to: 1.0, ..shades };
         assert_eq!(empty.fraction(1.0), 0.0);
     }
 
@@ -105,5 +105,16 @@ mod tests {
         for map in ColourMap::value_variants() {
             assert_ne!(map.at(0.0), map.at(1.0), "{map:?}");
         }
+    }
+
+    #[test]
+    fn more_pressure_is_lighter() {
+        let lightness = |t: f64| {
+            let Colour(r, g, b) = ColourMap::Viridis.at(t);
+            // Luma of ITU-R BT.601.
+            0.299 * f64::from(r) + 0.587 * f64::from(g) + 0.114 * f64::from(b)
+        };
+        let steps: Vec<_> = (0..=20).map(|i| lightness(f64::from(i) / 20.0)).collect();
+        assert!(steps.windows(2).all(|pair| pair[0] < pair[1]), "{steps:?}");
     }
 }

@@ -2,11 +2,12 @@
 
 use pellicle_contact::{Estimate, GridError, LevelValues};
 
-use super::colours::{self, Colour};
+use super::colour_map::ColourMap;
+use super::colours::Colour;
 use super::heading;
 use super::panel::{Axis, Panel};
 use super::style::{Heading, Style};
-use super::svg::{Anchor, Place, Stroke, Svg};
+use super::svg::{Anchor, Rect, Stroke, Svg};
 use crate::case::units::Units;
 use crate::display::{Unit, error_of, quantity};
 use crate::output::summary::{StepSummary, Summary};
@@ -100,7 +101,7 @@ fn draw_panel(svg: &mut Svg, summary: &Summary, left: f64, number: Number) {
         .collect();
     let title = if left > LEFT { "" } else { "change, %" };
     let panel = Panel {
-        place: Place {
+        place: Rect {
             left,
             top: TOP,
             width: PANEL_WIDTH,
@@ -182,5 +183,5 @@ fn percent(changes: &[Vec<(f64, f64)>], title: &str) -> Axis {
 }
 
 fn colour(step: usize, steps: usize) -> Colour {
-    colours::of_fraction(LIGHTEST * step as f64 / (steps.max(2) - 1) as f64)
+    ColourMap::Viridis.at(LIGHTEST * step as f64 / (steps.max(2) - 1) as f64)
 }

@@ -3,8 +3,8 @@
 use super::colours::{self, Colour};
 use super::panel::{Axis, Panel};
 use super::style::{Heading, Style};
-use super::svg::{Anchor, Dash, Place, Stroke, Svg};
-use super::{axis, heading};
+use super::svg::{Anchor, Dash, Rect, Stroke, Svg};
+use super::{heading, labels};
 use crate::case::units::Units;
 use crate::display::{Scale, Unit};
 use crate::output::summary::{StepSummary, Summary};
@@ -151,7 +151,7 @@ impl<'a> Sheet<'a> {
         let (x_axis, x_scale) = self.axis_of(x);
         let (y_axis, y_scale) = self.axis_of(y);
         let panel = Panel {
-            place: Place {
+            place: Rect {
                 left,
                 top: TOP,
                 width: SIDE,
@@ -229,7 +229,7 @@ impl<'a> Sheet<'a> {
     fn axis_of(&self, coordinate: Coordinate) -> (Axis, Scale) {
         let (smallest, largest) = self.ends(coordinate);
         let scale = Scale::of(largest.max(-smallest), coordinate.unit, self.units);
-        let title = axis::title(coordinate.symbol, &scale.label);
+        let title = labels::axis_title(coordinate.symbol, &scale.label);
         let (low, high) = (smallest / scale.divisor, largest / scale.divisor);
         if self.is_logarithmic {
             return (Axis::logarithmic(low, high, title), scale);

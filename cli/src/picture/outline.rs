@@ -5,7 +5,7 @@
 const DIRECTIONS: [(isize, isize); 4] = [(1, 0), (0, 1), (-1, 0), (0, -1)];
 
 /// Sides of elements, as ways that leave a corner: bit `d` of a corner is the way in direction `d`.
-struct Ways {
+struct BoundaryEdges {
     corners: usize,
     leaving: Vec<u8>,
 }
@@ -14,7 +14,7 @@ struct Ways {
 /// elements, each with its first corner at its end if it is closed. The rim of the field is no outline.
 #[must_use]
 pub fn trace(cells: usize, inside: impl Fn(usize, usize) -> bool) -> Vec<Vec<(usize, usize)>> {
-    let mut ways = Ways::new(cells, inside);
+    let mut ways = BoundaryEdges::new(cells, inside);
     let mut lines = Vec::new();
     // Lines that begin at the rim first, so that none of them is begun in its middle.
     for corner in ways.beginnings() {
@@ -30,7 +30,7 @@ pub fn trace(cells: usize, inside: impl Fn(usize, usize) -> bool) -> Vec<Vec<(us
     lines
 }
 
-impl Ways {
+impl BoundaryEdges {
     fn new(cells: usize, inside: impl Fn(usize, usize) -> bool) -> Self {
         let corners = cells + 1;
         let leaving = vec![0; corners * corners];

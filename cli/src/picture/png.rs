@@ -17,7 +17,7 @@ const DENSITY: u32 = 5906;
 
 /// What the bytes of a pixel are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub enum PixelFormat {
     /// Red, green, blue.
     Rgb,
     /// Red, green, blue, opacity.
@@ -40,7 +40,7 @@ static OPTIONS: LazyLock<usvg::Options<'static>> = LazyLock::new(|| {
 /// Whatever stands against rendering it: a drawing of this program that is not SVG, or no memory for its pixels.
 pub fn render(svg: &str) -> io::Result<Vec<u8>> {
     let (width, height, rgb) = pixels(svg, ZOOM)?;
-    Ok(encode(width, height, Kind::Rgb, &rgb))
+    Ok(encode(width, height, PixelFormat::Rgb, &rgb))
 }
 
 /// The drawing as a PNG file with `zoom` pixels per unit of it, as few bytes as may be.
@@ -75,7 +75,7 @@ fn pixels(svg: &str, zoom: f32) -> io::Result<(usize, usize, Vec<u8>)> {
 
 /// Pixels as a PNG file; an empty one where the sides do not fit the pixels.
 #[must_use]
-pub fn encode(width: usize, height: usize, kind: Kind, pixels: &[u8]) -> Vec<u8> {
+pub fn encode(width: usize, height: usize, kind: PixelFormat, pixels: &[u8]) -> Vec<u8> {
     let mut bytes = Vec::new();
     // Writing to memory fails only where the sides do not fit the pixels.
     drop(try_encode(&mut bytes, width, height, kind, pixels));
@@ -86,13 +86,13 @@ fn try_encode(
     bytes: &mut Vec<u8>,
     width: usize,
     height: usize,
-    kind: Kind,
+    kind: PixelFormat,
     pixels: &[u8],
 ) -> Result<(), png::EncodingError> {
     let mut encoder = encoder(bytes, width, height);
     encoder.set_color(match kind {
-        Kind::Rgb => png::ColorType::Rgb,
-        Kind::Rgba => png::ColorType::Rgba,
+        PixelFormat::Rgb => png::ColorType::Rgb,
+        PixelFormat::Rgba => png::ColorType::Rgba,
     });
     encoder.set_depth(png::BitDepth::Eight);
     encoder.set_compression(png::Compression::Fast);
@@ -121,7 +121,7 @@ pub(super) fn encoder(
 #[cfg(test)]
 mod tests {
     use super::super::colours::Colour;
-    use super::super::svg::{Anchor, Place, Svg};
+    use super::super::svg::{Anchor, Rect, Svg};
     use super::*;
 
     fn pixels(svg: Svg) -> (usize, Vec<u8>) {
@@ -135,7 +135,7 @@ mod tests {
     #[test]
     fn a_rectangle_has_its_colour_and_its_place() {
         let mut svg = Svg::new(20.0, 10.0);
-        let place = Place {
+        let place = Rect {
             left: 10.0,
             top: 0.0,
             width: 10.0,

@@ -57,7 +57,7 @@ impl Raster {
     /// The raster as the address of a PNG image inside a document.
     #[must_use]
     pub fn data_address(&self) -> String {
-        let bytes = png::encode(self.width, self.height, png::Kind::Rgba, &self.rgba);
+        let bytes = png::encode(self.width, self.height, png::PixelFormat::Rgba, &self.rgba);
         format!("data:image/png;base64,{}", STANDARD.encode(bytes))
     }
 }

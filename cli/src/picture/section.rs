@@ -4,20 +4,20 @@
 use std::ops::Range;
 
 use super::colours::{self, Colour};
-use super::number::power;
+use super::crop::Crop;
+use super::labels::power;
 use super::panel::{Axis, Panel};
 use super::style::Cut;
 use super::subject::Subject;
-use super::svg::{Anchor, Place, Stroke, Svg};
-use super::window::Window;
-use super::{axis, heading};
+use super::svg::{Anchor, Rect, Stroke, Svg};
+use super::{heading, labels};
 use crate::display::{Scale, Unit, quantity};
 
 const LEFT: f64 = 112.0;
 const PANEL_WIDTH: f64 = 940.0;
 /// Width of the picture, in pixels.
 pub const WIDTH: f64 = LEFT + PANEL_WIDTH + 40.0;
-const PRESSURE: Place = Place {
+const PRESSURE: Rect = Rect {
     left: LEFT,
     top: heading::HEIGHT,
     width: PANEL_WIDTH,
@@ -25,7 +25,7 @@ const PRESSURE: Place = Place {
 };
 /// Between the panels: the legend.
 const BETWEEN: f64 = 44.0;
-const DEPTH: Place = Place {
+const DEPTH: Rect = Rect {
     left: LEFT,
     top: PRESSURE.top + PRESSURE.height + BETWEEN,
     width: PANEL_WIDTH,
@@ -100,13 +100,13 @@ fn peak(pressure: &[f64]) -> usize {
 pub fn draw(subject: &Subject<'_>) -> String {
     let fields = &subject.fields;
     let line = Line::of(subject);
-    let window = Window::around_contact(fields.pressure, fields.size);
+    let crop = Crop::around_contact(fields.pressure, fields.size);
     let depths = Depths {
         subject,
         line,
         elements: match line {
-            Line::AlongX(_) => window.x,
-            Line::AlongY(_) => window.y,
+            Line::AlongX(_) => crop.x,
+            Line::AlongY(_) => crop.y,
         },
     };
     let mut svg = subject.style.sheet(WIDTH, HEIGHT);
@@ -170,7 +170,7 @@ impl Depths<'_> {
     fn x_axis(&self) -> (Axis, Scale) {
         let [from, to] = self.ends();
         let scale = self.subject.metres(from.abs().max(to.abs()));
-        let title = axis::title(self.line.names().0, &scale.label);
+        let title = labels::axis_title(self.line.names().0, &scale.label);
         let (from, to) = (from / scale.divisor, to / scale.divisor);
         (Axis::new(from, to, title, 8), scale)
     }
@@ -182,7 +182,7 @@ impl Depths<'_> {
         let panel = Panel {
             place: PRESSURE,
             x: x.unlabelled(),
-            y: Axis::new(from, to, axis::title("p", &scale.label), 5),
+            y: Axis::new(from, to, labels::axis_title("p", &scale.label), 5),
         };
         // The pressure is constant over an element.
         let steps = self.elements.clone().flat_map(|i| {
@@ -211,7 +211,7 @@ impl Depths<'_> {
         } else {
             1.0
         };
-        let title = axis::title("depth z", &scale.label);
+        let title = labels::axis_title("depth z", &scale.label);
         let panel = Panel {
             place: DEPTH,
             x,

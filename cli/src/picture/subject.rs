@@ -1,10 +1,10 @@
 //! What a picture of one loading step shows.
 
-use super::colour_map::Shades;
+use super::accuracy;
+use super::colour_map::ColourScale;
 use super::heading;
 use super::style::{Heading, Style};
 use super::svg::Svg;
-use super::trust;
 use crate::case::units::Units;
 use crate::display::{self, Scale, Unit};
 use crate::output::fields::Fields;
@@ -50,14 +50,14 @@ impl Subject<'_> {
         if self.style.heading == Heading::Shown {
             let numbers = self.numbers() + more;
             heading::draw(svg, left, width, self.title, &numbers);
-            heading::draw_trust(svg, left, &self.trust());
+            heading::draw_accuracy(svg, left, &self.accuracy());
         }
     }
 
     /// The third line of a heading: grid, certificate, grid error.
     #[must_use]
-    pub fn trust(&self) -> String {
-        trust::of_step(self.fields.size, self.step)
+    pub fn accuracy(&self) -> String {
+        accuracy::of_step(self.fields.size, self.step)
     }
 
     /// The largest pressure, Pa; 0 without contact.
@@ -75,7 +75,7 @@ impl Subject<'_> {
     /// The scale of the pressures, and their colours in its unit: as ordered, or from 0 to the largest pressure, or to
     /// 1 without contact.
     #[must_use]
-    pub fn pressures(&self) -> (Scale, Shades) {
+    pub fn pressures(&self) -> (Scale, ColourScale) {
         let [from, to] = (self.style.pressures).unwrap_or([0.0, self.largest_pressure()]);
         let scale = Scale::of(to, Unit::Pascal, self.units);
         let [from, to] = [from, to].map(|end| end / scale.divisor);
@@ -85,6 +85,6 @@ impl Subject<'_> {
             (0.0, 1.0)
         };
         let map = self.style.colours;
-        (scale, Shades { map, from, to })
+        (scale, ColourScale { map, from, to })
     }
 }

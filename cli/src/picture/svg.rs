@@ -19,7 +19,7 @@ pub enum Anchor {
 
 /// Which way a text runs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Direction {
+pub enum TextDirection {
     /// From left to right.
     Across,
     /// From below to above.
@@ -46,7 +46,7 @@ pub enum Dash {
 
 /// A rectangle, in pixels from the top left.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Place {
+pub struct Rect {
     /// Left side.
     pub left: f64,
     /// Upper side.
@@ -57,7 +57,7 @@ pub struct Place {
     pub height: f64,
 }
 
-impl Place {
+impl Rect {
     /// Its right side.
     #[must_use]
     pub fn right(&self) -> f64 {
@@ -122,7 +122,7 @@ impl Svg {
             number(height)
         );
         let mut svg = Self { text };
-        let sheet = Place {
+        let sheet = Rect {
             left: 0.0,
             top,
             width,
@@ -140,7 +140,7 @@ impl Svg {
     }
 
     /// A filled rectangle.
-    pub fn rectangle(&mut self, place: Place, colour: Colour) {
+    pub fn rectangle(&mut self, place: Rect, colour: Colour) {
         let place = attributes(place);
         self.push(&format!("<rect {place} fill=\"{colour}\"/>"));
     }
@@ -192,7 +192,7 @@ impl Svg {
 
     /// A text, its middle line at the height of the point.
     pub fn text(&mut self, (x, y): (f64, f64), size: f64, anchor: Anchor, text: &str) {
-        self.directed_text((x, y), size, anchor, Direction::Across, text);
+        self.directed_text((x, y), size, anchor, TextDirection::Across, text);
     }
 
     /// A text that runs in a direction.
@@ -201,15 +201,15 @@ impl Svg {
         (x, y): (f64, f64),
         size: f64,
         anchor: Anchor,
-        direction: Direction,
+        direction: TextDirection,
         text: &str,
     ) {
         if text.is_empty() {
             return;
         }
         let turn = match direction {
-            Direction::Across => String::new(),
-            Direction::Up => format!(" transform=\"rotate(-90 {} {})\"", number(x), number(y)),
+            TextDirection::Across => String::new(),
+            TextDirection::Up => format!(" transform=\"rotate(-90 {} {})\"", number(x), number(y)),
         };
         let anchor = match anchor {
             Anchor::Start => "start",
@@ -225,7 +225,7 @@ impl Svg {
     }
 
     /// A raster stretched over a place, its pixels sharp.
-    pub fn image(&mut self, place: Place, raster: &Raster) {
+    pub fn image(&mut self, place: Rect, raster: &Raster) {
         let (place, address) = (attributes(place), raster.data_address());
         self.push(&format!(
             "<image {place} preserveAspectRatio=\"none\" style=\"image-rendering:pixelated\" href=\"{address}\"/>"
@@ -233,7 +233,7 @@ impl Svg {
     }
 
     /// What is drawn within a place and cut off at its sides.
-    pub fn within(&mut self, place: Place, draw: impl FnOnce(&mut Self)) {
+    pub fn within(&mut self, place: Rect, draw: impl FnOnce(&mut Self)) {
         let attributes = attributes(place);
         let [left, top, width, height] =
             [place.left, place.top, place.width, place.height].map(number);
@@ -250,7 +250,7 @@ impl Svg {
     }
 }
 
-fn attributes(place: Place) -> String {
+fn attributes(place: Rect) -> String {
     let [x, y, width, height] = [place.left, place.top, place.width, place.height].map(number);
     format!("x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\"")
 }

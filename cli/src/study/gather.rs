@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use super::folder;
 use super::identity::Identity;
-use super::place;
 use super::shard::Shard;
 use super::status::Tally;
 use super::table::{self, Blocks};
@@ -55,7 +55,7 @@ pub fn gather(folder: &Path, other: Other) -> Result<Gathered, Failure> {
         shard: Shard::WHOLE,
         ..first.clone()
     };
-    let _lock = place::wait_for_lock(folder, Shard::WHOLE)?;
+    let _lock = folder::wait_for_lock(folder, Shard::WHOLE)?;
     file::sweep(folder);
     check_whole(folder, &whole, other)?;
     let texts = parts.iter().map(|part| read(folder, part));
@@ -76,7 +76,7 @@ pub fn gather(folder: &Path, other: Other) -> Result<Gathered, Failure> {
         // A kill between the two leaves a study that has not begun, not a table that nobody knows.
         whole.write(folder)?;
         table::write_in_order(path, &whole.header, &rows)?;
-        place::forget_before(folder, &whole)?;
+        folder::forget_before(folder, &whole)?;
     }
     Ok(Gathered {
         tally: Tally::of(statuses.into_values()),
@@ -93,7 +93,7 @@ fn check_whole(folder: &Path, whole: &Identity, other: Other) -> Result<(), Fail
     }
     let remembered = Identity::read(&Identity::path(folder, Shard::WHOLE))?;
     let is_known = match &remembered {
-        Some(remembered) => place::is_table_of(folder, remembered)?,
+        Some(remembered) => folder::is_table_of(folder, remembered)?,
         None => false,
     };
     match (remembered, other) {
@@ -121,7 +121,7 @@ fn are_of_one(part: &Identity, first: &Identity) -> bool {
 /// What the parts in a folder remember, in order.
 fn parts(folder: &Path) -> Result<Vec<Identity>, Failure> {
     fs::read_dir(folder).map_err(|cause| Failure::damaged(folder, &cause))?;
-    let mut parts = place::identities(folder)?;
+    let mut parts = folder::identities(folder)?;
     parts.retain(|part| part.shard != Shard::WHOLE);
     Ok(parts)
 }

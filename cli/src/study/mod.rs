@@ -7,9 +7,9 @@
 pub mod axis;
 pub mod columns;
 pub mod file;
+pub mod folder;
 pub mod gather;
 pub mod identity;
-pub mod place;
 pub mod plan;
 pub mod progress;
 pub mod runner;

@@ -16,9 +16,9 @@ use crate::failure::Failure;
 use crate::forecast::Need;
 use crate::memory::Memory;
 use crate::output::file::Existing;
-use crate::output::folder::{Extent, Folder};
+use crate::output::folder::{Extent, ResultsFolder};
 use crate::output::summary::{Clock, Summary};
-use crate::output::{own, results};
+use crate::output::{results, run_files};
 
 /// What every case of a study is solved with.
 #[derive(Debug)]
@@ -71,15 +71,15 @@ impl Kit<'_> {
 
     /// The place of the results folder of a case, if one is wanted. One that is there already is of this case, from
     /// before a kill.
-    fn claim(&self, number: usize, case: &Case) -> Result<Option<Folder>, Failure> {
+    fn claim(&self, number: usize, case: &Case) -> Result<Option<ResultsFolder>, Failure> {
         let Some(folders) = &self.folders else {
             return Ok(None);
         };
         let path = folders.join(format!("case-{:04}", number + 1));
-        if own::case_in(&path).is_some_and(|written| !is_of(&written, case)) {
+        if run_files::case_in(&path).is_some_and(|written| !is_of(&written, case)) {
             return Err(Failure::OtherCase { path });
         }
-        Folder::claim(&path, Existing::Replace).map(Some)
+        ResultsFolder::claim(&path, Existing::Replace).map(Some)
     }
 
     fn failed(&self, case: usize, message: &str) -> Done {

@@ -11,8 +11,8 @@ use std::io::{self, ErrorKind, Read, Seek, Write};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
+use super::folder::{self, Begin, StudyFolder};
 use super::identity::Identity;
-use super::place::{self, Begin, Place};
 use super::status::{Status, Tally};
 use crate::failure::Failure;
 use crate::output::file;
@@ -22,7 +22,7 @@ use crate::output::file;
 pub struct Table {
     path: PathBuf,
     file: File,
-    place: Place,
+    place: StudyFolder,
     header: String,
     done: BTreeMap<usize, Status>,
 }
@@ -34,7 +34,7 @@ impl Table {
     /// # Errors
     ///
     /// [`Failure`] if it cannot be opened, or if it is the table of something else.
-    pub fn open(place: Place, identity: &Identity) -> Result<Self, Failure> {
+    pub fn open(place: StudyFolder, identity: &Identity) -> Result<Self, Failure> {
         let path = identity.table(&place.folder);
         let failed = |cause| Failure::write(&path, cause);
         let file = open(&path).map_err(failed)?;
@@ -102,7 +102,7 @@ impl Table {
 
     /// Where the study is.
     #[must_use]
-    pub fn place(&self) -> &Place {
+    pub fn place(&self) -> &StudyFolder {
         &self.place
     }
 
@@ -121,7 +121,7 @@ impl Table {
         if !blocks.are_in_order() {
             write_in_order(&self.path, &identity.header, &blocks.in_order(&text))?;
         }
-        place::forget_before(&self.place.folder, identity)
+        folder::forget_before(&self.place.folder, identity)
     }
 }
 

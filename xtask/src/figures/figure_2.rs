@@ -1,7 +1,7 @@
 //! Fig. 2: pressure under the paraboloid on the compliant (a, c) and the stiff (b, d) coating, small and large load.
 
 use pellicle_cli::display::Scale;
-use pellicle_cli::picture::number::power;
+use pellicle_cli::picture::labels::power;
 use pellicle_cli::picture::style::Style;
 use pellicle_cli::picture::subject::Subject;
 use pellicle_cli::picture::svg::Dash;

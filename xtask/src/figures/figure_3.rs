@@ -2,9 +2,9 @@
 
 use pellicle_cli::output::summary::StepSummary;
 use pellicle_cli::picture::colours;
-use pellicle_cli::picture::number::power;
+use pellicle_cli::picture::labels::power;
 use pellicle_cli::picture::panel::Axis;
-use pellicle_cli::picture::svg::{Dash, Place};
+use pellicle_cli::picture::svg::{Dash, Rect};
 
 use super::line::{self, Line};
 use super::parameters::Parameters;
@@ -148,7 +148,7 @@ fn data((run, step): &Load) -> String {
 }
 
 fn draw_panel(sheet: &mut Sheet, i: usize, profile: &Profile) {
-    let place = Place {
+    let place = Rect {
         left: COLUMN * (i % 2) as f64 + LEFT,
         top: Sheet::TOP + LEGEND + 44.0 + ROW * (i / 2) as f64,
         width: PANEL.0,

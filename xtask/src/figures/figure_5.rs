@@ -3,7 +3,7 @@
 use pellicle_cli::case::units::Units;
 use pellicle_cli::display::{Scale, Unit, quantity};
 use pellicle_cli::picture::panel::Axis;
-use pellicle_cli::picture::svg::{Dash, Place};
+use pellicle_cli::picture::svg::{Dash, Rect};
 
 use super::line::{self, Line};
 use super::loading::{BARE, FILM};
@@ -20,7 +20,7 @@ use crate::XtaskError;
 const PANELS: [&str; 2] = ["with film", "without film"];
 
 /// Of the profiles, in pixels.
-const PLACE: Place = Place {
+const PLACE: Rect = Rect {
     left: 112.0,
     top: Sheet::TOP + 50.0,
     width: 1060.0,

@@ -1,16 +1,16 @@
 //! The notes below a figure on the data in it.
 
 use pellicle_cli::output::summary::StepSummary;
-use pellicle_cli::picture::number::power;
-use pellicle_cli::picture::trust::{self, last_change, percent};
+use pellicle_cli::picture::accuracy::{self, last_change, percent};
+use pellicle_cli::picture::labels::power;
 
-pub(super) use pellicle_cli::picture::trust::BRACKETS;
+pub(super) use pellicle_cli::picture::accuracy::BRACKETS;
 
 use super::run::PaperRun;
 
 /// The note of one loading step.
 pub(super) fn of_step(run: &PaperRun, step: &StepSummary) -> String {
-    trust::of_step(run.summary.grid.elements, step)
+    accuracy::of_step(run.summary.grid.elements, step)
 }
 
 /// The note of a loading path of which penetration and perhaps largest pressure are of interest.

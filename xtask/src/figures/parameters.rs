@@ -2,7 +2,7 @@
 
 use pellicle_cli::case::units::Units;
 use pellicle_cli::display::{Unit, quantity};
-use pellicle_cli::picture::number::power;
+use pellicle_cli::picture::labels::power;
 use serde_json::Value;
 
 use super::run::PaperRun;

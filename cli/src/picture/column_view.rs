@@ -7,7 +7,7 @@
 use super::colours::Colour;
 use super::projection::Projection;
 use super::raster::Raster;
-use super::svg::Place;
+use super::svg::Rect;
 
 /// Light on the sides of a column that face along x and along y, against 1 on its top.
 const LIT: [f64; 2] = [0.74, 0.88];
@@ -15,9 +15,9 @@ const LIT: [f64; 2] = [0.74, 0.88];
 /// Points along each side of a pixel, whose mean it shows.
 const FINENESS: usize = 2;
 
-/// Columns on a square of cells.
+/// ColumnField on a square of cells.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Columns {
+pub struct ColumnField {
     /// Cells per side.
     pub cells: usize,
     /// The first and last edge of the cells along x and along y, in the box.
@@ -28,7 +28,7 @@ pub struct Columns {
 
 /// The columns in a place of the sheet, in front of nothing.
 #[must_use]
-pub fn draw(columns: &Columns, view: &Projection, place: Place) -> Raster {
+pub fn draw(columns: &ColumnField, view: &Projection, place: Rect) -> Raster {
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
@@ -54,9 +54,9 @@ pub fn draw(columns: &Columns, view: &Projection, place: Place) -> Raster {
 
 /// Colours the points of a line of pixels that stand above one another, so many pixels from the left of the place.
 fn look(
-    columns: &Columns,
+    columns: &ColumnField,
     view: &Projection,
-    place: Place,
+    place: Rect,
     across: f64,
     line: &mut [Option<Colour>],
 ) {
@@ -151,21 +151,21 @@ mod tests {
         height: 60.0,
         centre: (75.0, 90.0),
     };
-    const PLACE: Place = Place {
+    const PLACE: Rect = Rect {
         left: 10.0,
         top: 10.0,
         width: 130.0,
         height: 120.0,
     };
 
-    fn columns(cells: usize, height: impl Fn(usize, usize) -> f64) -> Columns {
+    fn columns(cells: usize, height: impl Fn(usize, usize) -> f64) -> ColumnField {
         // A colour for each, the red of the row and the green of the column.
         let byte = |i: usize| u8::try_from(20 * i).unwrap();
         let column = |e: usize| {
             let (i, j) = (e / cells, e % cells);
             (height(i, j), Colour(byte(i), byte(j), 200))
         };
-        Columns {
+        ColumnField {
             cells,
             ends: [[-1.0, 0.8], [-0.9, 1.0]],
             tops: (0..cells * cells).map(column).collect(),
@@ -173,7 +173,7 @@ mod tests {
     }
 
     /// What a ray from the eye through a point of the sheet meets first, by small steps.
-    fn met(columns: &Columns, (left, top): (f64, f64)) -> Option<Colour> {
+    fn met(columns: &ColumnField, (left, top): (f64, f64)) -> Option<Colour> {
         let (cos, sin) = {
             // The turn, from where the view shows a point on the x axis.
             let (x, _) = VIEW.at([1.0, 0.0, 0.0]);
@@ -227,7 +227,7 @@ mod tests {
     #[test]
     fn a_column_has_its_own_light_on_each_of_its_faces() {
         let colour = Colour(100, 150, 200);
-        let column = Columns {
+        let column = ColumnField {
             cells: 1,
             ends: [[-0.5, 0.5]; 2],
             tops: vec![(1.0, colour)],
@@ -273,7 +273,7 @@ mod tests {
 
     #[test]
     fn a_field_that_is_not_in_the_place_is_not_seen() {
-        let elsewhere = Place {
+        let elsewhere = Rect {
             left: 900.0,
             ..PLACE
         };

@@ -1,19 +1,19 @@
 //! A box with three axes, seen from above one corner, in which a field of pressure stands as columns.
 
-use super::coarse::Coarse;
-use super::colour_map::{Shades, within_the_scale};
+use super::coarse_field::CoarseField;
+use super::colour_map::{ColourScale, within_the_scale};
 use super::colours::{self, Colour};
+use super::column_view::{self, ColumnField};
 use super::panel::{Axis, LABEL};
 use super::pressure_map;
 use super::projection::Projection;
-use super::skyline::{self, Columns};
-use super::svg::{Anchor, Place, Stroke, Svg};
+use super::svg::{Anchor, Rect, Stroke, Svg};
 
 /// A box with three axes, in which a field stands as columns.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Scene {
+pub struct Panel3d {
     /// What is filled by columns; labels may stand outside.
-    pub place: Place,
+    pub place: Rect,
     /// How the box is seen.
     pub view: Projection,
     /// The axis in front, to the right.
@@ -24,29 +24,38 @@ pub struct Scene {
     pub z: Axis,
 }
 
-impl Scene {
+impl Panel3d {
     /// Draws walls, columns and labels; coordinates are divided by `metres`, pressures by `pascals`, of which the
     /// colours are then. The field may be smaller than the box.
     pub fn draw(
         &self,
         svg: &mut Svg,
-        coarse: &Coarse,
+        coarse: &CoarseField,
         (metres, pascals): (f64, f64),
-        shades: &Shades,
+        shades: &ColourScale,
     ) {
         self.draw_walls(svg);
-        let in_pascals = Shades {
+        let in_pascals = ColourScale {
             from: shades.from * pascals,
             to: shades.to * pascals,
             ..*shades
         };
         let columns = self.columns(coarse, metres, pascals, &in_pascals);
-        svg.image(self.place, &skyline::draw(&columns, &self.view, self.place));
+        svg.image(
+            self.place,
+            &column_view::draw(&columns, &self.view, self.place),
+        );
         self.draw_labels(svg);
     }
 
     /// A column for each cell, cut off at the ceiling.
-    fn columns(&self, coarse: &Coarse, metres: f64, pascals: f64, shades: &Shades) -> Columns {
+    fn columns(
+        &self,
+        coarse: &CoarseField,
+        metres: f64,
+        pascals: f64,
+        shades: &ColourScale,
+    ) -> ColumnField {
         let ends =
             |ends: [f64; 2], axis: &Axis| ends.map(|x| 2.0 * axis.fraction(x / metres) - 1.0);
         let cells = coarse.cells;
@@ -56,7 +65,7 @@ impl Scene {
             let colour = pressure_map::colour(coarse, i, j, shades);
             (within_the_scale(height), colour)
         };
-        Columns {
+        ColumnField {
             cells,
             ends: [ends(coarse.x, &self.x), ends(coarse.y, &self.y)],
             tops: (0..cells * cells).map(column).collect(),

@@ -11,7 +11,7 @@ use super::shard::Shard;
 use super::table::{self, Blocks};
 use crate::failure::Failure;
 use crate::output::lock::Lock;
-use crate::output::{file, own};
+use crate::output::{file, run_files};
 
 /// What is said in the file of the lock.
 const AT_WORK: &str = "pellicle is at work on this study.\n";
@@ -36,7 +36,7 @@ pub enum Begin {
 
 /// The folder of a study, claimed for one part of it. Nobody else works on this part until it is dropped.
 #[derive(Debug)]
-pub struct Place {
+pub struct StudyFolder {
     /// The folder.
     pub folder: PathBuf,
     /// What to do with the part's table.
@@ -46,7 +46,7 @@ pub struct Place {
     _lock: Lock,
 }
 
-impl Place {
+impl StudyFolder {
     /// Claims the folder for the part that `identity` is of; `fresh` forgets what other studies have left in it.
     ///
     /// # Errors
@@ -248,9 +248,11 @@ fn remove(path: &Path) -> Result<(), Failure> {
 fn forget_cases(cases: &Path) -> io::Result<()> {
     for name in names(cases) {
         let case = cases.join(&name);
-        if own::case_in(&case).is_some() && own::not_written(&case).is_none() && !case.is_symlink()
+        if run_files::case_in(&case).is_some()
+            && run_files::not_written(&case).is_none()
+            && !case.is_symlink()
         {
-            own::remove(&case)?;
+            run_files::remove(&case)?;
         }
     }
     Ok(())

@@ -4,12 +4,12 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 
 use crate::display;
-use crate::picture::axis;
-use crate::picture::coarse::Coarse;
+use crate::picture::coarse_field::CoarseField;
 use crate::picture::colour_map::ColourMap;
 use crate::picture::colours::Colour;
+use crate::picture::crop::Crop;
+use crate::picture::labels;
 use crate::picture::subject::Subject;
-use crate::picture::window::Window;
 
 /// Most columns along a side: what a browser turns without delay.
 const CELLS: usize = 96;
@@ -37,8 +37,8 @@ impl Surface {
     #[must_use]
     pub fn new(subject: &Subject<'_>) -> Self {
         let fields = &subject.fields;
-        let window = Window::around_contact(fields.pressure, fields.size);
-        let coarse = Coarse::new(fields, &window, CELLS);
+        let crop = Crop::around_contact(fields.pressure, fields.size);
+        let coarse = CoarseField::new(fields, &crop, CELLS);
         let (scale, shades) = subject.pressures();
         let fraction = |pressure: f64| shades.fraction(pressure / scale.divisor);
         Self {
@@ -51,7 +51,7 @@ impl Surface {
 }
 
 /// Two bytes a cell, the lower first.
-fn values(coarse: &Coarse, fraction: impl Fn(f64) -> f64) -> Vec<u8> {
+fn values(coarse: &CoarseField, fraction: impl Fn(f64) -> f64) -> Vec<u8> {
     let cells = (0..coarse.cells).flat_map(|i| (0..coarse.cells).map(move |j| (i, j)));
     let value = |(i, j)| {
         let pressure = coarse.pressure(i, j);
@@ -85,12 +85,16 @@ fn palette(map: ColourMap) -> Vec<u8> {
 }
 
 /// The ends and the names of the axes.
-fn labels(subject: &Subject<'_>, coarse: &Coarse) -> serde_json::Value {
+fn labels(subject: &Subject<'_>, coarse: &CoarseField) -> serde_json::Value {
     let metres = subject.metres(coarse.farthest());
     let (pascals, shades) = subject.pressures();
     let along = |[from, to]: [f64; 2], symbol| {
-        let end = |x: f64| axis::label(x / metres.divisor, (to - from) / metres.divisor);
-        [end(from), end(to), axis::title(symbol, &metres.label)]
+        let end = |x: f64| labels::tick(x / metres.divisor, (to - from) / metres.divisor);
+        [
+            end(from),
+            end(to),
+            labels::axis_title(symbol, &metres.label),
+        ]
     };
     let top = display::significant(shades.to, 4);
     serde_json::json!({

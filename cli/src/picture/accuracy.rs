@@ -2,7 +2,7 @@
 
 use pellicle_contact::{Estimate, LevelValues};
 
-use super::number::power;
+use super::labels::power;
 use crate::display::significant;
 use crate::output::summary::StepSummary;
 

@@ -14,11 +14,11 @@ use crate::interrupt;
 use crate::picture::png;
 
 /// Hears how many files of how many are written.
-pub type Tell<'a> = &'a (dyn Fn(usize, usize) + Sync);
+pub type OnProgress<'a> = &'a (dyn Fn(usize, usize) + Sync);
 
 /// What all writers of a folder share.
-pub struct Desk<'a> {
-    tell: Tell<'a>,
+pub struct ResultsWriter<'a> {
+    tell: OnProgress<'a>,
     /// Files that there will be.
     total: usize,
     written: AtomicUsize,
@@ -26,10 +26,10 @@ pub struct Desk<'a> {
     failures: Mutex<Vec<WarningSummary>>,
 }
 
-impl<'a> Desk<'a> {
-    /// A desk for so many files, fields and pictures.
+impl<'a> ResultsWriter<'a> {
+    /// A writer for so many files, fields and pictures.
     #[must_use]
-    pub fn new(total: usize, tell: Tell<'a>) -> Self {
+    pub fn new(total: usize, tell: OnProgress<'a>) -> Self {
         tell(0, total);
         Self {
             tell,
@@ -155,11 +155,11 @@ mod tests {
     #[test]
     fn a_picture_that_panics_is_a_warning_and_the_others_are_written() {
         let folder = tempfile::tempdir().unwrap();
-        let desk = Desk::new(3, &|_, _| ());
+        let writer = ResultsWriter::new(3, &|_, _| ());
         let svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"2\" height=\"2\"/>";
         let draw = |name: &str, svg: &str| {
             let svg = svg.to_owned();
-            desk.picture(folder.path(), name, || {
+            writer.picture(folder.path(), name, || {
                 assert!(!svg.is_empty(), "nothing to draw");
                 svg
             })
@@ -167,7 +167,7 @@ mod tests {
         assert_eq!(draw("panics", "").unwrap(), None);
         assert_eq!(draw("no-svg", "<svg").unwrap(), None);
         assert_eq!(draw("good", svg).unwrap().as_deref(), Some(svg));
-        let warnings = desk.warnings();
+        let warnings = writer.warnings();
         let codes: Vec<_> = warnings.iter().map(|warning| &warning.code[..]).collect();
         assert_eq!(codes, ["picture-failed"; 2]);
         assert!(warnings[1].message.contains("picture panics"));
@@ -178,11 +178,11 @@ mod tests {
     fn every_file_is_counted() {
         let told = Mutex::new(Vec::new());
         let tell = |done, total| told.lock().unwrap().push((done, total));
-        let desk = Desk::new(2, &tell);
+        let writer = ResultsWriter::new(2, &tell);
         for _ in 0..2 {
-            desk.file(|| Ok(())).unwrap();
+            writer.file(|| Ok(())).unwrap();
         }
         assert_eq!(*told.lock().unwrap(), [(0, 2), (1, 2), (2, 2)]);
-        assert!(desk.is_whole() && desk.warnings().is_empty());
+        assert!(writer.is_whole() && writer.warnings().is_empty());
     }
 }

@@ -8,7 +8,7 @@ use serde::Deserialize;
 use serde::de::IgnoredAny;
 use serde_json::Value;
 
-use super::{curve, page, summary};
+use super::{curve, report, summary};
 
 /// Endings of the files that there are once a run.
 const OF_A_RUN: [(&str, &[&str]); 2] =
@@ -30,7 +30,7 @@ const OF_A_STEP: [(&str, &[&str]); 9] = [
 /// Whether a run writes a file of this name.
 #[must_use]
 pub fn is_name(name: &str) -> bool {
-    if [summary::FILE, curve::FILE, page::FILE].contains(&name) {
+    if [summary::FILE, curve::FILE, report::FILE].contains(&name) {
         return true;
     }
     let Some((stem, ending)) = name.rsplit_once('.') else {
