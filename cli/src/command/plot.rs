@@ -1,5 +1,4 @@
-//! `pellicle plot`: the pictures of results drawn again, as they are or to options, and the curves of several results in
-//! one.
+//! `pellicle plot`: draws the pictures of results again, in any style, or the curves of several results in one.
 
 use std::fs;
 use std::path::Path;
@@ -17,7 +16,7 @@ use crate::terminal;
 ///
 /// # Errors
 ///
-/// [`Failure`] if a folder holds no results, what is ordered cannot be, or a picture cannot be written.
+/// [`Failure`] if a folder holds no results, the options do not fit them, or a picture cannot be written.
 pub fn plot(arguments: &PlotArguments) -> Result<Outcome, Failure> {
     if let Some(out) = &arguments.out {
         fs::create_dir_all(out).map_err(|cause| Failure::write(out, cause))?;
@@ -34,7 +33,7 @@ pub fn plot(arguments: &PlotArguments) -> Result<Outcome, Failure> {
     Ok(Outcome::Done)
 }
 
-/// How many pictures were drawn, where, and what could not be.
+/// The number of pictures drawn, their folder, and the warnings.
 type Drawn<'a> = (usize, &'a Path, Vec<WarningSummary>);
 
 fn one<'a>(arguments: &'a PlotArguments, folder: &'a Path) -> Result<Drawn<'a>, Failure> {

@@ -1,4 +1,4 @@
-//! `pellicle run`: a case solved, certified and written down.
+//! `pellicle run`: solves a case, certifies the solution and writes the results.
 
 use std::path::Path;
 use std::time::Instant;
@@ -18,7 +18,7 @@ use crate::program::Outcome;
 use crate::progress::ProgressLine;
 use crate::{cache, interrupt, terminal, threads};
 
-/// Solves the case, writes its results folder and says what came out.
+/// Solves the case, writes its results folder and reports the result.
 ///
 /// # Errors
 ///
@@ -74,7 +74,7 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
     Ok(outcome(&summary))
 }
 
-/// What a path that the user stopped has to say of itself.
+/// The warning of a path that the user stopped.
 fn unfinished(case: &Case, path: &LoadingPath) -> Option<WarningSummary> {
     let (done, steps) = (path.steps.len(), case.load.steps().len());
     path.interrupted.then(|| WarningSummary {
@@ -83,7 +83,7 @@ fn unfinished(case: &Case, path: &LoadingPath) -> Option<WarningSummary> {
     })
 }
 
-/// Where the results go: nowhere with `--json` alone.
+/// Claims the results folder; none with `--json` alone.
 fn claim(arguments: &RunArguments) -> Result<Option<ResultsFolder>, Failure> {
     let existing = if arguments.force {
         Existing::Replace
@@ -136,7 +136,7 @@ fn is_watched(arguments: &RunArguments) -> bool {
     !arguments.quiet && !arguments.json
 }
 
-/// The summary in words, the warnings, and where the results are.
+/// Tells the user the summary in words, the warnings, and the path of the results.
 fn tell(arguments: &RunArguments, summary: &Summary, folder: Option<&Path>) {
     if is_watched(arguments) {
         terminal::tell(summary_text::text(summary).trim_end());
@@ -160,7 +160,7 @@ fn tell(arguments: &RunArguments, summary: &Summary, folder: Option<&Path>) {
     }
 }
 
-/// How it ended: stopped as well if the user asked to when all was done but the writing.
+/// The outcome: also stopped if the user asked to stop when only the writing was left.
 fn outcome(summary: &Summary) -> Outcome {
     if interrupt::is_requested() {
         Outcome::Stopped

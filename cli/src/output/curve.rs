@@ -1,4 +1,4 @@
-//! `curve.csv`: one row a loading step, units in the header.
+//! `curve.csv`: one row per loading step, units in the header.
 
 use super::summary::{StepSummary, Summary};
 use crate::case::units::Units;

@@ -1,4 +1,4 @@
-//! The fields of one loading step, as writers and pictures take them.
+//! The fields of one loading step, for writers and pictures.
 
 use std::borrow::Cow;
 
@@ -25,25 +25,25 @@ pub struct Fields<'a> {
     pub mask: &'a [bool],
 }
 
-/// What a field of truth values is called.
+/// A field of truth values with its name.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct TruthField<'a> {
     /// Its name in every file.
     pub name: &'static str,
-    /// What it is, in words.
+    /// Its meaning, in words.
     pub meaning: &'static str,
     /// Its values.
     pub values: Cow<'a, [bool]>,
 }
 
-/// What a field of lengths or pressures is called and measured in.
+/// A field of lengths or pressures with its name and unit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NumberField<'a> {
     /// Its name in every file.
     pub name: &'static str,
     /// Its unit in SI.
     pub unit: &'static str,
-    /// What it is, in words.
+    /// Its meaning, in words.
     pub meaning: &'static str,
     /// Its values.
     pub values: &'a [f64],

@@ -1,7 +1,7 @@
-//! `pressure-NNN.gsf`, `mask-NNN.gsf`, `contact-NNN.gsf`: one field of a loading step each, as a simple field of
-//! Gwyddion.
+//! `pressure-NNN.gsf`, `mask-NNN.gsf`, `contact-NNN.gsf`: one field of a loading step each, in Gwyddion's simple field
+//! format.
 //!
-//! A file of this format holds one field; a truth value is 1 or 0. //! It is a line that names the format, lines
+//! A file of this format holds one field; a truth value is 1 or 0. It is a line that names the format, lines
 //! `name = value`, one to four zero bytes that end at a multiple of four, and the values in single precision by rows
 //! from the top: y falls from row to row, x grows along a row.
 
@@ -13,7 +13,7 @@ use super::file::write_stoppable;
 use crate::case::units::Units;
 use crate::failure::Failure;
 
-/// What a file holds.
+/// The field of a file.
 struct Channel<'a> {
     title: &'a str,
     /// Its unit in SI, if it has one.

@@ -20,8 +20,8 @@ use crate::map::npy_header::Header;
 /// Most bytes of an array: 8192² numbers, the largest grid of a case, and a header.
 const LARGEST_ARRAY: u64 = (8 << 26) + (1 << 16);
 
-/// How hard to pack, from 1 to 9. The usual 6 makes the files 13 % smaller in three times the time, and packing took 13
-/// % of a curve's run.
+/// Level of compression, from 1 to 9. The usual 6 makes files 13 % smaller in three times the time, and compression
+/// took 13 % of a curve's run.
 const EFFORT: i64 = 1;
 
 /// Name of the file of a step in a results folder.
@@ -64,7 +64,7 @@ fn add(
     let packed = SimpleFileOptions::default().compression_method(CompressionMethod::Deflated);
     let packed = packed.compression_level(Some(EFFORT));
     npz.start_file(format!("{name}.npy"), packed)?;
-    // What packs to nearly nothing would otherwise be deaf to the user until it is packed.
+    // An array that packs to nearly nothing would otherwise not stop until it is packed.
     array.write_npy(StoppableWriter(npz))?;
     Ok(())
 }
@@ -74,8 +74,7 @@ fn square<T>(size: usize, field: &[T]) -> Result<ArrayView2<'_, T>, WriteNpzErro
         .map_err(|error: ShapeError| WriteNpyError::Io(io::Error::other(error)).into())
 }
 
-/// Refuses, before memory is asked for, arrays that are larger than any grid's, or than what the archive says they
-/// unpack to.
+/// Refuses arrays that are larger than any grid's, or than their header says, before memory is allocated for them.
 fn check(path: &Path) -> Result<(), String> {
     let file = File::open(path).map_err(|cause| cause.to_string())?;
     let mut archive = ZipArchive::new(file).map_err(|cause| cause.to_string())?;
@@ -173,8 +172,7 @@ mod tests {
     use super::*;
     use zip::ZipWriter;
 
-    /// What is wrong with an archive of one array, with four bytes of its directory's entry put in place of those
-    /// there.
+    /// The failure to read an archive of one array, with four bytes of its directory's entry replaced.
     fn refused(header: &str, data: &[u8], patch: Option<(usize, u32)>) -> String {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("fields-000.npz");

@@ -1,4 +1,4 @@
-//! The pictures of a results folder, each as SVG and as PNG, and the parts of the report that are made of them.
+//! The pictures of a results folder, each as SVG and as PNG, and the drawings that the report shows.
 
 use std::path::Path;
 
@@ -29,7 +29,7 @@ pub enum StepPicture {
     Field(FieldMap),
 }
 
-/// The pictures of a loading step: of a measured surface or indenter more than of others.
+/// The pictures of a loading step; a measured surface or indenter has more than others.
 #[must_use]
 pub fn of_a_step(summary: &Summary) -> Vec<StepPicture> {
     let mut pictures = vec![
@@ -66,7 +66,7 @@ impl StepPicture {
     }
 }
 
-/// Writes the pictures of one loading step; what the report shows of them.
+/// Writes the pictures of one loading step, and returns the drawings for the report.
 ///
 /// # Errors
 ///
@@ -103,8 +103,7 @@ pub fn step(
     })
 }
 
-/// The pictures of the run as a whole, those that there are, for the report; they are written as well unless no
-/// pictures are wanted.
+/// Draws the pictures of the run as a whole for the report, and writes them unless no pictures are wanted.
 ///
 /// # Errors
 ///
@@ -130,7 +129,7 @@ pub fn run(
     })
 }
 
-/// Names of the pictures of some steps, and of the run unless no pictures of it are wanted, without endings.
+/// Names of the pictures of some steps, and of the run unless none of it are wanted, without endings.
 #[must_use]
 pub fn names(summary: &Summary, steps: &[usize], of_run: Steps) -> Vec<String> {
     let pictures = of_a_step(summary);
@@ -147,7 +146,7 @@ pub fn names(summary: &Summary, steps: &[usize], of_run: Steps) -> Vec<String> {
     steps.iter().flat_map(name).chain(run).collect()
 }
 
-/// How many pictures of the run as a whole are written.
+/// The number of pictures of the run as a whole.
 #[must_use]
 pub fn count_of_run(summary: &Summary, pictures: Steps) -> usize {
     let there_are = [curve::is_drawn(summary), convergence::is_drawn(summary)];

@@ -1,4 +1,4 @@
-//! Pictures drawn again from the files of results folders alone, as they are or as they are ordered.
+//! Pictures drawn again from the files of results folders alone.
 
 use std::path::{Path, PathBuf};
 
@@ -14,33 +14,34 @@ use crate::failure::Failure;
 use crate::picture::curve::{self, Curve};
 use crate::picture::style::Style;
 
-/// What is drawn of one results folder.
+/// The pictures to draw of one results folder.
 #[derive(Debug, Clone, Default)]
 pub struct RedrawOptions<'a> {
-    /// How pictures look.
+    /// Look of the pictures.
     pub style: Style,
-    /// The only step that is drawn; all that have fields unless given.
+    /// The only step drawn; by default all that have fields.
     pub step: Option<usize>,
-    /// Where the pictures go; beside the results, and into their report, unless given.
+    /// Folder of the pictures; by default they go beside the results, and into their report.
     pub out: Option<&'a Path>,
-    /// Whether pictures that are there already, elsewhere than beside the results, may be replaced.
+    /// Whether existing pictures in that folder may be replaced.
     pub replaces: bool,
 }
 
-/// What came of it.
+/// The outcome of drawing again.
 #[derive(Debug, Clone)]
 pub struct Redrawn {
     /// Pictures drawn.
     pub pictures: usize,
-    /// What could not be drawn.
+    /// Pictures that could not be drawn.
     pub warnings: Vec<WarningSummary>,
 }
 
-/// Draws the pictures of a results folder, on all cores, and its report: every step's whose fields are there in `.npz`.
+/// Draws the pictures of a results folder, on all cores, and its report, for every step whose fields are there in
+/// `.npz`.
 ///
 /// # Errors
 ///
-/// [`Failure`] if the folder holds no results, the step ordered has no fields, or a picture cannot be written.
+/// [`Failure`] if the folder holds no results, the step asked for has no fields, or a picture cannot be written.
 pub fn draw(
     folder: &Path,
     options: &RedrawOptions<'_>,
@@ -92,7 +93,7 @@ pub fn draw(
     let parts = parts.collect::<Result<Vec<Option<StepDrawings>>, Failure>>()?;
     let parts: Vec<_> = parts.into_iter().flatten().collect();
     let run = pictures::run(out, &summary, of_run, &options.style, &writer)?;
-    // A report whose drawings cannot all be made again is better than one without them.
+    // A report with old drawings is better than one without any.
     let report = folder.join(report::FILE);
     let is_whole = options.out.is_none() && options.step.is_none();
     if is_whole && (!parts.is_empty() || !report.exists()) {
@@ -105,7 +106,7 @@ pub fn draw(
     })
 }
 
-/// Draws the curves of several results folders as one picture into a folder; what could not be drawn.
+/// Draws the curves of several results folders as one picture into a folder, and returns the warnings.
 ///
 /// # Errors
 ///
@@ -144,7 +145,7 @@ pub fn draw_curves(
     Ok(writer.warnings())
 }
 
-/// Refuses to draw a picture where there is one.
+/// Refuses to replace a picture.
 fn keep(folder: &Path, name: &str) -> Result<(), Failure> {
     let files = ["svg", "png"].map(|ending| folder.join(format!("{name}.{ending}")));
     let taken = files
@@ -153,7 +154,7 @@ fn keep(folder: &Path, name: &str) -> Result<(), Failure> {
     taken.map_or(Ok(()), |path| Err(Failure::Exists { path }))
 }
 
-/// What results are called: by their titles, and by their folders too where two have the same.
+/// The names of results: their titles, with their folders where two titles are equal.
 fn names(folders: &[PathBuf], summaries: &[Summary]) -> Vec<String> {
     let is_twice = |title: &str| {
         summaries

@@ -1,4 +1,4 @@
-//! A results folder: what is written into it.
+//! The files of a run, written into a results folder.
 
 use std::io::Write;
 use std::path::Path;
@@ -18,14 +18,14 @@ use crate::failure::Failure;
 use crate::interrupt;
 use crate::picture::style::Style;
 
-/// Most loading steps on the report's page: some 100 kB each.
+/// Most loading steps in the report: some 100 kB each.
 pub(super) const STEPS_IN_REPORT: usize = 24;
 
-/// Writes everything a run leaves behind into an empty folder. The summary gets the time since `start`, writing
-/// included, and what is to be said of the writing.
+/// Writes all files of a run into an empty folder. The summary gets the time since `start`, writing included, and the
+/// warnings about the writing.
 ///
-/// When the user asks to stop, fields and pictures that are not done soon are left out, and the result is a part;
-/// summary, curve and report are always there.
+/// When the user asks to stop, fields and pictures that are not done soon are left out, and the result is partial;
+/// summary, curve and report are always written.
 ///
 /// # Errors
 ///
@@ -53,7 +53,7 @@ pub fn write(
     })
 }
 
-/// Files of fields, and pictures.
+/// The number of files of fields and of pictures.
 fn files(summary: &Summary, output: &OutputCase) -> usize {
     let steps = summary.steps.len();
     let fields = output.fields.count(steps) * output.formats.len();
@@ -61,7 +61,7 @@ fn files(summary: &Summary, output: &OutputCase) -> usize {
     fields + pictures + pictures::count_of_run(summary, output.pictures)
 }
 
-/// The fields and pictures of the steps that have some; what the report shows of them.
+/// Writes the fields and pictures of the steps that have some, and returns the drawings for the report.
 fn write_steps(
     folder: &Path,
     path: &LoadingPath,
@@ -112,7 +112,7 @@ fn write_steps(
     Ok(parts.into_iter().flatten().collect())
 }
 
-/// The fields of a step in every format wanted; what is packed takes about as long as all the rest.
+/// Writes the fields of a step in every format wanted, in parallel: packing takes about as long as all the rest.
 fn write_fields(
     folder: &Path,
     summary: &Summary,
@@ -133,7 +133,7 @@ fn write_fields(
     })
 }
 
-/// Those of the steps with pictures that the report's page has room for: the first, the last and some evenly between.
+/// The steps with pictures that the report has room for: the first, the last and some evenly between.
 #[must_use]
 pub fn in_report(pictured: &[usize]) -> Vec<usize> {
     let steps = pictured.len();

@@ -1,4 +1,4 @@
-//! Writing that stops where the user does not want to wait any longer.
+//! Writing that stops when the user does not want to wait any longer.
 
 use std::error::Error;
 use std::io::{self, Seek, SeekFrom, Write};

@@ -24,7 +24,7 @@ pub const FILE: &str = "summary.json";
 /// Name and version of the layout.
 pub const SCHEMA: &str = "pellicle-summary/1";
 
-/// What writes it.
+/// Name of the program in it.
 pub const PROGRAM: &str = "pellicle";
 
 /// The numbers of a run, in SI units or the case's own: as solved, or as read back to draw its pictures again.
@@ -52,7 +52,7 @@ pub struct Summary {
     pub steps: Vec<StepSummary>,
     /// How long it took.
     pub timing: Timing,
-    /// What should be known before the numbers are used.
+    /// Warnings about the numbers.
     pub warnings: Vec<WarningSummary>,
 }
 
@@ -137,11 +137,11 @@ pub struct CertificateSummary {
 /// How long a run took, and on how many threads.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub struct Timing {
-    /// For coefficients and geometry while nothing was solved, s; the finest grid may be made beside the solution of
+    /// For coefficients and geometry while nothing was solved, s. The finest grid may be made beside the solution of
     /// coarser ones.
     #[serde(deserialize_with = "nan_from_null")]
     pub coefficients_seconds: f64,
-    /// Whether coefficients were read instead of computed: all that are worth keeping, the radial tables included.
+    /// Whether all coefficients worth keeping, the radial tables included, were read from the cache.
     pub coefficients_from_cache: bool,
     /// For the solution of all steps, s.
     #[serde(deserialize_with = "nan_from_null")]
@@ -153,14 +153,14 @@ pub struct Timing {
     pub threads: usize,
 }
 
-/// What the solver does not see of a run's time.
+/// The times of a run that the solver does not see.
 #[derive(Debug, Clone, Copy)]
 pub struct Clock {
     /// When the case began to be read.
     pub start: Instant,
     /// For the radial tables, s.
     pub tables_seconds: f64,
-    /// Where the radial tables came from.
+    /// Origin of the radial tables.
     pub tables_origin: Origin,
 }
 

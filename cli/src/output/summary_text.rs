@@ -1,4 +1,4 @@
-//! A summary in words, for the person at the terminal.
+//! A summary in words, for the terminal.
 
 use pellicle_contact::{Estimate, Status};
 
@@ -6,7 +6,7 @@ use super::summary::{StepSummary, Summary};
 use crate::case::units::Units;
 use crate::display::{Unit, error_of, quantity, significant};
 
-/// The summary of a run as a few lines; a curve as a table with one line a step.
+/// The summary of a run in a few lines; a curve as a table with one line per step.
 #[must_use]
 pub fn text(summary: &Summary) -> String {
     let mut text = format!("{}\n{}", summary.title, grid(summary));
@@ -17,7 +17,7 @@ pub fn text(summary: &Summary) -> String {
     text
 }
 
-/// The warnings, one a line.
+/// The warnings, one per line.
 #[must_use]
 pub fn warnings(summary: &Summary) -> String {
     let line = |warning: &super::summary::WarningSummary| format!("warning: {}", warning.message);

@@ -1,4 +1,4 @@
-//! What is not finished and must not stay behind: removed when dropped, and when the program ends itself without
+//! Unfinished files and folders, which must not stay behind: removed when dropped, and when the program exits without
 //! dropping anything.
 
 use std::fs;
@@ -8,11 +8,11 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 /// Everything unfinished of this process, in the order in which it was begun.
 static ALL: Mutex<Vec<(PathBuf, Leftover)>> = Mutex::new(Vec::new());
 
-/// What is at a path.
+/// An unfinished file or folder.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Leftover {
     File,
-    /// A folder that is removed if nothing is in it any more.
+    /// A folder that is removed if it is empty.
     Empty,
     /// A folder and everything in it.
     Tree,
@@ -50,13 +50,13 @@ impl Unfinished {
         Self { path, kind }
     }
 
-    /// Where it is.
+    /// Its path.
     #[must_use]
     pub fn path(&self) -> &Path {
         &self.path
     }
 
-    /// It is finished, or somebody else's now.
+    /// Keeps it: it is finished, or somebody else's now.
     pub fn keep(self) {
         self.forget();
         std::mem::forget(self);
@@ -77,11 +77,12 @@ impl Drop for Unfinished {
     }
 }
 
-/// Removes everything unfinished, the last begun first. What is unfinished after this waits for the end of the program.
+/// Removes everything unfinished, the last begun first. Whoever begins or finishes something after this waits for the
+/// end of the program.
 pub fn remove_all() {
     let all = all();
     all.iter().rev().for_each(|(path, kind)| match kind {
-        // Where it was nobody can begin another file.
+        // Renamed first, so that nobody can begin another file in it.
         Leftover::Tree => {
             let aside = path.with_extension("ended");
             let path = fs::rename(path, &aside).map_or(path, |()| &aside);
@@ -89,11 +90,11 @@ pub fn remove_all() {
         }
         kind => remove(path, *kind),
     });
-    // Held for ever: a thread that finishes something now would take it for there.
+    // Held for ever: a thread that finishes something now would take it to be there.
     std::mem::forget(all);
 }
 
-/// Does something that an end of the program by [`remove_all`] waits for.
+/// Does work that [`remove_all`] waits for.
 pub fn undisturbed<T>(work: impl FnOnce() -> T) -> T {
     let _held = all();
     work()
@@ -103,7 +104,7 @@ fn all() -> MutexGuard<'static, Vec<(PathBuf, Leftover)>> {
     ALL.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Best effort: what cannot be removed stays, and is removed by the next run.
+/// Best effort: the next run removes what cannot be removed now.
 fn remove(path: &Path, kind: Leftover) {
     drop(match kind {
         Leftover::File => fs::remove_file(path),

@@ -1,5 +1,5 @@
-//! The writing of a results folder as the user sees it: how far it is, whether it is to stop, and what went wrong on
-//! the way.
+//! The writer of a results folder: writes files and pictures, counts them, stops when the user asks, and collects
+//! warnings.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
@@ -13,13 +13,13 @@ use crate::failure::Failure;
 use crate::interrupt;
 use crate::picture::png;
 
-/// Hears how many files of how many are written.
+/// Is called with the number of files written so far and in all.
 pub type OnProgress<'a> = &'a (dyn Fn(usize, usize) + Sync);
 
-/// What all writers of a folder share.
+/// The progress of a results folder, shared by all threads that write into it.
 pub struct ResultsWriter<'a> {
-    tell: OnProgress<'a>,
-    /// Files that there will be.
+    on_progress: OnProgress<'a>,
+    /// Files in all.
     total: usize,
     written: AtomicUsize,
     left_out: AtomicUsize,
@@ -27,12 +27,12 @@ pub struct ResultsWriter<'a> {
 }
 
 impl<'a> ResultsWriter<'a> {
-    /// A writer for so many files, fields and pictures.
+    /// A writer of this many files, fields and pictures together.
     #[must_use]
-    pub fn new(total: usize, tell: OnProgress<'a>) -> Self {
-        tell(0, total);
+    pub fn new(total: usize, on_progress: OnProgress<'a>) -> Self {
+        on_progress(0, total);
         Self {
-            tell,
+            on_progress,
             total,
             written: AtomicUsize::new(0),
             left_out: AtomicUsize::new(0),
@@ -40,11 +40,11 @@ impl<'a> ResultsWriter<'a> {
         }
     }
 
-    /// Writes a file, unless the user has asked to stop and nothing more is to be begun; none if it was left out.
+    /// Writes a file; none if it was left out because the user has asked to stop.
     ///
     /// # Errors
     ///
-    /// What `write` returns, unless it was stopped.
+    /// The failure of `write`, unless it was stopped.
     pub fn file<T>(
         &self,
         write: impl FnOnce() -> Result<T, Failure>,
@@ -52,10 +52,13 @@ impl<'a> ResultsWriter<'a> {
         if !interrupt::is_overdue() {
             match write() {
                 Ok(written) => {
-                    (self.tell)(1 + self.written.fetch_add(1, Ordering::Relaxed), self.total);
+                    (self.on_progress)(
+                        1 + self.written.fetch_add(1, Ordering::Relaxed),
+                        self.total,
+                    );
                     return Ok(Some(written));
                 }
-                // What was stopped half way is no failure.
+                // A file that was stopped half way is no failure.
                 Err(failure) if stoppable::was_stopped(&failure) => {}
                 Err(failure) => return Err(failure),
             }
@@ -64,8 +67,8 @@ impl<'a> ResultsWriter<'a> {
         Ok(None)
     }
 
-    /// Writes a picture as it is drawn and rendered, and gives the drawing back; none if it was left out or cannot be
-    /// drawn, which is a warning. Neither file is forced onto the disk: they can be drawn again.
+    /// Draws, renders and writes a picture, and returns the drawing; none if it was left out, or cannot be drawn, which
+    /// is a warning. Neither file is forced onto the disk: they can be drawn again.
     ///
     /// # Errors
     ///
@@ -96,13 +99,13 @@ impl<'a> ResultsWriter<'a> {
         Ok(written.flatten())
     }
 
-    /// What is drawn, or none and a warning: whatever happens in the drawing of a picture, the numbers are kept.
+    /// The drawing, or none and a warning: whatever happens while a picture is drawn, the numbers are kept.
     pub fn drawn<T>(&self, name: &str, draw: impl FnOnce() -> Result<T, String>) -> Option<T> {
         let drawn = catch_unwind(AssertUnwindSafe(draw));
         let reason = match drawn {
             Ok(Ok(drawn)) => return Some(drawn),
             Ok(Err(reason)) => reason,
-            Err(_) => "an error of the program itself".to_owned(),
+            Err(_) => "an error in the program itself".to_owned(),
         };
         let message = format!("the picture {name} cannot be drawn: {reason}");
         let warning = WarningSummary {
@@ -117,7 +120,7 @@ impl<'a> ResultsWriter<'a> {
         self.failures.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// What is to be said of what was written, in an order that does not depend on threads.
+    /// The warnings about the writing, in an order that does not depend on threads.
     #[must_use]
     pub fn warnings(&self) -> Vec<WarningSummary> {
         let mut warnings = self.failures().clone();
@@ -134,7 +137,7 @@ impl<'a> ResultsWriter<'a> {
         warnings
     }
 
-    /// Leaves out so many files.
+    /// Counts this many files as left out.
     pub fn leave_out(&self, files: usize) {
         self.left_out.fetch_add(files, Ordering::Relaxed);
     }

@@ -1,9 +1,9 @@
-//! The part of a field that a picture shows, on no more elements than it can show.
+//! The part of a field that a picture shows, coarsened to its resolution.
 
 use super::crop::Crop;
 use crate::output::fields::Fields;
 
-/// Pressure and relief within a crop; where it is finer than a picture, blocks of elements are taken together.
+/// Pressure and relief within a crop, on cells that are blocks of elements if the field is finer than the picture.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CoarseField {
     /// Cells per side.
@@ -17,8 +17,8 @@ pub struct CoarseField {
 }
 
 impl CoarseField {
-    /// The crop with at most `most` cells per side. A cell has the largest pressure of its elements, so that no peak
-    /// is lost, and belongs to the relief if half of them do.
+    /// The crop on at most `most` cells per side. A cell has the largest pressure of its elements, so that no peak is
+    /// lost, and belongs to the relief if half of them do.
     #[must_use]
     pub fn new(fields: &Fields<'_>, crop: &Crop, most: usize) -> Self {
         let block = crop.x.len().div_ceil(most).max(1);
@@ -33,7 +33,7 @@ impl CoarseField {
                 mask.push(on > 0 && 2 * on >= elements.len());
             }
         }
-        // A last block that is not full reaches past the crop, by less than a pixel.
+        // The last block may reach past the crop by less than a pixel.
         let ends = |start: usize| [fields.edge(start), fields.edge(start + cells * block)];
         Self {
             cells,

@@ -1,4 +1,4 @@
-//! What the colours of a picture mean: a bar with the values beside it.
+//! The bar of a picture's colours, with the values beside it.
 
 use super::colour_map::ColourScale;
 use super::panel::LABEL;
@@ -22,10 +22,7 @@ pub fn draw(svg: &mut Svg, place: Rect, shades: &ColourScale, title: &str) {
     let (from, to) = (shades.from, shades.to);
     let shade = |_, j| shades.map.at((SHADES - 1 - j) as f64 / (SHADES - 1) as f64);
     svg.image(place, &Raster::of(1, SHADES, shade));
-    let stroke = Stroke {
-        colour: colours::INK,
-        width: 1.2,
-    };
+    let stroke = Stroke::new(colours::INK, 1.2);
     let right = place.right();
     let ticks = ticks::linear(from, to, 6);
     let label = |tick: &f64| labels::tick(*tick, to - from);

@@ -1,10 +1,10 @@
-//! Which colour a value has.
+//! The colour of a value.
 
 use clap::ValueEnum;
 
 use super::colours::Colour;
 
-/// A scale of colours, all but the last safe for the colour-blind.
+/// A colour map; all but the last are safe for the colour-blind.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
 pub enum ColourMap {
     /// Dark blue to yellow
@@ -25,7 +25,7 @@ pub enum ColourMap {
 }
 
 impl ColourMap {
-    /// The colour of a fraction of the scale; its ends go on for ever, and what is no number has the first.
+    /// The colour of a fraction of the scale; the first below 0 and for NaN, the last above 1.
     #[must_use]
     pub fn at(self, fraction: f64) -> Colour {
         let gradient = match self {
@@ -42,7 +42,7 @@ impl ColourMap {
     }
 }
 
-/// The number, or the nearer of 0 and 1; 0 of what is none.
+/// The number clamped to the range from 0 to 1; 0 for NaN.
 #[must_use]
 pub fn within_the_scale(number: f64) -> f64 {
     if number > 0.0 { number.min(1.0) } else { 0.0 }
@@ -67,8 +67,7 @@ impl ColourScale {
         Self { map, from, to }
     }
 
-    /// How far along the scale a value is: 0 at its first colour, 1 at its last, neither below nor above; 0 of what is
-    /// no number.
+    /// The place of a value on the scale, clamped to the range from 0, its first colour, to 1, its last; 0 for NaN.
     #[must_use]
     pub fn fraction(&self, value: f64) -> f64 {
         within_the_scale((value - self.from) / (self.to - self.from))

@@ -1,4 +1,4 @@
-//! The colours of the pictures that stand for themselves: Okabe and Ito's for lines, greys for what carries nothing.
+//! Fixed colours of the pictures: Okabe and Ito's for lines, greys for elements without pressure.
 
 use std::fmt;
 
@@ -12,7 +12,7 @@ pub const RELIEF: Colour = Colour(222, 222, 222);
 /// Elements without relief that carry nothing.
 pub const BARE: Colour = Colour(250, 250, 250);
 
-/// The outline of the relief: seen on white as well as on either end of viridis.
+/// The outline of the relief, visible on white and on either end of viridis.
 pub const RELIEF_OUTLINE: Colour = Colour(150, 150, 150);
 
 /// Text and axes.
@@ -24,7 +24,7 @@ pub const GRID: Colour = Colour(225, 225, 225);
 /// Paper.
 pub const WHITE: Colour = Colour(255, 255, 255);
 
-/// Blue of Okabe and Ito's palette, which the colour-blind tell from [`ORANGE`].
+/// Blue of Okabe and Ito's palette, which the colour-blind can tell from [`ORANGE`].
 pub const BLUE: Colour = Colour(0, 114, 178);
 
 /// Vermilion of the same palette.
@@ -66,7 +66,7 @@ impl Colour {
 }
 
 impl fmt::Display for Colour {
-    /// As SVG writes it: `#1e1e1e`.
+    /// In the notation of SVG: `#1e1e1e`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "#{:02x}{:02x}{:02x}", self.0, self.1, self.2)
     }

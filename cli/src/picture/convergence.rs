@@ -1,4 +1,4 @@
-//! How penetration, contact area and largest pressure change from grid to grid.
+//! The change of penetration, contact area and largest pressure from grid to grid.
 
 use pellicle_contact::{Estimate, GridError, LevelValues};
 
@@ -23,10 +23,10 @@ const BETWEEN: f64 = 82.0;
 const WIDTH: f64 = LEFT + 3.0 * PANEL_WIDTH + 2.0 * BETWEEN + 30.0;
 const HEIGHT: f64 = TOP + PANEL_HEIGHT + 72.0;
 
-/// Above and below the lines, as a part of their extent.
+/// Margin above and below the lines, as a part of their extent.
 const MARGIN: f64 = 0.1;
 
-/// The lightest part of viridis is not seen on white.
+/// The end of the scale in use: the lightest part of viridis cannot be seen on white.
 const LIGHTEST: f64 = 0.85;
 
 /// A number of a run that has a value on every grid.
@@ -63,14 +63,14 @@ const NUMBERS: [Number; 3] = [
     },
 ];
 
-/// Whether there is a picture: not of a run on one grid.
+/// Whether the run has more than one grid, so that there is a picture.
 #[must_use]
 pub fn is_drawn(summary: &Summary) -> bool {
     let mut steps = summary.steps.iter();
     steps.any(|step| step.grid_error.levels.len() > 1)
 }
 
-/// The picture as SVG; none of a run on one grid.
+/// The picture as SVG; none for a run on one grid.
 #[must_use]
 pub fn draw(summary: &Summary, style: &Style) -> Option<String> {
     if !is_drawn(summary) {
@@ -119,7 +119,7 @@ fn draw_panel(svg: &mut Svg, summary: &Summary, left: f64, number: Number) {
     for (i, line) in changes.iter().enumerate() {
         let colour = colour(i, changes.len());
         let points = panel.all_at(line.iter().copied());
-        svg.line(&points, Stroke { colour, width: 2.0 });
+        svg.line(&points, Stroke::new(colour, 2.0));
         for point in points {
             svg.circle(point, 4.0, colour, colour);
         }
@@ -138,7 +138,7 @@ fn changes(step: &StepSummary, number: Number) -> Vec<(f64, f64)> {
     points.filter(|(_, change)| change.is_finite()).collect()
 }
 
-/// The value and its error, as the grids tell it.
+/// The value and the error estimated from the grids.
 fn note(step: &StepSummary, number: Number, units: Units) -> String {
     let value = (number.value)(step);
     let text = quantity(value, number.unit, units);
@@ -154,7 +154,7 @@ fn note(step: &StepSummary, number: Number, units: Units) -> String {
     }
 }
 
-/// The grids, each as far from the next as its elements are in ratio.
+/// The axis of the grids, logarithmic in the elements per side.
 fn grids(summary: &Summary) -> Axis {
     let levels = summary
         .steps

@@ -18,8 +18,8 @@ pub struct Crop {
 }
 
 impl Crop {
-    /// The square around the axis that reaches `part` of the way from it to the edge of a field of `size` × `size`,
-    /// which is all of it from 1 on.
+    /// The square around the axis that reaches `part` of the way to the edge of a field of `size` × `size`; from 1 on,
+    /// the whole field.
     #[must_use]
     pub fn around_axis(size: usize, part: f64) -> Self {
         #[expect(
@@ -35,7 +35,7 @@ impl Crop {
         }
     }
 
-    /// The square around the elements under pressure of a field of `size` × `size`; all of it if there are none.
+    /// The square around the elements under pressure of a field of `size` × `size`; the whole field if there are none.
     #[must_use]
     pub fn around_contact(pressure: &[f64], size: usize) -> Self {
         let all = 0..size;
@@ -52,7 +52,7 @@ impl Crop {
             reason = "a part of size"
         )]
         let margin = (MARGIN * extent as f64).ceil() as usize;
-        // The same number on both sides, so that a contact around the axis stays around it.
+        // Equal on both sides, so that a contact centred on the axis stays centred.
         let margin = margin.max(FEWEST.saturating_sub(extent).div_ceil(2));
         let length = (extent + 2 * margin).min(size);
         Self {

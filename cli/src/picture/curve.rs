@@ -1,4 +1,4 @@
-//! The curves of cases with several loads: the force over the penetration, the largest pressure over the force.
+//! The curves of cases with several loads: force over penetration, largest pressure over force.
 
 use super::colours::{self, Colour};
 use super::panel::{Axis, Panel};
@@ -22,17 +22,17 @@ const BETWEEN: f64 = 120.0;
 const WIDTH: f64 = LEFT + 2.0 * SIDE + BETWEEN + 36.0;
 const HEIGHT: f64 = TOP + SIDE + 72.0;
 
-/// A line of the legend, of two columns.
+/// Height of a line of the legend, and its columns.
 const ENTRY: f64 = 28.0;
 const COLUMNS: usize = 2;
 
-/// Above the largest value, as a part of it.
+/// Margin above the largest value, as a part of it.
 const MARGIN: f64 = 0.06;
 
-/// From this ratio of the largest to the smallest force on, axes are logarithmic.
+/// Ratio of the largest to the smallest force from which axes are logarithmic.
 const DECADES: f64 = 50.0;
 
-/// The colours of several curves, which the colour-blind tell apart; beyond them lines are broken.
+/// The colours of several curves, which the colour-blind can tell apart; more curves are dashed.
 const COLOURS: [Colour; 7] = [
     colours::BLUE,
     colours::ORANGE,
@@ -67,7 +67,7 @@ const PEAK: Coordinate = Coordinate {
     value: |step| step.max_pressure,
 };
 
-/// The curve of one result, and what it is called.
+/// The curve of one result, and its name.
 #[derive(Debug, Clone)]
 pub struct Curve<'a> {
     /// Its name in the legend.
@@ -76,13 +76,13 @@ pub struct Curve<'a> {
     pub steps: &'a [StepSummary],
 }
 
-/// Whether there is a picture: not of a single step.
+/// Whether the run has more than one step, so that there is a picture.
 #[must_use]
 pub fn is_drawn(summary: &Summary) -> bool {
     summary.steps.len() > 1
 }
 
-/// The picture as SVG; none of a single step.
+/// The picture as SVG; none for a single step.
 #[must_use]
 pub fn draw(summary: &Summary, style: &Style) -> Option<String> {
     let curve = Curve {
@@ -93,7 +93,7 @@ pub fn draw(summary: &Summary, style: &Style) -> Option<String> {
     is_drawn(summary).then(|| Sheet::new(vec![curve], summary.units).draw(&numbers, style))
 }
 
-/// The picture of several results as SVG, all of them in these units.
+/// The picture of several results as SVG; all are in these units.
 #[must_use]
 pub fn draw_several(curves: Vec<Curve<'_>>, units: Units, style: &Style) -> String {
     let numbers = format!("{} results", curves.len());
@@ -189,7 +189,7 @@ impl<'a> Sheet<'a> {
         }
     }
 
-    /// What the colours mean, below the panels.
+    /// Draws the legend below the panels.
     fn draw_legend(&self, svg: &mut Svg) {
         let column = (WIDTH - LEFT) / COLUMNS as f64;
         for (i, curve) in self.curves.iter().enumerate() {
@@ -207,7 +207,7 @@ impl<'a> Sheet<'a> {
         self.curves.iter().flat_map(|curve| curve.steps)
     }
 
-    /// Whether the forces span so much that small ones would vanish on a linear axis, and everything is positive.
+    /// Whether everything is positive and the forces span so much that small ones would vanish on a linear axis.
     fn suits_logarithms(&self) -> bool {
         let all_positive = self.steps().all(|step| {
             [FORCE, PENETRATION, PEAK]
@@ -246,7 +246,7 @@ impl<'a> Sheet<'a> {
     }
 }
 
-/// How the curve of this number is drawn.
+/// The line of curve number `i`.
 fn pen(i: usize) -> (Stroke, Dash) {
     let colour = COLOURS[i % COLOURS.len()];
     let dash = if i < COLOURS.len() {
@@ -254,7 +254,7 @@ fn pen(i: usize) -> (Stroke, Dash) {
     } else {
         Dash::Dashed
     };
-    (Stroke { colour, width: 2.0 }, dash)
+    (Stroke::new(colour, 2.0), dash)
 }
 
 /// Fill and edge of the mark of a step.

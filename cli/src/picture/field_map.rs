@@ -9,7 +9,7 @@ use super::svg::Stroke;
 use super::{colours, labels, pressure_map};
 use crate::output::fields::Fields;
 
-/// Which field.
+/// A field of lengths.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FieldMap {
     /// Heights of the relief below its highest point.
@@ -32,7 +32,7 @@ impl FieldMap {
         format!("{name}-{step:03}")
     }
 
-    /// What it shows, in words.
+    /// The field in words.
     #[must_use]
     pub fn title(self) -> &'static str {
         match self {
@@ -81,7 +81,7 @@ impl FieldMap {
         };
         svg.image(place, &Raster::of(cells, cells, colour));
         let contact = |i, j| blocks.contact[i * cells + j];
-        // White beside the black: the contact may lie at either end of the colours.
+        // White beside black, so that the outline is seen on either end of the colours.
         let [halo, line] = [colours::WHITE, colours::INK].map(pressure_map::pen);
         let halo = Stroke {
             width: 3.0 * halo.width,
@@ -102,15 +102,15 @@ impl FieldMap {
     }
 }
 
-/// The part of a field that is shown, in blocks where it is finer than the picture.
+/// The part of a field that is shown, block by block where it is finer than the picture.
 struct CoarseValues {
     /// Cells per side.
     cells: usize,
     /// Ends of the sides along x and along y, m.
     ends: [[f64; 2]; 2],
-    /// Mean of the finite values of a block; not a number where there are none.
+    /// Mean of the finite values of each block; NaN if there are none.
     values: Vec<f64>,
-    /// Whether anything in a block carries pressure.
+    /// Whether an element of the block carries pressure.
     contact: Vec<bool>,
 }
 
@@ -149,7 +149,7 @@ impl CoarseValues {
         blocks
     }
 
-    /// The smallest and the largest value; a little more where they are the same.
+    /// The smallest and the largest value; an interval around them if they are equal.
     fn extent(&self) -> [f64; 2] {
         let finite = || {
             self.values

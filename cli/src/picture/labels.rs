@@ -2,7 +2,7 @@
 
 use crate::display::superscript;
 
-/// The label of a tick of an axis of this length: as many decimals as its ticks need, with a true minus sign.
+/// The label of a tick on an axis of this length, with as many decimals as its ticks need and a true minus sign.
 #[must_use]
 pub fn tick(value: f64, length: f64) -> String {
     // About six ticks on an axis: the first digit of a tenth of it, and the one after.
@@ -27,12 +27,11 @@ pub fn tick(value: f64, length: f64) -> String {
 /// Most digits of a label.
 const DIGITS: usize = 12;
 
-/// The labels of the ticks of a logarithmic axis: as many digits as tell them apart, in powers of ten where they are
-/// far from 1.
+/// The labels of the ticks of a logarithmic axis, with as many digits as tell them apart; powers of ten far from 1.
 #[must_use]
 pub fn logarithmic_ticks(ticks: &[f64]) -> Vec<String> {
     let labels = |digits| ticks.iter().map(|tick| power(*tick, digits)).collect();
-    // A label is right if it reads back as its tick, but for rounding.
+    // A label is right if it reads back as its tick, up to rounding.
     let is_right = |digits: &usize| {
         ticks.iter().all(|tick| {
             let rounded = format!("{tick:.*e}", digits - 1);
@@ -68,7 +67,7 @@ pub fn power(value: f64, digits: usize) -> String {
     }
 }
 
-/// Without zeros at the end of its decimals.
+/// The text without trailing zeros in its decimals.
 fn trimmed(text: &str) -> String {
     if !text.contains('.') {
         return text.to_owned();

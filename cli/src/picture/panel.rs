@@ -22,7 +22,7 @@ pub struct Axis {
     pub from: f64,
     /// The value at its other end, above or below the first.
     pub to: f64,
-    /// What it shows, with the unit.
+    /// Its quantity, with the unit.
     pub title: String,
     /// Values that are marked, with their labels.
     pub ticks: Vec<(f64, String)>,
@@ -116,10 +116,7 @@ impl Panel {
 
     /// Draws the mesh, below what the panel shows.
     pub fn draw_mesh(&self, svg: &mut Svg) {
-        let stroke = Stroke {
-            colour: colours::GRID,
-            width: 1.0,
-        };
+        let stroke = Stroke::new(colours::GRID, 1.0);
         let across = self.x.ticks.iter().map(|(x, _)| {
             let (x, _) = self.at(*x, self.y.from);
             [(x, self.place.top), (x, self.place.bottom())]
@@ -135,10 +132,7 @@ impl Panel {
     pub fn draw_axes(&self, svg: &mut Svg) {
         let Rect { left, top, .. } = self.place;
         let (right, bottom) = (self.place.right(), self.place.bottom());
-        let stroke = Stroke {
-            colour: colours::INK,
-            width: 1.2,
-        };
+        let stroke = Stroke::new(colours::INK, 1.2);
         let frame = [
             (left, top),
             (left, bottom),

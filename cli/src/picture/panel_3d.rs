@@ -1,20 +1,20 @@
-//! A box with three axes, seen from above one corner, in which a field of pressure stands as columns.
+//! A box with three axes, seen from above one corner, that holds a field of pressure as columns.
 
 use super::coarse_field::CoarseField;
 use super::colour_map::{ColourScale, within_the_scale};
-use super::colours::{self, Colour};
+use super::colours;
 use super::column_view::{self, ColumnField};
 use super::panel::{Axis, LABEL};
 use super::pressure_map;
 use super::projection::Projection;
 use super::svg::{Anchor, Rect, Stroke, Svg};
 
-/// A box with three axes, in which a field stands as columns.
+/// A box with three axes that holds a field as columns.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Panel3d {
-    /// What is filled by columns; labels may stand outside.
+    /// The rectangle of the columns; labels may stand outside.
     pub place: Rect,
-    /// How the box is seen.
+    /// The view of the box.
     pub view: Projection,
     /// The axis in front, to the right.
     pub x: Axis,
@@ -25,8 +25,8 @@ pub struct Panel3d {
 }
 
 impl Panel3d {
-    /// Draws walls, columns and labels; coordinates are divided by `metres`, pressures by `pascals`, of which the
-    /// colours are then. The field may be smaller than the box.
+    /// Draws walls, columns and labels. Coordinates are divided by `metres`, pressures by `pascals`, the unit of the
+    /// colours. The field may be smaller than the box.
     pub fn draw(
         &self,
         svg: &mut Svg,
@@ -72,7 +72,7 @@ impl Panel3d {
         }
     }
 
-    /// Lines on the two walls behind.
+    /// Draws lines on the two walls behind.
     fn draw_walls(&self, svg: &mut Svg) {
         let line = |from, to| [self.view.at(from), self.view.at(to)];
         let mut lines = Vec::new();
@@ -89,15 +89,15 @@ impl Panel3d {
             let y = 2.0 * self.y.fraction(*y) - 1.0;
             lines.push(line([1.0, y, 0.0], [1.0, y, 1.0]));
         }
-        svg.lines(&lines, stroke(colours::GRID, 1.0));
+        svg.lines(&lines, Stroke::new(colours::GRID, 1.0));
         let posts = [[-1.0, 1.0], [1.0, 1.0], [1.0, -1.0]];
         let posts = posts.map(|[x, y]| line([x, y, 0.0], [x, y, 1.0]));
-        svg.lines(&posts, stroke(colours::RELIEF_OUTLINE, 1.0));
+        svg.lines(&posts, Stroke::new(colours::RELIEF_OUTLINE, 1.0));
     }
 
-    /// Edges, ticks, labels and titles in front.
+    /// Draws edges, ticks, labels and titles in front.
     fn draw_labels(&self, svg: &mut Svg) {
-        let ink = stroke(colours::INK, 1.2);
+        let ink = Stroke::new(colours::INK, 1.2);
         let edges = [
             [-1.0, 1.0, 1.0],
             [-1.0, 1.0, 0.0],
@@ -139,8 +139,4 @@ impl Panel3d {
         let (x, y) = self.view.at([-1.0, 1.0, 1.0]);
         svg.text((x - 62.0, y - 26.0), 18.0, Anchor::Start, &self.z.title);
     }
-}
-
-fn stroke(colour: Colour, width: f64) -> Stroke {
-    Stroke { colour, width }
 }

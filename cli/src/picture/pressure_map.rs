@@ -62,7 +62,7 @@ pub fn draw(subject: &Subject<'_>) -> String {
     svg.finish()
 }
 
-/// The panel of a map whose sides along x and y have these ends, m; its axes are in the unit that suits them.
+/// The panel of a map whose sides along x and y have these ends, m, with axes in a suitable unit; and the divisor to it.
 pub(super) fn panel(subject: &Subject<'_>, [x, y]: [[f64; 2]; 2]) -> (Panel, f64) {
     let farthest = [x, y].concat().into_iter().map(f64::abs);
     let scale = subject.metres(farthest.fold(0.0, f64::max));
@@ -78,7 +78,7 @@ pub(super) fn panel(subject: &Subject<'_>, [x, y]: [[f64; 2]; 2]) -> (Panel, f64
     (panel, scale.divisor)
 }
 
-/// Draws pressure, relief and outlines where a panel's axes have them; coordinates are divided by `divisor`.
+/// Draws pressure, relief and outlines on a panel; coordinates are divided by `divisor`.
 pub fn draw_field(
     svg: &mut Svg,
     panel: &Panel,
@@ -96,7 +96,7 @@ pub fn draw_field(
     draw_outline(svg, place, cells, contact, pen(colours::INK));
 }
 
-/// Where a panel has a rectangle whose sides have these ends, divided by `divisor`.
+/// The place on a panel of a square whose sides have these ends, divided by `divisor`.
 pub(super) fn within(panel: &Panel, ends: [[f64; 2]; 2], divisor: f64) -> Rect {
     let [[left, right], [low, high]] = ends.map(|ends| ends.map(|x| x / divisor));
     let ((left, top), (right, bottom)) = (panel.at(left, high), panel.at(right, low));
@@ -133,8 +133,7 @@ pub(super) fn draw_outline(
 
 /// The line of an outline.
 pub(super) fn pen(colour: Colour) -> Stroke {
-    let width = OUTLINE;
-    Stroke { colour, width }
+    Stroke::new(colour, OUTLINE)
 }
 
 /// Draws the bar beside the map.
@@ -147,7 +146,7 @@ pub(super) fn draw_bar(svg: &mut Svg, shades: &ColourScale, title: &str) {
     colour_bar::draw(svg, bar, shades, title);
 }
 
-/// What grey means, below the bar.
+/// The legend of grey, below the bar.
 fn draw_legend(svg: &mut Svg, has_relief: bool) {
     if !has_relief {
         return;

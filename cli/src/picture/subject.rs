@@ -1,4 +1,4 @@
-//! What a picture of one loading step shows.
+//! The subject of a picture: one loading step.
 
 use super::accuracy;
 use super::colour_map::ColourScale;
@@ -13,9 +13,9 @@ use crate::output::summary::StepSummary;
 /// One loading step: its numbers and its fields.
 #[derive(Debug, Clone, Copy)]
 pub struct Subject<'a> {
-    /// Of the case.
+    /// Title of the case.
     pub title: &'a str,
-    /// Of the case.
+    /// Units of the case.
     pub units: Units,
     /// Height of the relief above the surface of the body, m, where it is the same everywhere.
     pub relief_height: Option<f64>,
@@ -23,12 +23,12 @@ pub struct Subject<'a> {
     pub step: &'a StepSummary,
     /// Its fields.
     pub fields: Fields<'a>,
-    /// How it is to look.
+    /// Style of the picture.
     pub style: Style,
 }
 
 impl Subject<'_> {
-    /// The second line of a heading: force, penetration, largest pressure; and if they are not to be used.
+    /// The second line of a heading: force, penetration, largest pressure, and a mark if they must not be used.
     #[must_use]
     pub fn numbers(&self) -> String {
         let quantity = |value, unit| display::quantity(value, unit, self.units);
@@ -45,7 +45,7 @@ impl Subject<'_> {
         )
     }
 
-    /// Draws the heading, if there is to be one; `more` follows the numbers.
+    /// Draws the heading, if the style shows one; `more` follows the numbers.
     pub fn draw_heading(&self, svg: &mut Svg, left: f64, width: f64, more: &str) {
         if self.style.heading == Heading::Shown {
             let numbers = self.numbers() + more;

@@ -1,4 +1,4 @@
-//! The folder of a study: of this one and no other, and of one process at a time.
+//! The folder of a study, which belongs to this study alone and to one process at a time.
 
 use std::fs;
 use std::io;
@@ -13,7 +13,7 @@ use crate::failure::Failure;
 use crate::output::lock::Lock;
 use crate::output::{file, run_files};
 
-/// What is said in the file of the lock.
+/// Text of the lock's file.
 const AT_WORK: &str = "pellicle is at work on this study.\n";
 
 /// Folder of the results folders of the cases.
@@ -22,10 +22,10 @@ const CASES: &str = "cases";
 /// Beginning of the name of a table that a fresh study replaces, until that is complete.
 const BEFORE: &str = ".pellicle-before-";
 
-/// How often, and after which time, a process that is nearly done is asked again.
+/// How often, and at which intervals, a process that is nearly done is asked again.
 const PATIENCE: (usize, Duration) = (100, Duration::from_millis(50));
 
-/// What to do with a table that is there.
+/// How a study begins with an existing table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Begin {
     /// Go on with it.
@@ -39,7 +39,7 @@ pub enum Begin {
 pub struct StudyFolder {
     /// The folder.
     pub folder: PathBuf,
-    /// What to do with the part's table.
+    /// How to begin with the part's table.
     pub begin: Begin,
     /// Where the table is that was there before, while this study replaces it.
     pub before: Option<PathBuf>,
@@ -131,7 +131,7 @@ pub fn wait_for_lock(folder: &Path, part: Shard) -> Result<Lock, Failure> {
     Err(Failure::Busy { path })
 }
 
-/// What the studies and parts of studies in a folder remember, in the order of their parts.
+/// The identities of the studies and parts of studies in a folder, in the order of their parts.
 ///
 /// # Errors
 ///

@@ -2,7 +2,9 @@
 
 use tempfile::TempDir;
 
+use super::hidden::{COMPLETE, EMPTYING, FILLING};
 use super::*;
+use crate::output::summary;
 
 fn summary(title: &str) -> String {
     format!(
