@@ -162,6 +162,7 @@ impl From<Diagnosis> for Failure {
 
 impl Failure {
     /// The failure to write a file or folder.
+    #[must_use]
     pub fn write(path: &Path, cause: io::Error) -> Self {
         let path = path.to_owned();
         Self::Write { path, cause }

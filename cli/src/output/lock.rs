@@ -13,7 +13,7 @@ const ATTEMPTS: usize = 1000;
 #[derive(Debug)]
 pub struct Lock {
     // Removed before it is closed, and with that unlocked.
-    unfinished: Unfinished,
+    _unfinished: Unfinished,
     file: File,
     /// Text of the file that a dead process left.
     found: Option<String>,
@@ -42,7 +42,7 @@ impl Lock {
                 continue;
             }
             let mut lock = Self {
-                unfinished: Unfinished::file(path),
+                _unfinished: Unfinished::file(path),
                 file,
                 found: None,
             };
@@ -56,12 +56,6 @@ impl Lock {
     #[must_use]
     pub fn found(&self) -> Option<&str> {
         self.found.as_deref()
-    }
-
-    /// Its path.
-    #[must_use]
-    pub fn path(&self) -> &Path {
-        self.unfinished.path()
     }
 
     fn begin(&mut self, is_new: bool, text: &str) -> io::Result<()> {

@@ -113,7 +113,7 @@ impl StoredFields {
     ///
     /// # Errors
     ///
-    /// [`Failure::Damaged`] if the file is not one that [`write()`] wrote.
+    /// [`Failure::Damaged`] if the file is not one that a run wrote.
     pub fn read(path: &Path) -> Result<Self, Failure> {
         check(path).map_err(|reason| Failure::damaged(path, &reason))?;
         let fields = Self::try_read(path).map_err(|cause| Failure::damaged(path, &cause))?;

@@ -33,7 +33,7 @@ pub struct StepDrawings {
 pub struct RunDrawings {
     /// Force over penetration, pressure over force.
     pub curve: Option<String>,
-    /// VariableValues from grid to grid.
+    /// Values from grid to grid.
     pub convergence: Option<String>,
 }
 

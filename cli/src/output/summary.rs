@@ -117,7 +117,6 @@ pub struct StepSummary {
 
 /// The lines of a [`Certificate`] and its verdict, in place of the tolerance that it was judged by.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
-#[expect(missing_docs, reason = "described there")]
 pub struct CertificateSummary {
     #[serde(deserialize_with = "nan_from_null")]
     pub complementarity: f64,
@@ -192,7 +191,7 @@ impl Summary {
         let warnings = doubts.map(WarningSummary::from);
         let warnings = warnings.chain(path.warnings.iter().map(WarningSummary::from));
         let cache_warnings = cache_warnings.iter().map(WarningSummary::from);
-        let statuses = path.steps.iter().map(|step| step.status());
+        let statuses = path.steps.iter().map(Step::status);
         Ok(Self {
             schema: SCHEMA.into(),
             program: PROGRAM.into(),

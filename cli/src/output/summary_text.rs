@@ -35,7 +35,7 @@ fn grid(summary: &Summary) -> String {
     )
 }
 
-/// TextColumns of name, value and note, in columns.
+/// Lines of name, value and note, in columns.
 struct TextColumns {
     units: Units,
     text: String,

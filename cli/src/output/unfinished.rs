@@ -18,7 +18,7 @@ enum Leftover {
     Tree,
 }
 
-/// Something on disk that is removed when this is dropped, unless it is [kept](Self::keep).
+/// Something on disk that is removed when this is dropped, if it is still there.
 #[derive(Debug)]
 pub struct Unfinished {
     path: PathBuf,
@@ -54,12 +54,6 @@ impl Unfinished {
     #[must_use]
     pub fn path(&self) -> &Path {
         &self.path
-    }
-
-    /// Keeps it: it is finished, or somebody else's now.
-    pub fn keep(self) {
-        self.forget();
-        std::mem::forget(self);
     }
 
     fn forget(&self) {
@@ -118,21 +112,23 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_dropped_is_removed_and_what_is_kept_stays() {
+    fn files_folders_and_empty_folders_are_removed_and_folders_with_anything_in_them_stay() {
         let folder = tempfile::tempdir().unwrap();
-        let [a, b, c, d] = ["a", "b", "c", "d"].map(|name| folder.path().join(name));
-        for folder in [&a, &b, &c] {
+        let [full, kept, empty, file] =
+            ["full", "kept", "empty", "file"].map(|name| folder.path().join(name));
+        for folder in [&full, &kept] {
             fs::create_dir(folder).unwrap();
             fs::write(folder.join("in"), "").unwrap();
         }
-        fs::write(&d, "").unwrap();
-        drop(Unfinished::folder(&a));
-        Unfinished::folder(&b).keep();
-        drop(Unfinished::empty_folder(&c));
-        drop(Unfinished::file(&d));
+        fs::create_dir(&empty).unwrap();
+        fs::write(&file, "").unwrap();
+        drop(Unfinished::folder(&full));
+        drop(Unfinished::empty_folder(&kept));
+        drop(Unfinished::empty_folder(&empty));
+        drop(Unfinished::file(&file));
         assert_eq!(
-            [a, b, c, d].map(|path| path.exists()),
-            [false, true, true, false]
+            [full, kept, empty, file].map(|path| path.exists()),
+            [false, true, false, false]
         );
     }
 }

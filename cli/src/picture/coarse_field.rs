@@ -99,7 +99,7 @@ mod tests {
         };
         let crop = Crop { x: 0..10, y: 0..10 };
         let coarse = CoarseField::new(&fields, &crop, 4);
-        // CoarseValues of three: four of them, the last with one element a side.
+        // Blocks of three: four of them, the last with one element a side.
         assert_eq!((coarse.cells, coarse.x), (4, [-5.0, 7.0]));
         assert_eq!(coarse.pressure(1, 2), 5.0);
         assert!(coarse.is_relief(3, 3));

@@ -15,7 +15,7 @@ const LIT: [f64; 2] = [0.74, 0.88];
 /// Points along each side of a pixel, which shows their mean.
 const FINENESS: usize = 2;
 
-/// ColumnField on a square of cells.
+/// Columns on a square of cells.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ColumnField {
     /// Cells per side.

@@ -42,7 +42,7 @@ impl Columns {
 
     /// The rows of a case that has a result: one a loading step.
     #[must_use]
-    pub fn solved(&self, study: &Study, case: usize, summary: &Summary) -> String {
+    pub fn solved(study: &Study, case: usize, summary: &Summary) -> String {
         let status = status(summary);
         let side = format!("{:e}", summary.grid.side);
         let codes = summary.warnings.iter().map(|warning| &warning.code[..]);

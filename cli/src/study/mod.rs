@@ -57,7 +57,6 @@ impl Study {
 
     /// Number of cases.
     #[must_use]
-    #[expect(clippy::len_without_is_empty, reason = "a study has at least one case")]
     pub fn len(&self) -> usize {
         let mut lengths = self.axes.iter().map(|axis| axis.values.len());
         match self.combine {

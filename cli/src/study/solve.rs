@@ -131,7 +131,7 @@ impl Kit<'_> {
         }
         Ok(Some(Done {
             status: status(&summary),
-            rows: self.columns.solved(self.study, number, &summary),
+            rows: Columns::solved(self.study, number, &summary),
             words: words(&case, &summary),
         }))
     }

@@ -32,7 +32,7 @@ pub struct FiguresArguments {
     /// Only these figures of the paper, 2 to 6.
     #[arg(long, value_name = "FIGURE,…", value_delimiter = ',')]
     pub only: Vec<Figure>,
-    /// CoarseField grids, for a look only; the pictures say so.
+    /// Coarse grids, for a look only; the pictures say so.
     #[arg(long)]
     pub quick: bool,
     /// Write small versions into docs/figures too.

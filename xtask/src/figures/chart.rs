@@ -1,7 +1,7 @@
 //! A panel of curves with its title, and a legend.
 
-use pellicle_cli::picture::panel::{Axis, Panel};
-use pellicle_cli::picture::svg::{Anchor, Rect, Stroke, Svg};
+use pellicle_cli::drawing::{Anchor, Rect, Stroke, Svg};
+use pellicle_cli::drawing::{Axis, Panel};
 
 use super::line::Line;
 

@@ -1,11 +1,11 @@
 //! Fig. 2: pressure under the paraboloid on the compliant (a, c) and the stiff (b, d) coating, small and large load.
 
-use pellicle_cli::display::Scale;
-use pellicle_cli::picture::labels::power;
-use pellicle_cli::picture::style::Style;
-use pellicle_cli::picture::subject::Subject;
-use pellicle_cli::picture::svg::Dash;
-use pellicle_cli::picture::{colours, pressure_map, section};
+use pellicle_cli::Scale;
+use pellicle_cli::drawing::Dash;
+use pellicle_cli::drawing::Style;
+use pellicle_cli::drawing::Subject;
+use pellicle_cli::drawing::labels::power;
+use pellicle_cli::drawing::{colours, pressure_map, section};
 
 use super::line::{self, Line};
 use super::note;

@@ -1,10 +1,10 @@
 //! Fig. 3: the deformed layer and the tops of the elements along the axis, read both ways.
 
-use pellicle_cli::output::summary::StepSummary;
-use pellicle_cli::picture::colours;
-use pellicle_cli::picture::labels::power;
-use pellicle_cli::picture::panel::Axis;
-use pellicle_cli::picture::svg::{Dash, Rect};
+use pellicle_cli::drawing::Axis;
+use pellicle_cli::drawing::colours;
+use pellicle_cli::drawing::labels::power;
+use pellicle_cli::drawing::{Dash, Rect};
+use pellicle_cli::results::StepSummary;
 
 use super::line::{self, Line};
 use super::parameters::Parameters;

@@ -1,9 +1,9 @@
 //! Fig. 5: pressure under the Berkovich pyramid with and without film.
 
-use pellicle_cli::case::units::Units;
-use pellicle_cli::display::{Scale, Unit, quantity};
-use pellicle_cli::picture::panel::Axis;
-use pellicle_cli::picture::svg::{Dash, Rect};
+use pellicle_cli::Units;
+use pellicle_cli::drawing::Axis;
+use pellicle_cli::drawing::{Dash, Rect};
+use pellicle_cli::{Scale, Unit, quantity};
 
 use super::line::{self, Line};
 use super::loading::{BARE, FILM};

@@ -1,10 +1,10 @@
 //! The notes below a figure on the data in it.
 
-use pellicle_cli::output::summary::StepSummary;
-use pellicle_cli::picture::accuracy::{self, last_change, percent};
-use pellicle_cli::picture::labels::power;
+use pellicle_cli::drawing::accuracy::{self, last_change, percent};
+use pellicle_cli::drawing::labels::power;
+use pellicle_cli::results::StepSummary;
 
-pub(super) use pellicle_cli::picture::accuracy::BRACKETS;
+pub(super) use pellicle_cli::drawing::accuracy::BRACKETS;
 
 use super::run::PaperRun;
 

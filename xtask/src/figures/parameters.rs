@@ -1,8 +1,8 @@
 //! The parameters of a case in words, read from the summary of its run.
 
-use pellicle_cli::case::units::Units;
-use pellicle_cli::display::{Unit, quantity};
-use pellicle_cli::picture::labels::power;
+use pellicle_cli::Units;
+use pellicle_cli::drawing::labels::power;
+use pellicle_cli::{Unit, quantity};
 use serde_json::Value;
 
 use super::run::PaperRun;

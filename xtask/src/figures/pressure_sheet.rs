@@ -2,16 +2,16 @@
 
 use std::fmt::Write as _;
 
-use pellicle_cli::display::Scale;
-use pellicle_cli::output::fields::Fields;
-use pellicle_cli::picture::coarse_field::CoarseField;
-use pellicle_cli::picture::colour_map::ColourScale;
-use pellicle_cli::picture::crop::Crop;
-use pellicle_cli::picture::panel::{Axis, Panel};
-use pellicle_cli::picture::panel_3d::Panel3d;
-use pellicle_cli::picture::projection::Projection;
-use pellicle_cli::picture::svg::{Anchor, Rect, Svg};
-use pellicle_cli::picture::{colour_bar, labels, pressure_map};
+use pellicle_cli::Scale;
+use pellicle_cli::drawing::CoarseField;
+use pellicle_cli::drawing::ColourScale;
+use pellicle_cli::drawing::Crop;
+use pellicle_cli::drawing::Panel3d;
+use pellicle_cli::drawing::Projection;
+use pellicle_cli::drawing::{Anchor, Rect, Svg};
+use pellicle_cli::drawing::{Axis, Panel};
+use pellicle_cli::drawing::{colour_bar, labels, pressure_map};
+use pellicle_cli::results::Fields;
 
 use super::line::quoted;
 use super::picture::Picture;

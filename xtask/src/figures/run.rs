@@ -5,9 +5,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use pellicle_cli::case::Case;
-use pellicle_cli::output::npz::{self, StoredFields};
-use pellicle_cli::output::summary::{self, StepSummary, Summary};
+use pellicle_cli::Case;
+use pellicle_cli::results::{SUMMARY_FILE, StepSummary, Summary};
+use pellicle_cli::results::{StoredFields, fields_file};
 
 use crate::XtaskError;
 
@@ -99,7 +99,7 @@ impl Runner {
                 });
             }
         }
-        let path = folder.join(summary::FILE);
+        let path = folder.join(SUMMARY_FILE);
         let text = fs::read_to_string(&path).map_err(|source| XtaskError::Read { path, source })?;
         // The summary does not name its units; the case does.
         let summary = Summary::parse(&text, Case::read(&file, sets)?.units)?;
@@ -148,6 +148,6 @@ impl PaperRun {
     /// # Errors
     /// [`XtaskError::Results`] if they were not kept or the file is damaged.
     pub fn fields(&self, step: usize) -> Result<StoredFields, XtaskError> {
-        Ok(StoredFields::read(&self.folder.join(npz::file(step)))?)
+        Ok(StoredFields::read(&self.folder.join(fields_file(step)))?)
     }
 }

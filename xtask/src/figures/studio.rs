@@ -1,6 +1,6 @@
 //! Where figures get their runs from, and how fine the grids are.
 
-use pellicle_cli::output::summary::StepSummary;
+use pellicle_cli::results::StepSummary;
 use pellicle_contact::Estimate;
 
 use super::run::{PaperRun, Runner};

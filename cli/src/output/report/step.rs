@@ -136,8 +136,7 @@ impl GridErrorNote {
 impl CertificateText {
     fn new(certificate: &CertificateSummary, tolerance: f64) -> Self {
         let part = |value: f64| significant(value, 2);
-        // True where it is NaN.
-        let pulls = !(certificate.min_pressure >= 0.0);
+        let pulls = certificate.min_pressure < 0.0 || certificate.min_pressure.is_nan();
         Self {
             complementarity: part(certificate.complementarity),
             gap_in_contact: part(certificate.gap_in_contact),
