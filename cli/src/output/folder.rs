@@ -138,8 +138,9 @@ impl ResultsFolder {
         let extent = fill(self.scratch.path())?;
         let failed = |cause| Failure::write(&self.path, cause);
         let aside = match (contents(&self.path), self.existing, extent) {
-            (Contents::Empty, ..) | (Contents::Results, Existing::Replace, Extent::Whole) => None,
-            (Contents::Results, Existing::Replace, Extent::Part) => Some(STOPPED),
+            (FolderContents::Empty, ..)
+            | (FolderContents::Results, Existing::Replace, Extent::Whole) => None,
+            (FolderContents::Results, Existing::Replace, Extent::Part) => Some(STOPPED),
             _ => Some(BESIDE),
         };
         if let Some(name) = aside {
@@ -202,7 +203,7 @@ fn sweep(folder: &Path) {
 
 /// The contents of a folder.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Contents {
+enum FolderContents {
     /// Nothing but the hidden files of a claim, or no folder.
     Empty,
     /// Results of this program.
@@ -211,19 +212,19 @@ enum Contents {
     Foreign,
 }
 
-fn contents(path: &Path) -> Contents {
+fn contents(path: &Path) -> FolderContents {
     if fs::symlink_metadata(path).is_err() {
-        return Contents::Empty;
+        return FolderContents::Empty;
     }
     let Ok(mut entries) = fs::read_dir(path) else {
-        return Contents::Foreign;
+        return FolderContents::Foreign;
     };
     if entries.all(|entry| entry.is_ok_and(|entry| is_hidden(&entry))) {
-        Contents::Empty
+        FolderContents::Empty
     } else if run_files::case_in(path).is_some() {
-        Contents::Results
+        FolderContents::Results
     } else {
-        Contents::Foreign
+        FolderContents::Foreign
     }
 }
 
@@ -238,11 +239,11 @@ fn is_hidden(entry: &DirEntry) -> bool {
 fn check(path: &Path, existing: Existing) -> Result<(), Failure> {
     let path_buf = || path.to_owned();
     match (contents(path), existing) {
-        (Contents::Foreign, _) if !hidden::is_being_emptied(path) => {
+        (FolderContents::Foreign, _) if !hidden::is_being_emptied(path) => {
             Err(Failure::NoResults { path: path_buf() })
         }
-        (Contents::Results, Existing::Keep) => Err(Failure::Exists { path: path_buf() }),
-        (Contents::Results, Existing::Replace) => match run_files::not_written(path) {
+        (FolderContents::Results, Existing::Keep) => Err(Failure::Exists { path: path_buf() }),
+        (FolderContents::Results, Existing::Replace) => match run_files::not_written(path) {
             Some(file) if !hidden::is_being_emptied(path) => {
                 Err(Failure::NotWritten { path: file })
             }
