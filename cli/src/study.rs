@@ -6,9 +6,9 @@
 
 pub mod case_solver;
 pub mod case_status;
+pub mod folder;
 pub mod gather;
 pub mod identity;
-pub mod place;
 pub mod plan;
 pub mod progress;
 pub mod results_table;
@@ -57,7 +57,6 @@ impl Study {
 
     /// Number of cases.
     #[must_use]
-    #[expect(clippy::len_without_is_empty, reason = "a study has at least one case")]
     pub fn len(&self) -> usize {
         let mut lengths = self.varied_keys.iter().map(|varied| varied.values.len());
         match self.combine {

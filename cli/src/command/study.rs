@@ -11,7 +11,7 @@ use crate::program::Outcome;
 use crate::study::Study;
 use crate::study::case_solver::CaseSolver;
 use crate::study::case_status::Tally;
-use crate::study::place::Place;
+use crate::study::folder::StudyFolder;
 use crate::study::plan::StudyPlan;
 use crate::study::progress::StudyProgress;
 use crate::study::results_table::ResultsTable;
@@ -31,7 +31,7 @@ pub fn study(arguments: &StudyArguments) -> Result<Outcome, Failure> {
         return list(&study, arguments.shard);
     }
     let folder = folder(arguments, &study);
-    let place = Place::claim(&folder, &plan.identity, arguments.fresh)?;
+    let place = StudyFolder::claim(&folder, &plan.identity, arguments.fresh)?;
     if let Some(before) = place.before.as_ref().filter(|_| is_watched(arguments)) {
         terminal::tell(&format!(
             "the old table is kept until the new one is complete: {}",

@@ -15,9 +15,10 @@ use crate::case::Case;
 use crate::failure::Failure;
 use crate::forecast::Need;
 use crate::memory::MemoryBudget;
-use crate::output::folder::{Existing, Extent, Folder};
+use crate::output::file::Existing;
+use crate::output::folder::{Extent, ResultsFolder};
 use crate::output::summary::{Clock, Summary};
-use crate::output::{own, results};
+use crate::output::{results, run_files};
 
 /// Solves the cases of a study.
 #[derive(Debug)]
@@ -73,15 +74,15 @@ impl CaseSolver<'_> {
     }
 
     /// Claims the results folder of a case, if one is wanted. An existing one is of this case, from before a kill.
-    fn claim(&self, number: usize, case: &Case) -> Result<Option<Folder>, Failure> {
+    fn claim(&self, number: usize, case: &Case) -> Result<Option<ResultsFolder>, Failure> {
         let Some(folders) = &self.folders else {
             return Ok(None);
         };
         let path = folders.join(format!("case-{:04}", number + 1));
-        if own::case_in(&path).is_some_and(|written| !is_of(&written, case)) {
+        if run_files::case_in(&path).is_some_and(|written| !is_of(&written, case)) {
             return Err(Failure::OtherCase { path });
         }
-        Folder::claim(&path, Existing::Replace).map(Some)
+        ResultsFolder::claim(&path, Existing::Replace).map(Some)
     }
 
     fn failed(&self, case: usize, message: &str) -> CaseResult {
@@ -123,11 +124,12 @@ impl CaseSolver<'_> {
             tables_origin: model.origin,
         };
         // Warnings of the cache concern all cases, and are printed at the end.
-        let mut summary = Summary::new(&case, &path, clock, &[]);
+        let mut summary = Summary::new(&case, &path, clock, &[])?;
         if let Some(folder) = folder {
             let mut extent = Extent::Whole;
             folder.write(|folder| {
-                extent = results::write(folder, &path, &mut summary, start, &|_, _| ())?;
+                extent =
+                    results::write(folder, &path, &mut summary, &case.output, start, &|_, _| ())?;
                 Ok(extent)
             })?;
             if extent == Extent::Part {
@@ -136,7 +138,7 @@ impl CaseSolver<'_> {
         }
         Ok(Some(CaseResult {
             status: status(&summary),
-            rows: self.columns.solved(self.study, number, &summary),
+            rows: TableColumns::solved(self.study, number, &summary),
             words: words(&case, &summary),
         }))
     }

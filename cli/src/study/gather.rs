@@ -5,8 +5,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::case_status::Tally;
+use super::folder;
 use super::identity::StudyIdentity;
-use super::place;
 use super::results_table::{self, CaseBlocks};
 use super::shard::Shard;
 use crate::failure::Failure;
@@ -55,7 +55,7 @@ pub fn gather(folder: &Path, other: OtherTable) -> Result<Gathered, Failure> {
         shard: Shard::WHOLE,
         ..first.clone()
     };
-    let _lock = place::wait_for_lock(folder, Shard::WHOLE)?;
+    let _lock = folder::wait_for_lock(folder, Shard::WHOLE)?;
     file::sweep(folder);
     check_whole(folder, &whole, other)?;
     let texts = parts.iter().map(|part| read(folder, part));
@@ -76,7 +76,7 @@ pub fn gather(folder: &Path, other: OtherTable) -> Result<Gathered, Failure> {
         // A kill between the two leaves a study that has not begun, and not a table of an unknown study.
         whole.write(folder)?;
         results_table::write_in_order(path, &whole.header, &rows)?;
-        place::forget_before(folder, &whole)?;
+        folder::forget_before(folder, &whole)?;
     }
     Ok(Gathered {
         tally: Tally::of(statuses.into_values()),
@@ -93,7 +93,7 @@ fn check_whole(folder: &Path, whole: &StudyIdentity, other: OtherTable) -> Resul
     }
     let remembered = StudyIdentity::read(&StudyIdentity::path(folder, Shard::WHOLE))?;
     let is_known = match &remembered {
-        Some(remembered) => place::is_table_of(folder, remembered)?,
+        Some(remembered) => folder::is_table_of(folder, remembered)?,
         None => false,
     };
     match (remembered, other) {
@@ -121,7 +121,7 @@ fn are_of_one(part: &StudyIdentity, first: &StudyIdentity) -> bool {
 /// The identities of the parts in a folder, in order.
 fn parts(folder: &Path) -> Result<Vec<StudyIdentity>, Failure> {
     fs::read_dir(folder).map_err(|cause| Failure::damaged(folder, &cause))?;
-    let mut parts = place::identities(folder)?;
+    let mut parts = folder::identities(folder)?;
     parts.retain(|part| part.shard != Shard::WHOLE);
     Ok(parts)
 }

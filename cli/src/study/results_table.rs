@@ -12,8 +12,8 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use super::case_status::{CaseStatus, Tally};
+use super::folder::{self, Begin, StudyFolder};
 use super::identity::StudyIdentity;
-use super::place::{self, Begin, Place};
 use crate::failure::Failure;
 use crate::output::file;
 
@@ -22,7 +22,7 @@ use crate::output::file;
 pub struct ResultsTable {
     path: PathBuf,
     file: File,
-    place: Place,
+    place: StudyFolder,
     header: String,
     done: BTreeMap<usize, CaseStatus>,
 }
@@ -34,7 +34,7 @@ impl ResultsTable {
     /// # Errors
     ///
     /// [`Failure`] if it cannot be opened, or is another table.
-    pub fn open(place: Place, identity: &StudyIdentity) -> Result<Self, Failure> {
+    pub fn open(place: StudyFolder, identity: &StudyIdentity) -> Result<Self, Failure> {
         let path = identity.table(&place.folder);
         let failed = |cause| Failure::write(&path, cause);
         let file = open(&path).map_err(failed)?;
@@ -102,7 +102,7 @@ impl ResultsTable {
 
     /// The place of the study.
     #[must_use]
-    pub fn place(&self) -> &Place {
+    pub fn place(&self) -> &StudyFolder {
         &self.place
     }
 
@@ -120,7 +120,7 @@ impl ResultsTable {
         if !blocks.are_in_order() {
             write_in_order(&self.path, &identity.header, &blocks.in_order(&text))?;
         }
-        place::forget_before(&self.place.folder, identity)
+        folder::forget_before(&self.place.folder, identity)
     }
 }
 

@@ -4,7 +4,7 @@ use super::Study;
 use super::case_status::CaseStatus;
 use crate::case::units::Units;
 use crate::output::curve;
-use crate::output::summary::{self, Summary};
+use crate::output::summary::Summary;
 
 /// The columns, with units.
 #[derive(Debug, Clone, PartialEq)]
@@ -45,10 +45,10 @@ impl TableColumns {
 
     /// The rows of a case that has a result, one per loading step.
     #[must_use]
-    pub fn solved(&self, study: &Study, case: usize, summary: &Summary) -> String {
+    pub fn solved(study: &Study, case: usize, summary: &Summary) -> String {
         let status = status(summary);
         let side = format!("{:e}", summary.grid.side);
-        let codes = summary.warnings.iter().map(|warning| warning.code);
+        let codes = summary.warnings.iter().map(|warning| &warning.code[..]);
         let mut codes: Vec<_> = codes.filter(|code| !code.starts_with("cache")).collect();
         codes.sort_unstable();
         codes.dedup();
@@ -80,9 +80,9 @@ impl TableColumns {
 #[must_use]
 pub fn status(summary: &Summary) -> CaseStatus {
     match summary.status {
-        summary::Status::Certified => CaseStatus::Certified,
-        summary::Status::CutOff => CaseStatus::CutOff,
-        summary::Status::NotConverged => CaseStatus::NotConverged,
+        pellicle_contact::Status::Certified => CaseStatus::Certified,
+        pellicle_contact::Status::CutOff => CaseStatus::CutOff,
+        pellicle_contact::Status::NotConverged => CaseStatus::NotConverged,
     }
 }
 

@@ -6,9 +6,9 @@ use std::path::Path;
 use tempfile::TempDir;
 
 use super::case_status::CaseStatus;
+use super::folder::StudyFolder;
 use super::gather::{OtherTable, gather};
 use super::identity::StudyIdentity;
-use super::place::Place;
 use super::plan::StudyPlan;
 use super::results_table::{CaseBlocks, ResultsTable};
 use super::shard::Shard;
@@ -183,7 +183,7 @@ fn rows(columns: usize, case: usize, status: CaseStatus) -> String {
 }
 
 fn table(folder: &Path, identity: &StudyIdentity) -> ResultsTable {
-    let place = Place::claim(folder, identity, false).unwrap();
+    let place = StudyFolder::claim(folder, identity, false).unwrap();
     ResultsTable::open(place, identity).unwrap()
 }
 
@@ -249,7 +249,7 @@ fn a_table_of_something_else_is_not_touched() {
     let path = identity.table(folder.path());
     fs::write(&path, "mine\n").unwrap();
     for fresh in [false, true] {
-        let claimed = Place::claim(folder.path(), &identity, fresh);
+        let claimed = StudyFolder::claim(folder.path(), &identity, fresh);
         assert!(matches!(claimed, Err(Failure::NoResults { .. })));
         assert_eq!(fs::read_to_string(&path).unwrap(), "mine\n");
     }
@@ -260,7 +260,7 @@ fn a_table_is_open_for_one_process() {
     let folder = tempfile::tempdir().unwrap();
     let identity = plan(TWO_KEYS, Shard::WHOLE).identity;
     let _first = table(folder.path(), &identity);
-    let second = Place::claim(folder.path(), &identity, true);
+    let second = StudyFolder::claim(folder.path(), &identity, true);
     assert!(second.unwrap_err().to_string().contains("another process"));
 }
 
@@ -363,7 +363,7 @@ fn the_place_is_held_until_the_table_is_in_order() {
     }
     // Whoever has the table's old file open does not have the place.
     let old = fs::File::open(identity.table(folder.path())).unwrap();
-    assert!(Place::claim(folder.path(), &identity, false).is_err());
+    assert!(StudyFolder::claim(folder.path(), &identity, false).is_err());
     opened.finish(&identity).unwrap();
     let again = table(folder.path(), &identity);
     assert_eq!(again.done().len(), 9);

@@ -70,11 +70,7 @@ fn a_section_is_where_it_is_ordered_and_says_how_depth_is_enlarged() {
     let peak = section(" --section peak");
     let summary = folder.summary("one");
     let y = summary["steps"][0]["max_pressure_at"][1].as_f64().unwrap();
-    let y = pellicle_cli::display::quantity(
-        y,
-        pellicle_cli::display::Unit::Metre,
-        pellicle_cli::case::units::Units::Si,
-    );
+    let y = pellicle_cli::quantity(y, pellicle_cli::Unit::Metre, pellicle_cli::Units::Si);
     assert!(peak.contains(&format!("section at y = {y}")), "{y}");
     assert!(section(" --section x=-100nm").contains("section at x = -93.750 nm"));
     assert!(section(" --section y=1").contains("section at y = 193.75 nm"));

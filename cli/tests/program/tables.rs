@@ -39,7 +39,7 @@ fn kernel_prints_wavenumber_compliance_and_response() {
     let rows = rows.as_array().unwrap();
     assert_eq!(rows.len(), 4);
     for (row, k) in rows.iter().zip([1e6, 2e7, 3e8, 4e9]) {
-        assert_eq!(keys(row), ["compliance", "response", "wavenumber"]);
+        assert_eq!(keys(row), ["wavenumber", "compliance", "response"]);
         assert_eq!(row["wavenumber"].as_f64(), Some(k));
         assert!(row["compliance"].as_f64().unwrap() > 0.0);
     }
@@ -52,7 +52,7 @@ fn influence_prints_offset_and_coefficient() {
     let rows = json(&folder, &line);
     let rows = rows.as_array().unwrap();
     assert_eq!(rows.len(), 2);
-    assert_eq!(keys(&rows[1]), ["coefficient", "offset"]);
+    assert_eq!(keys(&rows[1]), ["offset", "coefficient"]);
     assert_eq!(rows[1]["offset"], serde_json::json!([3, 1]));
     let at = |i: usize| rows[i]["coefficient"].as_f64().unwrap();
     assert!(at(0) > at(1));

@@ -1,6 +1,6 @@
 //! `pellicle validate` passes as it is, and fails with coefficients that are wrong by little.
 
-use pellicle_cli::validation::{SECTIONS, ValidationRun};
+use pellicle_cli::evidence::{SECTIONS, ValidationRun};
 use serde_json::Value;
 
 use crate::runner::{Ran, run};

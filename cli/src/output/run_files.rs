@@ -1,4 +1,4 @@
-//! Which files of a folder a run has written: what may be replaced is told from what is somebody else's.
+//! The files that a run writes, told from somebody else's, which are never replaced.
 
 use std::fs::{self, DirEntry, File};
 use std::io::{self, BufReader};
@@ -8,13 +8,13 @@ use serde::Deserialize;
 use serde::de::IgnoredAny;
 use serde_json::Value;
 
-use super::{curve, page, summary};
+use super::{curve, report, summary};
 
-/// Endings of the files that there are once a run.
+/// Files written once per run, and their endings.
 const OF_A_RUN: [(&str, &[&str]); 2] =
     [("curve", &["svg", "png"]), ("convergence", &["svg", "png"])];
 
-/// Endings of the files that there are once a step, by what stands before the number of the step.
+/// Files written once per step, by the word before the number of the step, and their endings.
 const OF_A_STEP: [(&str, &[&str]); 9] = [
     ("fields", &["npz", "vti", "nc"]),
     ("pressure", &["gsf", "svg", "png"]),
@@ -30,7 +30,7 @@ const OF_A_STEP: [(&str, &[&str]); 9] = [
 /// Whether a run writes a file of this name.
 #[must_use]
 pub fn is_name(name: &str) -> bool {
-    if [summary::FILE, curve::FILE, page::FILE].contains(&name) {
+    if [summary::FILE, curve::FILE, report::FILE].contains(&name) {
         return true;
     }
     let Some((stem, ending)) = name.rsplit_once('.') else {
@@ -55,7 +55,7 @@ pub fn is_file(entry: &DirEntry) -> bool {
     !is_folder && entry.file_name().to_str().is_some_and(is_name)
 }
 
-/// What tells a summary of this program from any other file of its name.
+/// The part of a summary that tells it from any other file of its name.
 #[derive(Deserialize)]
 struct Head {
     schema: String,
@@ -64,7 +64,7 @@ struct Head {
     steps: Option<Vec<IgnoredAny>>,
 }
 
-/// The case whose results a folder holds, as its summary has it; none if it holds no results of this program.
+/// The case whose results a folder holds, from its summary; none if it holds no results of this program.
 #[must_use]
 pub fn case_in(folder: &Path) -> Option<Value> {
     head(folder).map(|head| head.case)
@@ -82,7 +82,7 @@ fn head(folder: &Path) -> Option<Head> {
     (written == layout && head.program == summary::PROGRAM).then_some(head)
 }
 
-/// A file in a folder of results under the name of one of theirs that the run of the summary has not written.
+/// A file in a results folder that has the name of a result, but was not written by the run of the summary.
 #[must_use]
 pub fn not_written(folder: &Path) -> Option<PathBuf> {
     let steps = head(folder)?.steps?.len();
@@ -92,7 +92,7 @@ pub fn not_written(folder: &Path) -> Option<PathBuf> {
     foreign.map(|entry| entry.path())
 }
 
-/// Whether a file may be of a run of so many steps: its curve has as many rows, and nothing is of a step beyond.
+/// Whether a run of so many steps may have written a file: a curve has that many rows, and no file is of a later step.
 fn is_written(entry: &DirEntry, steps: usize) -> bool {
     let name = entry.file_name();
     let name = name.to_string_lossy();
@@ -107,8 +107,8 @@ fn is_written(entry: &DirEntry, steps: usize) -> bool {
     step.is_none_or(|step| step < steps)
 }
 
-/// Removes the files of a run in a folder, the summary first: without it nothing is taken for results. The folder goes
-/// too if nothing else is in it.
+/// Removes the files of a run in a folder, the summary first, without which nothing is taken for results; and the folder
+/// if nothing else is in it.
 ///
 /// # Errors
 ///
@@ -121,7 +121,7 @@ pub fn remove(folder: &Path) -> io::Result<()> {
     Ok(())
 }
 
-/// The same without the folder.
+/// The same, but keeps the folder.
 ///
 /// # Errors
 ///

@@ -1,7 +1,6 @@
-//! What a run leaves behind: the summary, the curve, the fields, and the folder that holds them.
+//! The results of a run: its summary, curve, fields, pictures and report, and the folder that holds them.
 
 pub mod curve;
-pub mod desk;
 pub mod disk_space;
 pub mod fields;
 pub mod file;
@@ -10,18 +9,17 @@ pub mod gsf;
 pub mod lock;
 pub mod netcdf;
 pub mod npz;
-mod null;
-pub mod own;
-pub mod page;
 pub mod pictures;
-pub mod record;
 pub mod redraw;
 pub mod report;
 pub mod results;
+pub mod run_files;
+mod stoppable;
 pub mod summary;
+pub mod summary_text;
 pub mod unfinished;
 pub mod vti;
-mod watched;
+pub mod writer;
 
 use serde::Serialize;
 

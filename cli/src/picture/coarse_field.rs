@@ -1,11 +1,11 @@
-//! The part of a field that a picture shows, on no more elements than it can show.
+//! The part of a field that a picture shows, coarsened to its resolution.
 
-use super::window::Window;
+use super::crop::Crop;
 use crate::output::fields::Fields;
 
-/// Pressure and relief within a window; where it is finer than a picture, blocks of elements are taken together.
+/// Pressure and relief within a crop, on cells that are blocks of elements if the field is finer than the picture.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Coarse {
+pub struct CoarseField {
     /// Cells per side.
     pub cells: usize,
     /// Coordinates of the left and right side, m.
@@ -16,16 +16,16 @@ pub struct Coarse {
     mask: Vec<bool>,
 }
 
-impl Coarse {
-    /// The window with at most `most` cells per side. A cell has the largest pressure of its elements, so that no peak
-    /// is lost, and belongs to the relief if half of them do.
+impl CoarseField {
+    /// The crop on at most `most` cells per side. A cell has the largest pressure of its elements, so that no peak is
+    /// lost, and belongs to the relief if half of them do.
     #[must_use]
-    pub fn new(fields: &Fields<'_>, window: &Window, most: usize) -> Self {
-        let block = window.x.len().div_ceil(most).max(1);
-        let cells = window.x.len().div_ceil(block);
+    pub fn new(fields: &Fields<'_>, crop: &Crop, most: usize) -> Self {
+        let block = crop.x.len().div_ceil(most).max(1);
+        let cells = crop.x.len().div_ceil(block);
         let (mut pressure, mut mask) = (Vec::new(), Vec::new());
-        for i in (0..cells).map(|i| window.x.start + i * block) {
-            for j in (0..cells).map(|j| window.y.start + j * block) {
+        for i in (0..cells).map(|i| crop.x.start + i * block) {
+            for j in (0..cells).map(|j| crop.y.start + j * block) {
                 let elements = block_of(fields.size, [i, j], block);
                 let largest = elements.iter().map(|e| fields.pressure[*e]);
                 pressure.push(largest.fold(0.0, f64::max));
@@ -33,12 +33,12 @@ impl Coarse {
                 mask.push(on > 0 && 2 * on >= elements.len());
             }
         }
-        // A last block that is not full reaches past the window, by less than a pixel.
+        // The last block may reach past the crop by less than a pixel.
         let ends = |start: usize| [fields.edge(start), fields.edge(start + cells * block)];
         Self {
             cells,
-            x: ends(window.x.start),
-            y: ends(window.y.start),
+            x: ends(crop.x.start),
+            y: ends(crop.y.start),
             pressure,
             mask,
         }
@@ -79,7 +79,7 @@ fn block_of(size: usize, [i, j]: [usize; 2], block: usize) -> Vec<usize> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::window::Window;
+    use super::super::crop::Crop;
     use super::*;
 
     #[test]
@@ -97,13 +97,13 @@ mod tests {
             profile: &zeros,
             mask: &[true; 100],
         };
-        let window = Window { x: 0..10, y: 0..10 };
-        let coarse = Coarse::new(&fields, &window, 4);
+        let crop = Crop { x: 0..10, y: 0..10 };
+        let coarse = CoarseField::new(&fields, &crop, 4);
         // Blocks of three: four of them, the last with one element a side.
         assert_eq!((coarse.cells, coarse.x), (4, [-5.0, 7.0]));
         assert_eq!(coarse.pressure(1, 2), 5.0);
         assert!(coarse.is_relief(3, 3));
-        let fine = Coarse::new(&fields, &window, 10);
+        let fine = CoarseField::new(&fields, &crop, 10);
         assert_eq!((fine.cells, fine.pressure(3, 7)), (10, 5.0));
     }
 }

@@ -1,34 +1,34 @@
-//! A field of columns as the eye sees it, one line of pixels at a time.
+//! A field of columns in perspective, by the floating-horizon algorithm.
 //!
-//! What lies one above the other on the sheet lies over one straight line of the plan. Followed into the depth, each
-//! column shows of its side and its top what rises above all before it, so that every pixel is coloured once: a
-//! floating horizon.
+//! The pixels of one vertical line of the sheet lie over one straight line of the plan. That line is followed away from
+//! the eye, and each column shows the part of its side and its top that rises above all before it, so every pixel is
+//! coloured once.
 
 use super::colours::Colour;
 use super::projection::Projection;
 use super::raster::Raster;
-use super::svg::Place;
+use super::svg::Rect;
 
 /// Light on the sides of a column that face along x and along y, against 1 on its top.
 const LIT: [f64; 2] = [0.74, 0.88];
 
-/// Points along each side of a pixel, whose mean it shows.
+/// Points along each side of a pixel, which shows their mean.
 const FINENESS: usize = 2;
 
 /// Columns on a square of cells.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Columns {
+pub struct ColumnField {
     /// Cells per side.
     pub cells: usize,
     /// The first and last edge of the cells along x and along y, in the box.
     pub ends: [[f64; 2]; 2],
-    /// How high each stands, and its colour; the second index along y.
+    /// The height and the colour of each; the second index runs along y.
     pub tops: Vec<(f64, Colour)>,
 }
 
-/// The columns in a place of the sheet, in front of nothing.
+/// The columns within a rectangle of the sheet, on a transparent ground.
 #[must_use]
-pub fn draw(columns: &Columns, view: &Projection, place: Place) -> Raster {
+pub fn draw(columns: &ColumnField, view: &Projection, place: Rect) -> Raster {
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
@@ -52,24 +52,24 @@ pub fn draw(columns: &Columns, view: &Projection, place: Place) -> Raster {
     raster
 }
 
-/// Colours the points of a line of pixels that stand above one another, so many pixels from the left of the place.
+/// Colours the points of the vertical line `across` pixels from the left of the rectangle.
 fn look(
-    columns: &Columns,
+    columns: &ColumnField,
     view: &Projection,
-    place: Place,
+    place: Rect,
     across: f64,
     line: &mut [Option<Colour>],
 ) {
     line.fill(None);
     let line_of_sight = view.line_of_sight(place.left + across);
-    // How far away the cells begin and end along each axis, and how much farther each of them lies.
+    // Distances at which the cells begin and end along each axis, and from one cell to the next.
     let ends =
         |end: usize| [0, 1].map(|axis| line_of_sight.distance(axis, columns.ends[axis][end]));
     let [entered, left] = [0, 1].map(ends);
     let steps = [0, 1].map(|axis: usize| (left[axis] - entered[axis]) / columns.cells as f64);
     let mut distance = entered[0].max(entered[1]);
     let leaving = left[0].min(left[1]);
-    // The axis along which the side before the eye looks.
+    // The axis along which the side that faces the eye points.
     let mut facing = usize::from(entered[1] > entered[0]);
     let mut cell = [0, 1].map(|axis: usize| {
         let passed = (distance - entered[axis]) / steps[axis];
@@ -89,10 +89,10 @@ fn look(
     }
 }
 
-/// The upper end of what has been coloured of a line.
+/// The upper end of the coloured part of a line.
 struct Horizon<'a> {
     line: &'a mut [Option<Colour>],
-    /// The points from here on are done, or in front of the field.
+    /// The points from here on are coloured, or in front of the field.
     done_from: usize,
 }
 
@@ -102,7 +102,7 @@ impl<'a> Horizon<'a> {
         Self { line, done_from }
     }
 
-    /// Colours what lies between a row and the horizon, if the row is above.
+    /// Colours the points between a row and the horizon, if the row is above it.
     fn raise(&mut self, row: f64, colour: impl FnOnce() -> Colour) {
         let first = first_below(row);
         if first < self.done_from {
@@ -117,7 +117,7 @@ fn first_below(row: f64) -> usize {
     truncated(row + 0.5)
 }
 
-/// The whole part of a number; 0 of one that is negative or none.
+/// The whole part of a number; 0 if it is negative or NaN.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
@@ -127,7 +127,7 @@ fn truncated(number: f64) -> usize {
     number as usize
 }
 
-/// Red, green, blue and opacity of a pixel: the mean colour of its points that have one, as opaque as they are many.
+/// Red, green, blue and opacity of a pixel: the mean colour of its coloured points, and their share.
 fn mean<'a>(points: impl Iterator<Item = &'a Option<Colour>>) -> [u8; 4] {
     let (mut sums, mut opaque) = ([0_u32; 3], 0);
     for Colour(red, green, blue) in points.flatten() {
@@ -151,29 +151,29 @@ mod tests {
         height: 60.0,
         centre: (75.0, 90.0),
     };
-    const PLACE: Place = Place {
+    const PLACE: Rect = Rect {
         left: 10.0,
         top: 10.0,
         width: 130.0,
         height: 120.0,
     };
 
-    fn columns(cells: usize, height: impl Fn(usize, usize) -> f64) -> Columns {
+    fn columns(cells: usize, height: impl Fn(usize, usize) -> f64) -> ColumnField {
         // A colour for each, the red of the row and the green of the column.
         let byte = |i: usize| u8::try_from(20 * i).unwrap();
         let column = |e: usize| {
             let (i, j) = (e / cells, e % cells);
             (height(i, j), Colour(byte(i), byte(j), 200))
         };
-        Columns {
+        ColumnField {
             cells,
             ends: [[-1.0, 0.8], [-0.9, 1.0]],
             tops: (0..cells * cells).map(column).collect(),
         }
     }
 
-    /// What a ray from the eye through a point of the sheet meets first, by small steps.
-    fn met(columns: &Columns, (left, top): (f64, f64)) -> Option<Colour> {
+    /// The first column that a ray from the eye through a point of the sheet meets, found by small steps.
+    fn met(columns: &ColumnField, (left, top): (f64, f64)) -> Option<Colour> {
         let (cos, sin) = {
             // The turn, from where the view shows a point on the x axis.
             let (x, _) = VIEW.at([1.0, 0.0, 0.0]);
@@ -227,7 +227,7 @@ mod tests {
     #[test]
     fn a_column_has_its_own_light_on_each_of_its_faces() {
         let colour = Colour(100, 150, 200);
-        let column = Columns {
+        let column = ColumnField {
             cells: 1,
             ends: [[-0.5, 0.5]; 2],
             tops: vec![(1.0, colour)],
@@ -273,7 +273,7 @@ mod tests {
 
     #[test]
     fn a_field_that_is_not_in_the_place_is_not_seen() {
-        let elsewhere = Place {
+        let elsewhere = Rect {
             left: 900.0,
             ..PLACE
         };

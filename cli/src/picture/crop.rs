@@ -10,16 +10,16 @@ const FEWEST: usize = 12;
 
 /// A square of elements: `x` and `y` are of the same length.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Window {
+pub struct Crop {
     /// Elements along x.
     pub x: Range<usize>,
     /// Elements along y.
     pub y: Range<usize>,
 }
 
-impl Window {
-    /// The square around the axis that reaches `part` of the way from it to the edge of a field of `size` × `size`,
-    /// which is all of it from 1 on.
+impl Crop {
+    /// The square around the axis that reaches `part` of the way to the edge of a field of `size` × `size`; from 1 on,
+    /// the whole field.
     #[must_use]
     pub fn around_axis(size: usize, part: f64) -> Self {
         #[expect(
@@ -35,7 +35,7 @@ impl Window {
         }
     }
 
-    /// The square around the elements under pressure of a field of `size` × `size`; all of it if there are none.
+    /// The square around the elements under pressure of a field of `size` × `size`; the whole field if there are none.
     #[must_use]
     pub fn around_contact(pressure: &[f64], size: usize) -> Self {
         let all = 0..size;
@@ -52,7 +52,7 @@ impl Window {
             reason = "a part of size"
         )]
         let margin = (MARGIN * extent as f64).ceil() as usize;
-        // The same number on both sides, so that a contact around the axis stays around it.
+        // Equal on both sides, so that a contact centred on the axis stays centred.
         let margin = margin.max(FEWEST.saturating_sub(extent).div_ceil(2));
         let length = (extent + 2 * margin).min(size);
         Self {
@@ -83,20 +83,20 @@ fn widen(range: &Range<usize>, length: usize, size: usize) -> Range<usize> {
 mod tests {
     use super::*;
 
-    fn window(contact: &[[usize; 2]]) -> Window {
+    fn crop(contact: &[[usize; 2]]) -> Crop {
         let mut pressure = vec![0.0; 100 * 100];
         for [i, j] in contact {
             pressure[i * 100 + j] = 1.0;
         }
-        Window::around_contact(&pressure, 100)
+        Crop::around_contact(&pressure, 100)
     }
 
     #[test]
     fn a_contact_in_the_middle_stays_in_the_middle() {
-        let window = window(&[[40, 50], [59, 50]]);
+        let crop = crop(&[[40, 50], [59, 50]]);
         assert_eq!(
-            window,
-            Window {
+            crop,
+            Crop {
                 x: 37..63,
                 y: 37..63
             }
@@ -105,17 +105,17 @@ mod tests {
 
     #[test]
     fn a_part_of_the_way_to_the_edge_is_that_part_of_the_elements() {
-        assert_eq!(Window::around_axis(100, 0.5).x, 25..75);
-        assert_eq!(Window::around_axis(100, 7.0).y, 0..100);
-        assert_eq!(Window::around_axis(8, 0.01).x, 3..5);
+        assert_eq!(Crop::around_axis(100, 0.5).x, 25..75);
+        assert_eq!(Crop::around_axis(100, 7.0).y, 0..100);
+        assert_eq!(Crop::around_axis(8, 0.01).x, 3..5);
     }
 
     #[test]
     fn a_contact_at_the_edge_is_shown_within_the_domain() {
-        let window = window(&[[0, 99]]);
+        let crop = crop(&[[0, 99]]);
         assert_eq!(
-            window,
-            Window {
+            crop,
+            Crop {
                 x: 0..13,
                 y: 87..100
             }
@@ -125,8 +125,8 @@ mod tests {
     #[test]
     fn without_contact_everything_is_shown() {
         assert_eq!(
-            window(&[]),
-            Window {
+            crop(&[]),
+            Crop {
                 x: 0..100,
                 y: 0..100
             }

@@ -1,20 +1,20 @@
-//! A box with three axes, seen from above one corner, in which a field of pressure stands as columns.
+//! A box with three axes, seen from above one corner, that holds a field of pressure as columns.
 
-use super::coarse::Coarse;
-use super::colour_map::{Shades, within_the_scale};
-use super::colours::{self, Colour};
+use super::coarse_field::CoarseField;
+use super::colour_map::{ColourScale, within_the_scale};
+use super::colours;
+use super::column_view::{self, ColumnField};
 use super::panel::{Axis, LABEL};
 use super::pressure_map;
 use super::projection::Projection;
-use super::skyline::{self, Columns};
-use super::svg::{Anchor, Place, Stroke, Svg};
+use super::svg::{Anchor, Rect, Stroke, Svg};
 
-/// A box with three axes, in which a field stands as columns.
+/// A box with three axes that holds a field as columns.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Scene {
-    /// What is filled by columns; labels may stand outside.
-    pub place: Place,
-    /// How the box is seen.
+pub struct Panel3d {
+    /// The rectangle of the columns; labels may stand outside.
+    pub place: Rect,
+    /// The view of the box.
     pub view: Projection,
     /// The axis in front, to the right.
     pub x: Axis,
@@ -24,29 +24,38 @@ pub struct Scene {
     pub z: Axis,
 }
 
-impl Scene {
-    /// Draws walls, columns and labels; coordinates are divided by `metres`, pressures by `pascals`, of which the
-    /// colours are then. The field may be smaller than the box.
+impl Panel3d {
+    /// Draws walls, columns and labels. Coordinates are divided by `metres`, pressures by `pascals`, the unit of the
+    /// colours. The field may be smaller than the box.
     pub fn draw(
         &self,
         svg: &mut Svg,
-        coarse: &Coarse,
+        coarse: &CoarseField,
         (metres, pascals): (f64, f64),
-        shades: &Shades,
+        shades: &ColourScale,
     ) {
         self.draw_walls(svg);
-        let in_pascals = Shades {
+        let in_pascals = ColourScale {
             from: shades.from * pascals,
             to: shades.to * pascals,
             ..*shades
         };
         let columns = self.columns(coarse, metres, pascals, &in_pascals);
-        svg.image(self.place, &skyline::draw(&columns, &self.view, self.place));
+        svg.image(
+            self.place,
+            &column_view::draw(&columns, &self.view, self.place),
+        );
         self.draw_labels(svg);
     }
 
     /// A column for each cell, cut off at the ceiling.
-    fn columns(&self, coarse: &Coarse, metres: f64, pascals: f64, shades: &Shades) -> Columns {
+    fn columns(
+        &self,
+        coarse: &CoarseField,
+        metres: f64,
+        pascals: f64,
+        shades: &ColourScale,
+    ) -> ColumnField {
         let ends =
             |ends: [f64; 2], axis: &Axis| ends.map(|x| 2.0 * axis.fraction(x / metres) - 1.0);
         let cells = coarse.cells;
@@ -56,14 +65,14 @@ impl Scene {
             let colour = pressure_map::colour(coarse, i, j, shades);
             (within_the_scale(height), colour)
         };
-        Columns {
+        ColumnField {
             cells,
             ends: [ends(coarse.x, &self.x), ends(coarse.y, &self.y)],
             tops: (0..cells * cells).map(column).collect(),
         }
     }
 
-    /// Lines on the two walls behind.
+    /// Draws lines on the two walls behind.
     fn draw_walls(&self, svg: &mut Svg) {
         let line = |from, to| [self.view.at(from), self.view.at(to)];
         let mut lines = Vec::new();
@@ -80,15 +89,15 @@ impl Scene {
             let y = 2.0 * self.y.fraction(*y) - 1.0;
             lines.push(line([1.0, y, 0.0], [1.0, y, 1.0]));
         }
-        svg.lines(&lines, stroke(colours::GRID, 1.0));
+        svg.lines(&lines, Stroke::new(colours::GRID, 1.0));
         let posts = [[-1.0, 1.0], [1.0, 1.0], [1.0, -1.0]];
         let posts = posts.map(|[x, y]| line([x, y, 0.0], [x, y, 1.0]));
-        svg.lines(&posts, stroke(colours::RELIEF_OUTLINE, 1.0));
+        svg.lines(&posts, Stroke::new(colours::RELIEF_OUTLINE, 1.0));
     }
 
-    /// Edges, ticks, labels and titles in front.
+    /// Draws edges, ticks, labels and titles in front.
     fn draw_labels(&self, svg: &mut Svg) {
-        let ink = stroke(colours::INK, 1.2);
+        let ink = Stroke::new(colours::INK, 1.2);
         let edges = [
             [-1.0, 1.0, 1.0],
             [-1.0, 1.0, 0.0],
@@ -130,8 +139,4 @@ impl Scene {
         let (x, y) = self.view.at([-1.0, 1.0, 1.0]);
         svg.text((x - 62.0, y - 26.0), 18.0, Anchor::Start, &self.z.title);
     }
-}
-
-fn stroke(colour: Colour, width: f64) -> Stroke {
-    Stroke { colour, width }
 }

@@ -1,14 +1,16 @@
-//! What a picture says of its data: grid, certificate, grid error.
+//! The accuracy of a picture's data in words: grid, certificate, grid error.
 
-use super::number::power;
+use pellicle_contact::{Estimate, LevelValues};
+
+use super::labels::power;
 use crate::display::significant;
-use crate::output::summary::{EstimateSummary, LevelSummary, StepSummary};
+use crate::output::summary::StepSummary;
 
-/// What the brackets of [`of_step`] mean.
+/// The meaning of the brackets of [`of_step`].
 pub const BRACKETS: &str = "[…]: not resolved by the grids; the change from the next coarser grid";
 
 /// The certificate of a step on `elements` × `elements` elements, and the errors of its numbers: `± 0.1 %` where the
-/// grids tell it, else in brackets the change from the next coarser grid.
+/// grids resolve it, otherwise in brackets the change from the next coarser grid.
 #[must_use]
 pub fn of_step(elements: usize, step: &StepSummary) -> String {
     let errors = &step.grid_error;
@@ -33,8 +35,8 @@ pub fn of_step(elements: usize, step: &StepSummary) -> String {
     )
 }
 
-/// The estimated error, or, where there is none that means something, the change from the next coarser grid.
-fn error(value: f64, estimate: Option<EstimateSummary>, change: f64) -> String {
+/// The estimated error, or the change from the next coarser grid if the estimate is not resolved.
+fn error(value: f64, estimate: Option<Estimate>, change: f64) -> String {
     match estimate {
         Some(error) if error.resolved => format!("± {}", percent(error.estimate / value)),
         _ if change.is_finite() => format!("[{}]", percent(change)),
@@ -42,20 +44,19 @@ fn error(value: f64, estimate: Option<EstimateSummary>, change: f64) -> String {
     }
 }
 
-/// By how much a number changed from the next coarser grid to the finest, as a part of it; not a number on a single
-/// grid.
+/// The relative change of a number from the next coarser grid to the finest; NaN on a single grid.
 #[must_use]
-pub fn last_change(step: &StepSummary, value: fn(&LevelSummary) -> f64) -> f64 {
+pub fn last_change(step: &StepSummary, value: fn(&LevelValues) -> f64) -> f64 {
     match step.grid_error.levels.as_slice() {
         [.., coarser, finest] => 1.0 - value(coarser) / value(finest),
         _ => f64::NAN,
     }
 }
 
-/// Percents below this are written as powers of ten.
+/// Percentages below this are written as powers of ten.
 const SMALL: f64 = 1e-3;
 
-/// A part as percent with two digits: `0.21 %`, `7.2·10⁻⁵ %`.
+/// A fraction as a percentage with two digits: `0.21 %`, `7.2·10⁻⁵ %`.
 #[must_use]
 pub fn percent(part: f64) -> String {
     let percent = 100.0 * part;
@@ -75,7 +76,7 @@ mod tests {
     #[test]
     fn an_error_that_is_not_resolved_is_not_given_as_an_error() {
         let estimate = |resolved| {
-            Some(EstimateSummary {
+            Some(Estimate {
                 estimate: 0.02,
                 order: None,
                 resolved,

@@ -1,21 +1,21 @@
-//! A file under way that stops where the user does not want to wait any longer.
+//! Writing that stops when the user does not want to wait any longer.
 
 use std::error::Error;
-use std::fs::File;
-use std::io::{self, BufWriter, Seek, SeekFrom, Write};
+use std::io::{self, Seek, SeekFrom, Write};
 use std::path::Path;
 
+use super::file::PartialFile;
 use crate::failure::Failure;
 use crate::interrupt;
 
-/// Bytes after which what is written is put on the disk: the end of a large file would otherwise wait for all of it,
-/// deaf to the user.
+/// Bytes after which what is written is put on the disk: otherwise the end of a large file would wait for all of it,
+/// and not stop.
 const SYNC: usize = 1 << 25;
 
 /// Most bytes that are written or packed between two looks at the user: some milliseconds of work.
 const CHUNK: usize = 1 << 20;
 
-/// Why a file is not finished that the user does not want to wait for.
+/// The cause of a file that was stopped.
 #[derive(Debug, thiserror::Error)]
 #[error("stopped by the user")]
 struct Stopped;
@@ -41,24 +41,23 @@ pub fn was_stopped(failure: &Failure) -> bool {
     false
 }
 
-/// Stops where a file is only about to be written.
+/// Stops before a file is begun.
 ///
 /// # Errors
 ///
 /// [`Failure::Write`] if the user does not want to wait any longer.
-pub fn heed(path: &Path) -> Result<(), Failure> {
+pub fn check(path: &Path) -> Result<(), Failure> {
     if !interrupt::is_overdue() {
         return Ok(());
     }
-    let (path, cause) = (path.to_owned(), io::Error::other(Stopped));
-    Err(Failure::Write { path, cause })
+    Err(Failure::write(path, io::Error::other(Stopped)))
 }
 
 /// Hands bytes on until the user has asked to stop and [`interrupt::GRACE`] is over, then fails.
 #[derive(Debug)]
-pub struct Heeding<W>(pub W);
+pub struct StoppableWriter<W>(pub W);
 
-impl<W: Write> Write for Heeding<W> {
+impl<W: Write> Write for StoppableWriter<W> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         if interrupt::is_overdue() {
             return Err(io::Error::other(Stopped));
@@ -71,31 +70,31 @@ impl<W: Write> Write for Heeding<W> {
     }
 }
 
-/// The same into a file, part after part of which is put on the disk.
+/// The same for a file, which is put on the disk part by part.
 #[derive(Debug)]
-pub struct Watched<'a> {
-    file: Heeding<&'a mut BufWriter<File>>,
+pub struct StoppableFile<'a> {
+    file: StoppableWriter<&'a mut PartialFile>,
     unsynced: usize,
 }
 
-impl<'a> Watched<'a> {
-    /// Watches over a file.
-    pub fn new(file: &'a mut BufWriter<File>) -> Self {
+impl<'a> StoppableFile<'a> {
+    /// A file that can be stopped.
+    pub fn new(file: &'a mut PartialFile) -> Self {
         Self {
-            file: Heeding(file),
+            file: StoppableWriter(file),
             unsynced: 0,
         }
     }
 }
 
-impl Write for Watched<'_> {
+impl Write for StoppableFile<'_> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         let written = self.file.write(bytes)?;
         self.unsynced += written;
         if self.unsynced > SYNC {
             self.unsynced = 0;
             self.file.flush()?;
-            self.file.0.get_ref().sync_data()?;
+            self.file.0.get_ref().as_file().sync_data()?;
         }
         Ok(written)
     }
@@ -105,7 +104,7 @@ impl Write for Watched<'_> {
     }
 }
 
-impl Seek for Watched<'_> {
+impl Seek for StoppableFile<'_> {
     fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
         self.file.0.seek(to)
     }

@@ -4,13 +4,12 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 
 use crate::display;
-use crate::picture::axis;
-use crate::picture::coarse::Coarse;
+use crate::picture::coarse_field::CoarseField;
 use crate::picture::colour_map::ColourMap;
 use crate::picture::colours::Colour;
+use crate::picture::crop::Crop;
+use crate::picture::labels;
 use crate::picture::subject::Subject;
-use crate::picture::svg::escaped;
-use crate::picture::window::Window;
 
 /// Most columns along a side: what a browser turns without delay.
 const CELLS: usize = 96;
@@ -20,26 +19,39 @@ const BARE: u16 = 0;
 const RELIEF: u16 = 1;
 const PRESSURES: [u16; 2] = [2, u16::MAX];
 
-/// A figure whose data the script draws.
-#[must_use]
-pub fn figure(subject: &Subject<'_>) -> String {
-    let fields = &subject.fields;
-    let window = Window::around_contact(fields.pressure, fields.size);
-    let coarse = Coarse::new(fields, &window, CELLS);
-    let (scale, shades) = subject.pressures();
-    let fraction = |pressure: f64| shades.fraction(pressure / scale.divisor);
-    let values = STANDARD.encode(values(&coarse, fraction));
-    let labels = escaped(&labels(subject, &coarse).to_string());
-    let (cells, palette) = (coarse.cells, STANDARD.encode(palette(shades.map)));
-    format!(
-        "<figure class=\"surface\" tabindex=\"0\" data-cells=\"{cells}\" data-values=\"{values}\" \
-         data-palette=\"{palette}\" data-labels=\"{labels}\">\n\
-         <canvas width=\"1400\" height=\"980\" role=\"img\" aria-label=\"Pressure in three dimensions\"></canvas>\n"
-    )
+/// The data of a figure that the script draws.
+#[derive(Debug, Clone)]
+pub struct Surface {
+    /// Cells per side.
+    pub cells: usize,
+    /// Two bytes a cell, in base 64.
+    pub values: String,
+    /// Three bytes a colour, in base 64.
+    pub palette: String,
+    /// The words at the axes, as JSON.
+    pub labels: String,
+}
+
+impl Surface {
+    /// The pressure of a step.
+    #[must_use]
+    pub fn new(subject: &Subject<'_>) -> Self {
+        let fields = &subject.fields;
+        let crop = Crop::around_contact(fields.pressure, fields.size);
+        let coarse = CoarseField::new(fields, &crop, CELLS);
+        let (scale, shades) = subject.pressures();
+        let fraction = |pressure: f64| shades.fraction(pressure / scale.divisor);
+        Self {
+            cells: coarse.cells,
+            values: STANDARD.encode(values(&coarse, fraction)),
+            palette: STANDARD.encode(palette(shades.map)),
+            labels: labels(subject, &coarse).to_string(),
+        }
+    }
 }
 
 /// Two bytes a cell, the lower first.
-fn values(coarse: &Coarse, fraction: impl Fn(f64) -> f64) -> Vec<u8> {
+fn values(coarse: &CoarseField, fraction: impl Fn(f64) -> f64) -> Vec<u8> {
     let cells = (0..coarse.cells).flat_map(|i| (0..coarse.cells).map(move |j| (i, j)));
     let value = |(i, j)| {
         let pressure = coarse.pressure(i, j);
@@ -73,18 +85,22 @@ fn palette(map: ColourMap) -> Vec<u8> {
 }
 
 /// The ends and the names of the axes.
-fn labels(subject: &Subject<'_>, coarse: &Coarse) -> serde_json::Value {
+fn labels(subject: &Subject<'_>, coarse: &CoarseField) -> serde_json::Value {
     let metres = subject.metres(coarse.farthest());
     let (pascals, shades) = subject.pressures();
     let along = |[from, to]: [f64; 2], symbol| {
-        let end = |x: f64| axis::label(x / metres.divisor, (to - from) / metres.divisor);
-        [end(from), end(to), axis::title(symbol, &metres.label)]
+        let end = |x: f64| labels::tick(x / metres.divisor, (to - from) / metres.divisor);
+        [
+            end(from),
+            end(to),
+            labels::axis_title(symbol, &metres.label),
+        ]
     };
     let top = display::significant(shades.to, 4);
     serde_json::json!({
+        "p": format!("p up to {}", format!("{top} {}", pascals.label).trim_end()),
         "x": along(coarse.x, "x"),
         "y": along(coarse.y, "y"),
-        "p": format!("p up to {}", format!("{top} {}", pascals.label).trim_end()),
     })
 }
 

@@ -1,5 +1,5 @@
-//! The writing of a results folder as the user sees it: how far it is, whether it is to stop, and what went wrong on
-//! the way.
+//! The writer of a results folder: writes files and pictures, counts them, stops when the user asks, and collects
+//! warnings.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
@@ -7,32 +7,32 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 use super::file::write_bytes;
+use super::stoppable;
 use super::summary::WarningSummary;
-use super::watched;
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::picture::png;
 
-/// Hears how many files of how many are written.
-pub type Tell<'a> = &'a (dyn Fn(usize, usize) + Sync);
+/// Is called with the number of files written so far and in all.
+pub type OnProgress<'a> = &'a (dyn Fn(usize, usize) + Sync);
 
-/// What all writers of a folder share.
-pub struct Desk<'a> {
-    tell: Tell<'a>,
-    /// Files that there will be.
+/// The progress of a results folder, shared by all threads that write into it.
+pub struct ResultsWriter<'a> {
+    on_progress: OnProgress<'a>,
+    /// Files in all.
     total: usize,
     written: AtomicUsize,
     left_out: AtomicUsize,
     failures: Mutex<Vec<WarningSummary>>,
 }
 
-impl<'a> Desk<'a> {
-    /// A desk for so many files, fields and pictures.
+impl<'a> ResultsWriter<'a> {
+    /// A writer of this many files, fields and pictures together.
     #[must_use]
-    pub fn new(total: usize, tell: Tell<'a>) -> Self {
-        tell(0, total);
+    pub fn new(total: usize, on_progress: OnProgress<'a>) -> Self {
+        on_progress(0, total);
         Self {
-            tell,
+            on_progress,
             total,
             written: AtomicUsize::new(0),
             left_out: AtomicUsize::new(0),
@@ -40,11 +40,11 @@ impl<'a> Desk<'a> {
         }
     }
 
-    /// Writes a file, unless the user has asked to stop and nothing more is to be begun; none if it was left out.
+    /// Writes a file; none if it was left out because the user has asked to stop.
     ///
     /// # Errors
     ///
-    /// What `write` returns, unless it was stopped.
+    /// The failure of `write`, unless it was stopped.
     pub fn file<T>(
         &self,
         write: impl FnOnce() -> Result<T, Failure>,
@@ -52,11 +52,14 @@ impl<'a> Desk<'a> {
         if !interrupt::is_overdue() {
             match write() {
                 Ok(written) => {
-                    (self.tell)(1 + self.written.fetch_add(1, Ordering::Relaxed), self.total);
+                    (self.on_progress)(
+                        1 + self.written.fetch_add(1, Ordering::Relaxed),
+                        self.total,
+                    );
                     return Ok(Some(written));
                 }
-                // What was stopped half way is no failure.
-                Err(failure) if watched::was_stopped(&failure) => {}
+                // A file that was stopped half way is no failure.
+                Err(failure) if stoppable::was_stopped(&failure) => {}
                 Err(failure) => return Err(failure),
             }
         }
@@ -64,8 +67,8 @@ impl<'a> Desk<'a> {
         Ok(None)
     }
 
-    /// Writes a picture as it is drawn and rendered, and gives the drawing back; none if it was left out or cannot be
-    /// drawn, which is a warning. Neither file is forced onto the disk: they can be drawn again.
+    /// Draws, renders and writes a picture, and returns the drawing; none if it was left out, or cannot be drawn, which
+    /// is a warning. Neither file is forced onto the disk: they can be drawn again.
     ///
     /// # Errors
     ///
@@ -85,7 +88,7 @@ impl<'a> Desk<'a> {
             let Some(svg) = self.drawn(name, || Ok(draw())) else {
                 return Ok(None);
             };
-            watched::heed(&file("png"))?;
+            stoppable::check(&file("png"))?;
             let Some((svg, png)) = self.drawn(name, || render(svg)) else {
                 return Ok(None);
             };
@@ -96,17 +99,17 @@ impl<'a> Desk<'a> {
         Ok(written.flatten())
     }
 
-    /// What is drawn, or none and a warning: whatever happens in the drawing of a picture, the numbers are kept.
+    /// The drawing, or none and a warning: whatever happens while a picture is drawn, the numbers are kept.
     pub fn drawn<T>(&self, name: &str, draw: impl FnOnce() -> Result<T, String>) -> Option<T> {
         let drawn = catch_unwind(AssertUnwindSafe(draw));
         let reason = match drawn {
             Ok(Ok(drawn)) => return Some(drawn),
             Ok(Err(reason)) => reason,
-            Err(_) => "an error of the program itself".to_owned(),
+            Err(_) => "an error in the program itself".to_owned(),
         };
         let message = format!("the picture {name} cannot be drawn: {reason}");
         let warning = WarningSummary {
-            code: "picture-failed",
+            code: "picture-failed".into(),
             message,
         };
         self.failures().push(warning);
@@ -117,7 +120,7 @@ impl<'a> Desk<'a> {
         self.failures.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// What is to be said of what was written, in an order that does not depend on threads.
+    /// The warnings about the writing, in an order that does not depend on threads.
     #[must_use]
     pub fn warnings(&self) -> Vec<WarningSummary> {
         let mut warnings = self.failures().clone();
@@ -125,7 +128,7 @@ impl<'a> Desk<'a> {
         let (left_out, total) = (self.left_out.load(Ordering::Relaxed), self.total);
         if left_out > 0 {
             warnings.push(WarningSummary {
-                code: "stopped",
+                code: "stopped".into(),
                 message: format!(
                     "stopped by the user while results were written: {left_out} of {total} fields and pictures are missing"
                 ),
@@ -134,7 +137,7 @@ impl<'a> Desk<'a> {
         warnings
     }
 
-    /// Leaves out so many files.
+    /// Counts this many files as left out.
     pub fn leave_out(&self, files: usize) {
         self.left_out.fetch_add(files, Ordering::Relaxed);
     }
@@ -155,11 +158,11 @@ mod tests {
     #[test]
     fn a_picture_that_panics_is_a_warning_and_the_others_are_written() {
         let folder = tempfile::tempdir().unwrap();
-        let desk = Desk::new(3, &|_, _| ());
+        let writer = ResultsWriter::new(3, &|_, _| ());
         let svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"2\" height=\"2\"/>";
         let draw = |name: &str, svg: &str| {
             let svg = svg.to_owned();
-            desk.picture(folder.path(), name, || {
+            writer.picture(folder.path(), name, || {
                 assert!(!svg.is_empty(), "nothing to draw");
                 svg
             })
@@ -167,9 +170,10 @@ mod tests {
         assert_eq!(draw("panics", "").unwrap(), None);
         assert_eq!(draw("no-svg", "<svg").unwrap(), None);
         assert_eq!(draw("good", svg).unwrap().as_deref(), Some(svg));
-        let codes: Vec<_> = desk.warnings().iter().map(|warning| warning.code).collect();
+        let warnings = writer.warnings();
+        let codes: Vec<_> = warnings.iter().map(|warning| &warning.code[..]).collect();
         assert_eq!(codes, ["picture-failed"; 2]);
-        assert!(desk.warnings()[1].message.contains("picture panics"));
+        assert!(warnings[1].message.contains("picture panics"));
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 2);
     }
 
@@ -177,11 +181,11 @@ mod tests {
     fn every_file_is_counted() {
         let told = Mutex::new(Vec::new());
         let tell = |done, total| told.lock().unwrap().push((done, total));
-        let desk = Desk::new(2, &tell);
+        let writer = ResultsWriter::new(2, &tell);
         for _ in 0..2 {
-            desk.file(|| Ok(())).unwrap();
+            writer.file(|| Ok(())).unwrap();
         }
         assert_eq!(*told.lock().unwrap(), [(0, 2), (1, 2), (2, 2)]);
-        assert!(desk.is_whole() && desk.warnings().is_empty());
+        assert!(writer.is_whole() && writer.warnings().is_empty());
     }
 }

@@ -1,4 +1,4 @@
-//! The folder of a study: of this one and no other, and of one process at a time.
+//! The folder of a study, which belongs to this study alone and to one process at a time.
 
 use std::fs;
 use std::io;
@@ -11,9 +11,9 @@ use super::results_table::{self, CaseBlocks};
 use super::shard::Shard;
 use crate::failure::Failure;
 use crate::output::lock::Lock;
-use crate::output::{file, own};
+use crate::output::{file, run_files};
 
-/// What is said in the file of the lock.
+/// Text of the lock's file.
 const AT_WORK: &str = "pellicle is at work on this study.\n";
 
 /// Folder of the results folders of the cases.
@@ -22,10 +22,10 @@ const CASES: &str = "cases";
 /// Beginning of the name of a table that a fresh study replaces, until that is complete.
 const BEFORE: &str = ".pellicle-before-";
 
-/// How often, and after which time, a process that is nearly done is asked again.
+/// How often, and at which intervals, a process that is nearly done is asked again.
 const PATIENCE: (usize, Duration) = (100, Duration::from_millis(50));
 
-/// What to do with a table that is there.
+/// How a study begins with an existing table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Begin {
     /// Go on with it.
@@ -36,17 +36,17 @@ pub enum Begin {
 
 /// The folder of a study, claimed for one part of it. Nobody else works on this part until it is dropped.
 #[derive(Debug)]
-pub struct Place {
+pub struct StudyFolder {
     /// The folder.
     pub folder: PathBuf,
-    /// What to do with the part's table.
+    /// How to begin with the part's table.
     pub begin: Begin,
     /// Where the table is that was there before, while this study replaces it.
     pub before: Option<PathBuf>,
     _lock: Lock,
 }
 
-impl Place {
+impl StudyFolder {
     /// Claims the folder for the part that `identity` is of; `fresh` forgets what other studies have left in it.
     ///
     /// # Errors
@@ -56,7 +56,7 @@ impl Place {
     /// nothing can be written here.
     pub fn claim(folder: &Path, identity: &StudyIdentity, fresh: bool) -> Result<Self, Failure> {
         refuse_foreign(folder)?;
-        let failed = |cause| write_failure(folder, cause);
+        let failed = |cause| Failure::write(folder, cause);
         fs::create_dir_all(folder).map_err(failed)?;
         let lock = lock(folder, identity.shard)?.ok_or_else(|| Failure::Busy {
             path: identity.table(folder),
@@ -111,7 +111,7 @@ impl Place {
 /// [`Failure::Write`] if it cannot be made.
 pub fn lock(folder: &Path, part: Shard) -> Result<Option<Lock>, Failure> {
     let path = folder.join(format!(".pellicle-{}", part.file("study", "lock")));
-    Lock::take(&path, AT_WORK).map_err(|cause| write_failure(&path, cause))
+    Lock::take(&path, AT_WORK).map_err(|cause| Failure::write(&path, cause))
 }
 
 /// The same, asked for again while another process has it, for some seconds.
@@ -131,7 +131,7 @@ pub fn wait_for_lock(folder: &Path, part: Shard) -> Result<Lock, Failure> {
     Err(Failure::Busy { path })
 }
 
-/// What the studies and parts of studies in a folder remember, in the order of their parts.
+/// The identities of the studies and parts of studies in a folder, in the order of their parts.
 ///
 /// # Errors
 ///
@@ -217,7 +217,7 @@ fn set_aside(table: &Path) -> Result<(), Failure> {
     let is_empty = fs::symlink_metadata(table).map_or(true, |data| data.len() == 0);
     match before(table) {
         Some(before) if !is_empty && fs::symlink_metadata(&before).is_err() => {
-            fs::rename(table, before).map_err(|cause| write_failure(table, cause))
+            fs::rename(table, before).map_err(|cause| Failure::write(table, cause))
         }
         _ => remove(table),
     }
@@ -239,7 +239,7 @@ pub fn forget_before(folder: &Path, identity: &StudyIdentity) -> Result<(), Fail
 
 fn remove(path: &Path) -> Result<(), Failure> {
     match fs::remove_file(path) {
-        Err(cause) if cause.kind() != io::ErrorKind::NotFound => Err(write_failure(path, cause)),
+        Err(cause) if cause.kind() != io::ErrorKind::NotFound => Err(Failure::write(path, cause)),
         _ => Ok(()),
     }
 }
@@ -248,9 +248,11 @@ fn remove(path: &Path) -> Result<(), Failure> {
 fn forget_cases(cases: &Path) -> io::Result<()> {
     for name in names(cases) {
         let case = cases.join(&name);
-        if own::case_in(&case).is_some() && own::not_written(&case).is_none() && !case.is_symlink()
+        if run_files::case_in(&case).is_some()
+            && run_files::not_written(&case).is_none()
+            && !case.is_symlink()
         {
-            own::remove(&case)?;
+            run_files::remove(&case)?;
         }
     }
     Ok(())
@@ -279,11 +281,6 @@ fn names(folder: &Path) -> Vec<String> {
     entries
         .map(|entry| entry.file_name().to_string_lossy().into_owned())
         .collect()
-}
-
-fn write_failure(path: &Path, cause: io::Error) -> Failure {
-    let path = path.to_owned();
-    Failure::Write { path, cause }
 }
 
 #[cfg(test)]
