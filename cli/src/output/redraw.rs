@@ -45,7 +45,7 @@ pub struct Redrawn {
 pub fn draw(
     folder: &Path,
     options: &RedrawOptions<'_>,
-    tell: OnProgress<'_>,
+    on_progress: OnProgress<'_>,
 ) -> Result<Redrawn, Failure> {
     let summary = Summary::read(folder)?;
     let fields = |step: usize| folder.join(npz::file(step));
@@ -62,7 +62,7 @@ pub fn draw(
     };
     let count = steps.len() * pictures::of_a_step(&summary).len()
         + pictures::count_of_run(&summary, of_run);
-    let writer = ResultsWriter::new(count, tell);
+    let writer = ResultsWriter::new(count, on_progress);
     let out = options.out.unwrap_or(folder);
     if options.out.is_some() && !options.replaces {
         pictures::names(&summary, &steps, of_run)

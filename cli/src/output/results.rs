@@ -36,9 +36,9 @@ pub fn write(
     summary: &mut Summary,
     output: &OutputCase,
     start: Instant,
-    tell: OnProgress<'_>,
+    on_progress: OnProgress<'_>,
 ) -> Result<Extent, Failure> {
-    let writer = ResultsWriter::new(files(summary, output), tell);
+    let writer = ResultsWriter::new(files(summary, output), on_progress);
     let parts = write_steps(folder, path, summary, output, &writer)?;
     let run = pictures::run(folder, summary, output.pictures, &Style::default(), &writer)?;
     summary.warnings.extend(writer.warnings());

@@ -167,6 +167,7 @@ pub struct Clock {
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct WarningSummary {
     /// A word for programs.
+    #[serde(default)]
     pub code: String,
     /// A sentence for people.
     pub message: String,
