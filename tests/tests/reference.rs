@@ -1,7 +1,7 @@
 //! What the rows of `pellicle validate` do not show of its high-precision data: the response of stacks, and that a
 //! thickness wrong by little is seen.
 
-use pellicle_cli::validation::data::compliance::{one_layer, stacks};
+use pellicle_cli::evidence::data::compliance::{one_layer, stacks};
 use pellicle_kernel::Interface::Bonded;
 
 /// A dozen roundings, no cancellation: measured 9e-16 with one layer.

@@ -1,7 +1,7 @@
 //! A panel of curves with its title, and a legend.
 
-use pellicle_cli::picture::panel::{Axis, Panel};
-use pellicle_cli::picture::svg::{Anchor, Place, Stroke, Svg};
+use pellicle_cli::drawing::{Anchor, Rect, Stroke, Svg};
+use pellicle_cli::drawing::{Axis, Panel};
 
 use super::line::Line;
 
@@ -15,7 +15,7 @@ const SAMPLE: f64 = 44.0;
 const GAP: f64 = 8.0;
 
 /// Draws curves on a panel, with a title above it; what leaves the panel is cut off at its frame.
-pub(super) fn draw(svg: &mut Svg, title: &str, place: Place, axes: (Axis, Axis), lines: &[Line]) {
+pub(super) fn draw(svg: &mut Svg, title: &str, place: Rect, axes: (Axis, Axis), lines: &[Line]) {
     let (x, y) = axes;
     let panel = Panel { place, x, y };
     svg.text((place.left, place.top - 20.0), TITLE, Anchor::Start, title);

@@ -1,11 +1,11 @@
 //! Fig. 2: pressure under the paraboloid on the compliant (a, c) and the stiff (b, d) coating, small and large load.
 
-use pellicle_cli::display::Scale;
-use pellicle_cli::picture::number::power;
-use pellicle_cli::picture::style::Style;
-use pellicle_cli::picture::subject::Subject;
-use pellicle_cli::picture::svg::Dash;
-use pellicle_cli::picture::{colours, pressure_map, section};
+use pellicle_cli::Scale;
+use pellicle_cli::drawing::Dash;
+use pellicle_cli::drawing::Style;
+use pellicle_cli::drawing::Subject;
+use pellicle_cli::drawing::labels::power;
+use pellicle_cli::drawing::{colours, pressure_map, section};
 
 use super::line::{self, Line};
 use super::note;
@@ -49,11 +49,11 @@ pub(super) fn draw(studio: &mut Studio<'_>) -> Result<Vec<Picture>, XtaskError> 
 
 /// The map and the section of Fig. 2(c) as the program draws them.
 fn of_the_readme(common: &Common<'_>, loaded: &Loaded, shown: &Shown<'_>) -> [Picture; 2] {
-    let record = &loaded.run.record;
+    let summary = &loaded.run.summary;
     let subject = Subject {
-        title: &record.title,
-        units: record.units,
-        relief_height: record.relief_height(),
+        title: &summary.title,
+        units: summary.units,
+        relief_height: summary.relief_height(),
         step: loaded.run.last(),
         fields: shown.fields,
         style: Style::default(),

@@ -1,10 +1,10 @@
 //! Fig. 3: the deformed layer and the tops of the elements along the axis, read both ways.
 
-use pellicle_cli::output::summary::StepSummary;
-use pellicle_cli::picture::colours;
-use pellicle_cli::picture::number::power;
-use pellicle_cli::picture::panel::Axis;
-use pellicle_cli::picture::svg::{Dash, Place};
+use pellicle_cli::drawing::Axis;
+use pellicle_cli::drawing::colours;
+use pellicle_cli::drawing::labels::power;
+use pellicle_cli::drawing::{Dash, Rect};
+use pellicle_cli::results::StepSummary;
 
 use super::line::{self, Line};
 use super::parameters::Parameters;
@@ -148,7 +148,7 @@ fn data((run, step): &Load) -> String {
 }
 
 fn draw_panel(sheet: &mut Sheet, i: usize, profile: &Profile) {
-    let place = Place {
+    let place = Rect {
         left: COLUMN * (i % 2) as f64 + LEFT,
         top: Sheet::TOP + LEGEND + 44.0 + ROW * (i / 2) as f64,
         width: PANEL.0,
@@ -185,7 +185,7 @@ fn lines(loads: &[Load]) -> Result<Vec<Line>, XtaskError> {
         .zip([(Dash::Dashed, "small"), (Dash::Solid, "large")])
     {
         let stored = run.fields(*step)?;
-        let height = run.record.relief_height().unwrap_or(0.0);
+        let height = run.summary.relief_height().unwrap_or(0.0);
         let section = Section {
             fields: stored.fields(run.side()),
             height,

@@ -1,7 +1,7 @@
 //! Fig. 4: penetration, and its derivative, over the load.
 
-use pellicle_cli::picture::colours::{self, Colour};
-use pellicle_cli::picture::svg::Dash;
+use pellicle_cli::drawing::Dash;
+use pellicle_cli::drawing::colours::{self, Colour};
 
 use super::loading::{self, Curve, LoadAxis, Loading, Planned, View};
 use super::parameters::Parameters;

@@ -1,9 +1,9 @@
 //! Fig. 5: pressure under the Berkovich pyramid with and without film.
 
-use pellicle_cli::case::units::Units;
-use pellicle_cli::display::{Scale, Unit, quantity};
-use pellicle_cli::picture::panel::Axis;
-use pellicle_cli::picture::svg::{Dash, Place};
+use pellicle_cli::Units;
+use pellicle_cli::drawing::Axis;
+use pellicle_cli::drawing::{Dash, Rect};
+use pellicle_cli::{Scale, Unit, quantity};
 
 use super::line::{self, Line};
 use super::loading::{BARE, FILM};
@@ -20,7 +20,7 @@ use crate::XtaskError;
 const PANELS: [&str; 2] = ["with film", "without film"];
 
 /// Of the profiles, in pixels.
-const PLACE: Place = Place {
+const PLACE: Rect = Rect {
     left: 112.0,
     top: Sheet::TOP + 50.0,
     width: 1060.0,

@@ -1,8 +1,8 @@
 //! Fig. 6: largest pressure and penetration of the pyramid over the load, with and without film.
 
-use pellicle_cli::case::units::Units;
-use pellicle_cli::display::{Unit, quantity};
-use pellicle_cli::picture::svg::Dash;
+use pellicle_cli::Units;
+use pellicle_cli::drawing::Dash;
+use pellicle_cli::{Unit, quantity};
 
 use super::loading::{self, BARE, Curve, FILM, LoadAxis, Loading, Planned, View};
 use super::parameters::{Parameters, short};

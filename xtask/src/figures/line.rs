@@ -2,8 +2,8 @@
 
 use std::fmt::Write as _;
 
-use pellicle_cli::picture::colours::Colour;
-use pellicle_cli::picture::svg::Dash;
+use pellicle_cli::drawing::Colour;
+use pellicle_cli::drawing::Dash;
 
 /// A curve in one or more parts.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,8 +1,8 @@
 //! What figures 4 and 6 share: curves over the load, side by side.
 
-use pellicle_cli::output::summary::StepSummary;
-use pellicle_cli::picture::colours::{self, Colour};
-use pellicle_cli::picture::svg::{Dash, Place};
+use pellicle_cli::drawing::colours::{self, Colour};
+use pellicle_cli::drawing::{Dash, Rect};
+use pellicle_cli::results::StepSummary;
 
 use super::line::{self, Line};
 use super::picture::Picture;
@@ -112,7 +112,7 @@ impl Loading<'_> {
     }
 
     fn draw_view(&self, sheet: &mut Sheet, i: usize, view: &View, lines: &[Line]) {
-        let place = Place {
+        let place = Rect {
             left: COLUMN * i as f64 + LEFT,
             top: Sheet::TOP + LEGEND + 44.0,
             width: SIDE,

@@ -1,16 +1,16 @@
 //! The notes below a figure on the data in it.
 
-use pellicle_cli::output::summary::StepSummary;
-use pellicle_cli::picture::number::power;
-use pellicle_cli::picture::trust::{self, last_change, percent};
+use pellicle_cli::drawing::accuracy::{self, last_change, percent};
+use pellicle_cli::drawing::labels::power;
+use pellicle_cli::results::StepSummary;
 
-pub(super) use pellicle_cli::picture::trust::BRACKETS;
+pub(super) use pellicle_cli::drawing::accuracy::BRACKETS;
 
 use super::run::PaperRun;
 
 /// The note of one loading step.
 pub(super) fn of_step(run: &PaperRun, step: &StepSummary) -> String {
-    trust::of_step(run.record.grid.elements, step)
+    accuracy::of_step(run.summary.grid.elements, step)
 }
 
 /// The note of a loading path of which penetration and perhaps largest pressure are of interest.
@@ -23,7 +23,7 @@ pub(super) fn of_path(run: &PaperRun, with_peak: bool) -> String {
     } else {
         String::new()
     };
-    let n = run.record.grid.elements;
+    let n = run.summary.grid.elements;
     format!(
         "{n} × {n} elements, {} loads, certificates ≤ {}; change of D from the next coarser grid ≤ {}{peak}",
         run.steps().len(),

@@ -1,8 +1,8 @@
 //! The parameters of a case in words, read from the summary of its run.
 
-use pellicle_cli::case::units::Units;
-use pellicle_cli::display::{Unit, quantity};
-use pellicle_cli::picture::number::power;
+use pellicle_cli::Units;
+use pellicle_cli::drawing::labels::power;
+use pellicle_cli::{Unit, quantity};
 use serde_json::Value;
 
 use super::run::PaperRun;
@@ -17,8 +17,8 @@ impl<'a> Parameters<'a> {
     /// Those of a run.
     pub(super) fn of(run: &'a PaperRun) -> Self {
         Self {
-            case: &run.record.case,
-            units: run.record.units,
+            case: &run.summary.case,
+            units: run.summary.units,
         }
     }
 

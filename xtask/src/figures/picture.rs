@@ -4,8 +4,8 @@ use std::fs;
 use std::io::{self, Write};
 use std::path::Path;
 
-use pellicle_cli::output::file::{write_bytes, write_whole};
-use pellicle_cli::picture::png;
+use pellicle_cli::drawing::png;
+use pellicle_cli::results::{write_bytes, write_whole};
 
 use crate::XtaskError;
 

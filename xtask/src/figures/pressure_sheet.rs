@@ -2,16 +2,16 @@
 
 use std::fmt::Write as _;
 
-use pellicle_cli::display::Scale;
-use pellicle_cli::output::fields::Fields;
-use pellicle_cli::picture::coarse::Coarse;
-use pellicle_cli::picture::colour_map::Shades;
-use pellicle_cli::picture::panel::{Axis, Panel};
-use pellicle_cli::picture::projection::Projection;
-use pellicle_cli::picture::scene::Scene;
-use pellicle_cli::picture::svg::{Anchor, Place, Svg};
-use pellicle_cli::picture::window::Window;
-use pellicle_cli::picture::{axis, colour_bar, pressure_map};
+use pellicle_cli::Scale;
+use pellicle_cli::drawing::CoarseField;
+use pellicle_cli::drawing::ColourScale;
+use pellicle_cli::drawing::Crop;
+use pellicle_cli::drawing::Panel3d;
+use pellicle_cli::drawing::Projection;
+use pellicle_cli::drawing::{Anchor, Rect, Svg};
+use pellicle_cli::drawing::{Axis, Panel};
+use pellicle_cli::drawing::{colour_bar, labels, pressure_map};
+use pellicle_cli::results::Fields;
 
 use super::line::quoted;
 use super::picture::Picture;
@@ -68,14 +68,14 @@ pub(super) struct Common<'a> {
 
 impl Common<'_> {
     fn axis(&self, symbol: &str, ticks: usize) -> Axis {
-        let title = axis::title(symbol, &self.metres.label);
+        let title = labels::axis_title(symbol, &self.metres.label);
         Axis::new(-self.reach, self.reach, title, ticks)
     }
 
-    fn coarse(&self, shown: &Shown<'_>, cells: usize) -> Coarse {
+    fn coarse(&self, shown: &Shown<'_>, cells: usize) -> CoarseField {
         let part = 2.0 * self.reach * self.metres.divisor / shown.fields.side;
-        let window = Window::around_axis(shown.fields.size, part);
-        Coarse::new(&shown.fields, &window, cells)
+        let crop = Crop::around_axis(shown.fields.size, part);
+        CoarseField::new(&shown.fields, &crop, cells)
     }
 
     /// The pressure along x beside the axis, constant over an element, in the units of axes.
@@ -120,9 +120,9 @@ fn draw_map(
     (left, top): (f64, f64),
     common: &Common<'_>,
     shown: &Shown<'_>,
-    coarse: &Coarse,
+    coarse: &CoarseField,
 ) {
-    let place = Place {
+    let place = Rect {
         left: left + MAP_LEFT,
         top: top + TITLE_ROOM,
         width: MAP,
@@ -134,18 +134,18 @@ fn draw_map(
         x: common.axis("x", 6),
         y: common.axis("y", 6),
     };
-    let shades = Shades::up_to(shown.brightest * shown.pascals.divisor);
+    let shades = ColourScale::up_to(shown.brightest * shown.pascals.divisor);
     svg.within(place, |svg| {
         pressure_map::draw_field(svg, &panel, coarse, common.metres.divisor, &shades);
     });
     panel.draw_axes(svg);
-    let bar = Place {
+    let bar = Rect {
         left: place.right() + MAP_GAP,
         width: BAR,
         ..place
     };
-    let title = axis::title("pressure p", &shown.pascals.label);
-    colour_bar::draw(svg, bar, &Shades::up_to(shown.brightest), &title);
+    let title = labels::axis_title("pressure p", &shown.pascals.label);
+    colour_bar::draw(svg, bar, &ColourScale::up_to(shown.brightest), &title);
 }
 
 /// The pressures as columns over the surface.
@@ -166,7 +166,7 @@ fn draw_scene(
     (left, top): (f64, f64),
     common: &Common<'_>,
     shown: &Shown<'_>,
-    coarse: &Coarse,
+    coarse: &CoarseField,
 ) {
     svg.text(
         (left + 40.0, top + 14.0),
@@ -174,7 +174,7 @@ fn draw_scene(
         Anchor::Start,
         &shown.title,
     );
-    let place = Place {
+    let place = Rect {
         left,
         top: top + TITLE_ROOM,
         width: SCENE_COLUMN,
@@ -185,8 +185,8 @@ fn draw_scene(
         height: 225.0,
         centre: (left + 380.0, place.top + 372.0),
     };
-    let pressure = axis::title("p", &shown.pascals.label);
-    let scene = Scene {
+    let pressure = labels::axis_title("p", &shown.pascals.label);
+    let scene = Panel3d {
         place,
         view,
         x: common.axis("x", 5),
@@ -194,11 +194,11 @@ fn draw_scene(
         z: Axis::new(0.0, shown.top, pressure, 5),
     };
     let divisors = (common.metres.divisor, shown.pascals.divisor);
-    scene.draw(svg, coarse, divisors, &Shades::up_to(shown.top));
+    scene.draw(svg, coarse, divisors, &ColourScale::up_to(shown.top));
 }
 
 /// One row a cell; a cell has the largest pressure of its elements.
-fn push_rows(csv: &mut String, panel: &str, coarse: &Coarse) {
+fn push_rows(csv: &mut String, panel: &str, coarse: &CoarseField) {
     let centre = |[from, to]: [f64; 2], i: usize| {
         from + (to - from) * (i as f64 + 0.5) / coarse.cells as f64
     };

@@ -1,6 +1,6 @@
 //! What figures 2 and 5 share: runs with the fields of their only step, and the ends of axes and colours.
 
-use pellicle_cli::output::npz::StoredFields;
+use pellicle_cli::results::StoredFields;
 
 use super::note;
 use super::run::PaperRun;

@@ -5,10 +5,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use pellicle_cli::case::Case;
-use pellicle_cli::output::npz::{self, StoredFields};
-use pellicle_cli::output::record::Record;
-use pellicle_cli::output::summary::{self, StepSummary};
+use pellicle_cli::Case;
+use pellicle_cli::results::{SUMMARY_FILE, StepSummary, Summary};
+use pellicle_cli::results::{StoredFields, fields_file};
 
 use crate::XtaskError;
 
@@ -37,7 +36,7 @@ pub struct PaperRun {
     /// The name of its case: `fig2a`, `fig4-soft-60`.
     pub case: &'static str,
     /// Its summary; the steps are in the order of the loads.
-    pub record: Record,
+    pub summary: Summary,
     folder: PathBuf,
 }
 
@@ -100,16 +99,16 @@ impl Runner {
                 });
             }
         }
-        let path = folder.join(summary::FILE);
+        let path = folder.join(SUMMARY_FILE);
         let text = fs::read_to_string(&path).map_err(|source| XtaskError::Read { path, source })?;
         // The summary does not name its units; the case does.
-        let record = Record::parse(&text, Case::read(&file, sets)?.units)?;
-        if record.steps.is_empty() || record.steps.iter().any(|s| !s.certificate.satisfied) {
+        let summary = Summary::parse(&text, Case::read(&file, sets)?.units)?;
+        if summary.steps.is_empty() || summary.steps.iter().any(|s| !s.certificate.satisfied) {
             return Err(XtaskError::NotCertified { run: described });
         }
         Ok(PaperRun {
             case: name,
-            record,
+            summary,
             folder,
         })
     }
@@ -119,7 +118,7 @@ impl PaperRun {
     /// The loading steps.
     #[must_use]
     pub fn steps(&self) -> &[StepSummary] {
-        &self.record.steps
+        &self.summary.steps
     }
 
     /// The last loading step, the only one of a case with a single load.
@@ -134,7 +133,7 @@ impl PaperRun {
     /// Side of the square domain, in the case's unit of length.
     #[must_use]
     pub fn side(&self) -> f64 {
-        self.record.grid.side
+        self.summary.grid.side
     }
 
     /// The largest line of the certificate over all steps.
@@ -149,6 +148,6 @@ impl PaperRun {
     /// # Errors
     /// [`XtaskError::Results`] if they were not kept or the file is damaged.
     pub fn fields(&self, step: usize) -> Result<StoredFields, XtaskError> {
-        Ok(StoredFields::read(&self.folder.join(npz::file(step)))?)
+        Ok(StoredFields::read(&self.folder.join(fields_file(step)))?)
     }
 }

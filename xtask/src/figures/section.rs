@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use pellicle_cli::output::fields::Fields;
+use pellicle_cli::results::Fields;
 
 /// The row of elements beside the axis, along x.
 pub(super) struct Section<'a> {

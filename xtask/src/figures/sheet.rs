@@ -1,7 +1,7 @@
 //! A sheet with a heading, room for panels, and notes on the data below.
 
-use pellicle_cli::picture::heading;
-use pellicle_cli::picture::svg::{Anchor, Svg};
+use pellicle_cli::drawing::heading;
+use pellicle_cli::drawing::{Anchor, Svg};
 
 use super::picture::Picture;
 

@@ -1,6 +1,7 @@
 //! Where figures get their runs from, and how fine the grids are.
 
-use pellicle_cli::output::summary::{EstimateSummary, StepSummary};
+use pellicle_cli::results::StepSummary;
+use pellicle_contact::Estimate;
 
 use super::run::{PaperRun, Runner};
 use crate::XtaskError;
@@ -13,7 +14,7 @@ pub(super) struct Studio<'a> {
 }
 
 /// A number of a step that a curve shows: its value and what the grid costs it.
-pub(super) type Drawn = fn(&StepSummary) -> (f64, Option<EstimateSummary>);
+pub(super) type Drawn = fn(&StepSummary) -> (f64, Option<Estimate>);
 
 /// The penetration.
 pub(super) const PENETRATION: Drawn = |step| (step.penetration, step.grid_error.penetration);
@@ -65,7 +66,7 @@ impl Studio<'_> {
 
 /// Whether every step has an error that is known and small.
 fn is_enough(run: &PaperRun, drawn: &[Drawn]) -> bool {
-    let is_small = |(value, error): (f64, Option<EstimateSummary>)| {
+    let is_small = |(value, error): (f64, Option<Estimate>)| {
         error.is_some_and(|error| error.resolved && error.estimate <= ENOUGH * value)
     };
     let step_is = |step| drawn.iter().all(|number| is_small(number(step)));
