@@ -1,11 +1,13 @@
 //! The command line.
 
+mod values;
+
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
 
+use self::values::{offset, perturbation, positive, range, section};
 use crate::case::output::{Format, OutputCase, Steps};
-use crate::case::quantity::{self, Dimension};
 use crate::picture::colour_map::ColourMap;
 use crate::picture::style::Cut;
 use crate::study::shard::Shard;
@@ -19,27 +21,26 @@ use crate::templates::Template;
                         2 the case or the command line is wrong, 130 stopped by Ctrl-C."
 )]
 pub struct Arguments {
-    /// What to do.
+    /// The command.
     #[command(subcommand)]
     pub command: Command,
 }
 
-/// What to do.
+/// A command and its arguments.
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// Solve a case and write a results folder
     Run(RunArguments),
-    /// Solve a case for many values of its keys, in parallel; killed at any moment, the same command goes on where it
-    /// stopped
+    /// Solve a case for many values of its keys, in parallel; after a kill the same command continues where it stopped
     #[command(
-        after_help = "A study file is a table [study] with the keys that vary, and the base case: `pellicle init study` prints one.\n\
-                            Exit codes: 0 every case is certified, 1 some case is not (the others are there), \
+        after_help = "A study file is a base case and a table [study] of the keys that vary: `pellicle init study` prints one.\n\
+                            Exit codes: 0 every case is certified, 1 some cases are not (the others are kept), \
                             2 the study or the command line is wrong, 130 stopped by Ctrl-C."
     )]
     Study(StudyArguments),
-    /// Put the tables of a study's parts (--shard) together
+    /// Merge the tables of a study's parts (--shard)
     Gather(GatherArguments),
-    /// Resolve a case and say what solving it would take, without solving it
+    /// Resolve a case and estimate the work of solving it, without solving it
     Check(CaseArguments),
     /// Print a commented case that runs as it is
     Init(InitArguments),
@@ -47,20 +48,20 @@ pub enum Command {
     Kernel(KernelArguments),
     /// Print influence coefficients of the case's foundation and grid
     Influence(InfluenceArguments),
-    /// Draw the pictures of a results folder again, or to order; of several, their curves in one picture
+    /// Redraw the pictures of a results folder, with options; for several folders, draw their curves in one picture
     Plot(PlotArguments),
-    /// Show where coefficients are kept between runs and how much there is, or remove them
+    /// Show the folder and size of the cache of coefficients, or clear it
     #[command(
         after_help = "PELLICLE_CACHE names the folder; set but empty, it turns the cache on disk off."
     )]
     Cache(CacheArguments),
-    /// Compare the program with what is known: closed forms, data of many digits, limits, and pressures that its
+    /// Compare the program with known results: closed forms, high-precision data, limits, and wrong pressures that its
     /// certificate must refuse
     #[command(
-        after_help = "Takes some seconds, reads and writes no files. The error of each row is as the line below its section says; \
+        after_help = "Takes a few seconds; reads and writes no files. The line below each section defines its error; \
                             in the certificate's negative controls it is the worst line of a wrong pressure's certificate and must exceed \
                             the tolerance.\n\
-                            Exit codes: 0 every row passes, 1 some row fails, 2 the command line is wrong."
+                            Exit codes: 0 every row passes, 1 some rows fail, 2 the command line is wrong."
     )]
     Validate(ValidateArguments),
     /// Print completions for a shell
@@ -69,7 +70,7 @@ pub enum Command {
     Man,
 }
 
-/// A case and what replaces its values.
+/// A case file and the values that replace its own.
 #[derive(Debug, Args)]
 pub struct CaseArguments {
     /// The case file
@@ -80,25 +81,25 @@ pub struct CaseArguments {
     pub sets: Vec<String>,
 }
 
-/// How to run a case.
+/// Arguments of `run`.
 #[derive(Debug, Args)]
 pub struct RunArguments {
-    /// The case, and what replaces its values.
+    /// The case, and the values that replace its own.
     #[command(flatten)]
     pub case: CaseArguments,
     /// Results folder [default: results/NAME after the case, numbered if that exists; none with --json]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// Replace the results in an existing results folder, and no other files in it, when the new ones are complete
+    /// Replace the results in an existing results folder once the new ones are complete; other files stay
     #[arg(long)]
     pub force: bool,
-    /// What is written of the case.
+    /// The fields and pictures to write.
     #[command(flatten)]
     pub output: OutputArguments,
-    /// Print the summary as JSON to standard output, and nothing else; a folder is written only with --out
+    /// Print the summary as JSON to standard output and nothing else; write a folder only with --out
     #[arg(long)]
     pub json: bool,
-    /// Number of threads [default: one a core]
+    /// Number of threads [default: one per core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
     /// Print nothing but errors
@@ -106,22 +107,22 @@ pub struct RunArguments {
     pub quiet: bool,
 }
 
-/// What a run writes, where the case is not to decide.
+/// The fields and pictures to write, in place of those that the case asks for.
 #[derive(Debug, Args)]
 pub struct OutputArguments {
-    /// Loading steps whose fields are written [default: what the case says, or last]
+    /// Loading steps whose fields are written [default: as in the case, or last]
     #[arg(long, value_enum, value_name = "STEPS")]
     pub fields: Option<Steps>,
-    /// Loading steps whose pictures are drawn [default: what the case says, or last]
+    /// Loading steps whose pictures are drawn [default: as in the case, or last]
     #[arg(long, value_enum, value_name = "STEPS")]
     pub pictures: Option<Steps>,
-    /// Formats of the fields, by commas [default: what the case says, or all]
+    /// Formats of the fields, separated by commas [default: as in the case, or all]
     #[arg(long, value_enum, value_name = "FORMATS", value_delimiter = ',')]
     pub formats: Vec<Format>,
 }
 
 impl OutputArguments {
-    /// Puts what is given in the place of what the case says.
+    /// Replaces the values of `output` by those given.
     pub fn replace(&self, output: &mut OutputCase) {
         output.fields = self.fields.unwrap_or(output.fields);
         output.pictures = self.pictures.unwrap_or(output.pictures);
@@ -131,7 +132,7 @@ impl OutputArguments {
     }
 }
 
-/// How to run a study.
+/// Arguments of `study`.
 #[derive(Debug, Args)]
 #[expect(
     clippy::struct_excessive_bools,
@@ -144,16 +145,16 @@ pub struct StudyArguments {
     /// Replace one value of the base case: --set grid.elements=64 (repeatable)
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub sets: Vec<String>,
-    /// Folder of the results [default: results/NAME after the study]
+    /// Results folder [default: results/NAME after the study]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// Go on where it stopped (the default)
+    /// Continue where it stopped (the default)
     #[arg(long, conflicts_with = "fresh")]
     pub resume: bool,
-    /// Begin again and forget the results that are there, of this study or another
+    /// Start afresh and discard the results in the folder, of this study or another
     #[arg(long)]
     pub fresh: bool,
-    /// Only part I of N, from 1; `pellicle gather` puts the parts together
+    /// Solve only part I of N, from 1; `pellicle gather` merges the parts
     #[arg(
         long,
         value_name = "I/N",
@@ -164,13 +165,13 @@ pub struct StudyArguments {
     /// Print the cases and solve none
     #[arg(long)]
     pub list: bool,
-    /// Write a whole results folder for every case too, in cases/
+    /// Also write a results folder for every case, in cases/
     #[arg(long)]
     pub folders: bool,
-    /// Print how the cases ended as JSON to standard output
+    /// Print the number of cases by status as JSON to standard output
     #[arg(long)]
     pub json: bool,
-    /// Number of threads, and of cases at a time [default: one a core]
+    /// Number of threads, and of cases solved at a time [default: one per core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
     /// Print nothing but errors
@@ -178,24 +179,24 @@ pub struct StudyArguments {
     pub quiet: bool,
 }
 
-/// Which parts to put together.
+/// Arguments of `gather`.
 #[derive(Debug, Args)]
 pub struct GatherArguments {
     /// The folder of the study
     #[arg(value_name = "DIR")]
     pub folder: PathBuf,
-    /// Replace the whole table of another study
+    /// Replace the merged table of another study
     #[arg(long)]
     pub force: bool,
 }
 
-/// How to validate.
+/// Arguments of `validate`.
 #[derive(Debug, Args)]
 pub struct ValidateArguments {
     /// Print JSON to standard output
     #[arg(long)]
     pub json: bool,
-    /// Number of threads [default: one a core]
+    /// Number of threads [default: one per core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
     /// Multiply every influence coefficient by 1 + EPS, to see that the validation fails: 1e-3, 1e-6, 1e-12
@@ -209,7 +210,7 @@ pub struct ValidateArguments {
     pub perturb_coefficients: f64,
 }
 
-/// Which shell.
+/// Arguments of `completions`.
 #[derive(Debug, Args)]
 pub struct CompletionsArguments {
     /// The shell
@@ -217,13 +218,13 @@ pub struct CompletionsArguments {
     pub shell: clap_complete::Shell,
 }
 
-/// Which case to begin with.
+/// Arguments of `init`.
 #[derive(Debug, Args)]
 pub struct InitArguments {
-    /// What the case is about
+    /// The template
     #[arg(value_enum, default_value_t)]
     pub kind: Template,
-    /// Write it to a new file instead of standard output
+    /// Write the template to a new file instead of standard output
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
     /// Replace an existing file
@@ -231,13 +232,13 @@ pub struct InitArguments {
     pub force: bool,
 }
 
-/// At which wavenumbers.
+/// Arguments of `kernel`.
 #[derive(Debug, Args)]
 pub struct KernelArguments {
-    /// The case, and what replaces its values.
+    /// The case, and the values that replace its own.
     #[command(flatten)]
     pub case: CaseArguments,
-    /// Wavenumbers k, in 1/m or the case's own units; several by spaces, commas or repetition
+    /// Wavenumbers k, in 1/m or the case's own units; separate several by spaces or commas, or repeat the option
     #[arg(long = "wavenumber", value_name = "K", required = true, num_args = 1.., value_delimiter = ',')]
     #[arg(allow_negative_numbers = true, value_parser = positive)]
     pub wavenumbers: Vec<f64>,
@@ -246,16 +247,16 @@ pub struct KernelArguments {
     pub json: bool,
 }
 
-/// At which offsets.
+/// Arguments of `influence`.
 #[derive(Debug, Args)]
 pub struct InfluenceArguments {
-    /// The case, and what replaces its values.
+    /// The case, and the values that replace its own.
     #[command(flatten)]
     pub case: CaseArguments,
-    /// Offsets in elements along x and y; several by spaces or repetition
+    /// Offsets in elements along x and y; separate several by spaces, or repeat the option
     #[arg(long = "offset", value_name = "M,N", required = true, num_args = 1.., value_parser = offset)]
     pub offsets: Vec<[usize; 2]>,
-    /// Take the slow path: adaptive quadrature of the defining integral
+    /// Use adaptive quadrature of the defining integral, which is slow
     #[arg(long)]
     pub direct: bool,
     /// Print JSON
@@ -263,108 +264,50 @@ pub struct InfluenceArguments {
     pub json: bool,
 }
 
-/// Which results to draw.
+/// Arguments of `plot`.
 #[derive(Debug, Args)]
 pub struct PlotArguments {
-    /// The results folder; of several, the curves are drawn in one picture, curves.svg and curves.png
+    /// The results folder; for several, their curves are drawn in one picture, curves.svg and curves.png
     #[arg(value_name = "DIR", required = true)]
     pub folders: Vec<PathBuf>,
-    /// Folder for the pictures [default: that of the results, whose pictures and report are replaced; of several the
-    /// current one]
+    /// Folder for the pictures [default: the results folder, whose pictures and report are replaced; for several, the
+    /// current folder]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// Replace pictures that are there, in a folder that is not that of the results
+    /// Replace existing pictures in a folder other than that of the results
     #[arg(long)]
     pub force: bool,
-    /// Only the pictures of this loading step, counted from 0
+    /// Draw only the pictures of this loading step, counted from 0
     #[arg(long, value_name = "N")]
     pub step: Option<usize>,
     /// Width of every picture in pixels [default: about 1000]
     #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u16).range(100..=10000))]
     pub size: Option<u16>,
-    /// Leave out the lines above the pictures
+    /// Omit the title lines above the pictures
     #[arg(long)]
     pub no_title: bool,
-    /// Colours of the maps [default: viridis]
+    /// Colour map [default: viridis]
     #[arg(long, value_enum, value_name = "COLOURS")]
     pub colour_map: Option<ColourMap>,
-    /// Ends of the scale of pressures: "2 GPa", or "0.5 GPa:2 GPa"; a bare number is in Pa or the case's own unit
-    /// [default: the largest]
+    /// Range of the pressure scale: "2 GPa" or "0.5 GPa:2 GPa"; a bare number is in Pa or the case's own unit [default:
+    /// up to the largest pressure]
     #[arg(long, value_name = "[FROM:]TO", value_parser = range)]
     pub range: Option<[f64; 2]>,
-    /// Where the section is: axis, peak (through the largest pressure), y="5 um" (along x there), x="5 um" (along y)
+    /// Position of the section: axis, peak (through the largest pressure), y="5 um" (along x), x="5 um" (along y)
     /// [default: axis]
     #[arg(long, value_name = "PLACE", value_parser = section)]
     pub section: Option<Cut>,
 }
 
-/// What to do with the cache.
+/// Arguments of `cache`.
 #[derive(Debug, Args)]
 pub struct CacheArguments {
-    /// Remove the cache's files, and no others
+    /// Remove the cache's files and no others
     #[arg(long)]
     pub clear: bool,
     /// Print JSON
     #[arg(long)]
     pub json: bool,
-}
-
-fn positive(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(k) if k > 0.0 && k.is_finite() => Ok(k),
-        _ => Err("wanted a positive number".into()),
-    }
-}
-
-/// A quantity with or without its unit.
-fn quantity(text: &str, dimension: Dimension) -> Result<f64, String> {
-    let bare = text.trim().parse().ok();
-    let value = bare.or_else(|| quantity::parse(text, dimension).ok());
-    let wanted = || {
-        let example = dimension.example().trim_matches('"');
-        format!(
-            "wanted {} such as {example}, or a bare number",
-            dimension.noun()
-        )
-    };
-    value
-        .filter(|value: &f64| value.is_finite())
-        .ok_or_else(wanted)
-}
-
-fn range(text: &str) -> Result<[f64; 2], String> {
-    let (from, to) = text.split_once(':').unwrap_or(("0", text));
-    let [from, to] = [from, to].map(|end| quantity(end, Dimension::Pressure));
-    let (from, to) = (from?, to?);
-    if from < to {
-        Ok([from, to])
-    } else {
-        Err("the range ends before it begins".into())
-    }
-}
-
-fn section(text: &str) -> Result<Cut, String> {
-    match (text, text.split_once('=')) {
-        ("axis", _) => Ok(Cut::Axis),
-        ("peak", _) => Ok(Cut::Peak),
-        (_, Some(("y", y))) => quantity(y, Dimension::Length).map(Cut::AlongX),
-        (_, Some(("x", x))) => quantity(x, Dimension::Length).map(Cut::AlongY),
-        _ => Err("wanted axis, peak, or a place such as y=\"5 um\" or x=0.1".into()),
-    }
-}
-
-fn perturbation(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(by) if by > -1.0 && by.is_finite() => Ok(by),
-        _ => Err("wanted a number above -1, such as 1e-6".into()),
-    }
-}
-
-fn offset(text: &str) -> Result<[usize; 2], String> {
-    let count = |text: &str| text.trim().parse().ok();
-    let both = text.split_once(',');
-    let both = both.and_then(|(m, n)| Some([count(m)?, count(n)?]));
-    both.ok_or_else(|| "wanted two integers of zero or more, such as 3,4".into())
 }
 
 #[cfg(test)]
@@ -390,31 +333,5 @@ mod tests {
             panic!("not influence")
         };
         assert_eq!(influence.offsets, [[0, 0], [3, 4], [1, 2]]);
-    }
-
-    #[test]
-    fn pictures_are_ordered_in_words_and_units() {
-        assert_eq!(range("2 GPa"), Ok([0.0, 2e9]));
-        assert_eq!(range("0.5 GPa:2 GPa"), Ok([0.5e9, 2e9]));
-        assert_eq!(range("0.1:0.3"), Ok([0.1, 0.3]));
-        assert_eq!(section("peak"), Ok(Cut::Peak));
-        assert_eq!(section("y=5 um"), Ok(Cut::AlongX(5e-6)));
-        assert_eq!(section("x=-0.25"), Ok(Cut::AlongY(-0.25)));
-        for text in ["", "2 nm", "3:2", "1:1", "nan", "inf"] {
-            assert!(range(text).is_err(), "{text}");
-        }
-        for text in ["", "z=1", "x=", "y=1 GPa", "top"] {
-            assert!(section(text).is_err(), "{text}");
-        }
-    }
-
-    #[test]
-    fn what_is_no_wavenumber_or_offset_is_refused() {
-        for text in ["0", "-1", "nan", "inf", "x", ""] {
-            assert!(positive(text).is_err(), "{text}");
-        }
-        for text in ["1", "1,", "1.5,2", "-1,2", "1,2,3", "a,b", ""] {
-            assert!(offset(text).is_err(), "{text}");
-        }
     }
 }

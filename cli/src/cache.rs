@@ -1,5 +1,5 @@
-//! Where the program keeps radial tables and coefficients: in the folder that `PELLICLE_CACHE` names, or else in the
-//! platform's.
+//! The cache of radial tables and coefficients: in the folder that `PELLICLE_CACHE` names, or else in the platform's
+//! cache folder.
 
 use std::env;
 use std::ffi::OsString;
@@ -10,7 +10,7 @@ use pellicle_influence::{Cache, CacheWarning};
 
 use crate::terminal;
 
-/// Environment variable that names the folder; empty for no cache on disk.
+/// The environment variable that names the folder; if empty, nothing is cached on disk.
 pub const VARIABLE: &str = "PELLICLE_CACHE";
 
 /// The cache of this run.
@@ -19,13 +19,13 @@ pub fn open() -> Cache {
     folder(env::var_os(VARIABLE), platform_folder).map_or_else(Cache::in_memory, Cache::at)
 }
 
-/// Tells the person at the terminal what has gone wrong with the cache.
+/// Prints the warnings of the cache to standard error.
 pub fn tell_warnings(cache: &Cache) {
     let tell = |warning: CacheWarning| terminal::tell(&format!("warning: {warning}"));
     cache.take_warnings().into_iter().for_each(tell);
 }
 
-/// The folder named, none if its name is empty, that of the platform if nothing is said.
+/// The folder named, none if the name is empty, the platform's if there is no name.
 fn folder(
     named: Option<OsString>,
     platform_folder: impl FnOnce() -> Option<PathBuf>,
@@ -37,7 +37,7 @@ fn folder(
     }
 }
 
-/// `~/.cache/pellicle`, `~/Library/Caches/pellicle` or `%LOCALAPPDATA%\pellicle\cache`; none where there is no home.
+/// `~/.cache/pellicle`, `~/Library/Caches/pellicle` or `%LOCALAPPDATA%\pellicle\cache`; none without a home folder.
 fn platform_folder() -> Option<PathBuf> {
     let folders = ProjectDirs::from("", "", "pellicle")?;
     Some(folders.cache_dir().to_owned())

@@ -1,11 +1,11 @@
-//! Numbers as people read them: an SI prefix, a few digits.
+//! Numbers for people: a few digits and an SI prefix.
 
 use crate::case::units::Units;
 
 /// The prefixes of 10⁻¹⁸, 10⁻¹⁵ … 10¹².
 const PREFIXES: [&str; 11] = ["a", "f", "p", "n", "µ", "m", "", "k", "M", "G", "T"];
 
-/// What a quantity is measured in, before any prefix.
+/// A unit without prefix.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Unit {
     /// m
@@ -31,18 +31,18 @@ impl Unit {
         }
     }
 
-    /// How often the prefix counts: 1 µm² is (10⁻⁶ m)².
+    /// The power of the prefix: 1 µm² is (10⁻⁶ m)².
     fn power(self) -> i32 {
         if self == Self::SquareMetre { 2 } else { 1 }
     }
 }
 
-/// A scale on which numbers of some size are easy to read.
+/// A scale on which numbers of a given magnitude are easy to read.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scale {
-    /// A value is divided by this.
+    /// The divisor of a value.
     pub divisor: f64,
-    /// What the quotient is measured in: `µm`, `10⁻³ case units`; empty for bare case units.
+    /// The unit of the quotient: `µm`, `10⁻³ case units`; empty for bare case units.
     pub label: String,
 }
 
@@ -102,7 +102,7 @@ impl Scale {
     }
 }
 
-/// An error of two digits on the scale of the value it belongs to: `± 0.29 µm²`.
+/// An error with two digits on the scale of its value: `± 0.29 µm²`.
 #[must_use]
 pub fn error_of(value: f64, error: f64, unit: Unit, units: Units) -> String {
     let error_on = |scale: Scale| {

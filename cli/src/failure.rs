@@ -1,4 +1,4 @@
-//! Why the program ends without a certified result, and the exit code that says so.
+//! The reasons for which a command ends early, and their exit codes.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -12,10 +12,10 @@ use crate::case::diagnosis::Diagnosis;
 use crate::display::memory;
 use crate::forecast::Need;
 
-/// Everything that ends a command early.
+/// The reason why a command ends early.
 #[derive(Debug, thiserror::Error)]
 pub enum Failure {
-    /// The case is wrong, at one place in its text.
+    /// The case is wrong at one place in its text.
     #[error(transparent)]
     Case(#[from] Box<Diagnosis>),
     /// There is no such file, or it cannot be read.
@@ -23,14 +23,14 @@ pub enum Failure {
     Unreadable {
         /// The file.
         path: PathBuf,
-        /// What the system says.
+        /// The system's error.
         cause: io::Error,
     },
     /// The kernel refuses the foundation.
     #[error("the foundation is refused: {0}")]
     Kernel(#[from] KernelError),
     /// The influence coefficients cannot be computed.
-    #[error("no influence coefficients for this foundation: {0}")]
+    #[error("the influence coefficients cannot be computed: {0}")]
     Influence(#[from] InfluenceError),
     /// The relief is refused.
     #[error("the surface is refused: {0}")]
@@ -41,31 +41,31 @@ pub enum Failure {
     /// The contact problem cannot be posed or was cancelled.
     #[error(transparent)]
     Contact(#[from] ContactError),
-    /// A file or folder of that name is there already.
+    /// A file or folder of that name exists.
     #[error("{} exists: give --force to replace it, or another --out", path.display())]
     Exists {
-        /// What is there.
+        /// The existing file or folder.
         path: PathBuf,
     },
-    /// Something is there that is not a results folder, and is not touched.
-    #[error("{} is there and is not a results folder: give another --out", path.display())]
+    /// Something other than a results folder exists there; it is not touched.
+    #[error("{} exists and is not a results folder: give another --out", path.display())]
     NoResults {
-        /// What is there.
+        /// The existing file or folder.
         path: PathBuf,
     },
-    /// Beside the summary of a run is a file under one of its names that it has not written.
-    #[error("{} is not of the run whose summary is beside it: move it away, or give another --out", path.display())]
+    /// Beside a run's summary is a file that bears one of its names but was not written by it.
+    #[error("{} was not written by the run whose summary is beside it: move it away, or give another --out", path.display())]
     NotWritten {
         /// The file.
         path: PathBuf,
     },
-    /// Of several results only the curve can be drawn.
+    /// An option of `plot` that applies to a single results folder was given with several.
     #[error(
-        "of several results the curves are drawn in one picture: --step, --section, --range and --colour-map are for a single one"
+        "several results are drawn as curves in one picture: --step, --section, --range and --colour-map are for a single one"
     )]
     OneResult,
-    /// A folder has no parts of a study in it.
-    #[error("{} holds no parts of a study to gather", path.display())]
+    /// The folder holds no parts of a study.
+    #[error("{} holds no parts of a study", path.display())]
     NoParts {
         /// The folder.
         path: PathBuf,
@@ -81,76 +81,76 @@ pub enum Failure {
     /// A study has no cases.
     #[error("the study has no cases")]
     NoCases,
-    /// A table is there, of a study with other values or of another version of the program.
+    /// The table is that of a study with other values or of another version of the program.
     #[error("{} holds results of another study or of another version: give --fresh to begin again, or another --out", path.display())]
     OtherStudy {
         /// The table.
         path: PathBuf,
     },
-    /// The table of another study is where the whole table of this one would be.
+    /// The table of another study stands in the place of the merged one.
     #[error("{} is the table of another study: give --force to replace it", path.display())]
     OtherTable {
         /// The table.
         path: PathBuf,
     },
-    /// The results of another case are where those of a study's case would be.
+    /// The results of another case stand in the place of those of a study's case.
     #[error("{} holds results of another case: give --fresh to begin again, or another --out", path.display())]
     OtherCase {
         /// The folder.
         path: PathBuf,
     },
-    /// Another process is at work on a table or in a folder.
+    /// Another process is writing to a table or folder.
     #[error("{}: another process is writing to it", path.display())]
     Busy {
         /// The table or folder.
         path: PathBuf,
     },
     /// There is too little memory for the case.
-    #[error("the case needs some {} of memory and there are {}: wanted {}", memory(need.bytes), memory(*available), need.hint(*available))]
+    #[error("found {} for a case that needs {} of memory, wanted {}", memory(*available), memory(need.bytes), need.hint(*available))]
     Memory {
-        /// What it needs.
+        /// Memory needed.
         need: Need,
-        /// What there is, bytes.
+        /// Memory available, bytes.
         available: u64,
     },
     /// A file or folder cannot be written.
     #[error("{}: cannot be written: {cause}", path.display())]
     Write {
-        /// What cannot be written.
+        /// The file or folder.
         path: PathBuf,
-        /// What the system says.
+        /// The system's error.
         cause: io::Error,
     },
-    /// The folder of the cache cannot be listed, or a file in it not removed.
+    /// The cache's folder cannot be listed, or a file in it cannot be removed.
     #[error("{}: the cache cannot be listed or cleared: {cause}", path.display())]
     Cache {
         /// The folder.
         path: PathBuf,
-        /// What the system says.
+        /// The system's error.
         cause: io::Error,
     },
-    /// A file of a results folder is missing or not what a run writes.
+    /// A file of a results folder is missing or was not written by a run.
     #[error("{}: not a file of a results folder: {reason}", path.display())]
     Damaged {
         /// The file.
         path: PathBuf,
-        /// What is wrong with it.
+        /// The fault.
         reason: String,
     },
     /// Standard output cannot be written to.
     #[error("standard output: cannot be written: {cause}")]
     Output {
-        /// What the system says.
+        /// The system's error.
         cause: io::Error,
     },
-    /// The threads asked for cannot be had.
+    /// The threads cannot be started.
     #[error("the threads cannot be started: {0}")]
     Threads(#[from] rayon::ThreadPoolBuildError),
-    /// A value has no JSON form.
-    #[error("no JSON form: {0}")]
+    /// A value cannot be written as JSON.
+    #[error("cannot be written as JSON: {0}")]
     Json(#[from] serde_json::Error),
-    /// A value has no TOML form.
-    #[error("no TOML form: {0}")]
+    /// A value cannot be written as TOML.
+    #[error("cannot be written as TOML: {0}")]
     Toml(#[from] toml::ser::Error),
 }
 
@@ -161,7 +161,14 @@ impl From<Diagnosis> for Failure {
 }
 
 impl Failure {
-    /// The failure that this file of a results folder is missing or not what a run writes.
+    /// The failure to write a file or folder.
+    #[must_use]
+    pub fn write(path: &Path, cause: io::Error) -> Self {
+        let path = path.to_owned();
+        Self::Write { path, cause }
+    }
+
+    /// The failure that this file of a results folder is missing or was not written by a run.
     pub fn damaged(path: &Path, reason: &dyn std::fmt::Display) -> Self {
         Self::Damaged {
             path: path.to_owned(),
@@ -169,7 +176,7 @@ impl Failure {
         }
     }
 
-    /// The exit code: 1 where a right case could not be solved, 2 where something is to be put right first.
+    /// The exit code: 1 if a valid case could not be solved, 2 if something has to be corrected first.
     #[must_use]
     pub fn exit_code(&self) -> u8 {
         match self {
@@ -181,7 +188,7 @@ impl Failure {
         }
     }
 
-    /// The failure as it is shown on standard error: one diagnosis, drawn where there is a place for it.
+    /// The failure as shown on standard error: a diagnosis is drawn with its line of the case.
     #[must_use]
     pub fn render(&self) -> String {
         match self {

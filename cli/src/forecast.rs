@@ -1,8 +1,7 @@
-//! What solving a case will take and what its model is worth, judged by a trial on a coarse grid.
+//! A forecast of the work, memory and warnings of a case, from a trial on a coarse grid.
 //!
-//! The trial solves for the smallest and the largest load, on at most 64 × 64 elements, which takes some milliseconds.
-//! It finds the contact's size, and what the solution's own warnings would say of the model. The domain is the very one
-//! of the solution.
+//! The trial solves for the smallest and the largest load on at most 64 × 64 elements, in a few milliseconds. It gives
+//! the size of the contact and the warnings about the model. The domain is that of the solution.
 
 use pellicle_contact::{
     ContactError, Domain, Load, LoadingPath, Method, Model, SolverOptions, Step, Warning,
@@ -16,15 +15,14 @@ use crate::display::significant;
 /// Elements per side of the trial.
 const TRIAL: usize = 64;
 
-/// Products after which the trial gives up: it is to be quick.
+/// Products after which the trial gives up, to stay quick.
 const MOST_PRODUCTS: usize = 150;
 
-/// By how much the products of a hard case grow when the elements are halved; those of an easy case hardly do.
-/// *Measured* on the cases of Fig. 2 of the paper, N = 128 to 1024: 1.0 to 1.1 on soft coatings, 1.2 to 1.6 on stiff
-/// ones.
+/// Growth of the products of a hard case when the elements are halved; those of an easy case hardly grow. *Measured* on
+/// the cases of Fig. 2 of the paper, N = 128 to 1024: 1.0 to 1.1 on soft coatings, 1.2 to 1.6 on stiff ones.
 const GROWTH: f64 = 1.5;
 
-/// Fewer elements than this from the middle of a contact to its edge leave an area uncertain by a tenth and more: a
+/// With fewer elements than this from the centre of a contact to its edge, the area is uncertain by a tenth or more: a
 /// circle of radius 5 holds some 80 elements, of which 30 are cut by its rim.
 const FEWEST_PER_CONTACT: f64 = 5.0;
 
@@ -49,7 +47,7 @@ const BYTES_PER_ELEMENT_WRITTEN: [[f64; 2]; 2] = [[88.0, 42.0], [110.0, 100.0]];
 /// Memory of a sample of a map, in bytes: in the case, in the model and beside the solution.
 const BYTES_PER_SAMPLE: f64 = 24.0;
 
-/// Fewer elements per side than this need so little that nobody asks how large the contact is.
+/// Grids of fewer elements per side need so little memory that the size of the contact does not matter.
 const LEAST_TRIED: usize = 512;
 
 /// The memory that a case needs.
@@ -62,8 +60,8 @@ pub struct Need {
 }
 
 impl Need {
-    /// What a case needs on a domain if its results are written by so many threads, none if they are not. How large the
-    /// contact is a trial tells.
+    /// The memory of a case on a domain whose results are written by `writers` threads, 0 if they are not written. A
+    /// trial gives the size of the contact.
     #[must_use]
     pub fn new(case: &Case, model: &Model, domain: Domain, writers: usize) -> Self {
         let elements = case.grid.elements;
@@ -75,14 +73,14 @@ impl Need {
         Self::of(case, model, writers, share)
     }
 
-    /// The same, the square around the contact being this share of the domain.
+    /// The same, where the square around the contact takes this share of the domain.
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
         reason = "a number of bytes"
     )]
     fn of(case: &Case, model: &Model, writers: usize, share: f64) -> Self {
-        let (elements, steps) = (case.grid.elements, case.load.steps().len());
+        let (elements, steps) = (case.grid.elements, case.load.loads().len());
         let is_gradient = case.solver.options().method == Method::Gradient;
         let is_quadrant = elements.is_multiple_of(2) && is_gradient && model.is_mirrored();
         let of_sector = |bytes: [[f64; 2]; 2]| bytes[usize::from(!is_quadrant)];
@@ -116,7 +114,7 @@ impl Need {
         }
     }
 
-    /// What would fit.
+    /// A change that would make the case fit, in words.
     #[must_use]
     pub fn hint(&self, available: u64) -> String {
         match self.fitting(available) {
@@ -138,7 +136,7 @@ impl Need {
     }
 }
 
-/// What a trial found.
+/// The result of a trial.
 #[derive(Debug)]
 pub struct Forecast {
     /// Side of the domain, m.
@@ -147,24 +145,24 @@ pub struct Forecast {
     pub trial: usize,
     /// The memory that a run will need.
     pub need: Need,
-    /// The solution of the largest load on them; none if the trial failed.
+    /// The solution of the largest load on that grid; none if the trial failed.
     pub step: Option<Step>,
-    /// What the solution will warn of, as far as the trial can tell.
+    /// The warnings to expect of the solution, as far as the trial can tell.
     pub warnings: Vec<String>,
 }
 
 impl Forecast {
-    /// Tries a case.
+    /// Runs a trial of a case.
     #[must_use]
     pub fn new(case: &Case, model: &Model) -> Self {
         let trial = case.grid.elements.min(TRIAL);
-        let loads = case.load.steps();
+        let loads = case.load.loads();
         let (side, path) = match case.side(model) {
             Ok(side) => (side, solve(case, model, Domain::Side(side), trial)),
             Err(error) => (default_side(model, &loads), Err(error)),
         };
-        let doubts = case.doubts(side).into_iter().map(|doubt| doubt.message);
-        let mut warnings: Vec<_> = doubts.collect();
+        let of_case = case.warnings(side).into_iter();
+        let mut warnings: Vec<_> = of_case.map(|warning| warning.message).collect();
         warnings.extend(resolution(model, side, case.grid.elements));
         match &path {
             Ok(path) => {
@@ -187,7 +185,7 @@ impl Forecast {
         }
     }
 
-    /// Products with `K` that a step will take on the finest grid of so many elements: from, to.
+    /// Lower and upper estimate of the products with `K` of a step on a finest grid of this many elements per side.
     #[must_use]
     pub fn products(&self, elements: usize) -> Option<[f64; 2]> {
         let step = self.step.as_ref()?;
@@ -208,18 +206,18 @@ fn solve(
         max_applications: MOST_PRODUCTS,
         ..case.solver.options()
     };
-    let loads = extremes(&case.load.steps());
+    let loads = extremes(&case.load.loads());
     solve_path(model, domain, elements, &loads, &options, &mut ())
 }
 
-/// How much of the domain the square around the largest contact takes.
+/// Share of the domain that the square around the largest contact takes.
 fn contact_share(path: &LoadingPath) -> f64 {
     let radii = path.steps.iter().map(|step| step.summary.contact_radius);
     let share = 2.0 * radii.fold(0.0, f64::max) / path.grid.side();
     share.powi(2).min(1.0)
 }
 
-/// The smallest load and the largest; the one if there is but one.
+/// The smallest load and the largest; one load if there is only one.
 fn extremes(loads: &[Load]) -> Vec<Load> {
     let size = |load: &Load| match load {
         Load::Force(value) | Load::Penetration(value) => *value,
@@ -231,10 +229,10 @@ fn extremes(loads: &[Load]) -> Vec<Load> {
     extremes
 }
 
-/// Whether the domain is far too large for the largest load's contact: as the trial has it, or as estimated where the
-/// trial is too coarse to tell.
+/// The warning that the domain is far too large for the contact of the largest load, which the trial found, or which is
+/// estimated where the trial is too coarse.
 fn far_too_large(case: &Case, model: &Model, path: &LoadingPath) -> Option<String> {
-    let loads = case.load.steps();
+    let loads = case.load.loads();
     let found = path.steps.last()?.summary.contact_radius;
     let estimated = default_side(model, &loads) / 3.0;
     let radius = if found < FEWEST_PER_CONTACT * path.grid.element_side() {
@@ -247,7 +245,7 @@ fn far_too_large(case: &Case, model: &Model, path: &LoadingPath) -> Option<Strin
     warning.map(|warning| warning.to_string())
 }
 
-/// Whether the domain that the largest load needs leaves the smallest too few elements.
+/// The warning that the contact of the smallest load has too few elements.
 fn smallest(path: &LoadingPath, element_side: f64) -> Option<String> {
     let [first, .., _] = &path.steps[..] else {
         return None;
@@ -255,14 +253,14 @@ fn smallest(path: &LoadingPath, element_side: f64) -> Option<String> {
     let elements = first.summary.contact_radius / element_side;
     (elements > 0.0 && elements < FEWEST_PER_CONTACT).then(|| {
         format!(
-            "at the smallest load, the contact's radius is some {} elements: solve small loads by themselves, or with more elements",
+            "at the smallest load, the contact's radius is some {} elements: solve small loads separately, or with more elements",
             significant(elements, 1)
         )
     })
 }
 
-/// What the trial's last step says of the model and not of its own coarse grid; a chosen domain is never near the edge
-/// but to a grid too coarse to tell.
+/// A warning of the trial's last step about the model, in words, and none about its coarse grid. A chosen domain is
+/// large enough: a warning that the contact is near its edge comes from the coarse grid alone.
 fn of_the_model(warning: &Warning, last: usize, is_given: bool) -> Option<String> {
     if matches!(warning, Warning::DomainEdge { .. }) && !is_given {
         return None;
@@ -281,7 +279,7 @@ fn of_the_model(warning: &Warning, last: usize, is_given: bool) -> Option<String
     (step == last).then(|| format!("at the largest load, {words}"))
 }
 
-/// What elements of the case will not resolve on a domain of this side; nothing of a side that is none.
+/// The warnings about what the elements do not resolve on a domain of this side; none if the side is invalid.
 fn resolution(model: &Model, side: f64, elements: usize) -> Vec<String> {
     let grid = Grid::new(side, elements);
     let warnings = grid.map(|grid| model_warnings(model, &grid));
@@ -289,18 +287,18 @@ fn resolution(model: &Model, side: f64, elements: usize) -> Vec<String> {
     warnings.iter().map(ToString::to_string).collect()
 }
 
-/// Maps that end within the domain.
+/// The warnings about maps that end within the domain.
 fn maps(case: &Case, side: f64) -> Vec<String> {
     let ends = |map: &crate::case::map::MapCase| map.sides.iter().any(|length| *length < side);
     let relief = case.surface.map().filter(|map| ends(map)).map(|map| {
         format!(
-            "the map {} is smaller than the domain: its rim is continued outwards",
+            "the map {} is smaller than the domain: its edge values are extended outwards",
             map.file
         )
     });
     let indenter = case.indenter.map().filter(|map| ends(map)).map(|map| {
         format!(
-            "the map {} is smaller than the domain: nothing touches beyond its rim",
+            "the map {} is smaller than the domain: nothing touches beyond its edge",
             map.file
         )
     });
@@ -315,7 +313,7 @@ mod tests {
     use pellicle_influence::Cache;
 
     use super::*;
-    use crate::case::place::Source;
+    use crate::case::source::Source;
 
     /// Hertz' contact of `cases/hertz.toml`.
     fn hertz(elements: usize) -> Case {

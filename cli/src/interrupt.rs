@@ -1,10 +1,9 @@
 //! Ctrl-C: work under way stops within a second, what is finished is written, and the exit code is 130.
 //!
-//! The first signal sets a flag that every observer of a solution looks at. Where no observer is asked for a second
-//! (coefficients of a large grid), the program ends itself, unless it has said with [`hold`] that something finished is
-//! still to be written. A second signal ends it at once, and what was half written with it. While results are written,
-//! what is not done within [`GRACE`] of the first signal is left out. SIGTERM, which batch systems send before they
-//! kill, counts as Ctrl-C.
+//! The first signal sets a flag that every observer of a solution checks. Where no observer is called for a second
+//! (coefficients of a large grid), the program ends itself, unless [`hold`] has said that finished results are still to
+//! be written. A second signal ends it at once and removes half-written files. Results that are not written within
+//! [`GRACE`] of the first signal are left out. SIGTERM, which batch systems send before they kill, counts as Ctrl-C.
 
 use std::process;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -16,22 +15,22 @@ use pellicle_contact::Signal;
 use crate::output::unfinished;
 use crate::terminal;
 
-/// What a shell reports of a program that SIGINT ended: 128 + 2.
+/// The exit code that a shell reports for a program ended by SIGINT: 128 + 2.
 pub const EXIT_CODE: u8 = 130;
 
-/// How long an observer has to notice: a second, less what it takes to end.
+/// Time for an observer to notice: a second, less the time to end.
 const PATIENCE: Duration = Duration::from_millis(900);
 
-/// How long results go on being written: the rest of the second is for the numbers, which come last.
+/// Time for which results are still written: the rest of the second is for the numbers, which come last.
 pub const GRACE: Duration = Duration::from_millis(100);
 
 static REQUESTED: AtomicBool = AtomicBool::new(false);
 static OVERDUE: AtomicBool = AtomicBool::new(false);
 static HELD: AtomicBool = AtomicBool::new(false);
 
-/// Begins to listen. Without it, or where the system refuses a handler, Ctrl-C ends the program as it ends any.
+/// Installs the handler. Without it, or where the system refuses it, Ctrl-C ends the program at once.
 pub fn listen() {
-    // A refusal leaves the system's own behaviour, which is to end at once.
+    // If refused, the system's own handler stays, which ends the program.
     drop(ctrlc::set_handler(received));
 }
 
@@ -41,7 +40,7 @@ pub fn is_requested() -> bool {
     REQUESTED.load(Ordering::SeqCst)
 }
 
-/// The answer of an observer that has nothing else to say.
+/// The signal that an observer returns.
 #[must_use]
 pub fn signal() -> Signal {
     if is_requested() {
@@ -51,23 +50,23 @@ pub fn signal() -> Signal {
     }
 }
 
-/// Whether the user asked to stop so long ago that whatever can be left out is to be left out now.
+/// Whether [`GRACE`] has passed since the user asked to stop.
 #[must_use]
 pub fn is_overdue() -> bool {
     OVERDUE.load(Ordering::Relaxed)
 }
 
-/// Says that something finished is to be written before the program may end.
+/// Declares that finished results are to be written before the program may end.
 pub fn hold() {
     HELD.store(true, Ordering::SeqCst);
 }
 
-/// One signal; runs on a thread of its own, not in the signal handler.
+/// Handles a signal, on a thread of its own and not in the signal handler.
 fn received() {
     if REQUESTED.swap(true, Ordering::SeqCst) {
         end();
     }
-    terminal::tell("stopping; once more to stop at once");
+    terminal::tell("stopping; press Ctrl-C again to stop at once");
     thread::spawn(|| {
         thread::sleep(GRACE);
         OVERDUE.store(true, Ordering::Relaxed);
@@ -78,7 +77,7 @@ fn received() {
     });
 }
 
-/// Ends the program; of what it has not finished nothing stays.
+/// Ends the program and removes unfinished files.
 fn end() -> ! {
     unfinished::remove_all();
     process::exit(EXIT_CODE.into())

@@ -1,8 +1,8 @@
 //! The program `pellicle`: a case file in, a certified contact solution out.
 //!
-//! [`program::main`] goes from the command line to the exit code; [`case::Case`] is a case file as read; a command is a
-//! function of its arguments in [`command`]; [`output`] and [`picture`] are what a run leaves behind; [`validation`] is
-//! what the program has to show for itself.
+//! [`main`] goes from the command line to the exit code. The rest is for the figures of the paper and the tests: a
+//! [`Case`] as read from its file, the [results](mod@results) that a run leaves, the means of [drawing](mod@drawing)
+//! them, and the [evidence](mod@evidence) that the program has for itself.
 
 #![cfg_attr(
     test,
@@ -12,24 +12,63 @@
     )
 )]
 
-pub mod arguments;
-pub mod cache;
-pub mod case;
-pub mod command;
-pub mod display;
-pub mod failure;
-pub mod forecast;
+mod arguments;
+mod cache;
+mod case;
+mod command;
+mod display;
+mod failure;
+mod forecast;
+mod interrupt;
+mod map;
+mod memory;
+mod output;
+mod picture;
+mod program;
+mod progress;
+mod study;
+mod templates;
+mod terminal;
+mod threads;
+mod validation;
+
+pub use case::{Case, diagnosis::Diagnosis, source::Source, units::Units};
+pub use display::{Scale, Unit, quantity};
+pub use failure::Failure;
+pub use program::main;
+pub use templates::Template;
+
+/// The files of a run, and the way they are written: whole or not at all.
+pub mod results {
+    pub use crate::output::fields::Fields;
+    pub use crate::output::file::{write_bytes, write_whole};
+    pub use crate::output::npz::{StoredFields, file as fields_file};
+    pub use crate::output::summary::{FILE as SUMMARY_FILE, StepSummary, Summary};
+}
+
+/// The pictures of a solution, and their parts.
+pub mod drawing {
+    pub use crate::picture::coarse_field::CoarseField;
+    pub use crate::picture::colour_map::ColourScale;
+    pub use crate::picture::colours::Colour;
+    pub use crate::picture::crop::Crop;
+    pub use crate::picture::panel::{Axis, Panel};
+    pub use crate::picture::panel_3d::Panel3d;
+    pub use crate::picture::projection::Projection;
+    pub use crate::picture::style::Style;
+    pub use crate::picture::subject::Subject;
+    pub use crate::picture::svg::{Anchor, Dash, Rect, Stroke, Svg};
+    pub use crate::picture::{
+        accuracy, colour_bar, colours, heading, labels, png, pressure_map, section,
+    };
+}
+
+/// The rows of the validation, and the published numbers behind them.
+pub mod evidence {
+    pub use crate::validation::{SECTIONS, ValidationError, ValidationRun, data};
+}
+
+/// The guide, whose example in Rust is a documentation test of this crate.
 #[cfg(doctest)]
-mod guide;
-pub mod interrupt;
-pub mod map;
-pub mod memory;
-pub mod output;
-pub mod picture;
-pub mod program;
-pub mod progress;
-pub mod study;
-pub mod templates;
-pub mod terminal;
-pub mod threads;
-pub mod validation;
+#[doc = include_str!("../../docs/guide.md")]
+mod guide {}

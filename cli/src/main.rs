@@ -3,5 +3,5 @@
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    pellicle_cli::program::main(std::env::args_os())
+    pellicle_cli::main(std::env::args_os())
 }

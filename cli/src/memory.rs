@@ -1,8 +1,8 @@
-//! How much memory there is for a case. A program that asks the system for more than it has is ended by it, with
-//! everything in hand: so a case asks here first, and fails by itself.
+//! The memory available to a case. The system kills a program that takes more than there is, and its results with it:
+//! a case therefore asks here first, and fails by itself.
 //!
-//! Known on Linux: what is free, what the control group and the limits of the process (`ulimit -v`, `-d`) leave.
-//! Elsewhere nothing is known and no case is refused.
+//! On Linux this is the least of the free memory and of what the control group and the limits of the process
+//! (`ulimit -v`, `-d`) leave. Elsewhere it is unknown, and no case is refused.
 
 use std::fs;
 use std::path::Path;
@@ -13,18 +13,18 @@ use crate::failure::Failure;
 use crate::forecast::Need;
 use crate::interrupt;
 
-/// How often a case that waits for memory looks whether the user wants to stop.
+/// Time after which a case that waits for memory checks whether the user wants to stop.
 const PAUSE: Duration = Duration::from_millis(100);
 
-/// How long it is taken for known how much there is, by a case that needs a small part of it.
+/// Time for which a known amount stays valid for a case that needs a small part of it.
 const KNOWN: Duration = Duration::from_millis(100);
-/// A small part.
+/// The inverse of a small part.
 const SMALL_PART: u64 = 8;
 
-/// Addresses without memory, bytes, that the C library sets aside for one more thread.
+/// Address space, bytes, that the C library reserves for one more thread.
 const ADDRESSES: u64 = 64 << 20;
 
-/// Bytes that this process can still have; none if that is not known.
+/// Bytes still available to this process; none if unknown.
 #[must_use]
 pub fn available() -> Option<u64> {
     let read = |path: &str| fs::read_to_string(path).ok();
@@ -35,13 +35,13 @@ pub fn available() -> Option<u64> {
     [system, process, groups].into_iter().flatten().min()
 }
 
-/// What is free or can be freed, swap included.
+/// Free memory and memory that can be freed, bytes, swap included.
 fn free(meminfo: &str) -> Option<u64> {
     let kibibytes = |name| number(meminfo, name).map(|value| value * 1024);
     Some(kibibytes("MemAvailable:")? + kibibytes("SwapFree:").unwrap_or(0))
 }
 
-/// What the limits of the process leave of its address space and its data.
+/// Bytes that the limits of the process leave of its address space and its data.
 fn left_by_limits(limits: &str, status: &str) -> Option<u64> {
     let left = |limit, used| {
         let used = number(status, used)? * 1024;
@@ -52,13 +52,13 @@ fn left_by_limits(limits: &str, status: &str) -> Option<u64> {
     [space, data].into_iter().flatten().min()
 }
 
-/// The first number behind a name at the beginning of a line.
+/// The first number after a name at the start of a line.
 fn number(text: &str, name: &str) -> Option<u64> {
     let line = text.lines().find_map(|line| line.strip_prefix(name))?;
     line.split_whitespace().next()?.parse().ok()
 }
 
-/// What the control groups of the process leave: its own and all above.
+/// Bytes that the control groups of the process leave: its own and all above it.
 fn left_by_groups(memberships: &str) -> Option<u64> {
     let folders = memberships.lines().filter_map(|line| {
         let (_, rest) = line.split_once(':')?;
@@ -80,7 +80,7 @@ fn left_by_groups(memberships: &str) -> Option<u64> {
     folders.filter_map(left).min()
 }
 
-/// What a control group leaves, of either version; what it could drop counts as free.
+/// Bytes that a control group of either version leaves; memory that it could drop counts as free.
 fn left_by_group(group: &Path) -> Option<u64> {
     let read = |name: &str| fs::read_to_string(group.join(name)).ok();
     let value = |name: &str| read(name)?.trim().parse::<u64>().ok();
@@ -98,9 +98,9 @@ fn left_by_group(group: &Path) -> Option<u64> {
     }
 }
 
-/// The memory that the cases of this process have among them.
+/// The memory shared by the cases of this process.
 #[derive(Debug)]
-pub struct Memory {
+pub struct MemoryBudget {
     known: fn() -> Option<u64>,
     taken: Mutex<Taken>,
     freed: Condvar,
@@ -109,12 +109,12 @@ pub struct Memory {
 #[derive(Debug, Default)]
 struct Taken {
     bytes: u64,
-    /// What there was when nothing was taken, and when that was.
+    /// Bytes available when nothing was taken, and the time they were measured.
     of: Option<(Option<u64>, Instant)>,
 }
 
 impl Taken {
-    /// Everything, if nobody knows.
+    /// Unlimited, if unknown.
     fn available(&self) -> u64 {
         self.of.and_then(|(bytes, _)| bytes).unwrap_or(u64::MAX)
     }
@@ -125,13 +125,13 @@ impl Taken {
     }
 }
 
-impl Default for Memory {
+impl Default for MemoryBudget {
     fn default() -> Self {
         Self::of(available)
     }
 }
 
-impl Memory {
+impl MemoryBudget {
     fn of(known: fn() -> Option<u64>) -> Self {
         Self {
             known,
@@ -140,7 +140,7 @@ impl Memory {
         }
     }
 
-    /// Takes what a case needs, and waits while other cases have it; none if the user stops meanwhile.
+    /// Takes the memory of a case, and waits while other cases have it; none if the user stops meanwhile.
     ///
     /// # Errors
     ///
@@ -176,10 +176,10 @@ impl Memory {
     }
 }
 
-/// What a case has taken, given back when it is dropped.
+/// The memory that a case has taken, given back when this is dropped.
 #[derive(Debug)]
 pub struct Share<'a> {
-    memory: &'a Memory,
+    memory: &'a MemoryBudget,
     bytes: u64,
 }
 
@@ -232,7 +232,7 @@ mod tests {
 
     #[test]
     fn a_case_waits_for_what_another_has_and_fails_if_there_is_too_little_for_it_alone() {
-        let memory = Memory::of(|| Some(10));
+        let memory = MemoryBudget::of(|| Some(10));
         let need = |bytes| Need { bytes, elements: 1 };
         let first = memory.take(need(6)).unwrap().unwrap();
         let second = memory.take(need(4)).unwrap().unwrap();

@@ -9,16 +9,16 @@ use crate::arguments::{Arguments, Command};
 use crate::failure::Failure;
 use crate::{command, interrupt, terminal};
 
-/// How a command ended that did not fail.
+/// The outcome of a command that did not fail.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Outcome {
-    /// Everything asked for is there, and certified where it is a solution.
+    /// Everything is done, and every solution is certified.
     Done,
-    /// The result is there, and marked as not converged or cut off; in a study, a case has no certified result.
+    /// The result is written, but marked as not converged or cut off; in a study, some case has no certified result.
     NotConverged,
-    /// The program disagrees with what is known: a row of its validation fails.
+    /// The program disagrees with a reference: a row of its validation fails.
     Refuted,
-    /// The user asked to stop; what was finished is there.
+    /// The user asked to stop; finished results are written.
     Stopped,
 }
 
@@ -30,7 +30,7 @@ pub fn main(arguments: impl IntoIterator<Item = impl Into<OsString> + Clone>) ->
         Err(error) => return usage(&error),
     };
     match execute(arguments.command) {
-        // Who asks to stop is told so, even if all was done when it was heard.
+        // A request to stop is reported even if everything was done by then.
         Ok(_) if interrupt::is_requested() => ExitCode::from(interrupt::EXIT_CODE),
         Ok(Outcome::Done) => ExitCode::SUCCESS,
         Ok(Outcome::NotConverged | Outcome::Refuted) => ExitCode::from(1),
@@ -61,7 +61,7 @@ fn execute(command: Command) -> Result<Outcome, Failure> {
 
 /// Help and version go to standard output, a wrong command line to standard error.
 fn usage(error: &clap::Error) -> ExitCode {
-    // Nobody is left to tell if the terminal is gone.
+    // If the terminal is gone, there is nobody to tell.
     drop(error.print());
     ExitCode::from(if error.use_stderr() { 2 } else { 0 })
 }

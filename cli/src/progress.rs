@@ -7,18 +7,18 @@ use pellicle_contact::{Observer, Progress, Signal};
 
 use crate::interrupt;
 
-/// Shows the progress of a solution on standard error, if that is a terminal, and passes Ctrl-C on.
+/// Shows the progress of a solution on standard error if it is a terminal, and passes Ctrl-C on.
 #[derive(Debug)]
 pub struct ProgressLine {
     line: ProgressBar,
-    /// What stands before and behind the progress.
+    /// The texts before and after the progress.
     around: [String; 2],
-    clock: Clock,
+    clock: TimeLeft,
     keeps_steps: bool,
 }
 
 impl ProgressLine {
-    /// A line that is there until it is dropped; it says that the coefficients come first.
+    /// A line that is shown until it is dropped; it begins with the coefficients.
     #[must_use]
     pub fn new(tolerance: f64) -> Self {
         Self::on(ProgressBar::new_spinner(), Default::default(), tolerance)
@@ -30,12 +30,12 @@ impl ProgressLine {
         Self {
             line: ProgressBar::hidden(),
             around: Default::default(),
-            clock: Clock::start(1.0),
+            clock: TimeLeft::start(1.0),
             keeps_steps: false,
         }
     }
 
-    /// The same for a path whose finished steps are written even if the user stops it.
+    /// The same line for a path whose finished steps are written even if the user stops it.
     #[must_use]
     pub fn keeping_steps(mut self) -> Self {
         self.keeps_steps = true;
@@ -48,12 +48,12 @@ impl ProgressLine {
         move |done, total| line.set_message(writing(done, total))
     }
 
-    /// A line of somebody else's, with these words before and behind the progress.
+    /// The given line, with these texts before and after the progress.
     #[must_use]
     pub fn on(line: ProgressBar, around: [String; 2], tolerance: f64) -> Self {
         let [before, behind] = &around;
         line.set_message(format!("{before}influence coefficients{behind}"));
-        // The template is a constant: were it faulty, the default style would stand.
+        // The template is a constant; if it were invalid, the default style would remain.
         if let Ok(style) = ProgressStyle::with_template("{spinner} {elapsed} {msg}") {
             line.set_style(style);
         }
@@ -61,7 +61,7 @@ impl ProgressLine {
         Self {
             line,
             around,
-            clock: Clock::start(tolerance),
+            clock: TimeLeft::start(tolerance),
             keeps_steps: false,
         }
     }
@@ -108,7 +108,7 @@ fn writing(done: usize, total: usize) -> String {
     format!("writing results, {done} of {total} fields and pictures")
 }
 
-/// A time as people say it: `40 s`, `3 min`, `2.5 h`.
+/// A time in words: `40 s`, `3 min`, `2.5 h`.
 #[must_use]
 pub fn in_words(time: Duration) -> String {
     let seconds = time.as_secs_f64();
@@ -121,18 +121,18 @@ pub fn in_words(time: Duration) -> String {
     }
 }
 
-/// How long the rest will take, judged by what is done.
+/// An estimate of the time left, from the work done so far.
 ///
-/// Steps to come take as long as those that are done did. Within a step only the finest grid counts, which takes nearly
-/// all the time: its residual is taken to fall by the same factor in every iteration.
+/// Each remaining step is taken to last as long as the finished ones on average. Within a step only the finest grid
+/// counts, which takes nearly all the time: its residual is taken to fall by the same factor in every iteration.
 #[derive(Debug, Clone, Copy)]
-struct Clock {
+struct TimeLeft {
     tolerance: f64,
     /// When the first step began.
     start: Option<Instant>,
-    /// When the present step began, and how many were finished before; those that are solved together count as one.
+    /// When the present step began, and how many were finished by then; steps solved together count as one.
     step: (Instant, usize),
-    /// Where the present grid began.
+    /// The first iteration on the present grid.
     level: Mark,
 }
 
@@ -145,7 +145,7 @@ struct Mark {
     time: Instant,
 }
 
-impl Clock {
+impl TimeLeft {
     fn start(tolerance: f64) -> Self {
         let now = Instant::now();
         Self {
@@ -161,7 +161,7 @@ impl Clock {
         }
     }
 
-    /// The time left at this progress; none while there is nothing to judge it by.
+    /// The time left at this progress; none while there is nothing to estimate it from.
     fn remaining(&mut self, progress: &Progress, now: Instant) -> Option<Duration> {
         let start = *self.start.get_or_insert(now);
         let finished = progress.finished;
@@ -237,7 +237,7 @@ mod tests {
 
     #[test]
     fn a_residual_that_has_fallen_half_way_takes_as_long_again() {
-        let (mut clock, start) = (Clock::start(1e-8), Instant::now());
+        let (mut clock, start) = (TimeLeft::start(1e-8), Instant::now());
         assert_eq!(clock.remaining(&progress(0, 1, 0, 1.0), start), None);
         let left = clock.remaining(&progress(0, 1, 10, 1e-4), after(start, 5.0));
         assert!((left.unwrap().as_secs_f64() - 5.0).abs() < 1e-6);
@@ -245,7 +245,7 @@ mod tests {
 
     #[test]
     fn steps_to_come_take_as_long_as_those_before() {
-        let (mut clock, start) = (Clock::start(1e-8), Instant::now());
+        let (mut clock, start) = (TimeLeft::start(1e-8), Instant::now());
         assert_eq!(clock.remaining(&progress(0, 4, 0, 1.0), start), None);
         clock.remaining(&progress(1, 4, 0, 1.0), after(start, 10.0));
         let left = clock.remaining(&progress(1, 4, 3, 0.1), after(start, 14.0));

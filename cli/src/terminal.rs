@@ -1,10 +1,10 @@
-//! The two streams: results to standard output, everything meant for a person to standard error.
+//! Standard output, for results, and standard error, for everything else.
 
 use std::io::{self, Write};
 
 use crate::failure::Failure;
 
-/// Writes a text to standard output, [clean](clean()). A reader that has seen enough (`| head -1`) is no error.
+/// Writes a text to standard output, [cleaned](clean()). A reader that closes the pipe (`| head -1`) is no error.
 ///
 /// # Errors
 ///
@@ -20,20 +20,19 @@ pub fn print(text: &str) -> Result<(), Failure> {
     }
 }
 
-/// Writes a line to standard error, [clean](clean()).
+/// Writes a line to standard error, [cleaned](clean()).
 pub fn tell(line: &str) {
     tell_drawn(&clean(line));
 }
 
-/// Writes what the program has drawn itself, in colours, to standard error, which there is nobody to tell about if it
-/// fails.
+/// Writes a line of the program's own, which may be coloured, to standard error; a failure is ignored.
 pub fn tell_drawn(line: &str) {
     let mut stderr = io::stderr().lock();
     drop(writeln!(stderr, "{line}"));
 }
 
-/// The text with every control character but line breaks and tabs written out, `\\u001b`, so that a terminal shows what
-/// a user's file says and does not obey it. What is cleaned inside a string of JSON or TOML means the same there.
+/// The text with every control character except line breaks and tabs escaped (`\\u001b`), so that a terminal shows it
+/// and does not obey it. Inside a string of JSON or TOML the escaped text means the same.
 #[must_use]
 pub fn clean(text: &str) -> String {
     let is_obeyed = |c: char| c.is_control() && !matches!(c, '\n' | '\t');

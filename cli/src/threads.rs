@@ -1,8 +1,8 @@
-//! How many threads the program computes on.
+//! The threads that the program computes on.
 
 use crate::failure::Failure;
 
-/// Sets the number for the rest of the run; one a core if none is given.
+/// Sets their number for the rest of the run; one per core if none is given.
 ///
 /// # Errors
 ///
@@ -15,8 +15,7 @@ pub fn set(threads: Option<u16>) -> Result<(), Failure> {
     Ok(pool.build_global()?)
 }
 
-/// Lets every thread of the present pool begin: the address space that the system sets aside for each is taken when
-/// this returns.
+/// Starts every thread of the current pool, so that the address space reserved for each is taken when this returns.
 pub fn begin() {
     rayon::broadcast(|_| drop(std::hint::black_box(vec![0_u8; 64])));
 }

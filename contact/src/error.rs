@@ -9,25 +9,25 @@ use thiserror::Error;
 #[derive(Debug, Error)]
 pub enum ContactError {
     /// A force that is not positive and finite.
-    #[error("force must be positive and finite, got {force}")]
+    #[error("found {force} for the force, wanted a positive finite number")]
     Force {
         /// Value found, in N.
         force: f64,
     },
     /// A penetration that is not finite.
-    #[error("penetration must be finite, got {penetration}")]
+    #[error("found {penetration} for the penetration, wanted a finite number")]
     Penetration {
         /// Value found, in m.
         penetration: f64,
     },
     /// A tolerance outside (0, 0.1].
-    #[error("tolerance must lie in (0, 0.1], got {tolerance}")]
+    #[error("found {tolerance} for the tolerance, wanted a number in (0, 0.1]")]
     Tolerance {
         /// Value found.
         tolerance: f64,
     },
     /// A field whose length is not that of the grid.
-    #[error("{field} must have {wanted} values, one per element, got {found}")]
+    #[error("found {found} values of the {field}, wanted {wanted}, one per element")]
     FieldLength {
         /// Which field.
         field: &'static str,
@@ -37,7 +37,7 @@ pub enum ContactError {
         wanted: usize,
     },
     /// A field with a value that no surface can have.
-    #[error("{field} of element {element} must be {wanted}, got {found}")]
+    #[error("found {found} for the {field} of element {element}, wanted {wanted}")]
     FieldValue {
         /// Which field.
         field: &'static str,
@@ -49,14 +49,14 @@ pub enum ContactError {
         found: f64,
     },
     /// An element area that is not positive and finite.
-    #[error("area of an element must be positive and finite, got {area}")]
+    #[error("found {area} for the area of an element, wanted a positive finite number")]
     ElementArea {
         /// Value found, in m².
         area: f64,
     },
     /// More elements than the dense active set is meant for.
     #[error(
-        "the active set stores a dense matrix: at most {largest} elements per side, got {elements}; use the gradient method"
+        "found {elements} elements per side for the active set, which stores a dense matrix, wanted at most {largest}, or the gradient method"
     )]
     TooLargeForActiveSet {
         /// Elements per side found.
@@ -72,7 +72,7 @@ pub enum ContactError {
     },
     /// No element can come into contact, whatever the force.
     #[error(
-        "the indenter's profile is infinite on all {elements} elements of the grid: nothing can touch"
+        "found an indenter of infinite height on all {elements} elements of the grid, wanted one that can touch"
     )]
     NothingCanTouch {
         /// Number of elements.
@@ -86,8 +86,8 @@ pub enum ContactError {
     },
     /// The elements are so large that the middle of none is under the indenter.
     #[error(
-        "no element of side {element_side:.3e} has its middle under the indenter: a `grid.side` of {side:.3e} is far too large for a contact of radius \
-         {radius:.2e} or so; choose one near {wanted:.2e}, or leave it out"
+        "found a `grid.side` of {side:.3e}, far too large for a contact of radius {radius:.2e} or so: no element, {element_side:.3e} wide, \
+         has its centre under the indenter; wanted a side near {wanted:.2e}, or none"
     )]
     ElementsTooLarge {
         /// Side of the domain found, in m.
@@ -101,7 +101,7 @@ pub enum ContactError {
     },
     /// The contact reached the edge of every domain tried.
     #[error(
-        "contact still reaches the edge of a domain of side {side:e}, the last of {trials} tried: give a side yourself (`grid.side`)"
+        "found contact at the edge of a domain of side {side:e}, the last of {trials} tried, wanted a larger side: give `grid.side`"
     )]
     DomainTooSmall {
         /// Side of the last domain tried, in m.

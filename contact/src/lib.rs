@@ -40,6 +40,7 @@ pub use result::{
     cut_off::CutOff,
     deformed_surface::DeformedSurface,
     grid_error::{Estimate, GridError, LevelValues},
+    null::nan_from_null,
     peak::PeakPlace,
     step::{Status, Step},
     summary::Summary,

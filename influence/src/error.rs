@@ -1,5 +1,6 @@
 //! Every error of this crate, with its numbers.
 
+use pellicle_kernel::KernelError;
 use thiserror::Error;
 
 /// The reason why coefficients, tables or integrals are not available.
@@ -7,13 +8,24 @@ use thiserror::Error;
 #[non_exhaustive]
 pub enum InfluenceError {
     /// The side of an element is not a finite positive length.
-    #[error("the side of an element must be finite and positive, got {found} m")]
+    #[error("found {found} m for the side of an element, wanted a positive finite number")]
     ElementSide {
         /// The side given, m.
         found: f64,
     },
+    /// A depth above the surface, inside a rigid base, or not a number.
+    #[error("a depth must lie in the body, from 0 to {largest} m, got {found} m")]
+    Depth {
+        /// The depth given, m.
+        found: f64,
+        /// The largest depth, m; infinite above a half-space.
+        largest: f64,
+    },
+    /// The amplitudes of a wave inside the body cannot be computed.
+    #[error(transparent)]
+    Amplitudes(#[from] KernelError),
     /// A table of coefficients needs at least one element a side, and no more than fit in memory.
-    #[error("a table of coefficients takes 1 to {largest} elements a side, got {found}")]
+    #[error("found {found} elements per side for a table of coefficients, wanted 1 to {largest}")]
     TableSize {
         /// The number of elements a side that was asked for.
         found: usize,
@@ -21,7 +33,7 @@ pub enum InfluenceError {
         largest: usize,
     },
     /// A coefficient is NaN or infinite.
-    #[error("the influence coefficient at offset ({}, {}) is not finite: {found}", offset[0], offset[1])]
+    #[error("found {found} for the influence coefficient at offset ({}, {}), wanted a finite number", offset[0], offset[1])]
     CoefficientNotFinite {
         /// The offset in elements.
         offset: [usize; 2],
@@ -29,7 +41,9 @@ pub enum InfluenceError {
         found: f64,
     },
     /// The integrand was NaN or infinite somewhere.
-    #[error("the integrand is {value} at {at}, in the interval from {lower} to {upper}")]
+    #[error(
+        "found {value} for the integrand at {at} between {lower} and {upper}, wanted a finite number"
+    )]
     IntegrandNotFinite {
         /// Where.
         at: f64,
@@ -41,7 +55,9 @@ pub enum InfluenceError {
         upper: f64,
     },
     /// An interval that is empty, reversed, or not finite.
-    #[error("an integral needs finite limits in ascending order, got {lower} to {upper}")]
+    #[error(
+        "found {lower} and {upper} for the limits of an integral, wanted finite numbers in ascending order"
+    )]
     IntegrationLimits {
         /// Lower end of the interval.
         lower: f64,
@@ -50,7 +66,7 @@ pub enum InfluenceError {
     },
     /// The adaptive quadrature used up its intervals before it reached the tolerance.
     #[error(
-        "the integral from {lower} to {upper} has an estimated error of {found:e}, wanted {wanted:e}"
+        "found an estimated error of {found:e} in the integral from {lower} to {upper}, wanted {wanted:e}"
     )]
     QuadratureTolerance {
         /// Lower end of the interval.
@@ -64,7 +80,7 @@ pub enum InfluenceError {
     },
     /// The direct quadrature of a coefficient oscillates too often to be affordable.
     #[error(
-        "the direct quadrature of this coefficient has {found} oscillations, at most {largest} are affordable; radial tables have no such limit"
+        "found {found} oscillations in the direct quadrature of this coefficient, wanted at most {largest}; radial tables have no such limit"
     )]
     TooManyOscillations {
         /// Oscillations of the integrand in each of two directions.
@@ -74,7 +90,7 @@ pub enum InfluenceError {
     },
     /// The layers together are too thick for the top one.
     #[error(
-        "the layers together are {found:e} times as thick as the top one, radial tables take at most {largest:e}"
+        "found layers {found:e} times as thick together as the top one, wanted at most {largest:e} times for radial tables"
     )]
     LayerThicknesses {
         /// Thickness of all layers over that of the top one.
@@ -84,7 +100,7 @@ pub enum InfluenceError {
     },
     /// The radial tables of this foundation cannot be made accurate enough to be of use.
     #[error(
-        "the influence coefficients reach a relative accuracy of {found:.1e} at a radius of {radius:.1e} m, useful ones {wanted:e}"
+        "found a relative accuracy of {found:.1e} for the influence coefficients at a radius of {radius:.1e} m, wanted {wanted:e}"
     )]
     TableAccuracy {
         /// The largest relative error allowed.

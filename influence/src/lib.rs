@@ -82,6 +82,7 @@ mod operator;
 mod radial;
 mod response;
 mod sector;
+mod subsurface;
 mod surface_elasticity;
 mod transform;
 
@@ -95,4 +96,7 @@ pub use operator::{
 };
 pub use radial::RadialTables;
 pub use sector::Sector;
+pub use subsurface::{
+    ElementFields, ElementLoads, LoadedGrid, Plane, Squares, SubsurfaceState, SurfaceLoad,
+};
 pub use surface_elasticity::SurfaceElasticity;

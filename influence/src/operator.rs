@@ -8,3 +8,4 @@ mod spectrum;
 pub use convolution::{ConvolutionOperator, QuadrantOperator, WindowOperator};
 pub use dense::DenseOperator;
 pub use elastic::ElasticOperator;
+pub(crate) use spectrum::Spectrum;

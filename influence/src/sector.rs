@@ -86,8 +86,7 @@ mod tests {
         let whole = [rows[0], rows[1], rows[1], rows[0]].concat();
         assert_eq!(Sector::Quadrant.cut(&whole, 4), [1.0, 2.0, 3.0, 4.0]);
         let images = [[0, 0], [0, 1], [1, 0], [1, 1]].map(|at| Sector::Quadrant.first_image(at, 4));
-        let found = images.map(|[i, j]| whole.iter().position(|v| *v == whole[i * 4 + j]));
-        assert_eq!(found, images.map(|[i, j]| Some(i * 4 + j)));
+        assert_eq!(images, [[1, 1], [1, 0], [0, 1], [0, 0]]);
     }
 
     #[test]

@@ -12,4 +12,13 @@ pub(crate) use even::EvenLines;
 pub(crate) use fourier::FourierLines;
 pub(crate) use lines::Lines;
 pub(crate) use padding::half_length;
-pub(crate) use plane::PlaneTransform;
+pub(crate) use plane::{PlaneSpectrum, PlaneTransform};
+
+/// How a field continues beyond an axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Parity {
+    /// By its mirror image.
+    Even,
+    /// By its mirror image with the other sign.
+    Odd,
+}

@@ -7,7 +7,8 @@
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use pellicle_kernel::{
-    Base, Foundation, GradedLayer, GradingOptions, Interface, Layer, Material, TransformedSystem,
+    Base, Foundation, GradedLayer, GradingOptions, Interface, Layer, Material, Side,
+    TransformedSystem,
 };
 use std::hint::black_box;
 
@@ -71,7 +72,7 @@ fn interior(criterion: &mut Criterion) {
     });
     let interior = foundation.interior(1.0).unwrap();
     criterion.bench_function("interior/one depth", |b| {
-        b.iter(|| interior.at(black_box(0.37)));
+        b.iter(|| interior.at(black_box(0.37), Side::Above));
     });
 }
 

@@ -11,13 +11,15 @@
 //! Layers bonded to the base take its strain, `ε = −(1 − 2ν₀)(1 + ν₀)/E₀` on a half-space, 0 on a
 //! rigid base. Layers above a frictionless interface stretch freely together, `ε = Σ H n / Σ H E'`
 //! over those bonded to each other. (The second term in `2 n ε` is the work of the in-plane force
-//! on the base, by reciprocity.)
+//! on the base, by reciprocity.) A spring interface adds its normal compliance `c_n`; its shear compliance, if
+//! finite, does not matter to a wave long enough.
 //!
 //! **Short waves.** What comes back from the first interface has decayed like `e^{−2s}`, `s = k H₁`:
-//! `Φ − 1 → e^{−2s} (α + β s + γ s²)`, from the contrast of the two materials there.
+//! `Φ − 1 → e^{−2s} (α + β s + γ s²)`, from the contrast of the two materials there. Above a spring the
+//! coefficients depend on `k`, from those of a bond for `c 2Gk ≪ 1` to those of a free surface.
 
 use crate::response::OneLayer;
-use crate::{Base, Foundation, Interface, Layer, Material};
+use crate::{Base, Foundation, Layer, Material};
 
 /// `C(k) = A/k + B + O(k)` for `k → 0`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,15 +31,16 @@ pub struct LongWaves {
 /// `Φ(k) − 1 = e^{−2s} (α + β s + γ s²)`, `s = k H₁`, for `k → ∞`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ShortWaves {
-    thickness: f64,
-    coefficients: [f64; 3],
+    first: Layer,
+    below: Base,
 }
 
 impl Foundation {
     /// How the compliance behaves for waves much longer than the layers are thick.
     ///
     /// The remainder is `O(k)`, with a factor that grows with the contrast of the moduli: a coating
-    /// `χ` times as stiff as its base needs `k H χ ≪ 1` (`the_remainder_is_of_first_order`).
+    /// `χ` times as stiff as its base needs `k H χ ≪ 1` (`the_remainder_is_of_first_order`), one held by a spring
+    /// of shear compliance `c_s` needs `k² H E' c_s ≪ 1`, too.
     ///
     /// ```
     /// use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
@@ -57,7 +60,7 @@ impl Foundation {
         };
         let mut groups = self
             .layers()
-            .split_inclusive(|layer| layer.interface() == Interface::Frictionless)
+            .split_inclusive(|layer| layer.interface().is_frictionless())
             .peekable();
         let mut constant = 0.0;
         while let Some(group) = groups.next() {
@@ -69,7 +72,7 @@ impl Foundation {
             };
             constant += group
                 .iter()
-                .map(|layer| shortening(layer, strain))
+                .map(|layer| shortening(layer, strain) + layer.interface().normal_compliance())
                 .sum::<f64>();
         }
         LongWaves { inverse, constant }
@@ -87,8 +90,8 @@ impl Foundation {
             .first()
             .map_or(self.base(), |layer| Base::HalfSpace(layer.material()));
         Some(ShortWaves {
-            thickness: first.thickness(),
-            coefficients: OneLayer::new(first, below).short_wave_coefficients(),
+            first: *first,
+            below,
         })
     }
 }
@@ -117,17 +120,17 @@ impl LongWaves {
 }
 
 impl ShortWaves {
-    /// `α`, `β`, `γ`.
+    /// `α`, `β`, `γ`, the same for every wavenumber unless the first layer is on a spring.
     #[must_use]
-    pub fn coefficients(&self) -> [f64; 3] {
-        self.coefficients
+    pub fn coefficients(&self, wavenumber: f64) -> [f64; 3] {
+        OneLayer::at(&self.first, self.below, wavenumber.abs()).short_wave_coefficients()
     }
 
     /// `e^{−2s} (α + β s + γ s²)`, `s = k H₁`.
     #[must_use]
     pub fn response_minus_one(&self, wavenumber: f64) -> f64 {
-        let s = wavenumber.abs() * self.thickness;
-        let [alpha, beta, gamma] = self.coefficients;
+        let s = wavenumber.abs() * self.first.thickness();
+        let [alpha, beta, gamma] = self.coefficients(wavenumber);
         let decay = (-2.0 * s).exp();
         if decay == 0.0 {
             return 0.0;
@@ -139,7 +142,7 @@ impl ShortWaves {
 fn is_bonded_below(group: &[Layer]) -> bool {
     group
         .last()
-        .is_none_or(|layer| layer.interface() == Interface::Bonded)
+        .is_none_or(|layer| !layer.interface().is_frictionless())
 }
 
 /// In-plane strain per pressure of a half-space's surface: `−(1 − 2ν)(1 + ν)/E`.
@@ -177,6 +180,7 @@ fn shortening(layer: &Layer, strain: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Interface;
 
     fn layer(thickness: f64, young: f64, poisson: f64, interface: Interface) -> Layer {
         let material = Material::new(young, poisson).unwrap();
@@ -185,6 +189,7 @@ mod tests {
 
     fn foundations() -> Vec<Foundation> {
         use Interface::{Bonded, Frictionless};
+        let spring = |normal, shear| Interface::spring(normal, shear).unwrap();
         let half_space = Base::HalfSpace(Material::new(1.0, 0.2).unwrap());
         let stacks = [
             vec![layer(1.0, 3.0, 0.3, Bonded)],
@@ -194,6 +199,11 @@ mod tests {
                 layer(0.3, 2.0, 0.1, Bonded),
                 layer(0.2, 0.7, 0.4, Frictionless),
                 layer(0.5, 3.0, 0.3, Bonded),
+            ],
+            vec![layer(1.0, 3.0, 0.3, spring(0.7, 0.2))],
+            vec![
+                layer(0.3, 2.0, 0.1, spring(0.0, 0.3)),
+                layer(0.7, 0.7, 0.4, spring(2.0, f64::INFINITY)),
             ],
         ];
         let on = |base: Base| {
@@ -290,7 +300,7 @@ mod tests {
         let film = layer(0.5, 3.0, 0.3, Interface::Frictionless);
         let foundation = Foundation::new(vec![film], Base::Rigid).unwrap();
         // Φ = (1 − θ)²/(1 − θ² + 4 s θ), θ = e^{−2s}: Φ − 1 → −θ (2 + 4 s)
-        let [alpha, beta, gamma] = foundation.short_waves().unwrap().coefficients();
+        let [alpha, beta, gamma] = foundation.short_waves().unwrap().coefficients(1.0);
         assert!((alpha + 2.0).abs() < 1e-14 && (beta + 4.0).abs() < 1e-14 && gamma.abs() < 1e-14);
     }
 }

@@ -7,25 +7,39 @@ use thiserror::Error;
 #[non_exhaustive]
 pub enum KernelError {
     /// Young's modulus is zero, negative, infinite or not a number.
-    #[error("Young's modulus must be positive and finite, got {found}")]
+    #[error("found {found} for Young's modulus, wanted a positive finite number")]
     YoungModulus {
         /// The modulus given, Pa.
         found: f64,
     },
     /// Poisson's ratio lies outside [0, 0.5] or is not a number.
-    #[error("Poisson's ratio must lie in [0, 0.5], got {found}")]
+    #[error("found {found} for Poisson's ratio, wanted a number in [0, 0.5]")]
     PoissonRatio {
         /// The ratio given.
         found: f64,
     },
     /// The thickness of a layer is zero, negative, infinite or not a number.
-    #[error("a layer's thickness must be positive and finite, got {found}")]
+    #[error("found {found} for a layer's thickness, wanted a positive finite number")]
     Thickness {
         /// The thickness given, m.
         found: f64,
     },
+    /// The normal compliance of an interface is negative, infinite or not a number.
+    #[error("an interface's normal compliance must be at least 0 and finite, got {found}")]
+    NormalCompliance {
+        /// The compliance given, m/Pa.
+        found: f64,
+    },
+    /// The shear compliance of an interface is negative or not a number.
+    #[error("an interface's shear compliance must be at least 0, got {found}")]
+    ShearCompliance {
+        /// The compliance given, m/Pa.
+        found: f64,
+    },
     /// The thicknesses of all layers together are too large for a number.
-    #[error("the thickness of all {layers} layers together must be finite, got {found}")]
+    #[error(
+        "found {found} for the thickness of all {layers} layers together, wanted a finite number"
+    )]
     TotalThickness {
         /// How many layers there are.
         layers: usize,
@@ -34,8 +48,8 @@ pub enum KernelError {
     },
     /// Two bodies that touch differ so much that their ratio cannot be computed with.
     #[error(
-        "the moduli of layer {layer} and of what lies below it must have a ratio between \
-         {smallest:e} and {largest:e}, got {found:e}"
+        "found {found:e} for the ratio of the moduli of layer {layer} and of what lies below it, \
+         wanted {smallest:e} to {largest:e}"
     )]
     ModulusRatio {
         /// Number of the upper layer, 0 at the surface.
@@ -48,7 +62,7 @@ pub enum KernelError {
         largest: f64,
     },
     /// A wavenumber is zero, negative, infinite or not a number where a wave is needed.
-    #[error("the wavenumber must be positive and finite, got {found}")]
+    #[error("found {found} for the wavenumber, wanted a positive finite number")]
     Wavenumber {
         /// The wavenumber given, 1/m.
         found: f64,
@@ -61,7 +75,7 @@ pub enum KernelError {
     },
     /// A graded layer was split as finely as allowed and its compliance had not converged.
     #[error(
-        "{sublayers} sublayers leave a relative error of {reached:e} in the compliance, wanted {wanted:e}"
+        "found a relative error of {reached:e} in the compliance with {sublayers} sublayers, wanted {wanted:e}"
     )]
     Grading {
         /// How many sublayers there were.
@@ -72,6 +86,6 @@ pub enum KernelError {
         wanted: f64,
     },
     /// A rigid base without any layer: nothing can deform.
-    #[error("a foundation on a rigid base needs at least one elastic layer, got 0")]
+    #[error("found no elastic layer on a rigid base, wanted at least one")]
     NothingElastic,
 }

@@ -110,6 +110,16 @@ impl Foundation {
         self.thickness
     }
 
+    /// Depth of interface `index` below the surface, m: 0 is the surface, 1 the bottom of the first layer;
+    /// infinite beyond the top of the base.
+    #[must_use]
+    pub fn interface_depth(&self, index: usize) -> f64 {
+        match self.layers.get(..index) {
+            Some(above) => above.iter().map(Layer::thickness).sum(),
+            None => f64::INFINITY,
+        }
+    }
+
     /// Compliance `C(k) = 2 (1 − ν₁²) / (E₁ k) · Φ(k)`, m/Pa, at the wavenumber `k` (1/m).
     ///
     /// As accurate as [`response`](Self::response). `C(0)` is the limit: infinite on a half-space, the

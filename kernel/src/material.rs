@@ -107,6 +107,9 @@ mod tests {
         assert!(Material::new(f64::NAN, 0.3).is_err());
         assert!(Material::new(1.0, f64::NAN).is_err());
         let message = Material::new(1.0, 0.6).unwrap_err().to_string();
-        assert_eq!(message, "Poisson's ratio must lie in [0, 0.5], got 0.6");
+        assert_eq!(
+            message,
+            "found 0.6 for Poisson's ratio, wanted a number in [0, 0.5]"
+        );
     }
 }

@@ -1,27 +1,29 @@
 //! The response `Φ(k)` of a foundation, by the path that suits it.
 
-mod contrast;
+pub(crate) mod contrast;
 mod decay;
 mod junction;
 pub(crate) mod minors;
 mod one_layer;
 mod poisson;
+mod spring;
 mod stack;
 
-use crate::{Base, Layer};
+use crate::{Base, Interface, Layer};
 pub(crate) use minors::Minors;
 pub(crate) use one_layer::OneLayer;
 pub(crate) use poisson::Poisson;
-pub(crate) use stack::Stack;
+pub(crate) use spring::Share;
+pub(crate) use stack::{HeldBottom, Stack};
 
 /// The constants from which `Φ` is evaluated, prepared once per foundation.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Response {
     /// Nothing but a half-space: `Φ = 1`.
     HalfSpace,
-    /// One layer, any interface, any base: the closed form.
+    /// One layer, bonded or frictionless, any base: the closed form.
     OneLayer(OneLayer),
-    /// Two layers or more: the recursion.
+    /// Two layers or more, or one on a spring: the recursion.
     Stack(Stack),
 }
 
@@ -29,7 +31,9 @@ impl Response {
     pub(crate) fn new(layers: &[Layer], base: Base) -> Self {
         match layers {
             [] => Self::HalfSpace,
-            [layer] => Self::OneLayer(OneLayer::new(layer, base)),
+            [layer] if !matches!(layer.interface(), Interface::Spring(_)) => {
+                Self::OneLayer(OneLayer::new(layer, base))
+            }
             layers => Self::Stack(Stack::new(layers, base)),
         }
     }

@@ -1,4 +1,4 @@
-//! The transformed problem of one bonded layer on a half-space as four linear equations.
+//! The transformed problem of one layer on a half-space as four linear equations.
 //!
 //! This is the defining path: Hooke's law, equilibrium and the boundary conditions as they stand,
 //! solved by elimination. The fast paths ([`Foundation::response`](crate::Foundation::response))
@@ -12,11 +12,11 @@
 //! exponential is large and no two columns become alike.
 
 use crate::response::Poisson;
-use crate::wave::{LayerEquations, V};
-use crate::{KernelError, Material};
+use crate::wave::{LayerEquations, Place, Profile, TopPair, U, V};
+use crate::{Interface, KernelError, Material};
 use nalgebra::{Matrix4, RowVector4, Vector4};
 
-/// The four equations of a bonded layer on a half-space at one `s = k H`.
+/// The four equations of a layer on a half-space at one `s = k H`.
 ///
 /// Accuracy of [`response`](Self::response): 1e-14 for every `s` and whatever the materials
 /// (`tests/agreement.rs`).
@@ -39,48 +39,96 @@ pub struct TransformedSystem {
 }
 
 impl TransformedSystem {
-    /// The equations at `s = k H > 0` for unit normal pressure `2 G₁ k` on the `coating`.
+    /// The equations at `s = k H > 0` of a `coating` bonded to a `substrate`.
     #[must_use]
     pub fn new(s: f64, coating: Material, substrate: Material) -> Self {
+        Self::on(s, coating, Interface::Bonded, substrate)
+    }
+
+    /// The equations at `s = k H > 0` of a `coating` on any `interface`, whose compliances are in units of `H` per
+    /// unit of pressure.
+    #[must_use]
+    pub fn on(s: f64, coating: Material, interface: Interface, substrate: Material) -> Self {
         let (upper, lower) = (Poisson::new(coating), Poisson::new(substrate));
         let mu = coating.shear_modulus() / substrate.shear_modulus();
-        let Poisson { a, b, w, .. } = lower;
-        // μ p τ + g U + q V = 0, μ p σ + q U + f V = 0, scaled to size 1 for the pivoting
-        let scale = 1.0 / (mu * a + w);
-        let bottom = [
-            RowVector4::new(w, b, mu * a, 0.0) * scale,
-            RowVector4::new(b, w, 0.0, mu * a) * scale,
-        ];
+        let unit = 2.0 * coating.shear_modulus() * s;
+        let normal = interface.normal_compliance() * unit;
+        let bottom = if interface.is_frictionless() {
+            sliding_rows(mu, normal, &lower)
+        } else {
+            let shear = interface.shear_compliance() * unit;
+            rows(mu, [normal, shear], &lower)
+        };
         Self {
             s,
             surface: upper,
-            equations: LayerEquations::new(&upper, s, [0.0, -1.0], bottom),
+            equations: LayerEquations::new(&upper, s, TopPair::TRACTIONS, bottom),
         }
     }
 
     /// The matrix: rows shear on top, pressure on top, shear and normal traction at the interface;
-    /// columns the state `(U, V, τ, σ)` at mid-depth times `e^{−s/2}` (`s < 2`) or the four waves.
+    /// columns the state `(U, V, τ, σ)` at mid-depth (`s < 2`) or the four waves.
     #[must_use]
     pub fn matrix(&self) -> Matrix4<f64> {
         self.equations.matrix
     }
 
-    /// The right-hand side: no shear, unit pressure, an interface in equilibrium.
+    /// The right-hand side: no shear, pressure `2 G₁ k`, an interface in equilibrium.
     #[must_use]
     pub fn load(&self) -> Vector4<f64> {
-        self.equations.load
+        Vector4::new(0.0, -1.0, 0.0, 0.0)
     }
 
-    /// `Φ = V(0) / (2 (1 − ν₁))` by elimination with partial pivoting.
+    /// The right-hand side under a traction `2 G₁ k` along the wave vector and no pressure.
+    #[must_use]
+    pub fn shear_load(&self) -> Vector4<f64> {
+        Vector4::new(-1.0, 0.0, 0.0, 0.0)
+    }
+
+    /// `Φ = V(0) / (2 (1 − ν₁))` by elimination with partial pivoting, refined once.
     ///
     /// # Errors
     ///
     /// [`KernelError::Singular`] if a pivot vanishes.
     pub fn response(&self) -> Result<f64, KernelError> {
-        let wave = self.equations.solve();
-        let wave = wave.ok_or(KernelError::Singular { s: self.s })?;
-        Ok(self.surface.x * wave.at(0.0)[V])
+        self.displacement(self.load(), V)
     }
+
+    /// `U(0) / (2 (1 − ν₁))` under the shear load: the tangential response, 1 on a half-space.
+    ///
+    /// # Errors
+    ///
+    /// [`KernelError::Singular`] if a pivot vanishes.
+    pub fn shear_response(&self) -> Result<f64, KernelError> {
+        self.displacement(self.shear_load(), U)
+    }
+
+    fn displacement(&self, load: Vector4<f64>, component: usize) -> Result<f64, KernelError> {
+        let waves = self.equations.solve([load]);
+        let [wave] = waves.ok_or(KernelError::Singular { s: self.s })?;
+        let top = Profile::new(self.s, &Place::top(self.s));
+        Ok(self.surface.x * wave.at(&top)[component])
+    }
+}
+
+/// `μ p τ + g U' + q V' = 0` and `μ p σ + q U' + f V' = 0`, `U' = U + ĉ_s τ`, `V' = V + ĉ_n σ`, of size 1 for the
+/// pivoting.
+fn rows(mu: f64, [normal, shear]: [f64; 2], lower: &Poisson) -> [RowVector4<f64>; 2] {
+    let &Poisson { a, b, w, .. } = lower;
+    let rows = [
+        RowVector4::new(w, b, mu * a + w * shear, b * normal),
+        RowVector4::new(b, w, b * shear, mu * a + w * normal),
+    ];
+    rows.map(|row| row / row.amax())
+}
+
+/// `τ = 0` and, with it, `V' + μ w σ = 0`.
+fn sliding_rows(mu: f64, normal: f64, lower: &Poisson) -> [RowVector4<f64>; 2] {
+    let compliance = normal + mu * lower.w;
+    [
+        RowVector4::new(0.0, 0.0, 1.0, 0.0),
+        RowVector4::new(0.0, 1.0, 0.0, compliance) / compliance.max(1.0),
+    ]
 }
 
 #[cfg(test)]

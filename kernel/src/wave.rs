@@ -5,10 +5,11 @@
 //!
 //! ```text
 //! exp(A t) = cosh t + (A² − 1) (t/2) sinh t + A sinh t + A (A² − 1) (t cosh t − sinh t)/2
+//! (A² − 1) v = (P, −Q, Q, −P)      P = (U + σ)/(1 − ν), Q = (V + τ)/(1 − ν)
 //! ```
 
 use crate::response::Poisson;
-use nalgebra::{Matrix4, Matrix4x2, RowVector4, Vector4};
+use nalgebra::{Matrix4, RowVector4, Vector4};
 
 /// Horizontal displacement `U`.
 pub(crate) const U: usize = 0;
@@ -34,22 +35,7 @@ pub(crate) fn generator(poisson: &Poisson) -> Matrix4<f64> {
     rows
 }
 
-/// `e^{−|t|} exp(A t)`: the state a distance `t/k` deeper, with the growth taken off.
-pub(crate) fn propagator(poisson: &Poisson, t: f64) -> Matrix4<f64> {
-    let a = generator(poisson);
-    let one = Matrix4::identity();
-    let nilpotent = a * a - one;
-    let decayed = (-2.0 * t.abs()).exp_m1();
-    // e^{−|t|} cosh t, e^{−|t|} sinh t
-    let cosh = 1.0 + 0.5 * decayed;
-    let sinh = -0.5 * decayed * t.signum();
-    one * cosh
-        + nilpotent * (0.5 * t * sinh)
-        + a * sinh
-        + a * nilpotent * (0.5 * difference(t, cosh, sinh))
-}
-
-/// `e^{−|t|} (t cosh t − sinh t)`; for small `t` the series `2 Σ n t^{2n+1} / (2n+1)!`.
+/// `t cosh t − sinh t`; for small `t` the series `2 Σ n t^{2n+1} / (2n+1)!`.
 fn difference(t: f64, cosh: f64, sinh: f64) -> f64 {
     if t.abs() >= 1.0 {
         return t * cosh - sinh;
@@ -63,12 +49,12 @@ fn difference(t: f64, cosh: f64, sinh: f64) -> f64 {
         term *= square / (2.0 * n * (2.0 * n + 3.0));
         sum += term;
     }
-    sum * (-t.abs()).exp()
+    sum
 }
 
-/// Four independent waves of one layer, none of which grows beyond 1 inside it.
+/// Four independent waves of one layer, none of which grows much inside it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Basis {
+enum Basis {
     /// The state at mid-depth: for thin layers, where decaying and growing waves look alike.
     Middle,
     /// Two waves that decay from the top and two that decay from the bottom: for thick layers.
@@ -79,122 +65,180 @@ pub(crate) enum Basis {
 /// the middle begin to lose digits like `s²`. Both are as good between 1 and 4.
 const THICK: f64 = 2.0;
 
-/// The states that the four waves of a layer have at one depth, as columns.
+impl Basis {
+    fn of(s: f64) -> Self {
+        if s < THICK { Self::Middle } else { Self::Faces }
+    }
+}
+
+/// A place inside a layer: `k` times its distances from top and bottom.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Waves {
-    poisson: Poisson,
-    s: f64,
-    basis: Basis,
+pub(crate) struct Place {
+    pub(crate) below_top: f64,
+    pub(crate) above_bottom: f64,
 }
 
-impl Waves {
-    /// The waves of a layer of `s = k H`.
-    pub(crate) fn new(poisson: &Poisson, s: f64) -> Self {
-        let basis = if s < THICK {
-            Basis::Middle
-        } else {
-            Basis::Faces
-        };
+impl Place {
+    /// On the top of a layer of `s = k H`.
+    pub(crate) fn top(s: f64) -> Self {
         Self {
-            poisson: *poisson,
-            s,
-            basis,
+            below_top: 0.0,
+            above_bottom: s,
         }
     }
 
-    /// The four states at `ζ = k z` below the top.
-    pub(crate) fn at(&self, zeta: f64) -> Matrix4<f64> {
-        match self.basis {
-            Basis::Middle => {
-                let t = zeta - 0.5 * self.s;
-                propagator(&self.poisson, t) * (t.abs() - 0.5 * self.s).exp()
-            }
-            Basis::Faces => self.faces(zeta),
+    /// On its bottom.
+    pub(crate) fn bottom(s: f64) -> Self {
+        Self {
+            below_top: s,
+            above_bottom: 0.0,
         }
-    }
-
-    fn faces(&self, zeta: f64) -> Matrix4<f64> {
-        let down = decaying(&self.poisson, zeta);
-        let up = decaying(&self.poisson, self.s - zeta);
-        // The mirror image z → −z changes the signs of V and τ.
-        let mirror = Matrix4::from_diagonal(&Vector4::new(1.0, -1.0, -1.0, 1.0));
-        let up = mirror * up;
-        Matrix4::from_columns(&[down.column(0), down.column(1), up.column(0), up.column(1)])
     }
 }
 
-/// The two waves that decay downward, at `ζ`: `e^{−ζ} [1 + ζ (A + 1)]` on the states that a half-space
-/// allows, `p τ = −(g U + q V)`, `p σ = −(q U + f V)`.
-pub(crate) fn decaying(poisson: &Poisson, zeta: f64) -> Matrix4x2<f64> {
-    let &Poisson { a, b, w, .. } = poisson;
-    #[rustfmt::skip]
-    let allowed = Matrix4x2::new(
-        a,   0.0,
-        0.0, a,
-        -w, -b,
-        -b, -w,
-    );
-    let slope = generator(poisson) + Matrix4::identity();
-    // For ζ beyond 745 the exponential is 0 and ζ could be infinite.
+/// The functions of depth that a layer's waves are sums of, at one place.
+///
+/// `cosh t`, `t sinh t`, `sinh t`, `t cosh t − sinh t`, `t` from mid-depth, in thin layers; `e^{−ζ}`,
+/// `ζ e^{−ζ}` from the top and from the bottom in thick ones.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Profile([f64; 4]);
+
+impl Profile {
+    /// In a layer of `s = k H`.
+    pub(crate) fn new(s: f64, place: &Place) -> Self {
+        match Basis::of(s) {
+            Basis::Middle => {
+                let t = 0.5 * (place.below_top - place.above_bottom);
+                let (cosh, sinh) = (t.cosh(), t.sinh());
+                Self([cosh, t * sinh, sinh, difference(t, cosh, sinh)])
+            }
+            Basis::Faces => {
+                let ([down, down_t], [up, up_t]) =
+                    (decayed(place.below_top), decayed(place.above_bottom));
+                Self([down, down_t, up, up_t])
+            }
+        }
+    }
+}
+
+/// `e^{−ζ}` and `ζ e^{−ζ}`; 0 beyond the smallest number, also for infinite `ζ`.
+pub(crate) fn decayed(zeta: f64) -> [f64; 2] {
     let decay = (-zeta).exp();
     if decay == 0.0 {
-        return Matrix4x2::zeros();
+        return [0.0, 0.0];
     }
-    (allowed + slope * allowed * zeta) * decay
+    [decay, zeta * decay]
 }
 
-/// The wave inside one layer.
+/// The wave inside one layer: the state is `Σ cᵢ` times the functions of [`Profile`].
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct LayerWave {
-    waves: Waves,
-    amplitudes: Vector4<f64>,
+pub(crate) struct LayerWave([Vector4<f64>; 4]);
+
+impl LayerWave {
+    pub(crate) const NONE: Self = Self([Vector4::new(0.0, 0.0, 0.0, 0.0); 4]);
+
+    /// From the amplitudes of the four waves of [`Basis`].
+    fn new(poisson: &Poisson, basis: Basis, amplitudes: &Vector4<f64>) -> Self {
+        match basis {
+            Basis::Middle => {
+                // (A² − 1) v/2 = (p, −q, q, −p) and A (A² − 1) v/2 = (q, −p, p, −q)
+                let p = poisson.x * (amplitudes[U] + amplitudes[SIGMA]);
+                let q = poisson.x * (amplitudes[V] + amplitudes[TAU]);
+                let straight = Vector4::new(p, -q, q, -p);
+                let slope = generator(poisson) * amplitudes;
+                Self([*amplitudes, straight, slope, Vector4::new(q, -p, p, -q)])
+            }
+            Basis::Faces => {
+                let [down0, down1, up0, up1] = [0, 1, 2, 3].map(|i| amplitudes[i]);
+                let [down, down_slope] = decaying(poisson, [down0, down1]);
+                let [up, up_slope] = decaying(poisson, [up0, up1]).map(mirrored);
+                Self([down, down_slope, up, up_slope])
+            }
+        }
+    }
+
+    /// The state at a place.
+    pub(crate) fn at(&self, &Profile([f0, f1, f2, f3]): &Profile) -> Vector4<f64> {
+        let [c0, c1, c2, c3] = &self.0;
+        c0 * f0 + c1 * f1 + c2 * f2 + c3 * f3
+    }
 }
 
-/// The four equations of one layer: loads on its top, what holds its bottom.
+/// The mirror image `z → −z`: it changes the signs of `V` and `τ`.
+fn mirrored(state: Vector4<f64>) -> Vector4<f64> {
+    Vector4::new(state[U], -state[V], -state[TAU], state[SIGMA])
+}
+
+/// A wave that decays downward as `v₀` and `v₁` in `e^{−ζ} (v₀ + ζ v₁)`, from its displacements on top
+/// over `a = 3 − 4ν`: states of a half-space, `a τ = −(w U + b V)`, `a σ = −(b U + w V)`, and
+/// `v₁ = (A + 1) v₀`.
+fn decaying(poisson: &Poisson, [u, v]: [f64; 2]) -> [Vector4<f64>; 2] {
+    let &Poisson { a, b, w, .. } = poisson;
+    let top = Vector4::new(a * u, a * v, -(w * u + b * v), -(b * u + w * v));
+    [top, slope(v - u)]
+}
+
+/// `(A + 1) v` for a state `v` of a half-space, from its `τ − σ = (V − U)/a`.
+pub(crate) fn slope(difference: f64) -> Vector4<f64> {
+    Vector4::new(1.0, 1.0, -1.0, -1.0) * difference
+}
+
+/// The two conditions on the top of a layer: which two components of its state are known.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct TopPair(pub(crate) [usize; 2]);
+
+impl TopPair {
+    /// Shear and normal traction.
+    pub(crate) const TRACTIONS: Self = Self([TAU, SIGMA]);
+}
+
+/// The four equations of one layer: two components of the state on its top, what holds its bottom.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct LayerEquations {
-    waves: Waves,
+    poisson: Poisson,
+    basis: Basis,
     pub(crate) matrix: Matrix4<f64>,
-    pub(crate) load: Vector4<f64>,
 }
 
 impl LayerEquations {
-    /// A layer of `s = k H` with `tractions` `(τ, σ)` on its top, whose state on the bottom fulfils
-    /// the two `bottom` equations `row · v = 0`.
+    /// A layer of `s = k H`, known by two components on its top and two `bottom` equations `row · v`.
     pub(crate) fn new(
         poisson: &Poisson,
         s: f64,
-        tractions: [f64; 2],
+        top: TopPair,
         bottom: [RowVector4<f64>; 2],
     ) -> Self {
-        let waves = Waves::new(poisson, s);
-        let (on_top, on_bottom) = (waves.at(0.0), waves.at(s));
-        let rows = [
-            on_top.row(TAU).into_owned(),
-            on_top.row(SIGMA).into_owned(),
-            bottom[0] * on_bottom,
-            bottom[1] * on_bottom,
-        ];
+        let basis = Basis::of(s);
+        let top_profile = Profile::new(s, &Place::top(s));
+        let bottom_profile = Profile::new(s, &Place::bottom(s));
+        let columns = [0, 1, 2, 3].map(|i| {
+            let mut unit = Vector4::zeros();
+            unit[i] = 1.0;
+            let wave = LayerWave::new(poisson, basis, &unit);
+            let (on_top, on_bottom) = (wave.at(&top_profile), wave.at(&bottom_profile));
+            let [first, second] = top.0;
+            let [third, fourth] = bottom.map(|row| (row * on_bottom)[0]);
+            Vector4::new(on_top[first], on_top[second], third, fourth)
+        });
         Self {
-            waves,
-            matrix: Matrix4::from_rows(&rows),
-            load: Vector4::new(tractions[0], tractions[1], 0.0, 0.0),
+            poisson: *poisson,
+            basis,
+            matrix: Matrix4::from_columns(&columns),
         }
     }
 
-    /// Solves by LU with partial pivoting; `None` if a pivot vanishes.
-    pub(crate) fn solve(&self) -> Option<LayerWave> {
-        Some(LayerWave {
-            waves: self.waves,
-            amplitudes: self.matrix.lu().solve(&self.load)?,
-        })
-    }
-}
-
-impl LayerWave {
-    /// The state at `ζ = k z` below the top of the layer.
-    pub(crate) fn at(&self, zeta: f64) -> Vector4<f64> {
-        self.waves.at(zeta) * self.amplitudes
+    /// Solves for several right-hand sides by LU with partial pivoting; `None` if a pivot vanishes.
+    pub(crate) fn solve<const N: usize>(&self, loads: [Vector4<f64>; N]) -> Option<[LayerWave; N]> {
+        let factors = self.matrix.lu();
+        let mut waves = [LayerWave::NONE; N];
+        for (wave, load) in waves.iter_mut().zip(&loads) {
+            let mut amplitudes = factors.solve(load)?;
+            // One step of refinement makes the error of every component one of a few roundings of the equations, however
+            // different their sizes are (Skeel 1980).
+            amplitudes += factors.solve(&(load - self.matrix * amplitudes))?;
+            *wave = LayerWave::new(&self.poisson, self.basis, &amplitudes);
+        }
+        Some(waves)
     }
 }
 
@@ -203,35 +247,55 @@ mod tests {
     use super::*;
     use crate::Material;
 
+    fn poisson(nu: f64) -> Poisson {
+        Poisson::new(Material::new(1.0, nu).unwrap())
+    }
+
+    /// `exp(A t)` from the closed form of the module.
+    fn propagator(poisson: &Poisson, t: f64) -> Matrix4<f64> {
+        let a = generator(poisson);
+        let nilpotent = a * a - Matrix4::identity();
+        let (cosh, sinh) = (t.cosh(), t.sinh());
+        Matrix4::identity() * cosh
+            + nilpotent * (0.5 * t * sinh)
+            + a * sinh
+            + a * nilpotent * (0.5 * difference(t, cosh, sinh))
+    }
+
     #[test]
     fn propagation_there_and_back_is_no_propagation() {
-        let poisson = Poisson::new(Material::new(1.0, 0.37).unwrap());
         for t in [1e-6, 0.3, 0.999, 1.0, 2.0] {
-            let product = propagator(&poisson, t) * propagator(&poisson, -t);
-            let scale = (-2.0 * t).exp();
+            let product = propagator(&poisson(0.37), t) * propagator(&poisson(0.37), -t);
             // e^{2t} ≤ 55 magnifies the roundings of entries of order 1.
-            assert!(
-                (product / scale - Matrix4::identity()).norm() < 1e-13,
-                "{t}"
-            );
+            assert!((product - Matrix4::identity()).norm() < 1e-13, "{t}");
         }
     }
 
     #[test]
     fn the_square_of_the_generator_minus_one_squares_to_nothing() {
         for nu in [0.0, 0.2, 0.5] {
-            let a = generator(&Poisson::new(Material::new(1.0, nu).unwrap()));
+            let a = generator(&poisson(nu));
             let nilpotent = a * a - Matrix4::identity();
             assert!((nilpotent * nilpotent).norm() < 1e-14);
         }
     }
 
     #[test]
-    fn the_waves_of_the_faces_are_carried_by_the_propagator() {
-        let poisson = Poisson::new(Material::new(1.0, 0.37).unwrap());
-        let waves = Waves::new(&poisson, 2.5);
-        let step = propagator(&poisson, 0.7) * 0.7_f64.exp();
-        // e^{0.7} magnifies a few roundings.
-        assert!((step * waves.at(1.0) - waves.at(1.7)).norm() < 1e-14);
+    fn the_waves_of_thin_and_thick_layers_are_carried_by_the_propagator() {
+        for s in [0.8, 2.5] {
+            let poisson = poisson(0.37);
+            let amplitudes = Vector4::new(0.3, -1.0, 0.7, 0.2);
+            let wave = LayerWave::new(&poisson, Basis::of(s), &amplitudes);
+            let at = |zeta: f64| {
+                let place = Place {
+                    below_top: zeta,
+                    above_bottom: s - zeta,
+                };
+                wave.at(&Profile::new(s, &place))
+            };
+            // e^{0.7} magnifies a few roundings.
+            let carried = propagator(&poisson, 0.7) * at(0.1);
+            assert!((carried - at(0.8)).norm() < 1e-14);
+        }
     }
 }

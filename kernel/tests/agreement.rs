@@ -5,7 +5,7 @@
     reason = "helpers of tests are tests too; a failed unwrap is a failed test"
 )]
 
-use pellicle_kernel::{Base, Foundation, Interface, Layer, Material, TransformedSystem};
+use pellicle_kernel::{Base, Foundation, Interface, Layer, Material, Side, TransformedSystem};
 
 const RATIOS: [f64; 9] = [1e-6, 1e-4, 1e-2, 0.3, 1.0, 3.0, 1e2, 1e4, 1e6];
 const POISSON: [f64; 5] = [0.0, 0.2, 0.37, 0.499, 0.5];
@@ -71,6 +71,51 @@ fn the_recursion_through_three_pieces_is_the_closed_form() {
         assert!(
             (found - wanted).abs() <= bound,
             "s = {s:e}, {layer:?} {half_space:?} {found:e} {wanted:e}"
+        );
+    });
+}
+
+/// Calls `check(s, layer, interface, half-space)` with springs from stiffer than the layers to softer.
+fn on_springs(mut check: impl FnMut(f64, Material, Interface, Material)) {
+    for s in [1e-6, 1e-3, 0.1, 1.0, 5.0, 30.0] {
+        for chi in [1e-3, 0.3, 1.0, 30.0] {
+            for compliances in [
+                [0.0, 0.0],
+                [0.0, f64::INFINITY],
+                [1e-3, 0.1],
+                [3.0, 0.0],
+                [0.0, 20.0],
+                [1e3, f64::INFINITY],
+            ] {
+                let [normal, shear] = compliances;
+                let interface = Interface::spring(normal, shear).unwrap();
+                for nu in [0.0, 0.37, 0.5] {
+                    let layer = Material::new(chi, nu).unwrap();
+                    check(s, layer, interface, Material::new(1.0, 0.2).unwrap());
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn springs_in_the_recursion_are_springs_in_the_transformed_system() {
+    on_springs(|s, layer, interface, half_space| {
+        let coat = Layer::new(1.0, layer, interface).unwrap();
+        let foundation = Foundation::new(vec![coat], Base::HalfSpace(half_space)).unwrap();
+        let system = TransformedSystem::on(s, layer, interface, half_space);
+        let response = system.response().unwrap();
+        // The error is the elimination's, a few tens of roundings.
+        assert!(
+            relative(response, foundation.response(s)) <= 2e-14,
+            "s = {s:e}, {layer:?}, {interface:?}"
+        );
+        let moved = foundation.interior(s).unwrap().at(0.0, Side::Below).shear;
+        let unit = layer.shear_modulus() * s / (1.0 - layer.poisson_ratio());
+        let wanted = unit * moved.horizontal_displacement;
+        assert!(
+            relative(system.shear_response().unwrap(), wanted) <= 2e-14,
+            "s = {s:e}, {layer:?}, {interface:?}"
         );
     });
 }

@@ -16,7 +16,14 @@ fn material() -> impl Strategy<Value = Material> {
 }
 
 fn interface() -> impl Strategy<Value = Interface> {
-    prop_oneof![Just(Interface::Bonded), Just(Interface::Frictionless)]
+    let spring = (-6.0..6.0, -6.0..6.0).prop_map(|(normal, shear)| {
+        Interface::spring(10_f64.powf(normal), 10_f64.powf(shear)).unwrap()
+    });
+    prop_oneof![
+        Just(Interface::Bonded),
+        Just(Interface::Frictionless),
+        spring
+    ]
 }
 
 fn layer() -> impl Strategy<Value = Layer> {
@@ -41,11 +48,15 @@ fn wavenumber() -> impl Strategy<Value = f64> {
 fn scaled(foundation: &Foundation, length: f64, modulus: f64) -> Foundation {
     let material =
         |m: Material| Material::new(modulus * m.young_modulus(), m.poisson_ratio()).unwrap();
+    let interface = |interface: Interface| {
+        let [normal, shear] = [interface.normal_compliance(), interface.shear_compliance()];
+        Interface::spring(normal * length / modulus, shear * length / modulus).unwrap()
+    };
     let layers = foundation.layers().iter().map(|layer| {
         Layer::new(
             length * layer.thickness(),
             material(layer.material()),
-            layer.interface(),
+            interface(layer.interface()),
         )
         .unwrap()
     });
@@ -100,11 +111,27 @@ proptest! {
     #[test]
     fn removing_friction_never_lowers_the_compliance(foundation in foundation(), k in wavenumber()) {
         let free = foundation.layers().iter().map(|layer| {
-            Layer::new(layer.thickness(), layer.material(), Interface::Frictionless).unwrap()
+            let normal = layer.interface().normal_compliance();
+            let interface = Interface::spring(normal, f64::INFINITY).unwrap();
+            Layer::new(layer.thickness(), layer.material(), interface).unwrap()
         });
         let free = Foundation::new(free.collect(), foundation.base()).unwrap();
         // Fewer constraints, less energy needed; roundings.
         prop_assert!(free.compliance(k) >= foundation.compliance(k) * (1.0 - 1e-13));
+    }
+
+    #[test]
+    fn weakening_an_interface_never_lowers_the_compliance(
+        foundation in foundation(), k in wavenumber(), normal in 0.0..1e3, shear in 0.0..1e3
+    ) {
+        let mut layers = foundation.layers().to_vec();
+        let first = layers[0];
+        let [c_n, c_s] = [first.interface().normal_compliance(), first.interface().shear_compliance()];
+        let weaker = Interface::spring(c_n + normal, c_s + shear).unwrap();
+        layers[0] = Layer::new(first.thickness(), first.material(), weaker).unwrap();
+        let weaker = Foundation::new(layers, foundation.base()).unwrap();
+        // Less energy for the same jump; roundings.
+        prop_assert!(weaker.compliance(k) >= foundation.compliance(k) * (1.0 - 1e-13));
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Layers beyond the rows of `pellicle validate`: limits of a coating, and the response of stacks to 40 digits.
 
-use pellicle_cli::validation::data::compliance::{one_layer, stacks};
+use pellicle_cli::evidence::data::compliance::{one_layer, stacks};
 use pellicle_contact::Load;
 use pellicle_kernel::Interface::Bonded;
 use pellicle_kernel::{Foundation, Material};

@@ -49,7 +49,7 @@ impl fmt::Display for Quantity {
 #[non_exhaustive]
 pub enum TextureError {
     /// A number that must be positive and finite is not.
-    #[error("{quantity} must be positive and finite, got {found}")]
+    #[error("found {found} for {quantity}, wanted a positive finite number")]
     NotPositive {
         /// Which number.
         quantity: Quantity,
@@ -57,7 +57,7 @@ pub enum TextureError {
         found: f64,
     },
     /// A number that must be zero or positive, and finite, is not.
-    #[error("{quantity} must be finite and not negative, got {found}")]
+    #[error("found {found} for {quantity}, wanted a finite number of zero or more")]
     Negative {
         /// Which number.
         quantity: Quantity,
@@ -65,7 +65,7 @@ pub enum TextureError {
         found: f64,
     },
     /// A number that must be finite is not.
-    #[error("{quantity} must be finite, got {found}")]
+    #[error("found {found} for {quantity}, wanted a finite number")]
     NotFinite {
         /// Which number.
         quantity: Quantity,
@@ -73,7 +73,7 @@ pub enum TextureError {
         found: f64,
     },
     /// The number of elements per side is zero or beyond any memory.
-    #[error("the number of elements per side must lie in [1, {largest}], got {found}")]
+    #[error("found {found} elements per side, wanted 1 to {largest}")]
     GridSize {
         /// Elements per side asked for.
         found: usize,
@@ -81,7 +81,9 @@ pub enum TextureError {
         largest: usize,
     },
     /// Neighbouring cylinders overlap.
-    #[error("cylinders overlap: the radius must be at most half the period {period}, got {radius}")]
+    #[error(
+        "found {radius:?} for the radius of cylinders, which overlap, wanted at most half the period of {period:?}"
+    )]
     Overlap {
         /// Radius of a cylinder, m.
         radius: f64,
@@ -89,7 +91,7 @@ pub enum TextureError {
         period: f64,
     },
     /// The number of samples is not the product of the map's shape, or the map is empty.
-    #[error("a map of {} by {} samples cannot hold {found} values", shape[0], shape[1])]
+    #[error("found {found} values for a map of {} by {} samples, wanted one per sample", shape[0], shape[1])]
     MapShape {
         /// Samples along x and along y.
         shape: [usize; 2],
@@ -97,7 +99,7 @@ pub enum TextureError {
         found: usize,
     },
     /// A sample of a map is NaN or infinite.
-    #[error("sample [{}, {}] of the map must be finite, got {found}", index[0], index[1])]
+    #[error("found {found} for sample [{}, {}] of the map, wanted a finite number", index[0], index[1])]
     MapSample {
         /// Index along x and along y.
         index: [usize; 2],

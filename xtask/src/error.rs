@@ -3,7 +3,7 @@
 use std::io;
 use std::path::PathBuf;
 
-use pellicle_cli::failure::Failure;
+use pellicle_cli::Failure;
 use thiserror::Error;
 
 /// The reason why a chore could not be done.

@@ -18,7 +18,7 @@ fn main() -> ExitCode {
         Command::Figures(arguments) => figures(&arguments),
         Command::Program { arguments } => {
             let line = std::iter::once("pellicle".into()).chain(arguments);
-            Ok(pellicle_cli::program::main(line))
+            Ok(pellicle_cli::main(line))
         }
     };
     done.unwrap_or_else(|error| {

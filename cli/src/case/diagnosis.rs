@@ -1,4 +1,4 @@
-//! The one thing wrong with a case: which key, where, what was found and what is wanted.
+//! The fault of a case: its key, its place, what was found and what is wanted.
 
 use std::fmt;
 use std::io::IsTerminal;
@@ -6,76 +6,75 @@ use std::sync::Arc;
 
 use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, LabeledSpan, SourceCode};
 
-use super::place::{Place, Source};
+use super::source::Source;
+use super::span::Span;
 use crate::terminal::clean;
 
-/// A line longer than this, in bytes, is not a line a person wrote: it is named, not drawn.
+/// The longest line that is drawn, in bytes; a longer one was not written by a person, and is only named.
 const LONGEST_DRAWN_LINE: usize = 400;
 
-/// What is wrong at a place.
+/// A fault at a place in the text.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum Fault {
-    /// Something stands there that cannot be used.
+    /// A value that cannot be used.
     #[error("found {found}, wanted {wanted}")]
     Wrong {
-        /// What the user wrote, in words.
+        /// The user's text, or a description of it.
         found: String,
-        /// What would be right, in words.
+        /// A description of valid values.
         wanted: String,
     },
-    /// A key that must be there is not.
+    /// A required key is missing.
     #[error("found no such key, wanted {wanted}")]
     Missing {
-        /// What would be right, in words.
+        /// A description of valid values.
         wanted: String,
     },
-    /// A key that means nothing here.
+    /// A key that is not known here.
     #[error("found an unknown key, wanted {wanted}")]
     Unknown {
-        /// The keys that have a meaning here.
+        /// The keys known here.
         wanted: String,
     },
-    /// A value that is of the right kind, but that the model refuses.
-    #[error("found {found}: {reason}")]
+    /// A value of the right kind that the model refuses.
+    #[error("{reason}")]
     Refused {
-        /// What the user wrote.
-        found: String,
-        /// The sentence of the library that refused it: says what is wanted.
+        /// The sentence of the crate that refused it, which says what it found and wanted.
         reason: String,
     },
 }
 
-/// One diagnosis, drawn at its place in the case.
+/// A diagnosis, which can be drawn at its place in the case.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Diagnosis {
     /// Dotted path of the key, such as `foundation.layer[0].thickness`; none if the whole file is meant.
     pub key: Option<String>,
-    /// Where it stands.
-    pub place: Box<Place>,
-    /// What is wrong.
+    /// Its place.
+    pub span: Box<Span>,
+    /// The fault.
     pub fault: Fault,
-    /// What to do about it, where that is more than the fault says.
+    /// A hint, if there is more to say.
     pub help: Option<String>,
 }
 
 impl Diagnosis {
-    /// A fault of the whole text, or of a place in it that no key names.
+    /// A fault of the whole text, or of a place without a key.
     #[must_use]
-    pub fn of_text(place: Place, fault: Fault) -> Self {
+    pub fn of_text(span: Span, fault: Fault) -> Self {
         Self {
             key: None,
-            place: Box::new(place),
+            span: Box::new(span),
             fault,
             help: None,
         }
     }
 
-    /// A fault of the key with this dotted path.
+    /// A fault of a key, given by its dotted path.
     #[must_use]
-    pub fn of_key(key: impl Into<String>, place: Place, fault: Fault) -> Self {
+    pub fn of_key(key: impl Into<String>, span: Span, fault: Fault) -> Self {
         Self {
             key: Some(key.into()),
-            ..Self::of_text(place, fault)
+            ..Self::of_text(span, fault)
         }
     }
 
@@ -86,13 +85,13 @@ impl Diagnosis {
         self
     }
 
-    /// The diagnosis with the line it is about, coloured if standard error is a terminal.
+    /// The diagnosis drawn with its line of the text, coloured if standard error is a terminal.
     #[must_use]
     pub fn render(&self) -> String {
         let mut drawn = String::new();
         let clean = self.cleaned();
         let handler = GraphicalReportHandler::new_themed(theme());
-        // A String can always be written to; without the drawing the sentence still stands.
+        // Writing to a String cannot fail; if it did, the sentence alone would do.
         match handler
             .with_wrap_lines(false)
             .render_report(&mut drawn, &clean)
@@ -102,13 +101,13 @@ impl Diagnosis {
         }
     }
 
-    /// The same in a text without what a terminal would obey, every byte in its place.
+    /// The same, with control characters replaced in the text by others of the same length.
     fn cleaned(&self) -> Self {
-        let (source, span) = (&self.place.source, self.place.span.clone());
+        let (source, bytes) = (&self.span.source, self.span.bytes.clone());
         let text = source.inner().chars().map(harmless).collect();
         let source = Arc::new(Source::new(clean(source.name()), text));
         Self {
-            place: Box::new(Place { source, span }),
+            span: Box::new(Span { source, bytes }),
             help: self.help.as_deref().map(clean),
             ..self.clone()
         }
@@ -123,7 +122,7 @@ impl Diagnosis {
     }
 }
 
-/// The character itself, or one that is as long and that a terminal does not obey.
+/// The character itself, or one of the same length that a terminal does not obey.
 fn harmless(c: char) -> char {
     match c {
         '\n' | '\t' => c,
@@ -148,8 +147,8 @@ fn theme() -> GraphicalTheme {
 impl fmt::Display for Diagnosis {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let key = self.key.as_ref().map(|key| format!(", key `{key}`"));
-        let (place, key) = (self.place.words(), key.unwrap_or_default());
-        f.write_str(&clean(&format!("{place}{key}: {}", self.fault)))
+        let (span, key) = (self.span.words(), key.unwrap_or_default());
+        f.write_str(&clean(&format!("{span}{key}: {}", self.fault)))
     }
 }
 
@@ -161,13 +160,37 @@ impl Diagnostic for Diagnosis {
     }
 
     fn source_code(&self) -> Option<&dyn SourceCode> {
-        let drawable = self.place.line_length() <= LONGEST_DRAWN_LINE;
-        drawable.then(|| self.place.source.as_ref() as _)
+        let drawable = self.span.line_length() <= LONGEST_DRAWN_LINE;
+        drawable.then(|| self.span.source.as_ref() as _)
     }
 
     fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
-        let span = self.place.span.clone();
-        let label = LabeledSpan::new_with_span(Some(self.label().to_owned()), span);
+        let bytes = self.span.bytes.clone();
+        let label = LabeledSpan::new_with_span(Some(self.label().to_owned()), bytes);
         Some(Box::new(std::iter::once(label)))
+    }
+}
+
+/// The word of `known` that `word` most likely misspells.
+#[must_use]
+pub fn closest<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
+    let word = word.to_lowercase().replace('-', "_");
+    let distance = |key: &str| strsim::damerau_levenshtein(&word, &key.replace('-', "_"));
+    let near = |key: &&&str| distance(key) <= 1 + key.len() / 4;
+    let near = known.iter().filter(near);
+    near.min_by_key(|key| distance(key)).copied()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nothing_is_suggested_for_a_key_unlike_any() {
+        assert_eq!(closest("colour", &["thickness", "young_modulus"]), None);
+        assert_eq!(
+            closest("Flat_Punch", &["flat-punch", "cone"]),
+            Some("flat-punch")
+        );
     }
 }

@@ -1,4 +1,4 @@
-//! A case as a tree of TOML values that remember where each was written.
+//! A case as a tree of TOML values, each with its place in the text.
 
 use std::sync::Arc;
 
@@ -6,20 +6,23 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::diagnosis::{Diagnosis, Fault};
-use super::place::{Place, Source};
+use super::overrides;
+use super::source::Source;
+use super::span::Span;
+use super::value_reader::ValueReader;
 
-/// A value and where it was written.
+/// A value and its place in the text.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Node {
+pub struct TomlNode {
     /// The value.
-    pub value: Value,
-    /// Where it stands.
-    pub place: Place,
+    pub value: TomlValue,
+    /// Its place in the text.
+    pub span: Span,
 }
 
 /// A TOML value.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Value {
+pub enum TomlValue {
     /// A string.
     Text(String),
     /// An integer of 64 bits; a longer one is a float.
@@ -31,13 +34,13 @@ pub enum Value {
     /// A date or a time: nothing in a case is one.
     Datetime,
     /// An array.
-    List(Vec<Node>),
+    List(Vec<TomlNode>),
     /// A table, of any spelling.
-    Table(Table),
+    Table(TomlTable),
 }
 
-impl Value {
-    /// What it is, as a noun for a message.
+impl TomlValue {
+    /// A noun for messages.
     #[must_use]
     pub fn noun(&self) -> &'static str {
         match self {
@@ -54,32 +57,82 @@ impl Value {
 
 /// The entries of a table in the order of their keys.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Table {
+pub struct TomlTable {
     /// The entries.
-    pub entries: Vec<Entry>,
+    pub entries: Vec<TomlEntry>,
 }
 
 /// One `key = value`.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Entry {
+pub struct TomlEntry {
     /// The key.
     pub key: String,
-    /// Where the key stands.
-    pub key_place: Place,
+    /// The place of the key.
+    pub key_span: Span,
     /// The value.
-    pub node: Node,
+    pub node: TomlNode,
 }
 
-impl Table {
+impl TomlTable {
     /// The entry of `key`.
     #[must_use]
-    pub fn entry(&self, key: &str) -> Option<&Entry> {
+    pub fn entry(&self, key: &str) -> Option<&TomlEntry> {
         self.entries.iter().find(|entry| entry.key == key)
     }
 
     /// The entry of `key`, to be changed.
-    pub fn entry_mut(&mut self, key: &str) -> Option<&mut Entry> {
+    pub fn entry_mut(&mut self, key: &str) -> Option<&mut TomlEntry> {
         self.entries.iter_mut().find(|entry| entry.key == key)
+    }
+}
+
+/// The tree that a case was read from, for diagnoses and warnings after reading. It does not count when cases are
+/// compared: any two are equal.
+#[derive(Debug, Clone)]
+pub struct Document(Arc<TomlNode>);
+
+impl PartialEq for Document {
+    fn eq(&self, _: &Self) -> bool {
+        true
+    }
+}
+
+impl Document {
+    /// Keeps the tree.
+    #[must_use]
+    pub fn new(root: &TomlNode) -> Self {
+        Self(Arc::new(root.clone()))
+    }
+
+    /// The tree.
+    #[must_use]
+    pub fn root(&self) -> &TomlNode {
+        &self.0
+    }
+
+    /// The diagnosis that a value is refused for this reason: that of the first of these keys in the document.
+    #[must_use]
+    pub fn refused(&self, keys: &[&str], reason: &dyn std::error::Error) -> Diagnosis {
+        let found = keys.iter().find_map(|key| self.field(key));
+        found.map_or_else(
+            || {
+                let reason = reason.to_string();
+                Diagnosis::of_text(self.0.span.clone(), Fault::Refused { reason })
+            },
+            |field| field.refused(reason),
+        )
+    }
+
+    fn field(&self, key: &str) -> Option<ValueReader<'_>> {
+        let mut node = self.root();
+        for part in overrides::key_path(key)? {
+            node = match &node.value {
+                TomlValue::Table(table) => &table.entry(&part)?.node,
+                TomlValue::List(items) => items.get(part.parse::<usize>().ok()?)?,
+                _ => return None,
+            };
+        }
+        Some(ValueReader::new(key.to_owned(), node))
     }
 }
 
@@ -88,79 +141,79 @@ impl Table {
 /// # Errors
 ///
 /// One [`Diagnosis`] if the text is empty or not TOML.
-pub fn parse(source: &Arc<Source>) -> Result<Node, Diagnosis> {
+pub fn parse(source: &Arc<Source>) -> Result<TomlNode, Diagnosis> {
     let root = DeTable::parse(source.inner()).map_err(|error| not_toml(source, &error))?;
-    let node = Node {
-        value: Value::Table(table(source, root.get_ref())),
-        place: Place::end_of(source),
+    let node = TomlNode {
+        value: TomlValue::Table(table(source, root.get_ref())),
+        span: Span::end_of(source),
     };
     refuse_empty(node)
 }
 
-fn refuse_empty(node: Node) -> Result<Node, Diagnosis> {
-    if !matches!(&node.value, Value::Table(table) if table.entries.is_empty()) {
+fn refuse_empty(node: TomlNode) -> Result<TomlNode, Diagnosis> {
+    if !matches!(&node.value, TomlValue::Table(table) if table.entries.is_empty()) {
         return Ok(node);
     }
     let fault = Fault::Wrong {
         found: "an empty file".into(),
         wanted: "a case: [foundation], [indenter] and [load]".into(),
     };
-    Err(Diagnosis::of_text(node.place, fault)
+    Err(Diagnosis::of_text(node.span, fault)
         .with_help("`pellicle init > case.toml` writes one to start from"))
 }
 
 fn not_toml(source: &Arc<Source>, error: &toml::de::Error) -> Diagnosis {
-    let place = match error.span() {
-        Some(span) => Place::new(source, span),
-        None => Place::end_of(source),
+    let span = match error.span() {
+        Some(span) => Span::new(source, span),
+        None => Span::end_of(source),
     };
     let fault = Fault::Wrong {
         found: error.message().to_owned(),
         wanted: "TOML (https://toml.io)".into(),
     };
-    Diagnosis::of_text(place, fault)
+    Diagnosis::of_text(span, fault)
 }
 
 /// The tree of one parsed value whose text begins at byte `start` of the source.
 #[must_use]
-pub fn node(source: &Arc<Source>, start: usize, spanned: &Spanned<DeValue<'_>>) -> Node {
+pub fn node(source: &Arc<Source>, start: usize, spanned: &Spanned<DeValue<'_>>) -> TomlNode {
     let span = spanned.span();
-    let place = Place::new(source, start + span.start..start + span.end);
+    let span = Span::new(source, start + span.start..start + span.end);
     let value = match spanned.get_ref() {
-        DeValue::String(text) => Value::Text(text.clone().into_owned()),
+        DeValue::String(text) => TomlValue::Text(text.clone().into_owned()),
         DeValue::Integer(digits) => i64::from_str_radix(digits.as_str(), digits.radix())
-            .map_or_else(|_| float(digits.as_str()), Value::Integer),
+            .map_or_else(|_| float(digits.as_str()), TomlValue::Integer),
         DeValue::Float(digits) => float(digits.as_str()),
-        DeValue::Boolean(value) => Value::Boolean(*value),
-        DeValue::Datetime(_) => Value::Datetime,
+        DeValue::Boolean(value) => TomlValue::Boolean(*value),
+        DeValue::Datetime(_) => TomlValue::Datetime,
         DeValue::Array(items) => {
-            Value::List(items.iter().map(|item| node(source, start, item)).collect())
+            TomlValue::List(items.iter().map(|item| node(source, start, item)).collect())
         }
-        DeValue::Table(entries) => Value::Table(table_at(source, start, entries)),
+        DeValue::Table(entries) => TomlValue::Table(table_at(source, start, entries)),
     };
-    Node { value, place }
+    TomlNode { value, span }
 }
 
-/// The parser has checked the spelling; what f64 cannot hold becomes infinite and is refused by the reader.
-fn float(digits: &str) -> Value {
-    Value::Float(digits.parse().unwrap_or(f64::NAN))
+/// The parser has checked the spelling; a number beyond f64 becomes infinite and is refused by the reader.
+fn float(digits: &str) -> TomlValue {
+    TomlValue::Float(digits.parse().unwrap_or(f64::NAN))
 }
 
-fn table(source: &Arc<Source>, entries: &DeTable<'_>) -> Table {
+fn table(source: &Arc<Source>, entries: &DeTable<'_>) -> TomlTable {
     table_at(source, 0, entries)
 }
 
-fn table_at(source: &Arc<Source>, start: usize, entries: &DeTable<'_>) -> Table {
+fn table_at(source: &Arc<Source>, start: usize, entries: &DeTable<'_>) -> TomlTable {
     let entry = |(key, value): (&Spanned<_>, &Spanned<DeValue<'_>>)| {
         let span = key.span();
         let key: &std::borrow::Cow<'_, str> = key.get_ref();
-        Entry {
+        TomlEntry {
             key: key.clone().into_owned(),
-            key_place: Place::new(source, start + span.start..start + span.end),
+            key_span: Span::new(source, start + span.start..start + span.end),
             node: node(source, start, value),
         }
     };
-    Table {
+    TomlTable {
         entries: entries.iter().map(entry).collect(),
     }
 }
@@ -181,25 +234,25 @@ mod tests {
     fn every_value_knows_its_place() {
         let text = "title = \"a\"\n[foundation]\nsubstrate = { poisson_ratio = 0.3 }\n[[foundation.layer]]\nthickness = \"5 nm\"\n";
         let root = parse(&source(text)).unwrap();
-        let Value::Table(table) = &root.value else {
+        let TomlValue::Table(table) = &root.value else {
             panic!("{root:?}")
         };
         let foundation = &table.entry("foundation").unwrap().node;
-        assert_eq!(foundation.place.text(), "[foundation]");
-        let Value::Table(foundation) = &foundation.value else {
+        assert_eq!(foundation.span.text(), "[foundation]");
+        let TomlValue::Table(foundation) = &foundation.value else {
             panic!("{foundation:?}")
         };
-        let Value::List(layers) = &foundation.entry("layer").unwrap().node.value else {
+        let TomlValue::List(layers) = &foundation.entry("layer").unwrap().node.value else {
             panic!("{foundation:?}")
         };
-        assert_eq!(layers[0].place.text(), "[[foundation.layer]]");
-        let Value::Table(layer) = &layers[0].value else {
+        assert_eq!(layers[0].span.text(), "[[foundation.layer]]");
+        let TomlValue::Table(layer) = &layers[0].value else {
             panic!("{layers:?}")
         };
         let thickness = layer.entry("thickness").unwrap();
-        assert_eq!(thickness.key_place.text(), "thickness");
-        assert_eq!(thickness.node.place.text(), "\"5 nm\"");
-        assert_eq!(thickness.node.place.line(), 5);
+        assert_eq!(thickness.key_span.text(), "thickness");
+        assert_eq!(thickness.node.span.text(), "\"5 nm\"");
+        assert_eq!(thickness.node.span.line(), 5);
     }
 
     #[test]
@@ -215,13 +268,13 @@ mod tests {
     #[test]
     fn a_text_that_is_not_toml_is_diagnosed_where_it_breaks() {
         let diagnosis = fault("[load]\nforce = = 3\n");
-        assert_eq!(diagnosis.place.line(), 2);
+        assert_eq!(diagnosis.span.line(), 2);
         assert!(diagnosis.to_string().contains("wanted TOML"));
     }
 
     #[test]
     fn a_key_given_twice_is_diagnosed() {
-        assert_eq!(fault("[load]\nforce = 1\nforce = 2\n").place.line(), 3);
+        assert_eq!(fault("[load]\nforce = 1\nforce = 2\n").span.line(), 3);
     }
 
     #[test]
@@ -235,14 +288,14 @@ mod tests {
             "a = 0x10\nb = 1_000\nc = 1e400\nd = nan\ne = 99999999999999999999\n",
         ))
         .unwrap();
-        let Value::Table(table) = root.value else {
+        let TomlValue::Table(table) = root.value else {
             panic!("not a table")
         };
         let value = |key| &table.entry(key).unwrap().node.value;
-        assert_eq!(value("a"), &Value::Integer(16));
-        assert_eq!(value("b"), &Value::Integer(1000));
-        assert_eq!(value("c"), &Value::Float(f64::INFINITY));
-        assert!(matches!(value("d"), Value::Float(nan) if nan.is_nan()));
-        assert_eq!(value("e"), &Value::Float(1e20));
+        assert_eq!(value("a"), &TomlValue::Integer(16));
+        assert_eq!(value("b"), &TomlValue::Integer(1000));
+        assert_eq!(value("c"), &TomlValue::Float(f64::INFINITY));
+        assert!(matches!(value("d"), TomlValue::Float(nan) if nan.is_nan()));
+        assert_eq!(value("e"), &TomlValue::Float(1e20));
     }
 }

@@ -1,60 +1,25 @@
 //! `[foundation]`: the substrate and the layers on it.
 
-use pellicle_kernel::{
-    Base, Foundation, GradedLayer, GradingOptions, Interface, KernelError, Layer, Material,
-};
+pub mod layer;
+pub mod modulus;
+pub mod substrate;
+
+use pellicle_kernel::{Foundation, KernelError};
 use serde::Serialize;
 
+use self::layer::LayerCase;
+use self::substrate::SubstrateCase;
 use super::diagnosis::Diagnosis;
-use super::field::Field;
-use super::grading::ModulusCase;
-use super::quantity::Dimension;
-use super::reader::Reader;
-
-const RATIO: &str = "Poisson's ratio, a number in [0, 0.5]";
-const MODULUS: &str = "a positive pressure such as \"70 GPa\", a bare number, or { from = .., to = .., profile = \"linear\" }";
-const SUBSTRATE: &str = "{ young_modulus = .., poisson_ratio = .. } or \"rigid\"";
+use super::table_reader::TableReader;
+use super::value_reader::ValueReader;
 
 /// The foundation of a case, every value in SI units or the case's own.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct FoundationCase {
-    /// What everything rests on.
-    pub substrate: Substrate,
+    /// The base of the layers.
+    pub substrate: SubstrateCase,
     /// The layers from the surface down.
     pub layer: Vec<LayerCase>,
-}
-
-/// What everything rests on.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Substrate {
-    /// A base that does not deform.
-    Rigid,
-    /// An elastic half-space.
-    #[serde(untagged)]
-    Elastic(MaterialCase),
-}
-
-/// An isotropic elastic material.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct MaterialCase {
-    /// Young's modulus `E`, Pa.
-    pub young_modulus: f64,
-    /// Poisson's ratio `ν`.
-    pub poisson_ratio: f64,
-}
-
-/// One layer and how it holds to what lies below.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct LayerCase {
-    /// Thickness, m.
-    pub thickness: f64,
-    /// Young's modulus.
-    pub young_modulus: ModulusCase,
-    /// Poisson's ratio `ν`.
-    pub poisson_ratio: f64,
-    /// How it holds to what lies below.
-    pub interface: InterfaceCase,
 }
 
 /// A foundation whose graded layers are split into homogeneous ones.
@@ -62,35 +27,25 @@ pub struct LayerCase {
 pub struct SplitFoundation {
     /// The foundation itself.
     pub foundation: Foundation,
-    /// How each graded layer was split, from the surface down.
+    /// The splits of the graded layers, from the surface down.
     pub splits: Vec<Split>,
 }
 
-/// How a graded layer was split.
+/// The split of a graded layer.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Split {
-    /// Which layer it is, from 0 at the surface.
+    /// The layer, counted from 0 at the surface.
     pub layer: usize,
-    /// Into how many.
+    /// Number of sublayers.
     pub sublayers: usize,
-    /// Estimated relative error of `C(k)` that it causes.
+    /// Estimated relative error of `C(k)` due to the split.
     pub error: f64,
 }
 
-/// What is refused, and the layer of the case whose fault it is.
-struct Refusal {
+/// The error of a foundation, and the layer of the case that causes it.
+struct RefusedLayer {
     layer: usize,
     error: KernelError,
-}
-
-/// How a layer holds to what lies below.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum InterfaceCase {
-    /// It sticks.
-    Bonded,
-    /// It slides.
-    Frictionless,
 }
 
 impl FoundationCase {
@@ -98,8 +53,8 @@ impl FoundationCase {
     ///
     /// # Errors
     ///
-    /// A [`Diagnosis`] of the first key that no foundation can have.
-    pub fn read(table: &Reader<'_>) -> Result<Self, Diagnosis> {
+    /// A [`Diagnosis`] of the first invalid key.
+    pub fn read(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
         table.only(&["substrate", "layer"])?;
         let layers = match table.optional("layer") {
             Some(field) => field.items("a list of tables, each [[foundation.layer]]")?,
@@ -107,9 +62,9 @@ impl FoundationCase {
         };
         let layer = layers.into_iter().map(LayerCase::read);
         let layer = layer.collect::<Result<Vec<_>, _>>()?;
-        let substrate = table.required("substrate", SUBSTRATE)?;
+        let substrate = table.required("substrate", substrate::WANTED)?;
         let foundation = Self {
-            substrate: Substrate::read(substrate)?,
+            substrate: SubstrateCase::read(substrate)?,
             layer,
         };
         match foundation.try_split() {
@@ -118,7 +73,7 @@ impl FoundationCase {
         }
     }
 
-    /// The foundation itself, and how its graded layers were split.
+    /// The foundation itself, with its graded layers split.
     ///
     /// # Errors
     ///
@@ -127,12 +82,12 @@ impl FoundationCase {
         self.try_split().map_err(|refusal| refusal.error)
     }
 
-    /// From the bottom up: a layer is split on what lies below it.
-    fn try_split(&self) -> Result<SplitFoundation, Refusal> {
-        let refused = |layer| move |error| Refusal { layer, error };
+    /// Splits from the bottom up, since the split of a layer depends on what lies below it.
+    fn try_split(&self) -> Result<SplitFoundation, RefusedLayer> {
+        let refused = |layer| move |error| RefusedLayer { layer, error };
         let base = self.substrate.build().map_err(refused(0))?;
         let (mut below, mut splits) = (Vec::new(), Vec::new());
-        // The layer of the case that each layer is of.
+        // The layer of the case that each layer belongs to.
         let mut origins = Vec::new();
         for (i, layer) in self.layer.iter().enumerate().rev() {
             let (layers, error) = layer.split(&below, base).map_err(refused(i))?;
@@ -153,131 +108,46 @@ impl FoundationCase {
                 _ => 0,
             };
             let layer = origins.get(found).copied().unwrap_or(self.layer.len());
-            Refusal { layer, error }
+            RefusedLayer { layer, error }
         })?;
         Ok(SplitFoundation { foundation, splits })
     }
 
-    /// Young's modulus of what lies at the surface, Pa; none on a bare rigid base, which is no foundation.
+    /// Young's modulus at the surface, Pa; none on a bare rigid base, which is no foundation.
     #[must_use]
     pub fn surface_young_modulus(&self) -> Option<f64> {
         match (self.layer.first(), self.substrate) {
             (Some(layer), _) => Some(layer.young_modulus.at_top()),
-            (None, Substrate::Elastic(material)) => Some(material.young_modulus),
-            (None, Substrate::Rigid) => None,
+            (None, SubstrateCase::Elastic(material)) => Some(material.young_modulus),
+            (None, SubstrateCase::Rigid) => None,
         }
     }
 }
 
-/// The value to change where the layers and the substrate are right but do not go together.
-fn blamed<'a>(table: &Reader<'a>, refusal: &Refusal) -> Result<Field<'a>, Diagnosis> {
+/// The value to change if the layers and the substrate are valid but do not go together.
+fn blamed<'a>(
+    table: &TableReader<'a>,
+    refusal: &RefusedLayer,
+) -> Result<ValueReader<'a>, Diagnosis> {
     let in_layer = |key| {
         let layers = table.required("layer", "")?.items("")?;
         let layer = layers.into_iter().nth(refusal.layer);
-        let layer = layer.map(Field::table).transpose()?;
+        let layer = layer.map(ValueReader::table).transpose()?;
         layer.unwrap_or_else(|| table.clone()).required(key, "")
     };
     match refusal.error {
         KernelError::ModulusRatio { .. } | KernelError::Grading { .. } => in_layer("young_modulus"),
         KernelError::TotalThickness { .. } | KernelError::Thickness { .. } => in_layer("thickness"),
-        _ => table.required("substrate", SUBSTRATE),
-    }
-}
-
-impl Substrate {
-    fn read(field: Field<'_>) -> Result<Self, Diagnosis> {
-        if !field.is_table() {
-            return match field.text() {
-                Ok("rigid") => Ok(Self::Rigid),
-                _ => Err(field.wanted(SUBSTRATE)),
-            };
-        }
-        let table = field.table()?;
-        table.only(&["young_modulus", "poisson_ratio"])?;
-        Ok(Self::Elastic(MaterialCase::read(&table)?))
-    }
-
-    fn build(self) -> Result<Base, KernelError> {
-        match self {
-            Self::Rigid => Ok(Base::Rigid),
-            Self::Elastic(material) => material.build().map(Base::HalfSpace),
-        }
-    }
-}
-
-impl MaterialCase {
-    fn read(table: &Reader<'_>) -> Result<Self, Diagnosis> {
-        let material = Self {
-            young_modulus: table.positive("young_modulus", Dimension::Pressure)?,
-            poisson_ratio: table.required("poisson_ratio", RATIO)?.number(RATIO)?,
-        };
-        // The modulus is positive by now: what the kernel still refuses is the ratio.
-        let ratio = table.required("poisson_ratio", RATIO)?;
-        material.build().map_err(|error| ratio.refused(&error))?;
-        Ok(material)
-    }
-
-    fn build(self) -> Result<Material, KernelError> {
-        Material::new(self.young_modulus, self.poisson_ratio)
-    }
-}
-
-impl LayerCase {
-    fn read(field: Field<'_>) -> Result<Self, Diagnosis> {
-        let table = field.table()?;
-        table.only(&["thickness", "young_modulus", "poisson_ratio", "interface"])?;
-        let interface = match table.optional("interface") {
-            Some(field) => field.choice(&[
-                ("bonded", InterfaceCase::Bonded),
-                ("frictionless", InterfaceCase::Frictionless),
-            ])?,
-            None => InterfaceCase::Bonded,
-        };
-        let thickness = table.positive("thickness", Dimension::Length)?;
-        let modulus = table.required("young_modulus", MODULUS)?;
-        let layer = Self {
-            thickness,
-            young_modulus: ModulusCase::read(modulus)?,
-            poisson_ratio: table.required("poisson_ratio", RATIO)?.number(RATIO)?,
-            interface,
-        };
-        // The modulus is positive by now: what the kernel still refuses is the ratio.
-        let ratio = table.required("poisson_ratio", RATIO)?;
-        let material = layer.material(layer.young_modulus.at_top());
-        material.map_err(|error| ratio.refused(&error))?;
-        Ok(layer)
-    }
-
-    /// The layer as one or more homogeneous ones, and those below; with the error of splitting if it is graded.
-    fn split(&self, below: &[Layer], base: Base) -> Result<(Vec<Layer>, Option<f64>), KernelError> {
-        let interface = match self.interface {
-            InterfaceCase::Bonded => Interface::Bonded,
-            InterfaceCase::Frictionless => Interface::Frictionless,
-        };
-        let thickness = self.thickness;
-        match self.young_modulus {
-            ModulusCase::Uniform(modulus) => {
-                let layer = Layer::new(thickness, self.material(modulus)?, interface)?;
-                Ok(([&[layer], below].concat(), None))
-            }
-            ModulusCase::Graded(grading) => {
-                let material = |depth: f64| self.material(grading.at(depth / thickness));
-                let graded = GradedLayer::new(thickness, interface, material)?;
-                let split = graded.split(below, base, &GradingOptions::default())?;
-                let layers = split.foundation.layers().to_vec();
-                Ok((layers, Some(split.error_estimate)))
-            }
-        }
-    }
-
-    fn material(&self, young_modulus: f64) -> Result<Material, KernelError> {
-        Material::new(young_modulus, self.poisson_ratio)
+        _ => table.required("substrate", substrate::WANTED),
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::testing::read_table;
+    use pellicle_kernel::Layer;
+
+    use super::super::table_reader::tests::read_table;
+    use super::layer::InterfaceCase;
     use super::*;
 
     fn read(text: &str) -> Result<FoundationCase, String> {
@@ -367,7 +237,7 @@ mod tests {
     #[test]
     fn layers_may_rest_on_a_rigid_base() {
         let foundation = read(&format!("substrate = \"rigid\"\n{LAYER}")).unwrap();
-        assert_eq!(foundation.substrate, Substrate::Rigid);
+        assert_eq!(foundation.substrate, SubstrateCase::Rigid);
         assert!(read("substrate = \"rigid\"").is_err());
     }
 

@@ -3,20 +3,20 @@
 use serde::Serialize;
 
 use super::diagnosis::Diagnosis;
-use super::field::Sign;
-use super::quantity::Dimension;
-use super::reader::Reader;
+use super::dimension::Dimension;
+use super::table_reader::TableReader;
+use super::value_reader::Sign;
 
 /// Elements per side unless given.
 const DEFAULT_ELEMENTS: usize = 256;
 
-/// None is no field; more than 8192² are beyond the memory of a workstation: at some 240 bytes each they take 16 GB.
+/// More than 8192² elements are beyond the memory of a workstation: at some 240 bytes each, these take 16 GB.
 const ELEMENTS: std::ops::RangeInclusive<usize> = 1..=8192;
 
 /// The grid of a case.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct GridCase {
-    /// Side of the square domain, m; none until it is chosen from the load.
+    /// Side of the square domain, m; none if it is to be chosen from the load.
     pub side: Option<f64>,
     /// Elements per side.
     pub elements: usize,
@@ -36,8 +36,8 @@ impl GridCase {
     ///
     /// # Errors
     ///
-    /// A [`Diagnosis`] of the first key that no grid can have.
-    pub fn read(table: &Reader<'_>) -> Result<Self, Diagnosis> {
+    /// A [`Diagnosis`] of the first invalid key.
+    pub fn read(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
         table.only(&["side", "elements"])?;
         let side = (table.optional("side"))
             .map(|field| field.quantity(Dimension::Length, Sign::Positive))
@@ -51,7 +51,7 @@ impl GridCase {
 
 #[cfg(test)]
 mod tests {
-    use super::super::testing::read_table;
+    use super::super::table_reader::tests::read_table;
     use super::*;
 
     fn read(text: &str) -> Result<GridCase, String> {

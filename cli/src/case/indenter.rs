@@ -1,4 +1,4 @@
-//! `[indenter]`: what is pressed into the surface.
+//! `[indenter]`: the rigid body pressed into the surface.
 
 use std::f64::consts::FRAC_PI_2;
 use std::path::Path;
@@ -9,10 +9,11 @@ use pellicle_contact::{
 use serde::Serialize;
 
 use super::diagnosis::Diagnosis;
-use super::field::Sign;
-use super::map::{Likely, MapCase};
-use super::quantity::Dimension;
-use super::reader::Reader;
+use super::dimension::Dimension;
+use super::height_limits::HeightLimits;
+use super::map::MapCase;
+use super::table_reader::TableReader;
+use super::value_reader::Sign;
 
 /// The indenter of a case, every value in SI units or the case's own.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -60,7 +61,7 @@ pub struct PyramidCase {
 }
 
 #[derive(Clone, Copy)]
-enum Kind {
+enum IndenterKind {
     Paraboloid,
     Sphere,
     Cone,
@@ -71,15 +72,15 @@ enum Kind {
     Map,
 }
 
-const KINDS: [(&str, Kind); 8] = [
-    ("paraboloid", Kind::Paraboloid),
-    ("sphere", Kind::Sphere),
-    ("cone", Kind::Cone),
-    ("berkovich", Kind::Berkovich),
-    ("vickers", Kind::Vickers),
-    ("cube-corner", Kind::CubeCorner),
-    ("flat-punch", Kind::FlatPunch),
-    ("map", Kind::Map),
+const KINDS: [(&str, IndenterKind); 8] = [
+    ("paraboloid", IndenterKind::Paraboloid),
+    ("sphere", IndenterKind::Sphere),
+    ("cone", IndenterKind::Cone),
+    ("berkovich", IndenterKind::Berkovich),
+    ("vickers", IndenterKind::Vickers),
+    ("cube-corner", IndenterKind::CubeCorner),
+    ("flat-punch", IndenterKind::FlatPunch),
+    ("map", IndenterKind::Map),
 ];
 
 const WANTED: &str = "\"paraboloid\", \"sphere\", \"cone\", \"berkovich\", \"vickers\", \"cube-corner\", \"flat-punch\" or \"map\"";
@@ -89,31 +90,33 @@ impl IndenterCase {
     ///
     /// # Errors
     ///
-    /// A [`Diagnosis`] of the first key that no indenter of this kind can have.
-    pub fn read(table: &Reader<'_>, folder: &Path) -> Result<Self, Diagnosis> {
+    /// A [`Diagnosis`] of the first key that is invalid for its kind.
+    pub fn read(table: &TableReader<'_>, folder: &Path) -> Result<Self, Diagnosis> {
         let field = table.required("kind", WANTED)?;
         let indenter = match field.choice(&KINDS)? {
-            Kind::Paraboloid => Self::Paraboloid {
+            IndenterKind::Paraboloid => Self::Paraboloid {
                 radius: radius(table)?,
             },
-            Kind::Sphere => Self::Sphere {
+            IndenterKind::Sphere => Self::Sphere {
                 radius: radius(table)?,
             },
-            Kind::FlatPunch => Self::FlatPunch {
+            IndenterKind::FlatPunch => Self::FlatPunch {
                 radius: radius(table)?,
             },
-            Kind::Cone => read_cone(table)?,
-            Kind::Berkovich => {
+            IndenterKind::Cone => read_cone(table)?,
+            IndenterKind::Berkovich => {
                 Self::Berkovich(PyramidCase::read(table, Pyramid::BERKOVICH_FACE_ANGLE)?)
             }
-            Kind::Vickers => Self::Vickers(PyramidCase::read(table, Pyramid::VICKERS_FACE_ANGLE)?),
-            Kind::CubeCorner => {
+            IndenterKind::Vickers => {
+                Self::Vickers(PyramidCase::read(table, Pyramid::VICKERS_FACE_ANGLE)?)
+            }
+            IndenterKind::CubeCorner => {
                 Self::CubeCorner(PyramidCase::read(table, Pyramid::CUBE_CORNER_FACE_ANGLE)?)
             }
-            // What a map can be refused for is checked where it is read.
-            Kind::Map => {
+            // A map is checked as it is read.
+            IndenterKind::Map => {
                 table.only(&MapCase::KEYS)?;
-                return MapCase::read(table, folder, Likely::INDENTER).map(Self::Map);
+                return MapCase::read(table, folder, HeightLimits::INDENTER).map(Self::Map);
             }
         };
         indenter.build().map_err(|error| field.refused(&error))?;
@@ -124,7 +127,7 @@ impl IndenterCase {
     ///
     /// # Errors
     ///
-    /// [`IndenterError`] if the indenter cannot be.
+    /// [`IndenterError`] if a value is invalid.
     pub fn build(&self) -> Result<Indenter, IndenterError> {
         match self {
             Self::Paraboloid { radius } => Paraboloid::new(*radius).map(Indenter::from),
@@ -150,12 +153,12 @@ impl IndenterCase {
     }
 }
 
-fn radius(table: &Reader<'_>) -> Result<f64, Diagnosis> {
+fn radius(table: &TableReader<'_>) -> Result<f64, Diagnosis> {
     table.only(&["kind", "radius"])?;
     table.positive("radius", Dimension::Length)
 }
 
-fn read_cone(table: &Reader<'_>) -> Result<IndenterCase, Diagnosis> {
+fn read_cone(table: &TableReader<'_>) -> Result<IndenterCase, Diagnosis> {
     table.only(&["kind", "half_angle", "tip_radius"])?;
     Ok(IndenterCase::Cone {
         half_angle: angle(table, "half_angle", None)?,
@@ -168,7 +171,7 @@ impl PyramidCase {
         Pyramid::new(faces, self.face_angle, self.tip_radius).map(Indenter::from)
     }
 
-    fn read(table: &Reader<'_>, standard: f64) -> Result<Self, Diagnosis> {
+    fn read(table: &TableReader<'_>, standard: f64) -> Result<Self, Diagnosis> {
         table.only(&["kind", "tip_radius", "face_angle"])?;
         Ok(Self {
             tip_radius: tip_radius(table)?,
@@ -177,18 +180,19 @@ impl PyramidCase {
     }
 }
 
-fn tip_radius(table: &Reader<'_>) -> Result<f64, Diagnosis> {
-    let read =
-        |field: super::field::Field<'_>| field.quantity(Dimension::Length, Sign::NotNegative);
+fn tip_radius(table: &TableReader<'_>) -> Result<f64, Diagnosis> {
+    let read = |field: super::value_reader::ValueReader<'_>| {
+        field.quantity(Dimension::Length, Sign::NotNegative)
+    };
     table.optional("tip_radius").map_or(Ok(0.0), read)
 }
 
-/// Angles from the axis: a needle sharper than the first (0.1 degrees) is far beyond small slopes and any picture, one
-/// blunter than the last (10⁻⁴ degrees from flat) is a flat surface.
+/// Angles from the axis. A needle sharper than the first (0.1 degrees) is far beyond small slopes and any picture; a
+/// cone blunter than the last (10⁻⁴ degrees from flat) is flat.
 const ANGLES: std::ops::RangeInclusive<f64> = 1.745e-3..=FRAC_PI_2 - 1.745e-6;
 
 /// An angle from the axis, between 0 and 90 degrees.
-fn angle(table: &Reader<'_>, key: &str, default: Option<f64>) -> Result<f64, Diagnosis> {
+fn angle(table: &TableReader<'_>, key: &str, default: Option<f64>) -> Result<f64, Diagnosis> {
     const WANTED: &str = "an angle from the axis between 0 and 90 degrees (0.1 to 89.9999), such as \"65.03 deg\", or a bare number in radians";
     let field = match (table.optional(key), default) {
         (Some(field), _) => field,
@@ -204,7 +208,7 @@ fn angle(table: &Reader<'_>, key: &str, default: Option<f64>) -> Result<f64, Dia
 
 #[cfg(test)]
 mod tests {
-    use super::super::testing::read_table;
+    use super::super::table_reader::tests::read_table;
     use super::*;
 
     fn read(text: &str) -> Result<IndenterCase, String> {

@@ -3,20 +3,20 @@
 use serde::Serialize;
 
 use super::diagnosis::{Diagnosis, Fault};
-use super::field::{Field, Sign};
-use super::quantity::Dimension;
-use super::reader::Reader;
+use super::dimension::Dimension;
 use super::spacing::{self, Spacing};
+use super::table_reader::TableReader;
+use super::value_reader::{Sign, ValueReader};
 
 /// The four keys of which exactly one is given.
 const KEYS: [&str; 4] = ["force", "forces", "penetration", "penetrations"];
 
 const WANTED: &str = "exactly one of force, forces, penetration, penetrations";
 
-/// Where one came from a file and the other from the command line or a study.
-const HELP: &str = "to put one in place of the other replace the whole table: --set load='{ force = \"3 mN\" }', or in a study \"load\" = [{ force = \"3 mN\" }]";
+/// The hint if one load comes from the file and the other from the command line or a study.
+const HELP: &str = "to replace one by the other, replace the whole table: --set load='{ force = \"3 mN\" }', or in a study \"load\" = [{ force = \"3 mN\" }]";
 
-/// More steps than this are not a curve but a mistake.
+/// The most steps of a curve; more are a mistake.
 const MOST_STEPS: usize = 10_000;
 
 /// The load of a case, every value in SI units or the case's own.
@@ -39,21 +39,23 @@ impl LoadCase {
     /// # Errors
     ///
     /// A [`Diagnosis`] unless exactly one load is given, a positive force or a finite penetration.
-    pub fn read(table: &Reader<'_>) -> Result<Self, Diagnosis> {
+    pub fn read(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
         table.only(&KEYS)?;
         let key = the_one_given(table)?;
         let field = table.required(key, WANTED)?;
         match key {
-            "force" => Ok(Self::Force(Quantity::FORCE.read(&field)?)),
-            "forces" => Ok(Self::Forces(Quantity::FORCE.read_all(&field)?)),
-            "penetration" => Ok(Self::Penetration(Quantity::PENETRATION.read(&field)?)),
-            _ => Ok(Self::Penetrations(Quantity::PENETRATION.read_all(&field)?)),
+            "force" => Ok(Self::Force(LoadQuantity::FORCE.read(&field)?)),
+            "forces" => Ok(Self::Forces(LoadQuantity::FORCE.read_all(&field)?)),
+            "penetration" => Ok(Self::Penetration(LoadQuantity::PENETRATION.read(&field)?)),
+            _ => Ok(Self::Penetrations(
+                LoadQuantity::PENETRATION.read_all(&field)?,
+            )),
         }
     }
 
-    /// The loads one after the other.
+    /// The loads in order.
     #[must_use]
-    pub fn steps(&self) -> Vec<pellicle_contact::Load> {
+    pub fn loads(&self) -> Vec<pellicle_contact::Load> {
         use pellicle_contact::Load;
         match self {
             Self::Force(force) => vec![Load::Force(*force)],
@@ -64,7 +66,7 @@ impl LoadCase {
     }
 }
 
-fn the_one_given(table: &Reader<'_>) -> Result<&'static str, Diagnosis> {
+fn the_one_given(table: &TableReader<'_>) -> Result<&'static str, Diagnosis> {
     match table.given(&KEYS)[..] {
         [key] => Ok(key),
         [] => Err(table.missing("force", WANTED.into())),
@@ -79,13 +81,13 @@ fn the_one_given(table: &Reader<'_>) -> Result<&'static str, Diagnosis> {
     }
 }
 
-/// What one value of the load may be.
-struct Quantity {
+/// The dimension and sign of a load.
+struct LoadQuantity {
     dimension: Dimension,
     sign: Sign,
 }
 
-impl Quantity {
+impl LoadQuantity {
     const FORCE: Self = Self {
         dimension: Dimension::Force,
         sign: Sign::Positive,
@@ -96,11 +98,11 @@ impl Quantity {
         sign: Sign::Any,
     };
 
-    fn read(&self, field: &Field<'_>) -> Result<f64, Diagnosis> {
+    fn read(&self, field: &ValueReader<'_>) -> Result<f64, Diagnosis> {
         field.quantity(self.dimension, self.sign)
     }
 
-    fn read_all(&self, field: &Field<'_>) -> Result<Vec<f64>, Diagnosis> {
+    fn read_all(&self, field: &ValueReader<'_>) -> Result<Vec<f64>, Diagnosis> {
         if field.is_table() {
             return self.read_range(&field.clone().table()?);
         }
@@ -111,7 +113,7 @@ impl Quantity {
         items.iter().map(|item| self.read(item)).collect()
     }
 
-    fn read_range(&self, table: &Reader<'_>) -> Result<Vec<f64>, Diagnosis> {
+    fn read_range(&self, table: &TableReader<'_>) -> Result<Vec<f64>, Diagnosis> {
         table.only(&spacing::KEYS)?;
         let spacing = Spacing::read(table)?;
         let sign = if spacing == Spacing::Log {
@@ -131,7 +133,7 @@ impl Quantity {
 
 #[cfg(test)]
 mod tests {
-    use super::super::testing::read_table;
+    use super::super::table_reader::tests::read_table;
     use super::*;
 
     fn read(text: &str) -> Result<LoadCase, String> {

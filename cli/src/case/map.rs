@@ -1,9 +1,9 @@
-//! A height map that a case names: `file`, and what the file does not say of it.
+//! A height map named by a case: `file`, and the keys for what the file does not say.
 //!
-//! `side` is its length along x, with square pixels, `sides` the lengths along x and y; a `.gsf` file says them itself,
-//! and what the case says goes before. `height_unit` is the length that a 1 in the file stands for: `"nm"`, `"0.5 um"`
-//! or a bare number, negative to turn heights into depths. Without it heights are in the unit that the file names, or
-//! in metres, or in the case's own unit of length. `interpolation` is how heights between the samples are found.
+//! `side` is its length along x, with square pixels; `sides` are its lengths along x and y. A `.gsf` file has them
+//! itself, but the case takes precedence. `height_unit` is the length of a 1 in the file: `"nm"`, `"0.5 um"` or a bare
+//! number, negative to turn heights into depths. Without it heights are in the unit that the file names, or in metres,
+//! or in the case's own unit of length. `interpolation` gives the heights between the samples.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -12,31 +12,31 @@ use pellicle_texture::{HeightMap, Interpolation};
 use serde::Serialize;
 
 use super::diagnosis::{Diagnosis, Fault};
-use super::document::Value;
-use super::field::{Field, Sign};
-use super::quantity::{self, Dimension};
-use super::reader::Reader;
+use super::dimension::Dimension;
+use super::document::TomlValue;
+use super::height_limits::HeightLimits;
+use super::quantity;
+use super::table_reader::TableReader;
 use super::units::Units;
+use super::value_reader::{Sign, ValueReader};
 use crate::map::MapFile;
-
-pub use super::likely::Likely;
 
 const FILE: &str =
     "a height map (.npy, .csv, .txt or .gsf) by its path from the folder of the case file";
 
-/// Three numbers a line and at least so many lines are points x, y, z and no strip of a surface.
+/// At least this many lines of three numbers are points x, y, z and not a strip of a surface.
 const MANY_LINES: usize = 30;
 
-/// A height map of a case. Written down it is the keys that give it again; the heights themselves stay in the file.
+/// A height map of a case. It is written as the keys that it was read from; the heights stay in the file.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct MapCase {
     /// Path of the file, from the folder of the case.
     pub file: String,
     /// Sides along x and along y, m.
     pub sides: [f64; 2],
-    /// What a 1 in the file stands for, m.
+    /// The length of a 1 in the file, m.
     pub height_unit: f64,
-    /// How heights between the samples are found.
+    /// The interpolation between the samples.
     pub interpolation: InterpolationCase,
     /// SI if the file names a unit.
     #[serde(skip)]
@@ -45,18 +45,18 @@ pub struct MapCase {
     heights: Arc<HeightMap>,
 }
 
-/// How heights between the samples are found.
+/// The interpolation between samples.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum InterpolationCase {
-    /// Smooth.
+    /// Bicubic, smooth.
     Bicubic,
-    /// With a ridge along every line of samples.
+    /// Linear, with a ridge along every line of samples.
     Linear,
 }
 
 impl InterpolationCase {
-    fn read(table: &Reader<'_>) -> Result<Self, Diagnosis> {
+    fn read(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
         let choices = [("bicubic", Self::Bicubic), ("linear", Self::Linear)];
         let given = table.optional("interpolation");
         given.map_or(Ok(Self::Bicubic), |field| field.choice(&choices))
@@ -73,7 +73,7 @@ impl From<InterpolationCase> for Interpolation {
 }
 
 impl MapCase {
-    /// Every key of a map; a relief of springs has some more.
+    /// The keys of a map; a relief of springs has more.
     pub const KEYS: [&str; 6] = [
         "kind",
         "file",
@@ -83,13 +83,17 @@ impl MapCase {
         "interpolation",
     ];
 
-    /// Reads the keys and the file, by its path from `folder`, and weighs the heights.
+    /// Reads the keys and the file, by its path from `folder`, and checks the heights.
     ///
     /// # Errors
     ///
-    /// A [`Diagnosis`] of the first key that no map can have, of the file if it is no map, or of the unit if with it no
-    /// surface is like that.
-    pub fn read(table: &Reader<'_>, folder: &Path, likely: Likely) -> Result<Self, Diagnosis> {
+    /// A [`Diagnosis`] of the first invalid key, of the file if it is not a map, or of the unit if it makes the map too
+    /// steep.
+    pub fn read(
+        table: &TableReader<'_>,
+        folder: &Path,
+        limits: HeightLimits,
+    ) -> Result<Self, Diagnosis> {
         let field = table.required("file", FILE)?;
         let name = field.text()?;
         let read = MapFile::read(&folder.join(name));
@@ -101,11 +105,12 @@ impl MapCase {
         let heights = file.heights.iter().map(|height| height * height_unit);
         let heights = HeightMap::new(heights.collect(), file.shape, sides);
         let heights = heights.map_err(|error| field.refused(&error))?;
-        likely.weigh(&heights).map_err(|unlikely| {
+        limits.check(&heights).map_err(|too_steep| {
             let blamed = table.optional("height_unit").unwrap_or(field);
-            let has_unit = matches!(blamed.value(), Value::Text(_)) || names_a_unit(table, &file);
-            let wanted = likely.wanted(&heights, height_unit, has_unit);
-            blamed.unusable(&unlikely, wanted)
+            let has_unit =
+                matches!(blamed.value(), TomlValue::Text(_)) || names_a_unit(table, &file);
+            let wanted = limits.wanted(&heights, height_unit, has_unit);
+            blamed.unusable(&too_steep, wanted)
         })?;
         Ok(Self {
             file: name.to_owned(),
@@ -143,11 +148,11 @@ impl MapCase {
     }
 }
 
-/// Whether sides that are given, or the file, have a unit: heights then have one, too.
-fn names_a_unit(table: &Reader<'_>, file: &MapFile) -> bool {
-    let is_text = |value: &Value| matches!(value, Value::Text(_));
-    let has_unit = |field: Field<'_>| match field.value() {
-        Value::List(items) => items.iter().any(|item| is_text(&item.value)),
+/// Whether the given sides or the file have a unit: then heights have one too.
+fn names_a_unit(table: &TableReader<'_>, file: &MapFile) -> bool {
+    let is_text = |value: &TomlValue| matches!(value, TomlValue::Text(_));
+    let has_unit = |field: ValueReader<'_>| match field.value() {
+        TomlValue::List(items) => items.iter().any(|item| is_text(&item.value)),
         value => is_text(value),
     };
     let mut sides = ["side", "sides"]
@@ -156,20 +161,24 @@ fn names_a_unit(table: &Reader<'_>, file: &MapFile) -> bool {
     sides.any(has_unit) || units(file) == Units::Si
 }
 
-/// Refuses many lines of three numbers that are not the points of a grid, unless both sides of a strip are given.
-fn refuse_points(table: &Reader<'_>, field: &Field<'_>, file: &MapFile) -> Result<(), Diagnosis> {
+/// Refuses many lines of three numbers that are not the points of a grid, unless the sides of a strip are given.
+fn refuse_points(
+    table: &TableReader<'_>,
+    field: &ValueReader<'_>,
+    file: &MapFile,
+) -> Result<(), Diagnosis> {
     let [x, y] = file.shape;
     let is_slender = x.min(y) == 3 && x.max(y) >= MANY_LINES;
     if !is_slender || file.sides.is_some() || table.optional("sides").is_some() {
         return Ok(());
     }
     let reason = format!(
-        "which holds {} lines of three numbers: points x, y, z of no rectangular grid, it seems",
+        "which holds {} lines of three numbers, apparently points x, y, z of no rectangular grid",
         x.max(y)
     );
     Err(field.unusable(
         &reason,
-        "rows of heights, or every point x, y, z of a grid of equal distances; of a strip that is three samples wide, sides = [x, y]",
+        "rows of heights, or every point x, y, z of a regular grid; for a strip three samples wide, sides = [x, y]",
     ))
 }
 
@@ -181,17 +190,17 @@ fn units(file: &MapFile) -> Units {
     }
 }
 
-/// The sides as the case gives them, or else the file: of points in the unit of their heights.
+/// The sides from the case or else from the file; those of points are in the unit of their heights.
 fn sides(
-    table: &Reader<'_>,
-    field: &Field<'_>,
+    table: &TableReader<'_>,
+    field: &ValueReader<'_>,
     file: &MapFile,
     height_unit: f64,
 ) -> Result<[f64; 2], Diagnosis> {
     const WANTED: &str =
-        "side, the length of the map along x, or sides = [x, y], since the file does not say it";
+        "side, the length of the map along x, or sides = [x, y], since the file does not give it";
     const LENGTHS: &str = "a list of two positive lengths, [x, y]";
-    let length = |field: &Field<'_>| field.quantity(Dimension::Length, Sign::Positive);
+    let length = |field: &ValueReader<'_>| field.quantity(Dimension::Length, Sign::Positive);
     match (table.optional("side"), table.optional("sides")) {
         (Some(_), Some(sides)) => Err(sides.diagnosis(Fault::Wrong {
             found: "side and sides".into(),
@@ -218,14 +227,18 @@ fn sides(
     }
 }
 
-/// What a 1 in the file stands for, by the case or else by the file.
-fn height_unit(table: &Reader<'_>, field: &Field<'_>, file: &MapFile) -> Result<f64, Diagnosis> {
-    const WANTED: &str = "the length that a 1 in the file stands for, such as \"nm\" or \"0.5 um\", or a bare number other than 0";
+/// The length of a 1 in the file, from the case or else from the file.
+fn height_unit(
+    table: &TableReader<'_>,
+    field: &ValueReader<'_>,
+    file: &MapFile,
+) -> Result<f64, Diagnosis> {
+    const WANTED: &str = "the length of a 1 in the file, such as \"nm\" or \"0.5 um\", or a bare number other than 0";
     let Some(given) = table.optional("height_unit") else {
         return unit(field, "height", file.height_unit.as_deref());
     };
     let alone = match given.value() {
-        Value::Text(text) => quantity::one(text, Dimension::Length).ok(),
+        TomlValue::Text(text) => quantity::one(text, Dimension::Length).ok(),
         _ => None,
     };
     let length = alone.map_or_else(|| given.quantity(Dimension::Length, Sign::Any), Ok)?;
@@ -235,16 +248,16 @@ fn height_unit(table: &Reader<'_>, field: &Field<'_>, file: &MapFile) -> Result<
     given.in_range(Dimension::Length, length)
 }
 
-/// One of the unit that the file names, m; 1 if it names none.
-fn unit(field: &Field<'_>, what: &str, name: Option<&str>) -> Result<f64, Diagnosis> {
+/// The unit that the file names, m; 1 if it names none.
+fn unit(field: &ValueReader<'_>, what: &str, name: Option<&str>) -> Result<f64, Diagnosis> {
     let Some(name) = name else {
         return Ok(1.0);
     };
     quantity::one(name, Dimension::Length).map_err(|_| {
-        let reason = format!("whose header has the {what} unit \"{name}\", which is no length");
+        let reason = format!("whose header has the {what} unit \"{name}\", which is not a length");
         field.unusable(
             &reason,
-            "a map of heights, or the key that says it otherwise",
+            "a map of heights, or the key that overrides the header",
         )
     })
 }
@@ -255,7 +268,7 @@ mod tests {
 
     use tempfile::TempDir;
 
-    use super::super::testing::read_table;
+    use super::super::table_reader::tests::read_table;
     use super::*;
 
     fn folder() -> TempDir {
@@ -271,7 +284,7 @@ mod tests {
     fn read(text: &str) -> Result<MapCase, String> {
         let folder = folder();
         read_table(text, |table| {
-            MapCase::read(&table, folder.path(), Likely::SURFACE)
+            MapCase::read(&table, folder.path(), HeightLimits::SURFACE)
         })
     }
 

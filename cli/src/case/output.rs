@@ -1,24 +1,24 @@
-//! `[output]`: what a run leaves behind beside its numbers.
+//! `[output]`: the fields and pictures that a run writes.
 
 use clap::ValueEnum;
 use serde::Serialize;
 
 use super::diagnosis::Diagnosis;
-use super::field::Field;
-use super::reader::Reader;
+use super::table_reader::TableReader;
+use super::value_reader::ValueReader;
 
-/// What a run writes beside summary, curve and report, which are always there.
+/// The files that a run writes in addition to summary, curve and report.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct OutputCase {
-    /// Of which loading steps the fields are written.
+    /// The loading steps whose fields are written.
     pub fields: Steps,
-    /// Of which loading steps pictures are drawn; with `none` there are none of the run as a whole either.
+    /// The loading steps whose pictures are drawn; with `none`, pictures of the whole run are left out too.
     pub pictures: Steps,
-    /// In which formats fields are written, each once.
+    /// The formats of the fields, each once.
     pub formats: Vec<Format>,
 }
 
-/// Which loading steps.
+/// A choice of loading steps.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, ValueEnum)]
 #[serde(rename_all = "lowercase")]
 pub enum Steps {
@@ -34,13 +34,13 @@ pub enum Steps {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, ValueEnum)]
 #[serde(rename_all = "lowercase")]
 pub enum Format {
-    /// Arrays of NumPy, from which pictures can be drawn again
+    /// NumPy arrays, from which pictures can be redrawn
     Npz,
-    /// An image of VTK, for ParaView
+    /// VTK image data, for ParaView
     Vti,
     /// The layout of contact.engineering
     Nc,
-    /// Simple fields of Gwyddion
+    /// Gwyddion simple fields
     Gsf,
 }
 
@@ -68,7 +68,7 @@ impl Steps {
         }
     }
 
-    /// How many of `steps` they are.
+    /// Their number, of `steps` in all.
     #[must_use]
     pub fn count(self, steps: usize) -> usize {
         match self {
@@ -94,8 +94,8 @@ impl OutputCase {
     ///
     /// # Errors
     ///
-    /// A [`Diagnosis`] of the first key that says nothing known.
-    pub fn read(table: &Reader<'_>) -> Result<Self, Diagnosis> {
+    /// A [`Diagnosis`] of the first key with an unknown value.
+    pub fn read(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
         table.only(&["fields", "pictures", "formats"])?;
         let default = Self::default();
         let steps = |key| table.optional(key).map(|field| field.choice(&STEPS));
@@ -107,7 +107,7 @@ impl OutputCase {
         })
     }
 
-    /// Takes these formats, each once.
+    /// Sets the formats, each once.
     pub fn set_formats(&mut self, formats: &[Format]) {
         self.formats = formats.to_vec();
         self.formats.sort_unstable();
@@ -115,7 +115,7 @@ impl OutputCase {
     }
 }
 
-fn formats(field: &Field<'_>) -> Result<Vec<Format>, Diagnosis> {
+fn formats(field: &ValueReader<'_>) -> Result<Vec<Format>, Diagnosis> {
     let wanted =
         "a list of \"npz\", \"vti\", \"nc\", \"gsf\"; for no fields at all write fields = \"none\"";
     let items = field.list(wanted)?.into_iter();
@@ -129,7 +129,7 @@ fn formats(field: &Field<'_>) -> Result<Vec<Format>, Diagnosis> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::testing::read_table;
+    use super::super::table_reader::tests::read_table;
     use super::*;
 
     fn read(text: &str) -> Result<OutputCase, String> {

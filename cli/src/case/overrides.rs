@@ -5,109 +5,114 @@ use std::sync::Arc;
 use toml::de::DeValue;
 
 use super::diagnosis::{Diagnosis, Fault};
-use super::document::{self, Entry, Node, Table, Value};
-use super::place::{Place, Source};
+use super::document::{self, TomlEntry, TomlNode, TomlTable, TomlValue};
+use super::source::Source;
+use super::span::Span;
 
-/// Name of the command line's own text in messages.
+/// The name of the command line's text in messages.
 pub const NAME: &str = "--set";
 
-/// The tree with the value of `argument`, `key.of.table=value`, in place of what the file says.
+/// Replaces the value of a key in the tree by that of `argument`, `key.of.table=value`.
 ///
-/// The value is read as TOML, and as a string if it is none: `load.force=3 mN` needs no second pair of quotes.
-/// Lists are entered by number from 0: `foundation.layer.0.thickness`. A table that is not there is made.
+/// The value is read as TOML, or else as a string: `load.force=3 mN` needs no second pair of quotes. Items of lists are
+/// numbered from 0: `foundation.layer.0.thickness`. Missing tables are created.
 ///
 /// # Errors
 ///
-/// A [`Diagnosis`] naming `--set` if the argument has no key or the key leads through something that is no table.
-pub fn set(root: &mut Node, argument: &str) -> Result<(), Diagnosis> {
+/// A [`Diagnosis`] naming `--set` if the argument has no key or the key leads through a value that is not a table.
+pub fn set(root: &mut TomlNode, argument: &str) -> Result<(), Diagnosis> {
     let source = Arc::new(Source::new(NAME, argument.to_owned()));
     let (key, value) = argument.split_once('=').ok_or_else(|| malformed(&source))?;
-    let key_place = Place::new(&source, 0..key.len());
+    let key_span = Span::new(&source, 0..key.len());
     let value = read(
         &source,
         argument.len() - value.trim_start().len(),
         value.trim(),
     );
-    match steps(key) {
-        Some(_) => replace(root, key, &key_place, value),
+    match key_path(key) {
+        Some(_) => replace(root, key, &key_span, value),
         None => Err(malformed(&source)),
     }
 }
 
-/// Puts a value in place of that of a key, `foundation.layer[0].thickness`; a table that is not there is made.
+/// Replaces the value of a key, `foundation.layer[0].thickness`; missing tables are created.
 ///
 /// # Errors
 ///
-/// A [`Diagnosis`] if there is no such key and none can be made.
+/// A [`Diagnosis`] if there is no such key and it cannot be created.
 pub fn replace(
-    root: &mut Node,
+    root: &mut TomlNode,
     key: &str,
-    key_place: &Place,
-    value: Node,
+    key_span: &Span,
+    value: TomlNode,
 ) -> Result<(), Diagnosis> {
     let diagnosis = |found| {
-        let wanted = "a key that the case can have".into();
-        Diagnosis::of_key(
-            key.trim(),
-            key_place.clone(),
-            Fault::Wrong { found, wanted },
-        )
+        let wanted = "a key of a case".into();
+        Diagnosis::of_key(key.trim(), key_span.clone(), Fault::Wrong { found, wanted })
     };
-    let steps = steps(key).ok_or_else(|| diagnosis(format!("`{key}`")))?;
-    put(root, &steps, value, key_place)
-        .map_err(|at| diagnosis(format!("`{at}`, which is neither a table nor in the list")))
+    let parts = key_path(key).ok_or_else(|| diagnosis(format!("`{key}`")))?;
+    put(root, &parts, value, key_span).map_err(|at| {
+        diagnosis(format!(
+            "`{at}`, which is neither a table nor an item of the list"
+        ))
+    })
 }
 
 fn malformed(source: &Arc<Source>) -> Diagnosis {
-    let place = Place::new(source, 0..source.inner().len());
+    let span = Span::new(source, 0..source.inner().len());
     let fault = Fault::Wrong {
         found: format!("`{}`", source.inner()),
         wanted: "key=value, such as load.force=\"3 mN\"".into(),
     };
-    Diagnosis::of_text(place, fault)
+    Diagnosis::of_text(span, fault)
 }
 
-/// `foundation.layer[0].thickness` and `foundation.layer.0.thickness` as their four steps.
+/// `foundation.layer[0].thickness` and `foundation.layer.0.thickness` as their four parts.
 #[must_use]
-pub fn steps(key: &str) -> Option<Vec<String>> {
+pub fn key_path(key: &str) -> Option<Vec<String>> {
     let dotted = key.trim().replace('[', ".").replace(']', "");
-    let steps: Vec<_> = dotted.split('.').map(|s| s.trim().to_owned()).collect();
-    (steps.iter().all(|step| !step.is_empty())).then_some(steps)
+    let parts: Vec<_> = dotted.split('.').map(|s| s.trim().to_owned()).collect();
+    (parts.iter().all(|part| !part.is_empty())).then_some(parts)
 }
 
-fn read(source: &Arc<Source>, start: usize, text: &str) -> Node {
+fn read(source: &Arc<Source>, start: usize, text: &str) -> TomlNode {
     if let Ok(value) = DeValue::parse(text) {
         return document::node(source, start, &value);
     }
-    Node {
-        value: Value::Text(text.to_owned()),
-        place: Place::new(source, start..start + text.len()),
+    TomlNode {
+        value: TomlValue::Text(text.to_owned()),
+        span: Span::new(source, start..start + text.len()),
     }
 }
 
-/// Puts the value at the end of the steps; the step that leads nowhere is the error.
-fn put<'s>(node: &mut Node, steps: &'s [String], value: Node, at: &Place) -> Result<(), &'s str> {
-    let Some((step, rest)) = steps.split_first() else {
+/// Puts the value at the end of the path; the error is the part that leads nowhere.
+fn put<'s>(
+    node: &mut TomlNode,
+    parts: &'s [String],
+    value: TomlNode,
+    at: &Span,
+) -> Result<(), &'s str> {
+    let Some((part, rest)) = parts.split_first() else {
         *node = value;
         return Ok(());
     };
     let next = match &mut node.value {
-        Value::Table(table) => entry(table, step, at),
-        Value::List(items) => step.parse().ok().and_then(|i: usize| items.get_mut(i)),
+        TomlValue::Table(table) => entry(table, part, at),
+        TomlValue::List(items) => part.parse().ok().and_then(|i: usize| items.get_mut(i)),
         _ => None,
     };
-    put(next.ok_or(step.as_str())?, rest, value, at)
+    put(next.ok_or(part.as_str())?, rest, value, at)
 }
 
-/// The value of a key, made as an empty table if it is not there.
-fn entry<'t>(table: &'t mut Table, key: &str, at: &Place) -> Option<&'t mut Node> {
+/// The value of a key, created as an empty table if it is missing.
+fn entry<'t>(table: &'t mut TomlTable, key: &str, at: &Span) -> Option<&'t mut TomlNode> {
     if table.entry(key).is_none() {
-        table.entries.push(Entry {
+        table.entries.push(TomlEntry {
             key: key.to_owned(),
-            key_place: at.clone(),
-            node: Node {
-                value: Value::Table(Table::default()),
-                place: at.clone(),
+            key_span: at.clone(),
+            node: TomlNode {
+                value: TomlValue::Table(TomlTable::default()),
+                span: at.clone(),
             },
         });
     }
@@ -116,17 +121,17 @@ fn entry<'t>(table: &'t mut Table, key: &str, at: &Place) -> Option<&'t mut Node
 
 #[cfg(test)]
 mod tests {
-    use super::super::reader::Reader;
+    use super::super::table_reader::TableReader;
     use super::*;
 
-    fn with(argument: &str) -> Result<Node, Diagnosis> {
+    fn with(argument: &str) -> Result<TomlNode, Diagnosis> {
         let text = "[[foundation.layer]]\nthickness = 1\n[load]\nforce = 2\n";
         let mut root = document::parse(&Arc::new(Source::new("case.toml", text.into()))).unwrap();
         set(&mut root, argument).map(|()| root)
     }
 
-    fn load(node: &Node, key: &str) -> Value {
-        let root = Reader::root(node).unwrap();
+    fn load(node: &TomlNode, key: &str) -> TomlValue {
+        let root = TableReader::root(node).unwrap();
         let load = root.required("load", "").unwrap().table().unwrap();
         load.required(key, "").unwrap().value().clone()
     }
@@ -134,10 +139,10 @@ mod tests {
     #[test]
     fn a_value_is_read_as_toml_or_else_as_text() {
         let set = |argument| load(&with(argument).unwrap(), "force");
-        assert_eq!(set("load.force=3.5"), Value::Float(3.5));
-        assert_eq!(set("load.force = \"3 mN\""), Value::Text("3 mN".into()));
-        assert_eq!(set("load.force=3 mN"), Value::Text("3 mN".into()));
-        assert_eq!(set("load.force=true"), Value::Boolean(true));
+        assert_eq!(set("load.force=3.5"), TomlValue::Float(3.5));
+        assert_eq!(set("load.force = \"3 mN\""), TomlValue::Text("3 mN".into()));
+        assert_eq!(set("load.force=3 mN"), TomlValue::Text("3 mN".into()));
+        assert_eq!(set("load.force=true"), TomlValue::Boolean(true));
     }
 
     #[test]
@@ -153,9 +158,9 @@ mod tests {
     }
 
     #[test]
-    fn a_table_that_is_not_there_is_made() {
+    fn a_missing_table_is_created() {
         let root = with("grid.elements=64").unwrap();
-        let root = Reader::root(&root).unwrap();
+        let root = TableReader::root(&root).unwrap();
         assert!(root.optional("grid").unwrap().is_table());
     }
 

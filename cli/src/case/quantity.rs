@@ -2,104 +2,29 @@
 
 use uom::si::f64::{Angle, Force, Length, Pressure};
 
-/// No number a person writes is longer than this, in bytes.
+use super::dimension::Dimension;
+
+/// The longest number that is read, in bytes.
 const LONGEST_NUMBER: usize = 64;
 
-/// What a quantity measures.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Dimension {
-    /// Metres.
-    Length,
-    /// Pascals: pressures and moduli.
-    Pressure,
-    /// Newtons.
-    Force,
-    /// Radians.
-    Angle,
-    /// Metres per pascal: a length over a pressure.
-    Compliance,
-}
-
-/// Why a text is not a quantity of the dimension that is wanted.
+/// The reason why a text is not a quantity of the wanted dimension.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum QuantityError {
     /// The text does not begin with a number.
     #[error("no number")]
     NoNumber,
-    /// The number stands alone.
+    /// There is no unit.
     #[error("a number without a unit")]
     NoUnit,
     /// No dimension has this unit.
     #[error("the unknown unit `{0}`")]
     UnknownUnit(String),
-    /// The unit is one of another dimension.
+    /// The unit belongs to another dimension.
     #[error("{}", .0.noun())]
     OtherDimension(Dimension),
 }
 
-impl Dimension {
-    const ALL: [Self; 5] = [
-        Self::Length,
-        Self::Pressure,
-        Self::Force,
-        Self::Angle,
-        Self::Compliance,
-    ];
-
-    /// What it is called in a message.
-    #[must_use]
-    pub fn noun(self) -> &'static str {
-        match self {
-            Self::Length => "a length",
-            Self::Pressure => "a pressure",
-            Self::Force => "a force",
-            Self::Angle => "an angle",
-            Self::Compliance => "a compliance",
-        }
-    }
-
-    /// Its SI unit.
-    #[must_use]
-    pub fn si_unit(self) -> &'static str {
-        match self {
-            Self::Length => "m",
-            Self::Pressure => "Pa",
-            Self::Force => "N",
-            Self::Angle => "rad",
-            Self::Compliance => "m/Pa",
-        }
-    }
-
-    /// How one is written.
-    #[must_use]
-    pub fn example(self) -> &'static str {
-        match self {
-            Self::Length => "\"5 nm\"",
-            Self::Pressure => "\"70 GPa\"",
-            Self::Force => "\"2.3 mN\"",
-            Self::Angle => "\"65.03 deg\"",
-            Self::Compliance => "\"5 nm/GPa\"",
-        }
-    }
-
-    /// One of `unit` in SI units; `None` if the unit is not of this dimension.
-    fn factor(self, unit: &str) -> Option<f64> {
-        let one = format!("1 {unit}");
-        match self {
-            Self::Length => one.parse::<Length>().ok().map(|length| length.value),
-            Self::Pressure => one.parse::<Pressure>().ok().map(|pressure| pressure.value),
-            Self::Force => one.parse::<Force>().ok().map(|force| force.value),
-            Self::Angle => one.parse::<Angle>().ok().map(|angle| angle.value),
-            Self::Compliance => {
-                let (length, pressure) = unit.split_once('/')?;
-                let length = Self::Length.factor(&spelling(length))?;
-                Some(length / Self::Pressure.factor(&spelling(pressure))?)
-            }
-        }
-    }
-}
-
-/// The quantity in SI units (m, Pa, N, rad, m/Pa), correctly rounded where the unit is a decimal one.
+/// The quantity in SI units (m, Pa, N, rad, m/Pa), correctly rounded if the unit is a power of ten of the SI unit.
 ///
 /// # Errors
 ///
@@ -107,7 +32,7 @@ impl Dimension {
 pub fn parse(text: &str, dimension: Dimension) -> Result<f64, QuantityError> {
     let (number, unit) = split(text)?;
     let unit = spelling(unit);
-    let factor = dimension.factor(&unit);
+    let factor = factor(dimension, &unit);
     factor.map_or_else(
         || Err(not_of_dimension(&unit)),
         |factor| Ok(times(number, factor)),
@@ -123,7 +48,7 @@ pub fn one(unit: &str, dimension: Dimension) -> Result<f64, QuantityError> {
     parse(&format!("1 {unit}"), dimension)
 }
 
-/// The dimension of a text that is a quantity with a unit.
+/// The dimension of a quantity with a unit; none if the text is not one.
 #[must_use]
 pub fn dimension_of(text: &str) -> Option<Dimension> {
     let (_, unit) = split(text).ok()?;
@@ -138,11 +63,27 @@ fn not_of_dimension(unit: &str) -> QuantityError {
 }
 
 fn dimension_of_unit(unit: &str) -> Option<Dimension> {
-    let has = |dimension: &Dimension| dimension.factor(unit).is_some();
+    let has = |dimension: &Dimension| factor(*dimension, unit).is_some();
     Dimension::ALL.into_iter().find(has)
 }
 
-/// The longest beginning of the text that is a number, and what follows.
+/// One of `unit` in SI units; `None` if the unit is not of this dimension.
+fn factor(dimension: Dimension, unit: &str) -> Option<f64> {
+    let one = format!("1 {unit}");
+    match dimension {
+        Dimension::Length => one.parse::<Length>().ok().map(|length| length.value),
+        Dimension::Pressure => one.parse::<Pressure>().ok().map(|pressure| pressure.value),
+        Dimension::Force => one.parse::<Force>().ok().map(|force| force.value),
+        Dimension::Angle => one.parse::<Angle>().ok().map(|angle| angle.value),
+        Dimension::Compliance => {
+            let (length, pressure) = unit.split_once('/')?;
+            let length = factor(Dimension::Length, &spelling(length))?;
+            Some(length / factor(Dimension::Pressure, &spelling(pressure))?)
+        }
+    }
+}
+
+/// The longest prefix of the text that is a number, and the rest.
 fn split(text: &str) -> Result<(&str, &str), QuantityError> {
     let text = text.trim();
     let is_number = |end: &usize| {
@@ -159,7 +100,7 @@ fn split(text: &str) -> Result<(&str, &str), QuantityError> {
     }
 }
 
-/// The library's spelling of a unit that people also spell otherwise: `um`, `μm` with a Greek mu, `deg`, `N/m^2`.
+/// The library's spelling of a unit with several spellings: `um`, `μm` with a Greek mu, `deg`, `N/m^2`.
 fn spelling(unit: &str) -> String {
     let unit = unit
         .trim()
@@ -176,8 +117,8 @@ fn spelling(unit: &str) -> String {
     }
 }
 
-/// The number of a text times a factor: of a power of ten, the number with its decimal point moved, which is what the
-/// bare number of the same value would have been read as; rounded twice otherwise.
+/// The number of a text times a factor. For a power of ten the decimal point is moved, which gives the same bits as the
+/// bare number of that value; otherwise the product is rounded twice.
 fn times(number: &str, factor: f64) -> f64 {
     let shifted = decimal_exponent(factor).and_then(|shift| shifted(number, shift));
     shifted.unwrap_or_else(|| number.parse().unwrap_or(f64::NAN) * factor)
@@ -194,7 +135,7 @@ fn decimal_exponent(factor: f64) -> Option<i32> {
     ((factor / power - 1.0).abs() <= 4.0 * f64::EPSILON).then_some(exponent)
 }
 
-/// The number of a text with its decimal point moved; none where it is infinite or no number, or its exponent none.
+/// The number of a text with its decimal point moved; none if it is not finite or its exponent overflows.
 fn shifted(number: &str, places: i32) -> Option<f64> {
     let (mantissa, exponent) = number.split_once(['e', 'E']).unwrap_or((number, "0"));
     let exponent = exponent.parse::<i32>().ok()?.checked_add(places)?;

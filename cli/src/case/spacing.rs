@@ -1,17 +1,17 @@
 //! Ranges of values: `{ from, to, count, spacing = "linear" | "log" }`.
 
 use super::diagnosis::Diagnosis;
-use super::reader::Reader;
+use super::table_reader::TableReader;
 
 /// The keys of a range.
 pub const KEYS: [&str; 4] = ["from", "to", "count", "spacing"];
 
-/// How the values of a range follow each other.
+/// The spacing of the values of a range.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Spacing {
-    /// By the same difference.
+    /// Equal differences.
     Linear,
-    /// By the same factor.
+    /// Equal ratios.
     Log,
 }
 
@@ -20,8 +20,8 @@ impl Spacing {
     ///
     /// # Errors
     ///
-    /// A [`Diagnosis`] if it is neither of the two words.
-    pub fn read(table: &Reader<'_>) -> Result<Self, Diagnosis> {
+    /// A [`Diagnosis`] if it is neither.
+    pub fn read(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
         match table.optional("spacing") {
             Some(field) => field.choice(&[("linear", Self::Linear), ("log", Self::Log)]),
             None => Ok(Self::Linear),

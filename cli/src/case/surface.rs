@@ -8,11 +8,12 @@ use pellicle_texture::{
 use serde::Serialize;
 
 use super::diagnosis::{Diagnosis, Fault};
-use super::field::Sign;
+use super::dimension::Dimension;
 use super::foundation::FoundationCase;
-use super::map::{Likely, MapCase};
-use super::quantity::Dimension;
-use super::reader::Reader;
+use super::height_limits::HeightLimits;
+use super::map::MapCase;
+use super::table_reader::TableReader;
+use super::value_reader::Sign;
 
 /// The surface of a case, every value in SI units or the case's own.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -35,18 +36,18 @@ pub enum SurfaceCase {
     Rough(MapCase),
 }
 
-/// A measured relief and how soft it is.
+/// A measured relief and its compliance.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ReliefMapCase {
     /// Its heights.
     #[serde(flatten)]
     pub map: MapCase,
-    /// Its softness.
+    /// Its compliance.
     #[serde(flatten)]
     pub compliance: ComplianceCase,
 }
 
-/// How soft a measured relief is.
+/// The compliance of a measured relief.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum ComplianceCase {
@@ -67,7 +68,7 @@ pub struct CylindersCase {
     pub height: f64,
     /// Distance `T` between neighbouring axes, m.
     pub period: f64,
-    /// Place of one axis relative to the indenter's, m.
+    /// Position of one axis relative to the indenter's, m.
     pub offset: [f64; 2],
     /// Young's modulus `E_a`, Pa; that of the surface unless given.
     pub young_modulus: f64,
@@ -84,7 +85,7 @@ pub enum LatticeCase {
 }
 
 #[derive(Clone, Copy)]
-enum Kind {
+enum SurfaceKind {
     Bare,
     Cylinders,
     Film,
@@ -92,40 +93,40 @@ enum Kind {
     Rough,
 }
 
-const KINDS: [(&str, Kind); 5] = [
-    ("bare", Kind::Bare),
-    ("cylinders", Kind::Cylinders),
-    ("film", Kind::Film),
-    ("map", Kind::Map),
-    ("rough", Kind::Rough),
+const KINDS: [(&str, SurfaceKind); 5] = [
+    ("bare", SurfaceKind::Bare),
+    ("cylinders", SurfaceKind::Cylinders),
+    ("film", SurfaceKind::Film),
+    ("map", SurfaceKind::Map),
+    ("rough", SurfaceKind::Rough),
 ];
 
 impl SurfaceCase {
-    /// Reads the table, and a map's file by its path from `folder`; the foundation gives the cylinders' modulus where
-    /// the table does not.
+    /// Reads the table, and a map's file by its path from `folder`; the foundation gives the cylinders' modulus if the
+    /// table does not.
     ///
     /// # Errors
     ///
-    /// A [`Diagnosis`] of the first key that no surface of this kind can have.
+    /// A [`Diagnosis`] of the first key that is invalid for its kind.
     pub fn read(
-        table: &Reader<'_>,
+        table: &TableReader<'_>,
         foundation: &FoundationCase,
         folder: &Path,
     ) -> Result<Self, Diagnosis> {
         let kind = match table.optional("kind") {
             Some(field) => field.choice(&KINDS)?,
-            None => Kind::Bare,
+            None => SurfaceKind::Bare,
         };
         match kind {
-            Kind::Bare => table.only(&["kind"]).map(|()| Self::Bare),
-            Kind::Cylinders => CylindersCase::read(table, foundation).map(Self::Cylinders),
-            Kind::Film => Self::read_film(table),
-            Kind::Map => ReliefMapCase::read(table, folder).map(Self::Map),
-            Kind::Rough => Self::read_rough(table, folder),
+            SurfaceKind::Bare => table.only(&["kind"]).map(|()| Self::Bare),
+            SurfaceKind::Cylinders => CylindersCase::read(table, foundation).map(Self::Cylinders),
+            SurfaceKind::Film => Self::read_film(table),
+            SurfaceKind::Map => ReliefMapCase::read(table, folder).map(Self::Map),
+            SurfaceKind::Rough => Self::read_rough(table, folder),
         }
     }
 
-    fn read_film(table: &Reader<'_>) -> Result<Self, Diagnosis> {
+    fn read_film(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
         table.only(&["kind", "thickness", "young_modulus"])?;
         Ok(Self::Film {
             thickness: table.positive("thickness", Dimension::Length)?,
@@ -133,22 +134,22 @@ impl SurfaceCase {
         })
     }
 
-    fn read_rough(table: &Reader<'_>, folder: &Path) -> Result<Self, Diagnosis> {
+    fn read_rough(table: &TableReader<'_>, folder: &Path) -> Result<Self, Diagnosis> {
         table.only(&MapCase::KEYS).map_err(|diagnosis| {
             let springs = table.given(&ComplianceCase::KEYS);
             if springs.is_empty() {
                 return diagnosis;
             }
-            diagnosis.with_help("a rough surface is that of the body itself and has no springs: springs belong to kind = \"map\"")
+            diagnosis.with_help("a rough surface is the body's own and has no springs: springs belong to kind = \"map\"")
         })?;
-        MapCase::read(table, folder, Likely::SURFACE).map(Self::Rough)
+        MapCase::read(table, folder, HeightLimits::SURFACE).map(Self::Rough)
     }
 
     /// The relief itself.
     ///
     /// # Errors
     ///
-    /// [`TextureError`] if the relief cannot be.
+    /// [`TextureError`] if the relief is invalid.
     pub fn build(&self) -> Result<Relief, TextureError> {
         match self {
             Self::Bare => Ok(Relief::Bare),
@@ -164,7 +165,7 @@ impl SurfaceCase {
         }
     }
 
-    /// The measured map, if the surface is one.
+    /// The measured map, if there is one.
     #[must_use]
     pub fn map(&self) -> Option<&MapCase> {
         match self {
@@ -176,11 +177,11 @@ impl SurfaceCase {
 }
 
 impl ReliefMapCase {
-    fn read(table: &Reader<'_>, folder: &Path) -> Result<Self, Diagnosis> {
+    fn read(table: &TableReader<'_>, folder: &Path) -> Result<Self, Diagnosis> {
         table.only(&[&MapCase::KEYS[..], &ComplianceCase::KEYS].concat())?;
         Ok(Self {
             compliance: ComplianceCase::read(table)?,
-            map: MapCase::read(table, folder, Likely::SURFACE)?,
+            map: MapCase::read(table, folder, HeightLimits::SURFACE)?,
         })
     }
 
@@ -196,8 +197,8 @@ impl ReliefMapCase {
 impl ComplianceCase {
     const KEYS: [&str; 2] = ["compliance", "young_modulus"];
 
-    fn read(table: &Reader<'_>) -> Result<Self, Diagnosis> {
-        const WANTED: &str = "exactly one of compliance and young_modulus, of the springs that the map's heights stand for; for a body that is itself rough write kind = \"rough\"";
+    fn read(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
+        const WANTED: &str = "exactly one of compliance and young_modulus, for the springs of the map; if the body itself is rough, write kind = \"rough\"";
         match table.given(&Self::KEYS)[..] {
             ["compliance"] => table
                 .required("compliance", WANTED)?
@@ -218,7 +219,7 @@ impl ComplianceCase {
 }
 
 impl CylindersCase {
-    fn read(table: &Reader<'_>, foundation: &FoundationCase) -> Result<Self, Diagnosis> {
+    fn read(table: &TableReader<'_>, foundation: &FoundationCase) -> Result<Self, Diagnosis> {
         const KEYS: [&str; 7] = [
             "kind",
             "radius",
@@ -237,7 +238,7 @@ impl CylindersCase {
             offset: offset(table)?,
             young_modulus: young_modulus(table, foundation)?,
         };
-        // Every number is in range by now: what the texture still refuses is the overlap.
+        // Every number is in range by now: only an overlap can still be refused.
         let radius = table.required("radius", "")?;
         cylinders.build().map_err(|error| radius.refused(&error))?;
         Ok(cylinders)
@@ -259,7 +260,7 @@ impl CylindersCase {
     }
 }
 
-fn lattice(table: &Reader<'_>) -> Result<LatticeCase, Diagnosis> {
+fn lattice(table: &TableReader<'_>) -> Result<LatticeCase, Diagnosis> {
     let choices = [
         ("square", LatticeCase::Square),
         ("hexagonal", LatticeCase::Hexagonal),
@@ -267,7 +268,7 @@ fn lattice(table: &Reader<'_>) -> Result<LatticeCase, Diagnosis> {
     (table.optional("lattice")).map_or(Ok(LatticeCase::Square), |field| field.choice(&choices))
 }
 
-fn offset(table: &Reader<'_>) -> Result<[f64; 2], Diagnosis> {
+fn offset(table: &TableReader<'_>) -> Result<[f64; 2], Diagnosis> {
     const WANTED: &str = "a list of two lengths, [x, y]";
     let Some(field) = table.optional("offset") else {
         return Ok([0.0, 0.0]);
@@ -275,11 +276,12 @@ fn offset(table: &Reader<'_>) -> Result<[f64; 2], Diagnosis> {
     let [x, y] = &field.list(WANTED)?[..] else {
         return Err(field.wanted(WANTED));
     };
-    let length = |field: &super::field::Field<'_>| field.quantity(Dimension::Length, Sign::Any);
+    let length =
+        |field: &super::value_reader::ValueReader<'_>| field.quantity(Dimension::Length, Sign::Any);
     Ok([length(x)?, length(y)?])
 }
 
-fn young_modulus(table: &Reader<'_>, foundation: &FoundationCase) -> Result<f64, Diagnosis> {
+fn young_modulus(table: &TableReader<'_>, foundation: &FoundationCase) -> Result<f64, Diagnosis> {
     match (
         table.optional("young_modulus"),
         foundation.surface_young_modulus(),
@@ -291,8 +293,8 @@ fn young_modulus(table: &Reader<'_>, foundation: &FoundationCase) -> Result<f64,
 
 #[cfg(test)]
 mod tests {
-    use super::super::foundation::{MaterialCase, Substrate};
-    use super::super::testing::read_table;
+    use super::super::foundation::substrate::{MaterialCase, SubstrateCase};
+    use super::super::table_reader::tests::read_table;
     use super::*;
 
     fn read(text: &str) -> Result<SurfaceCase, String> {
@@ -301,7 +303,7 @@ mod tests {
             poisson_ratio: 0.3,
         };
         let foundation = FoundationCase {
-            substrate: Substrate::Elastic(material),
+            substrate: SubstrateCase::Elastic(material),
             layer: Vec::new(),
         };
         read_table(text, |table| {

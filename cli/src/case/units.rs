@@ -1,22 +1,23 @@
-//! What the numbers of a case are measured in.
+//! The system of units of a case.
 
-use super::document::{Node, Value};
-use super::quantity::{Dimension, dimension_of};
+use super::dimension::Dimension;
+use super::document::{TomlNode, TomlValue};
+use super::quantity::dimension_of;
 
 /// The system of units of a case.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Units {
-    /// At least one length, pressure or force carries a unit: metres, pascals, newtons.
+    /// Metres, pascals and newtons: at least one length, pressure or force has a unit.
     Si,
-    /// Bare numbers only: any consistent system, which only the author knows.
+    /// Any consistent system: all numbers are bare, and only the author knows the system.
     #[default]
     Consistent,
 }
 
 impl Units {
-    /// The units of a case: SI as soon as one value carries a unit.
+    /// The units of a case: SI as soon as one value has a unit.
     #[must_use]
-    pub fn of(root: &Node) -> Self {
+    pub fn of(root: &TomlNode) -> Self {
         if names_a_unit(&root.value) {
             Self::Si
         } else {
@@ -24,7 +25,7 @@ impl Units {
         }
     }
 
-    /// The units of a case that has parts in either.
+    /// The units of a case with parts in these two systems.
     #[must_use]
     pub fn or(self, other: Self) -> Self {
         match (self, other) {
@@ -33,7 +34,7 @@ impl Units {
         }
     }
 
-    /// Name of a quantity's unit, `N`, `m`, `Pa`; that of no unit in a consistent system.
+    /// The name of an SI unit, or `case units` in a consistent system.
     #[must_use]
     pub fn name(self, si: &'static str) -> &'static str {
         match self {
@@ -43,15 +44,15 @@ impl Units {
     }
 }
 
-/// Keys whose text is no quantity.
+/// Keys whose text is never a quantity.
 const PROSE: [&str; 2] = ["title", "file"];
 
-fn names_a_unit(value: &Value) -> bool {
+fn names_a_unit(value: &TomlValue) -> bool {
     match value {
-        Value::Text(text) => dimension_of(text).is_some_and(|found| found != Dimension::Angle),
-        Value::List(items) => items.iter().any(|item| names_a_unit(&item.value)),
-        // The title and the name of a file are prose, even where they begin like a quantity.
-        Value::Table(table) => {
+        TomlValue::Text(text) => dimension_of(text).is_some_and(|found| found != Dimension::Angle),
+        TomlValue::List(items) => items.iter().any(|item| names_a_unit(&item.value)),
+        // A title or file name is prose, even if it begins like a quantity.
+        TomlValue::Table(table) => {
             let mut entries = table
                 .entries
                 .iter()
@@ -67,7 +68,7 @@ mod tests {
     use std::sync::Arc;
 
     use super::super::document;
-    use super::super::place::Source;
+    use super::super::source::Source;
     use super::*;
 
     fn units(text: &str) -> Units {

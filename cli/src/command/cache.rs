@@ -1,4 +1,4 @@
-//! `pellicle cache`: where tables and coefficients are kept, how much there is, and an end to it.
+//! `pellicle cache`: shows the folder and size of the cache, or clears it.
 
 use std::path::Path;
 
@@ -11,14 +11,14 @@ use crate::failure::Failure;
 use crate::program::Outcome;
 use crate::{cache, output, terminal};
 
-/// What there is, after clearing if that was asked for.
+/// The contents of the cache, after clearing.
 #[derive(Debug, Serialize)]
 struct Contents {
-    /// The folder; none if nothing is kept on disk.
+    /// The folder; none if nothing is cached on disk.
     folder: Option<String>,
     /// Number of files.
     files: usize,
-    /// Their lengths together.
+    /// Total size of the files.
     bytes: u64,
 }
 
@@ -26,7 +26,7 @@ struct Contents {
 ///
 /// # Errors
 ///
-/// [`Failure::Cache`] if the folder cannot be listed or a file not removed.
+/// [`Failure::Cache`] if the folder cannot be listed or a file cannot be removed.
 pub fn cache(arguments: &CacheArguments) -> Result<Outcome, Failure> {
     let cache = cache::open();
     let failure = |cause| Failure::Cache {

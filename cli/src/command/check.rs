@@ -1,4 +1,4 @@
-//! `pellicle check`: the case as resolved, and what solving it would take.
+//! `pellicle check`: the case as resolved, and estimates of the work of solving it.
 
 use pellicle_contact::Step;
 
@@ -10,13 +10,12 @@ use crate::case::units::Units;
 use crate::display::{self, Unit, quantity, significant};
 use crate::failure::Failure;
 use crate::forecast::Forecast;
-use crate::map::spectrum;
+use crate::map::shortest_wave;
 use crate::output::disk_space;
 use crate::program::Outcome;
 use crate::{cache, terminal};
 
-/// Prints the case with every default filled in, below it what the grid makes of it, and what the solution would warn
-/// of.
+/// Prints the case with every default filled in, the estimates below it, and the warnings to expect.
 ///
 /// # Errors
 ///
@@ -44,7 +43,7 @@ fn heading(units: Units) -> &'static str {
     }
 }
 
-/// What the grid makes of the case, as comments, so that the whole is a case file again.
+/// Resolution, work and memory, as comments, so that the output is a case file again.
 fn estimates(case: &Case, forecast: &Forecast, chosen: bool) -> Result<String, Failure> {
     let element_side = forecast.side / case.grid.elements as f64;
     let metres = |value| quantity(value, Unit::Metre, case.units);
@@ -53,7 +52,7 @@ fn estimates(case: &Case, forecast: &Forecast, chosen: bool) -> Result<String, F
     } else {
         "as given"
     };
-    let mut lines = Lines::default();
+    let mut lines = Estimates::default();
     lines.add(
         "side of the domain",
         &format!("{} ({how})", metres(forecast.side)),
@@ -65,7 +64,7 @@ fn estimates(case: &Case, forecast: &Forecast, chosen: bool) -> Result<String, F
     }
     lines.graded(case)?;
     lines.maps(case, element_side);
-    lines.add("loading steps", &case.load.steps().len().to_string());
+    lines.add("loading steps", &case.load.loads().len().to_string());
     lines.add("memory, about", &display::memory(forecast.need.bytes));
     lines.add("disk, about", &megabytes(disk_space::bytes(case)));
     if let Some([least, most]) = forecast.products(case.grid.elements) {
@@ -84,18 +83,18 @@ fn megabytes(bytes: f64) -> String {
     format!("{} MB", significant(bytes / 1e6, 2))
 }
 
-/// Comments of name and value, in columns.
+/// Comments of names and values, in columns.
 #[derive(Default)]
-struct Lines {
+struct Estimates {
     lines: Vec<String>,
 }
 
-impl Lines {
+impl Estimates {
     fn add(&mut self, name: &str, value: &str) {
         self.lines.push(format!("# {name:<38}{value}\n"));
     }
 
-    /// Into how many homogeneous layers the graded ones are split.
+    /// The number of homogeneous layers into which each graded layer is split.
     fn graded(&mut self, case: &Case) -> Result<(), Failure> {
         for split in case.foundation.split()?.splits {
             let (sublayers, error) = (split.sublayers, significant(split.error, 2));
@@ -108,7 +107,7 @@ impl Lines {
         Ok(())
     }
 
-    /// How finely the maps are sampled: for their shortest waves, and for the elements.
+    /// The sampling of the maps: samples per element and per shortest wave.
     fn maps(&mut self, case: &Case, element_side: f64) {
         let maps = [
             ("surface", case.surface.map()),
@@ -120,13 +119,13 @@ impl Lines {
         {
             let per_element = significant(element_side / sample(map), 3);
             self.add(&format!("samples per element ({table})"), &per_element);
-            let wave = spectrum::shortest_wave(map.shape(), map.samples());
+            let wave = shortest_wave::shortest_wave(map.shape(), map.samples());
             let wave = wave.map_or_else(|| "none found".into(), |wave| significant(wave, 2));
             self.add(&format!("samples per shortest wave ({table})"), &wave);
         }
     }
 
-    /// What the largest load does on a coarse grid.
+    /// The contact of the largest load on a coarse grid.
     fn trial(&mut self, step: &Step, elements: usize, element_side: f64, units: Units) {
         let (solution, summary) = (&step.solution, &step.summary);
         let of = |value, unit| quantity(value, unit, units);

@@ -1,4 +1,4 @@
-//! `pellicle completions` and `pellicle man`: what a shell and `man` know of the command line, generated from it.
+//! `pellicle completions` and `pellicle man`: shell completions and the manual page, generated from the command line.
 
 use clap::CommandFactory;
 
@@ -31,7 +31,7 @@ pub fn man() -> Result<Outcome, Failure> {
     print(&text)
 }
 
-/// One page for all: the sections of the program, then those of each command under its own name.
+/// One page for everything: the sections of the program, then those of each command under its own name.
 fn page(command: &clap::Command, text: &mut Vec<u8>) -> std::io::Result<()> {
     let man = clap_mangen::Man::new(command.clone());
     man.render(text)?;
@@ -44,7 +44,7 @@ fn page(command: &clap::Command, text: &mut Vec<u8>) -> std::io::Result<()> {
     Ok(())
 }
 
-/// The sections of a command, as parts of the page's own.
+/// The sections of a command, as subsections of the page.
 fn part(man: &clap_mangen::Man) -> std::io::Result<String> {
     let mut text = Vec::new();
     man.render_description_section(&mut text)?;

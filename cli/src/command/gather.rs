@@ -1,25 +1,25 @@
-//! `pellicle gather`: the parts of a study put together.
+//! `pellicle gather`: merges the parts of a study.
 
 use crate::arguments::GatherArguments;
 use crate::command::study::words;
 use crate::failure::Failure;
 use crate::program::Outcome;
-use crate::study::gather::{self, Other};
+use crate::study::gather::{self, OtherTable};
 use crate::terminal;
 
-/// How many missing cases are named.
+/// The most missing cases that are named.
 const MOST_NAMED: usize = 10;
 
-/// Writes the whole table if every case is there, and says which are not otherwise.
+/// Writes the merged table if every case is there; otherwise names the missing ones.
 ///
 /// # Errors
 ///
 /// [`Failure`] if there are no parts or they do not go together.
 pub fn gather(arguments: &GatherArguments) -> Result<Outcome, Failure> {
     let other = if arguments.force {
-        Other::Replace
+        OtherTable::Replace
     } else {
-        Other::Keep
+        OtherTable::Keep
     };
     let found = gather::gather(&arguments.folder, other)?;
     let cases = found.tally.done() + found.missing.len();

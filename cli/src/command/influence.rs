@@ -10,9 +10,9 @@ use crate::failure::Failure;
 use crate::program::Outcome;
 use crate::{cache, output, terminal};
 
-/// One offset.
+/// The coefficient at one offset.
 #[derive(Debug, Clone, Copy, Serialize)]
-struct Row {
+struct CoefficientRow {
     /// Distance in elements along x and y.
     offset: [usize; 2],
     /// Displacement there for unit pressure on one element, m/Pa.
@@ -37,7 +37,7 @@ pub fn influence(arguments: &InfluenceArguments) -> Result<Outcome, Failure> {
         } else {
             model.tables.coefficient(element_side, offset)
         };
-        Ok(Row {
+        Ok(CoefficientRow {
             offset,
             coefficient,
         })
@@ -56,10 +56,10 @@ pub fn influence(arguments: &InfluenceArguments) -> Result<Outcome, Failure> {
     Ok(Outcome::Done)
 }
 
-fn table(rows: &[Row], element_side: f64, units: Units) -> String {
+fn table(rows: &[CoefficientRow], element_side: f64, units: Units) -> String {
     let (metre, metre_per_pascal) = (units.name("m"), units.name("m/Pa"));
     let coefficient = format!("k [{metre_per_pascal}]");
-    let row = |row: &Row| {
+    let row = |row: &CoefficientRow| {
         let ([m, n], coefficient) = (row.offset, row.coefficient);
         format!("{m:>8}{n:>8}{coefficient:>26e}\n")
     };

@@ -9,9 +9,9 @@ use crate::failure::Failure;
 use crate::program::Outcome;
 use crate::{output, terminal};
 
-/// One wavenumber.
+/// Compliance and response at one wavenumber.
 #[derive(Debug, Clone, Copy, Serialize)]
-struct Row {
+struct ComplianceRow {
     /// `k`, 1/m.
     wavenumber: f64,
     /// `C(k)`, m/Pa.
@@ -24,11 +24,11 @@ struct Row {
 ///
 /// # Errors
 ///
-/// [`Failure`] if the case cannot be read or its foundation cannot be.
+/// [`Failure`] if the case cannot be read or its foundation is invalid.
 pub fn kernel(arguments: &KernelArguments) -> Result<Outcome, Failure> {
     let case = Case::read(&arguments.case.path, &arguments.case.sets)?;
     let foundation = case.foundation.split()?.foundation;
-    let row = |&wavenumber: &f64| Row {
+    let row = |&wavenumber: &f64| ComplianceRow {
         wavenumber,
         compliance: foundation.compliance(wavenumber),
         response: foundation.response(wavenumber),
@@ -43,14 +43,14 @@ pub fn kernel(arguments: &KernelArguments) -> Result<Outcome, Failure> {
     Ok(Outcome::Done)
 }
 
-fn table(rows: &[Row], units: Units) -> String {
+fn table(rows: &[ComplianceRow], units: Units) -> String {
     let (per_metre, metre_per_pascal) = (units.name("1/m"), units.name("m/Pa"));
     let head = [
         format!("k [{per_metre}]"),
         format!("C(k) [{metre_per_pascal}]"),
         "Φ".into(),
     ];
-    let row = |row: &Row| line([row.wavenumber, row.compliance, row.response].map(exact));
+    let row = |row: &ComplianceRow| line([row.wavenumber, row.compliance, row.response].map(exact));
     line(head) + &rows.iter().map(row).collect::<String>()
 }
 

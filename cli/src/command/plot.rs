@@ -1,12 +1,11 @@
-//! `pellicle plot`: the pictures of results drawn again, as they are or to order, and the curves of several results in
-//! one.
+//! `pellicle plot`: draws the pictures of results again, in any style, or the curves of several results in one.
 
 use std::fs;
 use std::path::Path;
 
 use crate::arguments::PlotArguments;
 use crate::failure::Failure;
-use crate::output::redraw::{self, Order};
+use crate::output::redraw::{self, RedrawOptions};
 use crate::output::summary::WarningSummary;
 use crate::picture::style::{Heading, Style};
 use crate::program::Outcome;
@@ -17,13 +16,10 @@ use crate::terminal;
 ///
 /// # Errors
 ///
-/// [`Failure`] if a folder holds no results, what is ordered cannot be, or a picture cannot be written.
+/// [`Failure`] if a folder holds no results, the options do not fit them, or a picture cannot be written.
 pub fn plot(arguments: &PlotArguments) -> Result<Outcome, Failure> {
     if let Some(out) = &arguments.out {
-        fs::create_dir_all(out).map_err(|cause| Failure::Write {
-            path: out.clone(),
-            cause,
-        })?;
+        fs::create_dir_all(out).map_err(|cause| Failure::write(out, cause))?;
     }
     let (count, out, warnings) = match &arguments.folders[..] {
         [folder] => one(arguments, folder)?,
@@ -37,19 +33,19 @@ pub fn plot(arguments: &PlotArguments) -> Result<Outcome, Failure> {
     Ok(Outcome::Done)
 }
 
-/// How many pictures were drawn, where, and what could not be.
+/// The number of pictures drawn, their folder, and the warnings.
 type Drawn<'a> = (usize, &'a Path, Vec<WarningSummary>);
 
 fn one<'a>(arguments: &'a PlotArguments, folder: &'a Path) -> Result<Drawn<'a>, Failure> {
-    let order = Order {
+    let options = RedrawOptions {
         style: style(arguments),
         step: arguments.step,
         out: arguments.out.as_deref(),
         replaces: arguments.force,
     };
     let line = ProgressLine::new(1.0);
-    let redrawn = redraw::draw(folder, &order, &line.writing())?;
-    let out = order.out.unwrap_or(folder);
+    let redrawn = redraw::draw(folder, &options, &line.writing())?;
+    let out = options.out.unwrap_or(folder);
     Ok((redrawn.pictures, out, redrawn.warnings))
 }
 

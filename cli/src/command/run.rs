@@ -1,23 +1,24 @@
-//! `pellicle run`: a case solved, certified and written down.
+//! `pellicle run`: solves a case, certifies the solution and writes the results.
 
 use std::path::Path;
 use std::time::Instant;
 
-use pellicle_contact::{Domain, LoadingPath, Model, Observer, solve_path};
+use pellicle_contact::{Domain, LoadingPath, Model, Observer, Status, solve_path};
 
 use crate::arguments::RunArguments;
 use crate::case::Case;
 use crate::failure::Failure;
 use crate::forecast::Need;
-use crate::memory::Memory;
-use crate::output::folder::{self, Existing, Extent, Folder};
-use crate::output::summary::{Clock, Status, Summary, WarningSummary};
-use crate::output::{json, page, report, results};
+use crate::memory::MemoryBudget;
+use crate::output::file::Existing;
+use crate::output::folder::{self, Extent, ResultsFolder};
+use crate::output::summary::{Clock, Summary, WarningSummary};
+use crate::output::{json, report, results, summary_text};
 use crate::program::Outcome;
 use crate::progress::ProgressLine;
 use crate::{cache, interrupt, terminal, threads};
 
-/// Solves the case, writes its results folder and says what came out.
+/// Solves the case, writes its results folder and reports the result.
 ///
 /// # Errors
 ///
@@ -34,7 +35,7 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
     let model = case.model(&cache)?;
     let tables_seconds = tables.elapsed().as_secs_f64();
     threads::begin();
-    let memory = Memory::default();
+    let memory = MemoryBudget::default();
     let writers = folder.as_ref().map_or(0, |_| rayon::current_num_threads());
     let domain = case
         .domain(&model.value)
@@ -51,12 +52,12 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
         tables_seconds,
         tables_origin: model.origin,
     };
-    let mut summary = Summary::new(&case, &path, clock, &cache.take_warnings());
+    let mut summary = Summary::new(&case, &path, clock, &cache.take_warnings())?;
     summary.warnings.extend(unfinished(&case, &path));
-    let write = |folder: Folder| {
+    let write = |folder: ResultsFolder| {
         let tell = line.writing();
         folder.write(|folder| {
-            let written = results::write(folder, &path, &mut summary, start, &tell)?;
+            let written = results::write(folder, &path, &mut summary, &case.output, start, &tell)?;
             Ok(if path.interrupted {
                 Extent::Part
             } else {
@@ -73,17 +74,17 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
     Ok(outcome(&summary))
 }
 
-/// What a path that the user stopped has to say of itself.
+/// The warning of a path that the user stopped.
 fn unfinished(case: &Case, path: &LoadingPath) -> Option<WarningSummary> {
-    let (done, steps) = (path.steps.len(), case.load.steps().len());
+    let (done, steps) = (path.steps.len(), case.load.loads().len());
     path.interrupted.then(|| WarningSummary {
-        code: "stopped",
+        code: "stopped".into(),
         message: format!("stopped by the user after {done} of {steps} loading steps"),
     })
 }
 
-/// Where the results go: nowhere with `--json` alone.
-fn claim(arguments: &RunArguments) -> Result<Option<Folder>, Failure> {
+/// Claims the results folder; none with `--json` alone.
+fn claim(arguments: &RunArguments) -> Result<Option<ResultsFolder>, Failure> {
     let existing = if arguments.force {
         Existing::Replace
     } else {
@@ -91,9 +92,9 @@ fn claim(arguments: &RunArguments) -> Result<Option<Folder>, Failure> {
     };
     let name = arguments.case.path.file_stem().unwrap_or_default();
     let folder = match &arguments.out {
-        Some(path) => Folder::claim(path, existing)?,
+        Some(path) => ResultsFolder::claim(path, existing)?,
         None if arguments.json => return Ok(None),
-        None => Folder::claim_default(&name.to_string_lossy(), existing)?,
+        None => ResultsFolder::claim_default(&name.to_string_lossy(), existing)?,
     };
     folder::sweep_beside(folder.path());
     Ok(Some(folder))
@@ -114,7 +115,7 @@ fn solve(
     domain: Domain,
     observer: &mut dyn Observer,
 ) -> Result<LoadingPath, Failure> {
-    let (loads, options) = (case.load.steps(), case.solver.options());
+    let (loads, options) = (case.load.loads(), case.solver.options());
     let path = solve_path(
         model,
         domain,
@@ -135,13 +136,13 @@ fn is_watched(arguments: &RunArguments) -> bool {
     !arguments.quiet && !arguments.json
 }
 
-/// The summary in words, the warnings, and where the results are.
+/// Tells the user the summary in words, the warnings, and the path of the results.
 fn tell(arguments: &RunArguments, summary: &Summary, folder: Option<&Path>) {
     if is_watched(arguments) {
-        terminal::tell(report::text(summary).trim_end());
+        terminal::tell(summary_text::text(summary).trim_end());
     }
     if !arguments.quiet && !summary.warnings.is_empty() {
-        terminal::tell(&report::warnings(summary));
+        terminal::tell(&summary_text::warnings(summary));
     }
     match summary.status {
         Status::Certified => {}
@@ -154,12 +155,12 @@ fn tell(arguments: &RunArguments, summary: &Summary, folder: Option<&Path>) {
     }
     if let (true, Some(folder)) = (is_watched(arguments), folder) {
         terminal::tell(&format!("written to {}", folder.display()));
-        let report = folder.join(page::FILE);
+        let report = folder.join(report::FILE);
         terminal::tell(&format!("report: {}", report.display()));
     }
 }
 
-/// How it ended: stopped as well if the user asked to when all was done but the writing.
+/// The outcome: also stopped if the user asked to stop when only the writing was left.
 fn outcome(summary: &Summary) -> Outcome {
     if interrupt::is_requested() {
         Outcome::Stopped

@@ -1,4 +1,4 @@
-//! `pellicle study`: one case for many values of its keys.
+//! `pellicle study`: solves a case for many values of its keys.
 
 use std::path::{Path, PathBuf};
 
@@ -6,52 +6,52 @@ use serde::Serialize;
 
 use crate::arguments::StudyArguments;
 use crate::failure::Failure;
-use crate::memory::Memory;
+use crate::memory::MemoryBudget;
 use crate::program::Outcome;
 use crate::study::Study;
-use crate::study::place::Place;
-use crate::study::plan::Plan;
-use crate::study::progress::Lines;
+use crate::study::case_solver::CaseSolver;
+use crate::study::case_status::Tally;
+use crate::study::folder::StudyFolder;
+use crate::study::plan::StudyPlan;
+use crate::study::progress::StudyProgress;
+use crate::study::results_table::ResultsTable;
 use crate::study::shard::Shard;
-use crate::study::solve::Kit;
-use crate::study::status::Tally;
-use crate::study::table::Table;
-use crate::study::{file, runner};
+use crate::study::{runner, study_file};
 use crate::{cache, output, terminal};
 
-/// Solves the cases that are not done yet and says how all of them ended.
+/// Solves the remaining cases and prints the number of cases by status.
 ///
 /// # Errors
 ///
-/// [`Failure`] if the study is wrong or its table cannot be written. A case that fails is none.
+/// [`Failure`] if the study is invalid or its table cannot be written; not if a case fails.
 pub fn study(arguments: &StudyArguments) -> Result<Outcome, Failure> {
-    let study = file::read(&arguments.path, &arguments.sets)?;
-    let plan = Plan::new(&study, arguments.shard)?;
+    let study = study_file::read(&arguments.path, &arguments.sets)?;
+    let plan = StudyPlan::new(&study, arguments.shard)?;
     if arguments.list {
         return list(&study, arguments.shard);
     }
     let folder = folder(arguments, &study);
-    let place = Place::claim(&folder, &plan.identity, arguments.fresh)?;
+    let place = StudyFolder::claim(&folder, &plan.identity, arguments.fresh)?;
     if let Some(before) = place.before.as_ref().filter(|_| is_watched(arguments)) {
         terminal::tell(&format!(
-            "the table that was there is kept until the new one is complete: {}",
+            "the old table is kept until the new one is complete: {}",
             before.display()
         ));
     }
-    let mut table = Table::open(place, &plan.identity)?;
+    let mut table = ResultsTable::open(place, &plan.identity)?;
     let cases = plan.identity.cases();
     let is_to_do = |case: &usize| !table.done().contains_key(case);
     let to_do: Vec<_> = cases.iter().copied().filter(is_to_do).collect();
-    let lines = Lines::new(
+    let lines = StudyProgress::new(
         cases.len(),
         cases.len() - to_do.len(),
         is_watched(arguments),
     );
-    let kit = Kit {
+    let kit = CaseSolver {
         study: &study,
         columns: &plan.columns,
         cache: cache::open(),
-        memory: Memory::default(),
+        memory: MemoryBudget::default(),
         folders: arguments.folders.then(|| table.place().cases()),
     };
     let threads = arguments
@@ -76,9 +76,9 @@ fn folder(arguments: &StudyArguments, study: &Study) -> PathBuf {
     arguments.out.clone().unwrap_or_else(default)
 }
 
-/// What `--json` prints.
+/// The output of `--json`.
 #[derive(Debug, Serialize)]
-struct Report {
+struct StudyReport {
     cases: usize,
     #[serde(flatten)]
     tally: Tally,
@@ -91,7 +91,7 @@ fn report(
     table: &Path,
     cases: usize,
 ) -> Result<Outcome, Failure> {
-    let report = Report {
+    let report = StudyReport {
         cases,
         tally,
         table: table.display().to_string(),
@@ -109,7 +109,7 @@ fn report(
     })
 }
 
-/// How the cases ended, in words.
+/// The number of cases by status, in words.
 #[must_use]
 pub fn words(tally: Tally, cases: usize) -> String {
     let Tally {

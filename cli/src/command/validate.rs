@@ -1,4 +1,4 @@
-//! `pellicle validate`: the program beside what is known otherwise.
+//! `pellicle validate`: compares the program with known results.
 
 use std::time::{Duration, Instant};
 
@@ -7,33 +7,36 @@ use indicatif::{ProgressBar, ProgressStyle};
 use crate::arguments::ValidateArguments;
 use crate::failure::Failure;
 use crate::program::Outcome;
-use crate::validation::{PLANS, Plan, Report, Scene, Section, heading, section_text};
+use crate::validation::{
+    SECTIONS, SectionResult, ValidationReport, ValidationRun, ValidationSection, heading,
+    section_text,
+};
 use crate::{output, terminal, threads};
 
 /// Computes every section and prints its rows as they come, or JSON at the end.
 ///
 /// # Errors
 ///
-/// [`Failure`] if the threads cannot be had or standard output cannot be written to.
+/// [`Failure`] if the threads cannot be started or standard output cannot be written to.
 pub fn validate(arguments: &ValidateArguments) -> Result<Outcome, Failure> {
     let start = Instant::now();
     threads::set(arguments.threads)?;
-    let scene = Scene {
+    let run = ValidationRun {
         perturbation: arguments.perturb_coefficients,
     };
-    warn_of_hook(scene);
+    warn_of_hook(run);
     if !arguments.json {
         terminal::print(&heading())?;
     }
     let mut sections = Vec::new();
-    for (count, plan) in PLANS.iter().enumerate() {
-        let section = watched(plan, count, scene);
+    for (count, section) in SECTIONS.iter().enumerate() {
+        let section = watched(section, count, run);
         if !arguments.json {
             terminal::print(&section_text(&section))?;
         }
         sections.push(section);
     }
-    let report = Report::new(scene, &sections, start.elapsed().as_secs_f64());
+    let report = ValidationReport::new(run, &sections, start.elapsed().as_secs_f64());
     terminal::print(&if arguments.json {
         output::json(&report)?
     } else {
@@ -46,8 +49,8 @@ pub fn validate(arguments: &ValidateArguments) -> Result<Outcome, Failure> {
     Ok(Outcome::Refuted)
 }
 
-fn warn_of_hook(scene: Scene) {
-    let by = scene.perturbation;
+fn warn_of_hook(run: ValidationRun) {
+    let by = run.perturbation;
     if by.abs() > 0.0 {
         terminal::tell(&format!(
             "test hook: every influence coefficient is multiplied by 1 + {by:e}"
@@ -55,16 +58,21 @@ fn warn_of_hook(scene: Scene) {
     }
 }
 
-/// Computes a section with a line on the terminal meanwhile.
-fn watched(plan: &Plan, count: usize, scene: Scene) -> Section {
+/// Computes a section, with a progress line on the terminal.
+fn watched(section: &'static ValidationSection, count: usize, run: ValidationRun) -> SectionResult {
     let line = ProgressBar::new_spinner();
-    // The template is a constant: were it faulty, the default style would stand.
+    // The template is a constant; if it were invalid, the default style would remain.
     if let Ok(style) = ProgressStyle::with_template("{spinner} {elapsed} {msg}") {
         line.set_style(style);
     }
-    line.set_message(format!("{}/{}: {}", count + 1, PLANS.len(), plan.name));
+    line.set_message(format!(
+        "{}/{}: {}",
+        count + 1,
+        SECTIONS.len(),
+        section.name
+    ));
     line.enable_steady_tick(Duration::from_millis(100));
-    let section = plan.carry_out(scene);
+    let section = section.compute(run);
     line.finish_and_clear();
     section
 }

@@ -1,45 +1,45 @@
-//! Why a file is no height map.
+//! The reasons why a file is not a height map.
 
 use std::io;
 
-/// What is wrong with the file of a map, as the words that follow its name.
+/// The fault of a map's file, as a clause that follows its name.
 #[derive(Debug, thiserror::Error)]
 pub enum MapError {
     /// The file cannot be read.
     #[error("which cannot be read: {0}")]
     Unreadable(#[from] io::Error),
-    /// The file is larger than any map.
+    /// The file is too large.
     #[error("which is larger than {} MiB", largest >> 20)]
     TooLarge {
         /// Most bytes.
         largest: u64,
     },
-    /// The ending of the name is that of no format known here.
+    /// The file name has an unknown ending.
     #[error("a file of the unknown kind \".{found}\"")]
     Ending {
         /// The ending, without its dot.
         found: String,
     },
-    /// Not an array that NumPy saved, or not one of numbers in two dimensions.
-    #[error("which is no NumPy array of numbers in two dimensions: {0}")]
+    /// Not a NumPy array, or not a two-dimensional one of numbers.
+    #[error("which is not a two-dimensional NumPy array of numbers: {0}")]
     Npy(String),
     /// Not text.
-    #[error("which is not text: its byte {at} is no UTF-8")]
+    #[error("which is not text: its byte {at} is not UTF-8")]
     NotText {
         /// Bytes before it.
         at: usize,
     },
     /// A word where a number should be.
-    #[error("where line {line} holds \"{found}\", which is no number")]
+    #[error("where line {line} holds \"{found}\", which is not a number")]
     NotANumber {
         /// Line, from 1.
         line: usize,
         /// The word.
         found: String,
     },
-    /// A comma between numbers that are separated otherwise, and is no decimal mark either.
+    /// A comma between numbers that are separated otherwise, and that is not a decimal mark either.
     #[error(
-        "where line {line} holds \"{found}\": commas beside semicolons or blanks can only be decimal marks, one a number and none with a point"
+        "where line {line} holds \"{found}\": next to semicolons or blanks a comma can only be a decimal mark, once in a number that has no point"
     )]
     Comma {
         /// Line, from 1.
@@ -47,16 +47,16 @@ pub enum MapError {
         /// The word.
         found: String,
     },
-    /// Commas that are decimal marks as well as separators.
+    /// Commas that may be decimal marks or separators.
     #[error(
-        "where \"{found}\" may be one number or two, and all other lines too: write numbers with a decimal point, or end each line with a semicolon if the comma is a decimal mark, or put a blank after each comma that separates"
+        "where \"{found}\", like every other line, may be one number or two: write a decimal point; or end each line with a semicolon if the comma is a decimal mark; or put a blank after each comma that separates numbers"
     )]
     CommaOrPoint {
         /// The first line.
         found: String,
     },
-    /// A line of another length than those before.
-    #[error("where line {line} holds {found} numbers and those before {wanted}")]
+    /// A line with another number of numbers than those before.
+    #[error("where line {line} holds {found} numbers and those before it {wanted}")]
     Ragged {
         /// Line, from 1.
         line: usize,
@@ -65,24 +65,24 @@ pub enum MapError {
         /// Numbers on the first.
         wanted: usize,
     },
-    /// No number at all.
+    /// No numbers.
     #[error("which holds no numbers")]
     Empty,
     /// Not a Gwyddion Simple Field.
     #[error("which does not begin with the line \"Gwyddion Simple Field 1.0\"")]
     NotGsf,
-    /// A field of the header that is missing or makes no sense.
+    /// A field of the header that is missing or invalid.
     #[error("whose header has {key} = {found}, not {wanted}")]
     Header {
         /// Its name.
         key: &'static str,
         /// Its value.
         found: String,
-        /// What is wanted.
+        /// The values wanted.
         wanted: &'static str,
     },
     /// Fewer data than the header says.
-    #[error("which holds {found} bytes of data where its header says {wanted}")]
+    #[error("which holds {found} bytes of data, but its header says {wanted}")]
     Short {
         /// Bytes found.
         found: usize,

@@ -22,11 +22,12 @@ pub fn parse(bytes: &[u8]) -> Result<MapFile, MapError> {
         .iter()
         .position(|byte| *byte == 0)
         .ok_or(MapError::NotGsf)?;
-    let header = Header(
-        std::str::from_utf8(&after[..end]).map_err(|error| MapError::NotText {
-            at: MAGIC.len() + error.valid_up_to(),
-        })?,
-    );
+    let header =
+        GsfHeader(
+            std::str::from_utf8(&after[..end]).map_err(|error| MapError::NotText {
+                at: MAGIC.len() + error.valid_up_to(),
+            })?,
+        );
     let [columns, rows] = [header.resolution("XRes")?, header.resolution("YRes")?];
     // The first multiple of four behind at least one NUL.
     let start = ((MAGIC.len() + end) / NUMBER + 1) * NUMBER;
@@ -56,9 +57,9 @@ fn numbers(data: &[u8], columns: usize, rows: usize) -> Result<Vec<f64>, MapErro
 }
 
 /// The lines `key = value`.
-struct Header<'a>(&'a str);
+struct GsfHeader<'a>(&'a str);
 
-impl<'a> Header<'a> {
+impl<'a> GsfHeader<'a> {
     fn value(&self, key: &str) -> Option<&'a str> {
         let pairs = self.0.lines().filter_map(|line| line.split_once('='));
         let mut pairs = pairs.map(|(name, value)| (name.trim(), value.trim()));

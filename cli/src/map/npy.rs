@@ -1,16 +1,16 @@
 //! `.npy`: one array of NumPy in two dimensions, first index along x.
 
-use super::npy_header::Header;
-use super::{MapError, MapFile, triples};
+use super::npy_header::NpyHeader;
+use super::{MapError, MapFile, grid_points};
 
 /// Reads the array, of floats or integers in either order of bytes and of axes.
 ///
 /// # Errors
 ///
-/// [`MapError::Npy`] if there is no such array; an array of objects or of complex numbers is none.
+/// [`MapError::Npy`] if there is no such array; arrays of objects or complex numbers are not read.
 pub fn parse(bytes: &[u8]) -> Result<MapFile, MapError> {
-    let header = Header::read(bytes)?;
-    let kind = Kind::named(&header.kind)?;
+    let header = NpyHeader::read(bytes)?;
+    let kind = NumberType::named(&header.kind)?;
     let [along_x, along_y] = header.shape[..] else {
         let found = header.shape.len();
         return Err(npy(format!("it has {found} dimensions")));
@@ -34,7 +34,7 @@ pub fn parse(bytes: &[u8]) -> Result<MapFile, MapError> {
     } else {
         (0..along_x * along_y).map(at).collect()
     };
-    let points = (along_y == 3).then(|| triples::map(&heights)).flatten();
+    let points = (along_y == 3).then(|| grid_points::map(&heights)).flatten();
     Ok(points.unwrap_or_else(|| MapFile::bare([along_x, along_y], heights)))
 }
 
@@ -42,36 +42,36 @@ fn npy(reason: String) -> MapError {
     MapError::Npy(reason)
 }
 
-/// A kind of number, by NumPy's name: `<f8` is a float of 8 bytes, the smallest first.
+/// A type of number, by NumPy's name: `<f8` is a float of 8 bytes, the lowest first.
 #[derive(Clone, Copy)]
-struct Kind {
-    class: Class,
+struct NumberType {
+    class: NumberClass,
     size: usize,
     is_big_endian: bool,
 }
 
 #[derive(Clone, Copy)]
-enum Class {
+enum NumberClass {
     Float,
     Signed,
     Unsigned,
 }
 
-impl Kind {
+impl NumberType {
     fn named(name: &str) -> Result<Self, MapError> {
         let (order, class_and_size) = name.split_at_checked(1).unwrap_or_default();
         let (class, size) = match class_and_size {
-            "f2" => (Class::Float, 2),
-            "f4" => (Class::Float, 4),
-            "f8" => (Class::Float, 8),
-            "i1" => (Class::Signed, 1),
-            "i2" => (Class::Signed, 2),
-            "i4" => (Class::Signed, 4),
-            "i8" => (Class::Signed, 8),
-            "u1" => (Class::Unsigned, 1),
-            "u2" => (Class::Unsigned, 2),
-            "u4" => (Class::Unsigned, 4),
-            "u8" => (Class::Unsigned, 8),
+            "f2" => (NumberClass::Float, 2),
+            "f4" => (NumberClass::Float, 4),
+            "f8" => (NumberClass::Float, 8),
+            "i1" => (NumberClass::Signed, 1),
+            "i2" => (NumberClass::Signed, 2),
+            "i4" => (NumberClass::Signed, 4),
+            "i8" => (NumberClass::Signed, 8),
+            "u1" => (NumberClass::Unsigned, 1),
+            "u2" => (NumberClass::Unsigned, 2),
+            "u4" => (NumberClass::Unsigned, 4),
+            "u8" => (NumberClass::Unsigned, 8),
             _ => {
                 return Err(npy(format!(
                     "its elements are of the type \"{name}\", wanted floats or integers of at most 64 bits"
@@ -98,15 +98,15 @@ impl Kind {
             reason = "the bits of a number of this size"
         )]
         match (self.class, self.size) {
-            (Class::Unsigned, _) => bits as f64,
-            (Class::Signed, size) => {
+            (NumberClass::Unsigned, _) => bits as f64,
+            (NumberClass::Signed, size) => {
                 // The sign is the highest bit of the number's own size.
                 let above = 64 - 8 * size;
                 (((bits << above) as i64) >> above) as f64
             }
-            (Class::Float, 2) => half(bits as u16),
-            (Class::Float, 4) => f64::from(f32::from_bits(bits as u32)),
-            (Class::Float, _) => f64::from_bits(bits),
+            (NumberClass::Float, 2) => half(bits as u16),
+            (NumberClass::Float, 4) => f64::from(f32::from_bits(bits as u32)),
+            (NumberClass::Float, _) => f64::from_bits(bits),
         }
     }
 }

@@ -1,21 +1,21 @@
 //! The header of an array that NumPy saved: kind of its numbers, order, shape.
 //!
-//! Six bytes of name, two of version, the header's length in two bytes or four, then a Python dictionary of exactly
-//! three keys. Only what NumPy writes is read, without recursion and without asking for memory: a header is the first
-//! thing that a damaged or a made-up file is wrong in. Source: NumPy's `lib/_format_impl`,
+//! Six magic bytes, two of version, the header's length in two or four bytes, then a Python dictionary of exactly three
+//! keys. Only headers that NumPy writes are read, without recursion or large allocations, since files may be damaged or
+//! forged. Source: NumPy's `lib/_format_impl`,
 //! numpy.org/doc/stable/reference/generated/numpy.lib.format.html.
 
 use super::MapError;
 
 const MAGIC: &[u8] = b"\x93NUMPY";
 
-/// A header is a line; more bytes than this are something else.
+/// The longest header that is read, bytes.
 const LONGEST: usize = 1 << 16;
 
-/// What the header of an array says.
+/// The header of an array.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Header {
-    /// NumPy's name of the kind of its numbers, `<f8`.
+pub struct NpyHeader {
+    /// NumPy's name of the type of its numbers, `<f8`.
     pub kind: String,
     /// Whether the first index runs fastest.
     pub is_fortran: bool,
@@ -25,12 +25,12 @@ pub struct Header {
     pub length: usize,
 }
 
-impl Header {
+impl NpyHeader {
     /// Reads the beginning of a file.
     ///
     /// # Errors
     ///
-    /// [`MapError::Npy`] if it is no header that NumPy writes.
+    /// [`MapError::Npy`] if it is not a header that NumPy writes.
     pub fn read(bytes: &[u8]) -> Result<Self, MapError> {
         let fault = |reason: &str| MapError::Npy(reason.into());
         let after = bytes.strip_prefix(MAGIC);
@@ -66,10 +66,8 @@ impl Header {
             _ => Err(fault("its header lacks descr, fortran_order or shape")),
         }
     }
-}
 
-impl Header {
-    /// Bytes of the whole file, header and numbers; none if there are more than can be counted, or numbers of no size.
+    /// Bytes of the whole file, header and numbers; none if their number overflows or the numbers have no size.
     #[must_use]
     pub fn size(&self) -> Option<u64> {
         let digits = self.kind.trim_start_matches(|c: char| !c.is_ascii_digit());
@@ -80,7 +78,7 @@ impl Header {
     }
 }
 
-/// The three keys, as far as they are read.
+/// The three keys, those read so far.
 #[derive(Default)]
 struct Keys {
     kind: Option<String>,
@@ -103,7 +101,7 @@ impl Keys {
         Ok(())
     }
 
-    /// Reads the value of a key; what follows it.
+    /// Reads the value of a key and returns the rest.
     fn value<'a>(&mut self, key: &str, text: &'a str) -> Result<&'a str, String> {
         let (is_new, after) = match key {
             "descr" => {
@@ -133,14 +131,14 @@ impl Keys {
     }
 }
 
-/// A string without escapes, and what follows it.
+/// A string without escapes, and the rest.
 fn quoted(text: &str) -> Option<(&str, &str)> {
     let quote = text.chars().next().filter(|c| matches!(c, '\'' | '"'))?;
     let (string, after) = text[1..].split_once(quote)?;
     (!string.contains('\\')).then_some((string, after))
 }
 
-/// A tuple of numbers, `(3, 2)` or `(3,)`, and what follows it.
+/// A tuple of numbers, `(3, 2)` or `(3,)`, and the rest.
 fn tuple(text: &str) -> Option<(Vec<usize>, &str)> {
     let (numbers, after) = text.strip_prefix('(')?.split_once(')')?;
     let numbers = numbers.trim();
@@ -166,7 +164,7 @@ pub(super) mod tests {
     #[test]
     fn the_three_keys_are_read_in_any_order() {
         let header = "{'shape': (3, 20,), \"descr\":'<f8','fortran_order': True}  \n";
-        let read = Header::read(&file(header, &[])).unwrap();
+        let read = NpyHeader::read(&file(header, &[])).unwrap();
         assert_eq!((read.kind.as_str(), read.is_fortran), ("<f8", true));
         assert_eq!(
             (&read.shape[..], read.length),
@@ -190,11 +188,11 @@ pub(super) mod tests {
                 .into(),
             "[]".into(),
         ] {
-            let found = Header::read(&file(&header, &[0; 16]));
+            let found = NpyHeader::read(&file(&header, &[0; 16]));
             assert!(found.is_err(), "{}", &header[..header.len().min(100)]);
         }
         // Four thousand million bytes of header in a file of sixteen.
         let long = b"\x93NUMPY\x02\x00\xff\xff\xff\xff{}..".to_vec();
-        assert!(Header::read(&long).is_err());
+        assert!(NpyHeader::read(&long).is_err());
     }
 }

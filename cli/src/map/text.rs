@@ -3,9 +3,9 @@
 //! Numbers are separated by commas, semicolons, tabs or spaces; what follows a `#` is a comment. Where semicolons or
 //! blanks separate numbers, a comma is a decimal mark.
 
-use super::{MapError, MapFile, triples};
+use super::{MapError, MapFile, grid_points};
 
-/// Two columns of integers on fewer lines than this are a small map.
+/// On fewer lines than this, two columns of integers are a small map.
 const FEWEST_OF_A_COLUMN: usize = 3;
 
 /// Reads the text; each line is a row of the picture, from the top down, or a point x, y, z of a grid.
@@ -43,7 +43,7 @@ pub fn parse(bytes: &[u8]) -> Result<MapFile, MapError> {
     }
     match columns {
         0 => Err(MapError::Empty),
-        3 => Ok(triples::map(&picture).unwrap_or_else(|| MapFile::from_picture(3, &picture))),
+        3 => Ok(grid_points::map(&picture).unwrap_or_else(|| MapFile::from_picture(3, &picture))),
         _ => Ok(MapFile::from_picture(columns, &picture)),
     }
 }
@@ -56,7 +56,7 @@ fn rows(text: &str) -> impl Iterator<Item = (usize, &str)> {
     (1..).zip(rows)
 }
 
-/// What a comma is in a text.
+/// The meaning of a comma in a text.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Comma {
     Separator,
@@ -64,8 +64,8 @@ enum Comma {
 }
 
 impl Comma {
-    /// What separates numbers is the same on all lines: a comma does unless semicolons do, or blanks with no comma
-    /// beside them.
+    /// The separator is the same on all lines: a comma, unless there are semicolons, or blanks without a comma beside
+    /// them.
     fn in_text(text: &str) -> Self {
         let is_separated = |row: &str| {
             let mut words = row.split_whitespace();
@@ -95,7 +95,7 @@ impl Comma {
     }
 }
 
-/// The first line of a text that may as well be one column with decimal commas as two columns of integers.
+/// The first line of a text that may be one column with decimal commas or two columns of integers.
 fn either(text: &str) -> Option<String> {
     let is_integer = |text: &str| {
         let digits = text.strip_prefix(['-', '+']).unwrap_or(text);
@@ -182,7 +182,7 @@ mod tests {
             "1,2,3 4,5,6\n1,2,3 4,5,6",
         ] {
             let message = parse(text.as_bytes()).unwrap_err().to_string();
-            assert!(message.contains("decimal marks"), "{text:?}: {message}");
+            assert!(message.contains("decimal mark"), "{text:?}: {message}");
         }
     }
 
@@ -213,13 +213,13 @@ mod tests {
     fn what_is_no_table_of_numbers_is_told_by_its_line() {
         let message = |text: &str| parse(text.as_bytes()).unwrap_err().to_string();
         assert!(message("x,y\n1,2").contains("line 1 holds \"x\""));
-        assert!(message("1,2\n\n3").contains("line 3 holds 1 numbers and those before 2"));
+        assert!(message("1,2\n\n3").contains("line 3 holds 1 numbers and those before it 2"));
         assert!(message("# nothing\n").contains("no numbers"));
         assert!(
             parse(b"1\xff")
                 .unwrap_err()
                 .to_string()
-                .contains("no UTF-8")
+                .contains("not UTF-8")
         );
     }
 }

@@ -1,4 +1,4 @@
-//! `curve.csv`: one row a loading step, units in the header.
+//! `curve.csv`: one row per loading step, units in the header.
 
 use super::summary::{StepSummary, Summary};
 use crate::case::units::Units;
@@ -54,7 +54,7 @@ const COLUMNS: [Column; 13] = [
 pub fn csv(summary: &Summary) -> String {
     let row = |(i, step): (usize, &StepSummary)| row(i, step).join(",") + "\n";
     let rows: String = summary.steps.iter().enumerate().map(row).collect();
-    header(summary.case.units).join(",") + "\n" + &rows
+    header(summary.units).join(",") + "\n" + &rows
 }
 
 /// Names of the columns, with units.

@@ -1,7 +1,7 @@
-//! How much room on the disk a run will take.
+//! The disk space that a run will take.
 //!
-//! Fields are a known number of bytes an element, but for those that are packed; pictures are about as large as others
-//! of as many elements. *Measured* on the templates, a film and a rough surface, N = 64 to 512: within a tenth where
+//! Fields take a known number of bytes per element unless they are packed; pictures are about as large as others of as
+//! many elements. *Measured* on the templates, a film and a rough surface, N = 64 to 512: within a tenth where
 //! fields count, within a fifth where pictures do.
 
 use super::results::STEPS_IN_REPORT;
@@ -47,10 +47,10 @@ const REPORT_CELL: f64 = 0.85;
 /// Bytes of summary and curve for a step.
 const NUMBERS: f64 = 3.2e3;
 
-/// The room that a run of a case takes, in bytes.
+/// The disk space of a run of a case, in bytes.
 #[must_use]
 pub fn bytes(case: &Case) -> f64 {
-    let (steps, elements) = (case.load.steps().len(), case.grid.elements);
+    let (steps, elements) = (case.load.loads().len(), case.grid.elements);
     let OutputCase {
         fields, pictures, ..
     } = case.output;
@@ -93,7 +93,7 @@ fn of_a_step_in_report(case: &Case) -> f64 {
 }
 
 fn of_the_run(case: &Case, pictures: bool) -> f64 {
-    let has_curve = case.load.steps().len() > 1;
+    let has_curve = case.load.loads().len() > 1;
     let has_grids = case.grid.elements >= FEWEST_OF_SEVERAL_GRIDS;
     let curve = f64::from(u8::from(pictures && has_curve)) * CURVE;
     curve + f64::from(u8::from(pictures && has_grids)) * CONVERGENCE

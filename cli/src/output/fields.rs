@@ -1,4 +1,4 @@
-//! The fields of one loading step, as writers and pictures take them.
+//! The fields of one loading step, for writers and pictures.
 
 use std::borrow::Cow;
 
@@ -25,25 +25,25 @@ pub struct Fields<'a> {
     pub mask: &'a [bool],
 }
 
-/// What a field of truth values is called.
+/// A field of truth values with its name.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Truth<'a> {
+pub struct TruthField<'a> {
     /// Its name in every file.
     pub name: &'static str,
-    /// What it is, in words.
+    /// Its meaning, in words.
     pub meaning: &'static str,
     /// Its values.
     pub values: Cow<'a, [bool]>,
 }
 
-/// What a field of lengths or pressures is called and measured in.
+/// A field of lengths or pressures with its name and unit.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Named<'a> {
+pub struct NumberField<'a> {
     /// Its name in every file.
     pub name: &'static str,
     /// Its unit in SI.
     pub unit: &'static str,
-    /// What it is, in words.
+    /// Its meaning, in words.
     pub meaning: &'static str,
     /// Its values.
     pub values: &'a [f64],
@@ -72,8 +72,8 @@ impl<'a> Fields<'a> {
 
     /// The fields of numbers, in the order in which files hold them.
     #[must_use]
-    pub fn named(&self) -> [Named<'a>; 5] {
-        let named = |name, unit, meaning, values| Named {
+    pub fn numbers(&self) -> [NumberField<'a>; 5] {
+        let named = |name, unit, meaning, values| NumberField {
             name,
             unit,
             meaning,
@@ -116,15 +116,15 @@ impl<'a> Fields<'a> {
     /// The fields of truth values, in the order in which files hold them: every format has both, with these names and
     /// meanings.
     #[must_use]
-    pub fn truths(&self) -> [Truth<'a>; 2] {
+    pub fn truths(&self) -> [TruthField<'a>; 2] {
         let contact = self.pressure.iter().map(|pressure| *pressure > 0.0);
         [
-            Truth {
+            TruthField {
                 name: "mask",
                 meaning: "whether the element belongs to the relief",
                 values: Cow::Borrowed(self.mask),
             },
-            Truth {
+            TruthField {
                 name: "contact",
                 meaning: "whether the element carries pressure",
                 values: contact.collect(),

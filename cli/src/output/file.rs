@@ -1,13 +1,14 @@
-//! Files that are there whole or not at all. What is written has a random name of its own until it is complete; nobody
-//! else's file is opened.
+//! Files that are there whole or not at all. A file has a random name of its own until it is complete; nobody else's
+//! file is opened.
 
-use std::fs::{self, File, OpenOptions};
+use std::fs::{self, OpenOptions};
 use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::Path;
 
-use tempfile::TempPath;
+use tempfile::NamedTempFile;
 
 use super::lock;
+use super::stoppable::StoppableFile;
 use super::unfinished::Unfinished;
 use crate::failure::Failure;
 
@@ -17,6 +18,18 @@ const BUFFER: usize = 1 << 17;
 /// Beginning and end of the names of files that are not complete yet.
 const PARTIAL: [&str; 2] = [".pellicle-", ".partial"];
 
+/// A file under its temporary name.
+pub type PartialFile = BufWriter<NamedTempFile>;
+
+/// The answer to a file or folder that is there already.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Existing {
+    /// Leave it alone.
+    Keep,
+    /// Replace it when the new one is complete.
+    Replace,
+}
+
 /// Writes a file under a temporary name beside it and renames it when it is complete and on the disk.
 ///
 /// # Errors
@@ -24,14 +37,26 @@ const PARTIAL: [&str; 2] = [".pellicle-", ".partial"];
 /// [`Failure::Write`] if any of that fails; nothing is left behind then.
 pub fn write_whole(
     path: &Path,
-    write: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>,
+    write: impl FnOnce(&mut PartialFile) -> io::Result<()>,
 ) -> Result<(), Failure> {
-    let durably = |file: &mut BufWriter<File>| {
+    let durably = |file: &mut PartialFile| {
         write(file)?;
         file.flush()?;
-        file.get_ref().sync_all()
+        file.get_ref().as_file().sync_all()
     };
-    put(path, Put::Replacing, durably).map_err(|cause| failure(path, cause))
+    put(path, Existing::Replace, durably).map_err(|cause| Failure::write(path, cause))
+}
+
+/// The same for a large file that is given up where the user does not want to wait for it.
+///
+/// # Errors
+///
+/// [`Failure::Write`] if any of that fails or is stopped; nothing is left behind then.
+pub fn write_stoppable(
+    path: &Path,
+    write: impl FnOnce(&mut StoppableFile<'_>) -> io::Result<()>,
+) -> Result<(), Failure> {
+    write_whole(path, |file| write(&mut StoppableFile::new(file)))
 }
 
 /// The same for bytes that can be made again: they are not forced onto the disk.
@@ -40,8 +65,8 @@ pub fn write_whole(
 ///
 /// [`Failure::Write`] if any of that fails; nothing is left behind then.
 pub fn write_bytes(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    let written = put(path, Put::Replacing, |file| file.write_all(bytes));
-    written.map_err(|cause| failure(path, cause))
+    let written = put(path, Existing::Replace, |file| file.write_all(bytes));
+    written.map_err(|cause| Failure::write(path, cause))
 }
 
 /// The same for a file that must not be there yet.
@@ -50,16 +75,16 @@ pub fn write_bytes(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
 ///
 /// [`Failure::Exists`] if something of that name is there, [`Failure::Write`] if it cannot be written.
 pub fn write_new(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    let written = put(path, Put::New, |file| file.write_all(bytes));
+    let written = put(path, Existing::Keep, |file| file.write_all(bytes));
     written.map_err(|cause| match cause.kind() {
         ErrorKind::AlreadyExists => Failure::Exists {
             path: path.to_owned(),
         },
-        _ => failure(path, cause),
+        _ => Failure::write(path, cause),
     })
 }
 
-/// Removes what processes that are dead have left half-written in a folder.
+/// Removes the half-written files that dead processes have left in a folder.
 pub fn sweep(folder: &Path) {
     let Ok(entries) = fs::read_dir(folder) else {
         return;
@@ -79,33 +104,26 @@ pub fn is_partial(name: &str) -> bool {
     name.starts_with(prefix) && name.ends_with(suffix)
 }
 
-/// Whether a file may be there already.
-#[derive(Clone, Copy)]
-enum Put {
-    New,
-    Replacing,
-}
-
 fn put(
     path: &Path,
-    put: Put,
-    write: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>,
+    existing: Existing,
+    write: impl FnOnce(&mut PartialFile) -> io::Result<()>,
 ) -> io::Result<()> {
-    let (file, partial) = partial(path)?;
-    let _unfinished = Unfinished::file(&partial);
+    let file = partial(path)?;
+    let _unfinished = Unfinished::file(file.path());
     let mut file = BufWriter::with_capacity(BUFFER, file);
     write(&mut file)?;
+    let file = file.into_inner()?;
     // Open, and with that locked, until it has its name.
-    let _file = file.into_inner()?;
-    let placed = match put {
-        Put::Replacing => partial.persist(path),
-        Put::New => partial.persist_noclobber(path),
+    let placed = match existing {
+        Existing::Keep => file.persist_noclobber(path),
+        Existing::Replace => file.persist(path),
     };
-    placed.map_err(|failed| failed.error)
+    placed.map(drop).map_err(|failed| failed.error)
 }
 
 /// A new file beside the path, with the permissions that any new file has, locked as long as it is open.
-fn partial(path: &Path) -> io::Result<(File, TempPath)> {
+fn partial(path: &Path) -> io::Result<NamedTempFile> {
     let folder = match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
@@ -116,12 +134,12 @@ fn partial(path: &Path) -> io::Result<(File, TempPath)> {
         builder.prefix(prefix).suffix(suffix).rand_bytes(12);
         #[cfg(unix)]
         builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-        let (file, partial) = builder.tempfile_in(folder)?.into_parts();
+        let partial = builder.tempfile_in(folder)?;
         // Where the file system knows no locks nothing is swept away either.
-        drop(file.try_lock());
+        drop(partial.as_file().try_lock());
         // Before it was locked it may have been taken for one that somebody left.
-        if lock::is_at(&file, &partial) {
-            return Ok((file, partial));
+        if lock::is_at(partial.as_file(), partial.path()) {
+            return Ok(partial);
         }
     }
 }
@@ -134,11 +152,6 @@ fn remove_if_left(path: &Path) {
         // Best effort: it is tried again by the next.
         drop(fs::remove_file(path));
     }
-}
-
-fn failure(path: &Path, cause: io::Error) -> Failure {
-    let path = path.to_owned();
-    Failure::Write { path, cause }
 }
 
 #[cfg(test)]
@@ -163,7 +176,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.txt");
         fs::write(&path, "old").unwrap();
-        let full = |_: &mut BufWriter<File>| Err(io::Error::from(ErrorKind::StorageFull));
+        let full = |_: &mut PartialFile| Err(io::Error::from(ErrorKind::StorageFull));
         assert!(write_whole(&path, full).is_err());
         assert_eq!(fs::read_to_string(&path).unwrap(), "old");
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);

@@ -1,7 +1,7 @@
-//! `pressure-NNN.gsf`, `mask-NNN.gsf`, `contact-NNN.gsf`: one field of a loading step each, as a simple field of
-//! Gwyddion.
+//! `pressure-NNN.gsf`, `mask-NNN.gsf`, `contact-NNN.gsf`: one field of a loading step each, in Gwyddion's simple field
+//! format.
 //!
-//! A file of this format holds one field; a truth value is 1 or 0. //! It is a line that names the format, lines
+//! A file of this format holds one field; a truth value is 1 or 0. It is a line that names the format, lines
 //! `name = value`, one to four zero bytes that end at a multiple of four, and the values in single precision by rows
 //! from the top: y falls from row to row, x grows along a row.
 
@@ -9,12 +9,11 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use super::fields::Fields;
-use super::file::write_whole;
-use super::watched::Watched;
+use super::file::write_stoppable;
 use crate::case::units::Units;
 use crate::failure::Failure;
 
-/// What a file holds.
+/// The field of a file.
 struct Channel<'a> {
     title: &'a str,
     /// Its unit in SI, if it has one.
@@ -64,8 +63,7 @@ fn write_channel(
     channel: &Channel<'_>,
     value: impl Fn(usize) -> f32,
 ) -> Result<(), Failure> {
-    write_whole(path, |file| {
-        let file = &mut Watched::new(file);
+    write_stoppable(path, |file| {
         file.write_all(&head(fields, units, channel))?;
         write_rows(file, fields.size, value)
     })

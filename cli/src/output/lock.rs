@@ -1,5 +1,4 @@
-//! A lock that a process holds on a place: a file that says so, locked by the system, which lets it go when the process
-//! dies.
+//! A lock of a process on a folder: a file that says so, locked by the system, which releases it when the process dies.
 
 use std::fs::{self, File, Metadata, OpenOptions, TryLockError};
 use std::io::{self, ErrorKind, Read, Write};
@@ -7,26 +6,26 @@ use std::path::Path;
 
 use super::unfinished::Unfinished;
 
-/// How often another process may take the lock file away while it is being taken.
+/// Attempts to take a lock whose file another process removes meanwhile.
 const ATTEMPTS: usize = 1000;
 
-/// A lock, let go and removed when it is dropped.
+/// A lock, released and removed when it is dropped.
 #[derive(Debug)]
 pub struct Lock {
     // Removed before it is closed, and with that unlocked.
-    unfinished: Unfinished,
+    _unfinished: Unfinished,
     file: File,
-    /// What stood in the file that a dead process left.
+    /// Text of the file that a dead process left.
     found: Option<String>,
 }
 
 impl Lock {
-    /// Takes the lock and writes into its file what is going on; none if another process has it. Where the file system
-    /// knows no locks, nobody has it.
+    /// Takes the lock and writes a text into its file; none if another process holds it. On a file system without locks
+    /// nobody does.
     ///
     /// # Errors
     ///
-    /// Those of the system if the file cannot be made, or is no file.
+    /// Those of the system if the file cannot be made, or is not a file.
     pub fn take(path: &Path, text: &str) -> io::Result<Option<Self>> {
         for _ in 0..ATTEMPTS {
             let (file, is_new) = match open(path) {
@@ -43,7 +42,7 @@ impl Lock {
                 continue;
             }
             let mut lock = Self {
-                unfinished: Unfinished::file(path),
+                _unfinished: Unfinished::file(path),
                 file,
                 found: None,
             };
@@ -53,16 +52,10 @@ impl Lock {
         Ok(None)
     }
 
-    /// What stood in the file that a dead process left; none if there was no such file.
+    /// Text of the file that a dead process left; none if there was no such file.
     #[must_use]
     pub fn found(&self) -> Option<&str> {
         self.found.as_deref()
-    }
-
-    /// Where it is.
-    #[must_use]
-    pub fn path(&self) -> &Path {
-        self.unfinished.path()
     }
 
     fn begin(&mut self, is_new: bool, text: &str) -> io::Result<()> {

@@ -11,10 +11,9 @@ use std::borrow::Cow;
 use std::io::{self, Write};
 use std::path::Path;
 
-use super::fields::{Fields, Truth};
-use super::file::write_whole;
-use super::record::Record;
-use super::watched::Watched;
+use super::fields::{Fields, TruthField};
+use super::file::write_stoppable;
+use super::summary::Summary;
 use crate::failure::Failure;
 
 /// Numbers of the format that say what follows.
@@ -41,7 +40,7 @@ enum Attribute {
 
 /// The values of a variable.
 #[derive(Clone)]
-enum Values<'a> {
+enum VariableValues<'a> {
     /// Along x or y: the coordinate, whose dimension has this number.
     Centres(u32),
     /// Over the grid.
@@ -54,7 +53,7 @@ enum Values<'a> {
 struct Variable<'a> {
     name: &'static str,
     attributes: Vec<Attribute>,
-    values: Values<'a>,
+    values: VariableValues<'a>,
 }
 
 /// Writes the fields of a step.
@@ -65,14 +64,13 @@ struct Variable<'a> {
 pub fn write(
     path: &Path,
     fields: &Fields<'_>,
-    record: &Record,
+    summary: &Summary,
     step: usize,
 ) -> Result<(), Failure> {
-    let variables = variables(fields, record);
-    let attributes = global_attributes(fields, record, step);
-    write_whole(path, |file| {
+    let variables = variables(fields, summary);
+    let attributes = global_attributes(fields, summary, step);
+    write_stoppable(path, |file| {
         // The offsets are known once the length of the header is: it does not depend on them.
-        let file = &mut Watched::new(file);
         let length = header(fields.size, &attributes, &variables, 0)?.len();
         file.write_all(&header(fields.size, &attributes, &variables, length)?)?;
         for variable in &variables {
@@ -82,24 +80,24 @@ pub fn write(
     })
 }
 
-fn variables<'a>(fields: &Fields<'a>, record: &Record) -> Vec<Variable<'a>> {
+fn variables<'a>(fields: &Fields<'a>, summary: &Summary) -> Vec<Variable<'a>> {
     let described = |unit, meaning: &str| {
-        let unit = Attribute::Text("units", record.units.name(unit).to_owned());
+        let unit = Attribute::Text("units", summary.units.name(unit).to_owned());
         vec![unit, Attribute::Text("long_name", meaning.to_owned())]
     };
     let coordinate = |name, dimension| Variable {
         name,
         attributes: described("m", "centre of the element"),
-        values: Values::Centres(dimension),
+        values: VariableValues::Centres(dimension),
     };
     let mut variables = vec![coordinate("x", 0), coordinate("y", 1)];
-    variables.extend(fields.named().map(|field| Variable {
+    variables.extend(fields.numbers().map(|field| Variable {
         name: field.name,
         attributes: described(field.unit, field.meaning),
-        values: Values::Numbers(field.values),
+        values: VariableValues::Numbers(field.values),
     }));
     let [mask, contact] = fields.truths();
-    let contacting_points = Truth {
+    let contacting_points = TruthField {
         name: "contacting_points",
         ..contact.clone()
     };
@@ -110,33 +108,34 @@ fn variables<'a>(fields: &Fields<'a>, record: &Record) -> Vec<Variable<'a>> {
             Attribute::Text("dtype", "bool".into()),
             Attribute::Text("long_name", truth.meaning.to_owned()),
         ],
-        values: Values::Truths(truth.values),
+        values: VariableValues::Truths(truth.values),
     }));
     variables
 }
 
-fn global_attributes(fields: &Fields<'_>, record: &Record, step: usize) -> Vec<Attribute> {
-    let (summary, area) = (&record.steps[step], fields.side.powi(2));
-    let (length, force) = (record.units.name("m"), record.units.name("N"));
+fn global_attributes(fields: &Fields<'_>, summary: &Summary, step: usize) -> Vec<Attribute> {
+    let area = fields.side.powi(2);
+    let (length, force) = (summary.units.name("m"), summary.units.name("N"));
+    let of_step = &summary.steps[step];
     vec![
-        Attribute::Text("title", record.title.clone()),
-        Attribute::Text("source", format!("pellicle {}", record.version)),
+        Attribute::Text("title", summary.title.clone()),
+        Attribute::Text("source", format!("pellicle {}", summary.version)),
         Attribute::Text("type", "nonperiodic".into()),
-        Attribute::Number("mean_pressure", summary.mean_pressure),
-        Attribute::Number("nominal_pressure", summary.force / area),
-        Attribute::Number("total_contact_area", summary.contact_area / area),
-        Attribute::Number("force", summary.force),
+        Attribute::Number("mean_pressure", of_step.mean_pressure),
+        Attribute::Number("nominal_pressure", of_step.force / area),
+        Attribute::Number("total_contact_area", of_step.contact_area / area),
+        Attribute::Number("force", of_step.force),
         Attribute::Text("force_units", force.to_owned()),
-        Attribute::Number("penetration", summary.penetration),
+        Attribute::Number("penetration", of_step.penetration),
         Attribute::Text("penetration_units", length.to_owned()),
         Attribute::Text(
             "certificate_satisfied",
-            summary.certificate.satisfied.to_string(),
+            of_step.certificate.satisfied.to_string(),
         ),
     ]
 }
 
-impl Values<'_> {
+impl VariableValues<'_> {
     fn kind(&self) -> u32 {
         match self {
             Self::Centres(_) | Self::Numbers(_) => DOUBLE,
@@ -247,15 +246,19 @@ fn push_count(header: &mut Vec<u8>, count: usize) -> io::Result<()> {
     Ok(())
 }
 
-fn write_values(file: &mut impl Write, fields: &Fields<'_>, values: &Values<'_>) -> io::Result<()> {
+fn write_values(
+    file: &mut impl Write,
+    fields: &Fields<'_>,
+    values: &VariableValues<'_>,
+) -> io::Result<()> {
     match values {
-        Values::Centres(_) => {
+        VariableValues::Centres(_) => {
             (0..fields.size).try_for_each(|i| file.write_all(&fields.centre(i).to_be_bytes()))
         }
-        Values::Numbers(numbers) => numbers
+        VariableValues::Numbers(numbers) => numbers
             .iter()
             .try_for_each(|number| file.write_all(&number.to_be_bytes())),
-        Values::Truths(truths) => {
+        VariableValues::Truths(truths) => {
             let padding = truths.len().next_multiple_of(4) - truths.len();
             let bytes = truths.iter().map(|truth| u8::from(*truth));
             let bytes: Vec<u8> = bytes.chain(std::iter::repeat_n(0, padding)).collect();

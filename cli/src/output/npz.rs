@@ -12,16 +12,16 @@ use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipArchive, ZipWriter};
 
 use super::fields::Fields;
-use super::file::write_whole;
-use super::watched::{Heeding, Watched};
+use super::file::write_stoppable;
+use super::stoppable::StoppableWriter;
 use crate::failure::Failure;
-use crate::map::npy_header::Header;
+use crate::map::npy_header::NpyHeader;
 
 /// Most bytes of an array: 8192² numbers, the largest grid of a case, and a header.
 const LARGEST_ARRAY: u64 = (8 << 26) + (1 << 16);
 
-/// How hard to pack, from 1 to 9. The usual 6 makes the files 13 % smaller in three times the time, and packing took 13
-/// % of a curve's run.
+/// Level of compression, from 1 to 9. The usual 6 makes files 13 % smaller in three times the time, and compression
+/// took 13 % of a curve's run.
 const EFFORT: i64 = 1;
 
 /// Name of the file of a step in a results folder.
@@ -37,9 +37,7 @@ pub fn file(step: usize) -> String {
 ///
 /// [`Failure::Write`] if the file cannot be written.
 pub fn write(file: &Path, fields: &Fields<'_>) -> Result<(), Failure> {
-    write_whole(file, |file| {
-        npz(Watched::new(file), fields).map_err(io::Error::other)
-    })
+    write_stoppable(file, |file| npz(file, fields).map_err(io::Error::other))
 }
 
 fn npz(file: impl io::Write + io::Seek, fields: &Fields<'_>) -> Result<(), WriteNpzError> {
@@ -48,7 +46,7 @@ fn npz(file: impl io::Write + io::Seek, fields: &Fields<'_>) -> Result<(), Write
     let mut npz = ZipWriter::new(file);
     add(&mut npz, "x", &centres)?;
     add(&mut npz, "y", &centres)?;
-    for field in fields.named() {
+    for field in fields.numbers() {
         add(&mut npz, field.name, &square(size, field.values)?)?;
     }
     for truth in fields.truths() {
@@ -66,8 +64,8 @@ fn add(
     let packed = SimpleFileOptions::default().compression_method(CompressionMethod::Deflated);
     let packed = packed.compression_level(Some(EFFORT));
     npz.start_file(format!("{name}.npy"), packed)?;
-    // What packs to nearly nothing would otherwise be deaf to the user until it is packed.
-    array.write_npy(Heeding(npz))?;
+    // An array that packs to nearly nothing would otherwise not stop until it is packed.
+    array.write_npy(StoppableWriter(npz))?;
     Ok(())
 }
 
@@ -76,8 +74,7 @@ fn square<T>(size: usize, field: &[T]) -> Result<ArrayView2<'_, T>, WriteNpzErro
         .map_err(|error: ShapeError| WriteNpyError::Io(io::Error::other(error)).into())
 }
 
-/// Refuses, before memory is asked for, arrays that are larger than any grid's, or than what the archive says they
-/// unpack to.
+/// Refuses arrays that are larger than any grid's, or than their header says, before memory is allocated for them.
 fn check(path: &Path) -> Result<(), String> {
     let file = File::open(path).map_err(|cause| cause.to_string())?;
     let mut archive = ZipArchive::new(file).map_err(|cause| cause.to_string())?;
@@ -92,7 +89,7 @@ fn check(path: &Path) -> Result<(), String> {
         let mut start = Vec::new();
         let read = entry.take(1 << 16).read_to_end(&mut start);
         read.map_err(|cause| cause.to_string())?;
-        let header = Header::read(&start).map_err(|error| format!("{name}, {error}"))?;
+        let header = NpyHeader::read(&start).map_err(|error| format!("{name}, {error}"))?;
         if header.size() != Some(size) {
             return Err(format!(
                 "{name} unpacks to {size} bytes, and its header says otherwise"
@@ -116,7 +113,7 @@ impl StoredFields {
     ///
     /// # Errors
     ///
-    /// [`Failure::Damaged`] if the file is not one that [`write()`] wrote.
+    /// [`Failure::Damaged`] if the file is not one that a run wrote.
     pub fn read(path: &Path) -> Result<Self, Failure> {
         check(path).map_err(|reason| Failure::damaged(path, &reason))?;
         let fields = Self::try_read(path).map_err(|cause| Failure::damaged(path, &cause))?;
@@ -175,8 +172,7 @@ mod tests {
     use super::*;
     use zip::ZipWriter;
 
-    /// What is wrong with an archive of one array, with four bytes of its directory's entry put in place of those
-    /// there.
+    /// The failure to read an archive of one array, with four bytes of its directory's entry replaced.
     fn refused(header: &str, data: &[u8], patch: Option<(usize, u32)>) -> String {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("fields-000.npz");

@@ -1,13 +1,14 @@
-//! The pictures of a results folder, each as SVG and as PNG, and the parts of the report that are made of them.
+//! The pictures of a results folder, each as SVG and as PNG, and the drawings that the report shows.
 
 use std::path::Path;
 
 use rayon::prelude::*;
 
-use super::desk::Desk;
 use super::fields::Fields;
-use super::page::{RunPart, StepPart, surface};
-use super::record::Record;
+use super::report::surface::Surface;
+use super::report::{RunDrawings, StepDrawings};
+use super::summary::Summary;
+use super::writer::ResultsWriter;
 use crate::case::output::Steps;
 use crate::failure::Failure;
 use crate::picture::field_map::FieldMap;
@@ -17,122 +18,126 @@ use crate::picture::{convergence, curve, pressure_map, pressure_view, section};
 
 /// A picture of a loading step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub enum StepPicture {
     /// The pressure from above.
-    Map,
+    PressureMap,
     /// The section.
     Section,
     /// The pressure in three dimensions.
-    View,
+    PressureView,
     /// Another field from above.
     Field(FieldMap),
 }
 
-/// The pictures of a loading step: of a measured surface or indenter more than of others.
+/// The pictures of a loading step; a measured surface or indenter has more than others.
 #[must_use]
-pub fn of_a_step(record: &Record) -> Vec<Kind> {
-    let mut kinds = vec![Kind::Map, Kind::Section, Kind::View];
-    let fields: &[_] = match record.maps() {
+pub fn of_a_step(summary: &Summary) -> Vec<StepPicture> {
+    let mut pictures = vec![
+        StepPicture::PressureMap,
+        StepPicture::Section,
+        StepPicture::PressureView,
+    ];
+    let fields: &[_] = match summary.maps() {
         [true, _] => &[FieldMap::Heights, FieldMap::Gap, FieldMap::Displacement],
         [false, true] => &[FieldMap::Gap, FieldMap::Displacement],
         [false, false] => &[],
     };
-    kinds.extend(fields.iter().map(|field| Kind::Field(*field)));
-    kinds
+    pictures.extend(fields.iter().map(|field| StepPicture::Field(*field)));
+    pictures
 }
 
-impl Kind {
+impl StepPicture {
     fn name(self, step: usize) -> String {
         match self {
-            Self::Map => pressure_map::name(step),
+            Self::PressureMap => pressure_map::name(step),
             Self::Section => section::name(step),
-            Self::View => pressure_view::name(step),
+            Self::PressureView => pressure_view::name(step),
             Self::Field(field) => field.name(step),
         }
     }
 
     fn draw(self, subject: &Subject<'_>) -> String {
         match self {
-            Self::Map => pressure_map::draw(subject),
+            Self::PressureMap => pressure_map::draw(subject),
             Self::Section => section::draw(subject),
-            Self::View => pressure_view::draw(subject),
+            Self::PressureView => pressure_view::draw(subject),
             Self::Field(field) => field.draw(subject),
         }
     }
 }
 
-/// Writes the pictures of one loading step; what the report shows of them.
+/// Writes the pictures of one loading step, and returns the drawings for the report.
 ///
 /// # Errors
 ///
 /// [`Failure::Write`] if a picture cannot be written.
 pub fn step(
     folder: &Path,
-    record: &Record,
+    summary: &Summary,
     step: usize,
     fields: Fields<'_>,
     style: &Style,
-    desk: &Desk<'_>,
-) -> Result<StepPart, Failure> {
+    writer: &ResultsWriter<'_>,
+) -> Result<StepDrawings, Failure> {
     let subject = Subject {
-        title: &record.title,
-        units: record.units,
-        relief_height: record.relief_height(),
-        step: &record.steps[step],
+        title: &summary.title,
+        units: summary.units,
+        relief_height: summary.relief_height(),
+        step: &summary.steps[step],
         fields,
         style: *style,
     };
-    let kinds = of_a_step(record).into_par_iter();
-    let drawn = kinds.map(|kind| {
-        let svg = desk.picture(folder, &kind.name(step), || kind.draw(&subject))?;
-        Ok(svg.map(|svg| (kind, svg)))
+    let pictures = of_a_step(summary).into_par_iter();
+    let drawn = pictures.map(|picture| {
+        let svg = writer.picture(folder, &picture.name(step), || picture.draw(&subject))?;
+        Ok(svg.map(|svg| (picture, svg)))
     });
     let drawn = drawn.collect::<Result<Vec<_>, Failure>>()?;
-    let surface = desk.drawn(&format!("turned by hand, of step {step}"), || {
-        Ok(surface::figure(&subject))
+    let surface = writer.drawn(&format!("turned by hand, of step {step}"), || {
+        Ok(Surface::new(&subject))
     });
-    Ok(StepPart {
+    Ok(StepDrawings {
         step,
         drawings: drawn.into_iter().flatten().collect(),
         surface,
     })
 }
 
-/// The pictures of the run as a whole, those that there are, for the report; they are written as well unless no
-/// pictures are wanted.
+/// Draws the pictures of the run as a whole for the report, and writes them unless no pictures are wanted.
 ///
 /// # Errors
 ///
 /// [`Failure::Write`] if a picture cannot be written.
 pub fn run(
     folder: &Path,
-    record: &Record,
+    summary: &Summary,
     pictures: Steps,
     style: &Style,
-    desk: &Desk<'_>,
-) -> Result<RunPart, Failure> {
+    writer: &ResultsWriter<'_>,
+) -> Result<RunDrawings, Failure> {
     let one = |name: &str, svg: Option<String>| match svg {
-        Some(svg) if pictures != Steps::None => desk
+        Some(svg) if pictures != Steps::None => writer
             .picture(folder, name, || svg.clone())
             .map(|_| Some(svg)),
         svg => Ok(svg),
     };
-    let curve = desk.drawn(curve::NAME, || Ok(curve::draw(record, style)));
-    let convergence = desk.drawn(convergence::NAME, || Ok(convergence::draw(record, style)));
-    Ok(RunPart {
+    let curve = writer.drawn(curve::NAME, || Ok(curve::draw(summary, style)));
+    let convergence = writer.drawn(convergence::NAME, || Ok(convergence::draw(summary, style)));
+    Ok(RunDrawings {
         curve: one(curve::NAME, curve.flatten())?,
         convergence: one(convergence::NAME, convergence.flatten())?,
     })
 }
 
-/// Names of the pictures of some steps, and of the run unless no pictures of it are wanted, without endings.
+/// Names of the pictures of some steps, and of the run unless none of it are wanted, without endings.
 #[must_use]
-pub fn names(record: &Record, steps: &[usize], of_run: Steps) -> Vec<String> {
-    let kinds = of_a_step(record);
-    let name = |step: &usize| -> Vec<_> { kinds.iter().map(|kind| kind.name(*step)).collect() };
+pub fn names(summary: &Summary, steps: &[usize], of_run: Steps) -> Vec<String> {
+    let pictures = of_a_step(summary);
+    let name =
+        |step: &usize| -> Vec<_> { pictures.iter().map(|picture| picture.name(*step)).collect() };
     let run = [
-        (curve::NAME, curve::is_drawn(record)),
-        (convergence::NAME, convergence::is_drawn(record)),
+        (curve::NAME, curve::is_drawn(summary)),
+        (convergence::NAME, convergence::is_drawn(summary)),
     ];
     let run = run
         .into_iter()
@@ -141,10 +146,10 @@ pub fn names(record: &Record, steps: &[usize], of_run: Steps) -> Vec<String> {
     steps.iter().flat_map(name).chain(run).collect()
 }
 
-/// How many pictures of the run as a whole are written.
+/// The number of pictures of the run as a whole.
 #[must_use]
-pub fn count_of_run(record: &Record, pictures: Steps) -> usize {
-    let there_are = [curve::is_drawn(record), convergence::is_drawn(record)];
+pub fn count_of_run(summary: &Summary, pictures: Steps) -> usize {
+    let there_are = [curve::is_drawn(summary), convergence::is_drawn(summary)];
     let count = there_are.into_iter().filter(|is| *is).count();
     if pictures == Steps::None { 0 } else { count }
 }

@@ -1,76 +1,80 @@
-//! Pictures drawn again from the files of results folders alone, as they are or as they are ordered.
+//! Pictures drawn again from the files of results folders alone.
 
 use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
 
-use super::desk::{Desk, Tell};
 use super::npz::{self, StoredFields};
-use super::page::{self, StepPart};
-use super::record::Record;
-use super::summary::WarningSummary;
+use super::report::{self, StepDrawings};
+use super::summary::{Summary, WarningSummary};
+use super::writer::{OnProgress, ResultsWriter};
 use super::{pictures, results};
 use crate::case::output::Steps;
 use crate::failure::Failure;
 use crate::picture::curve::{self, Curve};
 use crate::picture::style::Style;
 
-/// What is drawn of one results folder.
+/// The pictures to draw of one results folder.
 #[derive(Debug, Clone, Default)]
-pub struct Order<'a> {
-    /// How pictures look.
+pub struct RedrawOptions<'a> {
+    /// Look of the pictures.
     pub style: Style,
-    /// The only step that is drawn; all that have fields unless given.
+    /// The only step drawn; by default all that have fields.
     pub step: Option<usize>,
-    /// Where the pictures go; beside the results, and into their report, unless given.
+    /// Folder of the pictures; by default they go beside the results, and into their report.
     pub out: Option<&'a Path>,
-    /// Whether pictures that are there already, elsewhere than beside the results, may be replaced.
+    /// Whether existing pictures in that folder may be replaced.
     pub replaces: bool,
 }
 
-/// What came of it.
+/// The outcome of drawing again.
 #[derive(Debug, Clone)]
 pub struct Redrawn {
     /// Pictures drawn.
     pub pictures: usize,
-    /// What could not be drawn.
+    /// Pictures that could not be drawn.
     pub warnings: Vec<WarningSummary>,
 }
 
-/// Draws the pictures of a results folder, on all cores, and its report: every step's whose fields are there in `.npz`.
+/// Draws the pictures of a results folder, on all cores, and its report, for every step whose fields are there in
+/// `.npz`.
 ///
 /// # Errors
 ///
-/// [`Failure`] if the folder holds no results, the step ordered has no fields, or a picture cannot be written.
-pub fn draw(folder: &Path, order: &Order<'_>, tell: Tell<'_>) -> Result<Redrawn, Failure> {
-    let record = Record::read(folder)?;
+/// [`Failure`] if the folder holds no results, the step asked for has no fields, or a picture cannot be written.
+pub fn draw(
+    folder: &Path,
+    options: &RedrawOptions<'_>,
+    on_progress: OnProgress<'_>,
+) -> Result<Redrawn, Failure> {
+    let summary = Summary::read(folder)?;
     let fields = |step: usize| folder.join(npz::file(step));
-    let steps: Vec<_> = match order.step {
+    let steps: Vec<_> = match options.step {
         Some(step) => vec![step],
-        None => (0..record.steps.len())
+        None => (0..summary.steps.len())
             .filter(|step| fields(*step).is_file())
             .collect(),
     };
-    let of_run = if order.step.is_none() {
+    let of_run = if options.step.is_none() {
         Steps::All
     } else {
         Steps::None
     };
-    let count =
-        steps.len() * pictures::of_a_step(&record).len() + pictures::count_of_run(&record, of_run);
-    let desk = Desk::new(count, tell);
-    let out = order.out.unwrap_or(folder);
-    if order.out.is_some() && !order.replaces {
-        pictures::names(&record, &steps, of_run)
+    let count = steps.len() * pictures::of_a_step(&summary).len()
+        + pictures::count_of_run(&summary, of_run);
+    let writer = ResultsWriter::new(count, on_progress);
+    let out = options.out.unwrap_or(folder);
+    if options.out.is_some() && !options.replaces {
+        pictures::names(&summary, &steps, of_run)
             .iter()
             .try_for_each(|name| keep(out, name))?;
     }
     let shown = results::in_report(&steps);
     let parts = steps.par_iter().map(|step| {
-        if *step >= record.steps.len() {
+        if *step >= summary.steps.len() {
             let reason = format!(
                 "there is no step {step}, the last is {}",
-                record.steps.len() - 1
+                summary.steps.len() - 1
             );
             return Err(Failure::damaged(folder, &reason));
         }
@@ -82,27 +86,27 @@ pub fn draw(folder: &Path, order: &Order<'_>, tell: Tell<'_>) -> Result<Redrawn,
             });
         }
         let stored = StoredFields::read(&path)?;
-        let of_step = stored.fields(record.grid.side);
-        let part = pictures::step(out, &record, *step, of_step, &order.style, &desk)?;
+        let of_step = stored.fields(summary.grid.side);
+        let part = pictures::step(out, &summary, *step, of_step, &options.style, &writer)?;
         Ok(shown.contains(step).then_some(part))
     });
-    let parts = parts.collect::<Result<Vec<Option<StepPart>>, Failure>>()?;
+    let parts = parts.collect::<Result<Vec<Option<StepDrawings>>, Failure>>()?;
     let parts: Vec<_> = parts.into_iter().flatten().collect();
-    let run = pictures::run(out, &record, of_run, &order.style, &desk)?;
-    // A report whose drawings cannot all be made again is better than one without them.
-    let report = folder.join(page::FILE);
-    let is_whole = order.out.is_none() && order.step.is_none();
+    let run = pictures::run(out, &summary, of_run, &options.style, &writer)?;
+    // A report with old drawings is better than one without any.
+    let report = folder.join(report::FILE);
+    let is_whole = options.out.is_none() && options.step.is_none();
     if is_whole && (!parts.is_empty() || !report.exists()) {
-        results::write_page(folder, &page::html(&record, &parts, &run))?;
+        results::write_page(folder, &report::html(&summary, &parts, &run))?;
     }
-    let warnings = desk.warnings();
+    let warnings = writer.warnings();
     Ok(Redrawn {
         pictures: count - warnings.len(),
         warnings,
     })
 }
 
-/// Draws the curves of several results folders as one picture into a folder; what could not be drawn.
+/// Draws the curves of several results folders as one picture into a folder, and returns the warnings.
 ///
 /// # Errors
 ///
@@ -117,31 +121,31 @@ pub fn draw_curves(
     if !replaces {
         keep(out, curve::NAME_OF_SEVERAL)?;
     }
-    let records = folders.iter().map(|folder| Record::read(folder));
-    let records = records.collect::<Result<Vec<_>, Failure>>()?;
-    let units = records
+    let summaries = folders.iter().map(|folder| Summary::read(folder));
+    let summaries = summaries.collect::<Result<Vec<_>, Failure>>()?;
+    let units = summaries
         .first()
-        .map(|record| record.units)
+        .map(|summary| summary.units)
         .unwrap_or_default();
-    let other = records.iter().position(|record| record.units != units);
+    let other = summaries.iter().position(|summary| summary.units != units);
     if let Some(other) = other {
         let reason =
             "its units are not those of the first: one is in SI units, the other in its own";
         return Err(Failure::damaged(&folders[other], &reason));
     }
-    let names = names(folders, &records);
-    let curves = records.iter().zip(names).map(|(record, name)| Curve {
+    let names = names(folders, &summaries);
+    let curves = summaries.iter().zip(names).map(|(summary, name)| Curve {
         name,
-        steps: &record.steps,
+        steps: &summary.steps,
     });
-    let desk = Desk::new(1, &|_, _| ());
-    desk.picture(out, curve::NAME_OF_SEVERAL, || {
+    let writer = ResultsWriter::new(1, &|_, _| ());
+    writer.picture(out, curve::NAME_OF_SEVERAL, || {
         curve::draw_several(curves.collect(), units, style)
     })?;
-    Ok(desk.warnings())
+    Ok(writer.warnings())
 }
 
-/// Refuses to draw a picture where there is one.
+/// Refuses to replace a picture.
 fn keep(folder: &Path, name: &str) -> Result<(), Failure> {
     let files = ["svg", "png"].map(|ending| folder.join(format!("{name}.{ending}")));
     let taken = files
@@ -150,15 +154,21 @@ fn keep(folder: &Path, name: &str) -> Result<(), Failure> {
     taken.map_or(Ok(()), |path| Err(Failure::Exists { path }))
 }
 
-/// What results are called: by their titles, and by their folders too where two have the same.
-fn names(folders: &[PathBuf], records: &[Record]) -> Vec<String> {
-    let is_twice = |title: &str| records.iter().filter(|other| other.title == title).count() > 1;
-    let name = |(folder, record): (&PathBuf, &Record)| {
-        if is_twice(&record.title) {
-            format!("{} ({})", folder.display(), record.title)
+/// The names of results: their titles, with their folders where two titles are equal.
+fn names(folders: &[PathBuf], summaries: &[Summary]) -> Vec<String> {
+    let is_twice = |title: &str| {
+        summaries
+            .iter()
+            .filter(|other| other.title == title)
+            .count()
+            > 1
+    };
+    let name = |(folder, summary): (&PathBuf, &Summary)| {
+        if is_twice(&summary.title) {
+            format!("{} ({})", folder.display(), summary.title)
         } else {
-            record.title.clone()
+            summary.title.clone()
         }
     };
-    folders.iter().zip(records).map(name).collect()
+    folders.iter().zip(summaries).map(name).collect()
 }

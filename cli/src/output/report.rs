@@ -1,157 +1,117 @@
-//! A summary in words, for the person at the terminal.
+//! `report.html`: a run on one page that needs no network. Drawings can be moved and zoomed, the pressure can be
+//! turned. The page itself is `cli/templates/report.html`; here is the text that stands in it.
 
-use super::summary::{EstimateSummary, Status, StepSummary, Summary};
-use crate::case::surface::SurfaceCase;
-use crate::case::units::Units;
-use crate::display::{Unit, error_of, quantity, significant};
+mod case_table;
+mod step;
+pub mod surface;
 
-/// The summary of a run as a few lines; a curve as a table with one line a step.
+use askama::Template;
+use pellicle_contact::Status;
+
+use self::step::{GridErrorNote, StepSection};
+use self::surface::Surface;
+use super::pictures::StepPicture;
+use super::summary::{StepSummary, Summary};
+use crate::display::{Unit, quantity, significant};
+
+/// Name of the file in a results folder.
+pub const FILE: &str = "report.html";
+
+/// The pictures of one loading step.
+#[derive(Debug, Clone, Default)]
+pub struct StepDrawings {
+    /// Loading step, counted from 0.
+    pub step: usize,
+    /// The pictures that were drawn, as SVG.
+    pub drawings: Vec<(StepPicture, String)>,
+    /// The pressure that can be turned; none if it cannot be drawn.
+    pub surface: Option<Surface>,
+}
+
+/// The pictures of the run as a whole, as SVG.
+#[derive(Debug, Clone, Default)]
+pub struct RunDrawings {
+    /// Force over penetration, pressure over force.
+    pub curve: Option<String>,
+    /// Values from grid to grid.
+    pub convergence: Option<String>,
+}
+
+/// The page, its numbers in words.
+#[derive(Template)]
+#[template(path = "report.html")]
+struct Page<'a> {
+    summary: &'a Summary,
+    run: &'a RunDrawings,
+    side: String,
+    element_side: String,
+    /// The worst status of a step.
+    worst: Status,
+    curve: Vec<CurveRow>,
+    steps: Vec<StepSection<'a>>,
+    /// Keys of the case and their values.
+    case: Vec<(String, String)>,
+    coefficients_seconds: String,
+    solve_seconds: String,
+}
+
+/// A loading step in the table of the curve.
+struct CurveRow {
+    cells: [String; 4],
+    status: Status,
+}
+
+/// The page as HTML.
 #[must_use]
-pub fn text(summary: &Summary) -> String {
-    let mut text = format!("{}\n{}", summary.title, grid(summary));
-    match &summary.steps[..] {
-        [step] => text.push_str(&single(step, &summary.case.surface, summary.case.units)),
-        steps => text.push_str(&table(steps, summary.case.units)),
-    }
-    text
-}
-
-/// The warnings, one a line.
-#[must_use]
-pub fn warnings(summary: &Summary) -> String {
-    let line = |warning: &super::summary::WarningSummary| format!("warning: {}", warning.message);
-    let lines: Vec<_> = summary.warnings.iter().map(line).collect();
-    lines.join("\n")
-}
-
-fn grid(summary: &Summary) -> String {
-    let grid = &summary.grid;
-    let metres = |value| quantity(value, Unit::Metre, summary.case.units);
-    let (side, element_side) = (metres(grid.side), metres(grid.element_side));
-    let elements = grid.elements;
-    format!(
-        "grid {elements} × {elements} on a square of side {side}, element side {element_side}\n"
-    )
-}
-
-/// Lines of name, value and note, in columns.
-struct Lines {
-    units: Units,
-    text: String,
-}
-
-impl Lines {
-    fn push(&mut self, name: &str, value: &str, note: &str) {
-        let line = format!("  {name:<18}{value:<28}{note}");
-        self.text.push_str(line.trim_end());
-        self.text.push('\n');
-    }
-
-    fn quantity(&mut self, name: &str, value: f64, unit: Unit) {
-        self.push(name, &quantity(value, unit, self.units), "");
-    }
-
-    fn estimated(&mut self, name: &str, value: f64, unit: Unit, error: Option<EstimateSummary>) {
-        let note = match error {
-            // Prescribed.
-            Some(error) if error.estimate == 0.0 => String::new(),
-            Some(error) if error.resolved => {
-                format!(
-                    "{} (grid)",
-                    error_of(value, error.estimate, unit, self.units)
-                )
-            }
-            Some(_) => "not resolved by the grid".into(),
-            None => String::new(),
-        };
-        self.push(name, &quantity(value, unit, self.units), &note);
-    }
-}
-
-fn single(step: &StepSummary, surface: &SurfaceCase, units: Units) -> String {
-    let text = String::new();
-    let mut lines = Lines { units, text };
-    let error = &step.grid_error;
-    lines.estimated("force Q", step.force, Unit::Newton, error.force);
-    lines.estimated(
-        "penetration D",
-        step.penetration,
-        Unit::Metre,
-        error.penetration,
-    );
-    lines.estimated(
-        "largest pressure",
-        step.max_pressure,
-        Unit::Pascal,
-        error.max_pressure,
-    );
-    let [x, y] = step
-        .max_pressure_at
-        .map(|x| quantity(x, Unit::Metre, units));
-    lines.push("  at x, y", &format!("{x}, {y}"), "");
-    lines.quantity("mean pressure", step.mean_pressure, Unit::Pascal);
-    lines.estimated(
-        "contact area",
-        step.contact_area,
-        Unit::SquareMetre,
-        error.contact_area,
-    );
-    if *surface != SurfaceCase::Bare {
-        lines.quantity(
-            "  on the relief",
-            step.contact_area_on_relief,
-            Unit::SquareMetre,
-        );
-        lines.quantity("  between", step.contact_area_between, Unit::SquareMetre);
-    }
-    lines.quantity("contact radius", step.contact_radius, Unit::Metre);
-    let stiffness = step.contact_stiffness.unwrap_or(0.0);
-    lines.quantity("contact stiffness", stiffness, Unit::NewtonPerMetre);
-    let worst = format!("worst line {:.1e}", step.certificate.worst);
-    lines.push("certificate", &certificate(step), &worst);
-    lines.push("work", &work(step), "");
-    lines.text
-}
-
-fn certificate(step: &StepSummary) -> String {
-    let word = match step.status {
-        _ if !step.certificate.satisfied => "NOT SATISFIED",
-        Status::CutOff => "CUT OFF",
-        _ => "satisfied",
+pub fn html(summary: &Summary, steps: &[StepDrawings], run: &RunDrawings) -> String {
+    let last = summary.steps.len().checked_sub(1);
+    let section = |drawings| StepSection::new(summary, drawings);
+    // The numbers of the last step are there, drawn or not.
+    let undrawn = StepDrawings {
+        step: last.unwrap_or_default(),
+        ..StepDrawings::default()
     };
-    word.to_owned()
+    let is_there = last.is_none() || steps.last().map(|drawings| drawings.step) == last;
+    let undrawn = (!is_there).then_some(&undrawn);
+    let metres = |value| quantity(value, Unit::Metre, summary.units);
+    let seconds = |value| significant(value, 3);
+    let page = Page {
+        summary,
+        run,
+        side: metres(summary.grid.side),
+        element_side: metres(summary.grid.element_side),
+        worst: (summary.steps.iter().map(verdict).max()).unwrap_or_default(),
+        curve: summary
+            .steps
+            .iter()
+            .map(|step| row(summary, step))
+            .collect(),
+        steps: steps.iter().chain(undrawn).map(section).collect(),
+        case: case_table::rows(&summary.case, summary.units),
+        coefficients_seconds: seconds(summary.timing.coefficients_seconds),
+        solve_seconds: seconds(summary.timing.solve_seconds),
+    };
+    page.to_string()
 }
 
-fn work(step: &StepSummary) -> String {
-    let (products, seconds) = (step.work.operator_applications, step.work.seconds);
-    format!("{products} products with K, {} s", significant(seconds, 3))
-}
-
-fn table(steps: &[StepSummary], units: Units) -> String {
-    const HEAD: [&str; 6] = [
-        "step",
-        "force",
-        "penetration",
-        "largest p",
-        "contact area",
-        "certificate",
-    ];
-    let of = |value, unit| quantity(value, unit, units);
-    let mut text = row(HEAD.map(str::to_owned));
-    for (i, step) in steps.iter().enumerate() {
-        text.push_str(&row([
-            i.to_string(),
-            of(step.force, Unit::Newton),
-            of(step.penetration, Unit::Metre),
-            of(step.max_pressure, Unit::Pascal),
-            of(step.contact_area, Unit::SquareMetre),
-            certificate(step),
-        ]));
+/// The status of a step; by its certificate if the file is from before there was one.
+fn verdict(step: &StepSummary) -> Status {
+    if step.certificate.satisfied {
+        step.status
+    } else {
+        Status::NotConverged
     }
-    text
 }
 
-fn row([step, rest @ ..]: [String; 6]) -> String {
-    let rest = rest.map(|cell| format!("{cell:>16}")).concat();
-    format!("{step:>6}{rest}\n")
+fn row(summary: &Summary, step: &StepSummary) -> CurveRow {
+    let quantity = |value, unit| quantity(value, unit, summary.units);
+    CurveRow {
+        cells: [
+            quantity(step.force, Unit::Newton),
+            quantity(step.penetration, Unit::Metre),
+            quantity(step.max_pressure, Unit::Pascal),
+            quantity(step.contact_area, Unit::SquareMetre),
+        ],
+        status: verdict(step),
+    }
 }

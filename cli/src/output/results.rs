@@ -1,4 +1,4 @@
-//! A results folder: what is written into it.
+//! The files of a run, written into a results folder.
 
 use std::io::Write;
 use std::path::Path;
@@ -7,26 +7,25 @@ use std::time::Instant;
 use pellicle_contact::LoadingPath;
 use rayon::prelude::*;
 
-use super::desk::{Desk, Tell};
 use super::fields::Fields;
 use super::folder::Extent;
-use super::page::{self, StepPart};
-use super::record::Record;
+use super::report::{self, StepDrawings};
 use super::summary::Summary;
+use super::writer::{OnProgress, ResultsWriter};
 use super::{curve, file, gsf, json, netcdf, npz, pictures, summary, vti};
 use crate::case::output::{Format, OutputCase};
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::picture::style::Style;
 
-/// Most loading steps on the report's page: some 100 kB each.
+/// Most loading steps in the report: some 100 kB each.
 pub(super) const STEPS_IN_REPORT: usize = 24;
 
-/// Writes everything a run leaves behind into an empty folder. The summary gets the time since `start`, writing
-/// included, and what is to be said of the writing.
+/// Writes all files of a run into an empty folder. The summary gets the time since `start`, writing included, and the
+/// warnings about the writing.
 ///
-/// When the user asks to stop, fields and pictures that are not done soon are left out, and the result is a part;
-/// summary, curve and report are always there.
+/// When the user asks to stop, fields and pictures that are not done soon are left out, and the result is partial;
+/// summary, curve and report are always written.
 ///
 /// # Errors
 ///
@@ -35,44 +34,41 @@ pub fn write(
     folder: &Path,
     path: &LoadingPath,
     summary: &mut Summary,
+    output: &OutputCase,
     start: Instant,
-    tell: Tell<'_>,
+    on_progress: OnProgress<'_>,
 ) -> Result<Extent, Failure> {
-    let output = summary.case.output.clone();
-    let record = Record::parse(&json(summary)?, summary.case.units)?;
-    let desk = Desk::new(files(&record, &output), tell);
-    let parts = write_steps(folder, path, &record, &output, &desk)?;
-    let run = pictures::run(folder, &record, output.pictures, &Style::default(), &desk)?;
-    summary.warnings.extend(desk.warnings());
+    let writer = ResultsWriter::new(files(summary, output), on_progress);
+    let parts = write_steps(folder, path, summary, output, &writer)?;
+    let run = pictures::run(folder, summary, output.pictures, &Style::default(), &writer)?;
+    summary.warnings.extend(writer.warnings());
     summary.timing.total_seconds = start.elapsed().as_secs_f64();
-    let text = json(summary)?;
-    let record = Record::parse(&text, summary.case.units)?;
-    write_page(folder, &page::html(&record, &parts, &run))?;
+    write_page(folder, &report::html(summary, &parts, &run))?;
     write_text(&folder.join(curve::FILE), &curve::csv(summary))?;
-    write_text(&folder.join(summary::FILE), &text)?;
-    Ok(if desk.is_whole() {
+    write_text(&folder.join(summary::FILE), &json(summary)?)?;
+    Ok(if writer.is_whole() {
         Extent::Whole
     } else {
         Extent::Part
     })
 }
 
-/// Files of fields, and pictures.
-fn files(record: &Record, output: &OutputCase) -> usize {
-    let steps = record.steps.len();
+/// The number of files of fields and of pictures.
+fn files(summary: &Summary, output: &OutputCase) -> usize {
+    let steps = summary.steps.len();
     let fields = output.fields.count(steps) * output.formats.len();
-    let pictures = output.pictures.count(steps) * pictures::of_a_step(record).len();
-    fields + pictures + pictures::count_of_run(record, output.pictures)
+    let pictures = output.pictures.count(steps) * pictures::of_a_step(summary).len();
+    fields + pictures + pictures::count_of_run(summary, output.pictures)
 }
 
-/// The fields and pictures of the steps that have some; what the report shows of them.
+/// Writes the fields and pictures of the steps that have some, and returns the drawings for the report.
 fn write_steps(
     folder: &Path,
     path: &LoadingPath,
-    record: &Record,
+    summary: &Summary,
     output: &OutputCase,
-    desk: &Desk<'_>,
-) -> Result<Vec<StepPart>, Failure> {
+    writer: &ResultsWriter<'_>,
+) -> Result<Vec<StepDrawings>, Failure> {
     let count = path.steps.len();
     let wanted =
         |i: &usize| output.fields.contains(*i, count) || output.pictures.contains(*i, count);
@@ -90,8 +86,8 @@ fn write_steps(
             &[]
         };
         if interrupt::is_overdue() {
-            let pictures = usize::from(pictured.contains(&i)) * pictures::of_a_step(record).len();
-            desk.leave_out(formats.len() + pictures);
+            let pictures = usize::from(pictured.contains(&i)) * pictures::of_a_step(summary).len();
+            writer.leave_out(formats.len() + pictures);
             return Ok(None);
         }
         let surface = || path.surface(geometry.as_ref()?, i);
@@ -103,41 +99,41 @@ fn write_steps(
             if !pictured.contains(&i) {
                 return Ok(None);
             }
-            pictures::step(folder, record, i, fields, &Style::default(), desk).map(Some)
+            pictures::step(folder, summary, i, fields, &Style::default(), writer).map(Some)
         };
         let (written, part) = rayon::join(
-            || write_fields(folder, record, i, &fields, formats, desk),
+            || write_fields(folder, summary, i, &fields, formats, writer),
             draw,
         );
         written?;
         Ok(part?.filter(|part| shown.contains(&part.step)))
     });
-    let parts = parts.collect::<Result<Vec<Option<StepPart>>, Failure>>()?;
+    let parts = parts.collect::<Result<Vec<Option<StepDrawings>>, Failure>>()?;
     Ok(parts.into_iter().flatten().collect())
 }
 
-/// The fields of a step in every format wanted; what is packed takes about as long as all the rest.
+/// Writes the fields of a step in every format wanted, in parallel: packing takes about as long as all the rest.
 fn write_fields(
     folder: &Path,
-    record: &Record,
+    summary: &Summary,
     step: usize,
     fields: &Fields<'_>,
     formats: &[Format],
-    desk: &Desk<'_>,
+    writer: &ResultsWriter<'_>,
 ) -> Result<(), Failure> {
-    let units = record.units;
+    let units = summary.units;
     formats.par_iter().try_for_each(|format| {
         let write = || match format {
             Format::Npz => npz::write(&folder.join(npz::file(step)), fields),
             Format::Vti => vti::write(&folder.join(vti::file(step)), fields, units),
-            Format::Nc => netcdf::write(&folder.join(netcdf::file(step)), fields, record, step),
+            Format::Nc => netcdf::write(&folder.join(netcdf::file(step)), fields, summary, step),
             Format::Gsf => gsf::write(folder, fields, units, step),
         };
-        desk.file(write).map(drop)
+        writer.file(write).map(drop)
     })
 }
 
-/// Those of the steps with pictures that the report's page has room for: the first, the last and some evenly between.
+/// The steps with pictures that the report has room for: the first, the last and some evenly between.
 #[must_use]
 pub fn in_report(pictured: &[usize]) -> Vec<usize> {
     let steps = pictured.len();
@@ -155,7 +151,7 @@ pub fn in_report(pictured: &[usize]) -> Vec<usize> {
 ///
 /// [`Failure::Write`] if it cannot be written.
 pub fn write_page(folder: &Path, page: &str) -> Result<(), Failure> {
-    file::write_bytes(&folder.join(page::FILE), page.as_bytes())
+    file::write_bytes(&folder.join(report::FILE), page.as_bytes())
 }
 
 fn write_text(path: &Path, text: &str) -> Result<(), Failure> {

@@ -1,17 +1,22 @@
 //! `summary.json`: the numbers of a run, also the output of `run --json`.
 
+use std::fs;
+use std::path::Path;
 use std::time::Instant;
 
 use pellicle_contact::{
-    self as contact, Certificate, Estimate, GridError, LoadingPath, Step, Work,
+    Certificate, GridError, LoadingPath, Status, Step, Warning, Work, nan_from_null,
 };
 use pellicle_influence::{CacheWarning, Origin};
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize};
 
-use super::null;
+use serde_json::Value;
 
+use super::curve;
 use crate::case::Case;
-use crate::case::doubt::Doubt;
+use crate::case::units::Units;
+use crate::case::warnings::CaseWarning;
+use crate::failure::Failure;
 
 /// Name of the file in a results folder.
 pub const FILE: &str = "summary.json";
@@ -19,23 +24,27 @@ pub const FILE: &str = "summary.json";
 /// Name and version of the layout.
 pub const SCHEMA: &str = "pellicle-summary/1";
 
-/// What writes it.
+/// Name of the program in it.
 pub const PROGRAM: &str = "pellicle";
 
-/// The numbers of a run, in SI units or the case's own.
-#[derive(Debug, Clone, Serialize)]
+/// The numbers of a run, in SI units or the case's own: as solved, or as read back to draw its pictures again.
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Summary {
     /// Name and version of this layout.
-    pub schema: &'static str,
-    /// What wrote it.
-    pub program: &'static str,
+    pub schema: String,
+    /// The program that wrote it.
+    pub program: String,
     /// Version of the program.
-    pub version: &'static str,
-    /// What the case is called.
+    pub version: String,
+    /// Title of the case.
     pub title: String,
-    /// The case as resolved.
-    pub case: Case,
-    /// What the whole may be used for: what the worst of its steps may.
+    /// The case as resolved, keys in the order of a case file.
+    pub case: Value,
+    /// The units of its numbers, which `curve.csv` names.
+    #[serde(skip)]
+    pub units: Units,
+    /// Status of the run: the worst of its steps; `certified` in a file from before there was one.
+    #[serde(default)]
     pub status: Status,
     /// The grid it was solved on.
     pub grid: GridSummary,
@@ -43,234 +52,155 @@ pub struct Summary {
     pub steps: Vec<StepSummary>,
     /// How long it took.
     pub timing: Timing,
-    /// What should be known before the numbers are used.
+    /// Warnings about the numbers.
     pub warnings: Vec<WarningSummary>,
 }
 
-/// The grid of a run.
+/// The grid of a run, as a file tells it.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub struct GridSummary {
     /// Side of the square domain, m.
-    #[serde(deserialize_with = "null::or_nan")]
+    #[serde(deserialize_with = "nan_from_null")]
     pub side: f64,
     /// Elements per side.
     pub elements: usize,
     /// Side `2a` of an element, m.
-    #[serde(deserialize_with = "null::or_nan")]
+    #[serde(deserialize_with = "nan_from_null")]
     pub element_side: f64,
 }
 
-/// What a result may be used for, from good to bad: [`contact::Status`] with its words.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-#[expect(missing_docs, reason = "described there")]
-pub enum Status {
-    #[default]
-    Certified,
-    CutOff,
-    NotConverged,
-}
-
-/// One loading step.
+/// One loading step: the numbers of a [`Step`] without its fields.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct StepSummary {
     /// `Q`, N.
-    #[serde(deserialize_with = "null::or_nan")]
+    #[serde(deserialize_with = "nan_from_null")]
     pub force: f64,
     /// `D`, m.
-    #[serde(deserialize_with = "null::or_nan")]
+    #[serde(deserialize_with = "nan_from_null")]
     pub penetration: f64,
     /// Largest pressure, Pa.
-    #[serde(deserialize_with = "null::or_nan")]
+    #[serde(deserialize_with = "nan_from_null")]
     pub max_pressure: f64,
     /// Centre of the element that has it, m.
-    #[serde(deserialize_with = "null::pair_or_nan")]
+    #[serde(deserialize_with = "nans_from_nulls")]
     pub max_pressure_at: [f64; 2],
     /// Force over contact area, Pa.
-    #[serde(deserialize_with = "null::or_nan")]
+    #[serde(deserialize_with = "nan_from_null")]
     pub mean_pressure: f64,
     /// Contact area, m².
-    #[serde(deserialize_with = "null::or_nan")]
+    #[serde(deserialize_with = "nan_from_null")]
     pub contact_area: f64,
     /// Elements in contact.
     pub contact_elements: usize,
     /// Contact area on the tops of the relief, m².
-    #[serde(deserialize_with = "null::or_nan")]
+    #[serde(deserialize_with = "nan_from_null")]
     pub contact_area_on_relief: f64,
     /// Contact area between the tops, m².
-    #[serde(deserialize_with = "null::or_nan")]
+    #[serde(deserialize_with = "nan_from_null")]
     pub contact_area_between: f64,
     /// Distance of the farthest element in contact from the axis, m.
-    #[serde(deserialize_with = "null::or_nan")]
+    #[serde(deserialize_with = "nan_from_null")]
     pub contact_radius: f64,
     /// Contact stiffness `dQ/dD`, N/m; none without contact.
     #[serde(default)]
     pub contact_stiffness: Option<f64>,
-    /// What the step may be used for; of a file from before there was one, `certified`.
+    /// Status; `certified` in a file from before there was one.
     #[serde(default)]
     pub status: Status,
     /// How well the solution satisfies the contact conditions.
     pub certificate: CertificateSummary,
-    /// What the solution took.
-    pub work: WorkSummary,
-    /// What the grid costs.
-    pub grid_error: GridErrorSummary,
+    /// Work of the solution.
+    pub work: Work,
+    /// Discretisation error.
+    pub grid_error: GridError,
 }
 
-/// The certificate of one step; every line but the pressure is a number without scale.
+/// The lines of a [`Certificate`] and its verdict, in place of the tolerance that it was judged by.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
-#[expect(
-    missing_docs,
-    reason = "the lines of pellicle_contact::Certificate, described there"
-)]
 pub struct CertificateSummary {
-    #[serde(deserialize_with = "null::or_nan")]
+    #[serde(deserialize_with = "nan_from_null")]
     pub complementarity: f64,
-    #[serde(deserialize_with = "null::or_nan")]
+    #[serde(deserialize_with = "nan_from_null")]
     pub gap_in_contact: f64,
-    #[serde(deserialize_with = "null::or_nan")]
+    #[serde(deserialize_with = "nan_from_null")]
     pub overlap: f64,
-    #[serde(deserialize_with = "null::or_nan")]
+    #[serde(deserialize_with = "nan_from_null")]
     pub load: f64,
-    #[serde(deserialize_with = "null::or_nan")]
+    #[serde(deserialize_with = "nan_from_null")]
     pub min_pressure: f64,
-    #[serde(deserialize_with = "null::or_nan")]
+    #[serde(deserialize_with = "nan_from_null")]
     pub worst: f64,
     pub satisfied: bool,
-}
-
-/// The work of one step.
-#[derive(Debug, Clone, Serialize, Deserialize)]
-pub struct WorkSummary {
-    /// Iterations on the finest grid.
-    pub iterations: usize,
-    /// Products with `K` on the finest grid.
-    pub operator_applications: usize,
-    /// Time, s.
-    #[serde(deserialize_with = "null::or_nan")]
-    pub seconds: f64,
-    /// All grids, coarsest first.
-    pub levels: Vec<LevelWorkSummary>,
-}
-
-/// The work on one grid.
-#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
-pub struct LevelWorkSummary {
-    /// Elements per side.
-    pub elements: usize,
-    /// Iterations.
-    pub iterations: usize,
-    /// Products with `K`.
-    pub operator_applications: usize,
-}
-
-/// The estimated errors of the grid; none where there was no coarser one.
-#[derive(Debug, Clone, Serialize, Deserialize)]
-pub struct GridErrorSummary {
-    /// Of the penetration, m.
-    pub penetration: Option<EstimateSummary>,
-    /// Of the force, N; none in a result of an older version.
-    #[serde(default)]
-    pub force: Option<EstimateSummary>,
-    /// Of the contact area, m².
-    pub contact_area: Option<EstimateSummary>,
-    /// Of the largest pressure, Pa.
-    pub max_pressure: Option<EstimateSummary>,
-    /// The values on all grids, coarsest first.
-    pub levels: Vec<LevelSummary>,
-}
-
-/// The estimated error of one number.
-#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
-pub struct EstimateSummary {
-    /// In the unit of the number.
-    #[serde(deserialize_with = "null::or_nan")]
-    pub estimate: f64,
-    /// Observed order of convergence.
-    pub order: Option<f64>,
-    /// Whether the estimate means something.
-    pub resolved: bool,
-}
-
-/// The values on one grid.
-#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
-pub struct LevelSummary {
-    /// Elements per side.
-    pub elements: usize,
-    /// Penetration, m.
-    #[serde(deserialize_with = "null::or_nan")]
-    pub penetration: f64,
-    /// Contact area, m².
-    #[serde(deserialize_with = "null::or_nan")]
-    pub contact_area: f64,
-    /// Largest pressure, Pa.
-    #[serde(deserialize_with = "null::or_nan")]
-    pub max_pressure: f64,
 }
 
 /// How long a run took, and on how many threads.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub struct Timing {
-    /// For coefficients and geometry while nothing was solved, s; the finest grid may be made beside the solution of
+    /// For coefficients and geometry while nothing was solved, s. The finest grid may be made beside the solution of
     /// coarser ones.
-    #[serde(deserialize_with = "null::or_nan")]
+    #[serde(deserialize_with = "nan_from_null")]
     pub coefficients_seconds: f64,
-    /// Whether coefficients were read instead of computed: all that are worth keeping, the radial tables included.
+    /// Whether all coefficients worth keeping, the radial tables included, were read from the cache.
     pub coefficients_from_cache: bool,
     /// For the solution of all steps, s.
-    #[serde(deserialize_with = "null::or_nan")]
+    #[serde(deserialize_with = "nan_from_null")]
     pub solve_seconds: f64,
     /// From the reading of the case, s.
-    #[serde(deserialize_with = "null::or_nan")]
+    #[serde(deserialize_with = "nan_from_null")]
     pub total_seconds: f64,
     /// Threads used.
     pub threads: usize,
 }
 
-/// What the solver does not see of a run's time.
+/// The times of a run that the solver does not see.
 #[derive(Debug, Clone, Copy)]
 pub struct Clock {
     /// When the case began to be read.
     pub start: Instant,
     /// For the radial tables, s.
     pub tables_seconds: f64,
-    /// Where the radial tables came from.
+    /// Origin of the radial tables.
     pub tables_origin: Origin,
 }
 
-/// What should be known before the numbers are used.
-#[derive(Debug, Clone, Serialize)]
+/// A warning about the numbers.
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct WarningSummary {
     /// A word for programs.
-    pub code: &'static str,
+    #[serde(default)]
+    pub code: String,
     /// A sentence for people.
     pub message: String,
 }
 
 impl Summary {
     /// The summary of a solved case; the side of the domain is filled in where the case left it open.
-    #[must_use]
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Json`] if the case has no JSON form.
     pub fn new(
         case: &Case,
         path: &LoadingPath,
         clock: Clock,
         cache_warnings: &[CacheWarning],
-    ) -> Self {
+    ) -> Result<Self, Failure> {
         let mut case = case.clone();
         case.grid.side.get_or_insert(path.grid.side());
         let origin = clock.tables_origin.max(path.coefficients_origin);
-        let doubts = case.doubts(path.grid.side()).into_iter();
-        let warnings = doubts.map(WarningSummary::from);
+        let warnings = case.warnings(path.grid.side()).into_iter();
+        let warnings = warnings.map(WarningSummary::from);
         let warnings = warnings.chain(path.warnings.iter().map(WarningSummary::from));
         let cache_warnings = cache_warnings.iter().map(WarningSummary::from);
-        let statuses = path.steps.iter().map(|step| step.status().into());
-        Self {
-            status: statuses.max().unwrap_or_default(),
-            schema: SCHEMA,
-            program: PROGRAM,
-            version: env!("CARGO_PKG_VERSION"),
+        let statuses = path.steps.iter().map(Step::status);
+        Ok(Self {
+            schema: SCHEMA.into(),
+            program: PROGRAM.into(),
+            version: env!("CARGO_PKG_VERSION").into(),
             title: case.title.clone(),
-            case,
+            case: serde_json::to_value(&case)?,
+            units: case.units,
+            status: statuses.max().unwrap_or_default(),
             grid: GridSummary {
                 side: path.grid.side(),
                 elements: path.grid.size(),
@@ -285,7 +215,29 @@ impl Summary {
                 threads: rayon::current_num_threads(),
             },
             warnings: warnings.chain(cache_warnings).collect(),
-        }
+        })
+    }
+
+    /// The summary in the text of a `summary.json`, which does not say its units.
+    ///
+    /// # Errors
+    ///
+    /// Those of the reader if it is no summary.
+    pub fn parse(text: &str, units: Units) -> Result<Self, serde_json::Error> {
+        let summary = serde_json::from_str(text)?;
+        Ok(Self { units, ..summary })
+    }
+
+    /// The summary of a results folder.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Damaged`] if its files are missing or not what a run writes.
+    pub fn read(folder: &Path) -> Result<Self, Failure> {
+        let path = folder.join(FILE);
+        let text = read_text(&path)?;
+        let units = curve::units(&read_text(&folder.join(curve::FILE))?);
+        Self::parse(&text, units).map_err(|cause| Failure::damaged(&path, &cause))
     }
 
     /// Whether every step is certified.
@@ -293,28 +245,54 @@ impl Summary {
     pub fn is_certified(&self) -> bool {
         self.status == Status::Certified
     }
-}
 
-impl From<contact::Status> for Status {
-    fn from(status: contact::Status) -> Self {
-        match status {
-            contact::Status::Certified => Self::Certified,
-            contact::Status::CutOff => Self::CutOff,
-            contact::Status::NotConverged => Self::NotConverged,
+    /// Whether the surface, and whether the indenter, is a measured map.
+    #[must_use]
+    pub fn maps(&self) -> [bool; 2] {
+        ["surface", "indenter"].map(|table| self.case[table]["file"].is_string())
+    }
+
+    /// Whether the foundation carries a relief.
+    #[must_use]
+    pub fn has_relief(&self) -> bool {
+        self.case["surface"]["kind"] != "bare"
+    }
+
+    /// Height of the relief above the surface of the body, m, where it is the same everywhere: of cylinders or a film,
+    /// 0 of a bare surface.
+    #[must_use]
+    pub fn relief_height(&self) -> Option<f64> {
+        let surface = &self.case["surface"];
+        match surface["kind"].as_str()? {
+            "bare" => Some(0.0),
+            "cylinders" => surface["height"].as_f64(),
+            "film" => surface["thickness"].as_f64(),
+            _ => None,
         }
     }
 }
 
-impl From<Doubt> for WarningSummary {
-    fn from(Doubt { code, message }: Doubt) -> Self {
+/// Reads two numbers, each NaN where `null` stands.
+fn nans_from_nulls<'de, D: Deserializer<'de>>(deserializer: D) -> Result<[f64; 2], D::Error> {
+    let pair = <[Option<f64>; 2]>::deserialize(deserializer)?;
+    Ok(pair.map(|number| number.unwrap_or(f64::NAN)))
+}
+
+fn read_text(path: &Path) -> Result<String, Failure> {
+    fs::read_to_string(path).map_err(|cause| Failure::damaged(path, &cause))
+}
+
+impl From<CaseWarning> for WarningSummary {
+    fn from(CaseWarning { code, message }: CaseWarning) -> Self {
+        let code = code.into();
         Self { code, message }
     }
 }
 
-impl From<&pellicle_contact::Warning> for WarningSummary {
-    fn from(warning: &pellicle_contact::Warning) -> Self {
+impl From<&Warning> for WarningSummary {
+    fn from(warning: &Warning) -> Self {
         Self {
-            code: warning.code(),
+            code: warning.code().into(),
             message: warning.to_string(),
         }
     }
@@ -323,7 +301,7 @@ impl From<&pellicle_contact::Warning> for WarningSummary {
 impl From<&CacheWarning> for WarningSummary {
     fn from(warning: &CacheWarning) -> Self {
         Self {
-            code: warning.code(),
+            code: warning.code().into(),
             message: warning.to_string(),
         }
     }
@@ -344,10 +322,10 @@ impl StepSummary {
             contact_area_between: summary.contact_area_between,
             contact_radius: summary.contact_radius,
             contact_stiffness: step.contact_stiffness,
-            status: step.status().into(),
+            status: step.status(),
             certificate: (&solution.certificate).into(),
-            work: (&step.work).into(),
-            grid_error: (&step.grid_error).into(),
+            work: step.work.clone(),
+            grid_error: step.grid_error.clone(),
         }
     }
 }
@@ -366,47 +344,37 @@ impl From<&Certificate> for CertificateSummary {
     }
 }
 
-impl From<&Work> for WorkSummary {
-    fn from(work: &Work) -> Self {
-        let level = |level: &pellicle_contact::LevelWork| LevelWorkSummary {
-            elements: level.elements,
-            iterations: level.iterations,
-            operator_applications: level.operator_applications,
-        };
-        Self {
-            iterations: work.iterations,
-            operator_applications: work.operator_applications,
-            seconds: work.seconds,
-            levels: work.levels.iter().map(level).collect(),
-        }
-    }
-}
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
 
-impl From<&GridError> for GridErrorSummary {
-    fn from(error: &GridError) -> Self {
-        let estimate = |estimate: Option<Estimate>| estimate.map(EstimateSummary::from);
-        let level = |level: &pellicle_contact::LevelValues| LevelSummary {
-            elements: level.elements,
-            penetration: level.penetration,
-            contact_area: level.contact_area,
-            max_pressure: level.max_pressure,
-        };
-        Self {
-            penetration: estimate(error.penetration),
-            force: estimate(error.force),
-            contact_area: estimate(error.contact_area),
-            max_pressure: estimate(error.max_pressure),
-            levels: error.levels.iter().map(level).collect(),
-        }
-    }
-}
+    use super::*;
 
-impl From<Estimate> for EstimateSummary {
-    fn from(estimate: Estimate) -> Self {
-        Self {
-            estimate: estimate.estimate,
-            order: estimate.order,
-            resolved: estimate.resolved,
-        }
+    #[test]
+    fn numbers_that_are_not_finite_are_null_and_read_back_as_nan() {
+        let estimate = json!({"estimate": null, "order": null, "resolved": false});
+        let step = json!({
+            "force": null, "penetration": null, "max_pressure": null, "max_pressure_at": [null, 1.5],
+            "mean_pressure": null, "contact_area": null, "contact_elements": 1,
+            "contact_area_on_relief": null, "contact_area_between": null, "contact_radius": null,
+            "contact_stiffness": null, "status": "not-converged",
+            "certificate": {
+                "complementarity": null, "gap_in_contact": null, "overlap": null, "load": null,
+                "min_pressure": null, "worst": null, "satisfied": false,
+            },
+            "work": {
+                "iterations": 1, "operator_applications": 2, "seconds": null,
+                "levels": [{"elements": 64, "iterations": 1, "operator_applications": 2}],
+            },
+            "grid_error": {
+                "penetration": estimate, "force": null, "contact_area": null, "max_pressure": null,
+                "levels": [{"elements": 64, "penetration": null, "contact_area": null, "max_pressure": null}],
+            },
+        });
+        let read: StepSummary = serde_json::from_value(step.clone()).unwrap();
+        assert!(read.force.is_nan() && read.max_pressure_at[0].is_nan());
+        assert!(read.grid_error.levels[0].penetration.is_nan());
+        // The order of keys included.
+        assert_eq!(serde_json::to_string(&read).unwrap(), step.to_string());
     }
 }

@@ -1,4 +1,4 @@
-//! What is not finished and must not stay behind: removed when dropped, and when the program ends itself without
+//! Unfinished files and folders, which must not stay behind: removed when dropped, and when the program exits without
 //! dropping anything.
 
 use std::fs;
@@ -6,60 +6,54 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// Everything unfinished of this process, in the order in which it was begun.
-static ALL: Mutex<Vec<(PathBuf, Kind)>> = Mutex::new(Vec::new());
+static ALL: Mutex<Vec<(PathBuf, Leftover)>> = Mutex::new(Vec::new());
 
-/// What is at a path.
+/// An unfinished file or folder.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Kind {
+enum Leftover {
     File,
-    /// A folder that is removed if nothing is in it any more.
+    /// A folder that is removed if it is empty.
     Empty,
     /// A folder and everything in it.
     Tree,
 }
 
-/// Something on disk that is removed when this is dropped, unless it is [kept](Self::keep).
+/// Something on disk that is removed when this is dropped, if it is still there.
 #[derive(Debug)]
 pub struct Unfinished {
     path: PathBuf,
-    kind: Kind,
+    kind: Leftover,
 }
 
 impl Unfinished {
     /// A file.
     #[must_use]
     pub fn file(path: &Path) -> Self {
-        Self::new(path, Kind::File)
+        Self::new(path, Leftover::File)
     }
 
     /// A folder that this process has made, to be removed if it is empty.
     #[must_use]
     pub fn empty_folder(path: &Path) -> Self {
-        Self::new(path, Kind::Empty)
+        Self::new(path, Leftover::Empty)
     }
 
     /// A folder that this process has made, with everything in it.
     #[must_use]
     pub fn folder(path: &Path) -> Self {
-        Self::new(path, Kind::Tree)
+        Self::new(path, Leftover::Tree)
     }
 
-    fn new(path: &Path, kind: Kind) -> Self {
+    fn new(path: &Path, kind: Leftover) -> Self {
         let path = path.to_owned();
         all().push((path.clone(), kind));
         Self { path, kind }
     }
 
-    /// Where it is.
+    /// Its path.
     #[must_use]
     pub fn path(&self) -> &Path {
         &self.path
-    }
-
-    /// It is finished, or somebody else's now.
-    pub fn keep(self) {
-        self.forget();
-        std::mem::forget(self);
     }
 
     fn forget(&self) {
@@ -77,38 +71,39 @@ impl Drop for Unfinished {
     }
 }
 
-/// Removes everything unfinished, the last begun first. What is unfinished after this waits for the end of the program.
+/// Removes everything unfinished, the last begun first. Whoever begins or finishes something after this waits for the
+/// end of the program.
 pub fn remove_all() {
     let all = all();
     all.iter().rev().for_each(|(path, kind)| match kind {
-        // Where it was nobody can begin another file.
-        Kind::Tree => {
+        // Renamed first, so that nobody can begin another file in it.
+        Leftover::Tree => {
             let aside = path.with_extension("ended");
             let path = fs::rename(path, &aside).map_or(path, |()| &aside);
-            remove(path, Kind::Tree);
+            remove(path, Leftover::Tree);
         }
         kind => remove(path, *kind),
     });
-    // Held for ever: a thread that finishes something now would take it for there.
+    // Held for ever: a thread that finishes something now would take it to be there.
     std::mem::forget(all);
 }
 
-/// Does something that an end of the program by [`remove_all`] waits for.
+/// Does work that [`remove_all`] waits for.
 pub fn undisturbed<T>(work: impl FnOnce() -> T) -> T {
     let _held = all();
     work()
 }
 
-fn all() -> MutexGuard<'static, Vec<(PathBuf, Kind)>> {
+fn all() -> MutexGuard<'static, Vec<(PathBuf, Leftover)>> {
     ALL.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Best effort: what cannot be removed stays, and is removed by the next run.
-fn remove(path: &Path, kind: Kind) {
+/// Best effort: the next run removes what cannot be removed now.
+fn remove(path: &Path, kind: Leftover) {
     drop(match kind {
-        Kind::File => fs::remove_file(path),
-        Kind::Empty => fs::remove_dir(path),
-        Kind::Tree => fs::remove_dir_all(path),
+        Leftover::File => fs::remove_file(path),
+        Leftover::Empty => fs::remove_dir(path),
+        Leftover::Tree => fs::remove_dir_all(path),
     });
 }
 
@@ -117,21 +112,23 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_dropped_is_removed_and_what_is_kept_stays() {
+    fn files_folders_and_empty_folders_are_removed_and_folders_with_anything_in_them_stay() {
         let folder = tempfile::tempdir().unwrap();
-        let [a, b, c, d] = ["a", "b", "c", "d"].map(|name| folder.path().join(name));
-        for folder in [&a, &b, &c] {
+        let [full, kept, empty, file] =
+            ["full", "kept", "empty", "file"].map(|name| folder.path().join(name));
+        for folder in [&full, &kept] {
             fs::create_dir(folder).unwrap();
             fs::write(folder.join("in"), "").unwrap();
         }
-        fs::write(&d, "").unwrap();
-        drop(Unfinished::folder(&a));
-        Unfinished::folder(&b).keep();
-        drop(Unfinished::empty_folder(&c));
-        drop(Unfinished::file(&d));
+        fs::create_dir(&empty).unwrap();
+        fs::write(&file, "").unwrap();
+        drop(Unfinished::folder(&full));
+        drop(Unfinished::empty_folder(&kept));
+        drop(Unfinished::empty_folder(&empty));
+        drop(Unfinished::file(&file));
         assert_eq!(
-            [a, b, c, d].map(|path| path.exists()),
-            [false, true, true, false]
+            [full, kept, empty, file].map(|path| path.exists()),
+            [false, true, false, false]
         );
     }
 }

@@ -6,9 +6,8 @@
 use std::io::{self, Write};
 use std::path::Path;
 
-use super::fields::{Fields, Named};
-use super::file::write_whole;
-use super::watched::Watched;
+use super::fields::{Fields, NumberField};
+use super::file::write_stoppable;
 use crate::case::units::Units;
 use crate::failure::Failure;
 
@@ -27,10 +26,9 @@ pub fn file(step: usize) -> String {
 ///
 /// [`Failure::Write`] if the file cannot be written.
 pub fn write(path: &Path, fields: &Fields<'_>, units: Units) -> Result<(), Failure> {
-    write_whole(path, |file| {
-        let file = &mut Watched::new(file);
+    write_stoppable(path, |file| {
         file.write_all(head(fields, units).as_bytes())?;
-        for field in fields.named() {
+        for field in fields.numbers() {
             write_numbers(file, fields, field.values)?;
         }
         for truth in fields.truths() {
@@ -45,7 +43,7 @@ fn head(fields: &Fields<'_>, units: Units) -> String {
     let size = fields.size;
     let extent = format!("0 {size} 0 {size} 0 0");
     let (low, side) = (fields.edge(0), fields.element_side());
-    let arrays = fields.named();
+    let arrays = fields.numbers();
     let each = LENGTH + size_of::<f32>() * size * size;
     let numbers = arrays.iter().enumerate();
     let numbers: String = numbers
@@ -71,7 +69,7 @@ _"#
     )
 }
 
-fn array(field: &Named<'_>, units: Units, offset: usize) -> String {
+fn array(field: &NumberField<'_>, units: Units, offset: usize) -> String {
     let (name, unit) = (field.name, units.name(field.unit));
     format!(
         r#"        <DataArray type="Float32" Name="{name}" format="appended" offset="{offset}">

@@ -1,10 +1,10 @@
-//! What the colours of a picture mean: a bar with the values beside it.
+//! The bar of a picture's colours, with the values beside it.
 
-use super::colour_map::Shades;
+use super::colour_map::ColourScale;
 use super::panel::LABEL;
 use super::raster::Raster;
-use super::svg::{Anchor, Direction, Place, Stroke, Svg};
-use super::{axis, colours, ticks};
+use super::svg::{Anchor, Rect, Stroke, Svg, TextDirection};
+use super::{colours, labels, ticks};
 
 /// Width of the labels and the title beside the bar, in pixels.
 pub const BESIDE: f64 = 112.0;
@@ -18,17 +18,14 @@ const DIGIT: f64 = 0.64 * LABEL;
 const TICK: f64 = 6.0;
 
 /// Draws the bar of these colours, whose values have this title.
-pub fn draw(svg: &mut Svg, place: Place, shades: &Shades, title: &str) {
+pub fn draw(svg: &mut Svg, place: Rect, shades: &ColourScale, title: &str) {
     let (from, to) = (shades.from, shades.to);
     let shade = |_, j| shades.map.at((SHADES - 1 - j) as f64 / (SHADES - 1) as f64);
     svg.image(place, &Raster::of(1, SHADES, shade));
-    let stroke = Stroke {
-        colour: colours::INK,
-        width: 1.2,
-    };
+    let stroke = Stroke::new(colours::INK, 1.2);
     let right = place.right();
     let ticks = ticks::linear(from, to, 6);
-    let label = |tick: &f64| axis::label(*tick, to - from);
+    let label = |tick: &f64| labels::tick(*tick, to - from);
     let labels: Vec<_> = ticks.iter().map(label).collect();
     for (tick, label) in ticks.iter().zip(&labels) {
         let y = place.bottom() - place.height * (tick - from) / (to - from);
@@ -41,5 +38,5 @@ pub fn draw(svg: &mut Svg, place: Place, shades: &Shades, title: &str) {
         right + beside.min(BESIDE - TITLE),
         place.top.midpoint(place.bottom()),
     );
-    svg.directed_text(middle, TITLE, Anchor::Middle, Direction::Up, title);
+    svg.directed_text(middle, TITLE, Anchor::Middle, TextDirection::Up, title);
 }

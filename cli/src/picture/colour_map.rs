@@ -1,10 +1,10 @@
-//! Which colour a value has.
+//! The colour of a value.
 
 use clap::ValueEnum;
 
 use super::colours::Colour;
 
-/// A scale of colours, all but the last safe for the colour-blind.
+/// A colour map; all but the last are safe for the colour-blind.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
 pub enum ColourMap {
     /// Dark blue to yellow
@@ -25,7 +25,7 @@ pub enum ColourMap {
 }
 
 impl ColourMap {
-    /// The colour of a fraction of the scale; its ends go on for ever, and what is no number has the first.
+    /// The colour of a fraction of the scale; the first below 0 and for NaN, the last above 1.
     #[must_use]
     pub fn at(self, fraction: f64) -> Colour {
         let gradient = match self {
@@ -42,7 +42,7 @@ impl ColourMap {
     }
 }
 
-/// The number, or the nearer of 0 and 1; 0 of what is none.
+/// The number clamped to the range from 0 to 1; 0 for NaN.
 #[must_use]
 pub fn within_the_scale(number: f64) -> f64 {
     if number > 0.0 { number.min(1.0) } else { 0.0 }
@@ -50,7 +50,7 @@ pub fn within_the_scale(number: f64) -> f64 {
 
 /// A scale of colours from one value to another.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Shades {
+pub struct ColourScale {
     /// The colours.
     pub map: ColourMap,
     /// The value of the first.
@@ -59,7 +59,7 @@ pub struct Shades {
     pub to: f64,
 }
 
-impl Shades {
+impl ColourScale {
     /// The standard colours from 0 to a value.
     #[must_use]
     pub fn up_to(to: f64) -> Self {
@@ -67,8 +67,7 @@ impl Shades {
         Self { map, from, to }
     }
 
-    /// How far along the scale a value is: 0 at its first colour, 1 at its last, neither below nor above; 0 of what is
-    /// no number.
+    /// The place of a value on the scale, clamped to the range from 0, its first colour, to 1, its last; 0 for NaN.
     #[must_use]
     pub fn fraction(&self, value: f64) -> f64 {
         within_the_scale((value - self.from) / (self.to - self.from))
@@ -87,7 +86,7 @@ mod tests {
 
     #[test]
     fn every_value_has_a_colour_of_the_scale() {
-        let shades = Shades {
+        let shades = ColourScale {
             map: ColourMap::Greys,
             from: 1.0,
             to: 3.0,
@@ -96,7 +95,7 @@ mod tests {
         assert_eq!(shades.colour(-7.0), ColourMap::Greys.at(0.0));
         assert_eq!(shades.colour(f64::INFINITY), ColourMap::Greys.at(1.0));
         assert_eq!(shades.colour(f64::NAN), ColourMap::Greys.at(0.0));
-        let empty = Shades { to: 1.0, ..shades };
+        let empty = ColourScale { to: 1.0, ..shades };
         assert_eq!(empty.fraction(1.0), 0.0);
     }
 
@@ -105,5 +104,16 @@ mod tests {
         for map in ColourMap::value_variants() {
             assert_ne!(map.at(0.0), map.at(1.0), "{map:?}");
         }
+    }
+
+    #[test]
+    fn more_pressure_is_lighter() {
+        let lightness = |t: f64| {
+            let Colour(r, g, b) = ColourMap::Viridis.at(t);
+            // Luma of ITU-R BT.601.
+            0.299 * f64::from(r) + 0.587 * f64::from(g) + 0.114 * f64::from(b)
+        };
+        let steps: Vec<_> = (0..=20).map(|i| lightness(f64::from(i) / 20.0)).collect();
+        assert!(steps.windows(2).all(|pair| pair[0] < pair[1]), "{steps:?}");
     }
 }

@@ -1,4 +1,4 @@
-//! The colours of the pictures: viridis for a pressure, Okabe and Ito's for lines, greys for what carries nothing.
+//! Fixed colours of the pictures: Okabe and Ito's for lines, greys for elements without pressure.
 
 use std::fmt;
 
@@ -12,7 +12,7 @@ pub const RELIEF: Colour = Colour(222, 222, 222);
 /// Elements without relief that carry nothing.
 pub const BARE: Colour = Colour(250, 250, 250);
 
-/// The outline of the relief: seen on white as well as on either end of viridis.
+/// The outline of the relief, visible on white and on either end of viridis.
 pub const RELIEF_OUTLINE: Colour = Colour(150, 150, 150);
 
 /// Text and axes.
@@ -24,7 +24,7 @@ pub const GRID: Colour = Colour(225, 225, 225);
 /// Paper.
 pub const WHITE: Colour = Colour(255, 255, 255);
 
-/// Blue of Okabe and Ito's palette, which the colour-blind tell from [`ORANGE`].
+/// Blue of Okabe and Ito's palette, which the colour-blind can tell from [`ORANGE`].
 pub const BLUE: Colour = Colour(0, 114, 178);
 
 /// Vermilion of the same palette.
@@ -51,13 +51,6 @@ pub const SPRINGS: Colour = Colour(158, 202, 225);
 /// The body below it.
 pub const BODY: Colour = Colour(240, 228, 205);
 
-/// The colour of a fraction of the largest pressure: viridis, perceptually uniform and safe for the colour-blind.
-#[must_use]
-pub fn of_fraction(fraction: f64) -> Colour {
-    let colour = colorous::VIRIDIS.eval_continuous(fraction.clamp(0.0, 1.0));
-    Colour(colour.r, colour.g, colour.b)
-}
-
 impl Colour {
     /// The colour with this much light on it; 1 leaves it as it is.
     #[must_use]
@@ -73,7 +66,7 @@ impl Colour {
 }
 
 impl fmt::Display for Colour {
-    /// As SVG writes it: `#1e1e1e`.
+    /// In the notation of SVG: `#1e1e1e`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "#{:02x}{:02x}{:02x}", self.0, self.1, self.2)
     }
@@ -84,20 +77,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn more_pressure_is_lighter() {
-        let lightness = |t: f64| {
-            let Colour(r, g, b) = of_fraction(t);
-            // Luma of ITU-R BT.601.
-            0.299 * f64::from(r) + 0.587 * f64::from(g) + 0.114 * f64::from(b)
-        };
-        let steps: Vec<_> = (0..=20).map(|i| lightness(f64::from(i) / 20.0)).collect();
-        assert!(steps.windows(2).all(|pair| pair[0] < pair[1]), "{steps:?}");
-    }
-
-    #[test]
-    fn no_fraction_is_beyond_the_palette() {
-        assert_eq!(of_fraction(7.0), of_fraction(1.0));
-        assert_eq!(of_fraction(-1.0), of_fraction(0.0));
+    fn a_colour_is_written_as_svg_has_it() {
         assert_eq!(INK.to_string(), "#1e1e1e");
     }
 }

@@ -1,14 +1,16 @@
-//! How penetration, contact area and largest pressure change from grid to grid.
+//! The change of penetration, contact area and largest pressure from grid to grid.
 
-use super::colours::{self, Colour};
+use pellicle_contact::{Estimate, GridError, LevelValues};
+
+use super::colour_map::ColourMap;
+use super::colours::Colour;
 use super::heading;
 use super::panel::{Axis, Panel};
 use super::style::{Heading, Style};
-use super::svg::{Anchor, Place, Stroke, Svg};
+use super::svg::{Anchor, Rect, Stroke, Svg};
 use crate::case::units::Units;
 use crate::display::{Unit, error_of, quantity};
-use crate::output::record::Record;
-use crate::output::summary::{EstimateSummary, GridErrorSummary, LevelSummary, StepSummary};
+use crate::output::summary::{StepSummary, Summary};
 
 /// Name of the picture, without ending.
 pub const NAME: &str = "convergence";
@@ -21,10 +23,10 @@ const BETWEEN: f64 = 82.0;
 const WIDTH: f64 = LEFT + 3.0 * PANEL_WIDTH + 2.0 * BETWEEN + 30.0;
 const HEIGHT: f64 = TOP + PANEL_HEIGHT + 72.0;
 
-/// Above and below the lines, as a part of their extent.
+/// Margin above and below the lines, as a part of their extent.
 const MARGIN: f64 = 0.1;
 
-/// The lightest part of viridis is not seen on white.
+/// The end of the scale in use: the lightest part of viridis cannot be seen on white.
 const LIGHTEST: f64 = 0.85;
 
 /// A number of a run that has a value on every grid.
@@ -32,9 +34,9 @@ const LIGHTEST: f64 = 0.85;
 struct Number {
     name: &'static str,
     unit: Unit,
-    on_level: fn(&LevelSummary) -> f64,
+    on_level: fn(&LevelValues) -> f64,
     value: fn(&StepSummary) -> f64,
-    estimate: fn(&GridErrorSummary) -> Option<EstimateSummary>,
+    estimate: fn(&GridError) -> Option<Estimate>,
 }
 
 const NUMBERS: [Number; 3] = [
@@ -61,63 +63,63 @@ const NUMBERS: [Number; 3] = [
     },
 ];
 
-/// Whether there is a picture: not of a run on one grid.
+/// Whether the run has more than one grid, so that there is a picture.
 #[must_use]
-pub fn is_drawn(record: &Record) -> bool {
-    let mut steps = record.steps.iter();
+pub fn is_drawn(summary: &Summary) -> bool {
+    let mut steps = summary.steps.iter();
     steps.any(|step| step.grid_error.levels.len() > 1)
 }
 
-/// The picture as SVG; none of a run on one grid.
+/// The picture as SVG; none for a run on one grid.
 #[must_use]
-pub fn draw(record: &Record, style: &Style) -> Option<String> {
-    if !is_drawn(record) {
+pub fn draw(summary: &Summary, style: &Style) -> Option<String> {
+    if !is_drawn(summary) {
         return None;
     }
     let mut svg = style.sheet(WIDTH, HEIGHT);
-    let numbers = match record.steps.len() {
+    let numbers = match summary.steps.len() {
         1 => "change against the finest grid".to_owned(),
         steps => {
             format!("change against the finest grid; {steps} loading steps, from dark to light")
         }
     };
     if style.heading == Heading::Shown {
-        heading::draw(&mut svg, LEFT, WIDTH - LEFT, &record.title, &numbers);
+        heading::draw(&mut svg, LEFT, WIDTH - LEFT, &summary.title, &numbers);
     }
     for (i, number) in NUMBERS.into_iter().enumerate() {
         let left = LEFT + i as f64 * (PANEL_WIDTH + BETWEEN);
-        draw_panel(&mut svg, record, left, number);
+        draw_panel(&mut svg, summary, left, number);
     }
     Some(svg.finish())
 }
 
-fn draw_panel(svg: &mut Svg, record: &Record, left: f64, number: Number) {
-    let changes: Vec<_> = record
+fn draw_panel(svg: &mut Svg, summary: &Summary, left: f64, number: Number) {
+    let changes: Vec<_> = summary
         .steps
         .iter()
         .map(|step| changes(step, number))
         .collect();
     let title = if left > LEFT { "" } else { "change, %" };
     let panel = Panel {
-        place: Place {
+        place: Rect {
             left,
             top: TOP,
             width: PANEL_WIDTH,
             height: PANEL_HEIGHT,
         },
-        x: grids(record),
+        x: grids(summary),
         y: percent(&changes, title),
     };
     svg.text((left, TOP - 40.0), 18.0, Anchor::Start, number.name);
-    if let [step] = &record.steps[..] {
-        let note = note(step, number, record.units);
+    if let [step] = &summary.steps[..] {
+        let note = note(step, number, summary.units);
         svg.text((left, TOP - 16.0), 15.0, Anchor::Start, &note);
     }
     panel.draw_mesh(svg);
     for (i, line) in changes.iter().enumerate() {
         let colour = colour(i, changes.len());
         let points = panel.all_at(line.iter().copied());
-        svg.line(&points, Stroke { colour, width: 2.0 });
+        svg.line(&points, Stroke::new(colour, 2.0));
         for point in points {
             svg.circle(point, 4.0, colour, colour);
         }
@@ -129,14 +131,14 @@ fn draw_panel(svg: &mut Svg, record: &Record, left: f64, number: Number) {
 fn changes(step: &StepSummary, number: Number) -> Vec<(f64, f64)> {
     let levels = &step.grid_error.levels;
     let finest = levels.last().map_or(f64::NAN, number.on_level);
-    let change = |level: &LevelSummary| 100.0 * ((number.on_level)(level) / finest - 1.0);
+    let change = |level: &LevelValues| 100.0 * ((number.on_level)(level) / finest - 1.0);
     let points = levels
         .iter()
         .map(|level| (level.elements as f64, change(level)));
     points.filter(|(_, change)| change.is_finite()).collect()
 }
 
-/// The value and its error, as the grids tell it.
+/// The value and the error estimated from the grids.
 fn note(step: &StepSummary, number: Number, units: Units) -> String {
     let value = (number.value)(step);
     let text = quantity(value, number.unit, units);
@@ -152,9 +154,12 @@ fn note(step: &StepSummary, number: Number, units: Units) -> String {
     }
 }
 
-/// The grids, each as far from the next as its elements are in ratio.
-fn grids(record: &Record) -> Axis {
-    let levels = record.steps.iter().flat_map(|step| &step.grid_error.levels);
+/// The axis of the grids, logarithmic in the elements per side.
+fn grids(summary: &Summary) -> Axis {
+    let levels = summary
+        .steps
+        .iter()
+        .flat_map(|step| &step.grid_error.levels);
     let mut elements: Vec<_> = levels.map(|level| level.elements).collect();
     elements.sort_unstable();
     elements.dedup();
@@ -178,5 +183,5 @@ fn percent(changes: &[Vec<(f64, f64)>], title: &str) -> Axis {
 }
 
 fn colour(step: usize, steps: usize) -> Colour {
-    colours::of_fraction(LIGHTEST * step as f64 / (steps.max(2) - 1) as f64)
+    ColourMap::Viridis.at(LIGHTEST * step as f64 / (steps.max(2) - 1) as f64)
 }

@@ -1,14 +1,13 @@
-//! The curves of cases with several loads: the force over the penetration, the largest pressure over the force.
+//! The curves of cases with several loads: force over penetration, largest pressure over force.
 
 use super::colours::{self, Colour};
 use super::panel::{Axis, Panel};
 use super::style::{Heading, Style};
-use super::svg::{Anchor, Dash, Place, Stroke, Svg};
-use super::{axis, heading};
+use super::svg::{Anchor, Dash, Rect, Stroke, Svg};
+use super::{heading, labels};
 use crate::case::units::Units;
 use crate::display::{Scale, Unit};
-use crate::output::record::Record;
-use crate::output::summary::StepSummary;
+use crate::output::summary::{StepSummary, Summary};
 
 /// Name of the picture, without ending.
 pub const NAME: &str = "curve";
@@ -23,17 +22,17 @@ const BETWEEN: f64 = 120.0;
 const WIDTH: f64 = LEFT + 2.0 * SIDE + BETWEEN + 36.0;
 const HEIGHT: f64 = TOP + SIDE + 72.0;
 
-/// A line of the legend, of two columns.
+/// Height of a line of the legend, and its columns.
 const ENTRY: f64 = 28.0;
 const COLUMNS: usize = 2;
 
-/// Above the largest value, as a part of it.
+/// Margin above the largest value, as a part of it.
 const MARGIN: f64 = 0.06;
 
-/// From this ratio of the largest to the smallest force on, axes are logarithmic.
+/// Ratio of the largest to the smallest force from which axes are logarithmic.
 const DECADES: f64 = 50.0;
 
-/// The colours of several curves, which the colour-blind tell apart; beyond them lines are broken.
+/// The colours of several curves, which the colour-blind can tell apart; more curves are dashed.
 const COLOURS: [Colour; 7] = [
     colours::BLUE,
     colours::ORANGE,
@@ -68,7 +67,7 @@ const PEAK: Coordinate = Coordinate {
     value: |step| step.max_pressure,
 };
 
-/// The curve of one result, and what it is called.
+/// The curve of one result, and its name.
 #[derive(Debug, Clone)]
 pub struct Curve<'a> {
     /// Its name in the legend.
@@ -77,24 +76,24 @@ pub struct Curve<'a> {
     pub steps: &'a [StepSummary],
 }
 
-/// Whether there is a picture: not of a single step.
+/// Whether the run has more than one step, so that there is a picture.
 #[must_use]
-pub fn is_drawn(record: &Record) -> bool {
-    record.steps.len() > 1
+pub fn is_drawn(summary: &Summary) -> bool {
+    summary.steps.len() > 1
 }
 
-/// The picture as SVG; none of a single step.
+/// The picture as SVG; none for a single step.
 #[must_use]
-pub fn draw(record: &Record, style: &Style) -> Option<String> {
+pub fn draw(summary: &Summary, style: &Style) -> Option<String> {
     let curve = Curve {
-        name: record.title.clone(),
-        steps: &record.steps,
+        name: summary.title.clone(),
+        steps: &summary.steps,
     };
-    let numbers = format!("{} loading steps", record.steps.len());
-    is_drawn(record).then(|| Sheet::new(vec![curve], record.units).draw(&numbers, style))
+    let numbers = format!("{} loading steps", summary.steps.len());
+    is_drawn(summary).then(|| Sheet::new(vec![curve], summary.units).draw(&numbers, style))
 }
 
-/// The picture of several results as SVG, all of them in these units.
+/// The picture of several results as SVG; all are in these units.
 #[must_use]
 pub fn draw_several(curves: Vec<Curve<'_>>, units: Units, style: &Style) -> String {
     let numbers = format!("{} results", curves.len());
@@ -152,7 +151,7 @@ impl<'a> Sheet<'a> {
         let (x_axis, x_scale) = self.axis_of(x);
         let (y_axis, y_scale) = self.axis_of(y);
         let panel = Panel {
-            place: Place {
+            place: Rect {
                 left,
                 top: TOP,
                 width: SIDE,
@@ -190,7 +189,7 @@ impl<'a> Sheet<'a> {
         }
     }
 
-    /// What the colours mean, below the panels.
+    /// Draws the legend below the panels.
     fn draw_legend(&self, svg: &mut Svg) {
         let column = (WIDTH - LEFT) / COLUMNS as f64;
         for (i, curve) in self.curves.iter().enumerate() {
@@ -208,7 +207,7 @@ impl<'a> Sheet<'a> {
         self.curves.iter().flat_map(|curve| curve.steps)
     }
 
-    /// Whether the forces span so much that small ones would vanish on a linear axis, and everything is positive.
+    /// Whether everything is positive and the forces span so much that small ones would vanish on a linear axis.
     fn suits_logarithms(&self) -> bool {
         let all_positive = self.steps().all(|step| {
             [FORCE, PENETRATION, PEAK]
@@ -230,7 +229,7 @@ impl<'a> Sheet<'a> {
     fn axis_of(&self, coordinate: Coordinate) -> (Axis, Scale) {
         let (smallest, largest) = self.ends(coordinate);
         let scale = Scale::of(largest.max(-smallest), coordinate.unit, self.units);
-        let title = axis::title(coordinate.symbol, &scale.label);
+        let title = labels::axis_title(coordinate.symbol, &scale.label);
         let (low, high) = (smallest / scale.divisor, largest / scale.divisor);
         if self.is_logarithmic {
             return (Axis::logarithmic(low, high, title), scale);
@@ -247,7 +246,7 @@ impl<'a> Sheet<'a> {
     }
 }
 
-/// How the curve of this number is drawn.
+/// The line of curve number `i`.
 fn pen(i: usize) -> (Stroke, Dash) {
     let colour = COLOURS[i % COLOURS.len()];
     let dash = if i < COLOURS.len() {
@@ -255,7 +254,7 @@ fn pen(i: usize) -> (Stroke, Dash) {
     } else {
         Dash::Dashed
     };
-    (Stroke { colour, width: 2.0 }, dash)
+    (Stroke::new(colour, 2.0), dash)
 }
 
 /// Fill and edge of the mark of a step.

@@ -1,15 +1,15 @@
 //! A field of lengths over the surface, as a map with the outline of the contact: heights of a measured surface, gap,
 //! displacement.
 
-use super::colour_map::Shades;
+use super::colour_map::ColourScale;
+use super::crop::Crop;
 use super::raster::Raster;
 use super::subject::Subject;
 use super::svg::Stroke;
-use super::window::Window;
-use super::{axis, colours, pressure_map};
+use super::{colours, labels, pressure_map};
 use crate::output::fields::Fields;
 
-/// Which field.
+/// A field of lengths.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FieldMap {
     /// Heights of the relief below its highest point.
@@ -32,7 +32,7 @@ impl FieldMap {
         format!("{name}-{step:03}")
     }
 
-    /// What it shows, in words.
+    /// The field in words.
     #[must_use]
     pub fn title(self) -> &'static str {
         match self {
@@ -54,11 +54,11 @@ impl FieldMap {
     #[must_use]
     pub fn draw(self, subject: &Subject<'_>) -> String {
         let fields = &subject.fields;
-        let window = Window::around_contact(fields.pressure, fields.size);
-        let blocks = Blocks::new(fields, self.values(fields), &window);
+        let crop = Crop::around_contact(fields.pressure, fields.size);
+        let blocks = CoarseValues::new(fields, self.values(fields), &crop);
         let [from, to] = blocks.extent();
         let scale = subject.metres(from.abs().max(to.abs()));
-        let shades = Shades {
+        let shades = ColourScale {
             map: subject.style.colours,
             from,
             to,
@@ -81,7 +81,7 @@ impl FieldMap {
         };
         svg.image(place, &Raster::of(cells, cells, colour));
         let contact = |i, j| blocks.contact[i * cells + j];
-        // White beside the black: the contact may lie at either end of the colours.
+        // White beside black, so that the outline is seen on either end of the colours.
         let [halo, line] = [colours::WHITE, colours::INK].map(pressure_map::pen);
         let halo = Stroke {
             width: 3.0 * halo.width,
@@ -91,48 +91,48 @@ impl FieldMap {
             pressure_map::draw_outline(&mut svg, place, cells, contact, stroke);
         }
         panel.draw_axes(&mut svg);
-        let in_its_unit = Shades {
+        let in_its_unit = ColourScale {
             from: from / scale.divisor,
             to: to / scale.divisor,
             ..shades
         };
-        let title = axis::title(self.title(), &scale.label);
+        let title = labels::axis_title(self.title(), &scale.label);
         pressure_map::draw_bar(&mut svg, &in_its_unit, &title);
         svg.finish()
     }
 }
 
-/// The part of a field that is shown, in blocks where it is finer than the picture.
-struct Blocks {
+/// The part of a field that is shown, block by block where it is finer than the picture.
+struct CoarseValues {
     /// Cells per side.
     cells: usize,
     /// Ends of the sides along x and along y, m.
     ends: [[f64; 2]; 2],
-    /// Mean of the finite values of a block; not a number where there are none.
+    /// Mean of the finite values of each block; NaN if there are none.
     values: Vec<f64>,
-    /// Whether anything in a block carries pressure.
+    /// Whether an element of the block carries pressure.
     contact: Vec<bool>,
 }
 
-impl Blocks {
-    fn new(fields: &Fields<'_>, values: &[f64], window: &Window) -> Self {
-        let block = window.x.len().div_ceil(pressure_map::CELLS).max(1);
-        let cells = window.x.len().div_ceil(block);
+impl CoarseValues {
+    fn new(fields: &Fields<'_>, values: &[f64], crop: &Crop) -> Self {
+        let block = crop.x.len().div_ceil(pressure_map::CELLS).max(1);
+        let cells = crop.x.len().div_ceil(block);
         let range = |start: usize, i: usize| {
             let first = start + i * block;
             first..(first + block).min(fields.size)
         };
         let mut blocks = Self {
             cells,
-            ends: [window.x.start, window.y.start]
+            ends: [crop.x.start, crop.y.start]
                 .map(|start| [start, start + cells * block].map(|i| fields.edge(i))),
             values: Vec::with_capacity(cells * cells),
             contact: Vec::with_capacity(cells * cells),
         };
         for e in 0..cells * cells {
             let (rows, columns) = (
-                range(window.x.start, e / cells),
-                range(window.y.start, e % cells),
+                range(crop.x.start, e / cells),
+                range(crop.y.start, e % cells),
             );
             let elements = rows.flat_map(|i| columns.clone().map(move |j| i * fields.size + j));
             let (mut sum, mut count, mut presses) = (0.0, 0, false);
@@ -149,7 +149,7 @@ impl Blocks {
         blocks
     }
 
-    /// The smallest and the largest value; a little more where they are the same.
+    /// The smallest and the largest value; an interval around them if they are equal.
     fn extent(&self) -> [f64; 2] {
         let finite = || {
             self.values
@@ -190,14 +190,17 @@ mod tests {
             profile: &zeros,
             mask: &mask,
         };
-        let window = Window {
+        let crop = Crop {
             x: 0..size,
             y: 0..size,
         };
-        let blocks = Blocks::new(&fields, &gap, &window);
+        let blocks = CoarseValues::new(&fields, &gap, &crop);
         assert_eq!((blocks.cells, blocks.values[0]), (pressure_map::CELLS, 4.0));
         assert_eq!(blocks.extent(), [1.0, 4.0]);
-        assert_eq!(Blocks::new(&fields, &zeros, &window).extent(), [0.0, 1.0]);
+        assert_eq!(
+            CoarseValues::new(&fields, &zeros, &crop).extent(),
+            [0.0, 1.0]
+        );
         assert!(!blocks.contact[0]);
     }
 }

@@ -1,4 +1,4 @@
-//! The lines above a picture: the case, the numbers of what is shown, and how far to trust them.
+//! The lines above a picture: the case, the numbers shown, and their accuracy.
 
 use super::svg::{Anchor, Svg};
 
@@ -8,17 +8,17 @@ pub const HEIGHT: f64 = 106.0;
 /// Sizes of the letters, in pixels.
 const TITLE: f64 = 23.0;
 const NUMBERS: f64 = 18.0;
-const TRUST: f64 = 14.0;
+const ACCURACY: f64 = 14.0;
 
-/// A letter is about this much as wide as it is high.
+/// Width of a letter over its height, about.
 const LETTER: f64 = 0.6;
 
 /// Draws a small third line below the two of [`draw`].
-pub fn draw_trust(svg: &mut Svg, left: f64, trust: &str) {
-    svg.text((left, 88.0), TRUST, Anchor::Start, trust);
+pub fn draw_accuracy(svg: &mut Svg, left: f64, accuracy: &str) {
+    svg.text((left, 88.0), ACCURACY, Anchor::Start, accuracy);
 }
 
-/// Draws title and numbers, the title cut to the width.
+/// Draws title and numbers; the title is cut to the width.
 pub fn draw(svg: &mut Svg, left: f64, width: f64, title: &str, numbers: &str) {
     let title = fitted(title, width, TITLE);
     svg.text((left, 26.0), TITLE, Anchor::Start, &title);

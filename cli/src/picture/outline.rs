@@ -1,11 +1,10 @@
-//! The outline of a set of elements: the sides between one that is in the set and one that is not, joined to long
-//! lines.
+//! The outline of a set of elements: the edges between an element in the set and one outside, joined into lines.
 
-/// Right, up, left, down: walking so, the set lies on the left hand.
+/// Right, up, left, down. Along an edge the set lies on the left.
 const DIRECTIONS: [(isize, isize); 4] = [(1, 0), (0, 1), (-1, 0), (0, -1)];
 
-/// Sides of elements, as ways that leave a corner: bit `d` of a corner is the way in direction `d`.
-struct Ways {
+/// The edges, by the corner that they leave: bit `d` of a corner is the edge in direction `d`.
+struct BoundaryEdges {
     corners: usize,
     leaving: Vec<u8>,
 }
@@ -14,45 +13,45 @@ struct Ways {
 /// elements, each with its first corner at its end if it is closed. The rim of the field is no outline.
 #[must_use]
 pub fn trace(cells: usize, inside: impl Fn(usize, usize) -> bool) -> Vec<Vec<(usize, usize)>> {
-    let mut ways = Ways::new(cells, inside);
+    let mut edges = BoundaryEdges::new(cells, inside);
     let mut lines = Vec::new();
-    // Lines that begin at the rim first, so that none of them is begun in its middle.
-    for corner in ways.beginnings() {
-        while ways.leaving[corner] != 0 {
-            lines.push(ways.follow(corner));
+    // Lines that begin at the rim first, so that none is begun in its middle.
+    for corner in edges.beginnings() {
+        while edges.leaving[corner] != 0 {
+            lines.push(edges.follow(corner));
         }
     }
-    for corner in 0..ways.leaving.len() {
-        while ways.leaving[corner] != 0 {
-            lines.push(ways.follow(corner));
+    for corner in 0..edges.leaving.len() {
+        while edges.leaving[corner] != 0 {
+            lines.push(edges.follow(corner));
         }
     }
     lines
 }
 
-impl Ways {
+impl BoundaryEdges {
     fn new(cells: usize, inside: impl Fn(usize, usize) -> bool) -> Self {
         let corners = cells + 1;
         let leaving = vec![0; corners * corners];
-        let mut ways = Self { corners, leaving };
+        let mut edges = Self { corners, leaving };
         for i in 0..cells {
             for j in 0..cells {
                 if inside(i, j) {
-                    ways.add(0, (i, j), j > 0 && !inside(i, j - 1));
-                    ways.add(1, (i + 1, j), i + 1 < cells && !inside(i + 1, j));
-                    ways.add(2, (i + 1, j + 1), j + 1 < cells && !inside(i, j + 1));
-                    ways.add(3, (i, j + 1), i > 0 && !inside(i - 1, j));
+                    edges.add(0, (i, j), j > 0 && !inside(i, j - 1));
+                    edges.add(1, (i + 1, j), i + 1 < cells && !inside(i + 1, j));
+                    edges.add(2, (i + 1, j + 1), j + 1 < cells && !inside(i, j + 1));
+                    edges.add(3, (i, j + 1), i > 0 && !inside(i - 1, j));
                 }
             }
         }
-        ways
+        edges
     }
 
     fn add(&mut self, direction: usize, (i, j): (usize, usize), is_side: bool) {
         self.leaving[i * self.corners + j] |= u8::from(is_side) << direction;
     }
 
-    /// Corners on the rim that ways leave.
+    /// Corners on the rim that an edge leaves.
     fn beginnings(&self) -> Vec<usize> {
         let last = self.corners - 1;
         let on_rim = |e: usize| {
@@ -63,7 +62,7 @@ impl Ways {
         (0..self.leaving.len()).filter(leaves).collect()
     }
 
-    /// Walks from a corner until no way goes on or the corner is met again; the ways walked are used up.
+    /// Follows the edges from a corner until none goes on or the corner is met again, and removes them.
     fn follow(&mut self, start: usize) -> Vec<(usize, usize)> {
         let mut line = vec![self.place(start)];
         let (mut at, mut heading) = (start, None);
@@ -82,7 +81,7 @@ impl Ways {
         line
     }
 
-    /// The way on: to the left where there is a choice, so that elements that meet in a corner stay apart.
+    /// The next edge: to the left where there is a choice, so that elements that meet in a corner stay apart.
     fn next(&self, at: usize, heading: Option<usize>) -> Option<usize> {
         let first = heading.map_or(0, |heading| heading + 1);
         let turns = [first, first + 3, first + 2, first + 1].map(|direction| direction % 4);

@@ -1,4 +1,4 @@
-//! Pixels as a PNG file of at most 256 colours, a third as large as one of all colours.
+//! Pixels as a PNG file of at most 256 colours, a third of the size of one with all colours.
 
 use std::io;
 
@@ -9,7 +9,7 @@ use super::png::encoder;
 /// Colours of a palette.
 const COLOURS: usize = 256;
 
-/// Every how manieth pixel the palette is fitted to: 1 is best and slowest, 30 the opposite.
+/// The palette is fitted to one pixel in so many: 1 is best and slowest, 30 the opposite.
 const SAMPLING: i32 = 3;
 
 /// Pixels of three bytes each, red, green and blue, as a PNG file with the palette that suits them best.

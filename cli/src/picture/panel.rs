@@ -1,8 +1,8 @@
 //! A rectangle with axes, in which values have places.
 
 use super::colours;
-use super::svg::{Anchor, Direction, Place, Stroke, Svg};
-use super::{axis, ticks};
+use super::svg::{Anchor, Rect, Stroke, Svg, TextDirection};
+use super::{labels, ticks};
 
 /// Sizes of the letters of labels and titles, in pixels.
 pub const LABEL: f64 = 17.0;
@@ -22,7 +22,7 @@ pub struct Axis {
     pub from: f64,
     /// The value at its other end, above or below the first.
     pub to: f64,
-    /// What it shows, with the unit.
+    /// Its quantity, with the unit.
     pub title: String,
     /// Values that are marked, with their labels.
     pub ticks: Vec<(f64, String)>,
@@ -35,7 +35,7 @@ impl Axis {
     #[must_use]
     pub fn new(from: f64, to: f64, title: String, count: usize) -> Self {
         let length = (to - from).abs();
-        let labelled = |tick| (tick, axis::label(tick, length));
+        let labelled = |tick| (tick, labels::tick(tick, length));
         let ticks = ticks::linear(from, to, count);
         Self {
             from,
@@ -51,7 +51,7 @@ impl Axis {
     pub fn logarithmic(smallest: f64, largest: f64, title: String) -> Self {
         let (from, to) = (smallest / 1.3, largest * 1.3);
         let ticks = ticks::logarithmic(from, to);
-        let labels = axis::logarithmic_labels(&ticks);
+        let labels = labels::logarithmic_ticks(&ticks);
         Self {
             from,
             to,
@@ -86,7 +86,7 @@ impl Axis {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Panel {
     /// Where the rectangle is; labels stand outside it.
-    pub place: Place,
+    pub place: Rect,
     /// The axis below.
     pub x: Axis,
     /// The axis on the left.
@@ -97,7 +97,7 @@ impl Panel {
     /// Where on the sheet a point is.
     #[must_use]
     pub fn at(&self, x: f64, y: f64) -> (f64, f64) {
-        let Place {
+        let Rect {
             left,
             width,
             height,
@@ -116,10 +116,7 @@ impl Panel {
 
     /// Draws the mesh, below what the panel shows.
     pub fn draw_mesh(&self, svg: &mut Svg) {
-        let stroke = Stroke {
-            colour: colours::GRID,
-            width: 1.0,
-        };
+        let stroke = Stroke::new(colours::GRID, 1.0);
         let across = self.x.ticks.iter().map(|(x, _)| {
             let (x, _) = self.at(*x, self.y.from);
             [(x, self.place.top), (x, self.place.bottom())]
@@ -133,12 +130,9 @@ impl Panel {
 
     /// Draws frame, ticks, labels and titles, above what the panel shows.
     pub fn draw_axes(&self, svg: &mut Svg) {
-        let Place { left, top, .. } = self.place;
+        let Rect { left, top, .. } = self.place;
         let (right, bottom) = (self.place.right(), self.place.bottom());
-        let stroke = Stroke {
-            colour: colours::INK,
-            width: 1.2,
-        };
+        let stroke = Stroke::new(colours::INK, 1.2);
         let frame = [
             (left, top),
             (left, bottom),
@@ -157,7 +151,13 @@ impl Panel {
             &self.x.title,
         );
         let place = (left - TITLE_LEFT, top.midpoint(bottom));
-        svg.directed_text(place, TITLE, Anchor::Middle, Direction::Up, &self.y.title);
+        svg.directed_text(
+            place,
+            TITLE,
+            Anchor::Middle,
+            TextDirection::Up,
+            &self.y.title,
+        );
     }
 
     fn draw_x_ticks(&self, svg: &mut Svg, stroke: Stroke) {
@@ -186,7 +186,7 @@ mod tests {
     #[test]
     fn values_have_their_places_also_on_an_axis_that_runs_down() {
         let panel = Panel {
-            place: Place {
+            place: Rect {
                 left: 10.0,
                 top: 20.0,
                 width: 100.0,

@@ -8,16 +8,16 @@ use resvg::{tiny_skia, usvg};
 use super::palette;
 use super::svg::FAMILY;
 
-/// Pixels of a picture per unit of its drawing. Twice as many take twice as long, some 0.1 s a picture; the drawing
-/// itself is what is sharp at any size.
+/// Pixels of a picture per unit of its drawing. Twice as many take twice as long; the drawing itself is sharp at any
+/// size.
 const ZOOM: f32 = 1.0;
 
 /// Pixels per metre of paper: 150 per inch, so that the widest picture fits a page.
 const DENSITY: u32 = 5906;
 
-/// What the bytes of a pixel are.
+/// The bytes of a pixel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub enum PixelFormat {
     /// Red, green, blue.
     Rgb,
     /// Red, green, blue, opacity.
@@ -37,13 +37,13 @@ static OPTIONS: LazyLock<usvg::Options<'static>> = LazyLock::new(|| {
 ///
 /// # Errors
 ///
-/// Whatever stands against rendering it: a drawing of this program that is not SVG, or no memory for its pixels.
+/// If the drawing is not SVG, or there is no memory for its pixels.
 pub fn render(svg: &str) -> io::Result<Vec<u8>> {
     let (width, height, rgb) = pixels(svg, ZOOM)?;
-    Ok(encode(width, height, Kind::Rgb, &rgb))
+    Ok(encode(width, height, PixelFormat::Rgb, &rgb))
 }
 
-/// The drawing as a PNG file with `zoom` pixels per unit of it, as few bytes as may be.
+/// The drawing as a PNG file with `zoom` pixels per unit of it, in as few bytes as possible.
 ///
 /// # Errors
 ///
@@ -63,7 +63,7 @@ fn pixels(svg: &str, zoom: f32) -> io::Result<(usize, usize, Vec<u8>)> {
     resvg::render(&tree, zoom, &mut pixels.as_mut());
     let (width, height) = (pixels.width() as usize, pixels.height() as usize);
     let mut rgb = vec![0; 3 * width * height];
-    // The last row and column may reach past the sheet: on paper what is not covered is white.
+    // The last row and column may reach past the sheet, where paper is white.
     for (rgb, pixel) in rgb.chunks_exact_mut(3).zip(pixels.data().chunks_exact(4)) {
         let paper = 255 - pixel[3];
         for (channel, value) in rgb.iter_mut().zip(pixel) {
@@ -73,11 +73,11 @@ fn pixels(svg: &str, zoom: f32) -> io::Result<(usize, usize, Vec<u8>)> {
     Ok((width, height, rgb))
 }
 
-/// Pixels as a PNG file; an empty one where the sides do not fit the pixels.
+/// Pixels as a PNG file; an empty one if the sides do not fit the pixels.
 #[must_use]
-pub fn encode(width: usize, height: usize, kind: Kind, pixels: &[u8]) -> Vec<u8> {
+pub fn encode(width: usize, height: usize, kind: PixelFormat, pixels: &[u8]) -> Vec<u8> {
     let mut bytes = Vec::new();
-    // Writing to memory fails only where the sides do not fit the pixels.
+    // Writing to memory fails only if the sides do not fit the pixels.
     drop(try_encode(&mut bytes, width, height, kind, pixels));
     bytes
 }
@@ -86,18 +86,17 @@ fn try_encode(
     bytes: &mut Vec<u8>,
     width: usize,
     height: usize,
-    kind: Kind,
+    kind: PixelFormat,
     pixels: &[u8],
 ) -> Result<(), png::EncodingError> {
     let mut encoder = encoder(bytes, width, height);
     encoder.set_color(match kind {
-        Kind::Rgb => png::ColorType::Rgb,
-        Kind::Rgba => png::ColorType::Rgba,
+        PixelFormat::Rgb => png::ColorType::Rgb,
+        PixelFormat::Rgba => png::ColorType::Rgba,
     });
     encoder.set_depth(png::BitDepth::Eight);
     encoder.set_compression(png::Compression::Fast);
-    // As small as with a filter chosen for each row, which the compression sets, and a twentieth of a curve's run
-    // saved.
+    // As small as with a filter chosen for each row, which is the compression's own choice, and faster.
     encoder.set_filter(png::Filter::Paeth);
     encoder.write_header()?.write_image_data(pixels)
 }
@@ -121,7 +120,7 @@ pub(super) fn encoder(
 #[cfg(test)]
 mod tests {
     use super::super::colours::Colour;
-    use super::super::svg::{Anchor, Place, Svg};
+    use super::super::svg::{Anchor, Rect, Svg};
     use super::*;
 
     fn pixels(svg: Svg) -> (usize, Vec<u8>) {
@@ -135,7 +134,7 @@ mod tests {
     #[test]
     fn a_rectangle_has_its_colour_and_its_place() {
         let mut svg = Svg::new(20.0, 10.0);
-        let place = Place {
+        let place = Rect {
             left: 10.0,
             top: 0.0,
             width: 10.0,

@@ -1,17 +1,17 @@
 //! The pressure of one loading step over the surface, with the outlines of the contact and of the relief.
 
-use super::coarse::Coarse;
-use super::colour_map::Shades;
+use super::coarse_field::CoarseField;
+use super::colour_map::ColourScale;
 use super::colours::{self, Colour};
+use super::crop::Crop;
 use super::panel::{Axis, Panel};
 use super::raster::Raster;
 use super::subject::Subject;
-use super::svg::{Anchor, Place, Stroke, Svg};
-use super::window::Window;
-use super::{axis, colour_bar, heading, outline};
+use super::svg::{Anchor, Rect, Stroke, Svg};
+use super::{colour_bar, heading, labels, outline};
 
 /// The map itself, in pixels.
-pub(super) const MAP: Place = Place {
+pub(super) const MAP: Rect = Rect {
     left: 112.0,
     top: heading::HEIGHT,
     width: 760.0,
@@ -40,30 +40,34 @@ pub fn name(step: usize) -> String {
 #[must_use]
 pub fn draw(subject: &Subject<'_>) -> String {
     let fields = &subject.fields;
-    let window = Window::around_contact(fields.pressure, fields.size);
-    let coarse = Coarse::new(fields, &window, CELLS);
+    let crop = Crop::around_contact(fields.pressure, fields.size);
+    let coarse = CoarseField::new(fields, &crop, CELLS);
     let (scale, shades) = subject.pressures();
     let mut svg = subject.style.sheet(WIDTH, HEIGHT);
     subject.draw_heading(&mut svg, MAP.left, WIDTH - MAP.left, "");
     let (panel, metres) = panel(subject, coarse.ends());
-    let pascals = Shades {
+    let pascals = ColourScale {
         from: shades.from * scale.divisor,
         to: shades.to * scale.divisor,
         ..shades
     };
     draw_field(&mut svg, &panel, &coarse, metres, &pascals);
     panel.draw_axes(&mut svg);
-    draw_bar(&mut svg, &shades, &axis::title("pressure p", &scale.label));
+    draw_bar(
+        &mut svg,
+        &shades,
+        &labels::axis_title("pressure p", &scale.label),
+    );
     draw_legend(&mut svg, fields.mask.contains(&true));
     svg.finish()
 }
 
-/// The panel of a map whose sides along x and y have these ends, m; its axes are in the unit that suits them.
+/// The panel of a map whose sides along x and y have these ends, m, with axes in a suitable unit; and the divisor to it.
 pub(super) fn panel(subject: &Subject<'_>, [x, y]: [[f64; 2]; 2]) -> (Panel, f64) {
     let farthest = [x, y].concat().into_iter().map(f64::abs);
     let scale = subject.metres(farthest.fold(0.0, f64::max));
     let along = |[from, to]: [f64; 2], symbol| {
-        let title = axis::title(symbol, &scale.label);
+        let title = labels::axis_title(symbol, &scale.label);
         Axis::new(from / scale.divisor, to / scale.divisor, title, 7)
     };
     let panel = Panel {
@@ -74,8 +78,14 @@ pub(super) fn panel(subject: &Subject<'_>, [x, y]: [[f64; 2]; 2]) -> (Panel, f64
     (panel, scale.divisor)
 }
 
-/// Draws pressure, relief and outlines where a panel's axes have them; coordinates are divided by `divisor`.
-pub fn draw_field(svg: &mut Svg, panel: &Panel, coarse: &Coarse, divisor: f64, shades: &Shades) {
+/// Draws pressure, relief and outlines on a panel; coordinates are divided by `divisor`.
+pub fn draw_field(
+    svg: &mut Svg,
+    panel: &Panel,
+    coarse: &CoarseField,
+    divisor: f64,
+    shades: &ColourScale,
+) {
     let place = within(panel, coarse.ends(), divisor);
     let cells = coarse.cells;
     let colour = |i, j: usize| colour(coarse, i, cells - 1 - j, shades);
@@ -86,11 +96,11 @@ pub fn draw_field(svg: &mut Svg, panel: &Panel, coarse: &Coarse, divisor: f64, s
     draw_outline(svg, place, cells, contact, pen(colours::INK));
 }
 
-/// Where a panel has a rectangle whose sides have these ends, divided by `divisor`.
-pub(super) fn within(panel: &Panel, ends: [[f64; 2]; 2], divisor: f64) -> Place {
+/// The place on a panel of a square whose sides have these ends, divided by `divisor`.
+pub(super) fn within(panel: &Panel, ends: [[f64; 2]; 2], divisor: f64) -> Rect {
     let [[left, right], [low, high]] = ends.map(|ends| ends.map(|x| x / divisor));
     let ((left, top), (right, bottom)) = (panel.at(left, high), panel.at(right, low));
-    Place {
+    Rect {
         left,
         top,
         width: right - left,
@@ -101,7 +111,7 @@ pub(super) fn within(panel: &Panel, ends: [[f64; 2]; 2], divisor: f64) -> Place 
 /// Draws the outline of the cells that are inside.
 pub(super) fn draw_outline(
     svg: &mut Svg,
-    field: Place,
+    field: Rect,
     cells: usize,
     inside: impl Fn(usize, usize) -> bool,
     stroke: Stroke,
@@ -123,13 +133,12 @@ pub(super) fn draw_outline(
 
 /// The line of an outline.
 pub(super) fn pen(colour: Colour) -> Stroke {
-    let width = OUTLINE;
-    Stroke { colour, width }
+    Stroke::new(colour, OUTLINE)
 }
 
 /// Draws the bar beside the map.
-pub(super) fn draw_bar(svg: &mut Svg, shades: &Shades, title: &str) {
-    let bar = Place {
+pub(super) fn draw_bar(svg: &mut Svg, shades: &ColourScale, title: &str) {
+    let bar = Rect {
         left: MAP.right() + GAP,
         width: BAR,
         ..MAP
@@ -137,12 +146,12 @@ pub(super) fn draw_bar(svg: &mut Svg, shades: &Shades, title: &str) {
     colour_bar::draw(svg, bar, shades, title);
 }
 
-/// What grey means, below the bar.
+/// The legend of grey, below the bar.
 fn draw_legend(svg: &mut Svg, has_relief: bool) {
     if !has_relief {
         return;
     }
-    let swatch = Place {
+    let swatch = Rect {
         left: MAP.right() + GAP,
         top: MAP.bottom() + 28.0,
         width: 18.0,
@@ -155,7 +164,7 @@ fn draw_legend(svg: &mut Svg, has_relief: bool) {
 
 /// The colour of a cell.
 #[must_use]
-pub fn colour(coarse: &Coarse, i: usize, j: usize, shades: &Shades) -> Colour {
+pub fn colour(coarse: &CoarseField, i: usize, j: usize, shades: &ColourScale) -> Colour {
     let pressure = coarse.pressure(i, j);
     match (pressure > 0.0, coarse.is_relief(i, j)) {
         (true, _) => shades.colour(pressure),

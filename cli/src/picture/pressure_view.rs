@@ -1,22 +1,22 @@
 //! The pressure of one loading step as columns over the plane, like figures 2 and 5 of the paper.
 
-use super::coarse::Coarse;
+use super::coarse_field::CoarseField;
+use super::crop::Crop;
 use super::panel::Axis;
+use super::panel_3d::Panel3d;
 use super::projection::Projection;
-use super::scene::Scene;
 use super::subject::Subject;
-use super::svg::Place;
-use super::window::Window;
-use super::{axis, colour_bar, heading};
+use super::svg::Rect;
+use super::{colour_bar, heading, labels};
 
 /// The scene, in pixels.
-const SCENE: Place = Place {
+const SCENE: Rect = Rect {
     left: 0.0,
     top: heading::HEIGHT,
     width: 940.0,
     height: 730.0,
 };
-const BAR: Place = Place {
+const BAR: Rect = Rect {
     left: 950.0,
     top: heading::HEIGHT + 150.0,
     width: 26.0,
@@ -45,19 +45,19 @@ pub fn name(step: usize) -> String {
 #[must_use]
 pub fn draw(subject: &Subject<'_>) -> String {
     let fields = &subject.fields;
-    let window = Window::around_contact(fields.pressure, fields.size);
-    let coarse = Coarse::new(fields, &window, CELLS);
+    let crop = Crop::around_contact(fields.pressure, fields.size);
+    let coarse = CoarseField::new(fields, &crop, CELLS);
     let (scale, shades) = subject.pressures();
     let mut svg = subject.style.sheet(WIDTH, HEIGHT);
     subject.draw_heading(&mut svg, HEADING_LEFT, WIDTH - HEADING_LEFT, "");
     let metres = subject.metres(coarse.farthest());
     let along = |[from, to]: [f64; 2], symbol: &str| {
-        let title = axis::title(symbol, &metres.label);
+        let title = labels::axis_title(symbol, &metres.label);
         Axis::new(from / metres.divisor, to / metres.divisor, title, 6)
     };
-    let title = axis::title("p", &scale.label);
+    let title = labels::axis_title("p", &scale.label);
     let pressure = Axis::new(shades.from, shades.to, title, 5);
-    let scene = Scene {
+    let scene = Panel3d {
         place: SCENE,
         view: VIEW,
         x: along(coarse.x, "x"),
@@ -65,7 +65,7 @@ pub fn draw(subject: &Subject<'_>) -> String {
         z: pressure,
     };
     scene.draw(&mut svg, &coarse, (metres.divisor, scale.divisor), &shades);
-    let title = axis::title("pressure p", &scale.label);
+    let title = labels::axis_title("pressure p", &scale.label);
     colour_bar::draw(&mut svg, BAR, &shades, &title);
     svg.finish()
 }

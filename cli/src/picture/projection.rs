@@ -11,12 +11,12 @@ pub struct Projection {
     pub unit: f64,
     /// Pixels to the height of the box.
     pub height: f64,
-    /// Where the middle of the box's floor is on the sheet.
+    /// The middle of the box's floor on the sheet.
     pub centre: (f64, f64),
 }
 
 impl Projection {
-    /// Where on the sheet a point of the box is; y of the sheet runs downwards.
+    /// The place on the sheet of a point of the box; y of the sheet runs downwards.
     #[must_use]
     pub fn at(&self, [x, y, z]: [f64; 3]) -> (f64, f64) {
         let (sin, cos) = TURN.sin_cos();
@@ -24,13 +24,13 @@ impl Projection {
         (self.centre.0 + self.unit * right, self.row(away, z))
     }
 
-    /// Where on the sheet a point is, downwards, that lies so far behind the middle and so high.
+    /// The row on the sheet, downwards, of a point this far behind the middle and this high.
     #[must_use]
     pub fn row(&self, away: f64, z: f64) -> f64 {
         self.centre.1 - away * ELEVATION.sin() * self.unit - z * ELEVATION.cos() * self.height
     }
 
-    /// What is seen so far to the right on the sheet.
+    /// The line of sight through the points of the sheet this far to the right.
     #[must_use]
     pub fn line_of_sight(&self, x: f64) -> LineOfSight {
         let (sin, cos) = TURN.sin_cos();
@@ -42,17 +42,17 @@ impl Projection {
     }
 }
 
-/// What lies behind one another for the eye: a straight line of the plan.
+/// The points of the plan that lie behind one another for the eye: a straight line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LineOfSight {
-    /// Where it passes beside the middle of the floor.
+    /// Its nearest point to the middle of the floor.
     origin: [f64; 2],
     /// Away from the eye; positive along both axes.
     direction: [f64; 2],
 }
 
 impl LineOfSight {
-    /// How far behind the middle it crosses an edge across the x (0) or the y axis (1).
+    /// The distance behind the middle at which it crosses an edge across the x (0) or the y axis (1).
     #[must_use]
     pub fn distance(&self, axis: usize, edge: f64) -> f64 {
         (edge - self.origin[axis]) / self.direction[axis]

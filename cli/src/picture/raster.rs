@@ -1,4 +1,4 @@
-//! A small picture of pixels, to be placed in a drawing.
+//! A small image of pixels, placed in a drawing.
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
@@ -15,7 +15,7 @@ pub struct Raster {
 }
 
 impl Raster {
-    /// A raster of nothing.
+    /// A transparent raster.
     #[must_use]
     pub fn transparent(width: usize, height: usize) -> Self {
         Self {
@@ -48,16 +48,16 @@ impl Raster {
         self.rgba[at..at + 4].copy_from_slice(&rgba);
     }
 
-    /// How opaque each pixel is.
+    /// The opacity of each pixel.
     #[cfg(test)]
     pub fn opacities(&self) -> impl Iterator<Item = u8> {
         self.rgba.chunks_exact(4).map(|pixel| pixel[3])
     }
 
-    /// The raster as the address of a PNG image inside a document.
+    /// The raster as a `data:` address of a PNG image.
     #[must_use]
     pub fn data_address(&self) -> String {
-        let bytes = png::encode(self.width, self.height, png::Kind::Rgba, &self.rgba);
+        let bytes = png::encode(self.width, self.height, png::PixelFormat::Rgba, &self.rgba);
         format!("data:image/png;base64,{}", STANDARD.encode(bytes))
     }
 }

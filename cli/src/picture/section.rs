@@ -4,28 +4,28 @@
 use std::ops::Range;
 
 use super::colours::{self, Colour};
-use super::number::power;
+use super::crop::Crop;
+use super::labels::power;
 use super::panel::{Axis, Panel};
 use super::style::Cut;
 use super::subject::Subject;
-use super::svg::{Anchor, Place, Stroke, Svg};
-use super::window::Window;
-use super::{axis, heading};
+use super::svg::{Anchor, Rect, Stroke, Svg};
+use super::{heading, labels};
 use crate::display::{Scale, Unit, quantity};
 
 const LEFT: f64 = 112.0;
 const PANEL_WIDTH: f64 = 940.0;
 /// Width of the picture, in pixels.
 pub const WIDTH: f64 = LEFT + PANEL_WIDTH + 40.0;
-const PRESSURE: Place = Place {
+const PRESSURE: Rect = Rect {
     left: LEFT,
     top: heading::HEIGHT,
     width: PANEL_WIDTH,
     height: 230.0,
 };
-/// Between the panels: the legend.
+/// Height between the panels, for the legend.
 const BETWEEN: f64 = 44.0;
-const DEPTH: Place = Place {
+const DEPTH: Rect = Rect {
     left: LEFT,
     top: PRESSURE.top + PRESSURE.height + BETWEEN,
     width: PANEL_WIDTH,
@@ -33,7 +33,7 @@ const DEPTH: Place = Place {
 };
 const HEIGHT: f64 = DEPTH.top + DEPTH.height + 72.0;
 
-/// What the depth axis shows above the highest point of the surface and below the deepest, as parts of the depth
+/// Margins of the depth axis above the highest point of the surface and below the deepest, as parts of the depth
 /// between.
 const ABOVE: f64 = 0.3;
 const BELOW: f64 = 0.12;
@@ -50,7 +50,7 @@ pub fn name(step: usize) -> String {
 struct Depths<'a> {
     subject: &'a Subject<'a>,
     line: Line,
-    /// The elements of it that are shown.
+    /// The elements shown.
     elements: Range<usize>,
 }
 
@@ -74,7 +74,7 @@ impl Line {
         }
     }
 
-    /// What runs along it and what is the same all along, and its index there.
+    /// The coordinate that runs along it, the one that is constant, and the index of the latter.
     fn names(self) -> (&'static str, &'static str, usize) {
         match self {
             Self::AlongX(index) => ("x", "y", index),
@@ -100,13 +100,13 @@ fn peak(pressure: &[f64]) -> usize {
 pub fn draw(subject: &Subject<'_>) -> String {
     let fields = &subject.fields;
     let line = Line::of(subject);
-    let window = Window::around_contact(fields.pressure, fields.size);
+    let crop = Crop::around_contact(fields.pressure, fields.size);
     let depths = Depths {
         subject,
         line,
         elements: match line {
-            Line::AlongX(_) => window.x,
-            Line::AlongY(_) => window.y,
+            Line::AlongX(_) => crop.x,
+            Line::AlongY(_) => crop.y,
         },
     };
     let mut svg = subject.style.sheet(WIDTH, HEIGHT);
@@ -129,7 +129,7 @@ impl Depths<'_> {
         }
     }
 
-    /// What the indenter meets: `u + w* − f*`.
+    /// The surface that the indenter meets: `u + w* − f*`.
     fn top(&self, i: usize) -> f64 {
         let (fields, e) = (&self.subject.fields, self.element(i));
         fields.displacement[e] + fields.shortening[e] - fields.profile[e]
@@ -170,7 +170,7 @@ impl Depths<'_> {
     fn x_axis(&self) -> (Axis, Scale) {
         let [from, to] = self.ends();
         let scale = self.subject.metres(from.abs().max(to.abs()));
-        let title = axis::title(self.line.names().0, &scale.label);
+        let title = labels::axis_title(self.line.names().0, &scale.label);
         let (from, to) = (from / scale.divisor, to / scale.divisor);
         (Axis::new(from, to, title, 8), scale)
     }
@@ -182,7 +182,7 @@ impl Depths<'_> {
         let panel = Panel {
             place: PRESSURE,
             x: x.unlabelled(),
-            y: Axis::new(from, to, axis::title("p", &scale.label), 5),
+            y: Axis::new(from, to, labels::axis_title("p", &scale.label), 5),
         };
         // The pressure is constant over an element.
         let steps = self.elements.clone().flat_map(|i| {
@@ -195,7 +195,7 @@ impl Depths<'_> {
         let ground = PRESSURE.bottom();
         svg.within(PRESSURE, |svg| {
             svg.area(&closed(&line, ground), Colour(200, 220, 236));
-            svg.line(&line, stroke(colours::BLUE, 1.6));
+            svg.line(&line, Stroke::new(colours::BLUE, 1.6));
         });
         panel.draw_axes(svg);
     }
@@ -211,7 +211,7 @@ impl Depths<'_> {
         } else {
             1.0
         };
-        let title = axis::title("depth z", &scale.label);
+        let title = labels::axis_title("depth z", &scale.label);
         let panel = Panel {
             place: DEPTH,
             x,
@@ -242,11 +242,11 @@ impl Depths<'_> {
             for indenter in &indenters {
                 svg.area(&closed(indenter, DEPTH.top), colours::INDENTER);
             }
-            svg.lines(&bodies, stroke(colours::ORANGE, LINE));
-            svg.lines(&tops, stroke(colours::BLUE, LINE));
-            svg.lines(&indenters, stroke(colours::INK, LINE));
+            svg.lines(&bodies, Stroke::new(colours::ORANGE, LINE));
+            svg.lines(&tops, Stroke::new(colours::BLUE, LINE));
+            svg.lines(&indenters, Stroke::new(colours::INK, LINE));
             let plane = panel.all_at([(panel.x.from, 0.0), (panel.x.to, 0.0)]);
-            svg.line(&plane, stroke(colours::RELIEF_OUTLINE, 1.0));
+            svg.line(&plane, Stroke::new(colours::RELIEF_OUTLINE, 1.0));
         });
         panel.draw_axes(svg);
         let depths = (panel.y.from - panel.y.to) * scale.divisor;
@@ -303,14 +303,10 @@ impl Depths<'_> {
         let y = DEPTH.top - 22.0;
         for (i, (colour, name)) in entries.into_iter().enumerate() {
             let x = LEFT + 230.0 * i as f64;
-            svg.line(&[(x, y), (x + 34.0, y)], stroke(colour, 3.0));
+            svg.line(&[(x, y), (x + 34.0, y)], Stroke::new(colour, 3.0));
             svg.text((x + 42.0, y), 17.0, Anchor::Start, name);
         }
     }
-}
-
-fn stroke(colour: Colour, width: f64) -> Stroke {
-    Stroke { colour, width }
 }
 
 /// The area between a line and a level.

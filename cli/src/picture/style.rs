@@ -1,35 +1,35 @@
-//! How pictures are to look.
+//! The look of pictures.
 
 use super::colour_map::ColourMap;
 use super::heading;
 use super::svg::{Frame, Svg};
 
-/// What may be ordered of a picture.
+/// The options of a picture's look.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Style {
-    /// Width on the screen and of the PNG, in pixels; that of the drawing unless given.
+    /// Width on the screen and of the PNG, in pixels; by default that of the drawing.
     pub width: Option<f64>,
-    /// Whether the lines above a picture are there.
+    /// Whether there is a heading.
     pub heading: Heading,
     /// The colours of a map.
     pub colours: ColourMap,
-    /// Ends of the scale of pressures, Pa; from 0 to the largest unless given.
+    /// Ends of the scale of pressures, Pa; by default 0 and the largest.
     pub pressures: Option<[f64; 2]>,
-    /// Where a section is.
+    /// The place of the section.
     pub cut: Cut,
 }
 
-/// Whether the lines above a picture are there.
+/// Whether a picture has the lines above it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Heading {
-    /// They are.
+    /// It has.
     #[default]
     Shown,
-    /// They are not, nor is their room.
+    /// It has not, nor room for them.
     Hidden,
 }
 
-/// Where a section is.
+/// The place of a section.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Cut {
     /// Along x, through the axis.
@@ -43,11 +43,11 @@ pub enum Cut {
     AlongY(f64),
 }
 
-/// What stays above a picture without heading, in pixels: labels reach a little higher than what they stand at.
+/// Room left above a picture without heading, in pixels: labels reach a little above their ticks.
 const ABOVE: f64 = 16.0;
 
 impl Style {
-    /// A white sheet for a picture of this width and height, which begins below a heading.
+    /// A white sheet for a picture of this width and height, heading included.
     #[must_use]
     pub fn sheet(&self, width: f64, height: f64) -> Svg {
         let top = match self.heading {

@@ -1,10 +1,10 @@
-//! What a picture of one loading step shows.
+//! The subject of a picture: one loading step.
 
-use super::colour_map::Shades;
+use super::accuracy;
+use super::colour_map::ColourScale;
 use super::heading;
 use super::style::{Heading, Style};
 use super::svg::Svg;
-use super::trust;
 use crate::case::units::Units;
 use crate::display::{self, Scale, Unit};
 use crate::output::fields::Fields;
@@ -13,9 +13,9 @@ use crate::output::summary::StepSummary;
 /// One loading step: its numbers and its fields.
 #[derive(Debug, Clone, Copy)]
 pub struct Subject<'a> {
-    /// Of the case.
+    /// Title of the case.
     pub title: &'a str,
-    /// Of the case.
+    /// Units of the case.
     pub units: Units,
     /// Height of the relief above the surface of the body, m, where it is the same everywhere.
     pub relief_height: Option<f64>,
@@ -23,12 +23,12 @@ pub struct Subject<'a> {
     pub step: &'a StepSummary,
     /// Its fields.
     pub fields: Fields<'a>,
-    /// How it is to look.
+    /// Style of the picture.
     pub style: Style,
 }
 
 impl Subject<'_> {
-    /// The second line of a heading: force, penetration, largest pressure; and if they are not to be used.
+    /// The second line of a heading: force, penetration, largest pressure, and a mark if they must not be used.
     #[must_use]
     pub fn numbers(&self) -> String {
         let quantity = |value, unit| display::quantity(value, unit, self.units);
@@ -45,19 +45,19 @@ impl Subject<'_> {
         )
     }
 
-    /// Draws the heading, if there is to be one; `more` follows the numbers.
+    /// Draws the heading, if the style shows one; `more` follows the numbers.
     pub fn draw_heading(&self, svg: &mut Svg, left: f64, width: f64, more: &str) {
         if self.style.heading == Heading::Shown {
             let numbers = self.numbers() + more;
             heading::draw(svg, left, width, self.title, &numbers);
-            heading::draw_trust(svg, left, &self.trust());
+            heading::draw_accuracy(svg, left, &self.accuracy());
         }
     }
 
     /// The third line of a heading: grid, certificate, grid error.
     #[must_use]
-    pub fn trust(&self) -> String {
-        trust::of_step(self.fields.size, self.step)
+    pub fn accuracy(&self) -> String {
+        accuracy::of_step(self.fields.size, self.step)
     }
 
     /// The largest pressure, Pa; 0 without contact.
@@ -75,7 +75,7 @@ impl Subject<'_> {
     /// The scale of the pressures, and their colours in its unit: as ordered, or from 0 to the largest pressure, or to
     /// 1 without contact.
     #[must_use]
-    pub fn pressures(&self) -> (Scale, Shades) {
+    pub fn pressures(&self) -> (Scale, ColourScale) {
         let [from, to] = (self.style.pressures).unwrap_or([0.0, self.largest_pressure()]);
         let scale = Scale::of(to, Unit::Pascal, self.units);
         let [from, to] = [from, to].map(|end| end / scale.divisor);
@@ -85,6 +85,6 @@ impl Subject<'_> {
             (0.0, 1.0)
         };
         let map = self.style.colours;
-        (scale, Shades { map, from, to })
+        (scale, ColourScale { map, from, to })
     }
 }

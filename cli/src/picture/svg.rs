@@ -6,7 +6,7 @@ use super::raster::Raster;
 /// The typeface, embedded in the program; Verdana has the same widths where a browser has no `DejaVu Sans`.
 pub const FAMILY: &str = "DejaVu Sans";
 
-/// Which point of a text its place is.
+/// The point of a text that stands at its place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Anchor {
     /// Its beginning.
@@ -17,9 +17,9 @@ pub enum Anchor {
     End,
 }
 
-/// Which way a text runs.
+/// The way a text runs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Direction {
+pub enum TextDirection {
     /// From left to right.
     Across,
     /// From below to above.
@@ -35,6 +35,14 @@ pub struct Stroke {
     pub width: f64,
 }
 
+impl Stroke {
+    /// A line of this colour and width.
+    #[must_use]
+    pub fn new(colour: Colour, width: f64) -> Self {
+        Self { colour, width }
+    }
+}
+
 /// Whether a line is broken.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Dash {
@@ -46,7 +54,7 @@ pub enum Dash {
 
 /// A rectangle, in pixels from the top left.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Place {
+pub struct Rect {
     /// Left side.
     pub left: f64,
     /// Upper side.
@@ -57,7 +65,7 @@ pub struct Place {
     pub height: f64,
 }
 
-impl Place {
+impl Rect {
     /// Its right side.
     #[must_use]
     pub fn right(&self) -> f64 {
@@ -71,20 +79,20 @@ impl Place {
     }
 }
 
-/// A drawing under way; lengths are in pixels, y runs downwards.
+/// A drawing in progress; lengths are in pixels, y runs downwards.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Svg {
     text: String,
 }
 
-/// What is seen of a drawing, and how large.
+/// The part of a drawing that is shown, and its size.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Frame {
     /// Width of the drawing.
     pub width: f64,
-    /// Its height, with what is cut off.
+    /// Its height, the part cut off included.
     pub height: f64,
-    /// How much is cut off above.
+    /// Height cut off at the top.
     pub top: f64,
     /// Width at which it is shown.
     pub shown_width: f64,
@@ -102,7 +110,7 @@ impl Svg {
         })
     }
 
-    /// A white sheet of which a part is shown, at some size.
+    /// A white sheet, of which a part is shown.
     #[must_use]
     pub fn framed(frame: &Frame) -> Self {
         let Frame {
@@ -122,7 +130,7 @@ impl Svg {
             number(height)
         );
         let mut svg = Self { text };
-        let sheet = Place {
+        let sheet = Rect {
             left: 0.0,
             top,
             width,
@@ -140,7 +148,7 @@ impl Svg {
     }
 
     /// A filled rectangle.
-    pub fn rectangle(&mut self, place: Place, colour: Colour) {
+    pub fn rectangle(&mut self, place: Rect, colour: Colour) {
         let place = attributes(place);
         self.push(&format!("<rect {place} fill=\"{colour}\"/>"));
     }
@@ -190,9 +198,9 @@ impl Svg {
         ));
     }
 
-    /// A text, its middle line at the height of the point.
+    /// A text, centred on the height of the point.
     pub fn text(&mut self, (x, y): (f64, f64), size: f64, anchor: Anchor, text: &str) {
-        self.directed_text((x, y), size, anchor, Direction::Across, text);
+        self.directed_text((x, y), size, anchor, TextDirection::Across, text);
     }
 
     /// A text that runs in a direction.
@@ -201,15 +209,15 @@ impl Svg {
         (x, y): (f64, f64),
         size: f64,
         anchor: Anchor,
-        direction: Direction,
+        direction: TextDirection,
         text: &str,
     ) {
         if text.is_empty() {
             return;
         }
         let turn = match direction {
-            Direction::Across => String::new(),
-            Direction::Up => format!(" transform=\"rotate(-90 {} {})\"", number(x), number(y)),
+            TextDirection::Across => String::new(),
+            TextDirection::Up => format!(" transform=\"rotate(-90 {} {})\"", number(x), number(y)),
         };
         let anchor = match anchor {
             Anchor::Start => "start",
@@ -224,16 +232,16 @@ impl Svg {
         ));
     }
 
-    /// A raster stretched over a place, its pixels sharp.
-    pub fn image(&mut self, place: Place, raster: &Raster) {
+    /// A raster stretched over a rectangle, its pixels sharp.
+    pub fn image(&mut self, place: Rect, raster: &Raster) {
         let (place, address) = (attributes(place), raster.data_address());
         self.push(&format!(
             "<image {place} preserveAspectRatio=\"none\" style=\"image-rendering:pixelated\" href=\"{address}\"/>"
         ));
     }
 
-    /// What is drawn within a place and cut off at its sides.
-    pub fn within(&mut self, place: Place, draw: impl FnOnce(&mut Self)) {
+    /// Draws within a rectangle and cuts off at its sides.
+    pub fn within(&mut self, place: Rect, draw: impl FnOnce(&mut Self)) {
         let attributes = attributes(place);
         let [left, top, width, height] =
             [place.left, place.top, place.width, place.height].map(number);
@@ -250,7 +258,7 @@ impl Svg {
     }
 }
 
-fn attributes(place: Place) -> String {
+fn attributes(place: Rect) -> String {
     let [x, y, width, height] = [place.left, place.top, place.width, place.height].map(number);
     format!("x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\"")
 }
@@ -263,11 +271,11 @@ fn path(points: &[(f64, f64)]) -> String {
     points.iter().enumerate().map(step).collect()
 }
 
-/// Coordinates farther away than this are drawn here: nobody sees the difference, and the renderer counts quarters of
-/// pixels in 16 bits and panics beyond.
+/// The largest coordinate drawn. Nothing beyond it is on the sheet, and the renderer, which counts quarters of pixels in
+/// 16 bits, panics there.
 const FARTHEST: f64 = 8e3;
 
-/// A coordinate to a hundredth of a pixel, in the fewest letters; what is no number is at 0.
+/// A coordinate to a hundredth of a pixel, in the fewest letters; 0 for NaN.
 fn number(value: f64) -> String {
     let value = if value.is_nan() {
         0.0
@@ -283,7 +291,7 @@ fn number(value: f64) -> String {
     }
 }
 
-/// The text with the five letters replaced that mean something in XML; what XML cannot hold is left out.
+/// The text with the five special characters of XML escaped; a space stands for those that XML cannot hold.
 #[must_use]
 pub fn escaped(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
@@ -329,10 +337,7 @@ mod tests {
     #[test]
     fn many_lines_are_one_element() {
         let mut svg = Svg::new(10.0, 10.0);
-        let stroke = Stroke {
-            colour: colours::INK,
-            width: 1.0,
-        };
+        let stroke = Stroke::new(colours::INK, 1.0);
         svg.lines(
             &[vec![(0.0, 0.0), (1.0, 2.5)], vec![(3.0, 3.0), (4.0, 4.0)]],
             stroke,

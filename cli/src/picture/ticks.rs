@@ -1,4 +1,4 @@
-//! Where the ticks of an axis stand.
+//! The ticks of an axis.
 
 /// The multiples of 1, 2 or 5 times a power of ten between two ends, about `count` of them.
 #[must_use]
@@ -25,7 +25,7 @@ fn round_step(step: f64) -> f64 {
     [1.0, 2.0, 5.0].into_iter().find(fits).unwrap_or(10.0) * power
 }
 
-/// Fewest ticks of a logarithmic axis, and most: with fewer nobody sees what kind of axis it is, with more labels meet.
+/// Fewest and most ticks of a logarithmic axis: fewer do not show what kind of axis it is, more let labels meet.
 const FEWEST: usize = 3;
 const MOST: usize = 10;
 
@@ -37,8 +37,8 @@ const DIGITS: [&[f64]; 4] = [
     &[1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0],
 ];
 
-/// The round numbers between two positive ends: powers of ten, or so many between them that there are at least three;
-/// on an axis too short for any of them those of a linear one. None where the ends are no positive numbers.
+/// The round numbers between two positive ends: powers of ten, with numbers between them until there are at least
+/// three; on a very short axis the ticks of a linear one. None if an end is not a positive number.
 #[must_use]
 pub fn logarithmic(from: f64, to: f64) -> Vec<f64> {
     let (low, high) = (from.min(to), from.max(to));

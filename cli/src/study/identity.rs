@@ -1,4 +1,4 @@
-//! `study.json`: what makes a study this one and no other, beside the table of its results.
+//! `study.json`, beside the table of results: it tells one study from another.
 
 use std::fs;
 use std::io::Write;
@@ -14,26 +14,26 @@ use crate::output::{file, json};
 /// Name and version of the layout.
 const SCHEMA: &str = "pellicle-study/1";
 
-/// A study and its part, as remembered in its folder.
+/// A study and its part, as stored in its folder.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Identity {
+pub struct StudyIdentity {
     /// Name and version of this layout.
     pub schema: String,
     /// Version of the program.
     pub version: String,
     /// Name of the study.
     pub study: String,
-    /// Which part of it the table beside this file holds.
+    /// The part of it in the table beside this file.
     pub shard: Shard,
     /// Hash of everything that the results depend on: version, cases, maps.
     pub fingerprint: String,
     /// First line of the table.
     pub header: String,
-    /// Rows of every case, part or not, unless it fails: one a loading step.
+    /// Rows of every case, in this part or not, unless it fails: one per loading step.
     pub rows: Vec<usize>,
 }
 
-impl Identity {
+impl StudyIdentity {
     /// The identity of a study with this hash, these rows and this header.
     #[must_use]
     pub fn new(
@@ -54,13 +54,13 @@ impl Identity {
         }
     }
 
-    /// Where it is kept.
+    /// The path of its file.
     #[must_use]
     pub fn path(folder: &Path, shard: Shard) -> PathBuf {
         folder.join(shard.file("study", "json"))
     }
 
-    /// Where the table of results is kept.
+    /// The path of the table of results.
     #[must_use]
     pub fn table(&self, folder: &Path) -> PathBuf {
         folder.join(self.shard.file("results", "csv"))
@@ -84,11 +84,11 @@ impl Identity {
         file::write_whole(&path, |file| file.write_all(text.as_bytes()))
     }
 
-    /// Reads one; none if it is not there.
+    /// Reads one; none if there is no such file.
     ///
     /// # Errors
     ///
-    /// [`Failure::Damaged`] if it is there and is not what [`Self::write`] writes.
+    /// [`Failure::Damaged`] if the file was not written by [`Self::write`].
     pub fn read(path: &Path) -> Result<Option<Self>, Failure> {
         if !path.exists() {
             return Ok(None);

@@ -1,31 +1,30 @@
-//! What a study has to do: every case resolved once, before any long work.
+//! The plan of a study: every case is resolved once, before any long work.
 
 use super::Study;
-use super::columns::Columns;
-use super::identity::Identity;
+use super::identity::StudyIdentity;
 use super::shard::Shard;
+use super::table_columns::TableColumns;
 use crate::case::Case;
 use crate::case::diagnosis::Diagnosis;
 use crate::case::output::OutputCase;
 use crate::case::units::Units;
 use crate::failure::Failure;
 
-/// A study looked through.
+/// The columns and the identity of a study.
 #[derive(Debug, Clone)]
-pub struct Plan {
+pub struct StudyPlan {
     /// The table's columns.
-    pub columns: Columns,
-    /// What makes it this study and no other.
-    pub identity: Identity,
+    pub columns: TableColumns,
+    /// The study's identity.
+    pub identity: StudyIdentity,
 }
 
-impl Plan {
+impl StudyPlan {
     /// Resolves every case of the study.
     ///
     /// # Errors
     ///
-    /// The first case's [`Diagnosis`] if no case can be; one that cannot among others that can is recorded when its
-    /// turn comes.
+    /// The [`Diagnosis`] of the first case if no case is valid; if others are, an invalid case is recorded in its turn.
     pub fn new(study: &Study, shard: Shard) -> Result<Self, Failure> {
         let mut hasher = blake3::Hasher::new();
         hasher.update(env!("CARGO_PKG_VERSION").as_bytes());
@@ -35,7 +34,7 @@ impl Plan {
                 Ok(case) => {
                     add(&mut hasher, &case)?;
                     units = units.or(Some(case.units));
-                    rows.push(case.load.steps().len());
+                    rows.push(case.load.loads().len());
                 }
                 Err(diagnosis) => {
                     hasher.update(diagnosis.to_string().as_bytes());
@@ -44,18 +43,18 @@ impl Plan {
                 }
             }
         }
-        let units = units.ok_or_else(|| none_can_be(refused))?;
-        let columns = Columns::new(study, units);
+        let units = units.ok_or_else(|| none_is_valid(refused))?;
+        let columns = TableColumns::new(study, units);
         hasher.update(columns.header().as_bytes());
         let fingerprint = hasher.finalize().to_hex().to_string();
-        let identity = Identity::new(study, fingerprint, rows, columns.header(), shard);
+        let identity = StudyIdentity::new(study, fingerprint, rows, columns.header(), shard);
         Ok(Self { columns, identity })
     }
 }
 
-/// What the case says and, where it names a map, its heights.
+/// Adds the case and the heights of its maps to the hash.
 fn add(hasher: &mut blake3::Hasher, case: &Case) -> Result<(), Failure> {
-    // What is written of a solution is no part of it.
+    // The choice of files does not change the solution.
     let case = Case {
         output: OutputCase::default(),
         ..case.clone()
@@ -73,7 +72,7 @@ fn add(hasher: &mut blake3::Hasher, case: &Case) -> Result<(), Failure> {
     Ok(())
 }
 
-fn none_can_be(refused: Option<Diagnosis>) -> Failure {
+fn none_is_valid(refused: Option<Diagnosis>) -> Failure {
     match refused {
         Some(diagnosis) => diagnosis.into(),
         None => Failure::NoCases,

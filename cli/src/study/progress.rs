@@ -1,4 +1,4 @@
-//! What a study tells the person at the terminal: a line a case under way, and one for every case that ends.
+//! The progress of a study on the terminal: a line for each case being solved, and one for every finished case.
 
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
@@ -7,13 +7,13 @@ use indicatif::{MultiProgress, ProgressBar};
 use pellicle_contact::SolverOptions;
 
 use super::Study;
-use super::solve::Done;
+use super::case_solver::CaseResult;
 use crate::progress::{ProgressLine, in_words};
 use crate::terminal;
 
-/// The lines of a study.
+/// The progress lines of a study.
 #[derive(Debug)]
-pub struct Lines {
+pub struct StudyProgress {
     terminal: Option<MultiProgress>,
     total: usize,
     start: Instant,
@@ -21,8 +21,8 @@ pub struct Lines {
     done: Mutex<(usize, usize)>,
 }
 
-impl Lines {
-    /// Lines for a part of this many cases, of which some are done; none at all if nobody watches.
+impl StudyProgress {
+    /// Lines for a part of `total` cases, of which `before` are done; no lines unless `watched`.
     #[must_use]
     pub fn new(total: usize, before: usize, watched: bool) -> Self {
         Self {
@@ -33,7 +33,7 @@ impl Lines {
         }
     }
 
-    /// The line of a case under way.
+    /// The line of a case being solved.
     #[must_use]
     pub fn case(&self, study: &Study, case: usize) -> ProgressLine {
         match &self.terminal {
@@ -47,8 +47,8 @@ impl Lines {
         }
     }
 
-    /// Tells that a case has ended.
-    pub fn ended(&self, study: &Study, case: usize, done: &Done) {
+    /// Prints that a case has ended.
+    pub fn ended(&self, study: &Study, case: usize, done: &CaseResult) {
         let (count, left) = self.count();
         let Some(lines) = &self.terminal else {
             return;
@@ -62,12 +62,12 @@ impl Lines {
         if lines.is_hidden() {
             terminal::tell(&line);
         } else {
-            // The terminal is gone: nobody is left to tell.
+            // If the terminal is gone, there is nobody to tell.
             drop(lines.println(line));
         }
     }
 
-    /// Counts one more; how many are done, and how long the others will take if they take as long.
+    /// Counts one more case; returns how many are done, and the time left if the others take as long on average.
     fn count(&self) -> (usize, Option<Duration>) {
         let mut done = self
             .done

@@ -1,37 +1,37 @@
-//! Solves the cases of a study that are not done, as many at a time as there are threads.
+//! Solves the remaining cases of a study, as many at a time as there are threads.
 
 use std::num::NonZero;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Barrier, Mutex, PoisonError};
 use std::thread;
 
-use super::progress::Lines;
-use super::solve::Kit;
-use super::table::Table;
+use super::case_solver::CaseSolver;
+use super::progress::StudyProgress;
+use super::results_table::ResultsTable;
 use crate::failure::Failure;
 use crate::{interrupt, threads};
 
-/// Solves `cases` and adds each to the table as soon as it is done. Returns early, without an error, if the user asks
-/// to stop.
+/// Solves `cases` and adds each to the table when it is done. Returns early, without an error, if the user asks to
+/// stop.
 ///
-/// Every case has its own threads, one if there are more cases than threads: cases do not wait for each other, and
-/// results do not depend on the number of threads.
+/// Every case has threads of its own, a single one if there are more cases than threads: cases do not wait for each
+/// other, and results do not depend on the number of threads.
 ///
 /// # Errors
 ///
-/// [`Failure`] of the first thing that keeps results from being written: the others would fare no better.
+/// [`Failure`] of the first case whose results could not be written; the others would fail too.
 pub fn run(
-    kit: &Kit<'_>,
+    kit: &CaseSolver<'_>,
     cases: &[usize],
     count: usize,
-    table: &mut Table,
-    lines: &Lines,
+    table: &mut ResultsTable,
+    lines: &StudyProgress,
 ) -> Result<(), Failure> {
     let workers = count.min(cases.len());
     if workers == 0 {
         return Ok(());
     }
-    let queue = Queue {
+    let queue = CaseQueue {
         cases,
         next: AtomicUsize::new(0),
         is_closed: AtomicBool::new(false),
@@ -41,7 +41,7 @@ pub fn run(
     let failure = Mutex::new(None);
     thread::scope(|scope| {
         for worker in 0..workers {
-            // The first workers take what is left over.
+            // The first workers take the remainder.
             let own = count / workers + usize::from(worker < count % workers);
             let (queue, begun, table, failure) = (&queue, &begun, &table, &failure);
             scope.spawn(move || {
@@ -49,7 +49,7 @@ pub fn run(
                 if let Ok(pool) = &pool {
                     pool.install(threads::begin);
                 }
-                // What the threads of all take is taken before the first case asks what there is.
+                // All threads take their memory before the first case asks how much is left.
                 begun.wait();
                 let worked = pool
                     .map_err(Failure::from)
@@ -66,20 +66,20 @@ pub fn run(
     failure.map_or(Ok(()), Err)
 }
 
-/// Threads to use unless told: one a core.
+/// The default number of threads: one per core.
 #[must_use]
 pub fn default_threads() -> usize {
     thread::available_parallelism().map_or(1, NonZero::get)
 }
 
 /// The cases to do, in order.
-struct Queue<'a> {
+struct CaseQueue<'a> {
     cases: &'a [usize],
     next: AtomicUsize,
     is_closed: AtomicBool,
 }
 
-impl Queue<'_> {
+impl CaseQueue<'_> {
     fn take(&self) -> Option<usize> {
         if self.is_closed.load(Ordering::SeqCst) || interrupt::is_requested() {
             return None;
@@ -90,11 +90,11 @@ impl Queue<'_> {
 }
 
 fn work(
-    kit: &Kit<'_>,
-    queue: &Queue<'_>,
+    kit: &CaseSolver<'_>,
+    queue: &CaseQueue<'_>,
     pool: &rayon::ThreadPool,
-    table: &Mutex<&mut Table>,
-    lines: &Lines,
+    table: &Mutex<&mut ResultsTable>,
+    lines: &StudyProgress,
 ) -> Result<(), Failure> {
     while let Some(case) = queue.take() {
         let solve = || {

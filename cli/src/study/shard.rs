@@ -8,9 +8,9 @@ use serde::{Deserialize, Serialize};
 /// Part `index` of `count` parts, counted from 1.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Shard {
-    /// Which part, from 1.
+    /// Number of the part, from 1.
     pub index: usize,
-    /// How many parts there are.
+    /// Number of parts.
     pub count: usize,
 }
 
@@ -20,8 +20,8 @@ impl Shard {
 
     /// Whether a case, counted from 0, belongs to this part.
     ///
-    /// Each of `count` neighbours goes to another part, so that the parts are equally large, in an order that changes
-    /// irregularly, so that no part has all the cases of one value, which may be the large grids.
+    /// Each of `count` neighbours goes to another part, so that the parts are equally large. Their order is irregular,
+    /// so that no part gets all the cases of one value, such as the large grids.
     #[must_use]
     pub fn holds(self, case: usize) -> bool {
         let (round, place) = (case / self.count, case % self.count);
@@ -38,7 +38,7 @@ impl Shard {
     }
 }
 
-/// A number that looks like chance: the finalizer of `SplitMix64` (Steele, Lea, Flood 2014).
+/// A pseudorandom number: the finalizer of `SplitMix64` (Steele, Lea, Flood 2014).
 #[expect(clippy::cast_possible_truncation, reason = "any 32 bits will do")]
 fn mixed(number: usize) -> usize {
     let mut z = (number as u64).wrapping_add(0x9e37_79b9_7f4a_7c15);

@@ -1,18 +1,18 @@
-//! What a study makes of its file, and what is left of a table after a kill.
+//! Tests of a study's file, and of its table after a kill.
 
 use std::fs;
 use std::path::Path;
 
 use tempfile::TempDir;
 
-use super::gather::{Other, gather};
-use super::identity::Identity;
-use super::place::Place;
-use super::plan::Plan;
+use super::case_status::CaseStatus;
+use super::folder::StudyFolder;
+use super::gather::{OtherTable, gather};
+use super::identity::StudyIdentity;
+use super::plan::StudyPlan;
+use super::results_table::{CaseBlocks, ResultsTable};
 use super::shard::Shard;
-use super::status::Status;
-use super::table::{Blocks, Table};
-use super::{Study, file};
+use super::{Study, study_file};
 use crate::failure::Failure;
 
 const BASE: &str = r#"
@@ -42,11 +42,11 @@ fn study(text: &str) -> Result<Study, String> {
             .to_string()
             .replace(&folder.path().display().to_string(), "")
     };
-    file::read(&path, &[]).map_err(named)
+    study_file::read(&path, &[]).map_err(named)
 }
 
-fn plan(text: &str, shard: Shard) -> Plan {
-    Plan::new(&study(text).unwrap(), shard).unwrap()
+fn plan(text: &str, shard: Shard) -> StudyPlan {
+    StudyPlan::new(&study(text).unwrap(), shard).unwrap()
 }
 
 const TWO_KEYS: &str = r#"
@@ -100,7 +100,7 @@ fn the_base_case_may_stand_in_the_same_file_and_ranges_carry_units() {
     // Both ends are exact; between them, one rounding of the power.
     assert_eq!([force(0), force(3)], [1e-6, 1e-3]);
     assert!((force(1) / 1e-5 - 1.0).abs() < 1e-15);
-    assert_eq!(study.axes()[0].heading(), "load.force [N]");
+    assert_eq!(study.varied_keys()[0].heading(), "load.force [N]");
 }
 
 #[test]
@@ -147,7 +147,9 @@ fn what_is_no_study_is_told_with_its_key() {
 fn a_key_that_no_case_can_have_is_told_before_any_work() {
     let text = TWO_KEYS.replace("grid.elements", "grid.elemnts");
     let study = study(&text).unwrap();
-    let message = Plan::new(&study, Shard::WHOLE).unwrap_err().to_string();
+    let message = StudyPlan::new(&study, Shard::WHOLE)
+        .unwrap_err()
+        .to_string();
     assert!(
         message.contains("study.toml, line 7, key `grid.elemnts`"),
         "{message}"
@@ -170,19 +172,19 @@ fn other_values_make_another_study_and_other_words_do_not() {
 }
 
 /// Two rows for a case, one for a failed one.
-fn rows(columns: usize, case: usize, status: Status) -> String {
+fn rows(columns: usize, case: usize, status: CaseStatus) -> String {
     let cells = ",x".repeat(columns - 2);
     let row = format!("{},{}{cells}\n", case + 1, status.word());
-    if status == Status::Failed {
+    if status == CaseStatus::Failed {
         row
     } else {
         row.repeat(2)
     }
 }
 
-fn table(folder: &Path, identity: &Identity) -> Table {
-    let place = Place::claim(folder, identity, false).unwrap();
-    Table::open(place, identity).unwrap()
+fn table(folder: &Path, identity: &StudyIdentity) -> ResultsTable {
+    let place = StudyFolder::claim(folder, identity, false).unwrap();
+    ResultsTable::open(place, identity).unwrap()
 }
 
 #[test]
@@ -192,9 +194,9 @@ fn a_table_cut_at_any_byte_keeps_its_whole_cases_and_no_other() {
     let order = [4, 0, 7, 2];
     let status = |case| {
         if case == 7 {
-            Status::Failed
+            CaseStatus::Failed
         } else {
-            Status::Certified
+            CaseStatus::Certified
         }
     };
     let mut text = format!("{}\n", identity.header);
@@ -204,7 +206,7 @@ fn a_table_cut_at_any_byte_keeps_its_whole_cases_and_no_other() {
         ends.push(text.len());
     }
     for cut in 0..=text.len() {
-        let blocks = Blocks::of(&text.as_bytes()[..cut], &identity).unwrap();
+        let blocks = CaseBlocks::of(&text.as_bytes()[..cut], &identity).unwrap();
         let whole = ends.iter().filter(|end| **end <= cut).count();
         assert_eq!(blocks.statuses().len(), whole.saturating_sub(1), "{cut}");
         assert_eq!(
@@ -220,7 +222,7 @@ fn a_table_is_mended_gone_on_with_and_put_in_order() {
     let folder = tempfile::tempdir().unwrap();
     let identity = plan(TWO_KEYS, Shard::WHOLE).identity;
     let columns = identity.header.split(',').count();
-    let block = |case| rows(columns, case, Status::Certified);
+    let block = |case| rows(columns, case, CaseStatus::Certified);
     let path = identity.table(folder.path());
     identity.write(folder.path()).unwrap();
     fs::write(&path, format!("{}\n{}9,certi", identity.header, block(3))).unwrap();
@@ -228,7 +230,9 @@ fn a_table_is_mended_gone_on_with_and_put_in_order() {
     let done: Vec<_> = opened.done().keys().copied().collect();
     assert_eq!(done, [3]);
     for case in [8, 7, 6, 5, 4, 2, 1, 0] {
-        opened.add(case, Status::Certified, &block(case)).unwrap();
+        opened
+            .add(case, CaseStatus::Certified, &block(case))
+            .unwrap();
     }
     opened.finish(&identity).unwrap();
     let all: String = (0..9).map(block).collect();
@@ -245,7 +249,7 @@ fn a_table_of_something_else_is_not_touched() {
     let path = identity.table(folder.path());
     fs::write(&path, "mine\n").unwrap();
     for fresh in [false, true] {
-        let claimed = Place::claim(folder.path(), &identity, fresh);
+        let claimed = StudyFolder::claim(folder.path(), &identity, fresh);
         assert!(matches!(claimed, Err(Failure::NoResults { .. })));
         assert_eq!(fs::read_to_string(&path).unwrap(), "mine\n");
     }
@@ -256,7 +260,7 @@ fn a_table_is_open_for_one_process() {
     let folder = tempfile::tempdir().unwrap();
     let identity = plan(TWO_KEYS, Shard::WHOLE).identity;
     let _first = table(folder.path(), &identity);
-    let second = Place::claim(folder.path(), &identity, true);
+    let second = StudyFolder::claim(folder.path(), &identity, true);
     assert!(second.unwrap_err().to_string().contains("another process"));
 }
 
@@ -268,8 +272,8 @@ fn parts(folder: &TempDir, done: &[usize]) {
         let mut table = table(folder.path(), &identity);
         for case in identity.cases() {
             if done.contains(&case) {
-                let rows = rows(columns, case, Status::Certified);
-                table.add(case, Status::Certified, &rows).unwrap();
+                let rows = rows(columns, case, CaseStatus::Certified);
+                table.add(case, CaseStatus::Certified, &rows).unwrap();
             }
         }
     }
@@ -279,26 +283,29 @@ fn parts(folder: &TempDir, done: &[usize]) {
 fn parts_are_gathered_only_when_no_case_is_missing() {
     let folder = tempfile::tempdir().unwrap();
     parts(&folder, &[0, 1, 2, 3, 4, 5, 6, 8]);
-    let found = gather(folder.path(), Other::Keep).unwrap();
+    let found = gather(folder.path(), OtherTable::Keep).unwrap();
     assert_eq!((found.missing, found.table), (vec![7], None));
     parts(&folder, &[7]);
-    let table = gather(folder.path(), Other::Keep).unwrap().table.unwrap();
+    let table = gather(folder.path(), OtherTable::Keep)
+        .unwrap()
+        .table
+        .unwrap();
     let identity = plan(TWO_KEYS, Shard::WHOLE).identity;
     let columns = identity.header.split(',').count();
     let all: String = (0..9)
-        .map(|case| rows(columns, case, Status::Certified))
+        .map(|case| rows(columns, case, CaseStatus::Certified))
         .collect();
     assert_eq!(
         fs::read_to_string(table).unwrap(),
         format!("{}\n{all}", identity.header)
     );
-    assert!(gather(Path::new("nowhere"), Other::Keep).is_err());
+    assert!(gather(Path::new("nowhere"), OtherTable::Keep).is_err());
 }
 
 #[test]
 fn the_values_of_a_key_are_read_once() {
     let study = study(TWO_KEYS).unwrap();
-    let thickness = &study.axes()[0];
+    let thickness = &study.varied_keys()[0];
     assert_eq!([0, 1, 3].map(|i| thickness.cell(i)), ["1e-8", "2e-8", ""]);
     // The same text, not one made anew from the values.
     assert!(std::ptr::eq(thickness.cell(1), thickness.cell(1)));
@@ -310,7 +317,7 @@ fn values_with_and_without_units_are_one_column_and_what_is_no_quantity_among_th
     assert!(TWO_KEYS.contains(values));
     let with = |other: &str| study(&TWO_KEYS.replace(values, &format!("[\"10 nm\", {other}]")));
     let mixed = with("2e-8").unwrap();
-    let thickness = &mixed.axes()[0];
+    let thickness = &mixed.varied_keys()[0];
     assert!(
         thickness.heading().ends_with("[m]"),
         "{}",
@@ -320,7 +327,7 @@ fn values_with_and_without_units_are_one_column_and_what_is_no_quantity_among_th
     for odd in ["\"2 furlong\"", "\"2 N\""] {
         let refused = with(odd).unwrap_err();
         assert!(
-            refused.contains("of the kind that the other values"),
+            refused.contains("of the kind of the key's other values"),
             "{refused}"
         );
     }
@@ -333,12 +340,12 @@ fn a_row_ends_where_its_quotes_are_closed() {
         "[\"a\\nb\", \"c\\r\\n\\\"d\", \"e,f\"]",
     );
     let study = study(&text).unwrap();
-    let plan = Plan::new(&study, Shard::WHOLE).unwrap();
+    let plan = StudyPlan::new(&study, Shard::WHOLE).unwrap();
     let rows = (0..9).map(|case| plan.columns.failed(&study, case, "why"));
     let table = format!("{}\n{}", plan.identity.header, rows.collect::<String>());
     for cut in 0..=table.len() {
-        let blocks = Blocks::of(&table.as_bytes()[..cut], &plan.identity).unwrap();
-        let again = Blocks::of(&table.as_bytes()[..blocks.end], &plan.identity).unwrap();
+        let blocks = CaseBlocks::of(&table.as_bytes()[..cut], &plan.identity).unwrap();
+        let again = CaseBlocks::of(&table.as_bytes()[..blocks.end], &plan.identity).unwrap();
         assert_eq!(again.statuses(), blocks.statuses(), "{cut}");
         assert!(cut < table.len() || blocks.statuses().len() == 9, "{cut}");
     }
@@ -351,12 +358,12 @@ fn the_place_is_held_until_the_table_is_in_order() {
     let columns = identity.header.split(',').count();
     let mut opened = table(folder.path(), &identity);
     for case in (0..9).rev() {
-        let rows = rows(columns, case, Status::Certified);
-        opened.add(case, Status::Certified, &rows).unwrap();
+        let rows = rows(columns, case, CaseStatus::Certified);
+        opened.add(case, CaseStatus::Certified, &rows).unwrap();
     }
     // Whoever has the table's old file open does not have the place.
     let old = fs::File::open(identity.table(folder.path())).unwrap();
-    assert!(Place::claim(folder.path(), &identity, false).is_err());
+    assert!(StudyFolder::claim(folder.path(), &identity, false).is_err());
     opened.finish(&identity).unwrap();
     let again = table(folder.path(), &identity);
     assert_eq!(again.done().len(), 9);

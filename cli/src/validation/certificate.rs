@@ -1,24 +1,24 @@
-//! Negative controls of the certificate: pressures that are wrong on purpose.
+//! Negative controls of the certificate: deliberately wrong pressures.
 
 use pellicle_contact::{Certificate, DiscreteProblem, Load, Solution, SolverOptions};
 use pellicle_kernel::{Foundation, Material};
 use pellicle_texture::{CylinderSpec, Cylinders, Lattice, Relief};
 
-use super::scene::{Contact, paraboloid};
-use super::{Plan, Row, Scene, Trouble};
+use super::run::{ContactSetup, paraboloid};
+use super::{Comparison, ValidationError, ValidationRun, ValidationSection};
 
 /// The section.
-pub const PLAN: Plan = Plan {
+pub const SECTION: ValidationSection = ValidationSection {
     name: "The certificate's negative controls",
     source: "a solution of a textured contact, spoilt on purpose: the certificate must refuse it",
     because: "the error is the worst line of the certificate, the tolerance the certificate's: here the error must exceed it",
     rows,
 };
 
-/// A change that is still small, and a hundred times what the certificate allows.
+/// A small change, but a hundred times the certificate's tolerance.
 const SMALL: f64 = 1e-6;
 
-/// What is done to a right pressure.
+/// A change that spoils a correct pressure.
 type Spoil = fn(&mut Vec<f64>);
 
 const SPOILT: [(&str, Spoil); 8] = [
@@ -51,33 +51,33 @@ const SPOILT: [(&str, Spoil); 8] = [
     }),
 ];
 
-fn rows(scene: Scene) -> Result<Vec<Row>, Trouble> {
+fn rows(run: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
     let contact = textured()?;
-    let right = scene.solve(&contact)?.steps.remove(0).solution.pressure;
-    let mut court = Court::new(scene, &contact)?;
-    let mut rows = vec![Row::accepted(
+    let right = run.solve(&contact)?.steps.remove(0).solution.pressure;
+    let mut judge = Judge::new(run, &contact)?;
+    let mut rows = vec![Comparison::accepted(
         "as solved".into(),
-        &court.judge(right.clone()),
+        &judge.judge(right.clone()),
     )];
     for (check, spoil) in SPOILT {
         let mut wrong = right.clone();
         spoil(&mut wrong);
-        rows.push(Row::refused(check.into(), &court.judge(wrong)));
+        rows.push(Comparison::refused(check.into(), &judge.judge(wrong)));
     }
     let other_load = Load::Force(FORCE * (1.0 + SMALL));
-    let found = court.judge_under(other_load, right);
-    rows.push(Row::refused(
+    let found = judge.judge_under(other_load, right);
+    rows.push(Comparison::refused(
         "for a force larger by a millionth".into(),
         &found,
     ));
-    let perturbation = (1.0 + scene.perturbation) * (1.0 + SMALL) - 1.0;
-    let other_body = Scene { perturbation }
+    let perturbation = (1.0 + run.perturbation) * (1.0 + SMALL) - 1.0;
+    let other_body = ValidationRun { perturbation }
         .solve(&contact)?
         .steps
         .remove(0)
         .solution;
-    let found = court.judge(other_body.pressure);
-    rows.push(Row::refused(
+    let found = judge.judge(other_body.pressure);
+    rows.push(Comparison::refused(
         "for coefficients larger by a millionth".into(),
         &found,
     ));
@@ -85,14 +85,10 @@ fn rows(scene: Scene) -> Result<Vec<Row>, Trouble> {
         tolerance: 1e-4,
         ..SolverOptions::default()
     };
-    let loose = scene
-        .solve_with(&contact, options)?
-        .steps
-        .remove(0)
-        .solution;
-    rows.push(Row::refused(
+    let loose = run.solve_with(&contact, options)?.steps.remove(0).solution;
+    rows.push(Comparison::refused(
         "solved to 1e-4 only".into(),
-        &court.judge(loose.pressure),
+        &judge.judge(loose.pressure),
     ));
     Ok(rows)
 }
@@ -101,7 +97,7 @@ fn rows(scene: Scene) -> Result<Vec<Row>, Trouble> {
 const FORCE: f64 = 2e-3;
 
 /// A paraboloid on the paper's stiff coating with cylinders, islands of contact within 64 × 64 elements.
-fn textured() -> Result<Contact, Trouble> {
+fn textured() -> Result<ContactSetup, ValidationError> {
     let spec = CylinderSpec {
         lattice: Lattice::Square,
         radius: 0.02,
@@ -110,7 +106,7 @@ fn textured() -> Result<Contact, Trouble> {
         offset: [0.0, 0.0],
         young_modulus: 10.0,
     };
-    Ok(Contact {
+    Ok(ContactSetup {
         foundation: Foundation::coated(0.05, Material::new(10.0, 0.3)?, Material::new(1.0, 0.4)?)?,
         relief: Relief::Cylinders(Cylinders::new(spec)?),
         indenter: paraboloid(1.0)?,
@@ -120,15 +116,15 @@ fn textured() -> Result<Contact, Trouble> {
     })
 }
 
-/// The problem that pressures are judged by.
-struct Court {
+/// Judges pressures by the certificate of a problem.
+struct Judge {
     problem: DiscreteProblem,
     load: Load,
 }
 
-impl Court {
-    fn new(scene: Scene, contact: &Contact) -> Result<Self, Trouble> {
-        let model = scene.model(contact)?;
+impl Judge {
+    fn new(run: ValidationRun, contact: &ContactSetup) -> Result<Self, ValidationError> {
+        let model = run.model(contact)?;
         let sampled = model.sample(contact.side, contact.elements)?;
         Ok(Self {
             problem: model.discretize(&sampled)?.value,

@@ -7,11 +7,11 @@ use pellicle_contact::{Cone, FlatPunch, Indenter, Load, Sphere};
 use pellicle_kernel::{Foundation, Material};
 use pellicle_texture::{Film, Relief};
 
-use super::scene::{Contact, paraboloid, unit_material};
-use super::{Plan, Row, Scene, Trouble};
+use super::run::{ContactSetup, paraboloid, unit_material};
+use super::{Comparison, ValidationError, ValidationRun, ValidationSection};
 
 /// The section.
-pub const PLAN: Plan = Plan {
+pub const SECTION: ValidationSection = ValidationSection {
     name: "Closed forms",
     source: "Hertz; Sneddon 1965; Winkler (contact::reference)",
     because: "relative; the grid: of second order in the element's side, of first at the punch's rim, and areas are \
@@ -19,26 +19,31 @@ pub const PLAN: Plan = Plan {
     rows,
 };
 
-/// Elements per side; the domains are two and a half to three contact radii wide, so an element is some 1/90 of one.
+/// Elements per side; the domains are two and a half to three contact radii wide, so an element is some 1/90 of a
+/// radius.
 const ELEMENTS: usize = 256;
 /// Error of second order: (1/85)² = 1.4e-4 times a factor that scatters with how the grid meets the contact's edge.
 const SECOND_ORDER: f64 = 2e-5;
 /// The nearest centre to the axis lies some 1/120 of a radius off it.
 const PEAK: f64 = 2e-4;
-/// The edge of the contact is a staircase: 1/85 times what its ups and downs leave.
+/// The edge of the contact is a staircase: 1/85, reduced by the averaging of its steps.
 const STAIRCASE: f64 = 5e-3;
-/// Without elasticity there is no error of the grid: what the certificate's 1e-8 leaves, and the body's 1e-9.
+/// Without elasticity there is no discretisation error: only the certificate's 1e-8 and the body's 1e-9 remain.
 const CERTIFIED: f64 = 1e-7;
 
-fn rows(scene: Scene) -> Result<Vec<Row>, Trouble> {
+fn rows(run: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
     let parts = [hertz_rows, sphere_rows, cone_rows, punch_rows, winkler_rows];
-    let rows: Result<Vec<_>, _> = parts.iter().map(|part| part(scene)).collect();
+    let rows: Result<Vec<_>, _> = parts.iter().map(|part| part(run)).collect();
     Ok(rows?.concat())
 }
 
 /// A contact with the half-space of plane-strain modulus 1.
-fn on_half_space(indenter: Indenter, side: f64, load: Load) -> Result<Contact, Trouble> {
-    Ok(Contact {
+fn on_half_space(
+    indenter: Indenter,
+    side: f64,
+    load: Load,
+) -> Result<ContactSetup, ValidationError> {
+    Ok(ContactSetup {
         foundation: Foundation::half_space(unit_material()?),
         relief: Relief::Bare,
         indenter,
@@ -48,16 +53,17 @@ fn on_half_space(indenter: Indenter, side: f64, load: Load) -> Result<Contact, T
     })
 }
 
-fn hertz_rows(scene: Scene) -> Result<Vec<Row>, Trouble> {
+fn hertz_rows(run: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
     let wanted = hertz::from_contact_radius(1.0, 1.0, 0.1);
     let solve = |load| {
-        let path = scene.solve(&on_half_space(paraboloid(1.0)?, 0.3, load)?)?;
-        Ok::<_, Trouble>(path.steps.into_iter().next())
+        let path = run.solve(&on_half_space(paraboloid(1.0)?, 0.3, load)?)?;
+        Ok::<_, ValidationError>(path.steps.into_iter().next())
     };
-    let by_force = solve(Load::Force(wanted.force))?.ok_or(Trouble::NoSolution)?;
-    let by_depth = solve(Load::Penetration(wanted.penetration))?.ok_or(Trouble::NoSolution)?;
+    let by_force = solve(Load::Force(wanted.force))?.ok_or(ValidationError::NoSolution)?;
+    let by_depth =
+        solve(Load::Penetration(wanted.penetration))?.ok_or(ValidationError::NoSolution)?;
     let row = |what: &str, wanted, found, tolerance| {
-        Row::relative(format!("Hertz: {what}"), wanted, found, tolerance)
+        Comparison::relative(format!("Hertz: {what}"), wanted, found, tolerance)
     };
     let (depth, force) = (by_force.solution.penetration, by_depth.solution.force);
     let (peak, area) = (by_force.summary.max_pressure, by_force.summary.contact_area);
@@ -78,13 +84,13 @@ fn hertz_rows(scene: Scene) -> Result<Vec<Row>, Trouble> {
     ])
 }
 
-fn sphere_rows(scene: Scene) -> Result<Vec<Row>, Trouble> {
-    // So deep that Hertz's penetration under the same force is 0.9 % off.
+fn sphere_rows(run: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
+    // Deep enough for Hertz's penetration under the same force to be 0.9 % off.
     let wanted = sphere::from_contact_radius(1.0, 1.0, 0.35);
     let indenter = Indenter::Sphere(Sphere::new(1.0)?);
-    let found = scene.penetration(&on_half_space(indenter, 1.05, Load::Force(wanted.force))?)?;
+    let found = run.penetration(&on_half_space(indenter, 1.05, Load::Force(wanted.force))?)?;
     let check = "Sphere, a/R = 0.35: penetration".into();
-    Ok(vec![Row::relative(
+    Ok(vec![Comparison::relative(
         check,
         wanted.penetration,
         found,
@@ -92,7 +98,7 @@ fn sphere_rows(scene: Scene) -> Result<Vec<Row>, Trouble> {
     )])
 }
 
-fn cone_rows(scene: Scene) -> Result<Vec<Row>, Trouble> {
+fn cone_rows(run: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
     let half_angle = 1.2;
     let wanted = cone::from_penetration(half_angle, 1.0, 0.1);
     let side = 3.0 * wanted.contact_radius;
@@ -100,17 +106,17 @@ fn cone_rows(scene: Scene) -> Result<Vec<Row>, Trouble> {
         let indenter = Indenter::Cone(Cone::new(half_angle, 0.0)?);
         on_half_space(indenter, side, load)
     };
-    let by_force = scene.penetration(&contact(Load::Force(wanted.force))?)?;
-    let by_penetration = scene.solve(&contact(Load::Penetration(wanted.penetration))?)?;
+    let by_force = run.penetration(&contact(Load::Force(wanted.force))?)?;
+    let by_penetration = run.solve(&contact(Load::Penetration(wanted.penetration))?)?;
     let force = by_penetration.steps[0].solution.force;
     Ok(vec![
-        Row::relative(
+        Comparison::relative(
             "Cone: penetration under a force".into(),
             wanted.penetration,
             by_force,
             SECOND_ORDER,
         ),
-        Row::relative(
+        Comparison::relative(
             "Cone: force at a penetration".into(),
             wanted.force,
             force,
@@ -119,21 +125,21 @@ fn cone_rows(scene: Scene) -> Result<Vec<Row>, Trouble> {
     ])
 }
 
-fn punch_rows(scene: Scene) -> Result<Vec<Row>, Trouble> {
+fn punch_rows(run: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
     let wanted = flat_punch::from_force(0.1, 1.0, 0.02);
     let indenter = Indenter::FlatPunch(FlatPunch::new(0.1)?);
-    let path = scene.solve(&on_half_space(indenter, 0.25, Load::Force(wanted.force))?)?;
+    let path = run.solve(&on_half_space(indenter, 0.25, Load::Force(wanted.force))?)?;
     let solution = &path.steps[0].solution;
     // The element whose corner is on the axis.
     let middle = solution.pressure[ELEMENTS / 2 * (ELEMENTS + 1)];
     Ok(vec![
-        Row::relative(
+        Comparison::relative(
             "Flat punch: penetration".into(),
             wanted.penetration,
             solution.penetration,
             STAIRCASE,
         ),
-        Row::relative(
+        Comparison::relative(
             "Flat punch: pressure on the axis".into(),
             wanted.central_pressure,
             middle,
@@ -142,12 +148,12 @@ fn punch_rows(scene: Scene) -> Result<Vec<Row>, Trouble> {
     ])
 }
 
-fn winkler_rows(scene: Scene) -> Result<Vec<Row>, Trouble> {
-    // The body gives way by less than 1e-9 of what the film does.
+fn winkler_rows(run: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
+    // The body deforms by less than 1e-9 of the film's shortening.
     let body = Foundation::half_space(Material::new(1e9, 0.3)?);
     let film = Film::new(0.01, 1.0)?;
     let wanted = winkler::from_penetration(1.0, film.compliance(), 0.005);
-    let contact = Contact {
+    let contact = ContactSetup {
         foundation: body,
         relief: Relief::Film(film),
         ..on_half_space(
@@ -156,7 +162,7 @@ fn winkler_rows(scene: Scene) -> Result<Vec<Row>, Trouble> {
             Load::Penetration(wanted.penetration),
         )?
     };
-    let path = scene.solve(&contact)?;
+    let path = run.solve(&contact)?;
     let step = &path.steps[0];
     let elements = step.solution.pressure.iter().zip(path.grid.centres());
     let compared = elements.map(|(found, [x, y])| {
@@ -167,13 +173,13 @@ fn winkler_rows(scene: Scene) -> Result<Vec<Row>, Trouble> {
         )
     });
     Ok(vec![
-        Row::relative(
+        Comparison::relative(
             "Winkler: force at a penetration".into(),
             wanted.force,
             step.solution.force,
             SECOND_ORDER,
         ),
-        Row::worst(
+        Comparison::worst(
             "Winkler: pressure of every element".into(),
             compared,
             CERTIFIED,

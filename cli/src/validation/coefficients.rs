@@ -4,10 +4,10 @@ use pellicle_influence::direct;
 use pellicle_kernel::{Foundation, Material};
 
 use super::data::influence::{Coefficient, Coefficients, extreme, two_layer};
-use super::{Plan, Row, Scene, Trouble};
+use super::{Comparison, ValidationError, ValidationRun, ValidationSection};
 
 /// The section.
-pub const PLAN: Plan = Plan {
+pub const SECTION: ValidationSection = ValidationSection {
     name: "Influence coefficients",
     source: "tests/data/influence_*.json, 20 and 30 digits; quadrature of the paper's (3.4)",
     because: "relative to max(|k|, min(1, Φ(0)) k of the half-space); rounding of the product rules, \
@@ -15,31 +15,35 @@ pub const PLAN: Plan = Plan {
     rows,
 };
 
-/// What product rules leave around the softest layers.
+/// Error of the product rules around the softest layers.
 const PRODUCT_RULES: f64 = 1e-13;
 /// Rounding of some tens of terms of Love's formula.
 const ROUNDING: f64 = 1e-14;
-/// What the quadrature asks of itself.
+/// The quadrature's own tolerance.
 const QUADRATURE: f64 = 1e-11;
 
-fn rows(scene: Scene) -> Result<Vec<Row>, Trouble> {
+fn rows(run: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
     let data = [two_layer()?, extreme()?];
-    let mut rows = vec![homogeneous(scene, &data[0])?];
+    let mut rows = vec![homogeneous(run, &data[0])?];
     for data in &data {
         for name in data.cases.keys() {
-            rows.push(coated(scene, data, name)?);
+            rows.push(coated(run, data, name)?);
         }
     }
     for offset in [[0, 0], [2, 1]] {
-        rows.push(by_quadrature(scene, offset)?);
+        rows.push(by_quadrature(run, offset)?);
     }
     Ok(rows)
 }
 
 /// `k E1/a` of a coating, the worst of all its offsets and thicknesses.
-fn coated(scene: Scene, data: &Coefficients, name: &str) -> Result<Row, Trouble> {
-    let coating = data.cases.get(name).ok_or(Trouble::NoSolution)?;
-    let tables = scene.tables(&coating.foundation()?)?;
+fn coated(
+    run: ValidationRun,
+    data: &Coefficients,
+    name: &str,
+) -> Result<Comparison, ValidationError> {
+    let coating = data.cases.get(name).ok_or(ValidationError::NoSolution)?;
+    let tables = run.tables(&coating.foundation()?)?;
     let at_zero = tables.foundation().response_at_zero();
     let compared = |value: &Coefficient| {
         let side = value.element_side();
@@ -53,30 +57,37 @@ fn coated(scene: Scene, data: &Coefficients, name: &str) -> Result<Row, Trouble>
         "χ = {chi}, ν = {nu1}, {nu2}: {} coefficients",
         values.clone().count()
     );
-    Ok(Row::worst(check, values.map(compared), PRODUCT_RULES))
+    Ok(Comparison::worst(
+        check,
+        values.map(compared),
+        PRODUCT_RULES,
+    ))
 }
 
 /// `k E1/a` of half-spaces, the worst of all offsets.
-fn homogeneous(scene: Scene, data: &Coefficients) -> Result<Row, Trouble> {
+fn homogeneous(run: ValidationRun, data: &Coefficients) -> Result<Comparison, ValidationError> {
     let mut found = Vec::new();
     for value in &data.values {
-        let coating = data.cases.get(&value.case).ok_or(Trouble::NoSolution)?;
+        let coating = data
+            .cases
+            .get(&value.case)
+            .ok_or(ValidationError::NoSolution)?;
         let body = Foundation::half_space(Material::new(1.0, coating.nu1)?);
-        let computed = scene.tables(&body)?.coefficient(2.0, [value.m, value.n]);
+        let computed = run.tables(&body)?.coefficient(2.0, [value.m, value.n]);
         let error = (computed / value.homogeneous - 1.0).abs();
         found.push(([value.homogeneous, computed], error));
     }
     let check = format!("half-space: {} coefficients", found.len());
-    Ok(Row::worst(check, found.into_iter(), ROUNDING))
+    Ok(Comparison::worst(check, found.into_iter(), ROUNDING))
 }
 
 /// One coefficient of the paper's stiff coating in two ways.
-fn by_quadrature(scene: Scene, offset: [usize; 2]) -> Result<Row, Trouble> {
+fn by_quadrature(run: ValidationRun, offset: [usize; 2]) -> Result<Comparison, ValidationError> {
     let (coating, substrate) = (Material::new(1.0, 0.3)?, Material::new(0.1, 0.4)?);
     let foundation = Foundation::coated(1.0, coating, substrate)?;
     let reference = direct::coefficient(&foundation, 1.0, offset)?;
-    let computed = scene.tables(&foundation)?.coefficient(1.0, offset);
+    let computed = run.tables(&foundation)?.coefficient(1.0, offset);
     let [m, n] = offset;
     let check = format!("χ = 10, ν = 0.3, 0.4: offset ({m}, {n}) by quadrature");
-    Ok(Row::relative(check, reference, computed, QUADRATURE))
+    Ok(Comparison::relative(check, reference, computed, QUADRATURE))
 }

@@ -3,11 +3,11 @@
 use pellicle_kernel::Interface::{Bonded, Frictionless};
 use pellicle_kernel::{Foundation, Interface};
 
-use super::data::compliance::{OneLayer, one_layer, stacks};
-use super::{Plan, Row, Scene, Trouble};
+use super::data::compliance::{OneLayerResponse, one_layer, stacks};
+use super::{Comparison, ValidationError, ValidationRun, ValidationSection};
 
 /// The section.
-pub const PLAN: Plan = Plan {
+pub const SECTION: ValidationSection = ValidationSection {
     name: "Compliance of layers",
     source: "tests/data/compliance_*.json, 40 digits",
     because: "relative; a dozen roundings, and for Φ − 1 the rounding of s times 2s in e^(−2s)",
@@ -16,10 +16,10 @@ pub const PLAN: Plan = Plan {
 
 /// A dozen roundings.
 const ROUNDING: f64 = 2e-15;
-/// The same and one more for `Φ − 1`, which two cancelling terms make.
+/// The same and one more for `Φ − 1`, the difference of two terms that cancel.
 const DIFFERENCE: f64 = 1e-14;
 
-fn rows(_: Scene) -> Result<Vec<Row>, Trouble> {
+fn rows(_: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
     let values = one_layer()?;
     Ok(vec![
         row("bonded to a half-space", &values, |value| {
@@ -40,9 +40,13 @@ fn rows(_: Scene) -> Result<Vec<Row>, Trouble> {
 }
 
 /// Interface, whether the base is rigid, and `Φ`.
-type Reference = fn(&OneLayer) -> Option<(Interface, bool, f64)>;
+type Reference = fn(&OneLayerResponse) -> Option<(Interface, bool, f64)>;
 
-fn row(what: &str, values: &[OneLayer], reference: Reference) -> Result<Row, Trouble> {
+fn row(
+    what: &str,
+    values: &[OneLayerResponse],
+    reference: Reference,
+) -> Result<Comparison, ValidationError> {
     let mut found = Vec::new();
     for value in values {
         if let Some((interface, rigid, wanted)) = reference(value) {
@@ -51,10 +55,10 @@ fn row(what: &str, values: &[OneLayer], reference: Reference) -> Result<Row, Tro
         }
     }
     let check = format!("Φ of a layer {what}, {} values", found.len());
-    Ok(Row::worst(check, found.into_iter(), ROUNDING))
+    Ok(Comparison::worst(check, found.into_iter(), ROUNDING))
 }
 
-fn difference_from_one(values: &[OneLayer]) -> Result<Row, Trouble> {
+fn difference_from_one(values: &[OneLayerResponse]) -> Result<Comparison, ValidationError> {
     let mut found = Vec::new();
     for value in values {
         let layer = value.foundation(Bonded, false)?;
@@ -66,14 +70,17 @@ fn difference_from_one(values: &[OneLayer]) -> Result<Row, Trouble> {
         found.push(([wanted, response], error));
     }
     let check = format!("Φ − 1 of a bonded layer, {} values", found.len());
-    Ok(Row::worst(check, found.into_iter(), DIFFERENCE))
+    Ok(Comparison::worst(check, found.into_iter(), DIFFERENCE))
 }
 
-fn stack_row() -> Result<Row, Trouble> {
+fn stack_row() -> Result<Comparison, ValidationError> {
     let data = stacks()?;
     let mut found = Vec::new();
     for value in &data.values {
-        let stack = data.stacks.get(&value.stack).ok_or(Trouble::NoSolution)?;
+        let stack = data
+            .stacks
+            .get(&value.stack)
+            .ok_or(ValidationError::NoSolution)?;
         let foundation: Foundation = stack.foundation()?;
         let computed = foundation.compliance(value.wavenumber);
         let error = (computed / value.compliance - 1.0).abs();
@@ -81,5 +88,5 @@ fn stack_row() -> Result<Row, Trouble> {
     }
     let (stacks, values) = (data.stacks.len(), found.len());
     let check = format!("C of {stacks} stacks of two and three layers, {values} values");
-    Ok(Row::worst(check, found.into_iter(), ROUNDING))
+    Ok(Comparison::worst(check, found.into_iter(), ROUNDING))
 }

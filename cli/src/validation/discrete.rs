@@ -1,4 +1,4 @@
-//! The same problem on the same small grid, solved by others.
+//! The same problem on the same small grid, solved by other programs.
 
 use std::sync::Arc;
 
@@ -9,11 +9,11 @@ use pellicle_influence::{CoefficientTable, SurfaceElasticity};
 use pellicle_kernel::{Foundation, Material};
 use rayon::prelude::*;
 
-use super::data::contact::{DiscreteContact, Given, Surface, discrete};
-use super::{Plan, Row, Scene, Trouble};
+use super::data::contact::{DiscreteContact, DiscreteProfile, Given, discrete};
+use super::{Comparison, ValidationError, ValidationRun, ValidationSection};
 
 /// The section.
-pub const PLAN: Plan = Plan {
+pub const SECTION: ValidationSection = ValidationSection {
     name: "The same grid problem",
     source: "tests/data/discrete_contact.json: conjugate gradients and a dense active set, which agree to 1e-12",
     because: "largest error of any pressure, over the peak, of force and of penetration; the tolerance of the \
@@ -26,38 +26,38 @@ const CERTIFIED: f64 = 1e-12;
 /// `CERTIFIED` times a condition of some 1e2.
 const COMPARED: f64 = 1e-10;
 
-fn rows(scene: Scene) -> Result<Vec<Row>, Trouble> {
+fn rows(run: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
     let cases = discrete()?;
-    Ok(cases.par_iter().map(|case| row(scene, case)).collect())
+    Ok(cases.par_iter().map(|case| row(run, case)).collect())
 }
 
-fn row(scene: Scene, case: &DiscreteContact) -> Row {
-    let surface = match case.surface {
-        Surface::Paraboloid => "paraboloid",
-        Surface::Wavy => "waves",
+fn row(run: ValidationRun, case: &DiscreteContact) -> Comparison {
+    let profile = match case.profile {
+        DiscreteProfile::Paraboloid => "paraboloid",
+        DiscreteProfile::Wavy => "waves",
     };
     let given = match case.given {
         Given::Force => "by force",
         Given::Penetration => "by depth",
     };
     let (size, chi, thickness) = (case.size, case.e1 / case.e2, case.thickness);
-    let check = format!("{surface}, {size} × {size}, χ = {chi}, H = {thickness}, {given}");
-    match solve(scene, case) {
+    let check = format!("{profile}, {size} × {size}, χ = {chi}, H = {thickness}, {given}");
+    match solve(run, case) {
         Ok(solution) => {
             let peak = solution.pressure.iter().copied().fold(0.0, f64::max);
             let error = error(case, &solution);
-            Row::compare(check, [case.max_pressure, peak], error, COMPARED)
+            Comparison::compare(check, [case.max_pressure, peak], error, COMPARED)
         }
-        Err(trouble) => Row::failed(check, &trouble),
+        Err(error) => Comparison::failed(check, &error),
     }
 }
 
-/// The solution of the grid's problem from a cold start, certified to 1e-12.
+/// The solution of the grid problem from a cold start, certified to 1e-12.
 ///
 /// # Errors
-/// What the crates refuse, and [`Trouble::NotCertified`].
-pub fn solve(scene: Scene, case: &DiscreteContact) -> Result<Solution, Trouble> {
-    let mut problem = problem(scene, case)?;
+/// Errors of the crates, and [`ValidationError::NotCertified`].
+pub fn solve(run: ValidationRun, case: &DiscreteContact) -> Result<Solution, ValidationError> {
+    let mut problem = problem(run, case)?;
     let load = match case.given {
         Given::Force => Load::Force(case.force),
         Given::Penetration => Load::Penetration(case.penetration),
@@ -79,11 +79,11 @@ pub fn solve(scene: Scene, case: &DiscreteContact) -> Result<Solution, Trouble> 
     if solution.certificate.is_satisfied() {
         Ok(solution)
     } else {
-        Err(Trouble::NotCertified { worst })
+        Err(ValidationError::NotCertified { worst })
     }
 }
 
-fn problem(scene: Scene, case: &DiscreteContact) -> Result<DiscreteProblem, Trouble> {
+fn problem(run: ValidationRun, case: &DiscreteContact) -> Result<DiscreteProblem, ValidationError> {
     let coating = Material::new(case.e1, case.nu1)?;
     let substrate = Material::new(case.e2, case.nu2)?;
     let foundation = Foundation::coated(case.thickness, coating, substrate)?;
@@ -91,9 +91,9 @@ fn problem(scene: Scene, case: &DiscreteContact) -> Result<DiscreteProblem, Trou
     let centre = |i: usize| (i as f64 + 0.5) * side - case.half_side;
     let height = |e: usize| {
         let (x, y) = (centre(e / case.size), centre(e % case.size));
-        case.surface.height(x, y)
+        case.profile.height(x, y)
     };
-    let table = CoefficientTable::assemble(&scene.tables(&foundation)?, side, case.size)?;
+    let table = CoefficientTable::assemble(&run.tables(&foundation)?, side, case.size)?;
     let elasticity = Arc::new(SurfaceElasticity::new(Arc::new(table), foundation));
     let elements = case.size * case.size;
     let (springs, gap) = (vec![0.0; elements], (0..elements).map(height).collect());

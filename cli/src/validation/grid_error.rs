@@ -4,31 +4,31 @@ use pellicle_contact::{FlatPunch, Indenter, Load, Step};
 use pellicle_kernel::Foundation;
 use pellicle_texture::Relief;
 
-use super::scene::{Contact, paraboloid, unit_material};
-use super::{Plan, Row, Scene, Trouble};
+use super::run::{ContactSetup, paraboloid, unit_material};
+use super::{Comparison, ValidationError, ValidationRun, ValidationSection};
 
 /// The section.
-pub const PLAN: Plan = Plan {
+pub const SECTION: ValidationSection = ValidationSection {
     name: "The grid error's controls",
     source: "Hertz's peak is finite, that at the rim of a flat punch is not",
     because: "a word: what is said of the largest pressure",
     rows,
 };
 
-fn rows(scene: Scene) -> Result<Vec<Row>, Trouble> {
+fn rows(run: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
     let punch = Indenter::FlatPunch(FlatPunch::new(0.1)?);
-    let said = |indenter| -> Result<&str, Trouble> {
-        let path = scene.solve(&contact(indenter)?)?;
+    let said = |indenter| -> Result<&str, ValidationError> {
+        let path = run.solve(&contact(indenter)?)?;
         Ok(of_the_peak(&path.steps[0]))
     };
     Ok(vec![
-        Row::words("Hertz".into(), "resolved", said(paraboloid(1.0)?)?),
-        Row::words("Flat punch".into(), "unresolved", said(punch)?),
+        Comparison::words("Hertz".into(), "resolved", said(paraboloid(1.0)?)?),
+        Comparison::words("Flat punch".into(), "unresolved", said(punch)?),
     ])
 }
 
-fn contact(indenter: Indenter) -> Result<Contact, Trouble> {
-    Ok(Contact {
+fn contact(indenter: Indenter) -> Result<ContactSetup, ValidationError> {
+    Ok(ContactSetup {
         foundation: Foundation::half_space(unit_material()?),
         relief: Relief::Bare,
         indenter,

@@ -4,27 +4,27 @@ use pellicle_contact::{Load, Method, SolverOptions};
 use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
 use pellicle_texture::{CylinderSpec, Cylinders, Film, Lattice, Relief};
 
-use super::scene::{Contact, paraboloid, unit_material};
-use super::{Plan, Row, Scene, Trouble};
+use super::run::{ContactSetup, paraboloid, unit_material};
+use super::{Comparison, ValidationError, ValidationRun, ValidationSection};
 
 /// The section.
-pub const PLAN: Plan = Plan {
+pub const SECTION: ValidationSection = ValidationSection {
     name: "Limits, and two ways to one number",
     source: "another problem, solved here, that has the same answer",
     because: "relative; what the limit leaves (some 1e-6 where a thickness or a stiffness is a million), and ten times the certificate's 1e-8",
     rows,
 };
 
-/// A penetration follows the certificate's 1e-8 by less than ten times as much.
+/// The error of a penetration is less than ten times the certificate's 1e-8.
 const CERTIFIED: f64 = 1e-7;
-/// Coatings are a millionth or a million contact radii thick, a stiff substrate a million times as stiff: felt by as
-/// much, times some ratio of moduli.
+/// Coatings are a millionth or a million contact radii thick, a stiff substrate a million times as stiff: their effect
+/// is a millionth, times some ratio of moduli.
 const MILLIONTH: f64 = 1e-5;
 
 /// Two contacts with one answer.
-type Pair = fn() -> Result<[Contact; 2], Trouble>;
+type Pair = fn() -> Result<[ContactSetup; 2], ValidationError>;
 
-/// What becomes what, the tolerance, and both.
+/// The limit in words, the tolerance, and the two contacts.
 const LIMITS: [(&str, f64, Pair); 8] = [
     ("χ → 1, equal ν: the half-space", CERTIFIED, equal_materials),
     ("thick coating: the coating alone", MILLIONTH, thick),
@@ -48,28 +48,38 @@ const LIMITS: [(&str, f64, Pair); 8] = [
     ("SI units: the same in units of R and E", CERTIFIED, units),
 ];
 
-fn rows(scene: Scene) -> Result<Vec<Row>, Trouble> {
+fn rows(run: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
     let limits = LIMITS.iter().map(|(check, tolerance, pair)| {
-        limit(scene, check, *tolerance, *pair)
-            .unwrap_or_else(|trouble| Row::failed((*check).into(), &trouble))
+        limit(run, check, *tolerance, *pair)
+            .unwrap_or_else(|error| Comparison::failed((*check).into(), &error))
     });
     let mut rows: Vec<_> = limits.collect();
-    rows.push(there_and_back(scene)?);
-    rows.push(two_methods(scene)?);
+    rows.push(there_and_back(run)?);
+    rows.push(two_methods(run)?);
     Ok(rows)
 }
 
 /// Penetrations of two contacts, each over its own side.
-fn limit(scene: Scene, check: &str, tolerance: f64, pair: Pair) -> Result<Row, Trouble> {
+fn limit(
+    run: ValidationRun,
+    check: &str,
+    tolerance: f64,
+    pair: Pair,
+) -> Result<Comparison, ValidationError> {
     let [wanted, found] = pair()?;
-    let reference = scene.penetration(&wanted)? / wanted.side;
-    let computed = scene.penetration(&found)? / found.side;
-    Ok(Row::relative(check.into(), reference, computed, tolerance))
+    let reference = run.penetration(&wanted)? / wanted.side;
+    let computed = run.penetration(&found)? / found.side;
+    Ok(Comparison::relative(
+        check.into(),
+        reference,
+        computed,
+        tolerance,
+    ))
 }
 
 /// A paraboloid of radius 1 whose contact radius is some 0.1.
-fn contact(foundation: Foundation) -> Result<Contact, Trouble> {
-    Ok(Contact {
+fn contact(foundation: Foundation) -> Result<ContactSetup, ValidationError> {
+    Ok(ContactSetup {
         foundation,
         relief: Relief::Bare,
         indenter: paraboloid(1.0)?,
@@ -79,26 +89,30 @@ fn contact(foundation: Foundation) -> Result<Contact, Trouble> {
     })
 }
 
-fn half_space(material: Material) -> Result<Contact, Trouble> {
+fn half_space(material: Material) -> Result<ContactSetup, ValidationError> {
     contact(Foundation::half_space(material))
 }
 
-fn coated(thickness: f64, coating: Material, substrate: Material) -> Result<Contact, Trouble> {
+fn coated(
+    thickness: f64,
+    coating: Material,
+    substrate: Material,
+) -> Result<ContactSetup, ValidationError> {
     contact(Foundation::coated(thickness, coating, substrate)?)
 }
 
-fn other_material() -> Result<Material, Trouble> {
+fn other_material() -> Result<Material, ValidationError> {
     Ok(Material::new(5.0, 0.2)?)
 }
 
-fn equal_materials() -> Result<[Contact; 2], Trouble> {
+fn equal_materials() -> Result<[ContactSetup; 2], ValidationError> {
     let substrate = unit_material()?;
-    // Equal to the bit it would be taken for a half-space at once.
+    // If equal to the bit, it would be recognised as a half-space.
     let coating = Material::new(substrate.young_modulus() * (1.0 + 1e-12), 0.3)?;
     Ok([half_space(substrate)?, coated(0.05, coating, substrate)?])
 }
 
-fn thick() -> Result<[Contact; 2], Trouble> {
+fn thick() -> Result<[ContactSetup; 2], ValidationError> {
     let coating = unit_material()?;
     Ok([
         half_space(coating)?,
@@ -106,7 +120,7 @@ fn thick() -> Result<[Contact; 2], Trouble> {
     ])
 }
 
-fn thin() -> Result<[Contact; 2], Trouble> {
+fn thin() -> Result<[ContactSetup; 2], ValidationError> {
     let substrate = unit_material()?;
     Ok([
         half_space(substrate)?,
@@ -114,7 +128,7 @@ fn thin() -> Result<[Contact; 2], Trouble> {
     ])
 }
 
-fn stiff_substrate() -> Result<[Contact; 2], Trouble> {
+fn stiff_substrate() -> Result<[ContactSetup; 2], ValidationError> {
     let material = unit_material()?;
     let layer = Layer::new(0.1, material, Interface::Bonded)?;
     let rigid = Foundation::new(vec![layer], Base::Rigid)?;
@@ -122,7 +136,7 @@ fn stiff_substrate() -> Result<[Contact; 2], Trouble> {
     Ok([contact(rigid)?, coated(0.1, material, stiff)?])
 }
 
-fn cut_in_two() -> Result<[Contact; 2], Trouble> {
+fn cut_in_two() -> Result<[ContactSetup; 2], ValidationError> {
     let (coating, substrate) = (other_material()?, unit_material()?);
     let layer = |thickness| Layer::new(thickness, coating, Interface::Bonded);
     let base = Base::HalfSpace(substrate);
@@ -131,21 +145,21 @@ fn cut_in_two() -> Result<[Contact; 2], Trouble> {
 }
 
 /// The paper's stiff coating, bare.
-fn stiff_coating() -> Result<Contact, Trouble> {
+fn stiff_coating() -> Result<ContactSetup, ValidationError> {
     coated(0.05, Material::new(10.0, 0.3)?, Material::new(1.0, 0.4)?)
 }
 
-fn hard_film() -> Result<[Contact; 2], Trouble> {
+fn hard_film() -> Result<[ContactSetup; 2], ValidationError> {
     let film = Relief::Film(Film::new(1e-3, 1e12)?);
-    let with_film = Contact {
+    let with_film = ContactSetup {
         relief: film,
         ..stiff_coating()?
     };
     Ok([stiff_coating()?, with_film])
 }
 
-fn low_relief() -> Result<[Contact; 2], Trouble> {
-    let low = Contact {
+fn low_relief() -> Result<[ContactSetup; 2], ValidationError> {
+    let low = ContactSetup {
         relief: cylinders(1e-14)?,
         ..stiff_coating()?
     };
@@ -153,7 +167,7 @@ fn low_relief() -> Result<[Contact; 2], Trouble> {
 }
 
 /// Cylinders of the coating's own modulus, eight elements a radius.
-fn cylinders(height: f64) -> Result<Relief, Trouble> {
+fn cylinders(height: f64) -> Result<Relief, ValidationError> {
     let spec = CylinderSpec {
         lattice: Lattice::Square,
         radius: 0.0375,
@@ -165,11 +179,11 @@ fn cylinders(height: f64) -> Result<Relief, Trouble> {
     Ok(Relief::Cylinders(Cylinders::new(spec)?))
 }
 
-fn units() -> Result<[Contact; 2], Trouble> {
+fn units() -> Result<[ContactSetup; 2], ValidationError> {
     let (micrometres, gigapascals) = (3e-6, 70e9);
     let coating = Material::new(10.0 * gigapascals, 0.3)?;
     let substrate = Material::new(gigapascals, 0.4)?;
-    let in_si = Contact {
+    let in_si = ContactSetup {
         foundation: Foundation::coated(0.05 * micrometres, coating, substrate)?,
         relief: Relief::Bare,
         indenter: paraboloid(micrometres)?,
@@ -181,10 +195,10 @@ fn units() -> Result<[Contact; 2], Trouble> {
 }
 
 /// Touching on cylinders and between them.
-fn textured() -> Result<Contact, Trouble> {
+fn textured() -> Result<ContactSetup, ValidationError> {
     let load = Load::Force(5e-3);
     let relief = cylinders(2e-3)?;
-    Ok(Contact {
+    Ok(ContactSetup {
         relief,
         load,
         elements: 32,
@@ -192,31 +206,36 @@ fn textured() -> Result<Contact, Trouble> {
     })
 }
 
-/// The force of a penetration of a force.
-fn there_and_back(scene: Scene) -> Result<Row, Trouble> {
+/// A force, its penetration, and the force of that penetration.
+fn there_and_back(run: ValidationRun) -> Result<Comparison, ValidationError> {
     let by_force = textured()?;
-    let there = scene.solve(&by_force)?.steps.remove(0).solution;
+    let there = run.solve(&by_force)?.steps.remove(0).solution;
     let load = Load::Penetration(there.penetration);
-    let back = scene
-        .solve(&Contact { load, ..by_force })?
+    let back = run
+        .solve(&ContactSetup { load, ..by_force })?
         .steps
         .remove(0)
         .solution;
     let check = "textured: force, penetration, force again".into();
-    Ok(Row::relative(check, there.force, back.force, CERTIFIED))
+    Ok(Comparison::relative(
+        check,
+        there.force,
+        back.force,
+        CERTIFIED,
+    ))
 }
 
 /// Gradients and the paper's active set on the dense system.
-fn two_methods(scene: Scene) -> Result<Row, Trouble> {
+fn two_methods(run: ValidationRun) -> Result<Comparison, ValidationError> {
     let contact = textured()?;
     let options = SolverOptions {
         method: Method::ActiveSet,
         ..SolverOptions::default()
     };
-    let gradient = scene.solve(&contact)?.steps.remove(0).summary;
-    let active_set = scene.solve_with(&contact, options)?.steps.remove(0).summary;
+    let gradient = run.solve(&contact)?.steps.remove(0).summary;
+    let active_set = run.solve_with(&contact, options)?.steps.remove(0).summary;
     let check = "textured: largest pressure by the dense active set".into();
-    Ok(Row::relative(
+    Ok(Comparison::relative(
         check,
         active_set.max_pressure,
         gradient.max_pressure,

@@ -3,10 +3,10 @@
 use pellicle_influence::{CoefficientTable, ConvolutionOperator, DenseOperator, ElasticOperator};
 use pellicle_kernel::{Foundation, Material};
 
-use super::{Plan, Row, Scene, Trouble};
+use super::{Comparison, ValidationError, ValidationRun, ValidationSection};
 
 /// The section.
-pub const PLAN: Plan = Plan {
+pub const SECTION: ValidationSection = ValidationSection {
     name: "Product of coefficients and pressure",
     source: "the sum over all elements, one by one",
     because: "relative to the largest displacement; rounding of the transforms and of the sums",
@@ -16,19 +16,23 @@ pub const PLAN: Plan = Plan {
 /// Rounding of transforms of up to 96² numbers.
 const ROUNDING: f64 = 1e-13;
 
-fn rows(scene: Scene) -> Result<Vec<Row>, Trouble> {
+fn rows(run: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
     let half_space = Foundation::half_space(Material::new(1.0, 0.3)?);
     let soft = Foundation::coated(1.0, Material::new(1e-3, 0.49)?, Material::new(1.0, 0.3)?)?;
     [("half-space", half_space), ("soft coating", soft)]
         .iter()
-        .map(|(name, foundation)| product(scene, name, foundation))
+        .map(|(name, foundation)| product(run, name, foundation))
         .collect()
 }
 
 /// The worst element of a pressure without symmetry.
-fn product(scene: Scene, name: &str, foundation: &Foundation) -> Result<Row, Trouble> {
+fn product(
+    run: ValidationRun,
+    name: &str,
+    foundation: &Foundation,
+) -> Result<Comparison, ValidationError> {
     let size = 37;
-    let table = CoefficientTable::assemble(&scene.tables(foundation)?, 0.3, size)?;
+    let table = CoefficientTable::assemble(&run.tables(foundation)?, 0.3, size)?;
     // Every value of the chaotic sequence is in (0, 1); its start is no rational.
     let mut state = std::f64::consts::FRAC_1_SQRT_2;
     let pressure: Vec<f64> = (0..size * size)
@@ -48,5 +52,5 @@ fn product(scene: Scene, name: &str, foundation: &Foundation) -> Result<Row, Tro
     let compared =
         elements.map(|(wanted, found)| ([*wanted, *found], (found - wanted).abs() / largest));
     let check = format!("{name}, {size} × {size} elements");
-    Ok(Row::worst(check, compared, ROUNDING))
+    Ok(Comparison::worst(check, compared, ROUNDING))
 }

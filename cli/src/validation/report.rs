@@ -2,16 +2,16 @@
 
 use serde::Serialize;
 
-use super::{Row, Scene, Section};
+use super::{Comparison, SectionResult, ValidationRun};
 
 /// Everything that was compared.
 #[derive(Debug, Serialize)]
-pub struct Report<'a> {
+pub struct ValidationReport<'a> {
     /// Version of this layout.
     schema: u32,
     program: &'static str,
     version: &'static str,
-    /// By how much, relatively, every coefficient was made wrong: 0 but for the test hook.
+    /// Relative error of every coefficient: 0 except for the test hook.
     perturbation: f64,
     verdict: &'static str,
     passed: usize,
@@ -26,13 +26,13 @@ struct SectionReport<'a> {
     name: &'static str,
     reference: &'static str,
     error: &'static str,
-    rows: &'a [Row],
+    rows: &'a [Comparison],
 }
 
-impl<'a> Report<'a> {
-    /// The report of these sections, which took so many seconds.
+impl<'a> ValidationReport<'a> {
+    /// The report of these sections, computed in this many seconds.
     #[must_use]
-    pub fn new(scene: Scene, sections: &'a [Section], seconds: f64) -> Self {
+    pub fn new(run: ValidationRun, sections: &'a [SectionResult], seconds: f64) -> Self {
         let rows = || sections.iter().flat_map(|section| &section.rows);
         let passed = rows().filter(|row| row.passes()).count();
         let failed = rows().count() - passed;
@@ -40,7 +40,7 @@ impl<'a> Report<'a> {
             schema: 1,
             program: "pellicle",
             version: env!("CARGO_PKG_VERSION"),
-            perturbation: scene.perturbation,
+            perturbation: run.perturbation,
             verdict: if failed == 0 { "pass" } else { "fail" },
             passed,
             failed,
@@ -51,14 +51,14 @@ impl<'a> Report<'a> {
     }
 }
 
-impl Report<'_> {
+impl ValidationReport<'_> {
     /// Whether every row passes.
     #[must_use]
     pub fn passes(&self) -> bool {
         self.failed == 0
     }
 
-    /// How many rows pass, and the sections of those that do not.
+    /// The number of rows that pass, and the sections of those that fail.
     #[must_use]
     pub fn conclusion(&self) -> String {
         let (seconds, rows) = (self.seconds, self.passed + self.failed);
@@ -71,7 +71,7 @@ impl Report<'_> {
     }
 }
 
-/// How many rows of a section fail, if any does.
+/// The number of rows of a section that fail, if any does.
 fn failures(section: &SectionReport<'_>) -> Option<String> {
     let failed = section.rows.iter().filter(|row| !row.passes()).count();
     let (name, rows) = (section.name, section.rows.len());
@@ -79,11 +79,11 @@ fn failures(section: &SectionReport<'_>) -> Option<String> {
 }
 
 impl<'a> SectionReport<'a> {
-    fn new(section: &'a Section) -> Self {
+    fn new(section: &'a SectionResult) -> Self {
         Self {
-            name: section.name,
-            reference: section.source,
-            error: section.because,
+            name: section.section.name,
+            reference: section.section.source,
+            error: section.section.because,
             rows: &section.rows,
         }
     }

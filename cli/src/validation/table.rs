@@ -1,6 +1,6 @@
 //! The validation as a table for people.
 
-use super::{Row, Section, Value, Verdict};
+use super::{ComparedValue, Comparison, SectionResult, ValidationSection, Verdict};
 use crate::display::significant;
 
 /// Digits of a number in the table; JSON has all.
@@ -16,26 +16,26 @@ pub fn heading() -> String {
     line("check", cells)
 }
 
-/// A section: its name, its rows, and where its references and tolerances come from.
+/// A section: its name, its rows, and the sources of its references and tolerances.
 #[must_use]
-pub fn section_text(section: &Section) -> String {
+pub fn section_text(section: &SectionResult) -> String {
     let rows: String = section.rows.iter().map(row).collect();
-    let Section {
+    let ValidationSection {
         name,
         source,
         because,
         ..
-    } = section;
+    } = section.section;
     format!("\n{name}\n{rows}  reference: {source}\n  error: {because}\n")
 }
 
-fn row(row: &Row) -> String {
+fn row(row: &Comparison) -> String {
     let verdict = match row.verdict {
         Verdict::Pass => "pass",
         Verdict::Fail => "FAIL",
     };
     let (reference, computed) = (value(&row.reference), value(&row.computed));
-    // What went wrong has a line of its own.
+    // An error message gets a line of its own.
     let (computed, reason) = if computed.chars().count() > LONGEST_WORD {
         ("none".to_owned(), format!("      {computed}\n"))
     } else {
@@ -50,10 +50,10 @@ fn line(check: &str, [reference, computed, error, tolerance, verdict]: [&str; 5]
     format!("{check:<54}{reference:>16}{computed:>16}{error:>10}{tolerance:>11}  {verdict}\n")
 }
 
-fn value(value: &Value) -> String {
+fn value(value: &ComparedValue) -> String {
     match value {
-        Value::Number(number) => significant(*number, DIGITS),
-        Value::Word(word) => word.clone(),
+        ComparedValue::Number(number) => significant(*number, DIGITS),
+        ComparedValue::Word(word) => word.clone(),
     }
 }
 

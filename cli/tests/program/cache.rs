@@ -5,18 +5,18 @@ use std::path::PathBuf;
 
 use serde_json::Value;
 
-use crate::runner::{CASE, Folder, Ran};
+use crate::runner::{CASE, ProgramOutput, TestFolder};
 
 /// A grid above the border from which coefficients are kept, and two coarser ones.
 const SIZE: &str = "grid.elements=128";
 
 /// Runs the program with its cache in the folder `kept`.
-fn with_cache(folder: &Folder, arguments: &[&str]) -> Ran {
+fn with_cache(folder: &TestFolder, arguments: &[&str]) -> ProgramOutput {
     let mut command = folder.command(arguments);
-    Folder::ran(command.env("PELLICLE_CACHE", folder.path("kept")))
+    TestFolder::ran(command.env("PELLICLE_CACHE", folder.path("kept")))
 }
 
-fn summary(folder: &Folder) -> Value {
+fn summary(folder: &TestFolder) -> Value {
     let ran = with_cache(folder, &["run", "case.toml", "--json", "--set", SIZE]);
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
     serde_json::from_str(&ran.stdout).unwrap()
@@ -34,14 +34,14 @@ fn codes(summary: &Value) -> Vec<&str> {
     codes.filter(|code| code.starts_with("cache")).collect()
 }
 
-fn kept(folder: &Folder) -> Vec<PathBuf> {
+fn kept(folder: &TestFolder) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder.path("kept")).unwrap();
     entries.map(|entry| entry.unwrap().path()).collect()
 }
 
 #[test]
 fn the_second_run_reads_its_coefficients_and_gives_the_same_bits() {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     let [first, second] = [summary(&folder), summary(&folder)];
     assert_eq!(
         [is_from_cache(&first), is_from_cache(&second)],
@@ -58,7 +58,7 @@ fn the_second_run_reads_its_coefficients_and_gives_the_same_bits() {
 
 #[test]
 fn damage_is_warned_of_and_mended() {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     summary(&folder);
     let files = kept(&folder);
     for file in &files {
@@ -74,7 +74,7 @@ fn damage_is_warned_of_and_mended() {
 
 #[test]
 fn a_folder_that_cannot_be_written_to_costs_one_warning_and_no_result() {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     fs::write(folder.path("kept"), "mine").unwrap();
     let found = summary(&folder);
     assert!(!is_from_cache(&found));
@@ -101,7 +101,7 @@ fn a_folder_that_cannot_be_written_to_costs_one_warning_and_no_result() {
 
 #[test]
 fn the_cache_is_shown_and_cleared() {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     let json = |arguments: &[&str]| -> Value {
         let ran = with_cache(&folder, arguments);
         assert_eq!(ran.code, Some(0), "{}", ran.stderr);
@@ -132,7 +132,7 @@ fn the_cache_is_shown_and_cleared() {
 
 #[test]
 fn an_empty_variable_means_no_cache_on_disk() {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     let ran = folder.run(&["cache"]);
     assert_eq!(ran.code, Some(0));
     assert!(ran.stdout.starts_with("no cache on disk"), "{}", ran.stdout);
@@ -145,7 +145,7 @@ fn an_empty_variable_means_no_cache_on_disk() {
 #[test]
 fn others_may_read_what_the_mask_allows() {
     use std::os::unix::fs::PermissionsExt;
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     summary(&folder);
     let mode = |path: &PathBuf| fs::metadata(path).unwrap().permissions().mode();
     let usual = mode(&folder.path("case.toml"));

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
-use crate::runner::Folder;
+use crate::runner::TestFolder;
 
 fn cases() -> Vec<PathBuf> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
@@ -24,7 +24,7 @@ fn every_case_runs_to_a_satisfied_certificate() {
     let cases = cases();
     assert!(cases.len() >= 15, "{cases:?}");
     for case in cases {
-        let ran = Folder::new().run(&["run", case.to_str().unwrap(), "--json", "--quiet"]);
+        let ran = TestFolder::new().run(&["run", case.to_str().unwrap(), "--json", "--quiet"]);
         assert_eq!(ran.code, Some(0), "{}: {}", case.display(), ran.stderr);
         let summary: Value = serde_json::from_str(&ran.stdout).unwrap();
         for step in summary["steps"].as_array().unwrap() {
@@ -42,7 +42,7 @@ fn every_case_runs_to_a_satisfied_certificate() {
 #[test]
 fn the_case_of_the_readme_leaves_its_files() {
     let case = Path::new(env!("CARGO_MANIFEST_DIR")).join("../cases/fig2c.toml");
-    let folder = Folder::new();
+    let folder = TestFolder::new();
     let ran = folder.run(&["run", case.to_str().unwrap(), "--out", "results"]);
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
     for file in [

@@ -7,7 +7,7 @@ use std::process::Stdio;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 
-use crate::runner::{CASE, Folder, Ran};
+use crate::runner::{CASE, ProgramOutput, TestFolder};
 
 /// One way to damage a case, at a place given by a number in [0, 1).
 #[derive(Debug, Clone)]
@@ -155,7 +155,7 @@ fn two_hundred_damaged_cases_end_with_2_one_diagnosis_and_no_results() {
         ),
     );
     let checked = runner.run(&damage(), |damage| {
-        let folder = Folder::with_case(damaged(&damage));
+        let folder = TestFolder::with_case(damaged(&damage));
         let ran = folder.run(&["run", "case.toml"]);
         prop_assert_eq!(ran.code, Some(2), "{}", ran.stderr);
         let sentences = ran
@@ -174,7 +174,7 @@ fn two_hundred_damaged_cases_end_with_2_one_diagnosis_and_no_results() {
 
 /// Whether the tests may write where nobody may: as root they may everywhere.
 fn is_root() -> bool {
-    let folder = Folder::new();
+    let folder = TestFolder::new();
     let path = folder.path("closed");
     fs::create_dir(&path).unwrap();
     set_read_only(&path, true);
@@ -192,7 +192,7 @@ fn set_read_only(path: &std::path::Path, read_only: bool) {
 #[test]
 fn a_folder_that_cannot_be_written_to_is_told_before_any_work() {
     if is_root() {
-        let folder = Folder::with_case(CASE);
+        let folder = TestFolder::with_case(CASE);
         // Nobody may make a folder in a file.
         fs::write(folder.path("results"), "mine").unwrap();
         refused(&folder.run(&["run", "case.toml"]), "results");
@@ -202,18 +202,18 @@ fn a_folder_that_cannot_be_written_to_is_told_before_any_work() {
         );
         return;
     }
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     let closed = folder.path("closed");
     fs::create_dir(&closed).unwrap();
     fs::copy(folder.path("case.toml"), closed.join("case.toml")).unwrap();
     set_read_only(&closed, true);
     let mut command = folder.command(&["run", "case.toml"]);
-    let ran = Folder::ran(command.current_dir(&closed));
+    let ran = TestFolder::ran(command.current_dir(&closed));
     set_read_only(&closed, false);
     refused(&ran, "results");
 }
 
-fn refused(ran: &Ran, name: &str) {
+fn refused(ran: &ProgramOutput, name: &str) {
     assert_eq!(ran.code, Some(2), "{}", ran.stderr);
     assert_eq!(ran.stderr.lines().count(), 1, "{}", ran.stderr);
     assert!(ran.stderr.contains(name), "{}", ran.stderr);
@@ -222,7 +222,7 @@ fn refused(ran: &Ran, name: &str) {
 #[test]
 #[cfg(target_os = "linux")]
 fn a_full_disk_is_told_with_2() {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     for line in [
         &["run", "case.toml", "--json"][..],
         &["check", "case.toml"],
@@ -232,7 +232,7 @@ fn a_full_disk_is_told_with_2() {
             .write(true)
             .open("/dev/full")
             .unwrap();
-        let ran = Folder::ran_with_stdout(&mut folder.command(line), full);
+        let ran = TestFolder::ran_with_stdout(&mut folder.command(line), full);
         assert_eq!(ran.code, Some(2), "{line:?}: {}", ran.stderr);
         assert!(ran.stderr.contains("standard output"), "{}", ran.stderr);
     }
@@ -240,10 +240,11 @@ fn a_full_disk_is_told_with_2() {
 
 #[test]
 fn a_reader_that_leaves_early_is_no_error() {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     for line in [
         &["run", "case.toml", "--json", "--quiet"][..],
         &["check", "case.toml", "--set", "surface={}"],
+        &["init"],
         &["man"],
         &["completions", "zsh"],
     ] {
@@ -259,7 +260,7 @@ fn a_reader_that_leaves_early_is_no_error() {
 
 #[test]
 fn a_case_of_any_size_is_read_or_refused() {
-    let folder = Folder::new();
+    let folder = TestFolder::new();
     let mut file = fs::File::create(folder.path("case.toml")).unwrap();
     file.write_all(CASE.as_bytes()).unwrap();
     let line = format!("# {}\n", "x".repeat(998));

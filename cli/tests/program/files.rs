@@ -6,9 +6,9 @@ use ndarray::{Array1, Array2};
 use ndarray_npy::NpzReader;
 use serde_json::Value;
 
-use crate::runner::{CASE, Folder, names};
+use crate::runner::{CASE, TestFolder, names};
 
-/// What a run of one step leaves behind.
+/// The files of a run of one step.
 const FILES: [&str; 17] = [
     "contact-000.gsf",
     "convergence.png",
@@ -31,7 +31,7 @@ const FILES: [&str; 17] = [
 
 #[test]
 fn a_run_leaves_a_folder_named_after_the_case_and_numbers_the_next() {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     for _ in 0..2 {
         let ran = folder.run(&["run", "case.toml"]);
         assert_eq!(ran.code, Some(0), "{}", ran.stderr);
@@ -45,7 +45,7 @@ fn a_run_leaves_a_folder_named_after_the_case_and_numbers_the_next() {
 
 #[test]
 fn a_results_folder_is_replaced_only_with_force() {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     let run = |more: &[&str]| folder.run(&[&["run", "case.toml", "--out", "a"], more].concat());
     assert_eq!(run(&[]).code, Some(0));
     let old = fs::read(folder.path("a/summary.json")).unwrap();
@@ -64,7 +64,7 @@ fn a_results_folder_is_replaced_only_with_force() {
 
 #[test]
 fn a_folder_of_something_else_is_never_replaced() {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     let ran = folder.run(&["run", "case.toml", "--out", ".", "--force"]);
     assert_eq!(ran.code, Some(2), "{}", ran.stderr);
     assert_eq!(folder.names(), ["case.toml"]);
@@ -72,7 +72,7 @@ fn a_folder_of_something_else_is_never_replaced() {
 
 #[test]
 fn a_result_that_did_not_converge_is_written_and_marked() {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     // The smallest force that a number can hold: spread over the elements it is no number any more.
     let ran = folder.run(&[
         "run",
@@ -85,20 +85,18 @@ fn a_result_that_did_not_converge_is_written_and_marked() {
     assert_eq!(ran.code, Some(1), "{}", ran.stderr);
     assert!(ran.stderr.contains("not converged"), "{}", ran.stderr);
     assert_eq!(names(&folder.path("a")), FILES);
-    let summary = fs::read_to_string(folder.path("a/summary.json")).unwrap();
-    let summary: Value = serde_json::from_str(&summary).unwrap();
+    let summary = folder.summary("a");
     assert_eq!(summary["steps"][0]["certificate"]["satisfied"], false);
 }
 
 #[test]
 fn a_contact_that_the_domain_cuts_off_is_written_and_marked() {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     let side = "grid.side=40 nm";
     let ran = folder.run(&["run", "case.toml", "--out", "a", "--set", side]);
     assert_eq!(ran.code, Some(1), "{}", ran.stderr);
     assert!(ran.stderr.contains("cut off"), "{}", ran.stderr);
-    let summary = fs::read_to_string(folder.path("a/summary.json")).unwrap();
-    let summary: Value = serde_json::from_str(&summary).unwrap();
+    let summary = folder.summary("a");
     let step = &summary["steps"][0];
     assert_eq!(step["certificate"]["satisfied"], true);
     assert_eq!(
@@ -111,14 +109,14 @@ fn a_contact_that_the_domain_cuts_off_is_written_and_marked() {
 
 #[test]
 fn json_alone_prints_the_summary_and_writes_nothing() {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     let ran = folder.run(&["run", "case.toml", "--json"]);
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
     assert_eq!(folder.names(), ["case.toml"]);
     let summary: Value = serde_json::from_str(&ran.stdout).unwrap();
     let keys: Vec<_> = summary.as_object().unwrap().keys().collect();
     let wanted = [
-        "case", "grid", "program", "schema", "status", "steps", "timing", "title", "version",
+        "schema", "program", "version", "title", "case", "status", "grid", "steps", "timing",
         "warnings",
     ];
     assert_eq!(keys, wanted);
@@ -129,7 +127,7 @@ fn json_alone_prints_the_summary_and_writes_nothing() {
 
 #[test]
 fn quiet_is_silent_and_json_with_a_folder_does_both() {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     let ran = folder.run(&["run", "case.toml", "--quiet"]);
     assert_eq!(
         (ran.code, ran.stdout.as_str(), ran.stderr.as_str()),
@@ -144,7 +142,7 @@ fn quiet_is_silent_and_json_with_a_folder_does_both() {
 
 #[test]
 fn the_curve_has_units_in_its_header_and_a_row_a_step() {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     let ran = folder.run(&[
         "run",
         "case.toml",
@@ -179,7 +177,7 @@ fn the_curve_has_units_in_its_header_and_a_row_a_step() {
 
 #[test]
 fn the_fields_are_arrays_of_the_grid() {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     folder.run(&["run", "case.toml", "--out", "a"]);
     let mut npz = NpzReader::new(fs::File::open(folder.path("a/fields-000.npz")).unwrap()).unwrap();
     let x: Array1<f64> = npz.by_name("x").unwrap();
@@ -209,7 +207,7 @@ fn the_fields_are_arrays_of_the_grid() {
 
 #[test]
 fn pictures_are_drawn_again_from_the_files_alone() {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     folder.run(&["run", "case.toml", "--out", "a"]);
     let pictures = || {
         let names = FILES
@@ -237,7 +235,7 @@ fn pictures_are_drawn_again_from_the_files_alone() {
 
 #[test]
 fn the_report_holds_everything_it_shows_and_says_warnings_aloud() {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     folder.run(&[
         "run",
         "case.toml",
@@ -250,9 +248,8 @@ fn the_report_holds_everything_it_shows_and_says_warnings_aloud() {
     // The name of SVG's vocabulary is the only address on the page, and nothing is fetched from it.
     let addresses = page.replace("http://www.w3.org/2000/svg", "");
     assert!(!addresses.contains("http:") && !addresses.contains("https:"));
-    assert!(page.contains("<title>&lt;b&gt;5 &amp; 6&lt;/b&gt;</title>"));
-    let summary = fs::read_to_string(folder.path("a/summary.json")).unwrap();
-    let summary: Value = serde_json::from_str(&summary).unwrap();
+    assert!(page.contains("<title>&#60;b&#62;5 &#38; 6&#60;/b&#62;</title>"));
+    let summary = folder.summary("a");
     let warnings = summary["warnings"].as_array().unwrap();
     assert!(!warnings.is_empty());
     for warning in warnings {

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-use crate::runner::{Folder, names};
+use crate::runner::{TestFolder, names};
 
 const GUIDE: &str = include_str!("../../../docs/guide.md");
 
@@ -24,7 +24,7 @@ fn path() -> String {
 
 #[test]
 fn every_command_of_the_guide_does_what_it_says() {
-    let (folder, path) = (Folder::new(), path());
+    let (folder, path) = (TestFolder::new(), path());
     for (language, text) in blocks() {
         // A case with a name is saved under it.
         let name = text.strip_prefix("# ").and_then(|text| text.lines().next());
@@ -39,16 +39,16 @@ fn every_command_of_the_guide_does_what_it_says() {
     assert_eq!(studies[1].len(), 6);
 }
 
-fn run(folder: &Folder, path: &str, line: &str) {
+fn run(folder: &TestFolder, path: &str, line: &str) {
     let mut command = Command::new("sh");
     let command = command.args(["-c", line]).current_dir(folder.path("."));
-    let ran = Folder::ran(command.env("PATH", path).env("PELLICLE_CACHE", ""));
+    let ran = TestFolder::ran(command.env("PATH", path).env("PELLICLE_CACHE", ""));
     assert_eq!(ran.code, Some(0), "{line}: {}", ran.stderr);
 }
 
 #[test]
 fn the_first_case_of_the_guide_is_that_of_the_template() {
-    let template = Folder::new().run(&["init", "coating"]).stdout;
+    let template = TestFolder::new().run(&["init", "coating"]).stdout;
     let case = blocks()
         .into_iter()
         .find(|(language, _)| *language == "toml");

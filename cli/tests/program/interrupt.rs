@@ -6,9 +6,7 @@ use std::process::{Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-use serde_json::Value;
-
-use crate::runner::{CASE, Folder, Ran};
+use crate::runner::{CASE, ProgramOutput, TestFolder};
 
 /// More work than any test waits for.
 const LONG: [&str; 4] = [
@@ -21,11 +19,11 @@ const LONG: [&str; 4] = [
 /// Starts the program, sends it a signal when `ready`, and waits for its end: what it did, and how long after the
 /// signal.
 fn interrupted(
-    folder: &Folder,
+    folder: &TestFolder,
     line: &[&str],
     signal: &str,
     ready: impl Fn() -> bool,
-) -> (Ran, Duration) {
+) -> (ProgramOutput, Duration) {
     let mut command = folder.command(line);
     let child = command
         .stdout(Stdio::piped())
@@ -46,18 +44,13 @@ fn interrupted(
             .unwrap()
             .success()
     );
-    let output = child.wait_with_output().unwrap();
-    let ran = Ran {
-        code: output.status.code(),
-        stdout: String::from_utf8(output.stdout).unwrap(),
-        stderr: String::from_utf8(output.stderr).unwrap(),
-    };
+    let ran = child.wait_with_output().unwrap().into();
     (ran, sent.elapsed())
 }
 
 #[test]
 fn ctrl_c_ends_a_run_within_a_second_with_130_and_leaves_nothing_half_written() {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     for signal in ["-INT", "-TERM"] {
         let line = [&["run", "case.toml"][..], &LONG].concat();
         let (ran, time) = interrupted(&folder, &line, signal, || true);
@@ -71,7 +64,7 @@ fn ctrl_c_ends_a_run_within_a_second_with_130_and_leaves_nothing_half_written() 
 
 #[test]
 fn ctrl_c_keeps_the_finished_steps_of_a_curve_and_says_that_it_is_not_whole() {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     // Some tens of milliseconds a step: in a second some are done, and never all.
     let start = Instant::now();
     let a_second = || start.elapsed() > Duration::from_secs(1);
@@ -88,8 +81,7 @@ fn ctrl_c_keeps_the_finished_steps_of_a_curve_and_says_that_it_is_not_whole() {
     ];
     let (ran, _) = interrupted(&folder, &line, "-INT", a_second);
     assert_eq!(ran.code, Some(130), "{}", ran.stderr);
-    let summary = fs::read_to_string(folder.path("a/summary.json")).unwrap();
-    let summary: Value = serde_json::from_str(&summary).unwrap();
+    let summary = folder.summary("a");
     let steps = summary["steps"].as_array().unwrap();
     assert!((1..10_000).contains(&steps.len()), "{}", steps.len());
     assert!(
@@ -108,7 +100,7 @@ fn ctrl_c_keeps_the_finished_steps_of_a_curve_and_says_that_it_is_not_whole() {
 
 #[test]
 fn ctrl_c_keeps_the_finished_cases_of_a_study() {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     let study =
         "[study]\ncase = \"case.toml\"\n[study.vary]\ngrid.elements = [32, 64, 2048, 2048]\n";
     fs::write(folder.path("study.toml"), study).unwrap();
@@ -130,7 +122,7 @@ fn ctrl_c_keeps_the_finished_cases_of_a_study() {
 
 #[test]
 fn an_unfinished_curve_replaces_no_whole_one() {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     let first = ["run", "case.toml", "--quiet", "--out", "a"];
     assert_eq!(folder.run(&first).code, Some(0));
     let whole = fs::read(folder.path("a/summary.json")).unwrap();
@@ -153,7 +145,7 @@ fn an_unfinished_curve_replaces_no_whole_one() {
 
 #[test]
 fn a_signal_is_heard_from_the_first_thing_a_command_does() {
-    let folder = Folder::new();
+    let folder = TestFolder::new();
     // Reading from it, a command waits until it is ended.
     let pipe = |name: &str| {
         let made = Command::new("mkfifo").arg(folder.path(name)).status();
@@ -194,7 +186,7 @@ fn a_signal_is_heard_from_the_first_thing_a_command_does() {
 
 #[test]
 fn a_study_stopped_while_it_is_planned_leaves_nothing() {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     let range = "{ from = \"1 uN\", to = \"2 uN\", count = 100000 }";
     let study = format!("[study]\ncase = \"case.toml\"\n[study.vary]\nload.force = {range}\n");
     fs::write(folder.path("many.toml"), study).unwrap();

@@ -2,46 +2,40 @@
 //! they were written.
 
 use std::fs;
-use std::path::Path;
 use std::process::{Child, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
 use serde_json::Value;
 
-use crate::runner::{CASE, Folder, Ran, names};
+use crate::runner::{CASE, ProgramOutput, TestFolder, names};
 
 /// Three cases that take no time.
 const STUDY: &str =
     "[study]\ncase = \"case.toml\"\n[study.vary]\nload.force = [\"1 uN\", \"2 uN\", \"3 uN\"]\n";
 
-fn with_study(text: &str) -> Folder {
-    let folder = Folder::with_case(CASE);
+fn with_study(text: &str) -> TestFolder {
+    let folder = TestFolder::with_case(CASE);
     fs::write(folder.path("many.toml"), text).unwrap();
     folder
 }
 
-fn study(folder: &Folder, more: &[&str]) -> Ran {
+fn study(folder: &TestFolder, more: &[&str]) -> ProgramOutput {
     folder.run(&[&["study", "many.toml", "--quiet"], more].concat())
 }
 
-fn read(folder: &Folder, name: &str) -> String {
+fn read(folder: &TestFolder, name: &str) -> String {
     fs::read_to_string(folder.path(name)).unwrap()
 }
 
-fn summary(folder: &Path) -> Value {
-    let text = fs::read_to_string(folder.join("summary.json")).unwrap();
-    serde_json::from_str(&text).unwrap()
-}
-
-fn refused(ran: &Ran, words: &str) {
+fn refused(ran: &ProgramOutput, words: &str) {
     assert_eq!(ran.code, Some(2), "{}", ran.stderr);
     assert!(ran.stderr.contains(words), "{words} in: {}", ran.stderr);
 }
 
 #[test]
 fn runs_of_one_case_at_once_have_a_folder_each() {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     let forces = ["1 uN", "2 uN", "3 uN", "4 uN"];
     let start = |force| {
         let set = format!("load.force={force}");
@@ -55,7 +49,7 @@ fn runs_of_one_case_at_once_have_a_folder_each() {
     let places = names(&folder.path("results"));
     assert_eq!(places, ["case", "case-2", "case-3", "case-4"]);
     let force = |name: &String| {
-        let summary = summary(&folder.path("results").join(name));
+        let summary = folder.summary(&format!("results/{name}"));
         summary["case"]["load"]["force"].as_f64().unwrap()
     };
     let mut found: Vec<_> = places.iter().map(force).collect();
@@ -65,10 +59,10 @@ fn runs_of_one_case_at_once_have_a_folder_each() {
 
 #[test]
 fn an_empty_folder_is_a_place_as_dot_and_through_a_link() {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     fs::create_dir(folder.path("empty")).unwrap();
     let mut command = folder.command(&["run", "../case.toml", "--quiet", "--out", "."]);
-    let ran = Folder::ran(command.current_dir(folder.path("empty")));
+    let ran = TestFolder::ran(command.current_dir(folder.path("empty")));
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
     assert!(folder.path("empty/summary.json").exists());
     #[cfg(unix)]
@@ -84,7 +78,7 @@ fn an_empty_folder_is_a_place_as_dot_and_through_a_link() {
 
 #[test]
 fn force_replaces_every_file_of_the_older_run_and_none_of_others() {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     let run = |more: &[&str]| {
         folder.run(&[&["run", "case.toml", "--quiet", "--out", "a"], more].concat())
     };
@@ -103,7 +97,7 @@ fn force_replaces_every_file_of_the_older_run_and_none_of_others() {
 
 #[test]
 fn a_file_of_the_users_own_under_the_name_of_one_of_a_run_is_not_replaced() {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     let line = ["run", "case.toml", "--quiet", "--out", "a", "--force"];
     assert_eq!(folder.run(&line).code, Some(0));
     let curve = read(&folder, "a/curve.csv");
@@ -148,7 +142,8 @@ fn a_summary_of_something_else_is_not_replaced_by_a_run_or_by_a_study() {
 #[test]
 fn a_study_replaces_folders_of_its_own_cases_and_of_no_others() {
     let folder = with_study(STUDY);
-    let place = folder.path("results/many/cases/case-0002");
+    let case = "results/many/cases/case-0002";
+    let place = folder.path(case);
     let out = place.to_str().unwrap().to_owned();
     let other = [
         "run",
@@ -161,7 +156,7 @@ fn a_study_replaces_folders_of_its_own_cases_and_of_no_others() {
     ];
     assert_eq!(folder.run(&other).code, Some(0));
     refused(&study(&folder, &["--folders"]), "another case");
-    assert_eq!(summary(&place)["title"], "other");
+    assert_eq!(folder.summary(case)["title"], "other");
     let same = ["run", "case.toml", "--quiet", "--out", &out, "--force"];
     let set = ["--set", "load.force=2 uN"];
     assert_eq!(folder.run(&[&same[..], &set].concat()).code, Some(0));
@@ -285,7 +280,7 @@ fn gathers_at_once_all_end_well() {
 
 #[test]
 fn a_template_written_beside_a_file_of_a_temporary_name_leaves_it() {
-    let folder = Folder::new();
+    let folder = TestFolder::new();
     fs::write(folder.path(".partial-case.toml"), "mine").unwrap();
     let ran = folder.run(&["init", "--out", "case.toml"]);
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
@@ -336,7 +331,7 @@ fn wait_for(child: &mut Child, is_so: impl Fn() -> bool) {
 
 #[test]
 fn what_a_killed_run_leaves_says_so_and_is_removed_by_the_next() {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     let long = [
         "--set",
         "grid.elements=2048",
@@ -373,7 +368,7 @@ fn a_case_for_which_there_is_too_little_memory_fails_by_itself() {
         let script = format!("ulimit -v 900000; exec {program} {line}");
         let mut command = std::process::Command::new("sh");
         command.args(["-c", &script]).env("PELLICLE_CACHE", "");
-        Folder::ran(command.current_dir(folder.path(".")))
+        TestFolder::ran(command.current_dir(folder.path(".")))
     };
     let ran = limited("run case.toml --set grid.elements=4096");
     refused(&ran, "memory");

@@ -6,7 +6,9 @@
     reason = "a test that cannot go on has failed"
 )]
 
+mod bad_command_line;
 mod bad_input;
+mod bad_text;
 mod cache;
 mod cases;
 mod damage;

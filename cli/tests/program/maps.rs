@@ -6,7 +6,7 @@ use ndarray::Array2;
 use ndarray_npy::WriteNpyExt;
 use serde_json::Value;
 
-use crate::runner::{CASE, Folder, Ran};
+use crate::runner::{CASE, ProgramOutput, TestFolder};
 
 /// Samples of the map along x and y, and its sides.
 const SHAPE: [usize; 2] = [40, 30];
@@ -21,8 +21,8 @@ fn height(i: usize, j: usize) -> f64 {
 }
 
 /// A folder with the case and the same map in three formats: metres, nanometres, micrometres.
-fn folder() -> Folder {
-    let folder = Folder::with_case(CASE);
+fn folder() -> TestFolder {
+    let folder = TestFolder::with_case(CASE);
     let map = Array2::from_shape_fn(SHAPE, |(i, j)| height(i, j));
     map.write_npy(fs::File::create(folder.path("tip.npy")).unwrap())
         .unwrap();
@@ -53,11 +53,11 @@ const INDENTERS: [&str; 3] = [
     "indenter={kind=\"map\", file=\"tip.gsf\"}",
 ];
 
-fn run(folder: &Folder, set: &str) -> Value {
+fn run(folder: &TestFolder, set: &str) -> Value {
     summary(&folder.run(&["run", "case.toml", "--json", "--set", set]))
 }
 
-fn summary(ran: &Ran) -> Value {
+fn summary(ran: &ProgramOutput) -> Value {
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
     serde_json::from_str(&ran.stdout).unwrap()
 }
@@ -93,7 +93,7 @@ fn a_map_is_found_from_the_folder_of_the_case_and_its_resolved_case_is_a_case_ag
         "--set",
         "indenter.radius=1 um",
     ]);
-    let checked = Folder::ran(command.current_dir(folder.path("elsewhere")));
+    let checked = TestFolder::ran(command.current_dir(folder.path("elsewhere")));
     assert_eq!(checked.code, Some(0), "{}", checked.stderr);
     for line in [
         "file = \"tip.gsf\"",
@@ -152,8 +152,8 @@ fn text(mut surface: impl FnMut(f64, f64) -> f64) -> String {
 const PARABOLOID: fn(f64, f64) -> f64 = |x, y| (x * x + y * y) / 8e-6;
 
 /// The case with this surface or indenter of the file `map.csv`.
-fn with_map(text: &str, set: &str) -> (Folder, Ran) {
-    let folder = Folder::with_case(CASE);
+fn with_map(text: &str, set: &str) -> (TestFolder, ProgramOutput) {
+    let folder = TestFolder::with_case(CASE);
     fs::write(folder.path("map.csv"), text).unwrap();
     let ran = folder.run(&[
         "run",
@@ -290,7 +290,7 @@ fn check_counts_samples_and_a_map_coarser_than_the_grid_is_warned_of() {
 
 #[test]
 fn the_rough_template_and_its_map_run_as_they_are() {
-    let folder = Folder::new();
+    let folder = TestFolder::new();
     for line in [
         &["init", "rough-map", "--out", "rough-surface.csv"][..],
         &["init", "rough", "--out", "rough.toml"],

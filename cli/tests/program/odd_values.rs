@@ -1,8 +1,8 @@
 //! Odd values of single keys: one sentence each with the key, the value found and the one wanted.
 
-use crate::runner::{CASE, Folder};
+use crate::runner::{CASE, TestFolder};
 
-/// What to replace in the case by what, and the key, what is found and what is wanted in the sentence about it.
+/// A text of the case, its replacement, and the key, the value found and the value wanted in the sentence about it.
 const ODD: [(&str, &str, &str, &str, &str); 16] = [
     (
         "title = \"Test\"",
@@ -116,7 +116,7 @@ const ODD: [(&str, &str, &str, &str, &str); 16] = [
 fn each_of_a_dozen_odd_values_gets_one_sentence_with_key_found_and_wanted() {
     for (from, to, key, found, wanted) in ODD {
         assert_eq!(CASE.matches(from).count(), 1, "{from}");
-        let ran = Folder::with_case(CASE.replace(from, to)).run(&["check", "case.toml"]);
+        let ran = TestFolder::with_case(CASE.replace(from, to)).run(&["check", "case.toml"]);
         assert_eq!(ran.code, Some(2), "{to}: {}", ran.stderr);
         let sentence = ran
             .stderr

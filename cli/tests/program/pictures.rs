@@ -3,11 +3,11 @@
 use std::fs;
 use std::path::Path;
 
-use crate::runner::{CASE, Folder, names};
+use crate::runner::{CASE, TestFolder, names};
 
 /// A folder with results of one load, and of three.
-fn results() -> Folder {
-    let folder = Folder::with_case(CASE);
+fn results() -> TestFolder {
+    let folder = TestFolder::with_case(CASE);
     let curve = "load={forces=[\"1 uN\", \"2 uN\", \"4 uN\"]}";
     for (out, more) in [("one", &[][..]), ("three", &["--set", curve])] {
         let ran = folder.run(
@@ -22,7 +22,7 @@ fn results() -> Folder {
     folder
 }
 
-fn plot(folder: &Folder, line: &str) {
+fn plot(folder: &TestFolder, line: &str) {
     let ran = folder.run(&line.split(' ').collect::<Vec<_>>());
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
 }
@@ -68,14 +68,9 @@ fn a_section_is_where_it_is_ordered_and_says_how_depth_is_enlarged() {
     assert!(axis.contains("section at y = 6.2500 nm"), "{axis}");
     assert!(axis.contains(" × enlarged"));
     let peak = section(" --section peak");
-    let summary = fs::read_to_string(folder.path("one/summary.json")).unwrap();
-    let summary: serde_json::Value = serde_json::from_str(&summary).unwrap();
+    let summary = folder.summary("one");
     let y = summary["steps"][0]["max_pressure_at"][1].as_f64().unwrap();
-    let y = pellicle_cli::display::quantity(
-        y,
-        pellicle_cli::display::Unit::Metre,
-        pellicle_cli::case::units::Units::Si,
-    );
+    let y = pellicle_cli::quantity(y, pellicle_cli::Unit::Metre, pellicle_cli::Units::Si);
     assert!(peak.contains(&format!("section at y = {y}")), "{y}");
     assert!(section(" --section x=-100nm").contains("section at x = -93.750 nm"));
     assert!(section(" --section y=1").contains("section at y = 193.75 nm"));
@@ -106,7 +101,7 @@ fn the_curves_of_several_results_are_one_picture() {
 
 #[test]
 fn a_result_without_fields_keeps_its_pictures_and_its_report() {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     folder.run(&["run", "case.toml", "--out", "a", "--fields", "none"]);
     let before = fs::read(folder.path("a/report.html")).unwrap();
     let files = names(&folder.path("a"));
@@ -123,7 +118,7 @@ fn a_measured_surface_has_maps_of_its_heights_the_gap_and_the_displacement() {
     let map = "[surface]\nkind = \"map\"\nfile = \"s.csv\"\nside = \"400 nm\"\nheight_unit = \"nm\"\ncompliance = 0\n";
     let (start, rest) = CASE.split_once("[surface]").unwrap();
     let (_, end) = rest.split_once("[indenter]").unwrap();
-    let folder = Folder::with_case(format!("{start}{map}\n[indenter]{end}"));
+    let folder = TestFolder::with_case(format!("{start}{map}\n[indenter]{end}"));
     let row = |j: usize| {
         (0..9)
             .map(|i| ((i * j) % 4).to_string())

@@ -8,9 +8,9 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::sync::OnceLock;
 
-use crate::runner::{CASE, Folder};
+use crate::runner::{CASE, TestFolder};
 
-/// What the scripts import; VTK without the plotting libraries that it only asks for.
+/// The packages that the scripts import; VTK is installed without its plotting libraries.
 const PACKAGES: [&str; 5] = ["numpy", "scipy", "xarray", "gsffile", "jsonschema"];
 const ALONE: &str = "vtk";
 
@@ -117,7 +117,7 @@ fn read_back(script: &str, arguments: &[PathBuf]) {
 
 /// A curve of two steps on two grids, and a punch, outside of which the gap is infinite.
 fn check_both_cases(script: &str) {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     let curve = [
         "--fields",
         "all",
@@ -157,7 +157,7 @@ fn xarray_reads_the_netcdf_in_the_layout_of_contact_engineering() {
 
 #[test]
 fn every_summary_keeps_to_its_schema() {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     let runs = [
         vec!["case.toml"],
         vec![

@@ -4,6 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
+use serde_json::Value;
 use tempfile::TempDir;
 
 /// A small case that is right: every test of a wrong one changes one thing in it.
@@ -36,16 +37,31 @@ elements = 32
 "#;
 
 /// A folder to run the program in.
-pub struct Folder(TempDir);
+pub struct TestFolder(TempDir);
 
-/// What the program did.
-pub struct Ran {
+/// Exit code and printed text of the program.
+pub struct ProgramOutput {
     pub code: Option<i32>,
     pub stdout: String,
     pub stderr: String,
 }
 
-impl Folder {
+impl From<Output> for ProgramOutput {
+    fn from(output: Output) -> Self {
+        let Output {
+            status,
+            stdout,
+            stderr,
+        } = output;
+        Self {
+            code: status.code(),
+            stdout: String::from_utf8(stdout).unwrap(),
+            stderr: String::from_utf8(stderr).unwrap(),
+        }
+    }
+}
+
+impl TestFolder {
     pub fn new() -> Self {
         Self(tempfile::tempdir().unwrap())
     }
@@ -59,6 +75,12 @@ impl Folder {
 
     pub fn path(&self, name: &str) -> PathBuf {
         self.0.path().join(name)
+    }
+
+    /// The summary of the run that this results folder is of.
+    pub fn summary(&self, results: &str) -> Value {
+        let text = fs::read_to_string(self.path(results).join("summary.json")).unwrap();
+        serde_json::from_str(&text).unwrap()
     }
 
     /// Names of everything in the folder, hidden or not.
@@ -77,32 +99,19 @@ impl Folder {
         command
     }
 
-    pub fn run(&self, arguments: &[&str]) -> Ran {
+    pub fn run(&self, arguments: &[&str]) -> ProgramOutput {
         Self::ran(&mut self.command(arguments))
     }
 
-    pub fn ran(command: &mut Command) -> Ran {
-        Self::read(command.output().unwrap())
+    pub fn ran(command: &mut Command) -> ProgramOutput {
+        command.output().unwrap().into()
     }
 
     /// The same with standard output going elsewhere.
     #[cfg(target_os = "linux")]
-    pub fn ran_with_stdout(command: &mut Command, stdout: impl Into<Stdio>) -> Ran {
+    pub fn ran_with_stdout(command: &mut Command, stdout: impl Into<Stdio>) -> ProgramOutput {
         let child = command.stdout(stdout).stderr(Stdio::piped()).spawn();
-        Self::read(child.unwrap().wait_with_output().unwrap())
-    }
-
-    fn read(output: Output) -> Ran {
-        let Output {
-            status,
-            stdout,
-            stderr,
-        } = output;
-        Ran {
-            code: status.code(),
-            stdout: String::from_utf8(stdout).unwrap(),
-            stderr: String::from_utf8(stderr).unwrap(),
-        }
+        child.unwrap().wait_with_output().unwrap().into()
     }
 }
 

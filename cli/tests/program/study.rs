@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use serde_json::Value;
 
-use crate::runner::{CASE, Folder, Ran, names};
+use crate::runner::{CASE, ProgramOutput, TestFolder, names};
 
 /// 40 cases, of which the four with the widest cylinders overlap.
 const STUDY: &str = r#"[study]
@@ -21,17 +21,17 @@ surface.radius = ["10 nm", "15 nm", "20 nm", "26 nm"]
 const CASES: usize = 40;
 const FAILED: usize = 10;
 
-fn folder() -> Folder {
-    let folder = Folder::with_case(CASE.replace("elements = 32", "elements = 64"));
+fn folder() -> TestFolder {
+    let folder = TestFolder::with_case(CASE.replace("elements = 32", "elements = 64"));
     fs::write(folder.path("many.toml"), STUDY).unwrap();
     folder
 }
 
-fn study(folder: &Folder, more: &[&str]) -> Ran {
+fn study(folder: &TestFolder, more: &[&str]) -> ProgramOutput {
     folder.run(&[&["study", "many.toml", "--quiet"], more].concat())
 }
 
-fn table(folder: &Folder, name: &str) -> String {
+fn table(folder: &TestFolder, name: &str) -> String {
     fs::read_to_string(folder.path(&format!("results/many/{name}"))).unwrap()
 }
 
@@ -88,7 +88,7 @@ fn a_study_killed_at_ten_moments_ends_with_the_table_of_one_left_alone() {
     );
 }
 
-fn start(folder: &Folder) -> Child {
+fn start(folder: &TestFolder) -> Child {
     let line = ["study", "many.toml", "--quiet", "--threads", "2"];
     folder.command(&line).spawn().unwrap()
 }
@@ -256,7 +256,7 @@ fn the_cases_can_be_listed_and_have_folders_of_their_own() {
 
 #[test]
 fn the_template_of_a_study_is_one() {
-    let folder = Folder::new();
+    let folder = TestFolder::new();
     let template = folder.run(&["init", "study", "--out", "study.toml"]);
     assert_eq!(template.code, Some(0));
     let listed = folder.run(&["study", "study.toml", "--list"]);

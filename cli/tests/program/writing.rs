@@ -1,28 +1,23 @@
-//! What a run writes, how much of it, how long it says that it took, and when it stops.
+//! The files that a run writes: their choice, size and time, and an interruption.
 
 use std::fs;
 use std::time::Instant;
 
 use serde_json::Value;
 
-use crate::runner::{CASE, Folder, names};
+use crate::runner::{CASE, TestFolder, names};
 
 /// Three loads.
 const LOADS: &str = "load={forces=[\"1 uN\", \"2 uN\", \"4 uN\"]}";
 
-fn run(folder: &Folder, out: &str, more: &[&str]) -> String {
+fn run(folder: &TestFolder, out: &str, more: &[&str]) -> String {
     let ran = folder.run(&[&["run", "case.toml", "--out", out], more].concat());
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
     ran.stderr
 }
 
-fn summary(folder: &Folder, out: &str) -> Value {
-    let text = fs::read_to_string(folder.path(out).join("summary.json")).unwrap();
-    serde_json::from_str(&text).unwrap()
-}
-
 /// The steps whose files begin and end so.
-fn steps(folder: &Folder, out: &str, start: &str, end: &str) -> Vec<String> {
+fn steps(folder: &TestFolder, out: &str, start: &str, end: &str) -> Vec<String> {
     let names = names(&folder.path(out)).into_iter();
     let step = |name: String| Some(name.strip_prefix(start)?.strip_suffix(end)?.to_owned());
     names.filter_map(step).collect()
@@ -30,7 +25,7 @@ fn steps(folder: &Folder, out: &str, start: &str, end: &str) -> Vec<String> {
 
 #[test]
 fn fields_and_pictures_are_those_of_the_last_step_unless_more_are_wanted() {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     run(&folder, "last", &["--set", LOADS]);
     assert_eq!(steps(&folder, "last", "fields-", ".npz"), ["002"]);
     assert_eq!(steps(&folder, "last", "section-", ".png"), ["002"]);
@@ -46,7 +41,7 @@ fn fields_and_pictures_are_those_of_the_last_step_unless_more_are_wanted() {
 #[test]
 fn the_case_says_what_is_written_and_in_which_formats() {
     let output = "[output]\nfields = \"all\"\npictures = \"all\"\nformats = [\"vti\", \"npz\"]\n";
-    let folder = Folder::with_case(format!("{CASE}{output}"));
+    let folder = TestFolder::with_case(format!("{CASE}{output}"));
     run(&folder, "a", &["--set", LOADS]);
     assert_eq!(steps(&folder, "a", "fields-", ".npz").len(), 3);
     assert_eq!(steps(&folder, "a", "pressure-3d-", ".svg").len(), 3);
@@ -54,12 +49,12 @@ fn the_case_says_what_is_written_and_in_which_formats() {
         assert!(steps(&folder, "a", prefix, ending).is_empty());
     }
     let wanted = serde_json::json!({"fields": "all", "pictures": "all", "formats": ["npz", "vti"]});
-    assert_eq!(summary(&folder, "a")["case"]["output"], wanted);
+    assert_eq!(folder.summary("a")["case"]["output"], wanted);
 }
 
 #[test]
 fn the_last_line_names_the_report_which_opens_at_the_last_step() {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     let said = run(&folder, "a", &["--set", LOADS, "--pictures", "all"]);
     let last = said.trim_end().lines().last().unwrap();
     let named = last.strip_prefix("report: ").unwrap();
@@ -70,11 +65,11 @@ fn the_last_line_names_the_report_which_opens_at_the_last_step() {
 
 #[test]
 fn the_total_time_contains_the_writing() {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     let start = Instant::now();
     run(&folder, "a", &["--set", LOADS, "--pictures", "all"]);
     let passed = start.elapsed().as_secs_f64();
-    let timing = &summary(&folder, "a")["timing"];
+    let timing = &folder.summary("a")["timing"];
     let total = timing["total_seconds"].as_f64().unwrap();
     // Nine pictures take many times as long as three loads on 32 × 32 elements, and most of the process's time.
     assert!(
@@ -85,7 +80,7 @@ fn the_total_time_contains_the_writing() {
 
 #[test]
 fn check_tells_the_room_that_a_run_takes() {
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     let many = [
         "--set",
         LOADS,
@@ -117,7 +112,7 @@ fn check_tells_the_room_that_a_run_takes() {
 #[test]
 fn a_needle_is_solved_and_drawn() {
     let needle = "indenter={kind=\"cone\", half_angle=\"0.1 deg\", tip_radius=\"1 um\"}";
-    let folder = Folder::with_case(CASE);
+    let folder = TestFolder::with_case(CASE);
     let ran = folder.run(&[
         "run",
         "case.toml",
@@ -141,11 +136,11 @@ mod stopped {
     use super::*;
 
     /// A run that takes seconds to write, when it has begun to.
-    fn writing(folder: &Folder) -> Child {
+    fn writing(folder: &TestFolder) -> Child {
         writing_on(folder, "96")
     }
 
-    fn writing_on(folder: &Folder, elements: &str) -> Child {
+    fn writing_on(folder: &TestFolder, elements: &str) -> Child {
         let elements = format!("grid.elements={elements}");
         let loads = "load={forces={from=\"1 uN\", to=\"2 uN\", count=24}}";
         let line = [
@@ -188,7 +183,7 @@ mod stopped {
 
     #[test]
     fn ctrl_c_leaves_out_what_is_not_written_within_a_second_and_keeps_the_numbers() {
-        let folder = Folder::with_case(CASE);
+        let folder = TestFolder::with_case(CASE);
         let child = writing(&folder);
         let sent = Instant::now();
         interrupt(&child);
@@ -201,7 +196,7 @@ mod stopped {
         );
         assert_eq!(output.status.code(), Some(130));
         assert_eq!(folder.names(), ["a", "case.toml"]);
-        let summary = summary(&folder, "a");
+        let summary = folder.summary("a");
         assert_eq!(summary["steps"].as_array().unwrap().len(), 24);
         let warnings = summary["warnings"].as_array().unwrap().iter();
         let codes: Vec<_> = warnings.map(|warning| &warning["code"]).collect();
@@ -213,7 +208,7 @@ mod stopped {
 
     #[test]
     fn large_fields_are_left_out_within_a_second_as_well() {
-        let folder = Folder::with_case(CASE);
+        let folder = TestFolder::with_case(CASE);
         // Half a minute of packing and drawing.
         let child = writing_on(&folder, "512");
         sleep(Duration::from_millis(500));
@@ -223,12 +218,12 @@ mod stopped {
         let time = sent.elapsed();
         assert!(time < Duration::from_secs(2), "{time:?}");
         assert_eq!(output.status.code(), Some(130));
-        assert_eq!(summary(&folder, "a")["steps"].as_array().unwrap().len(), 24);
+        assert_eq!(folder.summary("a")["steps"].as_array().unwrap().len(), 24);
     }
 
     #[test]
     fn a_second_ctrl_c_ends_the_writing_and_leaves_nothing() {
-        let folder = Folder::with_case(CASE);
+        let folder = TestFolder::with_case(CASE);
         let mut child = writing(&folder);
         interrupt(&child);
         sleep(Duration::from_millis(50));

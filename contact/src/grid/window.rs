@@ -202,12 +202,14 @@ impl Window {
 
     /// The element of the window at a place, itself or as the mirror image; none outside the window.
     pub fn element(&self, place: Place) -> Option<usize> {
-        let along = |i: isize| match usize::try_from(i) {
-            Ok(i) => (i < self.size).then_some(i),
-            Err(_) => {
-                let image = (-1 - i).cast_unsigned();
-                (image < self.sector.mirrored_lines(self.size)).then_some(image)
-            }
+        let along = |i: isize| {
+            let lines = if i < 0 {
+                self.sector.mirrored_lines(self.size)
+            } else {
+                self.size
+            };
+            let image = if i < 0 { -1 - i } else { i };
+            usize::try_from(image).ok().filter(|image| *image < lines)
         };
         Some(along(place[0])? * self.size + along(place[1])?)
     }

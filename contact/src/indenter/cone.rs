@@ -155,7 +155,7 @@ mod tests {
         let message = Cone::new(2.0, 0.0).unwrap_err().to_string();
         assert_eq!(
             message,
-            "the half-angle of the cone must lie between 0 and π/2 (90°), got 2 rad (114.5916°)"
+            "found 2 rad (114.5916°) for the half-angle of the cone, wanted an angle between 0 and π/2 (90°)"
         );
     }
 }

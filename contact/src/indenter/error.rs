@@ -34,7 +34,7 @@ impl fmt::Display for IndenterQuantity {
 #[non_exhaustive]
 pub enum IndenterError {
     /// A length that must be positive and finite is not.
-    #[error("{quantity} must be positive and finite, got {found}")]
+    #[error("found {found} for {quantity}, wanted a positive finite number")]
     NotPositive {
         /// Which length.
         quantity: IndenterQuantity,
@@ -42,7 +42,7 @@ pub enum IndenterError {
         found: f64,
     },
     /// A length that must be zero or positive, and finite, is not.
-    #[error("{quantity} must be finite and not negative, got {found}")]
+    #[error("found {found} for {quantity}, wanted a finite number of zero or more")]
     Negative {
         /// Which length.
         quantity: IndenterQuantity,
@@ -51,7 +51,7 @@ pub enum IndenterError {
     },
     /// An angle is not between 0 and π/2.
     #[error(
-        "{quantity} must lie between 0 and π/2 (90°), got {found} rad ({:.4}°)",
+        "found {found} rad ({:.4}°) for {quantity}, wanted an angle between 0 and π/2 (90°)",
         found.to_degrees()
     )]
     Angle {
@@ -61,7 +61,7 @@ pub enum IndenterError {
         found: f64,
     },
     /// A pyramid has too few faces to close, or more than a cone could tell.
-    #[error("a pyramid must have {least} to {most} faces, got {found}")]
+    #[error("found {found} faces for a pyramid, wanted {least} to {most}")]
     FaceCount {
         /// Number asked for.
         found: usize,

@@ -16,33 +16,48 @@
 //! interval covers. `cargo run --release -p pellicle-tests --bin coverage` prints how often it does, and how much wider
 //! it is than the error.
 
-use crate::PeakPlace;
+use serde::{Deserialize, Serialize};
 
-/// The values on one grid level.
-#[derive(Debug, Clone, Copy, PartialEq)]
+use crate::{PeakPlace, nan_from_null};
+
+/// The values on one grid level. What only the estimate of the error needs is not stored, and NaN, false or inside where
+/// values are read back.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct LevelValues {
     /// Elements per side.
     pub elements: usize,
     /// Penetration, in m.
+    #[serde(deserialize_with = "nan_from_null")]
     pub penetration: f64,
     /// Force, in N.
+    #[serde(skip, default = "nan")]
     pub force: f64,
     /// Contact area, in m².
+    #[serde(deserialize_with = "nan_from_null")]
     pub contact_area: f64,
     /// By how much the area is uncertain because its edge is placed within an element, in m².
+    #[serde(skip, default = "nan")]
     pub edge_uncertainty: f64,
     /// Largest pressure, in Pa.
+    #[serde(deserialize_with = "nan_from_null")]
     pub max_pressure: f64,
     /// The place of the largest pressure.
+    #[serde(skip)]
     pub peak_place: PeakPlace,
     /// Whether the contact meets an outline of the relief or the indenter's rim, which elements follow as a staircase.
+    #[serde(skip)]
     pub meets_outline: bool,
 }
 
+fn nan() -> f64 {
+    f64::NAN
+}
+
 /// The error of one number on the finest grid.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Estimate {
     /// Half the interval around the number that contains the truth, in the unit of the number itself.
+    #[serde(deserialize_with = "nan_from_null")]
     pub estimate: f64,
     /// Observed order of convergence in the element's side; none where the number does not change.
     pub order: Option<f64>,
@@ -51,11 +66,12 @@ pub struct Estimate {
 }
 
 /// The errors of a solution's numbers; none from one level.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct GridError {
     /// Of the penetration, in m; 0 where it is prescribed.
     pub penetration: Option<Estimate>,
-    /// Of the force, in N; 0 where it is prescribed.
+    /// Of the force, in N; 0 where it is prescribed. None in results stored before there was one.
+    #[serde(default)]
     pub force: Option<Estimate>,
     /// Of the contact area, in m².
     pub contact_area: Option<Estimate>,

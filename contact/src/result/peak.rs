@@ -14,9 +14,10 @@ const ELEMENTS_FROM_EDGE: f64 = 2.0;
 const AT_AXIS: f64 = 1e-6;
 
 /// The place of the largest pressure.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum PeakPlace {
     /// Inside the contact, away from everything sharp.
+    #[default]
     Inside,
     /// The outline of the relief.
     Outline,

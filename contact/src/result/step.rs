@@ -1,5 +1,7 @@
 //! One load's solution with all that is known of it, and what it may be used for.
 
+use serde::{Deserialize, Serialize};
+
 use crate::{GridError, Solution, Summary, Work, result::cut_off::CutOff};
 
 /// One load's solution. It is converged if its certificate is satisfied.
@@ -36,9 +38,11 @@ impl Step {
 }
 
 /// The use that a result may be put to, from good to bad.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Status {
     /// Its certificate is satisfied, and it solves the problem posed.
+    #[default]
     Certified,
     /// Its certificate is satisfied, but the contact would go on where the domain or a map ends: it solves another
     /// problem.

@@ -1,7 +1,11 @@
 //! The work that a solution took, counted in products with `K`.
 
+use serde::{Deserialize, Serialize};
+
+use crate::nan_from_null;
+
 /// Work of one loading step.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Work {
     /// Iterations on the finest grid.
     pub iterations: usize,
@@ -9,16 +13,18 @@ pub struct Work {
     ///
     /// A product on a window that holds the contact counts as one.
     pub operator_applications: usize,
-    /// Products on the finest grid for the contact stiffness, beside those for the solution.
+    /// Products on the finest grid for the contact stiffness, beside those for the solution; not stored.
+    #[serde(skip)]
     pub stiffness_applications: usize,
     /// Wall-clock time of the step on all its grids, in s.
+    #[serde(deserialize_with = "nan_from_null")]
     pub seconds: f64,
     /// Work per grid level, coarsest first, the finest included.
     pub levels: Vec<LevelWork>,
 }
 
 /// Work on one grid level.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct LevelWork {
     /// Elements per side.
     pub elements: usize,
@@ -26,6 +32,7 @@ pub struct LevelWork {
     pub iterations: usize,
     /// Products with `K`.
     pub operator_applications: usize,
-    /// Products with `K` for the contact stiffness.
+    /// Products with `K` for the contact stiffness; not stored.
+    #[serde(skip)]
     pub stiffness_applications: usize,
 }

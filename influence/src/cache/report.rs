@@ -68,13 +68,13 @@ impl Usage {
 #[non_exhaustive]
 pub enum CacheWarning {
     /// A file is cut off, altered, or not the cache's own; it is replaced.
-    #[error("computed again, the cached file {} is damaged", path.display())]
+    #[error("the cached file {} is damaged: its contents are computed again", path.display())]
     Damaged {
         /// The file.
         path: PathBuf,
     },
     /// The system does not let a file be read; it is replaced.
-    #[error("computed again, the cached file {} cannot be read: {kind}", path.display())]
+    #[error("the cached file {} cannot be read and its contents are computed again: {kind}", path.display())]
     Unreadable {
         /// The file.
         path: PathBuf,
@@ -82,7 +82,7 @@ pub enum CacheWarning {
         kind: ErrorKind,
     },
     /// The folder cannot be written to; nothing more is written to it.
-    #[error("nothing is cached, the folder {} cannot be written to: {kind}", path.display())]
+    #[error("nothing is cached: the folder {} cannot be written to: {kind}", path.display())]
     Folder {
         /// The folder.
         path: PathBuf,

@@ -1,8 +1,9 @@
-//! Eigenvalues of the circulant in which the matrix of influence coefficients is embedded.
+//! Eigenvalues of the circulant in which a matrix of coefficients that depend on the offset alone is embedded.
 //!
-//! The coefficients of all offsets up to M − 1 or M, extended evenly to L × L = 2M × 2M and zero where none is
-//! needed, are a circulant whose product with a zero-padded pressure is exactly K p. Its spectrum is real and even:
-//! a quarter determines it.
+//! The coefficients of all offsets up to M − 1 or M, extended to L × L = 2M × 2M and zero where none is needed, are a
+//! circulant whose product with a zero-padded pressure is exactly that of the matrix. Coefficients that are even in
+//! both offsets have a real, even spectrum; along an axis in which they are odd it is odd, and times `−i`. A quarter of
+//! real numbers determines it.
 
 use std::sync::Arc;
 
@@ -11,12 +12,13 @@ use rustfft::num_complex::Complex64;
 use rustfft::{Fft, FftPlanner};
 
 use crate::coefficient_table::CoefficientTable;
+use crate::transform::Parity;
 use crate::transform::cosine::{self, CosineTransform, Frequencies};
 
 /// Lines transformed together; even. Their entries lie side by side in memory and fill one cache line of 64 bytes.
 const LINES: usize = 8;
 
-/// A quarter, (M+1) × (M+1) values, of the real, even, symmetric L × L spectrum.
+/// A quarter, (M+1) × (M+1) values, of the L × L spectrum, without its factor `−i` for each axis of odd parity.
 #[derive(Clone, Debug)]
 pub(crate) struct Spectrum {
     /// M, half the padded length.
@@ -30,9 +32,37 @@ impl Spectrum {
     /// in 2`half` × 2`half`. It is divided by the number of padded elements, the factor of an unnormalised forward
     /// and inverse transform.
     pub(crate) fn new(table: &CoefficientTable, size: usize, half: usize) -> Self {
-        let lines = EvenTransform::new(half);
         let coefficients = |first: usize, n: usize| table.side_by_side(first, n);
+        Self::of_offsets(coefficients, [Parity::Even; 2], size, half)
+    }
+
+    /// The spectrum of `size` × `size` coefficients of these parities along x and y, those of the offset (m, n) being
+    /// the entry `m size + n`.
+    pub(crate) fn of_quarter(
+        quarter: &[f64],
+        parities: [Parity; 2],
+        size: usize,
+        half: usize,
+    ) -> Self {
+        let coefficients = |first: usize, n: usize| {
+            std::array::from_fn(|i| {
+                let entry = quarter.get((first + i) * size + n);
+                entry.copied().unwrap_or_default()
+            })
+        };
+        Self::of_offsets(coefficients, parities, size, half)
+    }
+
+    /// The spectrum of coefficients that are given for offsets side by side along x and one along y.
+    fn of_offsets(
+        coefficients: impl Fn(usize, usize) -> [f64; LINES] + Sync,
+        [parity_x, parity_y]: [Parity; 2],
+        size: usize,
+        half: usize,
+    ) -> Self {
+        let lines = MirrorTransform::new(half, parity_y);
         let along = lines.transform(size, size, coefficients, |frequency| frequency);
+        let lines = MirrorTransform::new(half, parity_x);
         let entries = |first: usize, m: usize| {
             let line = &along[m * (half + 1)..(m + 1) * (half + 1)];
             match line[first..].first_chunk() {
@@ -58,7 +88,8 @@ impl Spectrum {
     }
 }
 
-/// The Fourier transform of sequences that are even with period 2M, which is a cosine transform of type I:
+/// The Fourier transform of sequences that are even or odd with period 2M. Of even ones it is a cosine transform of
+/// type I:
 ///
 /// ```text
 /// X_k = a_0 + (−1)^k a_M + 2 Σ_(0<j<M) a_j cos(πjk/M),    k = 0 … M
@@ -68,21 +99,29 @@ impl Spectrum {
 /// `a_j − a_(M−j)`, and at even ones that of type I of `a_j + a_(M−j)`. The rest is of odd length, or short, and is
 /// transformed as it stands. Two sequences are transformed at a time, as the parts of one complex sequence: half
 /// the work of real transforms of the whole period.
-struct EvenTransform {
+///
+/// Of odd ones it is `−i` times a sine transform of type I, `2 Σ_(0<j<M) a_j sin(πjk/M)`, by the transform of the whole
+/// period.
+struct MirrorTransform {
     half: usize,
+    parity: Parity,
     /// Of M/2, M/4 … numbers.
     folded: Vec<CosineTransform<f64>>,
     /// Of the period that is left.
     rest: Arc<dyn Fft<f64>>,
 }
 
-impl EvenTransform {
-    fn new(half: usize) -> Self {
-        let halvings = half.trailing_zeros();
+impl MirrorTransform {
+    fn new(half: usize, parity: Parity) -> Self {
+        let halvings = match parity {
+            Parity::Even => half.trailing_zeros(),
+            Parity::Odd => 0,
+        };
         let folded = (1..=halvings).map(|halving| half >> halving);
         let folded = folded.map(|length| CosineTransform::new(length, Frequencies::Whole));
         Self {
             half,
+            parity,
             folded: folded.collect(),
             rest: FftPlanner::new().plan_fft_forward(2 * (half >> halvings)),
         }
@@ -154,12 +193,19 @@ impl EvenTransform {
         }
         let period = &mut sequence[..2 * half];
         period[..=half].copy_from_slice(&line[..=half]);
+        let (image, phase) = match self.parity {
+            Parity::Even => (1.0, Complex64::ONE),
+            Parity::Odd => {
+                (period[0], period[half]) = (Complex64::ZERO, Complex64::ZERO);
+                (-1.0, Complex64::I)
+            }
+        };
         for j in 1..half {
-            period[2 * half - j] = line[j];
+            period[2 * half - j] = image * line[j];
         }
         self.rest.process_with_scratch(period, scratch);
         for (k, value) in period[..=half].iter().enumerate() {
-            tell(k * step, *value);
+            tell(k * step, phase * value);
         }
     }
 
@@ -187,7 +233,7 @@ struct Buffers {
 mod tests {
     use std::f64::consts::PI;
 
-    use super::{EvenTransform, LINES, Spectrum};
+    use super::{LINES, MirrorTransform, Parity, Spectrum};
     use crate::coefficient_table::CoefficientTable;
 
     #[test]
@@ -213,7 +259,12 @@ mod tests {
                 let entries = |first, j| std::array::from_fn(|i| entry(first + i, j));
                 // A whole group, and another that ends in half a pair.
                 let count = LINES + 3;
-                let found = EvenTransform::new(half).transform(count, length, entries, |k| k);
+                let found = MirrorTransform::new(half, Parity::Even).transform(
+                    count,
+                    length,
+                    entries,
+                    |k| k,
+                );
                 for (index, value) in found.iter().enumerate() {
                     let (line, k) = (index / (half + 1), index % (half + 1));
                     let wave = |j: usize| (PI * (j * k) as f64 / half as f64).cos();
@@ -225,6 +276,22 @@ mod tests {
                         "{half} {length} {k}"
                     );
                 }
+            }
+        }
+    }
+
+    #[test]
+    fn odd_sequences_are_transformed_into_their_sums_of_sines() {
+        for half in [1, 2, 5, 12] {
+            let entry = |i: usize, j: usize| ((7 * i + 1) as f64 + 0.37 * j as f64).sin();
+            let entries = |first, j| std::array::from_fn(|i| entry(first + i, j));
+            let lines = MirrorTransform::new(half, Parity::Odd);
+            let found = lines.transform(3, half + 1, entries, |k| k);
+            for (index, value) in found.iter().enumerate() {
+                let (line, k) = (index / (half + 1), index % (half + 1));
+                let wave = |j: usize| 2.0 * (PI * (j * k) as f64 / half as f64).sin();
+                let sum: f64 = (1..half).map(|j| entry(line, j) * wave(j)).sum();
+                assert!((value - sum).abs() < 1e-13, "{half} {k}");
             }
         }
     }

@@ -67,6 +67,20 @@ impl<T: Real> FourierLines<T> {
     }
 }
 
+impl FourierLines<f64> {
+    /// Transforms one part of a column.
+    pub(crate) fn transform_column(&self, column: &mut [Complex<f64>], space: &mut Space<f64>) {
+        self.columns
+            .process_with_scratch(column, &mut space.transform);
+    }
+
+    /// Transforms one part of a column back.
+    pub(crate) fn restore_column(&self, column: &mut [Complex<f64>], space: &mut Space<f64>) {
+        self.columns_back
+            .process_with_scratch(column, &mut space.transform);
+    }
+}
+
 impl<T: Real> Lines for FourierLines<T> {
     type Real = T;
 

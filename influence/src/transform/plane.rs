@@ -14,6 +14,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError, RwLock};
 use rayon::prelude::*;
 use rustfft::num_complex::Complex;
 
+use super::fourier::FourierLines;
 use super::lines::{Factors, Lines, ROWS, Space};
 
 /// Complex numbers of a row in a block: four cache lines in double precision.
@@ -38,6 +39,12 @@ struct Scratch<T> {
     /// The columns of one block, of each its parts one after the other.
     columns: Vec<Complex<T>>,
     space: Space<T>,
+}
+
+/// The transform of a field in both directions, of which several products are made.
+pub(crate) struct PlaneSpectrum {
+    /// The columns of each block, of each its parts one after the other.
+    blocks: Vec<Vec<Complex<f64>>>,
 }
 
 impl<L: Lines> PlaneTransform<L> {
@@ -215,5 +222,53 @@ impl<L: Lines> PlaneTransform<L> {
     /// Numbers from one column to the next.
     fn stride(&self) -> usize {
         self.lines.parts() * self.pitch()
+    }
+}
+
+impl PlaneTransform<FourierLines<f64>> {
+    /// The first half of pass 2: the transforms of all columns.
+    pub(crate) fn spectrum(&self) -> PlaneSpectrum {
+        let of_block = |block: &RwLock<Vec<Complex<f64>>>| {
+            let block = block.read().unwrap_or_else(PoisonError::into_inner);
+            let width = block.len() / self.lines.shown();
+            let mut columns = vec![Complex::default(); width * self.stride()];
+            self.gather(&block, &mut columns);
+            let mut scratch = self.scratch();
+            for part in columns.chunks_exact_mut(self.pitch()) {
+                let column = &mut part[..self.lines.length()];
+                self.lines.transform_column(column, &mut scratch.space);
+            }
+            columns
+        };
+        PlaneSpectrum {
+            blocks: self.blocks.par_iter().map(of_block).collect(),
+        }
+    }
+
+    /// The second half of pass 2: the product of a spectrum with the factors that `weigh` applies to each column, given
+    /// its frequency along the rows and its part.
+    pub(crate) fn take_product(
+        &mut self,
+        spectrum: &PlaneSpectrum,
+        weigh: impl Fn([usize; 2], &mut [Complex<f64>]) + Sync,
+    ) {
+        let mut blocks = std::mem::take(&mut self.blocks);
+        let of_blocks = blocks.par_iter_mut().zip(&spectrum.blocks).enumerate();
+        of_blocks.for_each(|(index, (block, transformed))| {
+            let block = block.get_mut().unwrap_or_else(PoisonError::into_inner);
+            let mut scratch = self.scratch();
+            let Scratch { columns, space, .. } = &mut *scratch;
+            let columns = &mut columns[..transformed.len()];
+            columns.copy_from_slice(transformed);
+            for (column, parts) in columns.chunks_exact_mut(self.stride()).enumerate() {
+                for (part, column_part) in parts.chunks_exact_mut(self.pitch()).enumerate() {
+                    let values = &mut column_part[..self.lines.length()];
+                    weigh([index * WIDTH + column, part], values);
+                    self.lines.restore_column(values, space);
+                }
+            }
+            self.scatter(columns, block);
+        });
+        self.blocks = blocks;
     }
 }

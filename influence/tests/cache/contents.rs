@@ -1,4 +1,4 @@
-//! What comes out is what was put in, to the bit, and is kept where it pays.
+//! Tables come out as they were put in, to the bit, and are kept where it pays.
 
 use std::fs;
 use std::sync::Arc;

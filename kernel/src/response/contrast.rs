@@ -59,6 +59,18 @@ impl Contrast {
         }
     }
 
+    /// A difference from a `contrast` if that can be trusted, else the `plain` one of two numbers that were computed
+    /// to a few roundings of their `size`; `layers` lie below.
+    pub(crate) fn judged(contrast: f64, plain: f64, size: f64, layers: usize) -> f64 {
+        let far_from_one = plain.abs() > PLAIN_DIFFERENCE * size;
+        let rounding = ROUNDING * (4.0 + layers as f64) * size;
+        if far_from_one || (contrast - plain).abs() > rounding {
+            plain
+        } else {
+            contrast
+        }
+    }
+
     pub(crate) fn scaled(&self, factor: f64) -> Self {
         Self {
             c1: self.c1 * factor,
@@ -68,3 +80,13 @@ impl Contrast {
         }
     }
 }
+
+/// Where `|Φ − 1| / (Φ + 1)` is larger, subtraction loses less than a factor 4.
+const PLAIN_DIFFERENCE: f64 = 0.25;
+
+/// Relative rounding of the minors, per layer and for four more: measured 1.1e-15 with eight layers.
+///
+/// Where contrast and subtraction differ by more, the contrast is the one that is wrong: thin layers
+/// that differ much leave it the small difference of large terms (a factor 1e6 in modulus costs 6
+/// of 16 digits). Where they agree, the contrast has all the digits that subtraction lost.
+const ROUNDING: f64 = 1e-15;

@@ -1,7 +1,8 @@
 //! From the top of one body to the bottom of the layer above it.
 //!
 //! Tractions change their unit from `2 G₂ k` to `2 G₁ k`, `μ = G₁/G₂`; across a frictionless
-//! interface the minors start anew from the compliance `g/d` alone, with no shear on either side.
+//! interface the minors start anew from the compliance `g/d` alone, with no shear on either side. Springs come on
+//! top of a bond ([`spring`](super::spring)).
 
 use super::contrast::Contrast;
 use super::minors::Minors;
@@ -37,12 +38,15 @@ pub(crate) struct Step {
 }
 
 impl Junction {
+    /// A spring interface is a bonded junction below a [`SpringWave`](super::spring::SpringWave).
     pub(crate) fn new(layer: &Layer, below: Option<Material>) -> Self {
         let upper = layer.material();
         match (layer.interface(), below) {
-            (Interface::Bonded, Some(lower)) => Self::Bonded(Step::new(upper, lower)),
+            (Interface::Bonded | Interface::Spring(_), Some(lower)) => {
+                Self::Bonded(Step::new(upper, lower))
+            }
             (Interface::Frictionless, Some(lower)) => Self::Frictionless(Step::new(upper, lower)),
-            (Interface::Bonded, None) => Self::Clamped(Poisson::new(upper)),
+            (Interface::Bonded | Interface::Spring(_), None) => Self::Clamped(Poisson::new(upper)),
             (Interface::Frictionless, None) => Self::Sliding(Poisson::new(upper)),
         }
     }
@@ -66,16 +70,9 @@ impl Junction {
 
     /// The minors in the layer above, given those in the body below.
     pub(crate) fn minors(&self, below: &Minors) -> Minors {
-        let &Minors { p, q, f, g, d } = below;
+        let &Minors { g, d, .. } = below;
         match self {
-            // Multiplied by μ throughout: a common factor means nothing.
-            Self::Bonded(Step { mu, inverse_mu, .. }) => Minors {
-                p: mu * p,
-                q,
-                f,
-                g,
-                d: inverse_mu * d,
-            },
+            Self::Bonded(step) => step.bonded_minors(below),
             // Columns (1, 0, 0, 0) and (0, g, 0, −d)
             Self::Frictionless(Step { mu, .. }) => Minors {
                 p: mu * g,
@@ -98,6 +95,19 @@ impl Junction {
             Self::Sliding(poisson) => Contrast::of(&Minors::SLIDING, poisson),
         }
     }
+
+    /// Minors and contrast in the layer above if it were bonded, whatever the interface is.
+    pub(crate) fn bonded(&self, below: &Minors, contrast: &Contrast) -> (Minors, Contrast) {
+        match self {
+            Self::Bonded(step) | Self::Frictionless(step) => (
+                step.bonded_minors(below),
+                step.bonded_contrast(below, contrast),
+            ),
+            Self::Clamped(poisson) | Self::Sliding(poisson) => {
+                (Minors::CLAMPED, Contrast::of(&Minors::CLAMPED, poisson))
+            }
+        }
+    }
 }
 
 impl Step {
@@ -115,6 +125,17 @@ impl Step {
             nu_difference: nu1 - nu2,
             upper: Poisson::new(upper),
             lower: Poisson::new(lower),
+        }
+    }
+
+    /// Multiplied by μ throughout: a common factor means nothing.
+    fn bonded_minors(&self, &Minors { p, q, f, g, d }: &Minors) -> Minors {
+        Minors {
+            p: self.mu * p,
+            q,
+            f,
+            g,
+            d: self.inverse_mu * d,
         }
     }
 

@@ -1,4 +1,4 @@
-//! `Φ` of one layer in closed form, for any interface and base.
+//! `Φ` of one layer in closed form, for any base.
 //!
 //! The [minors](super::minors) below the layer do not depend on `k`, so `Φ` is a ratio of two short
 //! sums of the functions in [`Decay`] with constants prepared once. For a bonded half-space it is,
@@ -8,8 +8,10 @@
 use super::contrast::Contrast;
 use super::decay::Decay;
 use super::junction::Junction;
+use super::minors::Minors;
 use super::poisson::Poisson;
-use crate::{Base, Layer};
+use super::spring::SpringWave;
+use crate::{Base, Interface, Layer};
 
 /// The coefficients of numerator, denominator and `N − D`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,12 +23,32 @@ pub(crate) struct OneLayer {
 }
 
 impl OneLayer {
+    /// A layer that is bonded or frictionless.
     pub(crate) fn new(layer: &Layer, base: Base) -> Self {
-        let poisson = Poisson::new(layer.material());
         let junction = Junction::with_base(layer, base);
         let below = junction.base_minors();
-        let minors = junction.minors(&below);
-        let Contrast { c1, c2, c3, c4 } = junction.contrast(&below, &Contrast::NONE);
+        let contrast = junction.contrast(&below, &Contrast::NONE);
+        Self::held(layer, &junction.minors(&below), &contrast)
+    }
+
+    /// A layer on any interface, for one wavenumber.
+    pub(crate) fn at(layer: &Layer, base: Base, wavenumber: f64) -> Self {
+        let Interface::Spring(_) = layer.interface() else {
+            return Self::new(layer, base);
+        };
+        let junction = Junction::with_base(layer, base);
+        let (below, contrast) = junction.bonded(&junction.base_minors(), &Contrast::NONE);
+        let unit = 2.0 * layer.material().shear_modulus() * wavenumber;
+        let spring = SpringWave::new(layer.interface(), unit);
+        let poisson = Poisson::new(layer.material());
+        let contrast = spring.contrast(&below, &contrast, &poisson);
+        Self::held(layer, &spring.minors(&below), &contrast)
+    }
+
+    /// With these minors and this contrast on the bottom.
+    fn held(layer: &Layer, minors: &Minors, contrast: &Contrast) -> Self {
+        let poisson = Poisson::new(layer.material());
+        let &Contrast { c1, c2, c3, c4 } = contrast;
         let Poisson { nu, b, w, x, .. } = poisson;
         let s1 = minors.s1(&poisson);
         let (p, q, f, g, d) = (minors.p, minors.q, minors.f, minors.g, minors.d);

@@ -5,7 +5,8 @@ use super::decay::Decay;
 use super::junction::Junction;
 use super::minors::Minors;
 use super::poisson::Poisson;
-use crate::{Base, Layer};
+use super::spring::SpringWave;
+use crate::{Base, Interface, Layer};
 
 /// Layers prepared for the recursion, the lowest first.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,8 +20,24 @@ pub(crate) struct Stack {
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct LayerStep {
     thickness: f64,
+    /// `2 G`
+    stiffness: f64,
     poisson: Poisson,
+    interface: Interface,
     junction: Junction,
+}
+
+/// The support of the bottom of one layer, in the units of the layer.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct HeldBottom {
+    /// The minors of what lies below the interface.
+    pub(crate) below: Minors,
+    /// The interface.
+    pub(crate) spring: SpringWave,
+    /// The minors of both together.
+    pub(crate) minors: Minors,
+    /// How far both together are from a half-space of the layer's material.
+    pub(crate) contrast: Contrast,
 }
 
 /// Minors are scaled back to 1 when they leave the range from 1e-100 to 1e100: from inside it
@@ -38,7 +55,9 @@ impl Stack {
         let steps: Vec<_> = (layers.iter().enumerate().rev())
             .map(|(i, layer)| LayerStep {
                 thickness: layer.thickness(),
+                stiffness: 2.0 * layer.material().shear_modulus(),
                 poisson: Poisson::new(layer.material()),
+                interface: layer.interface(),
                 junction: junction(i, layer),
             })
             .collect();
@@ -54,23 +73,26 @@ impl Stack {
         let mut minors = self.base;
         for step in &self.steps {
             let decay = Decay::new(wavenumber * step.thickness);
-            minors = step.minors(&minors, &decay);
+            minors = step.minors(&minors, &decay, wavenumber);
             let factor = rescaling(&minors);
             minors = minors.scaled(factor);
         }
         minors.g / (self.surface.w * minors.d)
     }
 
-    /// How what lies below holds the bottom of every layer, surface first, in the layer's units.
-    pub(crate) fn held_bottoms(&self, wavenumber: f64) -> Vec<Minors> {
-        let mut top = self.base;
+    /// How what lies below holds the bottom of every layer, surface first, and the minors on the top of
+    /// every layer but the first and of the base, each in its body's units.
+    pub(crate) fn held_bottoms(&self, wavenumber: f64) -> Vec<(HeldBottom, Minors)> {
+        let (mut top, mut contrast) = (self.base, Contrast::NONE);
         let mut bottoms = Vec::with_capacity(self.steps.len());
         for step in &self.steps {
-            let bottom = step.junction.minors(&top);
+            let bottom = step.held_bottom(&top, &contrast, wavenumber);
+            bottoms.push((bottom, top));
             let decay = Decay::new(wavenumber * step.thickness);
-            let above = bottom.through(&step.poisson, &decay);
-            top = above.scaled(rescaling(&above));
-            bottoms.push(bottom);
+            top = bottom.minors.through(&step.poisson, &decay);
+            contrast = bottom.contrast.through(&step.poisson, &decay);
+            let factor = rescaling(&top);
+            (top, contrast) = (top.scaled(factor), contrast.scaled(factor));
         }
         bottoms.reverse();
         bottoms
@@ -81,49 +103,58 @@ impl Stack {
         let (mut minors, mut contrast) = (self.base, Contrast::NONE);
         for step in &self.steps {
             let decay = Decay::new(wavenumber * step.thickness);
-            contrast = step.contrast(&minors, &contrast, &decay);
-            minors = step.minors(&minors, &decay);
+            contrast = step.contrast(&minors, &contrast, &decay, wavenumber);
+            minors = step.minors(&minors, &decay, wavenumber);
             let factor = rescaling(&minors);
             (minors, contrast) = (minors.scaled(factor), contrast.scaled(factor));
         }
         let homogeneous = self.surface.w * minors.d;
-        self.judged(contrast.c4, minors.g, homogeneous) / homogeneous
-    }
-
-    /// `g − w d` from the contrast if that can be trusted, else by subtraction.
-    fn judged(&self, contrast: f64, found: f64, homogeneous: f64) -> f64 {
-        let (plain, size) = (found - homogeneous, found + homogeneous);
-        let far_from_one = plain.abs() > PLAIN_DIFFERENCE * size;
-        let rounding = ROUNDING * (4.0 + self.steps.len() as f64) * size;
-        if far_from_one || (contrast - plain).abs() > rounding {
-            plain
-        } else {
-            contrast
-        }
+        let (plain, size) = (minors.g - homogeneous, minors.g + homogeneous);
+        Contrast::judged(contrast.c4, plain, size, self.steps.len()) / homogeneous
     }
 }
 
 impl LayerStep {
     /// From the top of what lies below to the top of the layer.
-    fn minors(&self, below: &Minors, decay: &Decay) -> Minors {
-        self.junction.minors(below).through(&self.poisson, decay)
-    }
-
-    fn contrast(&self, below: &Minors, contrast: &Contrast, decay: &Decay) -> Contrast {
-        let bottom = self.junction.contrast(below, contrast);
+    fn minors(&self, below: &Minors, decay: &Decay, wavenumber: f64) -> Minors {
+        let bonded = self.junction.minors(below);
+        let bottom = match self.interface {
+            Interface::Spring(_) => self.spring(wavenumber).minors(&bonded),
+            Interface::Bonded | Interface::Frictionless => bonded,
+        };
         bottom.through(&self.poisson, decay)
     }
+
+    fn contrast(
+        &self,
+        below: &Minors,
+        contrast: &Contrast,
+        decay: &Decay,
+        wavenumber: f64,
+    ) -> Contrast {
+        let bottom = match self.interface {
+            Interface::Spring(_) => self.held_bottom(below, contrast, wavenumber).contrast,
+            Interface::Bonded | Interface::Frictionless => self.junction.contrast(below, contrast),
+        };
+        bottom.through(&self.poisson, decay)
+    }
+
+    /// The bottom as a bond below a spring, of whatever kind the interface is.
+    fn held_bottom(&self, below: &Minors, contrast: &Contrast, wavenumber: f64) -> HeldBottom {
+        let (below, contrast) = self.junction.bonded(below, contrast);
+        let spring = self.spring(wavenumber);
+        HeldBottom {
+            below,
+            spring,
+            minors: spring.minors(&below),
+            contrast: spring.contrast(&below, &contrast, &self.poisson),
+        }
+    }
+
+    fn spring(&self, wavenumber: f64) -> SpringWave {
+        SpringWave::new(self.interface, self.stiffness * wavenumber)
+    }
 }
-
-/// Where `|Φ − 1| / (Φ + 1)` is larger, subtraction loses less than a factor 4.
-const PLAIN_DIFFERENCE: f64 = 0.25;
-
-/// Relative rounding of the minors, per layer and for four more: measured 1.1e-15 with eight layers.
-///
-/// Where contrast and subtraction differ by more, the contrast is the one that is wrong: thin layers
-/// that differ much leave it the small difference of large terms (a factor 1e6 in modulus costs 6
-/// of 16 digits). Where they agree, the contrast has all the digits that subtraction lost.
-const ROUNDING: f64 = 1e-15;
 
 /// The factor that brings the minors back to 1 when they have left the middle of the range.
 fn rescaling(minors: &Minors) -> f64 {

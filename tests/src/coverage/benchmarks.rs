@@ -4,10 +4,10 @@ use std::f64::consts::{FRAC_PI_4, PI, TAU};
 use std::path::Path;
 use std::sync::Arc;
 
-use pellicle_cli::case::Case;
-use pellicle_cli::case::place::Source;
-use pellicle_cli::templates::Template;
-use pellicle_cli::validation::data::contact::{AxisymmetricContact, Shape, axisymmetric};
+use pellicle_cli::Case;
+use pellicle_cli::Source;
+use pellicle_cli::Template;
+use pellicle_cli::evidence::data::contact::{AxisymmetricContact, Shape, axisymmetric};
 use pellicle_contact::{Cone, FlatPunch, Indenter, Load, Pyramid, Sphere, default_side, reference};
 use pellicle_influence::Cache;
 use pellicle_kernel::Foundation;
@@ -278,7 +278,7 @@ fn templates() -> Vec<Benchmark> {
         ));
         let case = Case::parse(&source, "", Path::new(""), &[]).expect("a case");
         let model = case.model(&Cache::none()).expect("tables").value;
-        let load = *case.load.steps().last().expect("a load");
+        let load = *case.load.loads().last().expect("a load");
         Benchmark {
             name: format!("init {}", format!("{template:?}").to_lowercase()),
             side: case

@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_4;
 
-use pellicle_cli::validation::data::contact::{AxisymmetricContact, Shape, axisymmetric};
+use pellicle_cli::evidence::data::contact::{AxisymmetricContact, Shape, axisymmetric};
 use pellicle_contact::{Cone, Indenter, Load};
 use pellicle_tests::convergence::{GRIDS, demand};
 use pellicle_tests::scene::{coated, material, model, paraboloid, penetration, relative};

@@ -1,6 +1,6 @@
 //! `pellicle validate` passes, and fails with slightly wrong coefficients.
 
-use pellicle_cli::validation::{PLANS, Scene};
+use pellicle_cli::evidence::{SECTIONS, ValidationRun};
 use serde_json::Value;
 
 use crate::runner::{Ran, run};
@@ -71,10 +71,13 @@ fn coefficients_wrong_by_a_thousandth_fail_every_section_that_has_an_outer_refer
 #[test]
 fn errors_down_to_the_thirteenth_digit_are_seen_with_either_sign() {
     for (perturbation, grids) in [(-1e-6, 12), (1e-9, 12), (1e-12, 0), (-1e-12, 0)] {
-        let scene = Scene { perturbation };
+        let run = ValidationRun { perturbation };
         let failed = |name: &str| {
-            let plan = PLANS.iter().find(|plan| plan.name == name).unwrap();
-            let rows = plan.carry_out(scene).rows;
+            let section = SECTIONS
+                .iter()
+                .find(|section| section.name == name)
+                .unwrap();
+            let rows = section.compute(run).rows;
             rows.iter().filter(|row| !row.passes()).count()
         };
         // The quadrature's two rows see no more than its own 1e-11.

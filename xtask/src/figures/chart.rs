@@ -2,9 +2,9 @@
 
 use std::fmt::Write as _;
 
-use pellicle_cli::picture::colours::Colour;
-use pellicle_cli::picture::panel::{Axis, Panel};
-use pellicle_cli::picture::svg::{Anchor, Dash, Place, Stroke, Svg};
+use pellicle_cli::drawing::colours::Colour;
+use pellicle_cli::drawing::{Anchor, Dash, Rect, Stroke, Svg};
+use pellicle_cli::drawing::{Axis, Panel};
 
 use super::sheet::Sheet;
 
@@ -71,7 +71,7 @@ impl ChartLine {
 pub(super) fn draw(
     svg: &mut Svg,
     title: &str,
-    place: Place,
+    place: Rect,
     [x, y]: [Axis; 2],
     lines: &[ChartLine],
 ) {

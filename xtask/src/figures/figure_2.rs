@@ -1,11 +1,11 @@
 //! Fig. 2: pressure under the paraboloid on the compliant (a, c) and the stiff (b, d) coating, small and large load.
 
-use pellicle_cli::display::Scale;
-use pellicle_cli::picture::number::power;
-use pellicle_cli::picture::style::Style;
-use pellicle_cli::picture::subject::Subject;
-use pellicle_cli::picture::trust::BRACKETS;
-use pellicle_cli::picture::{colours, pressure_map, section};
+use pellicle_cli::Scale;
+use pellicle_cli::drawing::Style;
+use pellicle_cli::drawing::Subject;
+use pellicle_cli::drawing::accuracy::BRACKETS;
+use pellicle_cli::drawing::labels::power;
+use pellicle_cli::drawing::{colours, pressure_map, section};
 
 use super::chart;
 use super::pressures::{Pressures, Shown, reach, rounded_up};
@@ -52,9 +52,9 @@ pub(super) fn draw(runner: &Runner) -> Result<Vec<Picture>, XtaskError> {
 /// The map and the section of Fig. 2(c) as the program draws them.
 fn of_the_readme(pressures: &Pressures<'_>, step: &SolvedStep) -> [Picture; 2] {
     let subject = Subject {
-        title: &step.record.title,
-        units: step.record.units,
-        relief_height: step.record.relief_height(),
+        title: &step.summary.title,
+        units: step.summary.units,
+        relief_height: step.summary.relief_height(),
         step: step.numbers(),
         fields: step.fields(),
         style: Style::default(),

@@ -1,10 +1,10 @@
 //! Fig. 3: the deformed layer and the tops of the elements along the axis, read both ways.
 
-use pellicle_cli::picture::colours;
-use pellicle_cli::picture::number::power;
-use pellicle_cli::picture::panel::Axis;
-use pellicle_cli::picture::svg::{Dash, Place};
-use pellicle_cli::picture::trust::BRACKETS;
+use pellicle_cli::drawing::Axis;
+use pellicle_cli::drawing::accuracy::BRACKETS;
+use pellicle_cli::drawing::colours;
+use pellicle_cli::drawing::labels::power;
+use pellicle_cli::drawing::{Dash, Rect};
 
 use super::chart::{self, ChartLine, LEFT};
 use super::runner::{Runner, SolvedStep};
@@ -75,7 +75,7 @@ pub(super) fn draw(runner: &Runner) -> Result<Picture, XtaskError> {
     };
     let mut sheet = Sheet::new((2.0 * COLUMN, LEGEND + 2.0 * ROW), &caption);
     for (i, reading) in readings.iter().enumerate() {
-        let place = Place {
+        let place = Rect {
             left: COLUMN * (i % 2) as f64 + LEFT,
             top: Sheet::TOP + LEGEND + 44.0 + ROW * (i / 2) as f64,
             width: PANEL.0,
@@ -148,7 +148,7 @@ impl Reading {
 /// Depths of indenter, layer and tops below the undeformed tops, along x beside the axis.
 fn lines(load: &SolvedStep, which: &str, dash: Dash) -> [ChartLine; 3] {
     let fields = load.fields();
-    let height = load.record.relief_height().unwrap_or(0.0);
+    let height = load.summary.relief_height().unwrap_or(0.0);
     // u + w* − f*
     let top = |e: usize| fields.displacement[e] + fields.shortening[e] - fields.profile[e];
     let along = |depth: &dyn Fn(usize) -> f64, is_there: &dyn Fn(usize) -> bool| {

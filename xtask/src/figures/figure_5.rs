@@ -1,10 +1,10 @@
 //! Fig. 5: pressure under the Berkovich pyramid with and without film.
 
-use pellicle_cli::case::units::Units;
-use pellicle_cli::display::{Scale, Unit, quantity};
-use pellicle_cli::picture::panel::Axis;
-use pellicle_cli::picture::svg::Place;
-use pellicle_cli::picture::trust::BRACKETS;
+use pellicle_cli::Units;
+use pellicle_cli::drawing::Axis;
+use pellicle_cli::drawing::Rect;
+use pellicle_cli::drawing::accuracy::BRACKETS;
+use pellicle_cli::{Scale, Unit, quantity};
 
 use super::chart::{self, AXIS, ChartLine, LEFT};
 use super::pressures::{FILM_AND_BARE, Pressures, Shown, reach, rounded_up};
@@ -20,7 +20,7 @@ const PANELS: [(&str, &str); 2] = [
 
 /// Of the profiles, in pixels.
 const LEGEND: f64 = 50.0;
-const PLACE: Place = Place {
+const PLACE: Rect = Rect {
     left: LEFT,
     top: Sheet::TOP + LEGEND,
     width: 1060.0,

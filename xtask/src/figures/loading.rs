@@ -1,12 +1,12 @@
 //! Figures 4 and 6: two numbers of a curve over its load, side by side.
 
-use pellicle_cli::output::record::Record;
-use pellicle_cli::output::summary::StepSummary;
-use pellicle_cli::picture::colours::{self, Colour};
-use pellicle_cli::picture::number::power;
-use pellicle_cli::picture::panel::Axis;
-use pellicle_cli::picture::svg::{Dash, Place};
-use pellicle_cli::picture::trust::{last_change, percent};
+use pellicle_cli::drawing::Axis;
+use pellicle_cli::drawing::accuracy::{last_change, percent};
+use pellicle_cli::drawing::colours::{self, Colour};
+use pellicle_cli::drawing::labels::power;
+use pellicle_cli::drawing::{Dash, Rect};
+use pellicle_cli::results::StepSummary;
+use pellicle_cli::results::Summary;
 
 use super::chart::{self, AXIS, ChartLine, LEFT};
 use super::runner::Runner;
@@ -129,19 +129,22 @@ pub(super) fn figure_6(runner: &Runner) -> Result<Picture, XtaskError> {
 
 impl Loading {
     fn draw(&self, runner: &Runner) -> Result<Picture, XtaskError> {
-        let records = self.curves.iter().map(|curve| runner.run(curve.0, &[]));
-        let records = records.collect::<Result<Vec<Record>, _>>()?;
-        let notes = self.curves.iter().zip(&records);
-        let notes = notes.map(|(curve, record)| format!("{}: {}", curve.1, self.note(record)));
+        let summaries = self.curves.iter().map(|curve| runner.run(curve.0, &[]));
+        let summaries = summaries.collect::<Result<Vec<Summary>, _>>()?;
+        let notes = self.curves.iter().zip(&summaries);
+        let notes = notes.map(|(curve, summary)| format!("{}: {}", curve.1, self.note(summary)));
         let caption = Caption {
             title: self.title,
             subtitle: format!("{}{}", runner.mark(), self.subtitle),
             notes: std::iter::once(self.remark.clone()).chain(notes).collect(),
         };
         let mut sheet = Sheet::new((2.0 * COLUMN, LEGEND + SIDE + AXIS), &caption);
-        let lines = self.views.each_ref().map(|view| self.lines(view, &records));
+        let lines = self
+            .views
+            .each_ref()
+            .map(|view| self.lines(view, &summaries));
         for (i, (view, lines)) in self.views.iter().zip(&lines).enumerate() {
-            let place = Place {
+            let place = Rect {
                 left: COLUMN * i as f64 + LEFT,
                 top: Sheet::TOP + LEGEND,
                 width: SIDE,
@@ -160,11 +163,11 @@ impl Loading {
         Ok(sheet.finish(self.name, csv))
     }
 
-    fn lines(&self, view: &View, records: &[Record]) -> Vec<ChartLine> {
+    fn lines(&self, view: &View, summaries: &[Summary]) -> Vec<ChartLine> {
         let point = |step: &StepSummary| (step.force / self.load.1, (view.value)(step));
-        let lines = self.curves.iter().zip(records);
-        let lines = lines.map(|(&(_, name, colour, dash), record)| {
-            let points = record
+        let lines = self.curves.iter().zip(summaries);
+        let lines = lines.map(|(&(_, name, colour, dash), summary)| {
+            let points = summary
                 .steps
                 .iter()
                 .map(point)
@@ -179,19 +182,20 @@ impl Loading {
     }
 
     /// The note on the data of a curve: its grid, and the largest of its certificates and of the changes between grids.
-    fn note(&self, record: &Record) -> String {
-        let largest = |of: fn(&StepSummary) -> f64| record.steps.iter().map(of).fold(0.0, f64::max);
+    fn note(&self, summary: &Summary) -> String {
+        let largest =
+            |of: fn(&StepSummary) -> f64| summary.steps.iter().map(of).fold(0.0, f64::max);
         let certificate = largest(|step| step.certificate.worst);
         let penetration = largest(|step| last_change(step, |level| level.penetration).abs());
         let peak = largest(|step| last_change(step, |level| level.max_pressure).abs());
         let peak = format!(", of the largest p ≤ {}", percent(peak));
         format!(
             "{n} × {n} elements, {} loads, certificates ≤ {}; change of D from the next coarser grid ≤ {}{}",
-            record.steps.len(),
+            summary.steps.len(),
             power(certificate, 1),
             percent(penetration),
             if self.shows_peak { &peak } else { "" },
-            n = record.grid.elements,
+            n = summary.grid.elements,
         )
     }
 }

@@ -2,16 +2,16 @@
 
 use std::fmt::Write as _;
 
-use pellicle_cli::display::Scale;
-use pellicle_cli::picture::coarse::Coarse;
-use pellicle_cli::picture::colour_map::Shades;
-use pellicle_cli::picture::colours::{self, Colour};
-use pellicle_cli::picture::panel::{Axis, Panel};
-use pellicle_cli::picture::projection::Projection;
-use pellicle_cli::picture::scene::Scene;
-use pellicle_cli::picture::svg::{Anchor, Place, Svg};
-use pellicle_cli::picture::window::Window;
-use pellicle_cli::picture::{axis, colour_bar, pressure_map};
+use pellicle_cli::Scale;
+use pellicle_cli::drawing::CoarseField;
+use pellicle_cli::drawing::ColourScale;
+use pellicle_cli::drawing::Crop;
+use pellicle_cli::drawing::Panel3d;
+use pellicle_cli::drawing::Projection;
+use pellicle_cli::drawing::colours::{self, Colour};
+use pellicle_cli::drawing::{Anchor, Rect, Svg};
+use pellicle_cli::drawing::{Axis, Panel};
+use pellicle_cli::drawing::{colour_bar, labels, pressure_map};
 
 use super::chart::{ChartLine, quoted};
 use super::runner::SolvedStep;
@@ -112,7 +112,7 @@ impl Pressures<'_> {
     }
 
     fn draw_map(&self, svg: &mut Svg, (left, top): (f64, f64), shown: &Shown<'_>) {
-        let place = Place {
+        let place = Rect {
             left: left + MAP_LEFT,
             top: top + TITLE_ROOM,
             width: MAP,
@@ -125,18 +125,18 @@ impl Pressures<'_> {
             y: self.axis("y", 6),
         };
         let coarse = self.coarse(shown, MAP_CELLS);
-        let shades = Shades::up_to(shown.brightest * shown.pascals.divisor);
+        let shades = ColourScale::up_to(shown.brightest * shown.pascals.divisor);
         svg.within(place, |svg| {
             pressure_map::draw_field(svg, &panel, &coarse, self.metres.divisor, &shades);
         });
         panel.draw_axes(svg);
-        let bar = Place {
+        let bar = Rect {
             left: place.right() + MAP_GAP,
             width: BAR,
             ..place
         };
-        let title = axis::title("pressure p", &shown.pascals.label);
-        colour_bar::draw(svg, bar, &Shades::up_to(shown.brightest), &title);
+        let title = labels::axis_title("pressure p", &shown.pascals.label);
+        colour_bar::draw(svg, bar, &ColourScale::up_to(shown.brightest), &title);
     }
 
     fn draw_scene(&self, svg: &mut Svg, (left, top): (f64, f64), shown: &Shown<'_>) {
@@ -146,7 +146,7 @@ impl Pressures<'_> {
             Anchor::Start,
             &shown.title,
         );
-        let place = Place {
+        let place = Rect {
             left,
             top: top + TITLE_ROOM,
             width: SCENE.0,
@@ -157,8 +157,8 @@ impl Pressures<'_> {
             height: 225.0,
             centre: (left + 380.0, place.top + 372.0),
         };
-        let pressure = axis::title("p", &shown.pascals.label);
-        let scene = Scene {
+        let pressure = labels::axis_title("p", &shown.pascals.label);
+        let scene = Panel3d {
             place,
             view,
             x: self.axis("x", 5),
@@ -167,7 +167,7 @@ impl Pressures<'_> {
         };
         let divisors = (self.metres.divisor, shown.pascals.divisor);
         let coarse = self.coarse(shown, SCENE_CELLS);
-        scene.draw(svg, &coarse, divisors, &Shades::up_to(shown.top));
+        scene.draw(svg, &coarse, divisors, &ColourScale::up_to(shown.top));
     }
 
     /// One row a cell of every panel; a cell has the largest pressure of its elements.
@@ -191,15 +191,15 @@ impl Pressures<'_> {
     }
 
     fn axis(&self, symbol: &str, ticks: usize) -> Axis {
-        let title = axis::title(symbol, &self.metres.label);
+        let title = labels::axis_title(symbol, &self.metres.label);
         Axis::new(-self.reach, self.reach, title, ticks)
     }
 
-    fn coarse(&self, shown: &Shown<'_>, cells: usize) -> Coarse {
+    fn coarse(&self, shown: &Shown<'_>, cells: usize) -> CoarseField {
         let fields = shown.step.fields();
         let part = 2.0 * self.reach * self.metres.divisor / fields.side;
-        let window = Window::around_axis(fields.size, part);
-        Coarse::new(&fields, &window, cells)
+        let crop = Crop::around_axis(fields.size, part);
+        CoarseField::new(&fields, &crop, cells)
     }
 }
 

@@ -5,12 +5,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use pellicle_cli::case::Case;
-use pellicle_cli::output::fields::Fields;
-use pellicle_cli::output::npz::{self, StoredFields};
-use pellicle_cli::output::record::Record;
-use pellicle_cli::output::summary::{self, StepSummary};
-use pellicle_cli::picture::trust;
+use pellicle_cli::Case;
+use pellicle_cli::drawing::accuracy;
+use pellicle_cli::results::{
+    Fields, SUMMARY_FILE, StepSummary, StoredFields, Summary, fields_file,
+};
 
 use crate::XtaskError;
 
@@ -53,7 +52,7 @@ pub struct Runner {
 pub(super) struct SolvedStep {
     /// Name of its case, `fig2a`.
     pub case: &'static str,
-    pub record: Record,
+    pub summary: Summary,
     index: usize,
     stored: StoredFields,
 }
@@ -76,7 +75,7 @@ impl Runner {
     /// # Errors
     /// [`XtaskError::NotCertified`] if a step is not, [`XtaskError::Refused`] if the program refuses the case, or
     /// whatever prevents running it or reading its results.
-    pub fn run(&self, case: &'static str, sets: &[&str]) -> Result<Record, XtaskError> {
+    pub fn run(&self, case: &'static str, sets: &[&str]) -> Result<Summary, XtaskError> {
         self.solve(case, sets, "none")
     }
 
@@ -87,11 +86,11 @@ impl Runner {
         } else {
             &[]
         };
-        let record = self.solve(case, sets, "all")?;
-        let stored = StoredFields::read(&self.folder(case).join(npz::file(index)))?;
+        let summary = self.solve(case, sets, "all")?;
+        let stored = StoredFields::read(&self.folder(case).join(fields_file(index)))?;
         Ok(SolvedStep {
             case: name(case),
-            record,
+            summary,
             index,
             stored,
         })
@@ -110,7 +109,7 @@ impl Runner {
         self.results.join(name(case))
     }
 
-    fn solve(&self, case: &str, sets: &[&str], fields: &str) -> Result<Record, XtaskError> {
+    fn solve(&self, case: &str, sets: &[&str], fields: &str) -> Result<Summary, XtaskError> {
         let elements = format!("grid.elements={}", self.elements);
         let sets: Vec<_> = [elements.as_str()]
             .iter()
@@ -145,14 +144,14 @@ impl Runner {
                 return Err(XtaskError::Refused { run, message });
             }
         }
-        let path = folder.join(summary::FILE);
+        let path = folder.join(SUMMARY_FILE);
         let text = fs::read_to_string(&path).map_err(|source| XtaskError::Read { path, source })?;
         // The summary does not name its units; the case does.
-        let record = Record::parse(&text, Case::read(&file, &sets)?.units)?;
-        if record.steps.is_empty() || record.steps.iter().any(|s| !s.certificate.satisfied) {
+        let summary = Summary::parse(&text, Case::read(&file, &sets)?.units)?;
+        if summary.steps.is_empty() || summary.steps.iter().any(|s| !s.certificate.satisfied) {
             return Err(XtaskError::NotCertified { run });
         }
-        Ok(record)
+        Ok(summary)
     }
 }
 
@@ -164,17 +163,17 @@ fn name(case: &str) -> &str {
 impl SolvedStep {
     /// Its numbers.
     pub(super) fn numbers(&self) -> &StepSummary {
-        &self.record.steps[self.index]
+        &self.summary.steps[self.index]
     }
 
     /// Its fields, N × N values each, first index along x.
     pub(super) fn fields(&self) -> Fields<'_> {
-        self.stored.fields(self.record.grid.side)
+        self.stored.fields(self.summary.grid.side)
     }
 
     /// The note on its data: grid, certificate, grid error.
     pub(super) fn note(&self, name: &str) -> String {
-        let elements = self.record.grid.elements;
-        format!("{name}: {}", trust::of_step(elements, self.numbers()))
+        let elements = self.summary.grid.elements;
+        format!("{name}: {}", accuracy::of_step(elements, self.numbers()))
     }
 }

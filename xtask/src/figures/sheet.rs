@@ -4,9 +4,9 @@ use std::fs;
 use std::io::{self, Write};
 use std::path::Path;
 
-use pellicle_cli::output::file::{write_bytes, write_whole};
-use pellicle_cli::picture::svg::{Anchor, Svg};
-use pellicle_cli::picture::{heading, png};
+use pellicle_cli::drawing::{Anchor, Svg};
+use pellicle_cli::drawing::{heading, png};
+use pellicle_cli::results::{write_bytes, write_whole};
 
 use crate::XtaskError;
 

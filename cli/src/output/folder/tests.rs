@@ -2,7 +2,9 @@
 
 use tempfile::TempDir;
 
+use super::hidden::{COMPLETE, EMPTYING, FILLING};
 use super::*;
+use crate::output::summary;
 
 fn summary(title: &str) -> String {
     format!(
@@ -20,7 +22,7 @@ fn fill(extent: Extent, title: &str) -> impl FnOnce(&Path) -> Result<Extent, Fai
 }
 
 fn put(path: &Path, existing: Existing, extent: Extent, title: &'static str) -> PathBuf {
-    let folder = Folder::claim(path, existing).unwrap();
+    let folder = ResultsFolder::claim(path, existing).unwrap();
     folder.write(fill(extent, title)).unwrap()
 }
 
@@ -42,7 +44,7 @@ fn parent() -> (TempDir, PathBuf) {
 fn results_are_kept_unless_they_may_be_replaced() {
     let (_parent, path) = parent();
     put(&path, Existing::Keep, Extent::Whole, "001");
-    let kept = Folder::claim(&path, Existing::Keep);
+    let kept = ResultsFolder::claim(&path, Existing::Keep);
     assert!(matches!(kept, Err(Failure::Exists { .. })));
     fs::write(path.join("thesis.tex"), "").unwrap();
     put(&path, Existing::Replace, Extent::Whole, "002");
@@ -70,9 +72,9 @@ fn a_part_never_replaces_the_whole() {
 #[test]
 fn a_claimed_place_is_nobody_elses_and_leaves_nothing_if_it_fails() {
     let (parent, path) = parent();
-    let folder = Folder::claim(&path, Existing::Keep).unwrap();
+    let folder = ResultsFolder::claim(&path, Existing::Keep).unwrap();
     for existing in [Existing::Keep, Existing::Replace] {
-        let second = Folder::claim(&path, existing);
+        let second = ResultsFolder::claim(&path, existing);
         assert!(matches!(second, Err(Failure::Busy { .. })));
     }
     let failed = folder.write(|scratch| {
@@ -87,11 +89,11 @@ fn a_claimed_place_is_nobody_elses_and_leaves_nothing_if_it_fails() {
 #[test]
 fn an_empty_folder_is_used_and_a_foreign_one_never_replaced() {
     let path = tempfile::tempdir().unwrap();
-    drop(Folder::claim(path.path(), Existing::Keep).unwrap());
+    drop(ResultsFolder::claim(path.path(), Existing::Keep).unwrap());
     for name in ["thesis.tex", summary::FILE] {
         fs::write(path.path().join(name), "").unwrap();
         for existing in [Existing::Keep, Existing::Replace] {
-            let claimed = Folder::claim(path.path(), existing);
+            let claimed = ResultsFolder::claim(path.path(), existing);
             assert!(matches!(claimed, Err(Failure::NoResults { .. })));
         }
     }
@@ -100,7 +102,7 @@ fn an_empty_folder_is_used_and_a_foreign_one_never_replaced() {
 #[test]
 fn what_comes_into_the_place_meanwhile_is_kept_and_the_results_are_too() {
     let (_parent, path) = parent();
-    let folder = Folder::claim(&path, Existing::Keep).unwrap();
+    let folder = ResultsFolder::claim(&path, Existing::Keep).unwrap();
     fs::write(path.join(summary::FILE), "mine").unwrap();
     let written = folder.write(fill(Extent::Whole, "001")).unwrap();
     assert_eq!(written, path.join("results"));
@@ -140,7 +142,7 @@ fn what_a_kill_left_complete_is_finished_by_the_next_run() {
     sweep_beside(&path);
     assert_eq!(names(&path), ["fields-001.npz", "notes", "summary.json"]);
     let (_parent, path) = left(EMPTYING, &new, &["curve.csv"]);
-    let claimed = Folder::claim(&path, Existing::Keep);
+    let claimed = ResultsFolder::claim(&path, Existing::Keep);
     assert!(matches!(claimed, Err(Failure::Exists { .. })));
     assert_eq!(
         names(&path),

@@ -5,11 +5,11 @@ use std::collections::BTreeMap;
 use pellicle_kernel::{Base, Foundation, Interface, KernelError, Layer, Material};
 use serde::Deserialize;
 
-use super::{Decimal, Values, decimal, optional_decimal};
+use super::{Decimal, ValueList, decimal, optional_decimal};
 
 /// `Φ` of one layer of thickness 1 at one wavenumber, on the bases and interfaces that were computed.
 #[derive(Debug, Clone, Deserialize)]
-pub struct OneLayer {
+pub struct OneLayerResponse {
     /// `χ = E1/E2`.
     #[serde(deserialize_with = "decimal")]
     pub chi: f64,
@@ -47,7 +47,7 @@ pub struct OneLayer {
     pub sliding_on_rigid: Option<f64>,
 }
 
-impl OneLayer {
+impl OneLayerResponse {
     /// The layer on its half-space, or on a rigid base.
     ///
     /// # Errors
@@ -63,36 +63,36 @@ impl OneLayer {
     }
 }
 
-/// Stacks and what was computed for them.
+/// Stacks and their computed values.
 #[derive(Debug, Clone, Deserialize)]
-pub struct Stacks {
+pub struct LayerStacks {
     /// The stacks by name.
-    pub stacks: BTreeMap<String, Stack>,
+    pub stacks: BTreeMap<String, LayerStack>,
     /// The values.
     pub values: Vec<StackValue>,
 }
 
-/// Layers from the surface down, and what they rest on.
+/// Layers from the surface down, and their base.
 #[derive(Debug, Clone, Deserialize)]
-pub struct Stack {
+pub struct LayerStack {
     /// Thickness, Young's modulus and Poisson's ratio of each layer.
     layers: Vec<[Decimal; 3]>,
     /// Young's modulus and Poisson's ratio of the half-space, or the word `rigid`.
-    substrate: Substrate,
-    /// What joins each layer to the next: `bonded` or `slip`.
+    substrate: StackSubstrate,
+    /// The interface between each layer and the next: `bonded` or `slip`.
     interfaces: Vec<StackInterface>,
 }
 
 #[derive(Debug, Clone, Deserialize)]
 #[serde(untagged)]
-enum Substrate {
+enum StackSubstrate {
     HalfSpace([Decimal; 2]),
-    Rigid(Rigid),
+    Rigid(RigidWord),
 }
 
 #[derive(Debug, Clone, Copy, Deserialize)]
 #[serde(rename_all = "lowercase")]
-enum Rigid {
+enum RigidWord {
     Rigid,
 }
 
@@ -112,7 +112,7 @@ impl From<StackInterface> for Interface {
     }
 }
 
-impl Stack {
+impl LayerStack {
     /// The foundation.
     ///
     /// # Errors
@@ -125,10 +125,10 @@ impl Stack {
             Layer::new(thickness, material, (*interface).into())
         });
         let base = match &self.substrate {
-            Substrate::HalfSpace([Decimal(young_modulus), Decimal(poisson_ratio)]) => {
+            StackSubstrate::HalfSpace([Decimal(young_modulus), Decimal(poisson_ratio)]) => {
                 Base::HalfSpace(Material::new(*young_modulus, *poisson_ratio)?)
             }
-            Substrate::Rigid(Rigid::Rigid) => Base::Rigid,
+            StackSubstrate::Rigid(RigidWord::Rigid) => Base::Rigid,
         };
         Foundation::new(layers.collect::<Result<_, _>>()?, base)
     }
@@ -154,16 +154,16 @@ pub struct StackValue {
 ///
 /// # Errors
 /// A file that is not what these types say.
-pub fn one_layer() -> serde_json::Result<Vec<OneLayer>> {
+pub fn one_layer() -> serde_json::Result<Vec<OneLayerResponse>> {
     let text = include_str!("../../../../tests/data/compliance_two_layer.json");
-    Ok(serde_json::from_str::<Values<_>>(text)?.values)
+    Ok(serde_json::from_str::<ValueList<_>>(text)?.values)
 }
 
 /// Stacks of two and three layers.
 ///
 /// # Errors
 /// A file that is not what these types say.
-pub fn stacks() -> serde_json::Result<Stacks> {
+pub fn stacks() -> serde_json::Result<LayerStacks> {
     serde_json::from_str(include_str!(
         "../../../../tests/data/compliance_n_layers.json"
     ))

@@ -2,7 +2,7 @@
 
 use serde::Deserialize;
 
-use super::{Decimal, Values, decimal};
+use super::{Decimal, ValueList, decimal};
 
 /// Approach and load of an indenter at contact radius 1 on a coated half-space of modulus 1: auxiliary-function method,
 /// 22 digits.
@@ -63,15 +63,16 @@ pub struct DiscreteContact {
     /// Elements per side.
     #[serde(rename = "N")]
     pub size: usize,
-    /// What is pressed.
-    pub surface: Surface,
+    /// The profile of the indenter.
+    #[serde(rename = "surface")]
+    pub profile: DiscreteProfile,
     /// Approach.
     #[serde(rename = "delta", deserialize_with = "decimal")]
     pub penetration: f64,
     /// Load.
     #[serde(rename = "P", deserialize_with = "decimal")]
     pub force: f64,
-    /// Which of the two was given.
+    /// The one of the two that was given.
     pub given: Given,
     /// Elements in contact.
     #[serde(rename = "n_contact")]
@@ -90,17 +91,17 @@ pub struct DiscreteContact {
     pub pressure: Vec<Vec<Decimal>>,
 }
 
-/// The surfaces of the small grids.
+/// The profiles pressed into the small grids.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Surface {
+pub enum DiscreteProfile {
     /// `(x² + y²)/2`.
     Paraboloid,
     /// `0.1 (x² + y²/2) + 0.02 (1 − cos(7x + 0.3) cos(5y − 0.2))`.
     Wavy,
 }
 
-impl Surface {
+impl DiscreteProfile {
     /// Height at a point.
     #[must_use]
     pub fn height(self, x: f64, y: f64) -> f64 {
@@ -114,7 +115,7 @@ impl Surface {
     }
 }
 
-/// What a contact was computed for.
+/// The quantity given for a contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
 pub enum Given {
     /// The approach.
@@ -131,7 +132,7 @@ pub enum Given {
 /// A file that is not what these types say.
 pub fn axisymmetric() -> serde_json::Result<Vec<AxisymmetricContact>> {
     let text = include_str!("../../../../tests/data/axisymmetric_contact.json");
-    Ok(serde_json::from_str::<Values<_>>(text)?.values)
+    Ok(serde_json::from_str::<ValueList<_>>(text)?.values)
 }
 
 /// The contacts on small grids.
@@ -140,5 +141,5 @@ pub fn axisymmetric() -> serde_json::Result<Vec<AxisymmetricContact>> {
 /// A file that is not what these types say.
 pub fn discrete() -> serde_json::Result<Vec<DiscreteContact>> {
     let text = include_str!("../../../../tests/data/discrete_contact.json");
-    Ok(serde_json::from_str::<Values<_>>(text)?.values)
+    Ok(serde_json::from_str::<ValueList<_>>(text)?.values)
 }

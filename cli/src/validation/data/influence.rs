@@ -8,7 +8,7 @@ use serde::Deserialize;
 
 use super::decimal;
 
-/// Coatings and what was computed for them.
+/// Coatings and their coefficients.
 #[derive(Debug, Clone, Deserialize)]
 pub struct Coefficients {
     /// The coatings by name.
@@ -69,7 +69,7 @@ impl Coefficient {
         2.0 / self.lambda
     }
 
-    /// What errors are measured by: `max(|k|, min(1, Φ(0)) k_Love)`, with the response to the longest waves `Φ(0)`.
+    /// The scale of errors, `max(|k|, min(1, Φ(0)) k_Love)`, with the response to the longest waves `Φ(0)`.
     #[must_use]
     pub fn scale(&self, response_at_zero: f64) -> f64 {
         self.value

@@ -6,7 +6,7 @@
 //! decaying exponentials, as in `pellicle_kernel`, whose `response` this must equal (test); here the formulas may
 //! cancel, 32 digits bear it.
 
-use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
+use pellicle_kernel::{Base, Foundation, Layer, Material};
 
 use super::twofold::Twofold;
 
@@ -76,7 +76,9 @@ struct Step {
     /// Thickness over the total thickness.
     thickness: Twofold,
     poisson: Poisson,
-    interface: Interface,
+    is_frictionless: bool,
+    /// The interface's normal and shear compliance times 2G/H, H the total thickness; no shear if frictionless.
+    compliances: [Twofold; 2],
     /// Ratio of shear moduli, layer over what is below; none on a rigid base.
     contrast: Option<Twofold>,
 }
@@ -99,7 +101,8 @@ impl Stack {
         let step = |(index, layer): (usize, &Layer)| Step {
             thickness: Twofold::from(layer.thickness()) / total,
             poisson: Poisson::new(layer.material()),
-            interface: layer.interface(),
+            is_frictionless: layer.interface().is_frictionless(),
+            compliances: compliances(layer).map(|compliance| compliance / total),
             contrast: below(index).map(|below| shear_ratio(layer.material(), below)),
         };
         let base = match foundation.base() {
@@ -122,11 +125,25 @@ impl Stack {
             if local != decay.s {
                 decay = Decay::new(local);
             }
-            minors = minors.onto(step).through(&step.poisson, &decay);
+            minors = minors.onto(step, s).through(&step.poisson, &decay);
             w = step.poisson.w;
         }
         minors.g / (w * minors.d)
     }
+}
+
+/// The normal and the shear compliance of the interface below a layer, the latter 0 if frictionless, times `2G = E/(1+ν)`.
+fn compliances(layer: &Layer) -> [Twofold; 2] {
+    let interface = layer.interface();
+    let shear = if interface.is_frictionless() {
+        0.0
+    } else {
+        interface.shear_compliance()
+    };
+    let material = layer.material();
+    let stiffness = Twofold::from(material.young_modulus())
+        / (Twofold::ONE + Twofold::from(material.poisson_ratio()));
+    [interface.normal_compliance(), shear].map(|compliance| stiffness * Twofold::from(compliance))
 }
 
 /// `G1/G2 = E1 (1+ν2)/(E2 (1+ν1))`.
@@ -164,26 +181,39 @@ impl Minors {
     }
 
     /// In the layer above the interface, in its units, and scaled to the size of 1: a common factor means nothing.
-    fn onto(&self, step: &Step) -> Self {
+    fn onto(&self, step: &Step, s: Twofold) -> Self {
         let &Self { p, q, f, g, d } = self;
-        match (step.interface, step.contrast) {
-            (Interface::Bonded, None) => Self::CLAMPED,
-            (Interface::Frictionless, None) => Self::SLIDING,
-            (Interface::Bonded, Some(mu)) => Self {
+        let held = match (step.is_frictionless, step.contrast) {
+            (false, None) => Self::CLAMPED,
+            (true, None) => Self::SLIDING,
+            (false, Some(mu)) => Self {
                 p: mu * p,
                 q,
                 f,
                 g,
                 d: d / mu,
             },
-            (Interface::Frictionless, Some(mu)) => Self {
+            (true, Some(mu)) => Self {
                 p: mu * g,
                 f: d,
                 d: Twofold::ZERO,
                 ..Self::CLAMPED
             },
+        };
+        held.on_springs(step.compliances.map(|compliance| compliance * s))
+            .normalised()
+    }
+
+    /// Above springs whose normal and shear compliances, times 2Gk, these are.
+    fn on_springs(self, [normal, shear]: [Twofold; 2]) -> Self {
+        let Self { p, q, f, g, d } = self;
+        Self {
+            p: p + normal * f + shear * (g + normal * d),
+            q,
+            f: f + shear * d,
+            g: g + normal * d,
+            d,
         }
-        .normalised()
     }
 
     fn normalised(self) -> Self {
@@ -251,6 +281,16 @@ mod tests {
                 Interface::Frictionless,
                 Base::HalfSpace(Material::new(30.0, 0.1).unwrap()),
             ),
+            (
+                Interface::spring(0.3, 20.0).unwrap(),
+                Base::HalfSpace(Material::new(30.0, 0.1).unwrap()),
+            ),
+            (
+                Interface::spring(0.1, f64::INFINITY).unwrap(),
+                Base::HalfSpace(Material::new(1e4, 0.3).unwrap()),
+            ),
+            (Interface::spring(0.0, 0.2).unwrap(), Base::Rigid),
+            (Interface::spring(5.0, f64::INFINITY).unwrap(), Base::Rigid),
         ] {
             let layers = vec![
                 layer(0.3, 0.01, 0.5, Interface::Bonded),

@@ -1,0 +1,94 @@
+//! Parsers of option values: quantities, ranges, sections and offsets.
+
+use crate::case::dimension::Dimension;
+use crate::case::quantity;
+use crate::picture::style::Cut;
+
+pub(super) fn positive(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(k) if k > 0.0 && k.is_finite() => Ok(k),
+        _ => Err("wanted a positive number".into()),
+    }
+}
+
+/// A quantity with or without its unit.
+fn quantity(text: &str, dimension: Dimension) -> Result<f64, String> {
+    let bare = text.trim().parse().ok();
+    let value = bare.or_else(|| quantity::parse(text, dimension).ok());
+    let wanted = || {
+        let example = dimension.example().trim_matches('"');
+        format!(
+            "wanted {} such as {example}, or a bare number",
+            dimension.noun()
+        )
+    };
+    value
+        .filter(|value: &f64| value.is_finite())
+        .ok_or_else(wanted)
+}
+
+pub(super) fn range(text: &str) -> Result<[f64; 2], String> {
+    let (from, to) = text.split_once(':').unwrap_or(("0", text));
+    let [from, to] = [from, to].map(|end| quantity(end, Dimension::Pressure));
+    let (from, to) = (from?, to?);
+    if from < to {
+        Ok([from, to])
+    } else {
+        Err("wanted a range whose end is above its start".into())
+    }
+}
+
+pub(super) fn section(text: &str) -> Result<Cut, String> {
+    match (text, text.split_once('=')) {
+        ("axis", _) => Ok(Cut::Axis),
+        ("peak", _) => Ok(Cut::Peak),
+        (_, Some(("y", y))) => quantity(y, Dimension::Length).map(Cut::AlongX),
+        (_, Some(("x", x))) => quantity(x, Dimension::Length).map(Cut::AlongY),
+        _ => Err("wanted axis, peak, or a place such as y=\"5 um\" or x=0.1".into()),
+    }
+}
+
+pub(super) fn perturbation(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(by) if by > -1.0 && by.is_finite() => Ok(by),
+        _ => Err("wanted a number above -1, such as 1e-6".into()),
+    }
+}
+
+pub(super) fn offset(text: &str) -> Result<[usize; 2], String> {
+    let count = |text: &str| text.trim().parse().ok();
+    let both = text.split_once(',');
+    let both = both.and_then(|(m, n)| Some([count(m)?, count(n)?]));
+    both.ok_or_else(|| "wanted two integers of zero or more, such as 3,4".into())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pictures_are_ordered_in_words_and_units() {
+        assert_eq!(range("2 GPa"), Ok([0.0, 2e9]));
+        assert_eq!(range("0.5 GPa:2 GPa"), Ok([0.5e9, 2e9]));
+        assert_eq!(range("0.1:0.3"), Ok([0.1, 0.3]));
+        assert_eq!(section("peak"), Ok(Cut::Peak));
+        assert_eq!(section("y=5 um"), Ok(Cut::AlongX(5e-6)));
+        assert_eq!(section("x=-0.25"), Ok(Cut::AlongY(-0.25)));
+        for text in ["", "2 nm", "3:2", "1:1", "nan", "inf"] {
+            assert!(range(text).is_err(), "{text}");
+        }
+        for text in ["", "z=1", "x=", "y=1 GPa", "top"] {
+            assert!(section(text).is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_wavenumber_or_offset_is_refused() {
+        for text in ["0", "-1", "nan", "inf", "x", ""] {
+            assert!(positive(text).is_err(), "{text}");
+        }
+        for text in ["1", "1,", "1.5,2", "-1,2", "1,2,3", "a,b", ""] {
+            assert!(offset(text).is_err(), "{text}");
+        }
+    }
+}

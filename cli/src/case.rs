@@ -1,0 +1,325 @@
+//! The case file: one problem in TOML, read into numbers and checked, every default filled in.
+
+pub mod diagnosis;
+pub mod dimension;
+pub mod document;
+pub mod foundation;
+pub mod grid;
+pub mod height_limits;
+pub mod indenter;
+pub mod load;
+pub mod map;
+pub mod output;
+pub mod overrides;
+pub mod quantity;
+pub mod solver;
+pub mod source;
+pub mod spacing;
+pub mod span;
+pub mod surface;
+pub mod table_reader;
+pub mod units;
+pub mod value_reader;
+pub mod warnings;
+
+use std::path::Path;
+use std::sync::Arc;
+
+use pellicle_contact::{ContactError, Domain, Model, choose_side};
+use pellicle_influence::{Cache, Cached, InfluenceError};
+use serde::Serialize;
+
+use self::diagnosis::Diagnosis;
+use self::document::Document;
+use self::document::TomlNode;
+use self::foundation::FoundationCase;
+use self::grid::GridCase;
+use self::indenter::IndenterCase;
+use self::load::LoadCase;
+use self::output::OutputCase;
+use self::solver::SolverCase;
+use self::source::Source;
+use self::surface::SurfaceCase;
+use self::table_reader::TableReader;
+use self::units::Units;
+use self::value_reader::ValueReader;
+use crate::failure::Failure;
+
+/// A problem as resolved: every default filled in, every value in SI units or the case's own consistent ones.
+///
+/// Written as TOML it is a case file again.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Case {
+    /// Title; the name of the file unless given.
+    pub title: String,
+    /// The elastic body.
+    pub foundation: FoundationCase,
+    /// The relief on it.
+    pub surface: SurfaceCase,
+    /// The indenter.
+    pub indenter: IndenterCase,
+    /// Force or penetration, or a list of either.
+    pub load: LoadCase,
+    /// The grid.
+    pub grid: GridCase,
+    /// Tolerance and method.
+    pub solver: SolverCase,
+    /// The fields and pictures to write.
+    pub output: OutputCase,
+    /// The system of units.
+    #[serde(skip)]
+    pub units: Units,
+    /// The document it was read from.
+    #[serde(skip)]
+    pub document: Document,
+}
+
+impl Case {
+    /// Reads the case file, with the values of `--set` in place of its own.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Unreadable`] if the file cannot be read, [`Failure::Case`] if it is not a valid case.
+    pub fn read(path: &Path, sets: &[String]) -> Result<Self, Failure> {
+        let source = Arc::new(source::read(path)?);
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+        let folder = path.parent().unwrap_or(Path::new(""));
+        Ok(Self::parse(&source, &stem, folder, sets)?)
+    }
+
+    /// Reads the text of a case that names its files relative to `folder`.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] of the first fault.
+    pub fn parse(
+        source: &Arc<Source>,
+        name: &str,
+        folder: &Path,
+        sets: &[String],
+    ) -> Result<Self, Diagnosis> {
+        let mut root = document::parse(source)?;
+        for argument in sets {
+            overrides::set(&mut root, argument)?;
+        }
+        Self::resolve(&root, name, folder)
+    }
+
+    /// Reads a case from the tree of its text; `name` is its title unless it has one.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] of the first fault.
+    pub fn resolve(root: &TomlNode, name: &str, folder: &Path) -> Result<Self, Diagnosis> {
+        const TABLES: [&str; 8] = [
+            "title",
+            "foundation",
+            "surface",
+            "indenter",
+            "load",
+            "grid",
+            "solver",
+            "output",
+        ];
+        let table = TableReader::root(root)?;
+        table.only(&TABLES).map_err(|diagnosis| {
+            if table.optional("study").is_none() {
+                return diagnosis;
+            }
+            diagnosis.with_help("a file with [study] is solved with `pellicle study FILE`")
+        })?;
+        let title = match table.optional("title") {
+            Some(field) => field.text()?,
+            None => name,
+        };
+        // One line for pictures, tables and terminals, without control characters.
+        let title = title.replace(char::is_control, " ");
+        let required = |key| table.required(key, &format!("a table [{key}]"))?.table();
+        let optional = |key| table.optional(key).map(ValueReader::table).transpose();
+        let foundation = FoundationCase::read(&required("foundation")?)?;
+        let surface = match optional("surface")? {
+            Some(table) => SurfaceCase::read(&table, &foundation, folder)?,
+            None => SurfaceCase::Bare,
+        };
+        let grid = optional("grid")?;
+        let grid = grid.map_or(Ok(GridCase::default()), |table| GridCase::read(&table))?;
+        let output = optional("output")?.map(|table| OutputCase::read(&table));
+        let read_solver = |table| SolverCase::read(&table, grid.elements);
+        let indenter = IndenterCase::read(&required("indenter")?, folder)?;
+        let maps = [surface.map(), indenter.map()];
+        let units = maps.into_iter().flatten().map(|map| map.units);
+        let units = units.fold(Units::of(root), Units::or);
+        Ok(Self {
+            title,
+            foundation,
+            surface,
+            indenter,
+            load: LoadCase::read(&required("load")?)?,
+            grid,
+            solver: optional("solver")?.map_or(Ok(SolverCase::default()), read_solver)?,
+            output: output.transpose()?.unwrap_or_default(),
+            units,
+            document: Document::new(root),
+        })
+    }
+
+    /// The failure of a solution, with the key to change if the case is to blame.
+    #[must_use]
+    pub fn blame(&self, error: ContactError) -> Failure {
+        let keys: &[&str] = match &error {
+            ContactError::ElementsTooLarge { .. } => &["grid.side"],
+            ContactError::NothingCanTouch { .. } => {
+                &["indenter.radius", "indenter.file", "indenter.kind"]
+            }
+            ContactError::FieldValue { .. } => &[
+                "indenter.file",
+                "indenter.radius",
+                "indenter.tip_radius",
+                "indenter.kind",
+            ],
+            ContactError::Influence(InfluenceError::CoefficientNotFinite { .. }) => &[
+                "grid.side",
+                "foundation.layer[0].thickness",
+                "foundation.substrate",
+            ],
+            _ => return error.into(),
+        };
+        self.document.refused(keys, &error).into()
+    }
+
+    /// The domain to solve on: as given, or chosen for the loads.
+    ///
+    /// # Errors
+    ///
+    /// [`ContactError`] if none can be chosen.
+    pub fn domain(&self, model: &Model) -> Result<Domain, ContactError> {
+        let domain = if self.grid.side.is_some() {
+            Domain::Side
+        } else {
+            Domain::Chosen
+        };
+        self.side(model).map(domain)
+    }
+
+    /// Side of the domain, m.
+    ///
+    /// # Errors
+    ///
+    /// [`ContactError`] if none can be chosen.
+    pub fn side(&self, model: &Model) -> Result<f64, ContactError> {
+        match self.grid.side {
+            Some(side) => Ok(side),
+            None => choose_side(model, &self.load.loads()),
+        }
+    }
+
+    /// The model of the case, and whether its radial tables came from the cache.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure`] if the tables of this foundation cannot be built.
+    pub fn model(&self, cache: &Cache) -> Result<Cached<Model>, Failure> {
+        let foundation = self.foundation.split()?.foundation;
+        let (relief, indenter) = (self.surface.build()?, self.indenter.build()?);
+        let tables = cache.radial_tables(&foundation)?;
+        Ok(tables.map(|tables| Model {
+            tables,
+            relief,
+            indenter,
+            cache: cache.clone(),
+        }))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str, sets: &[&str]) -> Result<Case, Diagnosis> {
+        let sets: Vec<_> = sets.iter().map(|&set| set.to_owned()).collect();
+        Case::parse(
+            &Arc::new(Source::new("case.toml", text.to_owned())),
+            "case",
+            Path::new(""),
+            &sets,
+        )
+    }
+
+    const CASE: &str = r#"
+[foundation]
+substrate = { young_modulus = "7 GPa", poisson_ratio = 0.4 }
+
+[[foundation.layer]]
+thickness = "10 nm"
+young_modulus = "70 GPa"
+poisson_ratio = 0.3
+
+[surface]
+kind = "cylinders"
+radius = "5 nm"
+height = "2 nm"
+period = "20 nm"
+
+[indenter]
+kind = "cone"
+half_angle = "70 deg"
+tip_radius = "400 nm"
+
+[load]
+forces = { from = "1 uN", to = "1 mN", count = 4, spacing = "log" }
+"#;
+
+    #[test]
+    fn the_resolved_case_is_a_case_file_again() {
+        let case = read(CASE, &[]).unwrap();
+        let written = toml::to_string(&case).unwrap();
+        let again = read(&written, &[]).unwrap();
+        // The numbers are the same; the units they were written in are gone.
+        assert_eq!(
+            Case {
+                units: case.units,
+                ..again
+            },
+            case
+        );
+    }
+
+    #[test]
+    fn a_value_set_on_the_command_line_replaces_that_of_the_file() {
+        let case = read(
+            CASE,
+            &["foundation.layer.0.thickness=3 um", "grid.elements=64"],
+        )
+        .unwrap();
+        assert_eq!(case.foundation.layer[0].thickness, 3e-6);
+        assert_eq!(case.grid.elements, 64);
+    }
+
+    #[test]
+    fn a_faulty_value_on_the_command_line_is_diagnosed_there() {
+        let message = read(CASE, &["foundation.layer.0.poisson_ratio=0.6"])
+            .unwrap_err()
+            .to_string();
+        assert!(
+            message.starts_with("--set, key `foundation.layer[0].poisson_ratio`: found 0.6"),
+            "{message}"
+        );
+    }
+
+    #[test]
+    fn a_misspelt_table_is_diagnosed_before_the_missing_one() {
+        let diagnosis = read(&CASE.replace("[load]", "[laod]"), &[]).unwrap_err();
+        assert_eq!(diagnosis.key.as_deref(), Some("laod"));
+        assert_eq!(diagnosis.help.as_deref(), Some("did you mean `load`?"));
+    }
+
+    #[test]
+    fn a_missing_table_is_diagnosed_at_the_end() {
+        let text = CASE.replace("[load]", "").replace("forces =", "# forces =");
+        let message = read(&text, &[]).unwrap_err().to_string();
+        assert!(
+            message.contains("key `load`: found no such key, wanted a table [load]"),
+            "{message}"
+        );
+    }
+}

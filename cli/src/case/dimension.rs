@@ -1,0 +1,114 @@
+//! The dimensions of the quantities in a case: their units, and how large they may be.
+
+use std::ops::RangeInclusive;
+
+/// The dimension of a quantity.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Dimension {
+    /// Metres.
+    Length,
+    /// Pascals: pressures and moduli.
+    Pressure,
+    /// Newtons.
+    Force,
+    /// Radians.
+    Angle,
+    /// Metres per pascal: a length over a pressure.
+    Compliance,
+}
+
+impl Dimension {
+    /// All of them.
+    pub const ALL: [Self; 5] = [
+        Self::Length,
+        Self::Pressure,
+        Self::Force,
+        Self::Angle,
+        Self::Compliance,
+    ];
+
+    /// Its name in a message.
+    #[must_use]
+    pub fn noun(self) -> &'static str {
+        match self {
+            Self::Length => "a length",
+            Self::Pressure => "a pressure",
+            Self::Force => "a force",
+            Self::Angle => "an angle",
+            Self::Compliance => "a compliance",
+        }
+    }
+
+    /// Its SI unit.
+    #[must_use]
+    pub fn si_unit(self) -> &'static str {
+        match self {
+            Self::Length => "m",
+            Self::Pressure => "Pa",
+            Self::Force => "N",
+            Self::Angle => "rad",
+            Self::Compliance => "m/Pa",
+        }
+    }
+
+    /// An example, as written in a case.
+    #[must_use]
+    pub fn example(self) -> &'static str {
+        match self {
+            Self::Length => "\"5 nm\"",
+            Self::Pressure => "\"70 GPa\"",
+            Self::Force => "\"2.3 mN\"",
+            Self::Angle => "\"65.03 deg\"",
+            Self::Compliance => "\"5 nm/GPa\"",
+        }
+    }
+
+    /// The most common units; each may have its usual prefixes.
+    #[must_use]
+    pub fn unit_names(self) -> &'static [&'static str] {
+        match self {
+            Self::Length => &[
+                "m", "km", "cm", "mm", "um", "µm", "nm", "pm", "angstrom", "Å", "in", "ft", "mil",
+            ],
+            Self::Pressure => &[
+                "Pa", "kPa", "MPa", "GPa", "TPa", "N/m^2", "N/mm^2", "bar", "psi",
+            ],
+            Self::Force => &["N", "kN", "mN", "uN", "µN", "nN", "pN", "lbf"],
+            Self::Angle => &["deg", "°", "rad", "gon"],
+            Self::Compliance => &["m/Pa", "um/MPa", "nm/GPa", "a length / a pressure"],
+        }
+    }
+
+    /// The magnitudes allowed, in SI units or the case's own: far beyond anything measured, yet products of several
+    /// still fit into 64 bits.
+    #[must_use]
+    pub fn magnitudes(self) -> RangeInclusive<f64> {
+        match self {
+            Self::Length | Self::Pressure => 1e-30..=1e30,
+            // Any force, however small, is a load; the certificate says whether it could be solved for.
+            Self::Force => f64::from_bits(1)..=1e60,
+            Self::Compliance => 1e-60..=1e60,
+            Self::Angle => 0.0..=f64::MAX,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::quantity;
+    use super::*;
+
+    #[test]
+    fn every_unit_that_is_named_is_read() {
+        for dimension in Dimension::ALL {
+            for unit in dimension
+                .unit_names()
+                .iter()
+                .filter(|unit| !unit.contains(' '))
+            {
+                let one = quantity::one(unit, dimension);
+                assert!(one.is_ok_and(|one| one > 0.0), "{unit}");
+            }
+        }
+    }
+}

@@ -1,0 +1,94 @@
+//! `[[foundation.layer]]`: one layer, homogeneous or graded.
+
+use pellicle_kernel::{Base, GradedLayer, GradingOptions, Interface, KernelError, Layer, Material};
+use serde::Serialize;
+
+use super::super::diagnosis::Diagnosis;
+use super::super::dimension::Dimension;
+use super::super::value_reader::ValueReader;
+use super::modulus::ModulusCase;
+use super::substrate::POISSON_RATIO;
+
+const MODULUS: &str = "a positive pressure such as \"70 GPa\", a bare number, or { from = .., to = .., profile = \"linear\" }";
+
+/// One layer and the interface below it.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct LayerCase {
+    /// Thickness, m.
+    pub thickness: f64,
+    /// Young's modulus.
+    pub young_modulus: ModulusCase,
+    /// Poisson's ratio `ν`.
+    pub poisson_ratio: f64,
+    /// The interface below it.
+    pub interface: InterfaceCase,
+}
+
+/// The interface between a layer and what lies below.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum InterfaceCase {
+    /// It sticks to what lies below.
+    Bonded,
+    /// It slides without friction.
+    Frictionless,
+}
+
+impl LayerCase {
+    pub(super) fn read(field: ValueReader<'_>) -> Result<Self, Diagnosis> {
+        let table = field.table()?;
+        table.only(&["thickness", "young_modulus", "poisson_ratio", "interface"])?;
+        let interface = match table.optional("interface") {
+            Some(field) => field.choice(&[
+                ("bonded", InterfaceCase::Bonded),
+                ("frictionless", InterfaceCase::Frictionless),
+            ])?,
+            None => InterfaceCase::Bonded,
+        };
+        let thickness = table.positive("thickness", Dimension::Length)?;
+        let modulus = table.required("young_modulus", MODULUS)?;
+        let layer = Self {
+            thickness,
+            young_modulus: ModulusCase::read(modulus)?,
+            poisson_ratio: table
+                .required("poisson_ratio", POISSON_RATIO)?
+                .number(POISSON_RATIO)?,
+            interface,
+        };
+        // The modulus is positive by now: only the ratio can still be refused.
+        let ratio = table.required("poisson_ratio", POISSON_RATIO)?;
+        let material = layer.material(layer.young_modulus.at_top());
+        material.map_err(|error| ratio.refused(&error))?;
+        Ok(layer)
+    }
+
+    /// The layer as one or more homogeneous layers on those below, and the error of the split if it is graded.
+    pub(super) fn split(
+        &self,
+        below: &[Layer],
+        base: Base,
+    ) -> Result<(Vec<Layer>, Option<f64>), KernelError> {
+        let interface = match self.interface {
+            InterfaceCase::Bonded => Interface::Bonded,
+            InterfaceCase::Frictionless => Interface::Frictionless,
+        };
+        let thickness = self.thickness;
+        match self.young_modulus {
+            ModulusCase::Uniform(modulus) => {
+                let layer = Layer::new(thickness, self.material(modulus)?, interface)?;
+                Ok(([&[layer], below].concat(), None))
+            }
+            ModulusCase::Graded(grading) => {
+                let material = |depth: f64| self.material(grading.at(depth / thickness));
+                let graded = GradedLayer::new(thickness, interface, material)?;
+                let split = graded.split(below, base, &GradingOptions::default())?;
+                let layers = split.foundation.layers().to_vec();
+                Ok((layers, Some(split.error_estimate)))
+            }
+        }
+    }
+
+    fn material(&self, young_modulus: f64) -> Result<Material, KernelError> {
+        Material::new(young_modulus, self.poisson_ratio)
+    }
+}

@@ -1,0 +1,74 @@
+//! A text the user wrote: a case file, or one `--set` on the command line.
+
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::Path;
+use std::sync::Arc;
+
+use miette::NamedSource;
+
+use super::diagnosis::{Diagnosis, Fault};
+use super::span::Span;
+use crate::failure::Failure;
+
+/// A text with the name it goes by in messages: the path of a case file, or `--set`.
+pub type Source = NamedSource<String>;
+
+/// A case file is some lines of text; a file of more bytes than this is not one.
+const LARGEST_FILE: u64 = 16 << 20;
+
+/// Some editors write it before the first character of UTF-8.
+const BYTE_ORDER_MARK: char = '\u{feff}';
+
+/// The text of the file without a byte-order mark, and its path as its name.
+///
+/// # Errors
+///
+/// [`Failure::Unreadable`] if there is no such file to be read; [`Failure::Case`] if it is not UTF-8 text.
+pub fn read(path: &Path) -> Result<Source, Failure> {
+    let bytes = bytes(path).map_err(|cause| Failure::Unreadable {
+        path: path.to_owned(),
+        cause,
+    })?;
+    let name = path.display().to_string();
+    match String::from_utf8(bytes) {
+        Ok(text) => {
+            let text = text.strip_prefix(BYTE_ORDER_MARK).unwrap_or(&text);
+            Ok(Source::new(name, text.to_owned()))
+        }
+        Err(error) => Err(not_utf8(&name, &error).into()),
+    }
+}
+
+fn bytes(path: &Path) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    let file = File::open(path)?;
+    let read = file.take(LARGEST_FILE + 1).read_to_end(&mut bytes)?;
+    if read as u64 > LARGEST_FILE {
+        let message = format!(
+            "larger than {} MiB, which no case file is",
+            LARGEST_FILE >> 20
+        );
+        return Err(io::Error::new(io::ErrorKind::FileTooLarge, message));
+    }
+    Ok(bytes)
+}
+
+fn not_utf8(name: &str, error: &std::string::FromUtf8Error) -> Diagnosis {
+    let valid = error.utf8_error().valid_up_to();
+    let byte = error.as_bytes().get(valid).copied().unwrap_or_default();
+    // What comes before the byte is text, and is drawn; the rest is not.
+    let before = String::from_utf8_lossy(&error.as_bytes()[..valid]).into_owned();
+    let source = Arc::new(Source::new(name, before));
+    let fault = Fault::Wrong {
+        found: format!("the byte 0x{byte:02x}, which is not UTF-8"),
+        wanted: "TOML in UTF-8".into(),
+    };
+    let diagnosis = Diagnosis::of_text(Span::new(&source, valid..valid), fault);
+    match byte {
+        0xff | 0xfe if valid == 0 => {
+            diagnosis.with_help("the file looks like UTF-16: save it as UTF-8")
+        }
+        _ => diagnosis.with_help("save the file as UTF-8"),
+    }
+}

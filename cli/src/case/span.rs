@@ -1,0 +1,85 @@
+//! A place in a text that the user wrote.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use super::source::Source;
+
+/// A range of bytes of a [`Source`].
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Span {
+    /// The text.
+    pub source: Arc<Source>,
+    /// The range.
+    pub bytes: Range<usize>,
+}
+
+impl Span {
+    /// The range `bytes` of `source`.
+    #[must_use]
+    pub fn new(source: &Arc<Source>, bytes: Range<usize>) -> Self {
+        let source = Arc::clone(source);
+        Self { source, bytes }
+    }
+
+    /// The end of a text, where missing keys would be written.
+    #[must_use]
+    pub fn end_of(source: &Arc<Source>) -> Self {
+        let end = source.inner().trim_end().len();
+        Self::new(source, end..end)
+    }
+
+    /// The line on which it begins, counted from 1.
+    #[must_use]
+    pub fn line(&self) -> usize {
+        let before = self.source.inner().as_bytes().iter().take(self.bytes.start);
+        1 + before.filter(|byte| **byte == b'\n').count()
+    }
+
+    /// Source and line in words, `case.toml, line 3`; for the command line only its name, since it has a single line.
+    #[must_use]
+    pub fn words(&self) -> String {
+        let name = self.source.name();
+        if name == super::overrides::NAME {
+            return name.to_owned();
+        }
+        format!("{name}, line {}", self.line())
+    }
+
+    /// Length in bytes of the line on which it begins.
+    #[must_use]
+    pub fn line_length(&self) -> usize {
+        let text = self.source.inner().as_str();
+        text.lines().nth(self.line() - 1).map_or(0, str::len)
+    }
+
+    /// The text itself.
+    #[must_use]
+    pub fn text(&self) -> &str {
+        self.source
+            .inner()
+            .get(self.bytes.clone())
+            .unwrap_or_default()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn source() -> Arc<Source> {
+        Arc::new(Source::new("case.toml", "a = 1\nb = 2\n\n".into()))
+    }
+
+    #[test]
+    fn lines_are_counted_from_one() {
+        assert_eq!(Span::new(&source(), 0..1).line(), 1);
+        assert_eq!(Span::new(&source(), 6..7).line(), 2);
+        assert_eq!(Span::new(&source(), 6..11).text(), "b = 2");
+    }
+
+    #[test]
+    fn the_end_is_behind_the_last_thing_written() {
+        assert_eq!(Span::end_of(&source()).line(), 2);
+    }
+}

@@ -1,0 +1,382 @@
+//! Reads the value of a key as the type wanted there.
+
+use std::ops::RangeInclusive;
+
+use super::diagnosis::closest;
+use super::diagnosis::{Diagnosis, Fault};
+use super::dimension::Dimension;
+use super::document::{TomlNode, TomlValue};
+use super::quantity::{self, QuantityError};
+use super::table_reader::TableReader;
+
+/// The value of one key, and the dotted path that leads to it.
+#[derive(Debug, Clone)]
+pub struct ValueReader<'a> {
+    path: String,
+    node: &'a TomlNode,
+}
+
+/// The sign a quantity must have.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Sign {
+    /// Any finite number.
+    Any,
+    /// Zero or more.
+    NotNegative,
+    /// More than zero.
+    Positive,
+}
+
+impl Sign {
+    fn allows(self, value: f64) -> bool {
+        value.is_finite()
+            && match self {
+                Self::Any => true,
+                Self::NotNegative => value >= 0.0,
+                Self::Positive => value > 0.0,
+            }
+    }
+
+    /// The wanted values in words: `a positive length such as "5 nm"`.
+    #[must_use]
+    pub fn wanted(self, dimension: Dimension) -> String {
+        let noun = dimension.noun();
+        let bare = noun.trim_start_matches("an ").trim_start_matches("a ");
+        let noun = match self {
+            Self::Any => format!("a finite {bare}"),
+            Self::NotNegative => format!("{noun} of zero or more"),
+            Self::Positive => format!("a positive {bare}"),
+        };
+        let or_bare = match dimension {
+            Dimension::Angle => "a bare number in radians",
+            _ => "a bare number",
+        };
+        format!("{noun} such as {}, or {or_bare}", dimension.example())
+    }
+}
+
+impl<'a> ValueReader<'a> {
+    /// A value and the dotted path that leads to it.
+    #[must_use]
+    pub fn new(path: String, node: &'a TomlNode) -> Self {
+        Self { path, node }
+    }
+
+    /// The dotted path that leads here.
+    #[must_use]
+    pub fn path(&self) -> &str {
+        &self.path
+    }
+
+    /// The value itself.
+    #[must_use]
+    pub fn value(&self) -> &'a TomlValue {
+        &self.node.value
+    }
+
+    /// The diagnosis that another value is wanted here.
+    pub fn wanted(&self, wanted: impl Into<String>) -> Diagnosis {
+        let (found, wanted) = (self.found(), wanted.into());
+        self.diagnosis(Fault::Wrong { found, wanted })
+    }
+
+    /// The diagnosis that the model refuses this value for this reason.
+    pub fn refused(&self, reason: &dyn std::error::Error) -> Diagnosis {
+        let reason = reason.to_string();
+        self.diagnosis(Fault::Refused { reason })
+    }
+
+    /// The diagnosis that this value cannot be used; the reason follows the user's text.
+    pub fn unusable(&self, reason: &dyn std::fmt::Display, wanted: impl Into<String>) -> Diagnosis {
+        let (found, wanted) = (format!("{}, {reason}", self.found()), wanted.into());
+        self.diagnosis(Fault::Wrong { found, wanted })
+    }
+
+    /// The diagnosis of a fault of this value.
+    #[must_use]
+    pub fn diagnosis(&self, fault: Fault) -> Diagnosis {
+        Diagnosis::of_key(self.path.clone(), self.node.span.clone(), fault)
+    }
+
+    /// The user's text; of a table or a long text only its kind.
+    fn found(&self) -> String {
+        let written = self.node.span.text();
+        match &self.node.value {
+            TomlValue::Table(_) => "a table".into(),
+            _ if written.is_empty() || written.len() > 60 || written.contains('\n') => {
+                self.node.value.noun().into()
+            }
+            _ => written.into(),
+        }
+    }
+
+    /// The table that stands here.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] if something else does.
+    pub fn table(self) -> Result<TableReader<'a>, Diagnosis> {
+        let TomlValue::Table(table) = &self.node.value else {
+            return Err(self.wanted("a table"));
+        };
+        Ok(TableReader::new(self.path, table, &self.node.span))
+    }
+
+    /// Whether a table stands here.
+    #[must_use]
+    pub fn is_table(&self) -> bool {
+        matches!(self.node.value, TomlValue::Table(_))
+    }
+
+    /// The items of the list that stands here.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] if something else does, or if the list is empty.
+    pub fn list(&self, wanted: &str) -> Result<Vec<Self>, Diagnosis> {
+        let items = self.items(wanted)?;
+        match items[..] {
+            [] => Err(self.wanted(wanted)),
+            _ => Ok(items),
+        }
+    }
+
+    /// The items of the list that stands here, which may be empty.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] if something else does.
+    pub fn items(&self, wanted: &str) -> Result<Vec<Self>, Diagnosis> {
+        let TomlValue::List(items) = &self.node.value else {
+            return Err(self.wanted(wanted));
+        };
+        let item = |(i, node)| Self {
+            path: format!("{}[{i}]", self.path),
+            node,
+        };
+        Ok(items.iter().enumerate().map(item).collect())
+    }
+
+    /// The text that stands here.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] if something else does.
+    pub fn text(&self) -> Result<&'a str, Diagnosis> {
+        match &self.node.value {
+            TomlValue::Text(text) => Ok(text),
+            _ => Err(self.wanted("a string")),
+        }
+    }
+
+    /// The meaning of the word that stands here, one of these choices.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] if none of them stands here, with a suggestion for a misspelt one.
+    pub fn choice<T: Copy>(&self, choices: &[(&str, T)]) -> Result<T, Diagnosis> {
+        let words: Vec<_> = choices.iter().map(|(word, _)| *word).collect();
+        let wanted = format!("one of \"{}\"", words.join("\", \""));
+        let TomlValue::Text(found) = &self.node.value else {
+            return Err(self.wanted(wanted));
+        };
+        if let Some((_, meaning)) = choices.iter().find(|(word, _)| word == found) {
+            return Ok(*meaning);
+        }
+        let diagnosis = self.wanted(wanted);
+        Err(match closest(found, &words) {
+            Some(word) => diagnosis.with_help(format!("did you mean \"{word}\"?")),
+            None => diagnosis,
+        })
+    }
+
+    /// The integer of `range` that stands here; in the diagnosis `why` follows the range.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] if something else does.
+    pub fn count(&self, range: RangeInclusive<usize>, why: &str) -> Result<usize, Diagnosis> {
+        let count = match self.node.value {
+            TomlValue::Integer(count) => usize::try_from(count).ok(),
+            _ => None,
+        };
+        count.filter(|count| range.contains(count)).ok_or_else(|| {
+            let (from, to) = range.into_inner();
+            self.wanted(format!("an integer from {from} to {to}{why}"))
+        })
+    }
+
+    /// The number without a dimension that stands here.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] if something else does, NaN and infinity included.
+    pub fn number(&self, wanted: &str) -> Result<f64, Diagnosis> {
+        self.bare_number()
+            .filter(|number| number.is_finite())
+            .ok_or_else(|| self.wanted(wanted))
+    }
+
+    /// The quantity that stands here, in SI units or the case's own.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] if something else does, or if its unit or sign is not allowed.
+    pub fn quantity(&self, dimension: Dimension, sign: Sign) -> Result<f64, Diagnosis> {
+        let value = match &self.node.value {
+            TomlValue::Text(text) => quantity::parse(text, dimension)
+                .map_err(|error| self.not_a_quantity(dimension, sign, &error))?,
+            _ => (self.bare_number()).ok_or_else(|| self.wanted(sign.wanted(dimension)))?,
+        };
+        if !sign.allows(value) {
+            return Err(self.wanted(sign.wanted(dimension)));
+        }
+        self.in_range(dimension, value)
+    }
+
+    /// The value itself if its magnitude is one that the arithmetic of a contact can hold: squares and quotients of
+    /// such numbers are finite.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] with the limits if it is not.
+    pub fn in_range(&self, dimension: Dimension, value: f64) -> Result<f64, Diagnosis> {
+        let range = dimension.magnitudes();
+        if value == 0.0 || range.contains(&value.abs()) {
+            return Ok(value);
+        }
+        let (noun, unit) = (dimension.noun(), dimension.si_unit());
+        let (least, most) = range.into_inner();
+        Err(self.wanted(format!(
+            "{noun} between {least:e} and {most:e} {unit}, or as many of the case's own units"
+        )))
+    }
+
+    fn bare_number(&self) -> Option<f64> {
+        match self.node.value {
+            TomlValue::Float(number) => Some(number),
+            TomlValue::Integer(number) => Some(number as f64),
+            _ => None,
+        }
+    }
+
+    fn not_a_quantity(&self, dimension: Dimension, sign: Sign, error: &QuantityError) -> Diagnosis {
+        let found = format!("{} ({error})", self.found());
+        let wanted = sign.wanted(dimension);
+        let diagnosis = self.diagnosis(Fault::Wrong { found, wanted });
+        match error {
+            QuantityError::NoUnit => diagnosis.with_help("a bare number is written without quotes"),
+            QuantityError::UnknownUnit(unit) if unit.starts_with(',') => {
+                diagnosis.with_help("the decimal mark is a point")
+            }
+            QuantityError::UnknownUnit(_) => {
+                let units = dimension.unit_names().join(", ");
+                diagnosis.with_help(format!("units of {}: {units}", dimension.noun()))
+            }
+            _ => diagnosis,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::super::document;
+    use super::super::source::Source;
+    use super::*;
+
+    fn root(text: &str) -> TomlNode {
+        document::parse(&Arc::new(Source::new("case.toml", text.into()))).unwrap()
+    }
+
+    fn quantity(text: &str, dimension: Dimension) -> Result<f64, String> {
+        let root = root(&format!("\na = {text}\n"));
+        let field = TableReader::root(&root).unwrap().required("a", "").unwrap();
+        field
+            .quantity(dimension, Sign::Positive)
+            .map_err(|diagnosis| diagnosis.to_string())
+    }
+
+    #[test]
+    fn quantities_are_bare_numbers_or_strings_with_units() {
+        assert_eq!(quantity("70", Dimension::Pressure), Ok(70.0));
+        assert_eq!(quantity("1e-4", Dimension::Length), Ok(1e-4));
+        assert_eq!(quantity("\"70 GPa\"", Dimension::Pressure), Ok(70e9));
+    }
+
+    #[test]
+    fn a_unit_of_the_wrong_kind_says_found_and_wanted() {
+        assert_eq!(
+            quantity("\"5 nm\"", Dimension::Pressure).unwrap_err(),
+            "case.toml, line 2, key `a`: found \"5 nm\" (a length), \
+             wanted a positive pressure such as \"70 GPa\", or a bare number"
+        );
+    }
+
+    #[test]
+    fn sizes_that_no_arithmetic_can_hold_are_refused_with_the_limits() {
+        for text in ["1e307", "1e-308", "\"1e40 nm\"", "1e-31"] {
+            let message = quantity(text, Dimension::Length).unwrap_err();
+            assert!(
+                message.contains("wanted a length between 1e-30 and 1e30 m"),
+                "{message}"
+            );
+        }
+        assert_eq!(quantity("1e-30", Dimension::Length), Ok(1e-30));
+    }
+
+    #[test]
+    fn an_unknown_unit_comes_with_the_known_ones() {
+        let root = root("a = \"5 micros\"");
+        let field = TableReader::root(&root).unwrap().required("a", "").unwrap();
+        let diagnosis = field
+            .quantity(Dimension::Length, Sign::Positive)
+            .unwrap_err();
+        assert!(
+            diagnosis
+                .help
+                .unwrap()
+                .starts_with("units of a length: m, km, cm, mm, um")
+        );
+    }
+
+    #[test]
+    fn numbers_no_quantity_can_be_are_refused() {
+        for text in [
+            "nan",
+            "inf",
+            "-inf",
+            "-1",
+            "0",
+            "\"nan nm\"",
+            "\"-5 nm\"",
+            "true",
+            "[1]",
+            "{}",
+        ] {
+            assert!(quantity(text, Dimension::Length).is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn counts_are_integers_within_their_range() {
+        for text in [
+            "0",
+            "1e9",
+            "1000000000",
+            "-3",
+            "256.0",
+            "\"256\"",
+            "9999999999999999999999",
+        ] {
+            let root = root(&format!("n = {text}"));
+            let field = TableReader::root(&root).unwrap().required("n", "").unwrap();
+            let message = field.count(2..=8192, "").unwrap_err().to_string();
+            assert!(
+                message.contains("wanted an integer from 2 to 8192"),
+                "{message}"
+            );
+        }
+    }
+}

@@ -1,0 +1,194 @@
+//! Warnings about a case that can be solved but may not be meant as it is written.
+
+use super::Case;
+use super::document::{TomlNode, TomlTable, TomlValue};
+use super::map::MapCase;
+use super::table_reader::dotted;
+use super::units::Units;
+use crate::display::{Unit, quantity};
+
+/// A warning about a case.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct CaseWarning {
+    /// A short name, for programs.
+    pub code: &'static str,
+    /// A sentence, for people.
+    pub message: String,
+}
+
+/// Keys of lengths, pressures, forces and compliances, with the unit of a bare number in a case that has units.
+const QUANTITIES: [(&str, &str); 14] = [
+    ("thickness", "m"),
+    ("young_modulus", "Pa"),
+    ("radius", "m"),
+    ("tip_radius", "m"),
+    ("height", "m"),
+    ("period", "m"),
+    ("offset", "m"),
+    ("compliance", "m/Pa"),
+    ("force", "N"),
+    ("forces", "N"),
+    ("penetration", "m"),
+    ("penetrations", "m"),
+    ("side", "m"),
+    ("sides", "m"),
+];
+
+/// A tenth of a nanometre on a side of a centimetre: the heights of every measured surface range over more.
+const FLAT: f64 = 1e-8;
+
+impl Case {
+    /// The warnings about the case, solved on a domain of this side.
+    #[must_use]
+    pub fn warnings(&self, side: f64) -> Vec<CaseWarning> {
+        let mut warnings = Vec::new();
+        if Units::of(self.document.root()) == Units::Si {
+            bare_numbers(self.document.root(), &mut warnings);
+        }
+        let element_side = side / self.grid.elements as f64;
+        let maps = [
+            ("surface", self.surface.map()),
+            ("indenter", self.indenter.map()),
+        ];
+        let coarse =
+            |(table, map): (&str, Option<&MapCase>)| coarse(table, map?, element_side, self.units);
+        warnings.extend(maps.into_iter().filter_map(coarse));
+        let flat = |(table, map): (&str, Option<&MapCase>)| flat(table, map?, self.units);
+        warnings.extend(maps.into_iter().filter_map(flat));
+        warnings
+    }
+}
+
+/// The warning about a map whose pixels are larger than the elements: more elements resolve no more of the surface.
+fn coarse(table: &str, map: &MapCase, element_side: f64, units: Units) -> Option<CaseWarning> {
+    let pixel = map.pixel();
+    let metres = |value| quantity(value, Unit::Metre, units);
+    // A map on its own grid has the pixels of its elements up to rounding.
+    (pixel > element_side * (1.0 + 1e-9)).then(|| CaseWarning {
+        code: "coarse-map",
+        message: format!(
+            "the map of the {table}, {}, has a sample every {}, farther apart than elements of {}: what lies between is interpolated",
+            map.file,
+            metres(pixel),
+            metres(element_side)
+        ),
+    })
+}
+
+/// The warning about an almost flat map, whose unit is probably a thousand times too small.
+fn flat(table: &str, map: &MapCase, units: Units) -> Option<CaseWarning> {
+    let samples = map.samples().iter().copied();
+    let least = samples.clone().fold(f64::INFINITY, f64::min);
+    let range = samples.fold(f64::NEG_INFINITY, f64::max) - least;
+    let [x, y] = map.sides;
+    (range > 0.0 && range < FLAT * x.min(y)).then(|| CaseWarning {
+        code: "flat-map",
+        message: format!(
+            "the heights of the {table}'s map, {}, range over {} only: is height_unit right?",
+            map.file,
+            quantity(range, Unit::Metre, units)
+        ),
+    })
+}
+
+/// Warns of the bare numbers of a case that has units elsewhere, once per key.
+fn bare_numbers(root: &TomlNode, warnings: &mut Vec<CaseWarning>) {
+    if let TomlValue::Table(table) = &root.value {
+        in_table("", table, warnings);
+    }
+}
+
+fn in_table(path: &str, table: &TomlTable, warnings: &mut Vec<CaseWarning>) {
+    for entry in &table.entries {
+        let path = dotted(path, &entry.key);
+        let unit = QUANTITIES.iter().find(|(key, _)| *key == entry.key);
+        match (&entry.node.value, unit) {
+            (_, Some((_, unit))) => {
+                warnings.extend(bare(&entry.node).map(|at| warn_of(&path, at, unit)));
+            }
+            (TomlValue::Table(table), None) => in_table(&path, table, warnings),
+            (TomlValue::List(items), None) => {
+                for (i, item) in items.iter().enumerate() {
+                    if let TomlValue::Table(table) = &item.value {
+                        in_table(&format!("{path}[{i}]"), table, warnings);
+                    }
+                }
+            }
+            _ => {}
+        }
+    }
+}
+
+/// The first bare number of a value, of a list, or of the ends of a range; zero needs no unit.
+fn bare(node: &TomlNode) -> Option<&TomlNode> {
+    match &node.value {
+        TomlValue::Integer(number) => (*number != 0).then_some(node),
+        TomlValue::Float(number) => (*number != 0.0).then_some(node),
+        TomlValue::List(items) => items.iter().find_map(bare),
+        TomlValue::Table(table) => {
+            let ends = ["from", "to"]
+                .into_iter()
+                .filter_map(|key| table.entry(key));
+            ends.map(|entry| &entry.node).find_map(bare)
+        }
+        _ => None,
+    }
+}
+
+fn warn_of(path: &str, at: &TomlNode, unit: &str) -> CaseWarning {
+    let (written, span) = (at.span.text(), &at.span);
+    CaseWarning {
+        code: "bare-number",
+        message: format!(
+            "{}, key `{path}`: {written} among values with units is {written} {unit}; write \"{written} {unit}\" if that is meant",
+            span.words()
+        ),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::super::document;
+    use super::super::source::Source;
+    use super::*;
+
+    fn found(text: &str) -> Vec<String> {
+        let root = document::parse(&Arc::new(Source::new("case.toml", text.into()))).unwrap();
+        let mut warnings = Vec::new();
+        bare_numbers(&root, &mut warnings);
+        warnings
+            .into_iter()
+            .map(|warning| warning.message)
+            .collect()
+    }
+
+    #[test]
+    fn a_bare_number_is_told_by_its_line_its_key_and_what_it_is_taken_for() {
+        assert_eq!(
+            found("[[foundation.layer]]\nthickness = 2\npoisson_ratio = 0.3\n"),
+            [
+                "case.toml, line 2, key `foundation.layer[0].thickness`: 2 among values with units is 2 m; write \"2 m\" if that is meant"
+            ]
+        );
+    }
+
+    #[test]
+    fn lists_and_ranges_are_told_once_and_zero_and_numbers_without_dimension_are_not() {
+        let text = "[load]\nforces = { from = 1e-3, to = 2e-3, count = 4 }\n[surface]\noffset = [0, 1e-6]\n\
+            [grid]\nelements = 64\n[indenter]\ntip_radius = 0\nhalf_angle = 1.2\nradius = \"5 nm\"\n";
+        let found = found(text);
+        assert_eq!(found.len(), 2, "{found:?}");
+        assert!(
+            found
+                .iter()
+                .any(|words| words.contains("line 2, key `load.forces`: 1e-3"))
+        );
+        assert!(
+            found
+                .iter()
+                .any(|words| words.contains("line 4, key `surface.offset`: 1e-6"))
+        );
+    }
+}

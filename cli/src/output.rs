@@ -1,0 +1,37 @@
+//! The results of a run: its summary, curve, fields, pictures and report, and the folder that holds them.
+
+pub mod curve;
+pub mod disk_space;
+pub mod fields;
+pub mod file;
+pub mod folder;
+pub mod gsf;
+pub mod lock;
+pub mod netcdf;
+pub mod npz;
+pub mod pictures;
+pub mod redraw;
+pub mod report;
+pub mod results;
+pub mod run_files;
+mod stoppable;
+pub mod summary;
+pub mod summary_text;
+pub mod unfinished;
+pub mod vti;
+pub mod writer;
+
+use serde::Serialize;
+
+use crate::failure::Failure;
+
+/// The value as JSON with a line end, numbers in their shortest exact form; what is not finite is `null`.
+///
+/// # Errors
+///
+/// [`Failure::Json`] if the value has no JSON form.
+pub fn json(value: &impl Serialize) -> Result<String, Failure> {
+    let mut text = serde_json::to_string_pretty(value)?;
+    text.push('\n');
+    Ok(text)
+}

@@ -1,0 +1,125 @@
+//! The hidden folder in which results are filled, and the way of its files up into the results folder.
+//!
+//! When it is complete it is renamed, which makes it valid; then its files move up, `summary.json` last. Its name says
+//! how far this is:
+//!
+//! | name | what the next run does with it if its owner is dead |
+//! |---|---|
+//! | `.pellicle-run-…` | removes it: it is half-written |
+//! | `.pellicle-done-…` | removes the older results and goes on with the next |
+//! | `.pellicle-move-…` | moves the files that are still in it up |
+
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use crate::output::unfinished::Unfinished;
+use crate::output::{file, run_files, summary};
+
+/// Beginnings of its names: being filled, complete, being emptied.
+pub(super) const FILLING: &str = ".pellicle-run-";
+pub(super) const COMPLETE: &str = ".pellicle-done-";
+pub(super) const EMPTYING: &str = ".pellicle-move-";
+
+/// Whether an entry of a results folder has the name of a hidden folder.
+pub(super) fn is_name(name: &str) -> bool {
+    let starts = [FILLING, COMPLETE, EMPTYING];
+    starts.iter().any(|start| name.starts_with(start))
+}
+
+/// Whether a dead process was just about to move results up: the next run finishes this first.
+pub(super) fn is_being_emptied(path: &Path) -> bool {
+    named(path, EMPTYING).is_ok_and(|folders| !folders.is_empty())
+}
+
+/// A new hidden folder.
+pub(super) fn scratch(path: &Path) -> io::Result<Unfinished> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(FILLING).rand_bytes(12);
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o777));
+    Ok(Unfinished::folder(&builder.tempdir_in(path)?.keep()))
+}
+
+/// Finishes what was complete and removes what was not, in a folder whose lock this process holds.
+pub(super) fn settle(path: &Path) -> io::Result<()> {
+    for left in named(path, FILLING)? {
+        remove_half_written(&left);
+    }
+    for left in named(path, COMPLETE)? {
+        empty(path, &left)?;
+    }
+    for left in named(path, EMPTYING)? {
+        move_up(path, &left)?;
+    }
+    file::sweep(path);
+    Ok(())
+}
+
+/// The hidden folders whose names begin with `start`.
+fn named(path: &Path, start: &str) -> io::Result<Vec<PathBuf>> {
+    let mut found = Vec::new();
+    for entry in fs::read_dir(path)? {
+        let entry = entry?;
+        let is_named = entry
+            .file_name()
+            .to_str()
+            .is_some_and(|name| name.starts_with(start));
+        if is_named && entry.file_type()?.is_dir() {
+            found.push(entry.path());
+        }
+    }
+    Ok(found)
+}
+
+/// Removes the files of a run in a hidden folder, and the folder if nothing else is in it.
+fn remove_half_written(folder: &Path) {
+    let Ok(entries) = fs::read_dir(folder) else {
+        return;
+    };
+    for entry in entries.flatten() {
+        let is_partial = entry.file_name().to_str().is_some_and(file::is_partial);
+        if run_files::is_file(&entry) || is_partial {
+            // Best effort: the next run tries again.
+            drop(fs::remove_file(entry.path()));
+        }
+    }
+    drop(fs::remove_dir(folder));
+}
+
+/// The same hidden folder with another beginning of its name.
+fn renamed(folder: &Path, start: &str) -> io::Result<PathBuf> {
+    let name = folder.file_name().unwrap_or_default().to_string_lossy();
+    let random = name.rsplit('-').next().unwrap_or_default();
+    let to = folder.with_file_name(format!("{start}{random}"));
+    fs::rename(folder, &to)?;
+    Ok(to)
+}
+
+/// Marks a filled hidden folder as complete.
+pub(super) fn complete(folder: &Path) -> io::Result<PathBuf> {
+    renamed(folder, COMPLETE)
+}
+
+/// Moves the files of a complete hidden folder up, in place of older results.
+pub(super) fn empty(path: &Path, complete: &Path) -> io::Result<()> {
+    move_up(path, &remove_older(path, complete)?)
+}
+
+/// Removes the results that complete ones replace.
+fn remove_older(path: &Path, complete: &Path) -> io::Result<PathBuf> {
+    run_files::remove_files(path)?;
+    renamed(complete, EMPTYING)
+}
+
+/// Moves the files of a hidden folder up, the summary last, and removes it.
+fn move_up(path: &Path, emptying: &Path) -> io::Result<()> {
+    let names = fs::read_dir(emptying)?;
+    let names = names.map(|entry| Ok(entry?.file_name()));
+    let mut names = names.collect::<io::Result<Vec<_>>>()?;
+    names.sort_by_key(|name| name == summary::FILE);
+    for name in names {
+        fs::rename(emptying.join(&name), path.join(&name))?;
+    }
+    fs::remove_dir(emptying)
+}

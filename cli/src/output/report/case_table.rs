@@ -1,0 +1,111 @@
+//! The case of a run as keys and values with their units.
+
+use serde_json::Value;
+
+use crate::case::units::Units;
+use crate::display::{Unit, quantity, significant};
+
+/// Keys and values of the case, in the order of their keys.
+pub fn rows(case: &Value, units: Units) -> Vec<(String, String)> {
+    let mut rows = Vec::new();
+    push(&mut rows, "", case, units);
+    rows
+}
+
+/// A row for every value in a tree of tables and lists of tables.
+fn push(rows: &mut Vec<(String, String)>, path: &str, value: &Value, units: Units) {
+    let below = |key: &str| match path {
+        "" => key.to_owned(),
+        path => format!("{path}.{key}"),
+    };
+    match value {
+        Value::Object(entries) => {
+            // By their names, as no reader knows the order of a case file by heart.
+            let mut entries: Vec<_> = entries.iter().collect();
+            entries.sort_by_key(|(key, _)| *key);
+            for (key, value) in entries {
+                if !(path.is_empty() && key == "title") {
+                    push(rows, &below(key), value, units);
+                }
+            }
+        }
+        Value::Array(items) if items.iter().any(Value::is_object) => {
+            for (i, item) in items.iter().enumerate() {
+                push(rows, &format!("{path}[{i}]"), item, units);
+            }
+        }
+        value => rows.push((path.to_owned(), text(path, value, units))),
+    }
+}
+
+fn text(path: &str, value: &Value, units: Units) -> String {
+    match value {
+        Value::Array(items) if items.is_empty() => "none".into(),
+        Value::Array(items) => {
+            let items = items.iter().map(|item| text(path, item, units));
+            items.collect::<Vec<_>>().join(", ")
+        }
+        Value::String(text) => text.clone(),
+        Value::Number(number) if number.is_f64() => {
+            let path = path
+                .strip_suffix(".from")
+                .or(path.strip_suffix(".to"))
+                .unwrap_or(path);
+            real(key_of(path), number.as_f64().unwrap_or(f64::NAN), units)
+        }
+        other => other.to_string(),
+    }
+}
+
+/// A number as its key wants it.
+fn real(key: &str, value: f64, units: Units) -> String {
+    let unit = match key {
+        "young_modulus" => Some(Unit::Pascal),
+        "force" | "forces" => Some(Unit::Newton),
+        "thickness" | "radius" | "height" | "period" | "offset" | "tip_radius" | "side"
+        | "sides" | "height_unit" | "penetration" | "penetrations" => Some(Unit::Metre),
+        _ => None,
+    };
+    match unit {
+        Some(unit) => quantity(value, unit, units),
+        None if key.ends_with("_angle") => format!("{}°", significant(value.to_degrees(), 5)),
+        None if value != 0.0 && value.abs() < 1e-3 => format!("{value:e}"),
+        None => value.to_string(),
+    }
+}
+
+/// The last key of a path.
+fn key_of(path: &str) -> &str {
+    path.rsplit('.').next().unwrap_or(path)
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use super::*;
+
+    #[test]
+    fn every_value_has_a_row_and_its_unit() {
+        let case = json!({
+            "title": "not again",
+            "foundation": {"substrate": "rigid", "layer": [{"thickness": 1e-8, "poisson_ratio": 0.3}]},
+            "indenter": {"kind": "<cone>", "half_angle": std::f64::consts::FRAC_PI_3},
+            "load": {"forces": [1e-3, 2e-3]},
+            "grid": {"elements": 64},
+        });
+        let rows = rows(&case, Units::Si);
+        for row in [
+            ("foundation.layer[0].thickness", "10.000 nm"),
+            ("foundation.layer[0].poisson_ratio", "0.3"),
+            ("foundation.substrate", "rigid"),
+            ("indenter.half_angle", "60.000°"),
+            ("load.forces", "1.0000 mN, 2.0000 mN"),
+            ("grid.elements", "64"),
+        ] {
+            let row = (row.0.to_owned(), row.1.to_owned());
+            assert!(rows.contains(&row), "{row:?} in {rows:?}");
+        }
+        assert!(rows.is_sorted() && rows.iter().all(|(key, _)| key != "title"));
+    }
+}

@@ -1,0 +1,195 @@
+//! One loading step in the report: its numbers with their errors, and its certificate.
+
+use pellicle_contact::Estimate;
+
+use super::StepDrawings;
+use super::surface::Surface;
+use crate::case::units::Units;
+use crate::display::{Unit, error_of, quantity, significant};
+use crate::output::pictures::StepPicture;
+use crate::output::summary::{CertificateSummary, StepSummary, Summary};
+
+/// The section of a step.
+pub struct StepSection<'a> {
+    /// Loading step, counted from 0.
+    pub index: usize,
+    pub force: String,
+    pub rows: Vec<NumberRow>,
+    pub certificate: CertificateText,
+    pub drawings: &'a [(StepPicture, String)],
+    pub surface: Option<&'a Surface>,
+}
+
+/// A number of a step.
+pub struct NumberRow {
+    pub name: &'static str,
+    pub value: String,
+    pub error: GridErrorNote,
+}
+
+/// How far the grid can be trusted with a number.
+#[derive(Debug, PartialEq, Eq)]
+pub enum GridErrorNote {
+    /// Nobody estimates it.
+    NotEstimated,
+    /// There is no coarser grid to compare with.
+    OneGrid,
+    /// The number still changes from grid to grid.
+    NotResolved,
+    /// The error and its order.
+    Estimated(String),
+}
+
+/// The lines of a certificate, as the page writes their numbers.
+pub struct CertificateText {
+    pub complementarity: String,
+    pub gap_in_contact: String,
+    pub overlap: String,
+    pub load: String,
+    /// Whether a pressure is negative or no number.
+    pub pulls: bool,
+    pub worst: String,
+    pub bound: String,
+    pub satisfied: bool,
+}
+
+impl<'a> StepSection<'a> {
+    pub fn new(summary: &Summary, drawings: &'a StepDrawings) -> Self {
+        let step = &summary.steps[drawings.step];
+        let tolerance = summary.case["solver"]["tolerance"].as_f64();
+        Self {
+            index: drawings.step,
+            force: quantity(step.force, Unit::Newton, summary.units),
+            rows: rows(summary, step),
+            certificate: CertificateText::new(&step.certificate, tolerance.unwrap_or(f64::NAN)),
+            drawings: &drawings.drawings,
+            surface: drawings.surface.as_ref(),
+        }
+    }
+}
+
+fn rows(summary: &Summary, step: &StepSummary) -> Vec<NumberRow> {
+    let units = summary.units;
+    let errors = &step.grid_error;
+    let plain = |name, value| NumberRow {
+        name,
+        value,
+        error: GridErrorNote::NotEstimated,
+    };
+    let number = |name, value, unit| plain(name, quantity(value, unit, units));
+    let estimated = |name, value, unit, error| NumberRow {
+        error: GridErrorNote::new(value, unit, error, units),
+        ..number(name, value, unit)
+    };
+    let [x, y] = step
+        .max_pressure_at
+        .map(|at| quantity(at, Unit::Metre, units));
+    let stiffness = step.contact_stiffness.unwrap_or(0.0);
+    let mut rows = vec![
+        number("force Q", step.force, Unit::Newton),
+        estimated(
+            "penetration D",
+            step.penetration,
+            Unit::Metre,
+            errors.penetration,
+        ),
+        estimated(
+            "largest pressure",
+            step.max_pressure,
+            Unit::Pascal,
+            errors.max_pressure,
+        ),
+        plain("at x, y", format!("{x}, {y}")),
+        number("mean pressure", step.mean_pressure, Unit::Pascal),
+        estimated(
+            "contact area",
+            step.contact_area,
+            Unit::SquareMetre,
+            errors.contact_area,
+        ),
+        number("contact radius", step.contact_radius, Unit::Metre),
+        number("contact stiffness", stiffness, Unit::NewtonPerMetre),
+        plain("elements in contact", step.contact_elements.to_string()),
+    ];
+    if summary.has_relief() {
+        let (on, between) = (step.contact_area_on_relief, step.contact_area_between);
+        rows.push(number("contact on the relief", on, Unit::SquareMetre));
+        rows.push(number("contact beside it", between, Unit::SquareMetre));
+    }
+    rows
+}
+
+impl GridErrorNote {
+    fn new(value: f64, unit: Unit, error: Option<Estimate>, units: Units) -> Self {
+        let Some(error) = error else {
+            return Self::OneGrid;
+        };
+        if !error.resolved {
+            return Self::NotResolved;
+        }
+        let order = error.order.map(|order| format!(", order {order:.1}"));
+        let error = error_of(value, error.estimate, unit, units);
+        Self::Estimated(error + &order.unwrap_or_default())
+    }
+}
+
+impl CertificateText {
+    fn new(certificate: &CertificateSummary, tolerance: f64) -> Self {
+        let part = |value: f64| significant(value, 2);
+        let pulls = certificate.min_pressure < 0.0 || certificate.min_pressure.is_nan();
+        Self {
+            complementarity: part(certificate.complementarity),
+            gap_in_contact: part(certificate.gap_in_contact),
+            overlap: part(certificate.overlap),
+            load: part(certificate.load),
+            pulls,
+            worst: part(certificate.worst),
+            bound: part(tolerance),
+            satisfied: certificate.satisfied,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const GOOD: CertificateSummary = CertificateSummary {
+        complementarity: 1e-10,
+        gap_in_contact: 2e-9,
+        overlap: 3e-9,
+        load: 0.0,
+        min_pressure: 0.0,
+        worst: 3e-9,
+        satisfied: true,
+    };
+
+    #[test]
+    fn a_pressure_that_is_no_number_pulls() {
+        let text = CertificateText::new(&GOOD, 1e-8);
+        assert_eq!((&text.worst[..], &text.bound[..]), ("3.0e-9", "1.0e-8"));
+        assert!(!text.pulls);
+        let bad = CertificateSummary {
+            min_pressure: f64::NAN,
+            ..GOOD
+        };
+        assert!(CertificateText::new(&bad, 1e-8).pulls);
+    }
+
+    #[test]
+    fn an_error_that_is_not_resolved_is_not_given_as_an_error() {
+        let note = |resolved| {
+            let estimate = Estimate {
+                estimate: 0.02,
+                order: Some(2.0),
+                resolved,
+            };
+            GridErrorNote::new(1.0, Unit::Metre, Some(estimate), Units::Consistent)
+        };
+        assert_eq!(note(false), GridErrorNote::NotResolved);
+        let GridErrorNote::Estimated(text) = note(true) else {
+            unreachable!("it is resolved")
+        };
+        assert!(text.ends_with(", order 2.0"), "{text}");
+    }
+}

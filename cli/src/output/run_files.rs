@@ -1,0 +1,196 @@
+//! The files that a run writes, told from somebody else's, which are never replaced.
+
+use std::fs::{self, DirEntry, File};
+use std::io::{self, BufReader};
+use std::path::{Path, PathBuf};
+
+use serde::Deserialize;
+use serde::de::IgnoredAny;
+use serde_json::Value;
+
+use super::{curve, report, summary};
+
+/// Files written once per run, and their endings.
+const OF_A_RUN: [(&str, &[&str]); 2] =
+    [("curve", &["svg", "png"]), ("convergence", &["svg", "png"])];
+
+/// Files written once per step, by the word before the number of the step, and their endings.
+const OF_A_STEP: [(&str, &[&str]); 9] = [
+    ("fields", &["npz", "vti", "nc"]),
+    ("pressure", &["gsf", "svg", "png"]),
+    ("mask", &["gsf"]),
+    ("contact", &["gsf"]),
+    ("pressure-3d", &["svg", "png"]),
+    ("section", &["svg", "png"]),
+    ("heights", &["svg", "png"]),
+    ("gap", &["svg", "png"]),
+    ("displacement", &["svg", "png"]),
+];
+
+/// Whether a run writes a file of this name.
+#[must_use]
+pub fn is_name(name: &str) -> bool {
+    if [summary::FILE, curve::FILE, report::FILE].contains(&name) {
+        return true;
+    }
+    let Some((stem, ending)) = name.rsplit_once('.') else {
+        return false;
+    };
+    let is_in = |list: &[(&str, &[&str])], stem: &str| {
+        let known = list.iter().find(|(known, _)| *known == stem);
+        known.is_some_and(|(_, endings)| endings.contains(&ending))
+    };
+    let step = stem.rsplit_once('-').filter(|(_, step)| is_number(step));
+    is_in(&OF_A_RUN, stem) || step.is_some_and(|(stem, _)| is_in(&OF_A_STEP, stem))
+}
+
+fn is_number(text: &str) -> bool {
+    text.len() >= 3 && text.bytes().all(|byte| byte.is_ascii_digit())
+}
+
+/// Whether an entry of a folder is a file, or a link in the place of one, with a name that a run gives.
+#[must_use]
+pub fn is_file(entry: &DirEntry) -> bool {
+    let is_folder = entry.file_type().is_ok_and(|kind| kind.is_dir());
+    !is_folder && entry.file_name().to_str().is_some_and(is_name)
+}
+
+/// The part of a summary that tells it from any other file of its name.
+#[derive(Deserialize)]
+struct Head {
+    schema: String,
+    program: String,
+    case: Value,
+    steps: Option<Vec<IgnoredAny>>,
+}
+
+/// The case whose results a folder holds, from its summary; none if it holds no results of this program.
+#[must_use]
+pub fn case_in(folder: &Path) -> Option<Value> {
+    head(folder).map(|head| head.case)
+}
+
+fn head(folder: &Path) -> Option<Head> {
+    let path = folder.join(summary::FILE);
+    if !fs::symlink_metadata(&path).ok()?.is_file() {
+        return None;
+    }
+    let file = BufReader::new(File::open(&path).ok()?);
+    let head: Head = serde_json::from_reader(file).ok()?;
+    let (layout, _) = summary::SCHEMA.split_once('/')?;
+    let (written, _) = head.schema.split_once('/')?;
+    (written == layout && head.program == summary::PROGRAM).then_some(head)
+}
+
+/// A file in a results folder that has the name of a result, but was not written by the run of the summary.
+#[must_use]
+pub fn not_written(folder: &Path) -> Option<PathBuf> {
+    let steps = head(folder)?.steps?.len();
+    let entries = fs::read_dir(folder).ok()?.flatten();
+    let mut named = entries.filter(is_file);
+    let foreign = named.find(|entry| !is_written(entry, steps));
+    foreign.map(|entry| entry.path())
+}
+
+/// Whether a run of so many steps may have written a file: a curve has that many rows, and no file is of a later step.
+fn is_written(entry: &DirEntry, steps: usize) -> bool {
+    let name = entry.file_name();
+    let name = name.to_string_lossy();
+    if name == curve::FILE {
+        let text = fs::read_to_string(entry.path());
+        return text.is_ok_and(|text| curve::is_of(&text, steps));
+    }
+    let stem = name.split('.').next().unwrap_or_default();
+    let step = stem
+        .rsplit_once('-')
+        .and_then(|(_, step)| step.parse::<usize>().ok());
+    step.is_none_or(|step| step < steps)
+}
+
+/// Removes the files of a run in a folder, the summary first, without which nothing is taken for results; and the folder
+/// if nothing else is in it.
+///
+/// # Errors
+///
+/// Those of the system if one cannot be removed.
+pub fn remove(folder: &Path) -> io::Result<()> {
+    remove_files(folder)?;
+    if fs::read_dir(folder)?.next().is_none() {
+        fs::remove_dir(folder)?;
+    }
+    Ok(())
+}
+
+/// The same, but keeps the folder.
+///
+/// # Errors
+///
+/// Those of the system if one cannot be removed.
+pub fn remove_files(folder: &Path) -> io::Result<()> {
+    let summary = folder.join(summary::FILE);
+    if fs::symlink_metadata(&summary).is_ok() {
+        fs::remove_file(summary)?;
+    }
+    for entry in fs::read_dir(folder)? {
+        let entry = entry?;
+        if is_file(&entry) {
+            fs::remove_file(entry.path())?;
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_of_a_run_are_known_and_no_others() {
+        for name in [
+            "summary.json",
+            "curve.csv",
+            "curve.svg",
+            "report.html",
+            "convergence.png",
+            "fields-000.npz",
+            "pressure-3d-1234.svg",
+            "section-007.png",
+        ] {
+            assert!(is_name(name), "{name}");
+        }
+        for name in [
+            "thesis.tex",
+            "curve-2.csv",
+            "fields.npz",
+            "fields-000.csv",
+            "fields-1.npz",
+            "section-final.png",
+            "section-000 copy.png",
+            "summary.json~",
+            "",
+        ] {
+            assert!(!is_name(name), "{name}");
+        }
+    }
+
+    #[test]
+    fn a_summary_of_something_else_is_none() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join(summary::FILE);
+        for text in [
+            "{}",
+            "mine",
+            r#"{"schema": "other/1", "program": "pellicle", "case": {}}"#,
+            r#"{"schema": "pellicle-summary/1", "program": "other", "case": {}}"#,
+        ] {
+            fs::write(&path, text).unwrap();
+            assert_eq!(case_in(folder.path()), None, "{text}");
+        }
+        fs::write(
+            &path,
+            r#"{"schema": "pellicle-summary/1", "program": "pellicle", "case": {"title": "a"}}"#,
+        )
+        .unwrap();
+        assert!(case_in(folder.path()).is_some());
+    }
+}

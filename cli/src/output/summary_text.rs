@@ -1,0 +1,158 @@
+//! A summary in words, for the terminal.
+
+use pellicle_contact::{Estimate, Status};
+
+use super::summary::{StepSummary, Summary};
+use crate::case::units::Units;
+use crate::display::{Unit, error_of, quantity, significant};
+
+/// The summary of a run in a few lines; a curve as a table with one line per step.
+#[must_use]
+pub fn text(summary: &Summary) -> String {
+    let mut text = format!("{}\n{}", summary.title, grid(summary));
+    match &summary.steps[..] {
+        [step] => text.push_str(&single(step, summary.has_relief(), summary.units)),
+        steps => text.push_str(&table(steps, summary.units)),
+    }
+    text
+}
+
+/// The warnings, one per line.
+#[must_use]
+pub fn warnings(summary: &Summary) -> String {
+    let line = |warning: &super::summary::WarningSummary| format!("warning: {}", warning.message);
+    let lines: Vec<_> = summary.warnings.iter().map(line).collect();
+    lines.join("\n")
+}
+
+fn grid(summary: &Summary) -> String {
+    let grid = &summary.grid;
+    let metres = |value| quantity(value, Unit::Metre, summary.units);
+    let (side, element_side) = (metres(grid.side), metres(grid.element_side));
+    let elements = grid.elements;
+    format!(
+        "grid {elements} × {elements} on a square of side {side}, element side {element_side}\n"
+    )
+}
+
+/// Lines of name, value and note, in columns.
+struct TextColumns {
+    units: Units,
+    text: String,
+}
+
+impl TextColumns {
+    fn push(&mut self, name: &str, value: &str, note: &str) {
+        let line = format!("  {name:<18}{value:<28}{note}");
+        self.text.push_str(line.trim_end());
+        self.text.push('\n');
+    }
+
+    fn quantity(&mut self, name: &str, value: f64, unit: Unit) {
+        self.push(name, &quantity(value, unit, self.units), "");
+    }
+
+    fn estimated(&mut self, name: &str, value: f64, unit: Unit, error: Option<Estimate>) {
+        let note = match error {
+            // Prescribed.
+            Some(error) if error.estimate == 0.0 => String::new(),
+            Some(error) if error.resolved => {
+                format!(
+                    "{} (grid)",
+                    error_of(value, error.estimate, unit, self.units)
+                )
+            }
+            Some(_) => "not resolved by the grid".into(),
+            None => String::new(),
+        };
+        self.push(name, &quantity(value, unit, self.units), &note);
+    }
+}
+
+fn single(step: &StepSummary, has_relief: bool, units: Units) -> String {
+    let text = String::new();
+    let mut lines = TextColumns { units, text };
+    let error = &step.grid_error;
+    lines.estimated("force Q", step.force, Unit::Newton, error.force);
+    lines.estimated(
+        "penetration D",
+        step.penetration,
+        Unit::Metre,
+        error.penetration,
+    );
+    lines.estimated(
+        "largest pressure",
+        step.max_pressure,
+        Unit::Pascal,
+        error.max_pressure,
+    );
+    let [x, y] = step
+        .max_pressure_at
+        .map(|x| quantity(x, Unit::Metre, units));
+    lines.push("  at x, y", &format!("{x}, {y}"), "");
+    lines.quantity("mean pressure", step.mean_pressure, Unit::Pascal);
+    lines.estimated(
+        "contact area",
+        step.contact_area,
+        Unit::SquareMetre,
+        error.contact_area,
+    );
+    if has_relief {
+        lines.quantity(
+            "  on the relief",
+            step.contact_area_on_relief,
+            Unit::SquareMetre,
+        );
+        lines.quantity("  between", step.contact_area_between, Unit::SquareMetre);
+    }
+    lines.quantity("contact radius", step.contact_radius, Unit::Metre);
+    let stiffness = step.contact_stiffness.unwrap_or(0.0);
+    lines.quantity("contact stiffness", stiffness, Unit::NewtonPerMetre);
+    let worst = format!("worst line {:.1e}", step.certificate.worst);
+    lines.push("certificate", &certificate(step), &worst);
+    lines.push("work", &work(step), "");
+    lines.text
+}
+
+fn certificate(step: &StepSummary) -> String {
+    let word = match step.status {
+        _ if !step.certificate.satisfied => "NOT SATISFIED",
+        Status::CutOff => "CUT OFF",
+        _ => "satisfied",
+    };
+    word.to_owned()
+}
+
+fn work(step: &StepSummary) -> String {
+    let (products, seconds) = (step.work.operator_applications, step.work.seconds);
+    format!("{products} products with K, {} s", significant(seconds, 3))
+}
+
+fn table(steps: &[StepSummary], units: Units) -> String {
+    const HEAD: [&str; 6] = [
+        "step",
+        "force",
+        "penetration",
+        "largest p",
+        "contact area",
+        "certificate",
+    ];
+    let of = |value, unit| quantity(value, unit, units);
+    let mut text = row(HEAD.map(str::to_owned));
+    for (i, step) in steps.iter().enumerate() {
+        text.push_str(&row([
+            i.to_string(),
+            of(step.force, Unit::Newton),
+            of(step.penetration, Unit::Metre),
+            of(step.max_pressure, Unit::Pascal),
+            of(step.contact_area, Unit::SquareMetre),
+            certificate(step),
+        ]));
+    }
+    text
+}
+
+fn row([step, rest @ ..]: [String; 6]) -> String {
+    let rest = rest.map(|cell| format!("{cell:>16}")).concat();
+    format!("{step:>6}{rest}\n")
+}

@@ -1,0 +1,32 @@
+//! Pictures of a solution, readable in print and by the colour-blind: each is drawn as SVG and rendered from that to
+//! PNG.
+
+pub mod accuracy;
+pub mod coarse_field;
+pub mod colour_bar;
+pub mod colour_map;
+pub mod colours;
+pub mod column_view;
+pub mod convergence;
+pub mod crop;
+pub mod curve;
+pub mod field_map;
+pub mod heading;
+pub mod labels;
+pub mod outline;
+pub mod palette;
+pub mod panel;
+pub mod panel_3d;
+pub mod png;
+pub mod pressure_map;
+pub mod pressure_view;
+pub mod projection;
+pub mod raster;
+pub mod section;
+pub mod style;
+pub mod subject;
+pub mod svg;
+pub mod ticks;
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,96 @@
+//! The accuracy of a picture's data in words: grid, certificate, grid error.
+
+use pellicle_contact::{Estimate, LevelValues};
+
+use super::labels::power;
+use crate::display::significant;
+use crate::output::summary::StepSummary;
+
+/// The meaning of the brackets of [`of_step`].
+pub const BRACKETS: &str = "[…]: not resolved by the grids; the change from the next coarser grid";
+
+/// The certificate of a step on `elements` × `elements` elements, and the errors of its numbers: `± 0.1 %` where the
+/// grids resolve it, otherwise in brackets the change from the next coarser grid.
+#[must_use]
+pub fn of_step(elements: usize, step: &StepSummary) -> String {
+    let errors = &step.grid_error;
+    format!(
+        "{elements} × {elements} elements, certificate {}; grid error of D {}, of the area {}, of the largest p {}",
+        power(step.certificate.worst, 1),
+        error(
+            step.penetration,
+            errors.penetration,
+            last_change(step, |level| level.penetration)
+        ),
+        error(
+            step.contact_area,
+            errors.contact_area,
+            last_change(step, |level| level.contact_area)
+        ),
+        error(
+            step.max_pressure,
+            errors.max_pressure,
+            last_change(step, |level| level.max_pressure)
+        ),
+    )
+}
+
+/// The estimated error, or the change from the next coarser grid if the estimate is not resolved.
+fn error(value: f64, estimate: Option<Estimate>, change: f64) -> String {
+    match estimate {
+        Some(error) if error.resolved => format!("± {}", percent(error.estimate / value)),
+        _ if change.is_finite() => format!("[{}]", percent(change)),
+        _ => "unknown".into(),
+    }
+}
+
+/// The relative change of a number from the next coarser grid to the finest; NaN on a single grid.
+#[must_use]
+pub fn last_change(step: &StepSummary, value: fn(&LevelValues) -> f64) -> f64 {
+    match step.grid_error.levels.as_slice() {
+        [.., coarser, finest] => 1.0 - value(coarser) / value(finest),
+        _ => f64::NAN,
+    }
+}
+
+/// Percentages below this are written as powers of ten.
+const SMALL: f64 = 1e-3;
+
+/// A fraction as a percentage with two digits: `0.21 %`, `7.2·10⁻⁵ %`.
+#[must_use]
+pub fn percent(part: f64) -> String {
+    let percent = 100.0 * part;
+    let size = percent.abs();
+    if 0.0 < size && size < SMALL {
+        let sign = if percent < 0.0 { "−" } else { "" };
+        return format!("{sign}{} %", power(size, 2));
+    }
+    let text = significant(percent, 2).replace('-', "−");
+    format!("{text} %")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_error_that_is_not_resolved_is_not_given_as_an_error() {
+        let estimate = |resolved| {
+            Some(Estimate {
+                estimate: 0.02,
+                order: None,
+                resolved,
+            })
+        };
+        assert_eq!(error(2.0, estimate(true), 0.5), "± 1.0 %");
+        assert_eq!(error(2.0, estimate(false), 0.31), "[31 %]");
+        assert_eq!(error(2.0, None, f64::NAN), "unknown");
+    }
+
+    #[test]
+    fn percents_have_two_digits_however_small() {
+        let parts = [0.0, -0.0021, 1.1e-5, 7.2e-7, -1.26e-6];
+        let words = ["0 %", "−0.21 %", "0.0011 %", "7.2·10⁻⁵ %", "−1.3·10⁻⁴ %"];
+        assert_eq!(parts.map(percent), words);
+    }
+}

@@ -1,0 +1,172 @@
+//! Solves one case of a study: from its values to the rows of the table.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::PathBuf;
+use std::time::Instant;
+
+use pellicle_contact::{Observer, solve_path};
+use pellicle_influence::Cache;
+use serde_json::Value;
+
+use super::Study;
+use super::case_status::CaseStatus;
+use super::table_columns::{TableColumns, status};
+use crate::case::Case;
+use crate::failure::Failure;
+use crate::forecast::Need;
+use crate::memory::MemoryBudget;
+use crate::output::file::Existing;
+use crate::output::folder::{Extent, ResultsFolder};
+use crate::output::summary::{Clock, Summary};
+use crate::output::{results, run_files};
+
+/// Solves the cases of a study.
+#[derive(Debug)]
+pub struct CaseSolver<'a> {
+    /// The study.
+    pub study: &'a Study,
+    /// The columns of its table.
+    pub columns: &'a TableColumns,
+    /// The cache, shared by all cases.
+    pub cache: Cache,
+    /// The memory, shared by all cases.
+    pub memory: MemoryBudget,
+    /// The parent of the cases' results folders, if these are wanted.
+    pub folders: Option<PathBuf>,
+}
+
+/// The result of a case.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CaseResult {
+    /// Its status.
+    pub status: CaseStatus,
+    /// Its rows of the table.
+    pub rows: String,
+    /// A summary for the terminal.
+    pub words: String,
+}
+
+impl CaseSolver<'_> {
+    /// Solves a case; none if the user stops it, and its unfinished results are discarded.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure`] if its results folder cannot be written or is something else. Any other error is the result
+    /// `failed`.
+    pub fn solve(
+        &self,
+        case: usize,
+        observer: &mut dyn Observer,
+    ) -> Result<Option<CaseResult>, Failure> {
+        let solved = catch_unwind(AssertUnwindSafe(|| self.attempt(case, observer)));
+        match solved {
+            Ok(Ok(done)) => Ok(done),
+            Ok(Err(
+                failure @ (Failure::Write { .. }
+                | Failure::NoResults { .. }
+                | Failure::NotWritten { .. }
+                | Failure::OtherCase { .. }
+                | Failure::Busy { .. }),
+            )) => Err(failure),
+            Ok(Err(failure)) => Ok(Some(self.failed(case, &failure.to_string()))),
+            Err(_) => Ok(Some(self.failed(case, "an error of the program itself"))),
+        }
+    }
+
+    /// Claims the results folder of a case, if one is wanted. An existing one is of this case, from before a kill.
+    fn claim(&self, number: usize, case: &Case) -> Result<Option<ResultsFolder>, Failure> {
+        let Some(folders) = &self.folders else {
+            return Ok(None);
+        };
+        let path = folders.join(format!("case-{:04}", number + 1));
+        if run_files::case_in(&path).is_some_and(|written| !is_of(&written, case)) {
+            return Err(Failure::OtherCase { path });
+        }
+        ResultsFolder::claim(&path, Existing::Replace).map(Some)
+    }
+
+    fn failed(&self, case: usize, message: &str) -> CaseResult {
+        CaseResult {
+            status: CaseStatus::Failed,
+            rows: self.columns.failed(self.study, case, message),
+            words: message.to_owned(),
+        }
+    }
+
+    fn attempt(
+        &self,
+        number: usize,
+        observer: &mut dyn Observer,
+    ) -> Result<Option<CaseResult>, Failure> {
+        let start = Instant::now();
+        let case = self.study.case(number)?;
+        let folder = self.claim(number, &case)?;
+        let model = case.model(&self.cache)?;
+        let tables_seconds = start.elapsed().as_secs_f64();
+        let (loads, options) = (case.load.loads(), case.solver.options());
+        let domain = case
+            .domain(&model.value)
+            .map_err(|error| case.blame(error))?;
+        let elements = case.grid.elements;
+        let writers = folder.as_ref().map_or(0, |_| rayon::current_num_threads());
+        let need = Need::new(&case, &model.value, domain, writers);
+        let Some(_share) = self.memory.take(need)? else {
+            return Ok(None);
+        };
+        let path = solve_path(&model.value, domain, elements, &loads, &options, observer)
+            .map_err(|error| case.blame(error))?;
+        if path.interrupted {
+            return Ok(None);
+        }
+        let clock = Clock {
+            start,
+            tables_seconds,
+            tables_origin: model.origin,
+        };
+        // Warnings of the cache concern all cases, and are printed at the end.
+        let mut summary = Summary::new(&case, &path, clock, &[])?;
+        if let Some(folder) = folder {
+            let mut extent = Extent::Whole;
+            folder.write(|folder| {
+                extent =
+                    results::write(folder, &path, &mut summary, &case.output, start, &|_, _| ())?;
+                Ok(extent)
+            })?;
+            if extent == Extent::Part {
+                return Ok(None);
+            }
+        }
+        Ok(Some(CaseResult {
+            status: status(&summary),
+            rows: TableColumns::solved(self.study, number, &summary),
+            words: words(&case, &summary),
+        }))
+    }
+}
+
+/// Whether the case of a summary is this one. The summary has a side of the domain even if the case leaves it open; the
+/// choice of files does not count.
+fn is_of(written: &Value, case: &Case) -> bool {
+    let mut case = case.clone();
+    let side = written["grid"]["side"].as_f64();
+    case.grid.side = case.grid.side.or(side);
+    let without_output = |mut case: Value| {
+        if let Some(table) = case.as_object_mut() {
+            table.remove("output");
+        }
+        case
+    };
+    let case = serde_json::to_value(case).map(without_output);
+    case.is_ok_and(|case| case == without_output(written.clone()))
+}
+
+fn words(case: &Case, summary: &Summary) -> String {
+    use crate::display::{Unit, quantity};
+    let word = status(summary).word();
+    let last = summary.steps.last();
+    last.map_or_else(String::new, |step| {
+        let force = quantity(step.force, Unit::Newton, case.units);
+        let penetration = quantity(step.penetration, Unit::Metre, case.units);
+        format!("{word}, Q = {force}, D = {penetration}")
+    })
+}

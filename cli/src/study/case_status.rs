@@ -1,0 +1,84 @@
+//! The status of a study's cases.
+
+/// The status of a case.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CaseStatus {
+    /// Every step is certified.
+    Certified,
+    /// There is a result, but some certificate is not satisfied.
+    NotConverged,
+    /// A contact is cut off by the edge of the domain or a map, so that another problem is solved.
+    CutOff,
+    /// There is no result.
+    Failed,
+}
+
+impl CaseStatus {
+    const ALL: [Self; 4] = [
+        Self::Certified,
+        Self::NotConverged,
+        Self::CutOff,
+        Self::Failed,
+    ];
+
+    /// The word in the table.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Certified => "certified",
+            Self::NotConverged => "not-converged",
+            Self::CutOff => "cut-off",
+            Self::Failed => "failed",
+        }
+    }
+
+    /// The status with this word.
+    #[must_use]
+    pub fn of(word: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|status| status.word() == word)
+    }
+}
+
+/// The number of cases with each status.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, serde::Serialize)]
+pub struct Tally {
+    /// Cases that are certified.
+    pub certified: usize,
+    /// Cases with a result that is not certified.
+    pub not_converged: usize,
+    /// Cases with a result whose contact is cut off.
+    pub cut_off: usize,
+    /// Cases without a result.
+    pub failed: usize,
+}
+
+impl Tally {
+    /// Counts these statuses.
+    pub fn of(statuses: impl IntoIterator<Item = CaseStatus>) -> Self {
+        let mut tally = Self::default();
+        statuses.into_iter().for_each(|status| tally.add(status));
+        tally
+    }
+
+    fn add(&mut self, status: CaseStatus) {
+        let count = match status {
+            CaseStatus::Certified => &mut self.certified,
+            CaseStatus::NotConverged => &mut self.not_converged,
+            CaseStatus::CutOff => &mut self.cut_off,
+            CaseStatus::Failed => &mut self.failed,
+        };
+        *count += 1;
+    }
+
+    /// The number of all cases.
+    #[must_use]
+    pub fn done(&self) -> usize {
+        self.certified + self.not_converged + self.cut_off + self.failed
+    }
+
+    /// Whether every case has a certified result.
+    #[must_use]
+    pub fn is_certified(&self) -> bool {
+        self.certified == self.done()
+    }
+}

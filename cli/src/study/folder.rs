@@ -1,0 +1,307 @@
+//! The folder of a study, which belongs to this study alone and to one process at a time.
+
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::thread;
+use std::time::Duration;
+
+use super::identity::StudyIdentity;
+use super::results_table::{self, CaseBlocks};
+use super::shard::Shard;
+use crate::failure::Failure;
+use crate::output::lock::Lock;
+use crate::output::{file, run_files};
+
+/// Text of the lock's file.
+const AT_WORK: &str = "pellicle is at work on this study.\n";
+
+/// Folder of the results folders of the cases.
+const CASES: &str = "cases";
+
+/// Beginning of the name of a table that a fresh study replaces, until that is complete.
+const BEFORE: &str = ".pellicle-before-";
+
+/// How often, and at which intervals, a process that is nearly done is asked again.
+const PATIENCE: (usize, Duration) = (100, Duration::from_millis(50));
+
+/// How a study begins with an existing table.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Begin {
+    /// Go on with it.
+    Resume,
+    /// Empty it first.
+    Again,
+}
+
+/// The folder of a study, claimed for one part of it. Nobody else works on this part until it is dropped.
+#[derive(Debug)]
+pub struct StudyFolder {
+    /// The folder.
+    pub folder: PathBuf,
+    /// How to begin with the part's table.
+    pub begin: Begin,
+    /// Where the table is that was there before, while this study replaces it.
+    pub before: Option<PathBuf>,
+    _lock: Lock,
+}
+
+impl StudyFolder {
+    /// Claims the folder for the part that `identity` is of; `fresh` forgets what other studies have left in it.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::NoResults`] if there is something that no study has written, [`Failure::OtherStudy`] if there are
+    /// results of another study, [`Failure::Busy`] if another process is at work on this part, [`Failure::Write`] if
+    /// nothing can be written here.
+    pub fn claim(folder: &Path, identity: &StudyIdentity, fresh: bool) -> Result<Self, Failure> {
+        refuse_foreign(folder)?;
+        let failed = |cause| Failure::write(folder, cause);
+        fs::create_dir_all(folder).map_err(failed)?;
+        let lock = lock(folder, identity.shard)?.ok_or_else(|| Failure::Busy {
+            path: identity.table(folder),
+        })?;
+        file::sweep(folder);
+        let there = identities(folder)?;
+        let is_other = |other: &&StudyIdentity| other.fingerprint != identity.fingerprint;
+        for other in there.iter().filter(is_other) {
+            if !fresh {
+                let path = other.table(folder);
+                let path = if path.exists() {
+                    path
+                } else {
+                    StudyIdentity::path(folder, other.shard)
+                };
+                return Err(Failure::OtherStudy { path });
+            }
+            forget(folder, other, identity.shard)?;
+        }
+        if there.iter().any(|other| is_other(&other)) {
+            forget_cases(&folder.join(CASES)).map_err(failed)?;
+        }
+        if fresh {
+            set_aside(&identity.table(folder))?;
+        }
+        let before = before(&identity.table(folder)).filter(|path| is_file(path));
+        let is_empty = fs::metadata(identity.table(folder)).map_or(true, |data| data.len() == 0);
+        let begin = if fresh || is_empty {
+            Begin::Again
+        } else {
+            Begin::Resume
+        };
+        Ok(Self {
+            folder: folder.to_owned(),
+            begin,
+            before,
+            _lock: lock,
+        })
+    }
+
+    /// Where the results folders of the cases go.
+    #[must_use]
+    pub fn cases(&self) -> PathBuf {
+        self.folder.join(CASES)
+    }
+}
+
+/// The lock of a part; none if another process has it.
+///
+/// # Errors
+///
+/// [`Failure::Write`] if it cannot be made.
+pub fn lock(folder: &Path, part: Shard) -> Result<Option<Lock>, Failure> {
+    let path = folder.join(format!(".pellicle-{}", part.file("study", "lock")));
+    Lock::take(&path, AT_WORK).map_err(|cause| Failure::write(&path, cause))
+}
+
+/// The same, asked for again while another process has it, for some seconds.
+///
+/// # Errors
+///
+/// [`Failure::Busy`] if it keeps it, [`Failure::Write`] if it cannot be made.
+pub fn wait_for_lock(folder: &Path, part: Shard) -> Result<Lock, Failure> {
+    let (times, pause) = PATIENCE;
+    for _ in 0..times {
+        if let Some(lock) = lock(folder, part)? {
+            return Ok(lock);
+        }
+        thread::sleep(pause);
+    }
+    let path = folder.join(part.file("results", "csv"));
+    Err(Failure::Busy { path })
+}
+
+/// The identities of the studies and parts of studies in a folder, in the order of their parts.
+///
+/// # Errors
+///
+/// [`Failure::Damaged`] if one is not what a study writes.
+pub fn identities(folder: &Path) -> Result<Vec<StudyIdentity>, Failure> {
+    let mut identities = Vec::new();
+    for name in names(folder) {
+        if part(&name, "study", "json").is_some() {
+            identities.extend(StudyIdentity::read(&folder.join(name))?);
+        }
+    }
+    identities.sort_by_key(|identity| (identity.shard.count, identity.shard.index));
+    Ok(identities)
+}
+
+/// Whether a table is there that this study or part of a study, and nobody else, has written.
+///
+/// # Errors
+///
+/// [`Failure::Damaged`] if it cannot be read.
+pub fn is_table_of(folder: &Path, identity: &StudyIdentity) -> Result<bool, Failure> {
+    let path = identity.table(folder);
+    if !is_file(&path) {
+        return Ok(false);
+    }
+    Ok(CaseBlocks::of(&results_table::read(&path)?, identity).is_some())
+}
+
+fn is_file(path: &Path) -> bool {
+    fs::symlink_metadata(path).is_ok_and(|data| data.is_file())
+}
+
+/// Refuses a folder with a table that no study has written, or without any study and not empty.
+fn refuse_foreign(folder: &Path) -> Result<(), Failure> {
+    let foreign = |path: PathBuf| Err(Failure::NoResults { path });
+    if fs::symlink_metadata(folder).is_ok() && !folder.is_dir() {
+        return foreign(folder.to_owned());
+    }
+    let (names, there) = (names(folder), identities(folder)?);
+    for name in &names {
+        let path = folder.join(name);
+        let is_empty = is_file(&path) && fs::metadata(&path).is_ok_and(|data| data.len() == 0);
+        if let Some(shard) = part(name, "results", "csv").filter(|_| !is_empty) {
+            let own = there.iter().find(|identity| identity.shard == shard);
+            match own {
+                Some(own) if is_table_of(folder, own)? => {}
+                _ => return foreign(path),
+            }
+        }
+    }
+    let is_ours = |name: &String| {
+        part(name, "results", "csv").is_some() || name == CASES || name.starts_with(".pellicle-")
+    };
+    if there.is_empty() && !names.iter().all(is_ours) {
+        return foreign(folder.to_owned());
+    }
+    Ok(())
+}
+
+/// Sets the table of another study aside, and removes what it remembers.
+fn forget(folder: &Path, other: &StudyIdentity, locked: Shard) -> Result<(), Failure> {
+    let _lock = if other.shard == locked {
+        None
+    } else {
+        let lock = lock(folder, other.shard)?;
+        Some(lock.ok_or_else(|| Failure::Busy {
+            path: other.table(folder),
+        })?)
+    };
+    set_aside(&other.table(folder))?;
+    remove(&StudyIdentity::path(folder, other.shard))
+}
+
+/// Where a table goes that a fresh study replaces.
+fn before(table: &Path) -> Option<PathBuf> {
+    let name = table.file_name()?.to_string_lossy();
+    Some(table.with_file_name(format!("{BEFORE}{name}")))
+}
+
+/// Keeps a table until the one that replaces it is complete. If one is kept already, this is its replacement, not
+/// complete, and goes.
+fn set_aside(table: &Path) -> Result<(), Failure> {
+    let is_empty = fs::symlink_metadata(table).map_or(true, |data| data.len() == 0);
+    match before(table) {
+        Some(before) if !is_empty && fs::symlink_metadata(&before).is_err() => {
+            fs::rename(table, before).map_err(|cause| Failure::write(table, cause))
+        }
+        _ => remove(table),
+    }
+}
+
+/// Removes the table that one which is complete now has replaced, and with that of a whole study those of all parts.
+///
+/// # Errors
+///
+/// [`Failure::Write`] if one cannot be removed.
+pub fn forget_before(folder: &Path, identity: &StudyIdentity) -> Result<(), Failure> {
+    let own = before(&identity.table(folder));
+    let is_replaced = |path: &PathBuf| identity.shard == Shard::WHOLE || Some(path) == own.as_ref();
+    let kept = names(folder).into_iter();
+    let kept = kept.filter(|name| name.starts_with(BEFORE));
+    let mut kept = kept.map(|name| folder.join(name)).filter(is_replaced);
+    kept.try_for_each(|path| remove(&path))
+}
+
+fn remove(path: &Path) -> Result<(), Failure> {
+    match fs::remove_file(path) {
+        Err(cause) if cause.kind() != io::ErrorKind::NotFound => Err(Failure::write(path, cause)),
+        _ => Ok(()),
+    }
+}
+
+/// Removes the results of another study's cases, and nothing that it has not written.
+fn forget_cases(cases: &Path) -> io::Result<()> {
+    for name in names(cases) {
+        let case = cases.join(&name);
+        if run_files::case_in(&case).is_some()
+            && run_files::not_written(&case).is_none()
+            && !case.is_symlink()
+        {
+            run_files::remove(&case)?;
+        }
+    }
+    Ok(())
+}
+
+/// Which part a name is of: `results.csv` of the whole, `results-2-of-8.csv` of the second of eight.
+fn part(name: &str, stem: &str, ending: &str) -> Option<Shard> {
+    let middle = name
+        .strip_prefix(stem)?
+        .strip_suffix(ending)?
+        .strip_suffix('.')?;
+    if middle.is_empty() {
+        return Some(Shard::WHOLE);
+    }
+    let shard: Shard = middle
+        .strip_prefix('-')?
+        .replace("-of-", "/")
+        .parse()
+        .ok()?;
+    (shard.file(stem, ending) == name).then_some(shard)
+}
+
+/// The names in a folder; none if there is no such folder.
+fn names(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    entries
+        .map(|entry| entry.file_name().to_string_lossy().into_owned())
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_name_tells_its_part() {
+        let part = |name| part(name, "results", "csv");
+        assert_eq!(part("results.csv"), Some(Shard::WHOLE));
+        assert_eq!(
+            part("results-2-of-8.csv"),
+            Some(Shard { index: 2, count: 8 })
+        );
+        for name in [
+            "results-9-of-8.csv",
+            "results-2.csv",
+            "results-1-of-1.csv",
+            "my results.csv",
+        ] {
+            assert_eq!(part(name), None, "{name}");
+        }
+    }
+}

@@ -1,0 +1,174 @@
+//! The study file: `[study]`, and the base case in the same file or in one of its own.
+//!
+//! ```toml
+//! [study]
+//! case = "coating.toml"        # from the folder of this file; without it the rest of this file is the base case
+//! combine = "product"          # every value with every other, the last key fastest; or "zip": the first of all, the second of all, …
+//!
+//! [study.vary]                 # any key of the case: a list, or a range; a key with brackets in quotes
+//! "foundation.layer[0].thickness" = ["1 um", "2 um"]
+//! load.force = { from = "1 mN", to = "10 mN", count = 5, spacing = "log" }
+//! ```
+
+use std::path::Path;
+use std::sync::Arc;
+
+use super::varied_key::VariedKey;
+use super::{Combine, Study};
+use crate::case::diagnosis::{Diagnosis, Fault};
+use crate::case::document::{self, TomlNode, TomlTable, TomlValue};
+use crate::case::source::Source;
+use crate::case::table_reader::{TableReader, dotted};
+use crate::case::{overrides, source};
+use crate::failure::Failure;
+
+/// The most cases of a study; more are a mistake.
+const MOST_CASES: usize = 1_000_000;
+
+/// Reads the file, and the base case with the values of `sets` in place of its own.
+///
+/// # Errors
+///
+/// [`Failure`] if a file cannot be read or is not a valid study.
+pub fn read(path: &Path, sets: &[String]) -> Result<Study, Failure> {
+    let root = parse(path)?;
+    let parts = StudyTable::of(&root)?;
+    let here = path.parent().unwrap_or(Path::new(""));
+    let (mut base, case) = match parts.case {
+        Some(case) => (parse(&here.join(case))?, here.join(case)),
+        None => (without_study(&root), path.to_owned()),
+    };
+    for argument in sets {
+        overrides::set(&mut base, argument)?;
+    }
+    let stem = |path: &Path| {
+        path.file_stem()
+            .unwrap_or_default()
+            .to_string_lossy()
+            .into()
+    };
+    Ok(Study {
+        name: stem(path),
+        case_name: stem(&case),
+        folder: case.parent().unwrap_or(Path::new("")).to_owned(),
+        base,
+        combine: parts.combine,
+        varied_keys: parts.varied_keys,
+    })
+}
+
+fn parse(path: &Path) -> Result<TomlNode, Failure> {
+    let source: Arc<Source> = Arc::new(source::read(path)?);
+    Ok(document::parse(&source)?)
+}
+
+fn without_study(root: &TomlNode) -> TomlNode {
+    let mut base = root.clone();
+    if let TomlValue::Table(table) = &mut base.value {
+        table.entries.retain(|entry| entry.key != "study");
+    }
+    base
+}
+
+/// The table `[study]`.
+struct StudyTable<'a> {
+    case: Option<&'a str>,
+    combine: Combine,
+    varied_keys: Vec<VariedKey>,
+}
+
+impl<'a> StudyTable<'a> {
+    fn of(root: &'a TomlNode) -> Result<Self, Diagnosis> {
+        let root = TableReader::root(root)?;
+        let study = root.required("study", "a table [study]")?.table()?;
+        study.only(&["case", "combine", "vary"])?;
+        let case = study
+            .optional("case")
+            .map(|field| field.text())
+            .transpose()?;
+        if case.is_some() {
+            root.only(&["study"])?;
+        }
+        let combine = match study.optional("combine") {
+            Some(field) => field.choice(&[("product", Combine::Product), ("zip", Combine::Zip)])?,
+            None => Combine::Product,
+        };
+        let vary = study.required("vary", "a table of keys, each with a list or a range")?;
+        let TomlValue::Table(table) = vary.value() else {
+            return Err(vary.wanted("a table of keys, each with a list or a range"));
+        };
+        let mut varied_keys = Vec::new();
+        collect("", table, &mut varied_keys)?;
+        varied_keys.sort_by_key(|varied| varied.key_span.bytes.start);
+        if varied_keys.is_empty() {
+            return Err(vary.wanted("at least one key with a list or a range"));
+        }
+        check(&varied_keys, combine)?;
+        Ok(Self {
+            case,
+            combine,
+            varied_keys,
+        })
+    }
+}
+
+/// Collects the keys of a table and of its subtables: `load.force = …` is the key `force` of the table `load`.
+fn collect(
+    path: &str,
+    table: &TomlTable,
+    varied_keys: &mut Vec<VariedKey>,
+) -> Result<(), Diagnosis> {
+    for entry in &table.entries {
+        let key = dotted(path, &entry.key);
+        match &entry.node.value {
+            TomlValue::Table(inner) if inner.entry("from").is_none() => {
+                collect(&key, inner, varied_keys)?;
+            }
+            _ => varied_keys.push(VariedKey::read(key, entry.key_span.clone(), &entry.node)?),
+        }
+    }
+    Ok(())
+}
+
+/// Refuses repeated keys, lists of different lengths to be zipped, and too many cases.
+fn check(varied_keys: &[VariedKey], combine: Combine) -> Result<(), Diagnosis> {
+    let wrong = |varied: &VariedKey, found: String, wanted: String| {
+        let fault = Fault::Wrong { found, wanted };
+        Err(Diagnosis::of_key(
+            varied.key.clone(),
+            varied.key_span.clone(),
+            fault,
+        ))
+    };
+    let Some(first) = varied_keys.first() else {
+        return Ok(());
+    };
+    let is_given_before = |(i, varied): &(usize, &VariedKey)| {
+        let path = overrides::key_path(&varied.key);
+        varied_keys[..*i]
+            .iter()
+            .any(|other| overrides::key_path(&other.key) == path)
+    };
+    if let Some((_, varied)) = varied_keys.iter().enumerate().find(is_given_before) {
+        return wrong(varied, "the same key twice".into(), "each key once".into());
+    }
+    let wanted = first.values.len();
+    let other = varied_keys
+        .iter()
+        .find(|varied| varied.values.len() != wanted);
+    if let (Combine::Zip, Some(other)) = (combine, other) {
+        let found = format!("{} values", other.values.len());
+        let wanted = format!("{wanted}, as many as `{}` has, to be zipped", first.key);
+        return wrong(other, found, wanted);
+    }
+    let lengths = varied_keys.iter().map(|varied| varied.values.len());
+    let cases = lengths.fold(1, usize::saturating_mul);
+    if combine == Combine::Product && cases > MOST_CASES {
+        return wrong(
+            first,
+            format!("{cases} cases"),
+            format!("at most {MOST_CASES}"),
+        );
+    }
+    Ok(())
+}

@@ -1,0 +1,257 @@
+//! One key of a study and the values it takes: a list, or a range.
+
+use crate::case::diagnosis::{Diagnosis, Fault};
+use crate::case::dimension::Dimension;
+use crate::case::document::{TomlNode, TomlValue};
+use crate::case::quantity;
+use crate::case::spacing::{self, Spacing};
+use crate::case::span::Span;
+use crate::case::table_reader::TableReader;
+use crate::case::units::Units;
+use crate::case::value_reader::ValueReader;
+use crate::display::{self, Unit, significant};
+
+/// The most values of one key; more are a mistake.
+const MOST_VALUES: usize = 100_000;
+
+const WANTED: &str = "a list of values, or a table of from, to, count and spacing";
+
+/// One key and its values.
+#[derive(Debug, Clone, PartialEq)]
+pub struct VariedKey {
+    /// Dotted path of the key in the case, such as `foundation.layer[0].thickness`.
+    pub key: String,
+    /// The place of the key in the study.
+    pub key_span: Span,
+    /// Its values, in order.
+    pub values: Vec<TomlNode>,
+    /// The values as they stand in the table; made once, since a study needs them often.
+    cells: Vec<String>,
+    /// The common dimension of the values, if all of them are quantities.
+    dimension: Option<Dimension>,
+    /// Whether they come from a range.
+    is_range: bool,
+}
+
+impl VariedKey {
+    /// Reads the values of a key.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] if they are neither a list nor a range.
+    pub fn read(key: String, key_span: Span, node: &TomlNode) -> Result<Self, Diagnosis> {
+        let field = ValueReader::new(key.clone(), node);
+        let values = match &node.value {
+            TomlValue::List(items) if !items.is_empty() => items.clone(),
+            TomlValue::Table(_) => range(&field.table()?, &node.span)?,
+            _ => return Err(field.wanted(WANTED)),
+        };
+        if values.len() > MOST_VALUES {
+            let field = ValueReader::new(key, node);
+            return Err(field.wanted(format!("at most {MOST_VALUES} values")));
+        }
+        let dimension = common_dimension(&values);
+        if dimension.is_none()
+            && let Some(odd) = odd_quantity(&values)
+        {
+            let field = ValueReader::new(key, odd);
+            return Err(field.wanted("a quantity of the kind of the key's other values"));
+        }
+        Ok(Self {
+            key,
+            key_span,
+            cells: values.iter().map(|node| cell(node, dimension)).collect(),
+            values,
+            dimension,
+            is_range: matches!(node.value, TomlValue::Table(_)),
+        })
+    }
+
+    /// Name of its column in the table, with the unit.
+    #[must_use]
+    pub fn heading(&self) -> String {
+        match self.dimension {
+            Some(dimension) => format!("{} [{}]", self.key, dimension.si_unit()),
+            None => self.key.clone(),
+        }
+    }
+
+    /// The `i`-th value as it stands in the table: in SI units if it has a unit, otherwise as it was written.
+    #[must_use]
+    pub fn cell(&self, i: usize) -> &str {
+        self.cells.get(i).map_or("", String::as_str)
+    }
+
+    /// The `i`-th value for people, on one line: as written, or rounded if it comes from a range.
+    #[must_use]
+    pub fn words(&self, i: usize) -> String {
+        let value = self.values.get(i).map(|node| &node.value);
+        let words = match (value, self.dimension) {
+            (Some(TomlValue::Text(text)), Some(dimension)) if self.is_range => {
+                rounded(text, dimension).unwrap_or_else(|| text.clone())
+            }
+            (Some(TomlValue::Float(number)), _) => significant(*number, 5),
+            (value, _) => value.map_or_else(String::new, words),
+        };
+        on_one_line(&words)
+    }
+}
+
+/// The dimension of a value that is written with a unit.
+fn dimension_of(node: &TomlNode) -> Option<Dimension> {
+    match &node.value {
+        TomlValue::Text(text) => quantity::dimension_of(text),
+        _ => None,
+    }
+}
+
+/// The common dimension of the values, if all of them are quantities of it or bare numbers.
+fn common_dimension(values: &[TomlNode]) -> Option<Dimension> {
+    let first = values.iter().find_map(dimension_of)?;
+    let same = |node: &TomlNode| match &node.value {
+        TomlValue::Text(_) => dimension_of(node) == Some(first),
+        TomlValue::Float(_) | TomlValue::Integer(_) => true,
+        _ => false,
+    };
+    values.iter().all(same).then_some(first)
+}
+
+/// The first text that is not a quantity of the same dimension as the others.
+fn odd_quantity(values: &[TomlNode]) -> Option<&TomlNode> {
+    let first = values.iter().find_map(dimension_of)?;
+    let is_odd = |node: &&TomlNode| {
+        matches!(node.value, TomlValue::Text(_)) && dimension_of(node) != Some(first)
+    };
+    values.iter().find(is_odd)
+}
+
+fn cell(node: &TomlNode, dimension: Option<Dimension>) -> String {
+    match (&node.value, dimension) {
+        (TomlValue::Text(text), Some(dimension)) => {
+            quantity::parse(text, dimension).map_or_else(|_| text.clone(), |x| format!("{x:e}"))
+        }
+        (TomlValue::Float(number), Some(_)) => format!("{number:e}"),
+        (TomlValue::Integer(number), Some(_)) => format!("{number:e}"),
+        (value, _) => words(value),
+    }
+}
+
+/// The text with line ends and other control characters escaped.
+fn on_one_line(text: &str) -> String {
+    let spelt = |character: char| {
+        let is_control = character.is_control();
+        let spelt = is_control.then(|| character.escape_debug().to_string());
+        spelt.unwrap_or_else(|| character.into())
+    };
+    text.chars().map(spelt).collect()
+}
+
+/// A quantity with five digits and the prefix that suits it.
+fn rounded(text: &str, dimension: Dimension) -> Option<String> {
+    let value = quantity::parse(text, dimension).ok()?;
+    let with_prefix = |unit| display::quantity(value, unit, Units::Si);
+    Some(match dimension {
+        Dimension::Length => with_prefix(Unit::Metre),
+        Dimension::Pressure => with_prefix(Unit::Pascal),
+        Dimension::Force => with_prefix(Unit::Newton),
+        Dimension::Angle | Dimension::Compliance => {
+            format!("{} {}", significant(value, 5), dimension.si_unit())
+        }
+    })
+}
+
+fn words(value: &TomlValue) -> String {
+    let list = |items: Vec<String>| items.join(", ");
+    match value {
+        TomlValue::Text(text) => text.clone(),
+        TomlValue::Integer(number) => number.to_string(),
+        TomlValue::Float(number) => format!("{number:e}"),
+        TomlValue::Boolean(value) => value.to_string(),
+        TomlValue::Datetime => "a date".into(),
+        TomlValue::List(items) => {
+            let items = items.iter().map(|node| words(&node.value)).collect();
+            format!("[{}]", list(items))
+        }
+        TomlValue::Table(table) => {
+            let entry = |entry: &crate::case::document::TomlEntry| {
+                format!("{} = {}", entry.key, words(&entry.node.value))
+            };
+            format!("{{ {} }}", list(table.entries.iter().map(entry).collect()))
+        }
+    }
+}
+
+/// The values of `{ from, to, count, spacing }`, all with its place.
+fn range(table: &TableReader<'_>, span: &Span) -> Result<Vec<TomlNode>, Diagnosis> {
+    table.only(&spacing::KEYS)?;
+    let spacing = Spacing::read(table)?;
+    let [from, to] = [End::read(table, "from")?, End::read(table, "to")?];
+    let field = table.required("to", WANTED)?;
+    if from.dimension != to.dimension {
+        return Err(field.wanted("a value with a unit of the same kind as that of from"));
+    }
+    if spacing == Spacing::Log && from.number * to.number <= 0.0 {
+        return Err(field.diagnosis(Fault::Wrong {
+            found: "a range with spacing = \"log\" that includes zero".into(),
+            wanted: "from and to both positive, or both negative".into(),
+        }));
+    }
+    let count = table.required("count", "how many values, an integer")?;
+    let count = count.count(2..=MOST_VALUES, " values")?;
+    let integers = from.is_integer && to.is_integer;
+    let node = |number: f64| TomlNode {
+        value: value(number, from.dimension, integers),
+        span: span.clone(),
+    };
+    let numbers = spacing.between(from.number, to.number, count);
+    Ok(numbers.into_iter().map(node).collect())
+}
+
+/// One value of a range; between integers, a value that is an integer up to rounding stays one.
+fn value(number: f64, dimension: Option<Dimension>, integers: bool) -> TomlValue {
+    let nearest = number.round();
+    match dimension {
+        Some(dimension) => TomlValue::Text(format!("{number:e} {}", dimension.si_unit())),
+        #[expect(
+            clippy::cast_possible_truncation,
+            reason = "between two integers of 64 bits"
+        )]
+        None if integers && (number - nearest).abs() <= 1e-9 * nearest.abs() => {
+            TomlValue::Integer(nearest as i64)
+        }
+        None => TomlValue::Float(number),
+    }
+}
+
+/// One end of a range.
+struct End {
+    number: f64,
+    dimension: Option<Dimension>,
+    is_integer: bool,
+}
+
+impl End {
+    fn read(table: &TableReader<'_>, key: &str) -> Result<Self, Diagnosis> {
+        const WANTED: &str = "a number, or a quantity such as \"5 nm\"";
+        let field = table.required(key, WANTED)?;
+        let bare = |number, is_integer| Self {
+            number,
+            dimension: None,
+            is_integer,
+        };
+        let end = match field.value() {
+            TomlValue::Integer(number) => Some(bare(*number as f64, true)),
+            TomlValue::Float(number) => Some(bare(*number, false)),
+            TomlValue::Text(text) => quantity::dimension_of(text).and_then(|dimension| {
+                Some(Self {
+                    number: quantity::parse(text, dimension).ok()?,
+                    dimension: Some(dimension),
+                    is_integer: false,
+                })
+            }),
+            _ => None,
+        };
+        end.filter(|end| end.number.is_finite())
+            .ok_or_else(|| field.wanted(WANTED))
+    }
+}

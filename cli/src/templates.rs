@@ -1,0 +1,97 @@
+//! The commented cases of `pellicle init`, each of which runs as it is.
+
+use clap::ValueEnum;
+
+/// A case to start from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+pub enum Template {
+    /// A ball on a coating with a pattern of pillars
+    #[default]
+    Cylinders,
+    /// A Berkovich pyramid on a coating with a soft film
+    Film,
+    /// A ball on a hard coating, a load-penetration curve
+    Coating,
+    /// A Berkovich pyramid on a bare half-space
+    Berkovich,
+    /// A Vickers pyramid on a coated steel
+    Vickers,
+    /// A cube corner on a film that slides on a rigid base
+    CubeCorner,
+    /// A rounded cone on a coating
+    Cone,
+    /// A flat punch on an elastic layer with a rigid base
+    FlatPunch,
+    /// A ball on a half-space, to compare with the closed form
+    Hertz,
+    /// A ball on a rough elastic body
+    Rough,
+    /// The heights of the case `rough`, rough-surface.csv
+    RoughMap,
+    /// A parameter study: a ball on coatings of several thicknesses under several loads
+    Study,
+}
+
+impl Template {
+    /// The text of the case.
+    #[must_use]
+    pub fn text(self) -> &'static str {
+        match self {
+            Self::Cylinders => include_str!("templates/cylinders.toml"),
+            Self::Film => include_str!("templates/film.toml"),
+            Self::Coating => include_str!("templates/coating.toml"),
+            Self::Berkovich => include_str!("templates/berkovich.toml"),
+            Self::Vickers => include_str!("templates/vickers.toml"),
+            Self::CubeCorner => include_str!("templates/cube-corner.toml"),
+            Self::Cone => include_str!("templates/cone.toml"),
+            Self::FlatPunch => include_str!("templates/flat-punch.toml"),
+            Self::Hertz => include_str!("templates/hertz.toml"),
+            Self::Rough => include_str!("templates/rough.toml"),
+            Self::RoughMap => include_str!("templates/rough-surface.csv"),
+            Self::Study => include_str!("templates/study.toml"),
+        }
+    }
+
+    /// The next command, for a template written to the file `path`.
+    #[must_use]
+    pub fn next(self, path: &str) -> String {
+        match self {
+            Self::Study => format!("pellicle study {path}"),
+            Self::Rough => format!(
+                "pellicle init rough-map --out rough-surface.csv beside it, and pellicle run {path}"
+            ),
+            Self::RoughMap => "pellicle init rough".into(),
+            _ => format!("pellicle run {path}"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::case::Case;
+    use crate::case::source::Source;
+    use crate::case::units::Units;
+
+    #[test]
+    fn every_template_is_a_case_with_units_and_comments() {
+        for template in Template::value_variants() {
+            if matches!(template, Template::Study | Template::RoughMap) {
+                continue;
+            }
+            let folder = tempfile::tempdir().unwrap();
+            let map = folder.path().join("rough-surface.csv");
+            std::fs::write(map, Template::RoughMap.text()).unwrap();
+            let source = Arc::new(Source::new(
+                format!("{template:?}"),
+                template.text().to_owned(),
+            ));
+            let case =
+                Case::parse(&source, "", folder.path(), &[]).unwrap_or_else(|e| panic!("{e}"));
+            assert_eq!(case.units, Units::Si, "{template:?}");
+            assert!(template.text().starts_with("# "), "{template:?}");
+        }
+    }
+}

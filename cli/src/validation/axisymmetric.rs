@@ -1,0 +1,66 @@
+//! Paraboloids and cones on coated half-spaces against axisymmetric solutions of 22 digits.
+
+use std::f64::consts::FRAC_PI_4;
+
+use pellicle_contact::{Cone, Indenter, Load};
+use pellicle_kernel::{Foundation, Material};
+use pellicle_texture::Relief;
+use rayon::prelude::*;
+
+use super::data::contact::{AxisymmetricContact, Shape, axisymmetric};
+use super::run::{ContactSetup, paraboloid};
+use super::{Comparison, ValidationError, ValidationRun, ValidationSection};
+
+/// The section.
+pub const SECTION: ValidationSection = ValidationSection {
+    name: "Layered bodies, axisymmetric",
+    source: "tests/data/axisymmetric_contact.json, 22 digits",
+    because: "relative; the grid: of second order in the element's side, which is 1/107 of the contact's radius",
+    rows,
+};
+
+/// Elements per side.
+const ELEMENTS: usize = 256;
+/// Side of the domain, in contact radii.
+const SIDE: f64 = 2.4;
+/// (1/107)² = 9e-5 times a factor that scatters with how the grid meets the contact's edge.
+const SECOND_ORDER: f64 = 1e-5;
+
+fn rows(run: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
+    let cases = axisymmetric()?;
+    Ok(cases.par_iter().map(|case| row(run, case)).collect())
+}
+
+fn row(run: ValidationRun, case: &AxisymmetricContact) -> Comparison {
+    let shape = match case.shape {
+        Shape::Paraboloid => "paraboloid",
+        Shape::Cone => "cone",
+    };
+    let check = format!(
+        "{shape}, χ = {}, H/a = {}: penetration",
+        case.e1, case.thickness
+    );
+    let found = contact(case).and_then(|contact| run.penetration(&contact));
+    match found {
+        Ok(found) => Comparison::relative(check, case.penetration, found, SECOND_ORDER),
+        Err(error) => Comparison::failed(check, &error),
+    }
+}
+
+/// The contact under its force.
+fn contact(case: &AxisymmetricContact) -> Result<ContactSetup, ValidationError> {
+    let coating = Material::new(case.e1, case.nu1)?;
+    let substrate = Material::new(1.0, case.nu2)?;
+    Ok(ContactSetup {
+        foundation: Foundation::coated(case.thickness, coating, substrate)?,
+        relief: Relief::Bare,
+        indenter: match case.shape {
+            Shape::Paraboloid => paraboloid(1.0)?,
+            // z = r: 45 degrees between axis and side.
+            Shape::Cone => Indenter::Cone(Cone::new(FRAC_PI_4, 0.0)?),
+        },
+        side: SIDE,
+        elements: ELEMENTS,
+        load: Load::Force(case.force),
+    })
+}

@@ -1,0 +1,94 @@
+//! Fields and areas that a discrete problem refuses.
+
+use pellicle_influence::ElasticOperator;
+
+use super::{DiscreteProblem, VALUES_AT_ONCE, check_values};
+use crate::ContactError;
+
+/// `u = 2 p`.
+struct Springs;
+
+impl ElasticOperator for Springs {
+    fn size(&self) -> usize {
+        2
+    }
+
+    fn apply_into(&mut self, pressure: &[f64], displacement: &mut [f64]) {
+        for (u, p) in displacement.iter_mut().zip(pressure) {
+            *u = 2.0 * p;
+        }
+    }
+}
+
+fn problem(eta: &[f64], gap: &[f64], area: f64) -> Result<DiscreteProblem, ContactError> {
+    DiscreteProblem::new(Box::new(Springs), eta.to_vec(), gap.to_vec(), area)
+}
+
+#[test]
+fn a_problem_says_what_it_was_made_of() {
+    let (eta, gap) = ([0.5, 0.0, 1.0, 3.0], [0.0, 1.0, f64::INFINITY, -2.0]);
+    let mut problem = problem(&eta, &gap, 0.25).unwrap();
+    assert_eq!((problem.size(), problem.elements()), (2, 4));
+    assert_eq!(problem.relief_compliance(), eta);
+    assert_eq!(problem.initial_gap(), gap);
+    assert_eq!(problem.element_area().to_bits(), 0.25_f64.to_bits());
+    assert!(problem.elasticity().is_none() && !problem.is_window());
+    // (K + η) p, powers of two
+    let mut deformation = [0.0; 4];
+    problem.deform_into(&[1.0, 2.0, 4.0, 0.5], &mut deformation);
+    assert_eq!(deformation, [2.5, 4.0, 12.0, 2.5]);
+}
+
+#[test]
+fn fields_that_no_surface_has_are_refused_at_their_element() {
+    let (zeros, nan) = ([0.0; 4], f64::NAN);
+    for (found, bad) in [(3, &[0.0; 3][..]), (5, &[0.0; 5])] {
+        for outcome in [problem(bad, &zeros, 1.0), problem(&zeros, bad, 1.0)] {
+            assert!(matches!(
+                outcome,
+                Err(ContactError::FieldLength { found: f, wanted: 4, .. }) if f == found
+            ));
+        }
+    }
+    for bad in [-1e-300, nan, f64::INFINITY] {
+        let refused = problem(&[0.0, 1.0, bad, 0.0], &zeros, 1.0);
+        assert!(matches!(
+            refused,
+            Err(ContactError::FieldValue { element: 2, .. })
+        ));
+    }
+    for bad in [nan, f64::NEG_INFINITY] {
+        let refused = problem(&zeros, &[0.0, bad, 0.0, 0.0], 1.0);
+        assert!(matches!(
+            refused,
+            Err(ContactError::FieldValue { element: 1, .. })
+        ));
+    }
+}
+
+#[test]
+fn of_many_wrong_values_the_first_is_told() {
+    let mut values = vec![1.0; 3 * VALUES_AT_ONCE];
+    let check = |values: &[f64]| check_values("field", values, "positive", |value| value > 0.0);
+    assert!(check(&values).is_ok());
+    for wrong in [2 * VALUES_AT_ONCE + 5, VALUES_AT_ONCE + 9, VALUES_AT_ONCE] {
+        values[wrong] = -2.0;
+        assert!(matches!(
+            check(&values),
+            Err(ContactError::FieldValue { element, found: -2.0, .. }) if element == wrong
+        ));
+    }
+}
+
+#[test]
+fn areas_must_be_positive_and_something_must_be_able_to_touch() {
+    for area in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        let refused = problem(&[0.0; 4], &[0.0; 4], area);
+        assert!(matches!(refused, Err(ContactError::ElementArea { .. })));
+    }
+    let refused = problem(&[0.0; 4], &[f64::INFINITY; 4], 1.0);
+    assert!(matches!(
+        refused,
+        Err(ContactError::NothingCanTouch { elements: 4 })
+    ));
+}

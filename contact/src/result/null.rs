@@ -1,0 +1,13 @@
+//! Numbers that are not finite, as JSON keeps them.
+
+use serde::{Deserialize, Deserializer};
+
+/// Reads a number, or NaN where `null` stands: JSON has no other word for what is not finite. For
+/// `#[serde(deserialize_with)]`.
+///
+/// # Errors
+///
+/// Those of the deserializer if neither stands there.
+pub fn nan_from_null<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64, D::Error> {
+    Option::<f64>::deserialize(deserializer).map(|number| number.unwrap_or(f64::NAN))
+}

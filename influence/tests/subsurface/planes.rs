@@ -1,0 +1,84 @@
+//! Planes of fields by convolution against sums over the elements.
+
+use pellicle_influence::{ElementFields, LoadedGrid, Plane, Squares, SubsurfaceState};
+use pellicle_kernel::{Foundation, Side};
+
+use super::{KEYS, stacks};
+
+/// The fields on a plane against sums over the elements, under pressures of order 1.
+fn check_plane(foundation: &Foundation, squares: Squares, plane: Plane, friction: [f64; 2]) {
+    let Squares {
+        loaded,
+        shown,
+        before,
+    } = squares;
+    let pressure: Vec<f64> = (0..loaded * loaded)
+        .map(|e| 1.0 + (e * e % 7) as f64)
+        .collect();
+    let element = ElementFields::new(foundation, 1.0, plane, 2.0 * shown as f64).unwrap();
+    let state_at = |i: usize, j: usize| {
+        let mut sum = SubsurfaceState::default();
+        for (e, p) in pressure.iter().enumerate() {
+            let x = i as f64 - (before[0] + e / loaded) as f64;
+            let y = j as f64 - (before[1] + e % loaded) as f64;
+            let loads = element.at([x, y]);
+            let along_y = element.at([y, x]).tangential.transposed();
+            sum += (loads.normal + loads.tangential * friction[0] + along_y * friction[1]) * *p;
+        }
+        sum
+    };
+    let states: Vec<_> = (0..shown * shown)
+        .map(|e| state_at(e / shown, e % shown))
+        .collect();
+    let mut grid = LoadedGrid::new(foundation, 1.0, squares, &pressure, friction);
+    grid.fields_on(plane, |f, field| {
+        let expected: Vec<f64> = states.iter().map(|state| state.field(f)).collect();
+        let largest = expected
+            .iter()
+            .fold(0.0, |most: f64, value| most.max(value.abs()));
+        for (e, (found, expected)) in field.iter().zip(&expected).enumerate() {
+            let error = (found - expected).abs();
+            assert!(
+                error <= 1e-12 * largest + 1e-14,
+                "{foundation:?} {plane:?} {friction:?} {} {e}: {found:e} {expected:e}",
+                KEYS[f]
+            );
+        }
+    })
+    .unwrap();
+}
+
+#[test]
+fn planes_are_the_sums_over_the_elements() {
+    let squares = Squares {
+        loaded: 5,
+        shown: 9,
+        before: [3, 1],
+    };
+    for (foundation, depth) in stacks().iter().zip([0.0, 0.01, 2.0, 1.0, 0.3, 1.0, 0.0]) {
+        for friction in [[0.0, 0.0], [0.3, 0.0], [-0.2, 0.4]] {
+            let plane = Plane {
+                depth,
+                side: Side::Above,
+            };
+            check_plane(foundation, squares, plane, friction);
+        }
+    }
+}
+
+/// Beyond 20 elements the tables hold means instead of integrals.
+#[test]
+fn planes_reach_far_from_the_load() {
+    let squares = Squares {
+        loaded: 2,
+        shown: 48,
+        before: [1, 30],
+    };
+    for (foundation, depth) in stacks().iter().zip([0.0, 0.02, 2.0, 0.8, 0.3, 1.0, 0.0]) {
+        let plane = Plane {
+            depth,
+            side: Side::Above,
+        };
+        check_plane(foundation, squares, plane, [0.1, 0.2]);
+    }
+}

@@ -1,0 +1,188 @@
+//! The plane-strain problem: displacements along the wave vector and into the body.
+//!
+//! Upward, the [minors](crate::response::Minors) say how every layer's bottom is held. Downward, each layer is then
+//! four equations: two components of the state on its top, and two that say how its bottom is held; its solution
+//! gives the state on the top of the next. No step amplifies an error, so what has decayed to `e^{−kz}` of the
+//! surface's value keeps its relative accuracy.
+
+use super::InPlane;
+use super::bottom::{rows, rows_of_half_space};
+use super::crossing::{best_pair, cross};
+use crate::response::{HeldBottom, Minors, Poisson, Stack};
+use crate::wave::{
+    LayerEquations, LayerWave, Place, Profile, SIGMA, TAU, TopPair, U, V, decayed, slope,
+};
+use crate::{Base, Foundation, KernelError, Layer, Material};
+use nalgebra::Vector4;
+
+/// Normal and shear load, in this order.
+pub(super) type Pair<T> = [T; 2];
+
+/// The waves of one body under both loads; states with tractions in its `2 G k`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Wave {
+    /// `s = k H` and the waves.
+    Layer { s: f64, waves: Pair<LayerWave> },
+    /// The states on the top.
+    HalfSpace(Pair<Vector4<f64>>),
+    /// Nothing moves.
+    Rigid,
+}
+
+impl Wave {
+    /// Amplitudes under both loads in a body of this material.
+    pub(super) fn at(&self, place: &Place, material: Material, wavenumber: f64) -> Pair<InPlane> {
+        let poisson = Poisson::new(material);
+        let unit = unit_traction(material, wavenumber);
+        self.states(place)
+            .map(|state| in_plane(&state, &poisson, unit))
+    }
+
+    fn states(&self, place: &Place) -> Pair<Vector4<f64>> {
+        match self {
+            Self::Layer { s, waves } => {
+                let profile = Profile::new(*s, place);
+                waves.map(|wave| wave.at(&profile))
+            }
+            Self::HalfSpace(tops) => tops.map(|top| in_half_space(&top, place.below_top)),
+            Self::Rigid => [Vector4::zeros(); 2],
+        }
+    }
+}
+
+/// All waves of a foundation.
+pub(super) struct Waves {
+    /// Of every body, surface first, the base last.
+    pub(super) bodies: Vec<Wave>,
+    /// The waves of the top layer less those of a half-space of its material.
+    pub(super) correction: Wave,
+}
+
+impl Waves {
+    pub(super) fn new(foundation: &Foundation, wavenumber: f64) -> Result<Self, KernelError> {
+        let surface = foundation.surface_material();
+        let unit = unit_traction(surface, wavenumber);
+        let tops = half_space_tops(&Poisson::new(surface)).map(|top| top / unit);
+        if foundation.layers().is_empty() {
+            return Ok(Self {
+                bodies: vec![Wave::HalfSpace(tops)],
+                correction: Wave::Rigid,
+            });
+        }
+        let stack = Stack::new(foundation.layers(), foundation.base());
+        let held = stack.held_bottoms(wavenumber);
+        let correction = correction(
+            &foundation.layers()[0],
+            wavenumber,
+            &held[0].0,
+            tops,
+            held.len(),
+        )?;
+        let bodies = descend(foundation, wavenumber, &held)?;
+        Ok(Self { bodies, correction })
+    }
+}
+
+/// From the surface down.
+fn descend(
+    foundation: &Foundation,
+    wavenumber: f64,
+    held: &[(HeldBottom, Minors)],
+) -> Result<Vec<Wave>, KernelError> {
+    let layers = foundation.layers();
+    let unit = unit_traction(foundation.surface_material(), wavenumber);
+    let mut pair = TopPair::TRACTIONS;
+    let mut tops = [
+        Vector4::new(0.0, 0.0, 0.0, -1.0 / unit),
+        Vector4::new(0.0, 0.0, -1.0 / unit, 0.0),
+    ];
+    let mut bodies = Vec::with_capacity(layers.len() + 1);
+    for (i, (layer, (held, below))) in layers.iter().zip(held).enumerate() {
+        let s = wavenumber * layer.thickness();
+        let poisson = Poisson::new(layer.material());
+        let equations = LayerEquations::new(&poisson, s, pair, rows(&held.minors));
+        let [first, second] = pair.0;
+        let loads = tops.map(|top| Vector4::new(top[first], top[second], 0.0, 0.0));
+        let waves = equations.solve(loads).ok_or(KernelError::Singular { s })?;
+        bodies.push(Wave::Layer { s, waves });
+        let bottom = Profile::new(s, &Place::bottom(s));
+        let mu = body_below(foundation, i).map_or(1.0, |below| {
+            layer.material().shear_modulus() / below.shear_modulus()
+        });
+        tops = waves.map(|wave| in_units_below(cross(held, &wave.at(&bottom)), mu));
+        pair = best_pair(below);
+    }
+    bodies.push(match foundation.base() {
+        Base::HalfSpace(_) => Wave::HalfSpace(tops),
+        Base::Rigid => Wave::Rigid,
+    });
+    Ok(bodies)
+}
+
+fn body_below(foundation: &Foundation, i: usize) -> Option<Material> {
+    match (foundation.layers().get(i + 1), foundation.base()) {
+        (Some(layer), _) => Some(layer.material()),
+        (None, Base::HalfSpace(material)) => Some(material),
+        (None, Base::Rigid) => None,
+    }
+}
+
+fn in_units_below(state: Vector4<f64>, mu: f64) -> Vector4<f64> {
+    Vector4::new(state[U], state[V], mu * state[TAU], mu * state[SIGMA])
+}
+
+/// The waves that a layered body adds to those of the homogeneous one inside its top layer: no tractions on the
+/// surface, and on the bottom what the homogeneous waves lack there.
+fn correction(
+    layer: &Layer,
+    wavenumber: f64,
+    held: &HeldBottom,
+    tops: Pair<Vector4<f64>>,
+    layers: usize,
+) -> Result<Wave, KernelError> {
+    let s = wavenumber * layer.thickness();
+    let poisson = Poisson::new(layer.material());
+    let equations = LayerEquations::new(&poisson, s, TopPair::TRACTIONS, rows(&held.minors));
+    let lacking = rows_of_half_space(held, &poisson, layers);
+    let loads = tops.map(|top| {
+        let bottom = in_half_space(&top, s);
+        let [third, fourth] = lacking.map(|row| -(row * bottom)[0]);
+        Vector4::new(0.0, 0.0, third, fourth)
+    });
+    let waves = equations.solve(loads).ok_or(KernelError::Singular { s })?;
+    Ok(Wave::Layer { s, waves })
+}
+
+/// The states on a half-space under unit pressure and unit traction, tractions in `2 G k`.
+fn half_space_tops(&Poisson { b, w, .. }: &Poisson) -> Pair<Vector4<f64>> {
+    [
+        Vector4::new(-b, w, 0.0, -1.0),
+        Vector4::new(w, -b, -1.0, 0.0),
+    ]
+}
+
+/// `e^{−ζ} [1 + ζ (A + 1)] v` for the state `v` on the top of a half-space.
+fn in_half_space(top: &Vector4<f64>, zeta: f64) -> Vector4<f64> {
+    let [decay, sloped] = decayed(zeta);
+    top * decay + slope(top[TAU] - top[SIGMA]) * sloped
+}
+
+/// `2 G k`, Pa/m
+fn unit_traction(material: Material, wavenumber: f64) -> f64 {
+    2.0 * material.shear_modulus() * wavenumber
+}
+
+fn in_plane(state: &Vector4<f64>, poisson: &Poisson, unit: f64) -> InPlane {
+    let &Poisson { nu, x, .. } = poisson;
+    // σ_xx = [U + ν σ_zz] / (1 − ν) in 2 G k; 1/(1 − ν) = 2x
+    let longitudinal = 2.0 * x * (state[U] + nu * state[SIGMA]);
+    InPlane {
+        horizontal_displacement: state[U],
+        vertical_displacement: state[V],
+        longitudinal_stress: unit * longitudinal,
+        // plane strain across the wave: σ_yy = ν (σ_xx + σ_zz)
+        transverse_stress: unit * nu * (longitudinal + state[SIGMA]),
+        normal_stress: unit * state[SIGMA],
+        shear_stress: unit * state[TAU],
+    }
+}
