@@ -131,8 +131,8 @@ impl Interior {
     /// The homogeneous amplitudes are `Foundation::half_space(foundation.surface_material()).interior(k)`.
     ///
     /// Accuracy: 3e-13 of the larger components of the difference, times `1 + 2kH`, `H` the top layer's thickness, as
-    /// `e^{−2kH}` magnifies roundings (`tests/interior_reference.rs`); where reflections of several interfaces cancel, a
-    /// rounding of the largest.
+    /// `e^{−2kH}` magnifies roundings (`tests/interior_reference.rs`); where reflections of several interfaces cancel,
+    /// a rounding of the largest.
     #[must_use]
     pub fn correction(&self, depth: f64) -> Option<Amplitudes> {
         let body = &self.bodies[0];

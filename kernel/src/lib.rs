@@ -1,7 +1,8 @@
 //! Compliance of layered elastic foundations in the wavenumber domain.
 //!
 //! A [`Foundation`] is any number of elastic layers, bonded, frictionless or on springs ([`Interface`]), on
-//! an elastic half-space or on a rigid base. Under a pressure wave `p = p̅ cos kx` its surface moves by `u = u̅ cos kx` with
+//! an elastic half-space or on a rigid base. Under a pressure wave `p = p̅ cos kx` its surface moves by `u = u̅ cos kx`
+//! with
 //!
 //! ```text
 //! u̅(k) = C(k) p̅(k)      C(k) = 2 (1 − ν₁²) / (E₁ k) · Φ(k)
@@ -44,8 +45,8 @@
 //! relatively to `2e-15 (1 + 2 k H)`, for moduli in any ratio from 1e-6 to 1e6, `ν` from 0 to 0.5 and every
 //! `k`; measured against data of 20 and 40 digits (`tests/reference.rs`), and three independent paths
 //! agree (`tests/agreement.rs`). States inside are right to 1e-13 of their larger components
-//! (`tests/interior_reference.rs`, `tests/dense.rs`). There are no special cases to avoid: `ν = 0.5`, equal materials, `k → 0`
-//! and `k → ∞` are limits the formulas reach.
+//! (`tests/interior_reference.rs`, `tests/dense.rs`). There are no special cases to avoid: `ν = 0.5`, equal materials,
+//! `k → 0` and `k → ∞` are limits the formulas reach.
 //!
 //! # Where to start reading
 //!

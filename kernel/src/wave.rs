@@ -233,8 +233,8 @@ impl LayerEquations {
         let mut waves = [LayerWave::NONE; N];
         for (wave, load) in waves.iter_mut().zip(&loads) {
             let mut amplitudes = factors.solve(load)?;
-            // One step of refinement makes the error of every component one of a few roundings of the equations, however
-            // different their sizes are (Skeel 1980).
+            // One step of refinement makes the error of every component one of a few roundings of the equations,
+            // however different their sizes are (Skeel 1980).
             amplitudes += factors.solve(&(load - self.matrix * amplitudes))?;
             *wave = LayerWave::new(&self.poisson, self.basis, &amplitudes);
         }

@@ -107,8 +107,8 @@ fn is_written(entry: &DirEntry, steps: usize) -> bool {
     step.is_none_or(|step| step < steps)
 }
 
-/// Removes the files of a run in a folder, the summary first, without which nothing is taken for results; and the folder
-/// if nothing else is in it.
+/// Removes the files of a run in a folder, the summary first, without which nothing is taken for results; and the
+/// folder if nothing else is in it.
 ///
 /// # Errors
 ///

@@ -62,7 +62,8 @@ pub fn draw(subject: &Subject<'_>) -> String {
     svg.finish()
 }
 
-/// The panel of a map whose sides along x and y have these ends, m, with axes in a suitable unit; and the divisor to it.
+/// The panel of a map whose sides along x and y have these ends, m, with axes in a suitable unit; and the
+/// divisor to it.
 pub(super) fn panel(subject: &Subject<'_>, [x, y]: [[f64; 2]; 2]) -> (Panel, f64) {
     let farthest = [x, y].concat().into_iter().map(f64::abs);
     let scale = subject.metres(farthest.fold(0.0, f64::max));

@@ -271,8 +271,8 @@ fn path(points: &[(f64, f64)]) -> String {
     points.iter().enumerate().map(step).collect()
 }
 
-/// The largest coordinate drawn. Nothing beyond it is on the sheet, and the renderer, which counts quarters of pixels in
-/// 16 bits, panics there.
+/// The largest coordinate drawn. Nothing beyond it is on the sheet, and the renderer, which counts quarters of pixels
+/// in 16 bits, panics there.
 const FARTHEST: f64 = 8e3;
 
 /// A coordinate to a hundredth of a pixel, in the fewest letters; 0 for NaN.

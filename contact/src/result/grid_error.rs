@@ -20,8 +20,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::{PeakPlace, nan_from_null};
 
-/// The values on one grid level. What only the estimate of the error needs is not stored, and NaN, false or inside where
-/// values are read back.
+/// The values on one grid level. What only the estimate of the error needs is not stored, and NaN, false or inside
+/// where values are read back.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct LevelValues {
     /// Elements per side.

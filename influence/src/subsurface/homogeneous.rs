@@ -162,7 +162,8 @@ impl Corner {
         } = self;
         let (over_xz, over_yz) = (self.over_xz, self.over_yz);
         let compressible = 1.0 - 2.0 * nu;
-        // V_xx = −x y/(r (x² + z²)), V_xy = 1/r, V_xz = −y z/(r (x² + z²)), V_zz = x y (r² + z²)/(r (x² + z²) (y² + z²))
+        // V_xx = −x y/(r (x² + z²)), V_xy = 1/r, V_xz = −y z/(r (x² + z²)),
+        // V_zz = x y (r² + z²)/(r (x² + z²) (y² + z²))
         let z_v_xx = -over(z * x * y * over_xz, r);
         let z_v_yy = -over(z * x * y * over_yz, r);
         let z_v_zz = -z_v_xx - z_v_yy;

@@ -132,7 +132,8 @@ impl Stack {
     }
 }
 
-/// The normal and the shear compliance of the interface below a layer, the latter 0 if frictionless, times `2G = E/(1+ν)`.
+/// The normal and the shear compliance of the interface below a layer, the latter 0 if frictionless, times
+/// `2G = E/(1+ν)`.
 fn compliances(layer: &Layer) -> [Twofold; 2] {
     let interface = layer.interface();
     let shear = if interface.is_frictionless() {
