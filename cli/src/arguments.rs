@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
 
-use self::values::{offset, perturbation, positive, range, section};
+use self::values::{depth, offset, perturbation, positive, range, section};
 use crate::case::output::{Format, OutputCase, Steps};
 use crate::picture::colour_map::ColourMap;
 use crate::picture::style::Cut;
@@ -255,7 +255,11 @@ pub struct InfluenceArguments {
     pub case: CaseArguments,
     /// Offsets in elements along x and y; separate several by spaces, or repeat the option
     #[arg(long = "offset", value_name = "M,N", required = true, num_args = 1.., value_parser = offset)]
-    pub offsets: Vec<[usize; 2]>,
+    pub offsets: Vec<[isize; 2]>,
+    /// Depths at which to print displacements and stresses under a loaded element, such as "0.5 um"; on an interface
+    /// those on both sides are printed
+    #[arg(long = "depth", value_name = "Z", num_args = 1.., value_parser = depth, conflicts_with = "direct")]
+    pub depths: Vec<f64>,
     /// Use adaptive quadrature of the defining integral, which is slow
     #[arg(long)]
     pub direct: bool,

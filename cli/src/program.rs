@@ -25,6 +25,9 @@ pub enum Outcome {
 /// Runs the program with these arguments, the first being its name.
 pub fn main(arguments: impl IntoIterator<Item = impl Into<OsString> + Clone>) -> ExitCode {
     interrupt::listen();
+    let arguments = arguments
+        .into_iter()
+        .map(|argument| marked_as_value(argument.into()));
     let arguments = match Arguments::try_parse_from(arguments) {
         Ok(arguments) => arguments,
         Err(error) => return usage(&error),
@@ -39,6 +42,19 @@ pub fn main(arguments: impl IntoIterator<Item = impl Into<OsString> + Clone>) ->
             terminal::tell_drawn(&failure.render());
             ExitCode::from(failure.exit_code())
         }
+    }
+}
+
+/// A negative number such as `-1,2` with a space before it, which parsers of values ignore: no option begins with a
+/// digit, but clap would take it for one.
+fn marked_as_value(argument: OsString) -> OsString {
+    let text = argument.to_string_lossy();
+    let is_number =
+        text.starts_with('-') && text[1..].starts_with(|c: char| c.is_ascii_digit() || c == '.');
+    if is_number {
+        format!(" {text}").into()
+    } else {
+        argument
     }
 }
 

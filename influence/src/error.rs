@@ -14,7 +14,7 @@ pub enum InfluenceError {
         found: f64,
     },
     /// A depth above the surface, inside a rigid base, or not a number.
-    #[error("a depth must lie in the body, from 0 to {largest} m, got {found} m")]
+    #[error("found {found} m for a depth in the body, wanted 0 to {largest} m")]
     Depth {
         /// The depth given, m.
         found: f64,

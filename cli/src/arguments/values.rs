@@ -55,11 +55,20 @@ pub(super) fn perturbation(text: &str) -> Result<f64, String> {
     }
 }
 
-pub(super) fn offset(text: &str) -> Result<[usize; 2], String> {
+pub(super) fn offset(text: &str) -> Result<[isize; 2], String> {
     let count = |text: &str| text.trim().parse().ok();
     let both = text.split_once(',');
     let both = both.and_then(|(m, n)| Some([count(m)?, count(n)?]));
-    both.ok_or_else(|| "wanted two integers of zero or more, such as 3,4".into())
+    both.ok_or_else(|| "wanted two integers, such as 3,4".into())
+}
+
+pub(super) fn depth(text: &str) -> Result<f64, String> {
+    let depth = quantity(text, Dimension::Length)?;
+    if depth >= 0.0 {
+        Ok(depth)
+    } else {
+        Err("wanted a depth of zero or more: the surface is at 0".into())
+    }
 }
 
 #[cfg(test)]
@@ -87,8 +96,13 @@ mod tests {
         for text in ["0", "-1", "nan", "inf", "x", ""] {
             assert!(positive(text).is_err(), "{text}");
         }
-        for text in ["1", "1,", "1.5,2", "-1,2", "1,2,3", "a,b", ""] {
+        for text in ["1", "1,", "1.5,2", "1,2,3", "a,b", ""] {
             assert!(offset(text).is_err(), "{text}");
+        }
+        assert_eq!(offset("-1,2"), Ok([-1, 2]));
+        assert_eq!(depth("0.5 um"), Ok(0.5e-6));
+        for text in ["-1 nm", "1 GPa", "nan", ""] {
+            assert!(depth(text).is_err(), "{text}");
         }
     }
 }

@@ -147,7 +147,7 @@ mod tests {
     use pellicle_kernel::Layer;
 
     use super::super::table_reader::tests::read_table;
-    use super::layer::InterfaceCase;
+    use super::layer::{InterfaceCase, NamedInterface};
     use super::*;
 
     fn read(text: &str) -> Result<FoundationCase, String> {
@@ -163,7 +163,8 @@ mod tests {
         let foundation = read(&format!("{SUBSTRATE}{LAYER}interface = \"frictionless\"")).unwrap();
         assert_eq!(foundation.layer.len(), 1);
         assert_eq!(foundation.layer[0].thickness, 1e-8);
-        assert_eq!(foundation.layer[0].interface, InterfaceCase::Frictionless);
+        let sliding = InterfaceCase::Named(NamedInterface::Frictionless);
+        assert_eq!(foundation.layer[0].interface, sliding);
         assert_eq!(foundation.surface_young_modulus(), Some(70e9));
     }
 
@@ -172,6 +173,36 @@ mod tests {
         let layer = LAYER.replace("\"70 GPa\"", modulus);
         let foundation = read(&format!("{SUBSTRATE}{layer}"))?;
         Ok(foundation.split().unwrap())
+    }
+
+    #[test]
+    fn an_interface_may_be_an_imperfect_bond() {
+        let spring = "interface = { normal_compliance = 0, shear_compliance = \"2 nm/GPa\" }";
+        let foundation = read(&format!("{SUBSTRATE}{LAYER}{spring}")).unwrap();
+        let built = foundation.split().unwrap().foundation;
+        let interface = built.layers()[0].interface();
+        assert_eq!(interface.shear_compliance(), 2e-18);
+        assert_eq!(interface.normal_compliance(), 0.0);
+        for (interface, wanted) in [
+            ("{ shear_compliance = 1e-18 }", "normal_compliance"),
+            (
+                "{ normal_compliance = -1e-18, shear_compliance = 0 }",
+                "a compliance of zero or more",
+            ),
+            (
+                "{ normal_compliance = 0, shear_compliance = \"1 GPa\" }",
+                "a compliance of zero or more",
+            ),
+            (
+                "{ normal_compliance = 0, shear_compliance = 0, stiffness = 1 }",
+                "stiffness",
+            ),
+            ("\"glued\"", "bonded"),
+        ] {
+            let refused = read(&format!("{SUBSTRATE}{LAYER}interface = {interface}")).unwrap_err();
+            let text = format!("{refused:?} {refused}");
+            assert!(text.contains(wanted), "{interface}: {text}");
+        }
     }
 
     #[test]

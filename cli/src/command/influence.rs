@@ -1,5 +1,8 @@
-//! `pellicle influence`: influence coefficients of a foundation on the case's own elements.
+//! `pellicle influence`: one loaded element of the case's own grid, on the surface and inside.
 
+mod inside;
+
+use pellicle_contact::Model;
 use pellicle_influence::direct;
 use serde::Serialize;
 
@@ -14,12 +17,12 @@ use crate::{cache, output, terminal};
 #[derive(Debug, Clone, Copy, Serialize)]
 struct CoefficientRow {
     /// Distance in elements along x and y.
-    offset: [usize; 2],
+    offset: [isize; 2],
     /// Displacement there for unit pressure on one element, m/Pa.
     coefficient: f64,
 }
 
-/// Prints a row for each offset.
+/// Prints a row for each offset, or for each offset at each depth.
 ///
 /// # Errors
 ///
@@ -31,29 +34,45 @@ pub fn influence(arguments: &InfluenceArguments) -> Result<Outcome, Failure> {
     cache::tell_warnings(&cache);
     let element_side =
         case.side(&model).map_err(|error| case.blame(error))? / case.grid.elements as f64;
-    let row = |&offset: &[usize; 2]| {
-        let coefficient = if arguments.direct {
-            direct::coefficient(model.tables.foundation(), element_side, offset)?
+    let text = if arguments.depths.is_empty() {
+        let rows = coefficients(&model, element_side, arguments)?;
+        if arguments.json {
+            output::json(&rows)?
         } else {
-            model.tables.coefficient(element_side, offset)
+            table(&rows, element_side, case.units)
+        }
+    } else {
+        let foundation = model.tables.foundation();
+        let rows = inside::rows(foundation, &case.foundation, element_side, arguments)?;
+        if arguments.json {
+            output::json(&rows)?
+        } else {
+            inside::table(&rows, case.units)
+        }
+    };
+    terminal::print(&text)?;
+    Ok(Outcome::Done)
+}
+
+fn coefficients(
+    model: &Model,
+    element_side: f64,
+    arguments: &InfluenceArguments,
+) -> Result<Vec<CoefficientRow>, Failure> {
+    let row = |&offset: &[isize; 2]| {
+        // The same on all sides of the element.
+        let distance = offset.map(isize::unsigned_abs);
+        let coefficient = if arguments.direct {
+            direct::coefficient(model.tables.foundation(), element_side, distance)?
+        } else {
+            model.tables.coefficient(element_side, distance)
         };
         Ok(CoefficientRow {
             offset,
             coefficient,
         })
     };
-    let rows = arguments
-        .offsets
-        .iter()
-        .map(row)
-        .collect::<Result<Vec<_>, Failure>>()?;
-    let text = if arguments.json {
-        output::json(&rows)?
-    } else {
-        table(&rows, element_side, case.units)
-    };
-    terminal::print(&text)?;
-    Ok(Outcome::Done)
+    arguments.offsets.iter().map(row).collect()
 }
 
 fn table(rows: &[CoefficientRow], element_side: f64, units: Units) -> String {

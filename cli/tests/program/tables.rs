@@ -59,6 +59,86 @@ fn influence_prints_offset_and_coefficient() {
 }
 
 #[test]
+fn influence_prints_the_fields_of_an_element_on_both_sides_of_an_interface() {
+    let folder = TestFolder::with_case(CASE);
+    let line = [
+        "influence",
+        "case.toml",
+        "--json",
+        "--offset",
+        "0,0",
+        "-2,1",
+        "--depth",
+        "0",
+        "10 nm",
+    ];
+    let rows = json(&folder, &line);
+    let rows = rows.as_array().unwrap();
+    let names = [
+        "offset",
+        "depth",
+        "side",
+        "element_side",
+        "normal",
+        "tangential",
+    ];
+    let fields = ["ux", "uy", "uz", "sxx", "syy", "szz", "sxy", "sxz", "syz"];
+    for row in rows {
+        assert_eq!(keys(row), names);
+        assert_eq!(keys(&row["normal"]), fields);
+        assert_eq!(keys(&row["tangential"]), fields);
+    }
+    let places: Vec<_> = rows
+        .iter()
+        .map(|row| (row["offset"].to_string(), row["side"].as_str()))
+        .collect();
+    let wanted = [("[0,0]", "above"), ("[-2,1]", "above")];
+    let below = [("[0,0]", "below"), ("[-2,1]", "below")];
+    let wanted: Vec<_> = [wanted, wanted, below].concat();
+    let wanted: Vec<_> = wanted
+        .iter()
+        .map(|(offset, side)| ((*offset).to_owned(), Some(*side)))
+        .collect();
+    assert_eq!(places, wanted);
+    let value = |row: usize, load: &str, field: &str| rows[row][load][field].as_f64().unwrap();
+    // The surface under the element bears the loads, and sinks by the influence coefficient.
+    assert!((value(0, "normal", "szz") + 1.0).abs() < 1e-12);
+    assert!((value(0, "tangential", "sxz") + 1.0).abs() < 1e-12);
+    let coefficient = &json(
+        &folder,
+        &["influence", "case.toml", "--json", "--offset", "0,0"],
+    )[0];
+    let sinks = value(0, "normal", "uz") / coefficient["coefficient"].as_f64().unwrap();
+    assert!((sinks - 1.0).abs() < 1e-11, "{sinks}");
+    // Tractions pass the interface.
+    let passes = value(2, "normal", "szz") / value(4, "normal", "szz");
+    assert!((passes - 1.0).abs() < 1e-10, "{passes}");
+    let shown = folder.run(&[
+        "influence",
+        "case.toml",
+        "--offset",
+        "1,0",
+        "--depth",
+        "1 um",
+    ]);
+    assert!(shown.stdout.contains("depth [m]") && shown.stdout.contains("tangential"));
+    let refused = folder.run(&[
+        "influence",
+        "case.toml",
+        "--offset",
+        "1,0",
+        "--depth",
+        "-1 nm",
+    ]);
+    assert_eq!(refused.code, Some(2), "{}", refused.stderr);
+    assert!(
+        refused.stderr.contains("wanted a depth of zero or more"),
+        "{}",
+        refused.stderr
+    );
+}
+
+#[test]
 fn tables_for_people_name_their_units() {
     let folder = TestFolder::with_case(CASE);
     let kernel = folder.run(&["kernel", "case.toml", "--wavenumber", "1e6"]);

@@ -89,7 +89,7 @@ fn depths_outside_the_body_are_refused() {
         };
         let error = ElementFields::new(layered, 1.0, plane, 1.0).unwrap_err();
         assert!(
-            error.to_string().contains("a depth must lie in the body"),
+            error.to_string().contains("for a depth in the body"),
             "{error}"
         );
     }

@@ -5,7 +5,7 @@ use serde::Serialize;
 
 use super::super::diagnosis::Diagnosis;
 use super::super::dimension::Dimension;
-use super::super::value_reader::ValueReader;
+use super::super::value_reader::{Sign, ValueReader};
 use super::modulus::ModulusCase;
 use super::substrate::POISSON_RATIO;
 
@@ -25,13 +25,65 @@ pub struct LayerCase {
 }
 
 /// The interface between a layer and what lies below.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum InterfaceCase {
+    /// An interface that has a name.
+    Named(NamedInterface),
+    /// An imperfect bond.
+    Spring(SpringCase),
+}
+
+/// An interface without parameters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
-pub enum InterfaceCase {
+pub enum NamedInterface {
     /// It sticks to what lies below.
     Bonded,
     /// It slides without friction.
     Frictionless,
+}
+
+/// An imperfect bond, which the layer and what lies below part from or slide along in proportion to the traction.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct SpringCase {
+    /// Jump of the normal displacement per traction, m/Pa.
+    pub normal_compliance: f64,
+    /// Jump of the displacement along the interface per traction, m/Pa.
+    pub shear_compliance: f64,
+}
+
+impl InterfaceCase {
+    fn read(field: &ValueReader<'_>) -> Result<Self, Diagnosis> {
+        if !field.is_table() {
+            let named = field.choice(&[
+                ("bonded", NamedInterface::Bonded),
+                ("frictionless", NamedInterface::Frictionless),
+            ])?;
+            return Ok(Self::Named(named));
+        }
+        let table = field.clone().table()?;
+        table.only(&["normal_compliance", "shear_compliance"])?;
+        let compliance = |key| {
+            let value = table.required(key, &Sign::NotNegative.wanted(Dimension::Compliance))?;
+            value.quantity(Dimension::Compliance, Sign::NotNegative)
+        };
+        Ok(Self::Spring(SpringCase {
+            normal_compliance: compliance("normal_compliance")?,
+            shear_compliance: compliance("shear_compliance")?,
+        }))
+    }
+
+    fn build(self) -> Result<Interface, KernelError> {
+        match self {
+            Self::Named(NamedInterface::Bonded) => Ok(Interface::Bonded),
+            Self::Named(NamedInterface::Frictionless) => Ok(Interface::Frictionless),
+            Self::Spring(SpringCase {
+                normal_compliance,
+                shear_compliance,
+            }) => Interface::spring(normal_compliance, shear_compliance),
+        }
+    }
 }
 
 impl LayerCase {
@@ -39,11 +91,8 @@ impl LayerCase {
         let table = field.table()?;
         table.only(&["thickness", "young_modulus", "poisson_ratio", "interface"])?;
         let interface = match table.optional("interface") {
-            Some(field) => field.choice(&[
-                ("bonded", InterfaceCase::Bonded),
-                ("frictionless", InterfaceCase::Frictionless),
-            ])?,
-            None => InterfaceCase::Bonded,
+            Some(field) => InterfaceCase::read(&field)?,
+            None => InterfaceCase::Named(NamedInterface::Bonded),
         };
         let thickness = table.positive("thickness", Dimension::Length)?;
         let modulus = table.required("young_modulus", MODULUS)?;
@@ -68,10 +117,7 @@ impl LayerCase {
         below: &[Layer],
         base: Base,
     ) -> Result<(Vec<Layer>, Option<f64>), KernelError> {
-        let interface = match self.interface {
-            InterfaceCase::Bonded => Interface::Bonded,
-            InterfaceCase::Frictionless => Interface::Frictionless,
-        };
+        let interface = self.interface.build()?;
         let thickness = self.thickness;
         match self.young_modulus {
             ModulusCase::Uniform(modulus) => {

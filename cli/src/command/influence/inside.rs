@@ -1,0 +1,157 @@
+//! Displacements and stresses inside the body under one loaded element.
+
+use pellicle_influence::{ElementFields, Plane, SubsurfaceState};
+use pellicle_kernel::{Foundation, Side};
+use serde::Serialize;
+
+use crate::arguments::InfluenceArguments;
+use crate::case::foundation::FoundationCase;
+use crate::case::units::Units;
+use crate::failure::Failure;
+
+/// A depth given to so many digits lies on an interface.
+const DIGITS: f64 = 1e-12;
+
+/// The states at one offset and depth.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub struct ElementRow {
+    /// Elements along x and y from the loaded one.
+    offset: [isize; 2],
+    /// Depth below the surface, m.
+    depth: f64,
+    /// The body that the point belongs to where it lies on an interface.
+    side: &'static str,
+    /// Side of an element, m.
+    element_side: f64,
+    /// Under a unit pressure.
+    normal: StateRow,
+    /// Under a unit traction along +x.
+    tangential: StateRow,
+}
+
+/// Displacements, m/Pa, and stresses, per unit load; null where unbounded.
+#[derive(Debug, Clone, Copy, Serialize)]
+struct StateRow {
+    ux: f64,
+    uy: f64,
+    uz: f64,
+    sxx: f64,
+    syy: f64,
+    szz: f64,
+    sxy: f64,
+    sxz: f64,
+    syz: f64,
+}
+
+/// The rows of all offsets at all depths; on an interface those above it before those below.
+pub fn rows(
+    foundation: &Foundation,
+    case: &FoundationCase,
+    element_side: f64,
+    arguments: &InfluenceArguments,
+) -> Result<Vec<ElementRow>, Failure> {
+    let offsets = &arguments.offsets;
+    let distance = |[m, n]: [isize; 2]| (m as f64).hypot(n as f64) * element_side;
+    let farthest = offsets.iter().map(|offset| distance(*offset));
+    let farthest = farthest.fold(0.0, f64::max);
+    let mut rows = Vec::new();
+    for depth in &arguments.depths {
+        for plane in planes(foundation, case, *depth) {
+            let fields = ElementFields::new(foundation, element_side, plane, farthest)?;
+            rows.extend(offsets.iter().map(|offset| {
+                let loads = fields.at(offset.map(|along| along as f64 * element_side));
+                ElementRow {
+                    offset: *offset,
+                    depth: *depth,
+                    side: match plane.side {
+                        Side::Above => "above",
+                        Side::Below => "below",
+                    },
+                    element_side,
+                    normal: loads.normal.into(),
+                    tangential: loads.tangential.into(),
+                }
+            }));
+        }
+    }
+    Ok(rows)
+}
+
+/// The plane at a depth, or the two on both sides of an interface of the case.
+fn planes(foundation: &Foundation, case: &FoundationCase, depth: f64) -> Vec<Plane> {
+    let is_near = |bottom: f64| (depth - bottom).abs() <= DIGITS * bottom;
+    let mut bottom = 0.0;
+    let is_on_interface = case.layer.iter().any(|layer| {
+        bottom += layer.thickness;
+        is_near(bottom)
+    });
+    let plane = |depth, side| Plane { depth, side };
+    if !is_on_interface {
+        return vec![plane(depth, Side::Above)];
+    }
+    let interfaces = (1..=foundation.layers().len()).map(|i| foundation.interface_depth(i));
+    let depth = interfaces
+        .into_iter()
+        .find(|bottom| is_near(*bottom))
+        .unwrap_or(depth);
+    vec![plane(depth, Side::Above), plane(depth, Side::Below)]
+}
+
+impl From<SubsurfaceState> for StateRow {
+    fn from(state: SubsurfaceState) -> Self {
+        let [ux, uy, uz] = state.displacement;
+        let [sxx, syy, szz, sxy, sxz, syz] = state.stress;
+        Self {
+            ux,
+            uy,
+            uz,
+            sxx,
+            syy,
+            szz,
+            sxy,
+            sxz,
+            syz,
+        }
+    }
+}
+
+/// The rows as a table, two lines each.
+pub fn table(rows: &[ElementRow], units: Units) -> String {
+    let (metre, metre_per_pascal) = (units.name("m"), units.name("m/Pa"));
+    let element_side = rows.first().map_or(f64::NAN, |row| row.element_side);
+    let names = ["ux", "uy", "uz", "sxx", "syy", "szz", "sxy", "sxz", "syz"];
+    let names: String = names.iter().map(|name| format!("{name:>13}")).collect();
+    let line = |row: &ElementRow, load: &str, state: &StateRow| {
+        let StateRow {
+            ux,
+            uy,
+            uz,
+            sxx,
+            syy,
+            szz,
+            sxy,
+            sxz,
+            syz,
+        } = *state;
+        let values = [ux, uy, uz, sxx, syy, szz, sxy, sxz, syz];
+        let values: String = values
+            .iter()
+            .map(|value| format!("{value:>13.4e}"))
+            .collect();
+        let ([m, n], depth, side) = (row.offset, row.depth, row.side);
+        format!("{m:>6}{n:>6}{depth:>14e} {side:<6}{load:>11}{values}\n")
+    };
+    let lines = rows
+        .iter()
+        .map(|row| line(row, "normal", &row.normal) + &line(row, "tangential", &row.tangential));
+    let lines: String = lines.collect();
+    format!(
+        "element side {element_side:e} {metre}; displacements in {metre_per_pascal}, stresses per unit load\n\
+         {:>6}{:>6}{:>14} {:<6}{:>11}{names}\n{lines}",
+        "m",
+        "n",
+        format!("depth [{metre}]"),
+        "side",
+        "load"
+    )
+}
