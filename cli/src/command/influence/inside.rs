@@ -120,7 +120,7 @@ pub fn table(rows: &[ElementRow], units: Units) -> String {
     let (metre, metre_per_pascal) = (units.name("m"), units.name("m/Pa"));
     let element_side = rows.first().map_or(f64::NAN, |row| row.element_side);
     let names = ["ux", "uy", "uz", "sxx", "syy", "szz", "sxy", "sxz", "syz"];
-    let names: String = names.iter().map(|name| format!("{name:>13}")).collect();
+    let names = names.map(|name| format!("{name:>13}")).concat();
     let line = |row: &ElementRow, load: &str, state: &StateRow| {
         let StateRow {
             ux,
@@ -134,10 +134,7 @@ pub fn table(rows: &[ElementRow], units: Units) -> String {
             syz,
         } = *state;
         let values = [ux, uy, uz, sxx, syy, szz, sxy, sxz, syz];
-        let values: String = values
-            .iter()
-            .map(|value| format!("{value:>13.4e}"))
-            .collect();
+        let values = values.map(|value| format!("{value:>13.4e}")).concat();
         let ([m, n], depth, side) = (row.offset, row.depth, row.side);
         format!("{m:>6}{n:>6}{depth:>14e} {side:<6}{load:>11}{values}\n")
     };
