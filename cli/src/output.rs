@@ -5,6 +5,7 @@ pub mod disk_space;
 pub mod fields;
 pub mod file;
 pub mod folder;
+pub mod formats;
 pub mod gsf;
 pub mod lock;
 pub mod netcdf;
@@ -19,7 +20,7 @@ pub mod summary;
 pub mod summary_text;
 pub mod unfinished;
 pub mod vti;
-pub mod writer;
+pub mod write_progress;
 
 use serde::Serialize;
 

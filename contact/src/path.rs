@@ -1,8 +1,8 @@
 //! A loading path: many loads on one model, each from coarse to fine, on a domain that holds the contact.
 //!
-//! Each load starts from its own solution on coarser grids, which was measured to be nearer than the load before, by
-//! itself or as a correction: one to three products fewer. So no load depends on another, bit for bit, and on grids too
-//! small to keep all threads busy as many loads are solved at the same time as there are threads.
+//! Each load starts from its own solution on coarser grids. In measurements this took one to three products fewer than
+//! a start from the previous load, used directly or as a correction. So no load depends on another, bit for bit, and on
+//! grids too small to keep all threads busy as many loads are solved at the same time as there are threads.
 
 pub mod domain;
 mod hierarchy;

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use pellicle_influence::{
-    CoefficientTable, ElasticOperator, ElementFields, LoadedGrid, Plane, RadialTables, Squares,
+    CoefficientTable, Depth, ElasticOperator, ElementFields, PlaneFields, RadialTables, Squares,
     SurfaceElasticity,
 };
 use pellicle_kernel::{Foundation, Material, Side};
@@ -16,8 +16,8 @@ fn bench(criterion: &mut Criterion) {
     let material = |modulus| Material::new(modulus, 0.3).expect("valid input");
     let foundation = Foundation::coated(0.1, material(10.0), material(1.0)).expect("valid input");
     let side = 1.0 / SIZE as f64;
-    let plane = Plane {
-        depth: 0.03,
+    let plane = Depth {
+        z: 0.03,
         side: Side::Above,
     };
     criterion.bench_function("tables of one depth", |bencher| {
@@ -40,7 +40,7 @@ fn bench(criterion: &mut Criterion) {
         shown: SIZE,
         before: [0; 2],
     };
-    let mut grid = LoadedGrid::new(&foundation, side, squares, &pressure, [0.0; 2]);
+    let mut grid = PlaneFields::new(&foundation, side, squares, &pressure, [0.0; 2]);
     criterion
         .benchmark_group("plane")
         .sample_size(10)

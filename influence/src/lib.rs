@@ -97,6 +97,6 @@ pub use operator::{
 pub use radial::RadialTables;
 pub use sector::Sector;
 pub use subsurface::{
-    ElementFields, ElementLoads, LoadedGrid, Plane, Squares, SubsurfaceState, SurfaceLoad,
+    Depth, ElementFields, ElementLoads, PlaneFields, Squares, SubsurfaceState, SurfaceLoad,
 };
 pub use surface_elasticity::SurfaceElasticity;

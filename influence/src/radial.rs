@@ -1,9 +1,9 @@
 //! From the response to influence coefficients: two functions of the radius, and their integrals over an element.
 
+mod element_integrals;
 mod far_field;
 mod functions;
 mod hankel;
-mod integrals;
 mod precise;
 mod sampler;
 mod tables;

@@ -25,13 +25,15 @@ pub enum KernelError {
         found: f64,
     },
     /// The normal compliance of an interface is negative, infinite or not a number.
-    #[error("an interface's normal compliance must be at least 0 and finite, got {found}")]
+    #[error(
+        "found {found} for an interface's normal compliance, wanted a finite number of zero or more"
+    )]
     NormalCompliance {
         /// The compliance given, m/Pa.
         found: f64,
     },
     /// The shear compliance of an interface is negative or not a number.
-    #[error("an interface's shear compliance must be at least 0, got {found}")]
+    #[error("found {found} for an interface's shear compliance, wanted zero or more")]
     ShearCompliance {
         /// The compliance given, m/Pa.
         found: f64,

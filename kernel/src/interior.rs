@@ -1,12 +1,12 @@
 //! Displacements and stresses at depth, for one wavenumber.
 
-mod amplitudes;
 mod antiplane;
 mod bottom;
 mod crossing;
 mod in_plane;
+mod state;
 
-pub use amplitudes::{Amplitudes, Antiplane, InPlane, Side};
+pub use state::{Amplitudes, Antiplane, InPlane, Side};
 
 use crate::wave::Place;
 use crate::{Base, Foundation, KernelError, Layer, Material};

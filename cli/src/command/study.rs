@@ -40,8 +40,7 @@ pub fn study(arguments: &StudyArguments) -> Result<Outcome, Failure> {
     }
     let mut table = ResultsTable::open(place, &plan.identity)?;
     let cases = plan.identity.cases();
-    let is_to_do = |case: &usize| !table.done().contains_key(case);
-    let to_do: Vec<_> = cases.iter().copied().filter(is_to_do).collect();
+    let to_do = table.remaining(&cases);
     let lines = StudyProgress::new(
         cases.len(),
         cases.len() - to_do.len(),

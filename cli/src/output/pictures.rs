@@ -8,7 +8,7 @@ use super::fields::Fields;
 use super::report::surface::Surface;
 use super::report::{RunDrawings, StepDrawings};
 use super::summary::Summary;
-use super::writer::ResultsWriter;
+use super::write_progress::WriteProgress;
 use crate::case::output::Steps;
 use crate::failure::Failure;
 use crate::picture::field_map::FieldMap;
@@ -77,7 +77,7 @@ pub fn step(
     step: usize,
     fields: Fields<'_>,
     style: &Style,
-    writer: &ResultsWriter<'_>,
+    writer: &WriteProgress<'_>,
 ) -> Result<StepDrawings, Failure> {
     let subject = Subject {
         title: &summary.title,
@@ -113,7 +113,7 @@ pub fn run(
     summary: &Summary,
     pictures: Steps,
     style: &Style,
-    writer: &ResultsWriter<'_>,
+    writer: &WriteProgress<'_>,
 ) -> Result<RunDrawings, Failure> {
     let one = |name: &str, svg: Option<String>| match svg {
         Some(svg) if pictures != Steps::None => writer

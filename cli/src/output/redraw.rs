@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use super::npz::{self, StoredFields};
 use super::report::{self, StepDrawings};
 use super::summary::{Summary, WarningSummary};
-use super::writer::{OnProgress, ResultsWriter};
+use super::write_progress::{OnProgress, WriteProgress};
 use super::{pictures, results};
 use crate::case::output::Steps;
 use crate::failure::Failure;
@@ -62,7 +62,7 @@ pub fn draw(
     };
     let count = steps.len() * pictures::of_a_step(&summary).len()
         + pictures::count_of_run(&summary, of_run);
-    let writer = ResultsWriter::new(count, on_progress);
+    let writer = WriteProgress::new(count, on_progress);
     let out = options.out.unwrap_or(folder);
     if options.out.is_some() && !options.replaces {
         pictures::names(&summary, &steps, of_run)
@@ -138,7 +138,7 @@ pub fn draw_curves(
         name,
         steps: &summary.steps,
     });
-    let writer = ResultsWriter::new(1, &|_, _| ());
+    let writer = WriteProgress::new(1, &|_, _| ());
     writer.picture(out, curve::NAME_OF_SEVERAL, || {
         curve::draw_several(curves.collect(), units, style)
     })?;

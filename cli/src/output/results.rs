@@ -11,9 +11,9 @@ use super::fields::Fields;
 use super::folder::Extent;
 use super::report::{self, StepDrawings};
 use super::summary::Summary;
-use super::writer::{OnProgress, ResultsWriter};
-use super::{curve, file, gsf, json, netcdf, npz, pictures, summary, vti};
-use crate::case::output::{Format, OutputCase};
+use super::write_progress::{OnProgress, WriteProgress};
+use super::{curve, file, formats, json, pictures, summary};
+use crate::case::output::OutputCase;
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::picture::style::Style;
@@ -38,7 +38,7 @@ pub fn write(
     start: Instant,
     on_progress: OnProgress<'_>,
 ) -> Result<Extent, Failure> {
-    let writer = ResultsWriter::new(files(summary, output), on_progress);
+    let writer = WriteProgress::new(files(summary, output), on_progress);
     let parts = write_steps(folder, path, summary, output, &writer)?;
     let run = pictures::run(folder, summary, output.pictures, &Style::default(), &writer)?;
     summary.warnings.extend(writer.warnings());
@@ -67,7 +67,7 @@ fn write_steps(
     path: &LoadingPath,
     summary: &Summary,
     output: &OutputCase,
-    writer: &ResultsWriter<'_>,
+    writer: &WriteProgress<'_>,
 ) -> Result<Vec<StepDrawings>, Failure> {
     let count = path.steps.len();
     let wanted =
@@ -102,7 +102,7 @@ fn write_steps(
             pictures::step(folder, summary, i, fields, &Style::default(), writer).map(Some)
         };
         let (written, part) = rayon::join(
-            || write_fields(folder, summary, i, &fields, formats, writer),
+            || formats::write(folder, summary, i, &fields, formats, writer),
             draw,
         );
         written?;
@@ -110,27 +110,6 @@ fn write_steps(
     });
     let parts = parts.collect::<Result<Vec<Option<StepDrawings>>, Failure>>()?;
     Ok(parts.into_iter().flatten().collect())
-}
-
-/// Writes the fields of a step in every format wanted, in parallel: packing takes about as long as all the rest.
-fn write_fields(
-    folder: &Path,
-    summary: &Summary,
-    step: usize,
-    fields: &Fields<'_>,
-    formats: &[Format],
-    writer: &ResultsWriter<'_>,
-) -> Result<(), Failure> {
-    let units = summary.units;
-    formats.par_iter().try_for_each(|format| {
-        let write = || match format {
-            Format::Npz => npz::write(&folder.join(npz::file(step)), fields),
-            Format::Vti => vti::write(&folder.join(vti::file(step)), fields, units),
-            Format::Nc => netcdf::write(&folder.join(netcdf::file(step)), fields, summary, step),
-            Format::Gsf => gsf::write(folder, fields, units, step),
-        };
-        writer.file(write).map(drop)
-    })
 }
 
 /// The steps with pictures that the report has room for: the first, the last and some evenly between.

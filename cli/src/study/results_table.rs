@@ -68,6 +68,13 @@ impl ResultsTable {
         self.file.sync_all()
     }
 
+    /// Those of the cases that the table has no rows of yet: a study goes on with them.
+    #[must_use]
+    pub fn remaining(&self, cases: &[usize]) -> Vec<usize> {
+        let is_missing = |case: &usize| !self.done.contains_key(case);
+        cases.iter().copied().filter(is_missing).collect()
+    }
+
     /// Appends the rows of a case, which are on the disk when this returns.
     ///
     /// # Errors

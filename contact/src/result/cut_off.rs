@@ -1,8 +1,8 @@
 //! Whether a contact goes on where its domain, or the map of a measured surface, ends.
 //!
-//! A solution of a square, continued by no pressure, solves the contact problem on the whole plane if nothing overlaps
-//! outside: `u + g0 ≥ D`. Next to the edge that is so where no element on the rim of the square presses, or the initial
-//! gap behind it is wider than `D`. Farther away `u` is computed from the pressure summed up in blocks, on ever larger
+//! A solution on the square, extended by zero pressure, solves the contact problem on the whole plane if nothing
+//! overlaps outside the square, that is, if `u + g0 ≥ D` there. Next to the edge this holds where no element on the rim
+//! of the square presses, or the initial gap behind it is wider than `D`. Farther away `u` is computed from the pressure summed up in blocks, on ever larger
 //! squares as far as the indenter is lower than `D`. Under an indenter that rises from its axis the height alone mostly
 //! settles it, or a few blocks do.
 

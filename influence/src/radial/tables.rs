@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use pellicle_kernel::{Base, Foundation, Interface, Layer};
 
+use super::element_integrals::{far_integral, fit_borders, near_integral};
 use super::functions::RadialFunctions;
-use super::integrals::{far_integral, fit_borders, near_integral};
 use crate::element::love;
 use crate::error::InfluenceError;
 

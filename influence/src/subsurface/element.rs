@@ -4,8 +4,8 @@ use std::sync::LazyLock;
 
 use pellicle_kernel::Foundation;
 
+use super::depth::Depth;
 use super::homogeneous::loaded_square;
-use super::plane::Plane;
 use super::point_kernels::PointKernels;
 use super::state::SubsurfaceState;
 use crate::element::check_element_side;
@@ -45,14 +45,14 @@ static RULES: LazyLock<[(f64, Vec<Node>); 5]> = LazyLock::new(|| {
 /// The nine fields of a square element under unit pressure and unit traction, at one depth of a foundation.
 ///
 /// ```
-/// use pellicle_influence::{ElementFields, Plane};
+/// use pellicle_influence::{ElementFields, Depth};
 /// use pellicle_kernel::{Foundation, Material, Side};
 ///
 /// let (coating, steel) = (Material::new(400e9, 0.25)?, Material::new(210e9, 0.3)?);
 /// let foundation = Foundation::coated(2e-6, coating, steel)?;
 /// let [above, below] = [Side::Above, Side::Below].map(|side| {
-///     let plane = Plane { depth: 2e-6, side };
-///     ElementFields::new(&foundation, 1e-6, plane, 10e-6).map(|fields| fields.at([0.0, 0.0]))
+///     let depth = Depth { z: 2e-6, side };
+///     ElementFields::new(&foundation, 1e-6, depth, 10e-6).map(|fields| fields.at([0.0, 0.0]))
 /// });
 /// // Tractions pass the interface, the stress along it jumps.
 /// let [above, below] = [above?.normal.stress, below?.normal.stress];
@@ -72,7 +72,7 @@ pub struct ElementFields {
 }
 
 impl ElementFields {
-    /// The fields on `plane` of elements of side `element_side` (m), for points up to `largest_distance` (m) from the
+    /// The fields at a depth of elements of side `element_side` (m), for points up to `largest_distance` (m) from the
     /// centre of the element.
     ///
     /// Accuracy: 1e-11 of the largest value of each field at that depth.
@@ -84,19 +84,19 @@ impl ElementFields {
     pub fn new(
         foundation: &Foundation,
         element_side: f64,
-        plane: Plane,
+        depth: Depth,
         largest_distance: f64,
     ) -> Result<Self, InfluenceError> {
         check_element_side(element_side)?;
-        plane.check(foundation)?;
+        depth.check(foundation)?;
         let largest_radius = largest_distance + element_side;
-        let kernels = PointKernels::new(foundation, plane, largest_radius)?;
+        let kernels = PointKernels::new(foundation, depth, largest_radius)?;
         Ok(Self {
             foundation: foundation.clone(),
             element_side,
-            depth: plane.depth,
-            has_homogeneous: plane.is_split(foundation),
-            is_held: plane.is_held(foundation),
+            depth: depth.z,
+            has_homogeneous: depth.is_split(foundation),
+            is_held: depth.is_held(foundation),
             kernels,
         })
     }

@@ -25,9 +25,9 @@ use std::f64::consts::TAU;
 use pellicle_kernel::{Amplitudes, Foundation, KernelError};
 use rayon::prelude::*;
 
+use super::depth::Depth;
 use super::element::SurfaceLoad;
 use super::log_lattice::{ENDS, EVERY_FROM, NODES, RADIUS_STRIDE, STEP};
-use super::plane::Plane;
 use super::state::SubsurfaceState;
 use crate::numerics::rounding::{ceil, floor};
 
@@ -70,25 +70,21 @@ pub struct PointKernels {
 }
 
 impl PointKernels {
-    /// The kernels of a plane, for radii up to `largest_radius` (m).
+    /// The kernels at a depth, for radii up to `largest_radius` (m).
     ///
     /// Near the surface they are what the body has more than a half-space of the top layer's material; none for a
     /// half-space, which has nothing more.
     pub fn new(
         foundation: &Foundation,
-        plane: Plane,
+        depth: Depth,
         largest_radius: f64,
     ) -> Result<Option<Self>, KernelError> {
         let Some(top) = foundation.layers().first() else {
             return Ok(None);
         };
         let thickness = top.thickness();
-        let (is_split, depth) = (plane.is_split(foundation), plane.depth);
-        let reach = if is_split {
-            2.0 * thickness - depth
-        } else {
-            depth
-        };
+        let (is_split, z) = (depth.is_split(foundation), depth.z);
+        let reach = if is_split { 2.0 * thickness - z } else { z };
         let first = (NEAREST * reach).ln();
         let steps = ((largest_radius.ln() - first) / STRIDE).max(0.0);
         let radii = ceil(steps) + 2 * STENCIL;
@@ -105,9 +101,9 @@ impl PointKernels {
             }
             let interior = foundation.interior((index as f64 * STEP - first).exp())?;
             let amplitudes = if is_split {
-                interior.correction(depth)
+                interior.correction(z)
             } else {
-                Some(interior.at(depth, plane.side))
+                Some(interior.at(z, depth.side))
             };
             Ok(amplitudes.map_or([0.0; FUNCTIONS], |amplitudes| combined(&amplitudes)))
         };

@@ -1,6 +1,6 @@
 //! The fields of one element against data of 60 digits.
 
-use pellicle_influence::{ElementFields, Plane};
+use pellicle_influence::{Depth, ElementFields};
 use pellicle_kernel::{Base, Foundation, Interface, Layer, Material, Side};
 use serde_json::Value;
 
@@ -92,7 +92,10 @@ fn every_field_agrees_with_data_of_sixty_digits() {
         for Entry { point, side, loads } in entries.iter().filter(|entry| !is_doubtful(entry.point))
         {
             let [x, y, depth] = *point;
-            let plane = Plane { depth, side: *side };
+            let plane = Depth {
+                z: depth,
+                side: *side,
+            };
             let fields = ElementFields::new(&foundation, 1.0, plane, 6.0).unwrap();
             let found = fields.at([x, y]);
             for (load, found) in [found.normal, found.tangential].iter().enumerate() {

@@ -1,6 +1,6 @@
 //! Surface and interfaces of stacks: the influence coefficient, continuity, depths outside the body.
 
-use pellicle_influence::{ElementFields, ElementLoads, Plane, RadialTables};
+use pellicle_influence::{Depth, ElementFields, ElementLoads, RadialTables};
 use pellicle_kernel::{Base, Foundation, Side};
 
 use super::{KEYS, nine, stacks};
@@ -9,8 +9,8 @@ use super::{KEYS, nine, stacks};
 fn the_surface_sinks_by_the_influence_coefficient() {
     for foundation in stacks() {
         let tables = RadialTables::build(&foundation).unwrap();
-        let plane = Plane {
-            depth: 0.0,
+        let plane = Depth {
+            z: 0.0,
             side: Side::Below,
         };
         let fields = ElementFields::new(&foundation, 1.0, plane, 100.0).unwrap();
@@ -32,7 +32,7 @@ fn tractions_and_displacements_pass_bonded_interfaces() {
         let depths = (1..=foundation.layers().len()).map(|i| foundation.interface_depth(i));
         for depth in depths {
             let [above, below] = [Side::Above, Side::Below].map(|side| {
-                ElementFields::new(&foundation, 1.0, Plane { depth, side }, 20.0).unwrap()
+                ElementFields::new(&foundation, 1.0, Depth { z: depth, side }, 20.0).unwrap()
             });
             let points = [
                 [0.0, 0.0],
@@ -83,8 +83,8 @@ fn below_is_base(foundation: &Foundation, depth: f64) -> bool {
 fn depths_outside_the_body_are_refused() {
     let layered = &stacks()[4];
     for depth in [-1e-9, 0.71, f64::NAN, f64::INFINITY] {
-        let plane = Plane {
-            depth,
+        let plane = Depth {
+            z: depth,
             side: Side::Above,
         };
         let error = ElementFields::new(layered, 1.0, plane, 1.0).unwrap_err();

@@ -1,12 +1,12 @@
 //! Planes of fields by convolution against sums over the elements.
 
-use pellicle_influence::{ElementFields, LoadedGrid, Plane, Squares, SubsurfaceState};
+use pellicle_influence::{Depth, ElementFields, PlaneFields, Squares, SubsurfaceState};
 use pellicle_kernel::{Foundation, Side};
 
 use super::{KEYS, stacks};
 
 /// The fields on a plane against sums over the elements, under pressures of order 1.
-fn check_plane(foundation: &Foundation, squares: Squares, plane: Plane, friction: [f64; 2]) {
+fn check_plane(foundation: &Foundation, squares: Squares, plane: Depth, friction: [f64; 2]) {
     let Squares {
         loaded,
         shown,
@@ -30,7 +30,7 @@ fn check_plane(foundation: &Foundation, squares: Squares, plane: Plane, friction
     let states: Vec<_> = (0..shown * shown)
         .map(|e| state_at(e / shown, e % shown))
         .collect();
-    let mut grid = LoadedGrid::new(foundation, 1.0, squares, &pressure, friction);
+    let mut grid = PlaneFields::new(foundation, 1.0, squares, &pressure, friction);
     grid.fields_on(plane, |f, field| {
         let expected: Vec<f64> = states.iter().map(|state| state.field(f)).collect();
         let largest = expected
@@ -57,8 +57,8 @@ fn planes_are_the_sums_over_the_elements() {
     };
     for (foundation, depth) in stacks().iter().zip([0.0, 0.01, 2.0, 1.0, 0.3, 1.0, 0.0]) {
         for friction in [[0.0, 0.0], [0.3, 0.0], [-0.2, 0.4]] {
-            let plane = Plane {
-                depth,
+            let plane = Depth {
+                z: depth,
                 side: Side::Above,
             };
             check_plane(foundation, squares, plane, friction);
@@ -75,8 +75,8 @@ fn planes_reach_far_from_the_load() {
         before: [1, 30],
     };
     for (foundation, depth) in stacks().iter().zip([0.0, 0.02, 2.0, 0.8, 0.3, 1.0, 0.0]) {
-        let plane = Plane {
-            depth,
+        let plane = Depth {
+            z: depth,
             side: Side::Above,
         };
         check_plane(foundation, squares, plane, [0.1, 0.2]);

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use pellicle_influence::{ElementFields, Plane};
+use pellicle_influence::{Depth, ElementFields};
 use pellicle_kernel::{Foundation, Material, Side};
 
 use super::{KEYS, nine};
@@ -73,8 +73,8 @@ fn a_square_is_the_sum_of_its_points() {
             [0.1, -0.2, 4.0],
             [-2.0, -7.0, 1.0],
         ] {
-            let plane = Plane {
-                depth: z,
+            let plane = Depth {
+                z,
                 side: Side::Above,
             };
             let fields = ElementFields::new(&foundation, 1.0, plane, 9.0)

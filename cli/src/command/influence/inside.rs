@@ -1,6 +1,6 @@
 //! Displacements and stresses inside the body under one loaded element.
 
-use pellicle_influence::{ElementFields, Plane, SubsurfaceState};
+use pellicle_influence::{Depth, ElementFields, SubsurfaceState};
 use pellicle_kernel::{Foundation, Side};
 use serde::Serialize;
 
@@ -78,14 +78,14 @@ pub fn rows(
 }
 
 /// The plane at a depth, or the two on both sides of an interface of the case.
-fn planes(foundation: &Foundation, case: &FoundationCase, depth: f64) -> Vec<Plane> {
+fn planes(foundation: &Foundation, case: &FoundationCase, depth: f64) -> Vec<Depth> {
     let is_near = |bottom: f64| (depth - bottom).abs() <= DIGITS * bottom;
     let mut bottom = 0.0;
     let is_on_interface = case.layer.iter().any(|layer| {
         bottom += layer.thickness;
         is_near(bottom)
     });
-    let plane = |depth, side| Plane { depth, side };
+    let plane = |z, side| Depth { z, side };
     if !is_on_interface {
         return vec![plane(depth, Side::Above)];
     }

@@ -1,8 +1,8 @@
 //! The preconditioner: an approximate inverse of the system on the working set.
 //!
-//! Two of them, for two kinds of problem: the [restricted filter](super::restricted_filter), by FFT, and under a coat
+//! Two of them, for two kinds of problem: the [restricted filter](self::restricted_filter), by FFT, and under a coat
 //! so stiff that the contact breaks up into rings and edges the [factorised sparse approximate
-//! inverse](super::sparse_factor) of the restricted system itself.
+//! inverse](self::sparse_factor) of the restricted system itself.
 
 mod edge_band;
 mod restricted_filter;

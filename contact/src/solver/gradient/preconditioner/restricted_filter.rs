@@ -1,7 +1,8 @@
 //! The inverse of the system on a working set, made from that on the whole periodic grid.
 //!
 //! `F = F⁻¹ 1/(K̂ + η̄) F` by FFT, with `K̂` the symbol of `K` and `η̄` the mean compliance of the relief over the set;
-//! restricted to the set, with the [band](super::edge_band) outside that sees to it that nothing is answered there.
+//! restricted to the set, with a [band](super::edge_band) of elements just outside it that forces the answer to vanish
+//! there.
 //! (The symbol is positive; the padded operator's own spectrum is not where a coat is stiff, and must not be inverted.)
 //!
 //! With `X` for the inverse of `F_EE` that the band stands for, the answer to `r` is `F_II − F_IE X F_EI`. Where a coat

@@ -7,10 +7,10 @@
 //! proves that it ends, so its caller watches it.
 //!
 //! **When it is clear.** Under a stiff coat `K` falls off so steeply with the wavenumber that the residual says nothing
-//! of the short waves of the pressure: solved to a tenth of it, a system exchanges what is noise. What is still missing
-//! from the pressure, by the preconditioner's account, does say it. So the elements on the wrong side are looked for
-//! one step ahead, and the system is solved until they are the same as a step before, but for a third of them; where
-//! they are a few, which flip to and fro, until nothing else is missing either.
+//! of the short waves of the pressure: solved to a tenth of it, a system exchanges noise. The preconditioner's
+//! estimate of the pressure's remaining error does show them. So the elements on the wrong side are predicted one step
+//! ahead, and the system is solved until two successive predictions agree but for a third of the elements. If only a
+//! few remain and they keep switching, it is solved until the estimated error is negligible everywhere else.
 
 use crate::solver::gradient::context::Context;
 use crate::solver::gradient::steps::conjugate::ConjugateDirections;

@@ -17,7 +17,7 @@ use crate::picture::png;
 pub type OnProgress<'a> = &'a (dyn Fn(usize, usize) + Sync);
 
 /// The progress of a results folder, shared by all threads that write into it.
-pub struct ResultsWriter<'a> {
+pub struct WriteProgress<'a> {
     on_progress: OnProgress<'a>,
     /// Files in all.
     total: usize,
@@ -26,7 +26,7 @@ pub struct ResultsWriter<'a> {
     failures: Mutex<Vec<WarningSummary>>,
 }
 
-impl<'a> ResultsWriter<'a> {
+impl<'a> WriteProgress<'a> {
     /// A writer of this many files, fields and pictures together.
     #[must_use]
     pub fn new(total: usize, on_progress: OnProgress<'a>) -> Self {
@@ -158,7 +158,7 @@ mod tests {
     #[test]
     fn a_picture_that_panics_is_a_warning_and_the_others_are_written() {
         let folder = tempfile::tempdir().unwrap();
-        let writer = ResultsWriter::new(3, &|_, _| ());
+        let writer = WriteProgress::new(3, &|_, _| ());
         let svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"2\" height=\"2\"/>";
         let draw = |name: &str, svg: &str| {
             let svg = svg.to_owned();
@@ -181,7 +181,7 @@ mod tests {
     fn every_file_is_counted() {
         let told = Mutex::new(Vec::new());
         let tell = |done, total| told.lock().unwrap().push((done, total));
-        let writer = ResultsWriter::new(2, &tell);
+        let writer = WriteProgress::new(2, &tell);
         for _ in 0..2 {
             writer.file(|| Ok(())).unwrap();
         }

@@ -7,9 +7,9 @@
 use pellicle_kernel::Foundation;
 use rustfft::num_complex::Complex64;
 
+use super::depth::Depth;
 use super::element::{ElementFields, SurfaceLoad};
 use super::element_table::ElementTable;
-use super::plane::Plane;
 use super::state::FIELDS;
 use crate::error::InfluenceError;
 use crate::operator::Spectrum;
@@ -50,7 +50,7 @@ pub struct Squares {
 }
 
 /// The loads on a square of elements, transformed, and the buffers for the fields on planes below.
-pub struct LoadedGrid {
+pub struct PlaneFields {
     foundation: Foundation,
     element_side: f64,
     /// Factors of a traction along x and y per pressure.
@@ -68,7 +68,7 @@ pub struct LoadedGrid {
     shown: Vec<f64>,
 }
 
-impl LoadedGrid {
+impl PlaneFields {
     /// Loads a foundation by the `pressure` (Pa) on a square of elements of side `element_side` (m), and by a traction
     /// of `friction` times the pressure along x and y, which drags the surface with it.
     ///
@@ -115,19 +115,19 @@ impl LoadedGrid {
         }
     }
 
-    /// Calls `take` with each of the nine fields on a plane, in the order of [`SubsurfaceState`]: at the centres of the
+    /// Calls `take` with each of the nine fields at a depth, in the order of [`SubsurfaceState`]: at the centres of the
     /// shown elements, row after row, displacements in m and stresses in Pa; NaN where they are unbounded.
     ///
     /// # Errors
     /// As [`ElementFields::new`].
     pub fn fields_on(
         &mut self,
-        plane: Plane,
+        depth: Depth,
         mut take: impl FnMut(usize, &[f64]),
     ) -> Result<(), InfluenceError> {
         let (side, offsets) = (self.element_side, self.offsets);
         let diagonal = std::f64::consts::SQRT_2 * side * offsets as f64;
-        let fields = ElementFields::new(&self.foundation, side, plane, diagonal)?;
+        let fields = ElementFields::new(&self.foundation, side, depth, diagonal)?;
         self.normal.fill(&fields, SurfaceLoad::Pressure);
         if let Some(tangential) = &mut self.tangential {
             tangential.fill(&fields, SurfaceLoad::Traction);

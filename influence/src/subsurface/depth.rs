@@ -1,22 +1,22 @@
-//! A plane parallel to the surface.
+//! A depth in the body, on one side of an interface if it lies on one.
 
 use pellicle_kernel::{Base, Foundation, Layer, Side};
 
 use crate::error::InfluenceError;
 
-/// A plane parallel to the surface; on an interface it belongs to the body on one side.
+/// A depth in the body. On an interface it belongs to the body on one side.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Plane {
-    /// Depth below the surface, m.
-    pub depth: f64,
+pub struct Depth {
+    /// Distance below the surface, m.
+    pub z: f64,
     /// The body that it belongs to where it lies on an interface.
     pub side: Side,
 }
 
-impl Plane {
-    /// Whether the plane lies above an interface at depth `bottom` (m), or on its upper side.
+impl Depth {
+    /// Whether it lies above an interface at depth `bottom` (m), or on its upper side.
     pub(super) fn is_above(&self, bottom: f64) -> bool {
-        self.depth < bottom || (self.depth <= bottom && self.side == Side::Above)
+        self.z < bottom || (self.z <= bottom && self.side == Side::Above)
     }
 
     /// Whether the fields are those of a half-space of the top layer's material and what the layers change.
@@ -25,27 +25,27 @@ impl Plane {
     /// themselves are smooth over a distance of the depth.
     pub(super) fn is_split(&self, foundation: &Foundation) -> bool {
         let top = foundation.layers().first();
-        top.is_none_or(|top| self.depth < top.thickness() / 2.0)
+        top.is_none_or(|top| self.z < top.thickness() / 2.0)
     }
 
-    /// Whether something below holds the plane along the surface: no frictionless interface does.
+    /// Whether something below holds the body along the surface: no frictionless interface does.
     pub(super) fn is_held(&self, foundation: &Foundation) -> bool {
         let layers = foundation.layers().iter().enumerate();
         let mut slides = layers.filter(|(_, layer)| layer.interface().is_frictionless());
         !slides.any(|(i, _)| self.is_above(foundation.interface_depth(i + 1)))
     }
 
-    /// Refuses a plane outside the body.
+    /// Refuses a depth outside the body.
     pub(super) fn check(&self, foundation: &Foundation) -> Result<(), InfluenceError> {
         let largest = match foundation.base() {
             Base::HalfSpace(_) => f64::INFINITY,
             Base::Rigid => foundation.layers().iter().map(Layer::thickness).sum(),
         };
-        if self.depth >= 0.0 && self.depth <= largest && self.depth.is_finite() {
+        if self.z >= 0.0 && self.z <= largest && self.z.is_finite() {
             return Ok(());
         }
         Err(InfluenceError::Depth {
-            found: self.depth,
+            found: self.z,
             largest,
         })
     }
