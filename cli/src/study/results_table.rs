@@ -89,12 +89,6 @@ impl ResultsTable {
         Ok(())
     }
 
-    /// The finished cases and their statuses.
-    #[must_use]
-    pub fn done(&self) -> &BTreeMap<usize, CaseStatus> {
-        &self.done
-    }
-
     /// The number of finished cases by status.
     #[must_use]
     pub fn tally(&self) -> Tally {
