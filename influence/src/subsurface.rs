@@ -1,9 +1,9 @@
 //! Displacements and stresses inside the body under a uniformly loaded square element.
 //!
 //! Near the surface each field is the [closed form](homogeneous) of a half-space of the top layer's material plus a
-//! smooth correction for the layers; deeper down the whole field is smooth. The smooth part is summed
-//! [over the element](element) by Gauss points from the fields of [point loads](point_kernels), fifteen functions of the
-//! radius for each depth.
+//! smooth correction for the layers; deeper down the whole field is smooth. The smooth part is summed [over the
+//! element](element) by Gauss points from the fields of [point loads](point_kernels), fifteen functions of the radius
+//! for each depth.
 
 mod depth;
 mod element;

@@ -2,9 +2,9 @@
 //!
 //! A solution on the square, extended by zero pressure, solves the contact problem on the whole plane if nothing
 //! overlaps outside the square, that is, if `u + g0 ≥ D` there. Next to the edge this holds where no element on the rim
-//! of the square presses, or the initial gap behind it is wider than `D`. Farther away `u` is computed from the pressure summed up in blocks, on ever larger
-//! squares as far as the indenter is lower than `D`. Under an indenter that rises from its axis the height alone mostly
-//! settles it, or a few blocks do.
+//! of the square presses, or the initial gap behind it is wider than `D`. Farther away `u` is computed from the
+//! pressure summed up in blocks, on ever larger squares as far as the indenter is lower than `D`. Under an indenter
+//! that rises from its axis the height alone mostly settles it, or a few blocks do.
 
 use std::{cell::OnceCell, sync::Arc};
 

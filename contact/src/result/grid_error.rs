@@ -13,8 +13,8 @@
 //! sign makes an error small. F is a safety factor, as in Roache's grid convergence index (J. Fluids Eng. 116, 1994,
 //! 405–413); the order is the slope of all changes together, kept within what theory allows. A grid meets the contact's
 //! edge by chance, so the errors scatter around every power law; factor, weights and bounds were calibrated so that the
-//! interval contains the truth as often as `docs/grid-error.md` states. `cargo run --release -p pellicle-tests --bin coverage` prints how often it does, and how much wider
-//! it is than the error.
+//! interval contains the truth as often as `docs/grid-error.md` states. `cargo run --release -p pellicle-tests --bin
+//! coverage` prints how often it does, and how much wider it is than the error.
 
 use serde::{Deserialize, Serialize};
 

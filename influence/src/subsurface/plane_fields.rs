@@ -16,7 +16,7 @@ use crate::operator::Spectrum;
 use crate::transform::Parity::{Even, Odd};
 use crate::transform::{FourierLines, Parity, PlaneSpectrum, PlaneTransform, half_length};
 
-/// Parities along x and y of the fields under a pressure, in the order of [`SubsurfaceState`].
+/// Parities along x and y of the fields under a pressure, in the order of `SubsurfaceState`.
 const UNDER_PRESSURE: [[Parity; 2]; FIELDS] = [
     [Odd, Even],
     [Even, Odd],
@@ -115,8 +115,9 @@ impl PlaneFields {
         }
     }
 
-    /// Calls `take` with each of the nine fields at a depth, in the order of [`SubsurfaceState`]: at the centres of the
-    /// shown elements, row after row, displacements in m and stresses in Pa; NaN where they are unbounded.
+    /// Calls `take` with each of the nine fields at a depth, in the order of
+    /// [`SubsurfaceState`](super::SubsurfaceState): at the centres of the shown elements, row after row, displacements
+    /// in m and stresses in Pa; NaN where they are unbounded.
     ///
     /// # Errors
     /// As [`ElementFields::new`].

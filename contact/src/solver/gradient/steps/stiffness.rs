@@ -4,9 +4,10 @@
 //! `dQ/dD = 4a² Σ q`. Conjugate gradients raise `Σ q = qᵀ (K + η) q` at each step by `α r·z` to its largest value, so
 //! the error of the sum is the square of that of the solution.
 //!
-//! The pressure is a free first search direction, because its image `(K + η) p = v − g0` is known already. The iteration
-//! starts from `q = c p`, with `c` chosen to maximise the sum, and keeps all later directions conjugate to `p`. (Deflation;
-//! Nicolaides 1987.) That spares a product of four on a homogeneous body, and two of seven under a stiff coat.
+//! The pressure is a free first search direction, because its image `(K + η) p = v − g0` is known already. The
+//! iteration starts from `q = c p`, with `c` chosen to maximise the sum, and keeps all later directions conjugate to
+//! `p`. (Deflation; Nicolaides 1987.) That spares a product of four on a homogeneous body, and two of seven under a
+//! stiff coat.
 
 use crate::solver::gradient::{
     context::Context,
