@@ -145,7 +145,7 @@ impl MemoryBudget {
     /// # Errors
     ///
     /// [`Failure::Memory`] if it needs more than there is.
-    pub fn take(&self, need: Need) -> Result<Option<Share<'_>>, Failure> {
+    pub fn take(&self, need: Need) -> Result<Option<MemoryShare<'_>>, Failure> {
         let mut taken = self.lock();
         loop {
             if taken.bytes == 0 && !taken.is_known_for(need) {
@@ -165,7 +165,7 @@ impl MemoryBudget {
             taken = waited.unwrap_or_else(PoisonError::into_inner).0;
         }
         taken.bytes += need.bytes;
-        Ok(Some(Share {
+        Ok(Some(MemoryShare {
             memory: self,
             bytes: need.bytes,
         }))
@@ -178,12 +178,12 @@ impl MemoryBudget {
 
 /// The memory that a case has taken, given back when this is dropped.
 #[derive(Debug)]
-pub struct Share<'a> {
+pub struct MemoryShare<'a> {
     memory: &'a MemoryBudget,
     bytes: u64,
 }
 
-impl Drop for Share<'_> {
+impl Drop for MemoryShare<'_> {
     fn drop(&mut self) {
         self.memory.lock().bytes -= self.bytes;
         self.memory.freed.notify_all();

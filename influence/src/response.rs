@@ -3,7 +3,7 @@
 
 use pellicle_kernel::{Base, Foundation};
 
-use crate::numerics::chebyshev::{Transform, nodes, sum, tail, taylor};
+use crate::numerics::chebyshev::{ChebyshevTransform, nodes, sum, tail, taylor};
 use crate::numerics::panels::Panels;
 
 /// Beyond this wavenumber, in units of 1/thickness of the top layer, `|Φ−1|` is below 4s² e^{−2s} = 3e-18.
@@ -104,7 +104,7 @@ impl ResponseTable {
 
 /// Chebyshev coefficients over `0 ≤ s ≤ reach`, and the reach: the largest for which they have converged.
 fn low_polynomial(response: &impl Fn(f64) -> f64, limit: f64) -> (Vec<f64>, f64) {
-    let transform = Transform::new(LOW_SAMPLES, LOW_TERMS);
+    let transform = ChebyshevTransform::new(LOW_SAMPLES, LOW_TERMS);
     let fit = |reach: f64| -> Vec<f64> {
         // Only the limit itself is known without rounding; the fit is shifted onto it.
         let values = nodes(LOW_SAMPLES).map(|x| response(reach * (1.0 + x) / 2.0) - limit);

@@ -133,21 +133,21 @@ impl<F: Fn(f64) -> Result<Material, KernelError>> GradedLayer<F> {
 const WORTH_HALVING: f64 = 0.2;
 
 /// From the top to the bottom of a sublayer, m below the top of the graded layer.
-type Cell = (f64, f64);
+type DepthRange = (f64, f64);
 
 /// Four sublayers of equal thickness to begin with.
-fn even_cells(thickness: f64) -> Vec<Cell> {
+fn even_cells(thickness: f64) -> Vec<DepthRange> {
     let cut = |i: u8| thickness * f64::from(i) / 4.0;
     (0..4).map(|i| (cut(i), cut(i + 1))).collect()
 }
 
-fn halves((top, bottom): Cell) -> [Cell; 2] {
+fn halves((top, bottom): DepthRange) -> [DepthRange; 2] {
     let middle = 0.5 * (top + bottom);
     [(top, middle), (middle, bottom)]
 }
 
-fn halved(cells: &[Cell], wanted: impl Fn(usize) -> bool) -> Vec<Cell> {
-    let pieces = |(i, &cell): (usize, &Cell)| {
+fn halved(cells: &[DepthRange], wanted: impl Fn(usize) -> bool) -> Vec<DepthRange> {
+    let pieces = |(i, &cell): (usize, &DepthRange)| {
         if wanted(i) {
             halves(cell).to_vec()
         } else {
@@ -196,7 +196,7 @@ struct Problem<'a, F> {
 
 impl<F: Fn(f64) -> Result<Material, KernelError>> Problem<'_, F> {
     /// `δᵢ(k) = Cᵢ(k)/C(k) − 1` by sublayer and wavenumber, `Cᵢ` with sublayer `i` halved.
-    fn changes(&self, cells: &[Cell]) -> Result<Vec<Vec<f64>>, KernelError> {
+    fn changes(&self, cells: &[DepthRange]) -> Result<Vec<Vec<f64>>, KernelError> {
         let present = self.compliances(cells)?;
         let change = |i| {
             let finer = self.compliances(&halved(cells, |j| j == i))?;
@@ -208,7 +208,7 @@ impl<F: Fn(f64) -> Result<Material, KernelError>> Problem<'_, F> {
         (0..cells.len()).map(change).collect()
     }
 
-    fn compliances(&self, cells: &[Cell]) -> Result<Vec<f64>, KernelError> {
+    fn compliances(&self, cells: &[DepthRange]) -> Result<Vec<f64>, KernelError> {
         let foundation = self.foundation(cells)?;
         Ok(self
             .wavenumbers
@@ -217,7 +217,7 @@ impl<F: Fn(f64) -> Result<Material, KernelError>> Problem<'_, F> {
             .collect())
     }
 
-    fn finish(&self, cells: &[Cell], error_estimate: f64) -> Result<SplitLayer, KernelError> {
+    fn finish(&self, cells: &[DepthRange], error_estimate: f64) -> Result<SplitLayer, KernelError> {
         Ok(SplitLayer {
             foundation: self.foundation(cells)?,
             sublayers: cells.len(),
@@ -225,9 +225,9 @@ impl<F: Fn(f64) -> Result<Material, KernelError>> Problem<'_, F> {
         })
     }
 
-    fn foundation(&self, cells: &[Cell]) -> Result<Foundation, KernelError> {
+    fn foundation(&self, cells: &[DepthRange]) -> Result<Foundation, KernelError> {
         let last = cells.len() - 1;
-        let sublayer = |(i, &(top, bottom)): (usize, &Cell)| {
+        let sublayer = |(i, &(top, bottom)): (usize, &DepthRange)| {
             let material = (self.layer.profile)(0.5 * (top + bottom))?;
             let interface = if i == last {
                 self.layer.interface

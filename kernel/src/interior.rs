@@ -8,7 +8,7 @@ mod state;
 
 pub use state::{Amplitudes, Antiplane, InPlane, Side};
 
-use crate::wave::Place;
+use crate::wave::PlaceInLayer;
 use crate::{Base, Foundation, KernelError, Layer, Material};
 
 /// The interior of a foundation under waves of one wavenumber on its surface: a pressure, a traction along the
@@ -164,13 +164,13 @@ impl Body {
     }
 
     /// The place, none below the body.
-    fn place(&self, depth: f64, wavenumber: f64) -> Option<Place> {
+    fn place(&self, depth: f64, wavenumber: f64) -> Option<PlaceInLayer> {
         (depth <= self.bottom).then(|| self.clamped(depth, wavenumber))
     }
 
-    fn clamped(&self, depth: f64, wavenumber: f64) -> Place {
+    fn clamped(&self, depth: f64, wavenumber: f64) -> PlaceInLayer {
         let depth = depth.clamp(self.top, self.bottom);
-        Place {
+        PlaceInLayer {
             below_top: wavenumber * (depth - self.top),
             above_bottom: wavenumber * (self.bottom - depth),
         }

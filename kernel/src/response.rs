@@ -13,7 +13,7 @@ use crate::{Base, Interface, Layer};
 pub(crate) use minors::Minors;
 pub(crate) use one_layer::OneLayer;
 pub(crate) use poisson::Poisson;
-pub(crate) use spring::Share;
+pub(crate) use spring::ComplianceShare;
 pub(crate) use stack::{HeldBottom, Stack};
 
 /// The constants from which `Φ` is evaluated, prepared once per foundation.

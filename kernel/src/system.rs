@@ -12,7 +12,7 @@
 //! exponential is large and no two columns become alike.
 
 use crate::response::Poisson;
-use crate::wave::{LayerEquations, Place, Profile, TopPair, U, V};
+use crate::wave::{DepthFactors, LayerEquations, PlaceInLayer, TopPair, U, V};
 use crate::{Interface, KernelError, Material};
 use nalgebra::{Matrix4, RowVector4, Vector4};
 
@@ -106,7 +106,7 @@ impl TransformedSystem {
     fn displacement(&self, load: Vector4<f64>, component: usize) -> Result<f64, KernelError> {
         let waves = self.equations.solve([load]);
         let [wave] = waves.ok_or(KernelError::Singular { s: self.s })?;
-        let top = Profile::new(self.s, &Place::top(self.s));
+        let top = DepthFactors::new(self.s, &PlaceInLayer::top(self.s));
         Ok(self.surface.x * wave.at(&top)[component])
     }
 }

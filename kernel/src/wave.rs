@@ -73,12 +73,12 @@ impl Basis {
 
 /// A place inside a layer: `k` times its distances from top and bottom.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Place {
+pub(crate) struct PlaceInLayer {
     pub(crate) below_top: f64,
     pub(crate) above_bottom: f64,
 }
 
-impl Place {
+impl PlaceInLayer {
     /// On the top of a layer of `s = k H`.
     pub(crate) fn top(s: f64) -> Self {
         Self {
@@ -101,11 +101,11 @@ impl Place {
 /// `cosh t`, `t sinh t`, `sinh t`, `t cosh t − sinh t`, `t` from mid-depth, in thin layers; `e^{−ζ}`,
 /// `ζ e^{−ζ}` from the top and from the bottom in thick ones.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Profile([f64; 4]);
+pub(crate) struct DepthFactors([f64; 4]);
 
-impl Profile {
+impl DepthFactors {
     /// In a layer of `s = k H`.
-    pub(crate) fn new(s: f64, place: &Place) -> Self {
+    pub(crate) fn new(s: f64, place: &PlaceInLayer) -> Self {
         match Basis::of(s) {
             Basis::Middle => {
                 let t = 0.5 * (place.below_top - place.above_bottom);
@@ -130,7 +130,7 @@ pub(crate) fn decayed(zeta: f64) -> [f64; 2] {
     [decay, zeta * decay]
 }
 
-/// The wave inside one layer: the state is `Σ cᵢ` times the functions of [`Profile`].
+/// The wave inside one layer: the state is `Σ cᵢ` times the functions of [`DepthFactors`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct LayerWave([Vector4<f64>; 4]);
 
@@ -158,7 +158,7 @@ impl LayerWave {
     }
 
     /// The state at a place.
-    pub(crate) fn at(&self, &Profile([f0, f1, f2, f3]): &Profile) -> Vector4<f64> {
+    pub(crate) fn at(&self, &DepthFactors([f0, f1, f2, f3]): &DepthFactors) -> Vector4<f64> {
         let [c0, c1, c2, c3] = &self.0;
         c0 * f0 + c1 * f1 + c2 * f2 + c3 * f3
     }
@@ -209,8 +209,8 @@ impl LayerEquations {
         bottom: [RowVector4<f64>; 2],
     ) -> Self {
         let basis = Basis::of(s);
-        let top_profile = Profile::new(s, &Place::top(s));
-        let bottom_profile = Profile::new(s, &Place::bottom(s));
+        let top_profile = DepthFactors::new(s, &PlaceInLayer::top(s));
+        let bottom_profile = DepthFactors::new(s, &PlaceInLayer::bottom(s));
         let columns = [0, 1, 2, 3].map(|i| {
             let mut unit = Vector4::zeros();
             unit[i] = 1.0;
@@ -287,11 +287,11 @@ mod tests {
             let amplitudes = Vector4::new(0.3, -1.0, 0.7, 0.2);
             let wave = LayerWave::new(&poisson, Basis::of(s), &amplitudes);
             let at = |zeta: f64| {
-                let place = Place {
+                let place = PlaceInLayer {
                     below_top: zeta,
                     above_bottom: s - zeta,
                 };
-                wave.at(&Profile::new(s, &place))
+                wave.at(&DepthFactors::new(s, &place))
             };
             // e^{0.7} magnifies a few roundings.
             let carried = propagator(&poisson, 0.7) * at(0.1);

@@ -146,8 +146,8 @@ fn crests(map: &HeightMap, sign: f64, equal: f64) -> impl Iterator<Item = Crest>
     let at = move |i: usize, j: usize| sign * map.heights()[i * columns + j];
     let samples = (0..rows).flat_map(move |i| (0..columns).map(move |j| [i, j]));
     let crest = move |[i, j]: [usize; 2]| {
-        let along_x = Line::new(i, rows, |i| at(i, j))?;
-        let along_y = Line::new(j, columns, |j| at(i, j))?;
+        let along_x = SampleLine::new(i, rows, |i| at(i, j))?;
+        let along_y = SampleLine::new(j, columns, |j| at(i, j))?;
         Some(Crest {
             sample: [i, j],
             rise: along_x.rise(equal) + along_y.rise(equal),
@@ -158,13 +158,13 @@ fn crests(map: &HeightMap, sign: f64, equal: f64) -> impl Iterator<Item = Crest>
 }
 
 /// A line of samples through one that is as high as its neighbours on it.
-struct Line<F> {
+struct SampleLine<F> {
     sample: usize,
     samples: usize,
     at: F,
 }
 
-impl<F: Fn(usize) -> f64> Line<F> {
+impl<F: Fn(usize) -> f64> SampleLine<F> {
     /// None if a neighbour is higher.
     fn new(sample: usize, samples: usize, at: F) -> Option<Self> {
         let last = (sample + 1).min(samples - 1);

@@ -11,7 +11,7 @@ use crate::failure::Failure;
 use crate::forecast::Need;
 use crate::memory::MemoryBudget;
 use crate::output::file::Existing;
-use crate::output::folder::{self, Extent, ResultsFolder};
+use crate::output::folder::{self, Completeness, ResultsFolder};
 use crate::output::summary::{Clock, Summary, WarningSummary};
 use crate::output::{json, report, results, summary_text};
 use crate::program::Outcome;
@@ -59,7 +59,7 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
         folder.write(|folder| {
             let written = results::write(folder, &path, &mut summary, &case.output, start, &tell)?;
             Ok(if path.interrupted {
-                Extent::Part
+                Completeness::Part
             } else {
                 written
             })

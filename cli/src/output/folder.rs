@@ -33,7 +33,7 @@ const ATTEMPTS: usize = 100;
 
 /// Whether results are complete.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Extent {
+pub enum Completeness {
     /// Everything that was asked for.
     Whole,
     /// The part that was there when the user stopped it.
@@ -133,14 +133,14 @@ impl ResultsFolder {
     /// The failure of `fill`, or [`Failure::Write`]; nothing is left behind then.
     pub fn write(
         self,
-        fill: impl FnOnce(&Path) -> Result<Extent, Failure>,
+        fill: impl FnOnce(&Path) -> Result<Completeness, Failure>,
     ) -> Result<PathBuf, Failure> {
-        let extent = fill(self.scratch.path())?;
+        let completeness = fill(self.scratch.path())?;
         let failed = |cause| Failure::write(&self.path, cause);
-        let aside = match (contents(&self.path), self.existing, extent) {
+        let aside = match (contents(&self.path), self.existing, completeness) {
             (FolderContents::Empty, ..)
-            | (FolderContents::Results, Existing::Replace, Extent::Whole) => None,
-            (FolderContents::Results, Existing::Replace, Extent::Part) => Some(STOPPED),
+            | (FolderContents::Results, Existing::Replace, Completeness::Whole) => None,
+            (FolderContents::Results, Existing::Replace, Completeness::Part) => Some(STOPPED),
             _ => Some(BESIDE),
         };
         if let Some(name) = aside {

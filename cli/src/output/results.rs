@@ -8,7 +8,7 @@ use pellicle_contact::LoadingPath;
 use rayon::prelude::*;
 
 use super::fields::Fields;
-use super::folder::Extent;
+use super::folder::Completeness;
 use super::report::{self, StepDrawings};
 use super::summary::Summary;
 use super::write_progress::{OnProgress, WriteProgress};
@@ -37,7 +37,7 @@ pub fn write(
     output: &OutputCase,
     start: Instant,
     on_progress: OnProgress<'_>,
-) -> Result<Extent, Failure> {
+) -> Result<Completeness, Failure> {
     let writer = WriteProgress::new(files(summary, output), on_progress);
     let parts = write_steps(folder, path, summary, output, &writer)?;
     let run = pictures::run(folder, summary, output.pictures, &Style::default(), &writer)?;
@@ -47,9 +47,9 @@ pub fn write(
     write_text(&folder.join(curve::FILE), &curve::csv(summary))?;
     write_text(&folder.join(summary::FILE), &json(summary)?)?;
     Ok(if writer.is_whole() {
-        Extent::Whole
+        Completeness::Whole
     } else {
-        Extent::Part
+        Completeness::Part
     })
 }
 

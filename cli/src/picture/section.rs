@@ -49,21 +49,21 @@ pub fn name(step: usize) -> String {
 /// Depths below the undeformed plane of the tops, m, along one line of elements.
 struct Depths<'a> {
     subject: &'a Subject<'a>,
-    line: Line,
+    line: ElementLine,
     /// The elements shown.
     elements: Range<usize>,
 }
 
 /// A line of elements.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Line {
+enum ElementLine {
     /// Along x, of this second index.
     AlongX(usize),
     /// Along y, of this first index.
     AlongY(usize),
 }
 
-impl Line {
+impl ElementLine {
     fn of(subject: &Subject<'_>) -> Self {
         let fields = &subject.fields;
         match subject.style.cut {
@@ -99,14 +99,14 @@ fn peak(pressure: &[f64]) -> usize {
 #[must_use]
 pub fn draw(subject: &Subject<'_>) -> String {
     let fields = &subject.fields;
-    let line = Line::of(subject);
+    let line = ElementLine::of(subject);
     let crop = Crop::around_contact(fields.pressure, fields.size);
     let depths = Depths {
         subject,
         line,
         elements: match line {
-            Line::AlongX(_) => crop.x,
-            Line::AlongY(_) => crop.y,
+            ElementLine::AlongX(_) => crop.x,
+            ElementLine::AlongY(_) => crop.y,
         },
     };
     let mut svg = subject.style.sheet(WIDTH, HEIGHT);
@@ -124,8 +124,8 @@ impl Depths<'_> {
     fn element(&self, i: usize) -> usize {
         let size = self.subject.fields.size;
         match self.line {
-            Line::AlongX(j) => i * size + j,
-            Line::AlongY(j) => j * size + i,
+            ElementLine::AlongX(j) => i * size + j,
+            ElementLine::AlongY(j) => j * size + i,
         }
     }
 

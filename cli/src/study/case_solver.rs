@@ -16,7 +16,7 @@ use crate::failure::Failure;
 use crate::forecast::Need;
 use crate::memory::MemoryBudget;
 use crate::output::file::Existing;
-use crate::output::folder::{Extent, ResultsFolder};
+use crate::output::folder::{Completeness, ResultsFolder};
 use crate::output::summary::{Clock, Summary};
 use crate::output::{results, run_files};
 
@@ -126,13 +126,13 @@ impl CaseSolver<'_> {
         // Warnings of the cache concern all cases, and are printed at the end.
         let mut summary = Summary::new(&case, &path, clock, &[])?;
         if let Some(folder) = folder {
-            let mut extent = Extent::Whole;
+            let mut completeness = Completeness::Whole;
             folder.write(|folder| {
-                extent =
+                completeness =
                     results::write(folder, &path, &mut summary, &case.output, start, &|_, _| ())?;
-                Ok(extent)
+                Ok(completeness)
             })?;
-            if extent == Extent::Part {
+            if completeness == Completeness::Part {
                 return Ok(None);
             }
         }

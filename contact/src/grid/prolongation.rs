@@ -21,7 +21,7 @@ pub fn prolong(field: &Field<'_>, onto: &Window, mask: &[bool]) -> Vec<f64> {
     let places = [0, 1].map(|axis: usize| {
         let first = onto.origin()[axis];
         let along = first..first + onto.size();
-        let places = along.map(|i| Place::of(i, field.window.grid(), onto.grid()));
+        let places = along.map(|i| BetweenCentres::of(i, field.window.grid(), onto.grid()));
         places.collect::<Vec<_>>()
     });
     let mut fine = vec![0.0; onto.size() * onto.size()];
@@ -36,7 +36,7 @@ pub fn prolong(field: &Field<'_>, onto: &Window, mask: &[bool]) -> Vec<f64> {
 }
 
 /// The mean of the four values around a place that lie on one side of the outline, by their bilinear weights.
-fn interpolate(field: &Field<'_>, side: bool, [x, y]: [&Place; 2]) -> f64 {
+fn interpolate(field: &Field<'_>, side: bool, [x, y]: [&BetweenCentres; 2]) -> f64 {
     let (mut sum, mut weights) = (0.0, 0.0);
     for (i, along_x) in x.ends() {
         for (j, along_y) in y.ends() {
@@ -53,14 +53,14 @@ fn interpolate(field: &Field<'_>, side: bool, [x, y]: [&Place; 2]) -> f64 {
 }
 
 /// A fine centre between two coarse ones along one axis.
-struct Place {
+struct BetweenCentres {
     low: usize,
     high: usize,
     /// Weight of the second.
     weight: f64,
 }
 
-impl Place {
+impl BetweenCentres {
     /// The place of the `i`-th of `to` centres among `from`.
     fn of(i: usize, from: usize, to: usize) -> Self {
         let position =

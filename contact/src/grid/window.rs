@@ -31,7 +31,7 @@ pub struct Window {
 
 /// First and last index of some elements along both axes.
 #[derive(Debug, Clone, Copy)]
-struct Extent {
+struct IndexRange {
     first: [usize; 2],
     last: [usize; 2],
 }
@@ -82,10 +82,10 @@ impl Window {
         belongs: impl Fn([usize; 2]) -> bool + Sync,
         finer: usize,
     ) -> Option<Self> {
-        let Extent { first, last } = self.extent(belongs)?;
+        let IndexRange { first, last } = self.extent(belongs)?;
         let low = |i: usize| i.saturating_sub(1) * finer / self.grid;
         let high = |i: usize| ((i + 2) * finer).div_ceil(self.grid).min(finer) - 1;
-        let extent = Extent {
+        let extent = IndexRange {
             first: first.map(low),
             last: last.map(high),
         };
@@ -94,25 +94,25 @@ impl Window {
     }
 
     /// First and last of this window's elements that belong, or lie between the axis and those on a quadrant.
-    fn extent(&self, belongs: impl Fn([usize; 2]) -> bool + Sync) -> Option<Extent> {
+    fn extent(&self, belongs: impl Fn([usize; 2]) -> bool + Sync) -> Option<IndexRange> {
         let [above, left] = self.origin;
         let columns = left..left + self.size;
         let of_row = |i: usize| {
             let belongs = |j: &usize| belongs([i, *j]);
             let first = columns.clone().find(belongs)?;
             let last = (first..columns.end).rfind(belongs)?;
-            Some(Extent {
+            Some(IndexRange {
                 first: [i, first],
                 last: [i, last],
             })
         };
         let rows = (above..above + self.size).into_par_iter();
         let rows = rows.with_min_len(ELEMENTS_PER_THREAD / self.size + 1);
-        let extents: Vec<Extent> = rows.filter_map(of_row).collect();
-        let extent = extents.into_iter().reduce(Extent::and)?;
+        let extents: Vec<IndexRange> = rows.filter_map(of_row).collect();
+        let extent = extents.into_iter().reduce(IndexRange::and)?;
         Some(match self.sector {
             Sector::Whole => extent,
-            Sector::Quadrant => Extent {
+            Sector::Quadrant => IndexRange {
                 first: [0, 0],
                 ..extent
             },
@@ -347,7 +347,7 @@ impl Window {
     }
 }
 
-impl Extent {
+impl IndexRange {
     /// Elements along the longer side.
     fn longest(&self) -> usize {
         let lengths = [0, 1].map(|axis: usize| self.last[axis] + 1 - self.first[axis]);

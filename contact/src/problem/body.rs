@@ -11,11 +11,11 @@ pub enum Body {
     /// An operator of which nothing more is known.
     Operator(Box<dyn ElasticOperator>),
     /// Coefficients, and the operators made from them so far.
-    Surface(Surface),
+    Known(KnownBody),
 }
 
 /// A body whose coefficients are known.
-pub struct Surface {
+pub struct KnownBody {
     elasticity: Arc<SurfaceElasticity>,
     operator: Option<Box<dyn ElasticOperator>>,
     /// From pressures on one window to displacements on another around it.
@@ -24,7 +24,7 @@ pub struct Surface {
 
 impl Body {
     pub fn of(elasticity: Arc<SurfaceElasticity>) -> Self {
-        Self::Surface(Surface {
+        Self::Known(KnownBody {
             elasticity,
             operator: None,
             spread: None,
@@ -35,7 +35,7 @@ impl Body {
     pub fn elasticity(&self) -> Option<&Arc<SurfaceElasticity>> {
         match self {
             Self::Operator(_) => None,
-            Self::Surface(surface) => Some(&surface.elasticity),
+            Self::Known(surface) => Some(&surface.elasticity),
         }
     }
 
@@ -50,7 +50,7 @@ impl Body {
                 operator.apply_into(&unit, &mut displacement);
                 displacement[middle]
             }
-            Self::Surface(surface) => surface.elasticity.coefficient([0, 0]),
+            Self::Known(surface) => surface.elasticity.coefficient([0, 0]),
         }
     }
 
@@ -58,7 +58,7 @@ impl Body {
     pub fn operator_on(&mut self, everywhere: &Window) -> &mut dyn ElasticOperator {
         match self {
             Self::Operator(operator) => operator.as_mut(),
-            Self::Surface(surface) => surface.operator_on(everywhere),
+            Self::Known(surface) => surface.operator_on(everywhere),
         }
     }
 
@@ -70,7 +70,7 @@ impl Body {
         displacement: &mut [f64],
     ) {
         match self {
-            Self::Surface(surface) if !window.is_whole() => {
+            Self::Known(surface) if !window.is_whole() => {
                 let spread = surface.spread_of([*window, *reach]);
                 spread.apply_into(pressure, displacement);
             }
@@ -82,13 +82,13 @@ impl Body {
 
     /// Gives back the memory of operators that can be made again.
     pub fn release(&mut self) {
-        if let Self::Surface(surface) = self {
+        if let Self::Known(surface) = self {
             (surface.operator, surface.spread) = (None, None);
         }
     }
 }
 
-impl Surface {
+impl KnownBody {
     fn operator_on(&mut self, everywhere: &Window) -> &mut dyn ElasticOperator {
         let elasticity = &self.elasticity;
         let made = || elasticity.operator_on(everywhere.sector(), everywhere.size());

@@ -42,7 +42,7 @@ pub struct ContactShape {
 
 /// The same of some cells, areas in elements.
 #[derive(Clone, Copy, Default)]
-struct Part {
+struct CellSum {
     area: f64,
     area_on_relief: f64,
     cut: f64,
@@ -64,7 +64,7 @@ struct Crossing {
 
 /// One corner of a cell: the centre of an element.
 #[derive(Clone, Copy)]
-struct Corner {
+struct CellCorner {
     place: Place,
     element: Option<usize>,
     is_in_contact: bool,
@@ -81,10 +81,10 @@ impl ContactShape {
         // Cells from one before the window to its last element.
         let size = window.size().cast_signed();
         let lines = window.by_lines(field.pressure, |line, _| {
-            Part::of_line(field, line.cast_signed(), size)
+            CellSum::of_line(field, line.cast_signed(), size)
         });
-        let first = Part::of_line(field, -1, size);
-        let all = lines.into_iter().fold(first, Part::and);
+        let first = CellSum::of_line(field, -1, size);
+        let all = lines.into_iter().fold(first, CellSum::and);
         let whole = window.sector().images() as f64 * grid.element_area();
         let without = |area: f64, cut: f64| whole * (area - cut.min(LARGEST_CUT * area));
         Self {
@@ -97,7 +97,7 @@ impl ContactShape {
     }
 }
 
-impl Part {
+impl CellSum {
     /// Of the cells whose first corner lies in a line.
     fn of_line(field: &ContactField<'_>, line: isize, size: isize) -> Self {
         let mut part = Self::default();
@@ -123,8 +123,9 @@ impl Part {
         }
     }
 
-    fn add(&mut self, field: &ContactField<'_>, corners: [Corner; 4]) {
-        let count = |is: fn(&Corner) -> bool| corners.iter().filter(|corner| is(corner)).count();
+    fn add(&mut self, field: &ContactField<'_>, corners: [CellCorner; 4]) {
+        let count =
+            |is: fn(&CellCorner) -> bool| corners.iter().filter(|corner| is(corner)).count();
         let in_contact = count(|corner| corner.is_in_contact);
         let on_relief = count(|corner| corner.is_in_contact && corner.is_on_relief);
         let share = field.window.share_of_cell(corners[0].place);
@@ -156,9 +157,9 @@ impl Part {
     }
 }
 
-fn corner(field: &ContactField<'_>, place: Place) -> Corner {
+fn corner(field: &ContactField<'_>, place: Place) -> CellCorner {
     let element = field.element(place);
-    Corner {
+    CellCorner {
         place,
         element,
         is_in_contact: element.is_some_and(|e| field.pressure[e] > 0.0),
@@ -181,8 +182,8 @@ struct Polygon {
 impl Polygon {
     fn of(
         field: &ContactField<'_>,
-        corners: &[Corner; 4],
-        belongs: impl Fn(&Corner) -> bool,
+        corners: &[CellCorner; 4],
+        belongs: impl Fn(&CellCorner) -> bool,
     ) -> Self {
         let inside = corners.each_ref().map(&belongs);
         if inside == [true; 4] {
@@ -251,7 +252,7 @@ fn shoelace(points: &[[f64; 2]]) -> f64 {
 }
 
 /// Where what belongs ends between a centre that does and one that does not.
-fn crossing(field: &ContactField<'_>, inside: &Corner, outside: &Corner) -> Crossing {
+fn crossing(field: &ContactField<'_>, inside: &CellCorner, outside: &CellCorner) -> Crossing {
     let at = |from_first: f64| Crossing {
         from_first,
         offset: 0.0,

@@ -56,11 +56,11 @@ pub(crate) fn lowest_height(model: &Model, grid: &Grid) -> f64 {
 pub(crate) struct Surroundings<'a> {
     model: &'a Model,
     grid: Grid,
-    frames: Vec<Frame>,
+    frames: Vec<SquareFrame>,
 }
 
 /// The frame between a square and one of twice its side.
-struct Frame {
+struct SquareFrame {
     /// Under the indenter alone, where it rises from its axis: no gap is smaller than its height.
     outlook: Option<Outlook>,
     /// Made when it is first looked at.
@@ -133,7 +133,7 @@ impl<'a> Surroundings<'a> {
         for doublings in 0..MOST_DOUBLINGS {
             if self.frames.len() == doublings {
                 self.frames
-                    .push(Frame::of(self.model, self.side(doublings)));
+                    .push(SquareFrame::of(self.model, self.side(doublings)));
             }
             let side = self.side(doublings);
             let frame = &mut self.frames[doublings];
@@ -153,7 +153,7 @@ impl<'a> Surroundings<'a> {
     }
 }
 
-impl Frame {
+impl SquareFrame {
     fn of(model: &Model, side: f64) -> Self {
         let rises = !matches!(model.indenter, Indenter::Map(_) | Indenter::Custom(_));
         Self {

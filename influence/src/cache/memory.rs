@@ -9,11 +9,11 @@ use blake3::Hash;
 pub(super) struct Memory<T> {
     /// Bytes that the values may take together.
     limit: usize,
-    entries: Mutex<Vec<Entry<T>>>,
+    entries: Mutex<Vec<KeptEntry<T>>>,
 }
 
 #[derive(Debug)]
-struct Entry<T> {
+struct KeptEntry<T> {
     key: Hash,
     value: Arc<T>,
     bytes: usize,
@@ -44,13 +44,13 @@ impl<T> Memory<T> {
         }
         let mut entries = self.entries.lock().unwrap_or_else(PoisonError::into_inner);
         entries.retain(|entry| entry.key != key);
-        entries.push(Entry {
+        entries.push(KeptEntry {
             key,
             value: value.clone(),
             bytes,
         });
         let mut kept = 0;
-        let fits = |entry: &&Entry<T>| {
+        let fits = |entry: &&KeptEntry<T>| {
             kept += entry.bytes;
             kept <= self.limit
         };

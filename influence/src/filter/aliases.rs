@@ -16,13 +16,13 @@ const NODES: usize = 4;
 pub type Weights = [f64; NODES];
 
 /// A foundation under square elements.
-pub struct Body<'a> {
+pub struct GriddedFoundation<'a> {
     pub foundation: &'a Foundation,
     /// Half the side of an element, `a`, in m.
     pub half_side: f64,
 }
 
-impl Body<'_> {
+impl GriddedFoundation<'_> {
     /// `C(k) sinc(k_x a) sinc(k_y a)`, in m/Pa, for `k ≠ 0`.
     pub fn response(&self, wave: [f64; 2]) -> f64 {
         self.response_of(wave, wave.map(|k| self.sinc(k)))
@@ -60,7 +60,7 @@ pub struct Aliases {
 
 impl Aliases {
     /// Samples the sum at the nodes.
-    pub fn new(body: &Body<'_>) -> Self {
+    pub fn new(body: &GriddedFoundation<'_>) -> Self {
         let largest = PI / (2.0 * body.half_side);
         let wavenumbers = nodes().map(|node| node.sqrt() * largest);
         Self {
@@ -69,21 +69,21 @@ impl Aliases {
     }
 
     /// The polynomial in `k_y²` at the `k_x` of these weights.
-    pub fn along(&self, weights: &Weights) -> Row {
+    pub fn along(&self, weights: &Weights) -> AliasRow {
         let mut row = [0.0; NODES];
         for (weight, values) in weights.iter().zip(&self.values) {
             for (sum, value) in row.iter_mut().zip(values) {
                 *sum += weight * value;
             }
         }
-        Row(row)
+        AliasRow(row)
     }
 }
 
 /// The sum at one `k_x`.
-pub struct Row(Weights);
+pub struct AliasRow(Weights);
 
-impl Row {
+impl AliasRow {
     /// The sum at the `k_y` of these weights, in m/Pa.
     pub fn at(&self, weights: &Weights) -> f64 {
         self.0.iter().zip(weights).map(|(v, w)| v * w).sum()
@@ -115,7 +115,7 @@ mod tests {
 
     use pellicle_kernel::{Foundation, Material};
 
-    use super::{Aliases, Body, weights};
+    use super::{Aliases, GriddedFoundation, weights};
 
     fn bodies() -> Vec<Foundation> {
         let material = |modulus, ratio| Material::new(modulus, ratio).unwrap();
@@ -132,7 +132,7 @@ mod tests {
     #[test]
     fn the_polynomial_is_the_sum_between_its_nodes_too() {
         for foundation in &bodies() {
-            let body = Body {
+            let body = GriddedFoundation {
                 foundation,
                 half_side: 0.5,
             };

@@ -17,14 +17,14 @@ const PART: usize = 1 << 14;
 /// `F⁻¹ f(K̂) F` on one grid, with the [symbol](PeriodicSymbol) `K̂` and any function f of it.
 pub struct PeriodicFilter {
     symbol: PeriodicSymbol,
-    transform: Transform,
+    transform: SectorTransform,
     /// The factor over the largest one, and the normalisation, of each frequency along one axis and of each along
     /// the other.
     multipliers: Vec<f32>,
     largest_multiplier: f64,
 }
 
-enum Transform {
+enum SectorTransform {
     Whole(PlaneTransform<FourierLines<f32>>),
     Quadrant(PlaneTransform<EvenLines<f32>>),
 }
@@ -35,8 +35,12 @@ impl PeriodicFilter {
     pub fn new(symbol: PeriodicSymbol, sector: Sector) -> Self {
         let size = symbol.size() / sector.parts();
         let transform = match sector {
-            Sector::Whole => Transform::Whole(PlaneTransform::new(FourierLines::periodic(size))),
-            Sector::Quadrant => Transform::Quadrant(PlaneTransform::new(EvenLines::periodic(size))),
+            Sector::Whole => {
+                SectorTransform::Whole(PlaneTransform::new(FourierLines::periodic(size)))
+            }
+            Sector::Quadrant => {
+                SectorTransform::Quadrant(PlaneTransform::new(EvenLines::periodic(size)))
+            }
         };
         let multipliers = vec![0.0; transform.frequencies().pow(2)];
         Self {
@@ -82,8 +86,12 @@ impl PeriodicFilter {
         }
         let scales = [1.0 / largest, largest * self.largest_multiplier];
         match &mut self.transform {
-            Transform::Whole(transform) => filter(transform, &self.multipliers, field, scales),
-            Transform::Quadrant(transform) => filter(transform, &self.multipliers, field, scales),
+            SectorTransform::Whole(transform) => {
+                filter(transform, &self.multipliers, field, scales);
+            }
+            SectorTransform::Quadrant(transform) => {
+                filter(transform, &self.multipliers, field, scales);
+            }
         }
     }
 
@@ -123,7 +131,7 @@ impl PeriodicFilter {
     }
 }
 
-impl Transform {
+impl SectorTransform {
     /// Frequencies along one axis.
     fn frequencies(&self) -> usize {
         match self {

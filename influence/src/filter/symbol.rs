@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use pellicle_kernel::Foundation;
 use rayon::prelude::*;
 
-use super::aliases::{Aliases, Body, Weights, weights};
+use super::aliases::{Aliases, GriddedFoundation, Weights, weights};
 
 /// `∫∫ dA/k` over a square of side 1 centred at k = 0: 4 ln(1+√2). The mean of `1/k` over the zero frequency's
 /// cell, in units of that at its neighbour.
@@ -35,7 +35,7 @@ impl PeriodicSymbol {
         let width = size / 2 + 1;
         // k = 2π i/(N h)
         let step = 2.0 * PI / (size as f64 * element_side);
-        let body = Body {
+        let body = GriddedFoundation {
             foundation,
             half_side: element_side / 2.0,
         };

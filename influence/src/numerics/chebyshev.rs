@@ -10,13 +10,13 @@ pub(crate) fn nodes(count: usize) -> impl Iterator<Item = f64> {
 
 /// Values at the [`nodes`] to coefficients, for one number of terms.
 #[derive(Clone, Debug)]
-pub(crate) struct Transform {
+pub(crate) struct ChebyshevTransform {
     samples: usize,
     /// Row j: `2/n cos(π j (i + ½)/n)`, halved for j = 0.
     matrix: Vec<f64>,
 }
 
-impl Transform {
+impl ChebyshevTransform {
     /// The transform for `samples` values to the first `terms` coefficients; with more samples than terms, a
     /// least-squares fit.
     pub(crate) fn new(samples: usize, terms: usize) -> Self {
@@ -97,11 +97,11 @@ pub(crate) fn tail(coefficients: &[f64]) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{Transform, integral, nodes, sum, tail, taylor};
+    use super::{ChebyshevTransform, integral, nodes, sum, tail, taylor};
 
     fn exponential() -> Vec<f64> {
         let values: Vec<f64> = nodes(18).map(f64::exp).collect();
-        Transform::new(18, 18).coefficients(&values)
+        ChebyshevTransform::new(18, 18).coefficients(&values)
     }
 
     #[test]
@@ -126,7 +126,7 @@ mod tests {
     fn more_samples_than_terms_give_the_same_polynomial() {
         let cubic = |x: f64| 1.0 + x * (2.0 - x * (3.0 - 4.0 * x));
         let values: Vec<f64> = nodes(64).map(cubic).collect();
-        let coefficients = Transform::new(64, 4).coefficients(&values);
+        let coefficients = ChebyshevTransform::new(64, 4).coefficients(&values);
         assert!((sum(&coefficients, 0.4) - cubic(0.4)).abs() < 1e-14);
     }
 

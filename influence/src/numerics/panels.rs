@@ -4,7 +4,7 @@ use std::f64::consts::LN_2;
 
 use serde::{Deserialize, Serialize};
 
-use crate::numerics::chebyshev::{Transform, nodes, sum, tail};
+use crate::numerics::chebyshev::{ChebyshevTransform, nodes, sum, tail};
 use crate::numerics::rounding;
 
 /// Terms of a panel's expansion.
@@ -83,7 +83,7 @@ impl Panels {
             cells: Vec::new(),
             all: Vec::new(),
         };
-        let transform = Transform::new(TERMS, TERMS);
+        let transform = ChebyshevTransform::new(TERMS, TERMS);
         let total = count * FINEST;
         while fitted.cells.len() < total {
             let left = fitted.cells.len();
@@ -109,7 +109,7 @@ impl Panels {
         left: usize,
         cells: usize,
         function: impl Fn(f64) -> f64,
-        transform: &Transform,
+        transform: &ChebyshevTransform,
     ) -> (Panel, f64) {
         let half_width = cells as f64 * CELL / 2.0;
         let mut panel = Panel {

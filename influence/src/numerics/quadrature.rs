@@ -65,7 +65,7 @@ pub(crate) fn integrate(
         return Err(InfluenceError::IntegrationLimits { lower, upper });
     }
     let pieces = pieces.max(1);
-    let rule = Rule {
+    let rule = IntegrandRule {
         f,
         target: tolerance / (4 * pieces) as f64,
     };
@@ -121,13 +121,13 @@ impl Interval {
 }
 
 /// The crate's rule for one integrand.
-struct Rule<F> {
+struct IntegrandRule<F> {
     f: F,
     /// Absolute error asked of one application.
     target: f64,
 }
 
-impl<F: Fn(f64) -> f64> Rule<F> {
+impl<F: Fn(f64) -> f64> IntegrandRule<F> {
     /// Halves an interval whose integral is known to be `whole` if the rule can be believed.
     fn interval(&self, ends: [f64; 2], whole: f64) -> Result<Interval, InfluenceError> {
         let middle = f64::midpoint(ends[0], ends[1]);

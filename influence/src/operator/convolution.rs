@@ -132,10 +132,10 @@ impl ElasticOperator for QuadrantOperator {
 /// side a product takes half the time of [`ConvolutionOperator`]'s, and agrees with it to rounding (test
 /// `under_a_window_the_grid_moves_as_under_the_whole_pressure`). Uses the current rayon pool; the result does not
 /// depend on it, bit for bit.
-pub struct WindowOperator(Surface);
+pub struct WindowOperator(ShownSurface);
 
 /// The surface that moves.
-enum Surface {
+enum ShownSurface {
     Grid(Convolution<FourierLines<f64>>),
     Quadrant(Convolution<EvenLines<f64>>),
 }
@@ -160,10 +160,10 @@ impl WindowOperator {
             table.size()
         );
         Self(match sector {
-            Sector::Whole => Surface::Grid(Convolution::on_grid(table, [size, shown], origin)),
+            Sector::Whole => ShownSurface::Grid(Convolution::on_grid(table, [size, shown], origin)),
             Sector::Quadrant => {
                 assert_eq!(origin, [0; 2], "a quadrant's window begins at the axis");
-                Surface::Quadrant(Convolution::on_quadrant(table, [size, shown]))
+                ShownSurface::Quadrant(Convolution::on_quadrant(table, [size, shown]))
             }
         })
     }
@@ -175,15 +175,15 @@ impl WindowOperator {
     /// If a field has not one value per element.
     pub fn apply_into(&mut self, pressure: &[f64], displacement: &mut [f64]) {
         match &mut self.0 {
-            Surface::Grid(convolution) => convolution.apply_into(pressure, displacement),
-            Surface::Quadrant(convolution) => convolution.apply_into(pressure, displacement),
+            ShownSurface::Grid(convolution) => convolution.apply_into(pressure, displacement),
+            ShownSurface::Quadrant(convolution) => convolution.apply_into(pressure, displacement),
         }
     }
 
     fn size(&self) -> usize {
         match &self.0 {
-            Surface::Grid(convolution) => convolution.shown(),
-            Surface::Quadrant(convolution) => convolution.shown(),
+            ShownSurface::Grid(convolution) => convolution.shown(),
+            ShownSurface::Quadrant(convolution) => convolution.shown(),
         }
     }
 }

@@ -172,7 +172,7 @@ impl MirrorTransform {
     fn transform_pair(
         &self,
         line: &mut [Complex64],
-        Buffers { sequence, scratch }: &mut Buffers,
+        LineBuffers { sequence, scratch }: &mut LineBuffers,
         mut tell: impl FnMut(usize, Complex64),
     ) {
         let (mut half, mut step) = (self.half, 1);
@@ -210,11 +210,11 @@ impl MirrorTransform {
     }
 
     /// A few pairs of lines, and the buffers of their transforms.
-    fn buffers(&self) -> (Vec<Complex64>, Buffers) {
+    fn buffers(&self) -> (Vec<Complex64>, LineBuffers) {
         let folded = self.folded.iter().map(CosineTransform::scratch_length);
         let scratch = folded.fold(self.rest.get_inplace_scratch_len(), usize::max);
         let zeros = |count: usize| vec![Complex64::default(); count];
-        let buffers = Buffers {
+        let buffers = LineBuffers {
             sequence: zeros(2 * self.half),
             scratch: zeros(scratch),
         };
@@ -223,7 +223,7 @@ impl MirrorTransform {
 }
 
 /// Buffers for one pair of lines.
-struct Buffers {
+struct LineBuffers {
     /// The sequence under way.
     sequence: Vec<Complex64>,
     scratch: Vec<Complex64>,

@@ -6,7 +6,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::numerics::chebyshev::{Transform, nodes};
+use crate::numerics::chebyshev::{ChebyshevTransform, nodes};
 
 /// Panels to an octave of u, as a power of two: 16, each 3 % wide in t.
 const BITS: u32 = 4;
@@ -37,7 +37,7 @@ impl FarField {
     ) -> Self {
         let first = number(start * start) + 1;
         let last = number(end * end);
-        let transform = Transform::new(TERMS, TERMS);
+        let transform = ChebyshevTransform::new(TERMS, TERMS);
         let mut error = 0.0_f64;
         let panels = (first..last).map(|panel| {
             let u = |place: f64| point(panel, place);

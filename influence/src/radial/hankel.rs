@@ -101,7 +101,7 @@ impl HankelRule {
         function: impl Fn(&HankelNode) -> f64,
         smooth_below: f64,
         one_beyond: f64,
-    ) -> Integral {
+    ) -> RoundedSum {
         let octave = rounding::ceil((DOUBLING_END / smooth_below).log2());
         let octave = octave.min(self.heads.len() - 1);
         let from = (self.heads.len() - 1 - octave) * PANEL;
@@ -117,7 +117,7 @@ impl HankelRule {
             squares += term * term;
         }
         sum.add(self.rest[to]);
-        Integral {
+        RoundedSum {
             value: sum.value(),
             squares,
         }
@@ -126,12 +126,12 @@ impl HankelRule {
 
 /// A sum of independently rounded terms.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Integral {
+pub(crate) struct RoundedSum {
     pub value: f64,
     squares: f64,
 }
 
-impl Integral {
+impl RoundedSum {
     /// A sum that was rounded once.
     pub(crate) fn exact(value: f64) -> Self {
         let squares = value * value;

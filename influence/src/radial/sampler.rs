@@ -3,7 +3,7 @@
 use pellicle_kernel::Foundation;
 
 use super::functions::{RadialFunctions, Worst, Yardstick, scale};
-use super::hankel::{HankelRule, Integral};
+use super::hankel::{HankelRule, RoundedSum};
 use super::precise::Precise;
 use crate::numerics::panels::Panel;
 use crate::response::ResponseTable;
@@ -36,18 +36,18 @@ impl<'a> Sampler<'a> {
     }
 
     /// `T = ∫₀^∞ Φ(x/t) J0(x) dx`, in more digits where rounding would show.
-    pub(super) fn at(&self, ln_t: f64) -> Integral {
+    pub(super) fn at(&self, ln_t: f64) -> RoundedSum {
         let plain = self.plain(ln_t);
         let scale = scale(self.response.limit(), plain.value.abs(), ln_t);
         match &self.precise {
             Some(precise) if plain.rounding() > TOLERANCE * scale => {
-                Integral::exact(precise.integral(ln_t))
+                RoundedSum::exact(precise.integral(ln_t))
             }
             _ => plain,
         }
     }
 
-    fn plain(&self, ln_t: f64) -> Integral {
+    fn plain(&self, ln_t: f64) -> RoundedSum {
         let t = ln_t.exp();
         let response = self.response;
         HankelRule::shared().integrate(

@@ -103,7 +103,7 @@ fn rule_floor(limit: f64) -> f64 {
 
 /// Chebyshev coefficients of `∫ T dt` from the panel's left end, over ln t.
 fn integral(panel: &Panel) -> Vec<f64> {
-    let transform = chebyshev::Transform::new(TERMS, TERMS);
+    let transform = chebyshev::ChebyshevTransform::new(TERMS, TERMS);
     // dt = t d ln t
     let integrand = panel.samples().map(|ln_t| panel.value(ln_t) * ln_t.exp());
     let coefficients = transform.coefficients(&integrand.collect::<Vec<_>>());

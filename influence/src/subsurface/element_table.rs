@@ -31,13 +31,13 @@ const SMOOTH_FROM: f64 = 20.0;
 const ROWS: usize = 8;
 
 /// One field after the other, each a row of numbers or a square of rows.
-type Fields<T> = [T; FIELDS];
+type PerField<T> = [T; FIELDS];
 
 /// The fields under one load at `size` × `size` offsets, and the buffer of the means along y.
 pub struct ElementTable {
     size: usize,
-    fields: Fields<Vec<f64>>,
-    means: Fields<Vec<f64>>,
+    fields: PerField<Vec<f64>>,
+    means: PerField<Vec<f64>>,
 }
 
 impl ElementTable {
@@ -93,7 +93,7 @@ impl ElementTable {
 }
 
 /// The same rows, `length` numbers of each field, together.
-fn groups_of_rows(fields: &mut Fields<Vec<f64>>, length: usize) -> Vec<Fields<&mut [f64]>> {
+fn groups_of_rows(fields: &mut PerField<Vec<f64>>, length: usize) -> Vec<PerField<&mut [f64]>> {
     let mut chunks = fields.each_mut().map(|field| field.chunks_mut(length));
     let count = chunks[0].len();
     let mut next = || std::array::from_fn(|f| chunks[f].next().unwrap_or_default());
@@ -101,7 +101,11 @@ fn groups_of_rows(fields: &mut Fields<Vec<f64>>, length: usize) -> Vec<Fields<&m
 }
 
 /// Means of a function over elements along y, from 0 on.
-fn mean_along_y(value: impl Fn(f64) -> SubsurfaceState, side: f64, means: &mut Fields<&mut [f64]>) {
+fn mean_along_y(
+    value: impl Fn(f64) -> SubsurfaceState,
+    side: f64,
+    means: &mut PerField<&mut [f64]>,
+) {
     let count = means[0].len() + 2 * REACH;
     let states = (0..count).map(|n| value((n as f64 - REACH as f64) * side));
     let states: Vec<SubsurfaceState> = states.collect();
@@ -118,10 +122,10 @@ fn mean_along_y(value: impl Fn(f64) -> SubsurfaceState, side: f64, means: &mut F
 
 /// Writes the means along x of the means along y to rows from `first` on.
 fn mean_along_x(
-    fields: &mut Fields<&mut [f64]>,
+    fields: &mut PerField<&mut [f64]>,
     first: usize,
     size: usize,
-    means: &Fields<Vec<f64>>,
+    means: &PerField<Vec<f64>>,
 ) {
     for (field, means) in fields.iter_mut().zip(means) {
         for (m, row) in (first..).zip(field.chunks_exact_mut(size)) {
@@ -136,7 +140,7 @@ fn mean_along_x(
 
 /// Replaces the means of rows from `first` on by integrals where the point load is too near.
 fn integrate_near(
-    fields: &mut Fields<&mut [f64]>,
+    fields: &mut PerField<&mut [f64]>,
     first: usize,
     size: usize,
     reach: f64,
@@ -156,7 +160,7 @@ fn integrate_near(
 
 /// Adds the sums over the corners, with signs, of a function of the places that they are seen at, in elements.
 fn add_corners(
-    fields: &mut Fields<&mut [f64]>,
+    fields: &mut PerField<&mut [f64]>,
     first: usize,
     size: usize,
     corner: impl Fn([f64; 2]) -> SubsurfaceState,

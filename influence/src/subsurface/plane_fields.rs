@@ -147,8 +147,8 @@ impl PlaneFields {
     }
 
     /// The spectra whose sum is that of a field.
-    fn parts(&self, field: usize) -> Vec<Part> {
-        let part = |quarter: &[f64], parities, factor| Part {
+    fn parts(&self, field: usize) -> Vec<ParityPart> {
+        let part = |quarter: &[f64], parities, factor| ParityPart {
             spectrum: Spectrum::of_quarter(quarter, parities, self.offsets, self.half),
             parities,
             factor,
@@ -178,14 +178,14 @@ fn transposed(field: &[f64], size: usize) -> Vec<f64> {
 }
 
 /// A spectrum of one parity.
-struct Part {
+struct ParityPart {
     spectrum: Spectrum,
     parities: [Parity; 2],
     factor: f64,
 }
 
 /// Multiplies one part of the column of this frequency along y by the sum of the spectra.
-fn weigh(parts: &[Part], [frequency, which]: [usize; 2], column: &mut [Complex64]) {
+fn weigh(parts: &[ParityPart], [frequency, which]: [usize; 2], column: &mut [Complex64]) {
     let length = column.len();
     let rising = length / 2 + 1 - which * (1 - length % 2);
     for (k, entry) in column.iter_mut().enumerate() {
@@ -202,7 +202,7 @@ fn weigh(parts: &[Part], [frequency, which]: [usize; 2], column: &mut [Complex64
     }
 }
 
-impl Part {
+impl ParityPart {
     /// The spectrum at one frequency along y and a place among the even or odd ones along x, or at its mirror image.
     fn value(&self, [frequency, which]: [usize; 2], place: usize, sign: f64) -> Complex64 {
         let value = self.factor * self.spectrum.column(frequency)[which][place];

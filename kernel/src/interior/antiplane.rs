@@ -10,8 +10,8 @@
 //! across a layer. Every sum is one of positive terms, so each value is relatively accurate.
 
 use super::Antiplane;
-use crate::response::Share;
-use crate::wave::Place;
+use crate::response::ComplianceShare;
+use crate::wave::PlaceInLayer;
 use crate::{Base, Layer, Material};
 
 /// `W : T` of what lies below a plane, and `W − T`.
@@ -47,7 +47,7 @@ impl Held {
     };
 
     /// From below an interface to above it: `W' = W + ĉ T/μ`, `T' = T/μ`, all times `μ/(1 + ĉ)`.
-    fn onto(self, mu: f64, mu_minus_one: f64, shear: Share) -> Self {
+    fn onto(self, mu: f64, mu_minus_one: f64, shear: ComplianceShare) -> Self {
         let Self { w, t, difference } = self;
         Self {
             w: shear.held * mu * w + shear.free * t,
@@ -111,7 +111,7 @@ impl Wave {
     }
 
     /// Amplitudes in a body of `stiffness = G k`.
-    pub(super) fn at(&self, place: &Place, stiffness: f64) -> Antiplane {
+    pub(super) fn at(&self, place: &PlaceInLayer, stiffness: f64) -> Antiplane {
         let decay = (-place.below_top).exp();
         let (w, t) = match *self {
             Self::Layer { held, scale, .. } => {
@@ -129,7 +129,7 @@ impl Wave {
     }
 
     /// The amplitudes in the top layer less those in a half-space of its material.
-    pub(super) fn correction(&self, place: &Place, stiffness: f64) -> Antiplane {
+    pub(super) fn correction(&self, place: &PlaceInLayer, stiffness: f64) -> Antiplane {
         let Self::Layer { s, held, scale } = *self else {
             return antiplane(0.0, 0.0, stiffness);
         };
@@ -161,9 +161,9 @@ fn held_bottoms(layers: &[Layer], base: Base, wavenumber: f64) -> Vec<(Held, f64
         let stiffness = layer.material().shear_modulus() * wavenumber;
         let compliance = layer.interface().shear_compliance();
         let shear = if compliance == 0.0 {
-            Share::new(0.0)
+            ComplianceShare::new(0.0)
         } else {
-            Share::new(compliance * stiffness)
+            ComplianceShare::new(compliance * stiffness)
         };
         let bottom = held.onto(mu, excess, shear);
         bottoms.push((bottom, mu));

@@ -5,7 +5,7 @@
 //! general, the one of the largest minor magnifies no error. Of what is known above an interface, in the units of
 //! the body above, the components below it follow so directly, without the difference that a spring's jump would be.
 
-use crate::response::{HeldBottom, Minors, Share};
+use crate::response::{ComplianceShare, HeldBottom, Minors};
 use crate::wave::{SIGMA, TAU, TopPair, U, V};
 use nalgebra::Vector4;
 
@@ -84,8 +84,8 @@ struct Mixed {
 impl Mixed {
     fn new(held: &HeldBottom) -> Self {
         let Minors { p, q, f, g, .. } = held.below;
-        let Share { held: s1, free: s2 } = held.spring.shear;
-        let Share { held: n1, free: n2 } = held.spring.normal;
+        let ComplianceShare { held: s1, free: s2 } = held.spring.shear;
+        let ComplianceShare { held: n1, free: n2 } = held.spring.normal;
         Self {
             uv: s1 * (n1 * p + n2 * f),
             vu: n1 * (s1 * p + s2 * g),

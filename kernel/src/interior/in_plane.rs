@@ -10,7 +10,8 @@ use super::bottom::{rows, rows_of_half_space};
 use super::crossing::{best_pair, cross};
 use crate::response::{HeldBottom, Minors, Poisson, Stack};
 use crate::wave::{
-    LayerEquations, LayerWave, Place, Profile, SIGMA, TAU, TopPair, U, V, decayed, slope,
+    DepthFactors, LayerEquations, LayerWave, PlaceInLayer, SIGMA, TAU, TopPair, U, V, decayed,
+    slope,
 };
 use crate::{Base, Foundation, KernelError, Layer, Material};
 use nalgebra::Vector4;
@@ -31,17 +32,22 @@ pub(super) enum Wave {
 
 impl Wave {
     /// Amplitudes under both loads in a body of this material.
-    pub(super) fn at(&self, place: &Place, material: Material, wavenumber: f64) -> Pair<InPlane> {
+    pub(super) fn at(
+        &self,
+        place: &PlaceInLayer,
+        material: Material,
+        wavenumber: f64,
+    ) -> Pair<InPlane> {
         let poisson = Poisson::new(material);
         let unit = unit_traction(material, wavenumber);
         self.states(place)
             .map(|state| in_plane(&state, &poisson, unit))
     }
 
-    fn states(&self, place: &Place) -> Pair<Vector4<f64>> {
+    fn states(&self, place: &PlaceInLayer) -> Pair<Vector4<f64>> {
         match self {
             Self::Layer { s, waves } => {
-                let profile = Profile::new(*s, place);
+                let profile = DepthFactors::new(*s, place);
                 waves.map(|wave| wave.at(&profile))
             }
             Self::HalfSpace(tops) => tops.map(|top| in_half_space(&top, place.below_top)),
@@ -105,7 +111,7 @@ fn descend(
         let loads = tops.map(|top| Vector4::new(top[first], top[second], 0.0, 0.0));
         let waves = equations.solve(loads).ok_or(KernelError::Singular { s })?;
         bodies.push(Wave::Layer { s, waves });
-        let bottom = Profile::new(s, &Place::bottom(s));
+        let bottom = DepthFactors::new(s, &PlaceInLayer::bottom(s));
         let mu = body_below(foundation, i).map_or(1.0, |below| {
             layer.material().shear_modulus() / below.shear_modulus()
         });

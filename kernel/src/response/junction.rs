@@ -13,9 +13,9 @@ use crate::{Base, Interface, Layer, Material};
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Junction {
     /// Bonded to an elastic body.
-    Bonded(Step),
+    Bonded(MaterialStep),
     /// Sliding on an elastic body.
-    Frictionless(Step),
+    Frictionless(MaterialStep),
     /// Bonded to a rigid body.
     Clamped(Poisson),
     /// Sliding on a rigid body.
@@ -24,7 +24,7 @@ pub(crate) enum Junction {
 
 /// How two elastic bodies that touch differ.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Step {
+pub(crate) struct MaterialStep {
     /// `μ = G₁/G₂`, upper over lower
     mu: f64,
     /// `1/μ`
@@ -43,9 +43,11 @@ impl Junction {
         let upper = layer.material();
         match (layer.interface(), below) {
             (Interface::Bonded | Interface::Spring(_), Some(lower)) => {
-                Self::Bonded(Step::new(upper, lower))
+                Self::Bonded(MaterialStep::new(upper, lower))
             }
-            (Interface::Frictionless, Some(lower)) => Self::Frictionless(Step::new(upper, lower)),
+            (Interface::Frictionless, Some(lower)) => {
+                Self::Frictionless(MaterialStep::new(upper, lower))
+            }
             (Interface::Bonded | Interface::Spring(_), None) => Self::Clamped(Poisson::new(upper)),
             (Interface::Frictionless, None) => Self::Sliding(Poisson::new(upper)),
         }
@@ -74,7 +76,7 @@ impl Junction {
         match self {
             Self::Bonded(step) => step.bonded_minors(below),
             // Columns (1, 0, 0, 0) and (0, g, 0, −d)
-            Self::Frictionless(Step { mu, .. }) => Minors {
+            Self::Frictionless(MaterialStep { mu, .. }) => Minors {
                 p: mu * g,
                 q: 0.0,
                 f: d,
@@ -110,7 +112,7 @@ impl Junction {
     }
 }
 
-impl Step {
+impl MaterialStep {
     fn new(upper: Material, lower: Material) -> Self {
         let (e1, nu1) = (upper.young_modulus(), upper.poisson_ratio());
         let (e2, nu2) = (lower.young_modulus(), lower.poisson_ratio());

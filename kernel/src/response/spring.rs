@@ -16,12 +16,12 @@ use crate::Interface;
 
 /// One compliance as the parts `1/(1 + ĉ)` and `ĉ/(1 + ĉ)`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Share {
+pub(crate) struct ComplianceShare {
     pub(crate) held: f64,
     pub(crate) free: f64,
 }
 
-impl Share {
+impl ComplianceShare {
     /// Of a dimensionless compliance `ĉ` from 0 to ∞.
     pub(crate) fn new(compliance: f64) -> Self {
         if compliance > 1.0 {
@@ -44,14 +44,14 @@ impl Share {
 /// Both compliances of an interface at one wavenumber.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct SpringWave {
-    pub(crate) shear: Share,
-    pub(crate) normal: Share,
+    pub(crate) shear: ComplianceShare,
+    pub(crate) normal: ComplianceShare,
 }
 
 impl SpringWave {
     /// Of an interface below a body of `unit = 2 G k`.
     pub(crate) fn new(interface: Interface, unit: f64) -> Self {
-        let share = |compliance: f64| Share::new(scaled(compliance, unit));
+        let share = |compliance: f64| ComplianceShare::new(scaled(compliance, unit));
         Self {
             shear: share(interface.shear_compliance()),
             normal: share(interface.normal_compliance()),

@@ -13,17 +13,25 @@ fn summary(title: &str) -> String {
     )
 }
 
-fn fill(extent: Extent, title: &str) -> impl FnOnce(&Path) -> Result<Extent, Failure> {
+fn fill(
+    completeness: Completeness,
+    title: &str,
+) -> impl FnOnce(&Path) -> Result<Completeness, Failure> {
     move |folder| {
         fs::write(folder.join(summary::FILE), summary(title)).unwrap();
         fs::write(folder.join(format!("section-{title}.svg")), title).unwrap();
-        Ok(extent)
+        Ok(completeness)
     }
 }
 
-fn put(path: &Path, existing: Existing, extent: Extent, title: &'static str) -> PathBuf {
+fn put(
+    path: &Path,
+    existing: Existing,
+    completeness: Completeness,
+    title: &'static str,
+) -> PathBuf {
     let folder = ResultsFolder::claim(path, existing).unwrap();
-    folder.write(fill(extent, title)).unwrap()
+    folder.write(fill(completeness, title)).unwrap()
 }
 
 fn names(folder: &Path) -> Vec<String> {
@@ -43,11 +51,11 @@ fn parent() -> (TempDir, PathBuf) {
 #[test]
 fn results_are_kept_unless_they_may_be_replaced() {
     let (_parent, path) = parent();
-    put(&path, Existing::Keep, Extent::Whole, "001");
+    put(&path, Existing::Keep, Completeness::Whole, "001");
     let kept = ResultsFolder::claim(&path, Existing::Keep);
     assert!(matches!(kept, Err(Failure::Exists { .. })));
     fs::write(path.join("thesis.tex"), "").unwrap();
-    put(&path, Existing::Replace, Extent::Whole, "002");
+    put(&path, Existing::Replace, Completeness::Whole, "002");
     assert_eq!(
         names(&path),
         ["section-002.svg", "summary.json", "thesis.tex"]
@@ -57,9 +65,12 @@ fn results_are_kept_unless_they_may_be_replaced() {
 #[test]
 fn a_part_never_replaces_the_whole() {
     let (_parent, path) = parent();
-    assert_eq!(put(&path, Existing::Replace, Extent::Part, "001"), path);
+    assert_eq!(
+        put(&path, Existing::Replace, Completeness::Part, "001"),
+        path
+    );
     for place in ["stopped", "stopped-2"] {
-        let put = put(&path, Existing::Replace, Extent::Part, "002");
+        let put = put(&path, Existing::Replace, Completeness::Part, "002");
         assert_eq!(put, path.join(place));
         assert_eq!(names(&put), ["section-002.svg", "summary.json"]);
     }
@@ -104,7 +115,7 @@ fn what_comes_into_the_place_meanwhile_is_kept_and_the_results_are_too() {
     let (_parent, path) = parent();
     let folder = ResultsFolder::claim(&path, Existing::Keep).unwrap();
     fs::write(path.join(summary::FILE), "mine").unwrap();
-    let written = folder.write(fill(Extent::Whole, "001")).unwrap();
+    let written = folder.write(fill(Completeness::Whole, "001")).unwrap();
     assert_eq!(written, path.join("results"));
     assert_eq!(
         fs::read_to_string(path.join(summary::FILE)).unwrap(),
@@ -131,7 +142,7 @@ fn what_a_kill_left_half_written_is_removed_by_the_next_run() {
     sweep_beside(&path.with_file_name("b"));
     assert_eq!(names(&parent.path().join("deep")), [""; 0]);
     let (_parent, path) = left(FILLING, &["fields-000.npz"], &["curve.csv", summary::FILE]);
-    put(&path, Existing::Replace, Extent::Whole, "001");
+    put(&path, Existing::Replace, Completeness::Whole, "001");
     assert_eq!(names(&path), ["section-001.svg", "summary.json"]);
 }
 

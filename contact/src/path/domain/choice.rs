@@ -62,9 +62,9 @@ pub fn choose_side(model: &Model, loads: &[Load]) -> Result<f64, ContactError> {
         let mut verdict = None;
         for load in &loads {
             let found = judge(model, side, *load)?;
-            verdict = Some(verdict.map_or(found, |other: Verdict| other.max(found)));
+            verdict = Some(verdict.map_or(found, |other: SquareVerdict| other.max(found)));
         }
-        let verdict = verdict.unwrap_or(Verdict::Fits);
+        let verdict = verdict.unwrap_or(SquareVerdict::Fits);
         if let ControlFlow::Break(side) = search.go_on(verdict) {
             return Ok(side);
         }
@@ -87,7 +87,7 @@ fn is_known_beforehand(model: &Model) -> bool {
 
 /// The verdict of a trial on its square; the one that wants the largest square is the greatest.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Verdict {
+enum SquareVerdict {
     /// Too large by so many powers, negative.
     TooLarge(i32),
     Fits,
@@ -111,14 +111,14 @@ impl Search {
     }
 
     /// Takes note of what became of the present square; breaks with the side to solve on if it is known.
-    fn go_on(&mut self, verdict: Verdict) -> ControlFlow<f64> {
+    fn go_on(&mut self, verdict: SquareVerdict) -> ControlFlow<f64> {
         let next = match verdict {
-            Verdict::Fits => return ControlFlow::Break(self.side()),
-            Verdict::TooSmall(powers) => {
+            SquareVerdict::Fits => return ControlFlow::Break(self.side()),
+            SquareVerdict::TooSmall(powers) => {
                 self.small = Some(self.power);
                 self.power + powers
             }
-            Verdict::TooLarge(powers) => {
+            SquareVerdict::TooLarge(powers) => {
                 self.large = Some(self.power);
                 self.power + powers
             }
@@ -138,11 +138,11 @@ impl Search {
 }
 
 /// Solves for one load on a square and judges the square by it.
-fn judge(model: &Model, side: f64, load: Load) -> Result<Verdict, ContactError> {
+fn judge(model: &Model, side: f64, load: Load) -> Result<SquareVerdict, ContactError> {
     for size in FIRST_TRIALS {
         let grid = Grid::new(side, size)?;
         if is_seen_by(model, &grid) && fits_clearly(model, grid, load)? {
-            return Ok(Verdict::Fits);
+            return Ok(SquareVerdict::Fits);
         }
     }
     let grid = Grid::new(side, TRIAL)?;
@@ -152,7 +152,7 @@ fn judge(model: &Model, side: f64, load: Load) -> Result<Verdict, ContactError> 
     let step = solve(model, grid, load, COARSE_TOLERANCE)?;
     let Some(to_edge) = step.summary.elements_to_edge else {
         return Ok(if sees_the_tip(model, &grid, step.solution.penetration) {
-            Verdict::Fits
+            SquareVerdict::Fits
         } else {
             shrunk_to_fit(1)
         });
@@ -160,11 +160,11 @@ fn judge(model: &Model, side: f64, load: Load) -> Result<Verdict, ContactError> 
     let is_cut_off = Surroundings::of(model, grid).cut_off(&step.solution);
     let extent = TRIAL / 2 - to_edge;
     Ok(if to_edge < EDGE_MARGIN || is_cut_off {
-        Verdict::TooSmall(enlarged(model, side, step.solution.penetration))
+        SquareVerdict::TooSmall(enlarged(model, side, step.solution.penetration))
     } else if extent < SMALLEST_EXTENT {
         shrunk_to_fit(extent)
     } else {
-        Verdict::Fits
+        SquareVerdict::Fits
     })
 }
 
@@ -213,9 +213,9 @@ fn sees_the_tip(model: &Model, grid: &Grid, penetration: f64) -> bool {
 }
 
 /// By how many powers a contact of so many elements from the middle is to be shrunk to.
-fn shrunk_to_fit(extent: usize) -> Verdict {
+fn shrunk_to_fit(extent: usize) -> SquareVerdict {
     let powers = (USUAL_EXTENT / extent as f64).ln() / FACTOR.ln();
-    Verdict::TooLarge(-whole(powers))
+    SquareVerdict::TooLarge(-whole(powers))
 }
 
 /// By how many powers to enlarge a square that cuts a contact off: to the geometric mean of its half side, which the

@@ -26,7 +26,7 @@ pub struct DenseSystem {
 }
 
 /// The solution of the linear system on one set, and where it breaks the inequalities.
-pub struct Trial {
+pub struct SetSolution {
     /// Pressure; negative where the set should not hold. N² values.
     pub pressure: Vec<f64>,
     /// Gap; N² values.
@@ -89,7 +89,7 @@ impl DenseSystem {
     ///
     /// # Errors
     /// [`ContactError::NotPositiveDefinite`].
-    pub fn solve_on(&self, members: &[usize]) -> Result<Trial, ContactError> {
+    pub fn solve_on(&self, members: &[usize]) -> Result<SetSolution, ContactError> {
         let count = members.len();
         let matrix = Mat::from_fn(count, count, |i, j| {
             let spring = if i == j {
@@ -125,7 +125,7 @@ impl DenseSystem {
     }
 
     /// Gap everywhere and infeasible elements of a solution on `members`.
-    fn trial(&self, members: &[usize], pressure: Vec<f64>, penetration: f64) -> Trial {
+    fn trial(&self, members: &[usize], pressure: Vec<f64>, penetration: f64) -> SetSolution {
         let displacement = |e: usize| {
             members
                 .iter()
@@ -148,7 +148,7 @@ impl DenseSystem {
         infeasible.extend(
             (0..self.elements()).filter(|e| outside[*e] && gap[*e] < -ROUNDING * penetration.abs()),
         );
-        Trial {
+        SetSolution {
             pressure,
             gap,
             infeasible,
@@ -158,7 +158,7 @@ impl DenseSystem {
     }
 }
 
-impl Trial {
+impl SetSolution {
     /// Largest overlap over the penetration; pulling elements count with their share of the largest pressure.
     pub fn residual(&self) -> f64 {
         let overlap = self.gap.iter().fold(0.0_f64, |o, g| o.max(-g)) / self.penetration.abs();

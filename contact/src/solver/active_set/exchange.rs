@@ -1,6 +1,6 @@
 //! Which elements to hold in contact next.
 
-use super::dense_system::{DenseSystem, Trial};
+use super::dense_system::{DenseSystem, SetSolution};
 use crate::Load;
 
 /// Full exchanges that may pass without a new lowest number of infeasible elements before the method descends.
@@ -44,7 +44,7 @@ impl Exchange {
     }
 
     /// Chooses the next working set from the solution on the present one.
-    pub fn advance(&mut self, system: &DenseSystem, trial: &Trial) {
+    pub fn advance(&mut self, system: &DenseSystem, trial: &SetSolution) {
         if trial.infeasible.len() < self.fewest_infeasible {
             (self.fewest_infeasible, self.grace) = (trial.infeasible.len(), GRACE);
         } else {
@@ -58,7 +58,7 @@ impl Exchange {
     }
 
     /// Drops all that pull and takes in all that overlap.
-    fn exchange_all(&mut self, system: &DenseSystem, trial: &Trial) {
+    fn exchange_all(&mut self, system: &DenseSystem, trial: &SetSolution) {
         let mut holds = vec![false; system.elements()];
         self.members.iter().for_each(|m| holds[*m] = true);
         trial.infeasible.iter().for_each(|e| holds[*e] = !holds[*e]);
@@ -76,7 +76,7 @@ impl Exchange {
     }
 
     /// One step of the descending phase, which starts from the trial's own pressure made admissible.
-    fn descend(&mut self, system: &DenseSystem, trial: &Trial) {
+    fn descend(&mut self, system: &DenseSystem, trial: &SetSolution) {
         let Some(mut pressure) = self.descent.take() else {
             let pressure = admissible(system, &trial.pressure);
             self.members = (0..pressure.len()).filter(|e| pressure[*e] > 0.0).collect();
@@ -144,7 +144,7 @@ mod tests {
         unreachable!("the loop ends by itself")
     }
 
-    type Next = fn(&mut Exchange, &DenseSystem, &super::Trial);
+    type Next = fn(&mut Exchange, &DenseSystem, &super::SetSolution);
 
     #[test]
     fn the_descending_phase_alone_finds_what_exchanges_find() {

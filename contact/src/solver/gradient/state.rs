@@ -42,7 +42,7 @@ pub struct State {
 
 /// Extremes that the residual is made of.
 #[derive(Clone, Copy, Default)]
-struct Lines {
+struct ResidualExtremes {
     largest: f64,
     overlap: f64,
     pulls: bool,
@@ -248,7 +248,9 @@ impl State {
     /// The complementarity is a mean of gaps in contact, so it is never the largest.
     pub fn residual(&self) -> (f64, bool) {
         let lines = by_parts(self.elements(), |part| self.lines(part));
-        let lines = lines.into_iter().fold(Lines::default(), Lines::and);
+        let lines = lines
+            .into_iter()
+            .fold(ResidualExtremes::default(), ResidualExtremes::and);
         let length = lines.largest.max(lines.overlap);
         // `max` drops what is no number, but in a sum it stays.
         let is_number = (lines.sum + self.penetration).is_finite();
@@ -262,8 +264,8 @@ impl State {
         (residual, !lines.pulls)
     }
 
-    fn lines(&self, part: std::ops::Range<usize>) -> Lines {
-        let mut lines = Lines::default();
+    fn lines(&self, part: std::ops::Range<usize>) -> ResidualExtremes {
+        let mut lines = ResidualExtremes::default();
         let fields = self.pressure[part.clone()]
             .iter()
             .zip(&self.v[part.clone()]);
@@ -281,7 +283,7 @@ impl State {
     }
 }
 
-impl Lines {
+impl ResidualExtremes {
     fn and(self, other: Self) -> Self {
         Self {
             largest: self.largest.max(other.largest),

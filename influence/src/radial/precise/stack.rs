@@ -72,7 +72,7 @@ impl Decay {
 }
 
 /// One layer and what it stands on.
-struct Step {
+struct LayerStep {
     /// Thickness over the total thickness.
     thickness: Twofold,
     poisson: Poisson,
@@ -85,7 +85,7 @@ struct Step {
 
 /// The layers from the lowest to the top.
 pub(crate) struct Stack {
-    steps: Vec<Step>,
+    steps: Vec<LayerStep>,
     base: Minors,
 }
 
@@ -98,7 +98,7 @@ impl Stack {
             (None, Base::HalfSpace(material)) => Some(material),
             (None, Base::Rigid) => None,
         };
-        let step = |(index, layer): (usize, &Layer)| Step {
+        let step = |(index, layer): (usize, &Layer)| LayerStep {
             thickness: Twofold::from(layer.thickness()) / total,
             poisson: Poisson::new(layer.material()),
             is_frictionless: layer.interface().is_frictionless(),
@@ -182,7 +182,7 @@ impl Minors {
     }
 
     /// In the layer above the interface, in its units, and scaled to the size of 1: a common factor means nothing.
-    fn onto(&self, step: &Step, s: Twofold) -> Self {
+    fn onto(&self, step: &LayerStep, s: Twofold) -> Self {
         let &Self { p, q, f, g, d } = self;
         let held = match (step.is_frictionless, step.contrast) {
             (false, None) => Self::CLAMPED,

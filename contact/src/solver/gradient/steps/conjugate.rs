@@ -33,7 +33,7 @@ pub struct ConjugateDirections {
 }
 
 /// Fields for the terms of a linear system.
-pub struct Buffers<'a> {
+pub struct SystemFields<'a> {
     pub residual: &'a mut [f64],
     pub direction: &'a mut [f64],
     pub image: &'a mut [f64],
@@ -59,9 +59,9 @@ impl ConjugateDirections {
     }
 
     /// The buffers for another use, after which the directions are forgotten.
-    pub fn lend<'a>(&'a mut self, segment: &'a mut Segment) -> Buffers<'a> {
+    pub fn lend<'a>(&'a mut self, segment: &'a mut Segment) -> SystemFields<'a> {
         self.restart();
-        Buffers {
+        SystemFields {
             residual: &mut self.residual_before,
             direction: &mut self.direction,
             image: &mut segment.image,

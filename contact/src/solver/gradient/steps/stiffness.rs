@@ -11,7 +11,7 @@
 
 use crate::solver::gradient::{
     context::Context,
-    steps::conjugate::{Buffers, ConjugateDirections},
+    steps::conjugate::{ConjugateDirections, SystemFields},
 };
 use crate::vector::{add_scaled, dot, sum, update_with};
 
@@ -34,7 +34,7 @@ pub fn pressure_sum_per_penetration(
         preconditioner,
         segment,
     } = context;
-    let Buffers {
+    let SystemFields {
         residual,
         direction,
         image,
