@@ -15,6 +15,6 @@ mod point_kernels;
 mod state;
 
 pub use depth::Depth;
-pub use element::{ElementFields, ElementLoads, SurfaceLoad};
+pub use element::{ElementFields, ElementLoads};
 pub use plane_fields::{PlaneFields, Squares};
-pub use state::SubsurfaceState;
+pub use state::{SubsurfaceState, SurfaceLoad};

@@ -7,19 +7,10 @@ use pellicle_kernel::Foundation;
 use super::depth::Depth;
 use super::homogeneous::loaded_square;
 use super::point_kernels::PointKernels;
-use super::state::SubsurfaceState;
+use super::state::{SubsurfaceState, SurfaceLoad};
 use crate::element::check_element_side;
 use crate::error::InfluenceError;
 use crate::numerics::quadrature::{Node, legendre_of};
-
-/// A uniform load on an element, of 1 Pa.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum SurfaceLoad {
-    /// A pressure.
-    Pressure,
-    /// A traction that drags the surface along +x.
-    Traction,
-}
 
 /// The states of one point under the two loads of an element.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -7,9 +7,9 @@
 
 use rayon::prelude::*;
 
-use super::element::{ElementFields, SurfaceLoad};
+use super::element::ElementFields;
 use super::homogeneous::Corners;
-use super::state::{FIELDS, SubsurfaceState};
+use super::state::{FIELDS, SubsurfaceState, SurfaceLoad};
 
 /// Elements to either side whose centres count in a mean.
 const REACH: usize = 5;

@@ -28,8 +28,7 @@ use std::f64::consts::PI;
 
 use pellicle_kernel::Material;
 
-use super::element::SurfaceLoad;
-use super::state::SubsurfaceState;
+use super::state::{SubsurfaceState, SurfaceLoad};
 
 /// The state at `point` (x, y from the centre of the square, depth; m) for a unit load on a square of side
 /// `element_side` (m).

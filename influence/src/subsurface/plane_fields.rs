@@ -8,9 +8,9 @@ use pellicle_kernel::Foundation;
 use rustfft::num_complex::Complex64;
 
 use super::depth::Depth;
-use super::element::{ElementFields, SurfaceLoad};
+use super::element::ElementFields;
 use super::element_table::ElementTable;
-use super::state::FIELDS;
+use super::state::{FIELDS, SurfaceLoad};
 use crate::error::InfluenceError;
 use crate::operator::Spectrum;
 use crate::transform::Parity::{Even, Odd};

@@ -26,9 +26,8 @@ use pellicle_kernel::{Amplitudes, Foundation, KernelError};
 use rayon::prelude::*;
 
 use super::depth::Depth;
-use super::element::SurfaceLoad;
 use super::log_lattice::{ENDS, EVERY_FROM, NODES, RADIUS_STRIDE, STEP};
-use super::state::SubsurfaceState;
+use super::state::{SubsurfaceState, SurfaceLoad};
 use crate::numerics::rounding::{ceil, floor};
 
 /// Functions of the radius under a pressure, and under a traction.

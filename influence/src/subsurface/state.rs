@@ -1,6 +1,15 @@
-//! Displacements and stresses at one point.
+//! Displacements and stresses at one point, and the loads that they are of.
 
 use std::ops::{Add, AddAssign, Mul};
+
+/// A uniform load on an element, of 1 Pa.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SurfaceLoad {
+    /// A pressure.
+    Pressure,
+    /// A traction that drags the surface along +x.
+    Traction,
+}
 
 /// Fields at a point: three displacements and six stresses.
 pub const FIELDS: usize = 9;
