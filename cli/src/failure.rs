@@ -32,6 +32,9 @@ pub enum Failure {
     /// The influence coefficients cannot be computed.
     #[error("the influence coefficients cannot be computed: {0}")]
     Influence(#[from] InfluenceError),
+    /// The fields inside the body cannot be computed, or not at that depth.
+    #[error("the fields inside the body: {0}")]
+    Inside(InfluenceError),
     /// The relief is refused.
     #[error("the surface is refused: {0}")]
     Texture(#[from] TextureError),
@@ -183,7 +186,8 @@ impl Failure {
             Self::Contact(
                 ContactError::NotPositiveDefinite { .. } | ContactError::DomainTooSmall { .. },
             )
-            | Self::Influence(_) => 1,
+            | Self::Influence(_)
+            | Self::Inside(InfluenceError::Amplitudes(_)) => 1,
             _ => 2,
         }
     }

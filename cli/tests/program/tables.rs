@@ -139,6 +139,29 @@ fn influence_prints_the_fields_of_an_element_on_both_sides_of_an_interface() {
 }
 
 #[test]
+fn a_depth_inside_a_rigid_base_is_refused() {
+    let substrate = "{ young_modulus = \"7 GPa\", poisson_ratio = 0.4 }";
+    let folder = TestFolder::with_case(CASE.replace(substrate, "\"rigid\""));
+    let line = [
+        "influence",
+        "case.toml",
+        "--offset",
+        "0,0",
+        "--depth",
+        "11 nm",
+    ];
+    let refused = folder.run(&line);
+    assert_eq!(refused.code, Some(2), "{}", refused.stderr);
+    assert!(
+        refused
+            .stderr
+            .contains("for a depth in the body, wanted 0 to"),
+        "{}",
+        refused.stderr
+    );
+}
+
+#[test]
 fn tables_for_people_name_their_units() {
     let folder = TestFolder::with_case(CASE);
     let kernel = folder.run(&["kernel", "case.toml", "--wavenumber", "1e6"]);

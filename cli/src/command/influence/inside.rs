@@ -2,7 +2,7 @@
 
 use pellicle_influence::{Depth, ElementFields, SubsurfaceState};
 use pellicle_kernel::{Foundation, Side};
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
 use crate::arguments::InfluenceArguments;
 use crate::case::foundation::FoundationCase;
@@ -29,18 +29,17 @@ pub struct ElementRow {
     tangential: StateRow,
 }
 
+/// Names of the fields, in the order of [`SubsurfaceState`].
+const FIELDS: [&str; 9] = ["ux", "uy", "uz", "sxx", "syy", "szz", "sxy", "sxz", "syz"];
+
 /// Displacements, m/Pa, and stresses, per unit load; null where unbounded.
-#[derive(Debug, Clone, Copy, Serialize)]
-struct StateRow {
-    ux: f64,
-    uy: f64,
-    uz: f64,
-    sxx: f64,
-    syy: f64,
-    szz: f64,
-    sxy: f64,
-    sxz: f64,
-    syz: f64,
+#[derive(Debug, Clone, Copy)]
+struct StateRow([f64; 9]);
+
+impl Serialize for StateRow {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(FIELDS.iter().zip(self.0))
+    }
 }
 
 /// The rows of all offsets at all depths; on an interface those above it before those below.
@@ -57,7 +56,8 @@ pub fn rows(
     let mut rows = Vec::new();
     for depth in &arguments.depths {
         for plane in planes(foundation, case, *depth) {
-            let fields = ElementFields::new(foundation, element_side, plane, farthest)?;
+            let fields = ElementFields::new(foundation, element_side, plane, farthest)
+                .map_err(Failure::Inside)?;
             rows.extend(offsets.iter().map(|offset| {
                 let loads = fields.at(offset.map(|along| along as f64 * element_side));
                 ElementRow {
@@ -99,19 +99,7 @@ fn planes(foundation: &Foundation, case: &FoundationCase, depth: f64) -> Vec<Dep
 
 impl From<SubsurfaceState> for StateRow {
     fn from(state: SubsurfaceState) -> Self {
-        let [ux, uy, uz] = state.displacement;
-        let [sxx, syy, szz, sxy, sxz, syz] = state.stress;
-        Self {
-            ux,
-            uy,
-            uz,
-            sxx,
-            syy,
-            szz,
-            sxy,
-            sxz,
-            syz,
-        }
+        Self(std::array::from_fn(|index| state.field(index)))
     }
 }
 
@@ -119,22 +107,9 @@ impl From<SubsurfaceState> for StateRow {
 pub fn table(rows: &[ElementRow], units: Units) -> String {
     let (metre, metre_per_pascal) = (units.name("m"), units.name("m/Pa"));
     let element_side = rows.first().map_or(f64::NAN, |row| row.element_side);
-    let names = ["ux", "uy", "uz", "sxx", "syy", "szz", "sxy", "sxz", "syz"];
-    let names = names.map(|name| format!("{name:>13}")).concat();
+    let names = FIELDS.map(|name| format!("{name:>13}")).concat();
     let line = |row: &ElementRow, load: &str, state: &StateRow| {
-        let StateRow {
-            ux,
-            uy,
-            uz,
-            sxx,
-            syy,
-            szz,
-            sxy,
-            sxz,
-            syz,
-        } = *state;
-        let values = [ux, uy, uz, sxx, syy, szz, sxy, sxz, syz];
-        let values = values.map(|value| format!("{value:>13.4e}")).concat();
+        let values = state.0.map(|value| format!("{value:>13.4e}")).concat();
         let ([m, n], depth, side) = (row.offset, row.depth, row.side);
         format!("{m:>6}{n:>6}{depth:>14e} {side:<6}{load:>11}{values}\n")
     };
