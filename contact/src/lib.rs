@@ -17,6 +17,7 @@ mod problem;
 pub mod reference;
 mod result;
 pub mod solver;
+mod stress;
 mod vector;
 
 pub use error::ContactError;
@@ -52,4 +53,13 @@ pub use solver::{
     active_set::ActiveSetSolver,
     gradient::GradientSolver,
     observer::{Observer, Progress, Signal},
+};
+pub use stress::{
+    extremes::{
+        BodyStress, BodyUtilisation, Extreme, InterfaceStress, InterfaceUtilisation, StressExtremes,
+    },
+    field::{StressField, StressPlanes},
+    model::{
+        BodyPart, BodyStrengths, Criterion, InterfacePart, InterfaceStrengths, Sliding, StressModel,
+    },
 };

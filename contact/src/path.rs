@@ -14,7 +14,7 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Instant;
 
-use pellicle_influence::{Origin, Sector, SurfaceElasticity};
+use pellicle_influence::{Origin, RadialTables, Sector, SurfaceElasticity};
 use pellicle_texture::{Grid, Relief};
 use rayon::prelude::*;
 
@@ -53,6 +53,8 @@ pub struct LoadingPath {
     pub solve_seconds: f64,
     /// Whether the observer cancelled, so that only the loads before the first unfinished one are here.
     pub interrupted: bool,
+    /// The foundation, with its radial tables.
+    pub tables: Arc<RadialTables>,
     /// None where no load reached the finest grid.
     elasticity: Option<Arc<SurfaceElasticity>>,
     relief: Relief,
@@ -242,6 +244,7 @@ impl PathRun<'_> {
             solve_seconds: self.solve_seconds,
             steps: self.steps,
             interrupted: self.interrupted,
+            tables: model.tables.clone(),
             elasticity,
             relief: model.relief.clone(),
             indenter: model.indenter.clone(),

@@ -5,6 +5,7 @@
 //! element](element) by Gauss points from the fields of [point loads](point_kernels), fifteen functions of the radius
 //! for each depth.
 
+mod centre_fields;
 mod depth;
 mod element;
 mod element_table;
@@ -12,8 +13,10 @@ mod homogeneous;
 mod log_lattice;
 mod plane_fields;
 mod point_kernels;
+mod principal;
 mod state;
 
+pub use centre_fields::CentreFields;
 pub use depth::Depth;
 pub use element::{ElementFields, ElementLoads};
 pub use plane_fields::{PlaneFields, Squares};

@@ -14,6 +14,24 @@ pub struct Depth {
 }
 
 impl Depth {
+    /// The body at depth `z` (m), or above the interface there.
+    #[must_use]
+    pub fn above(z: f64) -> Self {
+        Self {
+            z,
+            side: Side::Above,
+        }
+    }
+
+    /// The body at depth `z` (m), or below the interface there.
+    #[must_use]
+    pub fn below(z: f64) -> Self {
+        Self {
+            z,
+            side: Side::Below,
+        }
+    }
+
     /// Whether it lies above an interface at depth `bottom` (m), or on its upper side.
     pub(super) fn is_above(&self, bottom: f64) -> bool {
         self.z < bottom || (self.z <= bottom && self.side == Side::Above)

@@ -17,7 +17,7 @@ use crate::transform::Parity::{Even, Odd};
 use crate::transform::{FourierLines, Parity, PlaneSpectrum, PlaneTransform, half_length};
 
 /// Parities along x and y of the fields under a pressure, in the order of `SubsurfaceState`.
-const UNDER_PRESSURE: [[Parity; 2]; FIELDS] = [
+pub(super) const UNDER_PRESSURE: [[Parity; 2]; FIELDS] = [
     [Odd, Even],
     [Even, Odd],
     [Even, Even],
@@ -30,7 +30,7 @@ const UNDER_PRESSURE: [[Parity; 2]; FIELDS] = [
 ];
 
 /// Parities of the fields under a traction along x: the other one along x.
-fn under_traction(field: usize) -> [Parity; 2] {
+pub(super) fn under_traction(field: usize) -> [Parity; 2] {
     let [x, y] = UNDER_PRESSURE[field];
     [x.other(), y]
 }
@@ -217,6 +217,14 @@ impl Parity {
         match self {
             Even => Odd,
             Odd => Even,
+        }
+    }
+
+    /// The factor of a value at a mirror image, whose sign is −1.
+    pub(super) fn sign(self, sign: f64) -> f64 {
+        match self {
+            Even => 1.0,
+            Odd => sign,
         }
     }
 

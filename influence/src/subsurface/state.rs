@@ -2,6 +2,8 @@
 
 use std::ops::{Add, AddAssign, Mul};
 
+use super::principal;
+
 /// A uniform load on an element, of 1 Pa.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SurfaceLoad {
@@ -26,6 +28,14 @@ pub struct SubsurfaceState {
 }
 
 impl SubsurfaceState {
+    /// The state of displacements and stresses in one list.
+    pub(super) fn from_fields(fields: [f64; FIELDS]) -> Self {
+        Self {
+            displacement: std::array::from_fn(|i| fields[i]),
+            stress: std::array::from_fn(|i| fields[3 + i]),
+        }
+    }
+
     /// The state in axes in which x and y have changed places.
     #[must_use]
     pub fn transposed(&self) -> Self {
@@ -56,6 +66,34 @@ impl SubsurfaceState {
         let squares = |a: f64, b: f64, c: f64| a * a + b * b + c * c;
         // σ² = ½ [(σ_xx − σ_yy)² + (σ_yy − σ_zz)² + (σ_zz − σ_xx)²] + 3 (σ_xy² + σ_xz² + σ_yz²)
         (0.5 * squares(xx - yy, yy - zz, zz - xx) + 3.0 * squares(xy, xz, yz)).sqrt()
+    }
+
+    /// The mean of the normal stresses.
+    #[must_use]
+    pub fn hydrostatic(&self) -> f64 {
+        (self.stress[0] + self.stress[1] + self.stress[2]) / 3.0
+    }
+
+    /// The principal stresses, largest first.
+    #[must_use]
+    pub fn principal(&self) -> [f64; 3] {
+        self.principal_axes().map(|(stress, _)| stress)
+    }
+
+    /// The principal stresses, largest first, each with its direction, a unit vector.
+    #[must_use]
+    pub fn principal_axes(&self) -> [(f64, [f64; 3]); 3] {
+        let [xx, yy, zz, xy, xz, yz] = self.stress;
+        let mut axes = principal::axes_of([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]);
+        axes.sort_by(|(one, _), (other, _)| other.total_cmp(one));
+        axes
+    }
+
+    /// Tresca's largest shear stress, half the difference of the outer principal stresses.
+    #[must_use]
+    pub fn max_shear(&self) -> f64 {
+        let [largest, _, least] = self.principal();
+        (largest - least) / 2.0
     }
 }
 

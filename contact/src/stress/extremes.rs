@@ -1,0 +1,108 @@
+//! The extremes of the stresses in each body and at each interface.
+
+use serde::{Deserialize, Serialize};
+
+use crate::nan_from_null;
+
+/// An extreme of a stress: at a point (x, y, z) of a body, or (x, y) of an interface.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Extreme<const AXES: usize> {
+    /// In Pa.
+    #[serde(deserialize_with = "nan_from_null")]
+    pub value: f64,
+    /// In m.
+    #[serde(with = "point")]
+    pub at: [f64; AXES],
+    /// Whether it settles as the grid is refined.
+    pub resolved: bool,
+    /// Half the interval around the value that contains the truth, in Pa; none from one grid.
+    pub estimate: Option<f64>,
+}
+
+/// Points as lists: serde knows no arrays of any length.
+mod point {
+    use serde::de::{Deserialize, Deserializer, Error};
+    use serde::ser::{SerializeSeq, Serializer};
+
+    pub fn serialize<S: Serializer, const AXES: usize>(
+        point: &[f64; AXES],
+        serializer: S,
+    ) -> Result<S::Ok, S::Error> {
+        let mut list = serializer.serialize_seq(Some(AXES))?;
+        for along in point {
+            list.serialize_element(along)?;
+        }
+        list.end()
+    }
+
+    pub fn deserialize<'de, D: Deserializer<'de>, const AXES: usize>(
+        deserializer: D,
+    ) -> Result<[f64; AXES], D::Error> {
+        let list = Vec::<Option<f64>>::deserialize(deserializer)?;
+        let list: Vec<f64> = list.iter().map(|along| along.unwrap_or(f64::NAN)).collect();
+        list.try_into()
+            .map_err(|list: Vec<f64>| Error::invalid_length(list.len(), &"the axes of a point"))
+    }
+}
+
+/// The largest ratios of stresses to the strengths of a body; none where no strength is given.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub struct BodyUtilisation {
+    /// Von Mises' stress to the yield strength.
+    #[serde(rename = "yield")]
+    pub yielding: Option<f64>,
+    /// Largest principal stress to the tensile strength.
+    pub tension: Option<f64>,
+}
+
+/// The extremes in one body.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct BodyStress {
+    /// `layer[0]`, …, or `substrate`.
+    pub name: String,
+    /// Largest von Mises stress.
+    pub max_von_mises: Extreme<3>,
+    /// Largest principal stress.
+    pub max_principal: Extreme<3>,
+    /// Least principal stress.
+    pub min_principal: Extreme<3>,
+    /// Tresca's largest shear, half the difference of the principal stresses.
+    pub max_shear: Extreme<3>,
+    /// Ratios to the strengths given.
+    pub utilisation: BodyUtilisation,
+}
+
+/// The largest ratios of tractions to the strengths of an interface; none where no strength is given.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub struct InterfaceUtilisation {
+    /// Shear traction to the shear strength.
+    pub shear: Option<f64>,
+    /// Tension to the tensile strength.
+    pub tension: Option<f64>,
+}
+
+/// The extremes of the tractions on one interface.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct InterfaceStress {
+    /// Counted from 0 at the surface.
+    pub index: usize,
+    /// In m.
+    pub depth: f64,
+    /// Of `τ = |(σ_xz, σ_yz)|`.
+    pub max_shear_traction: Extreme<2>,
+    /// Of `σ_zz`, 0 where nothing pulls.
+    pub max_tension: Extreme<2>,
+    /// Of `−σ_zz`.
+    pub max_compression: Extreme<2>,
+    /// Ratios to the strengths given.
+    pub utilisation: InterfaceUtilisation,
+}
+
+/// The extremes of all bodies and interfaces under one load.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct StressExtremes {
+    /// From the surface down.
+    pub bodies: Vec<BodyStress>,
+    /// From the surface down.
+    pub interfaces: Vec<InterfaceStress>,
+}

@@ -1,0 +1,259 @@
+//! The stresses under one solved pressure: at points by sums over the loaded elements, on planes by FFT.
+
+use std::sync::Arc;
+
+use pellicle_influence::{
+    Depth, ElementFields, InfluenceError, PlaneFields, RadialTables, Squares, SubsurfaceState,
+};
+use pellicle_texture::Grid;
+use rayon::prelude::*;
+
+use super::model::Sliding;
+use crate::LoadingPath;
+
+/// The displacements and stresses under the pressure of one loading step, and under sliding.
+#[derive(Debug, Clone)]
+pub struct StressField {
+    tables: Arc<RadialTables>,
+    grid: Grid,
+    tractions: [f64; 2],
+    loaded: LoadedSquare,
+}
+
+/// The smallest square of a grid's elements that holds all pressures.
+#[derive(Debug, Clone)]
+pub(super) struct LoadedSquare {
+    /// Its first element on the grid.
+    pub origin: [usize; 2],
+    /// Elements along a side.
+    pub size: usize,
+    /// Row after row, in Pa.
+    pub pressure: Vec<f64>,
+}
+
+impl StressField {
+    /// The field of a step of a path; none where there is no such step.
+    #[must_use]
+    pub fn new(path: &LoadingPath, step: usize, sliding: Sliding) -> Option<Self> {
+        let pressure = &path.steps.get(step)?.solution.pressure;
+        Some(Self::of(path.tables.clone(), path.grid, pressure, sliding))
+    }
+
+    /// The field of the pressures on a grid.
+    pub(super) fn of(
+        tables: Arc<RadialTables>,
+        grid: Grid,
+        pressure: &[f64],
+        sliding: Sliding,
+    ) -> Self {
+        Self {
+            tables,
+            grid,
+            tractions: sliding.tractions(),
+            loaded: LoadedSquare::of(grid.size(), pressure),
+        }
+    }
+
+    /// The grid of the pressures.
+    #[must_use]
+    pub fn grid(&self) -> Grid {
+        self.grid
+    }
+
+    pub(super) fn tables(&self) -> &RadialTables {
+        &self.tables
+    }
+
+    pub(super) fn tractions(&self) -> [f64; 2] {
+        self.tractions
+    }
+
+    pub(super) fn loaded(&self) -> &LoadedSquare {
+        &self.loaded
+    }
+
+    /// The state at (x, y) (m) and a depth; displacements in m, stresses in Pa, to 1e-11 of the largest value of each
+    /// field at that depth.
+    ///
+    /// `u_x` and `u_y` are NaN under sliding where they are unbounded, above a frictionless interface.
+    ///
+    /// # Errors
+    /// As [`ElementFields::new`].
+    pub fn at(&self, point: [f64; 2], depth: Depth) -> Result<SubsurfaceState, InfluenceError> {
+        let states = self.at_points(&[point], depth)?;
+        Ok(states[0])
+    }
+
+    /// The states at several points of one depth.
+    ///
+    /// # Errors
+    /// As [`ElementFields::new`].
+    pub fn at_points(
+        &self,
+        points: &[[f64; 2]],
+        depth: Depth,
+    ) -> Result<Vec<SubsurfaceState>, InfluenceError> {
+        let side = self.grid.element_side();
+        let farthest = points.iter().map(|[x, y]| x.hypot(*y));
+        let farthest = farthest.fold(0.0, f64::max) + self.grid.side();
+        let fields = ElementFields::new(self.tables.foundation(), side, depth, farthest)?;
+        Ok(points
+            .iter()
+            .map(|point| self.sum(&fields, *point))
+            .collect())
+    }
+
+    /// The sum over the loaded elements; rows in a fixed order.
+    fn sum(&self, fields: &ElementFields, [x, y]: [f64; 2]) -> SubsurfaceState {
+        let LoadedSquare {
+            origin,
+            size,
+            pressure,
+        } = &self.loaded;
+        let of_row = |(row, pressures): (usize, &[f64])| {
+            let x = x - self.grid.centre(origin[0] + row);
+            let mut sum = SubsurfaceState::default();
+            for (column, p) in pressures.iter().enumerate().filter(|(_, p)| **p > 0.0) {
+                let y = y - self.grid.centre(origin[1] + column);
+                sum += self.loads_at(fields, [x, y]) * *p;
+            }
+            sum
+        };
+        let rows = pressure.par_chunks_exact((*size).max(1)).enumerate();
+        let rows: Vec<SubsurfaceState> = rows.map(of_row).collect();
+        rows.into_iter()
+            .fold(SubsurfaceState::default(), |sum, row| sum + row)
+    }
+
+    /// The state under unit pressure on an element and the tractions that come with it.
+    fn loads_at(&self, fields: &ElementFields, [x, y]: [f64; 2]) -> SubsurfaceState {
+        use pellicle_influence::SurfaceLoad::{Pressure, Traction};
+        let [along_x, along_y] = self.tractions;
+        let mut state = fields.state(Pressure, [x, y]);
+        if along_x != 0.0 {
+            state += fields.state(Traction, [x, y]) * along_x;
+        }
+        if along_y != 0.0 {
+            state += fields.state(Traction, [y, x]).transposed() * along_y;
+        }
+        state
+    }
+
+    /// Planes under the elements within a square of side `extent` (m) about the axis, at most the grid's.
+    #[must_use]
+    pub fn planes(&self, extent: f64) -> StressPlanes {
+        let size = self.grid.size();
+        let within = |i: &usize| self.grid.centre(*i).abs() <= extent / 2.0;
+        let first = (0..size).find(within).unwrap_or(size / 2);
+        let count = (first..size).take_while(within).count().max(1);
+        // The planes are computed on a square that holds the pressures besides.
+        let LoadedSquare {
+            origin,
+            size: loaded,
+            pressure,
+        } = &self.loaded;
+        let low = first.min(origin[0]).min(origin[1]);
+        let high = (first + count)
+            .max(origin[0] + loaded)
+            .max(origin[1] + loaded);
+        let squares = Squares {
+            loaded: *loaded,
+            shown: high - low,
+            before: origin.map(|origin| origin - low),
+        };
+        StressPlanes {
+            fields: PlaneFields::new(
+                self.tables.foundation(),
+                self.grid.element_side(),
+                squares,
+                pressure,
+                self.tractions,
+            ),
+            computed: high - low,
+            before: first - low,
+            centres: (first..first + count)
+                .map(|i| self.grid.centre(i))
+                .collect(),
+            cut: vec![0.0; count * count],
+        }
+    }
+}
+
+impl LoadedSquare {
+    fn of(size: usize, pressure: &[f64]) -> Self {
+        let mut low = [size; 2];
+        let mut high = [0; 2];
+        for (i, row) in pressure.chunks_exact(size).enumerate() {
+            for (j, _) in row.iter().enumerate().filter(|(_, p)| **p > 0.0) {
+                for (axis, index) in [i, j].into_iter().enumerate() {
+                    low[axis] = low[axis].min(index);
+                    high[axis] = high[axis].max(index + 1);
+                }
+            }
+        }
+        let longest = (0..2)
+            .map(|axis| high[axis].saturating_sub(low[axis]))
+            .max();
+        let longest = longest.unwrap_or(0);
+        // The shorter direction is filled up, within the grid.
+        let origin = low.map(|low| low.min(size - longest));
+        let rows = (origin[0]..origin[0] + longest).flat_map(|i| {
+            let start = i * size + origin[1];
+            pressure[start..start + longest].iter().copied()
+        });
+        Self {
+            origin,
+            size: longest,
+            pressure: rows.collect(),
+        }
+    }
+}
+
+/// The fields on planes below a square of elements.
+pub struct StressPlanes {
+    fields: PlaneFields,
+    /// Elements along a side of the square that is computed, and those of them before the first that is shown.
+    computed: usize,
+    before: usize,
+    centres: Vec<f64>,
+    cut: Vec<f64>,
+}
+
+impl StressPlanes {
+    /// The coordinates of the shown elements' centres, the same along x and y, in m.
+    #[must_use]
+    pub fn centres(&self) -> &[f64] {
+        &self.centres
+    }
+
+    /// Calls `take` with the number of each of the nine fields, in the order of [`SubsurfaceState`], and its values on
+    /// the plane at a depth, row after row along x, displacements in m and stresses in Pa; NaN where they are
+    /// unbounded.
+    ///
+    /// # Errors
+    /// As [`ElementFields::new`].
+    pub fn fields_on(
+        &mut self,
+        depth: Depth,
+        mut take: impl FnMut(usize, &[f64]),
+    ) -> Result<(), InfluenceError> {
+        let Self {
+            computed,
+            before,
+            cut,
+            ..
+        } = self;
+        let shown = self.centres.len();
+        self.fields.fields_on(depth, |field, values| {
+            if shown == *computed {
+                take(field, values);
+                return;
+            }
+            for (row, cut) in cut.chunks_exact_mut(shown).enumerate() {
+                let start = (*before + row) * *computed + *before;
+                cut.copy_from_slice(&values[start..start + shown]);
+            }
+            take(field, cut);
+        })
+    }
+}

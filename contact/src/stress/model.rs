@@ -1,0 +1,89 @@
+//! What stresses are asked for: sliding, the bodies and interfaces with their strengths.
+
+use serde::Serialize;
+
+/// Sliding of the indenter along the surface: a traction `q = μ p` that drags the surface with the indenter, uncoupled
+/// from the pressure (Goodman's approximation).
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Sliding {
+    /// Coefficient of friction `μ`.
+    pub friction: f64,
+    /// Direction in rad, from +x to +y.
+    pub direction: f64,
+}
+
+impl Sliding {
+    /// The factors of the traction along x and y per pressure.
+    #[must_use]
+    pub fn tractions(&self) -> [f64; 2] {
+        let (sin, cos) = self.direction.sin_cos();
+        [self.friction * cos, self.friction * sin]
+    }
+}
+
+/// What a body bears, in Pa; none where nothing is asked.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct BodyStrengths {
+    /// Von Mises' stress at which it yields.
+    pub yield_strength: Option<f64>,
+    /// Largest principal stress that it bears.
+    pub tensile_strength: Option<f64>,
+}
+
+/// What an interface bears, in Pa; none where nothing is asked.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct InterfaceStrengths {
+    /// Shear traction at which it comes off.
+    pub shear_strength: Option<f64>,
+    /// Tension at which it comes off.
+    pub tensile_strength: Option<f64>,
+}
+
+/// A layer or the substrate: one or more layers of a foundation, a graded layer's for one.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BodyPart {
+    /// Its name in results, such as `layer[0]` or `substrate`.
+    pub name: String,
+    /// Depth of its top, m.
+    pub top: f64,
+    /// Depth of its bottom, m; infinite for a substrate.
+    pub bottom: f64,
+    /// What it bears.
+    pub strengths: BodyStrengths,
+}
+
+/// The interface between two of the bodies.
+#[derive(Debug, Clone, PartialEq)]
+pub struct InterfacePart {
+    /// Counted from 0 at the surface.
+    pub index: usize,
+    /// Depth, m.
+    pub depth: f64,
+    /// What it bears.
+    pub strengths: InterfaceStrengths,
+}
+
+/// The stresses asked for.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct StressModel {
+    /// Sliding of the indenter.
+    pub sliding: Sliding,
+    /// From the surface down; no rigid base among them.
+    pub bodies: Vec<BodyPart>,
+    /// From the surface down; one with a rigid base included.
+    pub interfaces: Vec<InterfacePart>,
+}
+
+/// How a coating fails.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Criterion {
+    /// Von Mises' stress reaches a body's yield strength.
+    Yield,
+    /// The largest principal stress reaches a body's tensile strength.
+    Tension,
+    /// The shear traction reaches an interface's strength.
+    InterfaceShear,
+    /// The tension reaches an interface's strength.
+    InterfaceTension,
+}
