@@ -26,6 +26,9 @@ pub enum ContactError {
         /// Value found.
         tolerance: f64,
     },
+    /// Stresses that are not numbers, so that none is the largest.
+    #[error("found stresses that are not numbers, wanted finite ones")]
+    StressNotFinite,
     /// A field whose length is not that of the grid.
     #[error("found {found} values of the {field}, wanted {wanted}, one per element")]
     FieldLength {

@@ -43,7 +43,7 @@ pub use result::{
     grid_error::{Estimate, GridError, LevelValues},
     null::nan_from_null,
     peak::PeakPlace,
-    step::{Status, Step},
+    step::{CoarsePressure, Status, Step},
     summary::Summary,
     warning::Warning,
     work::{LevelWork, Work},
@@ -56,7 +56,8 @@ pub use solver::{
 };
 pub use stress::{
     extremes::{
-        BodyStress, BodyUtilisation, Extreme, InterfaceStress, InterfaceUtilisation, StressExtremes,
+        BodyStress, BodyUtilisation, Extreme, InterfaceStress, InterfaceUtilisation,
+        StressExtremes, stress_extremes,
     },
     field::{StressField, StressPlanes},
     model::{

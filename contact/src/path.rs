@@ -57,8 +57,8 @@ pub struct LoadingPath {
     pub tables: Arc<RadialTables>,
     /// None where no load reached the finest grid.
     elasticity: Option<Arc<SurfaceElasticity>>,
-    relief: Relief,
-    indenter: Indenter,
+    pub(crate) relief: Relief,
+    pub(crate) indenter: Indenter,
 }
 
 impl LoadingPath {

@@ -31,6 +31,9 @@ pub struct SolverOptions {
     /// elements per side are even. The gradient method only; the solution is the same to rounding, in a third of the
     /// time.
     pub mirror_symmetry: bool,
+    /// Whether the steps of a path keep the pressures of its coarser grids, from which
+    /// [`stress_extremes`](crate::stress_extremes) tells how far its numbers can be trusted.
+    pub coarse_pressures: bool,
 }
 
 impl Default for SolverOptions {
@@ -41,6 +44,7 @@ impl Default for SolverOptions {
             max_applications: 2000,
             contact_stiffness: true,
             mirror_symmetry: true,
+            coarse_pressures: false,
         }
     }
 }

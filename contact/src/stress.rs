@@ -3,4 +3,17 @@
 
 pub mod extremes;
 pub mod field;
+mod finder;
 pub mod model;
+mod quantity;
+mod refine;
+mod scan;
+
+/// The nearest whole number.
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "places of elements are far below the largest integer"
+)]
+fn nearest(x: f64) -> isize {
+    x.round() as isize
+}

@@ -8,8 +8,8 @@ use pellicle_influence::{Origin, Sector, SurfaceElasticity};
 use pellicle_texture::Grid;
 
 use crate::{
-    ContactError, GridError, LevelValues, LevelWork, Load, Method, Model, SolverOptions, Step,
-    Work,
+    CoarsePressure, ContactError, GridError, LevelValues, LevelWork, Load, Method, Model,
+    SolverOptions, Step, Work,
     path::domain::Guess,
     path::level::{Level, LevelResult, SignedField, Start},
     path::levels::{COARSE_TOLERANCE, coarser_sizes},
@@ -19,6 +19,8 @@ use crate::{
 
 /// Elements per side from which on the finest grid is made while the coarser ones are solved.
 const MADE_AHEAD: usize = 512;
+/// Coarser grids whose pressures are kept, where they are asked for: as many as an estimate of an error needs.
+const COARSE_PRESSURES: usize = 3;
 
 /// All grids over one square.
 pub struct Hierarchy<'a> {
@@ -164,6 +166,13 @@ impl<'a> Hierarchy<'a> {
         };
         let index = ascent.levels.len();
         let (result, field) = self.solve_level(index, load, start, options, watch)?;
+        let finest = self.sizes.len() - 1;
+        if options.coarse_pressures && index < finest && index + COARSE_PRESSURES >= finest {
+            ascent.coarser.push(CoarsePressure {
+                grid: Grid::new(self.side, self.sizes[index])?,
+                pressure: result.window.spread(result.solution.pressure.clone()),
+            });
+        }
         ascent.levels.push(result.work);
         ascent.values.push(result.values(load));
         ascent.field = field;
@@ -263,6 +272,8 @@ struct Ascent {
     /// Of each grid solved so far.
     levels: Vec<LevelWork>,
     values: Vec<LevelValues>,
+    /// The pressures of the finest of them, where they are kept.
+    coarser: Vec<CoarsePressure>,
     /// The start of the next level.
     field: Option<SignedField>,
 }
@@ -274,6 +285,7 @@ impl Ascent {
             options,
             levels: Vec::new(),
             values: Vec::new(),
+            coarser: Vec::new(),
             field: None,
         }
     }
@@ -296,6 +308,7 @@ impl Ascent {
             residuals: result.residuals,
             contact_stiffness: result.contact_stiffness,
             cut_off: None,
+            coarser: self.coarser,
         }
     }
 }

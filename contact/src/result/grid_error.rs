@@ -140,7 +140,8 @@ impl GridError {
             .take(2)
             .any(|level| level.peak_place != PeakPlace::Inside);
         let of = |value: fn(&LevelValues) -> f64, convergence: Convergence, more: f64| {
-            let found = estimate(&levels, value, convergence)?;
+            let values = levels.iter().map(|level| (level.elements, value(level)));
+            let found = estimate(&values.collect::<Vec<_>>(), convergence)?;
             // A prescribed value has no error.
             let is_settled = found.estimate == 0.0;
             let besides = if is_settled {
@@ -173,6 +174,33 @@ impl GridError {
     }
 }
 
+impl Estimate {
+    /// The error of the last of the values on grids of so many elements per side, coarsest first; `accuracy` is the
+    /// relative error that each has besides. None from one grid; never resolved at an edge, where values grow with the
+    /// grid.
+    pub(crate) fn of_values(
+        values: &[(usize, f64)],
+        meets_outline: bool,
+        is_at_edge: bool,
+        accuracy: f64,
+    ) -> Option<Self> {
+        let convergence = if is_at_edge {
+            EDGE
+        } else if meets_outline {
+            STAIRCASE
+        } else {
+            SMOOTH
+        };
+        let found = estimate(values, convergence)?;
+        let (_, last) = values.last()?;
+        Some(Self {
+            estimate: found.estimate + accuracy * last.abs(),
+            resolved: found.resolved && !is_at_edge,
+            ..found
+        })
+    }
+}
+
 /// A change from one level to the next.
 #[derive(Clone, Copy)]
 struct Change {
@@ -184,19 +212,16 @@ struct Change {
     ratio: f64,
 }
 
-/// The estimate of one number from the last levels; none from a single one.
-fn estimate(
-    levels: &[LevelValues],
-    value: fn(&LevelValues) -> f64,
-    convergence: Convergence,
-) -> Option<Estimate> {
-    let finest = levels.last()?.elements as f64;
-    let change = |pair: &[LevelValues]| Change {
-        size: (value(&pair[1]) - value(&pair[0])).abs(),
-        elements: pair[1].elements as f64,
-        ratio: pair[1].elements as f64 / pair[0].elements as f64,
+/// The estimate of one number from its values on grids of so many elements per side; none from a single one.
+fn estimate(values: &[(usize, f64)], convergence: Convergence) -> Option<Estimate> {
+    let (finest, last) = *values.last()?;
+    let finest = finest as f64;
+    let change = |pair: &[(usize, f64)]| Change {
+        size: (pair[1].1 - pair[0].1).abs(),
+        elements: pair[1].0 as f64,
+        ratio: pair[1].0 as f64 / pair[0].0 as f64,
     };
-    let changes: Vec<Change> = levels.windows(2).map(change).collect();
+    let changes: Vec<Change> = values.windows(2).map(change).collect();
     if changes.is_empty() {
         return None;
     }
@@ -229,7 +254,7 @@ fn estimate(
     }
     let half_width = safety * largest;
     let shrinks = observed.is_none_or(|order| order > LOWEST_RESOLVED * lowest_order);
-    let is_narrow = half_width <= NARROW * value(levels.last()?).abs();
+    let is_narrow = half_width <= NARROW * last.abs();
     Some(Estimate {
         estimate: half_width,
         order: observed,

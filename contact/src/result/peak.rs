@@ -4,7 +4,9 @@
 //! peak, `p = p₀ − ½ gᵀ H⁻¹ g` with the central differences `g` and `H`, to third order in the element's side. At an
 //! edge the element's own value is all there is.
 
-use crate::Profile;
+use pellicle_texture::Relief;
+
+use crate::{Indenter, Profile};
 use crate::{grid::window::Place, result::contact_field::ContactField};
 
 /// A peak within so many elements of an edge is the edge's.
@@ -40,9 +42,10 @@ pub struct Peak {
 impl Peak {
     /// The peak of a field whose largest pressure is that of an element of the window.
     pub fn of(field: &ContactField<'_>, largest: Place) -> Self {
-        let place = place_of(field, field.centre(largest));
+        let (model, side) = (field.model, field.grid.element_side());
+        let place = place_near(&model.relief, &model.indenter, side, field.centre(largest));
         let around = |[i, j]: Place| field.pressure_at([largest[0] + i, largest[1] + j]);
-        let (own, side) = (around([0, 0]), field.grid.element_side());
+        let own = around([0, 0]);
         let vertex = (place == PeakPlace::Inside)
             .then(|| vertex(&around))
             .flatten();
@@ -57,16 +60,14 @@ impl Peak {
     }
 }
 
-/// Whether a point is at something sharp, by geometry alone.
-fn place_of(field: &ContactField<'_>, point: [f64; 2]) -> PeakPlace {
-    let (model, side) = (field.model, field.grid.element_side());
+/// Whether a point is at something sharp, by geometry alone, on a grid of elements of side `side` (m).
+pub fn place_near(relief: &Relief, indenter: &Indenter, side: f64, point: [f64; 2]) -> PeakPlace {
     let is_near = |distance: f64| distance.abs() < ELEMENTS_FROM_EDGE * side;
-    let relief = &model.relief;
     if relief.distance_to_outline(point).is_some_and(is_near) {
         PeakPlace::Outline
     } else if is_near(relief.distance_to_ridge(point)) {
         PeakPlace::Ridge
-    } else if is_near(model.indenter.distance_to_edge(point[0], point[1], side)) {
+    } else if is_near(indenter.distance_to_edge(point[0], point[1], side)) {
         PeakPlace::IndenterEdge
     } else {
         PeakPlace::Inside

@@ -1,5 +1,6 @@
 //! One load's solution with all that is known of it, and what it may be used for.
 
+use pellicle_texture::Grid;
 use serde::{Deserialize, Serialize};
 
 use crate::{GridError, Solution, Summary, Work, result::cut_off::CutOff};
@@ -21,6 +22,18 @@ pub struct Step {
     pub contact_stiffness: Option<f64>,
     /// The limit that cuts the contact off, if any: then the step solves another problem than the one posed.
     pub cut_off: Option<CutOff>,
+    /// The pressures of the next coarser grids, coarsest first; empty unless
+    /// [asked for](crate::SolverOptions::coarse_pressures).
+    pub coarser: Vec<CoarsePressure>,
+}
+
+/// The pressure under a load on a grid coarser than the finest.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CoarsePressure {
+    /// The grid.
+    pub grid: Grid,
+    /// N² values, in Pa.
+    pub pressure: Vec<f64>,
 }
 
 impl Step {

@@ -2,7 +2,11 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::nan_from_null;
+use super::finder::Finder;
+use super::model::StressModel;
+use super::quantity::{OF_BODIES, OF_INTERFACES};
+use super::scan::Target;
+use crate::{ContactError, LoadingPath, nan_from_null};
 
 /// An extreme of a stress: at a point (x, y, z) of a body, or (x, y) of an interface.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -105,4 +109,94 @@ pub struct StressExtremes {
     pub bodies: Vec<BodyStress>,
     /// From the surface down.
     pub interfaces: Vec<InterfaceStress>,
+}
+
+/// The extremes of the stresses in the bodies and on the interfaces under the pressure of a step.
+///
+/// Largest values are looked for on planes at depths that are denser near the surface and interfaces, then between the
+/// planes and the element centres, to 1e-4. Within one element's side of the surface, where the stresses show the steps
+/// of the pressure, values under element centres alone count. Their estimates come from the pressures of the step's
+/// [coarser grids](crate::SolverOptions::coarse_pressures).
+///
+/// # Errors
+/// A body or interface outside the foundation; amplitudes that the kernel cannot give.
+///
+/// # Panics
+/// If the path has no such step.
+pub fn stress_extremes(
+    path: &LoadingPath,
+    step: usize,
+    stress: &StressModel,
+) -> Result<StressExtremes, ContactError> {
+    let bodies = stress.bodies.iter().map(|body| Target {
+        top: body.top,
+        bottom: body.bottom,
+        quantities: OF_BODIES.to_vec(),
+    });
+    let interfaces = stress.interfaces.iter().map(|interface| Target {
+        top: interface.depth,
+        bottom: interface.depth,
+        quantities: OF_INTERFACES.to_vec(),
+    });
+    let targets: Vec<Target> = bodies.chain(interfaces).collect();
+    let finder = Finder::new(path, &path.steps[step], stress.sliding);
+    let mut found = finder.find(&targets)?.into_iter();
+    let bodies = stress.bodies.iter().zip(found.by_ref());
+    let bodies = bodies.map(|(body, extremes)| {
+        let [max_von_mises, max_principal, min_principal, max_shear] =
+            [0, 1, 2, 3].map(|i: usize| extremes[i]);
+        let utilisation = BodyUtilisation {
+            yielding: body
+                .strengths
+                .yield_strength
+                .map(|strength| max_von_mises.value / strength),
+            tension: body
+                .strengths
+                .tensile_strength
+                .map(|strength| max_principal.value.max(0.0) / strength),
+        };
+        BodyStress {
+            name: body.name.clone(),
+            max_von_mises,
+            max_principal,
+            min_principal: Extreme {
+                value: -min_principal.value,
+                ..min_principal
+            },
+            max_shear,
+            utilisation,
+        }
+    });
+    let bodies = bodies.collect();
+    let interfaces = stress.interfaces.iter().zip(found);
+    let interfaces = interfaces.map(|(interface, extremes)| {
+        let flat = |extreme: &Extreme<3>| Extreme {
+            value: extreme.value.max(0.0),
+            at: [extreme.at[0], extreme.at[1]],
+            resolved: extreme.resolved,
+            estimate: extreme.estimate,
+        };
+        let [max_shear_traction, max_tension, max_compression] =
+            [0, 1, 2].map(|i: usize| flat(&extremes[i]));
+        let utilisation = InterfaceUtilisation {
+            shear: interface
+                .strengths
+                .shear_strength
+                .map(|strength| max_shear_traction.value / strength),
+            tension: interface
+                .strengths
+                .tensile_strength
+                .map(|strength| max_tension.value / strength),
+        };
+        InterfaceStress {
+            index: interface.index,
+            depth: interface.depth,
+            max_shear_traction,
+            max_tension,
+            max_compression,
+            utilisation,
+        }
+    });
+    let interfaces = interfaces.collect();
+    Ok(StressExtremes { bodies, interfaces })
 }

@@ -33,6 +33,12 @@ impl CentreFields {
         }
     }
 
+    /// Offsets along x and y.
+    #[must_use]
+    pub fn offsets(&self) -> usize {
+        self.offsets
+    }
+
     /// Distance (m) for which the fields of an element of side `element_side` (m) must be made.
     #[must_use]
     pub fn reach(&self, element_side: f64) -> f64 {

@@ -1,0 +1,195 @@
+//! The largest values of quantities in depth ranges: planes first, then points, then the same peak on coarser grids.
+
+use super::extremes::Extreme;
+use super::field::StressField;
+use super::model::Sliding;
+use super::quantity::Quantity;
+use super::refine::{Peak, Search};
+use super::scan::{Candidate, Target, candidates, is_nearly};
+use crate::result::peak::place_near;
+use crate::{ContactError, Estimate, LoadingPath, PeakPlace, Step};
+
+/// Peaks of one quantity that are followed, at most.
+const PEAKS: usize = 4;
+/// Peaks alike to this are one and its mirror images.
+const ALIKE: f64 = 1e-9;
+/// Peaks below this part of the largest under the element centres cannot be the largest between them.
+const NEARLY_AT_CENTRES: f64 = 0.99;
+/// An extreme within so many elements of the surface and of something sharp grows with the grid.
+const ELEMENTS_FROM_SURFACE: f64 = 2.0;
+/// By how much the depth of an extreme may differ on a coarser grid.
+const DEPTH_RATIO: f64 = 1.4;
+
+/// The search for the extremes under one step of a path.
+pub struct Finder<'a> {
+    path: &'a LoadingPath,
+    step: &'a Step,
+    field: StressField,
+    /// Coarser grids, coarsest first.
+    coarser: Vec<StressField>,
+}
+
+impl<'a> Finder<'a> {
+    pub fn new(path: &'a LoadingPath, step: &'a Step, sliding: Sliding) -> Self {
+        let of =
+            |grid, pressure: &[f64]| StressField::of(path.tables.clone(), grid, pressure, sliding);
+        let coarser = step.coarser.iter();
+        Self {
+            path,
+            step,
+            field: of(path.grid, &step.solution.pressure),
+            coarser: coarser
+                .map(|coarse| of(coarse.grid, &coarse.pressure))
+                .collect(),
+        }
+    }
+
+    /// The largest values of the quantities of each target.
+    pub fn find(&self, targets: &[Target]) -> Result<Vec<Vec<Extreme<3>>>, ContactError> {
+        if self.field.loaded().size == 0 {
+            let unloaded = |target: &Target| {
+                vec![
+                    Extreme {
+                        value: 0.0,
+                        at: [0.0, 0.0, target.top],
+                        resolved: true,
+                        estimate: Some(0.0)
+                    };
+                    target.quantities.len()
+                ]
+            };
+            return Ok(targets.iter().map(unloaded).collect());
+        }
+        let found = candidates(&self.field, targets)?;
+        let of_target = |(index, target): (usize, &Target)| {
+            let of_quantity = |quantity: &Quantity| {
+                let own = found.iter().filter(|candidate| {
+                    candidate.target == index && candidate.quantity == *quantity
+                });
+                self.extreme(target, *quantity, &own.copied().collect::<Vec<_>>())
+            };
+            target.quantities.iter().map(of_quantity).collect()
+        };
+        targets.iter().enumerate().map(of_target).collect()
+    }
+
+    /// The extreme among candidates, largest first.
+    fn extreme(
+        &self,
+        target: &Target,
+        quantity: Quantity,
+        candidates: &[Candidate],
+    ) -> Result<Extreme<3>, ContactError> {
+        let element = self.field.grid().element_side();
+        let loaded = self.field.loaded().size as f64 * element;
+        let depths: Vec<f64> = target
+            .depths(loaded, element)
+            .iter()
+            .map(|depth| depth.z)
+            .collect();
+        let range = [depths[0], depths[depths.len() - 1]];
+        let mut search = Search::new(&self.field, quantity, range);
+        let mut followed: Vec<(Peak, usize)> = Vec::new();
+        for candidate in distinct(candidates, &depths, element) {
+            let peak = search.climb(candidate.at, depths[candidate.depth])?;
+            let is_new = |(other, _): &(Peak, usize)| {
+                (other.value - peak.value).abs() > ALIKE * peak.value.abs()
+            };
+            if followed.iter().all(is_new) {
+                followed.push((peak, candidate.depth));
+            }
+        }
+        let largest = followed
+            .iter()
+            .map(|(peak, _)| peak.value)
+            .fold(f64::NEG_INFINITY, f64::max);
+        let mut best: Option<Peak> = None;
+        for (start, depth) in followed {
+            if start.value < largest - (1.0 - NEARLY_AT_CENTRES) * largest.abs() {
+                continue;
+            }
+            let [x, y, z] = start.at;
+            let bracket = [
+                depths[depth.saturating_sub(1)],
+                z,
+                depths[(depth + 1).min(depths.len() - 1)],
+            ];
+            let peak = search.peak([x, y], bracket)?;
+            if best.is_none_or(|best| peak.value > best.value) {
+                best = Some(peak);
+            }
+        }
+        let Some(best) = best else {
+            return Err(ContactError::StressNotFinite);
+        };
+        let mut values = Vec::new();
+        for coarse in &self.coarser {
+            values.push((
+                coarse.grid().size(),
+                coarse_value(coarse, quantity, range, best)?,
+            ));
+        }
+        values.push((self.field.grid().size(), best.value));
+        Ok(self.judged(best, &values))
+    }
+
+    /// The extreme with its error, from its values on grids of so many elements.
+    fn judged(&self, peak: Peak, values: &[(usize, f64)]) -> Extreme<3> {
+        let Self { path, step, .. } = self;
+        let [x, y, z] = peak.at;
+        let side = path.grid.element_side();
+        let is_near = place_near(&path.relief, &path.indenter, side, [x, y]) != PeakPlace::Inside;
+        let is_at_edge = z < ELEMENTS_FROM_SURFACE * side && is_near;
+        let meets_outline = step
+            .grid_error
+            .levels
+            .iter()
+            .any(|level| level.meets_outline);
+        let accuracy = step.solution.certificate.worst() + path.tables.error_estimate();
+        let error = Estimate::of_values(values, meets_outline, is_at_edge, accuracy);
+        Extreme {
+            value: peak.value,
+            at: peak.at,
+            resolved: error.is_some_and(|error| error.resolved),
+            estimate: error.map(|error| error.estimate),
+        }
+    }
+}
+
+/// The same peak on a coarser grid.
+fn coarse_value(
+    field: &StressField,
+    quantity: Quantity,
+    [top, bottom]: [f64; 2],
+    peak: Peak,
+) -> Result<f64, ContactError> {
+    let [x, y, z] = peak.at;
+    let is_at_end = z <= top || z >= bottom;
+    let bracket = if is_at_end {
+        [z; 3]
+    } else {
+        [(z / DEPTH_RATIO).max(top), z, (z * DEPTH_RATIO).min(bottom)]
+    };
+    Ok(Search::new(field, quantity, [top, bottom])
+        .peak([x, y], bracket)?
+        .value)
+}
+
+/// Of candidates, largest first, those that come near the largest and do not belong to the peak of a larger one.
+fn distinct(candidates: &[Candidate], depths: &[f64], element: f64) -> Vec<Candidate> {
+    let mut kept: Vec<Candidate> = Vec::new();
+    for candidate in candidates {
+        if kept.len() == PEAKS || !is_nearly(candidate.value, candidates[0].value) {
+            break;
+        }
+        let belongs = |other: &Candidate| {
+            let apart = (other.at[0] - candidate.at[0]).hypot(other.at[1] - candidate.at[1]);
+            other.depth.abs_diff(candidate.depth) == 1
+                && apart <= element.max(depths[candidate.depth] / 2.0)
+        };
+        if !kept.iter().any(belongs) {
+            kept.push(*candidate);
+        }
+    }
+    kept
+}

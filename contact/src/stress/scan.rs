@@ -1,0 +1,284 @@
+//! Where the extremes of stresses may lie: planes at depths that are denser near the surface and the interfaces.
+//!
+//! A plane at depth z hardly sees pressures that change over less than z: on planes of many elements' depth the
+//! pressures of several elements are put together, as many as an eighth of the depth holds.
+
+use pellicle_influence::{Depth, InfluenceError, PlaneFields, Squares, SubsurfaceState};
+use rayon::prelude::*;
+
+use super::field::{LoadedSquare, StressField};
+use super::quantity::Quantity;
+
+/// Blocks of elements are no larger than this part of the depth.
+const BLOCK_PART: f64 = 1.0 / 8.0;
+/// Blocks across the loaded square, at least.
+const FEWEST_BLOCKS: usize = 16;
+/// Ratio of the distances from an end of a body of one plane and the next.
+const RATIO: f64 = 1.4;
+/// Planes reach down to so many sides of the loaded square below the top of a body.
+const REACH: f64 = 2.0;
+/// The planes are wider than the loaded square by this part of it and so many depths, on either side.
+const MARGIN_PART: f64 = 0.3;
+const MARGIN_DEPTHS: f64 = 1.5;
+/// Peaks within this part of the largest are looked at more closely.
+const NEARLY: f64 = 0.98;
+/// Peaks of one plane that are looked at, at most.
+const PEAKS_OF_A_PLANE: usize = 4;
+
+/// A depth range, and the quantities to find the extremes of there; an interface is a range without extent.
+#[derive(Debug, Clone)]
+pub struct Target {
+    /// Depth of its top, m.
+    pub top: f64,
+    /// Depth of its bottom, m.
+    pub bottom: f64,
+    pub quantities: Vec<Quantity>,
+}
+
+/// A peak of a quantity on a plane.
+#[derive(Debug, Clone, Copy)]
+pub struct Candidate {
+    /// Among the targets.
+    pub target: usize,
+    pub quantity: Quantity,
+    /// In Pa.
+    pub value: f64,
+    /// (x, y), in m.
+    pub at: [f64; 2],
+    /// Among the depths of the target.
+    pub depth: usize,
+}
+
+impl Target {
+    /// The depths at which it is looked at, from the top down, under a loaded square of side `loaded` (m) made of
+    /// elements of side `element` (m).
+    pub fn depths(&self, loaded: f64, element: f64) -> Vec<Depth> {
+        let (top, bottom) = (self.top, self.bottom.min(self.top + REACH * loaded));
+        if top >= bottom {
+            return vec![Depth::above(top)];
+        }
+        let is_cut = bottom < self.bottom;
+        let half = if is_cut {
+            bottom - top
+        } else {
+            (bottom - top) / 2.0
+        };
+        let first = (element / 2.0).max(half / 32.0).max(top / 8.0).min(half);
+        let steps = std::iter::successors(Some(first), |step| Some(step * RATIO));
+        let steps: Vec<f64> = steps.take_while(|step| *step < half * 0.999).collect();
+        let mut depths = vec![Depth::below(top)];
+        depths.extend(steps.iter().map(|step| Depth::below(top + step)));
+        if !is_cut {
+            depths.push(Depth::below(top + half));
+            depths.extend(steps.iter().rev().map(|step| Depth::above(bottom - step)));
+        }
+        depths.push(Depth::above(bottom));
+        depths
+    }
+}
+
+/// Looks at all targets; the peaks of each quantity, largest first.
+pub fn candidates(
+    field: &StressField,
+    targets: &[Target],
+) -> Result<Vec<Candidate>, InfluenceError> {
+    let element = field.grid().element_side();
+    let loaded = field.loaded().size as f64 * element;
+    let mut planes = Vec::new();
+    for (target, of) in targets.iter().enumerate() {
+        for (index, depth) in of.depths(loaded, element).into_iter().enumerate() {
+            planes.push((target, index, depth));
+        }
+    }
+    let doubling = |z: f64| {
+        let fits = |m: &u32| {
+            2_f64.powi(m.cast_signed()) * element <= BLOCK_PART * z
+                && field.loaded().size >> m >= FEWEST_BLOCKS
+        };
+        (1..).take_while(fits).last().unwrap_or(0)
+    };
+    let largest = planes.iter().map(|(_, _, depth)| doubling(depth.z)).max();
+    let mut found = Vec::new();
+    for m in 0..=largest.unwrap_or(0) {
+        let of_size = planes.iter().filter(|(_, _, depth)| doubling(depth.z) == m);
+        let deepest = of_size.clone().map(|(_, _, depth)| depth.z);
+        let Some(deepest) = deepest.reduce(f64::max) else {
+            continue;
+        };
+        let mut blocks = Blocks::new(field, 1 << m, deepest);
+        for (target, index, depth) in of_size {
+            let states = blocks.states_on(*depth)?;
+            for quantity in &targets[*target].quantities {
+                let peaks = blocks.peaks(&states, *quantity);
+                found.extend(peaks.into_iter().map(|(value, at)| Candidate {
+                    target: *target,
+                    quantity: *quantity,
+                    value,
+                    at,
+                    depth: *index,
+                }));
+            }
+        }
+    }
+    found.sort_by(|one, other| other.value.total_cmp(&one.value));
+    Ok(found)
+}
+
+/// Whether a value comes near the largest, so that it may be the largest after a closer look.
+pub fn is_nearly(value: f64, largest: f64) -> bool {
+    value >= largest - (1.0 - NEARLY) * largest.abs()
+}
+
+/// Planes under blocks of elements.
+struct Blocks {
+    fields: PlaneFields,
+    /// Blocks along a side of the planes.
+    shown: usize,
+    /// x and y (m) of the first block.
+    first: [f64; 2],
+    side: f64,
+}
+
+impl Blocks {
+    fn new(field: &StressField, elements: usize, deepest: f64) -> Self {
+        let LoadedSquare {
+            origin,
+            size,
+            pressure,
+        } = field.loaded();
+        let grid = field.grid();
+        let loaded = size.div_ceil(elements).max(1);
+        let mut means = vec![0.0; loaded * loaded];
+        for (row, pressures) in pressure.chunks_exact((*size).max(1)).enumerate() {
+            for (column, p) in pressures.iter().enumerate() {
+                means[row / elements * loaded + column / elements] += p;
+            }
+        }
+        let side = grid.element_side() * elements as f64;
+        let area = (elements * elements) as f64;
+        means.iter_mut().for_each(|mean| *mean /= area);
+        let margin = MARGIN_PART * loaded as f64 + MARGIN_DEPTHS * deepest / side;
+        let margin = super::nearest(margin.ceil()).unsigned_abs();
+        let shown = loaded + 2 * margin;
+        let squares = Squares {
+            loaded,
+            shown,
+            before: [margin; 2],
+        };
+        let first = origin.map(|origin| {
+            let edge = grid.centre(origin) - grid.element_side() / 2.0;
+            edge + (0.5 - margin as f64) * side
+        });
+        let foundation = field.tables().foundation();
+        Self {
+            fields: PlaneFields::new(foundation, side, squares, &means, field.tractions()),
+            shown,
+            first,
+            side,
+        }
+    }
+
+    /// The states on a plane, without displacements, row after row.
+    fn states_on(&mut self, depth: Depth) -> Result<Vec<SubsurfaceState>, InfluenceError> {
+        let mut states = vec![SubsurfaceState::default(); self.shown * self.shown];
+        self.fields.fields_on(depth, |field, values| {
+            if let Some(stress) = field.checked_sub(3) {
+                let entries = states.par_iter_mut().zip(values);
+                entries.for_each(|(state, value)| state.stress[stress] = *value);
+            }
+        })?;
+        Ok(states)
+    }
+
+    /// The largest peaks of a quantity on a plane, with their places (m).
+    fn peaks(&self, states: &[SubsurfaceState], quantity: Quantity) -> Vec<(f64, [f64; 2])> {
+        let rows = states.par_chunks_exact(self.shown);
+        let largest_of = |row: &[SubsurfaceState]| {
+            let mut largest = f64::NEG_INFINITY;
+            for state in row {
+                if quantity.bound(state) > largest {
+                    largest = largest.max(quantity.of(state));
+                }
+            }
+            largest
+        };
+        let largest = rows.map(largest_of).reduce(|| f64::NEG_INFINITY, f64::max);
+        let place = |i: usize| [i / self.shown, i % self.shown];
+        let near = states.par_iter().enumerate().filter_map(|(i, state)| {
+            let is_bound = is_nearly(quantity.bound(state), largest);
+            let value = is_bound.then(|| quantity.of(state))?;
+            (is_nearly(value, largest) && self.is_peak(states, quantity, place(i), value))
+                .then_some((value, place(i)))
+        });
+        let mut peaks: Vec<(f64, [usize; 2])> = near.collect();
+        peaks.sort_by(|(one, _), (other, _)| other.total_cmp(one));
+        peaks.truncate(PEAKS_OF_A_PLANE);
+        let point = |place: [usize; 2]| {
+            std::array::from_fn(|axis| self.first[axis] + place[axis] as f64 * self.side)
+        };
+        peaks
+            .into_iter()
+            .map(|(value, place)| (value, point(place)))
+            .collect()
+    }
+
+    /// Whether no neighbour is larger.
+    fn is_peak(
+        &self,
+        states: &[SubsurfaceState],
+        quantity: Quantity,
+        [i, j]: [usize; 2],
+        value: f64,
+    ) -> bool {
+        let last = self.shown - 1;
+        let rows = i.saturating_sub(1)..=(i + 1).min(last);
+        let columns = j.saturating_sub(1)..=(j + 1).min(last);
+        let mut around = rows.flat_map(|i| columns.clone().map(move |j| [i, j]));
+        around.all(|[i, j]| quantity.of(&states[i * self.shown + j]) <= value)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn depths(top: f64, bottom: f64) -> Vec<f64> {
+        let target = Target {
+            top,
+            bottom,
+            quantities: Vec::new(),
+        };
+        target
+            .depths(10.0, 0.1)
+            .iter()
+            .map(|depth| depth.z)
+            .collect()
+    }
+
+    #[test]
+    fn a_body_is_looked_at_from_top_to_bottom_densest_at_its_ends() {
+        for (top, bottom) in [
+            (0.0, 1.0),
+            (0.0, 0.01),
+            (3.0, 4.0),
+            (0.0, f64::INFINITY),
+            (5.0, f64::INFINITY),
+        ] {
+            let found = depths(top, bottom);
+            assert!(found.is_sorted_by(|one, other| one < other), "{found:?}");
+            assert_eq!(
+                (found[0], found[found.len() - 1]),
+                (top, bottom.min(top + 20.0))
+            );
+            let gaps: Vec<f64> = found.windows(2).map(|pair| pair[1] - pair[0]).collect();
+            for (gap, next) in gaps.iter().zip(&gaps[1..]) {
+                assert!(gap / next < 2.6 && next / gap < 2.6, "{found:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn an_interface_is_one_depth() {
+        assert_eq!(depths(2.0, 2.0), [2.0]);
+    }
+}
