@@ -55,6 +55,7 @@ pub use solver::{
     observer::{Observer, Progress, Signal},
 };
 pub use stress::{
+    critical::{CriticalLoad, critical_loads},
     extremes::{
         BodyStress, BodyUtilisation, Extreme, InterfaceStress, InterfaceUtilisation,
         StressExtremes, stress_extremes,

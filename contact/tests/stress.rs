@@ -58,10 +58,25 @@ fn probe() {
             interfaces: Vec::new(),
         };
         let found = stress_extremes(&path, 0, &stress).unwrap();
-        println!("{elements} {:?} a/h {}", clock.elapsed(), a / path.grid.element_side());
+        println!(
+            "{elements} {:?} a/h {}",
+            clock.elapsed(),
+            a / path.grid.element_side()
+        );
         let body = &found.bodies[0];
-        for (name, e) in [("mises", body.max_von_mises), ("s1", body.max_principal), ("s3", body.min_principal), ("tau", body.max_shear)] {
-            println!("  {name} {:.6} at {:?} {} {:?}", e.value / p0, e.at.map(|x| x / a), e.resolved, e.estimate.map(|x| x / p0));
+        for (name, e) in [
+            ("mises", body.max_von_mises),
+            ("s1", body.max_principal),
+            ("s3", body.min_principal),
+            ("tau", body.max_shear),
+        ] {
+            println!(
+                "  {name} {:.6} at {:?} {} {:?}",
+                e.value / p0,
+                e.at.map(|x| x / a),
+                e.resolved,
+                e.estimate.map(|x| x / p0)
+            );
         }
         println!("  p {}", step.summary.max_pressure / p0);
     }

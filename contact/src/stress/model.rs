@@ -1,6 +1,6 @@
 //! What stresses are asked for: sliding, the bodies and interfaces with their strengths.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Sliding of the indenter along the surface: a traction `q = μ p` that drags the surface with the indenter, uncoupled
 /// from the pressure (Goodman's approximation).
@@ -75,7 +75,7 @@ pub struct StressModel {
 }
 
 /// How a coating fails.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Criterion {
     /// Von Mises' stress reaches a body's yield strength.
