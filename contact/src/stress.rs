@@ -1,6 +1,7 @@
 //! Stress inside the body under a solved pressure: at points, on planes, its extremes, and the loads at which a body
 //! yields or cracks or an interface comes off.
 
+mod around;
 pub mod critical;
 pub mod extremes;
 pub mod field;

@@ -97,7 +97,7 @@ pub use operator::{
 pub use radial::RadialTables;
 pub use sector::Sector;
 pub use subsurface::{
-    CentreFields, Depth, ElementFields, ElementLoads, PlaneFields, Squares, SubsurfaceState,
+    CentreStresses, Depth, ElementFields, ElementLoads, PlaneFields, Squares, SubsurfaceState,
     SurfaceLoad,
 };
 pub use surface_elasticity::SurfaceElasticity;

@@ -5,7 +5,7 @@
 //! element](element) by Gauss points from the fields of [point loads](point_kernels), fifteen functions of the radius
 //! for each depth.
 
-mod centre_fields;
+mod centre_stresses;
 mod depth;
 mod element;
 mod element_table;
@@ -16,7 +16,7 @@ mod point_kernels;
 mod principal;
 mod state;
 
-pub use centre_fields::CentreFields;
+pub use centre_stresses::CentreStresses;
 pub use depth::Depth;
 pub use element::{ElementFields, ElementLoads};
 pub use plane_fields::{PlaneFields, Squares};

@@ -19,6 +19,8 @@ use crate::{
 const ACCURACY: f64 = 5e-5;
 /// Loads solved for one criterion, at most.
 const MOST_SOLVED: usize = 24;
+/// Of these, as many by secants before the bracket is halved.
+const MOST_SECANTS: usize = 8;
 /// Factor between loads below the smallest of the path, and how many of them are tried.
 const SMALLER: f64 = 0.25;
 const MOST_SMALLER: usize = 8;
@@ -214,20 +216,31 @@ impl LoadSearch<'_> {
             }
         };
         let mut exponent = self.exponent(index, &lower, &upper);
-        for _ in 0..MOST_SOLVED {
-            let domain = self.domain_between(lower.load, upper.load)?;
-            let solved = self.solve(self.trial(index, &lower, &upper), domain)?;
+        let mut latest = self.nearer(index, &lower, &upper).clone();
+        let mut narrow = None;
+        for trial in 0..MOST_SOLVED {
+            let (low, high) = (lower.load, upper.load);
+            if high / low <= NARROW && narrow.is_none() {
+                narrow = Some(self.domain_for(high)?);
+            }
+            let load = exponent
+                .filter(|_| trial < MOST_SECANTS)
+                .map(|n| latest.load * self.utilisation(index, &latest).powf(-1.0 / n))
+                .filter(|load| *load > low && *load < high)
+                .unwrap_or((low * high).sqrt());
+            let solved = self.solve(load, narrow.unwrap_or(self.domain))?;
             let utilisation = self.utilisation(index, &solved);
-            let other = if utilisation >= 1.0 { &upper } else { &lower };
-            exponent = self.exponent(index, &solved, other).or(exponent);
+            exponent = self.exponent(index, &solved, &latest).or(exponent);
             let is_found = exponent.is_some_and(|n| (utilisation.ln() / n).abs() <= ACCURACY);
-            if is_found || (upper.load / lower.load).ln() <= ACCURACY {
+            // A stress that jumps with the load is bracketed.
+            if is_found || (high / low).ln() <= ACCURACY {
                 return Ok(self.result(index, exponent, Some(&solved)));
             }
+            latest = solved.clone();
             if utilisation >= 1.0 {
-                upper = solved
+                upper = solved;
             } else {
-                lower = solved
+                lower = solved;
             }
         }
         Ok(self.result(index, None, Some(&upper)))
@@ -250,18 +263,14 @@ impl LoadSearch<'_> {
             .cloned()
     }
 
-    /// The load at which the secant in logarithms meets the strength, well within the bracket.
-    fn trial(&self, index: usize, lower: &Solved, upper: &Solved) -> f64 {
-        let width = (upper.load / lower.load).ln();
-        let [below, above] = [lower, upper].map(|solved| self.utilisation(index, solved));
-        let part = if below > 0.0 {
-            -below.ln() / (above / below).ln()
+    /// Which of two loads comes nearer to the strength.
+    fn nearer<'s>(&self, index: usize, one: &'s Solved, other: &'s Solved) -> &'s Solved {
+        let apart = |solved: &Solved| self.utilisation(index, solved).ln().abs();
+        if apart(one) < apart(other) {
+            one
         } else {
-            0.5
-        };
-        // An eighth of a found accuracy from the ends, so that a trial is never one of them.
-        let margin = (0.125 * ACCURACY / width).min(0.5);
-        lower.load * (part.clamp(margin, 1.0 - margin) * width).exp()
+            other
+        }
     }
 
     /// `n` of a utilisation that grows as `loadⁿ` between two loads; none where it does not grow.
@@ -275,12 +284,12 @@ impl LoadSearch<'_> {
         solved.extremes[index].value.max(0.0) / self.asked[index].strength
     }
 
-    /// The domain for loads of a bracket: chosen for each load as long as the bracket is wide.
-    fn domain_between(&self, lower: f64, upper: f64) -> Result<Domain, ContactError> {
-        if matches!(self.domain, Domain::Side(_)) || upper / lower > NARROW {
+    /// One domain for loads up to this one: as given, or chosen for it.
+    fn domain_for(&self, load: f64) -> Result<Domain, ContactError> {
+        if let Domain::Side(_) = self.domain {
             return Ok(self.domain);
         }
-        Ok(Domain::Side(choose_side(self.model, &[self.load(upper)])?))
+        Ok(Domain::Side(choose_side(self.model, &[self.load(load)])?))
     }
 
     fn load(&self, value: f64) -> Load {

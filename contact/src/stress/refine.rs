@@ -1,26 +1,23 @@
 //! The largest value of a quantity near a point, in depth and plane.
 //!
 //! From a start the search climbs from element centre to element centre and, between depths, by parabolas within a
-//! bracket. A quadratic through the neighbours then places the peak between the centres. Above one element's side the
-//! stresses show the steps of the pressure, and only those under the centres count.
+//! bracket. Interpolation then places the peak between them. Above one element's side the stresses show the steps of
+//! the pressure, and only those under the centres count.
 
 use std::collections::HashMap;
 
-use pellicle_influence::{CentreFields, Depth, ElementFields, InfluenceError};
+use pellicle_influence::{CentreStresses, Depth, ElementFields, InfluenceError, SubsurfaceState};
 use rayon::prelude::*;
 
+use super::around::Around;
 use super::field::{LoadedSquare, StressField};
 use super::quantity::Quantity;
 
-/// Depths are bracketed to this part of the bracket's first width.
-const NARROW: f64 = 0.02;
-/// Depths tried, at most.
-const TRIALS: usize = 24;
-/// Quadratics through points between the centres, at most, and the side of their stencils in elements.
-const QUADRATICS: usize = 4;
-const STENCIL: f64 = 0.5;
-/// A quadratic that foretells the value to this part of it is near enough.
-const FORETOLD: f64 = 1e-5;
+/// Depths are bracketed to this part of the bracket's first width, by so many trials at most.
+const NARROW: f64 = 0.25;
+const TRIALS: usize = 16;
+/// The depths of an interpolation are this part of the bracket's first width apart.
+const DEPTH_PART: f64 = 0.125;
 /// Offsets tabulated beyond those needed at first, in elements.
 const SLACK: usize = 16;
 /// The golden section.
@@ -45,12 +42,12 @@ pub struct Search<'a> {
     plane: Option<Plane>,
 }
 
-/// The values of a quantity under the centres of elements at one depth.
+/// The stresses under the centres of elements at one depth.
 struct Plane {
     z: f64,
-    fields: CentreFields,
+    stresses: CentreStresses,
     /// By the place of the element, counted from the first loaded one.
-    known: HashMap<[isize; 2], f64>,
+    known: HashMap<[isize; 2], SubsurfaceState>,
 }
 
 impl<'a> Search<'a> {
@@ -66,11 +63,10 @@ impl<'a> Search<'a> {
 
     /// The value under the best centre that climbing from (x, y) leads to.
     pub fn climb(&mut self, [x, y]: [f64; 2], z: f64) -> Result<Peak, InfluenceError> {
-        let place = self.place([x, y]);
-        let (value, place) = self.climb_from(place, z)?;
+        let tried = self.tried(self.place([x, y]), z)?;
         Ok(Peak {
-            value,
-            at: self.point(place, z),
+            value: tried.value,
+            at: self.point(tried.place, z),
         })
     }
 
@@ -80,60 +76,20 @@ impl<'a> Search<'a> {
         [x, y]: [f64; 2],
         [before, start, after]: [f64; 3],
     ) -> Result<Peak, InfluenceError> {
-        let [mut low, mut high] = [before, after];
-        let width = high - low;
-        let (value, place) = self.climb_from(self.place([x, y]), start)?;
-        // The best three depths so far, best first.
-        let mut best = [(start, value, place); 3];
-        for end in [low, high] {
-            let (value, place) = self.climb_from(place, end)?;
-            if value > best[0].1 {
-                best.rotate_right(1);
-                best[0] = (end, value, place);
-            } else {
-                best[2] = (end, value, place);
-                best.swap(1, 2);
-            }
+        let first = self.tried(self.place([x, y]), start)?;
+        let mut bracket = Bracket::around(first, [before, after]);
+        for end in [before, after] {
+            let tried = self.tried(first.place, end)?;
+            bracket.take(tried);
         }
         for _ in 0..TRIALS {
-            let at = best[0].0;
-            if high - low <= NARROW * width {
+            if bracket.is_narrow() {
                 break;
             }
-            let golden = if at - low > high - at {
-                at - GOLDEN * (at - low)
-            } else {
-                at + GOLDEN * (high - at)
-            };
-            let margin = NARROW / 4.0 * width;
-            let is_useful =
-                |z: &f64| *z > low + margin && *z < high - margin && (z - at).abs() > margin;
-            let trial = vertex(best.map(|(z, value, _)| [z, value]))
-                .filter(is_useful)
-                .unwrap_or(golden);
-            let (value, place) = self.climb_from(best[0].2, trial)?;
-            if value > best[0].1 {
-                if trial > at {
-                    low = at
-                } else {
-                    high = at
-                }
-                best = [(trial, value, place), best[0], best[1]];
-            } else {
-                if trial > at {
-                    high = trial
-                } else {
-                    low = trial
-                }
-                let second = (trial, value, place);
-                best = if value > best[1].1 {
-                    [best[0], second, best[1]]
-                } else {
-                    [best[0], best[1], second]
-                };
-            }
+            let tried = self.tried(bracket.best[0].place, bracket.next())?;
+            bracket.take(tried);
         }
-        let (z, value, place) = best[0];
+        let Trial { z, value, place } = bracket.best[0];
         let peak = Peak {
             value,
             at: self.point(place, z),
@@ -141,93 +97,47 @@ impl<'a> Search<'a> {
         if z < self.field.grid().element_side() {
             return Ok(peak);
         }
-        self.between_centres(peak)
+        self.between_centres(peak, place, after - before)
     }
 
-    /// The peak between the element centres, from the best of them.
-    fn between_centres(&self, start: Peak) -> Result<Peak, InfluenceError> {
-        let side = STENCIL * self.field.grid().element_side();
-        let mut best = start;
-        for _ in 0..QUADRATICS {
-            let middle = self.stencil_middle(best.at, side);
-            let values = self.stencil(middle, side)?;
-            for (offset, value) in &values {
-                if *value > best.value {
-                    best = Peak {
-                        value: *value,
-                        at: moved(middle, *offset, side),
-                    };
-                }
-            }
-            let Some((step, foretold)) = quadratic(&values) else {
-                continue;
-            };
-            let mut at = moved(middle, step, side);
-            at[2] = at[2].clamp(self.range[0], self.range[1]);
-            let value = self.value_at(at)?;
-            if value > best.value {
-                best = Peak { value, at };
-            }
-            if (value - foretold).abs() <= FORETOLD * value.abs() {
-                break;
-            }
-        }
-        Ok(best)
-    }
-
-    /// The middle of a stencil around a point, all of it within the range of depths where that is wide enough.
-    fn stencil_middle(&self, [x, y, z]: [f64; 3], side: f64) -> [f64; 3] {
+    /// The peak between the element centres and the depths looked at, from the best of them: its place by
+    /// interpolation, its value by a sum over the loaded elements.
+    fn between_centres(
+        &mut self,
+        start: Peak,
+        place: [isize; 2],
+        width: f64,
+    ) -> Result<Peak, InfluenceError> {
         let [low, high] = self.range;
-        let z = if high - low > 2.0 * side {
-            z.clamp(low + side, high - side)
+        let apart = (DEPTH_PART * width).min((high - low) / 2.0);
+        let z = start.at[2].clamp(low + apart, high - apart);
+        let depths = if apart > 0.0 {
+            [z - apart, z, z + apart]
+                .map(|z| z.clamp(low, high))
+                .to_vec()
         } else {
-            z
+            vec![z]
         };
-        [x, y, z]
-    }
-
-    /// The values around a point, by the offsets in sides of the stencil: in the plane alone where the range of depths
-    /// is too narrow.
-    fn stencil(
-        &self,
-        [x, y, z]: [f64; 3],
-        side: f64,
-    ) -> Result<Vec<([f64; 3], f64)>, InfluenceError> {
-        const PLANE: [[f64; 2]; 9] = [
-            [0.0, 0.0],
-            [-1.0, 0.0],
-            [1.0, 0.0],
-            [0.0, -1.0],
-            [0.0, 1.0],
-            [-1.0, -1.0],
-            [-1.0, 1.0],
-            [1.0, -1.0],
-            [1.0, 1.0],
-        ];
-        let mut values = Vec::new();
-        let [low, high] = self.range;
-        for (layer, offsets) in [(0.0, &PLANE[..]), (-1.0, &PLANE[..5]), (1.0, &PLANE[..5])] {
-            if layer != 0.0 && high - low <= 2.0 * side {
-                continue;
-            }
-            let points: Vec<[f64; 2]> = offsets
-                .iter()
-                .map(|[u, v]| [x + u * side, y + v * side])
-                .collect();
-            let states = self
-                .field
-                .at_points(&points, self.depth(z + layer * side))?;
-            let of_layer = offsets.iter().zip(states);
-            values.extend(
-                of_layer.map(|([u, v], state)| ([*u, *v, layer], self.quantity.of(&state))),
-            );
+        let mut around = Around::new(depths);
+        for index in 0..around.depths().len() {
+            let z = around.depths()[index];
+            let plane = self.plane_with(Around::places(place).to_vec(), z)?;
+            around.take(&Around::places(place).map(|place| plane.known[&place]));
         }
-        Ok(values)
-    }
-
-    fn value_at(&self, [x, y, z]: [f64; 3]) -> Result<f64, InfluenceError> {
-        let state = self.field.at([x, y], self.depth(z))?;
-        Ok(self.quantity.of(&state))
+        let offset = around.largest([0.0, 0.0, start.at[2]], |state| self.quantity.of(state));
+        let side = self.field.grid().element_side();
+        let at = [
+            start.at[0] + offset[0] * side,
+            start.at[1] + offset[1] * side,
+            offset[2],
+        ];
+        let state = self.field.at([at[0], at[1]], self.depth(at[2]))?;
+        let value = self.quantity.of(&state);
+        Ok(if value > start.value {
+            Peak { value, at }
+        } else {
+            start
+        })
     }
 
     /// A depth in the body of the range.
@@ -239,83 +149,78 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// The best value that climbing leads to, and its place.
-    fn climb_from(
-        &mut self,
-        start: [isize; 2],
-        z: f64,
-    ) -> Result<(f64, [isize; 2]), InfluenceError> {
+    /// The best value that climbing at a depth leads to.
+    fn tried(&mut self, start: [isize; 2], z: f64) -> Result<Trial, InfluenceError> {
         let mut place = start;
         loop {
             let around = (-1..=1).flat_map(|i| (-1..=1).map(move |j| [i, j]));
             let around = around.map(|[i, j]| [place[0] + i, place[1] + j]).collect();
-            let best = self.best_of(around, z)?;
-            if best.1 == place {
-                return Ok(best);
+            let (value, best) = self.best_of(around, z)?;
+            if best == place {
+                return Ok(Trial { z, value, place });
             }
-            place = best.1;
+            place = best;
         }
     }
 
-    /// The largest value under some centres; of equal ones the first.
+    /// The largest value under some centres; of equal ones the middle of them, then the first.
     fn best_of(
         &mut self,
         places: Vec<[isize; 2]>,
         z: f64,
     ) -> Result<(f64, [isize; 2]), InfluenceError> {
-        let LoadedSquare { size, pressure, .. } = self.field.loaded();
-        let farthest = places.iter().flatten().map(|along| {
-            along
-                .unsigned_abs()
-                .max((size.cast_signed() - 1 - along).unsigned_abs())
-        });
-        let farthest = farthest.max().unwrap_or(0);
-        let known = self
-            .plane
-            .take_if(|plane| plane.z == z && farthest < plane.fields.offsets());
-        let plane = match known {
-            Some(plane) => plane,
-            None => self.plane_at(z, farthest + SLACK)?,
-        };
-        let plane = self.plane.insert(plane);
         let quantity = self.quantity;
-        let missing = places
-            .par_iter()
-            .filter(|place| !plane.known.contains_key(*place));
-        let values: Vec<_> = missing
-            .map(|place| {
-                (
-                    *place,
-                    quantity.of(&plane.fields.at(pressure, *size, *place)),
-                )
-            })
-            .collect();
-        plane.known.extend(values);
-        let mut best = (f64::NEG_INFINITY, places[0]);
-        // The middle first, so that it keeps its place among equals.
-        let middle = places.len() / 2;
-        for place in std::iter::once(&places[middle]).chain(&places) {
-            let value = plane.known[place];
+        let middle = places[places.len() / 2];
+        let plane = self.plane_with(places.clone(), z)?;
+        let value = |place: [isize; 2]| quantity.of(&plane.known[&place]);
+        let mut best = (value(middle), middle);
+        for place in places {
+            let value = value(place);
             if value > best.0 {
-                best = (value, *place);
+                best = (value, place);
             }
         }
         Ok(best)
     }
 
+    /// The plane at a depth, with the stresses under some centres among the known ones.
+    fn plane_with(&mut self, places: Vec<[isize; 2]>, z: f64) -> Result<&Plane, InfluenceError> {
+        let LoadedSquare { size, pressure, .. } = self.field.loaded();
+        let last = size.cast_signed() - 1;
+        let farthest = places.iter().flatten();
+        let farthest =
+            farthest.map(|along| along.unsigned_abs().max((last - along).unsigned_abs()));
+        let farthest = farthest.max().unwrap_or(0);
+        let known = self.plane.take();
+        let is_there = |plane: &Plane| plane.z.to_bits() == z.to_bits();
+        let known = known.filter(|plane| is_there(plane) && farthest < plane.stresses.offsets());
+        let mut plane = match known {
+            Some(plane) => plane,
+            None => self.plane_at(z, farthest + SLACK)?,
+        };
+        let missing = places
+            .into_par_iter()
+            .filter(|place| !plane.known.contains_key(place));
+        let found: Vec<_> = missing
+            .map(|place| (place, plane.stresses.at(pressure, *size, place)))
+            .collect();
+        plane.known.extend(found);
+        Ok(self.plane.insert(plane))
+    }
+
     fn plane_at(&self, z: f64, offsets: usize) -> Result<Plane, InfluenceError> {
-        let mut fields = CentreFields::new(offsets, self.field.tractions());
+        let mut stresses = CentreStresses::new(offsets, self.field.tractions());
         let side = self.field.grid().element_side();
         let foundation = self.field.tables().foundation();
-        fields.fill(&ElementFields::new(
+        stresses.fill(&ElementFields::new(
             foundation,
             side,
             self.depth(z),
-            fields.reach(side),
+            stresses.reach(side),
         )?);
         Ok(Plane {
             z,
-            fields,
+            stresses,
             known: HashMap::new(),
         })
     }
@@ -336,9 +241,81 @@ impl<'a> Search<'a> {
     }
 }
 
-/// A point by its offset from another, in sides of a stencil.
-fn moved(from: [f64; 3], offset: [f64; 3], side: f64) -> [f64; 3] {
-    std::array::from_fn(|axis| from[axis] + offset[axis] * side)
+/// A depth that was tried, with the best value there and its element.
+#[derive(Clone, Copy)]
+struct Trial {
+    z: f64,
+    value: f64,
+    place: [isize; 2],
+}
+
+/// Depths between which a peak lies.
+struct Bracket {
+    low: f64,
+    high: f64,
+    /// Of the bracket at first.
+    width: f64,
+    /// The best three, best first.
+    best: [Trial; 3],
+}
+
+impl Bracket {
+    fn around(first: Trial, [low, high]: [f64; 2]) -> Self {
+        Self {
+            low,
+            high,
+            width: high - low,
+            best: [first; 3],
+        }
+    }
+
+    fn is_narrow(&self) -> bool {
+        self.high - self.low <= NARROW * self.width
+    }
+
+    /// Takes a trial and narrows the bracket by it.
+    fn take(&mut self, tried: Trial) {
+        let [first, second, _] = self.best;
+        if tried.value > first.value {
+            // The best so far is an end now.
+            let end = if tried.z > first.z {
+                &mut self.low
+            } else {
+                &mut self.high
+            };
+            *end = first.z;
+            self.best = [tried, first, second];
+            return;
+        }
+        let end = if tried.z > first.z {
+            &mut self.high
+        } else {
+            &mut self.low
+        };
+        *end = tried.z;
+        self.best = if tried.value > second.value {
+            [first, tried, second]
+        } else {
+            [first, second, tried]
+        };
+    }
+
+    /// The next depth to try: the vertex of the parabola through the best three, or the golden section of the wider
+    /// side.
+    fn next(&self) -> f64 {
+        let (low, high, at) = (self.low, self.high, self.best[0].z);
+        let margin = NARROW / 4.0 * self.width;
+        let is_useful =
+            |z: &f64| *z > low + margin && *z < high - margin && (z - at).abs() > margin;
+        let golden = if at - low > high - at {
+            at - GOLDEN * (at - low)
+        } else {
+            at + GOLDEN * (high - at)
+        };
+        vertex(self.best.map(|tried| [tried.z, tried.value]))
+            .filter(is_useful)
+            .unwrap_or(golden)
+    }
 }
 
 /// The vertex of the parabola through three points (z, value), if it has a peak.
@@ -351,104 +328,9 @@ fn vertex([[a, fa], [b, fb], [c, fc]]: [[f64; 2]; 3]) -> Option<f64> {
         .filter(|z| z.is_finite())
 }
 
-/// The step to the vertex of the quadratic through the values of a stencil, and its height; none where it has no peak
-/// within twice the stencil.
-fn quadratic(values: &[([f64; 3], f64)]) -> Option<([f64; 3], f64)> {
-    let at = |offset: [f64; 3]| {
-        let found = values.iter().find(|(place, _)| *place == offset);
-        found.map(|(_, value)| *value)
-    };
-    let middle = at([0.0; 3])?;
-    let unit = |axis: usize, sign: f64| {
-        let mut offset = [0.0; 3];
-        offset[axis] = sign;
-        offset
-    };
-    let axes = if at(unit(2, 1.0)).is_some() { 3 } else { 2 };
-    let mut gradient = [0.0; 3];
-    let mut hessian = [[0.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, -1.0]];
-    for i in 0..axes {
-        let [before, after] = [at(unit(i, -1.0))?, at(unit(i, 1.0))?];
-        gradient[i] = 0.5 * (after - before);
-        hessian[i][i] = after - 2.0 * middle + before;
-        for j in 0..i {
-            let corner = |one: f64, other: f64| {
-                let mut offset = unit(i, one);
-                offset[j] = other;
-                at(offset)
-            };
-            let mixed =
-                corner(1.0, 1.0)? - corner(1.0, -1.0)? - corner(-1.0, 1.0)? + corner(-1.0, -1.0)?;
-            (hessian[i][j], hessian[j][i]) = (0.25 * mixed, 0.25 * mixed);
-        }
-    }
-    let step = descend(hessian, gradient)?;
-    let rise: f64 = step
-        .iter()
-        .zip(gradient)
-        .map(|(step, slope)| 0.5 * step * slope)
-        .sum();
-    step.iter()
-        .all(|part| part.abs() <= 2.0)
-        .then_some((step, middle + rise))
-}
-
-/// The solution of `−H s = g`, if −H is positive definite: by its Cholesky factor.
-fn descend(hessian: [[f64; 3]; 3], gradient: [f64; 3]) -> Option<[f64; 3]> {
-    let mut factor = [[0.0; 3]; 3];
-    let mut forward = [0.0; 3];
-    for i in 0..3 {
-        for j in 0..=i {
-            let known: f64 = (0..j).map(|k| factor[i][k] * factor[j][k]).sum();
-            let rest = -hessian[i][j] - known;
-            if i > j {
-                factor[i][j] = rest / factor[j][j];
-            } else if rest > 0.0 {
-                factor[i][i] = rest.sqrt();
-            } else {
-                return None;
-            }
-        }
-        let known: f64 = (0..i).map(|k| factor[i][k] * forward[k]).sum();
-        forward[i] = (gradient[i] - known) / factor[i][i];
-    }
-    let mut step = [0.0; 3];
-    for i in (0..3).rev() {
-        let known: f64 = (i + 1..3).map(|k| factor[k][i] * step[k]).sum();
-        step[i] = (forward[i] - known) / factor[i][i];
-    }
-    Some(step)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_quadratic_returns_its_vertex_in_three_axes_and_in_two() {
-        let vertex = [0.31, -0.44, 0.2];
-        let value = |at: [f64; 3]| {
-            let [x, y, z] = std::array::from_fn(|axis| at[axis] - vertex[axis]);
-            9.0 - 2.0 * x * x - 0.7 * x * y - y * y - 1.5 * z * z + 0.4 * x * z - 0.3 * y * z
-        };
-        let axis = [-1.0, 0.0, 1.0];
-        let all: Vec<_> = axis
-            .iter()
-            .flat_map(|x| axis.iter().flat_map(move |y| axis.map(|z| [*x, *y, z])))
-            .map(|at| (at, value(at)))
-            .collect();
-        let (step, height) = quadratic(&all).unwrap();
-        assert!((height - 9.0).abs() < 1e-13, "{height}");
-        assert!(
-            (0..3).all(|i| (step[i] - vertex[i]).abs() < 1e-13),
-            "{step:?}"
-        );
-        let plane: Vec<_> = all.iter().copied().filter(|(at, _)| at[2] == 0.0).collect();
-        let (step, height) = quadratic(&plane).unwrap();
-        assert!(step[2] == 0.0 && height < 9.0, "{step:?} {height}");
-        let saddle: Vec<_> = all.iter().map(|(at, _)| (*at, at[0] * at[1])).collect();
-        assert!(quadratic(&saddle).is_none());
-    }
 
     #[test]
     fn a_parabola_returns_its_vertex() {

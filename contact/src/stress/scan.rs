@@ -95,7 +95,7 @@ pub fn candidates(
             2_f64.powi(m.cast_signed()) * element <= BLOCK_PART * z
                 && field.loaded().size >> m >= FEWEST_BLOCKS
         };
-        (1..).take_while(fits).last().unwrap_or(0)
+        (1..u32::BITS).take_while(fits).last().unwrap_or(0)
     };
     let largest = planes.iter().map(|(_, _, depth)| doubling(depth.z)).max();
     let mut found = Vec::new();
@@ -202,7 +202,8 @@ impl Blocks {
             }
             largest
         };
-        let largest = rows.map(largest_of).reduce(|| f64::NEG_INFINITY, f64::max);
+        let of_rows: Vec<f64> = rows.map(largest_of).collect();
+        let largest = of_rows.into_iter().fold(f64::NEG_INFINITY, f64::max);
         let place = |i: usize| [i / self.shown, i % self.shown];
         let near = states.par_iter().enumerate().filter_map(|(i, state)| {
             let is_bound = is_nearly(quantity.bound(state), largest);

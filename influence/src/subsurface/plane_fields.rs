@@ -172,7 +172,7 @@ impl PlaneFields {
 }
 
 /// A square field with x and y in each other's place.
-fn transposed(field: &[f64], size: usize) -> Vec<f64> {
+pub(super) fn transposed(field: &[f64], size: usize) -> Vec<f64> {
     let row = |m: usize| (0..size).map(move |n| field[n * size + m]);
     (0..size).flat_map(row).collect()
 }

@@ -38,11 +38,12 @@ fn rotate(tensor: &mut [[f64; 3]; 3], axes: &mut [[f64; 3]; 3], [p, q, r]: [usiz
     for (axis, entry) in [p, q].into_iter().zip(turned) {
         (tensor[r][axis], tensor[axis][r]) = (entry, entry);
     }
-    for i in 0..3 {
+    let turned: [[f64; 2]; 3] = std::array::from_fn(|i| {
         let [along_p, along_q] = [axes[p][i], axes[q][i]];
-        axes[p][i] = cos * along_p - sin * along_q;
-        axes[q][i] = sin * along_p + cos * along_q;
-    }
+        [cos * along_p - sin * along_q, sin * along_p + cos * along_q]
+    });
+    axes[p] = turned.map(|[along_p, _]| along_p);
+    axes[q] = turned.map(|[_, along_q]| along_q);
 }
 
 #[cfg(test)]

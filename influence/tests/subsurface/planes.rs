@@ -1,6 +1,8 @@
 //! Planes of fields by convolution against sums over the elements.
 
-use pellicle_influence::{Depth, ElementFields, PlaneFields, Squares, SubsurfaceState};
+use pellicle_influence::{
+    CentreStresses, Depth, ElementFields, PlaneFields, Squares, SubsurfaceState,
+};
 use pellicle_kernel::{Foundation, Side};
 
 use super::{KEYS, stacks};
@@ -30,12 +32,29 @@ fn check_plane(foundation: &Foundation, squares: Squares, plane: Depth, friction
     let states: Vec<_> = (0..shown * shown)
         .map(|e| state_at(e / shown, e % shown))
         .collect();
+    let largest_of = |f: usize| {
+        let values = states.iter().map(|state| state.field(f).abs());
+        values.fold(0.0, f64::max)
+    };
+    // The sums under single centres have the stresses alone.
+    let mut centres = CentreStresses::new(shown, friction);
+    centres.fill(&element);
+    for (e, state) in states.iter().enumerate() {
+        let place = [e / shown, e % shown].map(usize::cast_signed);
+        let place = [0, 1].map(|axis: usize| place[axis] - before[axis].cast_signed());
+        let found = centres.at(&pressure, loaded, place);
+        for (f, key) in KEYS.iter().enumerate().skip(3) {
+            let error = (found.field(f) - state.field(f)).abs();
+            assert!(
+                error <= 1e-12 * largest_of(f) + 1e-14,
+                "{plane:?} {e} {key}"
+            );
+        }
+    }
     let mut grid = PlaneFields::new(foundation, 1.0, squares, &pressure, friction);
     grid.fields_on(plane, |f, field| {
         let expected: Vec<f64> = states.iter().map(|state| state.field(f)).collect();
-        let largest = expected
-            .iter()
-            .fold(0.0, |most: f64, value| most.max(value.abs()));
+        let largest = largest_of(f);
         for (e, (found, expected)) in field.iter().zip(&expected).enumerate() {
             let error = (found - expected).abs();
             assert!(

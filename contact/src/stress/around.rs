@@ -1,0 +1,192 @@
+//! Stresses around an element centre, interpolated from those under the centres next to it at up to three depths.
+
+use nalgebra::{Matrix3, Vector3};
+use pellicle_influence::SubsurfaceState;
+
+/// Centres along a side, at whole offsets from −2 to 2 elements.
+const SIDE: usize = 5;
+const CENTRES: usize = SIDE * SIDE;
+/// Sides of the stencil of a quadratic, in elements and in distances of the depths, and of the smallest one.
+const STENCIL: f64 = 0.25;
+const SMALLEST: f64 = 0.01;
+/// Farthest offset from the middle, in elements.
+const FARTHEST: f64 = 1.0;
+
+/// The stresses around a centre.
+pub struct Around {
+    depths: Vec<f64>,
+    /// At each depth, row after row.
+    states: Vec<[SubsurfaceState; CENTRES]>,
+}
+
+impl Around {
+    /// Room for the stresses at one depth or at three, evenly apart.
+    pub fn new(depths: Vec<f64>) -> Self {
+        Self {
+            depths,
+            states: Vec::new(),
+        }
+    }
+
+    pub fn depths(&self) -> &[f64] {
+        &self.depths
+    }
+
+    /// The elements whose stresses are needed around one.
+    pub fn places([i, j]: [isize; 2]) -> [[isize; 2]; CENTRES] {
+        let reach = (SIDE / 2).cast_signed();
+        std::array::from_fn(|index| {
+            let [row, column] = [index / SIDE, index % SIDE].map(usize::cast_signed);
+            [i + row - reach, j + column - reach]
+        })
+    }
+
+    /// Takes the stresses at the next depth.
+    pub fn take(&mut self, states: &[SubsurfaceState; CENTRES]) {
+        self.states.push(*states);
+    }
+
+    /// The place (x and y in elements from the middle, z in m) near `start` where a quantity is largest.
+    pub fn largest(&self, start: [f64; 3], quantity: impl Fn(&SubsurfaceState) -> f64) -> [f64; 3] {
+        let [low, high] = [self.depths[0], self.depths[self.depths.len() - 1]];
+        let value = |at: [f64; 3]| quantity(&self.state(at));
+        let (mut at, mut largest) = (start, value(start));
+        let mut size = STENCIL;
+        while size >= SMALLEST {
+            let sides = [size, size, size * (high - low) / 2.0];
+            let cube: Vec<([f64; 3], f64)> = stencil(self.depths.len() > 1)
+                .map(|offset| (offset, value(moved(at, offset, sides))))
+                .collect();
+            let plane: Vec<_> = cube
+                .iter()
+                .copied()
+                .filter(|(at, _)| at[2] == 0.0)
+                .collect();
+            let best = cube.iter().max_by(|one, other| one.1.total_cmp(&other.1));
+            // The vertex within the plane is the peak where the depth is at its bound.
+            let steps = [
+                best.map(|(offset, _)| *offset),
+                quadratic(&cube),
+                quadratic(&plane),
+            ];
+            let within = |step: [f64; 3]| {
+                let [u, v, z] = moved(at, step, sides);
+                let along = |part: f64| part.clamp(-FARTHEST, FARTHEST);
+                [along(u), along(v), z.clamp(low, high)]
+            };
+            let reached = steps
+                .into_iter()
+                .flatten()
+                .map(within)
+                .map(|at| (value(at), at));
+            let next = reached.max_by(|one, other| one.0.total_cmp(&other.0));
+            match next {
+                Some((reached, place)) if reached > largest => (at, largest) = (place, reached),
+                _ => size /= 4.0,
+            }
+        }
+        at
+    }
+
+    /// The stress at a place, by Lagrange's polynomials.
+    fn state(&self, [u, v, z]: [f64; 3]) -> SubsurfaceState {
+        let centres: Vec<f64> = (0..SIDE).map(|i| i as f64 - (SIDE / 2) as f64).collect();
+        let [along_x, along_y] = [u, v].map(|along| lagrange(&centres, along));
+        let in_depth = lagrange(&self.depths, z);
+        let mut sum = SubsurfaceState::default();
+        for (states, weight) in self.states.iter().zip(in_depth) {
+            for (index, state) in states.iter().enumerate() {
+                sum += *state * (weight * along_x[index / SIDE] * along_y[index % SIDE]);
+            }
+        }
+        sum
+    }
+}
+
+/// The weights of values at some nodes in the polynomial through them.
+fn lagrange(nodes: &[f64], x: f64) -> Vec<f64> {
+    let weight = |j: usize| {
+        let others = nodes.iter().enumerate().filter(|(m, _)| *m != j);
+        others
+            .map(|(_, node)| (x - node) / (nodes[j] - node))
+            .product()
+    };
+    (0..nodes.len()).map(weight).collect()
+}
+
+/// Offsets of a stencil, in its sides: all but the corners of a cube, or a square.
+fn stencil(is_cube: bool) -> impl Iterator<Item = [f64; 3]> {
+    let side = [-1.0, 0.0, 1.0];
+    let all = side
+        .into_iter()
+        .flat_map(move |u| side.into_iter().flat_map(move |v| side.map(|w| [u, v, w])));
+    all.filter(move |[u, v, w]| if is_cube { u * v * w == 0.0 } else { *w == 0.0 })
+}
+
+fn moved(from: [f64; 3], offset: [f64; 3], sides: [f64; 3]) -> [f64; 3] {
+    std::array::from_fn(|axis| from[axis] + offset[axis] * sides[axis])
+}
+
+/// The step to the vertex of the quadratic through the values of a stencil; none where it has no peak.
+fn quadratic(values: &[([f64; 3], f64)]) -> Option<[f64; 3]> {
+    let at = |offset: [f64; 3]| {
+        let is_there =
+            |place: &[f64; 3]| place.iter().zip(offset).all(|(a, b)| (a - b).abs() < 0.5);
+        let found = values.iter().find(|(place, _)| is_there(place));
+        found.map(|(_, value)| *value)
+    };
+    let middle = at([0.0; 3])?;
+    let offset = |along: &[(usize, f64)]| {
+        let mut offset = [0.0; 3];
+        along.iter().for_each(|(axis, part)| offset[*axis] = *part);
+        offset
+    };
+    let axes = if at([0.0, 0.0, 1.0]).is_some() { 3 } else { 2 };
+    let mut gradient = Vector3::zeros();
+    // Minus the matrix of second derivatives.
+    let mut curvature = Matrix3::identity();
+    for i in 0..axes {
+        let [before, after] = [at(offset(&[(i, -1.0)]))?, at(offset(&[(i, 1.0)]))?];
+        gradient[i] = 0.5 * (after - before);
+        curvature[(i, i)] = 2.0 * middle - after - before;
+        for j in 0..i {
+            let corner = |one, other| at(offset(&[(i, one), (j, other)]));
+            let rising = corner(1.0, 1.0)? + corner(-1.0, -1.0)?;
+            let falling = corner(1.0, -1.0)? + corner(-1.0, 1.0)?;
+            curvature[(i, j)] = 0.25 * (falling - rising);
+            curvature[(j, i)] = curvature[(i, j)];
+        }
+    }
+    // −H s = g, for a peak −H is positive definite.
+    Some(curvature.cholesky()?.solve(&gradient).into())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_quadratic_returns_its_vertex_in_three_axes_and_in_two() {
+        let vertex = [0.31, -0.44, 0.2];
+        let value = |at: [f64; 3]| {
+            let [x, y, z] = std::array::from_fn(|axis| at[axis] - vertex[axis]);
+            9.0 - 2.0 * x * x - 0.7 * x * y - y * y - 1.5 * z * z + 0.4 * x * z - 0.3 * y * z
+        };
+        let axis = [-1.0, 0.0, 1.0];
+        let all: Vec<_> = axis
+            .iter()
+            .flat_map(|x| axis.iter().flat_map(move |y| axis.map(|z| [*x, *y, z])))
+            .map(|at| (at, value(at)))
+            .collect();
+        let step = quadratic(&all).unwrap();
+        assert!(
+            (0..3).all(|i| (step[i] - vertex[i]).abs() < 1e-13),
+            "{step:?}"
+        );
+        let plane: Vec<_> = all.iter().copied().filter(|(at, _)| at[2] == 0.0).collect();
+        let step = quadratic(&plane).unwrap();
+        assert!(step[2] == 0.0 && step[0] != 0.0, "{step:?}");
+        let saddle: Vec<_> = all.iter().map(|(at, _)| (*at, at[0] * at[1])).collect();
+        assert!(quadratic(&saddle).is_none());
+    }
+}
