@@ -10,9 +10,13 @@ mod element;
 mod element_table;
 mod homogeneous;
 mod log_lattice;
+mod panels;
+mod parity;
 mod plane_fields;
 mod point_kernels;
 mod state;
+mod under_load;
+mod waves;
 
 pub use depth::Depth;
 pub use element::{ElementFields, ElementLoads};
