@@ -8,4 +8,4 @@ mod spectrum;
 pub use convolution::{ConvolutionOperator, QuadrantOperator, WindowOperator};
 pub use dense::DenseOperator;
 pub use elastic::ElasticOperator;
-pub(crate) use spectrum::Spectrum;
+pub(crate) use spectrum::{QuarterTransform, Spectrum};

@@ -11,10 +11,14 @@ mod element;
 mod element_table;
 mod homogeneous;
 mod log_lattice;
+mod panels;
+mod parity;
 mod plane_fields;
 mod point_kernels;
 mod principal;
 mod state;
+mod under_load;
+mod waves;
 
 pub use centre_stresses::CentreStresses;
 pub use depth::Depth;

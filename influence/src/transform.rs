@@ -5,12 +5,14 @@ pub(crate) mod cosine;
 mod even;
 mod fourier;
 mod lines;
+mod mirror;
 mod padding;
 mod plane;
 
 pub(crate) use even::EvenLines;
 pub(crate) use fourier::FourierLines;
 pub(crate) use lines::Lines;
+pub(crate) use mirror::{LINES, MirrorTransform};
 pub(crate) use padding::half_length;
 pub(crate) use plane::{PlaneSpectrum, PlaneTransform};
 

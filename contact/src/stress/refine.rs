@@ -6,7 +6,7 @@
 
 use std::collections::HashMap;
 
-use pellicle_influence::{CentreStresses, Depth, ElementFields, InfluenceError, SubsurfaceState};
+use pellicle_influence::{CentreStresses, Depth, InfluenceError, SubsurfaceState};
 use rayon::prelude::*;
 
 use super::around::Around;
@@ -44,10 +44,30 @@ pub struct Search<'a> {
 
 /// The stresses under the centres of elements at one depth.
 struct Plane {
-    z: f64,
+    depth: Option<Depth>,
     stresses: CentreStresses,
     /// By the place of the element, counted from the first loaded one.
     known: HashMap<[isize; 2], SubsurfaceState>,
+}
+
+impl Plane {
+    fn new(field: &StressField, offsets: usize) -> Self {
+        let (foundation, side) = (field.tables().foundation(), field.grid().element_side());
+        Self {
+            depth: None,
+            stresses: CentreStresses::new(foundation, side, offsets, field.tractions()),
+            known: HashMap::new(),
+        }
+    }
+
+    fn move_to(&mut self, depth: Depth) -> Result<(), InfluenceError> {
+        if self.depth != Some(depth) {
+            self.stresses.move_to(depth)?;
+            self.known.clear();
+            self.depth = Some(depth);
+        }
+        Ok(())
+    }
 }
 
 impl<'a> Search<'a> {
@@ -191,13 +211,11 @@ impl<'a> Search<'a> {
         let farthest =
             farthest.map(|along| along.unsigned_abs().max((last - along).unsigned_abs()));
         let farthest = farthest.max().unwrap_or(0);
-        let known = self.plane.take();
-        let is_there = |plane: &Plane| plane.z.to_bits() == z.to_bits();
-        let known = known.filter(|plane| is_there(plane) && farthest < plane.stresses.offsets());
-        let mut plane = match known {
-            Some(plane) => plane,
-            None => self.plane_at(z, farthest + SLACK)?,
-        };
+        let depth = self.depth(z);
+        let reaches = |plane: &Plane| farthest < plane.stresses.offsets();
+        let known = self.plane.take().filter(reaches);
+        let mut plane = known.unwrap_or_else(|| Plane::new(self.field, farthest + SLACK));
+        plane.move_to(depth)?;
         let missing = places
             .into_par_iter()
             .filter(|place| !plane.known.contains_key(place));
@@ -206,23 +224,6 @@ impl<'a> Search<'a> {
             .collect();
         plane.known.extend(found);
         Ok(self.plane.insert(plane))
-    }
-
-    fn plane_at(&self, z: f64, offsets: usize) -> Result<Plane, InfluenceError> {
-        let mut stresses = CentreStresses::new(offsets, self.field.tractions());
-        let side = self.field.grid().element_side();
-        let foundation = self.field.tables().foundation();
-        stresses.fill(&ElementFields::new(
-            foundation,
-            side,
-            self.depth(z),
-            stresses.reach(side),
-        )?);
-        Ok(Plane {
-            z,
-            stresses,
-            known: HashMap::new(),
-        })
     }
 
     /// The element nearest to a point, counted from the first loaded one.

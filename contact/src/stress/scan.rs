@@ -9,6 +9,8 @@ use rayon::prelude::*;
 use super::field::{LoadedSquare, StressField};
 use super::quantity::Quantity;
 
+/// The stresses among the fields of a plane.
+const STRESSES: [usize; 6] = [3, 4, 5, 6, 7, 8];
 /// Blocks of elements are no larger than this part of the depth.
 const BLOCK_PART: f64 = 1.0 / 8.0;
 /// Blocks across the loaded square, at least.
@@ -181,12 +183,11 @@ impl Blocks {
     /// The states on a plane, without displacements, row after row.
     fn states_on(&mut self, depth: Depth) -> Result<Vec<SubsurfaceState>, InfluenceError> {
         let mut states = vec![SubsurfaceState::default(); self.shown * self.shown];
-        self.fields.fields_on(depth, |field, values| {
-            if let Some(stress) = field.checked_sub(3) {
+        self.fields
+            .chosen_fields_on(depth, &STRESSES, |field, values| {
                 let entries = states.par_iter_mut().zip(values);
-                entries.for_each(|(state, value)| state.stress[stress] = *value);
-            }
-        })?;
+                entries.for_each(|(state, value)| state.stress[field - STRESSES[0]] = *value);
+            })?;
         Ok(states)
     }
 

@@ -3,39 +3,61 @@
 //! The fields of one element are tabulated at the offsets of a quarter of a grid, once for each depth. A stress is then
 //! a sum of products, with no more work than the loaded elements: for a few places less than a plane by FFT.
 
-use super::element::ElementFields;
+use pellicle_kernel::Foundation;
+
+use super::depth::Depth;
 use super::element_table::ElementTable;
-use super::plane_fields::{UNDER_PRESSURE, transposed, under_traction};
+use super::parity::{UNDER_PRESSURE, under_traction};
+use super::point_kernels::{NORMAL, Pressure, TANGENTIAL, Traction};
 use super::state::{FIELDS, SubsurfaceState, SurfaceLoad};
-use crate::transform::Parity;
+use super::under_load::{DepthWaves, UnderLoad};
+use super::waves::Waves;
+use crate::element::check_element_side;
+use crate::error::InfluenceError;
+use crate::transform::{LINES, Parity};
 
 /// Fields before the stresses.
 const DISPLACEMENTS: usize = 3;
 /// Sums made side by side.
 const LANES: usize = 8;
 
+/// Six stresses at the offsets of a quarter, row after row.
+type Rows = Vec<Vec<f64>>;
+
 /// The stresses of one element at the centres of those around it, and their sums under a pressure and friction.
 pub struct CentreStresses {
+    waves: Waves,
     offsets: usize,
     /// Factors of a traction along x and y per pressure.
     friction: [f64; 2],
     normal: ElementTable,
     tangential: Option<ElementTable>,
-    /// The fields under the traction in axes that have changed places.
-    transposed: Vec<Vec<f64>>,
+    under_pressure: Rows,
+    /// Under a traction along x at (m, n), and at (n, m); empty where there is none.
+    along_x: Rows,
+    swapped: Rows,
 }
 
 impl CentreStresses {
-    /// Room for offsets below `offsets` along x and y, and a traction of `friction` times the pressure along x and y.
+    /// Room for the stresses of elements of side `element_side` (m) at offsets below `offsets` along x and y, under a
+    /// pressure and a traction of `friction` times the pressure along x and y.
     #[must_use]
-    pub fn new(offsets: usize, friction: [f64; 2]) -> Self {
-        let slides = friction.iter().any(|factor| *factor != 0.0);
+    pub fn new(
+        foundation: &Foundation,
+        element_side: f64,
+        offsets: usize,
+        friction: [f64; 2],
+    ) -> Self {
+        let slides = friction != [0.0; 2];
         Self {
+            waves: Waves::new(foundation, element_side),
             offsets,
             friction,
-            normal: ElementTable::new(offsets),
-            tangential: slides.then(|| ElementTable::new(offsets)),
-            transposed: Vec::new(),
+            normal: ElementTable::new(offsets, SurfaceLoad::Pressure),
+            tangential: slides.then(|| ElementTable::new(offsets, SurfaceLoad::Traction)),
+            under_pressure: Rows::new(),
+            along_x: Rows::new(),
+            swapped: Rows::new(),
         }
     }
 
@@ -45,26 +67,25 @@ impl CentreStresses {
         self.offsets
     }
 
-    /// Distance (m) for which the fields of an element of side `element_side` (m) must be made.
-    #[must_use]
-    pub fn reach(&self, element_side: f64) -> f64 {
-        std::f64::consts::SQRT_2 * element_side * self.offsets as f64
-    }
-
-    /// Tabulates the fields of an element at its depth, in place of those before.
-    pub fn fill(&mut self, fields: &ElementFields) {
-        self.normal.fill(fields, SurfaceLoad::Pressure);
+    /// Tabulates the stresses of an element at a depth, in place of those before.
+    ///
+    /// # Errors
+    /// As [`ElementFields::new`](super::ElementFields::new).
+    pub fn move_to(&mut self, depth: Depth) -> Result<(), InfluenceError> {
+        check_element_side(self.waves.unit())?;
+        depth.check(self.waves.foundation())?;
+        let diagonal = std::f64::consts::SQRT_2 * self.waves.unit() * self.offsets as f64;
+        let waves = DepthWaves::new(&mut self.waves, depth, diagonal)?;
+        (self.normal).fill::<Pressure, NORMAL>(&UnderLoad::new(&waves));
+        take_rows(&mut self.under_pressure, &self.normal, Axes::Own);
         if let Some(tangential) = &mut self.tangential {
-            tangential.fill(fields, SurfaceLoad::Traction);
-            let stresses = DISPLACEMENTS..FIELDS;
-            self.transposed = if self.friction[1] == 0.0 {
-                Vec::new()
-            } else {
-                stresses
-                    .map(|field| transposed(tangential.field(field), self.offsets))
-                    .collect()
-            };
+            tangential.fill::<Traction, TANGENTIAL>(&UnderLoad::new(&waves));
+            take_rows(&mut self.along_x, tangential, Axes::Own);
+            if self.friction[1] != 0.0 {
+                take_rows(&mut self.swapped, tangential, Axes::Swapped);
+            }
         }
+        Ok(())
     }
 
     /// The stress under the centre of the element at `place`, counted from the first of a square of `size` × `size`
@@ -88,19 +109,47 @@ impl CentreStresses {
                 row: m.unsigned_abs() * self.offsets..(m.unsigned_abs() + 1) * self.offsets,
             };
             for field in DISPLACEMENTS..FIELDS {
-                sums[0][field] += line.sum(self.normal.field(field), UNDER_PRESSURE[field]);
-                let Some(tangential) = &self.tangential else {
-                    continue;
-                };
+                let stress = field - DISPLACEMENTS;
+                sums[0][field] += line.sum(&self.under_pressure[stress], UNDER_PRESSURE[field]);
                 let [x, y] = under_traction(field);
-                sums[1][field] += line.sum(tangential.field(field), [x, y]);
-                if let Some(values) = self.transposed.get(field - DISPLACEMENTS) {
+                if let Some(values) = self.along_x.get(stress) {
+                    sums[1][field] += line.sum(values, [x, y]);
+                }
+                if let Some(values) = self.swapped.get(stress) {
                     sums[2][field] += line.sum(values, [y, x]);
                 }
             }
         }
         let [normal, along_x, along_y] = sums.map(SubsurfaceState::from_fields);
         normal + along_x * self.friction[0] + along_y.transposed() * self.friction[1]
+    }
+}
+
+/// The axes in which the offsets of a table are taken.
+#[derive(Clone, Copy)]
+enum Axes {
+    Own,
+    /// x and y in each other's place.
+    Swapped,
+}
+
+/// Takes the stresses of a table, row after row.
+fn take_rows(rows: &mut Rows, table: &ElementTable, axes: Axes) {
+    let size = table.size();
+    rows.resize_with(FIELDS - DISPLACEMENTS, || vec![0.0; size * size]);
+    for (rows, field) in rows.iter_mut().zip(DISPLACEMENTS..) {
+        for first in (0..size).step_by(LINES) {
+            for along in 0..size {
+                let values = table.side_by_side(field, first, along);
+                for (i, value) in (first..size).zip(values) {
+                    let place = match axes {
+                        Axes::Own => i * size + along,
+                        Axes::Swapped => along * size + i,
+                    };
+                    rows[place] = value;
+                }
+            }
+        }
     }
 }
 
@@ -130,9 +179,17 @@ impl Line<'_> {
             sum += dot_reversed(before, &values[falling..falling + before.len()]);
         }
         if !after.is_empty() {
-            sum += y.sign(-1.0) * dot(after, &values[rising..rising + after.len()]);
+            sum += mirrored(y, -1.0) * dot(after, &values[rising..rising + after.len()]);
         }
-        x.sign(self.mirror) * sum
+        mirrored(x, self.mirror) * sum
+    }
+}
+
+/// The factor of a value at a mirror image, whose sign is −1.
+fn mirrored(parity: Parity, sign: f64) -> f64 {
+    match parity {
+        Parity::Even => 1.0,
+        Parity::Odd => sign,
     }
 }
 

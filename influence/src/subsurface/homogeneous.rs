@@ -40,51 +40,21 @@ pub fn loaded_square(
     element_side: f64,
     point: [f64; 3],
 ) -> SubsurfaceState {
-    let corners = Corners::new(load, material, element_side, point[2]);
     let half_side = element_side / 2.0;
+    let place = point.map(|along| along / half_side);
     let mut sum = SubsurfaceState::default();
     for (sign_x, sign_y) in [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)] {
-        let [x, y] = [point[0] + sign_x * half_side, point[1] + sign_y * half_side];
-        sum += corners.at([x, y]) * (sign_x * sign_y);
-    }
-    sum
-}
-
-/// The functions of a corner's place whose sum over the corners, with signs, are the fields at one depth.
-pub struct Corners {
-    load: SurfaceLoad,
-    nu: f64,
-    half_side: f64,
-    depth: f64,
-    /// Displacements are sums over 4πG, stresses over 2π.
-    per_displacement: f64,
-}
-
-impl Corners {
-    /// For squares of side `element_side` (m).
-    pub fn new(load: SurfaceLoad, material: &Material, element_side: f64, depth: f64) -> Self {
-        let half_side = element_side / 2.0;
-        Self {
-            load,
-            nu: material.poisson_ratio(),
-            half_side,
-            depth: depth / half_side,
-            per_displacement: half_side / (4.0 * PI * material.shear_modulus()),
-        }
-    }
-
-    /// For a corner from which the point lies at (x, y) (m).
-    pub fn at(&self, place: [f64; 2]) -> SubsurfaceState {
-        let [x, y] = place.map(|along| along / self.half_side);
-        let corner = Corner::new([x, y, self.depth]);
-        let sum = match self.load {
-            SurfaceLoad::Pressure => corner.under_pressure(self.nu),
-            SurfaceLoad::Traction => corner.under_traction(self.nu),
+        let corner = Corner::new([place[0] + sign_x, place[1] + sign_y, place[2]]);
+        let state = match load {
+            SurfaceLoad::Pressure => corner.under_pressure(material.poisson_ratio()),
+            SurfaceLoad::Traction => corner.under_traction(material.poisson_ratio()),
         };
-        SubsurfaceState {
-            displacement: sum.displacement.map(|u| u * self.per_displacement),
-            stress: sum.stress.map(|stress| stress / (2.0 * PI)),
-        }
+        sum += state * (sign_x * sign_y);
+    }
+    let per_displacement = half_side / (4.0 * PI * material.shear_modulus());
+    SubsurfaceState {
+        displacement: sum.displacement.map(|u| u * per_displacement),
+        stress: sum.stress.map(|stress| stress / (2.0 * PI)),
     }
 }
 

@@ -12,10 +12,11 @@ use std::sync::LazyLock;
 pub const STEP: f64 = 0.01;
 
 /// Step of `ln r`, in steps of `ln k`.
-pub const RADIUS_STRIDE: usize = 4;
+pub const RADIUS_STRIDE: isize = 8;
 
-/// Step of `ln x` where nothing oscillates, in steps of `ln k`.
-const COARSE_STRIDE: usize = 12;
+/// Step of `ln x` where nothing oscillates, in steps of `ln k`: with that of `ln r`, so that every radius takes the same
+/// amplitudes.
+pub const COARSE_STRIDE: usize = 8;
 
 /// Orders of the Bessel functions.
 pub const ORDERS: usize = 4;
@@ -24,62 +25,56 @@ pub const ORDERS: usize = 4;
 const TAPER: [f64; 2] = [82.0, 13.0];
 
 /// Lattice points of `ln x` at which the taper is 2e-19.
-const LAST: isize = 510;
+pub const LAST: isize = 510;
 
-/// The taper between the steps: `½ erfc((ln x + 1.6)/0.34)`. Its Fourier transform is 3e-18 at the coarse step's
-/// frequency, 2π/0.12.
+/// The taper between the steps: `½ erfc((ln x + 1.6)/0.34)`. Its Fourier transform is below 3e-18 at the coarse
+/// step's frequency, 2π/0.08.
 const HANDOVER: [f64; 2] = [-1.6, 0.34];
 
 /// Lattice points of `ln x` between which the taper between the steps changes: 6 of its widths to either side.
-const FINE_FIRST: isize = -364;
+pub const FINE_FIRST: isize = -364;
 const COARSE_LAST: isize = 44;
 
 /// Lattice points of `ln x` below which `x² A` is below 1e-16 of the integral even for an A that grows like 1/k.
-const FIRST: isize = -3720;
+pub const FIRST: isize = -3720;
 
-/// One node of the rule.
-#[derive(Clone, Copy, Debug)]
-pub struct LatticeNode {
-    /// `ln x` in steps.
-    pub index: isize,
-    /// Of the integrals `∫ A(x/r) x² J_n(x) d ln x`, n = 0 to 3.
-    pub weights: [f64; ORDERS],
-}
+/// Weights of the integrals `∫ A(x/r) x² J_n(x) d ln x`, n = 0 to 3.
+pub type Weights = [f64; ORDERS];
 
-/// The rule, made once.
-pub static NODES: LazyLock<Vec<LatticeNode>> = LazyLock::new(|| {
-    let coarse = (FIRST..=COARSE_LAST).step_by(COARSE_STRIDE);
-    let coarse = coarse.map(|index| node(index, COARSE_STRIDE as f64 * STEP * handover(index)));
-    let fine = (FINE_FIRST..=LAST).map(|index| node(index, STEP * (1.0 - handover(index))));
-    coarse.chain(fine).collect()
+/// Weights at the lattice points of `ln x` from [`FIRST`] on in steps of [`COARSE_STRIDE`].
+pub static COARSE: LazyLock<Vec<Weights>> = LazyLock::new(|| {
+    let indices = (FIRST..=COARSE_LAST).step_by(COARSE_STRIDE);
+    let width = COARSE_STRIDE as f64 * STEP;
+    indices
+        .map(|index| weights(index, width * handover(index)))
+        .collect()
 });
 
-/// Lattice points of `ln x` from which on every point is a node; below, only multiples of the coarse stride.
-pub const EVERY_FROM: isize = FINE_FIRST;
-
-/// The first and last lattice points of `ln x`.
-pub const ENDS: [isize; 2] = [FIRST, LAST];
+/// Weights at every lattice point of `ln x` from [`FINE_FIRST`] to [`LAST`].
+pub static FINE: LazyLock<Vec<Weights>> = LazyLock::new(|| {
+    let indices = FINE_FIRST..=LAST;
+    indices
+        .map(|index| weights(index, STEP * (1.0 - handover(index))))
+        .collect()
+});
 
 fn handover(index: isize) -> f64 {
     let [centre, width] = HANDOVER;
     libm::erfc((index as f64 * STEP - centre) / width) / 2.0
 }
 
-fn node(index: isize, width: f64) -> LatticeNode {
+fn weights(index: isize, width: f64) -> Weights {
     let x = (index as f64 * STEP).exp();
     let [centre, taper_width] = TAPER;
     let taper = libm::erfc((x - centre) / taper_width) / 2.0;
     let common = width * x * x * taper;
     let bessel = [libm::j0(x), libm::j1(x), libm::jn(2, x), libm::jn(3, x)];
-    LatticeNode {
-        index,
-        weights: bessel.map(|bessel| common * bessel),
-    }
+    bessel.map(|bessel| common * bessel)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{NODES, STEP};
+    use super::{COARSE, COARSE_STRIDE, FINE, FINE_FIRST, FIRST, STEP};
 
     /// `∫ e^{−k} J_n(k r) k dk` for n = 0 and 1: `1/ρ³` and `r/ρ³`, `ρ² = 1 + r²`.
     #[test]
@@ -87,9 +82,10 @@ mod tests {
         for index in (-700..=700).step_by(35) {
             let r = (index as f64 * STEP).exp();
             let mut sums = [0.0; 4];
-            for node in NODES.iter() {
-                let k = ((node.index - index) as f64 * STEP).exp();
-                for (sum, weight) in sums.iter_mut().zip(node.weights) {
+            let coarse = (FIRST..).step_by(COARSE_STRIDE).zip(COARSE.iter());
+            for (node, weights) in coarse.chain((FINE_FIRST..).zip(FINE.iter())) {
+                let k = ((node - index) as f64 * STEP).exp();
+                for (sum, weight) in sums.iter_mut().zip(weights) {
                     *sum += weight * (-k).exp() / (r * r);
                 }
             }

@@ -5,38 +5,18 @@
 //! in each offset, and so is its spectrum; a traction in any direction is the sum of one along x and one along y.
 
 use pellicle_kernel::Foundation;
-use rustfft::num_complex::Complex64;
 
 use super::depth::Depth;
-use super::element::ElementFields;
-use super::element_table::ElementTable;
-use super::state::{FIELDS, SurfaceLoad};
+use super::element_table::{ElementTable, TRANSPOSED};
+use super::parity::{ParityPart, UNDER_PRESSURE, add_products, under_traction};
+use super::point_kernels::{NORMAL, Pressure, TANGENTIAL, Traction};
+use super::state::SurfaceLoad;
+use super::under_load::{DepthWaves, UnderLoad};
+use super::waves::Waves;
+use crate::element::check_element_side;
 use crate::error::InfluenceError;
-use crate::operator::Spectrum;
-use crate::transform::Parity::{Even, Odd};
-use crate::transform::{FourierLines, Parity, PlaneSpectrum, PlaneTransform, half_length};
-
-/// Parities along x and y of the fields under a pressure, in the order of `SubsurfaceState`.
-pub(super) const UNDER_PRESSURE: [[Parity; 2]; FIELDS] = [
-    [Odd, Even],
-    [Even, Odd],
-    [Even, Even],
-    [Even, Even],
-    [Even, Even],
-    [Even, Even],
-    [Odd, Odd],
-    [Odd, Even],
-    [Even, Odd],
-];
-
-/// Parities of the fields under a traction along x: the other one along x.
-pub(super) fn under_traction(field: usize) -> [Parity; 2] {
-    let [x, y] = UNDER_PRESSURE[field];
-    [x.other(), y]
-}
-
-/// The field that takes the place of each if x and y change places.
-const TRANSPOSED: [usize; FIELDS] = [1, 0, 2, 4, 3, 5, 6, 8, 7];
+use crate::operator::{QuarterTransform, Spectrum};
+use crate::transform::{FourierLines, PlaneSpectrum, PlaneTransform, half_length};
 
 /// The loaded square of elements and the one around it under which fields are wanted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,21 +31,28 @@ pub struct Squares {
 
 /// The loads on a square of elements, transformed, and the buffers for the fields on planes below.
 pub struct PlaneFields {
-    foundation: Foundation,
-    element_side: f64,
+    waves: Waves,
     /// Factors of a traction along x and y per pressure.
     friction: [f64; 2],
     transform: PlaneTransform<FourierLines<f64>>,
     pressure: PlaneSpectrum,
-    /// M, half the padded length.
-    half: usize,
-    /// Offsets along a side.
-    offsets: usize,
+    /// Of the tables of an element, of as many offsets as there are.
+    quarter: QuarterTransform,
     /// The fields of one element under a pressure and, where there is friction, under a traction.
     normal: ElementTable,
     tangential: Option<ElementTable>,
+    spectra: Spectra,
     /// One field on the plane.
     shown: Vec<f64>,
+}
+
+/// The spectra of two fields that are each other's with x and y in each other's place, or of one that is its own.
+struct Spectra {
+    /// Under a pressure.
+    normal: [Spectrum; 2],
+    /// Under a traction along x, and along y; none where there is no friction.
+    along_x: Vec<Spectrum>,
+    along_y: Vec<Spectrum>,
 }
 
 impl PlaneFields {
@@ -98,19 +85,28 @@ impl PlaneFields {
         let lines = FourierLines::padded(loaded, shown, before, half);
         let mut transform = PlaneTransform::new(lines);
         transform.load(pressure, 1.0);
+        let room = || Spectrum::zeros(half);
+        let along = |is_wanted: bool| {
+            if is_wanted {
+                vec![room(), room()]
+            } else {
+                Vec::new()
+            }
+        };
+        let slides = friction != [0.0; 2];
         Self {
-            foundation: foundation.clone(),
-            element_side,
+            waves: Waves::new(foundation, element_side),
             friction,
             pressure: transform.spectrum(),
             transform,
-            half,
-            offsets,
-            normal: ElementTable::new(offsets),
-            tangential: friction
-                .iter()
-                .any(|factor| *factor != 0.0)
-                .then(|| ElementTable::new(offsets)),
+            quarter: QuarterTransform::new(offsets, half),
+            normal: ElementTable::new(offsets, SurfaceLoad::Pressure),
+            tangential: slides.then(|| ElementTable::new(offsets, SurfaceLoad::Traction)),
+            spectra: Spectra {
+                normal: [room(), room()],
+                along_x: along(slides),
+                along_y: along(friction[1] != 0.0),
+            },
             shown: vec![0.0; shown * shown],
         }
     }
@@ -120,119 +116,125 @@ impl PlaneFields {
     /// in m and stresses in Pa; NaN where they are unbounded.
     ///
     /// # Errors
-    /// As [`ElementFields::new`].
+    /// As [`ElementFields::new`](super::ElementFields::new).
     pub fn fields_on(
         &mut self,
         depth: Depth,
+        take: impl FnMut(usize, &[f64]),
+    ) -> Result<(), InfluenceError> {
+        self.chosen_fields_on(depth, &[0, 1, 2, 3, 4, 5, 6, 7, 8], take)
+    }
+
+    /// As [`Self::fields_on`], with some of the nine alone, given by their indices there; each costs as much as the others.
+    ///
+    /// # Errors
+    /// As [`ElementFields::new`](super::ElementFields::new).
+    pub fn chosen_fields_on(
+        &mut self,
+        depth: Depth,
+        chosen: &[usize],
         mut take: impl FnMut(usize, &[f64]),
     ) -> Result<(), InfluenceError> {
-        let (side, offsets) = (self.element_side, self.offsets);
-        let diagonal = std::f64::consts::SQRT_2 * side * offsets as f64;
-        let fields = ElementFields::new(&self.foundation, side, depth, diagonal)?;
-        self.normal.fill(&fields, SurfaceLoad::Pressure);
-        if let Some(tangential) = &mut self.tangential {
-            tangential.fill(&fields, SurfaceLoad::Traction);
-        }
-        for field in 0..FIELDS {
-            let parts = self.parts(field);
-            let weigh = |which, column: &mut [Complex64]| weigh(&parts, which, column);
-            self.transform.take_product(&self.pressure, weigh);
-            self.transform.restore(&mut self.shown, 1.0);
-            if self.tangential.is_some() && !fields.is_bounded(field) {
-                self.shown.fill(f64::NAN);
+        self.tabulate(depth)?;
+        let is_held = depth.is_held(self.waves.foundation());
+        for of_pair in PAIRS {
+            let wanted = |field: &&usize| chosen.contains(field);
+            if !of_pair.iter().any(|field| wanted(&field)) {
+                continue;
             }
-            take(field, &self.shown);
+            self.transform_tables(of_pair);
+            for field in of_pair.iter().filter(wanted) {
+                let parts = self.spectra.of(*field, self.friction);
+                self.transform
+                    .take_product(&self.pressure, |which, from, column| {
+                        add_products(&parts, which, from, column);
+                    });
+                self.transform.restore(&mut self.shown, 1.0);
+                // Where nothing holds the body, a traction moves it without bounds.
+                if self.tangential.is_some() && !is_held && *field < 2 {
+                    self.shown.fill(f64::NAN);
+                }
+                take(*field, &self.shown);
+            }
         }
         Ok(())
     }
 
-    /// The spectra whose sum is that of a field.
-    fn parts(&self, field: usize) -> Vec<ParityPart> {
-        let part = |quarter: &[f64], parities, factor| ParityPart {
-            spectrum: Spectrum::of_quarter(quarter, parities, self.offsets, self.half),
-            parities,
-            factor,
-        };
-        let mut parts = vec![part(self.normal.field(field), UNDER_PRESSURE[field], 1.0)];
-        if let Some(tangential) = &self.tangential {
-            let [along_x, along_y] = self.friction;
-            parts.push(part(
-                tangential.field(field),
-                under_traction(field),
-                along_x,
-            ));
-            // x and y change places.
-            let other = TRANSPOSED[field];
-            let transposed = transposed(tangential.field(other), self.offsets);
-            let [x, y] = under_traction(other);
-            parts.push(part(&transposed, [y, x], along_y));
+    /// Fills the tables of an element's fields at a depth.
+    fn tabulate(&mut self, depth: Depth) -> Result<(), InfluenceError> {
+        check_element_side(self.waves.unit())?;
+        depth.check(self.waves.foundation())?;
+        let offsets = self.normal.size() as f64;
+        let diagonal = std::f64::consts::SQRT_2 * self.waves.unit() * offsets;
+        let waves = DepthWaves::new(&mut self.waves, depth, diagonal)?;
+        self.normal
+            .fill::<Pressure, NORMAL>(&UnderLoad::new(&waves));
+        if let Some(tangential) = &mut self.tangential {
+            tangential.fill::<Traction, TANGENTIAL>(&UnderLoad::new(&waves));
         }
+        Ok(())
+    }
+
+    /// Transforms the tables of a pair of fields.
+    fn transform_tables(&mut self, pair: &[usize]) {
+        let Self {
+            quarter,
+            normal,
+            tangential,
+            spectra,
+            ..
+        } = self;
+        let field = pair[0];
+        let [own, other] = &mut spectra.normal;
+        quarter.transform(
+            |m, n| normal.side_by_side(field, m, n),
+            UNDER_PRESSURE[field],
+            own,
+        );
+        if pair.len() == 2 {
+            own.transpose_into(other);
+        }
+        let Some(tangential) = tangential else {
+            return;
+        };
+        for (field, spectrum) in pair.iter().zip(&mut spectra.along_x) {
+            let table = |m, n| tangential.side_by_side(*field, m, n);
+            quarter.transform(table, under_traction(*field), spectrum);
+        }
+        // Along y the fields are those along x with x and y in each other's place.
+        let along_x = spectra.along_x[..pair.len()].iter().rev();
+        along_x
+            .zip(&mut spectra.along_y)
+            .for_each(|(one, other)| one.transpose_into(other));
+    }
+}
+
+/// Fields that are each other's with x and y in each other's place, and those that are their own.
+const PAIRS: [&[usize]; 6] = [&[0, 1], &[2], &[3, 4], &[5], &[6], &[7, 8]];
+
+impl Spectra {
+    /// The parts of a field whose spectra they are.
+    fn of(&self, field: usize, [along_x, along_y]: [f64; 2]) -> Vec<ParityPart<'_>> {
+        // The second of a pair stands behind its first.
+        let place = usize::from(TRANSPOSED[field] < field);
+        let mut parts = vec![ParityPart {
+            spectrum: &self.normal[place],
+            parities: UNDER_PRESSURE[field],
+            factor: 1.0,
+        }];
+        parts.extend(self.along_x.get(place).map(|spectrum| ParityPart {
+            spectrum,
+            parities: under_traction(field),
+            factor: along_x,
+        }));
+        parts.extend(self.along_y.get(place).map(|spectrum| {
+            let [y, x] = under_traction(TRANSPOSED[field]);
+            ParityPart {
+                spectrum,
+                parities: [x, y],
+                factor: along_y,
+            }
+        }));
         parts
-    }
-}
-
-/// A square field with x and y in each other's place.
-pub(super) fn transposed(field: &[f64], size: usize) -> Vec<f64> {
-    let row = |m: usize| (0..size).map(move |n| field[n * size + m]);
-    (0..size).flat_map(row).collect()
-}
-
-/// A spectrum of one parity.
-struct ParityPart {
-    spectrum: Spectrum,
-    parities: [Parity; 2],
-    factor: f64,
-}
-
-/// Multiplies one part of the column of this frequency along y by the sum of the spectra.
-fn weigh(parts: &[ParityPart], [frequency, which]: [usize; 2], column: &mut [Complex64]) {
-    let length = column.len();
-    let rising = length / 2 + 1 - which * (1 - length % 2);
-    for (k, entry) in column.iter_mut().enumerate() {
-        // Frequencies above the middle are the mirror images of those below.
-        let (place, sign) = if k < rising {
-            (k, 1.0)
-        } else {
-            (length - which - k, -1.0)
-        };
-        let values = parts
-            .iter()
-            .map(|part| part.value([frequency, which], place, sign));
-        *entry *= values.sum::<Complex64>();
-    }
-}
-
-impl ParityPart {
-    /// The spectrum at one frequency along y and a place among the even or odd ones along x, or at its mirror image.
-    fn value(&self, [frequency, which]: [usize; 2], place: usize, sign: f64) -> Complex64 {
-        let value = self.factor * self.spectrum.column(frequency)[which][place];
-        let [x, y] = self.parities;
-        let value = if x == Odd { sign * value } else { value };
-        x.phase() * y.phase() * value
-    }
-}
-
-impl Parity {
-    fn other(self) -> Self {
-        match self {
-            Even => Odd,
-            Odd => Even,
-        }
-    }
-
-    /// The factor of a value at a mirror image, whose sign is −1.
-    pub(super) fn sign(self, sign: f64) -> f64 {
-        match self {
-            Even => 1.0,
-            Odd => sign,
-        }
-    }
-
-    /// The factor of a spectrum.
-    fn phase(self) -> Complex64 {
-        match self {
-            Even => Complex64::ONE,
-            Odd => -Complex64::I,
-        }
     }
 }

@@ -245,12 +245,12 @@ impl PlaneTransform<FourierLines<f64>> {
         }
     }
 
-    /// The second half of pass 2: the product of a spectrum with the factors that `weigh` applies to each column, given
-    /// its frequency along the rows and its part.
+    /// The second half of pass 2: the product of a spectrum with factors. `weigh` writes that of each column, given its
+    /// frequency along the rows and its part.
     pub(crate) fn take_product(
         &mut self,
         spectrum: &PlaneSpectrum,
-        weigh: impl Fn([usize; 2], &mut [Complex<f64>]) + Sync,
+        weigh: impl Fn([usize; 2], &[Complex<f64>], &mut [Complex<f64>]) + Sync,
     ) {
         let mut blocks = std::mem::take(&mut self.blocks);
         let of_blocks = blocks.par_iter_mut().zip(&spectrum.blocks).enumerate();
@@ -259,13 +259,16 @@ impl PlaneTransform<FourierLines<f64>> {
             let mut scratch = self.scratch();
             let Scratch { columns, space, .. } = &mut *scratch;
             let columns = &mut columns[..transformed.len()];
-            columns.copy_from_slice(transformed);
-            for (column, parts) in columns.chunks_exact_mut(self.stride()).enumerate() {
-                for (part, column_part) in parts.chunks_exact_mut(self.pitch()).enumerate() {
-                    let values = &mut column_part[..self.lines.length()];
-                    weigh([index * WIDTH + column, part], values);
-                    self.lines.restore_column(values, space);
-                }
+            let both = columns.chunks_exact_mut(self.pitch());
+            let both = both.zip(transformed.chunks_exact(self.pitch()));
+            for (number, (column, from)) in both.enumerate() {
+                let column = &mut column[..self.lines.length()];
+                let which = [
+                    index * WIDTH + number / self.lines.parts(),
+                    number % self.lines.parts(),
+                ];
+                weigh(which, &from[..self.lines.length()], column);
+                self.lines.restore_column(column, space);
             }
             self.scatter(columns, block);
         });

@@ -37,8 +37,8 @@ fn check_plane(foundation: &Foundation, squares: Squares, plane: Depth, friction
         values.fold(0.0, f64::max)
     };
     // The sums under single centres have the stresses alone.
-    let mut centres = CentreStresses::new(shown, friction);
-    centres.fill(&element);
+    let mut centres = CentreStresses::new(foundation, 1.0, shown, friction);
+    centres.move_to(plane).unwrap();
     for (e, state) in states.iter().enumerate() {
         let place = [e / shown, e % shown].map(usize::cast_signed);
         let place = [0, 1].map(|axis: usize| place[axis] - before[axis].cast_signed());

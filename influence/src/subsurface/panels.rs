@@ -1,0 +1,168 @@
+//! Functions of the radius as polynomials in r² on panels.
+//!
+//! What waves decay with the depth as `e^{−kz}` gives functions of r² that are analytic but for `r² = −z²` and beyond. In
+//! `w = r² + z²`, on panels from w to 9/8 w, the end of which lies 17 half widths from that point at most, polynomials of degree
+//! 9 leave some 1e-13 of the functions. Eight panels fill one power of two, so that the leading bits of w are the
+//! number of its panel.
+
+use crate::numerics::chebyshev::{ChebyshevTransform, nodes, taylor_weight};
+
+/// Coefficients of a polynomial.
+const TERMS: usize = 10;
+
+/// Bits of a number's fraction below those that count panels, three.
+const SHIFT: u32 = 52 - 3;
+
+/// Panels in one power of two.
+const PER_OCTAVE: f64 = 8.0;
+
+/// Which radii panels cover, all lengths in sides of an element.
+#[derive(Clone, Copy, Debug)]
+pub struct Layout {
+    /// Depth with which the waves decay.
+    reach: f64,
+    /// The smallest `w`, where the first panel begins.
+    lowest: f64,
+    count: u64,
+}
+
+impl Layout {
+    /// For radii from one to another; `reach` and the first radius are not both 0.
+    pub fn new(reach: f64, [from, to]: [f64; 2]) -> Self {
+        let lowest = from * from + reach * reach;
+        let last = ((to * to + reach * reach) / lowest).max(1.0);
+        Self {
+            reach,
+            lowest,
+            count: panel_of(last) + 1,
+        }
+    }
+
+    pub fn reach(&self) -> f64 {
+        self.reach
+    }
+
+    /// The smallest and the largest radius at which the functions are asked for.
+    pub fn ends(&self) -> [f64; 2] {
+        let (mut first, mut last) = (f64::INFINITY, 0.0);
+        for radius in self.radii_of(0) {
+            first = f64::min(first, radius);
+        }
+        for radius in self.radii_of(self.count - 1) {
+            last = f64::max(last, radius);
+        }
+        [first, last]
+    }
+
+    /// The radii at which the functions are asked for on one panel.
+    fn radii_of(&self, panel: u64) -> impl Iterator<Item = f64> {
+        let [begin, end] = [panel, panel + 1].map(beginning);
+        let (lowest, reach) = (self.lowest, self.reach);
+        nodes(TERMS).map(move |t| {
+            let relative = begin + (end - begin) * f64::midpoint(1.0, t);
+            // r² = w − z²
+            (lowest * relative - reach * reach).max(0.0).sqrt()
+        })
+    }
+}
+
+/// The panel of `w` over the smallest, at least 1.
+fn panel_of(relative: f64) -> u64 {
+    (relative.to_bits() - 1_f64.to_bits()) >> SHIFT
+}
+
+/// Where a panel begins, over the smallest `w`.
+fn beginning(panel: u64) -> f64 {
+    f64::from_bits(1_f64.to_bits() + (panel << SHIFT))
+}
+
+/// `F` functions of the radius.
+#[derive(Clone, Debug)]
+pub struct Panels<const F: usize> {
+    reach_square: f64,
+    per_lowest: f64,
+    /// Of each panel, from the highest power of the place in it on.
+    panels: Vec<[[f64; F]; TERMS]>,
+}
+
+impl<const F: usize> Panels<F> {
+    /// The polynomials through the values of the functions at the layout's radii.
+    pub fn new(layout: &Layout, function: impl Fn(f64) -> [f64; F]) -> Self {
+        let transform = ChebyshevTransform::new(TERMS, TERMS);
+        let powers = 0..i32::try_from(TERMS).unwrap_or(i32::MAX);
+        let of_chebyshev: Vec<Vec<f64>> = powers
+            .map(|power| (0..TERMS).map(|j| taylor_weight(j, power)).collect())
+            .collect();
+        let panel = |index: u64| {
+            let values: Vec<[f64; F]> = layout.radii_of(index).map(&function).collect();
+            let mut panel = [[0.0; F]; TERMS];
+            for f in 0..F {
+                let of_one: Vec<f64> = values.iter().map(|values| values[f]).collect();
+                let coefficients = transform.coefficients(&of_one);
+                for (power, weights) in panel.iter_mut().rev().zip(&of_chebyshev) {
+                    let terms = coefficients.iter().zip(weights);
+                    power[f] = terms.map(|(c, weight)| c * weight).sum();
+                }
+            }
+            panel
+        };
+        Self {
+            reach_square: layout.reach * layout.reach,
+            per_lowest: 1.0 / layout.lowest,
+            panels: (0..layout.count).map(panel).collect(),
+        }
+    }
+
+    /// The functions at the root of `radius_square`; NaN beyond the last panel.
+    #[inline]
+    pub fn at(&self, radius_square: f64) -> [f64; F] {
+        let relative = ((radius_square + self.reach_square) * self.per_lowest).max(1.0);
+        let panel = panel_of(relative);
+        let Some(powers) = usize::try_from(panel).ok().and_then(|i| self.panels.get(i)) else {
+            return [f64::NAN; F];
+        };
+        // The bits below those that count panels are the place in one.
+        let fraction = relative.to_bits() & ((1 << SHIFT) - 1);
+        let place = (f64::from_bits(1_f64.to_bits() | fraction) - 1.0) * PER_OCTAVE;
+        let mut sums = powers[0];
+        for coefficients in &powers[1..] {
+            for (sum, coefficient) in sums.iter_mut().zip(coefficients) {
+                *sum = *sum * place + coefficient;
+            }
+        }
+        sums
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Layout, Panels};
+
+    #[test]
+    fn functions_of_point_loads_are_met_to_thirteen_digits() {
+        for (reach, ends) in [
+            (0.3, [0.0, 500.0]),
+            (200.0, [0.0, 40.0]),
+            (0.0, [40.0, 900.0]),
+        ] {
+            let layout = Layout::new(reach, ends);
+            // 1/ρ, z²/ρ⁵ and z/ρ⁷, as in Boussinesq's solution
+            let function = |r: f64| {
+                let rho = r.hypot(reach.max(1e-9));
+                [1.0 / rho, rho.powi(-5), rho.powi(-7)]
+            };
+            let panels = Panels::new(&layout, function);
+            for i in 0..=1000 {
+                let r = ends[0] + (ends[1] - ends[0]) * f64::from(i).powi(3) / 1e9;
+                let (found, expected) = (panels.at(r * r), function(r));
+                for (found, expected) in found.iter().zip(expected) {
+                    assert!(
+                        (found / expected - 1.0).abs() < 1e-12,
+                        "{reach} {r}: {found:e} {expected:e}"
+                    );
+                }
+            }
+            assert!(panels.at(4.0 * (ends[1] + reach).powi(2))[0].is_nan());
+        }
+    }
+}

@@ -1,0 +1,227 @@
+//! The waves in a body at the wavenumbers of the [lattice](super::log_lattice), and the functions of the radius that they
+//! add up to at one depth.
+//!
+//! The waves are solved for once: every further depth takes its amplitudes from them. Lengths are in sides of an
+//! element, so that the lattice is the same for every depth.
+
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
+
+use pellicle_kernel::{Amplitudes, Foundation, Interior, KernelError};
+use rayon::prelude::*;
+
+use super::log_lattice::{
+    COARSE, COARSE_STRIDE, FINE, FINE_FIRST, FIRST, LAST, RADIUS_STRIDE, STEP, Weights,
+};
+use super::panels::{Layout, Panels};
+use super::point_kernels::Load;
+
+/// Amplitudes have fallen to e^{−60} at this wavenumber over the reach's.
+const DECAYED: f64 = 60.0;
+
+/// Step of `ln r`.
+const STRIDE: f64 = RADIUS_STRIDE as f64 * STEP;
+
+/// Points of the interpolation over `ln r`. The functions are analytic in it up to ±iπ/2, so that with steps of 0.08
+/// these leave 1e-13.
+const STENCIL: usize = 20;
+
+/// Radii of the lattice before and behind one that is interpolated.
+const MARGIN: isize = 10;
+
+/// The interiors of a foundation that some depth has asked for, by the index of the wavenumber.
+#[derive(Debug)]
+pub struct Waves {
+    foundation: Foundation,
+    /// Side of an element, m.
+    unit: f64,
+    interiors: BTreeMap<isize, Interior>,
+}
+
+/// Amplitudes on the part of the lattice that the functions on some radii are made of.
+pub struct Sampled {
+    layout: Layout,
+    /// Indices of the first and last radius of the lattice.
+    radii: [isize; 2],
+    /// At the wavenumbers from the lowest on; where waves are long, at one of [`COARSE_STRIDE`].
+    amplitudes: Vec<Option<Amplitudes>>,
+    /// Factors of the amplitudes.
+    factors: Vec<f64>,
+}
+
+impl Waves {
+    pub fn new(foundation: &Foundation, unit: f64) -> Self {
+        Self {
+            foundation: foundation.clone(),
+            unit,
+            interiors: BTreeMap::new(),
+        }
+    }
+
+    pub fn foundation(&self) -> &Foundation {
+        &self.foundation
+    }
+
+    /// Side of an element, m.
+    pub fn unit(&self) -> f64 {
+        self.unit
+    }
+
+    /// The amplitudes that `of` gives of each interior, with the factor of their wavenumber (in 1 over sides).
+    pub fn sampled(
+        &mut self,
+        layout: Layout,
+        of: impl Fn(&Interior) -> Option<Amplitudes>,
+        factor: impl Fn(isize) -> f64,
+    ) -> Result<Sampled, KernelError> {
+        let [first, last] = layout.ends().map(|radius| index_of(radius.ln() / STRIDE));
+        let radii = [first - MARGIN + 1, last + MARGIN];
+        // ln k = ln x − ln r
+        let lowest = FIRST - RADIUS_STRIDE * radii[1];
+        let every_from = FINE_FIRST - RADIUS_STRIDE * radii[1];
+        let decayed = index_of((DECAYED / layout.reach()).ln() / STEP);
+        let highest = (LAST - RADIUS_STRIDE * radii[0]).min(decayed);
+        let coarse = (lowest..every_from).step_by(COARSE_STRIDE);
+        self.solve(coarse.chain(every_from..=highest))?;
+        let at = |index| self.interiors.get(&index).and_then(&of);
+        Ok(Sampled {
+            layout,
+            radii,
+            amplitudes: (lowest..=highest).map(at).collect(),
+            factors: (lowest..=highest).map(factor).collect(),
+        })
+    }
+
+    /// Solves for the waves of these indices that have not been solved for.
+    fn solve(&mut self, indices: impl Iterator<Item = isize>) -> Result<(), KernelError> {
+        let is_missing = |index: &isize| !self.interiors.contains_key(index);
+        let missing: Vec<isize> = indices.filter(is_missing).collect();
+        let interior = |index: isize| {
+            let wavenumber = (index as f64 * STEP).exp() / self.unit;
+            Ok((index, self.foundation.interior(wavenumber)?))
+        };
+        let found = missing.into_par_iter().map(interior);
+        let found = found.collect::<Result<Vec<_>, KernelError>>()?;
+        self.interiors.extend(found);
+        Ok(())
+    }
+}
+
+/// The whole number below a real one.
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "logarithms of floating-point numbers over steps of 0.01 are below 1e5"
+)]
+fn index_of(place: f64) -> isize {
+    place.floor() as isize
+}
+
+impl Sampled {
+    /// Depth with which the waves decay, in sides of an element.
+    pub fn reach(&self) -> f64 {
+        self.layout.reach()
+    }
+
+    /// The functions of the radius under a load, each over `rⁿ`, n being the order of its Bessel function: the integral of a
+    /// unit force on each point of a unit square.
+    pub fn panels<L: Load<F>, const F: usize>(&self) -> Panels<F> {
+        let [first, last] = self.radii;
+        let with_factor = self.amplitudes.iter().zip(&self.factors);
+        let amplitudes: Vec<[f64; F]> = with_factor
+            .map(|(amplitudes, factor)| {
+                let values = amplitudes.as_ref().map_or([0.0; F], L::combined);
+                values.map(|value| value * factor)
+            })
+            .collect();
+        let weights_of = |weights: &Vec<Weights>| -> Vec<[f64; F]> {
+            weights
+                .iter()
+                .map(|weights| L::ORDERS.map(|order| weights[order]))
+                .collect()
+        };
+        let (coarse, fine) = (weights_of(&COARSE), weights_of(&FINE));
+        let at_radius = |index: isize| -> [f64; F] {
+            let from = (RADIUS_STRIDE * (last - index)).unsigned_abs();
+            let to_fine = from + (FINE_FIRST - FIRST).unsigned_abs();
+            let mut sums = [0.0; F];
+            let mut add = |weights: &[f64; F], values: &[f64; F]| {
+                for ((sum, weight), value) in sums.iter_mut().zip(weights).zip(values) {
+                    *sum += weight * value;
+                }
+            };
+            let values = amplitudes.iter().skip(from).step_by(COARSE_STRIDE);
+            coarse
+                .iter()
+                .zip(values)
+                .for_each(|(weights, values)| add(weights, values));
+            let values = amplitudes.iter().skip(to_fine);
+            fine.iter()
+                .zip(values)
+                .for_each(|(weights, values)| add(weights, values));
+            let r = (index as f64 * STRIDE).exp();
+            let mut orders = L::ORDERS.into_iter();
+            sums.map(|sum| {
+                let order = orders.next().unwrap_or_default();
+                // r^{−2−n}
+                sum / (TAU * (0..order).fold(r * r, |power, _| power * r))
+            })
+        };
+        let table: Vec<[f64; F]> = (first..=last).into_par_iter().map(at_radius).collect();
+        Panels::new(&self.layout, |radius| {
+            interpolated(&table, radius.ln() / STRIDE - first as f64)
+        })
+    }
+}
+
+/// The values at a place between those of a table.
+fn interpolated<const F: usize>(table: &[[f64; F]], place: f64) -> [f64; F] {
+    let first = (index_of(place) - MARGIN + 1).unsigned_abs();
+    let weights = lagrange_weights(place - first as f64);
+    let mut sums = [0.0; F];
+    for (values, weight) in table[first..].iter().zip(weights) {
+        for (sum, value) in sums.iter_mut().zip(values) {
+            *sum += weight * value;
+        }
+    }
+    sums
+}
+
+/// The weights of the values at 0, 1, … in the polynomial through them at t.
+fn lagrange_weights(t: f64) -> [f64; STENCIL] {
+    let mut weights = [1.0; STENCIL];
+    // w_j = Π_{m ≠ j} (t − m)/(j − m), with (j − m) from one side and (m − j) from the other
+    let mut product = 1.0;
+    for (j, weight) in weights.iter_mut().enumerate() {
+        *weight = product;
+        product *= (t - j as f64) / (j + 1) as f64;
+    }
+    product = 1.0;
+    for (j, weight) in weights.iter_mut().enumerate().rev() {
+        *weight *= product;
+        product *= (j as f64 - t) / (STENCIL - j) as f64;
+    }
+    weights
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{STENCIL, interpolated, lagrange_weights};
+
+    #[test]
+    fn polynomials_are_interpolated_exactly() {
+        for t in [9.0, 9.3, 9.999] {
+            let weights = lagrange_weights(t);
+            let value = |x: f64| ((x - 9.0) / 10.0).powi(7);
+            let sum: f64 = weights
+                .iter()
+                .enumerate()
+                .map(|(j, w)| w * value(j as f64))
+                .sum();
+            // Rounding of 20 weights of order 1.
+            assert!((sum - value(t)).abs() < 1e-15, "{t}");
+        }
+        let table: Vec<[f64; 1]> = (0..2 * STENCIL).map(|i| [i as f64]).collect();
+        let found = interpolated(&table, 15.25)[0];
+        assert!((found - 15.25).abs() < 1e-13, "{found}");
+    }
+}
