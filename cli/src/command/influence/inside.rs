@@ -1,16 +1,13 @@
 //! Displacements and stresses inside the body under one loaded element.
 
-use pellicle_influence::{Depth, ElementFields, SubsurfaceState};
-use pellicle_kernel::{Foundation, Side};
+use pellicle_influence::{ElementFields, SubsurfaceState};
+use pellicle_kernel::Foundation;
 use serde::{Serialize, Serializer};
 
 use crate::arguments::InfluenceArguments;
 use crate::case::foundation::FoundationCase;
 use crate::case::units::Units;
 use crate::failure::Failure;
-
-/// A depth given to so many digits lies on an interface.
-const DIGITS: f64 = 1e-12;
 
 /// The states at one offset and depth.
 #[derive(Debug, Clone, Copy, Serialize)]
@@ -55,18 +52,15 @@ pub fn rows(
     let farthest = farthest.fold(0.0, f64::max);
     let mut rows = Vec::new();
     for depth in &arguments.depths {
-        for plane in planes(foundation, case, *depth) {
-            let fields = ElementFields::new(foundation, element_side, plane, farthest)
+        for plane in case.planes(foundation, *depth) {
+            let fields = ElementFields::new(foundation, element_side, plane.depth, farthest)
                 .map_err(Failure::Inside)?;
             rows.extend(offsets.iter().map(|offset| {
                 let loads = fields.at(offset.map(|along| along as f64 * element_side));
                 ElementRow {
                     offset: *offset,
                     depth: *depth,
-                    side: match plane.side {
-                        Side::Above => "above",
-                        Side::Below => "below",
-                    },
+                    side: plane.side(),
                     element_side,
                     normal: loads.normal.into(),
                     tangential: loads.tangential.into(),
@@ -75,26 +69,6 @@ pub fn rows(
         }
     }
     Ok(rows)
-}
-
-/// The plane at a depth, or the two on both sides of an interface of the case.
-fn planes(foundation: &Foundation, case: &FoundationCase, depth: f64) -> Vec<Depth> {
-    let is_near = |bottom: f64| (depth - bottom).abs() <= DIGITS * bottom;
-    let mut bottom = 0.0;
-    let is_on_interface = case.layer.iter().any(|layer| {
-        bottom += layer.thickness;
-        is_near(bottom)
-    });
-    let plane = |z, side| Depth { z, side };
-    if !is_on_interface {
-        return vec![plane(depth, Side::Above)];
-    }
-    let interfaces = (1..=foundation.layers().len()).map(|i| foundation.interface_depth(i));
-    let depth = interfaces
-        .into_iter()
-        .find(|bottom| is_near(*bottom))
-        .unwrap_or(depth);
-    vec![plane(depth, Side::Above), plane(depth, Side::Below)]
 }
 
 impl From<SubsurfaceState> for StateRow {
