@@ -1,10 +1,19 @@
 //! `[stress]`: asks for the stresses inside the body.
 
+mod depths;
+
+use pellicle_contact::{
+    BodyPart, BodyStrengths, InterfacePart, InterfaceStrengths, Sliding, StressModel,
+};
+use pellicle_kernel::Foundation;
 use serde::Serialize;
 
 use super::diagnosis::Diagnosis;
 use super::dimension::Dimension;
 use super::foundation::FoundationCase;
+use super::foundation::depths::BodyPlane;
+use super::foundation::strength::{BodyStrengthCase, InterfaceStrengthCase};
+use super::foundation::substrate::SubstrateCase;
 use super::quantity_list::QuantityList;
 use super::table_reader::TableReader;
 use super::value_reader::{Sign, ValueReader};
@@ -58,6 +67,100 @@ impl StressCase {
             friction: (table.optional("friction")).map_or(Ok(0.0), |field| friction(&field))?,
             direction: direction.map_or(Ok(0.0), angle)?,
         })
+    }
+}
+
+impl StressCase {
+    /// The sliding asked for.
+    #[must_use]
+    pub fn sliding(&self) -> Sliding {
+        Sliding {
+            friction: self.friction,
+            direction: self.direction,
+        }
+    }
+
+    /// The bodies and interfaces of a case with their strengths, at the depths of its `foundation`.
+    #[must_use]
+    pub fn model(&self, case: &FoundationCase, foundation: &Foundation) -> StressModel {
+        let bottoms = case.bottoms(foundation);
+        let tops = std::iter::once(0.0).chain(bottoms.iter().copied());
+        let substrate = match case.substrate {
+            SubstrateCase::Rigid => None,
+            SubstrateCase::Elastic(material) => Some(material.strength),
+        };
+        let strengths = case.layer.iter().map(|layer| layer.strength);
+        let ends = bottoms.iter().copied().chain(Some(f64::INFINITY));
+        let bodies = case.body_names().into_iter().zip(tops.zip(ends));
+        let bodies = bodies.zip(strengths.chain(substrate));
+        let interfaces = case.layer.iter().zip(&bottoms).enumerate();
+        StressModel {
+            sliding: self.sliding(),
+            bodies: bodies
+                .map(|((name, (top, bottom)), strength)| BodyPart {
+                    name,
+                    top,
+                    bottom,
+                    strengths: strength.into(),
+                })
+                .collect(),
+            interfaces: interfaces
+                .map(|(index, (layer, depth))| InterfacePart {
+                    index,
+                    depth: *depth,
+                    strengths: layer.interface_strength.into(),
+                })
+                .collect(),
+        }
+    }
+
+    /// The planes on which stresses are written under a contact of this radius (m): those given, or chosen down to two
+    /// radii. On an interface there are two.
+    #[must_use]
+    pub fn planes(
+        &self,
+        case: &FoundationCase,
+        foundation: &Foundation,
+        contact_radius: f64,
+    ) -> Vec<BodyPlane> {
+        let depths = self.depths.clone().unwrap_or_else(|| {
+            let deepest = (2.0 * contact_radius).min(foundation_bottom(case, foundation));
+            depths::chosen(&case.bottoms(foundation), deepest)
+        });
+        let planes = depths.iter().map(|depth| case.planes(foundation, *depth));
+        planes.flatten().collect()
+    }
+
+    /// Side of the square on which they are written, m: as given, or 1.5 contact diameters, at most the domain's.
+    #[must_use]
+    pub fn side(&self, contact_radius: f64, domain: f64) -> f64 {
+        self.extent.unwrap_or(3.0 * contact_radius).min(domain)
+    }
+}
+
+/// Depth of the rigid base, m, to the bit that of the foundation; infinite where there is none.
+fn foundation_bottom(case: &FoundationCase, foundation: &Foundation) -> f64 {
+    match (case.substrate, case.bottoms(foundation).last()) {
+        (SubstrateCase::Rigid, Some(bottom)) => *bottom,
+        _ => f64::INFINITY,
+    }
+}
+
+impl From<BodyStrengthCase> for BodyStrengths {
+    fn from(case: BodyStrengthCase) -> Self {
+        Self {
+            yield_strength: case.yield_strength,
+            tensile_strength: case.tensile_strength,
+        }
+    }
+}
+
+impl From<InterfaceStrengthCase> for InterfaceStrengths {
+    fn from(case: InterfaceStrengthCase) -> Self {
+        Self {
+            shear_strength: case.interface_shear_strength,
+            tensile_strength: case.interface_tensile_strength,
+        }
     }
 }
 
@@ -126,6 +229,90 @@ mod tests {
     #[test]
     fn everything_has_a_default() {
         assert_eq!(read(""), Ok(StressCase::default()));
+    }
+
+    const LAYERS: &str = "layer = [\
+        { thickness = 0.1, young_modulus = { from = 1, to = 2, profile = \"linear\" }, poisson_ratio = 0.3, \
+          tensile_strength = 5, interface_shear_strength = 6 },\
+        { thickness = 0.2, young_modulus = 3, poisson_ratio = 0.3, yield_strength = 4, interface_tensile_strength = 7 }]\n";
+
+    fn model(substrate: &str) -> StressModel {
+        let foundation = format!("{LAYERS}substrate = {substrate}");
+        let case = read_table(&foundation, |table| FoundationCase::read(&table)).unwrap();
+        let stress = read("friction = 0.2\ndirection = 1").unwrap();
+        stress.model(&case, &case.split().unwrap().foundation)
+    }
+
+    #[test]
+    fn the_bodies_of_a_model_are_the_layers_of_the_case_and_the_substrate() {
+        let of =
+            "{ young_modulus = 1, poisson_ratio = 0.3, yield_strength = 8, tensile_strength = 9 }";
+        let model = model(of);
+        assert_eq!(
+            (model.sliding.friction, model.sliding.direction),
+            (0.2, 1.0)
+        );
+        let bodies = model.bodies.iter().map(|body| {
+            let strengths = body.strengths;
+            let [top, bottom] = [body.top, body.bottom].map(|depth| (depth * 1e9).round() / 1e9);
+            (
+                &body.name[..],
+                top,
+                bottom,
+                strengths.yield_strength,
+                strengths.tensile_strength,
+            )
+        });
+        let wanted = [
+            ("layer[0]", 0.0, 0.1, None, Some(5.0)),
+            ("layer[1]", 0.1, 0.3, Some(4.0), None),
+            ("substrate", 0.3, f64::INFINITY, Some(8.0), Some(9.0)),
+        ];
+        assert_eq!(bodies.collect::<Vec<_>>(), wanted);
+        assert_eq!(model.bodies[0].bottom, model.bodies[1].top);
+        let interfaces = model.interfaces.iter().map(|interface| {
+            let strengths = interface.strengths;
+            (
+                interface.index,
+                strengths.shear_strength,
+                strengths.tensile_strength,
+            )
+        });
+        assert_eq!(
+            interfaces.collect::<Vec<_>>(),
+            [(0, Some(6.0), None), (1, None, Some(7.0))]
+        );
+        assert_eq!(model.interfaces[1].depth, model.bodies[2].top);
+    }
+
+    #[test]
+    fn a_rigid_base_is_no_body_and_its_interface_is_one() {
+        let model = model("\"rigid\"");
+        assert_eq!((model.bodies.len(), model.interfaces.len()), (2, 2));
+        assert_eq!(model.bodies[1].bottom, model.interfaces[1].depth);
+    }
+
+    #[test]
+    fn planes_are_those_given_or_go_down_to_two_radii_with_both_sides_of_interfaces() {
+        let foundation = format!("{LAYERS}substrate = {HALF_SPACE}");
+        let case = read_table(&foundation, |table| FoundationCase::read(&table)).unwrap();
+        let built = case.split().unwrap().foundation;
+        let depths = |text: &str, radius| {
+            let planes = read(text).unwrap().planes(&case, &built, radius);
+            planes.iter().map(|plane| plane.depth.z).collect::<Vec<_>>()
+        };
+        assert_eq!(depths("depths = [0, 0.1, 5]", 1.0), [0.0, 0.1, 0.1, 5.0]);
+        let chosen = depths("", 1.0);
+        assert_eq!((chosen[0], chosen[chosen.len() - 1]), (0.0, 2.0));
+        let twice = chosen.windows(2).filter(|pair| pair[0] == pair[1]).count();
+        assert_eq!(twice, 2);
+    }
+
+    #[test]
+    fn the_square_is_as_given_or_as_wide_as_one_and_a_half_contacts_within_the_domain() {
+        assert_eq!(read("extent = 2").unwrap().side(1.0, 9.0), 2.0);
+        assert_eq!(read("").unwrap().side(1.0, 9.0), 3.0);
+        assert_eq!(read("").unwrap().side(4.0, 9.0), 9.0);
     }
 
     #[test]

@@ -55,7 +55,7 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
     let write = |folder: ResultsFolder| {
         let tell = line.writing();
         folder.write(|folder| {
-            let written = results::write(folder, &path, &mut summary, &case.output, start, &tell)?;
+            let written = results::write(folder, &path, &mut summary, &case, start, &tell)?;
             Ok(if path.interrupted {
                 Completeness::Part
             } else {

@@ -127,7 +127,7 @@ impl CaseSolver<'_> {
             let mut completeness = Completeness::Whole;
             folder.write(|folder| {
                 completeness =
-                    results::write(folder, &path, &mut summary, &case.output, start, &|_, _| ())?;
+                    results::write(folder, &path, &mut summary, &case, start, &|_, _| ())?;
                 Ok(completeness)
             })?;
             if completeness == Completeness::Part {

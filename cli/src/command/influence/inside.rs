@@ -8,6 +8,7 @@ use crate::arguments::InfluenceArguments;
 use crate::case::foundation::FoundationCase;
 use crate::case::units::Units;
 use crate::failure::Failure;
+use crate::output::stress::FIELDS;
 
 /// The states at one offset and depth.
 #[derive(Debug, Clone, Copy, Serialize)]
@@ -26,16 +27,13 @@ pub struct ElementRow {
     tangential: StateRow,
 }
 
-/// Names of the fields, in the order of [`SubsurfaceState`].
-const FIELDS: [&str; 9] = ["ux", "uy", "uz", "sxx", "syy", "szz", "sxy", "sxz", "syz"];
-
 /// Displacements, m/Pa, and stresses, per unit load; null where unbounded.
 #[derive(Debug, Clone, Copy)]
 struct StateRow([f64; 9]);
 
 impl Serialize for StateRow {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map(FIELDS.iter().zip(self.0))
+        serializer.collect_map(FIELDS.iter().map(|field| field.name).zip(self.0))
     }
 }
 
@@ -81,7 +79,10 @@ impl From<SubsurfaceState> for StateRow {
 pub fn table(rows: &[ElementRow], units: Units) -> String {
     let (metre, metre_per_pascal) = (units.name("m"), units.name("m/Pa"));
     let element_side = rows.first().map_or(f64::NAN, |row| row.element_side);
-    let names = FIELDS.map(|name| format!("{name:>13}")).concat();
+    let names = FIELDS[..9]
+        .iter()
+        .map(|field| format!("{:>13}", field.name));
+    let names: String = names.collect();
     let line = |row: &ElementRow, load: &str, state: &StateRow| {
         let values = state.0.map(|value| format!("{value:>13.4e}")).concat();
         let ([m, n], depth, side) = (row.offset, row.depth, row.side);
