@@ -12,10 +12,12 @@ pub mod map;
 pub mod output;
 pub mod overrides;
 pub mod quantity;
+pub mod quantity_list;
 pub mod solver;
 pub mod source;
 pub mod spacing;
 pub mod span;
+pub mod stress;
 pub mod surface;
 pub mod table_reader;
 pub mod units;
@@ -39,6 +41,7 @@ use self::load::LoadCase;
 use self::output::OutputCase;
 use self::solver::SolverCase;
 use self::source::Source;
+use self::stress::StressCase;
 use self::surface::SurfaceCase;
 use self::table_reader::TableReader;
 use self::units::Units;
@@ -66,6 +69,9 @@ pub struct Case {
     pub solver: SolverCase,
     /// The fields and pictures to write.
     pub output: OutputCase,
+    /// The stresses asked for; none without.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub stress: Option<StressCase>,
     /// The system of units.
     #[serde(skip)]
     pub units: Units,
@@ -111,7 +117,7 @@ impl Case {
     ///
     /// A [`Diagnosis`] of the first fault.
     pub fn resolve(root: &TomlNode, name: &str, folder: &Path) -> Result<Self, Diagnosis> {
-        const TABLES: [&str; 8] = [
+        const TABLES: [&str; 9] = [
             "title",
             "foundation",
             "surface",
@@ -120,6 +126,7 @@ impl Case {
             "grid",
             "solver",
             "output",
+            "stress",
         ];
         let table = TableReader::root(root)?;
         table.only(&TABLES).map_err(|diagnosis| {
@@ -144,6 +151,8 @@ impl Case {
         let grid = optional("grid")?;
         let grid = grid.map_or(Ok(GridCase::default()), |table| GridCase::read(&table))?;
         let output = optional("output")?.map(|table| OutputCase::read(&table));
+        let read_stress = |table| StressCase::read(&table, &foundation, grid.side);
+        let stress = optional("stress")?.map(read_stress).transpose()?;
         let read_solver = |table| SolverCase::read(&table, grid.elements);
         let indenter = IndenterCase::read(&required("indenter")?, folder)?;
         let maps = [surface.map(), indenter.map()];
@@ -158,6 +167,7 @@ impl Case {
             grid,
             solver: optional("solver")?.map_or(Ok(SolverCase::default()), read_solver)?,
             output: output.transpose()?.unwrap_or_default(),
+            stress,
             units,
             document: Document::new(root),
         })
@@ -191,14 +201,30 @@ impl Case {
     ///
     /// # Errors
     ///
-    /// [`ContactError`] if none can be chosen.
-    pub fn domain(&self, model: &Model) -> Result<Domain, ContactError> {
+    /// [`Failure`] if none can be chosen, or the square of the stresses does not fit in it.
+    pub fn domain(&self, model: &Model) -> Result<Domain, Failure> {
         let domain = if self.grid.side.is_some() {
             Domain::Side
         } else {
             Domain::Chosen
         };
-        self.side(model).map(domain)
+        let side = self.side(model).map_err(|error| self.blame(error))?;
+        self.check_extent(side)?;
+        Ok(domain(side))
+    }
+
+    /// Looks whether the square on which stresses are wanted fits in a domain of this side.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] of its key if not.
+    pub fn check_extent(&self, side: f64) -> Result<(), Diagnosis> {
+        let extent = self.stress.as_ref().and_then(|stress| stress.extent);
+        if extent.is_none_or(|extent| extent <= side) {
+            return Ok(());
+        }
+        let wanted = format!("{}, chosen from the load", stress::extent_wanted(side));
+        Err(self.document.wanted("stress.extent", &wanted))
     }
 
     /// Side of the domain, m.
@@ -281,6 +307,48 @@ forces = { from = "1 uN", to = "1 mN", count = 4, spacing = "log" }
                 ..again
             },
             case
+        );
+    }
+
+    #[test]
+    fn strengths_and_stresses_are_among_what_is_written() {
+        let layer = "yield_strength = \"2 GPa\"\ntensile_strength = \"1 GPa\"\ninterface_shear_strength = \"0.4 GPa\"\n\
+            interface_tensile_strength = \"0.3 GPa\"\n[surface]";
+        let substrate =
+            "poisson_ratio = 0.4, yield_strength = \"0.2 GPa\", tensile_strength = 1e8 }";
+        let grading = "{ from = \"70 GPa\", to = \"50 GPa\", profile = \"linear\" }";
+        let stress = "\n[stress]\ndepths = [\"5 nm\", 0]\nextent = \"9 um\"\nfriction = 0.3\ndirection = \"30 deg\"\n";
+        let text = CASE
+            .replace("[surface]", layer)
+            .replace("poisson_ratio = 0.4 }", substrate)
+            + stress;
+        let case = read(&text.replace("\"70 GPa\"", grading), &[]).unwrap();
+        let written = toml::to_string(&case).unwrap();
+        let again = read(&written, &[]).unwrap();
+        assert_eq!(
+            Case {
+                units: case.units,
+                ..again
+            },
+            case
+        );
+        let strengths = serde_json::to_value(&case.foundation).unwrap();
+        for (place, strength) in [
+            ("/layer/0/yield_strength", 2e9),
+            ("/layer/0/tensile_strength", 1e9),
+            ("/layer/0/interface_shear_strength", 0.4e9),
+            ("/layer/0/interface_tensile_strength", 0.3e9),
+            ("/substrate/yield_strength", 0.2e9),
+            ("/substrate/tensile_strength", 1e8),
+        ] {
+            assert_eq!(strengths.pointer(place).unwrap(), strength, "{place}");
+        }
+        assert_eq!(case.stress.unwrap().depths.unwrap(), [0.0, 5e-9]);
+        // Nothing is written of what is not given, an empty table of stresses is.
+        let plain = toml::to_string(&read(&format!("{CASE}\n[stress]"), &[]).unwrap()).unwrap();
+        assert!(
+            !plain.contains("strength") && plain.contains("[stress]"),
+            "{plain}"
         );
     }
 

@@ -16,10 +16,12 @@ pub mod report;
 pub mod results;
 pub mod run_files;
 mod stoppable;
+pub mod stress;
 pub mod summary;
 pub mod summary_text;
 pub mod unfinished;
 pub mod vti;
+pub mod vtk;
 pub mod write_progress;
 
 use serde::Serialize;

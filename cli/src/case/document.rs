@@ -123,6 +123,19 @@ impl Document {
         )
     }
 
+    /// The diagnosis that another value of this key is wanted.
+    #[must_use]
+    pub fn wanted(&self, key: &str, wanted: &str) -> Diagnosis {
+        self.field(key).map_or_else(
+            || {
+                let wanted = format!("{key} of {wanted}");
+                let fault = Fault::Missing { wanted };
+                Diagnosis::of_text(self.0.span.clone(), fault)
+            },
+            |field| field.wanted(wanted),
+        )
+    }
+
     fn field(&self, key: &str) -> Option<ValueReader<'_>> {
         let mut node = self.root();
         for part in overrides::key_path(key)? {

@@ -1,7 +1,9 @@
 //! `[foundation]`: the substrate and the layers on it.
 
+pub mod depths;
 pub mod layer;
 pub mod modulus;
+pub mod strength;
 pub mod substrate;
 
 use pellicle_kernel::{Foundation, KernelError};
@@ -121,6 +123,18 @@ impl FoundationCase {
             (None, SubstrateCase::Elastic(material)) => Some(material.young_modulus),
             (None, SubstrateCase::Rigid) => None,
         }
+    }
+
+    /// Whether a body or an interface has a strength.
+    #[must_use]
+    pub fn has_strengths(&self) -> bool {
+        let layer =
+            |layer: &LayerCase| layer.strength.is_given() || layer.interface_strength.is_given();
+        let substrate = match self.substrate {
+            SubstrateCase::Rigid => false,
+            SubstrateCase::Elastic(material) => material.strength.is_given(),
+        };
+        substrate || self.layer.iter().any(layer)
     }
 }
 

@@ -4,9 +4,9 @@ use serde::Serialize;
 
 use super::diagnosis::{Diagnosis, Fault};
 use super::dimension::Dimension;
-use super::spacing::{self, Spacing};
+use super::quantity_list::QuantityList;
 use super::table_reader::TableReader;
-use super::value_reader::{Sign, ValueReader};
+use super::value_reader::Sign;
 
 /// The four keys of which exactly one is given.
 const KEYS: [&str; 4] = ["force", "forces", "penetration", "penetrations"];
@@ -44,12 +44,10 @@ impl LoadCase {
         let key = the_one_given(table)?;
         let field = table.required(key, WANTED)?;
         match key {
-            "force" => Ok(Self::Force(LoadQuantity::FORCE.read(&field)?)),
-            "forces" => Ok(Self::Forces(LoadQuantity::FORCE.read_all(&field)?)),
-            "penetration" => Ok(Self::Penetration(LoadQuantity::PENETRATION.read(&field)?)),
-            _ => Ok(Self::Penetrations(
-                LoadQuantity::PENETRATION.read_all(&field)?,
-            )),
+            "force" => Ok(Self::Force(FORCE.item(&field)?)),
+            "forces" => Ok(Self::Forces(FORCE.read(&field)?)),
+            "penetration" => Ok(Self::Penetration(PENETRATION.item(&field)?)),
+            _ => Ok(Self::Penetrations(PENETRATION.read(&field)?)),
         }
     }
 
@@ -81,55 +79,17 @@ fn the_one_given(table: &TableReader<'_>) -> Result<&'static str, Diagnosis> {
     }
 }
 
-/// The dimension and sign of a load.
-struct LoadQuantity {
-    dimension: Dimension,
-    sign: Sign,
-}
+const FORCE: QuantityList = QuantityList {
+    dimension: Dimension::Force,
+    sign: Sign::Positive,
+    most: MOST_STEPS,
+};
 
-impl LoadQuantity {
-    const FORCE: Self = Self {
-        dimension: Dimension::Force,
-        sign: Sign::Positive,
-    };
-
-    const PENETRATION: Self = Self {
-        dimension: Dimension::Length,
-        sign: Sign::Any,
-    };
-
-    fn read(&self, field: &ValueReader<'_>) -> Result<f64, Diagnosis> {
-        field.quantity(self.dimension, self.sign)
-    }
-
-    fn read_all(&self, field: &ValueReader<'_>) -> Result<Vec<f64>, Diagnosis> {
-        if field.is_table() {
-            return self.read_range(&field.clone().table()?);
-        }
-        let items = field.list("a list of values, or a table of from, to, count and spacing")?;
-        if items.len() > MOST_STEPS {
-            return Err(field.wanted(format!("at most {MOST_STEPS} values")));
-        }
-        items.iter().map(|item| self.read(item)).collect()
-    }
-
-    fn read_range(&self, table: &TableReader<'_>) -> Result<Vec<f64>, Diagnosis> {
-        table.only(&spacing::KEYS)?;
-        let spacing = Spacing::read(table)?;
-        let sign = if spacing == Spacing::Log {
-            Sign::Positive
-        } else {
-            self.sign
-        };
-        let end = |key| {
-            let wanted = sign.wanted(self.dimension);
-            table.required(key, &wanted)?.quantity(self.dimension, sign)
-        };
-        let count = table.required("count", "how many values, an integer")?;
-        let count = count.count(2..=MOST_STEPS, " values")?;
-        Ok(spacing.between(end("from")?, end("to")?, count))
-    }
-}
+const PENETRATION: QuantityList = QuantityList {
+    dimension: Dimension::Length,
+    sign: Sign::Any,
+    most: MOST_STEPS,
+};
 
 #[cfg(test)]
 mod tests {

@@ -293,6 +293,7 @@ fn young_modulus(table: &TableReader<'_>, foundation: &FoundationCase) -> Result
 
 #[cfg(test)]
 mod tests {
+    use super::super::foundation::strength::BodyStrengthCase;
     use super::super::foundation::substrate::{MaterialCase, SubstrateCase};
     use super::super::table_reader::tests::read_table;
     use super::*;
@@ -301,6 +302,7 @@ mod tests {
         let material = MaterialCase {
             young_modulus: 10.0,
             poisson_ratio: 0.3,
+            strength: BodyStrengthCase::default(),
         };
         let foundation = FoundationCase {
             substrate: SubstrateCase::Elastic(material),

@@ -2,6 +2,7 @@
 
 use super::Case;
 use super::document::{TomlNode, TomlTable, TomlValue};
+use super::foundation::layer::LayerCase;
 use super::map::MapCase;
 use super::table_reader::dotted;
 use super::units::Units;
@@ -17,7 +18,7 @@ pub struct CaseWarning {
 }
 
 /// Keys of lengths, pressures, forces and compliances, with the unit of a bare number in a case that has units.
-const QUANTITIES: [(&str, &str); 14] = [
+const QUANTITIES: [(&str, &str); 22] = [
     ("thickness", "m"),
     ("young_modulus", "Pa"),
     ("radius", "m"),
@@ -32,6 +33,14 @@ const QUANTITIES: [(&str, &str); 14] = [
     ("penetrations", "m"),
     ("side", "m"),
     ("sides", "m"),
+    ("normal_compliance", "m/Pa"),
+    ("shear_compliance", "m/Pa"),
+    ("yield_strength", "Pa"),
+    ("tensile_strength", "Pa"),
+    ("interface_shear_strength", "Pa"),
+    ("interface_tensile_strength", "Pa"),
+    ("depths", "m"),
+    ("extent", "m"),
 ];
 
 /// A tenth of a nanometre on a side of a centimetre: the heights of every measured surface range over more.
@@ -55,7 +64,31 @@ impl Case {
         warnings.extend(maps.into_iter().filter_map(coarse));
         let flat = |(table, map): (&str, Option<&MapCase>)| flat(table, map?, self.units);
         warnings.extend(maps.into_iter().filter_map(flat));
+        warnings.extend(self.stress_warnings());
         warnings
+    }
+
+    /// The warnings about `[stress]`.
+    fn stress_warnings(&self) -> Option<CaseWarning> {
+        let warn = |code, message| Some(CaseWarning { code, message });
+        let Some(stress) = &self.stress else {
+            return self.foundation.has_strengths().then_some(CaseWarning {
+                code: "unused-strength",
+                message: "strengths are given, but nothing is compared with them: a table [stress] asks for stresses"
+                    .into(),
+            });
+        };
+        let slides = |layer: &LayerCase| layer.slides();
+        let lowest = self.foundation.layer.iter().rposition(slides)?;
+        if stress.friction == 0.0 {
+            return None;
+        }
+        warn(
+            "unbounded-displacement",
+            format!(
+                "the interface below layer {lowest} is frictionless and cannot carry the force of friction: u_x and u_y above it are unbounded and left out (NaN, null); stresses are finite"
+            ),
+        )
     }
 }
 

@@ -25,6 +25,7 @@ pub fn check(arguments: &CaseArguments) -> Result<Outcome, Failure> {
     let cache = cache::open();
     let chosen = case.grid.side.is_none();
     let forecast = Forecast::new(&case, &case.model(&cache)?.value);
+    case.check_extent(forecast.side)?;
     case.grid.side = Some(forecast.side);
     let resolved = toml::to_string(&case)?;
     let estimates = estimates(&case, &forecast, chosen)?;

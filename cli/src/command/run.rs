@@ -37,9 +37,7 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
     threads::begin();
     let memory = MemoryBudget::default();
     let writers = folder.as_ref().map_or(0, |_| rayon::current_num_threads());
-    let domain = case
-        .domain(&model.value)
-        .map_err(|error| case.blame(error))?;
+    let domain = case.domain(&model.value)?;
     let _share = memory.take(Need::new(&case, &model.value, domain, writers))?;
     let path = solve(&case, &model.value, domain, &mut line)?;
     if path.interrupted && path.steps.is_empty() {
@@ -57,7 +55,7 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
     let write = |folder: ResultsFolder| {
         let tell = line.writing();
         folder.write(|folder| {
-            let written = results::write(folder, &path, &mut summary, &case.output, start, &tell)?;
+            let written = results::write(folder, &path, &mut summary, &case, start, &tell)?;
             Ok(if path.interrupted {
                 Completeness::Part
             } else {

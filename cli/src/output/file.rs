@@ -3,7 +3,7 @@
 
 use std::fs::{self, OpenOptions};
 use std::io::{self, BufWriter, ErrorKind, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use tempfile::NamedTempFile;
 
@@ -84,6 +84,65 @@ pub fn write_new(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     })
 }
 
+/// A large file written in several goes: it is there whole once it is finished, and nothing is left of one that is
+/// dropped before. Its writing is given up where the user does not want to wait for it.
+pub struct LongFile {
+    file: PartialFile,
+    /// Bytes since the last that were put on the disk.
+    unsynced: usize,
+    path: PathBuf,
+    _unfinished: Unfinished,
+}
+
+impl LongFile {
+    /// Begins a file under a temporary name beside its own.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Write`] if it cannot be created.
+    pub fn begin(path: &Path) -> Result<Self, Failure> {
+        let file = partial(path).map_err(|cause| Failure::write(path, cause))?;
+        Ok(Self {
+            _unfinished: Unfinished::file(file.path()),
+            file: BufWriter::with_capacity(BUFFER, file),
+            unsynced: 0,
+            path: path.to_owned(),
+        })
+    }
+
+    /// Goes on writing.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Write`] if it fails or is stopped.
+    pub fn go_on(
+        &mut self,
+        write: impl FnOnce(&mut StoppableFile<'_>) -> io::Result<()>,
+    ) -> Result<(), Failure> {
+        let mut file = StoppableFile::going_on(&mut self.file, self.unsynced);
+        let written = write(&mut file);
+        self.unsynced = file.unsynced();
+        written.map_err(|cause| Failure::write(&self.path, cause))
+    }
+
+    /// Renames the file, when it is on the disk.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Write`] if that fails; nothing is left behind then.
+    pub fn finish(self) -> Result<(), Failure> {
+        let Self { file, path, .. } = self;
+        let place = || {
+            let file = file.into_inner()?;
+            file.as_file().sync_all()?;
+            file.persist(&path).map_err(|failed| failed.error)
+        };
+        place()
+            .map(drop)
+            .map_err(|cause| Failure::write(&path, cause))
+    }
+}
+
 /// Removes the half-written files that dead processes have left in a folder.
 pub fn sweep(folder: &Path) {
     let Ok(entries) = fs::read_dir(folder) else {
@@ -156,6 +215,8 @@ fn remove_if_left(path: &Path) {
 
 #[cfg(test)]
 mod tests {
+    use std::io::{Seek, SeekFrom};
+
     use super::*;
 
     #[test]
@@ -179,6 +240,26 @@ mod tests {
         let full = |_: &mut PartialFile| Err(io::Error::from(ErrorKind::StorageFull));
         assert!(write_whole(&path, full).is_err());
         assert_eq!(fs::read_to_string(&path).unwrap(), "old");
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+
+    #[test]
+    fn a_long_file_appears_when_it_is_finished_and_one_that_is_given_up_leaves_nothing() {
+        let folder = tempfile::tempdir().unwrap();
+        let [path, other] = ["a.txt", "b.txt"].map(|name| folder.path().join(name));
+        let mut file = LongFile::begin(&path).unwrap();
+        file.go_on(|file| file.write_all(b"half")).unwrap();
+        file.go_on(|file| {
+            file.seek(SeekFrom::Start(0))?;
+            file.write_all(b"Half and half")
+        })
+        .unwrap();
+        assert!(!path.exists());
+        file.finish().unwrap();
+        assert_eq!(fs::read_to_string(&path).unwrap(), "Half and half");
+        let mut given_up = LongFile::begin(&other).unwrap();
+        given_up.go_on(|file| file.write_all(b"half")).unwrap();
+        drop(given_up);
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
     }
 

@@ -4,27 +4,19 @@
 //! them the coordinates, `shortening`, `profile`, `mask` and `contact`, which are the same in every format; global
 //! attributes `total_contact_area`, the part of the domain in contact, and `type` with the meaning they have there.
 //! `mean_pressure` is that of the summary, force over contact area; what it is there, force over the whole domain, is
-//! `nominal_pressure`. The file is of the classic format with 64-bit offsets: a header of big-endian numbers and padded
-//! names, then the variables one after the other.
+//! `nominal_pressure`. The file is of the classic format with 64-bit offsets, which its [header] describes.
+
+pub mod header;
 
 use std::borrow::Cow;
 use std::io::{self, Write};
 use std::path::Path;
 
+use self::header::{Attribute, Header, Kind, Variable};
 use super::fields::{Fields, TruthField};
 use super::file::write_stoppable;
 use super::summary::Summary;
 use crate::failure::Failure;
-
-/// Numbers of the format that say what follows.
-const DIMENSIONS: u32 = 10;
-const VARIABLES: u32 = 11;
-const ATTRIBUTES: u32 = 12;
-
-/// Numbers of the format for the types of values.
-const BYTE: u32 = 1;
-const CHAR: u32 = 2;
-const DOUBLE: u32 = 6;
 
 /// Name of the file of a step in a results folder.
 #[must_use]
@@ -32,25 +24,19 @@ pub fn file(step: usize) -> String {
     format!("fields-{step:03}.nc")
 }
 
-/// A named value beside the fields.
-enum Attribute {
-    Text(&'static str, String),
-    Number(&'static str, f64),
-}
-
 /// The values of a variable.
 #[derive(Clone)]
 enum VariableValues<'a> {
     /// Along x or y: the coordinate, whose dimension has this number.
-    Centres(u32),
+    Centres(usize),
     /// Over the grid.
     Numbers(&'a [f64]),
     /// Over the grid.
     Truths(Cow<'a, [bool]>),
 }
 
-/// One variable.
-struct Variable<'a> {
+/// One variable with its values.
+struct FilledVariable<'a> {
     name: &'static str,
     attributes: Vec<Attribute>,
     values: VariableValues<'a>,
@@ -70,9 +56,7 @@ pub fn write(
     let variables = variables(fields, summary);
     let attributes = global_attributes(fields, summary, step);
     write_stoppable(path, |file| {
-        // The offsets are known once the length of the header is: it does not depend on them.
-        let length = header(fields.size, &attributes, &variables, 0)?.len();
-        file.write_all(&header(fields.size, &attributes, &variables, length)?)?;
+        file.write_all(&header(fields.size, attributes, &variables).bytes()?)?;
         for variable in &variables {
             write_values(file, fields, &variable.values)?;
         }
@@ -80,18 +64,18 @@ pub fn write(
     })
 }
 
-fn variables<'a>(fields: &Fields<'a>, summary: &Summary) -> Vec<Variable<'a>> {
+fn variables<'a>(fields: &Fields<'a>, summary: &Summary) -> Vec<FilledVariable<'a>> {
     let described = |unit, meaning: &str| {
         let unit = Attribute::Text("units", summary.units.name(unit).to_owned());
         vec![unit, Attribute::Text("long_name", meaning.to_owned())]
     };
-    let coordinate = |name, dimension| Variable {
+    let coordinate = |name, dimension| FilledVariable {
         name,
         attributes: described("m", "centre of the element"),
         values: VariableValues::Centres(dimension),
     };
     let mut variables = vec![coordinate("x", 0), coordinate("y", 1)];
-    variables.extend(fields.numbers().map(|field| Variable {
+    variables.extend(fields.numbers().map(|field| FilledVariable {
         name: field.name,
         attributes: described(field.unit, field.meaning),
         values: VariableValues::Numbers(field.values),
@@ -101,15 +85,17 @@ fn variables<'a>(fields: &Fields<'a>, summary: &Summary) -> Vec<Variable<'a>> {
         name: "contacting_points",
         ..contact.clone()
     };
-    variables.extend([contacting_points, mask, contact].map(|truth| Variable {
-        name: truth.name,
-        // By this attribute xarray knows a truth value, for which the format has no type.
-        attributes: vec![
-            Attribute::Text("dtype", "bool".into()),
-            Attribute::Text("long_name", truth.meaning.to_owned()),
-        ],
-        values: VariableValues::Truths(truth.values),
-    }));
+    variables.extend(
+        [contacting_points, mask, contact].map(|truth| FilledVariable {
+            name: truth.name,
+            // By this attribute xarray knows a truth value, for which the format has no type.
+            attributes: vec![
+                Attribute::Text("dtype", "bool".into()),
+                Attribute::Text("long_name", truth.meaning.to_owned()),
+            ],
+            values: VariableValues::Truths(truth.values),
+        }),
+    );
     variables
 }
 
@@ -135,115 +121,30 @@ fn global_attributes(fields: &Fields<'_>, summary: &Summary, step: usize) -> Vec
     ]
 }
 
-impl VariableValues<'_> {
-    fn kind(&self) -> u32 {
-        match self {
-            Self::Centres(_) | Self::Numbers(_) => DOUBLE,
-            Self::Truths(_) => BYTE,
-        }
-    }
-
-    /// The numbers of its dimensions.
-    fn dimensions(&self) -> Vec<u32> {
-        match self {
-            Self::Centres(dimension) => vec![*dimension],
-            Self::Numbers(_) | Self::Truths(_) => vec![0, 1],
-        }
-    }
-
-    /// Bytes in the file, padding included.
-    fn bytes(&self, size: usize) -> usize {
-        match self {
-            Self::Centres(_) => size_of::<f64>() * size,
-            Self::Numbers(_) => size_of::<f64>() * size * size,
-            Self::Truths(_) => (size * size).next_multiple_of(4),
+impl FilledVariable<'_> {
+    /// The variable without its values.
+    fn head(&self) -> Variable {
+        let (kind, dimensions) = match &self.values {
+            VariableValues::Centres(dimension) => (Kind::Double, vec![*dimension]),
+            VariableValues::Numbers(_) => (Kind::Double, vec![0, 1]),
+            VariableValues::Truths(_) => (Kind::Byte, vec![0, 1]),
+        };
+        Variable {
+            name: self.name,
+            dimensions,
+            attributes: self.attributes.clone(),
+            kind,
         }
     }
 }
 
-/// The header of a file whose first variable begins at byte `start`.
-fn header(
-    size: usize,
-    attributes: &[Attribute],
-    variables: &[Variable<'_>],
-    start: usize,
-) -> io::Result<Vec<u8>> {
-    let mut header = b"CDF\x02".to_vec();
-    // No records.
-    push_count(&mut header, 0)?;
-    push_u32(&mut header, DIMENSIONS);
-    push_count(&mut header, 2)?;
-    for name in ["x", "y"] {
-        push_text(&mut header, name)?;
-        push_count(&mut header, size)?;
+fn header(size: usize, attributes: Vec<Attribute>, variables: &[FilledVariable<'_>]) -> Header {
+    Header {
+        records: 0,
+        dimensions: vec![("x", size), ("y", size)],
+        attributes,
+        variables: variables.iter().map(FilledVariable::head).collect(),
     }
-    push_attributes(&mut header, attributes)?;
-    push_u32(&mut header, VARIABLES);
-    push_count(&mut header, variables.len())?;
-    let mut begin = start;
-    for variable in variables {
-        push_variable(&mut header, variable, size, begin)?;
-        begin += variable.values.bytes(size);
-    }
-    Ok(header)
-}
-
-fn push_variable(
-    header: &mut Vec<u8>,
-    variable: &Variable<'_>,
-    size: usize,
-    begin: usize,
-) -> io::Result<()> {
-    let dimensions = variable.values.dimensions();
-    push_text(header, variable.name)?;
-    push_count(header, dimensions.len())?;
-    dimensions
-        .into_iter()
-        .for_each(|dimension| push_u32(header, dimension));
-    push_attributes(header, &variable.attributes)?;
-    push_u32(header, variable.values.kind());
-    push_count(header, variable.values.bytes(size))?;
-    header.extend((begin as u64).to_be_bytes());
-    Ok(())
-}
-
-fn push_attributes(header: &mut Vec<u8>, attributes: &[Attribute]) -> io::Result<()> {
-    push_u32(header, ATTRIBUTES);
-    push_count(header, attributes.len())?;
-    for attribute in attributes {
-        match attribute {
-            Attribute::Text(name, text) => {
-                push_text(header, name)?;
-                push_u32(header, CHAR);
-                push_text(header, text)?;
-            }
-            Attribute::Number(name, number) => {
-                push_text(header, name)?;
-                push_u32(header, DOUBLE);
-                push_count(header, 1)?;
-                header.extend(number.to_be_bytes());
-            }
-        }
-    }
-    Ok(())
-}
-
-/// The length in bytes, the bytes, and zeros up to a multiple of four.
-fn push_text(header: &mut Vec<u8>, text: &str) -> io::Result<()> {
-    push_count(header, text.len())?;
-    header.extend(text.as_bytes());
-    header.resize(header.len().next_multiple_of(4), 0);
-    Ok(())
-}
-
-fn push_u32(header: &mut Vec<u8>, number: u32) {
-    header.extend(number.to_be_bytes());
-}
-
-fn push_count(header: &mut Vec<u8>, count: usize) -> io::Result<()> {
-    let count = u32::try_from(count).map_err(io::Error::other)?;
-    push_u32(header, count);
-    Ok(())
 }
 
 fn write_values(

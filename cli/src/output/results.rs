@@ -12,7 +12,8 @@ use super::folder::Completeness;
 use super::report::{self, StepDrawings};
 use super::summary::Summary;
 use super::write_progress::{OnProgress, WriteProgress};
-use super::{curve, file, formats, json, pictures, summary};
+use super::{curve, file, formats, json, pictures, stress, summary};
+use crate::case::Case;
 use crate::case::output::OutputCase;
 use crate::failure::Failure;
 use crate::interrupt;
@@ -34,12 +35,15 @@ pub fn write(
     folder: &Path,
     path: &LoadingPath,
     summary: &mut Summary,
-    output: &OutputCase,
+    case: &Case,
     start: Instant,
     on_progress: OnProgress<'_>,
 ) -> Result<Completeness, Failure> {
-    let writer = WriteProgress::new(files(summary, output), on_progress);
+    let output = &case.output;
+    let files = files(summary, output) + stress::count(case, summary.steps.len());
+    let writer = WriteProgress::new(files, on_progress);
     let parts = write_steps(folder, path, summary, output, &writer)?;
+    stress::write(folder, path, summary, case, &writer)?;
     let run = pictures::run(folder, summary, output.pictures, &Style::default(), &writer)?;
     summary.warnings.extend(writer.warnings());
     summary.timing.total_seconds = start.elapsed().as_secs_f64();

@@ -15,8 +15,9 @@ const OF_A_RUN: [(&str, &[&str]); 2] =
     [("curve", &["svg", "png"]), ("convergence", &["svg", "png"])];
 
 /// Files written once per step, by the word before the number of the step, and their endings.
-const OF_A_STEP: [(&str, &[&str]); 9] = [
+const OF_A_STEP: [(&str, &[&str]); 10] = [
     ("fields", &["npz", "vti", "nc"]),
+    ("stress", &["nc", "vtr"]),
     ("pressure", &["gsf", "svg", "png"]),
     ("mask", &["gsf"]),
     ("contact", &["gsf"]),
@@ -155,6 +156,8 @@ mod tests {
             "fields-000.npz",
             "pressure-3d-1234.svg",
             "section-007.png",
+            "stress-000.nc",
+            "stress-012.vtr",
         ] {
             assert!(is_name(name), "{name}");
         }

@@ -80,10 +80,21 @@ pub struct StoppableFile<'a> {
 impl<'a> StoppableFile<'a> {
     /// A file that can be stopped.
     pub fn new(file: &'a mut PartialFile) -> Self {
+        Self::going_on(file, 0)
+    }
+
+    /// The same where so many bytes are not on the disk yet.
+    pub fn going_on(file: &'a mut PartialFile, unsynced: usize) -> Self {
         Self {
             file: StoppableWriter(file),
-            unsynced: 0,
+            unsynced,
         }
+    }
+
+    /// Bytes that are not on the disk yet.
+    #[must_use]
+    pub fn unsynced(&self) -> usize {
+        self.unsynced
     }
 }
 

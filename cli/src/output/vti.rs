@@ -6,13 +6,11 @@
 use std::io::{self, Write};
 use std::path::Path;
 
-use super::fields::{Fields, NumberField};
+use super::fields::Fields;
 use super::file::write_stoppable;
+use super::vtk::{LENGTH, byte_array, number_array, write_length};
 use crate::case::units::Units;
 use crate::failure::Failure;
-
-/// Bytes of an array's length.
-const LENGTH: usize = size_of::<u64>();
 
 /// Name of the file of a step in a results folder.
 #[must_use]
@@ -47,13 +45,13 @@ fn head(fields: &Fields<'_>, units: Units) -> String {
     let each = LENGTH + size_of::<f32>() * size * size;
     let numbers = arrays.iter().enumerate();
     let numbers: String = numbers
-        .map(|(i, field)| array(field, units, i * each))
+        .map(|(i, field)| number_array(field.name, units.name(field.unit), i * each))
         .collect();
     let first = arrays.len() * each;
     let length = LENGTH + size * size;
     let truths = fields.truths().into_iter().enumerate();
     let truths: String = truths
-        .map(|(i, truth)| truth_array(truth.name, first + i * length))
+        .map(|(i, truth)| byte_array(truth.name, first + i * length))
         .collect();
     format!(
         r#"<?xml version="1.0"?>
@@ -66,23 +64,6 @@ fn head(fields: &Fields<'_>, units: Units) -> String {
   </ImageData>
   <AppendedData encoding="raw">
 _"#
-    )
-}
-
-fn array(field: &NumberField<'_>, units: Units, offset: usize) -> String {
-    let (name, unit) = (field.name, units.name(field.unit));
-    format!(
-        r#"        <DataArray type="Float32" Name="{name}" format="appended" offset="{offset}">
-          <InformationKey name="UNITS_LABEL" location="vtkDataArray">{unit}</InformationKey>
-        </DataArray>
-"#
-    )
-}
-
-fn truth_array(name: &str, offset: usize) -> String {
-    format!(
-        r#"        <DataArray type="UInt8" Name="{name}" format="appended" offset="{offset}"/>
-"#
     )
 }
 
@@ -101,10 +82,6 @@ fn write_truths(file: &mut impl Write, size: usize, values: &[bool]) -> io::Resu
         file.write_all(&[u8::from(values[e])])?;
     }
     Ok(())
-}
-
-fn write_length(file: &mut impl Write, bytes: usize) -> io::Result<()> {
-    file.write_all(&(bytes as u64).to_le_bytes())
 }
 
 /// The elements in VTK's order: along x first.

@@ -49,13 +49,24 @@ impl<'a> WriteProgress<'a> {
         &self,
         write: impl FnOnce() -> Result<T, Failure>,
     ) -> Result<Option<T>, Failure> {
+        self.files(1, write)
+    }
+
+    /// Writes so many files at once; none if they were left out because the user has asked to stop.
+    ///
+    /// # Errors
+    ///
+    /// The failure of `write`, unless it was stopped.
+    pub fn files<T>(
+        &self,
+        count: usize,
+        write: impl FnOnce() -> Result<T, Failure>,
+    ) -> Result<Option<T>, Failure> {
         if !interrupt::is_overdue() {
             match write() {
                 Ok(written) => {
-                    (self.on_progress)(
-                        1 + self.written.fetch_add(1, Ordering::Relaxed),
-                        self.total,
-                    );
+                    let before = self.written.fetch_add(count, Ordering::Relaxed);
+                    (self.on_progress)(before + count, self.total);
                     return Ok(Some(written));
                 }
                 // A file that was stopped half way is no failure.
@@ -63,7 +74,7 @@ impl<'a> WriteProgress<'a> {
                 Err(failure) => return Err(failure),
             }
         }
-        self.leave_out(1);
+        self.leave_out(count);
         Ok(None)
     }
 

@@ -104,9 +104,7 @@ impl CaseSolver<'_> {
         let model = case.model(&self.cache)?;
         let tables_seconds = start.elapsed().as_secs_f64();
         let (loads, options) = (case.load.loads(), case.solver.options());
-        let domain = case
-            .domain(&model.value)
-            .map_err(|error| case.blame(error))?;
+        let domain = case.domain(&model.value)?;
         let elements = case.grid.elements;
         let writers = folder.as_ref().map_or(0, |_| rayon::current_num_threads());
         let need = Need::new(&case, &model.value, domain, writers);
@@ -129,7 +127,7 @@ impl CaseSolver<'_> {
             let mut completeness = Completeness::Whole;
             folder.write(|folder| {
                 completeness =
-                    results::write(folder, &path, &mut summary, &case.output, start, &|_, _| ())?;
+                    results::write(folder, &path, &mut summary, &case, start, &|_, _| ())?;
                 Ok(completeness)
             })?;
             if completeness == Completeness::Part {

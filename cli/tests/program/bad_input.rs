@@ -273,3 +273,113 @@ fn an_unknown_unit_comes_with_the_known_ones() {
     let message = folder.run(&["check", "case.toml"]).stderr;
     assert!(message.contains("the decimal mark is a point"), "{message}");
 }
+
+#[test]
+fn a_strength_that_is_none_is_refused_at_its_key() {
+    for (found, wanted) in [
+        ("\"-1 GPa\"", "wanted a positive pressure such as"),
+        ("0", "wanted a positive pressure such as"),
+        ("\"6\" (a number without a unit)", "or a bare number"),
+        ("\"6 nm\" (a length)", "wanted a positive pressure such as"),
+    ] {
+        for key in ["yield_strength", "interface_shear_strength"] {
+            let value = found.split(" (").next().unwrap();
+            let expected = Expected {
+                key: &format!("`foundation.layer[0].{key}`"),
+                line: 10,
+                found,
+                wanted,
+            };
+            let with = format!("poisson_ratio = 0.3\n{key} = {value}");
+            refuses("poisson_ratio = 0.3", &with, &expected);
+        }
+    }
+}
+
+#[test]
+fn a_strength_without_a_unit_among_units_is_warned_of() {
+    let strength = "poisson_ratio = 0.3\ntensile_strength = 2e9";
+    let folder = TestFolder::with_case(CASE.replace("poisson_ratio = 0.3", strength));
+    let checked = folder.run(&["check", "case.toml"]).stderr;
+    let sentence = "line 10, key `foundation.layer[0].tensile_strength`: 2e9 among values with units is 2e9 Pa";
+    assert!(checked.contains(sentence), "{checked}");
+    assert!(
+        checked.contains("a table [stress] asks for stresses"),
+        "{checked}"
+    );
+}
+
+/// The case with a table of stresses, whose second line is this.
+fn with_stress(line: &str) -> String {
+    format!("{CASE}\n[stress]\n{line}\n")
+}
+
+#[test]
+fn stresses_that_cannot_be_are_refused_at_their_key() {
+    for (key, found, wanted) in [
+        (
+            "friction",
+            "-0.1",
+            "wanted a coefficient of friction, a number from 0 to 10",
+        ),
+        ("friction", "11", "a number from 0 to 10"),
+        (
+            "depths",
+            "[\"-1 nm\"]",
+            "wanted a depth of zero or more: the surface is at 0",
+        ),
+        (
+            "extent",
+            "\"401 nm\"",
+            "wanted at most the side of the domain",
+        ),
+    ] {
+        let expected = Expected {
+            key: &format!("`stress.{key}"),
+            line: 29,
+            found: found.trim_start_matches('[').trim_end_matches(']'),
+            wanted,
+        };
+        refuses_case(
+            with_stress(&format!("{key} = {found}")).as_bytes(),
+            &expected,
+        );
+    }
+    let rigid = with_stress("depths = [0, \"11 nm\"]").replace(
+        "{ young_modulus = \"7 GPa\", poisson_ratio = 0.4 }",
+        "\"rigid\"",
+    );
+    let expected = Expected {
+        key: "`stress.depths[1]`",
+        line: 29,
+        found: "\"11 nm\"",
+        wanted: "the depth of the rigid base",
+    };
+    refuses_case(rigid.as_bytes(), &expected);
+}
+
+#[test]
+fn an_extent_beyond_a_chosen_domain_is_refused_before_anything_is_solved() {
+    let text = with_stress("extent = \"40 um\"").replace("side = \"400 nm\"\n", "");
+    let expected = Expected {
+        key: "`stress.extent`",
+        line: 28,
+        found: "\"40 um\"",
+        wanted: "chosen from the load",
+    };
+    refuses_case(text.as_bytes(), &expected);
+}
+
+#[test]
+fn friction_above_a_frictionless_interface_is_warned_of_with_the_reason() {
+    let slides = "poisson_ratio = 0.3\ninterface = \"frictionless\"";
+    let text = with_stress("friction = 0.1").replace("poisson_ratio = 0.3", slides);
+    let folder = TestFolder::with_case(text);
+    let checked = folder.run(&["check", "case.toml"]);
+    assert_eq!(checked.code, Some(0), "{}", checked.stderr);
+    let sentence =
+        "the interface below layer 0 is frictionless and cannot carry the force of friction";
+    assert!(checked.stderr.contains(sentence), "{}", checked.stderr);
+    let still = folder.run(&["check", "case.toml", "--set", "stress.friction=0"]);
+    assert!(!still.stderr.contains("frictionless"), "{}", still.stderr);
+}

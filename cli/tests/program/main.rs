@@ -21,6 +21,7 @@ mod odd_values;
 mod pictures;
 mod read_back;
 mod runner;
+mod stress_files;
 mod study;
 mod tables;
 mod writing;

@@ -155,6 +155,47 @@ fn xarray_reads_the_netcdf_in_the_layout_of_contact_engineering() {
     check_both_cases("xarray_netcdf.py");
 }
 
+/// Stresses of a curve: one layer with friction, and two layers, one of them graded, without.
+fn check_stresses(script: &str) {
+    let folder = TestFolder::with_case(CASE);
+    let layers = "foundation.layer=[\
+        { thickness = \"10 nm\", young_modulus = { from = \"90 GPa\", to = \"50 GPa\", profile = \"linear\" }, poisson_ratio = 0.3 },\
+        { thickness = \"20 nm\", young_modulus = \"200 GPa\", poisson_ratio = 0.2 }]";
+    let curve = "load={forces=[\"1 uN\", \"2 uN\"]}";
+    for (name, more) in [
+        (
+            "sliding",
+            ["stress={friction=0.2, direction=\"30 deg\"}", curve],
+        ),
+        ("layers", ["stress={}", layers]),
+    ] {
+        let sets = more.into_iter().flat_map(|set| ["--set", set]);
+        let line = [
+            "run",
+            "case.toml",
+            "--quiet",
+            "--pictures",
+            "none",
+            "--out",
+            name,
+        ];
+        let line = line.into_iter().chain(["--fields", "all"]).chain(sets);
+        let ran = folder.run(&line.collect::<Vec<_>>());
+        assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+        read_back(script, &[folder.path(name)]);
+    }
+}
+
+#[test]
+fn xarray_reads_the_stresses_that_the_surface_bears_and_interfaces_pass() {
+    check_stresses("xarray_stress.py");
+}
+
+#[test]
+fn vtk_reads_the_stresses_on_their_uneven_planes() {
+    check_stresses("vtk_rectilinear.py");
+}
+
 #[test]
 fn every_summary_keeps_to_its_schema() {
     let folder = TestFolder::with_case(CASE);

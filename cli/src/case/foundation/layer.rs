@@ -7,6 +7,7 @@ use super::super::diagnosis::Diagnosis;
 use super::super::dimension::Dimension;
 use super::super::value_reader::{Sign, ValueReader};
 use super::modulus::ModulusCase;
+use super::strength::{BodyStrengthCase, InterfaceStrengthCase};
 use super::substrate::POISSON_RATIO;
 
 const MODULUS: &str = "a positive pressure such as \"70 GPa\", a bare number, or { from = .., to = .., profile = \"linear\" }";
@@ -22,7 +23,16 @@ pub struct LayerCase {
     pub poisson_ratio: f64,
     /// The interface below it.
     pub interface: InterfaceCase,
+    /// What it bears.
+    #[serde(flatten)]
+    pub strength: BodyStrengthCase,
+    /// What the interface below it bears.
+    #[serde(flatten)]
+    pub interface_strength: InterfaceStrengthCase,
 }
+
+/// The keys of a layer, without those of strengths.
+const KEYS: [&str; 4] = ["thickness", "young_modulus", "poisson_ratio", "interface"];
 
 /// The interface between a layer and what lies below.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -89,7 +99,8 @@ impl InterfaceCase {
 impl LayerCase {
     pub(super) fn read(field: ValueReader<'_>) -> Result<Self, Diagnosis> {
         let table = field.table()?;
-        table.only(&["thickness", "young_modulus", "poisson_ratio", "interface"])?;
+        let strengths = [BodyStrengthCase::KEYS, InterfaceStrengthCase::KEYS].concat();
+        table.only(&[&KEYS[..], &strengths].concat())?;
         let interface = match table.optional("interface") {
             Some(field) => InterfaceCase::read(&field)?,
             None => InterfaceCase::Named(NamedInterface::Bonded),
@@ -103,6 +114,8 @@ impl LayerCase {
                 .required("poisson_ratio", POISSON_RATIO)?
                 .number(POISSON_RATIO)?,
             interface,
+            strength: BodyStrengthCase::read(&table)?,
+            interface_strength: InterfaceStrengthCase::read(&table)?,
         };
         // The modulus is positive by now: only the ratio can still be refused.
         let ratio = table.required("poisson_ratio", POISSON_RATIO)?;
@@ -132,6 +145,12 @@ impl LayerCase {
                 Ok((layers, Some(split.error_estimate)))
             }
         }
+    }
+
+    /// Whether the interface below carries no shear.
+    #[must_use]
+    pub fn slides(&self) -> bool {
+        self.interface == InterfaceCase::Named(NamedInterface::Frictionless)
     }
 
     fn material(&self, young_modulus: f64) -> Result<Material, KernelError> {

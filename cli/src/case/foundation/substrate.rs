@@ -7,6 +7,7 @@ use super::super::diagnosis::Diagnosis;
 use super::super::dimension::Dimension;
 use super::super::table_reader::TableReader;
 use super::super::value_reader::ValueReader;
+use super::strength::BodyStrengthCase;
 
 pub(super) const WANTED: &str = "{ young_modulus = .., poisson_ratio = .. } or \"rigid\"";
 
@@ -30,7 +31,13 @@ pub struct MaterialCase {
     pub young_modulus: f64,
     /// Poisson's ratio `ν`.
     pub poisson_ratio: f64,
+    /// What it bears.
+    #[serde(flatten)]
+    pub strength: BodyStrengthCase,
 }
+
+/// The keys of a material, without those of strengths.
+const KEYS: [&str; 2] = ["young_modulus", "poisson_ratio"];
 
 impl SubstrateCase {
     pub(super) fn read(field: ValueReader<'_>) -> Result<Self, Diagnosis> {
@@ -41,7 +48,7 @@ impl SubstrateCase {
             };
         }
         let table = field.table()?;
-        table.only(&["young_modulus", "poisson_ratio"])?;
+        table.only(&[KEYS, BodyStrengthCase::KEYS].concat())?;
         Ok(Self::Elastic(MaterialCase::read(&table)?))
     }
 
@@ -60,6 +67,7 @@ impl MaterialCase {
             poisson_ratio: table
                 .required("poisson_ratio", POISSON_RATIO)?
                 .number(POISSON_RATIO)?,
+            strength: BodyStrengthCase::read(table)?,
         };
         // The modulus is positive by now: only the ratio can still be refused.
         let ratio = table.required("poisson_ratio", POISSON_RATIO)?;

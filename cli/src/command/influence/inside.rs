@@ -1,16 +1,14 @@
 //! Displacements and stresses inside the body under one loaded element.
 
-use pellicle_influence::{Depth, ElementFields, SubsurfaceState};
-use pellicle_kernel::{Foundation, Side};
+use pellicle_influence::{ElementFields, SubsurfaceState};
+use pellicle_kernel::Foundation;
 use serde::{Serialize, Serializer};
 
 use crate::arguments::InfluenceArguments;
 use crate::case::foundation::FoundationCase;
 use crate::case::units::Units;
 use crate::failure::Failure;
-
-/// A depth given to so many digits lies on an interface.
-const DIGITS: f64 = 1e-12;
+use crate::output::stress::FIELDS;
 
 /// The states at one offset and depth.
 #[derive(Debug, Clone, Copy, Serialize)]
@@ -29,16 +27,13 @@ pub struct ElementRow {
     tangential: StateRow,
 }
 
-/// Names of the fields, in the order of [`SubsurfaceState`].
-const FIELDS: [&str; 9] = ["ux", "uy", "uz", "sxx", "syy", "szz", "sxy", "sxz", "syz"];
-
 /// Displacements, m/Pa, and stresses, per unit load; null where unbounded.
 #[derive(Debug, Clone, Copy)]
 struct StateRow([f64; 9]);
 
 impl Serialize for StateRow {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map(FIELDS.iter().zip(self.0))
+        serializer.collect_map(FIELDS.iter().map(|field| field.name).zip(self.0))
     }
 }
 
@@ -55,18 +50,15 @@ pub fn rows(
     let farthest = farthest.fold(0.0, f64::max);
     let mut rows = Vec::new();
     for depth in &arguments.depths {
-        for plane in planes(foundation, case, *depth) {
-            let fields = ElementFields::new(foundation, element_side, plane, farthest)
+        for plane in case.planes(foundation, *depth) {
+            let fields = ElementFields::new(foundation, element_side, plane.depth, farthest)
                 .map_err(Failure::Inside)?;
             rows.extend(offsets.iter().map(|offset| {
                 let loads = fields.at(offset.map(|along| along as f64 * element_side));
                 ElementRow {
                     offset: *offset,
                     depth: *depth,
-                    side: match plane.side {
-                        Side::Above => "above",
-                        Side::Below => "below",
-                    },
+                    side: plane.side(),
                     element_side,
                     normal: loads.normal.into(),
                     tangential: loads.tangential.into(),
@@ -75,26 +67,6 @@ pub fn rows(
         }
     }
     Ok(rows)
-}
-
-/// The plane at a depth, or the two on both sides of an interface of the case.
-fn planes(foundation: &Foundation, case: &FoundationCase, depth: f64) -> Vec<Depth> {
-    let is_near = |bottom: f64| (depth - bottom).abs() <= DIGITS * bottom;
-    let mut bottom = 0.0;
-    let is_on_interface = case.layer.iter().any(|layer| {
-        bottom += layer.thickness;
-        is_near(bottom)
-    });
-    let plane = |z, side| Depth { z, side };
-    if !is_on_interface {
-        return vec![plane(depth, Side::Above)];
-    }
-    let interfaces = (1..=foundation.layers().len()).map(|i| foundation.interface_depth(i));
-    let depth = interfaces
-        .into_iter()
-        .find(|bottom| is_near(*bottom))
-        .unwrap_or(depth);
-    vec![plane(depth, Side::Above), plane(depth, Side::Below)]
 }
 
 impl From<SubsurfaceState> for StateRow {
@@ -107,7 +79,10 @@ impl From<SubsurfaceState> for StateRow {
 pub fn table(rows: &[ElementRow], units: Units) -> String {
     let (metre, metre_per_pascal) = (units.name("m"), units.name("m/Pa"));
     let element_side = rows.first().map_or(f64::NAN, |row| row.element_side);
-    let names = FIELDS.map(|name| format!("{name:>13}")).concat();
+    let names = FIELDS[..9]
+        .iter()
+        .map(|field| format!("{:>13}", field.name));
+    let names: String = names.collect();
     let line = |row: &ElementRow, load: &str, state: &StateRow| {
         let values = state.0.map(|value| format!("{value:>13.4e}")).concat();
         let ([m, n], depth, side) = (row.offset, row.depth, row.side);

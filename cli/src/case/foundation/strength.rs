@@ -1,0 +1,76 @@
+//! Strengths: what a body and an interface bear.
+
+use serde::Serialize;
+
+use super::super::diagnosis::Diagnosis;
+use super::super::dimension::Dimension;
+use super::super::table_reader::TableReader;
+use super::super::value_reader::Sign;
+
+/// What a body bears; none where nothing is said.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
+pub struct BodyStrengthCase {
+    /// Von Mises' stress at which it yields, Pa.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub yield_strength: Option<f64>,
+    /// The largest principal stress that it bears, Pa.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tensile_strength: Option<f64>,
+}
+
+/// What the interface below a layer bears; none where nothing is said.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
+pub struct InterfaceStrengthCase {
+    /// The shear traction at which it comes off, Pa.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub interface_shear_strength: Option<f64>,
+    /// The tension at which it comes off, Pa.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub interface_tensile_strength: Option<f64>,
+}
+
+impl BodyStrengthCase {
+    pub(super) const KEYS: [&str; 2] = ["yield_strength", "tensile_strength"];
+
+    pub(super) fn read(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
+        let [yield_strength, tensile_strength] = Self::KEYS.map(|key| strength(table, key));
+        Ok(Self {
+            yield_strength: yield_strength?,
+            tensile_strength: tensile_strength?,
+        })
+    }
+
+    /// Whether one is given.
+    #[must_use]
+    pub fn is_given(&self) -> bool {
+        self.yield_strength.or(self.tensile_strength).is_some()
+    }
+}
+
+impl InterfaceStrengthCase {
+    pub(super) const KEYS: [&str; 2] = ["interface_shear_strength", "interface_tensile_strength"];
+
+    pub(super) fn read(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
+        let [shear, tensile] = Self::KEYS.map(|key| strength(table, key));
+        Ok(Self {
+            interface_shear_strength: shear?,
+            interface_tensile_strength: tensile?,
+        })
+    }
+
+    /// Whether one is given.
+    #[must_use]
+    pub fn is_given(&self) -> bool {
+        let Self {
+            interface_shear_strength: shear,
+            interface_tensile_strength: tensile,
+        } = self;
+        shear.or(*tensile).is_some()
+    }
+}
+
+fn strength(table: &TableReader<'_>, key: &str) -> Result<Option<f64>, Diagnosis> {
+    let field = table.optional(key);
+    let read = field.map(|field| field.quantity(Dimension::Pressure, Sign::Positive));
+    read.transpose()
+}

@@ -1,0 +1,89 @@
+//! The depths of planes where a case names none.
+
+use std::f64::consts::PI;
+
+/// Planes from the surface to the deepest, those on both sides of an interface counted once, of a body without layers.
+const PLANES: f64 = 40.0;
+
+/// Fewest steps from one interface to the next.
+const FEWEST: f64 = 8.0;
+
+/// The part of the spacing that is the same everywhere: without it the first plane below an interface would be far
+/// nearer than any element is wide.
+const EVEN: f64 = 0.2;
+
+/// Depths from the surface to `deepest` (m), interfaces at `bottoms` among them where they lie above, rising.
+///
+/// Between two interfaces they are spaced as the extremes of a Chebyshev polynomial, denser at both, evened out a little;
+/// below the last interface as those of its upper half, denser at the top.
+#[must_use]
+pub fn chosen(bottoms: &[f64], deepest: f64) -> Vec<f64> {
+    let within = bottoms.iter().copied().filter(|bottom| *bottom < deepest);
+    let mut tops = vec![0.0];
+    tops.extend(within);
+    let mut depths = Vec::new();
+    let parts = tops.len();
+    for (i, top) in tops.iter().copied().enumerate() {
+        let bottom = tops.get(i + 1).copied().unwrap_or(deepest);
+        let thickness = bottom - top;
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "between 8 and 40"
+        )]
+        let steps = (PLANES * thickness / deepest).round().max(FEWEST) as usize;
+        // Of the last part the lower end is nothing to be dense at.
+        let turn = if i + 1 == parts && bottoms.last() != Some(&deepest) {
+            0.5
+        } else {
+            1.0
+        };
+        let at = |step: usize| {
+            let part = step as f64 / steps as f64;
+            let dense = (1.0 - (PI * turn * part).cos()) / (1.0 - (PI * turn).cos());
+            top + thickness * (EVEN * part + (1.0 - EVEN) * dense)
+        };
+        depths.extend((0..steps).map(at));
+    }
+    depths.push(deepest);
+    depths
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn depths_rise_from_the_surface_to_the_deepest_through_every_interface_above() {
+        for (bottoms, deepest) in [
+            (&[][..], 2.0),
+            (&[0.01], 2.0),
+            (&[0.5, 0.6, 3.0], 2.0),
+            (&[0.5, 2.0], 2.0),
+        ] {
+            let depths = chosen(bottoms, deepest);
+            assert_eq!((depths[0], depths[depths.len() - 1]), (0.0, deepest));
+            assert!(
+                depths.is_sorted_by(|above, below| above < below),
+                "{depths:?}"
+            );
+            assert!((40..65).contains(&depths.len()), "{}", depths.len());
+            for bottom in bottoms.iter().filter(|bottom| **bottom <= deepest) {
+                assert!(depths.contains(bottom), "{bottom} in {depths:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn they_are_denser_at_the_surface_and_at_interfaces() {
+        let depths = chosen(&[0.5], 2.0);
+        let steps: Vec<_> = depths.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        let interface = depths.iter().position(|depth| *depth == 0.5).unwrap();
+        let middle = steps[interface / 2];
+        for at in [0, interface - 1, interface] {
+            assert!(steps[at] < 0.5 * middle, "{at}: {steps:?}");
+        }
+        // Towards the deepest they only grow.
+        assert!(steps[interface..].is_sorted(), "{steps:?}");
+    }
+}

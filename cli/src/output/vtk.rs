@@ -1,0 +1,35 @@
+//! What VTK's XML files share: the descriptions of arrays that follow the text as they are, and their lengths.
+
+use std::io::{self, Write};
+
+/// Bytes of an array's length, which stands before its values.
+pub const LENGTH: usize = size_of::<u64>();
+
+/// An array of numbers in single precision with its unit, `offset` bytes after the first.
+#[must_use]
+pub fn number_array(name: &str, unit: &str, offset: usize) -> String {
+    format!(
+        r#"        <DataArray type="Float32" Name="{name}" format="appended" offset="{offset}">
+          <InformationKey name="UNITS_LABEL" location="vtkDataArray">{unit}</InformationKey>
+        </DataArray>
+"#
+    )
+}
+
+/// An array of bytes, `offset` bytes after the first.
+#[must_use]
+pub fn byte_array(name: &str, offset: usize) -> String {
+    format!(
+        r#"        <DataArray type="UInt8" Name="{name}" format="appended" offset="{offset}"/>
+"#
+    )
+}
+
+/// Writes the length of an array in bytes.
+///
+/// # Errors
+///
+/// Those of the file.
+pub fn write_length(file: &mut impl Write, bytes: usize) -> io::Result<()> {
+    file.write_all(&(bytes as u64).to_le_bytes())
+}

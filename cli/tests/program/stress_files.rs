@@ -1,0 +1,305 @@
+//! `stress-NNN.nc` and `stress-NNN.vtr`, read back by readers of their own that know the formats and not the program.
+
+use std::collections::BTreeMap;
+use std::fs;
+
+use ndarray::Array2;
+use ndarray_npy::NpzReader;
+
+use crate::runner::{CASE, TestFolder, names};
+
+/// Dimensions and variables of a NetCDF file of the classic format with 64-bit offsets.
+struct NetcdfReader {
+    bytes: Vec<u8>,
+    at: usize,
+}
+
+/// A variable over the record dimension: the values of each record.
+type Records = Vec<Vec<f64>>;
+
+impl NetcdfReader {
+    fn integer(&mut self) -> usize {
+        self.at += 4;
+        u32::from_be_bytes(self.bytes[self.at - 4..self.at].try_into().unwrap()) as usize
+    }
+
+    fn text(&mut self) -> String {
+        let length = self.integer();
+        let text = String::from_utf8(self.bytes[self.at..self.at + length].to_vec()).unwrap();
+        self.at += length.next_multiple_of(4);
+        text
+    }
+
+    fn skip_attributes(&mut self) {
+        self.integer();
+        for _ in 0..self.integer() {
+            self.text();
+            let size = [0, 1, 1, 2, 4, 4, 8][self.integer()];
+            let length = self.integer();
+            self.at += (length * size).next_multiple_of(4);
+        }
+    }
+
+    /// Every variable by its name, those without records as a single one.
+    fn variables(mut self) -> BTreeMap<String, Records> {
+        assert_eq!(self.bytes[..4], *b"CDF\x02");
+        self.at = 4;
+        let records = self.integer();
+        assert_eq!(self.integer(), 10);
+        let dimensions = self.integer();
+        let lengths: Vec<_> = (0..dimensions)
+            .map(|_| {
+                self.text();
+                self.integer()
+            })
+            .collect();
+        self.skip_attributes();
+        assert_eq!(self.integer(), 11);
+        let mut found = Vec::new();
+        for _ in 0..self.integer() {
+            let name = self.text();
+            let dimensions: Vec<_> = (0..self.integer()).map(|_| self.integer()).collect();
+            self.skip_attributes();
+            let (kind, size) = (self.integer(), self.integer());
+            let begin = (self.integer() << 32) + self.integer();
+            let has_records = dimensions.first().is_some_and(|i| lengths[*i] == 0);
+            found.push((name, kind, size, begin, has_records));
+        }
+        let of_record: usize = found.iter().filter(|v| v.4).map(|v| v.2).sum();
+        let values = |kind, bytes: &[u8]| -> Vec<f64> {
+            match kind {
+                4 => bytes
+                    .chunks(4)
+                    .map(|b| f64::from(i32::from_be_bytes(b.try_into().unwrap())))
+                    .collect(),
+                _ => bytes
+                    .chunks(8)
+                    .map(|b| f64::from_be_bytes(b.try_into().unwrap()))
+                    .collect(),
+            }
+        };
+        let bytes = &self.bytes;
+        let end = found
+            .iter()
+            .filter(|v| !v.4)
+            .map(|v| v.3 + v.2)
+            .max()
+            .unwrap();
+        assert_eq!(
+            bytes.len(),
+            end + records * of_record,
+            "nothing more in the file"
+        );
+        let variables = found
+            .into_iter()
+            .map(|(name, kind, size, begin, has_records)| {
+                let records = if has_records { records } else { 1 };
+                let record = |i| values(kind, &bytes[begin + i * of_record..][..size]);
+                (name, (0..records).map(record).collect())
+            });
+        variables.collect()
+    }
+}
+
+/// The arrays of a VTK file by name, all as numbers.
+fn vtk_arrays(bytes: &[u8]) -> BTreeMap<String, Vec<f64>> {
+    let marker = b"<AppendedData encoding=\"raw\">\n_";
+    let start = bytes
+        .windows(marker.len())
+        .position(|part| part == marker)
+        .unwrap()
+        + marker.len();
+    let head = std::str::from_utf8(&bytes[..start]).unwrap();
+    let attribute = |line: &str, name: &str| {
+        let rest = line.split_once(&format!(" {name}=\"")).unwrap().1;
+        rest.split_once('"').unwrap().0.to_owned()
+    };
+    let mut end = start;
+    let lines = head.lines().filter(|line| line.contains("<DataArray "));
+    let arrays = lines.map(|line| {
+        let at = start + attribute(line, "offset").parse::<usize>().unwrap();
+        let length = u64::from_le_bytes(bytes[at..at + 8].try_into().unwrap());
+        let values = &bytes[at + 8..][..usize::try_from(length).unwrap()];
+        end = end.max(at + 8 + values.len());
+        let values = match &attribute(line, "type")[..] {
+            "Float32" => values
+                .chunks(4)
+                .map(|b| f64::from(f32::from_le_bytes(b.try_into().unwrap())))
+                .collect(),
+            "Float64" => values
+                .chunks(8)
+                .map(|b| f64::from_le_bytes(b.try_into().unwrap()))
+                .collect(),
+            "UInt8" => values.iter().map(|byte| f64::from(*byte)).collect(),
+            other => panic!("{other}"),
+        };
+        (attribute(line, "Name"), values)
+    });
+    let arrays = arrays.collect();
+    assert_eq!(&bytes[end..], b"\n  </AppendedData>\n</VTKFile>\n");
+    arrays
+}
+
+/// The case with stresses on three planes and the interface.
+fn with_stress(more: &str) -> String {
+    format!("{CASE}\n[stress]\ndepths = [0, \"4 nm\", \"10 nm\", \"40 nm\"]\n{more}\n")
+}
+
+const FIELDS: [&str; 11] = [
+    "ux",
+    "uy",
+    "uz",
+    "sxx",
+    "syy",
+    "szz",
+    "sxy",
+    "sxz",
+    "syz",
+    "von_mises",
+    "max_principal",
+];
+
+#[test]
+fn both_files_hold_the_same_fields_and_the_surface_bears_the_pressure() {
+    let folder = TestFolder::with_case(with_stress("extent = \"300 nm\"\nfriction = 0.25"));
+    let ran = folder.run(&["run", "case.toml", "--out", "a", "--pictures", "none"]);
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    let bytes = fs::read(folder.path("a/stress-000.nc")).unwrap();
+    let netcdf = NetcdfReader { bytes, at: 0 }.variables();
+    let vtk = vtk_arrays(&fs::read(folder.path("a/stress-000.vtr")).unwrap());
+    // The centres within 300 nm of a grid of 32 elements of 12.5 nm.
+    let x: Vec<f64> = (0..24).map(|i| 12.5e-9 * (f64::from(i) - 11.5)).collect();
+    for axis in ["x", "y"] {
+        let found = &netcdf[axis][0];
+        assert!(
+            found
+                .iter()
+                .zip(&x)
+                .all(|(found, x)| (found - x).abs() < 1e-22),
+            "{found:?}"
+        );
+        assert_eq!(found, &vtk[axis]);
+    }
+    let depths: Vec<_> = netcdf["z"].concat();
+    assert_eq!(depths, [0.0, 4e-9, 1e-8, 1e-8, 4e-8]);
+    assert_eq!(depths, vtk["z"]);
+    assert_eq!(netcdf["body"].concat(), [0.0, 0.0, 0.0, 1.0, 1.0]);
+    assert!(netcdf.keys().len() == FIELDS.len() + 4 && vtk.keys().len() == FIELDS.len() + 4);
+    for name in FIELDS {
+        let planes = &netcdf[name];
+        assert_eq!((planes.len(), vtk[name].len()), (5, 5 * 24 * 24));
+        for (i, value) in vtk[name].iter().enumerate() {
+            let (plane, j, i) = (i / 576, i / 24 % 24, i % 24);
+            #[expect(clippy::cast_possible_truncation, reason = "single precision is meant")]
+            let single = f64::from(planes[plane][i * 24 + j] as f32);
+            assert_eq!(*value, single, "{name} on plane {plane} at {i}, {j}");
+        }
+    }
+    let mut npz = NpzReader::new(fs::File::open(folder.path("a/fields-000.npz")).unwrap()).unwrap();
+    let pressure: Array2<f64> = npz.by_name("pressure").unwrap();
+    let largest = pressure.iter().copied().fold(0.0, f64::max);
+    for (at, normal) in netcdf["szz"][0].iter().enumerate() {
+        let pressure = pressure[[4 + at / 24, 4 + at % 24]];
+        assert!((normal + pressure).abs() < 1e-10 * largest);
+        assert!((netcdf["sxz"][0][at] + 0.25 * pressure).abs() < 1e-10 * largest);
+        assert!(netcdf["syz"][0][at].abs() < 1e-10 * largest);
+    }
+}
+
+#[test]
+fn stresses_are_written_of_the_steps_with_fields_in_the_formats_wanted() {
+    let folder = TestFolder::with_case(with_stress(""));
+    let curve = "load={forces=[\"1 uN\", \"2 uN\"]}";
+    for (out, more, wanted) in [
+        ("last", &[][..], &["stress-001.nc", "stress-001.vtr"][..]),
+        ("none", &["--fields", "none"], &[]),
+        ("npz", &["--formats", "npz,gsf"], &[]),
+        (
+            "nc",
+            &["--formats", "npz,nc", "--fields", "all"],
+            &["stress-000.nc", "stress-001.nc"],
+        ),
+    ] {
+        let line = [
+            "run",
+            "case.toml",
+            "--pictures",
+            "none",
+            "--set",
+            curve,
+            "--out",
+            out,
+        ];
+        let ran = folder.run(&[&line, more].concat());
+        assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+        let mut written = names(&folder.path(out));
+        written.retain(|name| name.starts_with("stress"));
+        assert_eq!(written, wanted, "{out}");
+    }
+    // They are files of a run: --force replaces them.
+    let again = folder.run(&[
+        "run",
+        "case.toml",
+        "--out",
+        "last",
+        "--force",
+        "--fields",
+        "none",
+    ]);
+    assert_eq!(again.code, Some(0), "{}", again.stderr);
+    assert!(
+        !names(&folder.path("last"))
+            .iter()
+            .any(|name| name.starts_with("stress"))
+    );
+}
+
+#[test]
+fn displacements_that_friction_leaves_unbounded_are_no_numbers_and_stresses_are_finite() {
+    let slides = "poisson_ratio = 0.3\ninterface = \"frictionless\"";
+    let text = with_stress("friction = 0.25").replace("poisson_ratio = 0.3", slides);
+    let folder = TestFolder::with_case(text);
+    let ran = folder.run(&["run", "case.toml", "--out", "a", "--pictures", "none"]);
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    assert!(
+        ran.stderr.contains("u_x and u_y above it are unbounded"),
+        "{}",
+        ran.stderr
+    );
+    let bytes = fs::read(folder.path("a/stress-000.nc")).unwrap();
+    let netcdf = NetcdfReader { bytes, at: 0 }.variables();
+    for name in FIELDS {
+        for (plane, values) in netcdf[name].iter().enumerate() {
+            let is_unbounded = ["ux", "uy"].contains(&name) && plane < 3;
+            assert!(
+                values.iter().all(|value| value.is_nan() == is_unbounded),
+                "{name}, {plane}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_step_without_contact_has_stresses_of_zero() {
+    let folder = TestFolder::with_case(with_stress(""));
+    let apart = "load={penetration=\"-1 nm\"}";
+    let line = [
+        "run",
+        "case.toml",
+        "--out",
+        "a",
+        "--pictures",
+        "none",
+        "--set",
+        apart,
+    ];
+    let ran = folder.run(&line);
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    let bytes = fs::read(folder.path("a/stress-000.nc")).unwrap();
+    let netcdf = NetcdfReader { bytes, at: 0 }.variables();
+    assert!(
+        FIELDS
+            .iter()
+            .all(|name| netcdf[*name].concat().iter().all(|value| *value == 0.0))
+    );
+}
