@@ -12,6 +12,7 @@ mod compliance;
 pub mod data;
 pub mod discrete;
 mod grid_error;
+pub mod independent;
 mod limits;
 mod products;
 mod report;
