@@ -19,7 +19,7 @@ static RULE: LazyLock<Vec<(f64, f64)>> =
     LazyLock::new(|| GaussLegendre::new(POINTS).into_iter().collect());
 
 /// Nodes and weights of a rule of 16 points on each piece between two neighbours of `borders`.
-fn composite(borders: &[f64]) -> Vec<(f64, f64)> {
+pub fn composite(borders: &[f64]) -> Vec<(f64, f64)> {
     let piece = |ends: &[f64]| {
         let (middle, half) = (f64::midpoint(ends[0], ends[1]), (ends[1] - ends[0]) / 2.0);
         RULE.iter()
