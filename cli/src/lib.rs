@@ -65,7 +65,9 @@ pub mod drawing {
 
 /// The rows of the validation, and the published numbers behind them.
 pub mod evidence {
-    pub use crate::validation::{SECTIONS, ValidationError, ValidationRun, data};
+    pub use crate::validation::{
+        SECTIONS, ValidationError, ValidationRun, data, independent, stress,
+    };
 }
 
 /// The guide, whose example in Rust is a documentation test of this crate.

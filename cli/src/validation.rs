@@ -3,6 +3,7 @@
 //! A [`ValidationSection`] is one kind of evidence, one file here, with the source of its references and the cause of
 //! its tolerances; each of its rows is a [`Comparison`]. Everything goes through the same crates as `pellicle run`.
 
+mod anchors;
 mod axisymmetric;
 mod certificate;
 mod closed_forms;
@@ -12,10 +13,12 @@ mod compliance;
 pub mod data;
 pub mod discrete;
 mod grid_error;
+pub mod independent;
 mod limits;
 mod products;
 mod report;
 mod run;
+pub mod stress;
 mod table;
 
 pub use comparison::{ComparedValue, Comparison, Verdict};
@@ -45,7 +48,7 @@ pub struct SectionResult {
 }
 
 /// All sections, from the kernel up.
-pub static SECTIONS: [ValidationSection; 9] = [
+pub static SECTIONS: [ValidationSection; 14] = [
     compliance::SECTION,
     coefficients::SECTION,
     products::SECTION,
@@ -55,6 +58,11 @@ pub static SECTIONS: [ValidationSection; 9] = [
     limits::SECTION,
     certificate::SECTION,
     grid_error::SECTION,
+    anchors::SECTION,
+    stress::published::SECTION,
+    stress::hertz::SECTION,
+    stress::limits::SECTION,
+    stress::balance::SECTION,
 ];
 
 impl ValidationSection {

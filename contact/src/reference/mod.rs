@@ -14,6 +14,7 @@
 pub mod cone;
 pub mod flat_punch;
 pub mod hertz;
+pub mod hertz_stress;
 pub mod sphere;
 pub mod winkler;
 
