@@ -48,7 +48,7 @@ impl CentreStresses {
         offsets: usize,
         friction: [f64; 2],
     ) -> Self {
-        let slides = friction != [0.0; 2];
+        let slides = friction.iter().any(|factor| *factor != 0.0);
         Self {
             waves: Waves::new(foundation, element_side),
             offsets,
