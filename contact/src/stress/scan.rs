@@ -198,7 +198,7 @@ impl Blocks {
             let mut largest = f64::NEG_INFINITY;
             for state in row {
                 if quantity.bound(state) > largest {
-                    largest = largest.max(quantity.of(state));
+                    largest = largest.max(quantity.roughly(state));
                 }
             }
             largest
@@ -208,7 +208,7 @@ impl Blocks {
         let place = |i: usize| [i / self.shown, i % self.shown];
         let near = states.par_iter().enumerate().filter_map(|(i, state)| {
             let is_bound = is_nearly(quantity.bound(state), largest);
-            let value = is_bound.then(|| quantity.of(state))?;
+            let value = is_bound.then(|| quantity.roughly(state))?;
             (is_nearly(value, largest) && self.is_peak(states, quantity, place(i), value))
                 .then_some((value, place(i)))
         });
@@ -236,7 +236,7 @@ impl Blocks {
         let rows = i.saturating_sub(1)..=(i + 1).min(last);
         let columns = j.saturating_sub(1)..=(j + 1).min(last);
         let mut around = rows.flat_map(|i| columns.clone().map(move |j| [i, j]));
-        around.all(|[i, j]| quantity.of(&states[i * self.shown + j]) <= value)
+        around.all(|[i, j]| quantity.roughly(&states[i * self.shown + j]) <= value)
     }
 }
 
