@@ -8,7 +8,7 @@ use pellicle_kernel::Foundation;
 
 use super::depth::Depth;
 use super::element_table::{ElementTable, TRANSPOSED};
-use super::parity::{ParityPart, UNDER_PRESSURE, add_products, under_traction};
+use super::parity::{ParityPart, UNDER_PRESSURE, under_traction, write_products};
 use super::point_kernels::{NORMAL, Pressure, TANGENTIAL, Traction};
 use super::state::SurfaceLoad;
 use super::under_load::{DepthWaves, UnderLoad};
@@ -147,7 +147,7 @@ impl PlaneFields {
                 let parts = self.spectra.of(*field, self.friction);
                 self.transform
                     .take_product(&self.pressure, |which, from, column| {
-                        add_products(&parts, which, from, column);
+                        write_products(&parts, which, from, column);
                     });
                 self.transform.restore(&mut self.shown, 1.0);
                 // Where nothing holds the body, a traction moves it without bounds.
