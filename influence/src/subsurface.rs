@@ -14,11 +14,13 @@ mod panels;
 mod parity;
 mod plane_fields;
 mod point_kernels;
+mod pressed;
 mod state;
 mod under_load;
 mod waves;
 
 pub use depth::Depth;
 pub use element::{ElementFields, ElementLoads};
-pub use plane_fields::{PlaneFields, Squares};
+pub use plane_fields::PlaneFields;
+pub use pressed::Squares;
 pub use state::{SubsurfaceState, SurfaceLoad};

@@ -7,8 +7,8 @@ use rustfft::num_complex::Complex64;
 
 use super::state::FIELDS;
 use crate::operator::Spectrum;
-use crate::transform::Parity;
 use crate::transform::Parity::{Even, Odd};
+use crate::transform::{EvenLines, Parity};
 
 /// Parities along x and y of the fields under a pressure, in the order of `SubsurfaceState`.
 pub const UNDER_PRESSURE: [[Parity; 2]; FIELDS] = [
@@ -84,6 +84,25 @@ impl ParityPart<'_> {
             let [factor, of_image] = [self.factor, x * self.factor];
             rising.for_each(|((entry, z), value)| take(entry, turned(z, factor * value)));
             falling.for_each(|((entry, z), value)| take(entry, turned(z, of_image * value)));
+        }
+    }
+}
+
+impl ParityPart<'_> {
+    /// Writes the products of a part of two real columns side by side, of a mirrored field.
+    pub fn write_pair_of_products(
+        &self,
+        lines: &EvenLines<f64>,
+        [number, part]: [usize; 2],
+        from: &[Complex64],
+        column: &mut [Complex64],
+    ) {
+        let [one, other] = lines
+            .frequencies(number)
+            .map(|frequency| self.spectrum.column(frequency)[part]);
+        let entries = column.iter_mut().zip(from).zip(one.iter().zip(other));
+        for ((entry, z), (one, other)) in entries {
+            *entry = Complex64::new(z.re * self.factor * one, z.im * self.factor * other);
         }
     }
 }
