@@ -24,3 +24,13 @@ pub(crate) enum Parity {
     /// By its mirror image with the other sign.
     Odd,
 }
+
+impl Parity {
+    /// The sign of the mirror image.
+    pub(crate) fn sign(self) -> f64 {
+        match self {
+            Self::Even => 1.0,
+            Self::Odd => -1.0,
+        }
+    }
+}

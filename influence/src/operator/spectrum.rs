@@ -51,10 +51,13 @@ impl Spectrum {
         let groups = other.values.par_chunks_mut(LINES * width).enumerate();
         groups.for_each(|(group, columns)| {
             let first = group * LINES;
+            let places: [usize; LINES] = std::array::from_fn(|i| place(first + i, half));
             for frequency in 0..width {
-                let (from, to) = (frequency * width, place(frequency, half));
-                for (index, column) in columns.chunks_exact_mut(width).enumerate() {
-                    column[to] = self.values[from + place(first + index, half)];
+                let row = &self.values[frequency * width..][..width];
+                let to = place(frequency, half);
+                let columns = columns.chunks_exact_mut(width);
+                for (column, from) in columns.zip(places) {
+                    column[to] = row[from];
                 }
             }
         });

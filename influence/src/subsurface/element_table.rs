@@ -14,17 +14,17 @@ use crate::transform::LINES;
 /// The field that takes the place of each if x and y change places.
 pub const TRANSPOSED: [usize; FIELDS] = [1, 0, 2, 4, 3, 5, 6, 8, 7];
 
-/// Values of one field in a tile.
-const TILE: usize = LINES * LINES;
-
 /// The fields under one load at `size` × `size` offsets.
 pub struct ElementTable {
     size: usize,
     load: SurfaceLoad,
     /// Tile after tile, (0, 0), (1, 0), (1, 1), (2, 0) …: of each, field after field, at (m, n) and, under a traction,
-    /// at (n, m); of each field row after row.
-    tiles: Vec<f64>,
+    /// at (n, m).
+    tiles: Vec<Tile>,
 }
+
+/// One field in a tile, row after row.
+type Tile = [[f64; LINES]; LINES];
 
 impl ElementTable {
     pub fn new(size: usize, load: SurfaceLoad) -> Self {
@@ -35,15 +35,15 @@ impl ElementTable {
             load,
             tiles: Vec::new(),
         };
-        table.tiles = vec![0.0; count * table.per_tile()];
+        table.tiles = vec![[[0.0; LINES]; LINES]; count * table.fields()];
         table
     }
 
-    /// Values in a tile.
-    fn per_tile(&self) -> usize {
+    /// Fields that are held at each offset of a tile.
+    fn fields(&self) -> usize {
         match self.load {
-            SurfaceLoad::Pressure => FIELDS * TILE,
-            SurfaceLoad::Traction => 2 * FIELDS * TILE,
+            SurfaceLoad::Pressure => FIELDS,
+            SurfaceLoad::Traction => 2 * FIELDS,
         }
     }
 
@@ -52,54 +52,55 @@ impl ElementTable {
         self.size
     }
 
-    /// A field at the offsets (m, n) … (m + 7, n), m being a multiple of 8; anything beyond the table.
+    /// A field at the offsets (m, n) … (m + 7, n), m being a multiple of 8; zeros beyond the table.
     #[inline]
     pub fn side_by_side(&self, field: usize, m: usize, n: usize) -> [f64; LINES] {
         let (group, tile, row) = (m / LINES, n / LINES, n % LINES);
         if tile <= group {
-            let values = self.tile([group, tile], field);
-            return std::array::from_fn(|i| values[i * LINES + row]);
+            return self
+                .tile([group, tile], field)
+                .each_ref()
+                .map(|values| values[row]);
         }
         // The row n of the tile on the other side of the diagonal.
         let field = match self.load {
             SurfaceLoad::Pressure => TRANSPOSED[field],
             SurfaceLoad::Traction => FIELDS + field,
         };
-        let values = self.tile([tile, group], field);
-        std::array::from_fn(|i| values[row * LINES + i])
+        self.tile([tile, group], field)[row]
     }
 
     /// A field in a tile of the octant.
     #[inline]
-    fn tile(&self, [group, tile]: [usize; 2], field: usize) -> &[f64] {
+    fn tile(&self, [group, tile]: [usize; 2], field: usize) -> &[[f64; LINES]; LINES] {
         let place = group * (group + 1) / 2 + tile;
-        &self.tiles[place * self.per_tile() + field * TILE..][..TILE]
+        &self.tiles[place * self.fields() + field]
     }
 
     /// Computes the fields of an element under the table's load.
     pub fn fill<L: Load<F>, const F: usize>(&mut self, element: &UnderLoad<L, F>) {
         debug_assert!(self.load == L::LOAD, "the table is made for the load");
-        let (size, per_tile) = (self.size, self.per_tile());
-        let tiles = self.tiles.par_chunks_exact_mut(per_tile).enumerate();
+        let (size, fields) = (self.size, self.fields());
+        let tiles = self.tiles.par_chunks_exact_mut(fields).enumerate();
         tiles.for_each(|(place, values)| {
             // g (g + 1)/2 ≤ place
             let group = ((8 * place + 1).isqrt() - 1) / 2;
             let tile = place - group * (group + 1) / 2;
-            for entry in 0..TILE {
-                let offset = [group * LINES + entry / LINES, tile * LINES + entry % LINES];
+            for (i, j) in (0..LINES).flat_map(|i| (0..LINES).map(move |j| (i, j))) {
+                let offset = [group * LINES + i, tile * LINES + j];
                 if offset.iter().any(|along| *along >= size) {
                     continue;
                 }
-                let offset = offset.map(|along| along as f64);
+                let place = offset.map(|along| along as f64);
                 let mut set = |first: usize, state: &SubsurfaceState| {
-                    for field in 0..FIELDS {
-                        values[(first + field) * TILE + entry] = state.field(field);
+                    for (field, value) in values[first..][..FIELDS].iter_mut().enumerate() {
+                        value[i][j] = state.field(field);
                     }
                 };
                 match L::LOAD {
-                    SurfaceLoad::Pressure => set(0, &element.at(offset)),
+                    SurfaceLoad::Pressure => set(0, &element.at(place)),
                     SurfaceLoad::Traction => {
-                        let [own, other] = element.at_both(offset);
+                        let [own, other] = element.at_both(place);
                         set(0, &own);
                         set(FIELDS, &other);
                     }

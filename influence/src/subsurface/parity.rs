@@ -7,8 +7,8 @@ use rustfft::num_complex::Complex64;
 
 use super::state::FIELDS;
 use crate::operator::Spectrum;
-use crate::transform::Parity;
 use crate::transform::Parity::{Even, Odd};
+use crate::transform::{EvenLines, Parity};
 
 /// Parities along x and y of the fields under a pressure, in the order of `SubsurfaceState`.
 pub const UNDER_PRESSURE: [[Parity; 2]; FIELDS] = [
@@ -41,63 +41,74 @@ pub struct ParityPart<'a> {
 }
 
 /// Writes the product of a part of a column, of this frequency along y, with the sum of the spectra.
-pub fn add_products(
+pub fn write_products(
     parts: &[ParityPart],
     which: [usize; 2],
     from: &[Complex64],
     column: &mut [Complex64],
 ) {
-    column.fill(Complex64::ZERO);
-    for part in parts {
-        part.add_product(which, from, column);
+    for (index, part) in parts.iter().enumerate() {
+        if index == 0 {
+            part.take_product(which, from, column, |entry, product| *entry = product);
+        } else {
+            part.take_product(which, from, column, |entry, product| *entry += product);
+        }
     }
 }
 
 impl ParityPart<'_> {
-    fn add_product(
+    /// Has every entry take its product.
+    #[inline]
+    fn take_product(
         &self,
         [frequency, part]: [usize; 2],
         from: &[Complex64],
         column: &mut [Complex64],
+        take: impl Fn(&mut Complex64, Complex64) + Copy,
     ) {
-        let factors = self.spectrum.column(frequency)[part];
-        let (from_rising, from_falling) = from.split_at(factors.len());
-        let (rising, falling) = column.split_at_mut(factors.len());
+        let values = self.spectrum.column(frequency)[part];
+        let (from_rising, from_falling) = from.split_at(values.len());
+        let (rising, falling) = column.split_at_mut(values.len());
         // The other frequencies are mirror images; 0 has none, and is in the first part.
-        let mirrored = factors[1 - part..][..falling.len()].iter().rev();
-        let image = match self.parities[0] {
-            Even => 1.0,
-            Odd => -1.0,
-        };
-        match self.parities {
-            [Even, Even] | [Odd, Odd] => {
-                // (−i)² = −1
-                let factor = image * self.factor;
-                let add =
-                    |((sum, x), value): ((&mut Complex64, &Complex64), f64)| *sum += x * value;
-                let terms = rising.iter_mut().zip(from_rising);
-                terms
-                    .zip(factors.iter().map(|value| factor * value))
-                    .for_each(add);
-                let terms = falling.iter_mut().zip(from_falling);
-                terms
-                    .zip(mirrored.map(|value| image * factor * value))
-                    .for_each(add);
-            }
-            [Even, Odd] | [Odd, Even] => {
-                // −i (x + i y) = y − i x
-                let add = |((sum, x), value): ((&mut Complex64, &Complex64), f64)| {
-                    *sum += Complex64::new(x.im * value, -x.re * value);
-                };
-                let terms = rising.iter_mut().zip(from_rising);
-                terms
-                    .zip(factors.iter().map(|value| self.factor * value))
-                    .for_each(add);
-                let terms = falling.iter_mut().zip(from_falling);
-                terms
-                    .zip(mirrored.map(|value| image * self.factor * value))
-                    .for_each(add);
-            }
+        let mirrored = values[1 - part..][..falling.len()].iter().rev();
+        let (x, y) = (self.parities[0].sign(), self.parities[1].sign());
+        let rising = rising.iter_mut().zip(from_rising).zip(values);
+        let falling = falling.iter_mut().zip(from_falling).zip(mirrored);
+        if x * y > 0.0 {
+            // 1 and (−i)² = −1
+            let [factor, of_image] = [x * self.factor, self.factor];
+            rising.for_each(|((entry, z), value)| take(entry, z * (factor * value)));
+            falling.for_each(|((entry, z), value)| take(entry, z * (of_image * value)));
+        } else {
+            // −i z
+            let [factor, of_image] = [self.factor, x * self.factor];
+            rising.for_each(|((entry, z), value)| take(entry, turned(z, factor * value)));
+            falling.for_each(|((entry, z), value)| take(entry, turned(z, of_image * value)));
         }
     }
+}
+
+impl ParityPart<'_> {
+    /// Writes the products of a part of two real columns side by side, of a mirrored field.
+    pub fn write_pair_of_products(
+        &self,
+        lines: &EvenLines<f64>,
+        [number, part]: [usize; 2],
+        from: &[Complex64],
+        column: &mut [Complex64],
+    ) {
+        let [one, other] = lines
+            .frequencies(number)
+            .map(|frequency| self.spectrum.column(frequency)[part]);
+        let entries = column.iter_mut().zip(from).zip(one.iter().zip(other));
+        for ((entry, z), (one, other)) in entries {
+            *entry = Complex64::new(z.re * self.factor * one, z.im * self.factor * other);
+        }
+    }
+}
+
+/// `−i z factor`.
+#[inline]
+fn turned(z: &Complex64, factor: f64) -> Complex64 {
+    Complex64::new(z.im * factor, -z.re * factor)
 }

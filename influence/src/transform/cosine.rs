@@ -21,6 +21,7 @@ use std::sync::Arc;
 use rustfft::num_complex::Complex;
 use rustfft::{Fft, FftPlanner};
 
+use super::Parity;
 use super::lines::Real;
 
 /// The frequencies of a transform.
@@ -110,6 +111,27 @@ impl<T: Real> CosineTransform<T> {
         self.inverse.process_with_scratch(line, scratch);
     }
 
+    /// [`Self::synthesise`] for sums of cosines, or of sines with the sign `(−1)ⁿ` of the `n`-th number:
+    /// `sin(π (2n + 1) κ / 2h) = (−1)ⁿ cos(π (2n + 1) (h − κ) / 2h)`.
+    pub(crate) fn synthesise_with(
+        &self,
+        parity: Parity,
+        line: &mut [Complex<T>],
+        scratch: &mut [Complex<T>],
+    ) {
+        if parity == Parity::Odd {
+            match self.frequencies {
+                Frequencies::Whole => {
+                    // The sine of h is the cosine of 0, and is not given: of a mirrored field it is 0.
+                    line[0] = Complex::default();
+                    line[1..].reverse();
+                }
+                Frequencies::Half => line.reverse(),
+            }
+        }
+        self.synthesise(line, scratch);
+    }
+
     /// [`Self::analyse`], multiplication of every `X` by the factors of its line, and [`Self::synthesise`].
     pub(crate) fn filter(
         &self,
@@ -185,7 +207,7 @@ mod tests {
 
     use rustfft::num_complex::Complex;
 
-    use super::{CosineTransform, Frequencies, place};
+    use super::{CosineTransform, Frequencies, Parity, place};
 
     fn line(length: usize) -> Vec<Complex<f64>> {
         let number = |n: usize| Complex::new((0.7 * n as f64).sin(), (1.3 * n as f64).cos());
@@ -212,6 +234,23 @@ mod tests {
                     assert!(
                         (found - expected).norm() < 1e-13,
                         "{length} {frequencies:?} {k}"
+                    );
+                }
+                let mut of_sines = placed.clone();
+                transform.synthesise_with(Parity::Odd, &mut of_sines, &mut scratch);
+                for n in 0..length {
+                    let sine = |k: usize| {
+                        let angle = (2 * n + 1) as f64 * PI * (k as f64 + first);
+                        (angle / (2 * length) as f64).sin()
+                    };
+                    let terms = placed.iter().enumerate().map(|(k, x)| x * (2.0 * sine(k)));
+                    let expected: Complex<f64> = terms.sum();
+                    let sign = if n % 2 == 0 { 1.0 } else { -1.0 };
+                    let found = transform.turn(n).conj() * of_sines[place(n, length)] * sign;
+                    // Rounding of sums of order 100.
+                    assert!(
+                        (found - expected).norm() < 1e-11,
+                        "{length} {frequencies:?} {n}"
                     );
                 }
                 transform.synthesise(&mut placed, &mut scratch);

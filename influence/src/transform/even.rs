@@ -11,6 +11,7 @@ use std::ops::Range;
 
 use rustfft::num_complex::Complex;
 
+use super::Parity;
 use super::cosine::{CosineTransform, Frequencies, place};
 use super::lines::{Factors, Lines, Real, Space};
 
@@ -61,6 +62,13 @@ impl<T: Real> EvenLines<T> {
         } else {
             2 * (column - self.length) + 1
         }
+    }
+
+    /// The frequencies of the two columns of complex numbers `index`.
+    pub(crate) fn frequencies(&self, index: usize) -> [usize; 2] {
+        let one = 2 * index;
+        // The last column may have none beside it.
+        [one, (one + 1).min(self.columns() - 1)].map(|column| self.frequency(column))
     }
 
     /// The `n`-th number that is wanted of a pair of rows.
@@ -151,6 +159,7 @@ impl<T: Real> Lines for EvenLines<T> {
     fn restore_rows(
         &self,
         rows: &mut [Complex<T>],
+        parity: Parity,
         field: &mut [f64],
         scale: f64,
         Space {
@@ -173,7 +182,7 @@ impl<T: Real> Lines for EvenLines<T> {
                 .iter()
                 .zip(pair.chunks_exact_mut(self.length))
             {
-                of.synthesise(line, transform);
+                of.synthesise_with(parity, line, transform);
             }
             let (one, other) = values.split_at_mut(self.shown);
             for (n, x) in one.iter_mut().enumerate() {
@@ -206,6 +215,20 @@ impl<T: Real> Lines for EvenLines<T> {
         }
     }
 
+    fn transform_column(&self, part: usize, column: &mut [Complex<T>], space: &mut Space<T>) {
+        self.transforms[part].analyse(column, &mut space.transform);
+    }
+
+    fn restore_column(
+        &self,
+        part: usize,
+        parity: Parity,
+        column: &mut [Complex<T>],
+        space: &mut Space<T>,
+    ) {
+        self.transforms[part].synthesise_with(parity, column, &mut space.transform);
+    }
+
     fn filter<'a>(
         &self,
         [index, part]: [usize; 2],
@@ -215,10 +238,9 @@ impl<T: Real> Lines for EvenLines<T> {
     ) where
         T: 'a,
     {
-        let one = 2 * index;
-        // The last column may have none beside it.
-        let other = (one + 1).min(self.columns() - 1);
-        let factors = [one, other].map(|column| factors(self.frequency(column))[part]);
+        let factors = self
+            .frequencies(index)
+            .map(|frequency| factors(frequency)[part]);
         self.transforms[part].filter(column, factors, &mut space.transform);
     }
 }

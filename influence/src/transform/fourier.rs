@@ -16,6 +16,7 @@ use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 use rustfft::num_complex::Complex;
 use rustfft::{Fft, FftPlanner};
 
+use super::Parity;
 use super::lines::{Factors, Lines, Real, Space};
 
 /// Plans for fields of one size.
@@ -64,20 +65,6 @@ impl<T: Real> FourierLines<T> {
             columns_back: complex.plan_fft_inverse(length),
             turns: (0..turned).map(turn).collect(),
         }
-    }
-}
-
-impl FourierLines<f64> {
-    /// Transforms one part of a column.
-    pub(crate) fn transform_column(&self, column: &mut [Complex<f64>], space: &mut Space<f64>) {
-        self.columns
-            .process_with_scratch(column, &mut space.transform);
-    }
-
-    /// Transforms one part of a column back.
-    pub(crate) fn restore_column(&self, column: &mut [Complex<f64>], space: &mut Space<f64>) {
-        self.columns_back
-            .process_with_scratch(column, &mut space.transform);
     }
 }
 
@@ -144,6 +131,7 @@ impl<T: Real> Lines for FourierLines<T> {
     fn restore_rows(
         &self,
         rows: &mut [Complex<T>],
+        _: Parity,
         field: &mut [f64],
         scale: f64,
         space: &mut Space<T>,
@@ -189,6 +177,16 @@ impl<T: Real> Lines for FourierLines<T> {
         } else {
             (place - self.length(), -T::one())
         }
+    }
+
+    fn transform_column(&self, _: usize, column: &mut [Complex<T>], space: &mut Space<T>) {
+        self.columns
+            .process_with_scratch(column, &mut space.transform);
+    }
+
+    fn restore_column(&self, _: usize, _: Parity, column: &mut [Complex<T>], space: &mut Space<T>) {
+        self.columns_back
+            .process_with_scratch(column, &mut space.transform);
     }
 
     fn filter<'a>(

@@ -6,6 +6,8 @@ use std::ops::Range;
 use rustfft::FftNum;
 use rustfft::num_complex::Complex;
 
+use super::Parity;
+
 /// A number that fields are transformed in.
 pub(crate) trait Real: FftNum + Default {
     fn narrowed(value: f64) -> Self;
@@ -75,9 +77,13 @@ pub(crate) trait Lines: Sync {
     );
 
     /// Transforms up to [`ROWS`] rows back and keeps the numbers that are wanted, times `scale`.
+    ///
+    /// Where mirror images continue the rows, they do so with this parity. The number n of an odd row comes out with the sign
+    /// `(−1)ⁿ`.
     fn restore_rows(
         &self,
         rows: &mut [Complex<Self::Real>],
+        parity: Parity,
         field: &mut [f64],
         scale: f64,
         space: &mut Space<Self::Real>,
@@ -94,6 +100,23 @@ pub(crate) trait Lines: Sync {
 
     /// The number below [`Self::length`] that stands for the `n`-th wanted one, and the sign of the second part there.
     fn folded(&self, n: usize) -> (usize, Self::Real);
+
+    /// Transforms one part of a column.
+    fn transform_column(
+        &self,
+        part: usize,
+        column: &mut [Complex<Self::Real>],
+        space: &mut Space<Self::Real>,
+    );
+
+    /// Transforms one part of a column of this parity back, as [`Self::restore_rows`].
+    fn restore_column(
+        &self,
+        part: usize,
+        parity: Parity,
+        column: &mut [Complex<Self::Real>],
+        space: &mut Space<Self::Real>,
+    );
 
     /// Transforms one part of the column or columns `index`, multiplies it by its factors, and transforms it back.
     fn filter<'a>(

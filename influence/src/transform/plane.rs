@@ -14,7 +14,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError, RwLock};
 use rayon::prelude::*;
 use rustfft::num_complex::Complex;
 
-use super::fourier::FourierLines;
+use super::Parity;
 use super::lines::{Factors, Lines, ROWS, Space};
 
 /// Complex numbers of a row in a block: four cache lines in double precision.
@@ -101,10 +101,18 @@ impl<L: Lines> PlaneTransform<L> {
     /// # Panics
     /// If the field has not as many numbers as the lines say.
     pub(crate) fn restore(&mut self, field: &mut [f64], scale: f64) {
+        self.restore_with(Parity::Even, field, scale);
+    }
+
+    /// [`Self::restore`] for rows of a parity, as [`Lines::restore_rows`].
+    ///
+    /// # Panics
+    /// As [`Self::restore`].
+    pub(crate) fn restore_with(&mut self, parity: Parity, field: &mut [f64], scale: f64) {
         let shown = self.lines.shown();
         assert_eq!(field.len(), shown.pow(2), "as many numbers are wanted");
         let groups = field.par_chunks_mut(ROWS * shown).enumerate();
-        groups.for_each(|(group, rows)| self.restore_rows(group * ROWS, rows, scale));
+        groups.for_each(|(group, rows)| self.restore_rows(group * ROWS, parity, rows, scale));
     }
 
     /// The scratch of the calling thread of the pool.
@@ -132,7 +140,7 @@ impl<L: Lines> PlaneTransform<L> {
     }
 
     /// Pass 3 for up to [`ROWS`] rows, the first of which is `first`.
-    fn restore_rows(&self, first: usize, field: &mut [f64], scale: f64) {
+    fn restore_rows(&self, first: usize, parity: Parity, field: &mut [f64], scale: f64) {
         let mut scratch = self.scratch();
         let Scratch { rows, space, .. } = &mut *scratch;
         let count = field.len() / self.lines.shown();
@@ -145,7 +153,7 @@ impl<L: Lines> PlaneTransform<L> {
                 row[index * WIDTH..index * WIDTH + width].copy_from_slice(stretch);
             }
         }
-        self.lines.restore_rows(rows, field, scale, space);
+        self.lines.restore_rows(rows, parity, field, scale, space);
     }
 
     /// Pass 2 for one block, the first column of which is `first`.
@@ -225,7 +233,7 @@ impl<L: Lines> PlaneTransform<L> {
     }
 }
 
-impl PlaneTransform<FourierLines<f64>> {
+impl<L: Lines<Real = f64>> PlaneTransform<L> {
     /// The first half of pass 2: the transforms of all columns.
     pub(crate) fn spectrum(&self) -> PlaneSpectrum {
         let of_block = |block: &RwLock<Vec<Complex<f64>>>| {
@@ -234,9 +242,11 @@ impl PlaneTransform<FourierLines<f64>> {
             let mut columns = vec![Complex::default(); width * self.stride()];
             self.gather(&block, &mut columns);
             let mut scratch = self.scratch();
-            for part in columns.chunks_exact_mut(self.pitch()) {
-                let column = &mut part[..self.lines.length()];
-                self.lines.transform_column(column, &mut scratch.space);
+            for (number, column) in columns.chunks_exact_mut(self.pitch()).enumerate() {
+                let column = &mut column[..self.lines.length()];
+                let part = number % self.lines.parts();
+                self.lines
+                    .transform_column(part, column, &mut scratch.space);
             }
             columns
         };
@@ -246,11 +256,12 @@ impl PlaneTransform<FourierLines<f64>> {
     }
 
     /// The second half of pass 2: the product of a spectrum with factors. `weigh` writes that of each column, given its
-    /// frequency along the rows and its part.
+    /// number along the rows and its part. The columns go back with this parity.
     pub(crate) fn take_product(
         &mut self,
         spectrum: &PlaneSpectrum,
-        weigh: impl Fn([usize; 2], &[Complex<f64>], &mut [Complex<f64>]) + Sync,
+        parity: Parity,
+        weigh: impl Fn(&L, [usize; 2], &[Complex<f64>], &mut [Complex<f64>]) + Sync,
     ) {
         let mut blocks = std::mem::take(&mut self.blocks);
         let of_blocks = blocks.par_iter_mut().zip(&spectrum.blocks).enumerate();
@@ -263,12 +274,10 @@ impl PlaneTransform<FourierLines<f64>> {
             let both = both.zip(transformed.chunks_exact(self.pitch()));
             for (number, (column, from)) in both.enumerate() {
                 let column = &mut column[..self.lines.length()];
-                let which = [
-                    index * WIDTH + number / self.lines.parts(),
-                    number % self.lines.parts(),
-                ];
-                weigh(which, &from[..self.lines.length()], column);
-                self.lines.restore_column(column, space);
+                let part = number % self.lines.parts();
+                let which = [index * WIDTH + number / self.lines.parts(), part];
+                weigh(&self.lines, which, &from[..self.lines.length()], column);
+                self.lines.restore_column(part, parity, column, space);
             }
             self.scatter(columns, block);
         });

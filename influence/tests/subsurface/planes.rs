@@ -7,16 +7,31 @@ use pellicle_kernel::{Foundation, Side};
 
 use super::{KEYS, stacks};
 
+/// A pressure that is nowhere its mirror image, by the element and the number of them along a side.
+fn uneven(element: usize, _: usize) -> f64 {
+    1.0 + (element * element % 7) as f64
+}
+
+/// One that is its mirror image in x and y, but not with x and y in each other's place.
+fn mirrored(element: usize, loaded: usize) -> f64 {
+    let [i, j] = [element / loaded, element % loaded].map(|i| i.min(loaded - 1 - i));
+    1.0 + ((3 * i + 5 * j) % 4) as f64
+}
+
 /// The fields on a plane against sums over the elements, under pressures of order 1.
-fn check_plane(foundation: &Foundation, squares: Squares, plane: Depth, friction: [f64; 2]) {
+fn check_plane(
+    foundation: &Foundation,
+    squares: Squares,
+    pressure: fn(usize, usize) -> f64,
+    plane: Depth,
+    friction: [f64; 2],
+) {
     let Squares {
         loaded,
         shown,
         before,
     } = squares;
-    let pressure: Vec<f64> = (0..loaded * loaded)
-        .map(|e| 1.0 + (e * e % 7) as f64)
-        .collect();
+    let pressure: Vec<f64> = (0..loaded * loaded).map(|e| pressure(e, loaded)).collect();
     let element = ElementFields::new(foundation, 1.0, plane, 2.0 * shown as f64).unwrap();
     let state_at = |i: usize, j: usize| {
         let mut sum = SubsurfaceState::default();
@@ -80,7 +95,28 @@ fn planes_are_the_sums_over_the_elements() {
                 z: depth,
                 side: Side::Above,
             };
-            check_plane(foundation, squares, plane, friction);
+            check_plane(foundation, squares, uneven, plane, friction);
+        }
+    }
+}
+
+/// Then a quadrant stands for all.
+#[test]
+fn planes_under_a_mirrored_pressure_are_the_sums_over_the_elements() {
+    for (loaded, shown) in [(4, 8), (2, 14), (6, 6)] {
+        let squares = Squares {
+            loaded,
+            shown,
+            before: [(shown - loaded) / 2; 2],
+        };
+        for (foundation, depth) in stacks().iter().zip([0.0, 0.01, 2.0, 1.0, 0.3, 1.0, 0.0]) {
+            for friction in [[0.0, 0.0], [0.3, 0.0], [-0.2, 0.4]] {
+                let plane = Depth {
+                    z: depth,
+                    side: Side::Above,
+                };
+                check_plane(foundation, squares, mirrored, plane, friction);
+            }
         }
     }
 }
@@ -98,6 +134,6 @@ fn planes_reach_far_from_the_load() {
             z: depth,
             side: Side::Above,
         };
-        check_plane(foundation, squares, plane, [0.1, 0.2]);
+        check_plane(foundation, squares, uneven, plane, [0.1, 0.2]);
     }
 }
