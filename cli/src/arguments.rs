@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
 
-use self::values::{depth, offset, perturbation, positive, range, section};
+use self::values::{depth, offset, perturbation, point, positive, range, section};
 use crate::case::output::{Format, OutputCase, Steps};
 use crate::picture::colour_map::ColourMap;
 use crate::picture::style::Cut;
@@ -48,6 +48,12 @@ pub enum Command {
     Kernel(KernelArguments),
     /// Print influence coefficients of the case's foundation and grid
     Influence(InfluenceArguments),
+    /// Print displacements and stresses at points of the body under one load of the case
+    #[command(
+        after_help = "On an interface the values above and below it are printed. With friction above a frictionless interface \
+                            u_x and u_y are unbounded: NaN, or null in JSON."
+    )]
+    Stress(StressArguments),
     /// Redraw the pictures of a results folder, with options; for several folders, draw their curves in one picture
     Plot(PlotArguments),
     /// Show the folder and size of the cache of coefficients, or clear it
@@ -263,6 +269,23 @@ pub struct InfluenceArguments {
     /// Use adaptive quadrature of the defining integral, which is slow
     #[arg(long)]
     pub direct: bool,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Arguments of `stress`.
+#[derive(Debug, Args)]
+pub struct StressArguments {
+    /// The case, and the values that replace its own.
+    #[command(flatten)]
+    pub case: CaseArguments,
+    /// Points x, y and z, such as "0,-1 um,0.5 um", z being the depth; separate several by spaces, or repeat the option
+    #[arg(long = "at", value_name = "X,Y,Z", required = true, num_args = 1.., value_parser = point)]
+    pub points: Vec<[f64; 3]>,
+    /// Loading step, counted from 0 [default: the last]
+    #[arg(long, value_name = "I")]
+    pub step: Option<usize>,
     /// Print JSON
     #[arg(long)]
     pub json: bool,

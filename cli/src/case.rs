@@ -27,7 +27,7 @@ pub mod warnings;
 use std::path::Path;
 use std::sync::Arc;
 
-use pellicle_contact::{ContactError, Domain, Model, choose_side};
+use pellicle_contact::{ContactError, Domain, Model, SolverOptions, choose_side};
 use pellicle_influence::{Cache, Cached, InfluenceError};
 use serde::Serialize;
 
@@ -236,6 +236,15 @@ impl Case {
         match self.grid.side {
             Some(side) => Ok(side),
             None => choose_side(model, &self.load.loads()),
+        }
+    }
+
+    /// The options of the solver: coarse pressures are kept where stresses are asked for, whose errors they tell.
+    #[must_use]
+    pub fn solver_options(&self) -> SolverOptions {
+        SolverOptions {
+            coarse_pressures: self.stress.is_some(),
+            ..self.solver.options()
         }
     }
 

@@ -9,5 +9,6 @@ pub mod init;
 pub mod kernel;
 pub mod plot;
 pub mod run;
+pub mod stress;
 pub mod study;
 pub mod validate;

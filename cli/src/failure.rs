@@ -35,6 +35,22 @@ pub enum Failure {
     /// The fields inside the body cannot be computed, or not at that depth.
     #[error("the fields inside the body: {0}")]
     Inside(InfluenceError),
+    /// A point inside the rigid base.
+    #[error("found a depth of {found:e}, wanted 0 to {bottom:e}, the depth of the rigid base")]
+    InRigidBase {
+        /// Its depth, m.
+        found: f64,
+        /// Depth of the rigid base, m.
+        bottom: f64,
+    },
+    /// The case has no such loading step.
+    #[error("found step {found} on the command line, wanted 0 to {last}, the steps of the case")]
+    NoStep {
+        /// The step.
+        found: usize,
+        /// The last step of the case.
+        last: usize,
+    },
     /// The relief is refused.
     #[error("the surface is refused: {0}")]
     Texture(#[from] TextureError),

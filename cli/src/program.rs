@@ -65,6 +65,7 @@ fn execute(command: Command) -> Result<Outcome, Failure> {
         Command::Init(arguments) => command::init::init(&arguments),
         Command::Kernel(arguments) => command::kernel::kernel(&arguments),
         Command::Influence(arguments) => command::influence::influence(&arguments),
+        Command::Stress(arguments) => command::stress::stress(&arguments),
         Command::Plot(arguments) => command::plot::plot(&arguments),
         Command::Cache(arguments) => command::cache::cache(&arguments),
         Command::Study(arguments) => command::study::study(&arguments),

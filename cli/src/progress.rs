@@ -6,6 +6,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use pellicle_contact::{Observer, Progress, Signal};
 
 use crate::interrupt;
+use crate::stresses::Search;
 
 /// Shows the progress of a solution on standard error if it is a terminal, and passes Ctrl-C on.
 #[derive(Debug)]
@@ -46,6 +47,12 @@ impl ProgressLine {
     pub fn writing(&self) -> impl Fn(usize, usize) + Sync {
         let line = self.line.clone();
         move |done, total| line.set_message(writing(done, total))
+    }
+
+    /// A function that shows which stresses are being looked for.
+    pub fn searching(&self) -> impl Fn(Search) + use<> {
+        let line = self.line.clone();
+        move |search| line.set_message(searching(search))
     }
 
     /// The given line, with these texts before and after the progress.
@@ -102,6 +109,13 @@ fn message(progress: &Progress, left: Option<Duration>) -> String {
         "step {step}/{steps}, grid {elements} × {elements}, iteration {iteration}, \
          residual {residual:.1e}{left}"
     )
+}
+
+fn searching(search: Search) -> String {
+    match search {
+        Search::Step(step, steps) => format!("stresses of step {}/{steps}", step + 1),
+        Search::Critical => "critical loads".into(),
+    }
 }
 
 fn writing(done: usize, total: usize) -> String {

@@ -71,6 +71,15 @@ pub(super) fn depth(text: &str) -> Result<f64, String> {
     }
 }
 
+pub(super) fn point(text: &str) -> Result<[f64; 3], String> {
+    let parts: Vec<_> = text.split(',').collect();
+    let [x, y, z] = parts[..] else {
+        return Err("wanted three lengths, such as \"0,-1 um,0.5 um\"".into());
+    };
+    let along = |text| quantity(text, Dimension::Length);
+    Ok([along(x)?, along(y)?, depth(z)?])
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -103,6 +112,15 @@ mod tests {
         assert_eq!(depth("0.5 um"), Ok(0.5e-6));
         for text in ["-1 nm", "1 GPa", "nan", ""] {
             assert!(depth(text).is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn a_point_is_three_lengths_the_last_a_depth() {
+        assert_eq!(point("0, -1 um,0.5 um"), Ok([0.0, -1e-6, 0.5e-6]));
+        assert_eq!(point(" -2,3e-1,0"), Ok([-2.0, 0.3, 0.0]));
+        for text in ["1,2", "1,2,3,4", "1,2,-3", "1,2 GPa,3", "a,b,c", ""] {
+            assert!(point(text).is_err(), "{text}");
         }
     }
 }

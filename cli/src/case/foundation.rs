@@ -6,10 +6,12 @@ pub mod modulus;
 pub mod strength;
 pub mod substrate;
 
+use pellicle_contact::Criterion;
 use pellicle_kernel::{Foundation, KernelError};
 use serde::Serialize;
 
 use self::layer::LayerCase;
+use self::strength::BodyStrengthCase;
 use self::substrate::SubstrateCase;
 use super::diagnosis::Diagnosis;
 use super::table_reader::TableReader;
@@ -128,13 +130,41 @@ impl FoundationCase {
     /// Whether a body or an interface has a strength.
     #[must_use]
     pub fn has_strengths(&self) -> bool {
-        let layer =
-            |layer: &LayerCase| layer.strength.is_given() || layer.interface_strength.is_given();
+        !self.criteria().is_empty()
+    }
+
+    /// The criteria of the strengths given, each with the body or interface that it is of, as results name it.
+    #[must_use]
+    pub fn criteria(&self) -> Vec<(String, Criterion)> {
         let substrate = match self.substrate {
-            SubstrateCase::Rigid => false,
-            SubstrateCase::Elastic(material) => material.strength.is_given(),
+            SubstrateCase::Rigid => BodyStrengthCase::default(),
+            SubstrateCase::Elastic(material) => material.strength,
         };
-        substrate || self.layer.iter().any(layer)
+        let bodies = self.layer.iter().map(|layer| layer.strength);
+        let bodies = self.body_names().into_iter().zip(bodies.chain([substrate]));
+        let of_bodies = bodies.flat_map(|(name, strength)| {
+            [
+                (strength.yield_strength, Criterion::Yield),
+                (strength.tensile_strength, Criterion::Tension),
+            ]
+            .map(|(strength, criterion)| (strength, name.clone(), criterion))
+        });
+        let of_interfaces = self.layer.iter().enumerate().flat_map(|(i, layer)| {
+            let strength = layer.interface_strength;
+            [
+                (strength.interface_shear_strength, Criterion::InterfaceShear),
+                (
+                    strength.interface_tensile_strength,
+                    Criterion::InterfaceTension,
+                ),
+            ]
+            .map(|(strength, criterion)| (strength, format!("interface[{i}]"), criterion))
+        });
+        let given = of_bodies.chain(of_interfaces);
+        let given = given.filter(|(strength, ..)| strength.is_some());
+        given
+            .map(|(_, name, criterion)| (name, criterion))
+            .collect()
     }
 }
 

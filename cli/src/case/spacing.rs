@@ -47,7 +47,8 @@ impl Spacing {
 }
 
 /// The nearest number of 15 digits.
-fn rounded(value: f64) -> f64 {
+#[must_use]
+pub fn rounded(value: f64) -> f64 {
     format!("{value:.14e}").parse().unwrap_or(value)
 }
 

@@ -15,6 +15,7 @@ use super::foundation::depths::BodyPlane;
 use super::foundation::strength::{BodyStrengthCase, InterfaceStrengthCase};
 use super::foundation::substrate::SubstrateCase;
 use super::quantity_list::QuantityList;
+use super::spacing::rounded;
 use super::table_reader::TableReader;
 use super::value_reader::{Sign, ValueReader};
 
@@ -78,6 +79,12 @@ impl StressCase {
             friction: self.friction,
             direction: self.direction,
         }
+    }
+
+    /// Direction of sliding, degrees from +x to +y, to 15 digits.
+    #[must_use]
+    pub fn direction_degrees(&self) -> f64 {
+        rounded(self.direction.to_degrees())
     }
 
     /// The bodies and interfaces of a case with their strengths, at the depths of its `foundation`.

@@ -67,7 +67,9 @@ fn estimates(case: &Case, forecast: &Forecast, chosen: bool) -> Result<String, F
     lines.maps(case, element_side);
     lines.add("loading steps", &case.load.loads().len().to_string());
     lines.add("memory, about", &display::memory(forecast.need.bytes));
-    lines.add("disk, about", &megabytes(disk_space::bytes(case)));
+    let points = lines.stresses(case, forecast)?;
+    let disk = disk_space::bytes(case) + disk_space::of_stresses(case, points);
+    lines.add("disk, about", &megabytes(disk));
     if let Some([least, most]) = forecast.products(case.grid.elements) {
         lines.add(
             "products with K a step, about",
@@ -106,6 +108,42 @@ impl Estimates {
             );
         }
         Ok(())
+    }
+
+    /// The planes of stresses of the largest load, and the work on them; returns their points.
+    fn stresses(&mut self, case: &Case, forecast: &Forecast) -> Result<usize, Failure> {
+        let Some(stress) = &case.stress else {
+            return Ok(0);
+        };
+        let trial = forecast
+            .step
+            .as_ref()
+            .map(|step| step.summary.contact_radius);
+        let radius = trial.filter(|radius| *radius > 0.0);
+        let radius = radius.unwrap_or(forecast.side / 3.0);
+        let foundation = case.foundation.split()?.foundation;
+        let planes = stress.planes(&case.foundation, &foundation, radius);
+        let extent = stress.side(radius, forecast.side);
+        let size = case.grid.elements as f64 * extent / forecast.side;
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "at most the elements of the grid"
+        )]
+        let size = size.round().max(1.0) as usize;
+        let count = planes.len();
+        self.add(
+            "stresses of a step, about",
+            &format!("{count} planes of {size} × {size} points"),
+        );
+        let deepest = planes.last().map_or(0.0, |plane| plane.depth.z);
+        self.add("  down to", &quantity(deepest, Unit::Metre, case.units));
+        let strengths = case.foundation.criteria().len();
+        if strengths > 0 {
+            let words = format!("{strengths}, each by solving some ten more loads");
+            self.add("critical loads", &words);
+        }
+        Ok(count * size * size)
     }
 
     /// The sampling of the maps: samples per element and per shortest wave.

@@ -16,7 +16,7 @@ use crate::output::summary::{Clock, Summary, WarningSummary};
 use crate::output::{json, report, results, summary_text};
 use crate::program::Outcome;
 use crate::progress::ProgressLine;
-use crate::{cache, interrupt, terminal, threads};
+use crate::{cache, interrupt, stresses, terminal, threads};
 
 /// Solves the case, writes its results folder and reports the result.
 ///
@@ -45,6 +45,8 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
         return Ok(stopped_at_once());
     }
     interrupt::hold();
+    let searching = line.searching();
+    let stresses = stresses::find(&case, &model.value, domain, &path, &searching, &mut line)?;
     let clock = Clock {
         start,
         tables_seconds,
@@ -52,6 +54,9 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
     };
     let mut summary = Summary::new(&case, &path, clock, &cache.take_warnings())?;
     summary.warnings.extend(unfinished(&case, &path));
+    if let (Some(stress), Some(found)) = (&case.stress, stresses) {
+        summary.add_stresses(stress, found);
+    }
     let write = |folder: ResultsFolder| {
         let tell = line.writing();
         folder.write(|folder| {
@@ -113,7 +118,7 @@ fn solve(
     domain: Domain,
     observer: &mut dyn Observer,
 ) -> Result<LoadingPath, Failure> {
-    let (loads, options) = (case.load.loads(), case.solver.options());
+    let (loads, options) = (case.load.loads(), case.solver_options());
     let path = solve_path(
         model,
         domain,

@@ -1,5 +1,8 @@
 //! `curve.csv`: one row per loading step, units in the header.
 
+pub mod stress;
+
+use self::stress::StressColumns;
 use super::summary::{StepSummary, Summary};
 use crate::case::units::Units;
 
@@ -52,9 +55,14 @@ const COLUMNS: [Column; 13] = [
 /// The curve as comma-separated values.
 #[must_use]
 pub fn csv(summary: &Summary) -> String {
-    let row = |(i, step): (usize, &StepSummary)| row(i, step).join(",") + "\n";
+    let stress = StressColumns::of_steps(summary);
+    let row = |(i, step): (usize, &StepSummary)| {
+        let cells = [row(i, step), stress.row(step, &[])].concat();
+        cells.join(",") + "\n"
+    };
     let rows: String = summary.steps.iter().enumerate().map(row).collect();
-    header(summary.units).join(",") + "\n" + &rows
+    let names = [header(summary.units), stress.header(summary.units)].concat();
+    names.join(",") + "\n" + &rows
 }
 
 /// Names of the columns, with units.

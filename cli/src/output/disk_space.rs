@@ -44,10 +44,26 @@ const REPORT: f64 = 20e3;
 const REPORT_SIDE: f64 = 400.0;
 const REPORT_CELL: f64 = 0.85;
 
+/// Bytes of a point's stresses: eleven numbers in double precision, and in single precision with the body.
+const STRESS_NC: f64 = 88.0;
+const STRESS_VTR: f64 = 45.0;
+
 /// Bytes of summary and curve for a step.
 const NUMBERS: f64 = 3.2e3;
 
-/// The disk space of a run of a case, in bytes.
+/// The disk space of the stresses of a run at so many points of a step, in bytes.
+#[must_use]
+pub fn of_stresses(case: &Case, points: usize) -> f64 {
+    let bytes = case.output.formats.iter().map(|format| match format {
+        Format::Nc => STRESS_NC,
+        Format::Vti => STRESS_VTR,
+        Format::Npz | Format::Gsf => 0.0,
+    });
+    let steps = case.output.fields.count(case.load.loads().len());
+    bytes.fold(0.0, |sum, bytes| sum + bytes) * (steps * points) as f64
+}
+
+/// The disk space of a run of a case without its stresses, in bytes.
 #[must_use]
 pub fn bytes(case: &Case) -> f64 {
     let (steps, elements) = (case.load.loads().len(), case.grid.elements);

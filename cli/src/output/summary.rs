@@ -1,17 +1,20 @@
 //! `summary.json`: the numbers of a run, also the output of `run --json`.
 
+pub mod stress;
+
 use std::fs;
 use std::path::Path;
 use std::time::Instant;
 
 use pellicle_contact::{
-    Certificate, GridError, LoadingPath, Status, Step, Warning, Work, nan_from_null,
+    Certificate, CriticalLoad, GridError, LoadingPath, Status, Step, Warning, Work, nan_from_null,
 };
 use pellicle_influence::{CacheWarning, Origin};
 use serde::{Deserialize, Deserializer, Serialize};
 
 use serde_json::Value;
 
+use self::stress::StressSummary;
 use super::curve;
 use crate::case::Case;
 use crate::case::units::Units;
@@ -50,6 +53,9 @@ pub struct Summary {
     pub grid: GridSummary,
     /// The loading steps.
     pub steps: Vec<StepSummary>,
+    /// The critical loads, where strengths are given and stresses asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub critical: Option<Vec<CriticalLoad>>,
     /// How long it took.
     pub timing: Timing,
     /// Warnings about the numbers.
@@ -113,6 +119,9 @@ pub struct StepSummary {
     pub work: Work,
     /// Discretisation error.
     pub grid_error: GridError,
+    /// The largest stresses inside, where they are asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stress: Option<StressSummary>,
 }
 
 /// The lines of a [`Certificate`] and its verdict, in place of the tolerance that it was judged by.
@@ -207,6 +216,7 @@ impl Summary {
                 element_side: path.grid.element_side(),
             },
             steps: path.steps.iter().map(StepSummary::new).collect(),
+            critical: None,
             timing: Timing {
                 coefficients_seconds: clock.tables_seconds + path.coefficients_seconds,
                 coefficients_from_cache: origin.is_cache(),
@@ -326,6 +336,7 @@ impl StepSummary {
             certificate: (&solution.certificate).into(),
             work: step.work.clone(),
             grid_error: step.grid_error.clone(),
+            stress: None,
         }
     }
 }

@@ -1,5 +1,7 @@
 //! A summary in words, for the terminal.
 
+mod stress;
+
 use pellicle_contact::{Estimate, Status};
 
 use super::summary::{StepSummary, Summary};
@@ -14,7 +16,7 @@ pub fn text(summary: &Summary) -> String {
         [step] => text.push_str(&single(step, summary.has_relief(), summary.units)),
         steps => text.push_str(&table(steps, summary.units)),
     }
-    text
+    text + &stress::critical(summary)
 }
 
 /// The warnings, one per line.
@@ -111,6 +113,9 @@ fn single(step: &StepSummary, has_relief: bool, units: Units) -> String {
     let worst = format!("worst line {:.1e}", step.certificate.worst);
     lines.push("certificate", &certificate(step), &worst);
     lines.push("work", &work(step), "");
+    if let Some(stress) = &step.stress {
+        lines.stresses(stress);
+    }
     lines.text
 }
 

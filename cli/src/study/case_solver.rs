@@ -19,6 +19,7 @@ use crate::output::file::Existing;
 use crate::output::folder::{Completeness, ResultsFolder};
 use crate::output::summary::{Clock, Summary};
 use crate::output::{results, run_files};
+use crate::stresses;
 
 /// Solves the cases of a study.
 #[derive(Debug)]
@@ -103,7 +104,7 @@ impl CaseSolver<'_> {
         let folder = self.claim(number, &case)?;
         let model = case.model(&self.cache)?;
         let tables_seconds = start.elapsed().as_secs_f64();
-        let (loads, options) = (case.load.loads(), case.solver.options());
+        let (loads, options) = (case.load.loads(), case.solver_options());
         let domain = case.domain(&model.value)?;
         let elements = case.grid.elements;
         let writers = folder.as_ref().map_or(0, |_| rayon::current_num_threads());
@@ -116,6 +117,10 @@ impl CaseSolver<'_> {
         if path.interrupted {
             return Ok(None);
         }
+        let stresses = stresses::find(&case, &model.value, domain, &path, &|_| (), observer)?;
+        if stresses.as_ref().is_some_and(|found| found.is_stopped) {
+            return Ok(None);
+        }
         let clock = Clock {
             start,
             tables_seconds,
@@ -123,6 +128,9 @@ impl CaseSolver<'_> {
         };
         // Warnings of the cache concern all cases, and are printed at the end.
         let mut summary = Summary::new(&case, &path, clock, &[])?;
+        if let (Some(stress), Some(found)) = (&case.stress, stresses) {
+            summary.add_stresses(stress, found);
+        }
         if let Some(folder) = folder {
             let mut completeness = Completeness::Whole;
             folder.write(|folder| {
@@ -136,7 +144,7 @@ impl CaseSolver<'_> {
         }
         Ok(Some(CaseResult {
             status: status(&summary),
-            rows: TableColumns::solved(self.study, number, &summary),
+            rows: self.columns.solved(self.study, number, &summary),
             words: words(&case, &summary),
         }))
     }

@@ -9,6 +9,7 @@ use crate::case::diagnosis::Diagnosis;
 use crate::case::output::OutputCase;
 use crate::case::units::Units;
 use crate::failure::Failure;
+use crate::output::curve::stress::StressColumns;
 
 /// The columns and the identity of a study.
 #[derive(Debug, Clone)]
@@ -29,10 +30,12 @@ impl StudyPlan {
         let mut hasher = blake3::Hasher::new();
         hasher.update(env!("CARGO_PKG_VERSION").as_bytes());
         let (mut rows, mut units, mut refused) = (Vec::new(), None, None);
+        let mut stress = StressColumns::default();
         for i in 0..study.len() {
             match study.case(i) {
                 Ok(case) => {
                     add(&mut hasher, &case)?;
+                    stress.add(&case);
                     units = units.or(Some(case.units));
                     rows.push(case.load.loads().len());
                 }
@@ -44,7 +47,7 @@ impl StudyPlan {
             }
         }
         let units = units.ok_or_else(|| none_is_valid(refused))?;
-        let columns = TableColumns::new(study, units);
+        let columns = TableColumns::new(study, units, stress);
         hasher.update(columns.header().as_bytes());
         let fingerprint = hasher.finalize().to_hex().to_string();
         let identity = StudyIdentity::new(study, fingerprint, rows, columns.header(), shard);

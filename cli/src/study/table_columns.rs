@@ -4,21 +4,23 @@ use super::Study;
 use super::case_status::CaseStatus;
 use crate::case::units::Units;
 use crate::output::curve;
+use crate::output::curve::stress::StressColumns;
 use crate::output::summary::Summary;
 
 /// The columns, with units.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TableColumns {
     names: Vec<String>,
-    /// The number of columns of a curve.
+    /// The number of columns of a curve and of stresses.
     curve: usize,
+    stress: StressColumns,
 }
 
 impl TableColumns {
-    /// The columns of a study whose cases have these units.
+    /// The columns of a study whose cases have these units and ask for these stresses.
     #[must_use]
-    pub fn new(study: &Study, units: Units) -> Self {
-        let curve = curve::header(units);
+    pub fn new(study: &Study, units: Units, stress: StressColumns) -> Self {
+        let curve = [curve::header(units), stress.header(units)].concat();
         let keys = study
             .varied_keys()
             .iter()
@@ -34,6 +36,7 @@ impl TableColumns {
                 .chain(last)
                 .collect(),
             curve: curve.len(),
+            stress,
         }
     }
 
@@ -45,7 +48,7 @@ impl TableColumns {
 
     /// The rows of a case that has a result, one per loading step.
     #[must_use]
-    pub fn solved(study: &Study, case: usize, summary: &Summary) -> String {
+    pub fn solved(&self, study: &Study, case: usize, summary: &Summary) -> String {
         let status = status(summary);
         let side = format!("{:e}", summary.grid.side);
         let codes = summary.warnings.iter().map(|warning| &warning.code[..]);
@@ -54,10 +57,12 @@ impl TableColumns {
         codes.dedup();
         let last = [side, codes.join(" "), String::new()];
         let steps = summary.steps.iter().enumerate();
+        let critical = summary.critical.as_deref().unwrap_or_default();
         let row = |(i, step)| {
             let cells = [
                 first(study, case, status),
                 curve::row(i, step),
+                self.stress.row(step, critical),
                 last.to_vec(),
             ];
             line(&cells.concat())

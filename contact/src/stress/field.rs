@@ -146,12 +146,21 @@ impl StressField {
         let within = |i: &usize| self.grid.centre(*i).abs() <= extent / 2.0;
         let first = (0..size).find(within).unwrap_or(size / 2);
         let count = (first..size).take_while(within).count().max(1);
+        // Where nothing is loaded, an element without pressure stands for the square.
+        let unloaded = LoadedSquare {
+            origin: [first; 2],
+            size: 1,
+            pressure: vec![0.0],
+        };
         // The planes are computed on a square that holds the pressures besides.
         let LoadedSquare {
             origin,
             size: loaded,
             pressure,
-        } = &self.loaded;
+        } = match self.loaded.size {
+            0 => &unloaded,
+            _ => &self.loaded,
+        };
         let low = first.min(origin[0]).min(origin[1]);
         let high = (first + count)
             .max(origin[0] + loaded)

@@ -39,12 +39,6 @@ impl BodyStrengthCase {
             tensile_strength: tensile_strength?,
         })
     }
-
-    /// Whether one is given.
-    #[must_use]
-    pub fn is_given(&self) -> bool {
-        self.yield_strength.or(self.tensile_strength).is_some()
-    }
 }
 
 impl InterfaceStrengthCase {
@@ -56,16 +50,6 @@ impl InterfaceStrengthCase {
             interface_shear_strength: shear?,
             interface_tensile_strength: tensile?,
         })
-    }
-
-    /// Whether one is given.
-    #[must_use]
-    pub fn is_given(&self) -> bool {
-        let Self {
-            interface_shear_strength: shear,
-            interface_tensile_strength: tensile,
-        } = self;
-        shear.or(*tensile).is_some()
     }
 }
 

@@ -117,7 +117,7 @@ fn attributes(head: &StressHead<'_>) -> Vec<Attribute> {
         Attribute::Number("force", step.force),
         Attribute::Text("force_units", summary.units.name("N").to_owned()),
         Attribute::Number("friction", head.stress.friction),
-        Attribute::Number("direction_degrees", head.stress.direction.to_degrees()),
+        Attribute::Number("direction_degrees", head.stress.direction_degrees()),
         Attribute::Text(
             "certificate_satisfied",
             step.certificate.satisfied.to_string(),

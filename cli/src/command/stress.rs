@@ -1,0 +1,227 @@
+//! `pellicle stress`: displacements and stresses at points of the body under one load of a case.
+
+use pellicle_contact::{Model, Status, StressField, solve_path};
+use pellicle_influence::{Depth, SubsurfaceState};
+use serde::Serialize;
+
+use crate::arguments::StressArguments;
+use crate::case::Case;
+use crate::case::foundation::depths::BodyPlane;
+use crate::case::stress::StressCase;
+use crate::case::units::Units;
+use crate::failure::Failure;
+use crate::forecast::Need;
+use crate::memory::MemoryBudget;
+use crate::output::stress::FIELDS;
+use crate::program::Outcome;
+use crate::progress::ProgressLine;
+use crate::{cache, output, terminal, threads};
+
+/// Parts of an element within which a point is on its border.
+const ON_BORDER: f64 = 1e-6;
+
+/// The state at one point, in m and Pa; null where unbounded.
+#[derive(Debug, Clone, Copy, Serialize)]
+struct PointRow {
+    /// x, y and z, m.
+    at: [f64; 3],
+    /// The body that the point belongs to where it lies on an interface.
+    side: &'static str,
+    /// Displacements along x, y and z, m.
+    u: [f64; 3],
+    /// Stresses, Pa.
+    sigma: SigmaRow,
+    /// Von Mises' stress, Pa.
+    von_mises: f64,
+    /// Principal stresses, the largest first, Pa.
+    principal: [f64; 3],
+}
+
+/// The stresses by their names.
+#[derive(Debug, Clone, Copy, Serialize)]
+struct SigmaRow {
+    xx: f64,
+    yy: f64,
+    zz: f64,
+    xy: f64,
+    xz: f64,
+    yz: f64,
+}
+
+/// Solves one load of the case, and prints a row for each point, on an interface two.
+///
+/// # Errors
+///
+/// [`Failure`] if the case is wrong, has no such step, a point lies outside the body, or the contact cannot be computed.
+pub fn stress(arguments: &StressArguments) -> Result<Outcome, Failure> {
+    let case = Case::read(&arguments.case.path, &arguments.case.sets)?;
+    let step = step(&case, arguments.step)?;
+    check_depths(&case, &arguments.points)?;
+    let cache = cache::open();
+    let model = case.model(&cache)?.value;
+    threads::begin();
+    let (field, status, side) = solve(&case, &model, step, arguments.json)?;
+    let foundation = model.tables.foundation();
+    let mut rows = Vec::new();
+    for [x, y, z] in &arguments.points {
+        for plane in case.foundation.planes(foundation, *z) {
+            let state = state(&field, [*x, *y], plane.depth)?;
+            rows.push(PointRow::new([*x, *y, *z], plane, &state));
+        }
+    }
+    let text = if arguments.json {
+        output::json(&rows)?
+    } else {
+        table(&rows, step, case.units)
+    };
+    terminal::print(&text)?;
+    cache::tell_warnings(&cache);
+    for warning in case.warnings(side) {
+        terminal::tell(&format!("warning: {}", warning.message));
+    }
+    Ok(outcome(status))
+}
+
+/// The step asked for, the last unless one is.
+fn step(case: &Case, asked: Option<usize>) -> Result<usize, Failure> {
+    let last = case.load.loads().len().saturating_sub(1);
+    match asked {
+        Some(found) if found > last => Err(Failure::NoStep { found, last }),
+        asked => Ok(asked.unwrap_or(last)),
+    }
+}
+
+/// Refuses a point inside a rigid base before anything is solved.
+fn check_depths(case: &Case, points: &[[f64; 3]]) -> Result<(), Failure> {
+    let bottom = case.foundation.bottom();
+    let is_outside = |point: &&[f64; 3]| {
+        let planes_end = bottom * (1.0 + crate::case::foundation::FoundationCase::NEAR);
+        point[2] > planes_end
+    };
+    points
+        .iter()
+        .find(is_outside)
+        .map_or(Ok(()), |[_, _, found]| {
+            Err(Failure::InRigidBase {
+                found: *found,
+                bottom,
+            })
+        })
+}
+
+/// The field under one load of the case, on the domain of all; its status, and the side of the domain.
+fn solve(
+    case: &Case,
+    model: &Model,
+    step: usize,
+    is_quiet: bool,
+) -> Result<(StressField, Status, f64), Failure> {
+    let mut line = if is_quiet {
+        ProgressLine::hidden()
+    } else {
+        ProgressLine::new(case.solver.tolerance)
+    };
+    let domain = case.domain(model)?;
+    let memory = MemoryBudget::default();
+    let _share = memory.take(Need::new(case, model, domain, 0))?;
+    let loads = &case.load.loads()[step..=step];
+    let elements = case.grid.elements;
+    let options = case.solver_options();
+    let path = solve_path(model, domain, elements, loads, &options, &mut line)
+        .map_err(|error| case.blame(error))?;
+    let sliding = case.stress.as_ref().map(StressCase::sliding);
+    let field = StressField::new(&path, 0, sliding.unwrap_or_default());
+    match (field, path.steps.first()) {
+        (Some(field), Some(step)) => Ok((field, step.status(), path.grid.side())),
+        // No step where the user has stopped.
+        _ => Err(pellicle_contact::ContactError::Cancelled { step }.into()),
+    }
+}
+
+/// The state at a point. On the surface pressure and stresses jump from element to element: a point on the border of
+/// two or four gets the mean of half an element to both sides.
+fn state(field: &StressField, point: [f64; 2], depth: Depth) -> Result<SubsurfaceState, Failure> {
+    let grid = field.grid();
+    let beside = |x: f64| {
+        let elements = x / grid.element_side() + 0.5 * grid.size() as f64;
+        if depth.z == 0.0 && (elements - elements.round()).abs() < ON_BORDER {
+            let half = 0.5 * grid.element_side();
+            vec![x - half, x + half]
+        } else {
+            vec![x]
+        }
+    };
+    let [along_x, along_y] = point.map(beside);
+    let pairs = along_x
+        .iter()
+        .flat_map(|x| along_y.iter().map(|y| [*x, *y]));
+    let points: Vec<_> = pairs.collect();
+    let states = field.at_points(&points, depth).map_err(Failure::Inside)?;
+    let sum = states
+        .iter()
+        .fold(SubsurfaceState::default(), |sum, state| sum + *state);
+    Ok(sum * (1.0 / points.len() as f64))
+}
+
+fn outcome(status: Status) -> Outcome {
+    let complaint = match status {
+        Status::Certified => return Outcome::Done,
+        Status::CutOff => "cut off: the contact would go on where the domain or a map ends",
+        Status::NotConverged => "not converged: the certificate is not satisfied",
+    };
+    terminal::tell(&format!("Error: {complaint}, do not use these numbers"));
+    Outcome::NotConverged
+}
+
+impl PointRow {
+    fn new(at: [f64; 3], plane: BodyPlane, state: &SubsurfaceState) -> Self {
+        let [xx, yy, zz, xy, xz, yz] = state.stress;
+        Self {
+            at,
+            side: plane.side(),
+            u: state.displacement,
+            sigma: SigmaRow {
+                xx,
+                yy,
+                zz,
+                xy,
+                xz,
+                yz,
+            },
+            von_mises: state.von_mises(),
+            principal: state.principal(),
+        }
+    }
+
+    /// The values in the order of [`FIELDS`].
+    fn values(&self) -> [f64; FIELDS.len()] {
+        let ([ux, uy, uz], sigma) = (self.u, self.sigma);
+        let SigmaRow {
+            xx,
+            yy,
+            zz,
+            xy,
+            xz,
+            yz,
+        } = sigma;
+        let [largest, ..] = self.principal;
+        [ux, uy, uz, xx, yy, zz, xy, xz, yz, self.von_mises, largest]
+    }
+}
+
+/// The rows as a table.
+fn table(rows: &[PointRow], step: usize, units: Units) -> String {
+    let (metre, pascal) = (units.name("m"), units.name("Pa"));
+    let names = FIELDS.map(|field| format!("{:>15}", field.name)).concat();
+    let line = |row: &PointRow| {
+        let at = row.at.map(|along| format!("{along:>14.5e}")).concat();
+        let values = row.values().map(|value| format!("{value:>15.6e}"));
+        format!("{at}  {:<6}{}\n", row.side, values.concat())
+    };
+    let lines: String = rows.iter().map(line).collect();
+    format!(
+        "step {step}; x, y, z and displacements in {metre}, stresses in {pascal}\n\
+         {:>14}{:>14}{:>14}  {:<6}{names}\n{lines}",
+        "x", "y", "z", "side"
+    )
+}

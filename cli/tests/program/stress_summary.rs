@@ -1,0 +1,193 @@
+//! Stresses in the summary, on the terminal and in tables; critical loads.
+
+use std::f64::consts::PI;
+use std::fs;
+
+use serde_json::Value;
+
+use crate::runner::{CASE, TestFolder};
+
+/// Hertz' contact with R = 1, E/(1 − ν²) = 1 and a yield strength.
+fn hertz(yield_strength: f64) -> String {
+    format!(
+        "[foundation]\nsubstrate = {{ young_modulus = 0.91, poisson_ratio = 0.3, yield_strength = {yield_strength:e} }}\n\
+         [indenter]\nkind = \"paraboloid\"\nradius = 1\n[load]\nforces = [1e-4, 1e-3]\n[grid]\nelements = 64\n[stress]\n"
+    )
+}
+
+/// Largest pressure under a force.
+fn peak(force: f64) -> f64 {
+    (6.0 * force).cbrt() / PI
+}
+
+fn summary(folder: &TestFolder, more: &[&str]) -> Value {
+    let ran = folder.run(&[&["run", "case.toml", "--json"], more].concat());
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    serde_json::from_str(&ran.stdout).unwrap()
+}
+
+fn keys(value: &Value) -> Vec<&str> {
+    let table = value.as_object().unwrap();
+    table.keys().map(String::as_str).collect()
+}
+
+#[test]
+fn a_half_space_yields_where_and_when_hertz_says() {
+    // Von Mises is 0.6200 p0 at 0.481 a for ν = 0.3 (Johnson 1985, §4.2).
+    let force = 5e-4;
+    let strength = 0.62 * peak(force);
+    let folder = TestFolder::with_case(hertz(strength));
+    let summary = summary(&folder, &[]);
+    for step in summary["steps"].as_array().unwrap() {
+        let (force, stress) = (step["force"].as_f64().unwrap(), &step["stress"]);
+        assert_eq!(
+            keys(stress),
+            ["friction", "direction_degrees", "bodies", "interfaces"]
+        );
+        let body = &stress["bodies"][0];
+        assert_eq!(body["name"], "substrate");
+        let (found, used) = (&body["max_von_mises"], &body["utilisation"]);
+        assert_eq!(keys(found), ["value", "at", "resolved", "estimate"]);
+        let [value, depth] =
+            [&found["value"], &found["at"][2]].map(|value| value.as_f64().unwrap());
+        // The grid's error with some ten to twenty elements in the radius.
+        assert!((value / (0.62 * peak(force)) - 1.0).abs() < 5e-3, "{value}");
+        let radius = (0.75 * force).cbrt();
+        assert!(
+            (depth / radius / 0.481 - 1.0).abs() < 0.05,
+            "{}",
+            depth / radius
+        );
+        assert!((used["yield"].as_f64().unwrap() - value / strength).abs() < 1e-12);
+        assert!(used["tension"].is_null());
+    }
+    let critical = summary["critical"].as_array().unwrap();
+    assert_eq!(critical.len(), 1);
+    let load = &critical[0];
+    assert_eq!(
+        (&load["criterion"], &load["name"]),
+        (&"yield".into(), &"substrate".into())
+    );
+    // The strength goes with the cube root of the force, so its error counts three times.
+    let found = load["force"].as_f64().unwrap();
+    assert!((found / force - 1.0).abs() < 1.5e-2, "{found}");
+    assert!((load["utilisation"].as_f64().unwrap() - 1.0).abs() < 1e-4);
+}
+
+#[test]
+fn bodies_and_interfaces_have_their_names_and_strengths_are_told_in_words() {
+    let strengths =
+        "poisson_ratio = 0.3\nyield_strength = \"100 GPa\"\ninterface_shear_strength = \"1 MPa\"";
+    let text = CASE.replace("poisson_ratio = 0.3", strengths);
+    let folder = TestFolder::with_case(format!(
+        "{text}\n[stress]\nfriction = 0.2\ndirection = \"90 deg\"\n"
+    ));
+    let ran = folder.run(&[
+        "run",
+        "case.toml",
+        "--out",
+        "a",
+        "--pictures",
+        "none",
+        "--fields",
+        "none",
+    ]);
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    let summary = folder.summary("a");
+    let stress = &summary["steps"][0]["stress"];
+    assert_eq!(
+        (
+            stress["friction"].as_f64(),
+            stress["direction_degrees"].as_f64()
+        ),
+        (Some(0.2), Some(90.0))
+    );
+    let names: Vec<_> = stress["bodies"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|body| body["name"].clone())
+        .collect();
+    assert_eq!(names, ["layer[0]", "substrate"]);
+    let interface = &stress["interfaces"][0];
+    let wanted = [
+        "index",
+        "depth",
+        "max_shear_traction",
+        "max_tension",
+        "max_compression",
+        "utilisation",
+    ];
+    assert_eq!(keys(interface), wanted);
+    assert_eq!(interface["depth"], 1e-8);
+    assert_eq!(
+        interface["max_shear_traction"]["at"]
+            .as_array()
+            .unwrap()
+            .len(),
+        2
+    );
+    for words in [
+        "stress in layer[0]",
+        "stress on interface 0",
+        "of the shear strength",
+        "the interface shears off first at ",
+        "the coating yields at none of these loads",
+    ] {
+        assert!(ran.stderr.contains(words), "{words} in {}", ran.stderr);
+    }
+    let curve = fs::read_to_string(folder.path("a/curve.csv")).unwrap();
+    let header = curve.lines().next().unwrap();
+    let columns = [
+        "max von Mises layer[0] [Pa]",
+        "max shear traction interface[0] [Pa]",
+    ];
+    assert!(
+        columns.iter().all(|column| header.contains(column)),
+        "{header}"
+    );
+}
+
+#[test]
+fn without_a_table_of_stresses_there_are_none() {
+    let folder = TestFolder::with_case(CASE);
+    let summary = summary(&folder, &[]);
+    assert!(summary["steps"][0].get("stress").is_none() && summary.get("critical").is_none());
+}
+
+#[test]
+fn a_study_varies_friction_and_strength_and_has_critical_loads_as_columns() {
+    let study = hertz(0.1)
+        .replace("forces = [1e-4, 1e-3]", "force = 1e-3")
+        .replace("elements = 64", "elements = 32")
+        + "[study.vary]\nstress.friction = [0.0, 0.4]\n\"foundation.substrate.yield_strength\" = [0.02, 0.03]\n";
+    let folder = TestFolder::with_case(study);
+    let ran = folder.run(&["study", "case.toml", "--quiet"]);
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    let table = fs::read_to_string(folder.path("results/case/results.csv")).unwrap();
+    let mut lines = table
+        .lines()
+        .map(|line| line.split(',').collect::<Vec<_>>());
+    let header = lines.next().unwrap();
+    let column = |name: &str| {
+        header
+            .iter()
+            .position(|found| found.starts_with(name))
+            .unwrap()
+    };
+    let [critical, mises, friction] = [
+        "critical force yield substrate [",
+        "max von Mises substrate [",
+        "stress.friction",
+    ]
+    .map(column);
+    let rows: Vec<_> = lines.collect();
+    assert_eq!(rows.len(), 4);
+    let of = |row: usize, column: usize| rows[row][column].parse::<f64>().unwrap();
+    assert_eq!([0, 2].map(|row| rows[row][friction]), ["0e0", "4e-1"]);
+    // Three halves the strength take the cube of it in force.
+    assert!((of(1, critical) / of(0, critical) / 1.5_f64.powi(3) - 1.0).abs() < 0.03);
+    // The strength is not in the stress, friction is, and takes from the critical load.
+    assert!((of(0, mises) / of(1, mises) - 1.0).abs() < 1e-12);
+    assert!(of(2, mises) > of(0, mises) && of(2, critical) < of(0, critical));
+}
