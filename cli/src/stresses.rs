@@ -63,8 +63,8 @@ pub fn find(
         return Ok(Some(found));
     }
     tell(Search::Critical);
-    let (loads, options) = (case.load.loads(), case.solver_options());
-    match critical_loads(model, path, domain, &loads, &options, &stress, observer) {
+    let (steps, options) = (&found.steps, case.solver_options());
+    match critical_loads(model, path, steps, domain, &options, &stress, observer) {
         Ok(critical) => found.critical = Some(critical),
         Err(ContactError::Cancelled { .. }) => found.is_stopped = true,
         Err(error) => return Err(case.blame(error)),

@@ -263,12 +263,12 @@ fn the_stress_at_the_rim_of_a_punch_is_not_resolved() {
 fn critical(model: &Model, elements: usize, force: f64, stress: &StressModel) -> Vec<CriticalLoad> {
     let path = solved(model, elements, force);
     let options = SolverOptions::default();
-    let loads = [Load::Force(force)];
+    let extremes = [stress_extremes(&path, 0, stress).unwrap()];
     critical_loads(
         model,
         &path,
+        &extremes,
         Domain::Automatic,
-        &loads,
         &options,
         stress,
         &mut (),

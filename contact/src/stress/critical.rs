@@ -5,9 +5,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::extremes::Extreme;
+use super::extremes::{BodyStress, Extreme, InterfaceStress, StressExtremes};
 use super::finder::Finder;
-use super::model::{Criterion, StressModel};
+use super::model::{Criterion, Sliding, StressModel};
 use super::quantity::Quantity;
 use super::scan::Target;
 use crate::{
@@ -51,331 +51,302 @@ pub struct CriticalLoad {
     pub utilisation: f64,
 }
 
-/// One criterion and the place of its quantity among the targets.
+/// One criterion: the quantity, the depths that it is looked for in, and its extremes under the loads of the path.
 struct Asked {
     criterion: Criterion,
     name: String,
     strength: f64,
-    target: usize,
-    quantity: usize,
+    target: Target,
+    known: Vec<Extreme<3>>,
 }
 
-/// A load with the extreme of each criterion under it.
-#[derive(Clone)]
+/// The extreme under a load.
+#[derive(Clone, Copy)]
 struct Solved {
-    /// Force in N, or penetration in m, whichever is prescribed.
-    load: f64,
+    /// In N.
     force: f64,
+    /// In m.
     penetration: f64,
-    extremes: Vec<Extreme<3>>,
+    extreme: Extreme<3>,
 }
 
-/// The critical load of every strength given, up to the largest load of a solved path.
+/// The critical load of every strength given, up to the largest load of a solved path, whose steps have these extremes.
 ///
 /// # Errors
 /// As [`solve_path`] and [`stress_extremes`](super::extremes::stress_extremes); [`ContactError::Cancelled`] by the
 /// observer.
+///
+/// # Panics
+/// If a step has no extremes, or those of another model of stress.
 pub fn critical_loads(
     model: &Model,
     path: &LoadingPath,
+    extremes: &[StressExtremes],
     domain: Domain,
-    loads: &[Load],
     options: &SolverOptions,
     stress: &StressModel,
     observer: &mut dyn Observer,
 ) -> Result<Vec<CriticalLoad>, ContactError> {
-    let (targets, asked) = criteria(stress);
-    let mut search = LoadSearch {
-        model,
-        domain,
-        elements: path.grid.size(),
-        options: SolverOptions {
-            coarse_pressures: true,
-            contact_stiffness: false,
-            ..*options
-        },
-        stress,
-        is_force: loads.iter().all(|load| matches!(load, Load::Force(_))),
-        targets,
-        asked,
-        solved: Vec::new(),
-        observer,
-    };
-    if search.asked.is_empty() {
-        return Ok(Vec::new());
-    }
-    for index in 0..path.steps.len() {
-        let solved = search.stresses(path, index)?;
-        search.take(solved);
-    }
-    (0..search.asked.len())
-        .map(|index| search.critical(index))
-        .collect()
-}
-
-/// The quantities to look for, and the criteria that ask for them.
-fn criteria(stress: &StressModel) -> (Vec<Target>, Vec<Asked>) {
-    let (mut targets, mut asked) = (Vec::new(), Vec::new());
-    let mut ask =
-        |[top, bottom]: [f64; 2], name: &str, wanted: [(Option<f64>, Criterion, Quantity); 2]| {
-            let mut quantities = Vec::new();
-            for (strength, criterion, quantity) in wanted {
-                let Some(strength) = strength else { continue };
-                asked.push(Asked {
-                    criterion,
-                    name: name.to_owned(),
-                    strength,
-                    target: targets.len(),
-                    quantity: quantities.len(),
-                });
-                quantities.push(quantity);
-            }
-            if !quantities.is_empty() {
-                targets.push(Target {
-                    top,
-                    bottom,
-                    quantities,
-                });
-            }
+    assert_eq!(extremes.len(), path.steps.len(), "extremes of each step");
+    let mut found = Vec::new();
+    for asked in criteria(stress, extremes) {
+        let solutions = path.steps.iter().map(|step| &step.solution);
+        let solved = solutions
+            .zip(&asked.known)
+            .map(|(solution, extreme)| Solved {
+                force: solution.force,
+                penetration: solution.penetration,
+                extreme: *extreme,
+            });
+        let mut search = LoadSearch {
+            model,
+            domain,
+            elements: path.grid.size(),
+            options: SolverOptions {
+                coarse_pressures: true,
+                contact_stiffness: false,
+                ..*options
+            },
+            sliding: stress.sliding,
+            solved: solved.collect(),
+            asked: &asked,
+            observer: &mut *observer,
         };
-    for body in &stress.bodies {
-        let strengths = body.strengths;
-        ask(
-            [body.top, body.bottom],
-            &body.name,
-            [
-                (
-                    strengths.yield_strength,
-                    Criterion::Yield,
-                    Quantity::VonMises,
-                ),
-                (
-                    strengths.tensile_strength,
-                    Criterion::Tension,
-                    Quantity::MaxPrincipal,
-                ),
-            ],
-        );
+        search
+            .solved
+            .sort_by(|one, other| one.force.total_cmp(&other.force));
+        found.push(search.critical()?);
     }
-    for interface in &stress.interfaces {
-        let strengths = interface.strengths;
-        ask(
-            [interface.depth; 2],
-            &format!("interface[{}]", interface.index),
-            [
-                (
-                    strengths.shear_strength,
-                    Criterion::InterfaceShear,
-                    Quantity::ShearTraction,
-                ),
-                (
-                    strengths.tensile_strength,
-                    Criterion::InterfaceTension,
-                    Quantity::Tension,
-                ),
-            ],
-        );
-    }
-    (targets, asked)
+    Ok(found)
 }
 
-/// The loads solved so far, and how to solve another.
+/// The criteria that strengths ask for.
+fn criteria(stress: &StressModel, extremes: &[StressExtremes]) -> Vec<Asked> {
+    let mut asked = Vec::new();
+    let mut ask = |criterion, name: &str, strength: Option<f64>, [top, bottom]: [f64; 2], known| {
+        let quantity = match criterion {
+            Criterion::Yield => Quantity::VonMises,
+            Criterion::Tension => Quantity::MaxPrincipal,
+            Criterion::InterfaceShear => Quantity::ShearTraction,
+            Criterion::InterfaceTension => Quantity::Tension,
+        };
+        asked.extend(strength.map(|strength| Asked {
+            criterion,
+            name: name.to_owned(),
+            strength,
+            target: Target {
+                top,
+                bottom,
+                quantities: vec![quantity],
+            },
+            known,
+        }));
+    };
+    for (index, body) in stress.bodies.iter().enumerate() {
+        let (strengths, range) = (body.strengths, [body.top, body.bottom]);
+        let known = |of: fn(&BodyStress) -> Extreme<3>| {
+            let steps = extremes.iter().map(|step| of(&step.bodies[index]));
+            steps.collect::<Vec<_>>()
+        };
+        let yielding = known(|body| body.max_von_mises);
+        ask(
+            Criterion::Yield,
+            &body.name,
+            strengths.yield_strength,
+            range,
+            yielding,
+        );
+        let tension = known(|body| body.max_principal);
+        ask(
+            Criterion::Tension,
+            &body.name,
+            strengths.tensile_strength,
+            range,
+            tension,
+        );
+    }
+    for (index, interface) in stress.interfaces.iter().enumerate() {
+        let (strengths, depth) = (interface.strengths, interface.depth);
+        let name = format!("interface[{}]", interface.index);
+        let known = |of: fn(&InterfaceStress) -> Extreme<2>| {
+            let steps = extremes
+                .iter()
+                .map(|step| of(&step.interfaces[index]).at_depth(depth));
+            steps.collect::<Vec<_>>()
+        };
+        let shear = known(|interface| interface.max_shear_traction);
+        ask(
+            Criterion::InterfaceShear,
+            &name,
+            strengths.shear_strength,
+            [depth; 2],
+            shear,
+        );
+        let tension = known(|interface| interface.max_tension);
+        ask(
+            Criterion::InterfaceTension,
+            &name,
+            strengths.tensile_strength,
+            [depth; 2],
+            tension,
+        );
+    }
+    asked
+}
+
+/// The loads solved so far for one criterion, and how to solve another.
 struct LoadSearch<'a> {
     model: &'a Model,
     domain: Domain,
     elements: usize,
     options: SolverOptions,
-    stress: &'a StressModel,
-    is_force: bool,
-    targets: Vec<Target>,
-    asked: Vec<Asked>,
-    /// By rising load.
+    sliding: Sliding,
+    asked: &'a Asked,
+    /// By rising force.
     solved: Vec<Solved>,
     observer: &'a mut dyn Observer,
 }
 
 impl LoadSearch<'_> {
-    /// The critical load of one criterion.
-    fn critical(&mut self, index: usize) -> Result<CriticalLoad, ContactError> {
-        let Some(mut upper) = self.first_reached(index) else {
-            let largest = self.solved.last().cloned();
-            return Ok(self.result(index, None, largest.as_ref()));
+    /// The critical load.
+    fn critical(&mut self) -> Result<CriticalLoad, ContactError> {
+        let Some(mut upper) = self.first_reached() else {
+            return Ok(self.result(None, self.solved.last()));
         };
         let mut tried = 0;
         let mut lower = loop {
-            if let Some(lower) = self.last_before(upper.load) {
+            if let Some(lower) = self.last_before(upper.force) {
                 break lower;
             }
             if tried == MOST_SMALLER {
-                return Ok(self.result(index, None, Some(&upper)));
+                return Ok(self.result(None, Some(&upper)));
             }
             tried += 1;
-            let smaller = self.solve(SMALLER * upper.load, self.domain)?;
-            if self.utilisation(index, &smaller) >= 1.0 {
+            let smaller = self.solve(SMALLER * upper.force, self.domain)?;
+            if self.utilisation(&smaller) >= 1.0 {
                 upper = smaller;
             }
         };
-        let mut exponent = self.exponent(index, &lower, &upper);
-        let mut latest = self.nearer(index, &lower, &upper).clone();
+        let mut exponent = self.exponent(&lower, &upper);
+        let mut latest = self.nearer(lower, upper);
         let mut narrow = None;
         for trial in 0..MOST_SOLVED {
-            let (low, high) = (lower.load, upper.load);
+            let (low, high) = (lower.force, upper.force);
             if high / low <= NARROW && narrow.is_none() {
                 narrow = Some(self.domain_for(high)?);
             }
-            let load = exponent
+            let force = exponent
                 .filter(|_| trial < MOST_SECANTS)
-                .map(|n| latest.load * self.utilisation(index, &latest).powf(-1.0 / n))
-                .filter(|load| *load > low && *load < high)
+                .map(|n| latest.force * self.utilisation(&latest).powf(-1.0 / n))
+                .filter(|force| *force > low && *force < high)
                 .unwrap_or((low * high).sqrt());
-            let solved = self.solve(load, narrow.unwrap_or(self.domain))?;
-            let utilisation = self.utilisation(index, &solved);
-            exponent = self.exponent(index, &solved, &latest).or(exponent);
+            let solved = self.solve(force, narrow.unwrap_or(self.domain))?;
+            let utilisation = self.utilisation(&solved);
+            exponent = self.exponent(&solved, &latest).or(exponent);
             let is_found = exponent.is_some_and(|n| (utilisation.ln() / n).abs() <= ACCURACY);
             // A stress that jumps with the load is bracketed.
             if is_found || (high / low).ln() <= ACCURACY {
-                return Ok(self.result(index, exponent, Some(&solved)));
+                return Ok(self.result(exponent, Some(&solved)));
             }
-            latest = solved.clone();
+            latest = solved;
             if utilisation >= 1.0 {
                 upper = solved;
             } else {
                 lower = solved;
             }
         }
-        Ok(self.result(index, None, Some(&upper)))
+        Ok(self.result(None, Some(&upper)))
     }
 
     /// The smallest load solved under which the strength is reached.
-    fn first_reached(&self, index: usize) -> Option<Solved> {
-        let mut reached = self
-            .solved
-            .iter()
-            .filter(|solved| self.utilisation(index, solved) >= 1.0);
-        reached.next().cloned()
+    fn first_reached(&self) -> Option<Solved> {
+        let mut solved = self.solved.iter();
+        solved
+            .find(|solved| self.utilisation(solved) >= 1.0)
+            .copied()
     }
 
     /// The largest load solved below another.
-    fn last_before(&self, load: f64) -> Option<Solved> {
-        self.solved
-            .iter()
-            .rfind(|solved| solved.load < load && solved.load > 0.0)
-            .cloned()
+    fn last_before(&self, force: f64) -> Option<Solved> {
+        let is_before = |solved: &&Solved| solved.force < force && solved.force > 0.0;
+        self.solved.iter().rfind(is_before).copied()
     }
 
-    /// Which of two loads comes nearer to the strength.
-    fn nearer<'s>(&self, index: usize, one: &'s Solved, other: &'s Solved) -> &'s Solved {
-        let apart = |solved: &Solved| self.utilisation(index, solved).ln().abs();
-        if apart(one) < apart(other) {
+    /// The one of two loads that comes nearer to the strength.
+    fn nearer(&self, one: Solved, other: Solved) -> Solved {
+        let apart = |solved: &Solved| self.utilisation(solved).ln().abs();
+        if apart(&one) < apart(&other) {
             one
         } else {
             other
         }
     }
 
-    /// `n` of a utilisation that grows as `loadⁿ` between two loads; none where it does not grow.
-    fn exponent(&self, index: usize, one: &Solved, other: &Solved) -> Option<f64> {
-        let [first, second] = [one, other].map(|solved| self.utilisation(index, solved).ln());
-        let exponent = (second - first) / (other.load / one.load).ln();
+    /// `n` of a utilisation that grows as `forceⁿ` between two loads; none where it does not grow.
+    fn exponent(&self, one: &Solved, other: &Solved) -> Option<f64> {
+        let [first, second] = [one, other].map(|solved| self.utilisation(solved).ln());
+        let exponent = (second - first) / (other.force / one.force).ln();
         (exponent.is_finite() && exponent > 0.0).then_some(exponent)
     }
 
-    fn utilisation(&self, index: usize, solved: &Solved) -> f64 {
-        solved.extremes[index].value.max(0.0) / self.asked[index].strength
+    fn utilisation(&self, solved: &Solved) -> f64 {
+        solved.extreme.value.max(0.0) / self.asked.strength
     }
 
     /// One domain for loads up to this one: as given, or chosen for it.
-    fn domain_for(&self, load: f64) -> Result<Domain, ContactError> {
+    fn domain_for(&self, force: f64) -> Result<Domain, ContactError> {
         if let Domain::Side(_) = self.domain {
             return Ok(self.domain);
         }
-        Ok(Domain::Side(choose_side(self.model, &[self.load(load)])?))
+        Ok(Domain::Side(choose_side(
+            self.model,
+            &[Load::Force(force)],
+        )?))
     }
 
-    fn load(&self, value: f64) -> Load {
-        if self.is_force {
-            Load::Force(value)
-        } else {
-            Load::Penetration(value)
-        }
-    }
-
-    /// Solves a load and finds its stresses.
-    fn solve(&mut self, load: f64, domain: Domain) -> Result<Solved, ContactError> {
+    /// Solves a load and finds its stress.
+    fn solve(&mut self, force: f64, domain: Domain) -> Result<Solved, ContactError> {
         let domain = match domain {
             Domain::Chosen(_) => Domain::Automatic,
             domain => domain,
         };
-        let loads = [self.load(load)];
-        let path = solve_path(
-            self.model,
-            domain,
-            self.elements,
-            &loads,
-            &self.options,
-            self.observer,
-        )?;
-        if path.steps.is_empty() {
+        let (loads, observer) = ([Load::Force(force)], &mut *self.observer);
+        let (model, options) = (self.model, &self.options);
+        let path = solve_path(model, domain, self.elements, &loads, options, observer)?;
+        let [step] = &path.steps[..] else {
             return Err(ContactError::Cancelled { step: 0 });
-        }
-        let solved = self.stresses(&path, 0)?;
-        self.take(solved.clone());
+        };
+        let targets = std::slice::from_ref(&self.asked.target);
+        let found = Finder::new(&path, step, self.sliding).find(targets)?;
+        let solved = Solved {
+            force,
+            penetration: step.solution.penetration,
+            extreme: found[0][0],
+        };
+        let place = self.solved.partition_point(|other| other.force < force);
+        self.solved.insert(place, solved);
         Ok(solved)
     }
 
-    /// The extremes under a step of a path.
-    fn stresses(&self, path: &LoadingPath, step: usize) -> Result<Solved, ContactError> {
-        let step = &path.steps[step];
-        let found = Finder::new(path, step, self.stress.sliding).find(&self.targets)?;
-        let extremes = self
-            .asked
-            .iter()
-            .map(|asked| found[asked.target][asked.quantity]);
-        let solution = &step.solution;
-        Ok(Solved {
-            load: if self.is_force {
-                solution.force
-            } else {
-                solution.penetration
-            },
-            force: solution.force,
-            penetration: solution.penetration,
-            extremes: extremes.collect(),
-        })
-    }
-
-    fn take(&mut self, solved: Solved) {
-        let place = self
-            .solved
-            .partition_point(|other| other.load < solved.load);
-        self.solved.insert(place, solved);
-    }
-
     /// The result: a critical load where the growth of the stress there is known, else the last load tried.
-    fn result(&self, index: usize, exponent: Option<f64>, solved: Option<&Solved>) -> CriticalLoad {
-        let Asked {
-            criterion,
-            ref name,
-            strength,
-            ..
-        } = self.asked[index];
+    fn result(&self, exponent: Option<f64>, solved: Option<&Solved>) -> CriticalLoad {
         let found = exponent.and(solved);
-        let extreme = solved.map(|solved| solved.extremes[index]);
+        let extreme = solved.map(|solved| solved.extreme);
         let relative = extreme.and_then(|extreme| Some(extreme.estimate? / extreme.value.abs()));
         CriticalLoad {
-            criterion,
-            name: name.clone(),
-            strength,
+            criterion: self.asked.criterion,
+            name: self.asked.name.clone(),
+            strength: self.asked.strength,
             force: found.map(|solved| solved.force),
             penetration: found.map(|solved| solved.penetration),
-            at: found.map(|solved| solved.extremes[index].at),
+            at: found.map(|solved| solved.extreme.at),
             // δQ/Q = δσ/σ / n
             estimate: found
                 .zip(relative)
                 .zip(exponent)
                 .map(|((solved, relative), n)| solved.force * relative / n),
             resolved: extreme.is_some_and(|extreme| extreme.resolved),
-            utilisation: solved.map_or(0.0, |solved| self.utilisation(index, solved)),
+            utilisation: solved.map_or(0.0, |solved| self.utilisation(solved)),
         }
     }
 }

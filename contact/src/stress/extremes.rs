@@ -23,6 +23,24 @@ pub struct Extreme<const AXES: usize> {
     pub estimate: Option<f64>,
 }
 
+impl Extreme<2> {
+    /// The extreme of an interface at this depth (m) as one in space.
+    pub(super) fn at_depth(self, depth: f64) -> Extreme<3> {
+        let Self {
+            value,
+            at: [x, y],
+            resolved,
+            estimate,
+        } = self;
+        Extreme {
+            value,
+            at: [x, y, depth],
+            resolved,
+            estimate,
+        }
+    }
+}
+
 /// Points as lists: serde knows no arrays of any length.
 mod point {
     use serde::de::{Deserialize, Deserializer, Error};

@@ -17,6 +17,8 @@ const ALIKE: f64 = 1e-9;
 const NEARLY_AT_CENTRES: f64 = 0.99;
 /// An extreme within so many elements of the surface and of something sharp grows with the grid.
 const ELEMENTS_FROM_SURFACE: f64 = 2.0;
+/// Part of an element within which a place is on an axis.
+const ON_AXIS: f64 = 1e-3;
 /// By how much the depth of an extreme may differ on a coarser grid.
 const DEPTH_RATIO: f64 = 1.4;
 
@@ -147,9 +149,17 @@ impl<'a> Finder<'a> {
             .any(|level| level.meets_outline);
         let accuracy = step.solution.certificate.worst() + path.tables.error_estimate();
         let error = Estimate::of_values(values, meets_outline, is_at_edge, accuracy);
+        // Nearer to the axis than rounding tells, it is on it.
+        let snapped = |along: f64| {
+            if along.abs() < ON_AXIS * side {
+                0.0
+            } else {
+                along
+            }
+        };
         Extreme {
             value: peak.value,
-            at: peak.at,
+            at: [snapped(x), snapped(y), z],
             resolved: error.is_some_and(|error| error.resolved),
             estimate: error.map(|error| error.estimate),
         }
