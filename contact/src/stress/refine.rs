@@ -12,6 +12,7 @@ use rayon::prelude::*;
 use super::around::Around;
 use super::field::{LoadedSquare, StressField};
 use super::quantity::Quantity;
+use super::scan;
 
 /// Depths are bracketed to this part of the bracket's first width, by so many trials at most.
 const NARROW: f64 = 0.25;
@@ -171,10 +172,17 @@ impl<'a> Search<'a> {
 
     /// The best value that climbing at a depth leads to.
     fn tried(&mut self, start: [isize; 2], z: f64) -> Result<Trial, InfluenceError> {
-        let mut place = start;
+        // A stress that fades away from the contact, a pressure everywhere, is largest where the scan ends.
+        let size = self.field.loaded().size;
+        let margin = scan::margin(size, z / self.field.grid().element_side());
+        let [first, last] = [-margin, size.cast_signed() + margin];
+        let within = |place: [isize; 2]| place.map(|along| along.clamp(first, last));
+        let mut place = within(start);
         loop {
             let around = (-1..=1).flat_map(|i| (-1..=1).map(move |j| [i, j]));
-            let around = around.map(|[i, j]| [place[0] + i, place[1] + j]).collect();
+            let around = around
+                .map(|[i, j]| within([place[0] + i, place[1] + j]))
+                .collect();
             let (value, best) = self.best_of(around, z)?;
             if best == place {
                 return Ok(Trial { z, value, place });
