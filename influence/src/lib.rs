@@ -97,6 +97,7 @@ pub use operator::{
 pub use radial::RadialTables;
 pub use sector::Sector;
 pub use subsurface::{
-    Depth, ElementFields, ElementLoads, PlaneFields, Squares, SubsurfaceState, SurfaceLoad,
+    Depth, ElementDepths, ElementFields, ElementLoads, PlaneFields, Squares, SubsurfaceState,
+    SurfaceLoad,
 };
 pub use surface_elasticity::SurfaceElasticity;
