@@ -97,7 +97,7 @@ pub use operator::{
 pub use radial::RadialTables;
 pub use sector::Sector;
 pub use subsurface::{
-    CentreStresses, Depth, ElementFields, ElementLoads, PlaneFields, Squares, SubsurfaceState,
-    SurfaceLoad,
+    CentreStresses, Depth, ElementDepths, ElementFields, ElementLoads, PlaneFields, Squares,
+    SubsurfaceState, SurfaceLoad,
 };
 pub use surface_elasticity::SurfaceElasticity;

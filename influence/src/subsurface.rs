@@ -1,9 +1,9 @@
 //! Displacements and stresses inside the body under a uniformly loaded square element.
 //!
-//! Near the surface each field is the [closed form](homogeneous) of a half-space of the top layer's material plus a
-//! smooth correction for the layers; deeper down the whole field is smooth. The smooth part is summed [over the
-//! element](element) by Gauss points from the fields of [point loads](point_kernels), fifteen functions of the radius
-//! for each depth.
+//! Waves are [solved for](waves) on a lattice of wavenumbers and added up to [functions of the radius](panels), fifteen
+//! for each depth, from which come the fields of [point loads](point_kernels). Far from its centre an element has such functions
+//! [of its own](under_load); near it the field is a sum over Gauss points of the element, which near the surface is only the
+//! smooth correction to the [closed form](homogeneous) of a half-space of the top layer's material.
 
 mod centre_stresses;
 mod depth;
@@ -23,7 +23,7 @@ mod waves;
 
 pub use centre_stresses::CentreStresses;
 pub use depth::Depth;
-pub use element::{ElementFields, ElementLoads};
+pub use element::{ElementDepths, ElementFields, ElementLoads};
 pub use plane_fields::PlaneFields;
 pub use pressed::Squares;
 pub use state::{SubsurfaceState, SurfaceLoad};

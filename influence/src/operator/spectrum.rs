@@ -116,10 +116,9 @@ impl QuarterTransform {
             || along_y.buffers(),
             |buffers, (group, results)| {
                 let entries = |n: usize| coefficients(group * LINES, n);
-                along_y.transform(size, entries, buffers, |pair, frequency, both| {
-                    let place = frequency * LINES + 2 * pair;
-                    results[place] = both.re;
-                    results[place + 1] = both.im;
+                let results = results.as_chunks_mut().0;
+                along_y.transform(size, entries, buffers, |frequency, values| {
+                    results[frequency] = values;
                 });
             },
         );
@@ -135,13 +134,10 @@ impl QuarterTransform {
                     let block = &lines[first..][..LINES * (LINES - 1) + 1];
                     std::array::from_fn(|i| block[i * LINES])
                 };
-                along_x.transform(size, entries, buffers, |pair, frequency, both| {
-                    let place = 2 * pair * width + place(frequency, half);
-                    if let Some(value) = results.get_mut(place) {
-                        *value = factor * both.re;
-                    }
-                    if let Some(value) = results.get_mut(place + width) {
-                        *value = factor * both.im;
+                along_x.transform(size, entries, buffers, |frequency, values| {
+                    let columns = results[place(frequency, half)..].iter_mut();
+                    for (entry, value) in columns.step_by(width).zip(values) {
+                        *entry = factor * value;
                     }
                 });
             },

@@ -38,9 +38,17 @@ pub(crate) struct MirrorTransform {
     waves: Vec<[f64; 2]>,
 }
 
+/// One number of each of the lines.
+type Across = [f64; LINES];
+
+/// Pairs of lines.
+const PAIRS: usize = LINES / 2;
+
 /// Buffers for one group of lines.
 pub(crate) struct MirrorBuffers {
-    /// Pairs of lines, M + 1 numbers each.
+    /// `a_0 … a_M`.
+    given: Vec<Across>,
+    /// The lines two by two, M numbers each.
     pairs: Vec<Complex64>,
     scratch: Vec<Complex64>,
 }
@@ -62,108 +70,146 @@ impl MirrorTransform {
     pub(crate) fn buffers(&self) -> MirrorBuffers {
         let zeros = |count: usize| vec![Complex64::default(); count];
         MirrorBuffers {
-            pairs: zeros(LINES / 2 * (self.half + 1)),
+            given: vec![[0.0; LINES]; self.half + 1],
+            pairs: zeros(PAIRS * self.half),
             scratch: zeros(self.forward.get_inplace_scratch_len()),
         }
     }
 
-    /// Transforms [`LINES`] lines, of which `entries` gives the entries below `length`; the others are 0. Tells the number of each
-    /// pair of lines, the frequency and both values.
+    /// Transforms [`LINES`] lines, of which `entries` gives the entries below `length`; the others are 0. Tells every
+    /// frequency with the values of all lines.
     pub(crate) fn transform(
         &self,
         length: usize,
-        entries: impl Fn(usize) -> [f64; LINES],
-        MirrorBuffers { pairs, scratch }: &mut MirrorBuffers,
-        mut tell: impl FnMut(usize, usize, Complex64),
+        entries: impl Fn(usize) -> Across,
+        buffers: &mut MirrorBuffers,
+        tell: impl FnMut(usize, Across),
     ) {
-        let width = self.half + 1;
-        for position in 0..length {
-            let entries = entries(position);
-            let entries = entries.as_chunks::<2>().0.iter();
-            let places = pairs[position..].iter_mut().step_by(width);
-            places
-                .zip(entries)
-                .for_each(|(place, [re, im])| *place = Complex64::new(*re, *im));
+        let (given, beyond) = buffers.given.split_at_mut(length);
+        for (position, given) in given.iter_mut().enumerate() {
+            *given = entries(position);
         }
-        for (number, pair) in pairs.chunks_exact_mut(width).enumerate() {
-            pair[length..].fill(Complex64::default());
-            self.transform_pair(pair, scratch, |frequency, both| {
-                tell(number, frequency, both)
-            });
+        beyond.fill([0.0; LINES]);
+        match self.parity {
+            Parity::Even => self.transform_given::<true>(buffers, tell),
+            Parity::Odd => self.transform_given::<false>(buffers, tell),
         }
     }
 
-    /// Transforms `a_0 … a_M`.
-    #[inline]
-    fn transform_pair(
+    fn transform_given<const EVEN: bool>(
         &self,
-        line: &mut [Complex64],
-        scratch: &mut [Complex64],
-        mut tell: impl FnMut(usize, Complex64),
+        MirrorBuffers {
+            given,
+            pairs,
+            scratch,
+        }: &mut MirrorBuffers,
+        tell: impl FnMut(usize, Across),
+    ) {
+        let mut chunks = pairs.chunks_exact_mut(self.half);
+        let mut lines: [&mut [Complex64]; PAIRS] =
+            std::array::from_fn(|_| chunks.next().unwrap_or_default());
+        let first = self.fold::<EVEN>(given, &mut lines);
+        for line in &mut lines {
+            self.forward.process_with_scratch(line, scratch);
+        }
+        self.unfold::<EVEN>(&lines, first, tell);
+    }
+
+    /// Writes `y_0 … y_(M−1)`, and gives `X_1`.
+    #[inline]
+    fn fold<const EVEN: bool>(
+        &self,
+        given: &[Across],
+        lines: &mut [&mut [Complex64]; PAIRS],
+    ) -> Across {
+        let half = self.half;
+        let mut write = |j: usize, values: &Across| {
+            for (line, [re, im]) in lines.iter_mut().zip(values.as_chunks::<2>().0) {
+                line[j] = Complex64::new(*re, *im);
+            }
+        };
+        let (begin, end) = (&given[0], &given[half]);
+        let mut first = across(begin, end, |a, b| a - b);
+        write(
+            0,
+            &across(begin, end, |a, b| if EVEN { a + b } else { 0.0 }),
+        );
+        for (j, [sine, cosine]) in self.waves.iter().enumerate().skip(1) {
+            let (near, far) = (&given[j], &given[half - j]);
+            let (sum, difference) = (
+                across(near, far, |a, b| a + b),
+                across(near, far, |a, b| a - b),
+            );
+            if EVEN {
+                // The cosine at M − j is the opposite, and so is the difference.
+                let weight = if 2 * j == half { 1.0 } else { 2.0 } * cosine;
+                first = across(&first, &difference, |first, d| first + weight * d);
+                write(j, &across(&sum, &difference, |s, d| s - sine * d));
+                write(half - j, &across(&sum, &difference, |s, d| s + sine * d));
+            } else {
+                write(half - j, &across(&sum, &difference, |s, d| sine * s - d));
+                write(j, &across(&sum, &difference, |s, d| sine * s + d));
+            }
+        }
+        first
+    }
+
+    /// Tells the transforms of the lines from those of y.
+    #[inline]
+    fn unfold<const EVEN: bool>(
+        &self,
+        lines: &[&mut [Complex64]; PAIRS],
+        first: Across,
+        mut tell: impl FnMut(usize, Across),
     ) {
         let half = self.half;
-        let first = self.fold(line);
-        let line = &mut line[..half];
-        self.forward.process_with_scratch(line, scratch);
-        let mut odd = match self.parity {
-            Parity::Even => first,
-            Parity::Odd => line[0] / 2.0,
-        };
-        let zeroth = match self.parity {
-            Parity::Even => line[0],
-            Parity::Odd => Complex64::ZERO,
-        };
-        tell(0, zeroth);
+        let zeroth = side_by_side(|pair| lines[pair][0]);
+        let mut odd = if EVEN { first } else { zeroth.map(|y| y / 2.0) };
+        tell(0, if EVEN { zeroth } else { [0.0; LINES] });
         tell(1, odd);
         for k in 1..=half / 2 {
-            let (y, partner) = (line[k], line[half - k]);
-            let (sum, difference) = ((y + partner) / 2.0, (y - partner) / 2.0);
-            // i (x + i y) = −y + i x
-            let difference = Complex64::new(-difference.im, difference.re);
-            let (even, step) = match self.parity {
-                Parity::Even => (sum, difference),
-                Parity::Odd => (difference, sum),
+            let sum = side_by_side(|pair| (lines[pair][k] + lines[pair][half - k]) * 0.5);
+            let difference = side_by_side(|pair| {
+                let difference = (lines[pair][k] - lines[pair][half - k]) * 0.5;
+                // i (x + i y) = −y + i x
+                Complex64::new(-difference.im, difference.re)
+            });
+            let (even, step) = if EVEN {
+                (sum, difference)
+            } else {
+                (difference, sum)
             };
-            odd += step;
+            odd = across(&odd, &step, |odd, step| odd + step);
             tell(2 * k, even);
             if 2 * k < half {
                 tell(2 * k + 1, odd);
             }
         }
     }
+}
 
-    /// Puts `y_0 … y_(M−1)` in place of `a_0 … a_M`, and gives `X_1`.
-    #[inline]
-    fn fold(&self, line: &mut [Complex64]) -> Complex64 {
-        let half = self.half;
-        let (begin, end) = (line[0], line[half]);
-        let mut first = begin - end;
-        line[0] = match self.parity {
-            Parity::Even => begin + end,
-            Parity::Odd => Complex64::ZERO,
-        };
-        for (j, [sine, cosine]) in self.waves.iter().enumerate().skip(1) {
-            let (near, far) = (line[j], line[half - j]);
-            let (sum, difference) = (near + far, near - far);
-            // The cosine at M − j is the opposite, and so is the difference.
-            let images = if 2 * j == half { 1.0 } else { 2.0 };
-            first += difference * (images * cosine);
-            let (even, odd) = match self.parity {
-                Parity::Even => (sum, difference * -sine),
-                Parity::Odd => (sum * sine, difference),
-            };
-            line[j] = even + odd;
-            line[half - j] = even - odd;
-        }
-        first
+/// A rule applied to the numbers of each line.
+#[inline]
+fn across(one: &Across, other: &Across, rule: impl Fn(f64, f64) -> f64) -> Across {
+    std::array::from_fn(|i| rule(one[i], other[i]))
+}
+
+/// The numbers of the lines from those of their pairs.
+#[inline]
+fn side_by_side(of_pair: impl Fn(usize) -> Complex64) -> Across {
+    let mut values = [0.0; LINES];
+    for (pair, [re, im]) in values.as_chunks_mut::<2>().0.iter_mut().enumerate() {
+        let both = of_pair(pair);
+        (*re, *im) = (both.re, both.im);
     }
+    values
 }
 
 #[cfg(test)]
 mod tests {
     use std::f64::consts::PI;
 
-    use super::{LINES, MirrorTransform, Parity};
+    use super::{MirrorTransform, Parity};
 
     fn entry(line: usize, j: usize) -> f64 {
         ((7 * line + 1) as f64 + 0.37 * j as f64).sin()
@@ -176,8 +222,8 @@ mod tests {
                 let lines = MirrorTransform::new(half, parity);
                 let entries = |j| std::array::from_fn(|line| entry(line, j));
                 let mut told = 0;
-                lines.transform(length, entries, &mut lines.buffers(), |pair, k, both| {
-                    for (line, value) in [(2 * pair, both.re), (2 * pair + 1, both.im)] {
+                lines.transform(length, entries, &mut lines.buffers(), |k, values| {
+                    for (line, value) in values.into_iter().enumerate() {
                         let weight = |j: usize| if j == 0 || j == half { ends } else { 2.0 };
                         let terms =
                             (0..length).map(|j| weight(j) * entry(line, j) * wave(j, k, half));
@@ -187,7 +233,7 @@ mod tests {
                     }
                     told += 1;
                 });
-                assert_eq!(told, LINES / 2 * (half + 1));
+                assert_eq!(told, half + 1);
             }
         }
     }

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use pellicle_influence::{Depth, ElementFields};
 use pellicle_kernel::{Foundation, Material, Side};
 
-use super::{KEYS, nine};
+use super::{KEYS, nine, stacks};
 
 /// Boussinesq's and Cerruti's solutions for unit forces on the surface of a half-space (Johnson 1985, (3.18), (3.75)).
 fn point_loads(material: Material, [x, y, z]: [f64; 3]) -> [[f64; 9]; 2] {
@@ -105,6 +105,46 @@ fn a_square_is_the_sum_of_its_points() {
                         "{nu} {x} {y} {z} {}: {found:e}, {expected:e}",
                         KEYS[f]
                     );
+                }
+            }
+        }
+    }
+}
+
+/// By the distance an element's fields come from the closed form and Gauss points, from four points, or from functions of
+/// its own, and those of its sixteenths from others.
+#[test]
+fn an_element_is_the_sum_of_its_sixteenths() {
+    for (foundation, z) in stacks().iter().zip([0.0, 0.3, 20.0, 0.6, 0.2, 60.0, 3.0]) {
+        let plane = Depth {
+            z,
+            side: Side::Above,
+        };
+        let whole = ElementFields::new(foundation, 1.0, plane, 800.0).unwrap();
+        let part = ElementFields::new(foundation, 0.25, plane, 800.0).unwrap();
+        let parts: Vec<_> = (0..16)
+            .map(|i| [i / 4, i % 4].map(|along| f64::from(along) / 4.0 - 0.375))
+            .map(|centre| (centre, 1.0))
+            .collect();
+        let distances = [0.1, 1.0, 5.0, 11.0, 39.7, 40.5, 100.0, 298.0, 301.0, 790.0];
+        let directions = [0.0_f64, 0.4, 0.8, 2.0];
+        for friction in [[0.0; 2], [1.0, 0.0], [0.5, -2.0]] {
+            let mut largest = [0.0_f64; 9];
+            for distance in distances {
+                for direction in directions {
+                    let point = [distance * direction.cos(), distance * direction.sin()];
+                    let found = nine(&whole.sum_over(&[([0.0; 2], 1.0)], friction, point));
+                    let expected = nine(&part.sum_over(&parts, friction, point));
+                    for (f, (found, expected)) in found.iter().zip(expected).enumerate() {
+                        // The largest values lie near the element, and the points are told outwards.
+                        largest[f] = largest[f].max(expected.abs());
+                        let error = (found - expected).abs() / largest[f];
+                        assert!(
+                            error < 3e-12,
+                            "{foundation:?} {z} {friction:?} {distance} {direction} {}: {error:e}",
+                            KEYS[f]
+                        );
+                    }
                 }
             }
         }
