@@ -17,7 +17,7 @@ pub mod independent;
 mod limits;
 mod products;
 mod report;
-mod run;
+pub mod run;
 pub mod stress;
 mod table;
 

@@ -1,0 +1,1 @@
+//! Formulas for paraboloids on thin layers, against the integral equation.
