@@ -12,6 +12,7 @@ mod comparison;
 mod compliance;
 pub mod data;
 pub mod discrete;
+pub mod film_formulas;
 mod grid_error;
 pub mod independent;
 mod limits;

@@ -30,8 +30,7 @@ fn hayes_table_is_right_to_three_thousandths_up_to_a_radius_of_one_thickness() {
     for [ratio, printed] in HAYES {
         let found = kappa(ratio, 0.45);
         let error = printed / found - 1.0;
-        println!("{ratio} {printed} {found:.5} {:+.2} %", 100.0 * error);
-        let allowed = if ratio <= 1.0 { 3e-3 } else { 2e-2 };
+        let allowed = if ratio <= 1.0 { 3e-3 } else { 1.1e-2 };
         assert!(error.abs() < allowed, "{ratio}: {printed} {found}");
     }
 }
