@@ -67,7 +67,7 @@ pub mod drawing {
 /// The rows of the validation, and the published numbers behind them.
 pub mod evidence {
     pub use crate::validation::{
-        SECTIONS, ValidationError, ValidationRun, data, independent, stress,
+        SECTIONS, ValidationError, ValidationRun, data, film_formulas, independent, run, stress,
     };
 }
 

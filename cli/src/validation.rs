@@ -12,12 +12,13 @@ mod comparison;
 mod compliance;
 pub mod data;
 pub mod discrete;
+pub mod film_formulas;
 mod grid_error;
 pub mod independent;
 mod limits;
 mod products;
 mod report;
-mod run;
+pub mod run;
 pub mod stress;
 mod table;
 

@@ -4,6 +4,7 @@ use std::io;
 use std::path::PathBuf;
 
 use pellicle_cli::Failure;
+use pellicle_cli::evidence::ValidationError;
 use thiserror::Error;
 
 /// The reason why a chore could not be done.
@@ -56,6 +57,9 @@ pub enum XtaskError {
     /// Results of a run that cannot be read.
     #[error(transparent)]
     Results(#[from] Failure),
+    /// A number of a page of the documentation that could not be computed.
+    #[error(transparent)]
+    Evidence(#[from] ValidationError),
     /// A summary that is not one.
     #[error(transparent)]
     Json(#[from] serde_json::Error),

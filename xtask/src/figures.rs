@@ -1,4 +1,4 @@
-//! The figures of the paper, drawn from certified runs of its cases.
+//! The figures of the paper, drawn from certified runs of its cases, and the picture of the page on thin films.
 //!
 //! A figure asks the [`Runner`] for solutions and returns [`Picture`]s: a drawing and the numbers in it. Captions are
 //! literal: the cases are the paper's, whose parameters do not change.
@@ -12,6 +12,7 @@ mod loading;
 mod pressures;
 mod runner;
 mod sheet;
+mod thin_film;
 
 use std::path::Path;
 
@@ -60,5 +61,6 @@ fn draw(figure: Figure, runner: &Runner) -> Result<Vec<Picture>, XtaskError> {
         Figure::Four => Ok(vec![loading::figure_4(runner)?]),
         Figure::Five => figure_5::draw(runner),
         Figure::Six => Ok(vec![loading::figure_6(runner)?]),
+        Figure::ThinFilm => Ok(vec![thin_film::draw()?]),
     }
 }

@@ -133,7 +133,7 @@ fn film_of_almost_equal_modulus(run: ValidationRun) -> Result<Vec<Comparison>, V
             check("integral equation"),
             wanted,
             by_equation,
-            1e-6,
+            DIFFERENCE,
         ));
         rows.push(Comparison::relative(
             check("grid"),

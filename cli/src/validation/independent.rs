@@ -30,7 +30,7 @@ pub fn composite(borders: &[f64]) -> Vec<(f64, f64)> {
 }
 
 /// Borders from 0 to `end`: powers of two up to `width`, then steps of it.
-fn graded(end: f64, width: f64) -> Vec<f64> {
+pub fn graded(end: f64, width: f64) -> Vec<f64> {
     let small = (0..24).rev().map(|halvings| width * 0.5_f64.powi(halvings));
     let steps = (end / width).ceil().max(1.0);
     let rest = (2..)

@@ -6,7 +6,7 @@ use clap::{Args, ValueEnum};
 
 use super::runner::{FULL, QUICK};
 
-/// A figure of the paper that shows results.
+/// A figure of the paper that shows results, or of a page of the documentation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, ValueEnum)]
 pub enum Figure {
     /// Pressure under a paraboloid on textured coatings.
@@ -24,12 +24,15 @@ pub enum Figure {
     /// Largest pressure and penetration against load, with and without film.
     #[value(name = "6")]
     Six,
+    /// Formulas for thin films over the exact force; not in the paper.
+    #[value(name = "thin-film")]
+    ThinFilm,
 }
 
 /// Draws the paper's figures from its cases.
 #[derive(Debug, Clone, Args)]
 pub struct FiguresArguments {
-    /// Only these figures of the paper, 2 to 6.
+    /// Only these figures: of the paper, 2 to 6, or thin-film.
     #[arg(long, value_name = "FIGURE,…", value_delimiter = ',')]
     pub only: Vec<Figure>,
     /// Coarse grids, for a look only; the pictures say so.

@@ -1,5 +1,5 @@
-//! Axisymmetric contact by Fredholm's integral equation of the second kind, as N. N. Lebedev and Ia. S. Ufliand (1958)
-//! reduced it to and W. C. Hayes and others (1972) solved it.
+//! Axisymmetric contact by Fredholm's integral equation of the second kind, as W. C. Hayes and others (1972) solved it
+//! for a layer on a rigid base.
 //!
 //! The pressure is sought as waves whose transform is `p̅(k) = E*/2 ∫₀ᵃ g(t) cos kt dt`, with `E*` of the surface's
 //! material. On a half-space each `g(t)` leaves the surface outside the circle t alone; layers add a smooth kernel:

@@ -1,0 +1,39 @@
+//! Forces and tractions in random stacks.
+
+use pellicle_cli::evidence::stress::balance::{box_forces, random_stacks, traction_jumps};
+use pellicle_kernel::{Base, Interface};
+use rayon::prelude::*;
+
+#[test]
+fn a_box_in_a_random_stack_bears_the_load_and_nothing_else() {
+    let stacks = random_stacks(12).unwrap();
+    stacks.par_iter().for_each(|body| {
+        for ([wanted, found], error) in box_forces(body).unwrap() {
+            // What the rule of the box leaves in thick layers.
+            assert!(error < 1e-8, "{body:?}: {wanted} {found:e}");
+        }
+    });
+}
+
+#[test]
+fn tractions_pass_every_interface_of_random_stacks() {
+    let stacks = random_stacks(40).unwrap();
+    let has = |interface: fn(Interface) -> bool| {
+        let mut layers = stacks.iter().flat_map(|body| body.layers());
+        layers.any(|layer| interface(layer.interface()))
+    };
+    assert!(has(|interface| interface.is_frictionless()));
+    assert!(has(|interface| matches!(interface, Interface::Spring(_))));
+    assert!(stacks.iter().any(|body| body.base() == Base::Rigid));
+    let mut layers = stacks.iter().flat_map(|body| body.layers());
+    assert!(layers.any(|layer| layer.material().poisson_ratio() == 0.5));
+    let jumps: Vec<_> = stacks
+        .par_iter()
+        .flat_map(|body| traction_jumps(body).unwrap())
+        .collect();
+    assert!(jumps.len() > 80, "{}", jumps.len());
+    for ([above, below], error) in jumps {
+        // The accuracy of the fields on both sides.
+        assert!(error < 2e-11, "{above:e} {below:e}");
+    }
+}
