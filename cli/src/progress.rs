@@ -49,10 +49,10 @@ impl ProgressLine {
         move |done, total| line.set_message(writing(done, total))
     }
 
-    /// A function that shows which stresses are being looked for.
-    pub fn searching(&self) -> impl Fn(Search) + use<> {
-        let line = self.line.clone();
-        move |search| line.set_message(searching(search))
+    /// The same line while stresses are looked for.
+    #[must_use]
+    pub fn searching(&self) -> SearchLine {
+        SearchLine(self.line.clone())
     }
 
     /// The given line, with these texts before and after the progress.
@@ -71,6 +71,28 @@ impl ProgressLine {
             clock: TimeLeft::start(tolerance),
             keeps_steps: false,
         }
+    }
+}
+
+/// A progress line while stresses are looked for.
+#[derive(Debug, Clone)]
+pub struct SearchLine(ProgressBar);
+
+impl SearchLine {
+    /// Shows what is being looked for.
+    pub fn tell(&self, search: Search) {
+        self.0.set_message(searching(search));
+    }
+}
+
+impl Observer for SearchLine {
+    fn progress(&mut self, progress: &Progress) -> Signal {
+        if !self.0.is_hidden() {
+            let message = message(progress, None);
+            let what = searching(Search::Critical);
+            self.0.set_message(format!("{what}: {message}"));
+        }
+        interrupt::signal()
     }
 }
 

@@ -1,5 +1,11 @@
 //! The stresses that a summary tells: the extremes of each step, and the critical loads.
 
+use std::panic::resume_unwind;
+use std::sync::Arc;
+use std::sync::mpsc::{self, RecvTimeoutError};
+use std::thread;
+use std::time::Duration;
+
 use pellicle_contact::{
     ContactError, CriticalLoad, Domain, LoadingPath, Model, Observer, StressExtremes,
     critical_loads, stress_extremes,
@@ -8,16 +14,18 @@ use pellicle_contact::{
 use crate::case::Case;
 use crate::failure::Failure;
 use crate::interrupt;
+use crate::progress::SearchLine;
+
+/// Time between two looks at the user.
+const LOOK: Duration = Duration::from_millis(20);
 
 /// The extremes of the steps, and the critical loads.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone)]
 pub struct Stresses {
-    /// Of the steps in their order; fewer than there are if the user has stopped.
+    /// Of the steps in their order.
     pub steps: Vec<StressExtremes>,
-    /// Of every strength given; none if no strength is, or if the user has stopped.
+    /// Of every strength given; none if no strength is.
     pub critical: Option<Vec<CriticalLoad>>,
-    /// Whether the user has stopped before all were found.
-    pub is_stopped: bool,
 }
 
 /// What is looked for, for the user to see.
@@ -33,7 +41,8 @@ pub enum Search {
 ///
 /// # Errors
 ///
-/// [`Failure`] if a stress cannot be computed or a critical load not be solved for.
+/// [`ContactError::Cancelled`] if the user has stopped; [`Failure`] if a stress cannot be computed or a critical load
+/// not be solved for.
 pub fn find(
     case: &Case,
     model: &Model,
@@ -47,27 +56,61 @@ pub fn find(
     };
     let stress = stress.model(&case.foundation, path.tables.foundation());
     let count = path.steps.len();
-    let mut found = Stresses::default();
-    for step in 0..count {
+    let of_step = |step| {
         if interrupt::is_requested() {
-            found.is_stopped = true;
-            return Ok(Some(found));
+            return Err(ContactError::Cancelled { step });
         }
         tell(Search::Step(step, count));
-        let extremes = stress_extremes(path, step, &stress);
-        found
-            .steps
-            .push(extremes.map_err(|error| case.blame(error))?);
-    }
+        stress_extremes(path, step, &stress)
+    };
+    let steps: Result<Vec<_>, _> = (0..count).map(of_step).collect();
+    let steps = steps.map_err(|error| case.blame(error))?;
     if !case.foundation.has_strengths() {
-        return Ok(Some(found));
+        let critical = None;
+        return Ok(Some(Stresses { steps, critical }));
     }
     tell(Search::Critical);
-    let (steps, options) = (&found.steps, case.solver_options());
-    match critical_loads(model, path, steps, domain, &options, &stress, observer) {
-        Ok(critical) => found.critical = Some(critical),
-        Err(ContactError::Cancelled { .. }) => found.is_stopped = true,
-        Err(error) => return Err(case.blame(error)),
+    let options = case.solver_options();
+    let critical = critical_loads(model, path, &steps, domain, &options, &stress, observer)
+        .map_err(|error| case.blame(error))?;
+    Ok(Some(Stresses {
+        steps,
+        critical: Some(critical),
+    }))
+}
+
+/// The same on threads of its own, which are left behind when the user asks to stop: the extremes of one step may take
+/// longer than anybody wants to wait then, and the results that are there are still to be written.
+///
+/// # Errors
+///
+/// As [`find`].
+pub fn find_beside(
+    case: &Case,
+    model: &Model,
+    domain: Domain,
+    path: &Arc<LoadingPath>,
+    line: SearchLine,
+) -> Result<Option<Stresses>, Failure> {
+    if case.stress.is_none() {
+        return Ok(None);
     }
-    Ok(Some(found))
+    let threads = rayon::current_num_threads();
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
+    let pool = pool.build()?;
+    let (case, model, path) = (case.clone(), model.clone(), Arc::clone(path));
+    let (alive, watched) = mpsc::channel::<()>();
+    let search = thread::spawn(move || {
+        // Dropped when the search has ended, in whatever way.
+        let _alive = alive;
+        let mut observer = line.clone();
+        let tell = |search| line.tell(search);
+        pool.install(|| find(&case, &model, domain, &path, &tell, &mut observer))
+    });
+    while watched.recv_timeout(LOOK) == Err(RecvTimeoutError::Timeout) {
+        if interrupt::is_requested() {
+            return Err(ContactError::Cancelled { step: 0 }.into());
+        }
+    }
+    search.join().unwrap_or_else(|panic| resume_unwind(panic))
 }

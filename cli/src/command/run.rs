@@ -1,9 +1,10 @@
 //! `pellicle run`: solves a case, certifies the solution and writes the results.
 
 use std::path::Path;
+use std::sync::Arc;
 use std::time::Instant;
 
-use pellicle_contact::{Domain, LoadingPath, Model, Observer, Status, solve_path};
+use pellicle_contact::{ContactError, Domain, LoadingPath, Model, Observer, Status, solve_path};
 
 use crate::arguments::RunArguments;
 use crate::case::Case;
@@ -16,7 +17,8 @@ use crate::output::summary::{Clock, Summary, WarningSummary};
 use crate::output::{json, report, results, summary_text};
 use crate::program::Outcome;
 use crate::progress::ProgressLine;
-use crate::{cache, interrupt, stresses, terminal, threads};
+use crate::stresses::{self, Stresses};
+use crate::{cache, interrupt, terminal, threads};
 
 /// Solves the case, writes its results folder and reports the result.
 ///
@@ -39,14 +41,13 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
     let writers = folder.as_ref().map_or(0, |_| rayon::current_num_threads());
     let domain = case.domain(&model.value)?;
     let _share = memory.take(Need::new(&case, &model.value, domain, writers))?;
-    let path = solve(&case, &model.value, domain, &mut line)?;
+    let path = Arc::new(solve(&case, &model.value, domain, &mut line)?);
     if path.interrupted && path.steps.is_empty() {
         drop(line);
         return Ok(stopped_at_once());
     }
     interrupt::hold();
-    let searching = line.searching();
-    let stresses = stresses::find(&case, &model.value, domain, &path, &searching, &mut line)?;
+    let stresses = find_stresses(&case, &model.value, domain, &path, &line)?;
     let clock = Clock {
         start,
         tables_seconds,
@@ -54,8 +55,11 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
     };
     let mut summary = Summary::new(&case, &path, clock, &cache.take_warnings())?;
     summary.warnings.extend(unfinished(&case, &path));
-    if let (Some(stress), Some(found)) = (&case.stress, stresses) {
-        summary.add_stresses(stress, found);
+    if let Some(stress) = &case.stress {
+        match stresses {
+            Some(found) => summary.add_stresses(stress, found),
+            None => summary.warnings.push(without_stresses()),
+        }
     }
     let write = |folder: ResultsFolder| {
         let tell = line.writing();
@@ -84,6 +88,31 @@ fn unfinished(case: &Case, path: &LoadingPath) -> Option<WarningSummary> {
         code: "stopped".into(),
         message: format!("stopped by the user after {done} of {steps} loading steps"),
     })
+}
+
+/// The stresses of a path; none if the case asks for none or the user stops.
+fn find_stresses(
+    case: &Case,
+    model: &Model,
+    domain: Domain,
+    path: &Arc<LoadingPath>,
+    line: &ProgressLine,
+) -> Result<Option<Stresses>, Failure> {
+    if interrupt::is_requested() {
+        return Ok(None);
+    }
+    match stresses::find_beside(case, model, domain, path, line.searching()) {
+        Err(Failure::Contact(ContactError::Cancelled { .. })) => Ok(None),
+        found => found,
+    }
+}
+
+/// The warning of stresses that the user did not wait for.
+fn without_stresses() -> WarningSummary {
+    WarningSummary {
+        code: "stopped".into(),
+        message: "stopped by the user before all stresses were found: they are missing".into(),
+    }
 }
 
 /// Claims the results folder; none with `--json` alone.

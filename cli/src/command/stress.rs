@@ -52,7 +52,8 @@ struct SigmaRow {
 ///
 /// # Errors
 ///
-/// [`Failure`] if the case is wrong, has no such step, a point lies outside the body, or the contact cannot be computed.
+/// [`Failure`] if the case is wrong, has no such step, a point lies outside the body, or the contact cannot be
+/// computed.
 pub fn stress(arguments: &StressArguments) -> Result<Outcome, Failure> {
     let case = Case::read(&arguments.case.path, &arguments.case.sets)?;
     let step = step(&case, arguments.step)?;

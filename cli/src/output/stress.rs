@@ -1,5 +1,5 @@
-//! `stress-NNN.nc` and `stress-NNN.vtr`: displacements and stresses on planes in the body, computed and written plane by
-//! plane, so that no more than one plane is in memory.
+//! `stress-NNN.nc` and `stress-NNN.vtr`: displacements and stresses on planes in the body, computed and written plane
+//! by plane, so that no more than one plane is in memory.
 
 mod netcdf;
 mod vtr;

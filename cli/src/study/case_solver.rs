@@ -4,7 +4,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
 use std::time::Instant;
 
-use pellicle_contact::{Observer, solve_path};
+use pellicle_contact::{ContactError, Observer, solve_path};
 use pellicle_influence::Cache;
 use serde_json::Value;
 
@@ -117,10 +117,14 @@ impl CaseSolver<'_> {
         if path.interrupted {
             return Ok(None);
         }
-        let stresses = stresses::find(&case, &model.value, domain, &path, &|_| (), observer)?;
-        if stresses.as_ref().is_some_and(|found| found.is_stopped) {
+        let stresses = stresses::find(&case, &model.value, domain, &path, &|_| (), observer);
+        if matches!(
+            stresses,
+            Err(Failure::Contact(ContactError::Cancelled { .. }))
+        ) {
             return Ok(None);
         }
+        let stresses = stresses?;
         let clock = Clock {
             start,
             tables_seconds,

@@ -194,3 +194,37 @@ fn a_study_stopped_while_it_is_planned_leaves_nothing() {
     assert_eq!(ran.code, Some(130), "{}", ran.stderr);
     assert_eq!(folder.names(), ["case.toml", "many.toml"]);
 }
+
+#[test]
+fn ctrl_c_while_stresses_are_looked_for_keeps_the_contact_and_says_what_is_missing() {
+    let folder = TestFolder::with_case(CASE);
+    // The loads take a fraction of a second, their stresses minutes.
+    let start = Instant::now();
+    let searching = || start.elapsed() > Duration::from_secs(3);
+    let curve = "load={forces={from=\"0.9 uN\", to=\"1 uN\", count=300}}";
+    let line = [
+        "run",
+        "case.toml",
+        "--out",
+        "a",
+        "--fields",
+        "none",
+        "--pictures",
+        "none",
+        "--set",
+        curve,
+        "--set",
+        "stress.friction=0.1",
+    ];
+    let (ran, time) = interrupted(&folder, &line, "-INT", searching);
+    assert_eq!(ran.code, Some(130), "{}", ran.stderr);
+    assert!(time < Duration::from_secs(3), "{time:?}");
+    let summary = folder.summary("a");
+    assert_eq!(summary["steps"].as_array().unwrap().len(), 300);
+    assert!(summary["steps"][0].get("stress").is_none());
+    assert!(
+        ran.stderr.contains("before all stresses were found"),
+        "{}",
+        ran.stderr
+    );
+}

@@ -228,6 +228,19 @@ fn every_summary_keeps_to_its_schema() {
             "--set",
             "indenter={kind=\"cone\", half_angle=\"80 deg\"}",
         ],
+        vec![
+            "case.toml",
+            "--set",
+            "stress={depths=[0, \"5 nm\"], extent=\"100 nm\", friction=0.2, direction=\"10 deg\"}",
+            "--set",
+            "foundation.layer[0].yield_strength=1 MPa",
+            "--set",
+            "foundation.layer[0].interface={normal_compliance=0, shear_compliance=\"1 nm/GPa\"}",
+            "--set",
+            "foundation.layer[0].interface_tensile_strength=1 TPa",
+            "--set",
+            "foundation.substrate.tensile_strength=1 GPa",
+        ],
     ];
     let schema = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/summary.schema.json");
     let mut arguments = vec![schema];

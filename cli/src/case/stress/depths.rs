@@ -14,8 +14,8 @@ const EVEN: f64 = 0.2;
 
 /// Depths from the surface to `deepest` (m), interfaces at `bottoms` among them where they lie above, rising.
 ///
-/// Between two interfaces they are spaced as the extremes of a Chebyshev polynomial, denser at both, evened out a little;
-/// below the last interface as those of its upper half, denser at the top.
+/// Between two interfaces they are spaced as the extremes of a Chebyshev polynomial, denser at both, evened out a
+/// little; below the last interface as those of its upper half, denser at the top.
 #[must_use]
 pub fn chosen(bottoms: &[f64], deepest: f64) -> Vec<f64> {
     let within = bottoms.iter().copied().filter(|bottom| *bottom < deepest);

@@ -3,7 +3,7 @@
 use pellicle_contact::StressExtremes;
 use serde::{Deserialize, Serialize};
 
-use super::{Summary, WarningSummary};
+use super::Summary;
 use crate::case::stress::StressCase;
 use crate::stresses::Stresses;
 
@@ -22,8 +22,6 @@ pub struct StressSummary {
 impl Summary {
     /// Adds the stresses that were found.
     pub fn add_stresses(&mut self, stress: &StressCase, found: Stresses) {
-        let all = self.steps.len();
-        let done = found.steps.len();
         for (step, extremes) in self.steps.iter_mut().zip(found.steps) {
             step.stress = Some(StressSummary {
                 friction: stress.friction,
@@ -32,12 +30,5 @@ impl Summary {
             });
         }
         self.critical = found.critical;
-        if found.is_stopped {
-            let message = format!(
-                "stopped by the user while stresses were looked for: those of {done} of {all} loading steps are here, critical loads are missing"
-            );
-            let code = "stopped".into();
-            self.warnings.push(WarningSummary { code, message });
-        }
     }
 }
