@@ -6,7 +6,6 @@ use pellicle_influence::{
     Depth, ElementFields, InfluenceError, PlaneFields, RadialTables, Squares, SubsurfaceState,
 };
 use pellicle_texture::Grid;
-use rayon::prelude::*;
 
 use super::model::Sliding;
 use crate::LoadingPath;
@@ -97,46 +96,11 @@ impl StressField {
         let farthest = points.iter().map(|[x, y]| x.hypot(*y));
         let farthest = farthest.fold(0.0, f64::max) + self.grid.side();
         let fields = ElementFields::new(self.tables.foundation(), side, depth, farthest)?;
-        Ok(points
-            .iter()
-            .map(|point| self.sum(&fields, *point))
+        let loaded = self.loaded.elements(self.grid);
+        let states = points.iter();
+        Ok(states
+            .map(|point| fields.sum_over(&loaded, self.tractions, *point))
             .collect())
-    }
-
-    /// The sum over the loaded elements; rows in a fixed order.
-    fn sum(&self, fields: &ElementFields, [x, y]: [f64; 2]) -> SubsurfaceState {
-        let LoadedSquare {
-            origin,
-            size,
-            pressure,
-        } = &self.loaded;
-        let of_row = |(row, pressures): (usize, &[f64])| {
-            let x = x - self.grid.centre(origin[0] + row);
-            let mut sum = SubsurfaceState::default();
-            for (column, p) in pressures.iter().enumerate().filter(|(_, p)| **p > 0.0) {
-                let y = y - self.grid.centre(origin[1] + column);
-                sum += self.loads_at(fields, [x, y]) * *p;
-            }
-            sum
-        };
-        let rows = pressure.par_chunks_exact((*size).max(1)).enumerate();
-        let rows: Vec<SubsurfaceState> = rows.map(of_row).collect();
-        rows.into_iter()
-            .fold(SubsurfaceState::default(), |sum, row| sum + row)
-    }
-
-    /// The state under unit pressure on an element and the tractions that come with it.
-    fn loads_at(&self, fields: &ElementFields, [x, y]: [f64; 2]) -> SubsurfaceState {
-        use pellicle_influence::SurfaceLoad::{Pressure, Traction};
-        let [along_x, along_y] = self.tractions;
-        let mut state = fields.state(Pressure, [x, y]);
-        if along_x != 0.0 {
-            state += fields.state(Traction, [x, y]) * along_x;
-        }
-        if along_y != 0.0 {
-            state += fields.state(Traction, [y, x]).transposed() * along_y;
-        }
-        state
     }
 
     /// Planes under the elements within a square of side `extent` (m) about the axis, at most the grid's.
@@ -189,6 +153,17 @@ impl StressField {
 }
 
 impl LoadedSquare {
+    /// The loaded elements' centres (m) and pressures (Pa).
+    fn elements(&self, grid: Grid) -> Vec<([f64; 2], f64)> {
+        let places = self.pressure.iter().enumerate();
+        let loaded = places.filter(|(_, pressure)| **pressure > 0.0);
+        let centre = |i: usize| {
+            let place = [i / self.size, i % self.size];
+            [0, 1].map(|axis: usize| grid.centre(self.origin[axis] + place[axis]))
+        };
+        loaded.map(|(i, pressure)| (centre(i), *pressure)).collect()
+    }
+
     fn of(size: usize, pressure: &[f64]) -> Self {
         let mut low = [size; 2];
         let mut high = [0; 2];
