@@ -96,8 +96,8 @@ impl QuarterTransform {
     }
 
     /// The spectrum of coefficients of these parities along x and y, which are given for [`LINES`] offsets side by side
-    /// along x, the first of which is a multiple of it, and one along y; finite numbers beyond the last offset. It is divided by
-    /// the number of padded elements, the factor of an unnormalised forward and inverse transform.
+    /// along x, the first of which is a multiple of it, and one along y; finite numbers beyond the last offset. It is
+    /// divided by the number of padded elements, the factor of an unnormalised forward and inverse transform.
     pub(crate) fn transform(
         &mut self,
         coefficients: impl Fn(usize, usize) -> [f64; LINES] + Sync,

@@ -92,11 +92,11 @@ impl ElementFields {
         state
     }
 
-    /// The state at `point` (x, y; m) under many elements, each given by its centre (m) and its pressure (Pa), which also
-    /// drags the surface along x and y by `friction` times itself: displacements in m, stresses in Pa.
+    /// The state at `point` (x, y; m) under many elements, each given by its centre (m) and its pressure (Pa), which
+    /// also drags the surface along x and y by `friction` times itself: displacements in m, stresses in Pa.
     ///
-    /// The sum has one order, so that every number of threads gives the same bits. Where `u_x` and `u_y` are unbounded, as
-    /// [`Self::at`] says, they are NaN.
+    /// The sum has one order, so that every number of threads gives the same bits. Where `u_x` and `u_y` are unbounded,
+    /// as [`Self::at`] says, they are NaN.
     #[must_use]
     pub fn sum_over(
         &self,

@@ -1,8 +1,8 @@
 //! The fields of an element at the offsets of a quarter of a grid.
 //!
 //! The offsets are tabulated in square tiles. A tile (g, t) of the octant t ≤ g holds the fields at its own offsets
-//! (m, n) and those at (n, m), which share their distance and with it the work: under a pressure the ones are the others
-//! with x and y in each other's place.
+//! (m, n) and those at (n, m), which share their distance and with it the work: under a pressure the ones are the
+//! others with x and y in each other's place.
 
 use rayon::prelude::*;
 

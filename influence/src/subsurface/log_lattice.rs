@@ -14,8 +14,8 @@ pub const STEP: f64 = 0.01;
 /// Step of `ln r`, in steps of `ln k`.
 pub const RADIUS_STRIDE: isize = 8;
 
-/// Step of `ln x` where nothing oscillates, in steps of `ln k`: with that of `ln r`, so that every radius takes the same
-/// amplitudes.
+/// Step of `ln x` where nothing oscillates, in steps of `ln k`: with that of `ln r`, so that every radius takes the
+/// same amplitudes.
 pub const COARSE_STRIDE: usize = 8;
 
 /// Orders of the Bessel functions.

@@ -1,7 +1,7 @@
 //! How the fields of an element continue beyond its axes, and products with the spectra of such fields.
 //!
-//! A field of one load is even or odd in each offset, and so is its spectrum, which is real but for a factor `−i` for each
-//! axis in which the field is odd.
+//! A field of one load is even or odd in each offset, and so is its spectrum, which is real but for a factor `−i` for
+//! each axis in which the field is odd.
 
 use rustfft::num_complex::Complex64;
 

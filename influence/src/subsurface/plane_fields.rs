@@ -1,8 +1,10 @@
 //! The fields on planes under a pressure on a grid, by convolution.
 //!
-//! The transform of the pressure is made once. For each plane the nine fields of one element are tabulated at the
-//! offsets of a quarter of the grid, transformed, multiplied and transformed back. A field of one load is even or odd
-//! in each offset, and so is its spectrum; a traction in any direction is the sum of one along x and one along y.
+//! The transform of the pressure is made once. For each plane the fields of one element are tabulated at the offsets of
+//! a quarter of the grid, transformed, multiplied and transformed back. Under a pressure `u_y`, `σ_yy` and `σ_yz` are
+//! `u_x`,
+//! `σ_xx` and `σ_xz` with x and y in each other's place, and so are their spectra; a traction in any direction is the
+//! sum of one along x and one along y.
 
 use pellicle_kernel::Foundation;
 
@@ -47,8 +49,8 @@ impl PlaneFields {
     /// Loads a foundation by the `pressure` (Pa) on a square of elements of side `element_side` (m), and by a traction
     /// of `friction` times the pressure along x and y, which drags the surface with it.
     ///
-    /// Where the pressure is its own mirror image in x and in y, to the last bit, and the squares have one centre and even
-    /// numbers of elements, a quadrant is transformed: a third of the work and memory of each field.
+    /// Where the pressure is its own mirror image in x and in y, to the last bit, and the squares have one centre and
+    /// even numbers of elements, a quadrant is transformed: a third of the work and memory of each field.
     ///
     /// # Panics
     /// If the pressure has not one value per loaded element, or the loaded square does not lie within the shown one.
@@ -115,7 +117,8 @@ impl PlaneFields {
         self.chosen_fields_on(depth, &[0, 1, 2, 3, 4, 5, 6, 7, 8], take)
     }
 
-    /// As [`Self::fields_on`], with some of the nine alone, given by their indices there; each costs as much as the others.
+    /// As [`Self::fields_on`], with some of the nine alone, given by their indices there; each costs as much as the
+    /// others.
     ///
     /// # Errors
     /// As [`ElementFields::new`](super::ElementFields::new).

@@ -21,8 +21,8 @@
 //! ```
 
 //!
-//! The functions are known over `rⁿ`, n being the order of their Bessel function, so that cosines of `n φ` become polynomials
-//! in x and y: `rⁿ cos n φ = Re (x + i y)ⁿ`.
+//! The functions are known over `rⁿ`, n being the order of their Bessel function, so that cosines of `n φ` become
+//! polynomials in x and y: `rⁿ cos n φ = Re (x + i y)ⁿ`.
 
 use pellicle_kernel::Amplitudes;
 

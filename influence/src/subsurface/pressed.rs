@@ -1,7 +1,7 @@
 //! The pressure on a grid, transformed once, and the fields that are its products with spectra.
 //!
-//! Where the pressure is its own mirror image in x and in y, a quadrant stands for the grid. The part of a field of each parity
-//! is then known by its quadrant, too: even ones by cosine transforms, odd ones by sine transforms.
+//! Where the pressure is its own mirror image in x and in y, a quadrant stands for the grid. The part of a field of
+//! each parity is then known by its quadrant, too: even ones by cosine transforms, odd ones by sine transforms.
 
 use rayon::prelude::*;
 

@@ -227,8 +227,8 @@ impl<L: Load<F>, const F: usize> UnderLoad<L, F> {
         }
     }
 
-    /// Tells the weights and functions of the points of the element that the other part of the state is summed over, and
-    /// from where each is seen. The points lie symmetrically to the diagonal.
+    /// Tells the weights and functions of the points of the element that the other part of the state is summed over,
+    /// and from where each is seen. The points lie symmetrically to the diagonal.
     #[inline]
     fn visit(&self, [x, y]: [f64; 2], mut take: impl FnMut(f64, &[f64; F], [f64; 2])) {
         let radius_square = x * x + y * y;
@@ -278,8 +278,8 @@ struct Cell {
 }
 
 impl Cell {
-    /// Tells weights and places, seen from its points, of a Gauss rule where kernels of this reach are smooth on the cell's
-    /// scale, or of its quarters else.
+    /// Tells weights and places, seen from its points, of a Gauss rule where kernels of this reach are smooth on the
+    /// cell's scale, or of its quarters else.
     fn visit(&self, place: [f64; 2], reach: f64, take: &mut impl FnMut(f64, [f64; 2])) {
         let [x, y] = [0, 1].map(|axis: usize| place[axis] - self.centre[axis]);
         // The kernels are analytic for radii within i times their reach.

@@ -1,5 +1,5 @@
-//! The waves in a body at the wavenumbers of the [lattice](super::log_lattice), and the functions of the radius that they
-//! add up to at one depth.
+//! The waves in a body at the wavenumbers of the [lattice](super::log_lattice), and the functions of the radius that
+//! they add up to at one depth.
 //!
 //! The waves are solved for once: every further depth takes its amplitudes from them. Lengths are in sides of an
 //! element, so that the lattice is the same for every depth.
@@ -122,8 +122,8 @@ impl Sampled {
         self.layout.reach()
     }
 
-    /// The functions of the radius under a load, each over `rⁿ`, n being the order of its Bessel function: the integral of a
-    /// unit force on each point of a unit square.
+    /// The functions of the radius under a load, each over `rⁿ`, n being the order of its Bessel function: the integral
+    /// of a unit force on each point of a unit square.
     pub fn panels<L: Load<F>, const F: usize>(&self) -> Panels<F> {
         let [first, last] = self.radii;
         let with_factor = self.amplitudes.iter().zip(&self.factors);
@@ -205,7 +205,31 @@ fn lagrange_weights(t: f64) -> [f64; STENCIL] {
 
 #[cfg(test)]
 mod tests {
-    use super::{STENCIL, interpolated, lagrange_weights};
+    use pellicle_kernel::{Foundation, Material};
+
+    use super::{Layout, STENCIL, Waves, interpolated, lagrange_weights};
+
+    #[test]
+    fn further_depths_take_the_waves_of_the_first() {
+        let [coat, base] = [5.0, 1.0].map(|modulus| Material::new(modulus, 0.3).unwrap());
+        let foundation = Foundation::coated(3.0, coat, base).unwrap();
+        let mut waves = Waves::new(&foundation, 0.5);
+        let mut solved = |depth: f64| {
+            let before = waves.interiors.len();
+            let layout = Layout::new(depth / 0.5, [0.0, 700.0]);
+            let at = |interior: &pellicle_kernel::Interior| {
+                Some(interior.at(depth, pellicle_kernel::Side::Above))
+            };
+            waves.sampled(layout, at, |_| 1.0).unwrap();
+            waves.interiors.len() - before
+        };
+        let first = solved(2.0);
+        assert!((1000..3000).contains(&first), "{first}");
+        assert_eq!(solved(2.0), 0);
+        // Deeper down none decays later, and the last panel ends within a tenth of the same radius.
+        let second = solved(4.0);
+        assert!(second < 20, "{second}");
+    }
 
     #[test]
     fn polynomials_are_interpolated_exactly() {

@@ -78,7 +78,8 @@ pub(crate) trait Lines: Sync {
 
     /// Transforms up to [`ROWS`] rows back and keeps the numbers that are wanted, times `scale`.
     ///
-    /// Where mirror images continue the rows, they do so with this parity. The number n of an odd row comes out with the sign
+    /// Where mirror images continue the rows, they do so with this parity. The number n of an odd row comes out with
+    /// the sign
     /// `(−1)ⁿ`.
     fn restore_rows(
         &self,

@@ -6,15 +6,16 @@
 //! X_k = a_0 + (−1)^k a_M + 2 Σ_(0<j<M) a_j cos(πjk/M),    S_k = 2 Σ_(0<j<M) a_j sin(πjk/M),    k = 0 … M
 //! ```
 //!
-//! With `s_j = a_j + a_(M−j)`, `d_j = a_j − a_(M−j)` and Y the Fourier transform of M numbers y, whose even part in k holds the
-//! sums of cosines and whose odd part those of sines,
+//! With `s_j = a_j + a_(M−j)`, `d_j = a_j − a_(M−j)` and Y the Fourier transform of M numbers y, whose even part in k
+//! holds the sums of cosines and whose odd part those of sines,
 //!
 //! ```text
 //! y_j = s_j − 2 sin(πj/M) d_j:     X_2k = ½ (Y_k + Y_(M−k)),      X_(2k+1) = X_(2k−1) + ½i (Y_k − Y_(M−k))
 //! y_j = d_j + 2 sin(πj/M) s_j:     S_2k = ½i (Y_k − Y_(M−k)),     S_(2k+1) = S_(2k−1) + ½ (Y_k + Y_(M−k))
 //! ```
 //!
-//! because `2 sin a sin b = cos(a − b) − cos(a + b)` and its like. The recurrences begin with `X_1 = Σ_(j<M) d_j cos(πj/M)` and
+//! because `2 sin a sin b = cos(a − b) − cos(a + b)` and its like. The recurrences begin with
+//! `X_1 = Σ_(j<M) d_j cos(πj/M)` and
 //! `S_1 = ½ Y_0`. Two sequences are transformed at a time, as the parts of one complex sequence.
 
 use std::f64::consts::PI;
