@@ -68,12 +68,30 @@ impl Template {
 
 #[cfg(test)]
 mod tests {
+    use std::path::Path;
     use std::sync::Arc;
 
     use super::*;
     use crate::case::Case;
     use crate::case::source::Source;
     use crate::case::units::Units;
+
+    #[test]
+    fn the_keys_of_stresses_in_the_template_are_those_of_a_case() {
+        let uncomment = |line: &str| {
+            let inner = line
+                .strip_prefix("# ")
+                .filter(|inner| inner.starts_with('[') || inner.split(' ').nth(1) == Some("="));
+            inner.unwrap_or(line).to_owned() + "\n"
+        };
+        let text: String = Template::Coating.text().lines().map(uncomment).collect();
+        let source = Arc::new(Source::new("coating.toml", text));
+        let case = Case::parse(&source, "", Path::new(""), &[]).unwrap_or_else(|e| panic!("{e}"));
+        let stress = case.stress.unwrap();
+        assert_eq!((stress.friction, stress.extent), (0.15, Some(30e-6)));
+        assert_eq!(stress.depths.unwrap().len(), 41);
+        assert_eq!(case.foundation.criteria().len(), 4);
+    }
 
     #[test]
     fn every_template_is_a_case_with_units_and_comments() {

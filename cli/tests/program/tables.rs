@@ -200,6 +200,28 @@ fn check_prints_a_case_with_every_default_filled_in() {
 }
 
 #[test]
+fn check_tells_what_stresses_take() {
+    let folder = TestFolder::with_case(CASE);
+    let sets = ["--set", "stress={depths=[0, \"10 nm\"], extent=\"100 nm\"}"];
+    let strength = ["--set", "foundation.substrate.yield_strength=1 GPa"];
+    let checked = folder.run(&[&["check", "case.toml"], &sets[..], &strength].concat());
+    assert_eq!(checked.code, Some(0), "{}", checked.stderr);
+    for text in [
+        "[stress]",
+        "# stresses of a step, about              3 planes of 8 × 8 points",
+        "#   down to                              10.000 nm",
+        "# critical loads                         1, each by solving",
+        "yield_strength = 1000000000.0",
+    ] {
+        assert!(
+            checked.stdout.contains(text),
+            "{text} in: {}",
+            checked.stdout
+        );
+    }
+}
+
+#[test]
 fn check_warns_of_what_the_solution_would_warn_of() {
     let folder = TestFolder::with_case(CASE);
     let warns = |sets: &[&str], words: &str| {

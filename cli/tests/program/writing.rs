@@ -90,7 +90,9 @@ fn check_tells_the_room_that_a_run_takes() {
         "output.fields=\"all\"",
     ];
     let some = ["--set", LOADS, "--set", "output.pictures=\"all\""];
-    for (out, sets) in [("a", &[][..]), ("b", &many), ("c", &some)] {
+    let stress = ["--set", "stress={}"];
+    let cases = [("a", &[][..]), ("b", &many), ("c", &some), ("d", &stress)];
+    for (out, sets) in cases {
         let checked = folder.run(&[&["check", "case.toml"], sets].concat()).stdout;
         let line = checked.lines().find(|line| line.contains("disk, about"));
         let words: Vec<_> = line.unwrap().split_whitespace().collect();

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 /// Planes from the surface to the deepest, those on both sides of an interface counted once, of a body without layers.
-const PLANES: f64 = 40.0;
+const PLANES: f64 = 32.0;
 
 /// Fewest steps from one interface to the next.
 const FEWEST: f64 = 8.0;
@@ -29,7 +29,7 @@ pub fn chosen(bottoms: &[f64], deepest: f64) -> Vec<f64> {
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
-            reason = "between 8 and 40"
+            reason = "between 8 and 32"
         )]
         let steps = (PLANES * thickness / deepest).round().max(FEWEST) as usize;
         // Of the last part the lower end is nothing to be dense at.
@@ -67,7 +67,7 @@ mod tests {
                 depths.is_sorted_by(|above, below| above < below),
                 "{depths:?}"
             );
-            assert!((40..65).contains(&depths.len()), "{}", depths.len());
+            assert!((32..55).contains(&depths.len()), "{}", depths.len());
             for bottom in bottoms.iter().filter(|bottom| **bottom <= deepest) {
                 assert!(depths.contains(bottom), "{bottom} in {depths:?}");
             }

@@ -14,17 +14,17 @@ impl TextColumns {
         for body in &stress.extremes.bodies {
             self.push(&format!("stress in {}", body.name), "", "");
             self.extreme("  von Mises", &body.max_von_mises);
-            self.extreme("  tension", &body.max_principal);
             self.used("yield", body.utilisation.yielding);
+            self.extreme("  tension", &body.max_principal);
             self.used("tensile", body.utilisation.tension);
         }
         for interface in &stress.extremes.interfaces {
             self.push(&format!("stress on interface {}", interface.index), "", "");
             self.extreme("  shear", &interface.max_shear_traction);
+            self.used("shear", interface.utilisation.shear);
             if interface.max_tension.value > 0.0 {
                 self.extreme("  tension", &interface.max_tension);
             }
-            self.used("shear", interface.utilisation.shear);
             self.used("tensile", interface.utilisation.tension);
         }
     }
@@ -40,7 +40,7 @@ impl TextColumns {
             None => String::new(),
         };
         self.push(name, &quantity(value, Unit::Pascal, self.units), &note);
-        let at = at.map(|along| quantity(along, Unit::Metre, self.units));
+        let at = rounded(at).map(|along| quantity(along, Unit::Metre, self.units));
         self.push(
             &format!("    at {}", ["x", "y", "z"][..AXES].join(", ")),
             &at.join(", "),
@@ -100,7 +100,8 @@ fn sentence(load: &CriticalLoad, is_first: bool, layers: usize, units: Units) ->
 }
 
 /// `, 0.48 µm below the surface at x, y = 0 m, 1.2 µm`
-fn depth([x, y, z]: [f64; 3], units: Units) -> String {
+fn depth(at: [f64; 3], units: Units) -> String {
+    let [x, y, z] = rounded(at);
     let metres = |value| quantity(value, Unit::Metre, units);
     let depth = if z == 0.0 {
         "at the surface".to_owned()
@@ -109,6 +110,20 @@ fn depth([x, y, z]: [f64; 3], units: Units) -> String {
     };
     let (x, y) = (metres(x), metres(y));
     format!(", {depth} at x, y = {x}, {y}")
+}
+
+/// A place whose coordinates are zero where they are a millionth of the largest: a peak on the axis is found beside it.
+fn rounded<const AXES: usize>(at: [f64; AXES]) -> [f64; AXES] {
+    let largest = at
+        .iter()
+        .fold(0.0_f64, |largest, along| largest.max(along.abs()));
+    at.map(|along| {
+        if along.abs() < 1e-6 * largest {
+            0.0
+        } else {
+            along
+        }
+    })
 }
 
 /// A body or interface of a summary in words; the only layer is the coating.
