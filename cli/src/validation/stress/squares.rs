@@ -60,10 +60,7 @@ impl LoadedCircle {
         let half = side / 2.0;
         let (left, right) = ((x - half).max(-self.radius), (x + half).min(self.radius));
         let chord = |x: f64| {
-            let half_chord = (self.radius - x)
-                .mul_add(self.radius + x, 0.0)
-                .max(0.0)
-                .sqrt();
+            let half_chord = ((self.radius - x) * (self.radius + x)).max(0.0).sqrt();
             let within = (y + half).min(half_chord) - (y - half).max(-half_chord);
             within.max(0.0)
         };
