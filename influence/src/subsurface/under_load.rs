@@ -6,7 +6,7 @@
 //!   `sinc(k_x/2) sinc(k_y/2)`, which is taken as its own mean over the directions, a factor of the amplitude. What
 //!   is left is of the order of `k⁴ cos 4θ / 11520`.
 //! - middle: the mean of four points `(±t, ±t)`, where `t⁴ = 1/240` leaves no `k⁴ cos 4θ`. Their own mean of a wave is
-//!   `cos(t k_x) cos(t k_y)`; the factor of the amplitude is the mean of the ratio over the directions.
+//!   `cos(t k_x) cos(t k_y)`; the factor of the amplitude is the mean of the ratio over the directions, up to `k⁶`.
 //! - near: Gauss points, and near the surface the closed form of a half-space of the top layer's material.
 
 use std::f64::consts::PI;
@@ -46,8 +46,8 @@ static RULES: LazyLock<[(f64, Vec<Node>); 5]> = LazyLock::new(|| {
 });
 
 /// Lattice points of the wavenumber below which factors are 1 to 1e-17, and up to which either zone needs them: where
-/// [the rule](super::log_lattice) ends, at the smallest radius.
-const FACTORS: [isize; 2] = [-1950, 145];
+/// [the rule](super::log_lattice) ends, at the smallest radius that the zone's functions are interpolated from.
+const FACTORS: [isize; 2] = [-1950, 230];
 
 /// The factors of the far and of the middle zone.
 static FACTORS_OF_ZONES: LazyLock<Vec<[f64; 2]>> = LazyLock::new(|| {
@@ -57,17 +57,22 @@ static FACTORS_OF_ZONES: LazyLock<Vec<[f64; 2]>> = LazyLock::new(|| {
         .collect()
 });
 
-/// Means over the directions of waves of one wavenumber.
+/// The factors of waves of one wavenumber.
 fn factors(wavenumber: f64) -> [f64; 2] {
     // Midpoints of an eighth of a turn, exact up to cos 28θ.
     let directions = [1.0, 3.0, 5.0, 7.0].map(|odd| odd * PI / 32.0);
-    let ratios = directions.map(|angle| {
+    let mean = directions.map(|angle| {
         let k = [wavenumber * angle.cos(), wavenumber * angle.sin()];
         let [x, y] = k.map(|k| (k / 2.0).sin() / (k / 2.0));
-        let of_points = k.map(|k| (POINT * k).cos());
-        [x * y, x * y / (of_points[0] * of_points[1])]
+        x * y
     });
-    [0, 1].map(|zone: usize| ratios.iter().map(|of| of[zone]).sum::<f64>() / 4.0)
+    // ln (sinc(k/2)/cos(t k)) = −(1/24 − t²/2) k² + (t⁶/45 − 1/181440) k⁶ + …, and the mean of cos⁶ θ + sin⁶ θ is 5/8. The
+    // ratio itself has poles.
+    let square = wavenumber * wavenumber;
+    let second = 1.0 / 24.0 - POINT * POINT / 2.0;
+    let sixth = 0.625 * (POINT.powi(6) / 45.0 - 1.0 / 181_440.0);
+    let of_points = (-second * square).exp() * (1.0 + sixth * square.powi(3));
+    [mean.iter().sum::<f64>() / 4.0, of_points]
 }
 
 /// A factor by the index of the wavenumber: 0 where nothing is asked for.
