@@ -30,8 +30,8 @@ const PSI: [[f64; 7]; 11] = [
     [5.0, 173.71, 83.606, 31.657, 14.375, 11.791, 11.788],
 ];
 
-/// Errors of formulas in %: χ, then Dimitriadis, four terms, the thin limit, for a bonded incompressible layer and for a
-/// sliding one with ν = ½.
+/// Errors of formulas in %: χ, then Dimitriadis, four terms, the thin limit, for a bonded incompressible layer and for
+/// a sliding one with ν = ½.
 const ERRORS: [[f64; 7]; 7] = [
     [0.1, -0.2, 0.0, -99.9, 1.4, 0.0, -78.2],
     [0.2, -1.1, 0.0, -99.3, 2.9, 0.0, -60.0],
