@@ -61,8 +61,8 @@ fn layer_on_rigid_base(
 /// Elements along the diameter of a round punch.
 const PUNCH: usize = 192;
 
-/// The radius of the disc that a round punch of radius 1 is on a grid, by its force on a half-space: elements follow its
-/// rim as a staircase and end there with a finite pressure.
+/// The radius of the disc that a round punch of radius 1 is on a grid, by its force on a half-space: elements follow
+/// its rim as a staircase and end there with a finite pressure.
 fn effective_radius(run: ValidationRun, elements: usize) -> Result<f64, ValidationError> {
     // Of plane-strain modulus 1: Q = 2 a D
     let body = Foundation::half_space(unit_material()?);

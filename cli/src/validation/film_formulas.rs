@@ -97,8 +97,8 @@ impl Film {
         ])
     }
 
-    /// The coefficients of `ψ` by E. K. Dimitriadis and others (2002): for a bonded incompressible layer as printed, for
-    /// a layer that is not bonded by the general formula; none else.
+    /// The coefficients of `ψ` by E. K. Dimitriadis and others (2002): for a bonded incompressible layer as printed,
+    /// for a layer that is not bonded by the general formula; none else.
     #[must_use]
     pub fn dimitriadis(&self) -> Option<[f64; 5]> {
         let nu = self.poisson_ratio;

@@ -8,8 +8,8 @@ pub mod squares;
 
 use pellicle_influence::SubsurfaceState;
 
-/// The numbers of two lists of states with their differences: of stresses over the largest stress, of displacements over
-/// the largest displacement.
+/// The numbers of two lists of states with their differences: of stresses over the largest stress, of displacements
+/// over the largest displacement.
 fn differences(wanted: &[SubsurfaceState], found: &[SubsurfaceState]) -> Vec<([f64; 2], f64)> {
     let kinds = [0..3, 3..9];
     let of_kind = |kind: std::ops::Range<usize>| {

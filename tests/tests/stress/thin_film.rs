@@ -30,8 +30,8 @@ const PSI: [[f64; 7]; 11] = [
     [5.0, 173.71, 83.606, 31.657, 14.375, 11.791, 11.788],
 ];
 
-/// Errors of formulas in %: χ, then Dimitriadis, four terms, the thin limit, for a bonded incompressible layer and for a
-/// sliding one with ν = ½.
+/// Errors of formulas in %: χ, then Dimitriadis, four terms, the thin limit, for a bonded incompressible layer and for
+/// a sliding one with ν = ½.
 const ERRORS: [[f64; 7]; 7] = [
     [0.1, -0.2, 0.0, -99.9, 1.4, 0.0, -78.2],
     [0.2, -1.1, 0.0, -99.3, 2.9, 0.0, -60.0],
@@ -76,7 +76,7 @@ fn the_table_of_the_page_on_thin_films_is_computed() {
 }
 
 #[test]
-fn the_series_leaves_the_fifth_power() {
+fn the_series_leaves_nothing_up_to_the_fourth_power() {
     for film in [
         film(Bonded, 0.5),
         film(Bonded, 0.3),
@@ -84,7 +84,8 @@ fn the_series_leaves_the_fifth_power() {
     ] {
         let error = |chi| polynomial(&film.series().unwrap(), chi) / film.exact(chi).unwrap() - 1.0;
         let order = (error(0.16) / error(0.08)).log2();
-        assert!((4.7..5.4).contains(&order), "{film:?}: {order}");
+        // The fifth and sixth power, of either sign; a wrong coefficient would leave the fourth at most.
+        assert!(order > 4.5, "{film:?}: {order}");
     }
 }
 

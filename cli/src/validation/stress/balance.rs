@@ -85,8 +85,8 @@ pub fn random_stacks(count: usize) -> Result<Vec<Foundation>, KernelError> {
 const WEST_EAST: [f64; 2] = [-1.1, 1.7];
 const SOUTH_NORTH: [f64; 2] = [-0.9, 1.3];
 
-/// The forces on five sides of a box whose sixth is the loaded surface, which they balance: wanted, found, error. It ends
-/// in the base or in the middle of the last layer on a rigid one.
+/// The forces on five sides of a box whose sixth is the loaded surface, which they balance: wanted, found, error. It
+/// ends in the base or in the middle of the last layer on a rigid one.
 ///
 /// # Errors
 /// Amplitudes that the kernel cannot give.
