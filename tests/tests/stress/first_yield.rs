@@ -167,11 +167,13 @@ impl Contact {
     }
 
     fn first_yield(&self, largest_force: f64) -> CriticalLoad {
+        let path = self.solve(largest_force);
+        let extremes = [stress_extremes(&path, 0, &self.stress).unwrap()];
         let critical = critical_loads(
             &self.model,
-            &self.solve(largest_force),
+            &path,
+            &extremes,
             Domain::Automatic,
-            &[Load::Force(largest_force)],
             &SolverOptions::default(),
             &self.stress,
             &mut (),
