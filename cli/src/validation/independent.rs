@@ -19,6 +19,7 @@ static RULE: LazyLock<Vec<(f64, f64)>> =
     LazyLock::new(|| GaussLegendre::new(POINTS).into_iter().collect());
 
 /// Nodes and weights of a rule of 16 points on each piece between two neighbours of `borders`.
+#[must_use]
 pub fn composite(borders: &[f64]) -> Vec<(f64, f64)> {
     let piece = |ends: &[f64]| {
         let (middle, half) = (f64::midpoint(ends[0], ends[1]), (ends[1] - ends[0]) / 2.0);
@@ -30,6 +31,7 @@ pub fn composite(borders: &[f64]) -> Vec<(f64, f64)> {
 }
 
 /// Borders from 0 to `end`: powers of two up to `width`, then steps of it.
+#[must_use]
 pub fn graded(end: f64, width: f64) -> Vec<f64> {
     let small = (0..24).rev().map(|halvings| width * 0.5_f64.powi(halvings));
     let steps = (end / width).ceil().max(1.0);

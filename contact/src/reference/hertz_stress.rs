@@ -158,11 +158,9 @@ impl Waves {
         let a = contact.contact_radius;
         let &Place { r, z, .. } = place;
         let (end, start) = (Complex64::new(z, a), Complex64::new(z, 0.0));
-        let mut integrals = [[0.0; ORDERS]; 3];
-        for order in 0..ORDERS {
-            if order > 0 && r == 0.0 {
-                continue;
-            }
+        let mut waves = Self([[0.0; ORDERS]; 3]);
+        let orders = if r == 0.0 { 1 } else { ORDERS };
+        for order in 0..orders {
             let transform = Transform { r, order };
             // ∫ wⁿ j_m dw
             let moment = |n| transform.moment(n, end) - transform.moment(n, start);
@@ -172,13 +170,14 @@ impl Waves {
             let t_0 = -i * moments[0];
             let t_1 = moments[0] * z - moments[1];
             let t_2 = i * (moments[2] - moments[1] * (2.0 * z) + moments[0] * (z * z));
-            integrals[0][order] = (t_0 * (a * a) - t_2).re / (2.0 * a);
-            integrals[1][order] = -t_1.im / a;
+            let factor = contact.peak_pressure;
+            waves.0[0][order] = factor * (t_0 * (a * a) - t_2).re / (2.0 * a);
+            waves.0[1][order] = -factor * t_1.im / a;
             if z > 0.0 {
-                integrals[2][order] = z * (t_0 / a - transform.value(end)).re;
+                waves.0[2][order] = factor * z * (t_0 / a - transform.value(end)).re;
             }
         }
-        Self(integrals.map(|orders| orders.map(|value| contact.peak_pressure * value)))
+        waves
     }
 
     fn inverse(&self, order: usize) -> f64 {
@@ -238,7 +237,7 @@ impl Transform {
             let whole = if *p == 0.0 {
                 Complex64::ZERO
             } else {
-                w.powu(power as u32 + 1) * (p / (power + 1) as f64)
+                (1..=power).fold(w, |product, _| product * w) * (p / (power + 1) as f64)
             };
             if q == 0.0 {
                 whole
@@ -330,10 +329,12 @@ mod tests {
         for field in LOADS {
             for point in POINTS {
                 let slopes = [0, 1, 2].map(|axis| tensor(&slope(field, body(0.3), point, axis)));
-                for row in 0..3 {
-                    let sum: f64 = (0..3).map(|axis| slopes[axis][axis][row]).sum();
-                    assert!(sum.abs() < DIFFERENCE, "{point:?} {row}: {sum:e}");
-                }
+                let sums =
+                    [0, 1, 2].map(|row| (0..3).map(|axis| slopes[axis][axis][row]).sum::<f64>());
+                assert!(
+                    sums.iter().all(|sum| sum.abs() < DIFFERENCE),
+                    "{point:?}: {sums:?}"
+                );
             }
         }
     }

@@ -143,9 +143,10 @@ fn an_element_is_the_sum_of_its_sixteenths() {
                     .iter()
                     .fold(0.0, |most: f64, values| most.max(values[f].abs()));
                 for ((found, expected), point) in found.iter().zip(&expected).zip(&points) {
-                    let error = (found[f] - expected[f]).abs() / largest;
+                    let error = (found[f] - expected[f]).abs();
+                    // On the surface under a pressure the shear stresses are 0 but for rounding.
                     assert!(
-                        error < 3e-12,
+                        error < 3e-12 * largest + 1e-15,
                         "{foundation:?} {z} {friction:?} {point:?} {}: {error:e}",
                         KEYS[f]
                     );

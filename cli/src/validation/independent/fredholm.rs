@@ -89,7 +89,7 @@ impl AxisymmetricSolution {
         let penetration = match profile {
             Profile::FlatPunch(depth) => depth,
             // g(a) = 0: the pressure is finite at the edge.
-            _ => {
+            Profile::Paraboloid(_) | Profile::Cone => {
                 let edge = |right: f64, g| right - integral(g, &|j| layers[(size, j)]);
                 -edge(profile.right_side(radius), &shape) / edge(FRAC_2_PI, &unit)
             }

@@ -58,7 +58,8 @@ pub fn random_stacks(count: usize) -> Result<Vec<Foundation>, KernelError> {
     };
     let mut stack = || {
         let mut layers = Vec::new();
-        for _ in 0..=(next() * 4.0).floor() as usize {
+        let more = 4.0 * next();
+        for _ in (0..4).take_while(|i| f64::from(*i) <= more) {
             let thickness = 10.0_f64.powf(1.3 * next() - 1.0);
             let interface = match next() {
                 x if x < 0.6 => Interface::Bonded,
