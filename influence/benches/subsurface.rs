@@ -112,7 +112,7 @@ fn in_products(
     };
     for _ in 0..10 {
         timed(&mut times[0], &mut || {
-            product.apply_into(pressure, &mut displacement)
+            product.apply_into(pressure, &mut displacement);
         });
         timed(&mut times[1], &mut || take(&[]));
         timed(&mut times[2], &mut || take(&[0, 1, 2, 3, 4, 5, 6, 7, 8]));

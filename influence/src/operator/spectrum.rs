@@ -131,7 +131,7 @@ impl QuarterTransform {
             |buffers, (group, results)| {
                 let entries = |m: usize| {
                     let first = m / LINES * length + group * LINES * LINES + m % LINES;
-                    let block = &lines[first..][..LINES * (LINES - 1) + 1];
+                    let block = &lines[first..][..=LINES * (LINES - 1)];
                     std::array::from_fn(|i| block[i * LINES])
                 };
                 along_x.transform(size, entries, buffers, |frequency, values| {

@@ -104,7 +104,7 @@ impl ElementFields {
         friction: [f64; 2],
         point: [f64; 2],
     ) -> SubsurfaceState {
-        let slides = friction != [0.0; 2];
+        let slides = friction.iter().any(|factor| *factor != 0.0);
         let of_element = |([x, y], pressure): &([f64; 2], f64)| {
             let place = [point[0] - x, point[1] - y].map(|along| along / self.element_side);
             let mut state = self.normal.at(place);

@@ -83,7 +83,7 @@ pub struct Panels<const F: usize> {
     reach_square: f64,
     per_lowest: f64,
     /// Of each panel, from the highest power of the place in it on.
-    panels: Vec<[[f64; F]; TERMS]>,
+    powers: Vec<[[f64; F]; TERMS]>,
 }
 
 impl<const F: usize> Panels<F> {
@@ -110,7 +110,7 @@ impl<const F: usize> Panels<F> {
         Self {
             reach_square: layout.reach * layout.reach,
             per_lowest: 1.0 / layout.lowest,
-            panels: (0..layout.count).map(panel).collect(),
+            powers: (0..layout.count).map(panel).collect(),
         }
     }
 
@@ -119,7 +119,7 @@ impl<const F: usize> Panels<F> {
     pub fn at(&self, radius_square: f64) -> [f64; F] {
         let relative = ((radius_square + self.reach_square) * self.per_lowest).max(1.0);
         let panel = panel_of(relative);
-        let Some(powers) = usize::try_from(panel).ok().and_then(|i| self.panels.get(i)) else {
+        let Some(powers) = usize::try_from(panel).ok().and_then(|i| self.powers.get(i)) else {
             return [f64::NAN; F];
         };
         // The bits below those that count panels are the place in one.

@@ -86,7 +86,7 @@ impl PlaneFields {
                 Vec::new()
             }
         };
-        let slides = friction != [0.0; 2];
+        let slides = friction.iter().any(|factor| *factor != 0.0);
         Self {
             waves: Waves::new(foundation, element_side),
             friction,
