@@ -336,3 +336,39 @@ fn each_strength_of_a_coated_body_is_reached_under_its_own_critical_load() {
         assert_relative_eq!(utilisation.unwrap(), 1.0, max_relative = 2e-3);
     }
 }
+
+#[test]
+fn a_stress_that_falls_again_under_more_load_is_critical_where_it_first_reaches_its_strength() {
+    // A thin stiff coat takes the shape of the indenter, and is bent no further.
+    let thickness = 0.02;
+    let coat = Material::new(10.0, 0.3).unwrap();
+    let base = Material::new(STEEL.0, STEEL.1).unwrap();
+    let model = model(
+        &Foundation::coated(thickness, coat, base).unwrap(),
+        Paraboloid::new(1.0).unwrap(),
+    );
+    let stress = |yield_strength| StressModel {
+        bodies: vec![body(
+            "layer[0]",
+            0.0,
+            thickness,
+            BodyStrengths {
+                yield_strength,
+                tensile_strength: None,
+            },
+        )],
+        ..StressModel::default()
+    };
+    let mises = |force: f64| {
+        let extremes = stress_extremes(&solved(&model, 128, force), 0, &stress(None)).unwrap();
+        extremes.bodies[0].max_von_mises.value
+    };
+    let [early, peak, late] = [3.5e-4, 5e-4, 1.5e-3].map(mises);
+    assert!(early < peak && late < 0.98 * early, "{early} {peak} {late}");
+    for strength in [early, 0.5 * (early + peak)] {
+        let found = critical(&model, 128, 1.5e-3, &stress(Some(strength)));
+        let force = found[0].force.unwrap();
+        assert!((3.4e-4..5e-4).contains(&force), "{found:?}");
+        assert_relative_eq!(mises(force), strength, max_relative = 1e-3);
+    }
+}

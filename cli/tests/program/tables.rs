@@ -208,7 +208,7 @@ fn check_tells_what_stresses_take() {
     assert_eq!(checked.code, Some(0), "{}", checked.stderr);
     for text in [
         "[stress]",
-        "# stresses of a step, about              3 planes of 8 × 8 points",
+        "# stresses of a step, about             3 planes of 8 × 8 points",
         "#   down to                              10.000 nm",
         "# critical loads                         1, each by solving",
         "yield_strength = 1000000000.0",

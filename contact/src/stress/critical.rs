@@ -24,6 +24,11 @@ const MOST_SECANTS: usize = 8;
 /// Factor between loads below the smallest of the path, and how many of them are tried.
 const SMALLER: f64 = 0.25;
 const MOST_SMALLER: usize = 8;
+/// Where so much of a strength is reached at most, other loads may reach it; how many of them are tried.
+const NEARLY: f64 = 0.7;
+const MOST_PROBES: usize = 8;
+/// Loads apart by less than this in their logarithms are alike at a peak of the stress.
+const FLAT: f64 = 0.1;
 /// A bracket this narrow is searched on one domain, so that no change of grid blurs the search.
 const NARROW: f64 = 1.5;
 
@@ -71,6 +76,9 @@ struct Solved {
 }
 
 /// The critical load of every strength given, up to the largest load of a solved path, whose steps have these extremes.
+///
+/// A path of several loads tells where a stress that first grows and then falls with the load may reach its strength; where
+/// none does and one comes near, loads around it are tried.
 ///
 /// # Errors
 /// As [`solve_path`] and [`stress_extremes`](super::extremes::stress_extremes); [`ContactError::Cancelled`] by the
@@ -210,8 +218,12 @@ struct LoadSearch<'a> {
 impl LoadSearch<'_> {
     /// The critical load.
     fn critical(&mut self) -> Result<CriticalLoad, ContactError> {
-        let Some(mut upper) = self.first_reached() else {
-            return Ok(self.result(None, self.solved.last()));
+        let reached = match self.first_reached() {
+            Some(reached) => Some(reached),
+            None => self.reached_between()?,
+        };
+        let Some(mut upper) = reached else {
+            return Ok(self.result(None, self.largest()));
         };
         let mut tried = 0;
         let mut lower = loop {
@@ -264,6 +276,56 @@ impl LoadSearch<'_> {
         solved
             .find(|solved| self.utilisation(solved) >= 1.0)
             .copied()
+    }
+
+    /// A load under which the strength is reached though it is not under those solved so far: a stiff coat that takes the
+    /// indenter's shape is bent no further, and under more load its stress falls.
+    fn reached_between(&mut self) -> Result<Option<Solved>, ContactError> {
+        let nearly = self
+            .largest()
+            .filter(|best| self.utilisation(best) >= NEARLY);
+        let Some(mut best) = nearly.copied() else {
+            return Ok(None);
+        };
+        let below = self.last_before(best.force);
+        let mut ends = [
+            below.map_or(SMALLER * best.force, |solved| solved.force),
+            self.first_after(best.force),
+        ];
+        for trial in 0..MOST_PROBES {
+            // In turn below the best and above it; the stress at a peak is flat.
+            let side = trial % 2;
+            if (ends[side] / best.force).ln().abs() <= FLAT {
+                continue;
+            }
+            let solved = self.solve((ends[side] * best.force).sqrt(), self.domain)?;
+            if self.utilisation(&solved) >= 1.0 {
+                return Ok(Some(solved));
+            }
+            if self.utilisation(&solved) > self.utilisation(&best) {
+                ends[1 - side] = best.force;
+                best = solved;
+            } else if best.force >= ends[1] {
+                // It grows up to the largest load.
+                break;
+            } else {
+                ends[side] = solved.force;
+            }
+        }
+        Ok(None)
+    }
+
+    /// The load solved with the largest stress.
+    fn largest(&self) -> Option<&Solved> {
+        let solved = self.solved.iter();
+        solved.max_by(|one, other| self.utilisation(one).total_cmp(&self.utilisation(other)))
+    }
+
+    /// The smallest force solved above another, or that one.
+    fn first_after(&self, force: f64) -> f64 {
+        let mut solved = self.solved.iter();
+        let after = solved.find(|solved| solved.force > force);
+        after.map_or(force, |solved| solved.force)
     }
 
     /// The largest load solved below another.

@@ -1,7 +1,7 @@
 //! Forces and tractions in random stacks.
 
 use pellicle_cli::evidence::stress::balance::{box_forces, random_stacks, traction_jumps};
-use pellicle_kernel::{Base, Interface};
+use pellicle_kernel::{Base, Foundation, Interface};
 use rayon::prelude::*;
 
 #[test]
@@ -19,14 +19,14 @@ fn a_box_in_a_random_stack_bears_the_load_and_nothing_else() {
 fn tractions_pass_every_interface_of_random_stacks() {
     let stacks = random_stacks(40).unwrap();
     let has = |interface: fn(Interface) -> bool| {
-        let mut layers = stacks.iter().flat_map(|body| body.layers());
+        let mut layers = stacks.iter().flat_map(Foundation::layers);
         layers.any(|layer| interface(layer.interface()))
     };
     assert!(has(|interface| interface.is_frictionless()));
     assert!(has(|interface| matches!(interface, Interface::Spring(_))));
     assert!(stacks.iter().any(|body| body.base() == Base::Rigid));
-    let mut layers = stacks.iter().flat_map(|body| body.layers());
-    assert!(layers.any(|layer| layer.material().poisson_ratio() == 0.5));
+    let mut layers = stacks.iter().flat_map(Foundation::layers);
+    assert!(layers.any(|layer| layer.material().poisson_ratio() >= 0.5));
     let jumps: Vec<_> = stacks
         .par_iter()
         .flat_map(|body| traction_jumps(body).unwrap())

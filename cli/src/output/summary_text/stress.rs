@@ -170,7 +170,7 @@ mod tests {
         let yields = load("layer[0]", Criterion::Yield, Some(3.2e-3));
         assert_eq!(
             sentence(&yields, true, 1, Units::Si),
-            "the coating yields first at 3.2000 mN ± 0.020 mN (grid), 480.00 nm below the surface at x, y = 0.0000 m, 0.0000 m"
+            "the coating yields first at 3.2000 mN ± 0.020 mN (grid), 480.00 nm below the surface at x, y = 0 m, 0 m"
         );
         let unresolved = CriticalLoad {
             resolved: false,
@@ -179,7 +179,7 @@ mod tests {
         };
         assert_eq!(
             sentence(&unresolved, false, 2, Units::Consistent),
-            "layer 1 cracks at 1.0000 (not resolved by the grid), at the surface at x, y = 1.0000e-6, 0.0000"
+            "layer 1 cracks at 1.0000 (not resolved by the grid), at the surface at x, y = 1.0000e-6, 0"
         );
     }
 
