@@ -12,7 +12,6 @@ use rayon::prelude::*;
 use super::around::Around;
 use super::field::{LoadedSquare, StressField};
 use super::quantity::Quantity;
-use super::scan;
 
 /// Depths are bracketed to this part of the bracket's first width, by so many trials at most.
 const NARROW: f64 = 0.25;
@@ -21,6 +20,11 @@ const TRIALS: usize = 16;
 const DEPTH_PART: f64 = 0.125;
 /// Offsets tabulated beyond those needed at first, in elements.
 const SLACK: usize = 16;
+/// A climb ends at a side of the loaded square and so many depths beside it.
+const FARTHEST_DEPTHS: f64 = 4.0;
+/// Moves after which the stride of a climb doubles, and the longest one, in elements.
+const PATIENCE: usize = 4;
+const LONGEST_STRIDE: isize = 16;
 /// The golden section.
 const GOLDEN: f64 = 0.381_966_011_250_105_1;
 
@@ -172,22 +176,31 @@ impl<'a> Search<'a> {
 
     /// The best value that climbing at a depth leads to.
     fn tried(&mut self, start: [isize; 2], z: f64) -> Result<Trial, InfluenceError> {
-        // A stress that fades away from the contact, a pressure everywhere, is largest where the scan ends.
-        let size = self.field.loaded().size;
-        let margin = scan::margin(size, z / self.field.grid().element_side());
-        let [first, last] = [-margin, size.cast_signed() + margin];
-        let within = |place: [isize; 2]| place.map(|along| along.clamp(first, last));
-        let mut place = within(start);
+        // A stress that fades away from the contact, a pressure everywhere, has no peak.
+        let size = self.field.loaded().size.cast_signed();
+        let depth = z / self.field.grid().element_side();
+        let margin = size + super::nearest((FARTHEST_DEPTHS * depth).ceil());
+        let within = |along: isize| along.clamp(-margin, size + margin);
+        let mut place = start.map(within);
+        let (mut stride, mut moves) = (1, 0);
         loop {
             let around = (-1..=1).flat_map(|i| (-1..=1).map(move |j| [i, j]));
             let around = around
-                .map(|[i, j]| within([place[0] + i, place[1] + j]))
+                .map(|[i, j]| [place[0] + stride * i, place[1] + stride * j].map(within))
                 .collect();
             let (value, best) = self.best_of(around, z)?;
-            if best == place {
+            if best != place {
+                place = best;
+                moves += 1;
+                // Far from its start the climb makes longer steps.
+                if moves % PATIENCE == 0 {
+                    stride = (2 * stride).min(LONGEST_STRIDE);
+                }
+            } else if stride > 1 {
+                stride /= 2;
+            } else {
                 return Ok(Trial { z, value, place });
             }
-            place = best;
         }
     }
 
@@ -222,7 +235,8 @@ impl<'a> Search<'a> {
         let depth = self.depth(z);
         let reaches = |plane: &Plane| farthest < plane.stresses.offsets();
         let known = self.plane.take().filter(reaches);
-        let mut plane = known.unwrap_or_else(|| Plane::new(self.field, farthest + SLACK));
+        let mut plane =
+            known.unwrap_or_else(|| Plane::new(self.field, farthest + farthest / 4 + SLACK));
         plane.move_to(depth)?;
         let missing = places
             .into_par_iter()

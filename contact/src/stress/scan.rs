@@ -131,11 +131,6 @@ pub fn is_nearly(value: f64, largest: f64) -> bool {
     value >= largest - (1.0 - NEARLY) * largest.abs()
 }
 
-/// Elements, or blocks of them, that are looked at beside so many loaded ones, at a depth of so many of their sides.
-pub fn margin(loaded: usize, depth: f64) -> isize {
-    super::nearest((MARGIN_PART * loaded as f64 + MARGIN_DEPTHS * depth).ceil())
-}
-
 /// Planes under blocks of elements.
 struct Blocks {
     fields: PlaneFields,
@@ -164,7 +159,8 @@ impl Blocks {
         let side = grid.element_side() * elements as f64;
         let area = (elements * elements) as f64;
         means.iter_mut().for_each(|mean| *mean /= area);
-        let margin = margin(loaded, deepest / side).unsigned_abs();
+        let margin = MARGIN_PART * loaded as f64 + MARGIN_DEPTHS * deepest / side;
+        let margin = super::nearest(margin.ceil()).unsigned_abs();
         let shown = loaded + 2 * margin;
         let squares = Squares {
             loaded,
