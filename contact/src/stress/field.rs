@@ -74,7 +74,8 @@ impl StressField {
     /// The state at (x, y) (m) and a depth; displacements in m, stresses in Pa, to 1e-11 of the largest value of each
     /// field at that depth.
     ///
-    /// `u_x` and `u_y` are NaN under sliding where they are unbounded, above a frictionless interface.
+    /// `u_x` and `u_y` are NaN under sliding where they are unbounded, above a frictionless interface. On the surface
+    /// itself some stresses jump or are unbounded at the borders of elements, and are ±∞ or NaN there.
     ///
     /// # Errors
     /// As [`ElementFields::new`].
