@@ -1,5 +1,5 @@
-//! Extremes of the stresses under one load, beside the solution of the contact itself: a ball on a body of one material,
-//! and on a coat, still and sliding.
+//! Extremes of the stresses under one load, beside the solution of the contact itself: a ball on a body of one
+//! material, and on a coat, still and sliding.
 
 use std::sync::Arc;
 

@@ -91,7 +91,7 @@ fn sliding_coat(thickness: f64) -> StressModel {
 }
 
 /// The largest von Mises stress under Hertz's pressure and its depth, over the largest pressure and the radius: with
-/// Huber's stresses on the axis, σ_z = −1/(1 + ζ²) and σ_r = −(1 + ν)(1 − ζ arctan 1/ζ) + ½/(1 + ζ²).
+/// Huber's stresses on the axis, `σ_z = −1/(1 + ζ²)` and `σ_r = −(1 + ν)(1 − ζ arctan 1/ζ) + ½/(1 + ζ²)`.
 fn on_the_axis() -> [f64; 2] {
     let difference = |zeta: f64| {
         let inside = 1.0 / (1.0 + zeta * zeta);

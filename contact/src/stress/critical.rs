@@ -75,10 +75,11 @@ struct Solved {
     extreme: Extreme<3>,
 }
 
-/// The critical load of every strength given, up to the largest load of a solved path, whose steps have these extremes.
+/// The critical load of every strength given, up to the largest load of a solved path, whose steps have these
+/// extremes.
 ///
-/// A path of several loads tells where a stress that first grows and then falls with the load may reach its strength; where
-/// none does and one comes near, loads around it are tried.
+/// A stress may first grow and then fall with the load. Where it reaches its strength under no load of the path but
+/// comes near, loads around the largest are tried.
 ///
 /// # Errors
 /// As [`solve_path`] and [`stress_extremes`](super::extremes::stress_extremes); [`ContactError::Cancelled`] by the
@@ -278,8 +279,8 @@ impl LoadSearch<'_> {
             .copied()
     }
 
-    /// A load under which the strength is reached though it is not under those solved so far: a stiff coat that takes the
-    /// indenter's shape is bent no further, and under more load its stress falls.
+    /// A load under which the strength is reached though it is not under those solved so far: a stiff coat that takes
+    /// the indenter's shape is bent no further, and under more load its stress falls.
     fn reached_between(&mut self) -> Result<Option<Solved>, ContactError> {
         let nearly = self
             .largest()

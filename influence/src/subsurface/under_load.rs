@@ -66,8 +66,8 @@ fn factors(wavenumber: f64) -> [f64; 2] {
         let [x, y] = k.map(|k| (k / 2.0).sin() / (k / 2.0));
         x * y
     });
-    // ln (sinc(k/2)/cos(t k)) = −(1/24 − t²/2) k² + (t⁶/45 − 1/181440) k⁶ + …, and the mean of cos⁶ θ + sin⁶ θ is 5/8. The
-    // ratio itself has poles.
+    // ln (sinc(k/2)/cos(t k)) = −(1/24 − t²/2) k² + (t⁶/45 − 1/181440) k⁶ + …, and the mean of cos⁶ θ + sin⁶ θ is
+    // 5/8. The ratio itself has poles.
     let square = wavenumber * wavenumber;
     let second = 1.0 / 24.0 - POINT * POINT / 2.0;
     let sixth = 0.625 * (POINT.powi(6) / 45.0 - 1.0 / 181_440.0);
