@@ -209,8 +209,8 @@ fn check_tells_what_stresses_take() {
     for text in [
         "[stress]",
         "# stresses of a step, about             3 planes of 8 × 8 points",
-        "#   down to                              10.000 nm",
-        "# critical loads                         1, each by solving",
+        "#   down to                             10.000 nm",
+        "# critical loads                        1, each by solving",
         "yield_strength = 1000000000.0",
     ] {
         assert!(

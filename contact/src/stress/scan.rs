@@ -17,6 +17,8 @@ const BLOCK_PART: f64 = 1.0 / 8.0;
 const FEWEST_BLOCKS: usize = 16;
 /// Ratio of the distances from an end of a body of one plane and the next.
 const RATIO: f64 = 1.4;
+/// The planes nearest to the middle of a body are this factor from it, at least.
+const ROOM: f64 = 1.15;
 /// Planes reach down to so many sides of the loaded square below the top of a body.
 const REACH: f64 = 2.0;
 /// The planes are wider than the loaded square by this part of it and so many depths, on either side.
@@ -65,9 +67,11 @@ impl Target {
         } else {
             (bottom - top) / 2.0
         };
-        let first = (element / 2.0).max(half / 32.0).max(top / 8.0).min(half);
+        let first = (element / 2.0).max(half / 32.0);
+        let first = first.max((top / 8.0).min(half / 2.0)).min(half);
         let steps = std::iter::successors(Some(first), |step| Some(step * RATIO));
-        let steps: Vec<f64> = steps.take_while(|step| *step < half * 0.999).collect();
+        // The last one leaves room before the middle.
+        let steps: Vec<f64> = steps.take_while(|step| *step < half / ROOM).collect();
         let mut depths = vec![Depth::below(top)];
         depths.extend(steps.iter().map(|step| Depth::below(top + step)));
         if !is_cut {
