@@ -10,7 +10,7 @@ use pellicle_contact::Status;
 
 use self::step::{GridErrorNote, StepSection};
 use self::surface::Surface;
-use super::pictures::StepPicture;
+use super::pictures::{StepPicture, StressPicture};
 use super::summary::{StepSummary, Summary};
 use crate::display::{Unit, quantity, significant};
 
@@ -24,6 +24,8 @@ pub struct StepDrawings {
     pub step: usize,
     /// The pictures that were drawn, as SVG.
     pub drawings: Vec<(StepPicture, String)>,
+    /// The pictures of the stresses that were drawn, as SVG.
+    pub stresses: Vec<(StressPicture, String)>,
     /// The pressure that can be turned; none if it cannot be drawn.
     pub surface: Option<Surface>,
 }
