@@ -62,7 +62,7 @@ pub fn wanted(
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::super::case::table_reader::tests::read_table;
+    use crate::case::table_reader::tests::read_table;
     use super::*;
 
     const FOUNDATION: &str = "layer = [{ thickness = 0.5, young_modulus = 3, poisson_ratio = 0.3 }]\n\

@@ -178,7 +178,7 @@ impl ViewCollector {
     }
 
     /// Takes the next plane.
-    pub fn add(&mut self, plane: BodyPlane, values: &PlaneValues) {
+    pub(super) fn add(&mut self, plane: BodyPlane, values: &PlaneValues) {
         let along = |field: &[f64]| -> Vec<f64> {
             let samples = self.samples.iter();
             samples.map(|sample| sample.value(field, values.size)).collect()
