@@ -145,7 +145,10 @@ impl StressCase {
         foundation: &Foundation,
         contact_radius: f64,
     ) -> Vec<BodyPlane> {
-        let given = self.depths.as_ref().and_then(|depths| depths.last().copied());
+        let given = self
+            .depths
+            .as_ref()
+            .and_then(|depths| depths.last().copied());
         let deepest = given.filter(|depth| *depth > 0.0);
         let deepest = deepest.unwrap_or(2.0 * contact_radius);
         let deepest = deepest.min(foundation_bottom(case, foundation));

@@ -45,7 +45,8 @@ pub fn write(
     let mut parts = write_steps(folder, path, summary, output, &writer)?;
     for drawings in stress::write(folder, path, summary, case, &writer)? {
         let part = parts.iter_mut().find(|part| part.step == drawings.step);
-        part.into_iter().for_each(|part| part.stresses.clone_from(&drawings.drawings));
+        part.into_iter()
+            .for_each(|part| part.stresses.clone_from(&drawings.drawings));
     }
     let run = pictures::run(folder, summary, output.pictures, &Style::default(), &writer)?;
     summary.warnings.extend(writer.warnings());

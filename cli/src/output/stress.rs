@@ -230,11 +230,15 @@ pub fn write(
         if !wanted.is_pictured {
             continue;
         }
-        let surface = geometry.as_ref().and_then(|geometry| path.surface(geometry, step));
+        let surface = geometry
+            .as_ref()
+            .and_then(|geometry| path.surface(geometry, step));
         if let (Some(Some(view)), Some(geometry), Some(surface)) = (view, &geometry, &surface) {
             let fields = Fields::of(path, geometry, step, surface);
             let style = &Style::default();
-            drawn.push(pictures::stresses(folder, summary, step, fields, &view, style, writer)?);
+            drawn.push(pictures::stresses(
+                folder, summary, step, fields, &view, style, writer,
+            )?);
         } else {
             writer.leave_out(pictures::of_stresses(summary).len());
         }
@@ -311,7 +315,10 @@ fn write_step(
 
 /// The line through the place of the largest von Mises stress, along the direction of sliding or along x.
 fn section_line(step: &StepSummary, stress: &StressCase) -> SurfaceLine {
-    let bodies = step.stress.iter().flat_map(|stress| &stress.extremes.bodies);
+    let bodies = step
+        .stress
+        .iter()
+        .flat_map(|stress| &stress.extremes.bodies);
     let largest = bodies
         .map(|body| body.max_von_mises)
         .max_by(|one, other| one.value.total_cmp(&other.value));

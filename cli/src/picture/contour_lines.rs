@@ -80,10 +80,7 @@ impl Mesh {
         };
         let [one, other] = [node, other].map(|node| self.values[node]);
         let part = ((level - one) / (other - one)).clamp(0.0, 1.0);
-        let (column, row) = (
-            (node % self.columns) as f64,
-            (node / self.columns) as f64,
-        );
+        let (column, row) = ((node % self.columns) as f64, (node / self.columns) as f64);
         if is_down {
             (column, row + part)
         } else {

@@ -66,7 +66,10 @@ impl ContourPlaces {
             x - shift
         };
         let half = height / 2.0 + 2.0;
-        (x, y.clamp(self.panel.top + half, self.panel.bottom() - half))
+        (
+            x,
+            y.clamp(self.panel.top + half, self.panel.bottom() - half),
+        )
     }
 
     /// Takes the place of a mark and its text.
@@ -101,7 +104,9 @@ impl ContourPlaces {
         long.sort_by(|one, other| other.0.total_cmp(&one.0));
         for (length, line) in long.into_iter().take(MOST) {
             let places = PARTS.iter().filter_map(|part| point(line, part * length));
-            let free = places.into_iter().find(|place| self.is_free(&rectangle(*place, label)));
+            let free = places
+                .into_iter()
+                .find(|place| self.is_free(&rectangle(*place, label)));
             if let Some(place) = free {
                 self.taken.push(rectangle(place, label));
                 boxed(svg, place, label);

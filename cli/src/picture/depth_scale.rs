@@ -79,9 +79,7 @@ impl DepthScale {
             let round = ticks::linear(top / divisor, bottom / divisor, count);
             let between = round.into_iter().map(|depth| depth * divisor);
             let placed = between.map(|depth| (self.down(body, depth), label(depth)));
-            ticks.extend(
-                placed.filter(|(at, _)| *at > from + FROM_ENDS && *at < to - FROM_ENDS),
-            );
+            ticks.extend(placed.filter(|(at, _)| *at > from + FROM_ENDS && *at < to - FROM_ENDS));
         }
         if let [.., before, last] = &self.ends[..] {
             let label = labels::tick(last.0 / divisor, (last.0 - before.0) / divisor);
@@ -146,7 +144,10 @@ mod tests {
         let axis = DepthScale::new(&[0.0, 2.1e-6, 20e-6]).axis(1e-6, "depth".into());
         let labels: Vec<&str> = axis.ticks.iter().map(|(_, label)| &label[..]).collect();
         assert_eq!(labels[0], "0");
-        assert!(labels.contains(&"2.1") && labels.contains(&"10"), "{labels:?}");
+        assert!(
+            labels.contains(&"2.1") && labels.contains(&"10"),
+            "{labels:?}"
+        );
         assert!(axis.ticks.windows(2).all(|pair| pair[0].0 < pair[1].0));
     }
 }

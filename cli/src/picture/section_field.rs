@@ -1,9 +1,9 @@
 //! A stress on a section, between its planes and points; never across an interface.
 
+use super::colours::Colour;
 use super::contour_bands::Bands;
 use super::contour_lines::Mesh;
 use super::contour_places::ContourPlaces;
-use super::colours::Colour;
 use super::depth_scale::DepthScale;
 use super::panel::Panel;
 use super::raster::Raster;
@@ -50,7 +50,11 @@ impl<'a> SectionField<'a> {
     /// The least and the largest value.
     #[must_use]
     pub fn extent(&self) -> [f64; 2] {
-        let finite = self.values.iter().copied().filter(|value| value.is_finite());
+        let finite = self
+            .values
+            .iter()
+            .copied()
+            .filter(|value| value.is_finite());
         finite.fold([0.0, 0.0], |[least, largest], value| {
             [f64::min(least, value), f64::max(largest, value)]
         })
@@ -60,7 +64,11 @@ impl<'a> SectionField<'a> {
     #[must_use]
     pub fn largest(&self) -> Option<(f64, f64, usize, f64)> {
         let count = self.section.along.len();
-        let finite = self.values.iter().enumerate().filter(|(_, value)| value.is_finite());
+        let finite = self
+            .values
+            .iter()
+            .enumerate()
+            .filter(|(_, value)| value.is_finite());
         let (i, value) = finite.max_by(|one, other| one.1.total_cmp(other.1))?;
         let plane = i / count;
         let (depth, body) = (self.section.depths[plane], self.section.bodies[plane]);
@@ -79,8 +87,8 @@ impl<'a> SectionField<'a> {
             let along = from + (to - from) * column as f64 / (columns - 1) as f64;
             let (left, part_across) = between(&self.section.along, along);
             let right = (left + 1).min(upper.len() - 1);
-            let [upper, lower] = [upper, lower]
-                .map(|row| row[left] + part_across * (row[right] - row[left]));
+            let [upper, lower] =
+                [upper, lower].map(|row| row[left] + part_across * (row[right] - row[left]));
             upper + part * (lower - upper)
         };
         (0..columns).map(at).collect()
@@ -88,12 +96,7 @@ impl<'a> SectionField<'a> {
 
     /// An image of the section.
     #[must_use]
-    pub fn raster(
-        &self,
-        columns: usize,
-        rows: usize,
-        colour: impl Fn(f64) -> Colour,
-    ) -> Raster {
+    pub fn raster(&self, columns: usize, rows: usize, colour: impl Fn(f64) -> Colour) -> Raster {
         let values: Vec<Vec<f64>> = (0..rows)
             .map(|row| {
                 let down = (row as f64 + 0.5) / rows as f64;
@@ -115,13 +118,18 @@ impl<'a> SectionField<'a> {
         divisor: f64,
         places: &mut ContourPlaces,
     ) {
-        let drawn = (0..self.depths.bodies()).flat_map(|body| self.contours(body, panel, bands, divisor));
+        let drawn =
+            (0..self.depths.bodies()).flat_map(|body| self.contours(body, panel, bands, divisor));
         let drawn: Vec<_> = drawn.collect();
         for (level, lines) in &drawn {
             let value = bands.levels[*level];
             let width = if value == 0.0 { ZERO } else { LINE };
             let stroke = Stroke::new(bands.ink(*level), width);
-            let dash = if value < 0.0 { Dash::Dashed } else { Dash::Solid };
+            let dash = if value < 0.0 {
+                Dash::Dashed
+            } else {
+                Dash::Solid
+            };
             svg.broken_lines(lines, stroke, dash);
         }
         for (level, lines) in &drawn {
@@ -164,7 +172,9 @@ impl<'a> SectionField<'a> {
         };
         let lines_at = |level: &f64| -> Vec<Vec<_>> {
             let lines = mesh.lines_at(*level).into_iter();
-            lines.map(|line| line.into_iter().map(place).collect()).collect()
+            lines
+                .map(|line| line.into_iter().map(place).collect())
+                .collect()
         };
         bands.levels.iter().map(lines_at).enumerate().collect()
     }

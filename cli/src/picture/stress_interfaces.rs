@@ -98,13 +98,14 @@ impl InterfaceMap<'_> {
         let (panel, metres) = self.panel((left + LEFT, top + ABOVE));
         let place = panel.place;
         let size = self.centres.len();
-        let colour = |i: usize, j: usize| {
-            bands.colour(values[i * size + size - 1 - j] / pascals.divisor)
-        };
+        let colour =
+            |i: usize, j: usize| bands.colour(values[i * size + size - 1 - j] / pascals.divisor);
         svg.image(place, &Raster::of(size, size, colour));
         self.draw_contact(svg, place);
         let marked = self.marked(traction);
-        svg.within(place, |svg| self.draw_mark(svg, &panel, metres, marked.as_ref(), &pascals));
+        svg.within(place, |svg| {
+            self.draw_mark(svg, &panel, metres, marked.as_ref(), &pascals)
+        });
         panel.draw_axes(svg);
         self.draw_words(svg, (place.left, top), traction, marked.as_ref());
         let bar = Rect {
@@ -146,9 +147,8 @@ impl InterfaceMap<'_> {
     fn draw_contact(&self, svg: &mut Svg, place: Rect) {
         let fields = &self.subject.fields;
         let elements: Vec<usize> = self.centres.iter().map(|x| fields.nearest(*x)).collect();
-        let contact = |i: usize, j: usize| {
-            fields.pressure[elements[i] * fields.size + elements[j]] > 0.0
-        };
+        let contact =
+            |i: usize, j: usize| fields.pressure[elements[i] * fields.size + elements[j]] > 0.0;
         let line = pressure_map::pen(colours::INK);
         let halo = Stroke::new(colours::WHITE, 3.0 * line.width);
         for stroke in [halo, line] {

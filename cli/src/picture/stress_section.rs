@@ -6,12 +6,12 @@ use super::colours;
 use super::contour_bands::Bands;
 use super::contour_places::{ContourPlaces, boxed};
 use super::depth_scale::DepthScale;
+use super::heading;
 use super::labels::{self, power};
 use super::panel::{Axis, Panel};
 use super::section_field::SectionField;
 use super::subject::Subject;
 use super::svg::{Anchor, Rect, Stroke, Svg};
-use super::heading;
 use crate::display::{Scale, Unit, quantity};
 use crate::output::stress::view::{StressSection, StressView};
 
@@ -64,7 +64,10 @@ pub fn draw(subject: &Subject<'_>, view: &StressView) -> String {
     subject.draw_heading(&mut svg, LEFT, WIDTH - LEFT, &where_is(subject, section));
     let drawing = SectionDrawing::new(subject, section);
     let block = ABOVE + PANEL_HEIGHT + BELOW;
-    for (i, stress) in [Stress::VonMises, Stress::MaxPrincipal].into_iter().enumerate() {
+    for (i, stress) in [Stress::VonMises, Stress::MaxPrincipal]
+        .into_iter()
+        .enumerate()
+    {
         drawing.draw(&mut svg, heading::HEIGHT + block * i as f64, stress);
     }
     svg.finish()
@@ -81,7 +84,10 @@ fn where_is(subject: &Subject<'_>, section: &StressSection) -> String {
         _ => {
             let [x, y] = line.through.map(metres);
             let degrees = line.direction.to_degrees();
-            format!(",  section through x, y = {x}, {y} at {}°", power(degrees, 4))
+            format!(
+                ",  section through x, y = {x}, {y} at {}°",
+                power(degrees, 4)
+            )
         }
     }
 }
@@ -144,7 +150,11 @@ impl<'a> SectionDrawing<'a> {
         };
         let field = SectionField::new(self.section, values, &self.depths);
         let [least, largest] = field.extent();
-        let pascals = Scale::of(largest.abs().max(least.abs()), Unit::Pascal, self.subject.units);
+        let pascals = Scale::of(
+            largest.abs().max(least.abs()),
+            Unit::Pascal,
+            self.subject.units,
+        );
         let [least, largest] = [least, largest].map(|value| value / pascals.divisor);
         let bands = match stress {
             Stress::VonMises => Bands::up_to(largest, self.subject.style.colours),
@@ -191,11 +201,18 @@ impl<'a> SectionDrawing<'a> {
         panel: &Panel,
         stress: Stress,
     ) -> Option<((f64, f64), f64)> {
-        let found = self.largest(stress).filter(|found| self.is_on_section(found));
+        let found = self
+            .largest(stress)
+            .filter(|found| self.is_on_section(found));
         let (along, depth, body, value) = match found {
             Some(found) => {
                 let [x, y, z] = found.at;
-                (self.section.line.along([x, y]), z, self.body_of(found.body)?, found.value)
+                (
+                    self.section.line.along([x, y]),
+                    z,
+                    self.body_of(found.body)?,
+                    found.value,
+                )
             }
             None => field.largest()?,
         };
@@ -206,7 +223,11 @@ impl<'a> SectionDrawing<'a> {
 
     fn body_of(&self, name: &str) -> Option<usize> {
         let stress = self.subject.step.stress.as_ref()?;
-        let body = stress.extremes.bodies.iter().position(|body| body.name == name)?;
+        let body = stress
+            .extremes
+            .bodies
+            .iter()
+            .position(|body| body.name == name)?;
         (body < self.depths.bodies()).then_some(body)
     }
 
@@ -262,7 +283,11 @@ impl<'a> SectionDrawing<'a> {
     fn draw_surface(&self, svg: &mut Svg, panel: &Panel) {
         let fields = &self.subject.fields;
         let element = |along: f64| {
-            let [x, y] = self.section.line.at(along).map(|along| fields.nearest(along));
+            let [x, y] = self
+                .section
+                .line
+                .at(along)
+                .map(|along| fields.nearest(along));
             x * fields.size + y
         };
         let runs = |holds: &dyn Fn(usize) -> bool| self.runs(|along| holds(element(along)));
@@ -314,7 +339,10 @@ impl<'a> SectionDrawing<'a> {
             } else {
                 ", beside this section"
             };
-            title += &format!(": largest {value} in {}, at x, y, z = {at}{beside}", found.body);
+            title += &format!(
+                ": largest {value} in {}, at x, y, z = {at}{beside}",
+                found.body
+            );
         }
         svg.text((LEFT, top + 12.0), TITLE, Anchor::Start, &title);
         let mut x = LEFT;
@@ -338,7 +366,12 @@ impl<'a> SectionDrawing<'a> {
             key(svg, INTERFACE, colours::INK, "interface");
         }
         if stress == Stress::MaxPrincipal {
-            svg.text((x, y), 15.0, Anchor::Start, "red: tension, blue: compression, broken lines");
+            svg.text(
+                (x, y),
+                15.0,
+                Anchor::Start,
+                "red: tension, blue: compression, broken lines",
+            );
         }
         let place = (LEFT + PANEL_WIDTH, y);
         svg.text(place, 15.0, Anchor::End, &self.enlargement());
@@ -351,7 +384,10 @@ impl<'a> SectionDrawing<'a> {
         let factors = (0..self.depths.bodies()).map(|body| {
             let [top, bottom] = self.depths.within(body);
             let depths = [top, bottom].map(|down| self.depths.depth(body, down));
-            power(PANEL_HEIGHT * (bottom - top) / (depths[1] - depths[0]) / across, 2)
+            power(
+                PANEL_HEIGHT * (bottom - top) / (depths[1] - depths[0]) / across,
+                2,
+            )
         });
         let mut factors: Vec<String> = factors.collect();
         factors.dedup();

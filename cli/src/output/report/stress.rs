@@ -36,8 +36,11 @@ impl StressTable {
         let friction = (stress.friction, stress.direction_degrees);
         Self {
             sliding: (stress.friction > 0.0).then(|| {
-                let [friction, degrees] = [friction.0, friction.1].map(|value| significant(value, 3));
-                format!("sliding with a coefficient of friction {friction} along {degrees}° from x to y")
+                let [friction, degrees] =
+                    [friction.0, friction.1].map(|value| significant(value, 3));
+                format!(
+                    "sliding with a coefficient of friction {friction} along {degrees}° from x to y"
+                )
             }),
             rows: bodies.chain(interfaces).collect(),
         }
@@ -135,10 +138,16 @@ mod tests {
             unreachable!("it is resolved")
         };
         assert_eq!(error, "± 0.0020 GPa");
-        assert_eq!(note(false, Some(2e6), 1e9).error, GridErrorNote::NotResolved);
+        assert_eq!(
+            note(false, Some(2e6), 1e9).error,
+            GridErrorNote::NotResolved
+        );
         assert_eq!(note(true, None, 1e9).error, GridErrorNote::OneGrid);
         let nothing = note(true, None, 0.0);
-        assert_eq!((&nothing.at[..], nothing.error), ("", GridErrorNote::NotEstimated));
+        assert_eq!(
+            (&nothing.at[..], nothing.error),
+            ("", GridErrorNote::NotEstimated)
+        );
     }
 
     #[test]

@@ -47,7 +47,11 @@ fn npz(file: impl io::Write + io::Seek, view: &StressView) -> Result<(), WriteNp
     add(&mut npz, "z", &list(&section.depths))?;
     add(&mut npz, "body", &Array1::from_iter(body))?;
     add(&mut npz, "von_mises", &shaped(planes, &section.von_mises)?)?;
-    add(&mut npz, "max_principal", &shaped(planes, &section.max_principal)?)?;
+    add(
+        &mut npz,
+        "max_principal",
+        &shaped(planes, &section.max_principal)?,
+    )?;
     add(&mut npz, "x", &list(&view.centres))?;
     let index = interfaces.iter().map(|interface| interface.index as f64);
     add(&mut npz, "interface", &Array1::from_iter(index))?;
@@ -110,15 +114,17 @@ fn try_read(path: &Path) -> Result<Option<StressView>, ReadNpzError> {
     };
     let interfaces = index.into_iter().zip(depth);
     let maps = shear.outer_iter().zip(normal.outer_iter());
-    let interfaces = interfaces.zip(maps).map(|((index, depth), (shear, normal))| {
-        let [shear, normal] = [shear, normal].map(|map| map.iter().copied().collect());
-        InterfaceTractions {
-            index: number(index),
-            depth,
-            shear,
-            normal,
-        }
-    });
+    let interfaces = interfaces
+        .zip(maps)
+        .map(|((index, depth), (shear, normal))| {
+            let [shear, normal] = [shear, normal].map(|map| map.iter().copied().collect());
+            InterfaceTractions {
+                index: number(index),
+                depth,
+                shear,
+                normal,
+            }
+        });
     Ok(Some(StressView {
         interfaces: interfaces.collect(),
         section: StressSection {
@@ -179,7 +185,10 @@ mod tests {
         let path = folder.path().join(file(0));
         write(&path, &view()).unwrap();
         // NaN is not equal to itself.
-        assert_eq!(format!("{:?}", read(&path).unwrap()), format!("{:?}", view()));
+        assert_eq!(
+            format!("{:?}", read(&path).unwrap()),
+            format!("{:?}", view())
+        );
         let bare = StressView {
             interfaces: Vec::new(),
             ..view()

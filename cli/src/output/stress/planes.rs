@@ -62,8 +62,8 @@ pub fn wanted(
 
 #[cfg(test)]
 mod tests {
-    use crate::case::table_reader::tests::read_table;
     use super::*;
+    use crate::case::table_reader::tests::read_table;
 
     const FOUNDATION: &str = "layer = [{ thickness = 0.5, young_modulus = 3, poisson_ratio = 0.3 }]\n\
         substrate = { young_modulus = 1, poisson_ratio = 0.3 }";
@@ -89,7 +89,11 @@ mod tests {
     #[test]
     fn pictures_show_an_interface_below_all_other_planes() {
         let planes = planes(Some(vec![0.1]), false, true);
-        let depths: Vec<_> = planes.iter().rev().map(|wanted| wanted.plane.depth.z).collect();
+        let depths: Vec<_> = planes
+            .iter()
+            .rev()
+            .map(|wanted| wanted.plane.depth.z)
+            .collect();
         assert_eq!(depths[..3], [0.5, 0.5, 0.1]);
     }
 
@@ -97,7 +101,9 @@ mod tests {
     fn a_case_with_depths_of_its_own_has_pictures_through_all_bodies_down_to_the_deepest() {
         let planes = planes(Some(vec![0.25, 0.5, 1.5]), true, true);
         let filed = planes.iter().filter(|plane| plane.is_filed);
-        let filed: Vec<_> = filed.map(|wanted| (wanted.plane.depth.z, wanted.plane.body)).collect();
+        let filed: Vec<_> = filed
+            .map(|wanted| (wanted.plane.depth.z, wanted.plane.body))
+            .collect();
         assert_eq!(filed, [(0.25, 0), (0.5, 0), (0.5, 1), (1.5, 1)]);
         let viewed: Vec<_> = planes.iter().filter(|plane| plane.is_viewed).collect();
         assert!(viewed.len() > 30);

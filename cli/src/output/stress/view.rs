@@ -158,7 +158,9 @@ impl ViewCollector {
             ..line
         };
         let along = coordinates(line.within(low, high), centres);
-        let samples = along.iter().map(|along| Sample::of(line.at(*along), centres));
+        let samples = along
+            .iter()
+            .map(|along| Sample::of(line.at(*along), centres));
         Self {
             samples: samples.collect(),
             reach,
@@ -181,7 +183,9 @@ impl ViewCollector {
     pub(super) fn add(&mut self, plane: BodyPlane, values: &PlaneValues) {
         let along = |field: &[f64]| -> Vec<f64> {
             let samples = self.samples.iter();
-            samples.map(|sample| sample.value(field, values.size)).collect()
+            samples
+                .map(|sample| sample.value(field, values.size))
+                .collect()
         };
         if plane.depth.z <= self.reach.deepest {
             let section = &mut self.view.section;
