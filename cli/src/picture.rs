@@ -32,6 +32,7 @@ pub mod stress_interfaces;
 pub mod stress_section;
 pub mod style;
 pub mod subject;
+pub mod surface_strip;
 pub mod svg;
 pub mod ticks;
 

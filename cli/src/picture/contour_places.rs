@@ -95,6 +95,14 @@ impl ContourPlaces {
         place
     }
 
+    /// Takes the place of a text on a level line, at the left side of the panel, and returns its middle.
+    pub fn on_left(&mut self, y: f64, text: &str) -> (f64, f64) {
+        let width = rectangle((0.0, y), text).width;
+        let place = (self.panel.left + 8.0 + width / 2.0, y);
+        self.taken.push(rectangle(place, text));
+        place
+    }
+
     /// Draws the label of these lines on the longest of them, where there is room.
     pub fn draw_labels(&mut self, svg: &mut Svg, lines: &[Vec<(f64, f64)>], label: &str) {
         let width = rectangle((0.0, 0.0), label).width;

@@ -7,7 +7,7 @@ use super::contour_places::ContourPlaces;
 use super::depth_scale::DepthScale;
 use super::panel::Panel;
 use super::raster::Raster;
-use super::svg::{Dash, Stroke, Svg};
+use super::svg::{Dash, Rect, Stroke, Svg};
 use crate::output::stress::view::StressSection;
 
 /// Distance of the nodes between which contours are straight, in pixels.
@@ -94,9 +94,10 @@ impl<'a> SectionField<'a> {
         (0..columns).map(at).collect()
     }
 
-    /// An image of the section.
+    /// An image of the section, a pixel for each of its place.
     #[must_use]
-    pub fn raster(&self, columns: usize, rows: usize, colour: impl Fn(f64) -> Colour) -> Raster {
+    pub fn raster(&self, place: Rect, colour: impl Fn(f64) -> Colour) -> Raster {
+        let [columns, rows] = [place.width, place.height].map(|side| nodes(side, 1.0));
         let values: Vec<Vec<f64>> = (0..rows)
             .map(|row| {
                 let down = (row as f64 + 0.5) / rows as f64;
@@ -146,17 +147,8 @@ impl<'a> SectionField<'a> {
         divisor: f64,
     ) -> Vec<(usize, Vec<Vec<(f64, f64)>>)> {
         let [top, bottom] = self.depths.within(body);
-        let nodes = |length: f64| {
-            #[expect(
-                clippy::cast_possible_truncation,
-                clippy::cast_sign_loss,
-                reason = "at most the pixels of a panel"
-            )]
-            let count = (length / NODES).ceil().max(2.0) as usize;
-            count + 1
-        };
-        let columns = nodes(panel.place.width);
-        let rows = nodes((bottom - top) * panel.place.height);
+        let columns = nodes(panel.place.width, NODES);
+        let rows = nodes((bottom - top) * panel.place.height, NODES);
         let down = |row: f64| top + (bottom - top) * row / (rows - 1) as f64;
         let values = (0..rows).flat_map(|row| {
             let depth = self.depths.depth(body, down(row as f64));
@@ -189,4 +181,14 @@ fn between(numbers: &[f64], number: f64) -> (usize, f64) {
         Some([one, other]) => (first, ((number - one) / (other - one)).clamp(0.0, 1.0)),
         _ => (0, 0.0),
     }
+}
+
+/// So many nodes about this far apart cover a length, both in pixels; at least two.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "at most the pixels of a panel"
+)]
+fn nodes(length: f64, apart: f64) -> usize {
+    (length / apart).ceil().max(1.0) as usize + 1
 }

@@ -7,6 +7,7 @@ use super::contour_bands::Bands;
 use super::contour_places::{ContourPlaces, boxed};
 use super::panel::{Axis, Panel};
 use super::raster::Raster;
+use super::stress_section::mark_text;
 use super::subject::Subject;
 use super::svg::{Anchor, Rect, Stroke, Svg};
 use super::{colour_bar, heading, labels, pressure_map};
@@ -185,7 +186,7 @@ impl InterfaceMap<'_> {
         };
         let [x, y] = extreme.at.map(|along| along / metres);
         let place = panel.at(x, y);
-        let text = pascals.with_unit(extreme.value);
+        let text = mark_text(extreme.value, pascals);
         svg.circle(place, MARK, colours::WHITE, colours::INK);
         let beside = ContourPlaces::new(panel.place).beside_mark(place, &text);
         boxed(svg, beside, &text);
@@ -223,7 +224,7 @@ impl Traction {
     fn symbol(self) -> &'static str {
         match self {
             Self::Shear => "shear traction τ",
-            Self::Normal => "normal traction σ_zz",
+            Self::Normal => "normal traction σzz",
         }
     }
 

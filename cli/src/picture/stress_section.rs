@@ -11,8 +11,9 @@ use super::labels::{self, power};
 use super::panel::{Axis, Panel};
 use super::section_field::SectionField;
 use super::subject::Subject;
+use super::surface_strip::{CONTACT, ON_SURFACE, SurfaceStrip};
 use super::svg::{Anchor, Rect, Stroke, Svg};
-use crate::display::{Scale, Unit, quantity};
+use crate::display::{Scale, Unit, quantity, significant};
 use crate::output::stress::view::{StressSection, StressView};
 
 const LEFT: f64 = 112.0;
@@ -24,14 +25,11 @@ const BAR: f64 = 30.0;
 pub const WIDTH: f64 = LEFT + PANEL_WIDTH + GAP + BAR + colour_bar::BESIDE;
 
 /// Above a panel, for its title and for what stands on the surface.
-const ABOVE: f64 = 66.0;
-/// Height of what stands on the surface.
-const ON_SURFACE: f64 = 22.0;
+const ABOVE: f64 = 76.0;
 const BELOW: f64 = 66.0;
 const HEIGHT: f64 = heading::HEIGHT + 2.0 * (ABOVE + PANEL_HEIGHT + BELOW);
 
 const TITLE: f64 = 18.0;
-const CONTACT: f64 = 7.0;
 const INTERFACE: f64 = 2.4;
 const MARK: f64 = 6.0;
 
@@ -160,13 +158,11 @@ impl<'a> SectionDrawing<'a> {
             Stress::VonMises => Bands::up_to(largest, self.subject.style.colours),
             Stress::MaxPrincipal => Bands::signed(least, largest),
         };
-        let image = field.raster(pixels(PANEL_WIDTH), pixels(PANEL_HEIGHT), |value| {
-            bands.colour(value / pascals.divisor)
-        });
+        let image = field.raster(panel.place, |value| bands.colour(value / pascals.divisor));
         svg.image(panel.place, &image);
         let mut places = ContourPlaces::new(panel.place);
         let marked = self.mark(&field, &panel, stress);
-        let mark = marked.map(|(place, value)| (place, pascals.with_unit(value)));
+        let mark = marked.map(|(place, value)| (place, mark_text(value, &pascals)));
         if let Some((place, text)) = &mark {
             places.reserve_mark(*place, text);
         }
@@ -177,14 +173,18 @@ impl<'a> SectionDrawing<'a> {
             for (place, name) in &names {
                 boxed(svg, *place, name);
             }
-            if let Some((place, text)) = &mark {
-                svg.circle(*place, MARK, colours::WHITE, colours::INK);
-                boxed(svg, places.beside_mark(*place, text), text);
-            }
         });
-        self.draw_surface(svg, &panel);
+        let surface = SurfaceStrip {
+            fields: self.subject.fields,
+            section: self.section,
+        };
+        surface.draw(svg, panel.place);
         panel.draw_axes(svg);
-        self.draw_words(svg, top, stress, &pascals);
+        if let Some((place, text)) = &mark {
+            svg.circle(*place, MARK, colours::WHITE, colours::INK);
+            boxed(svg, places.beside_mark(*place, text), text);
+        }
+        self.draw_words(svg, top, stress);
         let bar = Rect {
             left: panel.place.right() + GAP,
             width: BAR,
@@ -255,19 +255,21 @@ impl<'a> SectionDrawing<'a> {
         self.section.line.distance([x, y]) <= (to - from) / PANEL_WIDTH
     }
 
-    /// The names of the bodies, each in the upper right corner of its own.
+    /// The names of the bodies, each in the upper right corner of its own, and of the interfaces on their lines.
     fn names(&self, panel: &Panel, places: &mut ContourPlaces) -> Vec<((f64, f64), String)> {
         let bodies = self.subject.step.stress.iter();
         let bodies = bodies.flat_map(|stress| &stress.extremes.bodies);
-        let named = bodies.take(self.depths.bodies()).enumerate();
-        named
-            .map(|(i, body)| {
-                let [top, _] = self.depths.within(i);
-                let (_, y) = panel.at(panel.x.to, top);
-                let place = places.in_corner((panel.place.right(), y), &body.name);
-                (place, body.name.clone())
-            })
-            .collect()
+        let mut names = Vec::new();
+        for (i, body) in bodies.take(self.depths.bodies()).enumerate() {
+            let [top, _] = self.depths.within(i);
+            let (right, y) = panel.at(panel.x.to, top);
+            names.push((places.in_corner((right, y), &body.name), body.name.clone()));
+            if i > 0 {
+                let name = format!("interface {}", i - 1);
+                names.push((places.on_left(y, &name), name));
+            }
+        }
+        names
     }
 
     fn draw_interfaces(&self, svg: &mut Svg, panel: &Panel) {
@@ -279,61 +281,13 @@ impl<'a> SectionDrawing<'a> {
         }
     }
 
-    /// The relief and the contact on the surface.
-    fn draw_surface(&self, svg: &mut Svg, panel: &Panel) {
-        let fields = &self.subject.fields;
-        let element = |along: f64| {
-            let [x, y] = self
-                .section
-                .line
-                .at(along)
-                .map(|along| fields.nearest(along));
-            x * fields.size + y
-        };
-        let runs = |holds: &dyn Fn(usize) -> bool| self.runs(|along| holds(element(along)));
-        let top = panel.place.top;
-        let block = |[from, to]: [f64; 2], height: f64| {
-            let [left, right] = [from, to].map(|along| panel.at(along, 0.0).0);
-            Rect {
-                left,
-                top: top - height,
-                width: right - left,
-                height,
-            }
-        };
-        for run in runs(&|e| fields.mask[e]) {
-            svg.rectangle(block(run, ON_SURFACE), colours::SPRINGS);
-        }
-        for run in runs(&|e| fields.pressure[e] > 0.0) {
-            svg.rectangle(block(run, CONTACT), colours::INK);
-        }
-    }
-
-    /// The longest runs along the section for which something holds, in the unit of its axis.
-    fn runs(&self, holds: impl Fn(f64) -> bool) -> Vec<[f64; 2]> {
-        let [from, to] = self.section.ends();
-        let count = pixels(PANEL_WIDTH);
-        let at = |i: usize| from + (to - from) * i as f64 / count as f64;
-        let mut runs: Vec<[f64; 2]> = Vec::new();
-        let mut last = None;
-        for i in (0..count).filter(|i| holds(at(*i).midpoint(at(i + 1)))) {
-            let ends = [at(i), at(i + 1)].map(|along| along / self.metres.divisor);
-            match runs.last_mut() {
-                Some(run) if last == Some(i) => run[1] = ends[1],
-                _ => runs.push(ends),
-            }
-            last = Some(i + 1);
-        }
-        runs
-    }
-
     /// Title, legend and notes above a panel.
-    fn draw_words(&self, svg: &mut Svg, top: f64, stress: Stress, pascals: &Scale) {
+    fn draw_words(&self, svg: &mut Svg, top: f64, stress: Stress) {
         let mut title = stress.title().to_owned();
         if let Some(found) = self.largest(stress) {
             let metres = |value| quantity(value, Unit::Metre, self.subject.units);
             let at = found.at.map(metres).join(", ");
-            let value = pascals.with_unit(found.value);
+            let value = quantity(found.value, Unit::Pascal, self.subject.units);
             let beside = if self.is_on_section(&found) {
                 ""
             } else {
@@ -344,7 +298,7 @@ impl<'a> SectionDrawing<'a> {
                 found.body
             );
         }
-        svg.text((LEFT, top + 12.0), TITLE, Anchor::Start, &title);
+        svg.text((LEFT, top + 16.0), TITLE, Anchor::Start, &title);
         let mut x = LEFT;
         let y = top + ABOVE - ON_SURFACE - 12.0;
         let mut key = |svg: &mut Svg, height: f64, colour, name: &str| {
@@ -361,9 +315,6 @@ impl<'a> SectionDrawing<'a> {
         key(svg, CONTACT, colours::INK, "contact");
         if self.subject.fields.mask.contains(&true) {
             key(svg, 14.0, colours::SPRINGS, "relief");
-        }
-        if self.depths.bodies() > 1 {
-            key(svg, INTERFACE, colours::INK, "interface");
         }
         if stress == Stress::MaxPrincipal {
             svg.text(
@@ -395,6 +346,16 @@ impl<'a> SectionDrawing<'a> {
     }
 }
 
+/// A value beside its mark, in the unit of the bar.
+pub fn mark_text(value: f64, pascals: &Scale) -> String {
+    let number = significant(value / pascals.divisor, 4);
+    if pascals.label.ends_with("Pa") {
+        format!("{number} {}", pascals.label)
+    } else {
+        number
+    }
+}
+
 impl Stress {
     fn name(self) -> &'static str {
         match self {
@@ -409,13 +370,4 @@ impl Stress {
             Self::MaxPrincipal => "Largest principal stress",
         }
     }
-}
-
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "sides of a panel"
-)]
-fn pixels(length: f64) -> usize {
-    length as usize
 }
