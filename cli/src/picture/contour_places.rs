@@ -95,6 +95,17 @@ impl ContourPlaces {
         place
     }
 
+    /// Takes a level line across the panel.
+    pub fn reserve_line(&mut self, y: f64) {
+        let Rect { left, width, .. } = self.panel;
+        self.taken.push(Rect {
+            left,
+            top: y - 1.0,
+            width,
+            height: 2.0,
+        });
+    }
+
     /// Takes the place of a text on a level line, at the left side of the panel, and returns its middle.
     pub fn on_left(&mut self, y: f64, text: &str) -> (f64, f64) {
         let width = rectangle((0.0, y), text).width;

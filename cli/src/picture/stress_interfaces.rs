@@ -185,6 +185,10 @@ impl InterfaceMap<'_> {
             return;
         };
         let [x, y] = extreme.at.map(|along| along / metres);
+        let is_shown = |axis: &Axis, along: f64| (axis.from..=axis.to).contains(&along);
+        if !is_shown(&panel.x, x) || !is_shown(&panel.y, y) {
+            return;
+        }
         let place = panel.at(x, y);
         let text = mark_text(extreme.value, pascals);
         svg.circle(place, MARK, colours::WHITE, colours::INK);

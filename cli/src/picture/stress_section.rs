@@ -29,7 +29,7 @@ const ABOVE: f64 = 76.0;
 const BELOW: f64 = 66.0;
 const HEIGHT: f64 = heading::HEIGHT + 2.0 * (ABOVE + PANEL_HEIGHT + BELOW);
 
-const TITLE: f64 = 18.0;
+const TITLE: f64 = 16.0;
 const INTERFACE: f64 = 2.4;
 const MARK: f64 = 6.0;
 
@@ -265,6 +265,7 @@ impl<'a> SectionDrawing<'a> {
             let (right, y) = panel.at(panel.x.to, top);
             names.push((places.in_corner((right, y), &body.name), body.name.clone()));
             if i > 0 {
+                places.reserve_line(y);
                 let name = format!("interface {}", i - 1);
                 names.push((places.on_left(y, &name), name));
             }
@@ -291,12 +292,9 @@ impl<'a> SectionDrawing<'a> {
             let beside = if self.is_on_section(&found) {
                 ""
             } else {
-                ", beside this section"
+                " (beside this section)"
             };
-            title += &format!(
-                ": largest {value} in {}, at x, y, z = {at}{beside}",
-                found.body
-            );
+            title += &format!(" {value} in {}, at x, y, z = {at}{beside}", found.body);
         }
         svg.text((LEFT, top + 16.0), TITLE, Anchor::Start, &title);
         let mut x = LEFT;
@@ -366,7 +364,7 @@ impl Stress {
 
     fn title(self) -> &'static str {
         match self {
-            Self::VonMises => "Von Mises stress",
+            Self::VonMises => "Largest von Mises stress",
             Self::MaxPrincipal => "Largest principal stress",
         }
     }

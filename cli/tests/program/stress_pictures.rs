@@ -39,8 +39,9 @@ fn a_run_draws_what_plot_draws_again_and_the_report_shows() {
     for words in [
         "section through x, y = ",
         " at 30°",
-        "Von Mises stress: largest ",
-        "Largest principal stress: largest ",
+        "Largest von Mises stress ",
+        "Largest principal stress ",
+        ">interface 0</text>",
         "layer[0]",
         "substrate",
         "depth z (case units)",

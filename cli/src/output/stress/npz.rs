@@ -20,8 +20,8 @@ pub fn file(step: usize) -> String {
 }
 
 /// Writes `line` (x and y of a point of the section's line, and its direction), `s` (coordinates along it), `z` and
-/// `body` (of the planes), `von_mises` and `max_principal` (planes × points); `x` (coordinates of the interfaces' points
-/// along x, and along y), `interface` and `interface_z` (their numbers and depths), `shear_traction` and
+/// `body` (of the planes), `von_mises` and `max_principal` (planes × points); `x` (coordinates of the interfaces'
+/// points along x, and along y), `interface` and `interface_z` (their numbers and depths), `shear_traction` and
 /// `normal_traction` (interfaces × x × y).
 ///
 /// # Errors
