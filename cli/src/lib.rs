@@ -44,6 +44,8 @@ pub mod results {
     pub use crate::output::fields::Fields;
     pub use crate::output::file::{write_bytes, write_whole};
     pub use crate::output::npz::{StoredFields, file as fields_file};
+    pub use crate::output::stress::npz::{file as stresses_file, read as read_stresses};
+    pub use crate::output::stress::view::{StressSection, StressView, SurfaceLine};
     pub use crate::output::summary::{FILE as SUMMARY_FILE, StepSummary, Summary};
 }
 
@@ -60,7 +62,7 @@ pub mod drawing {
     pub use crate::picture::subject::Subject;
     pub use crate::picture::svg::{Anchor, Dash, Rect, Stroke, Svg};
     pub use crate::picture::{
-        accuracy, colour_bar, colours, heading, labels, png, pressure_map, section,
+        accuracy, colour_bar, colours, heading, labels, png, pressure_map, section, stress_section,
     };
 }
 

@@ -12,6 +12,7 @@ mod loading;
 mod pressures;
 mod runner;
 mod sheet;
+mod stresses;
 mod thin_film;
 
 use std::path::Path;
@@ -62,5 +63,6 @@ fn draw(figure: Figure, runner: &Runner) -> Result<Vec<Picture>, XtaskError> {
         Figure::Five => figure_5::draw(runner),
         Figure::Six => Ok(vec![loading::figure_6(runner)?]),
         Figure::ThinFilm => Ok(vec![thin_film::draw()?]),
+        Figure::Stresses => stresses::draw(runner),
     }
 }

@@ -130,12 +130,32 @@ impl StressCase {
         foundation: &Foundation,
         contact_radius: f64,
     ) -> Vec<BodyPlane> {
-        let depths = self.depths.clone().unwrap_or_else(|| {
-            let deepest = (2.0 * contact_radius).min(foundation_bottom(case, foundation));
-            depths::chosen(&case.bottoms(foundation), deepest)
-        });
-        let planes = depths.iter().map(|depth| case.planes(foundation, *depth));
-        planes.flatten().collect()
+        match &self.depths {
+            Some(depths) => case.planes_at(foundation, depths),
+            None => self.drawn_planes(case, foundation, contact_radius),
+        }
+    }
+
+    /// The planes between which a section under a contact of this radius (m) is drawn: through all bodies down to the
+    /// deepest plane given, or to two radii.
+    #[must_use]
+    pub fn drawn_planes(
+        &self,
+        case: &FoundationCase,
+        foundation: &Foundation,
+        contact_radius: f64,
+    ) -> Vec<BodyPlane> {
+        let given = self
+            .depths
+            .as_ref()
+            .and_then(|depths| depths.last().copied());
+        let deepest = given.filter(|depth| *depth > 0.0);
+        let deepest = deepest.unwrap_or(2.0 * contact_radius);
+        let deepest = deepest.min(foundation_bottom(case, foundation));
+        case.planes_at(
+            foundation,
+            &depths::chosen(&case.bottoms(foundation), deepest),
+        )
     }
 
     /// Side of the square on which they are written, m: as given, or 1.5 contact diameters, at most the domain's.

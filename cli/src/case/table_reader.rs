@@ -112,7 +112,7 @@ pub fn dotted(path: &str, key: &str) -> String {
 }
 
 #[cfg(test)]
-pub(super) mod tests {
+pub(crate) mod tests {
     use std::sync::Arc;
 
     use super::super::document::{self, TomlValue};

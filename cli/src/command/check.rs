@@ -67,8 +67,8 @@ fn estimates(case: &Case, forecast: &Forecast, chosen: bool) -> Result<String, F
     lines.maps(case, element_side);
     lines.add("loading steps", &case.load.loads().len().to_string());
     lines.add("memory, about", &display::memory(forecast.need.bytes));
-    let points = lines.stresses(case, forecast)?;
-    let disk = disk_space::bytes(case) + disk_space::of_stresses(case, points);
+    let [planes, size] = lines.stresses(case, forecast)?;
+    let disk = disk_space::bytes(case) + disk_space::of_stresses(case, planes, size);
     lines.add("disk, about", &megabytes(disk));
     if let Some([least, most]) = forecast.products(case.grid.elements) {
         lines.add(
@@ -110,10 +110,10 @@ impl Estimates {
         Ok(())
     }
 
-    /// The planes of stresses of the largest load, and the work on them; returns their points.
-    fn stresses(&mut self, case: &Case, forecast: &Forecast) -> Result<usize, Failure> {
+    /// The planes of stresses of the largest load, and the work on them; returns their number and points along a side.
+    fn stresses(&mut self, case: &Case, forecast: &Forecast) -> Result<[usize; 2], Failure> {
         let Some(stress) = &case.stress else {
-            return Ok(0);
+            return Ok([0; 2]);
         };
         let trial = forecast
             .step
@@ -143,7 +143,7 @@ impl Estimates {
             let words = format!("{strengths}, each by solving some ten more loads");
             self.add("critical loads", &words);
         }
-        Ok(count * size * size)
+        Ok([count, size])
     }
 
     /// The sampling of the maps: samples per element and per shortest wave.

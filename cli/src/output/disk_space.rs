@@ -48,19 +48,34 @@ const REPORT_CELL: f64 = 0.85;
 const STRESS_NC: f64 = 88.0;
 const STRESS_VTR: f64 = 45.0;
 
+/// The same of a point that the pictures show, two numbers; and of the pictures of a step, one with each interface.
+const STRESS_NPZ: f64 = 14.0;
+const STRESS_SECTION: f64 = 560e3;
+const STRESS_INTERFACE: f64 = 130e3;
+
 /// Bytes of summary and curve for a step.
 const NUMBERS: f64 = 3.2e3;
 
-/// The disk space of the stresses of a run at so many points of a step, in bytes.
+/// The disk space of the stresses of a run on so many planes of `size` × `size` points a step, and of their pictures, in
+/// bytes.
 #[must_use]
-pub fn of_stresses(case: &Case, points: usize) -> f64 {
+pub fn of_stresses(case: &Case, planes: usize, size: usize) -> f64 {
+    if case.stress.is_none() {
+        return 0.0;
+    }
+    let plane = (size * size) as f64;
+    let interfaces = case.foundation.layer.len() as f64;
     let bytes = case.output.formats.iter().map(|format| match format {
-        Format::Nc => STRESS_NC,
-        Format::Vti => STRESS_VTR,
-        Format::Npz | Format::Gsf => 0.0,
+        Format::Nc => STRESS_NC * planes as f64 * plane,
+        Format::Vti => STRESS_VTR * planes as f64 * plane,
+        Format::Npz => STRESS_NPZ * (interfaces * plane + (planes * size) as f64),
+        Format::Gsf => 0.0,
     });
-    let steps = case.output.fields.count(case.load.loads().len());
-    bytes.fold(0.0, |sum, bytes| sum + bytes) * (steps * points) as f64
+    let steps = case.load.loads().len();
+    let of_fields =
+        case.output.fields.count(steps) as f64 * bytes.fold(0.0, |sum, bytes| sum + bytes);
+    let of_pictures = STRESS_SECTION + STRESS_INTERFACE * interfaces;
+    of_fields + case.output.pictures.count(steps) as f64 * of_pictures
 }
 
 /// The disk space of a run of a case without its stresses, in bytes.

@@ -56,7 +56,12 @@ fn npz(file: impl io::Write + io::Seek, fields: &Fields<'_>) -> Result<(), Write
     Ok(())
 }
 
-fn add(
+/// Adds an array to an archive under way.
+///
+/// # Errors
+///
+/// [`WriteNpzError`] if it cannot be written.
+pub(super) fn add(
     npz: &mut ZipWriter<impl io::Write + io::Seek>,
     name: &str,
     array: &impl WriteNpyExt,
@@ -75,7 +80,11 @@ fn square<T>(size: usize, field: &[T]) -> Result<ArrayView2<'_, T>, WriteNpzErro
 }
 
 /// Refuses arrays that are larger than any grid's, or than their header says, before memory is allocated for them.
-fn check(path: &Path) -> Result<(), String> {
+///
+/// # Errors
+///
+/// The reason.
+pub(super) fn check(path: &Path) -> Result<(), String> {
     let file = File::open(path).map_err(|cause| cause.to_string())?;
     let mut archive = ZipArchive::new(file).map_err(|cause| cause.to_string())?;
     for i in 0..archive.len() {

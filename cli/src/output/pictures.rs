@@ -7,6 +7,7 @@ use rayon::prelude::*;
 use super::fields::Fields;
 use super::report::surface::Surface;
 use super::report::{RunDrawings, StepDrawings};
+use super::stress::view::StressView;
 use super::summary::Summary;
 use super::write_progress::WriteProgress;
 use crate::case::output::Steps;
@@ -14,7 +15,9 @@ use crate::failure::Failure;
 use crate::picture::field_map::FieldMap;
 use crate::picture::style::Style;
 use crate::picture::subject::Subject;
-use crate::picture::{convergence, curve, pressure_map, pressure_view, section};
+use crate::picture::{
+    convergence, curve, pressure_map, pressure_view, section, stress_interfaces, stress_section,
+};
 
 /// A picture of a loading step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -66,6 +69,101 @@ impl StepPicture {
     }
 }
 
+/// A picture of the stresses of a loading step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum StressPicture {
+    /// The section through the largest von Mises stress.
+    Section,
+    /// The tractions on the interfaces.
+    Interfaces,
+}
+
+/// The pictures of the stresses of a loading step, as SVG.
+#[derive(Debug, Clone, Default)]
+pub struct StressDrawings {
+    /// Loading step, counted from 0.
+    pub step: usize,
+    /// The pictures that were drawn.
+    pub drawings: Vec<(StressPicture, String)>,
+}
+
+/// The pictures of the stresses of a step.
+#[must_use]
+pub fn of_stresses(summary: &Summary) -> &'static [StressPicture] {
+    if summary.layers() > 0 {
+        &[StressPicture::Section, StressPicture::Interfaces]
+    } else {
+        &[StressPicture::Section]
+    }
+}
+
+impl StressPicture {
+    fn name(self, step: usize) -> String {
+        match self {
+            Self::Section => stress_section::name(step),
+            Self::Interfaces => stress_interfaces::name(step),
+        }
+    }
+
+    fn draw(self, subject: &Subject<'_>, view: &StressView) -> String {
+        match self {
+            Self::Section => stress_section::draw(subject, view),
+            Self::Interfaces => stress_interfaces::draw(subject, view),
+        }
+    }
+}
+
+/// Names of the pictures of the stresses of a step, without endings.
+#[must_use]
+pub fn names_of_stresses(summary: &Summary, step: usize) -> Vec<String> {
+    let pictures = of_stresses(summary).iter();
+    pictures.map(|picture| picture.name(step)).collect()
+}
+
+/// Writes the pictures of the stresses of a step, and returns the drawings for the report.
+///
+/// # Errors
+///
+/// [`Failure::Write`] if a picture cannot be written.
+pub fn stresses(
+    folder: &Path,
+    summary: &Summary,
+    step: usize,
+    fields: Fields<'_>,
+    view: &StressView,
+    style: &Style,
+    writer: &WriteProgress<'_>,
+) -> Result<StressDrawings, Failure> {
+    let subject = subject(summary, step, fields, style);
+    let pictures = of_stresses(summary).par_iter();
+    let drawn = pictures.map(|picture| {
+        let draw = || picture.draw(&subject, view);
+        let svg = writer.picture(folder, &picture.name(step), draw)?;
+        Ok(svg.map(|svg| (*picture, svg)))
+    });
+    let drawn = drawn.collect::<Result<Vec<_>, Failure>>()?;
+    Ok(StressDrawings {
+        step,
+        drawings: drawn.into_iter().flatten().collect(),
+    })
+}
+
+fn subject<'a>(
+    summary: &'a Summary,
+    step: usize,
+    fields: Fields<'a>,
+    style: &Style,
+) -> Subject<'a> {
+    Subject {
+        title: &summary.title,
+        units: summary.units,
+        relief_height: summary.relief_height(),
+        step: &summary.steps[step],
+        fields,
+        style: *style,
+    }
+}
+
 /// Writes the pictures of one loading step, and returns the drawings for the report.
 ///
 /// # Errors
@@ -79,14 +177,7 @@ pub fn step(
     style: &Style,
     writer: &WriteProgress<'_>,
 ) -> Result<StepDrawings, Failure> {
-    let subject = Subject {
-        title: &summary.title,
-        units: summary.units,
-        relief_height: summary.relief_height(),
-        step: &summary.steps[step],
-        fields,
-        style: *style,
-    };
+    let subject = subject(summary, step, fields, style);
     let pictures = of_a_step(summary).into_par_iter();
     let drawn = pictures.map(|picture| {
         let svg = writer.picture(folder, &picture.name(step), || picture.draw(&subject))?;
@@ -99,6 +190,7 @@ pub fn step(
     Ok(StepDrawings {
         step,
         drawings: drawn.into_iter().flatten().collect(),
+        stresses: Vec::new(),
         surface,
     })
 }

@@ -8,7 +8,7 @@ use super::npz::{self, StoredFields};
 use super::report::{self, StepDrawings};
 use super::summary::{Summary, WarningSummary};
 use super::write_progress::{OnProgress, WriteProgress};
-use super::{pictures, results};
+use super::{pictures, results, stress};
 use crate::case::output::Steps;
 use crate::failure::Failure;
 use crate::picture::curve::{self, Curve};
@@ -60,14 +60,20 @@ pub fn draw(
     } else {
         Steps::None
     };
+    let stresses = |step: usize| folder.join(stress::npz::file(step));
+    let with_stresses: Vec<_> = (steps.iter().copied())
+        .filter(|step| stresses(*step).is_file())
+        .collect();
     let count = steps.len() * pictures::of_a_step(&summary).len()
+        + with_stresses.len() * pictures::of_stresses(&summary).len()
         + pictures::count_of_run(&summary, of_run);
     let writer = WriteProgress::new(count, on_progress);
     let out = options.out.unwrap_or(folder);
     if options.out.is_some() && !options.replaces {
-        pictures::names(&summary, &steps, of_run)
-            .iter()
-            .try_for_each(|name| keep(out, name))?;
+        let of_stresses = with_stresses.iter();
+        let of_stresses = of_stresses.flat_map(|step| pictures::names_of_stresses(&summary, *step));
+        let names = pictures::names(&summary, &steps, of_run);
+        (names.into_iter().chain(of_stresses)).try_for_each(|name| keep(out, &name))?;
     }
     let shown = results::in_report(&steps);
     let parts = steps.par_iter().map(|step| {
@@ -87,7 +93,13 @@ pub fn draw(
         }
         let stored = StoredFields::read(&path)?;
         let of_step = stored.fields(summary.grid.side);
-        let part = pictures::step(out, &summary, *step, of_step, &options.style, &writer)?;
+        let mut part = pictures::step(out, &summary, *step, of_step, &options.style, &writer)?;
+        if with_stresses.contains(step) {
+            let view = stress::npz::read(&stresses(*step))?;
+            let style = &options.style;
+            let drawn = pictures::stresses(out, &summary, *step, of_step, &view, style, &writer)?;
+            part.stresses = drawn.drawings;
+        }
         Ok(shown.contains(step).then_some(part))
     });
     let parts = parts.collect::<Result<Vec<Option<StepDrawings>>, Failure>>()?;

@@ -3,6 +3,7 @@
 
 mod case_table;
 mod step;
+mod stress;
 pub mod surface;
 
 use askama::Template;
@@ -10,8 +11,9 @@ use pellicle_contact::Status;
 
 use self::step::{GridErrorNote, StepSection};
 use self::surface::Surface;
-use super::pictures::StepPicture;
+use super::pictures::{StepPicture, StressPicture};
 use super::summary::{StepSummary, Summary};
+use super::summary_text;
 use crate::display::{Unit, quantity, significant};
 
 /// Name of the file in a results folder.
@@ -24,6 +26,8 @@ pub struct StepDrawings {
     pub step: usize,
     /// The pictures that were drawn, as SVG.
     pub drawings: Vec<(StepPicture, String)>,
+    /// The pictures of the stresses that were drawn, as SVG.
+    pub stresses: Vec<(StressPicture, String)>,
     /// The pressure that can be turned; none if it cannot be drawn.
     pub surface: Option<Surface>,
 }
@@ -49,6 +53,8 @@ struct Page<'a> {
     worst: Status,
     curve: Vec<CurveRow>,
     steps: Vec<StepSection<'a>>,
+    /// Sentences on the critical loads, the smallest load first.
+    critical: Vec<String>,
     /// Keys of the case and their values.
     case: Vec<(String, String)>,
     coefficients_seconds: String,
@@ -87,6 +93,9 @@ pub fn html(summary: &Summary, steps: &[StepDrawings], run: &RunDrawings) -> Str
             .map(|step| row(summary, step))
             .collect(),
         steps: steps.iter().chain(undrawn).map(section).collect(),
+        critical: (summary_text::stress::critical(summary).lines())
+            .map(str::to_owned)
+            .collect(),
         case: case_table::rows(&summary.case, summary.units),
         coefficients_seconds: seconds(summary.timing.coefficients_seconds),
         solve_seconds: seconds(summary.timing.solve_seconds),

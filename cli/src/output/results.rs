@@ -40,10 +40,14 @@ pub fn write(
     on_progress: OnProgress<'_>,
 ) -> Result<Completeness, Failure> {
     let output = &case.output;
-    let files = files(summary, output) + stress::count(case, summary.steps.len());
+    let files = files(summary, output) + stress::count(case, summary);
     let writer = WriteProgress::new(files, on_progress);
-    let parts = write_steps(folder, path, summary, output, &writer)?;
-    stress::write(folder, path, summary, case, &writer)?;
+    let mut parts = write_steps(folder, path, summary, output, &writer)?;
+    for drawings in stress::write(folder, path, summary, case, &writer)? {
+        let part = parts.iter_mut().find(|part| part.step == drawings.step);
+        part.into_iter()
+            .for_each(|part| part.stresses.clone_from(&drawings.drawings));
+    }
     let run = pictures::run(folder, summary, output.pictures, &Style::default(), &writer)?;
     summary.warnings.extend(writer.warnings());
     summary.timing.total_seconds = start.elapsed().as_secs_f64();

@@ -15,9 +15,11 @@ const OF_A_RUN: [(&str, &[&str]); 2] =
     [("curve", &["svg", "png"]), ("convergence", &["svg", "png"])];
 
 /// Files written once per step, by the word before the number of the step, and their endings.
-const OF_A_STEP: [(&str, &[&str]); 10] = [
+const OF_A_STEP: [(&str, &[&str]); 12] = [
     ("fields", &["npz", "vti", "nc"]),
-    ("stress", &["nc", "vtr"]),
+    ("stress", &["npz", "nc", "vtr"]),
+    ("stress-section", &["svg", "png"]),
+    ("stress-interfaces", &["svg", "png"]),
     ("pressure", &["gsf", "svg", "png"]),
     ("mask", &["gsf"]),
     ("contact", &["gsf"]),
@@ -158,6 +160,9 @@ mod tests {
             "section-007.png",
             "stress-000.nc",
             "stress-012.vtr",
+            "stress-000.npz",
+            "stress-section-000.svg",
+            "stress-interfaces-001.png",
         ] {
             assert!(is_name(name), "{name}");
         }

@@ -1,7 +1,11 @@
 //! `stress-NNN.nc` and `stress-NNN.vtr`: displacements and stresses on planes in the body, computed and written plane
-//! by plane, so that no more than one plane is in memory.
+//! by plane, so that no more than one plane is in memory; and the pictures of the same planes, with `stress-NNN.npz` to
+//! draw them again.
 
 mod netcdf;
+pub mod npz;
+mod planes;
+pub mod view;
 mod vtr;
 
 use std::path::Path;
@@ -10,13 +14,18 @@ use pellicle_contact::{LoadingPath, StressField, StressPlanes};
 use pellicle_influence::SubsurfaceState;
 use rayon::prelude::*;
 
-use super::summary::Summary;
+use self::planes::Wishes;
+use self::view::{Reach, StressView, SurfaceLine, ViewCollector};
+use super::fields::Fields;
+use super::pictures::{self, StressDrawings};
+use super::summary::{StepSummary, Summary};
 use super::write_progress::WriteProgress;
 use crate::case::Case;
 use crate::case::foundation::depths::BodyPlane;
 use crate::case::output::Format;
 use crate::case::stress::StressCase;
 use crate::failure::Failure;
+use crate::picture::style::Style;
 
 /// A field in the files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -62,7 +71,7 @@ const fn named(name: &'static str, unit: &'static str, meaning: &'static str) ->
 /// The formats in which stresses are written.
 #[must_use]
 pub fn formats(formats: &[Format]) -> Vec<Format> {
-    let is_one = |format: &Format| matches!(format, Format::Nc | Format::Vti);
+    let is_one = |format: &Format| matches!(format, Format::Nc | Format::Vti | Format::Npz);
     formats.iter().copied().filter(is_one).collect()
 }
 
@@ -110,6 +119,39 @@ impl PlaneValues {
         Ok(())
     }
 
+    /// Planes of given values, for tests.
+    #[cfg(test)]
+    fn filled(size: usize, value: impl Fn(usize, usize, usize) -> f64) -> Self {
+        let value = &value;
+        let field = |field| {
+            let points = (0..size).flat_map(|i| (0..size).map(move |j| value(field, i, j)));
+            points.collect()
+        };
+        Self {
+            fields: std::array::from_fn(field),
+            size,
+        }
+    }
+
+    fn von_mises(&self) -> &[f64] {
+        &self.fields[STATE]
+    }
+
+    fn max_principal(&self) -> &[f64] {
+        &self.fields[STATE + 1]
+    }
+
+    /// `σ_zz`
+    fn normal_traction(&self) -> &[f64] {
+        &self.fields[5]
+    }
+
+    /// `τ = |(σ_xz, σ_yz)|`
+    fn shear_traction(&self) -> Vec<f64> {
+        let [sxz, syz] = [7, 8].map(|field| &self.fields[field]);
+        sxz.iter().zip(syz).map(|(x, y)| x.hypot(*y)).collect()
+    }
+
     /// The fields that follow from the state.
     fn derive(&mut self) {
         let (state, derived) = self.fields.split_at_mut(STATE);
@@ -128,16 +170,44 @@ impl PlaneValues {
     }
 }
 
-/// The number of files that the fields of stresses take.
-#[must_use]
-pub fn count(case: &Case, steps: usize) -> usize {
-    if case.stress.is_none() {
-        return 0;
-    }
-    case.output.fields.count(steps) * formats(&case.output.formats).len()
+/// What is written of the stresses of a step.
+#[derive(Debug, Clone)]
+struct Wanted {
+    step: usize,
+    formats: Vec<Format>,
+    is_pictured: bool,
 }
 
-/// Writes the stresses of the steps that have fields, one after the other.
+/// What is written of the steps that have fields or pictures.
+fn wanted(case: &Case, steps: usize) -> Vec<Wanted> {
+    if case.stress.is_none() {
+        return Vec::new();
+    }
+    let output = &case.output;
+    let of_step = |step: usize| Wanted {
+        step,
+        formats: if output.fields.contains(step, steps) {
+            formats(&output.formats)
+        } else {
+            Vec::new()
+        },
+        is_pictured: output.pictures.contains(step, steps),
+    };
+    let all = (0..steps).map(of_step);
+    all.filter(|wanted| wanted.is_pictured || !wanted.formats.is_empty())
+        .collect()
+}
+
+/// The number of files and pictures that the stresses take.
+#[must_use]
+pub fn count(case: &Case, summary: &Summary) -> usize {
+    let pictures = pictures::of_stresses(summary).len();
+    let count = |wanted: &Wanted| wanted.formats.len() + usize::from(wanted.is_pictured) * pictures;
+    wanted(case, summary.steps.len()).iter().map(count).sum()
+}
+
+/// Writes the stresses of the steps that have fields or pictures, one after the other, and returns the drawings for the
+/// report.
 ///
 /// # Errors
 ///
@@ -148,61 +218,118 @@ pub fn write(
     summary: &Summary,
     case: &Case,
     writer: &WriteProgress<'_>,
-) -> Result<(), Failure> {
-    let formats = formats(&case.output.formats);
-    let Some(stress) = case.stress.as_ref().filter(|_| !formats.is_empty()) else {
-        return Ok(());
-    };
-    let steps = path.steps.len();
-    let wanted = (0..steps).filter(|step| case.output.fields.contains(*step, steps));
-    for step in wanted {
-        writer.files(formats.len(), || {
-            write_step(folder, path, summary, case, stress, step, &formats)
+) -> Result<Vec<StressDrawings>, Failure> {
+    let wanted = wanted(case, path.steps.len());
+    let geometry = (wanted.iter().any(|wanted| wanted.is_pictured)).then(|| path.geometry());
+    let mut drawn = Vec::new();
+    for wanted in wanted {
+        let step = wanted.step;
+        let view = writer.files(wanted.formats.len(), || {
+            write_step(folder, path, summary, case, &wanted)
         })?;
+        if !wanted.is_pictured {
+            continue;
+        }
+        let surface = geometry
+            .as_ref()
+            .and_then(|geometry| path.surface(geometry, step));
+        if let (Some(Some(view)), Some(geometry), Some(surface)) = (view, &geometry, &surface) {
+            let fields = Fields::of(path, geometry, step, surface);
+            let style = &Style::default();
+            drawn.push(pictures::stresses(
+                folder, summary, step, fields, &view, style, writer,
+            )?);
+        } else {
+            writer.leave_out(pictures::of_stresses(summary).len());
+        }
     }
-    Ok(())
+    Ok(drawn)
 }
 
+/// Writes the files of a step, and returns what its pictures show if something wants it.
 fn write_step(
     folder: &Path,
     path: &LoadingPath,
     summary: &Summary,
     case: &Case,
-    stress: &StressCase,
-    step: usize,
-    formats: &[Format],
-) -> Result<(), Failure> {
-    let Some(field) = StressField::new(path, step, stress.sliding()) else {
-        return Ok(());
+    wanted: &Wanted,
+) -> Result<Option<StressView>, Failure> {
+    let Wanted { step, formats, .. } = wanted;
+    let stress = case.stress.clone().unwrap_or_default();
+    let Some(field) = StressField::new(path, *step, stress.sliding()) else {
+        return Ok(None);
     };
-    let radius = block_radius(summary, step);
+    let radius = block_radius(summary, *step);
     let foundation = path.tables.foundation();
-    let planes = stress.planes(&case.foundation, foundation, radius);
+    let is_of_fields = |format: &&Format| **format != Format::Npz;
+    let of_fields: Vec<_> = formats.iter().filter(is_of_fields).collect();
+    let wishes = Wishes {
+        files: !of_fields.is_empty(),
+        view: wanted.is_pictured || of_fields.len() < formats.len(),
+    };
+    let wanted = planes::wanted(&stress, &case.foundation, foundation, radius, wishes);
+    let filed: Vec<_> = wanted.iter().filter(|wanted| wanted.is_filed).collect();
     let mut computed = field.planes(stress.side(radius, summary.grid.side));
     let centres = computed.centres().to_vec();
     let head = StressHead {
         summary,
-        step,
-        stress,
+        step: *step,
+        stress: &stress,
         bodies: case.foundation.body_names(),
         centres: &centres,
-        planes: &planes,
+        planes: &filed.iter().map(|wanted| wanted.plane).collect::<Vec<_>>(),
     };
-    let begin = |format: &Format| -> Result<Box<dyn StressFile + '_>, Failure> {
+    let begin = |format: &&Format| -> Result<Box<dyn StressFile + '_>, Failure> {
         Ok(match format {
             Format::Nc => Box::new(netcdf::StressNetcdf::begin(folder, &head)?),
             _ => Box::new(vtr::StressVtr::begin(folder, &head)?),
         })
     };
-    let mut files = formats.iter().map(begin).collect::<Result<Vec<_>, _>>()?;
+    let mut files = of_fields.iter().map(begin).collect::<Result<Vec<_>, _>>()?;
+    let line = section_line(&summary.steps[*step], &stress);
+    let drawn = stress.drawn_planes(&case.foundation, foundation, radius);
+    let reach = Reach {
+        deepest: drawn.last().map_or(0.0, |plane| plane.depth.z),
+        bottoms: case.foundation.bottoms(foundation),
+    };
+    let mut collector = ViewCollector::new(line, &centres, reach);
     let mut values = PlaneValues::new(centres.len());
-    for (i, plane) in planes.iter().enumerate() {
-        values.compute(&mut computed, *plane)?;
-        for file in &mut files {
-            file.add(i, &values)?;
+    let mut number = 0;
+    for wanted in &wanted {
+        values.compute(&mut computed, wanted.plane)?;
+        if wanted.is_viewed {
+            collector.add(wanted.plane, &values);
+        }
+        if wanted.is_filed {
+            (files.iter_mut()).try_for_each(|file| file.add(number, &values))?;
+            number += 1;
         }
     }
-    files.into_iter().try_for_each(StressFile::finish)
+    files.into_iter().try_for_each(StressFile::finish)?;
+    let view = collector.finish();
+    if formats.contains(&Format::Npz) {
+        npz::write(&folder.join(npz::file(*step)), &view)?;
+    }
+    Ok(wishes.view.then_some(view))
+}
+
+/// The line through the place of the largest von Mises stress, along the direction of sliding or along x.
+fn section_line(step: &StepSummary, stress: &StressCase) -> SurfaceLine {
+    let bodies = step
+        .stress
+        .iter()
+        .flat_map(|stress| &stress.extremes.bodies);
+    let largest = bodies
+        .map(|body| body.max_von_mises)
+        .max_by(|one, other| one.value.total_cmp(&other.value));
+    SurfaceLine {
+        through: largest.map_or([0.0; 2], |largest| [largest.at[0], largest.at[1]]),
+        direction: if stress.friction > 0.0 {
+            stress.direction
+        } else {
+            0.0
+        },
+    }
 }
 
 /// The contact radius that the planes and their square are chosen by, m; of a step without contact a third of the

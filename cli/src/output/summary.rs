@@ -268,6 +268,13 @@ impl Summary {
         self.case["surface"]["kind"] != "bare"
     }
 
+    /// The number of layers, each with an interface below.
+    #[must_use]
+    pub fn layers(&self) -> usize {
+        let layers = self.case["foundation"]["layer"].as_array();
+        layers.map_or(0, Vec::len)
+    }
+
     /// Height of the relief above the surface of the body, m, where it is the same everywhere: of cylinders or a film,
     /// 0 of a bare surface.
     #[must_use]

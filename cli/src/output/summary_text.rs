@@ -1,6 +1,6 @@
 //! A summary in words, for the terminal.
 
-mod stress;
+pub mod stress;
 
 use pellicle_contact::{Estimate, Status};
 

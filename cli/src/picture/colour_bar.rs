@@ -1,6 +1,7 @@
 //! The bar of a picture's colours, with the values beside it.
 
 use super::colour_map::ColourScale;
+use super::contour_bands::Bands;
 use super::panel::LABEL;
 use super::raster::Raster;
 use super::svg::{Anchor, Rect, Stroke, Svg, TextDirection};
@@ -22,17 +23,48 @@ pub fn draw(svg: &mut Svg, place: Rect, shades: &ColourScale, title: &str) {
     let (from, to) = (shades.from, shades.to);
     let shade = |_, j| shades.map.at((SHADES - 1 - j) as f64 / (SHADES - 1) as f64);
     svg.image(place, &Raster::of(1, SHADES, shade));
+    let ticks = ticks::linear(from, to, 6).into_iter();
+    let at = |tick: f64| place.bottom() - place.height * (tick - from) / (to - from);
+    let labelled = ticks.map(|tick| (at(tick), labels::tick(tick, to - from)));
+    draw_labels(svg, place, &labelled.collect::<Vec<_>>(), title);
+}
+
+/// Draws a bar of bands of equal height, their levels beside it.
+pub fn draw_bands(svg: &mut Svg, place: Rect, bands: &Bands, title: &str) {
+    let height = place.height / bands.colours().len() as f64;
+    for (i, colour) in bands.colours().iter().enumerate() {
+        let top = place.bottom() - height * (i + 1) as f64;
+        let band = Rect {
+            top,
+            height,
+            ..place
+        };
+        svg.rectangle(band, *colour);
+    }
+    let labels = bands.levels.iter().enumerate().map(|(i, level)| {
+        let at = place.bottom() - height * (i + 1) as f64;
+        (at, bands.label(*level))
+    });
+    let frame = [
+        (place.left, place.top),
+        (place.left, place.bottom()),
+        (place.right(), place.bottom()),
+        (place.right(), place.top),
+        (place.left, place.top),
+    ];
+    svg.line(&frame, Stroke::new(colours::INK, 1.0));
+    draw_labels(svg, place, &labels.collect::<Vec<_>>(), title);
+}
+
+/// Draws labels beside the bar at their heights, and the title beside them.
+fn draw_labels(svg: &mut Svg, place: Rect, labels: &[(f64, String)], title: &str) {
     let stroke = Stroke::new(colours::INK, 1.2);
     let right = place.right();
-    let ticks = ticks::linear(from, to, 6);
-    let label = |tick: &f64| labels::tick(*tick, to - from);
-    let labels: Vec<_> = ticks.iter().map(label).collect();
-    for (tick, label) in ticks.iter().zip(&labels) {
-        let y = place.bottom() - place.height * (tick - from) / (to - from);
-        svg.line(&[(right, y), (right + TICK, y)], stroke);
-        svg.text((right + TICK + 5.0, y), LABEL, Anchor::Start, label);
+    for (y, label) in labels {
+        svg.line(&[(right, *y), (right + TICK, *y)], stroke);
+        svg.text((right + TICK + 5.0, *y), LABEL, Anchor::Start, label);
     }
-    let longest = labels.iter().map(|label| label.chars().count()).max();
+    let longest = labels.iter().map(|(_, label)| label.chars().count()).max();
     let beside = TICK + 5.0 + DIGIT * longest.unwrap_or(0) as f64 + TITLE;
     let middle = (
         right + beside.min(BESIDE - TITLE),

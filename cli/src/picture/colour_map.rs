@@ -108,11 +108,7 @@ mod tests {
 
     #[test]
     fn more_pressure_is_lighter() {
-        let lightness = |t: f64| {
-            let Colour(r, g, b) = ColourMap::Viridis.at(t);
-            // Luma of ITU-R BT.601.
-            0.299 * f64::from(r) + 0.587 * f64::from(g) + 0.114 * f64::from(b)
-        };
+        let lightness = |t: f64| ColourMap::Viridis.at(t).luma();
         let steps: Vec<_> = (0..=20).map(|i| lightness(f64::from(i) / 20.0)).collect();
         assert!(steps.windows(2).all(|pair| pair[0] < pair[1]), "{steps:?}");
     }

@@ -63,6 +63,12 @@ impl Colour {
         let channel = |value: u8| (f64::from(value) * light).round().clamp(0.0, 255.0) as u8;
         Self(channel(self.0), channel(self.1), channel(self.2))
     }
+
+    /// Its luma, ITU-R BT.601, from 0, black, to 255, white: what is left of it in grey.
+    #[must_use]
+    pub fn luma(self) -> f64 {
+        0.299 * f64::from(self.0) + 0.587 * f64::from(self.1) + 0.114 * f64::from(self.2)
+    }
 }
 
 impl fmt::Display for Colour {

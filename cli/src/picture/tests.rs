@@ -8,9 +8,10 @@ use serde_json::json;
 use super::field_map::FieldMap;
 use super::style::{Cut, Heading, Style};
 use super::subject::Subject;
-use super::{curve, png, pressure_map, pressure_view, section};
+use super::{curve, png, pressure_map, pressure_view, section, stress_interfaces, stress_section};
 use crate::case::units::Units;
 use crate::output::fields::Fields;
+use crate::output::stress::view::{InterfaceTractions, StressSection, StressView, SurfaceLine};
 use crate::output::summary::StepSummary;
 
 const SIZE: usize = 9;
@@ -27,6 +28,34 @@ fn step(value: f64) -> StepSummary {
         "grid_error": {"penetration": null, "contact_area": null, "max_pressure": null, "levels": []},
     });
     serde_json::from_value(step).unwrap()
+}
+
+/// A view whose planes and interface have these values.
+fn view(side: f64, values: &[f64]) -> StressView {
+    let coordinates: Vec<f64> = (0..SIZE)
+        .map(|i| side * (i as f64 / SIZE as f64 - 0.4))
+        .collect();
+    let depth = |i: usize| side * [0.0, 0.1, 0.2, 1.0, 1.0, 1.5, 2.0, 4.0, 5.0][i];
+    StressView {
+        section: StressSection {
+            line: SurfaceLine {
+                through: [0.1 * side, 0.2 * side],
+                direction: values[0].clamp(-3.0, 3.0),
+            },
+            along: coordinates.clone(),
+            depths: (0..SIZE).map(depth).collect(),
+            bodies: (0..SIZE).map(|i| usize::from(i > 3)).collect(),
+            von_mises: values.iter().map(|value| value.abs()).collect(),
+            max_principal: values.to_vec(),
+        },
+        centres: coordinates,
+        interfaces: vec![InterfaceTractions {
+            index: 0,
+            depth: side,
+            shear: values.iter().map(|value| value.abs()).collect(),
+            normal: values.to_vec(),
+        }],
+    }
 }
 
 /// Fields of sizes that do not go together.
@@ -80,7 +109,10 @@ fn every_finite_solution_can_be_drawn() {
             name: "a needle".into(),
             steps: &steps,
         };
+        let view = view(side, &u);
         for svg in [
+            stress_section::draw(&subject, &view),
+            stress_interfaces::draw(&subject, &view),
             pressure_map::draw(&subject),
             section::draw(&subject),
             pressure_view::draw(&subject),

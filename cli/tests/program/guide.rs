@@ -63,3 +63,25 @@ fn the_first_case_of_the_guide_is_that_of_the_template() {
     };
     assert_eq!(lines(case.unwrap().1), lines(&template));
 }
+
+#[test]
+fn the_recipes_for_coatings_are_the_cases_of_that_name() {
+    for name in ["dlc-on-steel.toml", "crn-sliding.toml"] {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+            .join("../cases")
+            .join(name);
+        let case = fs::read_to_string(path).unwrap();
+        let head = format!("# {name}");
+        let recipe = blocks()
+            .into_iter()
+            .find(|(_, text)| text.lines().next() == Some(&head));
+        let lines = |text: &str| -> Vec<String> {
+            let lines = text.lines().filter(|line| !line.starts_with('#'));
+            lines
+                .filter(|line| !line.is_empty())
+                .map(str::to_owned)
+                .collect()
+        };
+        assert_eq!(lines(recipe.unwrap().1), lines(&case));
+    }
+}

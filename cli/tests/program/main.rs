@@ -23,6 +23,7 @@ mod read_back;
 mod runner;
 mod stress_command;
 mod stress_files;
+mod stress_pictures;
 mod stress_summary;
 mod study;
 mod tables;

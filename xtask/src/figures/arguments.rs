@@ -27,12 +27,15 @@ pub enum Figure {
     /// Formulas for thin films over the exact force; not in the paper.
     #[value(name = "thin-film")]
     ThinFilm,
+    /// Stresses under figure 2, which the paper does not show.
+    #[value(name = "stresses")]
+    Stresses,
 }
 
 /// Draws the paper's figures from its cases.
 #[derive(Debug, Clone, Args)]
 pub struct FiguresArguments {
-    /// Only these figures: of the paper, 2 to 6, or thin-film.
+    /// Only these figures: of the paper, 2 to 6, or thin-film, or stresses, those under figure 2.
     #[arg(long, value_name = "FIGURE,…", value_delimiter = ',')]
     pub only: Vec<Figure>,
     /// Coarse grids, for a look only; the pictures say so.

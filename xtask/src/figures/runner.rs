@@ -8,7 +8,8 @@ use std::process::Command;
 use pellicle_cli::Case;
 use pellicle_cli::drawing::accuracy;
 use pellicle_cli::results::{
-    Fields, SUMMARY_FILE, StepSummary, StoredFields, Summary, fields_file,
+    Fields, SUMMARY_FILE, StepSummary, StoredFields, StressView, Summary, fields_file,
+    read_stresses, stresses_file,
 };
 
 use crate::XtaskError;
@@ -94,6 +95,24 @@ impl Runner {
             index,
             stored,
         })
+    }
+
+    /// The only step of a case of figure 2 with its stresses; `stress` asks for them as `--set` takes it.
+    pub(super) fn stressed_step(
+        &self,
+        case: &'static str,
+        stress: &str,
+    ) -> Result<(SolvedStep, StressView), XtaskError> {
+        let summary = self.solve(case, &[stress], "all")?;
+        let stored = StoredFields::read(&self.folder(case).join(fields_file(0)))?;
+        let view = read_stresses(&self.folder(case).join(stresses_file(0)))?;
+        let step = SolvedStep {
+            case: name(case),
+            summary,
+            index: 0,
+            stored,
+        };
+        Ok((step, view))
     }
 
     /// The mark of a coarse picture, for its subtitle.

@@ -77,6 +77,13 @@ impl FoundationCase {
         }
     }
 
+    /// The planes at several depths.
+    #[must_use]
+    pub fn planes_at(&self, foundation: &Foundation, depths: &[f64]) -> Vec<BodyPlane> {
+        let planes = depths.iter().map(|depth| self.planes(foundation, *depth));
+        planes.flatten().collect()
+    }
+
     /// The names of the bodies, as results call them.
     #[must_use]
     pub fn body_names(&self) -> Vec<String> {

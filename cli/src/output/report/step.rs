@@ -3,10 +3,11 @@
 use pellicle_contact::Estimate;
 
 use super::StepDrawings;
+use super::stress::StressTable;
 use super::surface::Surface;
 use crate::case::units::Units;
 use crate::display::{Unit, error_of, quantity, significant};
-use crate::output::pictures::StepPicture;
+use crate::output::pictures::{StepPicture, StressPicture};
 use crate::output::summary::{CertificateSummary, StepSummary, Summary};
 
 /// The section of a step.
@@ -17,6 +18,9 @@ pub struct StepSection<'a> {
     pub rows: Vec<NumberRow>,
     pub certificate: CertificateText,
     pub drawings: &'a [(StepPicture, String)],
+    /// The extremes of the stresses, where they were asked for.
+    pub stresses: Option<StressTable>,
+    pub stress_drawings: &'a [(StressPicture, String)],
     pub surface: Option<&'a Surface>,
 }
 
@@ -63,6 +67,8 @@ impl<'a> StepSection<'a> {
             rows: rows(summary, step),
             certificate: CertificateText::new(&step.certificate, tolerance.unwrap_or(f64::NAN)),
             drawings: &drawings.drawings,
+            stresses: (step.stress.as_ref()).map(|stress| StressTable::new(stress, summary.units)),
+            stress_drawings: &drawings.stresses,
             surface: drawings.surface.as_ref(),
         }
     }

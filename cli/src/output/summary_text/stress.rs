@@ -62,8 +62,7 @@ pub fn critical(summary: &Summary) -> String {
     let Some(critical) = &summary.critical else {
         return String::new();
     };
-    let layers = summary.case["foundation"]["layer"].as_array();
-    let layers = layers.map_or(0, Vec::len);
+    let layers = summary.layers();
     let mut loads: Vec<_> = critical.iter().collect();
     let force = |load: &CriticalLoad| load.force.unwrap_or(f64::INFINITY);
     loads.sort_by(|one, other| force(one).total_cmp(&force(other)));

@@ -1,0 +1,158 @@
+//! The stresses of a loading step in the report: the extremes in each body and on each interface.
+
+use pellicle_contact::{BodyStress, Extreme, InterfaceStress};
+
+use super::step::GridErrorNote;
+use crate::case::units::Units;
+use crate::display::{Unit, error_of, quantity, significant};
+use crate::output::summary::stress::StressSummary;
+
+/// The table of the extremes.
+pub struct StressTable {
+    /// Sliding in words; none without friction.
+    pub sliding: Option<String>,
+    pub rows: Vec<StressRow>,
+}
+
+/// An extreme.
+pub struct StressRow {
+    /// The body or interface; empty where it is that of the row above.
+    pub place: String,
+    pub name: &'static str,
+    pub value: String,
+    /// Its coordinates.
+    pub at: String,
+    pub error: GridErrorNote,
+    /// The part of the strength that is used; empty where there is no strength.
+    pub used: String,
+}
+
+impl StressTable {
+    pub fn new(stress: &StressSummary, units: Units) -> Self {
+        let bodies = stress.extremes.bodies.iter();
+        let bodies = bodies.flat_map(|body| of_body(body, units));
+        let interfaces = stress.extremes.interfaces.iter();
+        let interfaces = interfaces.flat_map(|interface| of_interface(interface, units));
+        let friction = (stress.friction, stress.direction_degrees);
+        Self {
+            sliding: (stress.friction > 0.0).then(|| {
+                let [friction, degrees] =
+                    [friction.0, friction.1].map(|value| significant(value, 3));
+                format!(
+                    "sliding with a coefficient of friction {friction} along {degrees}° from x to y"
+                )
+            }),
+            rows: bodies.chain(interfaces).collect(),
+        }
+    }
+}
+
+fn of_body(body: &BodyStress, units: Units) -> [StressRow; 4] {
+    let row = |name, extreme: &Extreme<3>| row(name, extreme, units);
+    let BodyStress {
+        name,
+        max_von_mises,
+        max_principal,
+        min_principal,
+        max_shear,
+        utilisation,
+    } = body;
+    [
+        StressRow {
+            place: name.clone(),
+            used: used(utilisation.yielding, "yield"),
+            ..row("largest von Mises stress", max_von_mises)
+        },
+        StressRow {
+            used: used(utilisation.tension, "tensile"),
+            ..row("largest principal stress", max_principal)
+        },
+        row("least principal stress", min_principal),
+        row("largest shear", max_shear),
+    ]
+}
+
+fn of_interface(interface: &InterfaceStress, units: Units) -> [StressRow; 3] {
+    let row = |name, extreme: &Extreme<2>| row(name, extreme, units);
+    let depth = quantity(interface.depth, Unit::Metre, units);
+    [
+        StressRow {
+            place: format!("interface {}, {depth} deep", interface.index),
+            used: used(interface.utilisation.shear, "shear"),
+            ..row("largest shear traction", &interface.max_shear_traction)
+        },
+        StressRow {
+            used: used(interface.utilisation.tension, "tensile"),
+            ..row("largest tension", &interface.max_tension)
+        },
+        row("largest compression", &interface.max_compression),
+    ]
+}
+
+fn row<const AXES: usize>(name: &'static str, extreme: &Extreme<AXES>, units: Units) -> StressRow {
+    let value = extreme.value;
+    let at = extreme.at.map(|along| quantity(along, Unit::Metre, units));
+    StressRow {
+        place: String::new(),
+        name,
+        value: quantity(value, Unit::Pascal, units),
+        at: if value == 0.0 {
+            String::new()
+        } else {
+            at.join(", ")
+        },
+        error: match extreme.estimate {
+            _ if value == 0.0 => GridErrorNote::NotEstimated,
+            _ if !extreme.resolved => GridErrorNote::NotResolved,
+            Some(error) => GridErrorNote::Estimated(error_of(value, error, Unit::Pascal, units)),
+            None => GridErrorNote::OneGrid,
+        },
+        used: String::new(),
+    }
+}
+
+/// `0.34 of the yield strength`
+fn used(ratio: Option<f64>, strength: &str) -> String {
+    let words = |ratio| format!("{} of the {strength} strength", significant(ratio, 3));
+    ratio.map_or_else(String::new, words)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_extreme_says_how_far_it_can_be_trusted() {
+        let note = |resolved, estimate, value| {
+            let extreme = Extreme {
+                value,
+                at: [0.0, 1e-6],
+                resolved,
+                estimate,
+            };
+            row("largest tension", &extreme, Units::Si)
+        };
+        let good = note(true, Some(2e6), 1e9);
+        assert_eq!(good.at, "0.0000 m, 1.0000 µm");
+        let GridErrorNote::Estimated(error) = good.error else {
+            unreachable!("it is resolved")
+        };
+        assert_eq!(error, "± 0.0020 GPa");
+        assert_eq!(
+            note(false, Some(2e6), 1e9).error,
+            GridErrorNote::NotResolved
+        );
+        assert_eq!(note(true, None, 1e9).error, GridErrorNote::OneGrid);
+        let nothing = note(true, None, 0.0);
+        assert_eq!(
+            (&nothing.at[..], nothing.error),
+            ("", GridErrorNote::NotEstimated)
+        );
+    }
+
+    #[test]
+    fn a_strength_is_told_by_the_part_that_is_used() {
+        assert_eq!(used(Some(0.3371), "yield"), "0.337 of the yield strength");
+        assert_eq!(used(None, "yield"), "");
+    }
+}

@@ -1,0 +1,115 @@
+//! The planes of a step: those that the files have, and those that the pictures show, each computed once.
+
+use pellicle_kernel::Foundation;
+
+use crate::case::foundation::FoundationCase;
+use crate::case::foundation::depths::BodyPlane;
+use crate::case::stress::StressCase;
+
+/// A plane, and what wants it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WantedPlane {
+    /// The plane.
+    pub plane: BodyPlane,
+    /// Whether the files of fields have it.
+    pub is_filed: bool,
+    /// Whether the pictures show it.
+    pub is_viewed: bool,
+}
+
+/// Who wants planes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Wishes {
+    /// Files of fields.
+    pub files: bool,
+    /// Pictures, or the file to draw them again.
+    pub view: bool,
+}
+
+/// The planes under a contact of this radius (m), from the surface down. Pictures show planes through all bodies, also
+/// where the case wants files of a few depths only, and every interface, however deep.
+#[must_use]
+pub fn wanted(
+    stress: &StressCase,
+    case: &FoundationCase,
+    foundation: &Foundation,
+    contact_radius: f64,
+    wishes: Wishes,
+) -> Vec<WantedPlane> {
+    let filed = stress.planes(case, foundation, contact_radius);
+    let mut viewed = stress.drawn_planes(case, foundation, contact_radius);
+    viewed.extend(case.planes_at(foundation, &case.bottoms(foundation)));
+    let mut planes: Vec<WantedPlane> = Vec::with_capacity(filed.len() + viewed.len());
+    for (wish, is_filed, of_it) in [(wishes.files, true, &filed), (wishes.view, false, &viewed)] {
+        planes.extend(of_it.iter().filter(|_| wish).map(|plane| WantedPlane {
+            plane: *plane,
+            is_filed,
+            is_viewed: !is_filed,
+        }));
+    }
+    planes.sort_by(|one, other| {
+        let order = one.plane.depth.z.total_cmp(&other.plane.depth.z);
+        order.then(one.plane.body.cmp(&other.plane.body))
+    });
+    planes.dedup_by(|later, kept| {
+        let is_same = later.plane == kept.plane;
+        kept.is_filed |= is_same && later.is_filed;
+        kept.is_viewed |= is_same && later.is_viewed;
+        is_same
+    });
+    planes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::case::table_reader::tests::read_table;
+
+    const FOUNDATION: &str = "layer = [{ thickness = 0.5, young_modulus = 3, poisson_ratio = 0.3 }]\n\
+        substrate = { young_modulus = 1, poisson_ratio = 0.3 }";
+
+    fn planes(depths: Option<Vec<f64>>, files: bool, view: bool) -> Vec<WantedPlane> {
+        let case = read_table(FOUNDATION, |table| FoundationCase::read(&table)).unwrap();
+        let foundation = case.split().unwrap().foundation;
+        let stress = StressCase {
+            depths,
+            ..StressCase::default()
+        };
+        wanted(&stress, &case, &foundation, 1.0, Wishes { files, view })
+    }
+
+    #[test]
+    fn planes_chosen_by_the_program_serve_files_and_pictures() {
+        let both = planes(None, true, true);
+        assert!(both.iter().all(|plane| plane.is_filed && plane.is_viewed));
+        assert_eq!(both.len(), planes(None, true, false).len());
+        assert!(planes(None, false, false).is_empty());
+    }
+
+    #[test]
+    fn pictures_show_an_interface_below_all_other_planes() {
+        let planes = planes(Some(vec![0.1]), false, true);
+        let depths: Vec<_> = planes
+            .iter()
+            .rev()
+            .map(|wanted| wanted.plane.depth.z)
+            .collect();
+        assert_eq!(depths[..3], [0.5, 0.5, 0.1]);
+    }
+
+    #[test]
+    fn a_case_with_depths_of_its_own_has_pictures_through_all_bodies_down_to_the_deepest() {
+        let planes = planes(Some(vec![0.25, 0.5, 1.5]), true, true);
+        let filed = planes.iter().filter(|plane| plane.is_filed);
+        let filed: Vec<_> = filed
+            .map(|wanted| (wanted.plane.depth.z, wanted.plane.body))
+            .collect();
+        assert_eq!(filed, [(0.25, 0), (0.5, 0), (0.5, 1), (1.5, 1)]);
+        let viewed: Vec<_> = planes.iter().filter(|plane| plane.is_viewed).collect();
+        assert!(viewed.len() > 30);
+        assert_eq!(viewed[0].plane.depth.z, 0.0);
+        assert_eq!(viewed[viewed.len() - 1].plane.depth.z, 1.5);
+        let on_interface = planes.iter().filter(|wanted| wanted.plane.depth.z == 0.5);
+        assert_eq!(on_interface.filter(|wanted| wanted.is_viewed).count(), 2);
+    }
+}

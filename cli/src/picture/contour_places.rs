@@ -1,0 +1,214 @@
+//! Places for the labels of contours, so that no two overlap.
+
+use super::colours;
+use super::svg::{Anchor, Rect, Svg};
+
+/// Size of the letters, the width of one over it, and the margin around a text, in pixels.
+const SIZE: f64 = 14.0;
+const LETTER: f64 = 0.62;
+const MARGIN: f64 = 3.0;
+
+/// A line shorter than this many widths of its label has none.
+const SHORTEST: f64 = 2.5;
+
+/// Most labels of one level in one body.
+const MOST: usize = 3;
+
+/// Parts of the way along a line at which its label may stand, the best first.
+const PARTS: [f64; 7] = [0.5, 0.35, 0.65, 0.25, 0.75, 0.15, 0.85];
+
+/// From a mark to its text.
+const FROM_MARK: f64 = 10.0;
+
+/// The places taken within a panel.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ContourPlaces {
+    panel: Rect,
+    taken: Vec<Rect>,
+}
+
+/// The rectangle that a text centred on a place takes.
+fn rectangle((x, y): (f64, f64), text: &str) -> Rect {
+    let width = LETTER * SIZE * text.chars().count() as f64 + 2.0 * MARGIN;
+    let height = SIZE + 2.0 * MARGIN;
+    Rect {
+        left: x - width / 2.0,
+        top: y - height / 2.0,
+        width,
+        height,
+    }
+}
+
+/// Draws a text on white, centred on a place.
+pub fn boxed(svg: &mut Svg, place: (f64, f64), text: &str) {
+    svg.rectangle(rectangle(place, text), colours::WHITE);
+    svg.text(place, SIZE, Anchor::Middle, text);
+}
+
+impl ContourPlaces {
+    /// A panel in which nothing stands yet.
+    #[must_use]
+    pub fn new(panel: Rect) -> Self {
+        Self {
+            panel,
+            taken: Vec::new(),
+        }
+    }
+
+    /// The middle of a text beside a mark: on its right, or on its left where there is no room; within the panel.
+    #[must_use]
+    pub fn beside_mark(&self, (x, y): (f64, f64), text: &str) -> (f64, f64) {
+        let Rect { width, height, .. } = rectangle((x, y), text);
+        let shift = FROM_MARK + width / 2.0;
+        let x = if x + shift + width / 2.0 < self.panel.right() {
+            x + shift
+        } else {
+            x - shift
+        };
+        let half = height / 2.0 + 2.0;
+        (
+            x,
+            y.clamp(self.panel.top + half, self.panel.bottom() - half),
+        )
+    }
+
+    /// Takes the place of a mark and its text.
+    pub fn reserve_mark(&mut self, place: (f64, f64), text: &str) {
+        let beside = self.beside_mark(place, text);
+        self.taken.push(rectangle(beside, text));
+        self.taken.push(rectangle(place, "oo"));
+    }
+
+    /// Takes the place of a text in the corner to the left of a point and below it, or on the left side of the panel
+    /// where that is taken, and returns its middle.
+    pub fn in_corner(&mut self, (right, top): (f64, f64), text: &str) -> (f64, f64) {
+        let Rect { width, height, .. } = rectangle((right, top), text);
+        let y = top + 4.0 + height / 2.0;
+        let on_right = (right - 4.0 - width / 2.0, y);
+        let on_left = (self.panel.left + 4.0 + width / 2.0, y);
+        let place = if self.is_free(&rectangle(on_right, text)) {
+            on_right
+        } else {
+            on_left
+        };
+        self.taken.push(rectangle(place, text));
+        place
+    }
+
+    /// Takes a level line across the panel.
+    pub fn reserve_line(&mut self, y: f64) {
+        let Rect { left, width, .. } = self.panel;
+        self.taken.push(Rect {
+            left,
+            top: y - 1.0,
+            width,
+            height: 2.0,
+        });
+    }
+
+    /// Takes the place of a text on a level line, at the left side of the panel, and returns its middle.
+    pub fn on_left(&mut self, y: f64, text: &str) -> (f64, f64) {
+        let width = rectangle((0.0, y), text).width;
+        let place = (self.panel.left + 8.0 + width / 2.0, y);
+        self.taken.push(rectangle(place, text));
+        place
+    }
+
+    /// Draws the label of these lines on the longest of them, where there is room.
+    pub fn draw_labels(&mut self, svg: &mut Svg, lines: &[Vec<(f64, f64)>], label: &str) {
+        let width = rectangle((0.0, 0.0), label).width;
+        let mut long: Vec<_> = (lines.iter().map(|line| (length(line), line)))
+            .filter(|(length, _)| *length > SHORTEST * width)
+            .collect();
+        long.sort_by(|one, other| other.0.total_cmp(&one.0));
+        for (length, line) in long.into_iter().take(MOST) {
+            let places = PARTS.iter().filter_map(|part| point(line, part * length));
+            let free = places
+                .into_iter()
+                .find(|place| self.is_free(&rectangle(*place, label)));
+            if let Some(place) = free {
+                self.taken.push(rectangle(place, label));
+                boxed(svg, place, label);
+            }
+        }
+    }
+
+    /// Whether a rectangle lies within the panel and nothing stands there.
+    fn is_free(&self, place: &Rect) -> bool {
+        let panel = &self.panel;
+        let is_within = place.left >= panel.left
+            && place.right() <= panel.right()
+            && place.top >= panel.top
+            && place.bottom() <= panel.bottom();
+        let meets = |other: &Rect| {
+            place.left < other.right()
+                && other.left < place.right()
+                && place.top < other.bottom()
+                && other.top < place.bottom()
+        };
+        is_within && !self.taken.iter().any(meets)
+    }
+}
+
+fn distance(one: &(f64, f64), other: &(f64, f64)) -> f64 {
+    (other.0 - one.0).hypot(other.1 - one.1)
+}
+
+fn length(line: &[(f64, f64)]) -> f64 {
+    let pieces = line.windows(2).map(|pair| distance(&pair[0], &pair[1]));
+    pieces.fold(0.0, |sum, piece| sum + piece)
+}
+
+/// The first place of a line that is so far from its beginning.
+fn point(line: &[(f64, f64)], mut far: f64) -> Option<(f64, f64)> {
+    for pair in line.windows(2) {
+        far -= distance(&pair[0], &pair[1]);
+        if far <= 0.0 {
+            return Some(pair[1]);
+        }
+    }
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PANEL: Rect = Rect {
+        left: 0.0,
+        top: 0.0,
+        width: 400.0,
+        height: 100.0,
+    };
+
+    #[test]
+    fn labels_stand_apart_within_the_panel_and_short_lines_have_none() {
+        let mut svg = Svg::new(400.0, 100.0);
+        let mut places = ContourPlaces::new(PANEL);
+        let line = |y: f64, to: f64| vec![(0.0, y), (to / 2.0, y), (to, y)];
+        places.draw_labels(&mut svg, &[line(50.0, 400.0)], "1.5");
+        // The same place again, one at the rim, and one too short.
+        places.draw_labels(&mut svg, &[line(50.0, 400.0)], "2");
+        places.draw_labels(&mut svg, &[line(1.0, 400.0)], "3");
+        places.draw_labels(&mut svg, &[line(80.0, 30.0)], "4");
+        assert_eq!(places.taken.len(), 1, "{places:?}");
+        assert_eq!(svg.finish().matches("<text").count(), 1);
+    }
+
+    #[test]
+    fn the_text_of_a_mark_stays_in_the_panel() {
+        let places = ContourPlaces::new(PANEL);
+        let right = places.beside_mark((50.0, 50.0), "1.2 GPa");
+        assert!(right.0 > 50.0 && right.1 == 50.0);
+        let left = places.beside_mark((390.0, 0.0), "1.2 GPa");
+        assert!(left.0 < 390.0 && left.1 > 8.0);
+    }
+
+    #[test]
+    fn a_name_goes_to_the_other_side_where_its_corner_is_taken() {
+        let mut places = ContourPlaces::new(PANEL);
+        let first = places.in_corner((400.0, 0.0), "layer");
+        let second = places.in_corner((400.0, 0.0), "layer");
+        assert!(first.0 > 300.0 && second.0 < 100.0);
+    }
+}

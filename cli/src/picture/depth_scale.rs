@@ -1,0 +1,153 @@
+//! The depth axis of a section through layers: each body has room enough to be seen, thin or not.
+
+use super::labels;
+use super::panel::Axis;
+use super::ticks;
+
+/// Least part of the height that a body has, if there are few of them; and the part that all of them share, if many.
+const LEAST: f64 = 0.22;
+const SHARED: f64 = 0.6;
+
+/// Least distance of a tick from the ends of its body, and about that of ticks, as parts of the height.
+const FROM_ENDS: f64 = 0.05;
+const BETWEEN: f64 = 0.12;
+
+/// A depth axis, linear within each body.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DepthScale {
+    /// The depths of the surface, the interfaces and the lowest plane, and how far down the picture each is.
+    ends: Vec<(f64, f64)>,
+    /// Whether one body is enlarged more than another.
+    pub is_uneven: bool,
+}
+
+impl DepthScale {
+    /// The scale of bodies that end at these rising depths, the first of which is that of the surface.
+    #[must_use]
+    pub fn new(depths: &[f64]) -> Self {
+        let thicknesses: Vec<f64> = depths.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        let (shares, is_uneven) = shares(&thicknesses);
+        let mut down = 0.0;
+        let mut ends = vec![(depths.first().copied().unwrap_or(0.0), 0.0)];
+        for (depth, share) in depths.iter().skip(1).zip(shares) {
+            down += share;
+            ends.push((*depth, down));
+        }
+        Self { ends, is_uneven }
+    }
+
+    /// The number of bodies.
+    #[must_use]
+    pub fn bodies(&self) -> usize {
+        self.ends.len() - 1
+    }
+
+    /// How far down the picture a body's top and bottom are, from 0 to 1.
+    #[must_use]
+    pub fn within(&self, body: usize) -> [f64; 2] {
+        [self.ends[body].1, self.ends[body + 1].1]
+    }
+
+    /// How far down the picture a depth of a body is.
+    #[must_use]
+    pub fn down(&self, body: usize, depth: f64) -> f64 {
+        let [(top, from), (bottom, to)] = [self.ends[body], self.ends[body + 1]];
+        from + (to - from) * (depth - top) / (bottom - top)
+    }
+
+    /// The depth in a body so far down the picture.
+    #[must_use]
+    pub fn depth(&self, body: usize, down: f64) -> f64 {
+        let [(top, from), (bottom, to)] = [self.ends[body], self.ends[body + 1]];
+        top + (bottom - top) * (down - from) / (to - from)
+    }
+
+    /// The axis, with the depths of all interfaces and round ones between, in a unit of so many of the depths'.
+    #[must_use]
+    pub fn axis(&self, divisor: f64, title: String) -> Axis {
+        let mut ticks = Vec::new();
+        for body in 0..self.bodies() {
+            let [(top, from), (bottom, to)] = [self.ends[body], self.ends[body + 1]];
+            let label = |depth: f64| labels::tick(depth / divisor, (bottom - top) / divisor);
+            ticks.push((from, label(top)));
+            #[expect(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "at most 1 / BETWEEN"
+            )]
+            let count = ((to - from) / BETWEEN) as usize;
+            let round = ticks::linear(top / divisor, bottom / divisor, count);
+            let between = round.into_iter().map(|depth| depth * divisor);
+            let placed = between.map(|depth| (self.down(body, depth), label(depth)));
+            ticks.extend(placed.filter(|(at, _)| *at > from + FROM_ENDS && *at < to - FROM_ENDS));
+        }
+        if let [.., before, last] = &self.ends[..] {
+            let label = labels::tick(last.0 / divisor, (last.0 - before.0) / divisor);
+            ticks.push((last.1, label));
+        }
+        Axis {
+            from: 1.0,
+            to: 0.0,
+            title,
+            ticks,
+            is_logarithmic: false,
+        }
+    }
+}
+
+/// The parts of the height: in proportion, but for bodies that would have less than the least; and whether there are
+/// such.
+fn shares(thicknesses: &[f64]) -> (Vec<f64>, bool) {
+    let least = LEAST.min(SHARED / thicknesses.len() as f64);
+    let mut is_raised = vec![false; thicknesses.len()];
+    loop {
+        let raised = is_raised.iter().filter(|is| **is).count();
+        let free = thicknesses.iter().zip(&is_raised).filter(|(_, is)| !**is);
+        let whole = free.fold(0.0, |sum, (thickness, _)| sum + thickness);
+        let rest = 1.0 - least * raised as f64;
+        let share = |i: usize| {
+            if is_raised[i] {
+                least
+            } else {
+                rest * thicknesses[i] / whole
+            }
+        };
+        let shares: Vec<f64> = (0..thicknesses.len()).map(share).collect();
+        let next = (0..shares.len()).find(|i| !is_raised[*i] && shares[*i] < least);
+        match next {
+            Some(i) => is_raised[i] = true,
+            None => return (shares, raised > 0),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn thick_bodies_are_in_proportion_and_thin_ones_have_their_least() {
+        let even = DepthScale::new(&[0.0, 1.0, 3.0]);
+        assert!(!even.is_uneven);
+        assert!((even.down(1, 2.0) - 2.0 / 3.0).abs() < 1e-15);
+        let thin = DepthScale::new(&[0.0, 1e-4, 1.0]);
+        assert!(thin.is_uneven);
+        assert_eq!(thin.within(0), [0.0, LEAST]);
+        assert!((thin.depth(1, thin.down(1, 0.3)) - 0.3).abs() < 1e-15);
+        let many: Vec<f64> = (0..10).map(|i| f64::from(i) * 1e-3).chain([1.0]).collect();
+        let many = DepthScale::new(&many);
+        assert!((many.within(9)[1] - 1.0).abs() < 1e-12 && many.within(9)[0] < 0.6);
+    }
+
+    #[test]
+    fn ticks_name_the_interfaces_and_keep_away_from_them() {
+        let axis = DepthScale::new(&[0.0, 2.1e-6, 20e-6]).axis(1e-6, "depth".into());
+        let labels: Vec<&str> = axis.ticks.iter().map(|(_, label)| &label[..]).collect();
+        assert_eq!(labels[0], "0");
+        assert!(
+            labels.contains(&"2.1") && labels.contains(&"10"),
+            "{labels:?}"
+        );
+        assert!(axis.ticks.windows(2).all(|pair| pair[0].0 < pair[1].0));
+    }
+}

@@ -1,0 +1,249 @@
+//! The tractions on each interface as maps, with the outline of the contact above and the places of the extremes.
+
+use pellicle_contact::{Extreme, InterfaceStress};
+
+use super::colours;
+use super::contour_bands::Bands;
+use super::contour_places::{ContourPlaces, boxed};
+use super::panel::{Axis, Panel};
+use super::raster::Raster;
+use super::stress_section::mark_text;
+use super::subject::Subject;
+use super::svg::{Anchor, Rect, Stroke, Svg};
+use super::{colour_bar, heading, labels, pressure_map};
+use crate::display::{Scale, Unit, quantity};
+use crate::output::stress::view::{InterfaceTractions, StressView};
+
+const LEFT: f64 = 112.0;
+const SIDE: f64 = 430.0;
+const GAP: f64 = 18.0;
+const BAR: f64 = 26.0;
+/// Width of a map with its axes and its bar, and of the picture, in pixels.
+const CELL: f64 = LEFT + SIDE + GAP + BAR + colour_bar::BESIDE;
+pub const WIDTH: f64 = 2.0 * CELL;
+
+/// Above a map, for its title, and below it, for its axis.
+const ABOVE: f64 = 52.0;
+const BELOW: f64 = 76.0;
+const ROW: f64 = ABOVE + SIDE + BELOW;
+
+const TITLE: f64 = 17.0;
+const NOTE: f64 = 15.0;
+const MARK: f64 = 6.0;
+
+/// Most interfaces in one picture.
+pub const MOST: usize = 8;
+
+/// Name of the picture of a step, without ending.
+#[must_use]
+pub fn name(step: usize) -> String {
+    format!("stress-interfaces-{step:03}")
+}
+
+/// One of the two tractions.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Traction {
+    Shear,
+    Normal,
+}
+
+/// The picture as SVG: a row for each interface.
+#[must_use]
+pub fn draw(subject: &Subject<'_>, view: &StressView) -> String {
+    let shown = &view.interfaces[..view.interfaces.len().min(MOST)];
+    let height = heading::HEIGHT + ROW * shown.len() as f64;
+    let mut svg = subject.style.sheet(WIDTH, height);
+    subject.draw_heading(&mut svg, LEFT, WIDTH - LEFT, "");
+    for (row, interface) in shown.iter().enumerate() {
+        let top = heading::HEIGHT + ROW * row as f64;
+        let map = InterfaceMap {
+            subject,
+            interface,
+            centres: &view.centres,
+            extremes: extremes(subject, interface.index),
+        };
+        map.draw(&mut svg, (0.0, top), Traction::Shear);
+        map.draw(&mut svg, (CELL, top), Traction::Normal);
+    }
+    svg.finish()
+}
+
+/// The extremes of an interface, if they were looked for.
+fn extremes<'a>(subject: &Subject<'a>, index: usize) -> Option<&'a InterfaceStress> {
+    let mut found = subject.step.stress.as_ref()?.extremes.interfaces.iter();
+    found.find(|interface| interface.index == index)
+}
+
+/// The maps of one interface.
+struct InterfaceMap<'a> {
+    subject: &'a Subject<'a>,
+    interface: &'a InterfaceTractions,
+    centres: &'a [f64],
+    extremes: Option<&'a InterfaceStress>,
+}
+
+impl InterfaceMap<'_> {
+    fn draw(&self, svg: &mut Svg, (left, top): (f64, f64), traction: Traction) {
+        let values = match traction {
+            Traction::Shear => &self.interface.shear,
+            Traction::Normal => &self.interface.normal,
+        };
+        let [least, largest] = extent(values);
+        let units = self.subject.units;
+        let pascals = Scale::of(largest.max(-least), Unit::Pascal, units);
+        let [least, largest] = [least, largest].map(|value| value / pascals.divisor);
+        let bands = match traction {
+            Traction::Shear => Bands::up_to(largest, self.subject.style.colours),
+            Traction::Normal => Bands::signed(least, largest),
+        };
+        let (panel, metres) = self.panel((left + LEFT, top + ABOVE));
+        let place = panel.place;
+        let size = self.centres.len();
+        let colour =
+            |i: usize, j: usize| bands.colour(values[i * size + size - 1 - j] / pascals.divisor);
+        svg.image(place, &Raster::of(size, size, colour));
+        self.draw_contact(svg, place);
+        let marked = self.marked(traction);
+        svg.within(place, |svg| {
+            self.draw_mark(svg, &panel, metres, marked.as_ref(), &pascals)
+        });
+        panel.draw_axes(svg);
+        self.draw_words(svg, (place.left, top), traction, marked.as_ref());
+        let bar = Rect {
+            left: place.right() + GAP,
+            width: BAR,
+            ..place
+        };
+        let title = labels::axis_title(traction.symbol(), &pascals.label);
+        colour_bar::draw_bands(svg, bar, &bands, &title);
+    }
+
+    /// A panel whose edges are those of the outermost elements, and the divisor to the unit of its axes.
+    fn panel(&self, (left, top): (f64, f64)) -> (Panel, f64) {
+        let half = match self.centres {
+            [first, second, ..] => (second - first) / 2.0,
+            _ => self.subject.fields.side / 2.0,
+        };
+        let low = self.centres.first().map_or(0.0, |centre| centre - half);
+        let high = self.centres.last().map_or(0.0, |centre| centre + half);
+        let scale = self.subject.metres(high.max(-low));
+        let axis = |symbol| {
+            let title = labels::axis_title(symbol, &scale.label);
+            Axis::new(low / scale.divisor, high / scale.divisor, title, 6)
+        };
+        let panel = Panel {
+            place: Rect {
+                left,
+                top,
+                width: SIDE,
+                height: SIDE,
+            },
+            x: axis("x"),
+            y: axis("y"),
+        };
+        (panel, scale.divisor)
+    }
+
+    /// The outline of the contact above, white beside black, so that it is seen on all colours.
+    fn draw_contact(&self, svg: &mut Svg, place: Rect) {
+        let fields = &self.subject.fields;
+        let elements: Vec<usize> = self.centres.iter().map(|x| fields.nearest(*x)).collect();
+        let contact =
+            |i: usize, j: usize| fields.pressure[elements[i] * fields.size + elements[j]] > 0.0;
+        let line = pressure_map::pen(colours::INK);
+        let halo = Stroke::new(colours::WHITE, 3.0 * line.width);
+        for stroke in [halo, line] {
+            pressure_map::draw_outline(svg, place, self.centres.len(), contact, stroke);
+        }
+    }
+
+    /// The extreme that is marked: the largest shear, the largest tension, or where nothing pulls the largest
+    /// compression.
+    fn marked(&self, traction: Traction) -> Option<(&'static str, Extreme<2>)> {
+        let found = self.extremes?;
+        match traction {
+            Traction::Shear if found.max_shear_traction.value > 0.0 => {
+                Some(("largest", found.max_shear_traction))
+            }
+            Traction::Shear => None,
+            Traction::Normal if found.max_tension.value > 0.0 => {
+                Some(("largest tension", found.max_tension))
+            }
+            Traction::Normal => Some(("no tension; largest compression", found.max_compression)),
+        }
+    }
+
+    fn draw_mark(
+        &self,
+        svg: &mut Svg,
+        panel: &Panel,
+        metres: f64,
+        marked: Option<&(&'static str, Extreme<2>)>,
+        pascals: &Scale,
+    ) {
+        let Some((_, extreme)) = marked else {
+            return;
+        };
+        let [x, y] = extreme.at.map(|along| along / metres);
+        let is_shown = |axis: &Axis, along: f64| (axis.from..=axis.to).contains(&along);
+        if !is_shown(&panel.x, x) || !is_shown(&panel.y, y) {
+            return;
+        }
+        let place = panel.at(x, y);
+        let text = mark_text(extreme.value, pascals);
+        svg.circle(place, MARK, colours::WHITE, colours::INK);
+        let beside = ContourPlaces::new(panel.place).beside_mark(place, &text);
+        boxed(svg, beside, &text);
+    }
+
+    fn draw_words(
+        &self,
+        svg: &mut Svg,
+        (left, top): (f64, f64),
+        traction: Traction,
+        marked: Option<&(&'static str, Extreme<2>)>,
+    ) {
+        let units = self.subject.units;
+        let metres = |value| quantity(value, Unit::Metre, units);
+        let title = format!(
+            "Interface {}, {} deep: {}",
+            self.interface.index,
+            metres(self.interface.depth),
+            traction.title()
+        );
+        svg.text((left, top + 10.0), TITLE, Anchor::Start, &title);
+        let note = match marked {
+            Some((what, extreme)) => {
+                let [x, y] = extreme.at.map(metres);
+                let value = quantity(extreme.value, Unit::Pascal, units);
+                format!("{what} {value} at x, y = {x}, {y}")
+            }
+            None => String::new(),
+        };
+        svg.text((left, top + 34.0), NOTE, Anchor::Start, &note);
+    }
+}
+
+impl Traction {
+    fn symbol(self) -> &'static str {
+        match self {
+            Self::Shear => "shear traction τ",
+            Self::Normal => "normal traction σzz",
+        }
+    }
+
+    fn title(self) -> &'static str {
+        match self {
+            Self::Shear => "shear traction",
+            Self::Normal => "normal traction, tension red",
+        }
+    }
+}
+
+/// The least and the largest finite value, 0 among them.
+fn extent(values: &[f64]) -> [f64; 2] {
+    let finite = values.iter().copied().filter(|value| value.is_finite());
+    finite.fold([0.0, 0.0], |[least, largest], value| {
+        [f64::min(least, value), f64::max(largest, value)]
+    })
+}

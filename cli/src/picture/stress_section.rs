@@ -1,0 +1,371 @@
+//! The section through the place of the largest von Mises stress: von Mises' stress and the largest principal stress as
+//! filled contours, the contact and the relief on the surface above, interfaces between the bodies.
+
+use super::colour_bar;
+use super::colours;
+use super::contour_bands::Bands;
+use super::contour_places::{ContourPlaces, boxed};
+use super::depth_scale::DepthScale;
+use super::heading;
+use super::labels::{self, power};
+use super::panel::{Axis, Panel};
+use super::section_field::SectionField;
+use super::subject::Subject;
+use super::surface_strip::{CONTACT, ON_SURFACE, SurfaceStrip};
+use super::svg::{Anchor, Rect, Stroke, Svg};
+use crate::display::{Scale, Unit, quantity, significant};
+use crate::output::stress::view::{StressSection, StressView};
+
+const LEFT: f64 = 112.0;
+const PANEL_WIDTH: f64 = 850.0;
+const PANEL_HEIGHT: f64 = 380.0;
+const GAP: f64 = 24.0;
+const BAR: f64 = 30.0;
+/// Width of the picture, in pixels.
+pub const WIDTH: f64 = LEFT + PANEL_WIDTH + GAP + BAR + colour_bar::BESIDE;
+
+/// Above a panel, for its title and for what stands on the surface.
+const ABOVE: f64 = 76.0;
+const BELOW: f64 = 66.0;
+const HEIGHT: f64 = heading::HEIGHT + 2.0 * (ABOVE + PANEL_HEIGHT + BELOW);
+
+const TITLE: f64 = 16.0;
+const INTERFACE: f64 = 2.4;
+const MARK: f64 = 6.0;
+
+/// Name of the picture of a step, without ending.
+#[must_use]
+pub fn name(step: usize) -> String {
+    format!("stress-section-{step:03}")
+}
+
+/// One of the two stresses.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Stress {
+    VonMises,
+    MaxPrincipal,
+}
+
+/// A largest value and the place where it is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Largest<'a> {
+    value: f64,
+    at: [f64; 3],
+    body: &'a str,
+}
+
+/// The picture as SVG.
+#[must_use]
+pub fn draw(subject: &Subject<'_>, view: &StressView) -> String {
+    let section = &view.section;
+    let mut svg = subject.style.sheet(WIDTH, HEIGHT);
+    subject.draw_heading(&mut svg, LEFT, WIDTH - LEFT, &where_is(subject, section));
+    let drawing = SectionDrawing::new(subject, section);
+    let block = ABOVE + PANEL_HEIGHT + BELOW;
+    for (i, stress) in [Stress::VonMises, Stress::MaxPrincipal]
+        .into_iter()
+        .enumerate()
+    {
+        drawing.draw(&mut svg, heading::HEIGHT + block * i as f64, stress);
+    }
+    svg.finish()
+}
+
+/// `,  section at y = 0 m`, or along the direction of sliding.
+fn where_is(subject: &Subject<'_>, section: &StressSection) -> String {
+    let metres = |value| quantity(value, Unit::Metre, subject.units);
+    let line = section.line;
+    let [x, y] = line.at(0.0);
+    match along_axis(section) {
+        "x" => format!(",  section at y = {}", metres(y)),
+        "y" => format!(",  section at x = {}", metres(x)),
+        _ => {
+            let [x, y] = line.through.map(metres);
+            let degrees = line.direction.to_degrees();
+            format!(
+                ",  section through x, y = {x}, {y} at {}°",
+                power(degrees, 4)
+            )
+        }
+    }
+}
+
+/// The coordinate that runs along the section.
+fn along_axis(section: &StressSection) -> &'static str {
+    let (sin, cos) = section.line.direction.sin_cos();
+    match (sin.abs() < 1e-9 && cos > 0.0, cos.abs() < 1e-9 && sin > 0.0) {
+        (true, _) => "x",
+        (_, true) => "y",
+        _ => "s",
+    }
+}
+
+/// What both panels share.
+struct SectionDrawing<'a> {
+    subject: &'a Subject<'a>,
+    section: &'a StressSection,
+    depths: DepthScale,
+    metres: Scale,
+    depth_metres: Scale,
+}
+
+impl<'a> SectionDrawing<'a> {
+    fn new(subject: &'a Subject<'a>, section: &'a StressSection) -> Self {
+        let depths = section.depths_of_bodies();
+        let deepest = depths.last().copied().unwrap_or(0.0);
+        let [from, to] = section.ends();
+        Self {
+            subject,
+            section,
+            depths: DepthScale::new(&depths),
+            metres: subject.metres(from.abs().max(to.abs())),
+            depth_metres: subject.metres(deepest),
+        }
+    }
+
+    fn panel(&self, top: f64) -> Panel {
+        let place = Rect {
+            left: LEFT,
+            top: top + ABOVE,
+            width: PANEL_WIDTH,
+            height: PANEL_HEIGHT,
+        };
+        let [from, to] = self.section.ends().map(|along| along / self.metres.divisor);
+        let title = labels::axis_title(along_axis(self.section), &self.metres.label);
+        let depth = labels::axis_title("depth z", &self.depth_metres.label);
+        Panel {
+            place,
+            x: Axis::new(from, to, title, 8),
+            y: self.depths.axis(self.depth_metres.divisor, depth),
+        }
+    }
+
+    fn draw(&self, svg: &mut Svg, top: f64, stress: Stress) {
+        let panel = self.panel(top);
+        let values = match stress {
+            Stress::VonMises => &self.section.von_mises,
+            Stress::MaxPrincipal => &self.section.max_principal,
+        };
+        let field = SectionField::new(self.section, values, &self.depths);
+        let [least, largest] = field.extent();
+        let pascals = Scale::of(
+            largest.abs().max(least.abs()),
+            Unit::Pascal,
+            self.subject.units,
+        );
+        let [least, largest] = [least, largest].map(|value| value / pascals.divisor);
+        let bands = match stress {
+            Stress::VonMises => Bands::up_to(largest, self.subject.style.colours),
+            Stress::MaxPrincipal => Bands::signed(least, largest),
+        };
+        let image = field.raster(panel.place, |value| bands.colour(value / pascals.divisor));
+        svg.image(panel.place, &image);
+        let mut places = ContourPlaces::new(panel.place);
+        let marked = self.mark(&field, &panel, stress);
+        let mark = marked.map(|(place, value)| (place, mark_text(value, &pascals)));
+        if let Some((place, text)) = &mark {
+            places.reserve_mark(*place, text);
+        }
+        let names = self.names(&panel, &mut places);
+        svg.within(panel.place, |svg| {
+            field.draw_contours(svg, &panel, &bands, pascals.divisor, &mut places);
+            self.draw_interfaces(svg, &panel);
+            for (place, name) in &names {
+                boxed(svg, *place, name);
+            }
+        });
+        let surface = SurfaceStrip {
+            fields: self.subject.fields,
+            section: self.section,
+        };
+        surface.draw(svg, panel.place);
+        panel.draw_axes(svg);
+        if let Some((place, text)) = &mark {
+            svg.circle(*place, MARK, colours::WHITE, colours::INK);
+            boxed(svg, places.beside_mark(*place, text), text);
+        }
+        self.draw_words(svg, top, stress);
+        let bar = Rect {
+            left: panel.place.right() + GAP,
+            width: BAR,
+            ..panel.place
+        };
+        let title = labels::axis_title(stress.name(), &pascals.label);
+        colour_bar::draw_bands(svg, bar, &bands, &title);
+    }
+
+    /// The place of the largest value of the section: that which the search found, where it lies on the section.
+    fn mark(
+        &self,
+        field: &SectionField<'_>,
+        panel: &Panel,
+        stress: Stress,
+    ) -> Option<((f64, f64), f64)> {
+        let found = self
+            .largest(stress)
+            .filter(|found| self.is_on_section(found));
+        let (along, depth, body, value) = match found {
+            Some(found) => {
+                let [x, y, z] = found.at;
+                (
+                    self.section.line.along([x, y]),
+                    z,
+                    self.body_of(found.body)?,
+                    found.value,
+                )
+            }
+            None => field.largest()?,
+        };
+        let down = self.depths.down(body, depth);
+        (0.0..=1.0).contains(&down).then_some(())?;
+        Some((panel.at(along / self.metres.divisor, down), value))
+    }
+
+    fn body_of(&self, name: &str) -> Option<usize> {
+        let stress = self.subject.step.stress.as_ref()?;
+        let body = stress
+            .extremes
+            .bodies
+            .iter()
+            .position(|body| body.name == name)?;
+        (body < self.depths.bodies()).then_some(body)
+    }
+
+    /// The largest value in all bodies, as the search found it.
+    fn largest(&self, stress: Stress) -> Option<Largest<'a>> {
+        let found = self.subject.step.stress.as_ref()?.extremes.bodies.iter();
+        let found = found.map(|body| {
+            let extreme = match stress {
+                Stress::VonMises => body.max_von_mises,
+                Stress::MaxPrincipal => body.max_principal,
+            };
+            Largest {
+                value: extreme.value,
+                at: extreme.at,
+                body: &body.name,
+            }
+        });
+        found.max_by(|one, other| one.value.total_cmp(&other.value))
+    }
+
+    /// Whether a place lies on the section, to a pixel.
+    fn is_on_section(&self, found: &Largest<'_>) -> bool {
+        let [x, y, _] = found.at;
+        let [from, to] = self.section.ends();
+        self.section.line.distance([x, y]) <= (to - from) / PANEL_WIDTH
+    }
+
+    /// The names of the bodies, each in the upper right corner of its own, and of the interfaces on their lines.
+    fn names(&self, panel: &Panel, places: &mut ContourPlaces) -> Vec<((f64, f64), String)> {
+        let bodies = self.subject.step.stress.iter();
+        let bodies = bodies.flat_map(|stress| &stress.extremes.bodies);
+        let mut names = Vec::new();
+        for (i, body) in bodies.take(self.depths.bodies()).enumerate() {
+            let [top, _] = self.depths.within(i);
+            let (right, y) = panel.at(panel.x.to, top);
+            names.push((places.in_corner((right, y), &body.name), body.name.clone()));
+            if i > 0 {
+                places.reserve_line(y);
+                let name = format!("interface {}", i - 1);
+                names.push((places.on_left(y, &name), name));
+            }
+        }
+        names
+    }
+
+    fn draw_interfaces(&self, svg: &mut Svg, panel: &Panel) {
+        for body in 1..self.depths.bodies() {
+            let [down, _] = self.depths.within(body);
+            let line = panel.all_at([(panel.x.from, down), (panel.x.to, down)]);
+            svg.line(&line, Stroke::new(colours::WHITE, 2.0 * INTERFACE));
+            svg.line(&line, Stroke::new(colours::INK, INTERFACE));
+        }
+    }
+
+    /// Title, legend and notes above a panel.
+    fn draw_words(&self, svg: &mut Svg, top: f64, stress: Stress) {
+        let mut title = stress.title().to_owned();
+        if let Some(found) = self.largest(stress) {
+            let metres = |value| quantity(value, Unit::Metre, self.subject.units);
+            let at = found.at.map(metres).join(", ");
+            let value = quantity(found.value, Unit::Pascal, self.subject.units);
+            let beside = if self.is_on_section(&found) {
+                ""
+            } else {
+                " (beside this section)"
+            };
+            title += &format!(" {value} in {}, at x, y, z = {at}{beside}", found.body);
+        }
+        svg.text((LEFT, top + 16.0), TITLE, Anchor::Start, &title);
+        let mut x = LEFT;
+        let y = top + ABOVE - ON_SURFACE - 12.0;
+        let mut key = |svg: &mut Svg, height: f64, colour, name: &str| {
+            let swatch = Rect {
+                left: x,
+                top: y - height / 2.0,
+                width: 30.0,
+                height,
+            };
+            svg.rectangle(swatch, colour);
+            svg.text((swatch.right() + 8.0, y), 15.0, Anchor::Start, name);
+            x += 60.0 + 10.0 * name.chars().count() as f64;
+        };
+        key(svg, CONTACT, colours::INK, "contact");
+        if self.subject.fields.mask.contains(&true) {
+            key(svg, 14.0, colours::SPRINGS, "relief");
+        }
+        if stress == Stress::MaxPrincipal {
+            svg.text(
+                (x, y),
+                15.0,
+                Anchor::Start,
+                "red: tension, blue: compression, broken lines",
+            );
+        }
+        let place = (LEFT + PANEL_WIDTH, y);
+        svg.text(place, 15.0, Anchor::End, &self.enlargement());
+    }
+
+    /// How much larger depths are drawn than lengths across.
+    fn enlargement(&self) -> String {
+        let [from, to] = self.section.ends();
+        let across = PANEL_WIDTH / (to - from);
+        let factors = (0..self.depths.bodies()).map(|body| {
+            let [top, bottom] = self.depths.within(body);
+            let depths = [top, bottom].map(|down| self.depths.depth(body, down));
+            power(
+                PANEL_HEIGHT * (bottom - top) / (depths[1] - depths[0]) / across,
+                2,
+            )
+        });
+        let mut factors: Vec<String> = factors.collect();
+        factors.dedup();
+        format!("depth {} × enlarged", factors.join(", "))
+    }
+}
+
+/// A value beside its mark, in the unit of the bar.
+pub fn mark_text(value: f64, pascals: &Scale) -> String {
+    let number = significant(value / pascals.divisor, 4);
+    if pascals.label.ends_with("Pa") {
+        format!("{number} {}", pascals.label)
+    } else {
+        number
+    }
+}
+
+impl Stress {
+    fn name(self) -> &'static str {
+        match self {
+            Self::VonMises => "von Mises stress",
+            Self::MaxPrincipal => "largest principal stress",
+        }
+    }
+
+    fn title(self) -> &'static str {
+        match self {
+            Self::VonMises => "Largest von Mises stress",
+            Self::MaxPrincipal => "Largest principal stress",
+        }
+    }
+}
