@@ -56,8 +56,8 @@ const STRESS_INTERFACE: f64 = 130e3;
 /// Bytes of summary and curve for a step.
 const NUMBERS: f64 = 3.2e3;
 
-/// The disk space of the stresses of a run on so many planes of `size` × `size` points a step, and of their pictures, in
-/// bytes.
+/// The disk space of the stresses of a run on so many planes of `size` × `size` points a step, and of their pictures,
+/// in bytes.
 #[must_use]
 pub fn of_stresses(case: &Case, planes: usize, size: usize) -> f64 {
     if case.stress.is_none() {

@@ -26,6 +26,9 @@ pub struct SectionField<'a> {
     planes: Vec<std::ops::Range<usize>>,
 }
 
+/// The lines of one level, each by its points.
+type Contour = Vec<Vec<(f64, f64)>>;
+
 impl<'a> SectionField<'a> {
     /// The values of a section, a row for each depth, drawn on a depth axis.
     #[must_use]
@@ -145,7 +148,7 @@ impl<'a> SectionField<'a> {
         panel: &Panel,
         bands: &Bands,
         divisor: f64,
-    ) -> Vec<(usize, Vec<Vec<(f64, f64)>>)> {
+    ) -> Vec<(usize, Contour)> {
         let [top, bottom] = self.depths.within(body);
         let columns = nodes(panel.place.width, NODES);
         let rows = nodes((bottom - top) * panel.place.height, NODES);

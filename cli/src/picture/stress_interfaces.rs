@@ -105,7 +105,7 @@ impl InterfaceMap<'_> {
         self.draw_contact(svg, place);
         let marked = self.marked(traction);
         svg.within(place, |svg| {
-            self.draw_mark(svg, &panel, metres, marked.as_ref(), &pascals)
+            draw_mark(svg, &panel, metres, marked.as_ref(), &pascals);
         });
         panel.draw_axes(svg);
         self.draw_words(svg, (place.left, top), traction, marked.as_ref());
@@ -173,29 +173,6 @@ impl InterfaceMap<'_> {
         }
     }
 
-    fn draw_mark(
-        &self,
-        svg: &mut Svg,
-        panel: &Panel,
-        metres: f64,
-        marked: Option<&(&'static str, Extreme<2>)>,
-        pascals: &Scale,
-    ) {
-        let Some((_, extreme)) = marked else {
-            return;
-        };
-        let [x, y] = extreme.at.map(|along| along / metres);
-        let is_shown = |axis: &Axis, along: f64| (axis.from..=axis.to).contains(&along);
-        if !is_shown(&panel.x, x) || !is_shown(&panel.y, y) {
-            return;
-        }
-        let place = panel.at(x, y);
-        let text = mark_text(extreme.value, pascals);
-        svg.circle(place, MARK, colours::WHITE, colours::INK);
-        let beside = ContourPlaces::new(panel.place).beside_mark(place, &text);
-        boxed(svg, beside, &text);
-    }
-
     fn draw_words(
         &self,
         svg: &mut Svg,
@@ -246,4 +223,27 @@ fn extent(values: &[f64]) -> [f64; 2] {
     finite.fold([0.0, 0.0], |[least, largest], value| {
         [f64::min(least, value), f64::max(largest, value)]
     })
+}
+
+/// Marks the place of an extreme that the panel shows.
+fn draw_mark(
+    svg: &mut Svg,
+    panel: &Panel,
+    metres: f64,
+    marked: Option<&(&'static str, Extreme<2>)>,
+    pascals: &Scale,
+) {
+    let Some((_, extreme)) = marked else {
+        return;
+    };
+    let [x, y] = extreme.at.map(|along| along / metres);
+    let is_shown = |axis: &Axis, along: f64| (axis.from..=axis.to).contains(&along);
+    if !is_shown(&panel.x, x) || !is_shown(&panel.y, y) {
+        return;
+    }
+    let place = panel.at(x, y);
+    let text = mark_text(extreme.value, pascals);
+    svg.circle(place, MARK, colours::WHITE, colours::INK);
+    let beside = ContourPlaces::new(panel.place).beside_mark(place, &text);
+    boxed(svg, beside, &text);
 }
