@@ -284,7 +284,7 @@ impl<'a> SectionDrawing<'a> {
 
     /// Title, legend and notes above a panel.
     fn draw_words(&self, svg: &mut Svg, top: f64, stress: Stress) {
-        let mut title = stress.title().to_owned();
+        let mut title = stress.name().to_owned();
         if let Some(found) = self.largest(stress) {
             let metres = |value| quantity(value, Unit::Metre, self.subject.units);
             let at = found.at.map(metres).join(", ");
@@ -294,11 +294,15 @@ impl<'a> SectionDrawing<'a> {
             } else {
                 " (beside this section)"
             };
-            title += &format!(" {value} in {}, at x, y, z = {at}{beside}", found.body);
+            title = format!(
+                "{} {value} in {}, at x, y, z = {at}{beside}",
+                stress.title(),
+                found.body
+            );
         }
         svg.text((LEFT, top + 16.0), TITLE, Anchor::Start, &title);
         let mut x = LEFT;
-        let y = top + ABOVE - ON_SURFACE - 12.0;
+        let y = top + ABOVE - ON_SURFACE - 15.0;
         let mut key = |svg: &mut Svg, height: f64, colour, name: &str| {
             let swatch = Rect {
                 left: x,
@@ -345,6 +349,7 @@ impl<'a> SectionDrawing<'a> {
 }
 
 /// A value beside its mark, in the unit of the bar.
+#[must_use]
 pub fn mark_text(value: f64, pascals: &Scale) -> String {
     let number = significant(value / pascals.divisor, 4);
     if pascals.label.ends_with("Pa") {

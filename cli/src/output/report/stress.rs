@@ -133,7 +133,7 @@ mod tests {
             row("largest tension", &extreme, Units::Si)
         };
         let good = note(true, Some(2e6), 1e9);
-        assert_eq!(good.at, "0.0000 m, 1.0000 µm");
+        assert_eq!(good.at, "0 m, 1.0000 µm");
         let GridErrorNote::Estimated(error) = good.error else {
             unreachable!("it is resolved")
         };
