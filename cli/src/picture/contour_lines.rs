@@ -2,6 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+/// A line through points.
+pub type Polyline = Vec<(f64, f64)>;
+
 /// Values at the nodes of a mesh: `columns` in each row, row after row.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mesh {
@@ -25,7 +28,7 @@ impl Mesh {
     /// The lines on which the field, linear along every side of a square, has this value: places in columns and rows. A
     /// closed line ends in its first place.
     #[must_use]
-    pub fn lines_at(&self, level: f64) -> Vec<Vec<(f64, f64)>> {
+    pub fn lines_at(&self, level: f64) -> Vec<Polyline> {
         let mut next = BTreeMap::new();
         for row in 1..self.rows() {
             for column in 1..self.columns {

@@ -1,6 +1,7 @@
 //! Places for the labels of contours, so that no two overlap.
 
 use super::colours;
+use super::contour_lines::Polyline;
 use super::svg::{Anchor, Rect, Svg};
 
 /// Size of the letters, the width of one over it, and the margin around a text, in pixels.
@@ -115,7 +116,7 @@ impl ContourPlaces {
     }
 
     /// Draws the label of these lines on the longest of them, where there is room.
-    pub fn draw_labels(&mut self, svg: &mut Svg, lines: &[Vec<(f64, f64)>], label: &str) {
+    pub fn draw_labels(&mut self, svg: &mut Svg, lines: &[Polyline], label: &str) {
         let width = rectangle((0.0, 0.0), label).width;
         let mut long: Vec<_> = (lines.iter().map(|line| (length(line), line)))
             .filter(|(length, _)| *length > SHORTEST * width)

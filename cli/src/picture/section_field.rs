@@ -2,7 +2,7 @@
 
 use super::colours::Colour;
 use super::contour_bands::Bands;
-use super::contour_lines::Mesh;
+use super::contour_lines::{Mesh, Polyline};
 use super::contour_places::ContourPlaces;
 use super::depth_scale::DepthScale;
 use super::panel::Panel;
@@ -25,9 +25,6 @@ pub struct SectionField<'a> {
     /// The planes of each body.
     planes: Vec<std::ops::Range<usize>>,
 }
-
-/// The lines of one level, each by its points.
-type Contour = Vec<Vec<(f64, f64)>>;
 
 impl<'a> SectionField<'a> {
     /// The values of a section, a row for each depth, drawn on a depth axis.
@@ -148,7 +145,7 @@ impl<'a> SectionField<'a> {
         panel: &Panel,
         bands: &Bands,
         divisor: f64,
-    ) -> Vec<(usize, Contour)> {
+    ) -> Vec<(usize, Vec<Polyline>)> {
         let [top, bottom] = self.depths.within(body);
         let columns = nodes(panel.place.width, NODES);
         let rows = nodes((bottom - top) * panel.place.height, NODES);
@@ -165,7 +162,7 @@ impl<'a> SectionField<'a> {
             let x = panel.place.left + panel.place.width * column / (columns - 1) as f64;
             (x, panel.place.top + panel.place.height * down(row))
         };
-        let lines_at = |level: &f64| -> Vec<Vec<_>> {
+        let lines_at = |level: &f64| -> Vec<Polyline> {
             let lines = mesh.lines_at(*level).into_iter();
             lines
                 .map(|line| line.into_iter().map(place).collect())

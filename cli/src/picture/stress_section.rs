@@ -302,7 +302,7 @@ impl<'a> SectionDrawing<'a> {
         }
         svg.text((LEFT, top + 16.0), TITLE, Anchor::Start, &title);
         let mut x = LEFT;
-        let y = top + ABOVE - ON_SURFACE - 12.0;
+        let y = top + ABOVE - ON_SURFACE - 15.0;
         let mut key = |svg: &mut Svg, height: f64, colour, name: &str| {
             let swatch = Rect {
                 left: x,

@@ -253,10 +253,10 @@ fn ends(centres: &[f64]) -> [f64; 2] {
 /// Coordinates from one end to another, about as far apart as the points of a plane; those themselves along x or y.
 fn coordinates([from, to]: [f64; 2], centres: &[f64]) -> Vec<f64> {
     let [low, high] = ends(centres);
-    let step = (high - low) / (centres.len().max(2) - 1) as f64;
-    if (from - low).abs().max((to - high).abs()) < 1e-9 * step {
+    if from.to_bits() == low.to_bits() && to.to_bits() == high.to_bits() {
         return centres.to_vec();
     }
+    let step = (high - low) / (centres.len().max(2) - 1) as f64;
     let steps = ((to - from) / step).ceil();
     if !(1.0..1e6).contains(&steps) {
         return vec![from];
