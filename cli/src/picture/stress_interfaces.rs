@@ -47,9 +47,6 @@ enum Traction {
     Normal,
 }
 
-/// What is marked, in words, and the extreme.
-type Marked = (&'static str, Extreme<2>);
-
 /// The picture as SVG: a row for each interface.
 #[must_use]
 pub fn draw(subject: &Subject<'_>, view: &StressView) -> String {
@@ -162,7 +159,7 @@ impl InterfaceMap<'_> {
 
     /// The extreme that is marked: the largest shear, the largest tension, or where nothing pulls the largest
     /// compression.
-    fn marked(&self, traction: Traction) -> Option<Marked> {
+    fn marked(&self, traction: Traction) -> Option<(&'static str, Extreme<2>)> {
         let found = self.extremes?;
         match traction {
             Traction::Shear if found.max_shear_traction.value > 0.0 => {
@@ -181,7 +178,7 @@ impl InterfaceMap<'_> {
         svg: &mut Svg,
         (left, top): (f64, f64),
         traction: Traction,
-        marked: Option<&Marked>,
+        marked: Option<&(&'static str, Extreme<2>)>,
     ) {
         let units = self.subject.units;
         let metres = |value| quantity(value, Unit::Metre, units);
@@ -218,23 +215,6 @@ impl Traction {
             Self::Normal => "normal traction, tension red",
         }
     }
-}
-
-/// Draws the mark of an extreme that lies on the map.
-fn draw_mark(svg: &mut Svg, panel: &Panel, metres: f64, marked: Option<&Marked>, pascals: &Scale) {
-    let Some((_, extreme)) = marked else {
-        return;
-    };
-    let [x, y] = extreme.at.map(|along| along / metres);
-    let is_shown = |axis: &Axis, along: f64| (axis.from..=axis.to).contains(&along);
-    if !is_shown(&panel.x, x) || !is_shown(&panel.y, y) {
-        return;
-    }
-    let place = panel.at(x, y);
-    let text = mark_text(extreme.value, pascals);
-    svg.circle(place, MARK, colours::WHITE, colours::INK);
-    let beside = ContourPlaces::new(panel.place).beside_mark(place, &text);
-    boxed(svg, beside, &text);
 }
 
 /// The least and the largest finite value, 0 among them.
