@@ -212,13 +212,22 @@ fn stresses_are_written_of_the_steps_with_fields_in_the_formats_wanted() {
     let folder = TestFolder::with_case(with_stress(""));
     let curve = "load={forces=[\"1 uN\", \"2 uN\"]}";
     for (out, more, wanted) in [
-        ("last", &[][..], &["stress-001.nc", "stress-001.vtr"][..]),
+        (
+            "last",
+            &[][..],
+            &["stress-001.nc", "stress-001.npz", "stress-001.vtr"][..],
+        ),
         ("none", &["--fields", "none"], &[]),
-        ("npz", &["--formats", "npz,gsf"], &[]),
+        ("npz", &["--formats", "npz,gsf"], &["stress-001.npz"]),
         (
             "nc",
             &["--formats", "npz,nc", "--fields", "all"],
-            &["stress-000.nc", "stress-001.nc"],
+            &[
+                "stress-000.nc",
+                "stress-000.npz",
+                "stress-001.nc",
+                "stress-001.npz",
+            ],
         ),
     ] {
         let line = [
@@ -245,6 +254,8 @@ fn stresses_are_written_of_the_steps_with_fields_in_the_formats_wanted() {
         "last",
         "--force",
         "--fields",
+        "none",
+        "--pictures",
         "none",
     ]);
     assert_eq!(again.code, Some(0), "{}", again.stderr);
