@@ -82,6 +82,18 @@ fn a_figure_drawn_again_has_the_same_bytes() {
 }
 
 #[test]
+fn stresses_have_a_section_for_each_case_of_figure_2() {
+    let results = tempfile::tempdir().unwrap();
+    let files = drawn(Figure::Stresses, &results, "first");
+    for case in ["fig2a", "fig2b", "fig2c", "fig2d"] {
+        let svg = text(&files, &format!("{case}-stress.svg"));
+        assert!(svg.contains("QUICK") && svg.contains("Largest von Mises stress"));
+        let table = text(&files, &format!("{case}-stress.csv"));
+        assert!(table.starts_with("x,z,body,von Mises,largest principal\n"));
+    }
+}
+
+#[test]
 fn a_case_that_is_missing_refused_or_not_certified_is_an_error_and_not_drawn() {
     let results = tempfile::tempdir().unwrap();
     let nowhere = TempDir::new().unwrap();
