@@ -48,10 +48,11 @@ const REPORT_CELL: f64 = 0.85;
 const STRESS_NC: f64 = 88.0;
 const STRESS_VTR: f64 = 45.0;
 
-/// The same of a point that the pictures show, two numbers; and of the pictures of a step, one with each interface.
-const STRESS_NPZ: f64 = 14.0;
-const STRESS_SECTION: f64 = 560e3;
-const STRESS_INTERFACE: f64 = 130e3;
+/// The same of a point that the pictures show, two numbers, packed; and of the pictures of a step, in the report once
+/// more: the section, and the maps of an interface.
+const STRESS_NPZ: f64 = 11.0;
+const STRESS_SECTION: f64 = 520e3;
+const STRESS_INTERFACE: f64 = 200e3;
 
 /// Bytes of summary and curve for a step.
 const NUMBERS: f64 = 3.2e3;
