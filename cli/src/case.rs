@@ -304,19 +304,22 @@ tip_radius = "400 nm"
 forces = { from = "1 uN", to = "1 mN", count = 4, spacing = "log" }
 "#;
 
+    /// A case as written is a case file again.
+    fn check_written(case: &Case) {
+        let written = toml::to_string(case).unwrap();
+        let again = read(&written, &[]).unwrap();
+        // The numbers are the same; the units they were written in are gone.
+        let again = Case {
+            units: case.units,
+            ..again
+        };
+        assert_eq!(&again, case);
+    }
+
     #[test]
     fn the_resolved_case_is_a_case_file_again() {
         let case = read(CASE, &[]).unwrap();
-        let written = toml::to_string(&case).unwrap();
-        let again = read(&written, &[]).unwrap();
-        // The numbers are the same; the units they were written in are gone.
-        assert_eq!(
-            Case {
-                units: case.units,
-                ..again
-            },
-            case
-        );
+        check_written(&case);
     }
 
     #[test]
@@ -332,15 +335,7 @@ forces = { from = "1 uN", to = "1 mN", count = 4, spacing = "log" }
             .replace("poisson_ratio = 0.4 }", substrate)
             + stress;
         let case = read(&text.replace("\"70 GPa\"", grading), &[]).unwrap();
-        let written = toml::to_string(&case).unwrap();
-        let again = read(&written, &[]).unwrap();
-        assert_eq!(
-            Case {
-                units: case.units,
-                ..again
-            },
-            case
-        );
+        check_written(&case);
         let strengths = serde_json::to_value(&case.foundation).unwrap();
         for (place, strength) in [
             ("/layer/0/yield_strength", 2e9),

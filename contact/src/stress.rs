@@ -6,6 +6,7 @@ pub mod critical;
 pub mod extremes;
 pub mod field;
 mod finder;
+mod load_search;
 pub mod model;
 mod quantity;
 mod refine;

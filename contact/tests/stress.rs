@@ -7,8 +7,9 @@ use std::sync::Arc;
 use approx::assert_relative_eq;
 use pellicle_contact::{
     BodyPart, BodyStrengths, Criterion, CriticalLoad, Domain, FlatPunch, Indenter, InterfacePart,
-    InterfaceStrengths, Load, LoadingPath, Model, Paraboloid, Sliding, SolverOptions, StressField,
-    StressModel, critical_loads, reference::hertz, solve_path, stress_extremes,
+    InterfaceStrengths, Load, LoadingPath, Model, Paraboloid, Sliding, SolverOptions,
+    StressExtremes, StressField, StressModel, critical_loads, reference::hertz, solve_path,
+    stress_extremes,
 };
 use pellicle_influence::{Cache, Depth, RadialTables, SubsurfaceState};
 use pellicle_kernel::{Foundation, Material};
@@ -129,6 +130,14 @@ fn von_mises_stress_under_hertz_is_found_in_value_and_depth() {
     }
 }
 
+/// A ball pressed on a coat of this thickness, on 64 × 64 elements, and the extremes under sliding.
+fn coat_under_a_ball(thickness: f64) -> (LoadingPath, StressModel, StressExtremes) {
+    let model = model(&coated(thickness), Paraboloid::new(1.0).unwrap());
+    let (path, stress) = (solved(&model, 64, 1e-3), sliding_coat(thickness));
+    let extremes = stress_extremes(&path, 0, &stress).unwrap();
+    (path, stress, extremes)
+}
+
 /// Points that fill the cube from −1 to 1 evenly: multiples of powers of the root of x⁴ = x + 1.
 fn spread(i: u32) -> [f64; 3] {
     [1, 2, 3].map(|power| {
@@ -139,13 +148,7 @@ fn spread(i: u32) -> [f64; 3] {
 #[test]
 fn no_sampled_stress_exceeds_the_extremes_and_each_is_found_where_it_is_said_to_be() {
     let thickness = 0.02;
-    let path = solved(
-        &model(&coated(thickness), Paraboloid::new(1.0).unwrap()),
-        64,
-        1e-3,
-    );
-    let stress = sliding_coat(thickness);
-    let found = stress_extremes(&path, 0, &stress).unwrap();
+    let (path, stress, found) = coat_under_a_ball(thickness);
     let field = StressField::new(&path, 0, stress.sliding).unwrap();
     let element = path.grid.element_side();
     let quantities: [fn(&SubsurfaceState) -> f64; 4] = [
@@ -207,13 +210,7 @@ fn no_sampled_stress_exceeds_the_extremes_and_each_is_found_where_it_is_said_to_
 #[test]
 fn tractions_of_an_interface_are_the_largest_on_its_plane() {
     let thickness = 0.05;
-    let path = solved(
-        &model(&coated(thickness), Paraboloid::new(1.0).unwrap()),
-        64,
-        1e-3,
-    );
-    let stress = sliding_coat(thickness);
-    let found = stress_extremes(&path, 0, &stress).unwrap();
+    let (path, stress, found) = coat_under_a_ball(thickness);
     let mut planes = StressField::new(&path, 0, stress.sliding)
         .unwrap()
         .planes(path.grid.side());

@@ -1,36 +1,13 @@
 //! Critical loads: the smallest force at which a body yields or cracks, or an interface comes off.
-//!
-//! A stress grows about as a power of the load, so that the secant between two solved loads in logarithms meets a
-//! strength in a few steps; each is a contact solved on its own grids, and its stresses searched.
 
 use serde::{Deserialize, Serialize};
 
 use super::extremes::{BodyStress, Extreme, InterfaceStress, StressExtremes};
-use super::finder::Finder;
-use super::model::{Criterion, Sliding, StressModel};
+use super::load_search::{LoadSearch, Outcome, Solved};
+use super::model::{Criterion, StressModel};
 use super::quantity::Quantity;
 use super::scan::Target;
-use crate::{
-    ContactError, Domain, Load, LoadingPath, Model, Observer, SolverOptions, choose_side,
-    solve_path,
-};
-
-/// Relative accuracy of a critical load.
-const ACCURACY: f64 = 5e-5;
-/// Loads solved for one criterion, at most.
-const MOST_SOLVED: usize = 24;
-/// Of these, as many by secants before the bracket is halved.
-const MOST_SECANTS: usize = 8;
-/// Factor between loads below the smallest of the path, and how many of them are tried.
-const SMALLER: f64 = 0.25;
-const MOST_SMALLER: usize = 8;
-/// Where so much of a strength is reached at most, other loads may reach it; how many of them are tried.
-const NEARLY: f64 = 0.7;
-const MOST_PROBES: usize = 8;
-/// Loads apart by less than this in their logarithms are alike at a peak of the stress.
-const FLAT: f64 = 0.1;
-/// A bracket this narrow is searched on one domain, so that no change of grid blurs the search.
-const NARROW: f64 = 1.5;
+use crate::{ContactError, Domain, LoadingPath, Model, Observer, SolverOptions};
 
 /// The load at which one criterion is first met.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -65,16 +42,6 @@ struct Asked {
     known: Vec<Extreme<3>>,
 }
 
-/// The extreme under a load.
-#[derive(Clone, Copy)]
-struct Solved {
-    /// In N.
-    force: f64,
-    /// In m.
-    penetration: f64,
-    extreme: Extreme<3>,
-}
-
 /// The critical load of every strength given, up to the largest load of a solved path, whose steps have these
 /// extremes.
 ///
@@ -82,7 +49,7 @@ struct Solved {
 /// comes near, loads around the largest are tried.
 ///
 /// # Errors
-/// As [`solve_path`] and [`stress_extremes`](super::extremes::stress_extremes); [`ContactError::Cancelled`] by the
+/// As [`solve_path`](crate::solve_path) and [`stress_extremes`](super::extremes::stress_extremes); [`ContactError::Cancelled`] by the
 /// observer.
 ///
 /// # Panics
@@ -107,6 +74,8 @@ pub fn critical_loads(
                 penetration: solution.penetration,
                 extreme: *extreme,
             });
+        let mut solved: Vec<Solved> = solved.collect();
+        solved.sort_by(|one, other| one.force.total_cmp(&other.force));
         let mut search = LoadSearch {
             model,
             domain,
@@ -117,14 +86,13 @@ pub fn critical_loads(
                 ..*options
             },
             sliding: stress.sliding,
-            solved: solved.collect(),
-            asked: &asked,
+            target: &asked.target,
+            strength: asked.strength,
+            solved,
             observer: &mut *observer,
         };
-        search
-            .solved
-            .sort_by(|one, other| one.force.total_cmp(&other.force));
-        found.push(search.critical()?);
+        let outcome = search.search()?;
+        found.push(asked.answered(&outcome));
     }
     Ok(found)
 }
@@ -203,213 +171,31 @@ fn criteria(stress: &StressModel, extremes: &[StressExtremes]) -> Vec<Asked> {
     asked
 }
 
-/// The loads solved so far for one criterion, and how to solve another.
-struct LoadSearch<'a> {
-    model: &'a Model,
-    domain: Domain,
-    elements: usize,
-    options: SolverOptions,
-    sliding: Sliding,
-    asked: &'a Asked,
-    /// By rising force.
-    solved: Vec<Solved>,
-    observer: &'a mut dyn Observer,
-}
-
-impl LoadSearch<'_> {
-    /// The critical load.
-    fn critical(&mut self) -> Result<CriticalLoad, ContactError> {
-        let reached = match self.first_reached() {
-            Some(reached) => Some(reached),
-            None => self.reached_between()?,
+impl Asked {
+    /// The critical load that a search ended with.
+    fn answered(self, outcome: &Outcome) -> CriticalLoad {
+        let (met, last) = match outcome {
+            Outcome::Met { solved, exponent } => (Some((solved, exponent)), Some(solved)),
+            Outcome::Missed(last) => (None, last.as_ref()),
         };
-        let Some(mut upper) = reached else {
-            return Ok(self.result(None, self.largest()));
-        };
-        let mut tried = 0;
-        let mut lower = loop {
-            if let Some(lower) = self.last_before(upper.force) {
-                break lower;
-            }
-            if tried == MOST_SMALLER {
-                return Ok(self.result(None, Some(&upper)));
-            }
-            tried += 1;
-            let smaller = self.solve(SMALLER * upper.force, self.domain)?;
-            if self.utilisation(&smaller) >= 1.0 {
-                upper = smaller;
-            }
-        };
-        let mut exponent = self.exponent(&lower, &upper);
-        let mut latest = self.nearer(lower, upper);
-        let mut narrow = None;
-        for trial in 0..MOST_SOLVED {
-            let (low, high) = (lower.force, upper.force);
-            if high / low <= NARROW && narrow.is_none() {
-                narrow = Some(self.domain_for(high)?);
-            }
-            let force = exponent
-                .filter(|_| trial < MOST_SECANTS)
-                .map(|n| latest.force * self.utilisation(&latest).powf(-1.0 / n))
-                .filter(|force| *force > low && *force < high)
-                .unwrap_or((low * high).sqrt());
-            let solved = self.solve(force, narrow.unwrap_or(self.domain))?;
-            let utilisation = self.utilisation(&solved);
-            exponent = self.exponent(&solved, &latest).or(exponent);
-            let is_found = exponent.is_some_and(|n| (utilisation.ln() / n).abs() <= ACCURACY);
-            // A stress that jumps with the load is bracketed.
-            if is_found || (high / low).ln() <= ACCURACY {
-                return Ok(self.result(exponent, Some(&solved)));
-            }
-            latest = solved;
-            if utilisation >= 1.0 {
-                upper = solved;
-            } else {
-                lower = solved;
-            }
-        }
-        Ok(self.result(None, Some(&upper)))
-    }
-
-    /// The smallest load solved under which the strength is reached.
-    fn first_reached(&self) -> Option<Solved> {
-        let mut solved = self.solved.iter();
-        solved
-            .find(|solved| self.utilisation(solved) >= 1.0)
-            .copied()
-    }
-
-    /// A load under which the strength is reached though it is not under those solved so far: a stiff coat that takes
-    /// the indenter's shape is bent no further, and under more load its stress falls.
-    fn reached_between(&mut self) -> Result<Option<Solved>, ContactError> {
-        let nearly = self
-            .largest()
-            .filter(|best| self.utilisation(best) >= NEARLY);
-        let Some(mut best) = nearly.copied() else {
-            return Ok(None);
-        };
-        let below = self.last_before(best.force);
-        let mut ends = [
-            below.map_or(SMALLER * best.force, |solved| solved.force),
-            self.first_after(best.force),
-        ];
-        for trial in 0..MOST_PROBES {
-            // In turn below the best and above it; the stress at a peak is flat.
-            let side = trial % 2;
-            if (ends[side] / best.force).ln().abs() <= FLAT {
-                continue;
-            }
-            let solved = self.solve((ends[side] * best.force).sqrt(), self.domain)?;
-            if self.utilisation(&solved) >= 1.0 {
-                return Ok(Some(solved));
-            }
-            if self.utilisation(&solved) > self.utilisation(&best) {
-                ends[1 - side] = best.force;
-                best = solved;
-            } else if best.force >= ends[1] {
-                // It grows up to the largest load.
-                break;
-            } else {
-                ends[side] = solved.force;
-            }
-        }
-        Ok(None)
-    }
-
-    /// The load solved with the largest stress.
-    fn largest(&self) -> Option<&Solved> {
-        let solved = self.solved.iter();
-        solved.max_by(|one, other| self.utilisation(one).total_cmp(&self.utilisation(other)))
-    }
-
-    /// The smallest force solved above another, or that one.
-    fn first_after(&self, force: f64) -> f64 {
-        let mut solved = self.solved.iter();
-        let after = solved.find(|solved| solved.force > force);
-        after.map_or(force, |solved| solved.force)
-    }
-
-    /// The largest load solved below another.
-    fn last_before(&self, force: f64) -> Option<Solved> {
-        let is_before = |solved: &&Solved| solved.force < force && solved.force > 0.0;
-        self.solved.iter().rfind(is_before).copied()
-    }
-
-    /// The one of two loads that comes nearer to the strength.
-    fn nearer(&self, one: Solved, other: Solved) -> Solved {
-        let apart = |solved: &Solved| self.utilisation(solved).ln().abs();
-        if apart(&one) < apart(&other) {
-            one
-        } else {
-            other
-        }
-    }
-
-    /// `n` of a utilisation that grows as `forceⁿ` between two loads; none where it does not grow.
-    fn exponent(&self, one: &Solved, other: &Solved) -> Option<f64> {
-        let [first, second] = [one, other].map(|solved| self.utilisation(solved).ln());
-        let exponent = (second - first) / (other.force / one.force).ln();
-        (exponent.is_finite() && exponent > 0.0).then_some(exponent)
-    }
-
-    fn utilisation(&self, solved: &Solved) -> f64 {
-        solved.extreme.value.max(0.0) / self.asked.strength
-    }
-
-    /// One domain for loads up to this one: as given, or chosen for it.
-    fn domain_for(&self, force: f64) -> Result<Domain, ContactError> {
-        if let Domain::Side(_) = self.domain {
-            return Ok(self.domain);
-        }
-        Ok(Domain::Side(choose_side(
-            self.model,
-            &[Load::Force(force)],
-        )?))
-    }
-
-    /// Solves a load and finds its stress.
-    fn solve(&mut self, force: f64, domain: Domain) -> Result<Solved, ContactError> {
-        let domain = match domain {
-            Domain::Chosen(_) => Domain::Automatic,
-            domain => domain,
-        };
-        let (loads, observer) = ([Load::Force(force)], &mut *self.observer);
-        let (model, options) = (self.model, &self.options);
-        let path = solve_path(model, domain, self.elements, &loads, options, observer)?;
-        let [step] = &path.steps[..] else {
-            return Err(ContactError::Cancelled { step: 0 });
-        };
-        let targets = std::slice::from_ref(&self.asked.target);
-        let found = Finder::new(&path, step, self.sliding).find(targets)?;
-        let solved = Solved {
-            force,
-            penetration: step.solution.penetration,
-            extreme: found[0][0],
-        };
-        let place = self.solved.partition_point(|other| other.force < force);
-        self.solved.insert(place, solved);
-        Ok(solved)
-    }
-
-    /// The result: a critical load where the growth of the stress there is known, else the last load tried.
-    fn result(&self, exponent: Option<f64>, solved: Option<&Solved>) -> CriticalLoad {
-        let found = exponent.and(solved);
-        let extreme = solved.map(|solved| solved.extreme);
-        let relative = extreme.and_then(|extreme| Some(extreme.estimate? / extreme.value.abs()));
+        let extreme = last.map(|solved| solved.extreme);
+        // δQ/Q = δσ/σ / n
+        let error = met.and_then(|(solved, exponent)| {
+            let Extreme {
+                value, estimate, ..
+            } = solved.extreme;
+            Some(solved.force * estimate? / value.abs() / exponent)
+        });
         CriticalLoad {
-            criterion: self.asked.criterion,
-            name: self.asked.name.clone(),
-            strength: self.asked.strength,
-            force: found.map(|solved| solved.force),
-            penetration: found.map(|solved| solved.penetration),
-            at: found.map(|solved| solved.extreme.at),
-            // δQ/Q = δσ/σ / n
-            estimate: found
-                .zip(relative)
-                .zip(exponent)
-                .map(|((solved, relative), n)| solved.force * relative / n),
+            criterion: self.criterion,
+            name: self.name,
+            strength: self.strength,
+            force: met.map(|(solved, _)| solved.force),
+            penetration: met.map(|(solved, _)| solved.penetration),
+            at: met.map(|(solved, _)| solved.extreme.at),
+            estimate: error,
             resolved: extreme.is_some_and(|extreme| extreme.resolved),
-            utilisation: solved.map_or(0.0, |solved| self.utilisation(solved)),
+            utilisation: extreme.map_or(0.0, |extreme| extreme.value.max(0.0) / self.strength),
         }
     }
 }
