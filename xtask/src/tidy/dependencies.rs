@@ -6,7 +6,7 @@ use super::Violation;
 use crate::Tree;
 
 /// The packages that each package may use. Its tests may also use what these may use.
-const ALLOWED: [(&str, &[&str]); 5] = [
+const ALLOWED: [(&str, &[&str]); 6] = [
     ("pellicle-kernel", &[]),
     ("pellicle-influence", &["pellicle-kernel"]),
     ("pellicle-texture", &[]),
@@ -14,10 +14,12 @@ const ALLOWED: [(&str, &[&str]); 5] = [
         "pellicle-contact",
         &["pellicle-influence", "pellicle-texture"],
     ),
+    ("pellicle-identify", &["pellicle-contact"]),
     (
         "pellicle-cli",
         &[
             "pellicle-contact",
+            "pellicle-identify",
             "pellicle-influence",
             "pellicle-kernel",
             "pellicle-texture",
