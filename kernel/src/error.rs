@@ -87,6 +87,16 @@ pub enum KernelError {
         /// The tolerance asked for.
         wanted: f64,
     },
+    /// A number of a body that the foundation does not have, or that a body has not.
+    #[error(
+        "found no such number of body {found}, wanted a layer (0 to {layers}, exclusive) or the elastic half-space below"
+    )]
+    NoBody {
+        /// The body asked for, from 0 at the surface.
+        found: usize,
+        /// How many layers there are.
+        layers: usize,
+    },
     /// A rigid base without any layer: nothing can deform.
     #[error("found no elastic layer on a rigid base, wanted at least one")]
     NothingElastic,

@@ -54,6 +54,7 @@
 
 mod asymptotics;
 mod base;
+mod derivative;
 mod error;
 mod foundation;
 mod graded;
@@ -62,6 +63,7 @@ mod interior;
 mod layer;
 mod material;
 mod paper;
+mod parameter;
 #[cfg(doctest)]
 mod readme;
 mod response;
@@ -70,6 +72,7 @@ mod wave;
 
 pub use asymptotics::{LongWaves, ShortWaves};
 pub use base::Base;
+pub use derivative::ResponseDerivative;
 pub use error::KernelError;
 pub use foundation::Foundation;
 pub use graded::{GradedLayer, GradingOptions, SplitLayer};
@@ -78,4 +81,5 @@ pub use interior::{Amplitudes, Antiplane, InPlane, Interior, Side};
 pub use layer::Layer;
 pub use material::Material;
 pub use paper::{TwoLayer, load_transform};
+pub use parameter::FoundationParameter;
 pub use system::TransformedSystem;

@@ -43,6 +43,42 @@ pub struct Pyramid {
     tip_radius: f64,
     /// Horizontal directions of the ridges.
     ridges: Vec<[f64; 2]>,
+    slopes: Slopes,
+    /// Directions between a ridge and the middle of a face, over which a circle is averaged.
+    circle: Vec<[f64; 2]>,
+}
+
+/// What of the angles every height needs, computed once: a height took four fifths of a solution's time before.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Slopes {
+    /// `sin(π/n)` and `cos(π/n)`.
+    half_sector: [f64; 2],
+    /// `m = cot α`, of a face.
+    face: f64,
+    /// `c = m cos(π/n)`, of a ridge.
+    ridge: f64,
+    /// `q = √(1 + c²)`.
+    stretch: f64,
+    /// `v₁ = R cos α sin(π/n)`, the half-width of a round ridge, in m.
+    rounded: f64,
+    /// `R (√(1 + m²) − 1)` and `R (√(1 + c²) − 1)`: how far face and ridge lie below those of the sharp pyramid, in m.
+    drops: [f64; 2],
+}
+
+impl Slopes {
+    fn new(faces: usize, face_angle: f64, tip_radius: f64) -> Self {
+        let (sine, cosine) = (PI / faces as f64).sin_cos();
+        let face = face_angle.tan().recip();
+        let ridge = face * cosine;
+        Self {
+            half_sector: [sine, cosine],
+            face,
+            ridge,
+            stretch: 1.0_f64.hypot(ridge),
+            rounded: tip_radius * face_angle.cos() * sine,
+            drops: [face, ridge].map(|slope| tip_radius * root_minus_one(slope)),
+        }
+    }
 }
 
 /// Midpoints between a ridge and the middle of a face for the average over a circle.
@@ -97,6 +133,8 @@ impl Pyramid {
             face_angle,
             tip_radius,
             ridges,
+            slopes: Slopes::new(faces, face_angle, tip_radius),
+            circle: (0..ANGLES).map(|k| between(k, PI / faces as f64)).collect(),
         })
     }
 
@@ -154,11 +192,6 @@ impl Pyramid {
         self.tip_radius
     }
 
-    /// Half the angle that a face takes up about the axis, π/n.
-    fn half_sector(&self) -> f64 {
-        PI / self.ridges.len() as f64
-    }
-
     /// Distances along (u) and across (v) the nearest ridge.
     fn ridge_coordinates(&self, x: f64, y: f64) -> (f64, f64) {
         let along_and_across =
@@ -171,21 +204,26 @@ impl Pyramid {
 
     /// Height at the distances u along and v across a ridge.
     fn height_at(&self, (along, across): (f64, f64)) -> f64 {
-        let (sine, cosine) = self.half_sector().sin_cos();
-        let (slope, radius) = (self.face_angle.tan().recip(), self.tip_radius);
-        // A face: f = m (u cos(π/n) + v sin(π/n)) − R (√(1 + m²) − 1), beyond v = R cos α sin(π/n).
-        if across >= radius * self.face_angle.cos() * sine {
-            return slope * (along * cosine + across * sine) - radius * root_minus_one(slope);
+        let Slopes {
+            half_sector: [sine, cosine],
+            face,
+            ridge,
+            stretch,
+            rounded,
+            drops: [of_face, of_ridge],
+        } = self.slopes;
+        let radius = self.tip_radius;
+        // A face: f = m (u cos(π/n) + v sin(π/n)) − R (√(1 + m²) − 1), beyond v₁.
+        if across >= rounded {
+            return face * (along * cosine + across * sine) - of_face;
         }
-        let (ridge_slope, chord) = (slope * cosine, half_chord(radius, across));
-        let stretch = 1.0_f64.hypot(ridge_slope);
+        let chord = half_chord(radius, across);
         // The sphere: its slope towards the ridge, u/√(R² − ρ²), is below that of the ridge.
-        if stretch * along < ridge_slope * chord {
+        if stretch * along < ridge * chord {
             return cap_height(radius, along.hypot(across));
         }
         // A ridge: f = c u − R (q − 1) + q v²/(R + w).
-        ridge_slope * along - radius * root_minus_one(ridge_slope)
-            + stretch * cap_height(radius, across)
+        ridge * along - of_ridge + stretch * cap_height(radius, across)
     }
 }
 
@@ -195,23 +233,25 @@ impl Profile for Pyramid {
     }
 
     fn mean_profile(&self, radius: f64) -> f64 {
-        let height = |k: u32| {
-            let angle = (f64::from(k) + 0.5) / f64::from(ANGLES) * self.half_sector();
-            self.height_at((radius * angle.cos(), radius * angle.sin()))
-        };
-        (0..ANGLES).map(height).sum::<f64>() / f64::from(ANGLES)
+        let height = |[cosine, sine]: &[f64; 2]| self.height_at((radius * cosine, radius * sine));
+        self.circle.iter().map(height).sum::<f64>() / f64::from(ANGLES)
     }
 
     fn distance_to_edge(&self, x: f64, y: f64, scale: f64) -> f64 {
         // A ridge is rounded as far as v = R cos α sin(π/n), the tip farther.
-        let rounded = self.tip_radius * self.face_angle.cos() * self.half_sector().sin();
         let (_, across) = self.ridge_coordinates(x, y);
-        if rounded < 2.0 * scale {
+        if self.slopes.rounded < 2.0 * scale {
             across
         } else {
             f64::INFINITY
         }
     }
+}
+
+/// The k-th midpoint of [`ANGLES`] equal parts of an angle, as a direction.
+fn between(k: u32, angle: f64) -> [f64; 2] {
+    let (sine, cosine) = ((f64::from(k) + 0.5) / f64::from(ANGLES) * angle).sin_cos();
+    [cosine, sine]
 }
 
 #[cfg(test)]
