@@ -203,7 +203,7 @@ impl Failure {
                 ContactError::NotPositiveDefinite { .. } | ContactError::DomainTooSmall { .. },
             )
             | Self::Influence(_)
-            | Self::Inside(InfluenceError::Amplitudes(_)) => 1,
+            | Self::Inside(InfluenceError::Kernel(_)) => 1,
             _ => 2,
         }
     }

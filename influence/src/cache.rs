@@ -1,6 +1,6 @@
 //! Radial tables and coefficients, kept in memory for the run and on disk for the next.
 //!
-//! The name of a file is a hash (BLAKE3) of all that determines the data: every bit of the foundation and of the
+//! The name of a file is a hash (BLAKE3) of all that determines the data: every bit of the bodies and of the
 //! side of an element, the size of the grid, and the version of the algorithm. A file is written under a temporary
 //! name and renamed, and has a checksum. So any number of threads and processes may use one folder at once, and a
 //! file that is damaged, cut off or foreign is computed again. The cache never causes an error: at worst nothing is
@@ -9,7 +9,9 @@
 mod disk;
 mod memory;
 mod report;
+mod shape;
 
+use std::fmt::Debug;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
@@ -21,7 +23,7 @@ use serde::de::DeserializeOwned;
 use self::disk::Disk;
 use self::memory::Memory;
 use crate::radial::{RadialFunctions, accurate_functions};
-use crate::{CoefficientTable, InfluenceError, RadialTables};
+use crate::{CoefficientTable, ElasticBodies, InfluenceError, RadialTables};
 
 pub use report::{CacheWarning, Cached, Origin, Usage};
 
@@ -61,6 +63,8 @@ struct Parts {
     coefficients: Memory<CoefficientTable>,
     disk: Option<Disk>,
     smallest: usize,
+    /// Whether radial tables are those of the foundation's shape.
+    by_shape: bool,
     warnings: Mutex<Vec<CacheWarning>>,
 }
 
@@ -75,13 +79,21 @@ impl Cache {
     /// Keeps nothing.
     #[must_use]
     pub fn none() -> Self {
-        Self::new(0, None, Self::SMALLEST_STORED)
+        Self::new(0, None, Self::SMALLEST_STORED, false)
     }
 
     /// Keeps up to 256 MB in memory for as long as it or a clone lives; the data not used for longest go first.
     #[must_use]
     pub fn in_memory() -> Self {
-        Self::new(LIMIT, None, Self::SMALLEST_STORED)
+        Self::new(LIMIT, None, Self::SMALLEST_STORED, false)
+    }
+
+    /// As [`Self::in_memory`], for many foundations of few shapes, as a fit tries them: radial tables are those of the
+    /// ratios of moduli and thicknesses and of Poisson's ratios alone, so that a foundation of another size or
+    /// stiffness finds them in memory. The ratios are rounded to 1e-12 of themselves, and coefficients with them.
+    #[must_use]
+    pub fn of_shapes() -> Self {
+        Self::new(LIMIT, None, Self::SMALLEST_STORED, true)
     }
 
     /// Keeps in memory and in this folder, which is created when there is something to write.
@@ -96,15 +108,16 @@ impl Cache {
     /// machines.
     #[must_use]
     pub fn storing_from(smallest: usize, folder: impl Into<PathBuf>) -> Self {
-        Self::new(LIMIT, Some(Disk::new(folder.into())), smallest)
+        Self::new(LIMIT, Some(Disk::new(folder.into())), smallest, false)
     }
 
-    fn new(limit: usize, disk: Option<Disk>, smallest: usize) -> Self {
+    fn new(limit: usize, disk: Option<Disk>, smallest: usize, by_shape: bool) -> Self {
         Self(Arc::new(Parts {
             functions: Memory::new(limit),
             coefficients: Memory::new(limit),
             disk,
             smallest,
+            by_shape,
             warnings: Mutex::default(),
         }))
     }
@@ -123,15 +136,30 @@ impl Cache {
             let (value, origin) = (tables(None), Origin::Immediate);
             return Ok(Cached { value, origin });
         }
+        let shape = self.0.by_shape.then(|| shape::of(foundation)).transpose()?;
+        let tabulated = shape.as_ref().unwrap_or(foundation);
         let wanted = Wanted {
-            key: key("radial tables", foundation),
+            key: key("radial tables", tabulated),
             bytes: LARGEST_TABLES,
             is_immediate: false,
         };
-        let functions = self.get(&self.0.functions, &wanted, || {
-            accurate_functions(foundation)
-        })?;
+        let compute = || accurate_functions(tabulated);
+        let functions = self.get(&self.0.functions, &wanted, compute)?;
         Ok(functions.map(|functions| tables(Some(functions))))
+    }
+
+    /// The radial tables of a foundation under a counterbody.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::radial_tables`].
+    pub fn radial_tables_of(
+        &self,
+        bodies: &ElasticBodies,
+    ) -> Result<Cached<Arc<RadialTables>>, InfluenceError> {
+        let counterbody = bodies.counterbody().copied();
+        let tables = self.radial_tables(bodies.foundation())?;
+        Ok(tables.map(|tables| Arc::new(tables.with_counterbody(counterbody))))
     }
 
     /// The coefficients of the `size` × `size` elements of side `element_side` (m) of one grid.
@@ -153,7 +181,7 @@ impl Cache {
         }
         let grid = format!("coefficients, {size} elements of {element_side:?}");
         let wanted = Wanted {
-            key: key(&grid, tables.foundation()),
+            key: key(&grid, tables.bodies()),
             bytes,
             is_immediate: size < self.0.smallest,
         };
@@ -253,13 +281,13 @@ struct Wanted {
     is_immediate: bool,
 }
 
-/// The name of data: a hash of all that determines them, every bit of the foundation (`Debug` writes the shortest
+/// The name of data: a hash of all that determines them, every bit of the bodies (`Debug` writes the shortest
 /// digits that are one `f64` only), the release, and the platform, whose exponentials and logarithms may differ in
 /// the last bit.
-fn key(data: &str, foundation: &Foundation) -> Hash {
+fn key(data: &str, bodies: &impl Debug) -> Hash {
     const RELEASE: &str = concat!(env!("CARGO_PKG_NAME"), " ", env!("CARGO_PKG_VERSION"));
     let platform = [std::env::consts::ARCH, std::env::consts::OS];
-    let text = format!("{RELEASE}, {VERSION}, {platform:?}, {data}, {foundation:?}");
+    let text = format!("{RELEASE}, {VERSION}, {platform:?}, {data}, {bodies:?}");
     blake3::hash(text.as_bytes())
 }
 

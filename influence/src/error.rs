@@ -21,9 +21,9 @@ pub enum InfluenceError {
         /// The largest depth, m; infinite above a half-space.
         largest: f64,
     },
-    /// The amplitudes of a wave inside the body cannot be computed.
+    /// The kernel refuses a body or a wave.
     #[error(transparent)]
-    Amplitudes(#[from] KernelError),
+    Kernel(#[from] KernelError),
     /// A table of coefficients needs at least one element a side, and no more than fit in memory.
     #[error("found {found} elements per side for a table of coefficients, wanted 1 to {largest}")]
     TableSize {

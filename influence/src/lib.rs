@@ -72,6 +72,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod bodies;
 mod cache;
 mod coefficient_table;
 mod element;
@@ -86,6 +87,7 @@ mod subsurface;
 mod surface_elasticity;
 mod transform;
 
+pub use bodies::{ElasticBodies, ElasticParameter};
 pub use cache::{Cache, CacheWarning, Cached, Origin, Usage};
 pub use coefficient_table::CoefficientTable;
 pub use element::{direct, love};
@@ -94,7 +96,7 @@ pub use filter::{PeriodicFilter, PeriodicSymbol};
 pub use operator::{
     ConvolutionOperator, DenseOperator, ElasticOperator, QuadrantOperator, WindowOperator,
 };
-pub use radial::RadialTables;
+pub use radial::{CoefficientDerivative, RadialTables};
 pub use sector::Sector;
 pub use subsurface::{
     CentreStresses, Depth, ElementDepths, ElementFields, ElementLoads, PlaneFields, Squares,

@@ -1,5 +1,6 @@
 //! From the response to influence coefficients: two functions of the radius, and their integrals over an element.
 
+mod derivative;
 mod element_integrals;
 mod far_field;
 mod functions;
@@ -9,6 +10,7 @@ mod sampler;
 mod tables;
 mod tabulate;
 
+pub use derivative::CoefficientDerivative;
 pub(crate) use functions::RadialFunctions;
 pub use tables::RadialTables;
 pub(crate) use tables::accurate_functions;

@@ -31,12 +31,30 @@ pub(crate) struct ResponseTable {
     /// Φ = 1 beyond.
     end: f64,
     limit: f64,
+    /// Relative accuracy of the expansions that was asked for.
+    tolerance: f64,
 }
 
 impl ResponseTable {
     pub(crate) fn new(foundation: &Foundation) -> Self {
+        let response = |k: f64| foundation.response(k);
+        let limit = match foundation.base() {
+            Base::Rigid => 0.0,
+            Base::HalfSpace(_) => foundation.response_at_zero(),
+        };
+        Self::of(foundation, response, limit, TOLERANCE)
+    }
+
+    /// A response by the wavenumber, with this limit at 0 and known to this relative error, that tends to 1 as fast as
+    /// the foundation's.
+    pub(crate) fn of(
+        foundation: &Foundation,
+        response: impl Fn(f64) -> f64,
+        limit: f64,
+        tolerance: f64,
+    ) -> Self {
         let thickness = foundation.thickness();
-        let response = |s: f64| foundation.response(s / thickness);
+        let response = |s: f64| response(s / thickness);
         let top = foundation
             .layers()
             .first()
@@ -46,20 +64,17 @@ impl ResponseTable {
         } else {
             NOTHING_BELOW * (thickness / top)
         };
-        let limit = match foundation.base() {
-            Base::Rigid => 0.0,
-            Base::HalfSpace(_) => foundation.response_at_zero(),
-        };
-        let (low, reach) = low_polynomial(&response, limit);
+        let (low, reach) = low_polynomial(&response, limit, tolerance);
         let ends = [(reach / 2.0).ln(), end.ln()];
         let at = |ln_s: f64| response(ln_s.exp());
-        let panels = Panels::fit(ends, at, |largest, _| TOLERANCE * largest);
+        let panels = Panels::fit(ends, at, |largest, _| tolerance * largest);
         Self {
             low,
             reach,
             panels,
             end,
             limit,
+            tolerance,
         }
     }
 
@@ -90,6 +105,11 @@ impl ResponseTable {
         self.end
     }
 
+    /// Relative accuracy of the expansions that was asked for.
+    pub(crate) fn tolerance(&self) -> f64 {
+        self.tolerance
+    }
+
     /// Estimated error of the expansions, relative to the largest Φ in the panel.
     pub(crate) fn error(&self) -> f64 {
         let errors = self.panels.panels().iter().map(|p| p.tail() / p.bound());
@@ -103,7 +123,7 @@ impl ResponseTable {
 }
 
 /// Chebyshev coefficients over `0 ≤ s ≤ reach`, and the reach: the largest for which they have converged.
-fn low_polynomial(response: &impl Fn(f64) -> f64, limit: f64) -> (Vec<f64>, f64) {
+fn low_polynomial(response: &impl Fn(f64) -> f64, limit: f64, tolerance: f64) -> (Vec<f64>, f64) {
     let transform = ChebyshevTransform::new(LOW_SAMPLES, LOW_TERMS);
     let fit = |reach: f64| -> Vec<f64> {
         // Only the limit itself is known without rounding; the fit is shifted onto it.
@@ -116,7 +136,7 @@ fn low_polynomial(response: &impl Fn(f64) -> f64, limit: f64) -> (Vec<f64>, f64)
     let mut low = fit(reach);
     for _ in 0..HALVINGS {
         let largest = low.iter().fold(limit.abs(), |most, c| most.max(c.abs()));
-        if tail(&low) <= TOLERANCE * largest {
+        if tail(&low) <= tolerance * largest {
             break;
         }
         reach /= 2.0;

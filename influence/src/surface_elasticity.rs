@@ -2,8 +2,7 @@
 
 use std::sync::Arc;
 
-use pellicle_kernel::Foundation;
-
+use crate::bodies::ElasticBodies;
 use crate::coefficient_table::CoefficientTable;
 use crate::filter::PeriodicSymbol;
 use crate::operator::{ConvolutionOperator, ElasticOperator, QuadrantOperator, WindowOperator};
@@ -33,18 +32,18 @@ pub struct SurfaceElasticity {
     table: Arc<CoefficientTable>,
     /// The smallest coefficient at each offset and beyond.
     least_from: Arc<[f64]>,
-    foundation: Foundation,
+    bodies: ElasticBodies,
 }
 
 impl SurfaceElasticity {
-    /// The elasticity of the foundation that `table` holds the coefficients of.
+    /// The elasticity of the bodies, a foundation alone for one, that `table` holds the coefficients of.
     #[must_use]
-    pub fn new(table: Arc<CoefficientTable>, foundation: Foundation) -> Self {
+    pub fn new(table: Arc<CoefficientTable>, bodies: impl Into<ElasticBodies>) -> Self {
         let least_from = table.least_from().into();
         Self {
             table,
             least_from,
-            foundation,
+            bodies: bodies.into(),
         }
     }
 
@@ -116,6 +115,6 @@ impl SurfaceElasticity {
     /// The analytic symbol on a periodic grid of `size` × `size` elements, for preconditioners.
     #[must_use]
     pub fn symbol(&self, size: usize) -> PeriodicSymbol {
-        PeriodicSymbol::new(&self.foundation, self.table.element_side(), size)
+        PeriodicSymbol::new(&self.bodies, self.table.element_side(), size)
     }
 }

@@ -2,8 +2,7 @@
 
 use std::f64::consts::PI;
 
-use pellicle_kernel::Foundation;
-
+use crate::bodies::ElasticBodies;
 use crate::element::direct::sinc;
 
 /// Aliases counted to each side. Their terms alternate and fall like `n⁻³`: the rest is a hundredth of the sum.
@@ -15,14 +14,14 @@ const NODES: usize = 4;
 /// One value for each node.
 pub type Weights = [f64; NODES];
 
-/// A foundation under square elements.
-pub struct GriddedFoundation<'a> {
-    pub foundation: &'a Foundation,
+/// Bodies that square elements lie between.
+pub struct GriddedBodies<'a> {
+    pub bodies: &'a ElasticBodies,
     /// Half the side of an element, `a`, in m.
     pub half_side: f64,
 }
 
-impl GriddedFoundation<'_> {
+impl GriddedBodies<'_> {
     /// `C(k) sinc(k_x a) sinc(k_y a)`, in m/Pa, for `k ≠ 0`.
     pub fn response(&self, wave: [f64; 2]) -> f64 {
         self.response_of(wave, wave.map(|k| self.sinc(k)))
@@ -30,7 +29,7 @@ impl GriddedFoundation<'_> {
 
     /// The same for known `sinc(k_x a)` and `sinc(k_y a)`.
     pub fn response_of(&self, [kx, ky]: [f64; 2], [of_x, of_y]: [f64; 2]) -> f64 {
-        self.foundation.compliance((kx * kx + ky * ky).sqrt()) * (of_x * of_y)
+        self.bodies.compliance((kx * kx + ky * ky).sqrt()) * (of_x * of_y)
     }
 
     /// `sinc(k a)`.
@@ -60,7 +59,7 @@ pub struct Aliases {
 
 impl Aliases {
     /// Samples the sum at the nodes.
-    pub fn new(body: &GriddedFoundation<'_>) -> Self {
+    pub fn new(body: &GriddedBodies<'_>) -> Self {
         let largest = PI / (2.0 * body.half_side);
         let wavenumbers = nodes().map(|node| node.sqrt() * largest);
         Self {
@@ -115,25 +114,27 @@ mod tests {
 
     use pellicle_kernel::{Foundation, Material};
 
-    use super::{Aliases, GriddedFoundation, weights};
+    use super::{Aliases, GriddedBodies, weights};
+    use crate::bodies::ElasticBodies;
 
-    fn bodies() -> Vec<Foundation> {
+    fn bodies() -> Vec<ElasticBodies> {
         let material = |modulus, ratio| Material::new(modulus, ratio).unwrap();
         let coated = |h, e1, nu1| Foundation::coated(h, material(e1, nu1), material(1.0, 0.3));
-        vec![
+        let foundations = [
             Foundation::half_space(material(1.0, 0.3)),
             coated(0.1, 100.0, 0.3).unwrap(),
             coated(0.5, 100.0, 0.0).unwrap(),
             coated(0.5, 0.01, 0.5).unwrap(),
             coated(5.0, 0.01, 0.5).unwrap(),
-        ]
+        ];
+        foundations.map(ElasticBodies::from).into()
     }
 
     #[test]
     fn the_polynomial_is_the_sum_between_its_nodes_too() {
-        for foundation in &bodies() {
-            let body = GriddedFoundation {
-                foundation,
+        for bodies in &bodies() {
+            let body = GriddedBodies {
+                bodies,
                 half_side: 0.5,
             };
             let aliases = Aliases::new(&body);

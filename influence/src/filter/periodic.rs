@@ -179,7 +179,7 @@ mod tests {
 
     fn symbol(size: usize) -> PeriodicSymbol {
         let foundation = Foundation::half_space(Material::new(1.0, 0.0).unwrap());
-        PeriodicSymbol::new(&foundation, 0.5, size)
+        PeriodicSymbol::new(&foundation.into(), 0.5, size)
     }
 
     fn reciprocal(symbol: f64) -> f64 {

@@ -2,10 +2,10 @@
 
 use std::f64::consts::PI;
 
-use pellicle_kernel::Foundation;
 use rayon::prelude::*;
 
-use super::aliases::{Aliases, GriddedFoundation, Weights, weights};
+use super::aliases::{Aliases, GriddedBodies, Weights, weights};
+use crate::bodies::ElasticBodies;
 
 /// `∫∫ dA/k` over a square of side 1 centred at k = 0: 4 ln(1+√2). The mean of `1/k` over the zero frequency's
 /// cell, in units of that at its neighbour.
@@ -31,12 +31,12 @@ pub struct PeriodicSymbol {
 impl PeriodicSymbol {
     /// The symbol for `size` × `size` elements of side `element_side`, m.
     #[must_use]
-    pub fn new(foundation: &Foundation, element_side: f64, size: usize) -> Self {
+    pub fn new(bodies: &ElasticBodies, element_side: f64, size: usize) -> Self {
         let width = size / 2 + 1;
         // k = 2π i/(N h)
         let step = 2.0 * PI / (size as f64 * element_side);
-        let body = GriddedFoundation {
-            foundation,
+        let body = GriddedBodies {
+            bodies,
             half_side: element_side / 2.0,
         };
         let aliases = Aliases::new(&body);
@@ -56,7 +56,7 @@ impl PeriodicSymbol {
                 }
             }
         });
-        quarter[0] = MEAN_OF_RECIPROCAL * foundation.compliance(step);
+        quarter[0] = MEAN_OF_RECIPROCAL * bodies.compliance(step);
         Self { size, quarter }
     }
 
@@ -95,7 +95,7 @@ mod tests {
 
     fn symbol(size: usize) -> PeriodicSymbol {
         let steel = Material::new(1.0, 0.0).unwrap();
-        PeriodicSymbol::new(&Foundation::half_space(steel), 0.5, size)
+        PeriodicSymbol::new(&Foundation::half_space(steel).into(), 0.5, size)
     }
 
     #[test]

@@ -9,7 +9,9 @@ use crate::numerics::panels::Panel;
 use crate::response::ResponseTable;
 
 /// Wanted size of the expansions' tails, relative to the scale of T.
-pub(super) const TOLERANCE: f64 = 1e-15;
+const TOLERANCE: f64 = 1e-15;
+/// The same over the tolerance of a response that is known less well.
+const TOLERANCE_PER_RESPONSE: f64 = 2.5;
 
 /// Factor on the tails and the expected rounding. Of 10,000 values of T for 250 foundations of one to five layers,
 /// checked in 32 digits, none was wrong by more than three times their sum.
@@ -27,6 +29,23 @@ impl<'a> Sampler<'a> {
             response,
             precise: Precise::for_soft(foundation, response),
         }
+    }
+
+    /// Of a response that no foundation gives more digits of.
+    pub(super) fn plain_only(response: &'a ResponseTable) -> Self {
+        Self {
+            response,
+            precise: None,
+        }
+    }
+
+    pub(super) fn response(&self) -> &'a ResponseTable {
+        self.response
+    }
+
+    /// Wanted size of the expansions' tails, relative to the scale of T.
+    pub(super) fn tolerance(&self) -> f64 {
+        TOLERANCE.max(TOLERANCE_PER_RESPONSE * self.response.tolerance())
     }
 
     /// The Taylor coefficients of s², s⁴, s⁶ and s⁸ in Φ at 0.

@@ -3,10 +3,11 @@
 
 use std::sync::Arc;
 
-use pellicle_kernel::{Base, Foundation, Interface, Layer};
+use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
 
 use super::element_integrals::{far_integral, fit_borders, near_integral};
 use super::functions::RadialFunctions;
+use crate::bodies::ElasticBodies;
 use crate::element::love;
 use crate::error::InfluenceError;
 
@@ -34,7 +35,7 @@ const LARGEST_RATIO: f64 = 1e16;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct RadialTables {
-    foundation: Foundation,
+    bodies: ElasticBodies,
     /// None for a homogeneous body, whose coefficients are Love's.
     functions: Option<Arc<RadialFunctions>>,
     /// Factor of every coefficient: 1, unless a check is being checked.
@@ -62,9 +63,19 @@ impl RadialTables {
     /// The tables of these functions, which are none for a homogeneous body.
     pub(crate) fn new(foundation: &Foundation, functions: Option<Arc<RadialFunctions>>) -> Self {
         Self {
-            foundation: foundation.clone(),
+            bodies: foundation.clone().into(),
             functions,
             factor: 1.0,
+        }
+    }
+
+    /// The tables of the same foundation under an elastic counterbody, or a rigid one. Nothing is tabulated anew: every
+    /// coefficient grows by the counterbody's own, [`love::coefficient`](crate::love::coefficient).
+    #[must_use]
+    pub fn with_counterbody(&self, counterbody: Option<Material>) -> Self {
+        Self {
+            bodies: ElasticBodies::new(self.foundation().clone(), counterbody),
+            ..self.clone()
         }
     }
 
@@ -91,7 +102,7 @@ impl RadialTables {
 
     /// Influence coefficient `k`, m/Pa: displacement of the centre of one square element, of side `element_side`
     /// (m), for unit pressure on another, `offset` elements away. Equation (3.4) of Stepanov and Torskaya (2022),
-    /// with u positive into the body.
+    /// with u positive into the body; with an elastic counterbody, the displacements of both towards each other.
     ///
     /// Error: see [`Self::error_estimate`].
     #[must_use]
@@ -100,24 +111,38 @@ impl RadialTables {
     }
 
     fn true_coefficient(&self, element_side: f64, offset: [usize; 2]) -> f64 {
-        let surface = self.foundation.surface_material();
-        let Some(functions) = &self.functions else {
-            return love::coefficient(&surface, element_side, offset);
-        };
-        let half_side = element_side / 2.0;
-        let scale = half_side / self.foundation.thickness();
-        let integral = match functions.borders().rule(offset) {
-            Some(rule) => far_integral(functions, rule, scale, offset),
-            None => near_integral(functions, scale, offset),
-        };
-        // k = (1−ν1²)/(πE1) ∫ T(ρ/H)/ρ dA
-        half_side * integral / (std::f64::consts::PI * surface.plane_strain_modulus())
+        let of_foundation = self.foundation_coefficient(element_side, offset);
+        match self.bodies.counterbody() {
+            Some(material) => of_foundation + love::coefficient(material, element_side, offset),
+            None => of_foundation,
+        }
+    }
+
+    /// The foundation's part of a coefficient, m/Pa: all of it under a rigid counterbody.
+    #[must_use]
+    pub fn foundation_coefficient(&self, element_side: f64, offset: [usize; 2]) -> f64 {
+        let foundation = self.foundation();
+        match &self.functions {
+            Some(functions) => layered_coefficient(foundation, functions, element_side, offset),
+            None => love::coefficient(&foundation.surface_material(), element_side, offset),
+        }
+    }
+
+    /// The functions of a layered body.
+    pub(super) fn functions(&self) -> Option<&RadialFunctions> {
+        self.functions.as_deref()
     }
 
     /// The foundation the tables are of.
     #[must_use]
     pub fn foundation(&self) -> &Foundation {
-        &self.foundation
+        self.bodies.foundation()
+    }
+
+    /// The foundation and the counterbody above it.
+    #[must_use]
+    pub fn bodies(&self) -> &ElasticBodies {
+        &self.bodies
     }
 
     /// Estimated error of a coefficient, relative to the largest of
@@ -138,6 +163,23 @@ impl RadialTables {
         let own = functions.map_or(f64::EPSILON, |functions| functions.worst().error);
         own + (self.factor - 1.0).abs()
     }
+}
+
+/// `k = (1−ν1²)/(πE1) ∫ T(ρ/H)/ρ dA` over an element `offset` away, m/Pa.
+pub(super) fn layered_coefficient(
+    foundation: &Foundation,
+    functions: &RadialFunctions,
+    element_side: f64,
+    offset: [usize; 2],
+) -> f64 {
+    let half_side = element_side / 2.0;
+    let scale = half_side / foundation.thickness();
+    let integral = match functions.borders().rule(offset) {
+        Some(rule) => far_integral(functions, rule, scale, offset),
+        None => near_integral(functions, scale, offset),
+    };
+    let modulus = foundation.surface_material().plane_strain_modulus();
+    half_side * integral / (std::f64::consts::PI * modulus)
 }
 
 /// The functions of a layered foundation, if they are accurate enough.

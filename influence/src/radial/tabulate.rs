@@ -5,7 +5,7 @@ use pellicle_kernel::Foundation;
 
 use super::far_field::FarField;
 use super::functions::{RadialFunctions, Worst, Yardstick, scale};
-use super::sampler::{Sampler, TOLERANCE};
+use super::sampler::Sampler;
 use crate::element::product_rule::Borders;
 use crate::numerics::chebyshev;
 use crate::numerics::panels::{Panel, Panels, TERMS};
@@ -23,13 +23,30 @@ const RIGID_FLOOR: f64 = 1e-2;
 impl RadialFunctions {
     pub(crate) fn new(foundation: &Foundation) -> Self {
         let response = ResponseTable::new(foundation);
-        let sampler = Sampler::new(foundation, &response);
+        let mut functions = Self::sampled(&Sampler::new(foundation, &response));
+        functions.tabulate_far_field();
+        functions
+    }
+
+    /// The functions of a response that stands for no foundation, with the rules over an element of one that does.
+    pub(crate) fn of_response(response: &ResponseTable, rules: Option<&Self>) -> Self {
+        let mut functions = Self::sampled(&Sampler::plain_only(response));
+        if let Some(rules) = rules {
+            (functions.rule_floor, functions.borders) = (rules.rule_floor, rules.borders);
+        }
+        functions.tabulate_far_field();
+        functions
+    }
+
+    /// Panels of T, their integrals and the series far away.
+    fn sampled(sampler: &Sampler<'_>) -> Self {
+        let response = sampler.response();
         let ends = [NEAR * 24.0 / response.end(), FAR / response.reach()];
         let limit = response.limit();
         let at = |ln_t: f64| sampler.at(ln_t).value;
         let allowed = |largest: f64, ln_t: f64| {
             let scale = scale(limit, largest, ln_t);
-            (TOLERANCE * scale).max(2.0 * sampler.at(ln_t).rounding())
+            (sampler.tolerance() * scale).max(2.0 * sampler.at(ln_t).rounding())
         };
         let panels = Panels::fit(ends.map(f64::ln), at, allowed);
         let [start, end] = panels.range();
@@ -51,7 +68,6 @@ impl RadialFunctions {
         };
         functions.integrate();
         functions.worst = sampler.worst(&functions);
-        functions.tabulate_far_field();
         functions
     }
 

@@ -1,0 +1,56 @@
+//! The two bodies whose displacements a pressure adds up.
+
+mod parameter;
+
+pub use parameter::ElasticParameter;
+
+use pellicle_kernel::{Foundation, Material};
+
+/// A foundation, and the body that is pressed against it where that is elastic, too: a half-space, as an indenter much
+/// larger than the contact is.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ElasticBodies {
+    foundation: Foundation,
+    counterbody: Option<Material>,
+}
+
+impl ElasticBodies {
+    /// A foundation under a counterbody, a rigid one if there is no material.
+    #[must_use]
+    pub fn new(foundation: Foundation, counterbody: Option<Material>) -> Self {
+        Self {
+            foundation,
+            counterbody,
+        }
+    }
+
+    /// The foundation.
+    #[must_use]
+    pub fn foundation(&self) -> &Foundation {
+        &self.foundation
+    }
+
+    /// The material of the counterbody; none of a rigid one.
+    #[must_use]
+    pub fn counterbody(&self) -> Option<&Material> {
+        self.counterbody.as_ref()
+    }
+
+    /// `C(k)` of both bodies together, m/Pa, at the wavenumber `k` (1/m): `C` of the foundation and `2/(E_i* k)` of
+    /// the counterbody.
+    #[must_use]
+    pub fn compliance(&self, wavenumber: f64) -> f64 {
+        let of_counterbody = self.counterbody.map_or(0.0, |material| {
+            // 2/(E* k)
+            2.0 / (material.plane_strain_modulus() * wavenumber.abs())
+        });
+        self.foundation.compliance(wavenumber) + of_counterbody
+    }
+}
+
+impl From<Foundation> for ElasticBodies {
+    /// A foundation under a rigid counterbody.
+    fn from(foundation: Foundation) -> Self {
+        Self::new(foundation, None)
+    }
+}

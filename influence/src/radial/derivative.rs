@@ -1,0 +1,157 @@
+//! Derivatives of coefficients by a number of the bodies.
+
+use pellicle_kernel::{Base, Foundation, FoundationParameter};
+
+use super::functions::RadialFunctions;
+use super::tables::{RadialTables, layered_coefficient};
+use crate::bodies::{ElasticBodies, ElasticParameter};
+use crate::element::love;
+use crate::error::InfluenceError;
+use crate::response::ResponseTable;
+
+/// Wavenumbers, over a reciprocal thickness, that the response's sensitivity is looked at: `10^(i/8)`.
+const SAMPLES: std::ops::RangeInclusive<i32> = -48..=24;
+/// The response is moved by at most this part of itself.
+const LARGEST_MOVE: f64 = 0.5;
+/// Relative error of a derivative of the response: 1e-10 by `ResponseDerivative`, most of it the same over many waves.
+/// Its rounding, which expansions cannot follow, is a hundredth.
+const TOLERANCE: f64 = 2e-12;
+
+/// `∂k/∂θ` of the influence coefficients, where θ is one number of the bodies.
+///
+/// The response `Φ̃ = Φ + w ∂Φ/∂θ` is that of no body, but has functions T̃, P̃ and coefficients k̃ like any other, and all
+/// of them are linear in it:
+///
+/// ```text
+/// ∂k/∂θ = (k̃ − k)/w − k ∂ ln E₁*/∂θ
+/// ```
+///
+/// A counterbody's part is inversely proportional to its `E*`.
+///
+/// Accuracy: `θ ∂k/∂θ` to 1e-9 of k (`tests/derivative.rs`); of Poisson's ratio `∂k/∂ν`.
+///
+/// ```
+/// use pellicle_influence::{ElasticParameter, RadialTables};
+/// use pellicle_kernel::{Foundation, FoundationParameter, Material};
+///
+/// let (coat, steel) = (Material::new(400e9, 0.25)?, Material::new(210e9, 0.3)?);
+/// let tables = RadialTables::build(&Foundation::coated(2e-6, coat, steel)?)?;
+/// let modulus = |body| ElasticParameter::Foundation(FoundationParameter::YoungModulus { body });
+/// let by = |body| tables.derivative(modulus(body));
+/// let (by_coat, by_steel) = (by(0)?, by(1)?);
+/// // All moduli together scale the coefficient: Σ E ∂k/∂E = −k.
+/// let at = [1e-6, 2e-6].map(|side| {
+///     let sum = 400e9 * by_coat.coefficient(side, [3, 1]) + 210e9 * by_steel.coefficient(side, [3, 1]);
+///     sum / tables.coefficient(side, [3, 1])
+/// });
+/// assert!(at.iter().all(|ratio| (ratio + 1.0).abs() < 1e-9));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct CoefficientDerivative {
+    tables: RadialTables,
+    moved: Option<Moved>,
+    /// `∂ ln E*/∂θ` of the foundation's surface and of the counterbody.
+    of_modulus: [f64; 2],
+}
+
+/// The functions of a response moved along its derivative.
+#[derive(Clone, Debug)]
+struct Moved {
+    /// w, in units of θ.
+    by: f64,
+    functions: RadialFunctions,
+}
+
+impl RadialTables {
+    /// The derivative of every coefficient by one number of the bodies; some tens of milliseconds.
+    ///
+    /// # Errors
+    ///
+    /// [`InfluenceError::Kernel`] where the foundation has no such number, or none beside its value.
+    pub fn derivative(
+        &self,
+        parameter: ElasticParameter,
+    ) -> Result<CoefficientDerivative, InfluenceError> {
+        let moved = match parameter {
+            ElasticParameter::Foundation(of) => {
+                let derivative = self.foundation().response_derivative(of)?;
+                Moved::along(self, of, |k| derivative.value(k))
+            }
+            _ => None,
+        };
+        Ok(CoefficientDerivative {
+            tables: self.clone(),
+            moved,
+            of_modulus: by_moduli(self.bodies(), parameter),
+        })
+    }
+}
+
+impl CoefficientDerivative {
+    /// `∂k/∂θ`, m/Pa per unit of θ, of elements of side `element_side` (m), `offset` elements apart.
+    #[must_use]
+    pub fn coefficient(&self, element_side: f64, offset: [usize; 2]) -> f64 {
+        let coefficient = self.tables.foundation_coefficient(element_side, offset);
+        let of_response = self.moved.as_ref().map_or(0.0, |moved| {
+            let foundation = self.tables.foundation();
+            let there = layered_coefficient(foundation, &moved.functions, element_side, offset);
+            (there - coefficient) / moved.by
+        });
+        let of_counterbody = self.tables.bodies().counterbody().map_or(0.0, |material| {
+            self.of_modulus[1] * love::coefficient(material, element_side, offset)
+        });
+        of_response - coefficient * self.of_modulus[0] - of_counterbody
+    }
+}
+
+impl Moved {
+    /// None where the response does not depend on the number.
+    fn along(
+        tables: &RadialTables,
+        parameter: FoundationParameter,
+        derivative: impl Fn(f64) -> f64,
+    ) -> Option<Self> {
+        let foundation = tables.foundation();
+        let thickness = Some(foundation.thickness()).filter(|thickness| *thickness > 0.0)?;
+        let waves = SAMPLES.map(|i| 10_f64.powf(f64::from(i) / 8.0) / thickness);
+        let relative = waves.map(|k| (derivative(k) / foundation.response(k)).abs());
+        let steepest = relative.fold(0.0, f64::max);
+        let by = (LARGEST_MOVE / steepest).min(unit(foundation, parameter));
+        let limit = match foundation.base() {
+            Base::Rigid => 0.0,
+            Base::HalfSpace(_) => foundation.response_at_zero() + by * derivative(0.0),
+        };
+        // Φ̃ = Φ + w ∂Φ/∂θ
+        let moved = |k: f64| foundation.response(k) + by * derivative(k);
+        let response = ResponseTable::of(foundation, moved, limit, TOLERANCE);
+        Some(Self {
+            by,
+            functions: RadialFunctions::of_response(&response, tables.functions()),
+        })
+        .filter(|_| steepest > 0.0)
+    }
+}
+
+/// The number itself, or 1 of a ratio.
+fn unit(foundation: &Foundation, parameter: FoundationParameter) -> f64 {
+    match parameter {
+        FoundationParameter::PoissonRatio { .. } => 1.0,
+        _ => foundation.parameter(parameter).unwrap_or(1.0),
+    }
+}
+
+/// `∂ ln E*/∂θ` of the foundation's surface and of the counterbody, with `E* = E/(1 − ν²)`.
+fn by_moduli(bodies: &ElasticBodies, parameter: ElasticParameter) -> [f64; 2] {
+    use ElasticParameter::{CounterbodyPoissonRatio, CounterbodyYoungModulus, Foundation};
+    let value = bodies.parameter(parameter).unwrap_or(f64::NAN);
+    let of_modulus = 1.0 / value;
+    let of_ratio = 2.0 * value / ((1.0 - value) * (1.0 + value));
+    match parameter {
+        Foundation(FoundationParameter::YoungModulus { body: 0 }) => [of_modulus, 0.0],
+        Foundation(FoundationParameter::PoissonRatio { body: 0 }) => [of_ratio, 0.0],
+        CounterbodyYoungModulus => [0.0, of_modulus],
+        CounterbodyPoissonRatio => [0.0, of_ratio],
+        Foundation(_) => [0.0, 0.0],
+    }
+}
