@@ -4,6 +4,8 @@ use pellicle_influence::InfluenceError;
 use pellicle_texture::TextureError;
 use thiserror::Error;
 
+use crate::IndenterError;
+
 /// Errors of the crate. A solution that misses its tolerance is not among them where a
 /// [`Step`](crate::Step) can carry it: its certificate says so.
 #[derive(Debug, Error)]
@@ -115,6 +117,9 @@ pub enum ContactError {
     /// From the grid or the relief.
     #[error(transparent)]
     Texture(#[from] TextureError),
+    /// From the indenter.
+    #[error(transparent)]
+    Indenter(#[from] IndenterError),
     /// From the influence coefficients.
     #[error(transparent)]
     Influence(#[from] InfluenceError),

@@ -16,6 +16,7 @@ mod path;
 mod problem;
 pub mod reference;
 mod result;
+mod sensitivity;
 pub mod solver;
 mod stress;
 mod vector;
@@ -48,6 +49,7 @@ pub use result::{
     warning::Warning,
     work::{LevelWork, Work},
 };
+pub use sensitivity::{ForceCurve, ModelParameter, Sensitivities, Sensitivity};
 pub use solver::{
     Iterate, Method, Solver, SolverOptions, Watch,
     active_set::ActiveSetSolver,

@@ -1,0 +1,72 @@
+//! The numbers of a model, one by one: read, or replaced by another.
+
+use std::sync::Arc;
+
+use pellicle_influence::ElasticParameter;
+use pellicle_texture::ReliefParameter;
+
+use crate::{ContactError, IndenterQuantity, Model};
+
+/// One number of a [`Model`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ModelParameter {
+    /// Of the foundation, or of an elastic indenter's material.
+    Elastic(ElasticParameter),
+    /// Of the relief's springs.
+    Relief(ReliefParameter),
+    /// Of the indenter's shape.
+    Indenter(IndenterQuantity),
+}
+
+impl Model {
+    /// All its numbers that a solution depends on smoothly: not the outline of a relief nor the radius of a flat punch,
+    /// which elements follow in steps.
+    #[must_use]
+    pub fn parameters(&self) -> Vec<ModelParameter> {
+        let elastic = self.tables.bodies().parameters();
+        let elastic = elastic.into_iter().map(ModelParameter::Elastic);
+        let relief = self.relief.parameters();
+        let relief = relief.into_iter().map(ModelParameter::Relief);
+        let indenter = self.indenter.parameters();
+        let indenter = indenter.into_iter().map(ModelParameter::Indenter);
+        elastic.chain(relief).chain(indenter).collect()
+    }
+
+    /// The value of a number, in SI units; none where the model has no such number.
+    #[must_use]
+    pub fn parameter(&self, parameter: ModelParameter) -> Option<f64> {
+        match parameter {
+            ModelParameter::Elastic(of) => self.tables.bodies().parameter(of),
+            ModelParameter::Relief(of) => self.relief.parameter(of),
+            ModelParameter::Indenter(of) => self.indenter.parameter(of),
+        }
+    }
+
+    /// The same model with another value of one number; radial tables come from its cache, or are built anew.
+    ///
+    /// # Errors
+    /// A value that the body, the relief or the indenter cannot have; a body that the model does not have; radial tables
+    /// that miss their accuracy.
+    pub fn with_parameter(
+        &self,
+        parameter: ModelParameter,
+        value: f64,
+    ) -> Result<Self, ContactError> {
+        let mut model = self.clone();
+        match parameter {
+            ModelParameter::Elastic(of) => {
+                let bodies = self.tables.bodies().with_parameter(of, value)?;
+                model.tables = if let ElasticParameter::Foundation(_) = of {
+                    self.cache.radial_tables_of(&bodies)?.value
+                } else {
+                    Arc::new(self.tables.with_counterbody(bodies.counterbody().copied()))
+                };
+            }
+            ModelParameter::Relief(of) => model.relief = self.relief.with_parameter(of, value)?,
+            ModelParameter::Indenter(of) => {
+                model.indenter = self.indenter.with_parameter(of, value)?;
+            }
+        }
+        Ok(model)
+    }
+}
