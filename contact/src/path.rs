@@ -70,8 +70,9 @@ impl LoadingPath {
         SampledModel::on(self.grid, &self.relief, &self.indenter)
     }
 
-    /// The surface at a step, its displacement the foundation's own, afresh from its pressure and the path's [geometry](Self::geometry) by one product with
-    /// `K`: a path keeps the pressures alone, a quarter of the memory. None where there is no such step.
+    /// The surface at a step, its displacement the foundation's own, afresh from its pressure and the path's
+    /// [geometry](Self::geometry) by one product with `K`: a path keeps the pressures alone, a quarter of the memory.
+    /// None where there is no such step.
     ///
     /// # Panics
     /// If the geometry is that of another grid.

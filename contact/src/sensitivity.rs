@@ -1,8 +1,8 @@
 //! How a solved contact answers to the numbers of its model.
 //!
 //! The pressure minimises `E = A (½ p·(K + η) p + g0·p)` over the pressures of the force `Q = A Σ p`, `A` the area of
-//! an element, and `∂E/∂Q = D`. A number θ of the model changes `K`, `η` and `g0`; by the envelope theorem the change of
-//! the pressure does not count in E:
+//! an element, and `∂E/∂Q = D`. A number θ of the model changes `K`, `η` and `g0`; by the envelope theorem the change
+//! of the pressure does not count in E:
 //!
 //! ```text
 //! ∂E/∂θ = A (½ p·(K_θ + η_θ) p + g0_θ·p)

@@ -90,9 +90,15 @@ mod tests {
             for q in [1.1e-9, 7e-9, 8.8e-8] {
                 let first = power * f64::powf(q, power - 1.0);
                 let second = (power - 1.0) * first / q;
-                assert!((curve.value(q) / f64::powf(q, power) - 1.0).abs() < 1e-8);
-                assert!((curve.derivative(q) / first - 1.0).abs() < 1e-6);
-                assert!((curve.second_derivative(q) / second - 1.0).abs() < 1e-4);
+                let errors = [
+                    curve.value(q) / f64::powf(q, power) - 1.0,
+                    curve.derivative(q) / first - 1.0,
+                    curve.second_derivative(q) / second - 1.0,
+                ];
+                // An exponential of x/3 at places 0.38 apart; near an end a quintic leaves 0.13⁶/6! of it.
+                for (error, bound) in errors.into_iter().zip([2e-7, 1e-6, 2e-5]) {
+                    assert!(error.abs() < bound, "{power} {q}: {errors:?}");
+                }
             }
         }
     }

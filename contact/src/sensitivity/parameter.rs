@@ -45,8 +45,8 @@ impl Model {
     /// The same model with another value of one number; radial tables come from its cache, or are built anew.
     ///
     /// # Errors
-    /// A value that the body, the relief or the indenter cannot have; a body that the model does not have; radial tables
-    /// that miss their accuracy.
+    /// A value that the body, the relief or the indenter cannot have; a body that the model does not have; radial
+    /// tables that miss their accuracy.
     pub fn with_parameter(
         &self,
         parameter: ModelParameter,

@@ -11,6 +11,8 @@ pub struct Spline {
 
 /// Degree of the splines that are made.
 const DEGREE: usize = 5;
+/// Width of the band of their system.
+const WIDTH: usize = 2 * DEGREE + 1;
 
 impl Spline {
     /// Points that a spline needs at least.
@@ -41,7 +43,6 @@ impl Spline {
     fn interpolate(&mut self, places: &[f64]) {
         let count = places.len();
         // Row i holds B_j(x_i) for j = i − 5 … i + 5.
-        const WIDTH: usize = 2 * DEGREE + 1;
         let mut rows = vec![[0.0; WIDTH]; count];
         for (i, place) in places.iter().enumerate() {
             let span = self.span(*place);
@@ -83,7 +84,7 @@ impl Spline {
         basis[0] = 1.0;
         for degree in 1..=self.degree {
             let mut carried = 0.0;
-            for (r, value) in basis[..degree].to_vec().into_iter().enumerate() {
+            for (r, value) in basis.into_iter().enumerate().take(degree) {
                 let [right, left] = [self.knots[span + 1 + r], self.knots[span + 1 + r - degree]];
                 let part = value / (right - left);
                 basis[r] = carried + (right - x) * part;
