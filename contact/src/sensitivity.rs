@@ -26,6 +26,7 @@ mod parameter;
 mod spline;
 mod step;
 
+pub use change::ModelDerivatives;
 pub use force_curve::ForceCurve;
 pub use parameter::ModelParameter;
 pub use step::{Sensitivities, Sensitivity};
