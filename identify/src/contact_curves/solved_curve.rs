@@ -10,6 +10,8 @@ use super::{ContactCurve, CurveOptions, Observable};
 
 /// Forces below this part of the largest are met by the power law of the smallest load solved.
 const SMALLEST_PART: f64 = 1e-3;
+/// Loads between the ends, at most.
+const MOST_INTERVALS: u16 = 1000;
 /// The force at a measured depth is estimated to a factor of less.
 const ESTIMATE: f64 = 3.0;
 /// A contact within so many elements of the first domain's edge wants a larger one.
@@ -60,10 +62,10 @@ impl Nodes {
             }
         };
         let wanted = (decades * options.loads_per_decade).ceil();
-        let count = (1..).find(|count| f64::from(*count) >= wanted).unwrap_or(1);
+        let count = (1..MOST_INTERVALS).find(|count| f64::from(*count) >= wanted);
         Ok(Self {
             ends,
-            count: ForceCurve::FEWEST.max(3 + count as usize),
+            count: ForceCurve::FEWEST.max(3 + usize::from(count.unwrap_or(MOST_INTERVALS))),
         })
     }
 
