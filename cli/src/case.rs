@@ -11,6 +11,7 @@ pub mod load;
 pub mod map;
 pub mod output;
 pub mod overrides;
+pub mod parameter;
 pub mod quantity;
 pub mod quantity_list;
 pub mod solver;
