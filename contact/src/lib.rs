@@ -49,7 +49,9 @@ pub use result::{
     warning::Warning,
     work::{LevelWork, Work},
 };
-pub use sensitivity::{ForceCurve, ModelDerivatives, ModelParameter, Sensitivities, Sensitivity};
+pub use sensitivity::{
+    ForceCurve, ModelDerivatives, ModelDirection, ModelParameter, Sensitivities, Sensitivity,
+};
 pub use solver::{
     Iterate, Method, Solver, SolverOptions, Watch,
     active_set::ActiveSetSolver,

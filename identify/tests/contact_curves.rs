@@ -3,7 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "a test fails by its panic")]
 
 use pellicle_contact::{
-    Domain, Indenter, IndenterQuantity, Load, Model, ModelParameter, Paraboloid, Pyramid,
+    Cone, Domain, Indenter, IndenterQuantity, Load, Model, ModelParameter, Paraboloid, Pyramid,
     SolverOptions, default_side, solve_path,
 };
 use pellicle_identify::{
@@ -201,6 +201,51 @@ fn derivatives_keep_to_the_identities_of_the_paraboloid() {
             worst = [worst[0].max(gauge.abs()), worst[1].max(scale.abs())];
         }
         assert!(worst[0] < 1e-3 && worst[1] < 1e-3, "{thickness}: {worst:?}");
+    }
+}
+
+/// The paraboloid's gauge, a film's compliance, the materials of a coat; the slope of a sharp cone; two moduli that
+/// only their sum counts of.
+#[test]
+fn along_null_directions_no_penetration_changes() {
+    let film = Relief::Film(Film::new(20e-9, 1e9).unwrap());
+    let diamond = Some(material(1141e9, 0.07));
+    let steel = Foundation::half_space(material(210e9, 0.3));
+    let paraboloid = Indenter::from(Paraboloid::new(RADIUS).unwrap());
+    let cone = Indenter::from(Cone::new(1.3, 0.0).unwrap());
+    let cases = [
+        (model(&coat(0.5e-6), film.clone(), paraboloid.clone()), 3),
+        (model(&coat(0.5e-6), film, cone), 3),
+        (
+            model(
+                &ElasticBodies::new(steel, diamond),
+                Relief::Bare,
+                paraboloid,
+            ),
+            4,
+        ),
+    ];
+    for (model, count) in cases {
+        let directions = model.null_directions();
+        assert_eq!(directions.len(), count);
+        for direction in directions {
+            let parameters: Vec<ModelParameter> = direction.iter().map(|(of, _)| *of).collect();
+            let found = predicted(&model, Observable::DepthAtForce, forces(), &parameters);
+            for i in 0..forces().len() {
+                let changes = direction.iter().zip(&found.derivatives);
+                let changes = changes.map(|((_, change), derivative)| change * derivative[i]);
+                let changes: Vec<f64> = changes.collect();
+                let largest = changes
+                    .iter()
+                    .fold(0.0, |most: f64, change| most.max(change.abs()));
+                let sum: f64 = changes.iter().sum();
+                // The grid's error in each.
+                assert!(
+                    sum.abs() < 2e-3 * largest,
+                    "{direction:?}: {sum:e} of {largest:e}"
+                );
+            }
+        }
     }
 }
 
