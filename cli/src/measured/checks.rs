@@ -103,13 +103,15 @@ fn range(values: &[f64]) -> (f64, f64) {
         .fold(start, |(low, high), v| (low.min(*v), high.max(*v)))
 }
 
-/// The area under force over depth, over that of the rectangle from the first point to the last.
+/// The area under force over depth above the lower end, over that of the rectangle between both ends.
 fn relative_area(curve: &MeasuredCurve) -> Option<f64> {
     let (depth, force) = (curve.depth()?, curve.force()?);
-    let (d0, f0) = (depth.first()?, force.first()?);
-    let rectangle = (depth.last()? - d0) * (force.last()? - f0);
+    let (first, last) = (force.first()?, force.last()?);
+    let lower = first.min(*last);
+    let rectangle = (depth.last()? - depth.first()?) * (last - first).abs();
     let strips = depth.windows(2).zip(force.windows(2));
-    let strip = |(d, f): (&[f64], &[f64])| 0.5 * (f[0] + f[1] - 2.0 * f0) * (d[1] - d[0]);
+    let strip = |(d, f): (&[f64], &[f64])| 0.5 * (f[0] + f[1] - 2.0 * lower) * (d[1] - d[0]);
     let area: f64 = strips.map(strip).sum();
-    (depth.len() >= FEW_POINTS && rectangle > 0.0).then(|| area / rectangle)
+    let has_area = rectangle != 0.0 && (last > first) == (rectangle > 0.0);
+    (depth.len() >= FEW_POINTS && has_area).then(|| area / rectangle)
 }

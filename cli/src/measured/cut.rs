@@ -119,12 +119,11 @@ fn marked_row(raw: &RawCurve<'_>, end: &'static str, marker: &str) -> Result<usi
 
 /// Keeps the rows up to the first largest force, or from the last one on.
 fn keep_part(kept: &mut KeptRows, forces: &[f64], part: Part) -> Result<(), CurveError> {
-    let largest = |rows: &[usize]| {
-        rows.iter()
-            .map(|row| forces[*row])
-            .fold(f64::NEG_INFINITY, f64::max)
-    };
-    let peak = largest(&kept.rows);
+    let (lowest, peak) = range(kept.rows.iter().map(|row| forces[*row]));
+    // A constant force has no parts; the checks refuse it.
+    if lowest >= peak {
+        return Ok(());
+    }
     let is_peak = |row: &usize| forces[*row] >= peak;
     match part {
         Part::Whole => {}
@@ -149,16 +148,21 @@ fn keep_part(kept: &mut KeptRows, forces: &[f64], part: Part) -> Result<(), Curv
     Ok(())
 }
 
+/// The least and the largest of some values.
+fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
+    let start = (f64::INFINITY, f64::NEG_INFINITY);
+    values.fold(start, |(low, high), value| {
+        (low.min(value), high.max(value))
+    })
+}
+
 /// Refuses rows that begin in the upper half of their forces and soon reach the largest.
 fn refuse_unloading(rows: &[usize], forces: &[f64], end: usize) -> Result<(), CurveError> {
     let (Some(first), Some(last), Some(peak)) = (rows.first(), rows.last(), end.checked_sub(1))
     else {
         return Ok(());
     };
-    let lowest = rows
-        .iter()
-        .map(|row| forces[*row])
-        .fold(f64::INFINITY, f64::min);
+    let (lowest, _) = range(rows.iter().map(|row| forces[*row]));
     let (from, to, highest) = (forces[*first], forces[*last], forces[rows[peak]]);
     let begins_high = from - lowest > 0.5 * (highest - lowest);
     if begins_high && peak * FRACTION_OF_UNLOADING < rows.len() {

@@ -157,9 +157,11 @@ impl DataTable {
         table: &TableReader<'_>,
         columns: &TableReader<'_>,
     ) -> Result<(), Diagnosis> {
-        let need = |channel: Channel, why: &str| match self.columns.has(channel) {
-            true => Ok(()),
-            false => Err(columns.missing(channel.key(), format!("its column, {why}"))),
+        let need = |channel: Channel, why: &str| {
+            if self.columns.has(channel) {
+                return Ok(());
+            }
+            Err(columns.missing(channel.key(), format!("its column, {why}")))
         };
         match self.observe {
             Observe::StiffnessAtContactRadius => {

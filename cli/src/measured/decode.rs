@@ -50,8 +50,7 @@ impl TextEncoding {
     /// Whether zero bytes belong to a text in this encoding.
     pub(super) fn has_zero_bytes(self, bytes: &[u8]) -> bool {
         let encoding = match (Encoding::for_bom(bytes), self) {
-            (Some((encoding, _)), _) => Some(encoding),
-            (None, Self::Named(encoding)) => Some(encoding),
+            (Some((encoding, _)), _) | (None, Self::Named(encoding)) => Some(encoding),
             (None, Self::Guessed) => utf_16(bytes),
         };
         encoding.is_some_and(|encoding| encoding == UTF_16LE || encoding == UTF_16BE)

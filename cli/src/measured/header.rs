@@ -139,7 +139,7 @@ fn is_head(fields: &[&str], separator: Separator, width: usize) -> bool {
 fn is_line_of_units(fields: &[&str]) -> bool {
     let is_unit = |field: &&str| kind(bare(field)) != HeaderUnit::None;
     let is_none = |field: &&str| matches!(bare(field), "" | "-" | "#" | "1");
-    fields.iter().any(|field| is_unit(&field)) && fields.iter().all(|f| is_unit(&f) || is_none(&f))
+    fields.iter().any(&is_unit) && fields.iter().all(|f| is_unit(f) || is_none(f))
 }
 
 /// A unit without the brackets around it.
@@ -158,7 +158,8 @@ fn tidied(text: &str) -> String {
 fn splits(text: &str) -> Vec<(&str, &str)> {
     let bracket = |open: char, close: char| {
         let (name, rest) = text.rsplit_once(open)?;
-        Some((name.trim(), rest.trim_end().strip_suffix(close)?.trim()))
+        let name = name.trim().trim_end_matches(['/', ',']).trim();
+        Some((name, rest.trim_end().strip_suffix(close)?.trim()))
     };
     let behind = |mark: char| {
         let (name, unit) = text.split_once(mark)?;

@@ -8,6 +8,7 @@ use pellicle_cli::{Diagnosis, Source};
 
 mod cantilevers;
 mod instruments;
+mod invented;
 mod tungsten;
 
 /// Reads the curves of one table `[[data]]`, whose files lie beside this one.
