@@ -1,5 +1,10 @@
 //! Measured curves of seven kinds of instruments, read as a fit file says, with numbers taken from the files by hand.
 
+#![expect(
+    clippy::unreadable_literal,
+    reason = "the numbers are written as in the files"
+)]
+
 use std::path::Path;
 use std::sync::Arc;
 
@@ -23,17 +28,14 @@ fn read(table: &str) -> Result<Vec<MeasuredCurve>, Diagnosis> {
 
 /// The only curve of a table.
 fn one(table: &str) -> MeasuredCurve {
-    let mut curves = read(table).unwrap_or_else(|diagnosis| panic!("{diagnosis}"));
+    let mut curves = read(table).expect("the files are curves");
     assert_eq!(curves.len(), 1, "{table}");
     curves.remove(0)
 }
 
 /// The sentence of the diagnosis of a table.
 fn refused(table: &str) -> String {
-    match read(table) {
-        Ok(curves) => panic!("{} curves of {table}", curves.len()),
-        Err(diagnosis) => diagnosis.to_string(),
-    }
+    read(table).expect_err("some file is none").to_string()
 }
 
 /// Rows left out for a reason.
