@@ -24,7 +24,8 @@ pub enum QuantityError {
     OtherDimension(Dimension),
 }
 
-/// The quantity in SI units (m, Pa, N, rad, m/Pa, N/m, s), correctly rounded if the unit is a power of ten of the SI unit.
+/// The quantity in SI units (m, Pa, N, rad, m/Pa, N/m, s), correctly rounded if the unit is a power of ten of the SI
+/// unit.
 ///
 /// # Errors
 ///

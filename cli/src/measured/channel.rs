@@ -17,17 +17,20 @@ pub enum Channel {
     ContactRadius,
     /// Height of the piezo that carries a cantilever, m.
     Height,
+    /// Deflection of the cantilever, positive if the body presses it, m.
+    Deflection,
 }
 
 impl Channel {
     /// All of them.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 7] = [
         Self::Depth,
         Self::Force,
         Self::Time,
         Self::Stiffness,
         Self::ContactRadius,
         Self::Height,
+        Self::Deflection,
     ];
 
     /// Its key in `columns` and `units`.
@@ -40,6 +43,7 @@ impl Channel {
             Self::Stiffness => "stiffness",
             Self::ContactRadius => "contact_radius",
             Self::Height => "height",
+            Self::Deflection => "deflection",
         }
     }
 
@@ -47,7 +51,9 @@ impl Channel {
     #[must_use]
     pub fn dimension(self) -> Dimension {
         match self {
-            Self::Depth | Self::ContactRadius | Self::Height => Dimension::Length,
+            Self::Depth | Self::ContactRadius | Self::Height | Self::Deflection => {
+                Dimension::Length
+            }
             Self::Force => Dimension::Force,
             Self::Time => Dimension::Time,
             Self::Stiffness => Dimension::Stiffness,
@@ -69,6 +75,7 @@ impl Channel {
             Self::Stiffness => &["stiffness"],
             Self::ContactRadius => &["radius"],
             Self::Height => &["height", "piezo", "z-sense", "z"],
+            Self::Deflection => &["deflection", "cantilever"],
         }
     }
 

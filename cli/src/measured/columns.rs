@@ -172,7 +172,7 @@ impl ColumnUnit {
 
 fn example(channel: Channel) -> &'static str {
     match channel {
-        Channel::Depth | Channel::Height => "\"nm\"",
+        Channel::Depth | Channel::Height | Channel::Deflection => "\"nm\"",
         Channel::ContactRadius => "\"um\"",
         Channel::Force => "\"mN\"",
         Channel::Time => "\"s\"",
@@ -218,13 +218,14 @@ pub struct Columns {
 }
 
 impl Columns {
-    const KEYS: [&'static str; 8] = [
+    const KEYS: [&'static str; 9] = [
         "depth",
         "force",
         "time",
         "stiffness",
         "contact_radius",
         "height",
+        "deflection",
         "segment",
         "marker",
     ];

@@ -151,7 +151,22 @@ impl MeasuredCurve {
         self.values(Channel::Height)
     }
 
-    /// Penetrations from the first point on, m, at another spring constant, N/m; none without the height of a piezo.
+    /// Deflections of the cantilever, m; none unless they have a column, and then the force comes from them.
+    #[must_use]
+    pub fn deflection(&self) -> Option<&[f64]> {
+        self.values(Channel::Deflection)
+    }
+
+    /// Forces, N, at another spring constant, N/m, where they come from the deflection, which leaves the penetration as
+    /// it is; none otherwise.
+    #[must_use]
+    pub fn force_with(&self, spring_constant: f64) -> Option<Vec<f64>> {
+        let force = |deflection: &f64| spring_constant * deflection;
+        Some(self.deflection()?.iter().map(force).collect())
+    }
+
+    /// Penetrations from the first point on, m, at another spring constant, N/m, where the forces are what they are;
+    /// none without the height of a piezo.
     #[must_use]
     pub fn depth_with(&self, spring_constant: f64) -> Option<Vec<f64>> {
         Some(penetration(

@@ -1,15 +1,16 @@
 //! One `[[data]]` table of a fit file: which files hold measurements, how they are read, and what of them is used.
 
+mod required_columns;
+
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::channel::Channel;
 use super::columns::Columns;
 use super::curve::MeasuredCurve;
 use super::error::CurveError;
 use super::files::files;
 use super::noise::Noise;
-use super::segment::{Part, Segment, SegmentEnd};
+use super::segment::Segment;
 use super::spring::{HeightDirection, SpringConstant};
 use super::text_options::TextOptions;
 use crate::case::diagnosis::{Diagnosis, Fault};
@@ -117,7 +118,7 @@ impl DataTable {
             document: Document::new(root),
             path: field.path().to_owned(),
         };
-        data.refuse_missing_columns(&table, &columns)?;
+        data.require_columns(&table, &columns)?;
         Ok(data)
     }
 
@@ -149,89 +150,6 @@ impl DataTable {
         let keys: Vec<_> = named.map(|key| format!("{}.{key}", self.path)).collect();
         let keys: Vec<_> = keys.iter().map(String::as_str).collect();
         self.document.refused(&keys, &InFile { file, error })
-    }
-
-    /// Looks whether what is observed and what bounds the segment have their columns.
-    fn refuse_missing_columns(
-        &self,
-        table: &TableReader<'_>,
-        columns: &TableReader<'_>,
-    ) -> Result<(), Diagnosis> {
-        let need = |channel: Channel, why: &str| {
-            if self.columns.has(channel) {
-                return Ok(());
-            }
-            Err(columns.missing(channel.key(), format!("its column, {why}")))
-        };
-        match self.observe {
-            Observe::StiffnessAtContactRadius => {
-                let why = "since the stiffness at a contact radius is observed";
-                need(Channel::Stiffness, why)?;
-                need(Channel::ContactRadius, why)?;
-            }
-            Observe::DepthAtForce | Observe::ForceAtDepth => {
-                need(Channel::Force, "since depth and force are observed")?;
-                self.refuse_missing_depth(table, columns)?;
-            }
-        }
-        for end in [&self.segment.from, &self.segment.to].into_iter().flatten() {
-            match end {
-                SegmentEnd::Force(_) => need(Channel::Force, "since it bounds the segment")?,
-                SegmentEnd::Time(_) => need(Channel::Time, "since it bounds the segment")?,
-                SegmentEnd::Marker(_) if self.columns.marker.is_none() => {
-                    return Err(columns.missing(
-                        "marker",
-                        "the column of the marker that bounds the segment".into(),
-                    ));
-                }
-                SegmentEnd::Marker(_) | SegmentEnd::Row(_) => {}
-            }
-        }
-        if self.segment.value.is_some() && self.columns.segment.is_none() {
-            return Err(columns.missing(
-                "segment",
-                "the column that has the value of the segment".into(),
-            ));
-        }
-        if self.segment.part == Part::Unloading {
-            need(Channel::Force, "since the unloading is used")?;
-        }
-        Ok(())
-    }
-
-    /// A depth comes from its column, or from the height of a piezo, the force and a spring constant.
-    fn refuse_missing_depth(
-        &self,
-        table: &TableReader<'_>,
-        columns: &TableReader<'_>,
-    ) -> Result<(), Diagnosis> {
-        let has = |channel| self.columns.has(channel);
-        match (
-            has(Channel::Depth),
-            has(Channel::Height),
-            self.spring_constant,
-        ) {
-            (true, false, None) | (false, true, Some(_)) => Ok(()),
-            (_, true, None) => {
-                let wanted = "the spring constant of the cantilever, such as \"0.04 N/m\"";
-                Err(table.missing("spring_constant", wanted.into()))
-            }
-            (false, false, None) => {
-                let wanted = "its column, or that of height, the piezo's, with a spring_constant";
-                Err(columns.missing("depth", wanted.into()))
-            }
-            (_, false, Some(_)) => Err(columns.missing(
-                "height",
-                "that of the piezo, since there is a spring_constant".into(),
-            )),
-            (true, true, Some(_)) => {
-                let fault = Fault::Wrong {
-                    found: "depth and height".into(),
-                    wanted: "one of them".into(),
-                };
-                Err(columns.required("height", "")?.diagnosis(fault))
-            }
-        }
     }
 }
 

@@ -65,6 +65,12 @@ impl<'t> RawCurve<'t> {
         found.map(|(_, values)| values.as_slice())
     }
 
+    /// Puts values in the place of those of a quantity, or adds them.
+    pub(super) fn replace(&mut self, channel: Channel, values: Vec<f64>) {
+        self.channels.retain(|(found, _)| *found != channel);
+        self.channels.push((channel, values));
+    }
+
     /// The rows in which every quantity has a valid number.
     pub(super) fn valid_rows(&self) -> Vec<usize> {
         let is_valid = |row: &usize| {

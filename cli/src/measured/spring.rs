@@ -1,6 +1,8 @@
 //! The cantilever of a force microscope: penetration from the height of its piezo and the force.
 //!
-//! `δ = z − F/k`: the tip goes as far into the body as the piezo moves towards it, less what the cantilever bends.
+//! `δ = z − d = z − F/k`: the tip goes as far into the body as the piezo moves towards it, less what the cantilever
+//! bends. If the force was computed from the deflection, `F = k d`, another spring constant changes the force and not
+//! the penetration.
 
 use super::channel::Channel;
 use super::contact_slope::contact_slope;
@@ -104,14 +106,20 @@ pub fn penetration(approach: &[f64], force: &[f64], spring_constant: f64) -> Vec
     approach.iter().zip(force).map(depth).collect()
 }
 
-/// Turns the heights so that they grow towards the body, and adds the penetration at this spring constant.
+/// Turns the heights so that they grow towards the body, and adds the force, if the deflection is measured, and the
+/// penetration at this spring constant.
 pub(super) fn add_penetration(
     raw: &mut RawCurve<'_>,
     direction: HeightDirection,
     spring: SpringConstant,
 ) -> Result<(), CurveError> {
-    let (Some(heights), Some(forces)) = (raw.values(Channel::Height), raw.values(Channel::Force))
-    else {
+    if let Some(deflections) = raw.values(Channel::Deflection) {
+        // F = k d
+        let forces = deflections.iter().map(|d| spring.mean * d).collect();
+        raw.replace(Channel::Force, forces);
+    }
+    let (heights, forces) = (raw.values(Channel::Height), raw.values(Channel::Force));
+    let (Some(heights), Some(forces)) = (heights, forces) else {
         return Ok(());
     };
     let sign = direction.sign(heights, forces)?;
@@ -119,10 +127,8 @@ pub(super) fn add_penetration(
     // Here the zero does not matter; an invalid first row must not make all of them invalid.
     let depth = |(z, f): (&f64, &f64)| z - f / spring.mean;
     let depths = approach.iter().zip(forces).map(depth).collect();
-    raw.channels
-        .retain(|(channel, _)| *channel != Channel::Height);
-    raw.channels.push((Channel::Height, approach));
-    raw.channels.push((Channel::Depth, depths));
+    raw.replace(Channel::Height, approach);
+    raw.replace(Channel::Depth, depths);
     Ok(())
 }
 

@@ -109,3 +109,29 @@ fn piezo_and_load_of_an_optics11_file_give_the_indentation_that_it_states() {
         assert!(difference.abs() < 0.2e-9, "{difference:e}");
     }
 }
+
+#[test]
+fn the_deflection_of_an_optics11_file_gives_the_load_that_it_states() {
+    let columns =
+        "columns = { height = \"Piezo\", deflection = \"Cantilever\" }\nspring_constant = 0.019";
+    let curve = one(&format!("file = \"optics11*.txt\"\n{columns}"));
+    let stated = one("file = \"optics11*.txt\"\ncolumns = { depth = 3, force = 2 }");
+    assert_eq!(curve.rows.len(), stated.rows.len());
+    for (force, stated) in curve.force().unwrap().iter().zip(stated.force().unwrap()) {
+        // Loads are given to 1 pN.
+        assert!((force - stated).abs() < 0.51e-12, "{force:e} {stated:e}");
+    }
+    // Another spring constant scales the force; the penetration is approach less deflection whatever it is.
+    let doubled = curve.force_with(0.038).unwrap();
+    assert!((doubled[2000] - 2.0 * curve.force().unwrap()[2000]).abs() < 1e-20);
+    let (approach, deflection) = (curve.approach().unwrap(), curve.deflection().unwrap());
+    let penetration = approach[2000] - (deflection[2000] - deflection[0]);
+    // Rounded at 1e-5 m.
+    assert!((curve.depth().unwrap()[2000] - penetration).abs() < 1e-20);
+    let both = "columns = { height = 5, deflection = 4, force = 2 }\nspring_constant = 0.019";
+    let found = refused(&format!("file = \"optics11*.txt\"\n{both}"));
+    assert!(
+        found.contains("found force and deflection, wanted one of them"),
+        "{found}"
+    );
+}
