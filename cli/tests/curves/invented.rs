@@ -356,6 +356,11 @@ fn a_wrong_key_of_a_table_is_told_at_its_place() {
         let found = with(line);
         assert!(found.contains(wanted), "{line}: {found}");
     }
+    let columns = "columns = { stiffness = 1, contact_radius = 2 }";
+    let rest =
+        "observe = \"stiffness at contact radius\"\nsegment = { until = \"largest depth step\" }";
+    let found = fault(&format!("file = \"a.txt\"\n{columns}\n{rest}"));
+    assert!(found.contains("key `data[0].columns.depth`"), "{found}");
     let found = fault("file = \"a.txt\"\ncolumns = { depth = 0, force = 2 }");
     assert!(found.contains("an integer from 1 to 10000"), "{found}");
     let found =

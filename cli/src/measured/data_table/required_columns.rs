@@ -4,7 +4,7 @@ use super::{DataTable, Observe};
 use crate::case::diagnosis::{Diagnosis, Fault};
 use crate::case::table_reader::TableReader;
 use crate::measured::channel::Channel;
-use crate::measured::segment::{Part, SegmentEnd};
+use crate::measured::segment::{Part, SegmentEnd, Until};
 
 impl DataTable {
     /// Looks whether what is observed and what bounds the segment have their columns.
@@ -46,6 +46,9 @@ impl DataTable {
         if self.segment.value.is_some() && self.columns.segment.is_none() {
             let wanted = "the column that has the value of the segment".into();
             return Err(columns.missing("segment", wanted));
+        }
+        if self.segment.until == Until::LargestDepthStep && !self.columns.has(Channel::Height) {
+            need(Channel::Depth, "since its largest step ends the segment")?;
         }
         match self.segment.part {
             Part::Unloading => need(Channel::Force, "since the unloading is used"),
