@@ -70,6 +70,16 @@ impl SpringLaw {
         }
     }
 
+    /// Shortening over pressure `w*/p`, m/Pa; η at rest.
+    #[must_use]
+    pub fn secant(self, compliance: f64, pressure: f64) -> f64 {
+        if self.is_linear() || pressure == 0.0 {
+            compliance
+        } else {
+            self.shortening(compliance, pressure) / pressure
+        }
+    }
+
     /// Pressure `p` that shortens a spring by `w*` (m), Pa; infinite for a spring squeezed to nothing.
     #[must_use]
     pub fn pressure(self, compliance: f64, shortening: f64) -> f64 {
@@ -156,6 +166,11 @@ mod tests {
         assert!(law.shortening(COMPLIANCE, 1e6) <= height);
         assert_eq!(law.pressure(COMPLIANCE, height), f64::INFINITY);
         assert_eq!(law.shortening(0.0, 1.0), 0.0);
+        assert_eq!(law.secant(COMPLIANCE, 0.0), COMPLIANCE);
+        assert_eq!(
+            law.secant(COMPLIANCE, 80.0),
+            law.shortening(COMPLIANCE, 80.0) / 80.0
+        );
     }
 
     #[test]

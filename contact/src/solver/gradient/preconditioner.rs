@@ -139,6 +139,18 @@ impl Preconditioner {
         }
     }
 
+    /// Adapts to springs that are straightened anew.
+    pub fn follow_springs(&mut self, problem: &DiscreteProblem) {
+        for inverse in self.usual.iter_mut().chain([&mut self.inverse]) {
+            match inverse {
+                Inverse::Identity => (),
+                Inverse::Filter(filter) => filter.forget_compliance(),
+                Inverse::Factor(factor) => factor.take_compliance(problem.tangent_compliance()),
+            }
+        }
+        self.restart();
+    }
+
     /// Adapts to a set that has changed since the last direction.
     pub fn follow(&mut self, problem: &DiscreteProblem, set: &WorkingSet) {
         if self.adapted_to == Some(set.revision()) {
@@ -146,7 +158,7 @@ impl Preconditioner {
         }
         match &mut self.inverse {
             Inverse::Identity => (),
-            Inverse::Filter(filter) => filter.update(set, problem.relief_compliance()),
+            Inverse::Filter(filter) => filter.update(set, problem.tangent_compliance()),
             Inverse::Factor(factor) => factor.update(set),
         }
         self.adapted_to = Some(set.revision());
@@ -209,7 +221,7 @@ impl Preconditioner {
 
 fn factor(problem: &DiscreteProblem, neighbours: usize) -> Option<Inverse> {
     let elasticity = problem.elasticity()?.clone();
-    let (grid, compliance) = (problem.everywhere(), problem.relief_compliance());
+    let (grid, compliance) = (problem.everywhere(), problem.tangent_compliance());
     let factor = SparseFactor::new(elasticity, &grid, compliance, neighbours);
     Some(Inverse::Factor(Box::new(factor)))
 }
