@@ -15,12 +15,19 @@ fn run(name: &str, f: &Foundation, relief: [Relief; 2], indenter: Indenter, load
         let model = Model { tables: tables.clone(), relief, indenter: indenter.clone(), cache: Cache::none() };
         let path = solve_path(&model, Domain::Automatic, n, loads, &SolverOptions::default(), &mut ()).unwrap();
         for step in &path.steps {
-            println!("{name} {law} side {:.3e} Q {:.4e} D {:.5e} pmax {:.3e} w {:.4e} area {:.4e} | worst {:.1e} ok {} apps {} stiff {} | levels {:?} | dQdD {:?}", path.grid.side(), step.solution.force, step.solution.penetration,
+            println!("{name} {law} side {:.3e} Q {:.4e} D {:.5e} pmax {:.3e} w {:.4e} area {:.4e} | worst {:.1e} ok {} apps {} stiff {} | levels {:?} | sec {:.3} | dQdD {:?}", path.grid.side(), step.solution.force, step.solution.penetration,
               step.summary.max_pressure, step.summary.largest_shortening, step.summary.contact_area, step.solution.certificate.worst(), step.solution.certificate.is_satisfied(), step.work.operator_applications, step.work.stiffness_applications,
-              step.work.levels.iter().map(|l| l.operator_applications).collect::<Vec<_>>(), step.contact_stiffness);
+              step.work.levels.iter().map(|l| l.operator_applications).collect::<Vec<_>>(), step.work.seconds, step.contact_stiffness);
         }
         for w in &path.warnings { println!("   {w}"); }
     }
+}
+
+#[test]
+fn timing() {
+    let film = |h: f64, e: f64| { let f = Film::new(h, e).unwrap(); [Relief::Film(f), Relief::Film(f.stiffening())] };
+    let coat = Foundation::coated(10e-9, Material::new(70e9,0.3).unwrap(), Material::new(7e9,0.4).unwrap()).unwrap();
+    for n in [256, 512, 1024] { for _ in 0..2 { run("fig5", &coat, film(5e-9, 0.14e9), Pyramid::berkovich(400e-9).unwrap().into(), &[Load::Force(2.3e-3)], n); } run("hertz", &coat, film(5e-9, 0.14e9), Paraboloid::new(400e-9).unwrap().into(), &[Load::Force(2.3e-5)], n); }
 }
 
 #[test]

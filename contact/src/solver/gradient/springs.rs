@@ -16,7 +16,7 @@ use crate::{
 };
 
 /// The springs are straightened again once the linear problem's residual is this part of that by the law itself.
-const STRAIGHT_ENOUGH: f64 = 0.1;
+const STRAIGHT_ENOUGH: f64 = 0.3;
 /// Part of the decrease that the slope promises which the energy must show (Armijo).
 const DECREASE: f64 = 1e-4;
 /// Bisections for the minimum on the way: to a thousandth of it.
