@@ -13,6 +13,11 @@ use crate::{
     vector::{by_parts, update, update_with},
 };
 
+/// Part of the decrease that the slope promises which the energy must show (Armijo).
+const DECREASE: f64 = 1e-4;
+/// Bisections for the minimum on the way: to a thousandth of it.
+const BISECTIONS: usize = 10;
+
 /// Tangents to the shortenings of all springs, in the units of a problem's scale but for the compliances.
 #[derive(Debug, Clone)]
 pub struct Tangents {
@@ -78,8 +83,35 @@ impl Tangents {
         update(v, beyond, |v, beyond| *v += beyond);
     }
 
+    /// The part of the way from `p₀` to a pressure to go: all of it, unless the energy would not be lower there; then up
+    /// to its minimum on the way. By the linear problem, the energy has this slope and curvature along the way.
+    pub fn part_downhill(
+        &self,
+        rest: &[f64],
+        pressure: &[f64],
+        [slope, curvature]: [f64; 2],
+    ) -> f64 {
+        // E(p₀ + t s) − E(p₀) = t s·∂E + ½ t² s·y + what the law adds
+        let change = slope + curvature / 2.0 + self.beyond_along(rest, pressure, 1.0)[0];
+        let is_uphill = change > DECREASE * slope;
+        if !(is_uphill && slope < 0.0) {
+            return 1.0;
+        }
+        let (mut low, mut high) = (0.0, 1.0);
+        for _ in 0..BISECTIONS {
+            let middle = f64::midpoint(low, high);
+            let [_, beyond] = self.beyond_along(rest, pressure, middle);
+            if slope + middle * curvature + beyond < 0.0 {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        f64::midpoint(low, high)
+    }
+
     /// What the law adds to the energy, and to its slope, after a part `t` of the way from `p₀` to a pressure.
-    pub fn beyond_along(&self, rest: &[f64], pressure: &[f64], t: f64) -> [f64; 2] {
+    fn beyond_along(&self, rest: &[f64], pressure: &[f64], t: f64) -> [f64; 2] {
         let parts = by_parts(pressure.len(), |part| {
             let fields = (self.at[part.clone()].iter()).zip(&pressure[part.clone()]);
             let mut sums = [0.0; 2];

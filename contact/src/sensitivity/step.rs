@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::ModelParameter;
-use super::change::Change;
+use super::change::{Change, Changed};
 use crate::{
     ContactError, DiscreteProblem, LoadingPath, Model, Solution,
     grid::window::Window,
@@ -98,9 +98,9 @@ impl<'a> Sensitivities<'a> {
         let rates = part.and_then(|mut part| pressure_per_penetration(&mut part, &pressure));
         let area = self.path.grid.element_area();
         let of_change = |(value, change): &(f64, Change)| {
-            let [image, gap] = change.under(&window, &pressure);
+            let Changed { image, energy, gap } = change.under(&window, &pressure);
             // A (½ p·(K_θ + η_θ) p + g0_θ·p)
-            let energy = area * (0.5 * dot(&pressure, &image) + dot(&pressure, &gap));
+            let energy = area * (energy + dot(&pressure, &gap));
             // s·((K_θ + η_θ) p + g0_θ) / Σ s
             let penetration =
                 (rates.as_ref()).map(|rates| (dot(rates, &image) + dot(rates, &gap)) / sum(rates));
@@ -117,7 +117,8 @@ impl<'a> Sensitivities<'a> {
         self.changes.iter().map(of_change).collect()
     }
 
-    /// The energy `E = ∫ D dQ` of a step, in J: `½ (D Q + A g0·p)`, since `(K + η) p + g0 = D` where p is not zero.
+    /// The energy `E = ∫ D dQ` of a step, in J: `½ (D Q + A g0·p)`, since `(K + η) p + g0 = D` where p is not zero, and
+    /// `A Σ (∫ w* dp − ½ w* p)` of springs that are not linear.
     ///
     /// # Panics
     /// If there is no such step.
@@ -127,8 +128,14 @@ impl<'a> Sensitivities<'a> {
         let gap = window.cut(self.problem.initial_gap());
         let pairs = pressure.iter().zip(gap).filter(|(p, _)| **p > 0.0);
         let weighted: f64 = pairs.map(|(p, gap)| p * gap).sum();
+        let springs = window.cut(self.problem.relief_compliance());
+        let law = self.problem.spring_law();
+        let bent = springs.iter().zip(&pressure);
+        let bent = bent.map(|(eta, p)| law.energy(*eta, *p) - 0.5 * law.shortening(*eta, *p) * p);
+        let bent: f64 = bent.sum();
         let penetration = self.path.steps[step].solution.penetration;
-        0.5 * self.path.grid.element_area() * (penetration * sum(&pressure) + weighted)
+        let area = self.path.grid.element_area();
+        0.5 * area * (penetration * sum(&pressure) + weighted) + area * bent
     }
 
     /// The window that holds a step's pressure, and the pressure on it.

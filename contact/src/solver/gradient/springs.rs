@@ -17,11 +17,6 @@ use crate::{
 
 /// The springs are straightened again once the linear problem's residual is this part of that by the law itself.
 const STRAIGHT_ENOUGH: f64 = 0.3;
-/// Part of the decrease that the slope promises which the energy must show (Armijo).
-const DECREASE: f64 = 1e-4;
-/// Bisections for the minimum on the way: to a thousandth of it.
-const BISECTIONS: usize = 10;
-
 /// Memory of a solution on springs that are not linear.
 pub struct Springs {
     /// `v` by the law itself at the pressure `p₀` where they are straightened.
@@ -96,23 +91,7 @@ impl Springs {
         add_scaled(step, -1.0, tangents.at());
         let slope = state.control.slope(step, &self.v_before);
         let curvature = dot(step, &state.v) - dot(step, &self.v_before);
-        let beyond =
-            |t: f64| tangents.beyond_along(problem.relief_compliance(), &state.pressure, t);
-        // E(p₀ + t s) − E(p₀) = t s·∂E + ½ t² s·y + what the law adds
-        let change = slope + curvature / 2.0 + beyond(1.0)[0];
-        let is_lower = change <= DECREASE * slope;
-        if is_lower || !(slope < 0.0) {
-            return 1.0;
-        }
-        let (mut low, mut high) = (0.0, 1.0);
-        for _ in 0..BISECTIONS {
-            let middle = f64::midpoint(low, high);
-            if slope + middle * curvature + beyond(middle)[1] < 0.0 {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-        f64::midpoint(low, high)
+        let rest = problem.relief_compliance();
+        tangents.part_downhill(rest, &state.pressure, [slope, curvature])
     }
 }
