@@ -46,7 +46,7 @@ impl Springs {
 
     /// Whether the law itself has more to say than a residual of the linear problem.
     pub fn are_bent(linear: f64, by_law: f64) -> bool {
-        linear <= STRAIGHT_ENOUGH * by_law
+        by_law.is_finite() && linear <= STRAIGHT_ENOUGH * by_law
     }
 
     /// Straightens the springs anew at the present pressure, or at that of the least energy on the way to it.
