@@ -134,6 +134,15 @@ fn stiffening_problem(
     Some((problem.with_spring_law(law), load))
 }
 
+/// The same relief with springs that stiffen.
+fn stiffening(relief: Relief) -> Relief {
+    match relief {
+        Relief::Film(film) => Relief::Film(film.stiffening()),
+        Relief::Cylinders(cylinders) => Relief::Cylinders(cylinders.stiffening()),
+        other => other,
+    }
+}
+
 /// One model that is its own mirror image in both axes, on a grid of an even number of elements per side, under a force
 /// of one of five decades.
 fn mirrored_model(random: &mut Random, tables: &Arc<RadialTables>) -> (SampledModel, Model, Load) {
@@ -169,6 +178,11 @@ fn mirrored_model(random: &mut Random, tables: &Arc<RadialTables>) -> (SampledMo
     };
     let depth = side * random.decades(1e-6, 1e-1);
     let load = Load::Force(side * side * depth / compliance(side));
+    let relief = if random.below(3) == 0 {
+        stiffening(relief)
+    } else {
+        relief
+    };
     let model = Model {
         tables: tables.clone(),
         relief,

@@ -174,6 +174,28 @@ fn the_film_of_figure_5_is_squeezed_and_not_beyond_its_thickness() {
 }
 
 #[test]
+fn a_solution_by_the_linear_law_is_not_certified_by_the_other() {
+    let springs = film(5e-9, 0.14e9);
+    let (load, side) = FIG_5;
+    let [linear, stiffening] = [springs, springs.stiffening()].map(|film| {
+        let model = fig_5(Relief::Film(film));
+        let sampled = model.sample(side, 32).unwrap();
+        model.discretize(&sampled).unwrap().value
+    });
+    let (mut straight, mut bent) = (linear, stiffening);
+    let start = vec![0.0; straight.elements()];
+    let mut nobody = ();
+    let mut watch = Watch::alone(&mut nobody);
+    let iterate = GradientSolver::default()
+        .solve(&mut straight, load, &start, &mut watch)
+        .unwrap();
+    let own = Solution::judge(&mut straight, load, iterate.pressure.clone(), 1e-8);
+    let other = Solution::judge(&mut bent, load, iterate.pressure, 1e-8);
+    assert!(own.certificate.is_satisfied());
+    assert!(other.certificate.worst() > 0.01, "{:?}", other.certificate);
+}
+
+#[test]
 fn products_are_twice_those_of_the_linear_law_at_most() {
     let springs = film(5e-9, 0.14e9);
     let (load, side) = FIG_5;
