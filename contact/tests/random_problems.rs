@@ -259,8 +259,6 @@ fn assert_certified(
             }
         })
         .collect();
-    for failure in &failures {
-        eprintln!("{failure}");
-    }
-    assert!(failures.is_empty(), "{} of {}", failures.len(), problems());
+    let count = format!("{} of {}", failures.len(), problems());
+    assert!(failures.is_empty(), "{count}\n{}", failures.join("\n"));
 }

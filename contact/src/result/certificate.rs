@@ -145,7 +145,7 @@ impl Solution {
         let law = problem.spring_law();
         let mut shortening = window.cut(problem.relief_compliance());
         update(&mut shortening, &pressure, |eta, p| {
-            *eta = law.shortening(*eta, *p)
+            *eta = law.shortening(*eta, *p);
         });
         let penetration = match load {
             Load::Penetration(penetration) => penetration,
