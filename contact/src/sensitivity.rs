@@ -25,10 +25,14 @@
 
 mod change;
 mod force_curve;
+mod null_directions;
 mod parameter;
 mod spline;
+mod springs;
 mod step;
 
+pub use change::ModelDerivatives;
 pub use force_curve::ForceCurve;
+pub use null_directions::ModelDirection;
 pub use parameter::ModelParameter;
 pub use step::{Sensitivities, Sensitivity};

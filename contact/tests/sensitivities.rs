@@ -4,7 +4,7 @@
 
 use pellicle_contact::{
     Cone, Domain, ForceCurve, Indenter, Load, LoadingPath, Model, ModelParameter, Paraboloid,
-    Pyramid, Sensitivities, SolverOptions, Sphere, solve_path,
+    Pyramid, SolverOptions, Sphere, solve_path,
 };
 use pellicle_influence::{Cache, ElasticBodies, ElasticParameter};
 use pellicle_kernel::{Base, Foundation, FoundationParameter, Interface, Layer, Material};
@@ -196,7 +196,12 @@ fn contact(path: &LoadingPath) -> Vec<bool> {
 
 /// Penetration and energy of a path's only step.
 fn numbers(model: &Model, path: &LoadingPath) -> [f64; 2] {
-    let energy = Sensitivities::new(model, path, &[]).unwrap().energy(0);
+    let energy = model
+        .derivatives(&[])
+        .unwrap()
+        .of_path(path)
+        .unwrap()
+        .energy(0);
     [path.steps[0].solution.penetration, energy]
 }
 
@@ -206,7 +211,10 @@ fn derivatives_agree_with_differences_between_solutions_of_the_same_contact_set(
         let path = solved(&model, side, 48, &[force]);
         let set = contact(&path);
         let parameters = model.parameters();
-        let found = Sensitivities::new(&model, &path, &parameters)
+        let found = model
+            .derivatives(&parameters)
+            .unwrap()
+            .of_path(&path)
             .unwrap()
             .at(0);
         let [penetration, energy] = numbers(&model, &path);
@@ -282,7 +290,11 @@ fn the_derivative_along_the_curve_is_the_true_one_where_that_of_the_elements_is_
     let (forces, side) = (decade(6e-2), 0.9);
     let path = solved(&coat, side, 64, &forces);
     let parameters = coat.parameters();
-    let sensitivities = Sensitivities::new(&coat, &path, &parameters).unwrap();
+    let sensitivities = coat
+        .derivatives(&parameters)
+        .unwrap()
+        .of_path(&path)
+        .unwrap();
     let steps: Vec<_> = (0..forces.len())
         .map(|step| sensitivities.at(step))
         .collect();

@@ -8,3 +8,11 @@
         reason = "tests compare numbers that are exact in binary"
     )
 )]
+
+mod contact_curves;
+mod forward_error;
+mod forward_model;
+
+pub use contact_curves::{ContactCurve, ContactCurves, CurveOptions, Observable};
+pub use forward_error::ForwardError;
+pub use forward_model::{ForwardModel, Prediction};

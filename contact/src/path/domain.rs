@@ -64,6 +64,17 @@ pub fn default_side(model: &Model, loads: &[Load]) -> f64 {
     }
 }
 
+/// The force (N) that presses the indenter to a penetration (m), by the closed forms of the first guess: good to some
+/// half of it. 0 without contact.
+#[must_use]
+pub fn estimated_force(model: &Model, penetration: f64) -> f64 {
+    if penetration > 0.0 {
+        force_at(model, radius_at(model, penetration))
+    } else {
+        0.0
+    }
+}
+
 /// The largest force and the largest penetration of some loads: those of the widest contact.
 fn largest(loads: &[Load]) -> impl Iterator<Item = Load> {
     let force = loads.iter().filter_map(|load| match load {

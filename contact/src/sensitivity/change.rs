@@ -1,11 +1,13 @@
-//! What one number of a model changes on a grid: coefficients, springs or heights.
+//! What one number of a model changes: coefficients, springs or heights, before any grid and on one.
 
 use std::sync::Arc;
 
-use pellicle_influence::{CoefficientTable, ElasticOperator, SurfaceElasticity};
-use pellicle_texture::{Grid, SpringLaw};
+use pellicle_influence::{
+    CoefficientDerivative, CoefficientTable, ElasticOperator, SurfaceElasticity,
+};
+use pellicle_texture::Grid;
 
-use super::ModelParameter;
+use super::{ModelParameter, springs::SpringChange};
 use crate::{
     ContactError, Model, SampledModel, grid::window::Window, problem::model::initial_gap,
     vector::dot,
@@ -15,12 +17,62 @@ use crate::{
 /// square, and as much by rounding.
 const STEP: f64 = 1e-5;
 
-/// Derivatives of what springs do.
-pub enum Springs {
-    /// `η_θ`.
-    Linear(Vec<f64>),
-    /// Law and compliance at rest a step above and a step below.
-    Stiffening([(SpringLaw, Vec<f64>); 2], f64),
+/// Derivatives of a model by some of its numbers, with no grid yet.
+#[derive(Debug, Clone)]
+pub struct ModelDerivatives {
+    model: Model,
+    /// Each with its value.
+    numbers: Vec<(ModelParameter, f64, Option<CoefficientDerivative>)>,
+}
+
+impl Model {
+    /// Its derivatives by `parameters`: radial tables for each number of the elastic bodies, some ten milliseconds.
+    ///
+    /// # Errors
+    /// [`ContactError::NoParameter`] for a number that the model does not have; a number without values beside its own.
+    pub fn derivatives(
+        &self,
+        parameters: &[ModelParameter],
+    ) -> Result<ModelDerivatives, ContactError> {
+        let number = |parameter: &ModelParameter| {
+            let wanted = *parameter;
+            let value = self
+                .parameter(wanted)
+                .ok_or(ContactError::NoParameter { wanted })?;
+            let derivative = match wanted {
+                ModelParameter::Elastic(of) => Some(self.tables.derivative(of)?),
+                ModelParameter::Relief(_) | ModelParameter::Indenter(_) => None,
+            };
+            Ok((wanted, value, derivative))
+        };
+        Ok(ModelDerivatives {
+            model: self.clone(),
+            numbers: parameters
+                .iter()
+                .map(number)
+                .collect::<Result<_, ContactError>>()?,
+        })
+    }
+}
+
+impl ModelDerivatives {
+    /// The model.
+    pub(super) fn model(&self) -> &Model {
+        &self.model
+    }
+
+    /// Each number's value, and what it changes on a grid.
+    pub(super) fn on(&self, grid: &Grid) -> Result<Vec<(f64, Change)>, ContactError> {
+        let numbers = self.numbers.iter();
+        let change = |(parameter, value, derivative): &(_, f64, Option<CoefficientDerivative>)| {
+            let change = match derivative {
+                Some(derivative) => Change::of_coefficients(&self.model, grid, derivative)?,
+                None => Change::of_geometry(&self.model, grid, *parameter, *value)?,
+            };
+            Ok((*value, change))
+        };
+        numbers.map(change).collect()
+    }
 }
 
 /// Derivatives under a pressure `p`, on its window.
@@ -33,80 +85,53 @@ pub struct Changed {
     pub gap: Vec<f64>,
 }
 
-impl Springs {
-    /// `w*_θ(p)` and `Σ ∂/∂θ ∫ w* dp`.
-    fn under(&self, window: &Window, pressure: &[f64]) -> (Vec<f64>, f64) {
-        match self {
-            Self::Linear(compliance) => {
-                let springs = window.cut(compliance);
-                let image = springs.iter().zip(pressure).map(|(eta, p)| eta * p);
-                let image: Vec<f64> = image.collect();
-                let energy = 0.5 * dot(pressure, &image);
-                (image, energy)
-            }
-            Self::Stiffening(both, step) => {
-                let [more, less] = both.each_ref().map(|(law, compliance)| {
-                    let springs = window.cut(compliance);
-                    let pairs = springs.iter().zip(pressure);
-                    let shortening = pairs.clone().map(|(eta, p)| law.shortening(*eta, *p));
-                    let energy: f64 = pairs.map(|(eta, p)| law.energy(*eta, *p)).sum();
-                    (shortening.collect::<Vec<f64>>(), energy)
-                });
-                let image = difference(&more.0, &less.0, *step);
-                (image, (more.1 - less.1) / (2.0 * step))
-            }
-        }
-    }
-}
-
-/// Derivatives by one number θ, per unit of it.
+/// Derivatives by one number θ on a grid, per unit of θ.
 pub enum Change {
     /// `K_θ`.
     Coefficients(SurfaceElasticity),
-    /// Springs and `g0_θ`, N² values.
+    /// Of the springs, and `g0_θ`, N² values.
     Geometry {
-        springs: Springs,
+        springs: SpringChange,
         initial_gap: Vec<f64>,
     },
 }
 
 impl Change {
-    /// What `parameter` changes of `model` on `grid`.
-    pub fn of(model: &Model, grid: &Grid, parameter: ModelParameter) -> Result<Self, ContactError> {
-        match parameter {
-            ModelParameter::Elastic(of) => {
-                let (derivative, side) = (model.tables.derivative(of)?, grid.element_side());
-                let coefficient = |offset| derivative.coefficient(side, offset);
-                let table = CoefficientTable::from_fn(side, grid.size(), coefficient)?;
-                let bodies = model.tables.bodies().clone();
-                let elasticity = SurfaceElasticity::new(Arc::new(table), bodies);
-                Ok(Self::Coefficients(elasticity))
-            }
-            ModelParameter::Relief(_) | ModelParameter::Indenter(_) => {
-                let value = model.parameter(parameter).unwrap_or(f64::NAN);
-                let step = STEP * value;
-                let at = |value: f64| {
-                    let moved = model.with_parameter(parameter, value)?;
-                    let SampledModel {
-                        relief,
-                        indenter_profile,
-                        ..
-                    } = SampledModel::on(*grid, &moved.relief, &moved.indenter);
-                    let gap = initial_gap(&indenter_profile, relief.profile());
-                    let law = relief.spring_law();
-                    Ok::<_, ContactError>((relief.into_parts().2, gap, law))
-                };
-                let (more, less) = (at(value + step)?, at(value - step)?);
-                Ok(Self::Geometry {
-                    initial_gap: difference(&more.1, &less.1, step),
-                    springs: if more.2.is_linear() {
-                        Springs::Linear(difference(&more.0, &less.0, step))
-                    } else {
-                        Springs::Stiffening([(more.2, more.0), (less.2, less.0)], step)
-                    },
-                })
-            }
-        }
+    fn of_coefficients(
+        model: &Model,
+        grid: &Grid,
+        derivative: &CoefficientDerivative,
+    ) -> Result<Self, ContactError> {
+        let side = grid.element_side();
+        let coefficient = |offset| derivative.coefficient(side, offset);
+        let table = Arc::new(CoefficientTable::from_fn(side, grid.size(), coefficient)?);
+        let bodies = model.tables.bodies().clone();
+        Ok(Self::Coefficients(SurfaceElasticity::new(table, bodies)))
+    }
+
+    fn of_geometry(
+        model: &Model,
+        grid: &Grid,
+        parameter: ModelParameter,
+        value: f64,
+    ) -> Result<Self, ContactError> {
+        let step = STEP * value;
+        let at = |value: f64| {
+            let moved = model.with_parameter(parameter, value)?;
+            let SampledModel {
+                relief,
+                indenter_profile,
+                ..
+            } = SampledModel::on(*grid, &moved.relief, &moved.indenter);
+            let gap = initial_gap(&indenter_profile, relief.profile());
+            let law = relief.spring_law();
+            Ok::<_, ContactError>(((law, relief.into_parts().2), gap))
+        };
+        let (more, less) = (at(value + step)?, at(value - step)?);
+        Ok(Self::Geometry {
+            initial_gap: difference(&more.1, &less.1, step),
+            springs: SpringChange::of(more.0, less.0, step),
+        })
     }
 
     /// What it changes on a window of the grid, under a pressure `p` on it.
@@ -139,7 +164,7 @@ impl Change {
 }
 
 /// `(more − less)/(2 step)`; 0 where both are infinite, beyond the indenter's end.
-fn difference(more: &[f64], less: &[f64], step: f64) -> Vec<f64> {
+pub(super) fn difference(more: &[f64], less: &[f64], step: f64) -> Vec<f64> {
     let pairs = more.iter().zip(less);
     let slope = |(more, less): (&f64, &f64)| {
         if more.is_finite() && less.is_finite() {

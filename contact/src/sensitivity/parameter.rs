@@ -45,27 +45,39 @@ impl Model {
     /// The same model with another value of one number; radial tables come from its cache, or are built anew.
     ///
     /// # Errors
-    /// A value that the body, the relief or the indenter cannot have; a body that the model does not have; radial
-    /// tables that miss their accuracy.
+    /// As [`Self::with_parameters`].
     pub fn with_parameter(
         &self,
         parameter: ModelParameter,
         value: f64,
     ) -> Result<Self, ContactError> {
+        self.with_parameters(&[(parameter, value)])
+    }
+
+    /// The same model with other values of some numbers; radial tables come from its cache, or are built anew.
+    ///
+    /// # Errors
+    /// A value that the body, the relief or the indenter cannot have; a body that the model does not have; radial
+    /// tables that miss their accuracy.
+    pub fn with_parameters(&self, values: &[(ModelParameter, f64)]) -> Result<Self, ContactError> {
         let mut model = self.clone();
-        match parameter {
-            ModelParameter::Elastic(of) => {
-                let bodies = self.tables.bodies().with_parameter(of, value)?;
-                model.tables = if let ElasticParameter::Foundation(_) = of {
-                    self.cache.radial_tables_of(&bodies)?.value
-                } else {
-                    Arc::new(self.tables.with_counterbody(bodies.counterbody().copied()))
-                };
+        let mut bodies = self.tables.bodies().clone();
+        for (parameter, value) in values {
+            match *parameter {
+                ModelParameter::Elastic(of) => bodies = bodies.with_parameter(of, *value)?,
+                ModelParameter::Relief(of) => {
+                    model.relief = model.relief.with_parameter(of, *value)?;
+                }
+                ModelParameter::Indenter(of) => {
+                    model.indenter = model.indenter.with_parameter(of, *value)?;
+                }
             }
-            ModelParameter::Relief(of) => model.relief = self.relief.with_parameter(of, value)?,
-            ModelParameter::Indenter(of) => {
-                model.indenter = self.indenter.with_parameter(of, value)?;
-            }
+        }
+        let before = self.tables.bodies();
+        if bodies.foundation() != before.foundation() {
+            model.tables = self.cache.radial_tables_of(&bodies)?.value;
+        } else if bodies != *before {
+            model.tables = Arc::new(self.tables.with_counterbody(bodies.counterbody().copied()));
         }
         Ok(model)
     }

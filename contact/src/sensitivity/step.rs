@@ -2,10 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::ModelParameter;
-use super::change::{Change, Changed};
+use super::change::{Change, Changed, ModelDerivatives};
 use crate::{
-    ContactError, DiscreteProblem, LoadingPath, Model, Solution,
+    ContactError, DiscreteProblem, LoadingPath, Solution,
     grid::window::Window,
     solver::gradient::pressure_per_penetration,
     vector::{dot, sum},
@@ -31,7 +30,7 @@ pub struct Sensitivity {
 /// ```
 /// use std::sync::Arc;
 /// use pellicle_contact::{
-///     Domain, Load, Model, Paraboloid, Sensitivities, SolverOptions, solve_path,
+///     Domain, Load, Model, Paraboloid, SolverOptions, solve_path,
 /// };
 /// # use pellicle_influence::{Cache, RadialTables};
 /// # use pellicle_kernel::{Foundation, Material};
@@ -47,7 +46,7 @@ pub struct Sensitivity {
 /// let options = SolverOptions::default();
 /// let path = solve_path(&model, Domain::Automatic, 64, &[Load::Force(1e-3)], &options, &mut ())?;
 /// let parameters = model.parameters(); // E, ν, R
-/// let found = Sensitivities::new(&model, &path, &parameters)?.at(0);
+/// let found = model.derivatives(&parameters)?.of_path(&path)?.at(0);
 /// // Hertz: D ∝ E^(−2/3) R^(−1/3); D and its derivative on 64² elements are right to some 1e-3.
 /// let logarithmic = |index: usize| {
 ///     found[index].penetration.unwrap() * found[index].value / path.steps[0].solution.penetration
@@ -61,31 +60,21 @@ pub struct Sensitivities<'a> {
     changes: Vec<(f64, Change)>,
 }
 
-impl<'a> Sensitivities<'a> {
-    /// Prepares the derivatives of `path`, which solved `model`, by `parameters`: radial tables for each number of the
-    /// elastic bodies, some tens of milliseconds, and its coefficients on the grid.
+impl ModelDerivatives {
+    /// The derivatives of the steps of `path`, which solved this model: their coefficients on its grid.
     ///
     /// # Errors
-    /// A number that the model does not have, or that has no values beside its own; coefficients that are not finite.
-    pub fn new(
-        model: &Model,
-        path: &'a LoadingPath,
-        parameters: &[ModelParameter],
-    ) -> Result<Self, ContactError> {
-        let change = |parameter: &ModelParameter| {
-            let value = model.parameter(*parameter).unwrap_or(f64::NAN);
-            Ok((value, Change::of(model, &path.grid, *parameter)?))
-        };
-        Ok(Self {
+    /// Coefficients that are not finite; as [`Model::with_parameter`](crate::Model::with_parameter).
+    pub fn of_path<'a>(&self, path: &'a LoadingPath) -> Result<Sensitivities<'a>, ContactError> {
+        Ok(Sensitivities {
             path,
-            problem: model.discretize(&path.geometry())?.value,
-            changes: parameters
-                .iter()
-                .map(change)
-                .collect::<Result<_, ContactError>>()?,
+            problem: self.model().discretize(&path.geometry())?.value,
+            changes: self.on(&path.grid)?,
         })
     }
+}
 
+impl Sensitivities<'_> {
     /// The derivatives of a step, in the order of the parameters: one product with `K_θ` each, and one linear system on
     /// the elements in contact for all of them.
     ///
@@ -98,9 +87,9 @@ impl<'a> Sensitivities<'a> {
         let rates = part.and_then(|mut part| pressure_per_penetration(&mut part, &pressure));
         let area = self.path.grid.element_area();
         let of_change = |(value, change): &(f64, Change)| {
-            let Changed { image, energy, gap } = change.under(&window, &pressure);
-            // A (½ p·(K_θ + η_θ) p + g0_θ·p)
-            let energy = area * (energy + dot(&pressure, &gap));
+            let changed = change.under(&window, &pressure);
+            let energy = area * change_of_energy(&pressure, &changed);
+            let Changed { image, gap, .. } = changed;
             // s·((K_θ + η_θ) p + g0_θ) / Σ s
             let penetration =
                 (rates.as_ref()).map(|rates| (dot(rates, &image) + dot(rates, &gap)) / sum(rates));
@@ -113,6 +102,20 @@ impl<'a> Sensitivities<'a> {
                 penetration,
                 force,
             }
+        };
+        self.changes.iter().map(of_change).collect()
+    }
+
+    /// `∂E/∂θ` of a step alone, in J per unit of each number: no linear system.
+    ///
+    /// # Panics
+    /// If there is no such step.
+    #[must_use]
+    pub fn energies(&self, step: usize) -> Vec<f64> {
+        let (window, pressure) = self.pressed(step);
+        let area = self.path.grid.element_area();
+        let of_change = |(_, change): &(f64, Change)| {
+            area * change_of_energy(&pressure, &change.under(&window, &pressure))
         };
         self.changes.iter().map(of_change).collect()
     }
@@ -146,4 +149,9 @@ impl<'a> Sensitivities<'a> {
         let part = window.cut(pressure);
         (window, part)
     }
+}
+
+/// `½ p·(K_θ + η_θ) p + g0_θ·p`.
+fn change_of_energy(pressure: &[f64], changed: &Changed) -> f64 {
+    changed.energy + dot(pressure, &changed.gap)
 }
