@@ -208,7 +208,10 @@ fn derivatives_keep_to_the_identities_of_the_paraboloid() {
 /// only their sum counts of.
 #[test]
 fn along_null_directions_no_penetration_changes() {
-    let film = Relief::Film(Film::new(20e-9, 1e9).unwrap());
+    let film = Film::new(20e-9, 1e9).unwrap();
+    // Thickness and modulus of springs that stiffen count each for itself.
+    let stiffening = Relief::Film(film.stiffening());
+    let film = Relief::Film(film);
     let diamond = Some(material(1141e9, 0.07));
     let steel = Foundation::half_space(material(210e9, 0.3));
     let paraboloid = Indenter::from(Paraboloid::new(RADIUS).unwrap());
@@ -216,6 +219,7 @@ fn along_null_directions_no_penetration_changes() {
     let cases = [
         (model(&coat(0.5e-6), film.clone(), paraboloid.clone()), 3),
         (model(&coat(0.5e-6), film, cone), 3),
+        (model(&coat(0.5e-6), stiffening, paraboloid.clone()), 2),
         (
             model(
                 &ElasticBodies::new(steel, diamond),

@@ -26,11 +26,14 @@ impl Model {
         of_bodies.chain(self.film()).chain(self.gauge()).collect()
     }
 
-    /// Thickness and modulus of a film at constant compliance.
+    /// Thickness and modulus of a linear film at constant compliance.
     fn film(&self) -> Option<ModelDirection> {
         let Relief::Film(film) = &self.relief else {
             return None;
         };
+        if !film.spring_law().is_linear() {
+            return None;
+        }
         Some(vec![
             (
                 ModelParameter::Relief(ReliefParameter::Height),
