@@ -1,0 +1,40 @@
+//! What a fit needs of a model: the points of all curves and their derivatives.
+
+use crate::ForwardError;
+
+/// A model of measured curves.
+pub trait ForwardModel: Sync {
+    /// The points of all curves, in the order of the curves, under the values of the unknowns, in their own units and
+    /// in the order of the problem's [`Unknown`](crate::Unknown)s.
+    ///
+    /// A fit never asks twice for the same parameters.
+    ///
+    /// # Errors
+    ///
+    /// [`ForwardError::OutOfRange`] where the model has no prediction: the fit takes a shorter step.
+    /// [`ForwardError::Stopped`] ends the fit.
+    fn predict(&self, parameters: &[f64]) -> Result<Prediction, ForwardError>;
+}
+
+/// The points of all curves under given parameters.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Prediction {
+    /// The observable `y`, such as a penetration, one value for each point.
+    pub value: Vec<f64>,
+    /// Its derivative by the abscissa, `∂y/∂Q`, one value for each point. Errors of the abscissa enter through it.
+    pub slope: Vec<f64>,
+    /// Its derivatives `∂y/∂θ_j` by each unknown: one list of points for each unknown.
+    pub derivatives: Vec<Vec<f64>>,
+}
+
+impl Prediction {
+    /// Whether there is a finite number for each of the points and unknowns.
+    pub(crate) fn is_complete(&self, points: usize, unknowns: usize) -> bool {
+        let complete =
+            |values: &[f64]| values.len() == points && values.iter().all(|v| v.is_finite());
+        complete(&self.value)
+            && complete(&self.slope)
+            && self.derivatives.len() == unknowns
+            && self.derivatives.iter().all(|column| complete(column))
+    }
+}
