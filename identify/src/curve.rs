@@ -2,7 +2,7 @@
 
 use crate::IdentifyError;
 
-/// A measured curve: an observable at given abscissae, such as penetrations at given forces, in the order of measurement.
+/// A measured curve: an observable at given abscissae, such as penetrations at given forces, in the order measured.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
     abscissa: Vec<f64>,

@@ -14,6 +14,7 @@ mod curve;
 mod distribution;
 mod error;
 mod fit;
+mod forward_error;
 mod forward_model;
 mod global_search;
 mod goodness;
@@ -36,8 +37,9 @@ mod unknown;
 mod verdict;
 
 pub use curve::Curve;
-pub use error::{ForwardError, IdentifyError};
+pub use error::IdentifyError;
 pub use fit::identify;
+pub use forward_error::ForwardError;
 pub use forward_model::{ForwardModel, Prediction};
 pub use goodness::{Goodness, REFUSAL};
 pub use noise::{Amount, Correlation, Noise, NoiseLevels};

@@ -1,9 +1,9 @@
 //! Directions in which no curve changes, and the combinations that stay known.
 //!
-//! A direction is a list of exponents: multiplying each parameter `θ_k` by `b^{d_k}` leaves every curve as it is. Of the
-//! directions that a model has, those count that can be combined so that no fixed parameter and none with a prior moves.
-//! An unknown with a part in one is not identifiable by any data. With a basis `U` of the directions that count, the
-//! product `θ_j Π θ_k^{c_k}` is known where `U_j + Σ c_k U_k = 0`.
+//! A direction is a list of exponents: multiplying each parameter `θ_k` by `b^{d_k}` leaves every curve as it is. Of
+//! the directions that a model has, those count that can be combined so that no fixed parameter and none with a prior
+//! moves. An unknown with a part in one is not identifiable by any data. With a basis `U` of the directions that count,
+//! the product `θ_j Π θ_k^{c_k}` is known where `U_j + Σ c_k U_k = 0`.
 
 use faer::Mat;
 
