@@ -11,6 +11,7 @@ pub mod load;
 pub mod map;
 pub mod output;
 pub mod overrides;
+pub mod parameter;
 pub mod quantity;
 pub mod quantity_list;
 pub mod solver;
@@ -28,7 +29,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use pellicle_contact::{ContactError, Domain, Model, SolverOptions, choose_side};
-use pellicle_influence::{Cache, Cached, InfluenceError};
+use pellicle_influence::{Cache, Cached, ElasticBodies, InfluenceError};
 use serde::Serialize;
 
 use self::diagnosis::Diagnosis;
@@ -256,7 +257,8 @@ impl Case {
     pub fn model(&self, cache: &Cache) -> Result<Cached<Model>, Failure> {
         let foundation = self.foundation.split()?.foundation;
         let (relief, indenter) = (self.surface.build()?, self.indenter.build()?);
-        let tables = cache.radial_tables(&foundation)?;
+        let bodies = ElasticBodies::new(foundation, self.indenter.build_material()?);
+        let tables = cache.radial_tables_of(&bodies)?;
         Ok(tables.map(|tables| Model {
             tables,
             relief,

@@ -26,6 +26,7 @@ mod output;
 mod picture;
 mod program;
 mod progress;
+mod sensitivities;
 mod stresses;
 mod study;
 mod templates;

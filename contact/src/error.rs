@@ -4,6 +4,8 @@ use pellicle_influence::InfluenceError;
 use pellicle_texture::TextureError;
 use thiserror::Error;
 
+use crate::{IndenterError, ModelParameter};
+
 /// Errors of the crate. A solution that misses its tolerance is not among them where a
 /// [`Step`](crate::Step) can carry it: its certificate says so.
 #[derive(Debug, Error)]
@@ -115,6 +117,23 @@ pub enum ContactError {
     /// From the grid or the relief.
     #[error(transparent)]
     Texture(#[from] TextureError),
+    /// A solution that misses its tolerance where only certified ones are of use.
+    #[error("found a certificate of {worst:.1e} under {force:e} N, wanted a solution")]
+    NotCertified {
+        /// The force, in N.
+        force: f64,
+        /// Largest line of the certificate.
+        worst: f64,
+    },
+    /// A number that a model does not have.
+    #[error("found no {wanted:?} in the model, wanted a number of its bodies, relief or indenter")]
+    NoParameter {
+        /// The number wanted.
+        wanted: ModelParameter,
+    },
+    /// From the indenter.
+    #[error(transparent)]
+    Indenter(#[from] IndenterError),
     /// From the influence coefficients.
     #[error(transparent)]
     Influence(#[from] InfluenceError),

@@ -30,6 +30,7 @@ mod error;
 mod flat_punch;
 mod map;
 mod paraboloid;
+mod parameter;
 mod profile;
 mod pyramid;
 mod sphere;

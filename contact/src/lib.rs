@@ -16,6 +16,7 @@ mod path;
 mod problem;
 pub mod reference;
 mod result;
+mod sensitivity;
 pub mod solver;
 mod stress;
 mod vector;
@@ -27,7 +28,7 @@ pub use indenter::{
 };
 pub use path::{
     LoadingPath,
-    domain::{Domain, choice::choose_side, default_side},
+    domain::{Domain, choice::choose_side, default_side, estimated_force},
     loads_at_once, solve_path,
     warnings::{domain_much_larger, model_warnings},
 };
@@ -48,6 +49,7 @@ pub use result::{
     warning::Warning,
     work::{LevelWork, Work},
 };
+pub use sensitivity::{ForceCurve, ModelDerivatives, ModelParameter, Sensitivities, Sensitivity};
 pub use solver::{
     Iterate, Method, Solver, SolverOptions, Watch,
     active_set::ActiveSetSolver,

@@ -14,7 +14,7 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Instant;
 
-use pellicle_influence::{Origin, RadialTables, Sector, SurfaceElasticity};
+use pellicle_influence::{CoefficientTable, Origin, RadialTables, Sector, SurfaceElasticity, love};
 use pellicle_texture::{Grid, Relief};
 use rayon::prelude::*;
 
@@ -26,6 +26,7 @@ use crate::{
     problem::model::initial_gap,
     result::cut_off::{CutOff, Surroundings},
     solver::Watch,
+    vector::add_scaled,
 };
 
 /// By how much a chosen domain grows, and how often, should a contact be cut off that the coarse grid of the choice did
@@ -69,8 +70,9 @@ impl LoadingPath {
         SampledModel::on(self.grid, &self.relief, &self.indenter)
     }
 
-    /// The surface at a step, afresh from its pressure and the path's [geometry](Self::geometry) by one product with
-    /// `K`: a path keeps the pressures alone, a quarter of the memory. None where there is no such step.
+    /// The surface at a step, its displacement the foundation's own, afresh from its pressure and the path's
+    /// [geometry](Self::geometry) by one product with `K`: a path keeps the pressures alone, a quarter of the memory.
+    /// None where there is no such step.
     ///
     /// # Panics
     /// If the geometry is that of another grid.
@@ -89,13 +91,34 @@ impl LoadingPath {
         let mut operator =
             elasticity.under_window((Sector::Whole, size), window.origin(), window.size());
         let mut displacement = vec![0.0; pressure.len()];
-        operator.apply_into(&window.cut(pressure), &mut displacement);
-        Some(DeformedSurface::new(
+        let pressed = window.cut(pressure);
+        operator.apply_into(&pressed, &mut displacement);
+        let mut surface = DeformedSurface::new(
             displacement,
             pressure,
             geometry.relief.compliance(),
             &initial_gap(&geometry.indenter_profile, geometry.relief.profile()),
             *penetration,
+        );
+        if let Some(counterbody) = self.counterbody() {
+            let mut own = vec![0.0; pressure.len()];
+            let shown = (Sector::Whole, size);
+            let mut operator = counterbody.under_window(shown, window.origin(), window.size());
+            operator.apply_into(&pressed, &mut own);
+            add_scaled(&mut surface.displacement, -1.0, &own);
+        }
+        Some(surface)
+    }
+
+    /// The elasticity of the indenter alone; none of a rigid one.
+    fn counterbody(&self) -> Option<SurfaceElasticity> {
+        let material = self.tables.bodies().counterbody()?;
+        let side = self.grid.element_side();
+        let coefficient = |offset| love::coefficient(material, side, offset);
+        let table = CoefficientTable::from_fn(side, self.grid.size(), coefficient).ok()?;
+        Some(SurfaceElasticity::new(
+            Arc::new(table),
+            self.tables.bodies().clone(),
         ))
     }
 }

@@ -10,6 +10,7 @@
 )]
 
 mod autoregressive;
+mod contact_curves;
 mod curve;
 mod distribution;
 mod error;
@@ -36,6 +37,7 @@ mod start;
 mod unknown;
 mod verdict;
 
+pub use contact_curves::{ContactCurve, ContactCurves, CurveOptions, Observable};
 pub use curve::Curve;
 pub use error::IdentifyError;
 pub use fit::identify;

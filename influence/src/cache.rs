@@ -90,7 +90,7 @@ impl Cache {
 
     /// As [`Self::in_memory`], for many foundations of few shapes, as a fit tries them: radial tables are those of the
     /// ratios of moduli and thicknesses and of Poisson's ratios alone, so that a foundation of another size or
-    /// stiffness finds them in memory. The ratios are rounded to 1e-12 of themselves, and coefficients with them.
+    /// stiffness finds them in memory. The ratios are rounded to 1e-12 of themselves, and coefficients with them; those are not kept.
     #[must_use]
     pub fn of_shapes() -> Self {
         Self::new(LIMIT, None, Self::SMALLEST_STORED, true)
@@ -114,7 +114,7 @@ impl Cache {
     fn new(limit: usize, disk: Option<Disk>, smallest: usize, by_shape: bool) -> Self {
         Self(Arc::new(Parts {
             functions: Memory::new(limit),
-            coefficients: Memory::new(limit),
+            coefficients: Memory::new(if by_shape { 0 } else { limit }),
             disk,
             smallest,
             by_shape,

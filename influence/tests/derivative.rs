@@ -1,5 +1,7 @@
 //! Derivatives of coefficients against differences between tables.
 
+#![expect(clippy::unwrap_used, reason = "a test fails by its panic")]
+
 use pellicle_influence::{Cache, ElasticBodies, ElasticParameter, Origin, RadialTables, love};
 use pellicle_kernel::{Base, Foundation, FoundationParameter, Interface, Layer, Material};
 

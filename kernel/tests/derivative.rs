@@ -1,6 +1,8 @@
 //! Derivatives of the compliance against work done inside, against scaling, and along materials that nothing tells
 //! apart.
 
+#![expect(clippy::unwrap_used, reason = "a test fails by its panic")]
+
 use nalgebra::{Matrix3, Vector3};
 use pellicle_kernel::{Base, Foundation, FoundationParameter, Interface, Layer, Material, Side};
 

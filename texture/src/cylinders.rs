@@ -59,6 +59,12 @@ impl Cylinders {
         Ok(Self { spec })
     }
 
+    /// The description that they were made of.
+    #[must_use]
+    pub fn spec(&self) -> CylinderSpec {
+        self.spec
+    }
+
     /// Arrangement of the axes.
     #[must_use]
     pub fn lattice(&self) -> Lattice {

@@ -1,4 +1,4 @@
-//! `[indenter]`: the rigid body pressed into the surface.
+//! `[indenter]`: the body pressed into the surface.
 
 use std::f64::consts::FRAC_PI_2;
 use std::path::Path;
@@ -6,10 +6,12 @@ use std::path::Path;
 use pellicle_contact::{
     Cone, FlatPunch, Indenter, IndenterError, IndenterMap, Paraboloid, Pyramid, Sphere,
 };
+use pellicle_kernel::{KernelError, Material};
 use serde::Serialize;
 
 use super::diagnosis::Diagnosis;
 use super::dimension::Dimension;
+use super::foundation::substrate::POISSON_RATIO;
 use super::height_limits::HeightLimits;
 use super::map::MapCase;
 use super::table_reader::TableReader;
@@ -17,8 +19,88 @@ use super::value_reader::Sign;
 
 /// The indenter of a case, every value in SI units or the case's own.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct IndenterCase {
+    /// Its shape.
+    #[serde(flatten)]
+    pub shape: IndenterShape,
+    /// Its material; none of a rigid one.
+    #[serde(flatten)]
+    pub material: Option<ElasticConstants>,
+}
+
+/// The elastic constants of an indenter.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct ElasticConstants {
+    /// Young's modulus `E_i`, Pa.
+    pub young_modulus: f64,
+    /// Poisson's ratio `ν_i`.
+    pub poisson_ratio: f64,
+}
+
+/// The keys of [`ElasticConstants`].
+const ELASTIC: [&str; 2] = ["young_modulus", "poisson_ratio"];
+
+impl IndenterCase {
+    /// Reads the table, and a map's file by its path from `folder`.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] of the first key that is invalid for its kind.
+    pub fn read(table: &TableReader<'_>, folder: &Path) -> Result<Self, Diagnosis> {
+        Ok(Self {
+            shape: IndenterShape::read(table, folder)?,
+            material: ElasticConstants::read(table)?,
+        })
+    }
+
+    /// The indenter itself.
+    ///
+    /// # Errors
+    ///
+    /// [`IndenterError`] if a value is invalid.
+    pub fn build(&self) -> Result<Indenter, IndenterError> {
+        self.shape.build()
+    }
+
+    /// The material, if it is elastic.
+    ///
+    /// # Errors
+    ///
+    /// [`KernelError`] if a value is invalid.
+    pub fn build_material(&self) -> Result<Option<Material>, KernelError> {
+        let build = |of: ElasticConstants| Material::new(of.young_modulus, of.poisson_ratio);
+        self.material.map(build).transpose()
+    }
+
+    /// The measured map, if the indenter is one.
+    #[must_use]
+    pub fn map(&self) -> Option<&MapCase> {
+        self.shape.map()
+    }
+}
+
+impl ElasticConstants {
+    /// Both or none.
+    fn read(table: &TableReader<'_>) -> Result<Option<Self>, Diagnosis> {
+        if table.given(&ELASTIC).is_empty() {
+            return Ok(None);
+        }
+        let ratio = table.required("poisson_ratio", POISSON_RATIO)?;
+        let constants = Self {
+            young_modulus: table.positive("young_modulus", Dimension::Pressure)?,
+            poisson_ratio: ratio.number(POISSON_RATIO)?,
+        };
+        // The modulus is positive by now: only the ratio can still be refused.
+        Material::new(constants.young_modulus, constants.poisson_ratio)
+            .map_err(|error| ratio.refused(&error))?;
+        Ok(Some(constants))
+    }
+}
+
+/// The shape of an indenter.
+#[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(tag = "kind", rename_all = "kebab-case")]
-pub enum IndenterCase {
+pub enum IndenterShape {
     /// `f = ρ²/(2R)`.
     Paraboloid {
         /// Radius of curvature `R`, m.
@@ -85,7 +167,7 @@ const KINDS: [(&str, IndenterKind); 8] = [
 
 const WANTED: &str = "\"paraboloid\", \"sphere\", \"cone\", \"berkovich\", \"vickers\", \"cube-corner\", \"flat-punch\" or \"map\"";
 
-impl IndenterCase {
+impl IndenterShape {
     /// Reads the table, and a map's file by its path from `folder`.
     ///
     /// # Errors
@@ -115,7 +197,7 @@ impl IndenterCase {
             }
             // A map is checked as it is read.
             IndenterKind::Map => {
-                table.only(&MapCase::KEYS)?;
+                only(table, &MapCase::KEYS)?;
                 return MapCase::read(table, folder, HeightLimits::INDENTER).map(Self::Map);
             }
         };
@@ -153,14 +235,19 @@ impl IndenterCase {
     }
 }
 
+/// Refuses keys that are neither of the shape nor of a material.
+fn only(table: &TableReader<'_>, keys: &[&str]) -> Result<(), Diagnosis> {
+    table.only(&[keys, &ELASTIC].concat())
+}
+
 fn radius(table: &TableReader<'_>) -> Result<f64, Diagnosis> {
-    table.only(&["kind", "radius"])?;
+    only(table, &["kind", "radius"])?;
     table.positive("radius", Dimension::Length)
 }
 
-fn read_cone(table: &TableReader<'_>) -> Result<IndenterCase, Diagnosis> {
-    table.only(&["kind", "half_angle", "tip_radius"])?;
-    Ok(IndenterCase::Cone {
+fn read_cone(table: &TableReader<'_>) -> Result<IndenterShape, Diagnosis> {
+    only(table, &["kind", "half_angle", "tip_radius"])?;
+    Ok(IndenterShape::Cone {
         half_angle: angle(table, "half_angle", None)?,
         tip_radius: tip_radius(table)?,
     })
@@ -172,7 +259,7 @@ impl PyramidCase {
     }
 
     fn read(table: &TableReader<'_>, standard: f64) -> Result<Self, Diagnosis> {
-        table.only(&["kind", "tip_radius", "face_angle"])?;
+        only(table, &["kind", "tip_radius", "face_angle"])?;
         Ok(Self {
             tip_radius: tip_radius(table)?,
             face_angle: angle(table, "face_angle", Some(standard))?,
@@ -211,8 +298,29 @@ mod tests {
     use super::super::table_reader::tests::read_table;
     use super::*;
 
-    fn read(text: &str) -> Result<IndenterCase, String> {
-        read_table(text, |table| IndenterCase::read(&table, Path::new("")))
+    fn read(text: &str) -> Result<IndenterShape, String> {
+        let read = |table: TableReader<'_>| IndenterCase::read(&table, Path::new(""));
+        read_table(text, read).map(|case| case.shape)
+    }
+
+    #[test]
+    fn an_elastic_indenter_has_both_constants() {
+        let read = |constants: &str| {
+            let text = format!("kind = \"paraboloid\"\nradius = 1\n{constants}");
+            read_table(&text, |table| IndenterCase::read(&table, Path::new("")))
+        };
+        let diamond = read("young_modulus = \"1141 GPa\"\npoisson_ratio = 0.07").unwrap();
+        let expected = Material::new(1141e9, 0.07).unwrap();
+        assert_eq!(diamond.build_material(), Ok(Some(expected)));
+        assert_eq!(read("").unwrap().build_material(), Ok(None));
+        for faulty in [
+            "young_modulus = 1",
+            "poisson_ratio = 0.3",
+            "young_modulus = 0\npoisson_ratio = 0.3",
+            "young_modulus = 1\npoisson_ratio = 0.6",
+        ] {
+            assert!(read(faulty).is_err(), "{faulty}");
+        }
     }
 
     #[test]
@@ -223,14 +331,14 @@ mod tests {
         };
         assert_eq!(
             read("kind = \"berkovich\""),
-            Ok(IndenterCase::Berkovich(standard))
+            Ok(IndenterShape::Berkovich(standard))
         );
     }
 
     #[test]
     fn angles_are_given_in_degrees_or_in_radians() {
         let cone = |text: &str| match read(&format!("kind = \"cone\"\nhalf_angle = {text}")) {
-            Ok(IndenterCase::Cone { half_angle, .. }) => half_angle,
+            Ok(IndenterShape::Cone { half_angle, .. }) => half_angle,
             other => panic!("{other:?}"),
         };
         // One rounding in the factor of a degree.

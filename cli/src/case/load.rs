@@ -11,6 +11,9 @@ use super::value_reader::Sign;
 /// The four keys of which exactly one is given.
 const KEYS: [&str; 4] = ["force", "forces", "penetration", "penetrations"];
 
+/// The key that asks for derivatives.
+const SENSITIVITIES: &str = "sensitivities";
+
 const WANTED: &str = "exactly one of force, forces, penetration, penetrations";
 
 /// The hint if one load comes from the file and the other from the command line or a study.
@@ -19,10 +22,48 @@ const HELP: &str = "to replace one by the other, replace the whole table: --set 
 /// The most steps of a curve; more are a mistake.
 const MOST_STEPS: usize = 10_000;
 
-/// The load of a case, every value in SI units or the case's own.
+/// The load of a case, and whether derivatives are wanted under it.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct LoadCase {
+    /// Force or penetration, or a list of either.
+    #[serde(flatten)]
+    pub values: LoadValues,
+    /// Whether the derivatives by the numbers of the case are wanted.
+    #[serde(skip_serializing_if = "is_false")]
+    pub sensitivities: bool,
+}
+
+impl LoadCase {
+    /// Reads the table.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] unless exactly one load is given, a positive force or a finite penetration.
+    pub fn read(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
+        table.only(&[&KEYS[..], &[SENSITIVITIES]].concat())?;
+        let sensitivities = table.optional(SENSITIVITIES);
+        Ok(Self {
+            values: LoadValues::read(table)?,
+            sensitivities: sensitivities.map_or(Ok(false), |field| field.switch())?,
+        })
+    }
+
+    /// The loads in order.
+    #[must_use]
+    pub fn loads(&self) -> Vec<pellicle_contact::Load> {
+        self.values.loads()
+    }
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde's signature")]
+fn is_false(value: &bool) -> bool {
+    !value
+}
+
+/// The values of a load in SI units or the case's own.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
-pub enum LoadCase {
+pub enum LoadValues {
     /// One force `Q`, in newtons.
     Force(f64),
     /// A curve over forces `Q`, in newtons.
@@ -33,14 +74,8 @@ pub enum LoadCase {
     Penetrations(Vec<f64>),
 }
 
-impl LoadCase {
-    /// Reads the table.
-    ///
-    /// # Errors
-    ///
-    /// A [`Diagnosis`] unless exactly one load is given, a positive force or a finite penetration.
-    pub fn read(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
-        table.only(&KEYS)?;
+impl LoadValues {
+    fn read(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
         let key = the_one_given(table)?;
         let field = table.required(key, WANTED)?;
         match key {
@@ -51,9 +86,7 @@ impl LoadCase {
         }
     }
 
-    /// The loads in order.
-    #[must_use]
-    pub fn loads(&self) -> Vec<pellicle_contact::Load> {
+    fn loads(&self) -> Vec<pellicle_contact::Load> {
         use pellicle_contact::Load;
         match self {
             Self::Force(force) => vec![Load::Force(*force)],
@@ -96,25 +129,34 @@ mod tests {
     use super::super::table_reader::tests::read_table;
     use super::*;
 
-    fn read(text: &str) -> Result<LoadCase, String> {
-        read_table(text, |table| LoadCase::read(&table))
+    fn read(text: &str) -> Result<LoadValues, String> {
+        read_table(text, |table| LoadCase::read(&table)).map(|load| load.values)
+    }
+
+    #[test]
+    fn sensitivities_are_asked_for_beside_the_load() {
+        let read = |text: &str| read_table(text, |table| LoadCase::read(&table));
+        let asked = |text: &str| read(text).map(|load| load.sensitivities);
+        assert_eq!(asked("force = 1\nsensitivities = true"), Ok(true));
+        assert_eq!(asked("force = 1"), Ok(false));
+        assert!(asked("force = 1\nsensitivities = 1").is_err());
     }
 
     #[test]
     fn every_form_of_a_load_is_read() {
-        assert_eq!(read("force = \"2 mN\""), Ok(LoadCase::Force(2e-3)));
-        assert_eq!(read("penetration = -1"), Ok(LoadCase::Penetration(-1.0)));
+        assert_eq!(read("force = \"2 mN\""), Ok(LoadValues::Force(2e-3)));
+        assert_eq!(read("penetration = -1"), Ok(LoadValues::Penetration(-1.0)));
         assert_eq!(
             read("forces = [1, 2.5]"),
-            Ok(LoadCase::Forces(vec![1.0, 2.5]))
+            Ok(LoadValues::Forces(vec![1.0, 2.5]))
         );
         assert_eq!(
             read("forces = { from = 1, to = 100, count = 3, spacing = \"log\" }"),
-            Ok(LoadCase::Forces(vec![1.0, 10.0, 100.0]))
+            Ok(LoadValues::Forces(vec![1.0, 10.0, 100.0]))
         );
         assert_eq!(
             read("penetrations = { from = \"0 nm\", to = \"4 nm\", count = 3 }"),
-            Ok(LoadCase::Penetrations(vec![0.0, 2e-9, 4e-9]))
+            Ok(LoadValues::Penetrations(vec![0.0, 2e-9, 4e-9]))
         );
     }
 

@@ -206,6 +206,18 @@ impl<'a> ValueReader<'a> {
         })
     }
 
+    /// The `true` or `false` that stands here.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] if something else does.
+    pub fn switch(&self) -> Result<bool, Diagnosis> {
+        match &self.node.value {
+            TomlValue::Boolean(value) => Ok(*value),
+            _ => Err(self.wanted("true or false")),
+        }
+    }
+
     /// The number without a dimension that stands here.
     ///
     /// # Errors

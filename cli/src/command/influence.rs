@@ -65,7 +65,7 @@ fn coefficients(
         let coefficient = if arguments.direct {
             direct::coefficient(model.tables.foundation(), element_side, distance)?
         } else {
-            model.tables.coefficient(element_side, distance)
+            model.tables.foundation_coefficient(element_side, distance)
         };
         Ok(CoefficientRow {
             offset,

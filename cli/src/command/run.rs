@@ -18,7 +18,7 @@ use crate::output::{json, report, results, summary_text};
 use crate::program::Outcome;
 use crate::progress::ProgressLine;
 use crate::stresses::{self, Stresses};
-use crate::{cache, interrupt, terminal, threads};
+use crate::{cache, interrupt, sensitivities, terminal, threads};
 
 /// Solves the case, writes its results folder and reports the result.
 ///
@@ -55,6 +55,9 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
     };
     let mut summary = Summary::new(&case, &path, clock, &cache.take_warnings())?;
     summary.warnings.extend(unfinished(&case, &path));
+    if let Some(found) = sensitivities::find(&case, &model.value, &path)? {
+        summary.add_sensitivities(found);
+    }
     if let Some(stress) = &case.stress {
         match stresses {
             Some(found) => summary.add_stresses(stress, found),

@@ -1,7 +1,9 @@
 //! `curve.csv`: one row per loading step, units in the header.
 
+pub mod sensitivity;
 pub mod stress;
 
+use self::sensitivity::SensitivityColumns;
 use self::stress::StressColumns;
 use super::summary::{StepSummary, Summary};
 use crate::case::units::Units;
@@ -56,12 +58,19 @@ const COLUMNS: [Column; 13] = [
 #[must_use]
 pub fn csv(summary: &Summary) -> String {
     let stress = StressColumns::of_steps(summary);
+    let sensitivities = SensitivityColumns::of_steps(summary);
     let row = |(i, step): (usize, &StepSummary)| {
-        let cells = [row(i, step), stress.row(step, &[])].concat();
+        let cells = [row(i, step), stress.row(step, &[]), sensitivities.row(step)].concat();
         cells.join(",") + "\n"
     };
     let rows: String = summary.steps.iter().enumerate().map(row).collect();
-    let names = [header(summary.units), stress.header(summary.units)].concat();
+    let units = summary.units;
+    let names = [
+        header(units),
+        stress.header(units),
+        sensitivities.header(units),
+    ]
+    .concat();
     names.join(",") + "\n" + &rows
 }
 

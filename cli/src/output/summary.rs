@@ -1,5 +1,6 @@
 //! `summary.json`: the numbers of a run, also the output of `run --json`.
 
+pub mod sensitivity;
 pub mod stress;
 
 use std::fs;
@@ -14,6 +15,7 @@ use serde::{Deserialize, Deserializer, Serialize};
 
 use serde_json::Value;
 
+use self::sensitivity::SensitivitySummary;
 use self::stress::StressSummary;
 use super::curve;
 use crate::case::Case;
@@ -119,6 +121,9 @@ pub struct StepSummary {
     pub work: Work,
     /// Discretisation error.
     pub grid_error: GridError,
+    /// The derivatives by the numbers of the case, where they are asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sensitivities: Option<Vec<SensitivitySummary>>,
     /// The largest stresses inside, where they are asked for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub stress: Option<StressSummary>,
@@ -226,6 +231,13 @@ impl Summary {
             },
             warnings: warnings.chain(cache_warnings).collect(),
         })
+    }
+
+    /// Adds the derivatives that were found.
+    pub fn add_sensitivities(&mut self, found: Vec<Vec<SensitivitySummary>>) {
+        for (step, found) in self.steps.iter_mut().zip(found) {
+            step.sensitivities = Some(found);
+        }
     }
 
     /// The summary in the text of a `summary.json`, which does not say its units.
@@ -343,6 +355,7 @@ impl StepSummary {
             certificate: (&solution.certificate).into(),
             work: step.work.clone(),
             grid_error: step.grid_error.clone(),
+            sensitivities: None,
             stress: None,
         }
     }

@@ -93,8 +93,8 @@ fn the_base_case_may_stand_in_the_same_file_and_ranges_carry_units() {
         "[study.vary]\nload.force = {{ from = \"1 uN\", to = \"1 mN\", count = 4, spacing = \"log\" }}\n{BASE}"
     );
     let study = study(&text.replace("forces = [\"1 uN\", \"2 uN\"]", "")).unwrap();
-    let force = |i| match study.case(i).unwrap().load {
-        crate::case::load::LoadCase::Force(force) => force,
+    let force = |i| match study.case(i).unwrap().load.values {
+        crate::case::load::LoadValues::Force(force) => force,
         other => panic!("{other:?}"),
     };
     // Both ends are exact; between them, one rounding of the power.

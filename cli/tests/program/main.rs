@@ -21,6 +21,7 @@ mod odd_values;
 mod pictures;
 mod read_back;
 mod runner;
+mod sensitivities;
 mod stress_command;
 mod stress_files;
 mod stress_pictures;

@@ -241,6 +241,15 @@ fn every_summary_keeps_to_its_schema() {
             "--set",
             "foundation.substrate.tensile_strength=1 GPa",
         ],
+        vec![
+            "case.toml",
+            "--set",
+            "indenter.young_modulus=1141 GPa",
+            "--set",
+            "indenter.poisson_ratio=0.07",
+            "--set",
+            "load.sensitivities=true",
+        ],
     ];
     let schema = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/summary.schema.json");
     let mut arguments = vec![schema];

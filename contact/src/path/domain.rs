@@ -62,6 +62,17 @@ pub fn default_side(model: &Model, loads: &[Load]) -> f64 {
     }
 }
 
+/// The force (N) that presses the indenter to a penetration (m), by the closed forms of the first guess: good to some
+/// half of it. 0 without contact.
+#[must_use]
+pub fn estimated_force(model: &Model, penetration: f64) -> f64 {
+    if penetration > 0.0 {
+        force_at(model, radius_at(model, penetration))
+    } else {
+        0.0
+    }
+}
+
 /// The largest force and the largest penetration of some loads: those of the widest contact.
 fn largest(loads: &[Load]) -> impl Iterator<Item = Load> {
     let force = loads.iter().filter_map(|load| match load {
@@ -168,7 +179,7 @@ fn force_at(model: &Model, a: f64) -> f64 {
 /// `Q_e(a)`.
 fn elastic_force(model: &Model, a: f64) -> f64 {
     // E*(a) = 2/(k C(k)) at k = 1/a
-    let modulus = 2.0 * a / model.tables.foundation().compliance(1.0 / a);
+    let modulus = 2.0 * a / model.tables.bodies().compliance(1.0 / a);
     let step = FRAC_PI_2 / POINTS as f64;
     let integral: f64 = SINES
         .iter()
@@ -185,10 +196,7 @@ fn relief_force(model: &Model, a: f64) -> Option<f64> {
         Relief::Film(film) => film.compliance(),
         // A cylinder also presses itself into the foundation, by some C(1/r) more than an even pressure would.
         Relief::Cylinders(cylinders) => {
-            let local = model
-                .tables
-                .foundation()
-                .compliance(1.0 / cylinders.radius());
+            let local = (model.tables.bodies()).compliance(1.0 / cylinders.radius());
             cylinders.compliance() + (1.0 - cylinders.area_fraction()) * local
         }
     };

@@ -8,14 +8,15 @@ use rayon::prelude::*;
 
 use crate::{ContactError, DiscreteProblem, Indenter};
 
-/// A rigid indenter above a relief on an elastic foundation, with no grid and no load yet.
+/// An indenter above a relief on an elastic foundation, with no grid and no load yet.
 #[derive(Debug, Clone)]
 pub struct Model {
-    /// Radial tables of the foundation; shared, because they do not depend on the grid.
+    /// Radial tables of the foundation, and of the indenter where that is elastic: their counterbody. Shared, because
+    /// they do not depend on the grid.
     pub tables: Arc<RadialTables>,
     /// The relief on the surface.
     pub relief: Relief,
-    /// The rigid body pressed into it.
+    /// The body pressed into it.
     pub indenter: Indenter,
     /// Where coefficients are looked for and kept, across the grids of a path and the paths of a model;
     /// [`Cache::none`] if nothing is to be kept.
@@ -103,9 +104,9 @@ impl Model {
         grid: &Grid,
     ) -> Result<Cached<Arc<SurfaceElasticity>>, ContactError> {
         let table = (self.cache).coefficients(&self.tables, grid.element_side(), grid.size())?;
-        let foundation = self.tables.foundation().clone();
+        let bodies = self.tables.bodies().clone();
         Ok(Cached {
-            value: Arc::new(SurfaceElasticity::new(table.value, foundation)),
+            value: Arc::new(SurfaceElasticity::new(table.value, bodies)),
             origin: table.origin,
         })
     }

@@ -59,7 +59,7 @@ use self::{
     strategy::{Phase, Strategy},
 };
 use super::{Iterate, Solver, SolverOptions, Watch};
-use crate::{ContactError, DiscreteProblem, Identity, Load};
+use crate::{ContactError, DiscreteProblem, Identity, Load, vector::sum};
 
 /// The iteration stops at this part of the tolerance, so that rounding between its running residual and the
 /// freshly computed certificate cannot decide.
@@ -130,6 +130,17 @@ impl Solver for GradientSolver {
         self.memory = Some((problem.identity().clone(), workspace));
         Ok(iterate)
     }
+}
+
+/// `dp/dD` (Pa/m) under a solved pressure (Pa) and its force, on the elements that press: the solution of
+/// `(K + η) q = 1` there; none where nothing presses or the system does not converge.
+pub(crate) fn pressure_per_penetration(
+    problem: &mut DiscreteProblem,
+    pressure: &[f64],
+) -> Option<Vec<f64>> {
+    let force = Load::Force(problem.loaded_area() * sum(pressure));
+    let workspace = Box::new(Workspace::new(problem));
+    OngoingSolution::begin(problem, workspace, force, pressure).pressure_per_penetration()
 }
 
 /// Why an iteration stops.

@@ -3,6 +3,7 @@
 use pellicle_kernel::{FoundationParameter, KernelError, Material};
 
 use super::ElasticBodies;
+use crate::error::InfluenceError;
 
 /// One number of [`ElasticBodies`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -50,13 +51,13 @@ impl ElasticBodies {
     ///
     /// # Errors
     ///
-    /// As [`Foundation::with_parameter`](pellicle_kernel::Foundation::with_parameter) and [`Material::new`];
-    /// [`KernelError::NothingElastic`] where the counterbody is rigid.
+    /// [`InfluenceError::Kernel`]: as [`Foundation::with_parameter`](pellicle_kernel::Foundation::with_parameter) and
+    /// [`Material::new`], or [`KernelError::NothingElastic`] where the counterbody is rigid.
     pub fn with_parameter(
         &self,
         parameter: ElasticParameter,
         value: f64,
-    ) -> Result<Self, KernelError> {
+    ) -> Result<Self, InfluenceError> {
         if let ElasticParameter::Foundation(of) = parameter {
             let foundation = self.foundation().with_parameter(of, value)?;
             return Ok(Self::new(foundation, self.counterbody().copied()));

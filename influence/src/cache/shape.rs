@@ -81,6 +81,6 @@ mod tests {
         for value in [1.0, 1.0 / 3.0, 6.02e23, 1.6e-19] {
             assert!((rounded(value) / value - 1.0).abs() < 0.5_f64.powi(41));
         }
-        assert_eq!([rounded(0.0), rounded(f64::INFINITY)], [0.0, f64::INFINITY]);
+        assert!(rounded(0.0).to_bits() == 0 && rounded(f64::INFINITY).is_infinite());
     }
 }

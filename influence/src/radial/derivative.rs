@@ -19,8 +19,8 @@ const TOLERANCE: f64 = 2e-12;
 
 /// `∂k/∂θ` of the influence coefficients, where θ is one number of the bodies.
 ///
-/// The response `Φ̃ = Φ + w ∂Φ/∂θ` is that of no body, but has functions T̃, P̃ and coefficients k̃ like any other, and all
-/// of them are linear in it:
+/// The response `Φ̃ = Φ + w ∂Φ/∂θ` is that of no body, but has functions T̃, P̃ and coefficients k̃ like any other, and
+/// all of them are linear in it:
 ///
 /// ```text
 /// ∂k/∂θ = (k̃ − k)/w − k ∂ ln E₁*/∂θ

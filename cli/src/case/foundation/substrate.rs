@@ -11,7 +11,7 @@ use super::strength::BodyStrengthCase;
 
 pub(super) const WANTED: &str = "{ young_modulus = .., poisson_ratio = .. } or \"rigid\"";
 
-pub(super) const POISSON_RATIO: &str = "Poisson's ratio, a number in [0, 0.5]";
+pub(in crate::case) const POISSON_RATIO: &str = "Poisson's ratio, a number in [0, 0.5]";
 
 /// The base of the layers.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]

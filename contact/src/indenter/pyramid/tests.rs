@@ -84,7 +84,7 @@ fn it_tends_to_the_sharp_pyramid_with_the_tip_radius() {
 fn the_faces_are_flat_and_exactly_those_of_the_sharp_pyramid_shifted() {
     for pyramid in pyramids(0.4) {
         let depth = 0.4 * (pyramid.face_angle().sin().recip() - 1.0);
-        let (sine, cosine) = pyramid.half_sector().sin_cos();
+        let (sine, cosine) = (PI / pyramid.faces() as f64).sin_cos();
         for distance in [0.5, 2.0, 100.0] {
             let (x, y) = (distance * cosine, distance * sine);
             let error = pyramid.height(x, y) - (sharp(&pyramid, x, y) - depth);
@@ -155,7 +155,7 @@ fn it_is_convex_and_its_slope_is_continuous() {
 /// Points exactly on the borders between sphere, ridge and face, and on the ridge's crest.
 fn seams(pyramid: &Pyramid) -> Vec<[f64; 2]> {
     let (radius, alpha) = (pyramid.tip_radius(), pyramid.face_angle());
-    let (sine, cosine) = pyramid.half_sector().sin_cos();
+    let (sine, cosine) = (PI / pyramid.faces() as f64).sin_cos();
     let ridge_slope = cosine / alpha.tan();
     let edge = radius * alpha.cos() * sine;
     let on_seams = |k: u32| {

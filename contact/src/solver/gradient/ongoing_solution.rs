@@ -16,7 +16,7 @@ use crate::{
                 newton::{Newton, Turn},
                 segment::{Part, Segment},
                 spectral::SpectralSteps,
-                stiffness,
+                stiffness::{Wanted, pressure_sum_per_penetration},
             },
             strategy::{Phase, Strategy},
             working_set::WorkingSet,
@@ -239,9 +239,31 @@ impl<'a> OngoingSolution<'a> {
             return (None, 0);
         }
         let (sum, applications) =
-            stiffness::pressure_sum_per_penetration(&mut context, &mut methods.conjugate);
+            pressure_sum_per_penetration(&mut context, &mut methods.conjugate, Wanted::Sum);
         let per_sum = self.problem.loaded_area() / self.problem.scale().compliance;
         (sum.map(|sum| sum * per_sum), applications)
+    }
+
+    /// `dp/dD` (Pa/m) on the elements that press, 0 elsewhere; none where nothing presses or the system does not
+    /// converge, with the sparse factor neither.
+    pub fn pressure_per_penetration(&mut self) -> Option<Vec<f64>> {
+        let unit = self.problem.scale().compliance;
+        let (mut context, methods) = self.workspace.on(self.problem);
+        context.set.keep_pressing(context.state);
+        if context.set.len() == 0 {
+            return None;
+        }
+        let mut field = vec![0.0; context.state.elements()];
+        for failures in 0..=1 {
+            let conjugate = &mut methods.conjugate;
+            let wanted = Wanted::Field(&mut field);
+            if let (Some(_), _) = pressure_sum_per_penetration(&mut context, conjugate, wanted) {
+                each(&mut field, |q| *q /= unit);
+                return Some(field);
+            }
+            (context.preconditioner).prepare_for_newton(context.problem, 1 + failures);
+        }
+        None
     }
 
     /// The penetration by the running account, in m.

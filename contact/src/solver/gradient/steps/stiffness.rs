@@ -13,20 +13,35 @@ use crate::solver::gradient::{
     context::Context,
     steps::conjugate::{ConjugateDirections, SystemFields},
 };
-use crate::vector::{add_scaled, dot, sum, update_with};
+use crate::vector::{add_scaled, dot, sum, update, update_with};
 
 /// Part of the sum that the next step would add, by the last one's `α`, from which on it is not taken but estimated:
 /// true to a third of itself.
 const SMALLEST_GAIN: f64 = 1e-6;
+/// The same where the field is wanted: its error is the root of this.
+const SMALLEST_GAIN_OF_FIELD: f64 = 1e-20;
 /// Steps after which the stiffness is held not to be found.
 const MOST_STEPS: usize = 300;
 
-/// `Σ q`, in the units of the problem's scale, to some 1e-7 of itself, on the set of the state's elements that press,
-/// which is not empty; and the products that it took. None if the system does not converge.
+/// What is wanted of `q`.
+pub enum Wanted<'a> {
+    /// Its sum, to some 1e-7 of itself.
+    Sum,
+    /// Its values, to some 1e-9 of the largest, written here.
+    Field(&'a mut [f64]),
+}
+
+/// `Σ q`, in the units of the problem's scale, on the set of the state's elements that press, which is not empty; and
+/// the products that it took. None if the system does not converge.
 pub fn pressure_sum_per_penetration(
     context: &mut Context<'_>,
     conjugate: &mut ConjugateDirections,
+    mut wanted: Wanted<'_>,
 ) -> (Option<f64>, usize) {
+    let smallest_gain = match wanted {
+        Wanted::Sum => SMALLEST_GAIN,
+        Wanted::Field(_) => SMALLEST_GAIN_OF_FIELD,
+    };
     let Context {
         problem,
         state,
@@ -52,6 +67,9 @@ pub fn pressure_sum_per_penetration(
     update_with(residual, image_of_pressure, set.mask(), |r, y, member| {
         *r = if *member { 1.0 - part * y } else { 0.0 };
     });
+    if let Wanted::Field(field) = &mut wanted {
+        update(field, pressure, |q, p| *q = part * p);
+    }
     direction.fill(0.0);
     let (mut total, mut product_before) = (part * pressure_sum, f64::INFINITY);
     let mut alpha = f64::INFINITY;
@@ -63,7 +81,7 @@ pub fn pressure_sum_per_penetration(
             return (None, steps);
         }
         let expected = if product == 0.0 { 0.0 } else { alpha * product };
-        if expected.abs() <= SMALLEST_GAIN * total {
+        if expected.abs() <= smallest_gain * total {
             return (Some(total + expected), steps);
         }
         // d = z + β d, conjugate to p
@@ -77,6 +95,9 @@ pub fn pressure_sum_per_penetration(
         // α = r·z / d·(K + η)d;  Σq grows by α r·d = α r·z
         alpha = product / dot(direction, image);
         total += alpha * product;
+        if let Wanted::Field(field) = &mut wanted {
+            add_scaled(field, alpha, direction);
+        }
         add_scaled(residual, -alpha, image);
         product_before = product;
     }

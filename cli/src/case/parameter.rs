@@ -1,0 +1,182 @@
+//! The numbers of a case that a solution depends on smoothly, by their keys.
+
+use pellicle_contact::{IndenterQuantity, Model, ModelParameter};
+use pellicle_influence::ElasticParameter;
+use pellicle_kernel::{FoundationParameter, KernelError};
+use pellicle_texture::{Relief, ReliefParameter};
+
+use super::Case;
+use super::dimension::Dimension;
+
+/// A number of a case and of its model.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CaseParameter {
+    /// Its key in the case, such as `foundation.layer[0].young_modulus`.
+    pub key: String,
+    /// The number in the model.
+    pub parameter: ModelParameter,
+    /// Its dimension; none of Poisson's ratio.
+    pub dimension: Option<Dimension>,
+}
+
+impl Case {
+    /// All numbers of the case's model that a solution depends on smoothly: not those of graded layers, which stand for
+    /// many layers of the model.
+    ///
+    /// # Errors
+    ///
+    /// [`KernelError`] if a graded layer cannot be split.
+    pub fn parameters(&self, model: &Model) -> Result<Vec<CaseParameter>, KernelError> {
+        let keys = self.layer_keys()?;
+        let all = model.parameters().into_iter();
+        let named = all.filter_map(|parameter| {
+            let (key, dimension) = match parameter {
+                ModelParameter::Elastic(of) => of_bodies(of, &keys)?,
+                ModelParameter::Relief(of) => of_relief(of, &model.relief),
+                ModelParameter::Indenter(of) => of_indenter(of)?,
+            };
+            Some(CaseParameter {
+                key,
+                parameter,
+                dimension,
+            })
+        });
+        Ok(named.collect())
+    }
+
+    /// The keys of the model's layers and its substrate; none of those that a graded layer is split into.
+    fn layer_keys(&self) -> Result<Vec<Option<String>>, KernelError> {
+        let splits = self.foundation.split()?.splits;
+        let of_layer = |i: usize| match splits.iter().find(|split| split.layer == i) {
+            Some(graded) => vec![None; graded.sublayers],
+            None => vec![Some(format!("foundation.layer[{i}]"))],
+        };
+        let substrate = Some("foundation.substrate".to_owned());
+        let layers = (0..self.foundation.layer.len()).flat_map(of_layer);
+        Ok(layers.chain([substrate]).collect())
+    }
+}
+
+fn of_bodies(
+    parameter: ElasticParameter,
+    keys: &[Option<String>],
+) -> Option<(String, Option<Dimension>)> {
+    use FoundationParameter::{
+        NormalCompliance, PoissonRatio, ShearCompliance, Thickness, YoungModulus,
+    };
+    let of = match parameter {
+        ElasticParameter::Foundation(of) => of,
+        ElasticParameter::CounterbodyYoungModulus => {
+            return Some(("indenter.young_modulus".into(), Some(Dimension::Pressure)));
+        }
+        ElasticParameter::CounterbodyPoissonRatio => {
+            return Some(("indenter.poisson_ratio".into(), None));
+        }
+    };
+    let (body, name, dimension) = match of {
+        YoungModulus { body } => (body, "young_modulus", Some(Dimension::Pressure)),
+        PoissonRatio { body } => (body, "poisson_ratio", None),
+        Thickness { layer } => (layer, "thickness", Some(Dimension::Length)),
+        NormalCompliance { layer } => (
+            layer,
+            "interface.normal_compliance",
+            Some(Dimension::Compliance),
+        ),
+        ShearCompliance { layer } => (
+            layer,
+            "interface.shear_compliance",
+            Some(Dimension::Compliance),
+        ),
+    };
+    let body = keys.get(body)?.as_ref()?;
+    Some((format!("{body}.{name}"), dimension))
+}
+
+fn of_relief(parameter: ReliefParameter, relief: &Relief) -> (String, Option<Dimension>) {
+    let (name, dimension) = match (parameter, relief) {
+        (ReliefParameter::YoungModulus, _) => ("young_modulus", Dimension::Pressure),
+        (ReliefParameter::Height, Relief::Film(_)) => ("thickness", Dimension::Length),
+        (ReliefParameter::Height, _) => ("height", Dimension::Length),
+        (ReliefParameter::Compliance, _) => ("compliance", Dimension::Compliance),
+    };
+    (format!("surface.{name}"), Some(dimension))
+}
+
+fn of_indenter(quantity: IndenterQuantity) -> Option<(String, Option<Dimension>)> {
+    let (name, dimension) = match quantity {
+        IndenterQuantity::Radius => ("radius", Dimension::Length),
+        IndenterQuantity::TipRadius => ("tip_radius", Dimension::Length),
+        IndenterQuantity::HalfAngle => ("half_angle", Dimension::Angle),
+        IndenterQuantity::FaceAngle => ("face_angle", Dimension::Angle),
+        _ => return None,
+    };
+    Some((format!("indenter.{name}"), Some(dimension)))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+    use std::sync::Arc;
+
+    use pellicle_influence::Cache;
+
+    use super::super::source::Source;
+    use super::*;
+
+    const CASE: &str = r#"
+[foundation]
+substrate = { young_modulus = 1, poisson_ratio = 0.3 }
+[[foundation.layer]]
+thickness = 0.1
+young_modulus = { from = 10, to = 2 }
+poisson_ratio = 0.2
+[[foundation.layer]]
+thickness = 0.2
+young_modulus = 4
+poisson_ratio = 0.25
+interface = { normal_compliance = 0.1, shear_compliance = 0.0 }
+[surface]
+kind = "film"
+thickness = 0.01
+young_modulus = 0.5
+[indenter]
+kind = "berkovich"
+tip_radius = 0.3
+young_modulus = 100
+poisson_ratio = 0.1
+[load]
+force = 0.1
+"#;
+
+    #[test]
+    fn every_number_but_those_of_graded_layers_has_the_key_that_changes_it() {
+        let source = Arc::new(Source::new("case.toml", CASE.into()));
+        let read = |sets: &[String]| Case::parse(&source, "case", Path::new(""), sets).unwrap();
+        let case = read(&[]);
+        let model = |case: &Case| case.model(&Cache::none()).unwrap().value;
+        let parameters = case.parameters(&model(&case)).unwrap();
+        let keys: Vec<&str> = parameters.iter().map(|of| of.key.as_str()).collect();
+        assert_eq!(
+            keys,
+            [
+                "foundation.layer[1].young_modulus",
+                "foundation.layer[1].poisson_ratio",
+                "foundation.layer[1].thickness",
+                "foundation.layer[1].interface.normal_compliance",
+                "foundation.substrate.young_modulus",
+                "foundation.substrate.poisson_ratio",
+                "indenter.young_modulus",
+                "indenter.poisson_ratio",
+                "surface.young_modulus",
+                "surface.thickness",
+                "indenter.face_angle",
+                "indenter.tip_radius",
+            ]
+        );
+        for CaseParameter { key, parameter, .. } in parameters {
+            let value = model(&case).parameter(parameter).unwrap() * 1.01;
+            let other = model(&read(&[format!("{key}={value}")]));
+            assert_eq!(other.parameter(parameter), Some(value), "{key}");
+        }
+    }
+}

@@ -1,0 +1,67 @@
+//! The columns of derivatives in a curve.
+
+use super::number;
+use crate::case::units::Units;
+use crate::output::summary::{StepSummary, Summary};
+
+/// The numbers of the case whose derivatives are columns.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct SensitivityColumns {
+    keys: Vec<String>,
+}
+
+impl SensitivityColumns {
+    /// The columns of the steps of a summary.
+    #[must_use]
+    pub fn of_steps(summary: &Summary) -> Self {
+        let mut steps = summary.steps.iter();
+        let first = steps.find_map(|step| step.sensitivities.as_ref());
+        let keys = first.into_iter().flatten().map(|of| of.parameter.clone());
+        Self {
+            keys: keys.collect(),
+        }
+    }
+
+    /// Names of the columns: of each number the derivative of the elements in contact and that along the curve.
+    #[must_use]
+    pub fn header(&self, units: Units) -> Vec<String> {
+        let unit = |key: &str| match units {
+            Units::Consistent => units.name("m").to_owned(),
+            Units::Si => format!("m per {}", si_unit(key)),
+        };
+        let of_key = |key: &String| {
+            let unit = unit(key);
+            [
+                format!("d penetration/d {key} [{unit}]"),
+                format!("d penetration/d {key} along the curve [{unit}]"),
+            ]
+        };
+        self.keys.iter().flat_map(of_key).collect()
+    }
+
+    /// The values of a step; empty where there is none.
+    #[must_use]
+    pub fn row(&self, step: &StepSummary) -> Vec<String> {
+        let cell = |value: Option<f64>| value.map_or_else(String::new, number);
+        let of_key = |key: &String| {
+            let mut found = step.sensitivities.iter().flatten();
+            let found = found.find(|of| of.parameter == *key);
+            [
+                cell(found.and_then(|of| of.penetration)),
+                cell(found.and_then(|of| of.smooth_penetration)),
+            ]
+        };
+        self.keys.iter().flat_map(of_key).collect()
+    }
+}
+
+/// The SI unit of a number of a case, by the last part of its key.
+fn si_unit(key: &str) -> &'static str {
+    match key.rsplit('.').next().unwrap_or_default() {
+        "young_modulus" => "Pa",
+        "thickness" | "height" | "radius" | "tip_radius" => "m",
+        "half_angle" | "face_angle" => "rad",
+        "normal_compliance" | "shear_compliance" | "compliance" => "m/Pa",
+        _ => "1",
+    }
+}

@@ -1,0 +1,107 @@
+//! The numbers of an indenter, one by one: read, or replaced by another.
+
+use super::{
+    Cone, FlatPunch, Indenter, IndenterError, IndenterQuantity, Paraboloid, Pyramid, Sphere,
+};
+
+impl Indenter {
+    /// Its numbers that the height depends on smoothly: none of a flat punch, a map or a custom shape, and no tip
+    /// radius of a sharp tip.
+    #[must_use]
+    pub fn parameters(&self) -> Vec<IndenterQuantity> {
+        use IndenterQuantity::{FaceAngle, HalfAngle, Radius, TipRadius};
+        let all = [Radius, HalfAngle, FaceAngle, TipRadius];
+        let is_there = |of: &IndenterQuantity| self.parameter(*of).is_some_and(|value| value > 0.0);
+        let all = all.into_iter().filter(is_there);
+        all.filter(|_| !matches!(self, Self::FlatPunch(_)))
+            .collect()
+    }
+
+    /// The value of a number, in m or rad; none where the shape has no such number.
+    #[must_use]
+    pub fn parameter(&self, quantity: IndenterQuantity) -> Option<f64> {
+        use IndenterQuantity::{FaceAngle, HalfAngle, Radius, TipRadius};
+        match (quantity, self) {
+            (Radius, Self::Paraboloid(shape)) => Some(shape.radius()),
+            (Radius, Self::Sphere(shape)) => Some(shape.radius()),
+            (Radius, Self::FlatPunch(shape)) => Some(shape.radius()),
+            (HalfAngle, Self::Cone(shape)) => Some(shape.half_angle()),
+            (TipRadius, Self::Cone(shape)) => Some(shape.tip_radius()),
+            (FaceAngle, Self::Pyramid(shape)) => Some(shape.face_angle()),
+            (TipRadius, Self::Pyramid(shape)) => Some(shape.tip_radius()),
+            _ => None,
+        }
+    }
+
+    /// The same shape with another value of one number; itself where it has no such number.
+    ///
+    /// ```
+    /// use pellicle_contact::{Cone, Indenter, IndenterQuantity};
+    ///
+    /// let cone = Indenter::from(Cone::new(1.2, 50e-9)?);
+    /// let blunter = cone.with_parameter(IndenterQuantity::TipRadius, 80e-9)?;
+    /// assert_eq!(blunter, Cone::new(1.2, 80e-9)?.into());
+    /// # Ok::<(), pellicle_contact::IndenterError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// Those of the shape's constructor.
+    pub fn with_parameter(
+        &self,
+        quantity: IndenterQuantity,
+        value: f64,
+    ) -> Result<Self, IndenterError> {
+        if self.parameter(quantity).is_none() {
+            return Ok(self.clone());
+        }
+        let or = |wanted: IndenterQuantity, own: f64| if quantity == wanted { value } else { own };
+        Ok(match self {
+            Self::Paraboloid(_) => Paraboloid::new(value)?.into(),
+            Self::Sphere(_) => Sphere::new(value)?.into(),
+            Self::FlatPunch(_) => FlatPunch::new(value)?.into(),
+            Self::Cone(shape) => Cone::new(
+                or(IndenterQuantity::HalfAngle, shape.half_angle()),
+                or(IndenterQuantity::TipRadius, shape.tip_radius()),
+            )?
+            .into(),
+            Self::Pyramid(shape) => Pyramid::new(
+                shape.faces(),
+                or(IndenterQuantity::FaceAngle, shape.face_angle()),
+                or(IndenterQuantity::TipRadius, shape.tip_radius()),
+            )?
+            .into(),
+            Self::Map(_) | Self::Custom(_) => self.clone(),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_number_is_listed_read_and_replaced_alone() {
+        let shapes: [Indenter; 4] = [
+            Paraboloid::new(0.5).unwrap().into(),
+            Sphere::new(0.5).unwrap().into(),
+            Cone::new(0.9, 0.5).unwrap().into(),
+            Pyramid::berkovich(0.5).unwrap().into(),
+        ];
+        for shape in shapes {
+            let all = shape.parameters();
+            for (index, quantity) in all.iter().enumerate() {
+                let other = shape.with_parameter(*quantity, 0.75).unwrap();
+                let mut expected: Vec<_> = all.iter().map(|of| shape.parameter(*of)).collect();
+                expected[index] = Some(0.75);
+                let found: Vec<_> = all.iter().map(|of| other.parameter(*of)).collect();
+                assert_eq!(found, expected);
+            }
+            assert!(!all.is_empty());
+        }
+        let punch = Indenter::from(FlatPunch::new(1.0).unwrap());
+        assert!(punch.parameters().is_empty());
+        let sharp = Indenter::from(Cone::new(1.0, 0.0).unwrap());
+        assert_eq!(sharp.parameters(), [IndenterQuantity::HalfAngle]);
+    }
+}

@@ -1,0 +1,156 @@
+//! What one number of a model changes: coefficients, springs or heights, before any grid and on one.
+
+use std::sync::Arc;
+
+use pellicle_influence::{
+    CoefficientDerivative, CoefficientTable, ElasticOperator, SurfaceElasticity,
+};
+use pellicle_texture::Grid;
+
+use super::ModelParameter;
+use crate::{ContactError, Model, SampledModel, grid::window::Window, problem::model::initial_gap};
+
+/// Relative step of the central difference by which springs and heights are differentiated: an error of 1e-10 by its
+/// square, and as much by rounding.
+const STEP: f64 = 1e-5;
+
+/// Derivatives of a model by some of its numbers, with no grid yet.
+#[derive(Debug, Clone)]
+pub struct ModelDerivatives {
+    model: Model,
+    /// Each with its value.
+    numbers: Vec<(ModelParameter, f64, Option<CoefficientDerivative>)>,
+}
+
+impl Model {
+    /// Its derivatives by `parameters`: radial tables for each number of the elastic bodies, some ten milliseconds.
+    ///
+    /// # Errors
+    /// [`ContactError::NoParameter`] for a number that the model does not have; a number without values beside its own.
+    pub fn derivatives(
+        &self,
+        parameters: &[ModelParameter],
+    ) -> Result<ModelDerivatives, ContactError> {
+        let number = |parameter: &ModelParameter| {
+            let wanted = *parameter;
+            let value = self
+                .parameter(wanted)
+                .ok_or(ContactError::NoParameter { wanted })?;
+            let derivative = match wanted {
+                ModelParameter::Elastic(of) => Some(self.tables.derivative(of)?),
+                ModelParameter::Relief(_) | ModelParameter::Indenter(_) => None,
+            };
+            Ok((wanted, value, derivative))
+        };
+        Ok(ModelDerivatives {
+            model: self.clone(),
+            numbers: parameters
+                .iter()
+                .map(number)
+                .collect::<Result<_, ContactError>>()?,
+        })
+    }
+}
+
+impl ModelDerivatives {
+    /// The model.
+    pub(super) fn model(&self) -> &Model {
+        &self.model
+    }
+
+    /// Each number's value, and what it changes on a grid.
+    pub(super) fn on(&self, grid: &Grid) -> Result<Vec<(f64, Change)>, ContactError> {
+        let numbers = self.numbers.iter();
+        let change = |(parameter, value, derivative): &(_, f64, Option<CoefficientDerivative>)| {
+            let change = match derivative {
+                Some(derivative) => Change::of_coefficients(&self.model, grid, derivative)?,
+                None => Change::of_geometry(&self.model, grid, *parameter, *value)?,
+            };
+            Ok((*value, change))
+        };
+        numbers.map(change).collect()
+    }
+}
+
+/// Derivatives by one number θ on a grid, per unit of θ.
+pub enum Change {
+    /// `K_θ`.
+    Coefficients(SurfaceElasticity),
+    /// `η_θ` and `g0_θ`, N² values each.
+    Geometry {
+        compliance: Vec<f64>,
+        initial_gap: Vec<f64>,
+    },
+}
+
+impl Change {
+    fn of_coefficients(
+        model: &Model,
+        grid: &Grid,
+        derivative: &CoefficientDerivative,
+    ) -> Result<Self, ContactError> {
+        let side = grid.element_side();
+        let coefficient = |offset| derivative.coefficient(side, offset);
+        let table = Arc::new(CoefficientTable::from_fn(side, grid.size(), coefficient)?);
+        let bodies = model.tables.bodies().clone();
+        Ok(Self::Coefficients(SurfaceElasticity::new(table, bodies)))
+    }
+
+    fn of_geometry(
+        model: &Model,
+        grid: &Grid,
+        parameter: ModelParameter,
+        value: f64,
+    ) -> Result<Self, ContactError> {
+        let step = STEP * value;
+        let at = |value: f64| {
+            let moved = model.with_parameter(parameter, value)?;
+            let SampledModel {
+                relief,
+                indenter_profile,
+                ..
+            } = SampledModel::on(*grid, &moved.relief, &moved.indenter);
+            let gap = initial_gap(&indenter_profile, relief.profile());
+            Ok::<_, ContactError>((relief.into_parts().2, gap))
+        };
+        let (more, less) = (at(value + step)?, at(value - step)?);
+        Ok(Self::Geometry {
+            compliance: difference(&more.0, &less.0, step),
+            initial_gap: difference(&more.1, &less.1, step),
+        })
+    }
+
+    /// `(K_θ + η_θ) p` and `g0_θ` on a window of the grid, for a pressure `p` on it.
+    pub fn under(&self, window: &Window, pressure: &[f64]) -> [Vec<f64>; 2] {
+        match self {
+            Self::Coefficients(elasticity) => {
+                let mut image = vec![0.0; pressure.len()];
+                elasticity
+                    .operator(window.size())
+                    .apply_into(pressure, &mut image);
+                [image, vec![0.0; pressure.len()]]
+            }
+            Self::Geometry {
+                compliance,
+                initial_gap,
+            } => {
+                let springs = window.cut(compliance);
+                let image = springs.iter().zip(pressure).map(|(eta, p)| eta * p);
+                [image.collect(), window.cut(initial_gap)]
+            }
+        }
+    }
+}
+
+/// `(more − less)/(2 step)`; 0 where both are infinite, beyond the indenter's end.
+fn difference(more: &[f64], less: &[f64], step: f64) -> Vec<f64> {
+    let pairs = more.iter().zip(less);
+    let slope = |(more, less): (&f64, &f64)| {
+        if more.is_finite() && less.is_finite() {
+            (more - less) / (2.0 * step)
+        } else {
+            0.0
+        }
+    };
+    pairs.map(slope).collect()
+}

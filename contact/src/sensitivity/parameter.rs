@@ -1,0 +1,84 @@
+//! The numbers of a model, one by one: read, or replaced by another.
+
+use std::sync::Arc;
+
+use pellicle_influence::ElasticParameter;
+use pellicle_texture::ReliefParameter;
+
+use crate::{ContactError, IndenterQuantity, Model};
+
+/// One number of a [`Model`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ModelParameter {
+    /// Of the foundation, or of an elastic indenter's material.
+    Elastic(ElasticParameter),
+    /// Of the relief's springs.
+    Relief(ReliefParameter),
+    /// Of the indenter's shape.
+    Indenter(IndenterQuantity),
+}
+
+impl Model {
+    /// All its numbers that a solution depends on smoothly: not the outline of a relief nor the radius of a flat punch,
+    /// which elements follow in steps.
+    #[must_use]
+    pub fn parameters(&self) -> Vec<ModelParameter> {
+        let elastic = self.tables.bodies().parameters();
+        let elastic = elastic.into_iter().map(ModelParameter::Elastic);
+        let relief = self.relief.parameters();
+        let relief = relief.into_iter().map(ModelParameter::Relief);
+        let indenter = self.indenter.parameters();
+        let indenter = indenter.into_iter().map(ModelParameter::Indenter);
+        elastic.chain(relief).chain(indenter).collect()
+    }
+
+    /// The value of a number, in SI units; none where the model has no such number.
+    #[must_use]
+    pub fn parameter(&self, parameter: ModelParameter) -> Option<f64> {
+        match parameter {
+            ModelParameter::Elastic(of) => self.tables.bodies().parameter(of),
+            ModelParameter::Relief(of) => self.relief.parameter(of),
+            ModelParameter::Indenter(of) => self.indenter.parameter(of),
+        }
+    }
+
+    /// The same model with another value of one number; radial tables come from its cache, or are built anew.
+    ///
+    /// # Errors
+    /// As [`Self::with_parameters`].
+    pub fn with_parameter(
+        &self,
+        parameter: ModelParameter,
+        value: f64,
+    ) -> Result<Self, ContactError> {
+        self.with_parameters(&[(parameter, value)])
+    }
+
+    /// The same model with other values of some numbers; radial tables come from its cache, or are built anew.
+    ///
+    /// # Errors
+    /// A value that the body, the relief or the indenter cannot have; a body that the model does not have; radial
+    /// tables that miss their accuracy.
+    pub fn with_parameters(&self, values: &[(ModelParameter, f64)]) -> Result<Self, ContactError> {
+        let mut model = self.clone();
+        let mut bodies = self.tables.bodies().clone();
+        for (parameter, value) in values {
+            match *parameter {
+                ModelParameter::Elastic(of) => bodies = bodies.with_parameter(of, *value)?,
+                ModelParameter::Relief(of) => {
+                    model.relief = model.relief.with_parameter(of, *value)?;
+                }
+                ModelParameter::Indenter(of) => {
+                    model.indenter = model.indenter.with_parameter(of, *value)?;
+                }
+            }
+        }
+        let before = self.tables.bodies();
+        if bodies.foundation() != before.foundation() {
+            model.tables = self.cache.radial_tables_of(&bodies)?.value;
+        } else if bodies != *before {
+            model.tables = Arc::new(self.tables.with_counterbody(bodies.counterbody().copied()));
+        }
+        Ok(model)
+    }
+}

@@ -1,0 +1,176 @@
+//! The forward model: penetrations of a contact by its parameters, and their derivatives.
+//!
+//! A measured curve has up to a hundred thousand points; the contact is solved at a few loads alone. Their energies
+//! `E(Q) = ∫ D dQ` and the derivatives `∂E/∂θ` are extrapolated from two grids, and [`ForceCurve`]s through them give
+//! `D = dE/dQ`, `dD/dQ` and `∂D/∂θ` at every point. As the parameters change, each load's domain follows its contact,
+//! so that the same elements press and no step comes from one that enters.
+
+mod observable;
+mod solved_curve;
+
+use std::collections::BTreeSet;
+
+use pellicle_contact::{ContactError, Model, ModelParameter};
+use rayon::prelude::*;
+
+pub use observable::Observable;
+use solved_curve::{Nodes, SolvedCurve};
+
+use crate::{ForwardError, ForwardModel, Prediction};
+
+/// Measured curves of one model: all that were taken under the same conditions.
+#[derive(Debug, Clone)]
+pub struct ContactCurve {
+    /// The model, with the values that are not sought and with those of these curves alone.
+    pub model: Model,
+    /// What was measured at what.
+    pub observable: Observable,
+    /// Abscissae of all points (N or m), in the order of the measurement.
+    pub abscissae: Vec<f64>,
+    /// Numbers that these curves have a value of their own of, and that are not sought here.
+    pub own: Vec<ModelParameter>,
+}
+
+/// The curves of some models that share the parameters to be found: a [`ForwardModel`].
+#[derive(Debug)]
+pub struct ContactCurves {
+    curves: Vec<ContactCurve>,
+    nodes: Vec<Nodes>,
+    parameters: Vec<ModelParameter>,
+    options: CurveOptions,
+}
+
+/// How the curves are computed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CurveOptions {
+    /// Elements per side of the finer of the two grids; even.
+    pub elements: usize,
+    /// Loads to a decade at which the contact is solved.
+    pub loads_per_decade: f64,
+}
+
+impl Default for CurveOptions {
+    /// 64 elements and six loads a decade: 1e-5 of D for paraboloids, 5e-4 for rounded pyramids
+    /// (`tests/contact_curves.rs`).
+    fn default() -> Self {
+        Self {
+            elements: 64,
+            loads_per_decade: 6.0,
+        }
+    }
+}
+
+impl ContactCurves {
+    /// The curves, and the parameters in the order in which a fit gives their values.
+    ///
+    /// # Errors
+    ///
+    /// [`ContactError::NoParameter`] for a parameter that none of the models has; a curve without a positive abscissa.
+    pub fn new(
+        curves: Vec<ContactCurve>,
+        parameters: Vec<ModelParameter>,
+        options: CurveOptions,
+    ) -> Result<Self, ContactError> {
+        for wanted in &parameters {
+            let has = |curve: &ContactCurve| curve.model.parameter(*wanted).is_some();
+            if !curves.iter().any(has) {
+                return Err(ContactError::NoParameter { wanted: *wanted });
+            }
+        }
+        let nodes = curves
+            .iter()
+            .map(|curve| Nodes::of(curve, options))
+            .collect::<Result<_, _>>()?;
+        Ok(Self {
+            curves,
+            nodes,
+            parameters,
+            options,
+        })
+    }
+
+    /// Loads at which all curves together are solved for one prediction.
+    #[must_use]
+    pub fn loads(&self) -> usize {
+        self.nodes.iter().map(Nodes::len).sum()
+    }
+
+    /// The curves.
+    #[must_use]
+    pub fn curves(&self) -> &[ContactCurve] {
+        &self.curves
+    }
+
+    /// The model of a curve at these parameters.
+    ///
+    /// # Errors
+    ///
+    /// As [`Model::with_parameters`].
+    pub fn model(&self, curve: usize, parameters: &[f64]) -> Result<Model, ContactError> {
+        let own: BTreeSet<usize> = self.own(curve).collect();
+        let pairs = self
+            .parameters
+            .iter()
+            .copied()
+            .zip(parameters.iter().copied());
+        let sought = pairs.enumerate().filter(|(index, _)| !own.contains(index));
+        let values: Vec<_> = sought.map(|(_, pair)| pair).collect();
+        self.curves[curve].model.with_parameters(&values)
+    }
+
+    /// The parameters that do not change a curve: its own, and those that its model does not have.
+    fn own(&self, curve: usize) -> impl Iterator<Item = usize> + '_ {
+        let ContactCurve { model, own, .. } = &self.curves[curve];
+        let parameters = self.parameters.iter().enumerate();
+        let is_own = |(_, parameter): &(usize, &ModelParameter)| {
+            own.contains(parameter) || model.parameter(**parameter).is_none()
+        };
+        parameters.filter(is_own).map(|(index, _)| index)
+    }
+
+    /// One curve at these parameters: its points, their slopes, and their derivatives.
+    fn predicted(&self, curve: usize, parameters: &[f64]) -> Result<Prediction, ContactError> {
+        let model = self.model(curve, parameters)?;
+        let own: BTreeSet<usize> = self.own(curve).collect();
+        let all = self.parameters.iter().enumerate();
+        let sought = all.filter(|(index, _)| !own.contains(index));
+        let sought: Vec<ModelParameter> = sought.map(|(_, parameter)| *parameter).collect();
+        let solved = SolvedCurve::of(&model, &self.nodes[curve], &sought, self.options)?;
+        let ContactCurve {
+            observable,
+            abscissae,
+            ..
+        } = &self.curves[curve];
+        let mut prediction = observable.of(&solved, abscissae)?;
+        for index in own {
+            prediction
+                .derivatives
+                .insert(index, vec![0.0; abscissae.len()]);
+        }
+        Ok(prediction)
+    }
+}
+
+impl ForwardModel for ContactCurves {
+    fn predict(&self, parameters: &[f64]) -> Result<Prediction, ForwardError> {
+        let curves = (0..self.curves.len()).into_par_iter();
+        let predicted = curves.map(|curve| self.predicted(curve, parameters));
+        let predicted: Vec<Result<Prediction, ContactError>> = predicted.collect();
+        let mut all = Prediction {
+            value: Vec::new(),
+            slope: Vec::new(),
+            derivatives: vec![Vec::new(); self.parameters.len()],
+        };
+        for one in predicted {
+            let one = one.map_err(|source| ForwardError::OutOfRange {
+                source: Box::new(source),
+            })?;
+            all.value.extend(one.value);
+            all.slope.extend(one.slope);
+            for (to, from) in all.derivatives.iter_mut().zip(one.derivatives) {
+                to.extend(from);
+            }
+        }
+        Ok(all)
+    }
+}

@@ -1,0 +1,86 @@
+//! What an instrument reads, and how it follows from the penetration under a force.
+
+use pellicle_contact::ContactError;
+use serde::{Deserialize, Serialize};
+
+use super::solved_curve::{CurvePoint, SolvedCurve};
+use crate::Prediction;
+
+/// Steps of Newton's method for the force at a depth: it is convex in logarithms, and a few do.
+const MOST_STEPS: usize = 60;
+/// Relative accuracy of that force.
+const ACCURACY: f64 = 1e-13;
+
+/// What was measured at what.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Observable {
+    /// The penetration (m) at forces (N).
+    #[serde(rename = "depth at force")]
+    DepthAtForce,
+    /// The force (N) at penetrations (m).
+    #[serde(rename = "force at depth")]
+    ForceAtDepth,
+}
+
+impl Observable {
+    /// The observable at some abscissae of a solved curve.
+    pub(super) fn of(
+        self,
+        curve: &SolvedCurve,
+        abscissae: &[f64],
+    ) -> Result<Prediction, ContactError> {
+        let mut prediction = Prediction {
+            value: Vec::new(),
+            slope: Vec::new(),
+            derivatives: Vec::new(),
+        };
+        for abscissa in abscissae {
+            let (value, slope, changes) = self.at(curve, *abscissa)?;
+            prediction.value.push(value);
+            prediction.slope.push(slope);
+            prediction.derivatives.resize(changes.len(), Vec::new());
+            for (column, change) in prediction.derivatives.iter_mut().zip(changes) {
+                column.push(change);
+            }
+        }
+        Ok(prediction)
+    }
+
+    fn at(self, curve: &SolvedCurve, abscissa: f64) -> Result<(f64, f64, Vec<f64>), ContactError> {
+        match self {
+            Self::DepthAtForce => {
+                let CurvePoint {
+                    penetration,
+                    slope,
+                    changes,
+                } = curve.at(abscissa);
+                Ok((penetration, slope, changes))
+            }
+            Self::ForceAtDepth => {
+                let (force, point) = force_at(curve, abscissa)?;
+                // dQ/dD = 1/(dD/dQ), ∂Q/∂θ|_D = −(dQ/dD) ∂D/∂θ|_Q
+                let changes = point.changes.iter().map(|change| -change / point.slope);
+                Ok((force, 1.0 / point.slope, changes.collect()))
+            }
+        }
+    }
+}
+
+/// The force that gives a penetration, by Newton's method in logarithms; 0 where there is none.
+fn force_at(curve: &SolvedCurve, penetration: f64) -> Result<(f64, CurvePoint), ContactError> {
+    if penetration <= 0.0 {
+        return Ok((0.0, curve.at(0.0)));
+    }
+    let [_, mut force] = curve.ends();
+    for _ in 0..MOST_STEPS {
+        let point = curve.at(force);
+        // ln Q ← ln Q − (ln D − ln d)/(Q D′/D)
+        let change =
+            (penetration / point.penetration).ln() * point.penetration / (force * point.slope);
+        force *= change.exp();
+        if change.abs() <= ACCURACY {
+            return Ok((force, curve.at(force)));
+        }
+    }
+    Err(ContactError::Penetration { penetration })
+}

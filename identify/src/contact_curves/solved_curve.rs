@@ -1,0 +1,225 @@
+//! The contact solved at a few loads, and the smooth curves through them.
+
+use pellicle_contact::{
+    ContactError, Domain, ForceCurve, Load, LoadingPath, Model, ModelDerivatives, ModelParameter,
+    SolverOptions, Status, default_side, estimated_force, solve_path,
+};
+use rayon::prelude::*;
+
+use super::{ContactCurve, CurveOptions, Observable};
+
+/// Forces below this part of the largest are met by the power law of the smallest load solved.
+const SMALLEST_PART: f64 = 1e-3;
+/// Loads between the ends, at most.
+const MOST_INTERVALS: u16 = 1000;
+/// The force at a measured depth is estimated to a factor of less.
+const ESTIMATE: f64 = 3.0;
+/// A contact within so many elements of the first domain's edge wants a larger one.
+const EDGE: usize = 1;
+/// By how much, and how often.
+const ENLARGEMENT: f64 = 1.4;
+const ENLARGEMENTS: usize = 8;
+/// Side of the domain over the contact radius found on the first: the contact takes half of it.
+const SIDE_PER_RADIUS: f64 = 2.5;
+/// Bound on the certificate: E is wrong by the square of it.
+const TOLERANCE: f64 = 1e-7;
+
+/// The loads at which a curve is solved.
+#[derive(Debug, Clone)]
+pub struct Nodes {
+    ends: NodeEnds,
+    count: usize,
+}
+
+/// Smallest and largest.
+#[derive(Debug, Clone, Copy)]
+enum NodeEnds {
+    /// Forces, N.
+    Forces([f64; 2]),
+    /// Depths (m), whose forces depend on the parameters.
+    Depths([f64; 2]),
+}
+
+impl Nodes {
+    /// Loads that cover a curve's points.
+    pub fn of(curve: &ContactCurve, options: CurveOptions) -> Result<Self, ContactError> {
+        let positive = curve.abscissae.iter().copied().filter(|x| *x > 0.0);
+        let [least, most] = positive.fold([f64::INFINITY, 0.0], |[least, most], x| {
+            [f64::min(least, x), f64::max(most, x)]
+        });
+        if most == 0.0 {
+            return Err(ContactError::Force { force: most });
+        }
+        let (ends, decades) = match curve.observable {
+            Observable::DepthAtForce => {
+                let ends = [least.max(SMALLEST_PART * most), most];
+                (NodeEnds::Forces(ends), (ends[1] / ends[0]).log10())
+            }
+            Observable::ForceAtDepth => {
+                let ends = [least.max(SMALLEST_PART.powf(2.0 / 3.0) * most), most];
+                let decades = 1.5 * (ends[1] / ends[0]).log10() + 2.0 * ESTIMATE.log10();
+                (NodeEnds::Depths(ends), decades)
+            }
+        };
+        let wanted = (decades * options.loads_per_decade).ceil();
+        let count = (1..MOST_INTERVALS).find(|count| f64::from(*count) >= wanted);
+        Ok(Self {
+            ends,
+            count: ForceCurve::FEWEST.max(3 + usize::from(count.unwrap_or(MOST_INTERVALS))),
+        })
+    }
+
+    pub fn len(&self) -> usize {
+        self.count
+    }
+
+    /// Their forces for a model, evenly spread in logarithms.
+    fn forces(&self, model: &Model) -> Vec<f64> {
+        let [least, most] = match self.ends {
+            NodeEnds::Forces(ends) => ends,
+            NodeEnds::Depths([least, most]) => [
+                estimated_force(model, least) / ESTIMATE,
+                estimated_force(model, most) * ESTIMATE,
+            ],
+        };
+        // One node beyond each end, where a spline knows less.
+        let inside = (self.count - 3) as f64;
+        let part = |i: usize| (i as f64 - 1.0) / inside;
+        (0..self.count)
+            .map(|i| least * (most / least).powf(part(i)))
+            .collect()
+    }
+}
+
+/// A curve of a model: the energy over the force, and its derivative by each parameter.
+#[derive(Debug)]
+pub struct SolvedCurve {
+    /// Forces at both ends of what was solved, N.
+    ends: [f64; 2],
+    energy: ForceCurve,
+    changes: Vec<ForceCurve>,
+}
+
+/// `D`, `dD/dQ` and each `∂D/∂θ` at a force.
+pub struct CurvePoint {
+    pub penetration: f64,
+    pub slope: f64,
+    pub changes: Vec<f64>,
+}
+
+impl SolvedCurve {
+    /// Solves `model` at the nodes, each on two grids.
+    pub fn of(
+        model: &Model,
+        nodes: &Nodes,
+        parameters: &[ModelParameter],
+        options: CurveOptions,
+    ) -> Result<Self, ContactError> {
+        let derivatives = model.derivatives(parameters)?;
+        let forces = nodes.forces(model);
+        let solved = forces.par_iter();
+        let solved = solved.map(|force| energies(model, &derivatives, *force, options.elements));
+        let solved: Vec<Result<Vec<f64>, ContactError>> = solved.collect();
+        let solved = solved.into_iter().collect::<Result<Vec<_>, _>>()?;
+        let curve = |index: usize| {
+            let values: Vec<f64> = solved.iter().map(|of_load| of_load[index]).collect();
+            ForceCurve::through(&forces, &values).ok_or(ContactError::Force { force: forces[0] })
+        };
+        Ok(Self {
+            ends: [forces[0], forces[forces.len() - 1]],
+            energy: curve(0)?,
+            changes: (1..=parameters.len())
+                .map(curve)
+                .collect::<Result<_, _>>()?,
+        })
+    }
+
+    /// The curve at a force; below the smallest solved by the power law there, 0 without force.
+    pub fn at(&self, force: f64) -> CurvePoint {
+        let inside = force.max(self.ends[0]);
+        let penetration = self.energy.derivative(inside);
+        let slope = self.energy.second_derivative(inside);
+        let changes = self.changes.iter().map(|curve| curve.derivative(inside));
+        // D ∝ Q^n with n = Q D′/D
+        let power = inside * slope / penetration;
+        let part = (force.max(0.0) / inside).powf(power);
+        CurvePoint {
+            penetration: part * penetration,
+            slope: if force > 0.0 {
+                part * slope * inside / force
+            } else {
+                slope
+            },
+            changes: changes.map(|change| part * change).collect(),
+        }
+    }
+
+    /// Forces at both ends of what was solved, N.
+    pub fn ends(&self) -> [f64; 2] {
+        self.ends
+    }
+}
+
+/// `E` and each `∂E/∂θ` under a force, extrapolated from a grid of `elements` per side and one of half as many.
+///
+/// Their errors fall with the square of the element's side: `(4 E_h − E_2h)/3`.
+fn energies(
+    model: &Model,
+    derivatives: &ModelDerivatives,
+    force: f64,
+    elements: usize,
+) -> Result<Vec<f64>, ContactError> {
+    let side = SIDE_PER_RADIUS * contact_radius(model, force, elements / 2)?;
+    let on_grid = |elements: usize| {
+        let path = solved(model, force, side, elements)?;
+        let sensitivities = derivatives.of_path(&path)?;
+        let mut energies = vec![sensitivities.energy(0)];
+        energies.extend(sensitivities.energies(0));
+        Ok::<_, ContactError>(energies)
+    };
+    let (fine, coarse) = (on_grid(elements)?, on_grid(elements / 2)?);
+    let pairs = fine.iter().zip(&coarse);
+    Ok(pairs
+        .map(|(fine, coarse)| (4.0 * fine - coarse) / 3.0)
+        .collect())
+}
+
+/// The contact radius (m) on a grid that holds the contact.
+fn contact_radius(model: &Model, force: f64, elements: usize) -> Result<f64, ContactError> {
+    let mut side = default_side(model, &[Load::Force(force)]);
+    for _ in 0..ENLARGEMENTS {
+        let path = solved(model, force, side, elements)?;
+        let summary = &path.steps[0].summary;
+        if summary
+            .elements_to_edge
+            .is_none_or(|elements| elements >= EDGE)
+        {
+            return Ok(summary.contact_radius);
+        }
+        side *= ENLARGEMENT;
+    }
+    let trials = ENLARGEMENTS;
+    Err(ContactError::DomainTooSmall { side, trials })
+}
+
+/// A certified solution.
+fn solved(
+    model: &Model,
+    force: f64,
+    side: f64,
+    elements: usize,
+) -> Result<LoadingPath, ContactError> {
+    let options = SolverOptions {
+        tolerance: TOLERANCE,
+        contact_stiffness: false,
+        ..SolverOptions::default()
+    };
+    let (loads, domain) = ([Load::Force(force)], Domain::Side(side));
+    let path = solve_path(model, domain, elements, &loads, &options, &mut ())?;
+    let solution = &path.steps[0].solution;
+    if path.steps[0].status() == Status::NotConverged {
+        let worst = solution.certificate.worst();
+        return Err(ContactError::NotCertified { force, worst });
+    }
+    Ok(path)
+}

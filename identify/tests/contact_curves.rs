@@ -1,0 +1,218 @@
+//! Curves of contacts against closed forms, finer grids and exact identities.
+
+#![expect(clippy::unwrap_used, reason = "a test fails by its panic")]
+
+use pellicle_contact::{
+    Domain, Indenter, IndenterQuantity, Load, Model, ModelParameter, Paraboloid, Pyramid,
+    SolverOptions, default_side, solve_path,
+};
+use pellicle_identify::{
+    ContactCurve, ContactCurves, CurveOptions, ForwardModel, Observable, Prediction,
+};
+use pellicle_influence::{Cache, ElasticBodies, ElasticParameter};
+use pellicle_kernel::{Foundation, FoundationParameter, Material};
+use pellicle_texture::{Film, Relief, ReliefParameter};
+
+const RADIUS: f64 = 10e-6;
+
+fn material(young: f64, poisson: f64) -> Material {
+    Material::new(young, poisson).unwrap()
+}
+
+fn model(bodies: &ElasticBodies, relief: Relief, indenter: impl Into<Indenter>) -> Model {
+    let cache = Cache::of_shapes();
+    Model {
+        tables: cache.radial_tables_of(bodies).unwrap().value,
+        relief,
+        indenter: indenter.into(),
+        cache,
+    }
+}
+
+fn coat(thickness: f64) -> ElasticBodies {
+    let (coat, base) = (material(100e9, 0.25), material(10e9, 0.3));
+    Foundation::coated(thickness, coat, base).unwrap().into()
+}
+
+fn young_modulus(body: usize) -> ModelParameter {
+    ModelParameter::Elastic(ElasticParameter::Foundation(
+        FoundationParameter::YoungModulus { body },
+    ))
+}
+
+const THICKNESS: ModelParameter = ModelParameter::Elastic(ElasticParameter::Foundation(
+    FoundationParameter::Thickness { layer: 0 },
+));
+const RADIUS_OF_INDENTER: ModelParameter = ModelParameter::Indenter(IndenterQuantity::Radius);
+const FILM_MODULUS: ModelParameter = ModelParameter::Relief(ReliefParameter::YoungModulus);
+
+/// Forces over two decades.
+fn forces() -> Vec<f64> {
+    (0..24)
+        .map(|i| 1e-4 * 100_f64.powf(f64::from(i) / 23.0))
+        .collect()
+}
+
+fn curves(
+    model: &Model,
+    observable: Observable,
+    abscissae: Vec<f64>,
+    parameters: &[ModelParameter],
+) -> ContactCurves {
+    let curve = ContactCurve {
+        model: model.clone(),
+        observable,
+        abscissae,
+        own: Vec::new(),
+    };
+    ContactCurves::new(vec![curve], parameters.to_vec(), CurveOptions::default()).unwrap()
+}
+
+/// The curve of a model at its own values.
+fn predicted(
+    model: &Model,
+    observable: Observable,
+    abscissae: Vec<f64>,
+    parameters: &[ModelParameter],
+) -> Prediction {
+    let values = parameters.iter().map(|of| model.parameter(*of).unwrap());
+    let curves = curves(model, observable, abscissae, parameters);
+    curves.predict(&values.collect::<Vec<_>>()).unwrap()
+}
+
+#[test]
+fn hertz_is_met_with_slope_and_derivatives() {
+    let steel = material(210e9, 0.3);
+    let diamond = material(1141e9, 0.07);
+    let bodies = ElasticBodies::new(Foundation::half_space(steel), Some(diamond));
+    let model = model(&bodies, Relief::Bare, Paraboloid::new(RADIUS).unwrap());
+    let parameters = [young_modulus(0), RADIUS_OF_INDENTER];
+    let found = predicted(&model, Observable::DepthAtForce, forces(), &parameters);
+    // 1/E* = 1/E₁* + 1/E_i*,  D³ = 9 Q²/(16 R E*²)
+    let [own, other] = [steel, diamond].map(|material| 1.0 / material.plane_strain_modulus());
+    let modulus = 1.0 / (own + other);
+    for (i, force) in forces().into_iter().enumerate() {
+        let depth = (9.0 * force * force / (16.0 * RADIUS * modulus * modulus)).cbrt();
+        let pairs = [
+            (found.value[i], depth),
+            (found.slope[i], 2.0 / 3.0 * depth / force),
+            (
+                found.derivatives[0][i] * 210e9,
+                -2.0 / 3.0 * depth * own * modulus,
+            ),
+            (found.derivatives[1][i] * RADIUS, -depth / 3.0),
+        ];
+        for (quantity, (found, expected)) in pairs.into_iter().enumerate() {
+            let error = found / expected - 1.0;
+            // Extrapolated from 64 and 32 elements a side; 1.8e-4 by the radius.
+            assert!(error.abs() < 2.5e-4, "{quantity} at {force}: {error:e}");
+        }
+    }
+}
+
+#[test]
+fn the_force_at_a_depth_is_the_inverse_of_the_depth_at_a_force() {
+    let model = model(
+        &coat(0.5e-6),
+        Relief::Bare,
+        Paraboloid::new(RADIUS).unwrap(),
+    );
+    let parameters = [young_modulus(0), THICKNESS];
+    let forward = predicted(&model, Observable::DepthAtForce, forces(), &parameters);
+    let depths = forward.value.clone();
+    let back = predicted(&model, Observable::ForceAtDepth, depths, &parameters);
+    for (i, force) in forces().into_iter().enumerate() {
+        let pairs = [
+            (back.value[i], force),
+            (back.slope[i] * forward.slope[i], 1.0),
+            (
+                back.derivatives[0][i],
+                -forward.derivatives[0][i] / forward.slope[i],
+            ),
+            (
+                back.derivatives[1][i],
+                -forward.derivatives[1][i] / forward.slope[i],
+            ),
+        ];
+        for (quantity, (found, expected)) in pairs.into_iter().enumerate() {
+            let error = found / expected - 1.0;
+            // Two splines through other loads; of the coat's modulus, which is a twentieth of D.
+            assert!(error.abs() < 1e-3, "{quantity} at {force}: {error:e}");
+        }
+    }
+}
+
+#[test]
+fn curves_of_coats_and_films_agree_with_fine_grids() {
+    let film = Relief::Film(Film::new(20e-9, 1e9).unwrap());
+    let paraboloid = Indenter::from(Paraboloid::new(RADIUS).unwrap());
+    let berkovich = Indenter::from(Pyramid::berkovich(0.2e-6).unwrap());
+    for (relief, indenter, bound) in [
+        (Relief::Bare, paraboloid.clone(), 3e-5),
+        (film.clone(), paraboloid, 3e-5),
+        (film, berkovich, 6e-4),
+    ] {
+        let model = model(&coat(0.5e-6), relief, indenter);
+        let points = vec![1.3e-4, 9e-4, 8.7e-3];
+        let all = [forces(), points.clone()].concat();
+        let found = predicted(&model, Observable::DepthAtForce, all, &[]);
+        for (i, force) in points.into_iter().enumerate() {
+            let side = default_side(&model, &[Load::Force(force)]);
+            let at = |elements| {
+                let load = [Load::Force(force)];
+                let options = SolverOptions::default();
+                let domain = Domain::Side(1.2 * side);
+                let path = solve_path(&model, domain, elements, &load, &options, &mut ());
+                path.unwrap().steps[0].solution.penetration
+            };
+            let expected = (4.0 * at(512) - at(256)) / 3.0;
+            let error = found.value[24 + i] / expected - 1.0;
+            assert!(error.abs() < bound, "{force}: {error:e}");
+        }
+    }
+}
+
+/// The gauge of the paraboloid and the scale of all moduli (logarithmic derivatives of D):
+/// `2∂_R + ∂_H − ∂_E1 − ∂_E2 + 2∂_η = 0`, `∂_E1 + ∂_E2 − ∂_η = −Q D′/D`.
+#[test]
+fn derivatives_keep_to_the_identities_of_the_paraboloid() {
+    for thickness in [0.05e-6, 0.5e-6, 4e-6] {
+        let film = Relief::Film(Film::new(20e-9, 1e9).unwrap());
+        let model = model(&coat(thickness), film, Paraboloid::new(RADIUS).unwrap());
+        let parameters = [
+            young_modulus(0),
+            young_modulus(1),
+            THICKNESS,
+            RADIUS_OF_INDENTER,
+            FILM_MODULUS,
+        ];
+        let found = predicted(&model, Observable::DepthAtForce, forces(), &parameters);
+        let mut worst = [0.0_f64; 2];
+        for (i, force) in forces().into_iter().enumerate() {
+            let by = |index: usize| {
+                let value = model.parameter(parameters[index]).unwrap();
+                found.derivatives[index][i] * value / found.value[i]
+            };
+            // η ∝ 1/E_w
+            let of_film = -by(4);
+            let gauge = 2.0 * by(3) + by(2) - by(0) - by(1) + 2.0 * of_film;
+            let power = force * found.slope[i] / found.value[i];
+            let scale = by(0) + by(1) - of_film + power;
+            worst = [worst[0].max(gauge.abs()), worst[1].max(scale.abs())];
+        }
+        assert!(worst[0] < 1e-3 && worst[1] < 1e-3, "{thickness}: {worst:?}");
+    }
+}
+
+#[test]
+fn many_points_cost_no_more_loads() {
+    let model = model(
+        &coat(0.5e-6),
+        Relief::Bare,
+        Paraboloid::new(RADIUS).unwrap(),
+    );
+    let dense = (0..10_000).map(|i| 1e-2 * f64::from(i + 1) / 1e4).collect();
+    let loads = |abscissae| curves(&model, Observable::DepthAtForce, abscissae, &[]).loads();
+    // Two decades at six a decade; three, which is as far as loads are solved.
+    assert_eq!((loads(forces()), loads(dense)), (15, 21));
+}

@@ -1,0 +1,121 @@
+//! The numbers of a relief that change its springs or heights and not its outline: read, or replaced by another.
+
+use crate::cylinders::{CylinderSpec, Cylinders};
+use crate::error::TextureError;
+use crate::film::Film;
+use crate::relief::Relief;
+use crate::relief_map::{MapCompliance, ReliefMap};
+
+/// One number of a [`Relief`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum ReliefParameter {
+    /// Young's modulus of film, cylinders or a map that has one, Pa.
+    YoungModulus,
+    /// Height of cylinders or thickness of a film, m.
+    Height,
+    /// Uniform compliance of a map, m/Pa.
+    Compliance,
+}
+
+impl Relief {
+    /// Its numbers; none of a bare surface.
+    #[must_use]
+    pub fn parameters(&self) -> Vec<ReliefParameter> {
+        let all = [
+            ReliefParameter::YoungModulus,
+            ReliefParameter::Height,
+            ReliefParameter::Compliance,
+        ];
+        let is_there = |of: &ReliefParameter| self.parameter(*of).is_some_and(|value| value > 0.0);
+        all.into_iter().filter(is_there).collect()
+    }
+
+    /// The value of a number, in SI units; none where the relief has no such number.
+    #[must_use]
+    pub fn parameter(&self, parameter: ReliefParameter) -> Option<f64> {
+        use ReliefParameter::{Compliance, Height, YoungModulus};
+        match (parameter, self) {
+            (YoungModulus, Self::Film(film)) => Some(film.young_modulus()),
+            (YoungModulus, Self::Cylinders(cylinders)) => Some(cylinders.young_modulus()),
+            (Height, _) => self.height(),
+            (_, Self::Map(map)) => match (parameter, map.compliance()) {
+                (YoungModulus, MapCompliance::YoungModulus(value))
+                | (Compliance, MapCompliance::Uniform(value)) => Some(value),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
+    /// The same relief with another value of one number; itself where it has no such number.
+    ///
+    /// # Errors
+    ///
+    /// As [`Film::new`], [`Cylinders::new`] and [`ReliefMap::new`].
+    pub fn with_parameter(
+        &self,
+        parameter: ReliefParameter,
+        value: f64,
+    ) -> Result<Self, TextureError> {
+        if self.parameter(parameter).is_none() {
+            return Ok(self.clone());
+        }
+        let or = |wanted: ReliefParameter, own: f64| if parameter == wanted { value } else { own };
+        Ok(match self {
+            Self::Bare => Self::Bare,
+            Self::Film(film) => Self::Film(Film::new(
+                or(ReliefParameter::Height, film.thickness()),
+                or(ReliefParameter::YoungModulus, film.young_modulus()),
+            )?),
+            Self::Cylinders(cylinders) => Self::Cylinders(Cylinders::new(CylinderSpec {
+                height: or(ReliefParameter::Height, cylinders.height()),
+                young_modulus: or(ReliefParameter::YoungModulus, cylinders.young_modulus()),
+                ..cylinders.spec()
+            })?),
+            Self::Map(map) => {
+                let compliance = match map.compliance() {
+                    MapCompliance::Uniform(_) => MapCompliance::Uniform(value),
+                    MapCompliance::YoungModulus(_) => MapCompliance::YoungModulus(value),
+                };
+                Self::Map(ReliefMap::new(map.map().clone(), compliance)?)
+            }
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Lattice;
+
+    #[test]
+    fn every_number_is_listed_read_and_replaced_alone() {
+        let film = Relief::Film(Film::new(0.5, 2.0).unwrap());
+        let pillars = Cylinders::new(CylinderSpec {
+            lattice: Lattice::Square,
+            radius: 0.1,
+            height: 0.5,
+            period: 1.0,
+            offset: [0.0, 0.0],
+            young_modulus: 2.0,
+        });
+        for relief in [film, Relief::Cylinders(pillars.unwrap())] {
+            let all = relief.parameters();
+            assert_eq!(
+                all,
+                [ReliefParameter::YoungModulus, ReliefParameter::Height]
+            );
+            let other = relief
+                .with_parameter(ReliefParameter::YoungModulus, 3.0)
+                .unwrap();
+            let values = all.iter().map(|of| other.parameter(*of).unwrap());
+            assert_eq!(values.collect::<Vec<_>>(), [3.0, 0.5]);
+            assert!(
+                relief
+                    .with_parameter(ReliefParameter::Height, -1.0)
+                    .is_err()
+            );
+        }
+        assert!(Relief::Bare.parameters().is_empty());
+    }
+}
