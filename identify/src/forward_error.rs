@@ -13,6 +13,11 @@ pub enum ForwardError {
         /// What the model says.
         source: Box<dyn Error + Send + Sync>,
     },
+    /// Other than one finite number for each point, and for each point and unknown.
+    #[error(
+        "found a prediction that is not a finite number for each point and unknown, wanted one"
+    )]
+    Incomplete,
     /// The caller wants the fit to end at once.
     #[error("the fit was stopped")]
     Stopped,

@@ -9,10 +9,50 @@
     )
 )]
 
+mod autoregressive;
 mod contact_curves;
+mod curve;
+mod distribution;
+mod error;
+mod fit;
 mod forward_error;
 mod forward_model;
+mod global_search;
+mod goodness;
+mod least_squares;
+mod metric;
+mod noise;
+mod normal_equations;
+mod nuisance;
+mod null_direction;
+mod options;
+mod predictor;
+mod prior;
+mod problem;
+mod profile;
+mod projection;
+mod refinement;
+mod result;
+mod start;
+mod unknown;
+mod verdict;
 
 pub use contact_curves::{ContactCurve, ContactCurves, CurveOptions, Observable};
+pub use curve::Curve;
+pub use error::IdentifyError;
+pub use fit::identify;
 pub use forward_error::ForwardError;
 pub use forward_model::{ForwardModel, Prediction};
+pub use goodness::{Goodness, REFUSAL};
+pub use noise::{Amount, Correlation, Noise, NoiseLevels};
+pub use nuisance::{LinearNuisance, Scope, Shape};
+pub use null_direction::NullDirections;
+pub use options::{FitOptions, Intervals};
+pub use prior::Prior;
+pub use problem::Problem;
+pub use profile::ProfilePoint;
+pub use result::{
+    Coefficient, Estimate, Fit, FitVerdict, FittedPoints, KnownCombination, Warning, Work,
+};
+pub use unknown::{Coordinate, Role, Unknown};
+pub use verdict::{IDENTIFIED_WITHIN, PRIOR_DRIVEN_ABOVE, Verdict};

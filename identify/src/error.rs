@@ -1,0 +1,98 @@
+//! Errors between measured curves and their fit.
+
+use thiserror::Error;
+
+use crate::ForwardError;
+
+/// Errors of the crate. A fit that does not converge, or that misses its data, is not among them: it is returned with
+/// a verdict that says so.
+#[derive(Debug, Error)]
+pub enum IdentifyError {
+    /// A number outside its range.
+    #[error("found {found} for the {quantity}, wanted {wanted}")]
+    Number {
+        /// Which number.
+        quantity: &'static str,
+        /// Value found.
+        found: f64,
+        /// The values allowed.
+        wanted: &'static str,
+    },
+    /// A number that belongs to an unknown or a nuisance and lies outside its range.
+    #[error("found {found} for the {quantity} of {name}, wanted {wanted}")]
+    NumberOf {
+        /// The unknown or the nuisance.
+        name: String,
+        /// Which number.
+        quantity: &'static str,
+        /// Value found.
+        found: f64,
+        /// The values allowed.
+        wanted: &'static str,
+    },
+    /// A list of another length than the one it goes with.
+    #[error("found {found} values of the {list}, wanted {wanted}")]
+    Length {
+        /// Which list.
+        list: &'static str,
+        /// Values found.
+        found: usize,
+        /// Values wanted.
+        wanted: usize,
+    },
+    /// A value in a curve that is not a number, or a time that does not increase.
+    #[error("found {found} for the {list} of point {point}, wanted {wanted}")]
+    Point {
+        /// Which list.
+        list: &'static str,
+        /// Index of the point, from 0.
+        point: usize,
+        /// Value found.
+        found: f64,
+        /// The values allowed.
+        wanted: &'static str,
+    },
+    /// A drift without times.
+    #[error("found no times in curve {curve}, wanted them for the drift")]
+    NoTime {
+        /// Index of the curve, from 0.
+        curve: usize,
+    },
+    /// Nothing to find.
+    #[error("found no unknown, wanted at least one")]
+    NoUnknown,
+    /// Two unknowns of one name.
+    #[error("found {name} twice among the unknowns, wanted it once")]
+    Twice {
+        /// The name.
+        name: String,
+    },
+    /// Fewer points than numbers to find.
+    #[error("found {points} points for {wanted} numbers to be found, wanted more points than that")]
+    TooFewPoints {
+        /// Points found.
+        points: usize,
+        /// Unknowns and nuisances.
+        wanted: usize,
+    },
+    /// The model has no prediction at any start.
+    #[error("found no start at which the model has a prediction, wanted one; {starts} were tried")]
+    NoStart {
+        /// Starts tried.
+        starts: usize,
+        /// What the model said at the last of them.
+        source: ForwardError,
+    },
+    /// The caller ended the fit.
+    #[error("the fit was stopped after {predictions} predictions")]
+    Stopped {
+        /// Predictions made so far.
+        predictions: usize,
+    },
+    /// A matrix that has no decomposition, because a number in it is not finite.
+    #[error("found a matrix of size {size} without a decomposition, wanted finite numbers in it")]
+    Decomposition {
+        /// Rows of the matrix.
+        size: usize,
+    },
+}

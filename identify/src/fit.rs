@@ -1,0 +1,243 @@
+//! The fit as a whole.
+
+use std::rc::Rc;
+
+use crate::{
+    Fit, FitOptions, FitVerdict, FittedPoints, ForwardModel, Goodness, IdentifyError, Problem,
+    REFUSAL, Warning, Work, global_search,
+    goodness::{Residuals, lower_half_p},
+    noise::restricted_likelihood::RestrictedLikelihood,
+    null_direction::NullSpace,
+    predictor::{Evaluation, Predictor},
+    refinement::{Refined, Refinement},
+};
+
+mod covariance;
+mod estimates;
+mod intervals;
+
+use covariance::correlation;
+use intervals::{Interval, Scanned, Sought};
+
+/// Finds the unknowns of a problem, their intervals, and what the data cannot tell.
+///
+/// # Errors
+///
+/// [`IdentifyError::NoStart`] where the model has no prediction at any start, [`IdentifyError::Stopped`] where the
+/// model ended the fit, [`IdentifyError::Number`] for wrong options. A search that does not converge and a model that
+/// does not follow the data are verdicts of the fit.
+pub fn identify(
+    model: &dyn ForwardModel,
+    problem: &Problem,
+    options: &FitOptions,
+) -> Result<Fit, IdentifyError> {
+    options.check()?;
+    let mut predictor = Predictor::new(model, problem);
+    let Some(found) = global_search::search(problem, &mut predictor, options)? else {
+        return Err(global_search::no_start(predictor, options.starts));
+    };
+    let mut warnings = Vec::new();
+    if found.several_minima {
+        warnings.push(Warning::SeveralMinima);
+    }
+    Fitting::new(problem, options, warnings)?.run(&mut predictor, found.at)
+}
+
+/// Restarts from better fits that profiles find.
+const MOST_RESTARTS: usize = 3;
+
+/// A fit under way.
+struct Fitting<'p> {
+    problem: &'p Problem,
+    options: &'p FitOptions,
+    included: Vec<bool>,
+    null_space: NullSpace,
+    /// Unknowns that the data can tell beside each other.
+    told: Vec<usize>,
+    warnings: Vec<Warning>,
+}
+
+impl<'p> Fitting<'p> {
+    fn new(
+        problem: &'p Problem,
+        options: &'p FitOptions,
+        warnings: Vec<Warning>,
+    ) -> Result<Self, IdentifyError> {
+        let null_space = problem.null_directions().among(problem.unknowns())?;
+        let held = null_space.hold()?;
+        let told = (0..problem.unknowns().len())
+            .filter(|j| !held.contains(j))
+            .collect();
+        Ok(Self {
+            problem,
+            options,
+            included: vec![true; problem.curves().len()],
+            null_space,
+            told,
+            warnings,
+        })
+    }
+
+    /// Refines the fit and scans the profiles, again where a profile finds a better fit.
+    fn run(
+        mut self,
+        predictor: &mut Predictor,
+        start: Rc<Evaluation>,
+    ) -> Result<Fit, IdentifyError> {
+        let levels = global_search::first_levels(self.problem);
+        let mut refined = self.refinement().run(predictor, start, levels)?;
+        let mut search = predictor.predictions();
+        for _ in 0..MOST_RESTARTS {
+            let sought = self.sought(&refined)?;
+            let intervals = match self.scan(predictor, &refined, &sought)? {
+                Scanned::All(intervals) => intervals,
+                Scanned::Better(unknown, at) => {
+                    self.warnings.push(Warning::BetterFitFound(unknown));
+                    refined = self.refinement().run(predictor, at, refined.levels)?;
+                    search = predictor.predictions();
+                    continue;
+                }
+            };
+            return Ok(self.finish(predictor, &refined, &sought, intervals, search));
+        }
+        // Profiles that go on finding better fits belong to no minimum.
+        refined.minimum.converged = false;
+        let sought = self.sought(&refined)?;
+        let intervals = sought
+            .iter()
+            .map(|one| one.wald_interval(self.problem))
+            .collect();
+        Ok(self.finish(predictor, &refined, &sought, intervals, search))
+    }
+
+    fn refinement(&self) -> Refinement<'_, 'p> {
+        Refinement {
+            problem: self.problem,
+            options: self.options,
+            included: &self.included,
+            told: &self.told,
+        }
+    }
+
+    /// Degrees of freedom behind the variance of each unknown.
+    fn degrees(&self, refined: &Refined) -> Result<Vec<f64>, IdentifyError> {
+        let mut degrees = vec![f64::INFINITY; self.problem.unknowns().len()];
+        if self.problem.noise().is_known() {
+            return Ok(degrees);
+        }
+        let told = self.likelihood(refined).degrees_of_freedom()?;
+        let least = told.iter().copied().fold(f64::INFINITY, f64::min);
+        degrees.fill(least);
+        for (&j, value) in self.told.iter().zip(told) {
+            degrees[j] = value;
+        }
+        Ok(degrees)
+    }
+
+    fn likelihood<'r>(&'r self, refined: &'r Refined) -> RestrictedLikelihood<'r> {
+        RestrictedLikelihood::new(
+            self.problem,
+            &refined.minimum.at,
+            &self.included,
+            &self.told,
+            refined.levels,
+        )
+    }
+
+    /// Gathers the result.
+    fn finish(
+        mut self,
+        predictor: &Predictor,
+        refined: &Refined,
+        sought: &[Sought],
+        intervals: Vec<Interval>,
+        search: usize,
+    ) -> Fit {
+        self.warn_at_bounds(refined);
+        let goodness = self.goodness(refined, sought);
+        let verdict = if !refined.minimum.converged {
+            FitVerdict::NotConverged
+        } else if goodness.misfit_p < REFUSAL {
+            FitVerdict::Misfit
+        } else {
+            FitVerdict::Fitted
+        };
+        let covariance = self.covariance(refined);
+        Fit {
+            verdict,
+            estimates: self.estimates(refined, sought, intervals),
+            coefficients: self.coefficients(refined, sought),
+            correlation: correlation(&covariance),
+            covariance,
+            noise: refined.levels,
+            goodness,
+            points: self.points(refined),
+            work: Work {
+                curves_solved: predictor.predictions(),
+                search,
+            },
+            warnings: self.warnings,
+        }
+    }
+
+    fn warn_at_bounds(&mut self, refined: &Refined) {
+        for (j, unknown) in self.problem.unknowns().iter().enumerate() {
+            if unknown.bounds().contains(&refined.minimum.at.position[j]) {
+                self.warnings.push(Warning::AtBound(j));
+            }
+        }
+    }
+
+    fn goodness(&self, refined: &Refined, sought: &[Sought]) -> Goodness {
+        let problem = self.problem;
+        let whitened = &refined.minimum.system.residual;
+        let left_out = problem.points() - problem.included_points(&self.included);
+        let fitted = self.told.len() + refined.metric.nuisance_rank();
+        let least = sought
+            .iter()
+            .map(|one| one.degrees)
+            .fold(f64::INFINITY, f64::min);
+        let known = problem.noise().is_known();
+        let lower_half = lower_half_p(
+            problem,
+            &refined.metric,
+            &refined.minimum.at,
+            &self.told,
+            &self.included,
+            (!known).then_some(least),
+        );
+        Residuals {
+            whitened,
+            spans: problem.spans(),
+            included: &self.included,
+            points: problem.included_points(&self.included),
+            degrees: (whitened.len() - left_out).saturating_sub(fitted).max(1) as f64,
+            known,
+        }
+        .judge(lower_half)
+    }
+
+    fn points(&self, refined: &Refined) -> FittedPoints {
+        let problem = self.problem;
+        let mut model = refined.minimum.at.value.clone();
+        for (column, c) in problem
+            .columns()
+            .iter()
+            .zip(&refined.minimum.system.coefficients)
+        {
+            for (value, shape) in model.iter_mut().zip(&column.values) {
+                *value += c * shape;
+            }
+        }
+        FittedPoints {
+            residual: problem
+                .observed()
+                .iter()
+                .zip(&model)
+                .map(|(y, f)| y - f)
+                .collect(),
+            whitened: refined.minimum.system.residual[..problem.points()].to_vec(),
+            model,
+        }
+    }
+}

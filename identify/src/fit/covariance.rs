@@ -1,0 +1,76 @@
+//! Covariances of unknowns and of linear nuisances.
+//!
+//! That of the unknowns is `(JᵀJ)⁻¹` with the nuisances eliminated, which is their part of the inverse of the whole.
+
+use super::Fitting;
+use crate::{
+    Coefficient, distribution::student_quantile, fit::intervals::Sought, projection::Projection,
+    refinement::Refined,
+};
+
+impl Fitting<'_> {
+    /// The covariance of the unknowns in their coordinates.
+    pub(super) fn covariance(&self, refined: &Refined) -> Vec<Vec<f64>> {
+        let unknowns = self.problem.unknowns().len();
+        let system = &refined.minimum.system;
+        let told = Projection::of(self.told.iter().map(|&j| system.jacobian[j].clone()));
+        let inverse = told.inverse_gram();
+        let mut covariance = vec![vec![0.0; unknowns]; unknowns];
+        for (a, &i) in self.told.iter().enumerate() {
+            for (b, &j) in self.told.iter().enumerate() {
+                if !self.null_space.moves(i) && !self.null_space.moves(j) {
+                    covariance[i][j] = inverse[a][b];
+                }
+            }
+        }
+        for (j, row) in covariance.iter_mut().enumerate() {
+            if self.null_space.moves(j) {
+                row[j] = f64::INFINITY;
+            }
+        }
+        covariance
+    }
+
+    /// The linear nuisances with intervals that allow for the unknowns.
+    pub(super) fn coefficients(&self, refined: &Refined, sought: &[Sought]) -> Vec<Coefficient> {
+        let (_, jacobian) = refined.metric.rows(&refined.minimum.at);
+        let mut columns: Vec<Vec<f64>> = self.told.iter().map(|&j| jacobian[j].clone()).collect();
+        columns.extend(refined.metric.nuisance_columns());
+        let inverse = Projection::of(columns).inverse_gram();
+        let degrees = sought
+            .iter()
+            .map(|one| one.degrees)
+            .fold(f64::INFINITY, f64::min);
+        let quantile = student_quantile(self.options.level, degrees);
+        let values = &refined.minimum.system.coefficients;
+        self.problem
+            .columns()
+            .iter()
+            .zip(values)
+            .enumerate()
+            .map(|(k, (column, &value))| {
+                let place = self.told.len() + k;
+                let half = quantile * inverse[place][place].sqrt();
+                Coefficient {
+                    name: column.name.clone(),
+                    curve: column.curve,
+                    value,
+                    interval: [value - half, value + half],
+                }
+            })
+            .collect()
+    }
+}
+
+/// `ρ_ij = C_ij/√(C_ii C_jj)`; zero where a variance is infinite.
+pub(super) fn correlation(covariance: &[Vec<f64>]) -> Vec<Vec<f64>> {
+    let entry = |i: usize, j: usize| {
+        if i == j {
+            return 1.0;
+        }
+        covariance[i][j] / (covariance[i][i].sqrt() * covariance[j][j].sqrt())
+    };
+    (0..covariance.len())
+        .map(|i| (0..covariance.len()).map(|j| entry(i, j)).collect())
+        .collect()
+}

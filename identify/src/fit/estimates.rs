@@ -1,0 +1,134 @@
+//! The unknowns in words: values, intervals, verdicts, and combinations that stay known.
+
+use super::{
+    Fitting,
+    intervals::{Interval, Sought},
+};
+use crate::{
+    Estimate, KnownCombination, ProfilePoint, Unknown, Verdict, refinement::Refined, verdict,
+};
+
+/// A correlation above this with a parameter that its prior drives means that the prior drives both.
+const CARRIED: f64 = 0.9;
+
+impl Fitting<'_> {
+    /// All unknowns.
+    pub(super) fn estimates(
+        &self,
+        refined: &Refined,
+        sought: &[Sought],
+        intervals: Vec<Interval>,
+    ) -> Vec<Estimate> {
+        let mut estimates: Vec<Estimate> = sought
+            .iter()
+            .zip(intervals)
+            .map(|(one, interval)| self.estimate(refined, one, &interval))
+            .collect();
+        self.name_carriers(refined, &mut estimates);
+        estimates
+    }
+
+    fn estimate(&self, refined: &Refined, one: &Sought, interval: &Interval) -> Estimate {
+        let unknown = &self.problem.unknowns()[one.unknown];
+        let value = refined.minimum.at.parameters[one.unknown];
+        let value_at = |x: f64| unknown.value_beyond(x);
+        let half = one.quantile * one.standard_error;
+        let mut estimate = Estimate {
+            name: unknown.name().to_owned(),
+            role: unknown.role(),
+            value,
+            interval: interval.ends.map(|end| end.ok().map(value_at)),
+            wald: Some([value_at(one.position - half), value_at(one.position + half)])
+                .filter(|wald| wald.iter().all(|end| end.is_finite())),
+            degrees_of_freedom: one.degrees,
+            verdict: Verdict::NotIdentifiable,
+            why: String::new(),
+            known_combination: None,
+            profile: profile(unknown, interval),
+        };
+        if self.null_space.moves(one.unknown) {
+            let combination = self.combination(refined, one, &estimate);
+            estimate.why = not_identifiable(combination.as_ref());
+            estimate.known_combination = combination;
+            estimate.interval = [None, None];
+            estimate.wald = None;
+        } else {
+            (estimate.verdict, estimate.why) =
+                verdict::judge(unknown, one.position, &interval.ends, one.standard_error);
+        }
+        estimate
+    }
+
+    /// What is known instead: the unknown times powers of those held, with its interval while they are held.
+    fn combination(
+        &self,
+        refined: &Refined,
+        one: &Sought,
+        estimate: &Estimate,
+    ) -> Option<KnownCombination> {
+        let hold = one.hold.as_ref()?;
+        let unknowns = self.problem.unknowns();
+        let mut expression = estimate.name.clone();
+        let mut factor = 1.0;
+        for &(k, exponent) in &hold.exponents {
+            let power = power(exponent);
+            expression = format!("{expression} * {}{power}", unknowns[k].name());
+            factor *= refined.minimum.at.parameters[k].powf(exponent);
+        }
+        Some(KnownCombination {
+            expression,
+            value: estimate.value * factor,
+            interval: estimate.interval.map(|end| end.map(|value| value * factor)),
+        })
+    }
+
+    /// Says of each unknown which prior-driven parameter carries its uncertainty.
+    fn name_carriers(&self, refined: &Refined, estimates: &mut [Estimate]) {
+        let correlation = super::correlation(&self.covariance(refined));
+        let driven: Vec<(usize, String)> = estimates
+            .iter()
+            .enumerate()
+            .filter(|(_, estimate)| estimate.verdict == Verdict::PriorDriven)
+            .map(|(k, estimate)| (k, estimate.name.clone()))
+            .collect();
+        for (j, estimate) in estimates.iter_mut().enumerate() {
+            for (k, name) in driven.iter().filter(|(k, _)| *k != j) {
+                if correlation[j][*k].abs() > CARRIED {
+                    estimate.why.push_str(" Its uncertainty is mostly that of ");
+                    estimate.why.push_str(name);
+                    estimate.why.push('.');
+                }
+            }
+        }
+    }
+}
+
+fn profile(unknown: &Unknown, interval: &Interval) -> Vec<ProfilePoint> {
+    interval
+        .points
+        .iter()
+        .map(|&(x, delta_chi_squared)| ProfilePoint {
+            value: unknown.value_beyond(x),
+            delta_chi_squared,
+        })
+        .collect()
+}
+
+fn not_identifiable(combination: Option<&KnownCombination>) -> String {
+    match combination {
+        Some(known) => format!(
+            "No data can tell it: other values, with others changed too, give the same curves. What they tell is {}.",
+            known.expression
+        ),
+        None => "No data can tell it: the curves do not depend on it.".to_owned(),
+    }
+}
+
+/// An exponent as it is written, one not at all.
+fn power(exponent: f64) -> String {
+    if (exponent - 1.0).abs() < f64::EPSILON {
+        String::new()
+    } else {
+        format!("^{exponent}")
+    }
+}

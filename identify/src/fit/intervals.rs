@@ -1,0 +1,162 @@
+//! The intervals of all unknowns, from profiles or from the covariance.
+
+use std::rc::Rc;
+
+use super::Fitting;
+use crate::{
+    IdentifyError, Intervals, Problem,
+    distribution::student_quantile,
+    null_direction::Hold,
+    predictor::{Evaluation, Predictor},
+    profile::{Open, Profile, Scan},
+    projection::Projection,
+    refinement::Refined,
+    verdict::Ends,
+};
+
+/// One unknown among the others.
+pub(super) struct Sought {
+    pub unknown: usize,
+    /// Its place in the best fit, in its coordinate.
+    pub position: f64,
+    /// What is held so that the data tell it; nothing where no data do.
+    pub hold: Option<Hold>,
+    /// The unknowns that are free beside it.
+    pub others: Vec<usize>,
+    /// Standard error in its coordinate.
+    pub standard_error: f64,
+    /// Degrees of freedom behind it.
+    pub degrees: f64,
+    /// Two-sided quantile of Student's distribution.
+    pub quantile: f64,
+}
+
+/// An interval in the coordinate of the unknown, and the points of its profile, `x` and `Δ`, in order.
+pub(super) struct Interval {
+    pub ends: Ends,
+    pub points: Vec<(f64, f64)>,
+}
+
+/// What the scans of all unknowns found.
+pub(super) enum Scanned {
+    All(Vec<Interval>),
+    /// A better fit, by the profile of this unknown.
+    Better(usize, Rc<Evaluation>),
+}
+
+impl Sought {
+    /// `x ± t s`, as far as the bounds.
+    pub fn wald_interval(&self, problem: &Problem) -> Interval {
+        let [low, high] = problem.unknowns()[self.unknown].bounds();
+        let half = self.quantile * self.standard_error;
+        let (down, up) = (self.position - half, self.position + half);
+        let closed = |inside: bool, end: f64| if inside { Ok(end) } else { Err(Open::Bound) };
+        Interval {
+            ends: [closed(down >= low, down), closed(up <= high, up)],
+            points: Vec::new(),
+        }
+    }
+
+    /// Open on both sides.
+    fn no_interval() -> Interval {
+        Interval {
+            ends: [Err(Open::Bound), Err(Open::Bound)],
+            points: Vec::new(),
+        }
+    }
+}
+
+impl Fitting<'_> {
+    /// Each unknown with its standard error.
+    pub(super) fn sought(&self, refined: &Refined) -> Result<Vec<Sought>, IdentifyError> {
+        let degrees = self.degrees(refined)?;
+        (0..self.problem.unknowns().len())
+            .map(|unknown| self.one_sought(refined, unknown, degrees[unknown]))
+            .collect()
+    }
+
+    fn one_sought(
+        &self,
+        refined: &Refined,
+        unknown: usize,
+        degrees: f64,
+    ) -> Result<Sought, IdentifyError> {
+        let hold = self.null_space.hold_for(unknown)?;
+        let held = hold.as_ref().map_or(&[][..], |hold| &hold.held);
+        let others: Vec<usize> = (0..self.problem.unknowns().len())
+            .filter(|j| *j != unknown && !held.contains(j))
+            .collect();
+        let jacobian = &refined.minimum.system.jacobian;
+        // The unknown comes last, so that one that depends on the others is the one to be dropped.
+        let columns = others
+            .iter()
+            .chain([&unknown])
+            .map(|&j| jacobian[j].clone());
+        let variance = Projection::of(columns).inverse_gram()[others.len()][others.len()];
+        Ok(Sought {
+            unknown,
+            position: refined.minimum.at.position[unknown],
+            hold,
+            others,
+            standard_error: variance.sqrt(),
+            degrees,
+            quantile: student_quantile(self.options.level, degrees),
+        })
+    }
+
+    /// The intervals of all unknowns.
+    pub(super) fn scan(
+        &self,
+        predictor: &mut Predictor,
+        refined: &Refined,
+        sought: &[Sought],
+    ) -> Result<Scanned, IdentifyError> {
+        let mut intervals = Vec::with_capacity(sought.len());
+        for one in sought {
+            if one.hold.is_none() {
+                intervals.push(Sought::no_interval());
+                continue;
+            }
+            if self.options.intervals == Intervals::Wald {
+                intervals.push(one.wald_interval(self.problem));
+                continue;
+            }
+            match self.profile(predictor, refined, one)? {
+                Ok(interval) => intervals.push(interval),
+                Err(better) => return Ok(Scanned::Better(one.unknown, better)),
+            }
+        }
+        Ok(Scanned::All(intervals))
+    }
+
+    /// Both sides of a profile; `Err` is a better fit.
+    fn profile(
+        &self,
+        predictor: &mut Predictor,
+        refined: &Refined,
+        one: &Sought,
+    ) -> Result<Result<Interval, Rc<Evaluation>>, IdentifyError> {
+        let profile = Profile {
+            problem: self.problem,
+            metric: &refined.metric,
+            best: &refined.minimum,
+            unknown: one.unknown,
+            others: &one.others,
+            standard_error: one.standard_error,
+            target: one.quantile,
+        };
+        let mut ends = [Err(Open::Bound); 2];
+        let mut points = vec![(one.position, 0.0)];
+        for (end, sign) in ends.iter_mut().zip([-1.0, 1.0]) {
+            match profile.side(predictor, sign)? {
+                Scan::Better(at) => return Ok(Err(at)),
+                Scan::Side(side) => {
+                    *end = side.end;
+                    points.extend(side.points);
+                }
+            }
+        }
+        points.sort_by(|a, b| a.0.total_cmp(&b.0));
+        Ok(Ok(Interval { ends, points }))
+    }
+}

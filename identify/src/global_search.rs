@@ -1,0 +1,124 @@
+//! The neighbourhood of the best fit, from several starts.
+
+use std::rc::Rc;
+
+use crate::{
+    FitOptions, ForwardError, IdentifyError, Problem,
+    least_squares::{Minimum, Search, Stopping, difference},
+    metric::Metric,
+    predictor::{Evaluation, Predictor},
+    projection::dot,
+    start::start,
+};
+
+/// What a first search may leave to be gained, in units of χ²: a third of a standard error, less than what the noise's
+/// own estimate will move it.
+const COARSE: f64 = 0.1;
+/// Two searches agree where they end within this many standard errors of each other.
+const AGREEMENT: f64 = 1.0;
+
+/// Where the best of several searches ended, and whether another one led elsewhere.
+pub(crate) struct Found {
+    pub at: Rc<Evaluation>,
+    pub several_minima: bool,
+}
+
+/// Searches from one start after the other until two agree.
+pub(crate) fn search(
+    problem: &Problem,
+    predictor: &mut Predictor,
+    options: &FitOptions,
+) -> Result<Option<Found>, IdentifyError> {
+    let free: Vec<usize> = (0..problem.unknowns().len()).collect();
+    let stopping = Stopping {
+        tolerance: COARSE,
+        degrees: (!problem.noise().is_given()).then(|| degrees(problem)),
+    };
+    let mut metric: Option<Metric> = None;
+    let mut best: Option<Minimum> = None;
+    let mut several_minima = false;
+    for index in 0..options.starts {
+        let Some(first) = predictor.evaluate(&start(problem.unknowns(), index))? else {
+            continue;
+        };
+        let metric = metric.get_or_insert_with(|| provisional_metric(problem, &first));
+        let search = Search {
+            problem,
+            metric,
+            free: &free,
+            stopping,
+        };
+        let agrees = |at: &Evaluation| {
+            best.as_ref()
+                .is_some_and(|known| agree(known, at, &stopping))
+        };
+        let minimum = search.descend(predictor, first, agrees)?;
+        if agrees(&minimum.at) {
+            break;
+        }
+        let Some(known) = &best else {
+            best = Some(minimum);
+            continue;
+        };
+        several_minima = minimum.converged;
+        if minimum.system.chi_squared < known.system.chi_squared {
+            best = Some(minimum);
+        }
+    }
+    Ok(best.map(|minimum| Found {
+        at: minimum.at,
+        several_minima,
+    }))
+}
+
+/// The error of a model that has no prediction at any start.
+pub(crate) fn no_start(predictor: Predictor, starts: usize) -> IdentifyError {
+    let source = predictor
+        .into_last_failure()
+        .unwrap_or(ForwardError::Incomplete);
+    IdentifyError::NoStart { starts, source }
+}
+
+/// White noise of guessed or given size, at the observed values, so that all searches are measured alike.
+fn provisional_metric<'p>(problem: &'p Problem, first: &Evaluation) -> Metric<'p> {
+    let levels = first_levels(problem);
+    let included = vec![true; problem.curves().len()];
+    Metric::new(
+        problem,
+        &levels,
+        problem.observed(),
+        &first.slope,
+        &included,
+    )
+}
+
+/// Levels of the noise before any residual is known.
+pub(crate) fn first_levels(problem: &Problem) -> crate::NoiseLevels {
+    let mean_square = |values: &[f64]| (dot(values, values) / values.len() as f64).sqrt();
+    let noise = problem.noise();
+    noise.first_guess(
+        mean_square(problem.observed()),
+        mean_square(&problem.abscissa()),
+    )
+}
+
+fn degrees(problem: &Problem) -> f64 {
+    let fitted = problem.unknowns().len() + problem.columns().len();
+    problem.points().saturating_sub(fitted).max(1) as f64
+}
+
+/// Whether a point lies within the standard error of a minimum, by the distance `‖J (x − x₀)‖²`.
+fn agree(known: &Minimum, at: &Evaluation, stopping: &Stopping) -> bool {
+    let step = difference(&at.position, &known.at.position);
+    let system = &known.system;
+    let mut change = vec![0.0; system.residual.len()];
+    for (column, s) in system.jacobian.iter().zip(&step) {
+        for (c, g) in change.iter_mut().zip(column) {
+            *c += s * g;
+        }
+    }
+    let scale = stopping
+        .degrees
+        .map_or(1.0, |degrees| system.chi_squared / degrees);
+    dot(&change, &change) <= AGREEMENT * AGREEMENT * scale
+}

@@ -1,0 +1,227 @@
+//! Whether the model follows the data, or only comes near them.
+//!
+//! Four tests, each with its own probability under a true model: χ² where the noise is known, runs of signs and the
+//! statistic of Durbin and Watson for residuals that hang together, and the lower half of the abscissae against the
+//! whole. The misfit's probability is that of the worst, times their number (Bonferroni), so that a true model is
+//! refused no oftener than that says, whatever the tests have in common.
+
+use std::ops::Range;
+
+use crate::{
+    Problem,
+    distribution::{chi_squared_above, fisher_above, normal_below},
+    metric::Metric,
+    predictor::Evaluation,
+    projection::{Projection, dot},
+};
+
+/// A fit is refused below this probability.
+pub const REFUSAL: f64 = 0.01;
+
+/// How well the model follows the data.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Goodness {
+    /// Points that were fitted.
+    pub points: usize,
+    /// Points and priors, less unknowns and nuisances.
+    pub degrees_of_freedom: f64,
+    /// `χ²/ν`; near one by construction where the noise is estimated.
+    pub chi_squared_per_degree: f64,
+    /// Probability of a larger χ²; nothing where the noise is estimated.
+    pub chi_squared_p: Option<f64>,
+    /// Probability of as few runs of one sign among the whitened residuals.
+    pub runs_p: f64,
+    /// `d = Σ (r_i − r_{i−1})²/Σ r_i²` of the whitened residuals, 2 without correlation.
+    pub durbin_watson: f64,
+    /// Probability of as small a `d`.
+    pub durbin_watson_p: f64,
+    /// Probability of as great a difference between the unknowns of the lower half of the abscissae and of all; nothing
+    /// where the halves cannot tell them.
+    pub lower_half_p: Option<f64>,
+    /// The least of these, times their number, at most 1. Below [`REFUSAL`] the fit is a misfit.
+    pub misfit_p: f64,
+}
+
+/// The residuals that the tests look at.
+pub(crate) struct Residuals<'a> {
+    /// Whitened, nuisances eliminated; points first, then priors.
+    pub whitened: &'a [f64],
+    pub spans: &'a [Range<usize>],
+    pub included: &'a [bool],
+    pub points: usize,
+    pub degrees: f64,
+    /// Whether the noise is known altogether.
+    pub known: bool,
+}
+
+impl Residuals<'_> {
+    /// Judges the residuals, with the probability of the lower half from elsewhere.
+    pub fn judge(&self, lower_half_p: Option<f64>) -> Goodness {
+        let chi_squared = dot(self.whitened, self.whitened);
+        let series: Vec<&[f64]> = self
+            .spans
+            .iter()
+            .zip(self.included)
+            .filter(|(_, on)| **on)
+            .map(|(span, _)| &self.whitened[span.clone()])
+            .collect();
+        let chi_squared_p = self
+            .known
+            .then(|| chi_squared_above(chi_squared, self.degrees));
+        let runs_p = runs(&series);
+        let (durbin_watson, durbin_watson_p) = durbin_watson(&series);
+        let all: Vec<f64> = [
+            chi_squared_p,
+            Some(runs_p),
+            Some(durbin_watson_p),
+            lower_half_p,
+        ]
+        .into_iter()
+        .flatten()
+        .collect();
+        let worst = all.iter().copied().fold(1.0, f64::min);
+        Goodness {
+            points: self.points,
+            degrees_of_freedom: self.degrees,
+            chi_squared_per_degree: chi_squared / self.degrees,
+            chi_squared_p,
+            runs_p,
+            durbin_watson,
+            durbin_watson_p,
+            lower_half_p,
+            misfit_p: (worst * all.len() as f64).min(1.0),
+        }
+    }
+}
+
+/// The probability of so few runs, all series together: with `n₊` and `n₋` signs in one series, the number of runs has
+/// mean `1 + 2n₊n₋/n` and variance `2n₊n₋(2n₊n₋ − n)/(n²(n − 1))` (A. Wald and J. Wolfowitz, Ann. Math. Stat. 11, 147
+/// (1940)); normal, with the correction for continuity.
+fn runs(series: &[&[f64]]) -> f64 {
+    let (mut found, mut mean, mut variance) = (0.0, 0.0, 0.0);
+    for residuals in series.iter().filter(|r| r.len() > 1) {
+        let n = residuals.len() as f64;
+        let positive = residuals.iter().filter(|&&r| r > 0.0).count() as f64;
+        let pairs = 2.0 * positive * (n - positive);
+        let changes = residuals
+            .windows(2)
+            .filter(|w| (w[0] > 0.0) != (w[1] > 0.0))
+            .count();
+        found += 1.0 + changes as f64;
+        mean += 1.0 + pairs / n;
+        variance += pairs * (pairs - n) / (n * n * (n - 1.0));
+    }
+    if variance <= 0.0 {
+        return 1.0;
+    }
+    normal_below((found + 0.5 - mean) / variance.sqrt())
+}
+
+/// `d` and the probability of a smaller one: J. Durbin and G. S. Watson, Biometrika 37, 409 (1950). Without correlation
+/// `d` has mean 2, slightly more after a fit, and variance `4/n`, slightly less.
+fn durbin_watson(series: &[&[f64]]) -> (f64, f64) {
+    let (mut differences, mut squares, mut points) = (0.0, 0.0, 0.0);
+    for residuals in series {
+        differences += residuals
+            .windows(2)
+            .map(|w| (w[1] - w[0]).powi(2))
+            .sum::<f64>();
+        // The first and the last point count half in the differences, so that d is 2 for short series too.
+        let ends =
+            residuals.first().map_or(0.0, |r| r * r) + residuals.last().map_or(0.0, |r| r * r);
+        differences += ends;
+        squares += dot(residuals, residuals);
+        points += residuals.len() as f64;
+    }
+    if squares <= 0.0 {
+        return (2.0, 1.0);
+    }
+    let d = differences / squares;
+    (d, normal_below((d - 2.0) * points.sqrt() / 2.0))
+}
+
+/// The probability that the unknowns of the lower half of the abscissae differ as much from those of all.
+///
+/// The score test of a second set of unknowns for the upper half, which needs no second fit: with `Z` the derivatives
+/// at the upper half alone, after nuisances and unknowns have taken their part, `S = rᵀZ(ZᵀZ)⁻¹Zᵀr` is χ² (C. R. Rao,
+/// Proc. Camb. Phil. Soc. 44, 50 (1948)), or `q F` where the noise is estimated.
+pub(crate) fn lower_half_p(
+    problem: &Problem,
+    metric: &Metric,
+    at: &Evaluation,
+    told: &[usize],
+    included: &[bool],
+    degrees: Option<f64>,
+) -> Option<f64> {
+    let upper = upper_half(problem, included);
+    let system = metric.system(at);
+    let fitted = Projection::of(told.iter().map(|&j| system.jacobian[j].clone()));
+    let mut residual = system.residual;
+    fitted.remove_from(&mut residual);
+    let mut split = fitted.clone();
+    for &j in told {
+        let column: Vec<f64> = at.jacobian[j]
+            .iter()
+            .zip(&upper)
+            .map(|(derivative, &up)| if up { *derivative } else { 0.0 })
+            .collect();
+        split.push(metric.reduce(column));
+    }
+    let added = split.rank() - fitted.rank();
+    if added == 0 {
+        return None;
+    }
+    let before = dot(&residual, &residual);
+    split.remove_from(&mut residual);
+    let score = before - dot(&residual, &residual);
+    let q = added as f64;
+    Some(match degrees {
+        None => chi_squared_above(score, q),
+        Some(degrees) => fisher_above(score / q, q, degrees),
+    })
+}
+
+/// Whether each point lies above the median of the included abscissae.
+fn upper_half(problem: &Problem, included: &[bool]) -> Vec<bool> {
+    let abscissa = problem.abscissa();
+    let mut sorted: Vec<f64> = problem
+        .spans()
+        .iter()
+        .zip(included)
+        .filter(|(_, on)| **on)
+        .flat_map(|(span, _)| abscissa[span.clone()].iter().copied())
+        .collect();
+    sorted.sort_by(f64::total_cmp);
+    let median = sorted
+        .get(sorted.len() / 2)
+        .copied()
+        .unwrap_or(f64::INFINITY);
+    abscissa.iter().map(|q| *q >= median).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_relative_eq;
+
+    use super::*;
+
+    #[test]
+    fn runs_of_a_known_series_have_their_probability() {
+        // + + + + + − − − − −: 2 runs, mean 6, variance 50·40/(100·9) = 20/9; Φ((2.5 − 6)/1.4907) = 0.00944.
+        let residuals = [1.0, 1.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, -1.0, -1.0];
+        // The digits written above.
+        assert_relative_eq!(runs(&[&residuals]), 0.00944, max_relative = 2e-3);
+    }
+
+    #[test]
+    fn durbin_and_watson_find_a_drift_and_pass_alternation() {
+        let drift: Vec<f64> = (0..100).map(|i| f64::from(i) - 49.5).collect();
+        let (d, p) = durbin_watson(&[&drift]);
+        assert!(d < 0.1 && p < 1e-15, "d = {d}, p = {p}");
+        let alternating: Vec<f64> = (0..100)
+            .map(|i| if i % 2 == 0 { 1.0 } else { -1.0 })
+            .collect();
+        let (d, p) = durbin_watson(&[&alternating]);
+        assert!(d > 3.9 && p > 0.999, "d = {d}, p = {p}");
+    }
+}

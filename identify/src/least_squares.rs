@@ -1,0 +1,191 @@
+//! The least misfit under one covariance of the noise, by the method of Levenberg and Marquardt between bounds.
+//!
+//! ```text
+//! at x:  r, J                              nuisances eliminated, metric.rs
+//! stop where a linear problem could fall by no more than the tolerance
+//! (JᵀJ + λ D²) δ = Jᵀr                     over the unknowns that no bound holds
+//! |δ| ≤ 0.7, x + δ between the bounds
+//! ρ = fall of χ² / fall of the linear problem
+//! ρ > 0: go there, λ ← λ max(⅓, 1 − (2ρ − 1)³);  else, or without a prediction: λ ← λ ν, ν ← 2ν
+//! ```
+//!
+//! The rule for λ: H. B. Nielsen, Damping parameter in Marquardt's method, IMM-REP-1999-05, Technical University of
+//! Denmark (1999). The bounds: an unknown at a bound towards which χ² falls is held there, and steps end at bounds.
+
+use std::rc::Rc;
+
+use crate::{
+    IdentifyError, Problem,
+    metric::{Metric, System},
+    normal_equations::NormalEquations,
+    predictor::{Evaluation, Predictor},
+};
+
+/// Least damping, above the rounding of a matrix of unit diagonal, so that it stays regular where the data see nothing.
+const LEAST_DAMPING: f64 = 1e-11;
+/// Longest step of a coordinate, a factor of two for a logarithm: beyond, a linearisation is worth nothing.
+const LONGEST_STEP: f64 = 0.7;
+/// First damping. The problems are nearly linear in logarithms, and the longest step guards the rest.
+const FIRST_DAMPING: f64 = 1e-4;
+/// A step shorter than this in every coordinate leads nowhere.
+const SHORTEST_STEP: f64 = 1e-10;
+/// After a step that failed, what a linear problem could still gain, in units of χ², counts as reached: a tenth of a
+/// standard deviation, where a prediction's own jitter can exceed what its derivatives promise.
+const WITHIN_JITTER: f64 = 0.01;
+/// Part of a step that is tried after one to where the model has no prediction.
+const RETREAT: f64 = 0.25;
+/// Trials before a search ends without convergence.
+const MOST_TRIALS: usize = 60;
+
+/// When a search ends.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Stopping {
+    /// χ² that could still be gained, in units of χ², or of χ² per degree of freedom where `degrees` is given.
+    pub tolerance: f64,
+    /// Degrees of freedom, where the size of the noise is not known.
+    pub degrees: Option<f64>,
+}
+
+impl Stopping {
+    fn scale(&self, chi_squared: f64) -> f64 {
+        self.degrees.map_or(1.0, |degrees| chi_squared / degrees)
+    }
+}
+
+/// The end of a search.
+#[derive(Debug, Clone)]
+pub(crate) struct Minimum {
+    pub at: Rc<Evaluation>,
+    pub system: System,
+    pub converged: bool,
+    /// χ² that a linear problem could still gain.
+    pub remaining: f64,
+}
+
+/// A search in some of the unknowns.
+pub(crate) struct Search<'s, 'p> {
+    pub problem: &'p Problem,
+    pub metric: &'s Metric<'p>,
+    /// The unknowns that move.
+    pub free: &'s [usize],
+    pub stopping: Stopping,
+}
+
+/// State of the damping.
+struct Damping {
+    value: f64,
+    growth: f64,
+    longest: f64,
+}
+
+impl Search<'_, '_> {
+    /// Descends from an evaluation. `enough` ends the search early.
+    pub fn descend(
+        &self,
+        predictor: &mut Predictor,
+        start: Rc<Evaluation>,
+        enough: impl Fn(&Evaluation) -> bool,
+    ) -> Result<Minimum, IdentifyError> {
+        let system = self.metric.system(&start);
+        let mut now = Minimum {
+            at: start,
+            system,
+            converged: false,
+            remaining: f64::INFINITY,
+        };
+        let mut damping = Damping {
+            value: FIRST_DAMPING,
+            growth: 2.0,
+            longest: LONGEST_STEP,
+        };
+        let mut failed = false;
+        for _ in 0..MOST_TRIALS {
+            let moving = self.moving(&now);
+            let equations = NormalEquations::new(&now.system, &moving);
+            now.remaining = equations.possible_decrease()?;
+            let scale = self.stopping.scale(now.system.chi_squared);
+            let reached = if failed { WITHIN_JITTER } else { 0.0 };
+            let target = self.target(&now, &equations.damped_step(damping.value)?, &damping);
+            now.converged = now.remaining <= self.stopping.tolerance.max(reached) * scale
+                || farthest(&now.at.position, &target) < SHORTEST_STEP;
+            if now.converged || enough(&now.at) {
+                break;
+            }
+            let trial = predictor.evaluate(&target)?;
+            failed = !self.judge(&mut now, &mut damping, trial);
+        }
+        Ok(now)
+    }
+
+    /// Goes to the trial where χ² falls, and adapts the damping.
+    fn judge(
+        &self,
+        now: &mut Minimum,
+        damping: &mut Damping,
+        trial: Option<Rc<Evaluation>>,
+    ) -> bool {
+        let Some(trial) = trial else {
+            damping.longest *= RETREAT;
+            return false;
+        };
+        let step = difference(&trial.position, &now.at.position);
+        let promised = now.system.decrease(&step);
+        let system = self.metric.system(&trial);
+        let ratio = (now.system.chi_squared - system.chi_squared) / promised;
+        if !(promised > 0.0 && ratio > 0.0) {
+            damping.value *= damping.growth;
+            damping.growth *= 2.0;
+            return false;
+        }
+        let factor = (1.0 - (2.0 * ratio - 1.0).powi(3)).max(1.0 / 3.0);
+        damping.value = (damping.value * factor).max(LEAST_DAMPING);
+        damping.growth = 2.0;
+        damping.longest = (damping.longest / RETREAT).min(LONGEST_STEP);
+        now.at = trial;
+        now.system = system;
+        true
+    }
+
+    /// The free unknowns that no bound holds against the fall of χ².
+    pub fn moving(&self, now: &Minimum) -> Vec<usize> {
+        let falls_up =
+            |j: usize| crate::projection::dot(&now.system.jacobian[j], &now.system.residual) > 0.0;
+        self.free
+            .iter()
+            .copied()
+            .filter(|&j| {
+                let [low, high] = self.problem.unknowns()[j].bounds();
+                let x = now.at.position[j];
+                !(x <= low && !falls_up(j) || x >= high && falls_up(j))
+            })
+            .collect()
+    }
+
+    /// Where a step leads, no farther than allowed.
+    fn target(&self, now: &Minimum, step: &[f64], damping: &Damping) -> Vec<f64> {
+        let size = step.iter().fold(0.0, |most: f64, s| most.max(s.abs()));
+        let part = if size > damping.longest {
+            damping.longest / size
+        } else {
+            1.0
+        };
+        let mut target = now.at.position.clone();
+        for &j in self.free {
+            let [low, high] = self.problem.unknowns()[j].bounds();
+            target[j] = (target[j] + part * step[j]).clamp(low, high);
+        }
+        target
+    }
+}
+
+/// The greatest difference of two lists.
+fn farthest(a: &[f64], b: &[f64]) -> f64 {
+    a.iter()
+        .zip(b)
+        .map(|(x, y)| (x - y).abs())
+        .fold(0.0, f64::max)
+}
+
+pub(crate) fn difference(a: &[f64], b: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).map(|(x, y)| x - y).collect()
+}

@@ -1,0 +1,213 @@
+//! The sizes and the correlation of the noise, from the residuals.
+//!
+//! The restricted likelihood of the residuals, which does not count what the fit itself has absorbed:
+//! `−2 ℓ_R = ln det V + ln det XᵀV⁻¹X + rᵀ P r`, where `X` holds the derivatives by all unknowns and nuisances, and
+//! `rᵀ P r` is what of the residual no combination of them explains: H. D. Patterson and R. Thompson, Biometrika 58,
+//! 545 (1971). No prediction is needed: the residuals of the present point serve every trial. Degrees of freedom of an
+//! interval follow by Satterthwaite's rule, `ν = 2 C²/Var(C)`, with `Var(C)` from the curvature of `ℓ_R`:
+//! F. G. Giesbrecht and J. C. Burns, Biometrics 41, 477 (1985).
+
+use faer::{Mat, Side};
+
+use super::{Amount, Correlation, NoiseLevels, simplex};
+use crate::{
+    IdentifyError, Problem,
+    metric::Metric,
+    predictor::Evaluation,
+    projection::{Projection, dot},
+};
+
+/// Logits of the correlation stay between these, so that the persistence stays between 0.0009 and 0.9991.
+const LOGIT_LIMIT: f64 = 7.0;
+/// An estimated size is not sought below this part of where the search began.
+const LEAST_SIZE: f64 = 1e-6;
+/// Steps of the differences of the likelihood in logarithms and logits: long enough to forget the rounding of `ℓ_R`,
+/// short beside a standard error, which is at least some 0.05 with 300 points.
+const DIFFERENCE: f64 = 0.05;
+/// Curvatures of `−2 ℓ_R` below this, a standard error above six in a logarithm, tell nothing.
+const FLAT: f64 = 0.05;
+
+/// The restricted likelihood at one evaluation, over the estimated numbers of the noise.
+pub(crate) struct RestrictedLikelihood<'a> {
+    problem: &'a Problem,
+    at: &'a Evaluation,
+    included: &'a [bool],
+    /// Unknowns that count as found; those that no data tell are left out.
+    free: &'a [usize],
+    base: NoiseLevels,
+}
+
+impl<'a> RestrictedLikelihood<'a> {
+    pub fn new(
+        problem: &'a Problem,
+        at: &'a Evaluation,
+        included: &'a [bool],
+        free: &'a [usize],
+        base: NoiseLevels,
+    ) -> Self {
+        Self {
+            problem,
+            at,
+            included,
+            free,
+            base,
+        }
+    }
+
+    /// The levels of the greatest likelihood.
+    pub fn estimate(&self) -> NoiseLevels {
+        let mut start = self.encode(&self.base);
+        if start.is_empty() {
+            return self.base;
+        }
+        if self.problem.noise().correlation == Correlation::Estimated
+            && self.base.persistence == 0.0
+        {
+            let middle = start.len() - 2;
+            start[middle..].fill(0.0);
+        }
+        self.decode(&simplex::least(&start, 0.5, |p| self.deviance(p)))
+    }
+
+    /// Degrees of freedom of the variance `C_jj` of each free unknown.
+    pub fn degrees_of_freedom(&self) -> Result<Vec<f64>, IdentifyError> {
+        let best = self.encode(&self.base);
+        let variance = self.variances(&best);
+        let curvature = self.curvature(&best);
+        let shifted = |axis: usize, step: f64| {
+            let mut p = best.clone();
+            p[axis] += step;
+            self.variances(&p)
+        };
+        let gradients: Vec<Vec<f64>> = (0..best.len())
+            .map(|axis| {
+                let (up, down) = (shifted(axis, DIFFERENCE), shifted(axis, -DIFFERENCE));
+                up.iter()
+                    .zip(&down)
+                    .map(|(u, d)| (u - d) / (2.0 * DIFFERENCE))
+                    .collect()
+            })
+            .collect();
+        let eigen = curvature
+            .self_adjoint_eigen(Side::Lower)
+            .map_err(|_| IdentifyError::Decomposition { size: best.len() })?;
+        Ok((0..variance.len())
+            .map(|j| {
+                // Var(C) = gᵀ A g,  A = 2 H⁻¹ with H the curvature of −2 ℓ_R.
+                let spread: f64 = (0..best.len())
+                    .filter(|&k| eigen.S()[k] > FLAT)
+                    .map(|k| {
+                        let along: f64 = (0..best.len())
+                            .map(|i| eigen.U()[(i, k)] * gradients[i][j])
+                            .sum();
+                        2.0 * along * along / eigen.S()[k]
+                    })
+                    .sum();
+                (2.0 * variance[j] * variance[j] / spread).max(1.0)
+            })
+            .collect())
+    }
+
+    /// `−2 ℓ_R` without its constant.
+    fn deviance(&self, parameters: &[f64]) -> f64 {
+        let metric = self.metric(parameters);
+        let (mut residual, jacobian) = metric.rows(self.at);
+        let mut columns = metric.nuisance_columns();
+        for column in &mut columns {
+            column.resize(residual.len(), 0.0);
+        }
+        columns.extend(self.free.iter().map(|&j| jacobian[j].clone()));
+        let absorbed = Projection::of(columns);
+        absorbed.remove_from(&mut residual);
+        metric.log_determinant() + absorbed.log_determinant() + dot(&residual, &residual)
+    }
+
+    /// `C_jj` of each free unknown.
+    fn variances(&self, parameters: &[f64]) -> Vec<f64> {
+        let system = self.metric(parameters).system(self.at);
+        let inverse =
+            Projection::of(self.free.iter().map(|&j| system.jacobian[j].clone())).inverse_gram();
+        (0..self.free.len()).map(|j| inverse[j][j]).collect()
+    }
+
+    /// Second differences of the deviance.
+    fn curvature(&self, best: &[f64]) -> Mat<f64> {
+        let size = best.len();
+        let shifted = |i: usize, si: f64, k: usize, sk: f64| {
+            let mut p = best.to_vec();
+            p[i] += si * DIFFERENCE;
+            p[k] += sk * DIFFERENCE;
+            self.deviance(&p)
+        };
+        let mut curvature = Mat::zeros(size, size);
+        for i in 0..size {
+            for k in 0..=i {
+                let mixed =
+                    shifted(i, 1.0, k, 1.0) - shifted(i, 1.0, k, -1.0) - shifted(i, -1.0, k, 1.0)
+                        + shifted(i, -1.0, k, -1.0);
+                curvature[(i, k)] = mixed / (4.0 * DIFFERENCE * DIFFERENCE);
+                curvature[(k, i)] = curvature[(i, k)];
+            }
+        }
+        curvature
+    }
+
+    fn metric(&self, parameters: &[f64]) -> Metric<'a> {
+        Metric::at(
+            self.problem,
+            &self.decode(parameters),
+            self.at,
+            self.included,
+        )
+    }
+
+    /// Logarithms of the estimated sizes, then logits of the estimated correlation.
+    fn encode(&self, levels: &NoiseLevels) -> Vec<f64> {
+        let noise = self.problem.noise();
+        let mut parameters: Vec<f64> = [
+            (noise.observed, levels.observed),
+            (noise.abscissa, levels.abscissa),
+            (noise.relative, levels.relative),
+        ]
+        .iter()
+        .filter(|(amount, _)| *amount == Amount::Estimated)
+        .map(|(_, level)| level.ln())
+        .collect();
+        if noise.correlation == Correlation::Estimated {
+            parameters.push(logit(levels.persistence));
+            parameters.push(logit(levels.white_fraction));
+        }
+        parameters
+    }
+
+    fn decode(&self, parameters: &[f64]) -> NoiseLevels {
+        let noise = self.problem.noise();
+        let mut rest = parameters.iter();
+        let mut size = |amount, base: f64| match (amount, rest.as_slice().first()) {
+            (Amount::Estimated, Some(logarithm)) => {
+                rest.next();
+                logarithm.exp().max(LEAST_SIZE * base)
+            }
+            _ => base,
+        };
+        let mut levels = NoiseLevels {
+            observed: size(noise.observed, self.base.observed),
+            abscissa: size(noise.abscissa, self.base.abscissa),
+            relative: size(noise.relative, self.base.relative),
+            ..self.base
+        };
+        if let [persistence, white] = rest.as_slice() {
+            levels.persistence = logistic(*persistence);
+            levels.white_fraction = logistic(*white);
+        }
+        levels
+    }
+}
+
+fn logistic(x: f64) -> f64 {
+    1.0 / (1.0 + (-x.clamp(-LOGIT_LIMIT, LOGIT_LIMIT)).exp())
+}
+
+fn logit(p: f64) -> f64 {
+    (p / (1.0 - p)).ln().clamp(-LOGIT_LIMIT, LOGIT_LIMIT)
+}

@@ -1,0 +1,119 @@
+//! Steps of a linearised problem in the unknowns that may move.
+
+use faer::{Mat, Side, linalg::solvers::Solve as _};
+
+use crate::{
+    IdentifyError,
+    metric::System,
+    projection::{dot, norm},
+};
+
+/// A direction whose eigenvalue is below this part of one, with columns of unit length, is beyond the rounding of the
+/// matrix and counts as one that the data do not see.
+const UNSEEN: f64 = 1e-12;
+
+/// `JᵀJ` and `Jᵀr` of the moving unknowns, each scaled by the length of its column (D. W. Marquardt, J. Soc. Indust.
+/// Appl. Math. 11, 431 (1963)).
+pub(crate) struct NormalEquations {
+    moving: Vec<usize>,
+    unknowns: usize,
+    length: Vec<f64>,
+    gram: Mat<f64>,
+    /// Scaled gradient, the direction in which χ² falls.
+    descent: Vec<f64>,
+}
+
+impl NormalEquations {
+    pub fn new(system: &System, moving: &[usize]) -> Self {
+        let column = |k: usize| &system.jacobian[moving[k]];
+        // A column of zeros gets length one, and never moves.
+        let length: Vec<f64> = (0..moving.len())
+            .map(|k| norm(column(k)))
+            .map(|length| if length > 0.0 { length } else { 1.0 })
+            .collect();
+        let gram = Mat::from_fn(moving.len(), moving.len(), |i, k| {
+            dot(column(i), column(k)) / (length[i] * length[k])
+        });
+        let descent = (0..moving.len())
+            .map(|k| dot(column(k), &system.residual) / length[k])
+            .collect();
+        Self {
+            moving: moving.to_vec(),
+            unknowns: system.jacobian.len(),
+            length,
+            gram,
+            descent,
+        }
+    }
+
+    /// The step of Levenberg and Marquardt, `(JᵀJ + λ D²) δ = Jᵀr`, over all unknowns.
+    pub fn damped_step(&self, damping: f64) -> Result<Vec<f64>, IdentifyError> {
+        let size = self.moving.len();
+        if size == 0 {
+            return Ok(vec![0.0; self.unknowns]);
+        }
+        let mut matrix = self.gram.clone();
+        for k in 0..size {
+            matrix[(k, k)] += damping;
+        }
+        let factor = matrix
+            .llt(Side::Lower)
+            .map_err(|_| IdentifyError::Decomposition { size })?;
+        let solution = factor.solve(Mat::from_fn(size, 1, |k, _| self.descent[k]));
+        let mut step = vec![0.0; self.unknowns];
+        for (k, &j) in self.moving.iter().enumerate() {
+            step[j] = solution[(k, 0)] / self.length[k];
+        }
+        Ok(step)
+    }
+
+    /// The step to the least χ² if the problem is linear, the shortest where it is not unique, `(JᵀJ)⁺ Jᵀr`.
+    pub fn full_step(&self) -> Result<Vec<f64>, IdentifyError> {
+        let mut step = vec![0.0; self.unknowns];
+        let size = self.moving.len();
+        if size == 0 {
+            return Ok(step);
+        }
+        let eigen = self
+            .gram
+            .self_adjoint_eigen(Side::Lower)
+            .map_err(|_| IdentifyError::Decomposition { size })?;
+        for k in (0..size).filter(|&k| eigen.S()[k] > UNSEEN) {
+            let along: f64 = (0..size).map(|i| eigen.U()[(i, k)] * self.descent[i]).sum();
+            for (i, &j) in self.moving.iter().enumerate() {
+                step[j] += along / eigen.S()[k] * eigen.U()[(i, k)] / self.length[i];
+            }
+        }
+        Ok(step)
+    }
+
+    /// By how much χ² falls to its least if the problem is linear, `rᵀJ (JᵀJ)⁺ Jᵀr`.
+    pub fn possible_decrease(&self) -> Result<f64, IdentifyError> {
+        let step = self.full_step()?;
+        Ok(self
+            .moving
+            .iter()
+            .enumerate()
+            .map(|(k, &j)| step[j] * self.length[k] * self.descent[k])
+            .sum())
+    }
+}
+
+impl System {
+    /// The residual after a step if the problem is linear.
+    pub fn after(&self, step: &[f64]) -> Vec<f64> {
+        let mut rest = self.residual.clone();
+        for (column, &s) in self.jacobian.iter().zip(step) {
+            for (r, g) in rest.iter_mut().zip(column) {
+                *r -= s * g;
+            }
+        }
+        rest
+    }
+
+    /// By how much χ² falls along a step if the problem is linear.
+    pub fn decrease(&self, step: &[f64]) -> f64 {
+        let rest = self.after(step);
+        self.chi_squared - dot(&rest, &rest)
+    }
+}

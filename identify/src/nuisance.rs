@@ -1,0 +1,162 @@
+//! Nuisances that enter linearly: shift, frame compliance, drift, baseline.
+
+use crate::{Curve, IdentifyError, Prior, curve::check_length};
+
+/// How a linear nuisance enters the observable, for one unit of its coefficient.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Shape {
+    /// A constant: the shift of a zero, or a baseline.
+    Constant,
+    /// The abscissa: the compliance of a machine's frame adds `C_f Q` to a penetration.
+    Abscissa,
+    /// The time: a drift adds `d t`.
+    Time,
+    /// Any other known shape, one value for each point of all curves.
+    Given(Vec<f64>),
+}
+
+/// Which points share one coefficient.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Scope {
+    /// All of them.
+    Common,
+    /// Those of one curve: there are as many coefficients as curves.
+    PerCurve,
+}
+
+/// A nuisance that adds a coefficient times a known shape to the observable. It costs no prediction: each evaluation of
+/// the misfit eliminates it exactly.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LinearNuisance {
+    name: String,
+    shape: Shape,
+    scope: Scope,
+    prior: Option<[f64; 2]>,
+}
+
+impl LinearNuisance {
+    /// A nuisance of any shape, of which nothing is known.
+    #[must_use]
+    pub fn new(name: impl Into<String>, shape: Shape, scope: Scope) -> Self {
+        Self {
+            name: name.into(),
+            shape,
+            scope,
+            prior: None,
+        }
+    }
+
+    /// A shift of each curve, such as an unknown zero of the penetration.
+    #[must_use]
+    pub fn shift() -> Self {
+        Self::new("shift", Shape::Constant, Scope::PerCurve)
+    }
+
+    /// The compliance of the frame, common to all curves.
+    #[must_use]
+    pub fn frame_compliance() -> Self {
+        Self::new("frame_compliance", Shape::Abscissa, Scope::Common)
+    }
+
+    /// A drift of each curve in proportion to time.
+    #[must_use]
+    pub fn drift() -> Self {
+        Self::new("drift", Shape::Time, Scope::PerCurve)
+    }
+
+    /// A constant common to all curves.
+    #[must_use]
+    pub fn baseline() -> Self {
+        Self::new("baseline", Shape::Constant, Scope::Common)
+    }
+
+    /// The same nuisance with coefficients that are known to be normal.
+    ///
+    /// # Errors
+    ///
+    /// [`IdentifyError::NumberOf`] where the standard deviation is not positive and finite, or the mean not finite.
+    pub fn with_normal_prior(mut self, mean: f64, sd: f64) -> Result<Self, IdentifyError> {
+        Prior::Normal { mean, sd }.check(&self.name)?;
+        self.prior = Some([mean, sd]);
+        Ok(self)
+    }
+
+    /// The columns of its coefficients.
+    pub(crate) fn columns(&self, curves: &[Curve]) -> Result<Vec<NuisanceColumn>, IdentifyError> {
+        let whole = self.whole(curves)?;
+        let column = |name, curve, values| NuisanceColumn {
+            name,
+            curve,
+            values,
+            prior: self.prior,
+        };
+        if self.scope == Scope::Common {
+            return Ok(vec![column(self.name.clone(), None, whole)]);
+        }
+        let mut first = 0;
+        Ok((0..curves.len())
+            .map(|curve| {
+                let end = first + curves[curve].points();
+                let mut values = vec![0.0; whole.len()];
+                values[first..end].copy_from_slice(&whole[first..end]);
+                first = end;
+                column(format!("{}[{curve}]", self.name), Some(curve), values)
+            })
+            .collect())
+    }
+
+    /// The shape at the points of all curves.
+    fn whole(&self, curves: &[Curve]) -> Result<Vec<f64>, IdentifyError> {
+        let points = curves.iter().map(Curve::points).sum();
+        match &self.shape {
+            Shape::Constant => Ok(vec![1.0; points]),
+            Shape::Abscissa => Ok(curves.iter().flat_map(Curve::abscissa).copied().collect()),
+            Shape::Given(values) => {
+                check_length("nuisance's shape", values, points)?;
+                Ok(values.clone())
+            }
+            Shape::Time => {
+                let mut times = Vec::with_capacity(points);
+                for (index, curve) in curves.iter().enumerate() {
+                    let time = curve.time().ok_or(IdentifyError::NoTime { curve: index })?;
+                    times.extend_from_slice(time);
+                }
+                Ok(times)
+            }
+        }
+    }
+}
+
+/// One coefficient: what one unit of it adds to each point of all curves.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct NuisanceColumn {
+    pub name: String,
+    /// The curve it belongs to, if to one.
+    pub curve: Option<usize>,
+    pub values: Vec<f64>,
+    /// Mean and standard deviation known before.
+    pub prior: Option<[f64; 2]>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_shift_has_a_column_for_each_curve_and_a_frame_one_for_all() {
+        let curves = [
+            Curve::new(vec![1.0, 2.0], vec![0.0; 2]).unwrap(),
+            Curve::new(vec![3.0], vec![0.0]).unwrap(),
+        ];
+        let shift = LinearNuisance::shift().columns(&curves).unwrap();
+        assert_eq!(shift[0].values, [1.0, 1.0, 0.0]);
+        assert_eq!(shift[1].values, [0.0, 0.0, 1.0]);
+        assert_eq!(shift[1].name, "shift[1]");
+        let frame = LinearNuisance::frame_compliance().columns(&curves).unwrap();
+        assert_eq!(frame[0].values, [1.0, 2.0, 3.0]);
+        assert!(matches!(
+            LinearNuisance::drift().columns(&curves),
+            Err(IdentifyError::NoTime { curve: 0 })
+        ));
+    }
+}

@@ -1,0 +1,95 @@
+//! The forward model asked once for each set of parameters, and counted.
+
+use std::rc::Rc;
+
+use crate::{ForwardError, ForwardModel, IdentifyError, Problem};
+
+/// The model at one point of the coordinates `x` of the unknowns.
+#[derive(Debug, Clone)]
+pub(crate) struct Evaluation {
+    /// Coordinates of the unknowns.
+    pub position: Vec<f64>,
+    /// The unknowns themselves.
+    pub parameters: Vec<f64>,
+    /// Observable of each point.
+    pub value: Vec<f64>,
+    /// `∂y/∂Q` of each point.
+    pub slope: Vec<f64>,
+    /// `∂y/∂x_j` of each point, one list for each unknown.
+    pub jacobian: Vec<Vec<f64>>,
+}
+
+/// A forward model with a memory. Its predictions are dear, its memory is not.
+pub(crate) struct Predictor<'a> {
+    model: &'a dyn ForwardModel,
+    problem: &'a Problem,
+    memory: Vec<(Vec<f64>, Option<Rc<Evaluation>>)>,
+    last_failure: Option<ForwardError>,
+}
+
+impl<'a> Predictor<'a> {
+    pub fn new(model: &'a dyn ForwardModel, problem: &'a Problem) -> Self {
+        Self {
+            model,
+            problem,
+            memory: Vec::new(),
+            last_failure: None,
+        }
+    }
+
+    /// The model at a point, or nothing where it has no prediction.
+    pub fn evaluate(&mut self, position: &[f64]) -> Result<Option<Rc<Evaluation>>, IdentifyError> {
+        if let Some((_, known)) = self.memory.iter().find(|(at, _)| at == position) {
+            return Ok(known.clone());
+        }
+        let evaluation = self.predict(position)?.map(Rc::new);
+        self.memory.push((position.to_vec(), evaluation.clone()));
+        Ok(evaluation)
+    }
+
+    /// How often the model was asked.
+    pub fn predictions(&self) -> usize {
+        self.memory.len()
+    }
+
+    /// What the model said when it last failed.
+    pub fn into_last_failure(self) -> Option<ForwardError> {
+        self.last_failure
+    }
+
+    fn predict(&mut self, position: &[f64]) -> Result<Option<Evaluation>, IdentifyError> {
+        let unknowns = self.problem.unknowns();
+        let parameters: Vec<f64> = unknowns
+            .iter()
+            .zip(position)
+            .map(|(unknown, &x)| unknown.value(x))
+            .collect();
+        let prediction = match self.model.predict(&parameters) {
+            Ok(prediction) => prediction,
+            Err(ForwardError::Stopped) => {
+                return Err(IdentifyError::Stopped {
+                    predictions: self.memory.len() + 1,
+                });
+            }
+            Err(failure) => {
+                self.last_failure = Some(failure);
+                return Ok(None);
+            }
+        };
+        if !prediction.is_complete(self.problem.points(), unknowns.len()) {
+            return Ok(None);
+        }
+        let mut jacobian = prediction.derivatives;
+        for ((column, unknown), &value) in jacobian.iter_mut().zip(unknowns).zip(&parameters) {
+            let slope = unknown.value_slope(value);
+            column.iter_mut().for_each(|d| *d *= slope);
+        }
+        Ok(Some(Evaluation {
+            position: position.to_vec(),
+            parameters,
+            value: prediction.value,
+            slope: prediction.slope,
+            jacobian,
+        }))
+    }
+}

@@ -1,0 +1,189 @@
+//! What is to be found from which curves.
+
+use std::ops::Range;
+
+use crate::{
+    Curve, IdentifyError, LinearNuisance, Noise, NullDirections, Unknown, nuisance::NuisanceColumn,
+};
+
+/// Measured curves, what is sought from them, and what else acts on them.
+#[derive(Debug, Clone)]
+pub struct Problem {
+    curves: Vec<Curve>,
+    unknowns: Vec<Unknown>,
+    noise: Noise,
+    null_directions: NullDirections,
+    columns: Vec<NuisanceColumn>,
+    spans: Vec<Range<usize>>,
+    observed: Vec<f64>,
+}
+
+impl Problem {
+    /// A problem of curves that have the same parameters.
+    ///
+    /// # Errors
+    ///
+    /// [`IdentifyError::NoUnknown`], [`IdentifyError::Twice`] and [`IdentifyError::TooFewPoints`] for what cannot be
+    /// found; [`IdentifyError::NoTime`], [`IdentifyError::Length`] and [`IdentifyError::Number`] for nuisances and
+    /// noise that do not fit the curves.
+    pub fn new(
+        curves: Vec<Curve>,
+        unknowns: Vec<Unknown>,
+        nuisances: &[LinearNuisance],
+        noise: Noise,
+    ) -> Result<Self, IdentifyError> {
+        noise.check()?;
+        check_names(&unknowns)?;
+        let mut columns = Vec::new();
+        for nuisance in nuisances {
+            columns.extend(nuisance.columns(&curves)?);
+        }
+        let spans = spans(&curves);
+        let observed: Vec<f64> = curves.iter().flat_map(Curve::observed).copied().collect();
+        let free = columns.iter().filter(|c| c.prior.is_none()).count()
+            + unknowns.iter().filter(|u| u.prior().is_none()).count();
+        if observed.len() <= free {
+            return Err(IdentifyError::TooFewPoints {
+                points: observed.len(),
+                wanted: free,
+            });
+        }
+        Ok(Self {
+            curves,
+            unknowns,
+            noise,
+            null_directions: NullDirections::default(),
+            columns,
+            spans,
+            observed,
+        })
+    }
+
+    /// The same problem with directions in which no curve changes.
+    #[must_use]
+    pub fn with_null_directions(mut self, null_directions: NullDirections) -> Self {
+        self.null_directions = null_directions;
+        self
+    }
+
+    /// The curves.
+    #[must_use]
+    pub fn curves(&self) -> &[Curve] {
+        &self.curves
+    }
+
+    /// The parameters to be found.
+    #[must_use]
+    pub fn unknowns(&self) -> &[Unknown] {
+        &self.unknowns
+    }
+
+    /// The noise.
+    #[must_use]
+    pub fn noise(&self) -> &Noise {
+        &self.noise
+    }
+
+    /// Points of all curves.
+    #[must_use]
+    pub fn points(&self) -> usize {
+        self.observed.len()
+    }
+
+    pub(crate) fn null_directions(&self) -> &NullDirections {
+        &self.null_directions
+    }
+
+    /// Coefficients of the linear nuisances.
+    pub(crate) fn columns(&self) -> &[NuisanceColumn] {
+        &self.columns
+    }
+
+    /// Which points are those of each curve.
+    pub(crate) fn spans(&self) -> &[Range<usize>] {
+        &self.spans
+    }
+
+    /// The observables of all curves.
+    pub(crate) fn observed(&self) -> &[f64] {
+        &self.observed
+    }
+
+    /// The abscissae of all curves.
+    pub(crate) fn abscissa(&self) -> Vec<f64> {
+        self.curves
+            .iter()
+            .flat_map(Curve::abscissa)
+            .copied()
+            .collect()
+    }
+
+    /// Points of the included curves.
+    pub(crate) fn included_points(&self, included: &[bool]) -> usize {
+        self.spans
+            .iter()
+            .zip(included)
+            .filter_map(|(span, &on)| on.then_some(span.len()))
+            .sum()
+    }
+}
+
+fn spans(curves: &[Curve]) -> Vec<Range<usize>> {
+    let mut first = 0;
+    curves
+        .iter()
+        .map(|curve| {
+            let span = first..first + curve.points();
+            first = span.end;
+            span
+        })
+        .collect()
+}
+
+fn check_names(unknowns: &[Unknown]) -> Result<(), IdentifyError> {
+    if unknowns.is_empty() {
+        return Err(IdentifyError::NoUnknown);
+    }
+    for (index, unknown) in unknowns.iter().enumerate() {
+        if unknowns[..index]
+            .iter()
+            .any(|other| other.name() == unknown.name())
+        {
+            return Err(IdentifyError::Twice {
+                name: unknown.name().to_owned(),
+            });
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn curve(points: usize) -> Curve {
+        let abscissa: Vec<f64> = (1..=points).map(|i| i as f64).collect();
+        Curve::new(abscissa.clone(), abscissa).unwrap()
+    }
+
+    #[test]
+    fn a_name_given_twice_and_too_few_points_are_refused() {
+        let x = || Unknown::positive("x", [1.0, 2.0]).unwrap();
+        let noise = Noise::white(1.0);
+        assert!(matches!(
+            Problem::new(vec![curve(5)], vec![x(), x()], &[], noise),
+            Err(IdentifyError::Twice { .. })
+        ));
+        assert!(matches!(
+            Problem::new(vec![curve(2)], vec![x()], &[LinearNuisance::shift()], noise),
+            Err(IdentifyError::TooFewPoints {
+                points: 2,
+                wanted: 2
+            })
+        ));
+        assert!(matches!(
+            Problem::new(vec![curve(2)], vec![], &[], noise),
+            Err(IdentifyError::NoUnknown)
+        ));
+    }
+}

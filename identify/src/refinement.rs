@@ -1,0 +1,89 @@
+//! The best fit under the noise that its own residuals show.
+
+use std::rc::Rc;
+
+use crate::{
+    FitOptions, IdentifyError, NoiseLevels, Problem,
+    least_squares::{Minimum, Search, Stopping},
+    metric::Metric,
+    noise::restricted_likelihood::RestrictedLikelihood,
+    predictor::{Evaluation, Predictor},
+};
+
+/// Rounds of noise and fit; each changes the other less than the one before.
+const MOST_ROUNDS: usize = 12;
+
+/// The best fit, and the covariance of the noise under which it is the best.
+pub(crate) struct Refined<'p> {
+    pub minimum: Minimum,
+    pub metric: Metric<'p>,
+    pub levels: NoiseLevels,
+}
+
+/// What stays the same in all rounds.
+pub(crate) struct Refinement<'s, 'p> {
+    pub problem: &'p Problem,
+    pub options: &'s FitOptions,
+    pub included: &'s [bool],
+    /// Unknowns that the data can tell beside each other.
+    pub told: &'s [usize],
+}
+
+impl<'p> Refinement<'_, 'p> {
+    /// Estimates the noise and fits under it, in turns, until neither moves. The weights are those of the present
+    /// point and do not pull at the unknowns: iterated weights solve `Jᵀ V⁻¹ r = 0`, which is free of the bias that
+    /// weights inside the minimum would bring and that a determinant would have to undo (R. J. Carroll and
+    /// D. Ruppert, Transformation and Weighting in Regression, 1988, section 2.1).
+    pub fn run(
+        &self,
+        predictor: &mut Predictor,
+        start: Rc<Evaluation>,
+        first: NoiseLevels,
+    ) -> Result<Refined<'p>, IdentifyError> {
+        let mut at = start;
+        let mut levels = first;
+        let mut round = 0;
+        loop {
+            levels = RestrictedLikelihood::new(self.problem, &at, self.included, self.told, levels)
+                .estimate();
+            let metric = Metric::at(self.problem, &levels, &at, self.included);
+            let mut minimum = self.descend(predictor, &metric, Rc::clone(&at))?;
+            round += 1;
+            let settled = Rc::ptr_eq(&minimum.at, &at) || self.is_fixed();
+            if settled || round == MOST_ROUNDS {
+                minimum.converged &= settled;
+                return Ok(Refined {
+                    minimum,
+                    metric,
+                    levels,
+                });
+            }
+            at = minimum.at;
+        }
+    }
+
+    fn descend(
+        &self,
+        predictor: &mut Predictor,
+        metric: &Metric<'p>,
+        at: Rc<Evaluation>,
+    ) -> Result<Minimum, IdentifyError> {
+        let free: Vec<usize> = (0..self.problem.unknowns().len()).collect();
+        let search = Search {
+            problem: self.problem,
+            metric,
+            free: &free,
+            stopping: Stopping {
+                tolerance: self.options.tolerance,
+                degrees: None,
+            },
+        };
+        search.descend(predictor, at, |_| false)
+    }
+
+    /// Whether the covariance of the noise depends on no fit.
+    fn is_fixed(&self) -> bool {
+        let noise = self.problem.noise();
+        noise.is_known() && noise.is_uniform()
+    }
+}

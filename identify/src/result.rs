@@ -1,0 +1,121 @@
+//! What a fit returns.
+
+use crate::{Goodness, NoiseLevels, ProfilePoint, Role, Verdict};
+
+/// What became of a fit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FitVerdict {
+    /// The model follows the data.
+    Fitted,
+    /// It does not, by the tests of [`Goodness`]: no interval holds what it says.
+    Misfit,
+    /// The search ended before the least misfit.
+    NotConverged,
+}
+
+/// A parameter as found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Estimate {
+    /// Name of the unknown.
+    pub name: String,
+    /// Whether it is an answer or a nuisance.
+    pub role: Role,
+    /// Its value in the best fit.
+    pub value: f64,
+    /// The interval; nothing on a side that is open.
+    pub interval: [Option<f64>; 2],
+    /// The interval from the covariance alone; nothing where there is no covariance.
+    pub wald: Option<[f64; 2]>,
+    /// Degrees of freedom behind the intervals, infinite where the noise is known.
+    pub degrees_of_freedom: f64,
+    /// What the data tell of it.
+    pub verdict: Verdict,
+    /// Why, in a sentence.
+    pub why: String,
+    /// What is known instead of an unknown that is not identifiable.
+    pub known_combination: Option<KnownCombination>,
+    /// Its profile, in the order of its values; of the combination, with the others held, where there is one. Empty
+    /// without profiles.
+    pub profile: Vec<ProfilePoint>,
+}
+
+/// A product of powers of unknowns that the data tell although they do not tell the unknowns.
+#[derive(Debug, Clone, PartialEq)]
+pub struct KnownCombination {
+    /// Such as `E * R^0.5`.
+    pub expression: String,
+    /// Its value, in the units of its factors.
+    pub value: f64,
+    /// Its interval; nothing on a side that is open.
+    pub interval: [Option<f64>; 2],
+}
+
+/// The coefficient of a linear nuisance as found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Coefficient {
+    /// Name of the nuisance, with the index of its curve if it has one.
+    pub name: String,
+    /// Index of the curve it belongs to, if to one.
+    pub curve: Option<usize>,
+    /// Its value in the best fit.
+    pub value: f64,
+    /// Its interval from the covariance; infinite where other nuisances and unknowns can replace it.
+    pub interval: [f64; 2],
+}
+
+/// The points of all curves in the best fit.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FittedPoints {
+    /// Observable of the model, nuisances added.
+    pub model: Vec<f64>,
+    /// Observed less model.
+    pub residual: Vec<f64>,
+    /// Residuals whitened by the covariance of the noise; zero in curves left out.
+    pub whitened: Vec<f64>,
+}
+
+/// What a fit has cost.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Work {
+    /// Predictions of all curves, all in all.
+    pub curves_solved: usize,
+    /// Of these, those to the best fit.
+    pub search: usize,
+}
+
+/// What a reader of a fit should know.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Warning {
+    /// Another start led to another minimum, which is worse.
+    SeveralMinima,
+    /// The best fit lies at a bound of this unknown, by its index.
+    AtBound(usize),
+    /// A profile of this unknown, by its index, found a better fit than the search, and the fit went on from there.
+    BetterFitFound(usize),
+}
+
+/// The best fit and what the data tell.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Fit {
+    /// What became of it.
+    pub verdict: FitVerdict,
+    /// The unknowns and nonlinear nuisances, in the order of the problem.
+    pub estimates: Vec<Estimate>,
+    /// The linear nuisances.
+    pub coefficients: Vec<Coefficient>,
+    /// Covariance of the unknowns in their coordinates, `ln θ` or `θ` itself; infinite variances and no covariances for
+    /// what is not identifiable.
+    pub covariance: Vec<Vec<f64>>,
+    /// Correlation of the unknowns.
+    pub correlation: Vec<Vec<f64>>,
+    /// The noise, as given and as estimated.
+    pub noise: NoiseLevels,
+    /// How well the model follows the data.
+    pub goodness: Goodness,
+    /// The points.
+    pub points: FittedPoints,
+    /// What it has cost.
+    pub work: Work,
+    /// What a reader should know.
+    pub warnings: Vec<Warning>,
+}

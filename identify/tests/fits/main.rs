@@ -1,0 +1,14 @@
+//! Fits of closed-form curves: known answers, work, coverage, verdicts, refusals.
+#![allow(
+    clippy::unwrap_used,
+    clippy::float_cmp,
+    reason = "helpers of tests, which compare numbers that must be the same bits"
+)]
+
+mod analytic;
+mod coverage;
+mod misfit;
+mod reference;
+mod toys;
+mod verdicts;
+mod work;

@@ -1,0 +1,62 @@
+//! Models that the data refuse, and how often they refuse a true one.
+
+use pellicle_identify::{
+    Correlation, Fit, FitOptions, FitVerdict, Intervals, LinearNuisance, Noise, Problem, identify,
+};
+
+use crate::toys::{Normals, Point, Toy, coat_moduli, hertz_modulus, logarithmic, noisy, unknown};
+
+const SIGMA: f64 = 0.02;
+
+/// Sixty points of a coat, fitted by a law of one or two moduli.
+fn fit(law: fn(f64, &[f64]) -> Point, unknowns: usize, noise: Noise, seed: u64) -> Fit {
+    let forces = logarithmic(0.01, 100.0, 60);
+    let truth = Toy::new(forces.clone(), coat_moduli).values(&[10.0, 1.5]);
+    let curve = noisy(&forces, &truth, SIGMA, &Normals::new(seed).white(60));
+    let both = [
+        unknown("E1", [0.1, 100.0], 5.0),
+        unknown("E2", [0.2, 10.0], 1.0),
+    ];
+    let shift = [LinearNuisance::shift()];
+    let problem = Problem::new(vec![curve], both[..unknowns].to_vec(), &shift, noise).unwrap();
+    let options = FitOptions {
+        intervals: Intervals::Wald,
+        ..FitOptions::default()
+    };
+    identify(&Toy::new(forces, law), &problem, &options).unwrap()
+}
+
+#[test]
+fn a_half_space_fitted_to_a_coat_is_refused() {
+    for noise in [Noise::white(SIGMA), Noise::default()] {
+        let fit = fit(hertz_modulus, 1, noise, 1);
+        assert_eq!(fit.verdict, FitVerdict::Misfit, "{:?}", fit.goodness);
+        assert!(fit.goodness.misfit_p < 1e-6, "{:?}", fit.goodness);
+    }
+}
+
+#[test]
+fn a_true_model_is_refused_at_most_once_in_a_hundred() {
+    for noise in [
+        Noise::white(SIGMA),
+        Noise::default(),
+        Noise {
+            correlation: Correlation::Estimated,
+            ..Noise::default()
+        },
+    ] {
+        let fits: Vec<Fit> = (0..400)
+            .map(|seed| fit(coat_moduli, 2, noise, seed))
+            .collect();
+        let refused = fits
+            .iter()
+            .filter(|fit| fit.verdict == FitVerdict::Misfit)
+            .count();
+        // One in a hundred of 400.
+        assert!(refused <= 4, "{refused} of 400 refused");
+        assert!(
+            fits.iter()
+                .all(|fit| fit.verdict != FitVerdict::NotConverged)
+        );
+    }
+}
