@@ -4,19 +4,21 @@ use std::rc::Rc;
 
 use crate::{
     Fit, FitOptions, FitVerdict, FittedPoints, ForwardModel, Goodness, IdentifyError, Problem,
-    REFUSAL, Warning, Work, global_search,
-    goodness::{Residuals, lower_half_p},
-    noise::restricted_likelihood::RestrictedLikelihood,
+    REFUSAL, Scatter, Warning, Work,
+    correlation::correlation,
+    global_search,
+    goodness::{Residuals, lower_half_p, lower_half_score},
+    noise::restricted_likelihood::{Part, RestrictedLikelihood},
     null_direction::NullSpace,
     predictor::{Evaluation, Predictor},
     refinement::{Refined, Refinement},
+    repeats::Repeats,
 };
 
 mod covariance;
 mod estimates;
 mod intervals;
 
-use covariance::correlation;
 use intervals::{Interval, Scanned, Sought};
 
 /// Finds the unknowns of a problem, their intervals, and what the data cannot tell.
@@ -40,7 +42,14 @@ pub fn identify(
     if found.several_minima {
         warnings.push(Warning::SeveralMinima);
     }
-    Fitting::new(problem, options, warnings)?.run(&mut predictor, found.at)
+    match problem.scatter() {
+        Scatter::None => Fitting::new(problem, options, warnings)?.run(&mut predictor, found.at),
+        Scatter::BetweenCurves => {
+            let mut fit = Repeats::new(problem, options)?.run(&mut predictor, found.at)?;
+            fit.warnings.extend(warnings);
+            Ok(fit)
+        }
+    }
 }
 
 /// Restarts from better fits that profiles find.
@@ -50,7 +59,6 @@ const MOST_RESTARTS: usize = 3;
 struct Fitting<'p> {
     problem: &'p Problem,
     options: &'p FitOptions,
-    included: Vec<bool>,
     null_space: NullSpace,
     /// Unknowns that the data can tell beside each other.
     told: Vec<usize>,
@@ -71,7 +79,6 @@ impl<'p> Fitting<'p> {
         Ok(Self {
             problem,
             options,
-            included: vec![true; problem.curves().len()],
             null_space,
             told,
             warnings,
@@ -114,7 +121,6 @@ impl<'p> Fitting<'p> {
         Refinement {
             problem: self.problem,
             options: self.options,
-            included: &self.included,
             told: &self.told,
         }
     }
@@ -135,13 +141,12 @@ impl<'p> Fitting<'p> {
     }
 
     fn likelihood<'r>(&'r self, refined: &'r Refined) -> RestrictedLikelihood<'r> {
-        RestrictedLikelihood::new(
-            self.problem,
-            &refined.minimum.at,
-            &self.included,
-            &self.told,
-            refined.levels,
-        )
+        let part = Part {
+            problem: self.problem,
+            at: &refined.minimum.at,
+            free: &self.told,
+        };
+        RestrictedLikelihood::new(vec![part], *self.problem.noise(), refined.levels)
     }
 
     /// Gathers the result.
@@ -172,6 +177,7 @@ impl<'p> Fitting<'p> {
             noise: refined.levels,
             goodness,
             points: self.points(refined),
+            excluded: Vec::new(),
             work: Work {
                 curves_solved: predictor.predictions(),
                 search,
@@ -191,27 +197,24 @@ impl<'p> Fitting<'p> {
     fn goodness(&self, refined: &Refined, sought: &[Sought]) -> Goodness {
         let problem = self.problem;
         let whitened = &refined.minimum.system.residual;
-        let left_out = problem.points() - problem.included_points(&self.included);
         let fitted = self.told.len() + refined.metric.nuisance_rank();
         let least = sought
             .iter()
             .map(|one| one.degrees)
             .fold(f64::INFINITY, f64::min);
         let known = problem.noise().is_known();
-        let lower_half = lower_half_p(
-            problem,
-            &refined.metric,
-            &refined.minimum.at,
-            &self.told,
-            &self.included,
-            (!known).then_some(least),
-        );
+        let [score, q] =
+            lower_half_score(problem, &refined.metric, &refined.minimum.at, &self.told);
+        let lower_half = lower_half_p(score, q, (!known).then_some(least));
         Residuals {
-            whitened,
-            spans: problem.spans(),
-            included: &self.included,
-            points: problem.included_points(&self.included),
-            degrees: (whitened.len() - left_out).saturating_sub(fitted).max(1) as f64,
+            series: problem
+                .spans()
+                .iter()
+                .map(|span| &whitened[span.clone()])
+                .collect(),
+            chi_squared: refined.minimum.system.chi_squared,
+            points: problem.points(),
+            degrees: whitened.len().saturating_sub(fitted).max(1) as f64,
             known,
         }
         .judge(lower_half)

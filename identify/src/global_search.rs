@@ -82,14 +82,7 @@ pub(crate) fn no_start(predictor: Predictor, starts: usize) -> IdentifyError {
 /// White noise of guessed or given size, at the observed values, so that all searches are measured alike.
 fn provisional_metric<'p>(problem: &'p Problem, first: &Evaluation) -> Metric<'p> {
     let levels = first_levels(problem);
-    let included = vec![true; problem.curves().len()];
-    Metric::new(
-        problem,
-        &levels,
-        problem.observed(),
-        &first.slope,
-        &included,
-    )
+    Metric::new(problem, &levels, problem.observed(), &first.slope)
 }
 
 /// Levels of the noise before any residual is known.

@@ -5,8 +5,6 @@
 //! whole. The misfit's probability is that of the worst, times their number (Bonferroni), so that a true model is
 //! refused no oftener than that says, whatever the tests have in common.
 
-use std::ops::Range;
-
 use crate::{
     Problem,
     distribution::{chi_squared_above, fisher_above, normal_below},
@@ -44,10 +42,10 @@ pub struct Goodness {
 
 /// The residuals that the tests look at.
 pub(crate) struct Residuals<'a> {
-    /// Whitened, nuisances eliminated; points first, then priors.
-    pub whitened: &'a [f64],
-    pub spans: &'a [Range<usize>],
-    pub included: &'a [bool],
+    /// Whitened residuals of each curve.
+    pub series: Vec<&'a [f64]>,
+    /// `χ²`, priors included.
+    pub chi_squared: f64,
     pub points: usize,
     pub degrees: f64,
     /// Whether the noise is known altogether.
@@ -57,19 +55,12 @@ pub(crate) struct Residuals<'a> {
 impl Residuals<'_> {
     /// Judges the residuals, with the probability of the lower half from elsewhere.
     pub fn judge(&self, lower_half_p: Option<f64>) -> Goodness {
-        let chi_squared = dot(self.whitened, self.whitened);
-        let series: Vec<&[f64]> = self
-            .spans
-            .iter()
-            .zip(self.included)
-            .filter(|(_, on)| **on)
-            .map(|(span, _)| &self.whitened[span.clone()])
-            .collect();
+        let chi_squared = self.chi_squared;
         let chi_squared_p = self
             .known
             .then(|| chi_squared_above(chi_squared, self.degrees));
-        let runs_p = runs(&series);
-        let (durbin_watson, durbin_watson_p) = durbin_watson(&series);
+        let runs_p = runs(&self.series);
+        let (durbin_watson, durbin_watson_p) = durbin_watson(&self.series);
         let all: Vec<f64> = [
             chi_squared_p,
             Some(runs_p),
@@ -140,20 +131,19 @@ fn durbin_watson(series: &[&[f64]]) -> (f64, f64) {
     (d, normal_below((d - 2.0) * points.sqrt() / 2.0))
 }
 
-/// The probability that the unknowns of the lower half of the abscissae differ as much from those of all.
+/// How much the unknowns of the lower half of the abscissae differ from those of all: the score and its degrees of
+/// freedom.
 ///
 /// The score test of a second set of unknowns for the upper half, which needs no second fit: with `Z` the derivatives
 /// at the upper half alone, after nuisances and unknowns have taken their part, `S = rᵀZ(ZᵀZ)⁻¹Zᵀr` is χ² (C. R. Rao,
-/// Proc. Camb. Phil. Soc. 44, 50 (1948)), or `q F` where the noise is estimated.
-pub(crate) fn lower_half_p(
+/// Proc. Camb. Phil. Soc. 44, 50 (1948)).
+pub(crate) fn lower_half_score(
     problem: &Problem,
     metric: &Metric,
     at: &Evaluation,
     told: &[usize],
-    included: &[bool],
-    degrees: Option<f64>,
-) -> Option<f64> {
-    let upper = upper_half(problem, included);
+) -> [f64; 2] {
+    let upper = upper_half(&problem.abscissa());
     let system = metric.system(at);
     let fitted = Projection::of(told.iter().map(|&j| system.jacobian[j].clone()));
     let mut residual = system.residual;
@@ -167,30 +157,24 @@ pub(crate) fn lower_half_p(
             .collect();
         split.push(metric.reduce(column));
     }
-    let added = split.rank() - fitted.rank();
-    if added == 0 {
-        return None;
-    }
     let before = dot(&residual, &residual);
     split.remove_from(&mut residual);
-    let score = before - dot(&residual, &residual);
-    let q = added as f64;
-    Some(match degrees {
+    let added = split.rank() - fitted.rank();
+    [before - dot(&residual, &residual), added as f64]
+}
+
+/// The probability of so great a score, `S/q` being Fisher's F with the degrees of freedom of an estimated noise;
+/// nothing where the halves cannot tell the unknowns.
+pub(crate) fn lower_half_p(score: f64, q: f64, degrees: Option<f64>) -> Option<f64> {
+    (q > 0.0).then(|| match degrees {
         None => chi_squared_above(score, q),
         Some(degrees) => fisher_above(score / q, q, degrees),
     })
 }
 
-/// Whether each point lies above the median of the included abscissae.
-fn upper_half(problem: &Problem, included: &[bool]) -> Vec<bool> {
-    let abscissa = problem.abscissa();
-    let mut sorted: Vec<f64> = problem
-        .spans()
-        .iter()
-        .zip(included)
-        .filter(|(_, on)| **on)
-        .flat_map(|(span, _)| abscissa[span.clone()].iter().copied())
-        .collect();
+/// Whether each point lies above the median of the abscissae.
+fn upper_half(abscissa: &[f64]) -> Vec<bool> {
+    let mut sorted = abscissa.to_vec();
     sorted.sort_by(f64::total_cmp);
     let median = sorted
         .get(sorted.len() / 2)

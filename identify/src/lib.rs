@@ -11,6 +11,7 @@
 
 mod autoregressive;
 mod contact_curves;
+mod correlation;
 mod curve;
 mod distribution;
 mod error;
@@ -19,6 +20,7 @@ mod forward_error;
 mod forward_model;
 mod global_search;
 mod goodness;
+mod known_combination;
 mod least_squares;
 mod metric;
 mod noise;
@@ -32,6 +34,7 @@ mod problem;
 mod profile;
 mod projection;
 mod refinement;
+mod repeats;
 mod result;
 mod start;
 mod unknown;
@@ -44,15 +47,17 @@ pub use fit::identify;
 pub use forward_error::ForwardError;
 pub use forward_model::{ForwardModel, Prediction};
 pub use goodness::{Goodness, REFUSAL};
+pub use known_combination::KnownCombination;
 pub use noise::{Amount, Correlation, Noise, NoiseLevels};
 pub use nuisance::{LinearNuisance, Scope, Shape};
 pub use null_direction::NullDirections;
 pub use options::{FitOptions, Intervals};
 pub use prior::Prior;
-pub use problem::Problem;
+pub use problem::{Problem, Scatter};
 pub use profile::ProfilePoint;
+pub use repeats::Exclusion;
 pub use result::{
-    Coefficient, Estimate, Fit, FitVerdict, FittedPoints, KnownCombination, Warning, Work,
+    BetweenCurves, Coefficient, Estimate, Fit, FitVerdict, FittedPoints, Warning, Work,
 };
 pub use unknown::{Coordinate, Role, Unknown};
 pub use verdict::{IDENTIFIED_WITHIN, PRIOR_DRIVEN_ABOVE, Verdict};

@@ -32,15 +32,9 @@ pub(crate) struct System {
 }
 
 impl<'a> Metric<'a> {
-    /// The covariance at the model's values and slopes, of the included curves.
-    pub fn new(
-        problem: &'a Problem,
-        levels: &NoiseLevels,
-        value: &[f64],
-        slope: &[f64],
-        included: &[bool],
-    ) -> Self {
-        let whitener = Whitener::new(levels, value, slope, problem.spans(), included);
+    /// The covariance at the model's values and slopes.
+    pub fn new(problem: &'a Problem, levels: &NoiseLevels, value: &[f64], slope: &[f64]) -> Self {
+        let whitener = Whitener::new(levels, value, slope, problem.spans());
         let nuisances = Projection::of(nuisance_columns(problem, &whitener));
         Self {
             problem,
@@ -50,13 +44,8 @@ impl<'a> Metric<'a> {
     }
 
     /// The covariance at an evaluation.
-    pub fn at(
-        problem: &'a Problem,
-        levels: &NoiseLevels,
-        at: &Evaluation,
-        included: &[bool],
-    ) -> Self {
-        Self::new(problem, levels, &at.value, &at.slope, included)
+    pub fn at(problem: &'a Problem, levels: &NoiseLevels, at: &Evaluation) -> Self {
+        Self::new(problem, levels, &at.value, &at.slope)
     }
 
     /// The problem linearised at a point.
@@ -119,7 +108,7 @@ impl<'a> Metric<'a> {
         nuisance_columns(self.problem, &self.whitener)
     }
 
-    /// `ln det V` of the included points.
+    /// `ln det V`.
     pub fn log_determinant(&self) -> f64 {
         self.whitener.log_determinant()
     }

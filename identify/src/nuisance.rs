@@ -1,5 +1,7 @@
 //! Nuisances that enter linearly: shift, frame compliance, drift, baseline.
 
+use std::ops::Range;
+
 use crate::{Curve, IdentifyError, Prior, curve::check_length};
 
 /// How a linear nuisance enters the observable, for one unit of its coefficient.
@@ -136,6 +138,16 @@ pub(crate) struct NuisanceColumn {
     pub values: Vec<f64>,
     /// Mean and standard deviation known before.
     pub prior: Option<[f64; 2]>,
+}
+
+impl NuisanceColumn {
+    /// The column at some of the points.
+    pub fn part(&self, points: &Range<usize>) -> Self {
+        Self {
+            values: self.values[points.clone()].to_vec(),
+            ..self.clone()
+        }
+    }
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! The forward model asked once for each set of parameters, and counted.
 
-use std::rc::Rc;
+use std::{ops::Range, rc::Rc};
 
 use crate::{ForwardError, ForwardModel, IdentifyError, Problem};
 
@@ -17,6 +17,20 @@ pub(crate) struct Evaluation {
     pub slope: Vec<f64>,
     /// `∂y/∂x_j` of each point, one list for each unknown.
     pub jacobian: Vec<Vec<f64>>,
+}
+
+impl Evaluation {
+    /// The evaluation at some of the points.
+    pub fn part(&self, points: &Range<usize>) -> Self {
+        let part = |values: &Vec<f64>| values[points.clone()].to_vec();
+        Self {
+            position: self.position.clone(),
+            parameters: self.parameters.clone(),
+            value: part(&self.value),
+            slope: part(&self.slope),
+            jacobian: self.jacobian.iter().map(part).collect(),
+        }
+    }
 }
 
 /// A forward model with a memory. Its predictions are dear, its memory is not.

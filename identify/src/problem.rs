@@ -6,6 +6,16 @@ use crate::{
     Curve, IdentifyError, LinearNuisance, Noise, NullDirections, Unknown, nuisance::NuisanceColumn,
 };
 
+/// What the curves are to each other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Scatter {
+    /// All have the same parameters, and differ by noise.
+    None,
+    /// They are repeats at different places or of different specimens: the parameters of each scatter about common
+    /// ones, and a curve that disagrees with the rest is left out.
+    BetweenCurves,
+}
+
 /// Measured curves, what is sought from them, and what else acts on them.
 #[derive(Debug, Clone)]
 pub struct Problem {
@@ -13,6 +23,7 @@ pub struct Problem {
     unknowns: Vec<Unknown>,
     noise: Noise,
     null_directions: NullDirections,
+    scatter: Scatter,
     columns: Vec<NuisanceColumn>,
     spans: Vec<Range<usize>>,
     observed: Vec<f64>,
@@ -53,6 +64,7 @@ impl Problem {
             unknowns,
             noise,
             null_directions: NullDirections::default(),
+            scatter: Scatter::None,
             columns,
             spans,
             observed,
@@ -63,6 +75,13 @@ impl Problem {
     #[must_use]
     pub fn with_null_directions(mut self, null_directions: NullDirections) -> Self {
         self.null_directions = null_directions;
+        self
+    }
+
+    /// The same problem with curves that are, or are not, repeats with scatter between them.
+    #[must_use]
+    pub fn with_scatter(mut self, scatter: Scatter) -> Self {
+        self.scatter = scatter;
         self
     }
 
@@ -94,6 +113,33 @@ impl Problem {
         &self.null_directions
     }
 
+    pub(crate) fn scatter(&self) -> Scatter {
+        self.scatter
+    }
+
+    /// The problem of one curve alone: its own nuisances, and no prior of an unknown, as priors are of what all curves
+    /// have in common.
+    pub(crate) fn of_curve(&self, index: usize) -> Self {
+        let span = self.spans[index].clone();
+        let own = |column: &&NuisanceColumn| column.curve == Some(index);
+        let curves = vec![self.curves[index].clone()];
+        Self {
+            spans: spans(&curves),
+            curves,
+            unknowns: self.unknowns.iter().map(Unknown::without_prior).collect(),
+            noise: self.noise,
+            null_directions: NullDirections::default(),
+            scatter: Scatter::None,
+            columns: self
+                .columns
+                .iter()
+                .filter(own)
+                .map(|column| column.part(&span))
+                .collect(),
+            observed: self.observed[span].to_vec(),
+        }
+    }
+
     /// Coefficients of the linear nuisances.
     pub(crate) fn columns(&self) -> &[NuisanceColumn] {
         &self.columns
@@ -116,15 +162,6 @@ impl Problem {
             .flat_map(Curve::abscissa)
             .copied()
             .collect()
-    }
-
-    /// Points of the included curves.
-    pub(crate) fn included_points(&self, included: &[bool]) -> usize {
-        self.spans
-            .iter()
-            .zip(included)
-            .filter_map(|(span, &on)| on.then_some(span.len()))
-            .sum()
     }
 }
 

@@ -6,7 +6,7 @@ use crate::{
     FitOptions, IdentifyError, NoiseLevels, Problem,
     least_squares::{Minimum, Search, Stopping},
     metric::Metric,
-    noise::restricted_likelihood::RestrictedLikelihood,
+    noise::restricted_likelihood::{Part, RestrictedLikelihood},
     predictor::{Evaluation, Predictor},
 };
 
@@ -24,7 +24,6 @@ pub(crate) struct Refined<'p> {
 pub(crate) struct Refinement<'s, 'p> {
     pub problem: &'p Problem,
     pub options: &'s FitOptions,
-    pub included: &'s [bool],
     /// Unknowns that the data can tell beside each other.
     pub told: &'s [usize],
 }
@@ -44,9 +43,14 @@ impl<'p> Refinement<'_, 'p> {
         let mut levels = first;
         let mut round = 0;
         loop {
-            levels = RestrictedLikelihood::new(self.problem, &at, self.included, self.told, levels)
-                .estimate();
-            let metric = Metric::at(self.problem, &levels, &at, self.included);
+            let part = Part {
+                problem: self.problem,
+                at: &at,
+                free: self.told,
+            };
+            levels =
+                RestrictedLikelihood::new(vec![part], *self.problem.noise(), levels).estimate();
+            let metric = Metric::at(self.problem, &levels, &at);
             let mut minimum = self.descend(predictor, &metric, Rc::clone(&at))?;
             round += 1;
             let settled = Rc::ptr_eq(&minimum.at, &at) || self.is_fixed();

@@ -1,6 +1,6 @@
 //! What a fit returns.
 
-use crate::{Goodness, NoiseLevels, ProfilePoint, Role, Verdict};
+use crate::{Exclusion, Goodness, KnownCombination, NoiseLevels, ProfilePoint, Role, Verdict};
 
 /// What became of a fit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -37,17 +37,17 @@ pub struct Estimate {
     /// Its profile, in the order of its values; of the combination, with the others held, where there is one. Empty
     /// without profiles.
     pub profile: Vec<ProfilePoint>,
+    /// How it scatters between curves, where they are repeats and it is an answer.
+    pub between_curves: Option<BetweenCurves>,
 }
 
-/// A product of powers of unknowns that the data tell although they do not tell the unknowns.
+/// How a parameter scatters between repeats.
 #[derive(Debug, Clone, PartialEq)]
-pub struct KnownCombination {
-    /// Such as `E * R^0.5`.
-    pub expression: String,
-    /// Its value, in the units of its factors.
-    pub value: f64,
-    /// Its interval; nothing on a side that is open.
-    pub interval: [Option<f64>; 2],
+pub struct BetweenCurves {
+    /// Standard deviation of the parameter between curves, in its unit.
+    pub standard_deviation: f64,
+    /// The parameter of each curve alone, with the index of the curve. Noise adds to their scatter.
+    pub values: Vec<(usize, f64)>,
 }
 
 /// The coefficient of a linear nuisance as found.
@@ -66,7 +66,7 @@ pub struct Coefficient {
 /// The points of all curves in the best fit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FittedPoints {
-    /// Observable of the model, nuisances added.
+    /// Observable of the model, nuisances added; of repeats, with the parameters of each.
     pub model: Vec<f64>,
     /// Observed less model.
     pub residual: Vec<f64>,
@@ -112,6 +112,8 @@ pub struct Fit {
     pub noise: NoiseLevels,
     /// How well the model follows the data.
     pub goodness: Goodness,
+    /// The curves that were left out, where they are repeats.
+    pub excluded: Vec<Exclusion>,
     /// The points.
     pub points: FittedPoints,
     /// What it has cost.

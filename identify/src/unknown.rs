@@ -128,6 +128,14 @@ impl Unknown {
         self
     }
 
+    /// The same unknown without what is known from elsewhere.
+    pub(crate) fn without_prior(&self) -> Self {
+        Self {
+            prior: None,
+            ..self.clone()
+        }
+    }
+
     /// Its name, such as the key of a case file.
     #[must_use]
     pub fn name(&self) -> &str {

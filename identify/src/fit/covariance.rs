@@ -61,16 +61,3 @@ impl Fitting<'_> {
             .collect()
     }
 }
-
-/// `ρ_ij = C_ij/√(C_ii C_jj)`; zero where a variance is infinite.
-pub(super) fn correlation(covariance: &[Vec<f64>]) -> Vec<Vec<f64>> {
-    let entry = |i: usize, j: usize| {
-        if i == j {
-            return 1.0;
-        }
-        covariance[i][j] / (covariance[i][i].sqrt() * covariance[j][j].sqrt())
-    };
-    (0..covariance.len())
-        .map(|i| (0..covariance.len()).map(|j| entry(i, j)).collect())
-        .collect()
-}

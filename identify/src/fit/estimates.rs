@@ -5,7 +5,11 @@ use super::{
     intervals::{Interval, Sought},
 };
 use crate::{
-    Estimate, KnownCombination, ProfilePoint, Unknown, Verdict, refinement::Refined, verdict,
+    Estimate, KnownCombination, ProfilePoint, Unknown, Verdict,
+    correlation::correlation,
+    known_combination::{expression, not_identifiable},
+    refinement::Refined,
+    verdict,
 };
 
 /// A correlation above this with a parameter that its prior drives means that the prior drives both.
@@ -45,6 +49,7 @@ impl Fitting<'_> {
             why: String::new(),
             known_combination: None,
             profile: profile(unknown, interval),
+            between_curves: None,
         };
         if self.null_space.moves(one.unknown) {
             let combination = self.combination(refined, one, &estimate);
@@ -67,16 +72,13 @@ impl Fitting<'_> {
         estimate: &Estimate,
     ) -> Option<KnownCombination> {
         let hold = one.hold.as_ref()?;
-        let unknowns = self.problem.unknowns();
-        let mut expression = estimate.name.clone();
-        let mut factor = 1.0;
-        for &(k, exponent) in &hold.exponents {
-            let power = power(exponent);
-            expression = format!("{expression} * {}{power}", unknowns[k].name());
-            factor *= refined.minimum.at.parameters[k].powf(exponent);
-        }
+        let factor: f64 = hold
+            .exponents
+            .iter()
+            .map(|&(k, exponent)| refined.minimum.at.parameters[k].powf(exponent))
+            .product();
         Some(KnownCombination {
-            expression,
+            expression: expression(self.problem.unknowns(), one.unknown, &hold.exponents),
             value: estimate.value * factor,
             interval: estimate.interval.map(|end| end.map(|value| value * factor)),
         })
@@ -84,7 +86,7 @@ impl Fitting<'_> {
 
     /// Says of each unknown which prior-driven parameter carries its uncertainty.
     fn name_carriers(&self, refined: &Refined, estimates: &mut [Estimate]) {
-        let correlation = super::correlation(&self.covariance(refined));
+        let correlation = correlation(&self.covariance(refined));
         let driven: Vec<(usize, String)> = estimates
             .iter()
             .enumerate()
@@ -112,23 +114,4 @@ fn profile(unknown: &Unknown, interval: &Interval) -> Vec<ProfilePoint> {
             delta_chi_squared,
         })
         .collect()
-}
-
-fn not_identifiable(combination: Option<&KnownCombination>) -> String {
-    match combination {
-        Some(known) => format!(
-            "No data can tell it: other values, with others changed too, give the same curves. What they tell is {}.",
-            known.expression
-        ),
-        None => "No data can tell it: the curves do not depend on it.".to_owned(),
-    }
-}
-
-/// An exponent as it is written, one not at all.
-fn power(exponent: f64) -> String {
-    if (exponent - 1.0).abs() < f64::EPSILON {
-        String::new()
-    } else {
-        format!("^{exponent}")
-    }
 }

@@ -9,7 +9,7 @@
 
 use faer::{Mat, Side};
 
-use super::{Amount, Correlation, NoiseLevels, simplex};
+use super::{Amount, Correlation, Noise, NoiseLevels, simplex};
 use crate::{
     IdentifyError, Problem,
     metric::Metric,
@@ -27,31 +27,24 @@ const DIFFERENCE: f64 = 0.05;
 /// Curvatures of `−2 ℓ_R` below this, a standard error above six in a logarithm, tell nothing.
 const FLAT: f64 = 0.05;
 
-/// The restricted likelihood at one evaluation, over the estimated numbers of the noise.
-pub(crate) struct RestrictedLikelihood<'a> {
-    problem: &'a Problem,
-    at: &'a Evaluation,
-    included: &'a [bool],
+/// One problem with its residuals, to which the noise belongs.
+pub(crate) struct Part<'a> {
+    pub problem: &'a Problem,
+    pub at: &'a Evaluation,
     /// Unknowns that count as found; those that no data tell are left out.
-    free: &'a [usize],
+    pub free: &'a [usize],
+}
+
+/// The restricted likelihood over the estimated numbers of the noise, of one problem or of several with the same noise.
+pub(crate) struct RestrictedLikelihood<'a> {
+    parts: Vec<Part<'a>>,
     base: NoiseLevels,
+    noise: Noise,
 }
 
 impl<'a> RestrictedLikelihood<'a> {
-    pub fn new(
-        problem: &'a Problem,
-        at: &'a Evaluation,
-        included: &'a [bool],
-        free: &'a [usize],
-        base: NoiseLevels,
-    ) -> Self {
-        Self {
-            problem,
-            at,
-            included,
-            free,
-            base,
-        }
+    pub fn new(parts: Vec<Part<'a>>, noise: Noise, base: NoiseLevels) -> Self {
+        Self { parts, base, noise }
     }
 
     /// The levels of the greatest likelihood.
@@ -60,9 +53,7 @@ impl<'a> RestrictedLikelihood<'a> {
         if start.is_empty() {
             return self.base;
         }
-        if self.problem.noise().correlation == Correlation::Estimated
-            && self.base.persistence == 0.0
-        {
+        if self.noise.correlation == Correlation::Estimated && self.base.persistence == 0.0 {
             let middle = start.len() - 2;
             start[middle..].fill(0.0);
         }
@@ -110,24 +101,16 @@ impl<'a> RestrictedLikelihood<'a> {
 
     /// `−2 ℓ_R` without its constant.
     fn deviance(&self, parameters: &[f64]) -> f64 {
-        let metric = self.metric(parameters);
-        let (mut residual, jacobian) = metric.rows(self.at);
-        let mut columns = metric.nuisance_columns();
-        for column in &mut columns {
-            column.resize(residual.len(), 0.0);
-        }
-        columns.extend(self.free.iter().map(|&j| jacobian[j].clone()));
-        let absorbed = Projection::of(columns);
-        absorbed.remove_from(&mut residual);
-        metric.log_determinant() + absorbed.log_determinant() + dot(&residual, &residual)
+        let levels = self.decode(parameters);
+        self.parts.iter().map(|part| part.deviance(&levels)).sum()
     }
 
-    /// `C_jj` of each free unknown.
+    /// `C_jj` of each free unknown, of the first problem.
     fn variances(&self, parameters: &[f64]) -> Vec<f64> {
-        let system = self.metric(parameters).system(self.at);
-        let inverse =
-            Projection::of(self.free.iter().map(|&j| system.jacobian[j].clone())).inverse_gram();
-        (0..self.free.len()).map(|j| inverse[j][j]).collect()
+        let levels = self.decode(parameters);
+        self.parts
+            .first()
+            .map_or_else(Vec::new, |part| part.variances(&levels))
     }
 
     /// Second differences of the deviance.
@@ -152,18 +135,9 @@ impl<'a> RestrictedLikelihood<'a> {
         curvature
     }
 
-    fn metric(&self, parameters: &[f64]) -> Metric<'a> {
-        Metric::at(
-            self.problem,
-            &self.decode(parameters),
-            self.at,
-            self.included,
-        )
-    }
-
     /// Logarithms of the estimated sizes, then logits of the estimated correlation.
     fn encode(&self, levels: &NoiseLevels) -> Vec<f64> {
-        let noise = self.problem.noise();
+        let noise = self.noise;
         let mut parameters: Vec<f64> = [
             (noise.observed, levels.observed),
             (noise.abscissa, levels.abscissa),
@@ -181,7 +155,7 @@ impl<'a> RestrictedLikelihood<'a> {
     }
 
     fn decode(&self, parameters: &[f64]) -> NoiseLevels {
-        let noise = self.problem.noise();
+        let noise = self.noise;
         let mut rest = parameters.iter();
         let mut size = |amount, base: f64| match (amount, rest.as_slice().first()) {
             (Amount::Estimated, Some(logarithm)) => {
@@ -201,6 +175,29 @@ impl<'a> RestrictedLikelihood<'a> {
             levels.white_fraction = logistic(*white);
         }
         levels
+    }
+}
+
+impl<'a> Part<'a> {
+    fn deviance(&self, levels: &NoiseLevels) -> f64 {
+        let metric = self.metric(levels);
+        let (mut residual, jacobian) = metric.rows(self.at);
+        let mut columns = metric.nuisance_columns();
+        columns.extend(self.free.iter().map(|&j| jacobian[j].clone()));
+        let absorbed = Projection::of(columns);
+        absorbed.remove_from(&mut residual);
+        metric.log_determinant() + absorbed.log_determinant() + dot(&residual, &residual)
+    }
+
+    fn variances(&self, levels: &NoiseLevels) -> Vec<f64> {
+        let system = self.metric(levels).system(self.at);
+        let inverse =
+            Projection::of(self.free.iter().map(|&j| system.jacobian[j].clone())).inverse_gram();
+        (0..self.free.len()).map(|j| inverse[j][j]).collect()
+    }
+
+    fn metric(&self, levels: &NoiseLevels) -> Metric<'a> {
+        Metric::at(self.problem, levels, self.at)
     }
 }
 

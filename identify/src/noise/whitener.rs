@@ -9,36 +9,26 @@ use crate::autoregressive::Innovations;
 /// weigh infinitely under relative noise.
 const LEAST_DEVIATION: f64 = 1e-3;
 
-/// `W` with `Wᵀ W = V⁻¹` for the covariance `V` of all points. Points of curves that are left out weigh nothing.
+/// `W` with `Wᵀ W = V⁻¹` for the covariance `V` of all points.
 #[derive(Debug, Clone)]
 pub(crate) struct Whitener {
     spans: Vec<Range<usize>>,
-    /// `1/σ_i`, or 0 where left out.
+    /// `1/σ_i`.
     weight: Vec<f64>,
     filter: Option<Innovations>,
     log_determinant: f64,
 }
 
 impl Whitener {
-    /// The factor for the included curves, whose points lie in `spans`, at the model's values and slopes.
-    pub fn new(
-        levels: &NoiseLevels,
-        value: &[f64],
-        slope: &[f64],
-        spans: &[Range<usize>],
-        included: &[bool],
-    ) -> Self {
+    /// The factor for curves whose points lie in `spans`, at the model's values and slopes.
+    pub fn new(levels: &NoiseLevels, value: &[f64], slope: &[f64], spans: &[Range<usize>]) -> Self {
         let deviation = deviations(levels, value, slope);
         let mut weight = vec![0.0; value.len()];
         let mut log_determinant = 0.0;
         let longest = spans.iter().map(ExactSizeIterator::len).max().unwrap_or(0);
         let filter = (levels.persistence > 0.0 && levels.white_fraction < 1.0)
             .then(|| Innovations::new(longest, levels.persistence, levels.white_fraction));
-        for span in spans
-            .iter()
-            .zip(included)
-            .filter_map(|(span, &on)| on.then_some(span))
-        {
+        for span in spans {
             for point in span.clone() {
                 weight[point] = 1.0 / deviation[point];
                 log_determinant += 2.0 * deviation[point].ln();
@@ -67,7 +57,7 @@ impl Whitener {
         }
     }
 
-    /// `ln det V` of the included points.
+    /// `ln det V`.
     pub fn log_determinant(&self) -> f64 {
         self.log_determinant
     }
@@ -94,28 +84,23 @@ mod tests {
     use super::*;
 
     #[test]
-    fn errors_of_both_axes_add_as_variances_and_excluded_curves_vanish() {
+    fn errors_of_both_axes_add_as_variances() {
         let levels = NoiseLevels {
             observed: 3.0,
             abscissa: 2.0,
-            relative: 0.0,
+            relative: 0.5,
             persistence: 0.0,
             white_fraction: 1.0,
         };
-        let whitener = Whitener::new(
-            &levels,
-            &[1.0, 1.0, 1.0],
-            &[2.0, 0.0, 5.0],
-            &[0..2, 2..3],
-            &[true, false],
-        );
-        let mut column = [5.0, 3.0, 7.0];
+        // 3² + 4², 3² + (½ 8)², 3².
+        let whitener = Whitener::new(&levels, &[0.0, 8.0, 0.0], &[2.0, 0.0, 0.0], &[0..2, 2..3]);
+        let mut column = [5.0, 10.0, 6.0];
         whitener.whiten(&mut column);
-        assert_eq!(column, [1.0, 1.0, 0.0]);
-        // ln 25 + ln 9, to rounding.
+        assert_eq!(column, [1.0, 2.0, 2.0]);
+        // ln 25 twice and ln 9, to rounding.
         assert_relative_eq!(
             whitener.log_determinant(),
-            225.0_f64.ln(),
+            5625.0_f64.ln(),
             max_relative = 1e-15
         );
     }

@@ -9,6 +9,7 @@ mod analytic;
 mod coverage;
 mod misfit;
 mod reference;
+mod repeats;
 mod toys;
 mod verdicts;
 mod work;

@@ -1,0 +1,42 @@
+//! Products of powers of unknowns that the data tell although they do not tell the unknowns.
+
+use crate::Unknown;
+
+/// A product of powers of unknowns that the data tell although they do not tell the unknowns.
+#[derive(Debug, Clone, PartialEq)]
+pub struct KnownCombination {
+    /// Such as `E * R^0.5`.
+    pub expression: String,
+    /// Its value, in the units of its factors.
+    pub value: f64,
+    /// Its interval; nothing on a side that is open.
+    pub interval: [Option<f64>; 2],
+}
+
+/// The product of an unknown and powers of others, in words.
+pub(crate) fn expression(unknowns: &[Unknown], unknown: usize, powers: &[(usize, f64)]) -> String {
+    powers.iter().fold(
+        unknowns[unknown].name().to_owned(),
+        |product, &(k, exponent)| format!("{product} * {}{}", unknowns[k].name(), power(exponent)),
+    )
+}
+
+/// Why an unknown is not identifiable, and what is known instead.
+pub(crate) fn not_identifiable(known: Option<&KnownCombination>) -> String {
+    match known {
+        Some(known) => format!(
+            "No data can tell it: other values, with others changed too, give the same curves. What they tell is {}.",
+            known.expression
+        ),
+        None => "No data can tell it: the curves do not depend on it.".to_owned(),
+    }
+}
+
+/// An exponent as it is written, one not at all.
+fn power(exponent: f64) -> String {
+    if (exponent - 1.0).abs() < f64::EPSILON {
+        String::new()
+    } else {
+        format!("^{exponent}")
+    }
+}

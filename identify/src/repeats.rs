@@ -1,0 +1,288 @@
+//! Repeats: curves whose parameters scatter about common ones.
+//!
+//! ```text
+//! at x:  noise of all curves, each with parameters of its own       restricted_likelihood.rs
+//!        each curve fitted alone, linearised                          curve_fit.rs
+//!        common parameters and scatter                                mixed_model.rs
+//! go to the common parameters, until they stay
+//! leave out the worst of the discordant curves, and go on             discordant.rs
+//! ```
+//!
+//! An interval of a common value is `x ± √(t² C_c + z² C_p)`: `C_c` the variance from the scatter and the noise of the
+//! `k` curves, `t` Student's quantile with `k − 1` degrees of freedom as for the mean of a sample (J. Hartung and
+//! G. Knapp, Stat. Med. 20, 1771 (2001)), `C_p` what the priors of common nuisances add. It costs no profile.
+
+use std::rc::Rc;
+
+use crate::{
+    Fit, FitOptions, IdentifyError, NoiseLevels, Problem, Role, global_search,
+    noise::restricted_likelihood::{Part, RestrictedLikelihood},
+    null_direction::NullSpace,
+    predictor::{Evaluation, Predictor},
+};
+
+mod curve_fit;
+mod discordant;
+mod mixed_model;
+mod result;
+
+use curve_fit::{CurveFit, Share};
+use mixed_model::{Common, MixedModel};
+
+/// Corrections below this part of a standard error end the iteration.
+const SETTLED: f64 = 0.02;
+/// Rounds before it ends without convergence; each takes one prediction.
+const MOST_ROUNDS: usize = 25;
+/// Longest correction of a coordinate at once.
+const LONGEST_STEP: f64 = 0.7;
+
+/// Repeats under fit.
+pub(crate) struct Repeats<'p> {
+    problem: &'p Problem,
+    options: &'p FitOptions,
+    null_space: NullSpace,
+    /// Unknowns that the data can tell beside each other.
+    told: Vec<usize>,
+    /// Indices of the linear nuisances that all curves share.
+    shared: Vec<usize>,
+    shares: Vec<Share>,
+}
+
+/// The present state of the iteration.
+struct State {
+    at: Rc<Evaluation>,
+    /// Values of the shared linear nuisances.
+    nuisances: Vec<f64>,
+    levels: NoiseLevels,
+    exclusions: Vec<Exclusion>,
+}
+
+/// A curve that was left out, and why.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Exclusion {
+    /// Its parameters are not those of the others.
+    Discordant {
+        /// Index of the curve, from 0.
+        curve: usize,
+        /// How far they are from the median, in units of the standard deviation of the others or of its own.
+        deviation: f64,
+    },
+    /// Its residuals are larger than those of the others.
+    Rough {
+        /// Index of the curve, from 0.
+        curve: usize,
+        /// How many times as large as those of the median curve.
+        factor: f64,
+    },
+}
+
+impl Exclusion {
+    /// Index of the curve.
+    #[must_use]
+    pub fn curve(&self) -> usize {
+        match *self {
+            Self::Discordant { curve, .. } | Self::Rough { curve, .. } => curve,
+        }
+    }
+}
+
+impl<'p> Repeats<'p> {
+    pub fn new(problem: &'p Problem, options: &'p FitOptions) -> Result<Self, IdentifyError> {
+        let null_space = problem.null_directions().among(problem.unknowns())?;
+        let held = null_space.hold()?;
+        let told = (0..problem.unknowns().len())
+            .filter(|j| !held.contains(j))
+            .collect();
+        let columns = problem.columns();
+        let shared: Vec<usize> = (0..columns.len())
+            .filter(|&k| columns[k].curve.is_none())
+            .collect();
+        let shares = (0..problem.curves().len())
+            .map(|index| Share {
+                index,
+                problem: problem.of_curve(index),
+                common: shared
+                    .iter()
+                    .map(|&k| columns[k].part(&problem.spans()[index]).values)
+                    .collect(),
+            })
+            .collect();
+        Ok(Self {
+            problem,
+            options,
+            null_space,
+            told,
+            shared,
+            shares,
+        })
+    }
+
+    /// Fits from an evaluation.
+    pub fn run(
+        &self,
+        predictor: &mut Predictor,
+        start: Rc<Evaluation>,
+    ) -> Result<Fit, IdentifyError> {
+        let prior = |&k: &usize| {
+            self.problem.columns()[k]
+                .prior
+                .map_or(0.0, |[mean, _]| mean)
+        };
+        let mut state = State {
+            at: start,
+            nuisances: self.shared.iter().map(prior).collect(),
+            levels: global_search::first_levels(self.problem),
+            exclusions: Vec::new(),
+        };
+        for _ in 0..MOST_ROUNDS {
+            state.levels = self.noise(&state);
+            let curves = self.curves(&state);
+            let common = self
+                .mixed_model(&curves, &state)
+                .solve(&self.guess(&curves))?;
+            if self.is_settled(&common) {
+                let Some(exclusion) = discordant::discordant(&curves) else {
+                    return self.result(predictor, &state, &curves, &common, true);
+                };
+                state.exclusions.push(exclusion);
+            } else if !self.advance(predictor, &mut state, &common)? {
+                break;
+            }
+        }
+        let curves = self.curves(&state);
+        let common = self
+            .mixed_model(&curves, &state)
+            .solve(&self.guess(&curves))?;
+        self.result(predictor, &state, &curves, &common, false)
+    }
+
+    /// The noise of the included curves, each of which has parameters of its own.
+    fn noise(&self, state: &State) -> NoiseLevels {
+        let included: Vec<(&Share, Evaluation)> = self
+            .included(state)
+            .map(|share| (share, state.at.part(&self.problem.spans()[share.index])))
+            .collect();
+        let parts = included
+            .iter()
+            .map(|(share, at)| Part {
+                problem: &share.problem,
+                at,
+                free: &self.told,
+            })
+            .collect();
+        RestrictedLikelihood::new(parts, *self.problem.noise(), state.levels).estimate()
+    }
+
+    fn curves(&self, state: &State) -> Vec<CurveFit> {
+        self.included(state)
+            .map(|share| {
+                let at = state.at.part(&self.problem.spans()[share.index]);
+                share.fit(&at, &self.told, &state.nuisances, &state.levels)
+            })
+            .collect()
+    }
+
+    fn included(&self, state: &State) -> impl Iterator<Item = &Share> {
+        self.shares.iter().filter(|share| {
+            state
+                .exclusions
+                .iter()
+                .all(|out| out.curve() != share.index)
+        })
+    }
+
+    fn mixed_model(&self, curves: &[CurveFit], state: &State) -> MixedModel {
+        let unknowns = self.problem.unknowns();
+        let of_unknown = |&j: &usize| {
+            let Some(prior) = unknowns[j].prior() else {
+                return [0.0; 2];
+            };
+            let value = state.at.parameters[j];
+            let slope = prior.deviation_slope(value) * unknowns[j].value_slope(value);
+            [slope * slope, -slope * prior.deviation(value)]
+        };
+        let of_nuisance = |(&k, c): (&usize, &f64)| {
+            let prior = self.problem.columns()[k].prior;
+            prior.map_or([0.0; 2], |[mean, sd]| {
+                [1.0 / (sd * sd), (mean - c) / (sd * sd)]
+            })
+        };
+        MixedModel {
+            curves: curves
+                .iter()
+                .map(|curve| curve.information.clone())
+                .collect(),
+            prior: self
+                .told
+                .iter()
+                .map(of_unknown)
+                .chain(self.shared.iter().zip(&state.nuisances).map(of_nuisance))
+                .collect(),
+            scattered: self.scattered(),
+        }
+    }
+
+    /// The told unknowns that are answers, by their place among the told: they may differ from curve to curve.
+    fn scattered(&self) -> Vec<usize> {
+        let unknowns = self.problem.unknowns();
+        (0..self.told.len())
+            .filter(|&k| unknowns[self.told[k]].role() == Role::Sought)
+            .collect()
+    }
+
+    /// The standard deviation of the curves' own parameters.
+    fn guess(&self, curves: &[CurveFit]) -> Vec<f64> {
+        let n = curves.len() as f64;
+        self.scattered()
+            .iter()
+            .map(|&k| {
+                let mean = curves.iter().map(|curve| curve.own[k]).sum::<f64>() / n;
+                let squares: f64 = curves
+                    .iter()
+                    .map(|curve| (curve.own[k] - mean).powi(2))
+                    .sum();
+                (squares / (n - 1.0)).sqrt().min(1.0)
+            })
+            .collect()
+    }
+
+    fn is_settled(&self, common: &Common) -> bool {
+        (0..self.told.len())
+            .all(|k| common.correction[k].abs() <= SETTLED * common.covariance[(k, k)].sqrt())
+    }
+
+    /// Goes to the common parameters, part of the way where the model has no prediction there.
+    fn advance(
+        &self,
+        predictor: &mut Predictor,
+        state: &mut State,
+        common: &Common,
+    ) -> Result<bool, IdentifyError> {
+        let steps = &common.correction[..self.told.len()];
+        let longest = steps.iter().fold(0.0, |most: f64, s| most.max(s.abs()));
+        let mut part = (LONGEST_STEP / longest).min(1.0);
+        while longest * part > SETTLED * f64::EPSILON.sqrt() {
+            let mut position = state.at.position.clone();
+            for (&j, step) in self.told.iter().zip(steps) {
+                let [low, high] = self.problem.unknowns()[j].bounds();
+                position[j] = (position[j] + part * step).clamp(low, high);
+            }
+            if position == state.at.position {
+                return Ok(false);
+            }
+            if let Some(at) = predictor.evaluate(&position)? {
+                state.at = at;
+                for (c, step) in state
+                    .nuisances
+                    .iter_mut()
+                    .zip(&common.correction[self.told.len()..])
+                {
+                    *c += part * step;
+                }
+                return Ok(true);
+            }
+            part *= 0.5;
+        }
+        Ok(false)
+    }
+}

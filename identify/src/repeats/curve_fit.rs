@@ -1,0 +1,113 @@
+//! One of several repeats, linearised about the common point: what it tells alone, and what it tells of all.
+
+use faer::Mat;
+
+use super::mixed_model::Information;
+use crate::{
+    NoiseLevels, Problem,
+    goodness::lower_half_score,
+    metric::Metric,
+    predictor::Evaluation,
+    projection::{Projection, dot},
+};
+
+/// One curve's share of a problem: its points, its own nuisances, and the columns it has in common with the others.
+pub(super) struct Share {
+    pub index: usize,
+    pub problem: Problem,
+    /// What one unit of each common linear nuisance adds to each point.
+    pub common: Vec<Vec<f64>>,
+}
+
+/// A curve fitted alone.
+pub(super) struct CurveFit {
+    pub index: usize,
+    /// What it tells of the common columns: told unknowns, then common nuisances.
+    pub information: Information,
+    /// Its own corrections of the told unknowns.
+    pub own: Vec<f64>,
+    /// Their variances; infinite where it does not tell alone.
+    pub own_variance: Vec<f64>,
+    /// Values and standard errors of its own nuisances.
+    pub nuisances: Vec<[f64; 2]>,
+    /// Observable of its own fit.
+    pub model: Vec<f64>,
+    /// Whitened residuals of its own fit, priors after the points.
+    pub whitened: Vec<f64>,
+    pub degrees: f64,
+    /// Score of the lower half of its abscissae against the whole, and its degrees of freedom.
+    pub lower_half: [f64; 2],
+}
+
+impl Share {
+    /// Fits the curve alone, the common nuisances at the values given.
+    pub fn fit(
+        &self,
+        at: &Evaluation,
+        told: &[usize],
+        nuisances: &[f64],
+        levels: &NoiseLevels,
+    ) -> CurveFit {
+        let mut at = at.clone();
+        for (column, c) in self.common.iter().zip(nuisances) {
+            add(&mut at.value, *c, column);
+        }
+        let metric = Metric::at(&self.problem, levels, &at);
+        let system = metric.system(&at);
+        let mut columns: Vec<Vec<f64>> = told.iter().map(|&j| system.jacobian[j].clone()).collect();
+        columns.extend(
+            self.common
+                .iter()
+                .map(|column| metric.reduce(column.clone())),
+        );
+        let size = columns.len();
+        let information = Information {
+            gram: Mat::from_fn(size, size, |i, k| dot(&columns[i], &columns[k])),
+            pull: Mat::from_fn(size, 1, |i, _| dot(&columns[i], &system.residual)),
+        };
+
+        // All of its own columns at once, for its own corrections, nuisances and residuals.
+        let (mut whitened, jacobian) = metric.rows(&at);
+        let mut own_columns = metric.nuisance_columns();
+        let first = own_columns.len();
+        own_columns.extend(told.iter().map(|&j| jacobian[j].clone()));
+        let whole = Projection::of(own_columns);
+        let components = whole.remove_from(&mut whitened);
+        let values = whole.coefficients(&components);
+        let covariance = whole.inverse_gram();
+        let own = values[first..].to_vec();
+        let mut model = at.value.clone();
+        for (column, c) in self.problem.columns().iter().zip(&values) {
+            add(&mut model, *c, &column.values);
+        }
+        for (&j, step) in told.iter().zip(&own) {
+            add(&mut model, *step, &at.jacobian[j]);
+        }
+        CurveFit {
+            index: self.index,
+            information,
+            own_variance: (first..values.len()).map(|k| covariance[k][k]).collect(),
+            nuisances: (0..first)
+                .map(|k| [values[k], covariance[k][k].sqrt()])
+                .collect(),
+            own,
+            model,
+            degrees: whitened.len().saturating_sub(whole.rank()).max(1) as f64,
+            lower_half: lower_half_score(&self.problem, &metric, &at, told),
+            whitened,
+        }
+    }
+}
+
+impl CurveFit {
+    /// The root mean square of its whitened residuals.
+    pub fn roughness(&self) -> f64 {
+        (dot(&self.whitened, &self.whitened) / self.degrees).sqrt()
+    }
+}
+
+fn add(sum: &mut [f64], factor: f64, column: &[f64]) {
+    for (s, c) in sum.iter_mut().zip(column) {
+        *s += factor * c;
+    }
+}

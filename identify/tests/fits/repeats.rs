@@ -1,0 +1,196 @@
+//! Repeats with scatter between them.
+
+use approx::assert_relative_eq;
+use pellicle_identify::{
+    Correlation, Curve, Exclusion, Fit, FitOptions, FitVerdict, LinearNuisance, Noise, Prior,
+    Problem, Scatter, Unknown, Verdict, identify,
+};
+
+use crate::toys::{Normals, Toy, coat_moduli, hertz, logarithmic, unknown};
+
+const CURVES: usize = 8;
+const SIGMA: f64 = 0.005;
+
+fn unknowns() -> Vec<Unknown> {
+    vec![
+        unknown("E1", [1.0, 100.0], 5.0),
+        unknown("E2", [0.2, 10.0], 1.0),
+    ]
+}
+
+/// Eight curves of coats whose moduli scatter about 10 and 1.5.
+fn curves(points: usize, scatter: f64, seed: u64) -> Vec<Curve> {
+    let mut normals = Normals::new(seed);
+    (0..CURVES)
+        .map(|_| {
+            let own = [10.0, 1.5].map(|mean: f64| mean * (scatter * normals.next()).exp());
+            let shift = 0.1 * normals.next();
+            let forces = logarithmic(0.01, 100.0, points);
+            let observed = Toy::new(forces.clone(), coat_moduli)
+                .values(&own)
+                .iter()
+                .map(|v| v + shift + SIGMA * normals.next())
+                .collect();
+            Curve::new(forces, observed).unwrap()
+        })
+        .collect()
+}
+
+fn fit(curves: Vec<Curve>, noise: Noise) -> Fit {
+    let forces = curves.iter().flat_map(Curve::abscissa).copied().collect();
+    let shift = [LinearNuisance::shift()];
+    let problem = Problem::new(curves, unknowns(), &shift, noise)
+        .unwrap()
+        .with_scatter(Scatter::BetweenCurves);
+    identify(
+        &Toy::new(forces, coat_moduli),
+        &problem,
+        &FitOptions::default(),
+    )
+    .unwrap()
+}
+
+#[test]
+fn the_scatter_and_the_common_value_of_repeats_are_found() {
+    let fit = fit(curves(300, 0.05, 1), Noise::default());
+    assert_eq!(fit.verdict, FitVerdict::Fitted, "{:?}", fit.goodness);
+    assert!(fit.excluded.is_empty());
+    // The noise is that within curves: 2400 points tell it to 1.5 %.
+    assert_relative_eq!(fit.noise.observed, SIGMA, max_relative = 0.05);
+    for (estimate, truth) in fit.estimates.iter().zip([10.0, 1.5]) {
+        let between = estimate.between_curves.as_ref().unwrap();
+        assert_eq!(between.values.len(), CURVES);
+        // Eight curves tell a scatter to 27 %; two of those.
+        assert_relative_eq!(
+            between.standard_deviation,
+            0.05 * truth,
+            max_relative = 0.54
+        );
+        let [low, high] = estimate.interval.map(Option::unwrap);
+        assert!(low < truth && truth < high, "{estimate:?}");
+        // ± t₇ · 5 %/√8 = ± 4.2 %, give or take the same 27 %.
+        assert_relative_eq!(0.5 * (high - low) / truth, 0.042, max_relative = 0.54);
+        assert_eq!(estimate.verdict, Verdict::Identified);
+    }
+    // The search and some five rounds.
+    assert!(
+        fit.work.curves_solved <= 20,
+        "{} predictions",
+        fit.work.curves_solved
+    );
+}
+
+/// How often the interval holds the truth, and how often a curve is left out.
+fn held(scatter: f64) -> (Vec<usize>, usize) {
+    let (mut held, mut lost) = (vec![0; 2], 0);
+    for seed in 0..400 {
+        let fit = fit(curves(30, scatter, seed), Noise::default());
+        lost += usize::from(!fit.excluded.is_empty());
+        for ((count, estimate), truth) in held.iter_mut().zip(&fit.estimates).zip([10.0, 1.5]) {
+            let [low, high] = estimate.interval.map(Option::unwrap);
+            *count += usize::from(low <= truth && truth <= high);
+        }
+    }
+    (held, lost)
+}
+
+#[test]
+fn intervals_of_repeats_cover_and_good_curves_stay() {
+    let (held, lost) = held(0.05);
+    for count in held {
+        // As in coverage.rs.
+        assert!((368..=390).contains(&count), "{count} of 400");
+    }
+    // Three comparisons of at most 0.5 % each: six of 400, and twice the root of that more.
+    assert!(lost <= 11, "{lost} of 400 lost a curve");
+}
+
+#[test]
+fn intervals_of_repeats_without_scatter_hold_the_truth_at_least_as_often_as_they_say() {
+    let (held, _) = held(0.0);
+    assert!(held.iter().all(|count| *count >= 368), "{held:?} of 400");
+}
+
+#[test]
+fn a_curve_with_a_wrong_surface_is_named_and_left_out() {
+    let mut all = curves(100, 0.03, 3);
+    // The surface was found late: the forces of this curve are too small by 0.2, in a curve from 0.01 to 100.
+    let forces = all[5].abscissa().to_vec();
+    let late: Vec<f64> = forces.iter().map(|q| q + 0.2).collect();
+    let observed = Toy::new(late, coat_moduli).values(&[10.0, 1.5]);
+    all[5] = Curve::new(forces, observed).unwrap();
+    let without: Vec<Curve> = all
+        .iter()
+        .enumerate()
+        .filter(|(i, _)| *i != 5)
+        .map(|(_, c)| c.clone())
+        .collect();
+    let found = fit(all, Noise::default());
+    assert_eq!(
+        found
+            .excluded
+            .iter()
+            .map(Exclusion::curve)
+            .collect::<Vec<_>>(),
+        [5]
+    );
+    let alone = fit(without, Noise::default());
+    for (a, b) in found.estimates.iter().zip(&alone.estimates) {
+        // Both end within 2 % of a standard error of 1 %.
+        assert_relative_eq!(a.value, b.value, max_relative = 1e-3);
+    }
+    assert!(found.points.whitened[500..600].iter().all(|r| *r == 0.0));
+}
+
+#[test]
+fn a_common_prior_widens_the_common_value_and_not_the_scatter() {
+    // Eight balls of one radius, known to 5 %, on half-spaces of one modulus.
+    let mut normals = Normals::new(4);
+    let forces = logarithmic(0.01, 100.0, 50);
+    let curves: Vec<Curve> = (0..CURVES)
+        .map(|_| {
+            let values = Toy::new(forces.clone(), hertz).values(&[5.0, 2.0]);
+            let observed = values.iter().map(|v| v + 1e-4 * normals.next()).collect();
+            Curve::new(forces.clone(), observed).unwrap()
+        })
+        .collect();
+    let prior = Prior::Lognormal {
+        median: 2.0,
+        factor: 1.05,
+    };
+    let radius = unknown("R", [0.5, 5.0], 1.5)
+        .with_prior(prior)
+        .unwrap()
+        .as_nuisance();
+    let all = (0..CURVES).flat_map(|_| forces.clone()).collect();
+    let unknowns = vec![unknown("E", [0.1, 100.0], 3.0), radius];
+    let problem = Problem::new(curves, unknowns, &[], Noise::white(1e-4))
+        .unwrap()
+        .with_scatter(Scatter::BetweenCurves);
+    let fit = identify(&Toy::new(all, hertz), &problem, &FitOptions::default()).unwrap();
+    assert_eq!(fit.verdict, FitVerdict::Fitted, "{fit:?}");
+    // σ_E/E = ½ σ_R/R at the normal quantile, not at Student's: the prior is no sample of eight.
+    let [low, high] = fit.estimates[0].interval.map(Option::unwrap);
+    assert_relative_eq!((high / low).ln(), 1.96 * 1.05_f64.ln(), max_relative = 0.01);
+    assert!(
+        fit.estimates[0]
+            .between_curves
+            .as_ref()
+            .unwrap()
+            .standard_deviation
+            < 0.01
+    );
+    assert_eq!(fit.estimates[1].verdict, Verdict::PriorDriven);
+}
+
+#[test]
+fn eight_curves_of_a_thousand_points_with_correlated_noise_are_fitted() {
+    let noise = Noise {
+        correlation: Correlation::Estimated,
+        ..Noise::default()
+    };
+    let fit = fit(curves(1000, 0.05, 9), noise);
+    assert_eq!(fit.verdict, FitVerdict::Fitted, "{:?}", fit.goodness);
+    // 8000 points tell the size of white noise to 0.8 %.
+    assert_relative_eq!(fit.noise.observed, SIGMA, max_relative = 0.03);
+}
