@@ -18,6 +18,7 @@ mod case;
 mod command;
 mod display;
 mod failure;
+mod fit_file;
 mod forecast;
 mod interrupt;
 mod map;

@@ -28,7 +28,9 @@ pub use indenter::{
 };
 pub use path::{
     LoadingPath,
-    domain::{Domain, choice::choose_side, default_side, estimated_force},
+    domain::{
+        Domain, choice::choose_side, default_side, estimated_force, estimated_force_at_radius,
+    },
     loads_at_once, solve_path,
     warnings::{domain_much_larger, model_warnings},
 };

@@ -18,6 +18,9 @@ use solved_curve::{Nodes, SolvedCurve};
 
 use crate::{ForwardError, ForwardModel, Prediction};
 
+/// Relative step of a parameter by which a stiffness is differentiated: 1e-3 by its square, and as much by the grid.
+const STIFFNESS_STEP: f64 = 0.03;
+
 /// Measured curves of one model: all that were taken under the same conditions.
 #[derive(Debug, Clone)]
 pub struct ContactCurve {
@@ -135,17 +138,51 @@ impl ContactCurves {
         let all = self.parameters.iter().enumerate();
         let sought = all.filter(|(index, _)| !own.contains(index));
         let sought: Vec<ModelParameter> = sought.map(|(_, parameter)| *parameter).collect();
-        let solved = SolvedCurve::of(&model, &self.nodes[curve], &sought, self.options)?;
         let ContactCurve {
             observable,
             abscissae,
             ..
         } = &self.curves[curve];
-        let mut prediction = observable.of(&solved, abscissae)?;
+        let mut prediction = if *observable == Observable::StiffnessAtContactRadius {
+            self.stiffnesses(curve, &model, &sought)?
+        } else {
+            let solved = SolvedCurve::of(&model, &self.nodes[curve], &sought, self.options)?;
+            observable.of(&solved, abscissae)?
+        };
         for index in own {
             prediction
                 .derivatives
                 .insert(index, vec![0.0; abscissae.len()]);
+        }
+        Ok(prediction)
+    }
+
+    /// Stiffnesses at contact radii, differentiated by solving again: the radius of the contact has no derivative of its
+    /// own.
+    fn stiffnesses(
+        &self,
+        curve: usize,
+        model: &Model,
+        sought: &[ModelParameter],
+    ) -> Result<Prediction, ContactError> {
+        let ContactCurve {
+            observable,
+            abscissae,
+            ..
+        } = &self.curves[curve];
+        let of = |model: &Model| {
+            let solved = SolvedCurve::of(model, &self.nodes[curve], &[], self.options)?;
+            observable.of(&solved, abscissae)
+        };
+        let mut prediction = of(model)?;
+        for parameter in sought {
+            let value = model.parameter(*parameter).unwrap_or(f64::NAN);
+            let step = STIFFNESS_STEP * value;
+            let at = |step: f64| of(&model.with_parameter(*parameter, value + step)?);
+            let (more, less) = (at(step)?, at(-step)?);
+            let pairs = more.value.iter().zip(&less.value);
+            let slopes = pairs.map(|(more, less)| (more - less) / (2.0 * step));
+            prediction.derivatives.push(slopes.collect());
         }
         Ok(prediction)
     }

@@ -265,3 +265,33 @@ fn many_points_cost_no_more_loads() {
     // Two decades at six a decade; three, which is as far as loads are solved.
     assert_eq!((loads(forces()), loads(dense)), (15, 21));
 }
+
+#[test]
+fn the_stiffness_at_a_contact_radius_is_that_of_a_flat_punch() {
+    let (young, nu) = (210e9, 0.3);
+    let body = Foundation::half_space(material(young, nu)).into();
+    let radii = vec![0.1e-6, 0.3e-6, 1e-6];
+    // S = 2 a E*
+    let expected = radii
+        .iter()
+        .map(|a| 2.0 * a * material(young, nu).plane_strain_modulus());
+    let expected: Vec<f64> = expected.collect();
+    let cone = Indenter::from(Cone::new(1.2, 0.05e-6).unwrap());
+    let berkovich = Indenter::from(Pyramid::berkovich(0.05e-6).unwrap());
+    for (indenter, bound) in [(cone, 5e-3), (berkovich, 5e-2)] {
+        let model = model(&body, Relief::Bare, indenter);
+        let observable = Observable::StiffnessAtContactRadius;
+        let found = predicted(&model, observable, radii.clone(), &[young_modulus(0)]);
+        for i in 0..radii.len() {
+            let errors = [
+                found.value[i] / expected[i] - 1.0,
+                found.slope[i] * radii[i] / expected[i] - 1.0,
+                found.derivatives[0][i] * young / expected[i] - 1.0,
+            ];
+            // The grid's error in the area; a pyramid is none of revolution.
+            for error in errors {
+                assert!(error.abs() < bound, "{errors:?} at {}", radii[i]);
+            }
+        }
+    }
+}

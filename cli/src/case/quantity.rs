@@ -78,6 +78,7 @@ fn factor(dimension: Dimension, unit: &str) -> Option<f64> {
         Dimension::Angle => one.parse::<Angle>().ok().map(|angle| angle.value),
         Dimension::Compliance => quotient(unit, Dimension::Length, Dimension::Pressure),
         Dimension::Stiffness => quotient(unit, Dimension::Force, Dimension::Length),
+        Dimension::FrameCompliance => quotient(unit, Dimension::Length, Dimension::Force),
         Dimension::Time => one.parse::<Time>().ok().map(|time| time.value),
     }
 }

@@ -75,6 +75,12 @@ pub fn estimated_force(model: &Model, penetration: f64) -> f64 {
     }
 }
 
+/// The force (N) that presses the indenter to a contact radius (m), by the closed forms of the first guess.
+#[must_use]
+pub fn estimated_force_at_radius(model: &Model, radius: f64) -> f64 {
+    force_at(model, radius)
+}
+
 /// The largest force and the largest penetration of some loads: those of the widest contact.
 fn largest(loads: &[Load]) -> impl Iterator<Item = Load> {
     let force = loads.iter().filter_map(|load| match load {

@@ -2,7 +2,7 @@
 
 use pellicle_contact::{
     ContactError, Domain, ForceCurve, Load, LoadingPath, Model, ModelDerivatives, ModelParameter,
-    SolverOptions, Status, default_side, estimated_force, solve_path,
+    SolverOptions, Status, default_side, estimated_force, estimated_force_at_radius, solve_path,
 };
 use rayon::prelude::*;
 
@@ -38,6 +38,8 @@ enum NodeEnds {
     Forces([f64; 2]),
     /// Depths (m), whose forces depend on the parameters.
     Depths([f64; 2]),
+    /// Contact radii (m), whose forces depend on the parameters.
+    Radii([f64; 2]),
 }
 
 impl Nodes {
@@ -50,16 +52,18 @@ impl Nodes {
         if most == 0.0 {
             return Err(ContactError::Force { force: most });
         }
-        let (ends, decades) = match curve.observable {
-            Observable::DepthAtForce => {
-                let ends = [least.max(SMALLEST_PART * most), most];
-                (NodeEnds::Forces(ends), (ends[1] / ends[0]).log10())
-            }
-            Observable::ForceAtDepth => {
-                let ends = [least.max(SMALLEST_PART.powf(2.0 / 3.0) * most), most];
-                let decades = 1.5 * (ends[1] / ends[0]).log10() + 2.0 * ESTIMATE.log10();
-                (NodeEnds::Depths(ends), decades)
-            }
+        // The force goes with this power of the abscissa, about.
+        let (power, estimate): (f64, f64) = match curve.observable {
+            Observable::DepthAtForce => (1.0, 1.0),
+            Observable::ForceAtDepth => (1.5, ESTIMATE),
+            Observable::StiffnessAtContactRadius => (3.0, ESTIMATE),
+        };
+        let ends = [least.max(SMALLEST_PART.powf(1.0 / power) * most), most];
+        let decades = power * (ends[1] / ends[0]).log10() + 2.0 * estimate.log10();
+        let ends = match curve.observable {
+            Observable::DepthAtForce => NodeEnds::Forces(ends),
+            Observable::ForceAtDepth => NodeEnds::Depths(ends),
+            Observable::StiffnessAtContactRadius => NodeEnds::Radii(ends),
         };
         let wanted = (decades * options.loads_per_decade).ceil();
         let count = (1..MOST_INTERVALS).find(|count| f64::from(*count) >= wanted);
@@ -81,6 +85,10 @@ impl Nodes {
                 estimated_force(model, least) / ESTIMATE,
                 estimated_force(model, most) * ESTIMATE,
             ],
+            NodeEnds::Radii([least, most]) => [
+                estimated_force_at_radius(model, least) / ESTIMATE,
+                estimated_force_at_radius(model, most) * ESTIMATE,
+            ],
         };
         // One node beyond each end, where a spline knows less.
         let inside = (self.count - 3) as f64;
@@ -97,6 +105,8 @@ pub struct SolvedCurve {
     /// Forces at both ends of what was solved, N.
     ends: [f64; 2],
     energy: ForceCurve,
+    /// `√(A/π)` of the contact area A.
+    radius: ForceCurve,
     changes: Vec<ForceCurve>,
 }
 
@@ -128,7 +138,8 @@ impl SolvedCurve {
         Ok(Self {
             ends: [forces[0], forces[forces.len() - 1]],
             energy: curve(0)?,
-            changes: (1..=parameters.len())
+            radius: curve(1)?,
+            changes: (2..parameters.len() + 2)
                 .map(curve)
                 .collect::<Result<_, _>>()?,
         })
@@ -154,13 +165,23 @@ impl SolvedCurve {
         }
     }
 
+    /// The contact radius (m) at a force, and its derivative by the force.
+    pub fn radius(&self, force: f64) -> [f64; 2] {
+        [self.radius.value(force), self.radius.derivative(force)]
+    }
+
+    /// The contact stiffness `dQ/dD = 1/E″` (N/m) at a force.
+    pub fn stiffness(&self, force: f64) -> f64 {
+        1.0 / self.energy.second_derivative(force)
+    }
+
     /// Forces at both ends of what was solved, N.
     pub fn ends(&self) -> [f64; 2] {
         self.ends
     }
 }
 
-/// `E` and each `∂E/∂θ` under a force, extrapolated from a grid of `elements` per side and one of half as many.
+/// `E`, the contact radius and each `∂E/∂θ` under a force, extrapolated from a grid of `elements` per side and one of half as many.
 ///
 /// Their errors fall with the square of the element's side: `(4 E_h − E_2h)/3`.
 fn energies(
@@ -173,7 +194,9 @@ fn energies(
     let on_grid = |elements: usize| {
         let path = solved(model, force, side, elements)?;
         let sensitivities = derivatives.of_path(&path)?;
-        let mut energies = vec![sensitivities.energy(0)];
+        let area = path.steps[0].summary.contact_area;
+        let radius = (area / std::f64::consts::PI).sqrt();
+        let mut energies = vec![sensitivities.energy(0), radius];
         energies.extend(sensitivities.energies(0));
         Ok::<_, ContactError>(energies)
     };
