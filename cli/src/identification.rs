@@ -3,6 +3,8 @@
 pub mod curve_source;
 pub mod null_directions;
 pub mod result;
+pub mod tables;
+pub mod text;
 pub mod validity;
 
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -87,7 +89,11 @@ impl Identification {
             predictions: AtomicUsize::new(0),
             tell,
         };
-        Ok(identify(&watched, &self.problem, &self.file.report.options())?)
+        Ok(identify(
+            &watched,
+            &self.problem,
+            &self.file.report.options(),
+        )?)
     }
 }
 
@@ -109,7 +115,12 @@ fn problem(file: &FitFile, sources: &[CurveSource]) -> Result<Problem, Failure> 
     let unknowns = file.unknowns.iter().map(UnknownCase::unknown);
     let unknowns = unknowns.chain(nuisances).collect::<Result<Vec<_>, _>>()?;
     let noise = curve_source::noise(file)?;
-    Ok(Problem::new(curves, unknowns, &file.nuisances.linear()?, noise)?)
+    Ok(Problem::new(
+        curves,
+        unknowns,
+        &file.nuisances.linear()?,
+        noise,
+    )?)
 }
 
 /// Repeats of one table scatter; curves of several tables are of the same parameters.

@@ -20,6 +20,7 @@ mod display;
 mod failure;
 mod fit_file;
 mod forecast;
+mod identification;
 mod interrupt;
 mod map;
 mod measured;

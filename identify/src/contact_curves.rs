@@ -9,6 +9,7 @@ mod observable;
 mod solved_curve;
 
 use std::collections::BTreeSet;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use pellicle_contact::{ContactError, Model, ModelParameter};
 use rayon::prelude::*;
@@ -41,6 +42,8 @@ pub struct ContactCurves {
     nodes: Vec<Nodes>,
     parameters: Vec<ModelParameter>,
     options: CurveOptions,
+    loads_solved: AtomicUsize,
+    operator_applications: AtomicUsize,
 }
 
 /// How the curves are computed.
@@ -89,6 +92,8 @@ impl ContactCurves {
             nodes,
             parameters,
             options,
+            loads_solved: AtomicUsize::new(0),
+            operator_applications: AtomicUsize::new(0),
         })
     }
 
@@ -96,6 +101,18 @@ impl ContactCurves {
     #[must_use]
     pub fn loads(&self) -> usize {
         self.nodes.iter().map(Nodes::len).sum()
+    }
+
+    /// Loads solved so far.
+    #[must_use]
+    pub fn loads_solved(&self) -> usize {
+        self.loads_solved.load(Ordering::Relaxed)
+    }
+
+    /// Products with `K` so far, on the finer of the two grids of each load.
+    #[must_use]
+    pub fn operator_applications(&self) -> usize {
+        self.operator_applications.load(Ordering::Relaxed)
     }
 
     /// The curves.
@@ -146,7 +163,7 @@ impl ContactCurves {
         let mut prediction = if *observable == Observable::StiffnessAtContactRadius {
             self.stiffnesses(curve, &model, &sought)?
         } else {
-            let solved = SolvedCurve::of(&model, &self.nodes[curve], &sought, self.options)?;
+            let solved = self.solved(curve, &model, &sought)?;
             observable.of(&solved, abscissae)?
         };
         for index in own {
@@ -155,6 +172,20 @@ impl ContactCurves {
                 .insert(index, vec![0.0; abscissae.len()]);
         }
         Ok(prediction)
+    }
+
+    /// A curve solved at its nodes, and counted.
+    fn solved(
+        &self,
+        curve: usize,
+        model: &Model,
+        sought: &[ModelParameter],
+    ) -> Result<SolvedCurve, ContactError> {
+        let nodes = &self.nodes[curve];
+        let solved = SolvedCurve::of(model, nodes, sought, self.options)?;
+        self.loads_solved.fetch_add(nodes.len(), Ordering::Relaxed);
+        (self.operator_applications).fetch_add(solved.products, Ordering::Relaxed);
+        Ok(solved)
     }
 
     /// Stiffnesses at contact radii, differentiated by solving again: the radius of the contact has no derivative of its
@@ -171,7 +202,7 @@ impl ContactCurves {
             ..
         } = &self.curves[curve];
         let of = |model: &Model| {
-            let solved = SolvedCurve::of(model, &self.nodes[curve], &[], self.options)?;
+            let solved = self.solved(curve, model, &[])?;
             observable.of(&solved, abscissae)
         };
         let mut prediction = of(model)?;

@@ -24,12 +24,10 @@ pub struct FitModel {
     cache: Cache,
 }
 
-/// A case of a fit with its model and the numbers that can be sought.
+/// The model of a case, and its numbers that can be sought.
 #[derive(Debug)]
 pub struct ModelParameters {
-    /// The case.
-    pub case: Case,
-    /// Its model.
+    /// The model.
     pub model: Model,
     /// Its numbers.
     pub parameters: Vec<CaseParameter>,
@@ -82,7 +80,6 @@ impl FitModel {
         let model = case.model(&self.cache)?.value;
         let parameters = case.parameters(&model)?;
         Ok(ModelParameters {
-            case,
             model,
             parameters,
         })

@@ -34,7 +34,9 @@ impl CurveSource {
     /// [`Failure`] if a file gives no curve.
     pub fn of_table(table: &DataTable) -> Result<Vec<Self>, Failure> {
         let sources = table.curves()?.into_iter();
-        sources.map(|measured| Ok(Self::of(measured, table)?)).collect()
+        sources
+            .map(|measured| Ok(Self::of(measured, table)?))
+            .collect()
     }
 
     fn of(measured: MeasuredCurve, table: &DataTable) -> Result<Self, Diagnosis> {

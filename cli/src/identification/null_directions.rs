@@ -29,7 +29,13 @@ pub fn of(
             let found = direction.iter().find(|(of, _)| *of == parameter);
             let value = parameters.model.parameter(parameter).unwrap_or(1.0);
             // d ln θ; a number that is zero is not sought by its logarithm.
-            found.map_or(0.0, |(_, change)| if value == 0.0 { *change } else { change / value })
+            found.map_or(0.0, |(_, change)| {
+                if value == 0.0 {
+                    *change
+                } else {
+                    change / value
+                }
+            })
         };
         let raw: Vec<f64> = all.iter().map(|of| entry(of.parameter)).collect();
         let length = raw.iter().map(|x| x * x).sum::<f64>().sqrt();

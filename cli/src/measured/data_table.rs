@@ -135,6 +135,18 @@ impl DataTable {
         self.files.iter().map(curve).collect()
     }
 
+    /// The diagnosis that its noise or what it observes is not that of the first table.
+    #[must_use]
+    pub fn other_noise(&self) -> Diagnosis {
+        let keys = ["noise", "observe", "file"].map(|key| format!("{}.{key}", self.path));
+        let given = keys.iter().find(|key| self.document.has(key));
+        let key = given.unwrap_or(&keys[2]);
+        self.document.wanted(
+            key,
+            "the noise and the observable of the first [[data]]: a fit has one of each",
+        )
+    }
+
     /// The diagnosis of a file that gives no curve.
     #[must_use]
     pub fn diagnosis(&self, path: &Path, error: &CurveError) -> Diagnosis {

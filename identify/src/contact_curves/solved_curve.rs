@@ -108,6 +108,8 @@ pub struct SolvedCurve {
     /// `√(A/π)` of the contact area A.
     radius: ForceCurve,
     changes: Vec<ForceCurve>,
+    /// Products with `K` on the finer grids of all loads.
+    pub products: usize,
 }
 
 /// `D`, `dD/dQ` and each `∂D/∂θ` at a force.
@@ -129,14 +131,16 @@ impl SolvedCurve {
         let forces = nodes.forces(model);
         let solved = forces.par_iter();
         let solved = solved.map(|force| energies(model, &derivatives, *force, options.elements));
-        let solved: Vec<Result<Vec<f64>, ContactError>> = solved.collect();
+        let solved: Vec<Result<(Vec<f64>, usize), ContactError>> = solved.collect();
         let solved = solved.into_iter().collect::<Result<Vec<_>, _>>()?;
+        let products = solved.iter().map(|(_, products)| products).sum();
         let curve = |index: usize| {
-            let values: Vec<f64> = solved.iter().map(|of_load| of_load[index]).collect();
+            let values: Vec<f64> = solved.iter().map(|(of_load, _)| of_load[index]).collect();
             ForceCurve::through(&forces, &values).ok_or(ContactError::Force { force: forces[0] })
         };
         Ok(Self {
             ends: [forces[0], forces[forces.len() - 1]],
+            products,
             energy: curve(0)?,
             radius: curve(1)?,
             changes: (2..parameters.len() + 2)
@@ -183,28 +187,27 @@ impl SolvedCurve {
 
 /// `E`, the contact radius and each `∂E/∂θ` under a force, extrapolated from a grid of `elements` per side and one of half as many.
 ///
-/// Their errors fall with the square of the element's side: `(4 E_h − E_2h)/3`.
+/// Their errors fall with the square of the element's side: `(4 E_h − E_2h)/3`. Besides the products on the finer grid.
 fn energies(
     model: &Model,
     derivatives: &ModelDerivatives,
     force: f64,
     elements: usize,
-) -> Result<Vec<f64>, ContactError> {
+) -> Result<(Vec<f64>, usize), ContactError> {
     let side = SIDE_PER_RADIUS * contact_radius(model, force, elements / 2)?;
     let on_grid = |elements: usize| {
         let path = solved(model, force, side, elements)?;
         let sensitivities = derivatives.of_path(&path)?;
-        let area = path.steps[0].summary.contact_area;
-        let radius = (area / std::f64::consts::PI).sqrt();
+        let step = &path.steps[0];
+        let radius = (step.summary.contact_area / std::f64::consts::PI).sqrt();
         let mut energies = vec![sensitivities.energy(0), radius];
         energies.extend(sensitivities.energies(0));
-        Ok::<_, ContactError>(energies)
+        Ok::<_, ContactError>((energies, step.work.operator_applications))
     };
-    let (fine, coarse) = (on_grid(elements)?, on_grid(elements / 2)?);
+    let ((fine, products), (coarse, _)) = (on_grid(elements)?, on_grid(elements / 2)?);
     let pairs = fine.iter().zip(&coarse);
-    Ok(pairs
-        .map(|(fine, coarse)| (4.0 * fine - coarse) / 3.0)
-        .collect())
+    let extrapolated = pairs.map(|(fine, coarse)| (4.0 * fine - coarse) / 3.0);
+    Ok((extrapolated.collect(), products))
 }
 
 /// The contact radius (m) on a grid that holds the contact.
