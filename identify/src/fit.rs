@@ -158,7 +158,7 @@ impl<'p> Fitting<'p> {
         intervals: Vec<Interval>,
         search: usize,
     ) -> Fit {
-        self.warn_at_bounds(refined);
+        self.warn(refined);
         let goodness = self.goodness(refined, sought);
         let verdict = if !refined.minimum.converged {
             FitVerdict::NotConverged
@@ -186,7 +186,10 @@ impl<'p> Fitting<'p> {
         }
     }
 
-    fn warn_at_bounds(&mut self, refined: &Refined) {
+    fn warn(&mut self, refined: &Refined) {
+        if refined.minimum.within_jitter {
+            self.warnings.push(Warning::Jitter);
+        }
         for (j, unknown) in self.problem.unknowns().iter().enumerate() {
             if unknown.bounds().contains(&refined.minimum.at.position[j]) {
                 self.warnings.push(Warning::AtBound(j));
