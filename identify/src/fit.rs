@@ -220,7 +220,7 @@ impl<'p> Fitting<'p> {
             degrees: whitened.len().saturating_sub(fitted).max(1) as f64,
             known,
         }
-        .judge(lower_half)
+        .judge(lower_half, self.likelihood(refined).persistence_p())
     }
 
     fn points(&self, refined: &Refined) -> FittedPoints {

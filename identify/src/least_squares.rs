@@ -29,8 +29,8 @@ const LONGEST_STEP: f64 = 0.7;
 const FIRST_DAMPING: f64 = 1e-4;
 /// A step shorter than this in every coordinate leads nowhere.
 const SHORTEST_STEP: f64 = 1e-10;
-/// After a step that gained other than its derivatives promised, what a linear problem could still gain, in units of χ²,
-/// counts as reached: a fifth of a standard error, where the jitter of a prediction from a grid is all that is left.
+/// After a step that gained other than its derivatives promised, what a linear problem could still gain, in units of
+/// χ², counts as reached: a fifth of a standard error, where the jitter of a prediction from a grid is all that is left.
 const WITHIN_JITTER: f64 = 0.04;
 /// Each further step in a row that failed so multiplies that, up to one standard error.
 const MORE_JITTER: f64 = 4.0;

@@ -158,6 +158,16 @@ impl<'p> Repeats<'p> {
 
     /// The noise of the included curves, each of which has parameters of its own.
     fn noise(&self, state: &State) -> NoiseLevels {
+        self.with_likelihood(state, |likelihood| likelihood.estimate())
+    }
+
+    /// See [`RestrictedLikelihood::persistence_p`].
+    fn persistence_p(&self, state: &State) -> Option<f64> {
+        self.with_likelihood(state, |likelihood| likelihood.persistence_p())
+    }
+
+    /// Something of the likelihood of the noise of the included curves.
+    fn with_likelihood<T>(&self, state: &State, wanted: impl Fn(&RestrictedLikelihood) -> T) -> T {
         let included: Vec<(&Share, Evaluation)> = self
             .included(state)
             .map(|share| (share, state.at.part(&self.problem.spans()[share.index])))
@@ -170,7 +180,11 @@ impl<'p> Repeats<'p> {
                 free: &self.told,
             })
             .collect();
-        RestrictedLikelihood::new(parts, *self.problem.noise(), state.levels).estimate()
+        wanted(&RestrictedLikelihood::new(
+            parts,
+            *self.problem.noise(),
+            state.levels,
+        ))
     }
 
     fn curves(&self, state: &State) -> Vec<CurveFit> {

@@ -88,8 +88,8 @@ pub struct Work {
 pub enum Warning {
     /// Another start led to another minimum, which is worse.
     SeveralMinima,
-    /// The predictions jump about the derivatives' promise near the best fit, which is known to a part of a standard error
-    /// for that.
+    /// The predictions jump about what their derivatives promise near the best fit, which is known to no better than a
+    /// part of a standard error.
     Jitter,
     /// The best fit lies at a bound of this unknown, by its index.
     AtBound(usize),

@@ -26,7 +26,7 @@ impl Repeats<'_> {
         converged: bool,
     ) -> Result<Fit, IdentifyError> {
         let model = self.mixed_model(curves, state);
-        let goodness = self.goodness(curves);
+        let goodness = self.goodness(state, curves);
         let verdict = if !converged {
             FitVerdict::NotConverged
         } else if goodness.misfit_p < REFUSAL {
@@ -56,7 +56,7 @@ impl Repeats<'_> {
         })
     }
 
-    fn goodness(&self, curves: &[CurveFit]) -> Goodness {
+    fn goodness(&self, state: &State, curves: &[CurveFit]) -> Goodness {
         let known = self.problem.noise().is_known();
         let degrees = curves.iter().map(|curve| curve.degrees).sum();
         let sum = |k: usize| curves.iter().map(|curve| curve.lower_half[k]).sum::<f64>();
@@ -71,7 +71,10 @@ impl Repeats<'_> {
             degrees,
             known,
         }
-        .judge(lower_half_p(sum(0), sum(1), (!known).then_some(degrees)))
+        .judge(
+            lower_half_p(sum(0), sum(1), (!known).then_some(degrees)),
+            self.persistence_p(state),
+        )
     }
 
     /// The covariance of the unknowns; what is not identifiable has an infinite variance.
