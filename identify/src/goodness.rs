@@ -2,8 +2,9 @@
 //!
 //! Up to five tests, each with its own probability under a true model: χ² where the noise is known, runs of signs and
 //! the statistic of Durbin and Watson for residuals that hang together, the lower half of the abscissae against the
-//! whole, and the persistence of a correlated noise, which must not be long enough to hide a misfit. The misfit's probability is that of the worst, times their number (Bonferroni), so that a true model is
-//! refused no oftener than that says, whatever the tests have in common.
+//! whole, and the persistence of a correlated noise, which must not be long enough to hide a misfit. The misfit's
+//! probability is that of the worst, times their number (Bonferroni), so that a true model is refused no oftener
+//! than that says, whatever the tests have in common.
 
 use crate::{
     Problem,
@@ -33,11 +34,11 @@ pub struct Goodness {
     pub durbin_watson: f64,
     /// Probability of as small a `d`.
     pub durbin_watson_p: f64,
-    /// Probability of as great a difference between the unknowns of the lower half of the abscissae and of all; nothing
-    /// where the halves cannot tell them.
+    /// Probability of as great a difference between the unknowns of the lower half of the abscissae and of all;
+    /// nothing where the halves cannot tell them.
     pub lower_half_p: Option<f64>,
-    /// Probability that noise which forgets itself within a tenth of its curve looks as persistent as the estimated one;
-    /// nothing where no correlation is estimated.
+    /// Probability that noise which forgets itself within a tenth of its curve looks as persistent as the estimated
+    /// one; nothing where no correlation is estimated.
     pub persistence_p: Option<f64>,
     /// The least of these, times their number, at most 1. Below [`REFUSAL`] the fit is a misfit.
     pub misfit_p: f64,
@@ -90,9 +91,9 @@ impl Residuals<'_> {
     }
 }
 
-/// The probability of so few runs, all series together: with `n₊` and `n₋` signs in one series, the number of runs has
-/// mean `1 + 2n₊n₋/n` and variance `2n₊n₋(2n₊n₋ − n)/(n²(n − 1))` (A. Wald and J. Wolfowitz, Ann. Math. Stat. 11, 147
-/// (1940)); normal, with the correction for continuity.
+/// The probability of so few runs, all series together: with `n₊` and `n₋` signs in one series, the number of runs
+/// has mean `1 + 2n₊n₋/n` and variance `2n₊n₋(2n₊n₋ − n)/(n²(n − 1))` (A. Wald and J. Wolfowitz, Ann. Math. Stat.
+/// 11, 147 (1940)); normal, with the correction for continuity.
 fn runs(series: &[&[f64]]) -> f64 {
     let (mut found, mut mean, mut variance) = (0.0, 0.0, 0.0);
     for residuals in series.iter().filter(|r| r.len() > 1) {
@@ -113,8 +114,8 @@ fn runs(series: &[&[f64]]) -> f64 {
     normal_below((found + 0.5 - mean) / variance.sqrt())
 }
 
-/// `d` and the probability of a smaller one: J. Durbin and G. S. Watson, Biometrika 37, 409 (1950). Without correlation
-/// `d` has mean 2, slightly more after a fit, and variance `4/n`, slightly less.
+/// `d` and the probability of a smaller one: J. Durbin and G. S. Watson, Biometrika 37, 409 (1950). Without
+/// correlation `d` has mean 2, slightly more after a fit, and variance `4/n`, slightly less.
 fn durbin_watson(series: &[&[f64]]) -> (f64, f64) {
     let (mut differences, mut squares, mut points) = (0.0, 0.0, 0.0);
     for residuals in series {

@@ -21,7 +21,8 @@ use crate::{
     predictor::{Evaluation, Predictor},
 };
 
-/// Least damping, above the rounding of a matrix of unit diagonal, so that it stays regular where the data see nothing.
+/// Least damping, above the rounding of a matrix of unit diagonal, so that it stays regular where the data see
+/// nothing.
 const LEAST_DAMPING: f64 = 1e-11;
 /// Longest step of a coordinate, a factor of two for a logarithm: beyond, a linearisation is worth nothing.
 const LONGEST_STEP: f64 = 0.7;
@@ -30,7 +31,8 @@ const FIRST_DAMPING: f64 = 1e-4;
 /// A step shorter than this in every coordinate leads nowhere.
 const SHORTEST_STEP: f64 = 1e-10;
 /// After a step that gained other than its derivatives promised, what a linear problem could still gain, in units of
-/// χ², counts as reached: a fifth of a standard error, where the jitter of a prediction from a grid is all that is left.
+/// χ², counts as reached: a fifth of a standard error, where the jitter of a prediction from a grid is all that is
+/// left.
 const WITHIN_JITTER: f64 = 0.04;
 /// Each further step in a row that failed so multiplies that, up to one standard error.
 const MORE_JITTER: f64 = 4.0;
@@ -131,7 +133,8 @@ impl Search<'_, '_> {
         Ok(now)
     }
 
-    /// Goes to the trial where χ² falls, and adapts the damping. Gives what was gained as a part of what was promised.
+    /// Goes to the trial where χ² falls, and adapts the damping. Gives what was gained as a part of what was
+    /// promised.
     fn judge(
         &self,
         now: &mut Minimum,

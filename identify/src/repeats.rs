@@ -158,21 +158,29 @@ impl<'p> Repeats<'p> {
 
     /// The noise of the included curves, each of which has parameters of its own.
     fn noise(&self, state: &State) -> NoiseLevels {
-        self.with_likelihood(state, |likelihood| likelihood.estimate())
+        let parts = self.parts(state);
+        self.likelihood(&parts, state).estimate()
     }
 
     /// See [`RestrictedLikelihood::persistence_p`].
     fn persistence_p(&self, state: &State) -> Option<f64> {
-        self.with_likelihood(state, |likelihood| likelihood.persistence_p())
+        let parts = self.parts(state);
+        self.likelihood(&parts, state).persistence_p()
     }
 
-    /// Something of the likelihood of the noise of the included curves.
-    fn with_likelihood<T>(&self, state: &State, wanted: impl Fn(&RestrictedLikelihood) -> T) -> T {
-        let included: Vec<(&Share, Evaluation)> = self
-            .included(state)
+    /// The included curves, each with its part of the present evaluation.
+    fn parts(&self, state: &State) -> Vec<(&Share, Evaluation)> {
+        self.included(state)
             .map(|share| (share, state.at.part(&self.problem.spans()[share.index])))
-            .collect();
-        let parts = included
+            .collect()
+    }
+
+    fn likelihood<'a>(
+        &'a self,
+        parts: &'a [(&'a Share, Evaluation)],
+        state: &State,
+    ) -> RestrictedLikelihood<'a> {
+        let parts = parts
             .iter()
             .map(|(share, at)| Part {
                 problem: &share.problem,
@@ -180,11 +188,7 @@ impl<'p> Repeats<'p> {
                 free: &self.told,
             })
             .collect();
-        wanted(&RestrictedLikelihood::new(
-            parts,
-            *self.problem.noise(),
-            state.levels,
-        ))
+        RestrictedLikelihood::new(parts, *self.problem.noise(), state.levels)
     }
 
     fn curves(&self, state: &State) -> Vec<CurveFit> {

@@ -3,9 +3,9 @@
 //! The restricted likelihood of the residuals, which does not count what the fit itself has absorbed:
 //! `−2 ℓ_R = ln det V + ln det XᵀV⁻¹X + rᵀ P r`, where `X` holds the derivatives by all unknowns and nuisances, and
 //! `rᵀ P r` is what of the residual no combination of them explains: H. D. Patterson and R. Thompson, Biometrika 58,
-//! 545 (1971). No prediction is needed: the residuals of the present point serve every trial. Degrees of freedom of an
-//! interval follow by Satterthwaite's rule, `ν = 2 C²/Var(C)`, with `Var(C)` from the curvature of `ℓ_R`:
-//! F. G. Giesbrecht and J. C. Burns, Biometrics 41, 477 (1985).
+//! 545 (1971). No prediction is needed: the residuals of the present point serve every trial. Degrees of freedom of
+//! an interval follow by Satterthwaite's rule, `ν = 2 C²/Var(C)`, with `Var(C)` from the curvature of `ℓ_R`: F. G.
+//! Giesbrecht and J. C. Burns, Biometrics 41, 477 (1985).
 
 use faer::{Mat, Side};
 
@@ -40,7 +40,8 @@ pub(crate) struct Part<'a> {
     pub free: &'a [usize],
 }
 
-/// The restricted likelihood over the estimated numbers of the noise, of one problem or of several with the same noise.
+/// The restricted likelihood over the estimated numbers of the noise, of one problem or of several with the same
+/// noise.
 pub(crate) struct RestrictedLikelihood<'a> {
     parts: Vec<Part<'a>>,
     base: NoiseLevels,
@@ -72,13 +73,13 @@ impl<'a> RestrictedLikelihood<'a> {
         self.decode(&simplex::least(&start, 0.5, |p| self.deviance(p)))
     }
 
-    /// The probability that noise which forgets itself within a tenth of its curve looks as persistent as this one; none
-    /// where its correlation is not estimated.
+    /// The probability that noise which forgets itself within a tenth of its curve looks as persistent as this one;
+    /// none where its correlation is not estimated.
     ///
     /// What hangs together for longer cannot be told from a model that does not follow the data, which an
-    /// autoregression takes up as readily as noise. Twice the logarithm of the likelihood ratio, of the best persistence
-    /// to the best one below `e^(−10/n)`, is zero or χ² with even chances, the limit being one-sided (H. Chernoff,
-    /// Ann. Math. Stat. 25, 573 (1954)).
+    /// autoregression takes up as readily as noise. Twice the logarithm of the likelihood ratio, of the best
+    /// persistence to the best one below `e^(−10/n)`, is zero or χ² with even chances, the limit being one-sided
+    /// (H. Chernoff, Ann. Math. Stat. 25, 573 (1954)).
     pub fn persistence_p(&self) -> Option<f64> {
         if self.noise.correlation != Correlation::Estimated {
             return None;
