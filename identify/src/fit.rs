@@ -43,11 +43,13 @@ pub fn identify(
         warnings.push(Warning::SeveralMinima);
     }
     match problem.scatter() {
-        Scatter::None => Fitting::new(problem, options, warnings)?.run(&mut predictor, found.at),
-        Scatter::BetweenCurves => {
+        Scatter::BetweenCurves if problem.curves().len() > 1 => {
             let mut fit = Repeats::new(problem, options)?.run(&mut predictor, found.at)?;
             fit.warnings.extend(warnings);
             Ok(fit)
+        }
+        Scatter::None | Scatter::BetweenCurves => {
+            Fitting::new(problem, options, warnings)?.run(&mut predictor, found.at)
         }
     }
 }

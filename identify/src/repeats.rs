@@ -140,7 +140,7 @@ impl<'p> Repeats<'p> {
             let common = self
                 .mixed_model(&curves, &state)
                 .solve(&self.guess(&curves))?;
-            if self.is_settled(&common) {
+            if self.is_settled(&state, &common) {
                 let Some(exclusion) = discordant::discordant(&curves) else {
                     return self.result(predictor, &state, &curves, &common, true);
                 };
@@ -264,9 +264,15 @@ impl<'p> Repeats<'p> {
             .collect()
     }
 
-    fn is_settled(&self, common: &Common) -> bool {
-        (0..self.told.len())
-            .all(|k| common.correction[k].abs() <= SETTLED * common.covariance[(k, k)].sqrt())
+    /// Whether every correction is small beside its standard error, or leads out of the range from a bound.
+    fn is_settled(&self, state: &State, common: &Common) -> bool {
+        self.told.iter().enumerate().all(|(k, &j)| {
+            let [low, high] = self.problem.unknowns()[j].bounds();
+            let (x, step) = (state.at.position[j], common.correction[k]);
+            step.abs() <= SETTLED * common.covariance[(k, k)].sqrt()
+                || (x <= low && step < 0.0)
+                || (x >= high && step > 0.0)
+        })
     }
 
     /// Goes to the common parameters, part of the way where the model has no prediction there.

@@ -5,7 +5,7 @@ use faer::Mat;
 use super::{Common, CurveFit, MixedModel, Repeats, State};
 use crate::{
     BetweenCurves, Coefficient, Estimate, Fit, FitVerdict, FittedPoints, Goodness, IdentifyError,
-    KnownCombination, REFUSAL, Verdict, Work,
+    KnownCombination, REFUSAL, Verdict, Warning, Work,
     correlation::correlation,
     distribution::student_quantile,
     goodness::{Residuals, lower_half_p},
@@ -52,7 +52,7 @@ impl Repeats<'_> {
                 curves_solved: predictor.predictions(),
                 search: predictor.predictions(),
             },
-            warnings: Vec::new(),
+            warnings: self.warnings(state),
         })
     }
 
@@ -247,6 +247,14 @@ impl Repeats<'_> {
             }
         }
         coefficients
+    }
+
+    fn warnings(&self, state: &State) -> Vec<Warning> {
+        let unknowns = self.problem.unknowns();
+        (0..unknowns.len())
+            .filter(|&j| unknowns[j].bounds().contains(&state.at.position[j]))
+            .map(Warning::AtBound)
+            .collect()
     }
 
     fn points(&self, state: &State, curves: &[CurveFit]) -> FittedPoints {

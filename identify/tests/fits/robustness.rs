@@ -2,7 +2,7 @@
 
 use pellicle_identify::{
     Fit, FitOptions, FitVerdict, ForwardError, ForwardModel, IdentifyError, LinearNuisance, Noise,
-    Prediction, Problem, Warning, identify,
+    Prediction, Problem, Scatter, Warning, identify,
 };
 
 use crate::toys::{Normals, Point, Toy, coat_moduli, logarithmic, noisy, unknown};
@@ -167,4 +167,35 @@ fn data_without_any_noise_are_fitted_exactly() {
         assert!((estimate.value / truth - 1.0).abs() < 1e-6, "{estimate:?}");
     }
     assert!(fit.work.curves_solved <= 40, "{:?}", fit.work);
+}
+
+#[test]
+fn a_value_beyond_its_range_ends_at_the_bound_and_says_so() {
+    let forces = logarithmic(0.01, 100.0, 40);
+    let toy = Toy::new(forces.clone(), coat_moduli);
+    let curve = noisy(
+        &forces,
+        &toy.values(&[10.0, 1.5]),
+        0.01,
+        &Normals::new(3).white(40),
+    );
+    let unknowns = vec![
+        unknown("E1", [1.0, 100.0], 3.0),
+        unknown("E2", [2.0, 10.0], 3.0),
+    ];
+    for scatter in [Scatter::None, Scatter::BetweenCurves] {
+        let twice: Vec<f64> = forces.iter().chain(&forces).copied().collect();
+        let curves = vec![curve.clone(), curve.clone()];
+        let problem = Problem::new(curves, unknowns.clone(), &[], Noise::white(0.01))
+            .unwrap()
+            .with_scatter(scatter);
+        let model = Toy::new(twice, coat_moduli);
+        let fit = identify(&model, &problem, &FitOptions::default()).unwrap();
+        assert_eq!(fit.estimates[1].value, 2.0, "{scatter:?}: {fit:?}");
+        assert!(
+            fit.warnings.contains(&Warning::AtBound(1)),
+            "{scatter:?}: {fit:?}"
+        );
+        assert_eq!(fit.estimates[1].interval[0], None);
+    }
 }
