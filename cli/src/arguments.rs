@@ -54,6 +54,12 @@ pub enum Command {
                             u_x and u_y are unbounded: NaN, or null in JSON."
     )]
     Stress(StressArguments),
+    /// Find properties of layers and films from measured curves, each with an interval, or why these data cannot tell
+    #[command(
+        after_help = "Exit codes: 0 fitted, 1 not converged, 2 the fit file, a measurement or the command line is wrong, \
+                            3 the model does not follow the measurements (best fit written and marked), 130 stopped by Ctrl-C."
+    )]
+    Identify(IdentifyArguments),
     /// Redraw the pictures of a results folder, with options; for several folders, draw their curves in one picture
     Plot(PlotArguments),
     /// Show the folder and size of the cache of coefficients, or clear it
@@ -103,6 +109,32 @@ pub struct RunArguments {
     #[command(flatten)]
     pub output: OutputArguments,
     /// Print the summary as JSON to standard output and nothing else; write a folder only with --out
+    #[arg(long)]
+    pub json: bool,
+    /// Number of threads [default: one per core]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
+    /// Print nothing but errors
+    #[arg(long, short)]
+    pub quiet: bool,
+}
+
+/// Arguments of `identify`.
+#[derive(Debug, Args)]
+pub struct IdentifyArguments {
+    /// The fit file
+    #[arg(value_name = "FIT")]
+    pub path: PathBuf,
+    /// Folder of the results [default: results/NAME after the fit file, numbered if that exists; none with --json]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Replace the results in an existing folder
+    #[arg(long)]
+    pub force: bool,
+    /// Take a misfit for a result: exit code 0 in place of 3
+    #[arg(long)]
+    pub accept_misfit: bool,
+    /// Print the result as JSON to standard output and nothing else; write a folder only with --out
     #[arg(long)]
     pub json: bool,
     /// Number of threads [default: one per core]

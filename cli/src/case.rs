@@ -18,6 +18,7 @@ pub mod solver;
 pub mod source;
 pub mod spacing;
 pub mod span;
+pub mod spring_law;
 pub mod stress;
 pub mod surface;
 pub mod table_reader;

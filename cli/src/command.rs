@@ -4,6 +4,7 @@ pub mod cache;
 pub mod check;
 pub mod completions;
 pub mod gather;
+pub mod identify;
 pub mod influence;
 pub mod init;
 pub mod kernel;

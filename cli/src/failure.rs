@@ -4,6 +4,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use pellicle_contact::{ContactError, IndenterError};
+use pellicle_identify::IdentifyError;
 use pellicle_influence::InfluenceError;
 use pellicle_kernel::KernelError;
 use pellicle_texture::TextureError;
@@ -132,6 +133,9 @@ pub enum Failure {
         /// Memory available, bytes.
         available: u64,
     },
+    /// A fit cannot be posed, or has no start.
+    #[error(transparent)]
+    Identify(#[from] IdentifyError),
     /// A file or folder cannot be written.
     #[error("{}: cannot be written: {cause}", path.display())]
     Write {

@@ -18,9 +18,12 @@ mod case;
 mod command;
 mod display;
 mod failure;
+mod fit_file;
 mod forecast;
+mod identification;
 mod interrupt;
 mod map;
+mod measured;
 mod memory;
 mod output;
 mod picture;
@@ -65,6 +68,27 @@ pub mod drawing {
     pub use crate::picture::{
         accuracy, colour_bar, colours, heading, labels, png, pressure_map, section, stress_section,
     };
+}
+
+/// Measured indentation curves, read from the text of instruments as a table `[[data]]` says.
+pub mod measurements {
+    pub use crate::measured::channel::Channel;
+    pub use crate::measured::columns::{ColumnName, ColumnUnit, Columns};
+    pub use crate::measured::curve::MeasuredCurve;
+    pub use crate::measured::data_table::{DataTable, Observe};
+    pub use crate::measured::decode::TextEncoding;
+    pub use crate::measured::depth_step::DepthStep;
+    pub use crate::measured::error::CurveError;
+    pub use crate::measured::exclusion::{Exclusion, ExclusionReason};
+    pub use crate::measured::files::files;
+    pub use crate::measured::header::{HeaderField, HeaderUnit};
+    pub use crate::measured::noise::{Correlation, Noise};
+    pub use crate::measured::segment::{Part, Segment, SegmentEnd, Until};
+    pub use crate::measured::separator::{DecimalMark, Separator};
+    pub use crate::measured::spring::{HeightDirection, SpringConstant, penetration};
+    pub use crate::measured::text_options::TextOptions;
+    pub use crate::measured::text_table::TextTable;
+    pub use crate::measured::warning::CurveWarning;
 }
 
 /// The rows of the validation, and the published numbers behind them.

@@ -18,6 +18,8 @@ pub enum Outcome {
     NotConverged,
     /// The program disagrees with a reference: a row of its validation fails.
     Refuted,
+    /// The model does not follow the measurements: the best fit is written, but marked.
+    Misfit,
     /// The user asked to stop; finished results are written.
     Stopped,
 }
@@ -37,6 +39,7 @@ pub fn main(arguments: impl IntoIterator<Item = impl Into<OsString> + Clone>) ->
         Ok(_) if interrupt::is_requested() => ExitCode::from(interrupt::EXIT_CODE),
         Ok(Outcome::Done) => ExitCode::SUCCESS,
         Ok(Outcome::NotConverged | Outcome::Refuted) => ExitCode::from(1),
+        Ok(Outcome::Misfit) => ExitCode::from(3),
         Ok(Outcome::Stopped) => ExitCode::from(interrupt::EXIT_CODE),
         Err(failure) => {
             terminal::tell_drawn(&failure.render());
@@ -66,6 +69,7 @@ fn execute(command: Command) -> Result<Outcome, Failure> {
         Command::Kernel(arguments) => command::kernel::kernel(&arguments),
         Command::Influence(arguments) => command::influence::influence(&arguments),
         Command::Stress(arguments) => command::stress::stress(&arguments),
+        Command::Identify(arguments) => command::identify::identify(&arguments),
         Command::Plot(arguments) => command::plot::plot(&arguments),
         Command::Cache(arguments) => command::cache::cache(&arguments),
         Command::Study(arguments) => command::study::study(&arguments),

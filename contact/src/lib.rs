@@ -28,7 +28,9 @@ pub use indenter::{
 };
 pub use path::{
     LoadingPath,
-    domain::{Domain, choice::choose_side, default_side, estimated_force},
+    domain::{
+        Domain, choice::choose_side, default_side, estimated_force, estimated_force_at_radius,
+    },
     loads_at_once, solve_path,
     warnings::{domain_much_larger, model_warnings},
 };
@@ -49,7 +51,9 @@ pub use result::{
     warning::Warning,
     work::{LevelWork, Work},
 };
-pub use sensitivity::{ForceCurve, ModelDerivatives, ModelParameter, Sensitivities, Sensitivity};
+pub use sensitivity::{
+    ForceCurve, ModelDerivatives, ModelDirection, ModelParameter, Sensitivities, Sensitivity,
+};
 pub use solver::{
     Iterate, Method, Solver, SolverOptions, Watch,
     active_set::ActiveSetSolver,

@@ -96,7 +96,7 @@ impl LoadingPath {
         let mut surface = DeformedSurface::new(
             displacement,
             pressure,
-            geometry.relief.compliance(),
+            (geometry.relief.spring_law(), geometry.relief.compliance()),
             &initial_gap(&geometry.indenter_profile, geometry.relief.profile()),
             *penetration,
         );

@@ -5,3 +5,4 @@ pub mod discrete_problem;
 pub mod load;
 pub mod model;
 pub mod scale;
+pub mod tangents;

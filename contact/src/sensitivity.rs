@@ -8,6 +8,9 @@
 //! ∂E/∂θ = A (½ p·(K_θ + η_θ) p + g0_θ·p)
 //! ```
 //!
+//! Springs that are not linear have `∂w*/∂θ` in place of `η_θ p`, `∂/∂θ ∫ w* dp` in place of `½ p·η_θ p`, and `dw*/dp`
+//! in place of η below.
+//!
 //! On the elements in contact `(K + η) p + g0 = D`. With `(K + η)_cc s = 1` there, as for the contact stiffness,
 //!
 //! ```text
@@ -22,11 +25,14 @@
 
 mod change;
 mod force_curve;
+mod null_directions;
 mod parameter;
 mod spline;
+mod springs;
 mod step;
 
 pub use change::ModelDerivatives;
 pub use force_curve::ForceCurve;
+pub use null_directions::ModelDirection;
 pub use parameter::ModelParameter;
 pub use step::{Sensitivities, Sensitivity};

@@ -28,16 +28,16 @@ fn coated(thickness: f64, coat: Material, base: Material) -> Foundation {
     Foundation::coated(thickness, coat, base).unwrap()
 }
 
-fn pillars() -> Relief {
+fn pillars(young_modulus: f64) -> Cylinders {
     let spec = CylinderSpec {
         lattice: Lattice::Hexagonal,
         radius: 0.03,
         height: 0.004,
         period: 0.1,
         offset: [0.0, 0.0],
-        young_modulus: 0.7,
+        young_modulus,
     };
-    Relief::Cylinders(Cylinders::new(spec).unwrap())
+    Cylinders::new(spec).unwrap()
 }
 
 /// Ten models of every kind of parameter, each with a force and the side of a domain.
@@ -110,7 +110,7 @@ fn cases() -> Vec<(Model, f64, f64)> {
         (
             model(
                 &coated(0.05, material(0.1, 0.5), material(1.0, 0.0)).into(),
-                pillars(),
+                Relief::Cylinders(pillars(0.7)),
                 paraboloid,
             ),
             4e-3,
@@ -119,7 +119,7 @@ fn cases() -> Vec<(Model, f64, f64)> {
         (
             model(
                 &coated(0.05, material(20.0, 0.2), material(1.0, 0.3)).into(),
-                pillars(),
+                Relief::Cylinders(pillars(0.7)),
                 paraboloid,
             ),
             1e-2,
@@ -141,6 +141,31 @@ fn cases() -> Vec<(Model, f64, f64)> {
                 Pyramid::vickers(0.3).unwrap(),
             ),
             1e-2,
+            0.6,
+        ),
+    ]
+}
+
+/// Two models with springs that stiffen.
+fn stiffening_cases() -> Vec<(Model, f64, f64)> {
+    let paraboloid = Paraboloid::new(1.0).unwrap();
+    vec![
+        (
+            model(
+                &coated(0.05, material(10.0, 0.3), material(1.0, 0.4)).into(),
+                Relief::Film(Film::new(0.005, 0.2).unwrap().stiffening()),
+                Pyramid::berkovich(0.1).unwrap(),
+            ),
+            2e-2,
+            0.6,
+        ),
+        (
+            model(
+                &coated(0.05, material(0.1, 0.5), material(1.0, 0.0)).into(),
+                Relief::Cylinders(pillars(0.007).stiffening()),
+                paraboloid,
+            ),
+            4e-3,
             0.6,
         ),
     ]
@@ -182,7 +207,7 @@ fn numbers(model: &Model, path: &LoadingPath) -> [f64; 2] {
 
 #[test]
 fn derivatives_agree_with_differences_between_solutions_of_the_same_contact_set() {
-    for (index, (model, force, side)) in cases().into_iter().enumerate() {
+    for (index, (model, force, side)) in cases().into_iter().chain(stiffening_cases()).enumerate() {
         let path = solved(&model, side, 48, &[force]);
         let set = contact(&path);
         let parameters = model.parameters();

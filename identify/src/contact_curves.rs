@@ -9,6 +9,7 @@ mod observable;
 mod solved_curve;
 
 use std::collections::BTreeSet;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use pellicle_contact::{ContactError, Model, ModelParameter};
 use rayon::prelude::*;
@@ -17,6 +18,9 @@ pub use observable::Observable;
 use solved_curve::{Nodes, SolvedCurve};
 
 use crate::{ForwardError, ForwardModel, Prediction};
+
+/// Relative step of a parameter by which a stiffness is differentiated: 1e-3 by its square, and as much by the grid.
+const STIFFNESS_STEP: f64 = 0.03;
 
 /// Measured curves of one model: all that were taken under the same conditions.
 #[derive(Debug, Clone)]
@@ -38,6 +42,8 @@ pub struct ContactCurves {
     nodes: Vec<Nodes>,
     parameters: Vec<ModelParameter>,
     options: CurveOptions,
+    loads_solved: AtomicUsize,
+    operator_applications: AtomicUsize,
 }
 
 /// How the curves are computed.
@@ -86,6 +92,8 @@ impl ContactCurves {
             nodes,
             parameters,
             options,
+            loads_solved: AtomicUsize::new(0),
+            operator_applications: AtomicUsize::new(0),
         })
     }
 
@@ -93,6 +101,18 @@ impl ContactCurves {
     #[must_use]
     pub fn loads(&self) -> usize {
         self.nodes.iter().map(Nodes::len).sum()
+    }
+
+    /// Loads solved so far.
+    #[must_use]
+    pub fn loads_solved(&self) -> usize {
+        self.loads_solved.load(Ordering::Relaxed)
+    }
+
+    /// Products with `K` so far, on the finer of the two grids of each load.
+    #[must_use]
+    pub fn operator_applications(&self) -> usize {
+        self.operator_applications.load(Ordering::Relaxed)
     }
 
     /// The curves.
@@ -135,17 +155,65 @@ impl ContactCurves {
         let all = self.parameters.iter().enumerate();
         let sought = all.filter(|(index, _)| !own.contains(index));
         let sought: Vec<ModelParameter> = sought.map(|(_, parameter)| *parameter).collect();
-        let solved = SolvedCurve::of(&model, &self.nodes[curve], &sought, self.options)?;
         let ContactCurve {
             observable,
             abscissae,
             ..
         } = &self.curves[curve];
-        let mut prediction = observable.of(&solved, abscissae)?;
+        let mut prediction = if *observable == Observable::StiffnessAtContactRadius {
+            self.stiffnesses(curve, &model, &sought)?
+        } else {
+            let solved = self.solved(curve, &model, &sought)?;
+            observable.of(&solved, abscissae)?
+        };
         for index in own {
             prediction
                 .derivatives
                 .insert(index, vec![0.0; abscissae.len()]);
+        }
+        Ok(prediction)
+    }
+
+    /// A curve solved at its nodes, and counted.
+    fn solved(
+        &self,
+        curve: usize,
+        model: &Model,
+        sought: &[ModelParameter],
+    ) -> Result<SolvedCurve, ContactError> {
+        let nodes = &self.nodes[curve];
+        let solved = SolvedCurve::of(model, nodes, sought, self.options)?;
+        self.loads_solved.fetch_add(nodes.len(), Ordering::Relaxed);
+        (self.operator_applications).fetch_add(solved.products, Ordering::Relaxed);
+        Ok(solved)
+    }
+
+    /// Stiffnesses at contact radii, differentiated by solving again: the radius of the contact has no derivative of its
+    /// own.
+    fn stiffnesses(
+        &self,
+        curve: usize,
+        model: &Model,
+        sought: &[ModelParameter],
+    ) -> Result<Prediction, ContactError> {
+        let ContactCurve {
+            observable,
+            abscissae,
+            ..
+        } = &self.curves[curve];
+        let of = |model: &Model| {
+            let solved = self.solved(curve, model, &[])?;
+            observable.of(&solved, abscissae)
+        };
+        let mut prediction = of(model)?;
+        for parameter in sought {
+            let value = model.parameter(*parameter).unwrap_or(f64::NAN);
+            let step = STIFFNESS_STEP * value;
+            let at = |step: f64| of(&model.with_parameter(*parameter, value + step)?);
+            let (more, less) = (at(step)?, at(-step)?);
+            let pairs = more.value.iter().zip(&less.value);
+            let slopes = pairs.map(|(more, less)| (more - less) / (2.0 * step));
+            prediction.derivatives.push(slopes.collect());
         }
         Ok(prediction)
     }

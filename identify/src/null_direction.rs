@@ -5,6 +5,8 @@
 //! moves. An unknown with a part in one is not identifiable by any data. With a basis `U` of the directions that count,
 //! the product `θ_j Π θ_k^{c_k}` is known where `U_j + Σ c_k U_k = 0`.
 
+mod common;
+
 use faer::Mat;
 
 use crate::{IdentifyError, Unknown, curve::check_length};

@@ -3,7 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "a test fails by its panic")]
 
 use pellicle_contact::{
-    Domain, Indenter, IndenterQuantity, Load, Model, ModelParameter, Paraboloid, Pyramid,
+    Cone, Domain, Indenter, IndenterQuantity, Load, Model, ModelParameter, Paraboloid, Pyramid,
     SolverOptions, default_side, solve_path,
 };
 use pellicle_identify::{
@@ -204,6 +204,55 @@ fn derivatives_keep_to_the_identities_of_the_paraboloid() {
     }
 }
 
+/// The paraboloid's gauge, a film's compliance, the materials of a coat; the slope of a sharp cone; two moduli that
+/// only their sum counts of.
+#[test]
+fn along_null_directions_no_penetration_changes() {
+    let film = Film::new(20e-9, 1e9).unwrap();
+    // Thickness and modulus of springs that stiffen count each for itself.
+    let stiffening = Relief::Film(film.stiffening());
+    let film = Relief::Film(film);
+    let diamond = Some(material(1141e9, 0.07));
+    let steel = Foundation::half_space(material(210e9, 0.3));
+    let paraboloid = Indenter::from(Paraboloid::new(RADIUS).unwrap());
+    let cone = Indenter::from(Cone::new(1.3, 0.0).unwrap());
+    let cases = [
+        (model(&coat(0.5e-6), film.clone(), paraboloid.clone()), 3),
+        (model(&coat(0.5e-6), film, cone), 3),
+        (model(&coat(0.5e-6), stiffening, paraboloid.clone()), 2),
+        (
+            model(
+                &ElasticBodies::new(steel, diamond),
+                Relief::Bare,
+                paraboloid,
+            ),
+            4,
+        ),
+    ];
+    for (model, count) in cases {
+        let directions = model.null_directions();
+        assert_eq!(directions.len(), count);
+        for direction in directions {
+            let parameters: Vec<ModelParameter> = direction.iter().map(|(of, _)| *of).collect();
+            let found = predicted(&model, Observable::DepthAtForce, forces(), &parameters);
+            for i in 0..forces().len() {
+                let changes = direction.iter().zip(&found.derivatives);
+                let changes = changes.map(|((_, change), derivative)| change * derivative[i]);
+                let changes: Vec<f64> = changes.collect();
+                let largest = changes
+                    .iter()
+                    .fold(0.0, |most: f64, change| most.max(change.abs()));
+                let sum: f64 = changes.iter().sum();
+                // The grid's error in each.
+                assert!(
+                    sum.abs() < 2e-3 * largest,
+                    "{direction:?}: {sum:e} of {largest:e}"
+                );
+            }
+        }
+    }
+}
+
 #[test]
 fn many_points_cost_no_more_loads() {
     let model = model(
@@ -215,4 +264,34 @@ fn many_points_cost_no_more_loads() {
     let loads = |abscissae| curves(&model, Observable::DepthAtForce, abscissae, &[]).loads();
     // Two decades at six a decade; three, which is as far as loads are solved.
     assert_eq!((loads(forces()), loads(dense)), (15, 21));
+}
+
+#[test]
+fn the_stiffness_at_a_contact_radius_is_that_of_a_flat_punch() {
+    let (young, nu) = (210e9, 0.3);
+    let body = Foundation::half_space(material(young, nu)).into();
+    let radii = vec![0.1e-6, 0.3e-6, 1e-6];
+    // S = 2 a E*
+    let expected = radii
+        .iter()
+        .map(|a| 2.0 * a * material(young, nu).plane_strain_modulus());
+    let expected: Vec<f64> = expected.collect();
+    let cone = Indenter::from(Cone::new(1.2, 0.05e-6).unwrap());
+    let berkovich = Indenter::from(Pyramid::berkovich(0.05e-6).unwrap());
+    for (indenter, bound) in [(cone, 5e-3), (berkovich, 5e-2)] {
+        let model = model(&body, Relief::Bare, indenter);
+        let observable = Observable::StiffnessAtContactRadius;
+        let found = predicted(&model, observable, radii.clone(), &[young_modulus(0)]);
+        for i in 0..radii.len() {
+            let errors = [
+                found.value[i] / expected[i] - 1.0,
+                found.slope[i] * radii[i] / expected[i] - 1.0,
+                found.derivatives[0][i] * young / expected[i] - 1.0,
+            ];
+            // The grid's error in the area; a pyramid is none of revolution.
+            for error in errors {
+                assert!(error.abs() < bound, "{errors:?} at {}", radii[i]);
+            }
+        }
+    }
 }

@@ -1,7 +1,9 @@
 //! The two bodies whose displacements a pressure adds up.
 
+mod direction;
 mod parameter;
 
+pub use direction::ElasticDirection;
 pub use parameter::ElasticParameter;
 
 use pellicle_kernel::{Foundation, Material};

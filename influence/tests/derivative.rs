@@ -111,3 +111,34 @@ fn tables_of_a_shape_serve_every_size_and_stiffness() {
     }
     assert_eq!(origins, [Origin::Computed, Origin::Memory, Origin::Memory]);
 }
+
+#[test]
+fn along_null_directions_no_coefficient_changes() {
+    for foundation in foundations() {
+        let body = ElasticBodies::new(foundation, Some(Material::new(5.0, 0.1).unwrap()));
+        let tables = tables_of(&body);
+        let directions = body.null_directions();
+        let is_homogeneous = body.foundation().layers().is_empty();
+        let is_held = body.foundation().base() == Base::Rigid;
+        let wanted = 2 + usize::from(is_homogeneous) - usize::from(is_held);
+        assert_eq!(directions.len(), wanted);
+        for direction in directions {
+            let terms = direction.into_iter();
+            let derivatives = terms.map(|(of, change)| (tables.derivative(of).unwrap(), change));
+            let derivatives: Vec<_> = derivatives.collect();
+            for offset in [[0, 0], [2, 1], [60, 11]] {
+                let changes = derivatives.iter();
+                let changes = changes.map(|(of, change)| change * of.coefficient(0.3, offset));
+                let changes: Vec<f64> = changes.collect();
+                let largest = changes
+                    .iter()
+                    .fold(0.0, |most: f64, change| most.max(change.abs()));
+                let sum: f64 = changes.iter().sum();
+                assert!(
+                    sum.abs() < 1e-7 * largest,
+                    "{offset:?}: {sum:e} of {largest:e}"
+                );
+            }
+        }
+    }
+}

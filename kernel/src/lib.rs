@@ -55,6 +55,7 @@
 mod asymptotics;
 mod base;
 mod derivative;
+mod direction;
 mod error;
 mod foundation;
 mod graded;
@@ -73,6 +74,7 @@ mod wave;
 pub use asymptotics::{LongWaves, ShortWaves};
 pub use base::Base;
 pub use derivative::ResponseDerivative;
+pub use direction::FoundationDirection;
 pub use error::KernelError;
 pub use foundation::Foundation;
 pub use graded::{GradedLayer, GradingOptions, SplitLayer};

@@ -165,3 +165,44 @@ fn along_materials_of_equal_dundurs_numbers_the_compliance_stands_still() {
         }
     }
 }
+
+/// `dC/dt` along a direction.
+fn along(body: &Foundation, direction: &[(Parameter, f64)], wavenumber: f64) -> f64 {
+    let changes = direction.iter();
+    changes
+        .map(|(parameter, change)| change * compliance_derivative(body, *parameter, wavenumber))
+        .sum()
+}
+
+#[test]
+fn along_null_directions_no_compliance_changes() {
+    // One block; one; two, above and below the frictionless interface; one, since the other is held.
+    for (foundation, blocks) in foundations().into_iter().zip([1, 1, 2, 1]) {
+        let directions = foundation.null_directions();
+        assert_eq!(directions.len(), blocks);
+        for direction in directions {
+            for k in wavenumbers() {
+                let largest = direction.iter().map(|(parameter, change)| {
+                    (change * compliance_derivative(&foundation, *parameter, k)).abs()
+                });
+                let largest = largest.fold(0.0, f64::max);
+                let error = along(&foundation, &direction, k).abs();
+                // Differences of the sixth order: 4e-11 of C by each number in its own unit.
+                let bound = 1e-8 * largest + 1e-9 * foundation.compliance(k);
+                assert!(error < bound, "at {k}: {error:e} of {largest:e}");
+            }
+        }
+    }
+}
+
+#[test]
+fn along_a_scaling_the_compliance_scales() {
+    for foundation in foundations() {
+        for k in wavenumbers() {
+            // C is inversely proportional to the moduli.
+            let found = along(&foundation, &foundation.scaling(0.0, 1.0), k);
+            let compliance = foundation.compliance(k);
+            assert!((found / compliance + 1.0).abs() < 1e-9, "at {k}: {found:e}");
+        }
+    }
+}

@@ -2,6 +2,7 @@
 
 use crate::error::{Quantity, TextureError, finite, positive};
 use crate::lattice::Lattice;
+use crate::spring_law::SpringLaw;
 
 /// The description of a relief of cylinders; [`Cylinders::new`] checks it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,6 +25,7 @@ pub struct CylinderSpec {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cylinders {
     spec: CylinderSpec,
+    law: SpringLaw,
 }
 
 /// Relative slack on the radius: an element whose centre lies on the rim up to rounding belongs to the cylinder.
@@ -56,7 +58,23 @@ impl Cylinders {
         if 2.0 * radius > period {
             return Err(TextureError::Overlap { radius, period });
         }
-        Ok(Self { spec })
+        Ok(Self {
+            spec,
+            law: SpringLaw::LINEAR,
+        })
+    }
+
+    /// The same cylinders as springs of the [logarithmic law](SpringLaw), never squeezed beyond their height.
+    #[must_use]
+    pub fn stiffening(self) -> Self {
+        let law = SpringLaw::of_checked(self.spec.young_modulus);
+        Self { law, ..self }
+    }
+
+    /// How the springs shorten.
+    #[must_use]
+    pub fn spring_law(&self) -> SpringLaw {
+        self.law
     }
 
     /// The description that they were made of.
@@ -101,7 +119,7 @@ impl Cylinders {
         self.spec.young_modulus
     }
 
-    /// Compliance `η = h / E_a` of a cylinder under uniform pressure on its top, m/Pa (3.3).
+    /// Compliance at rest `η = h / E_a` of a cylinder under uniform pressure on its top, m/Pa (3.3).
     #[must_use]
     pub fn compliance(&self) -> f64 {
         self.spec.height / self.spec.young_modulus

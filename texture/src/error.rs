@@ -64,6 +64,14 @@ pub enum TextureError {
         /// Its value.
         found: f64,
     },
+    /// Springs that are to stiffen have no height to be squeezed to.
+    #[error(
+        "found a compliance of {found} m/Pa for springs that stiffen, wanted a Young's modulus, with which they have a height"
+    )]
+    NoHeight {
+        /// The compliance, m/Pa.
+        found: f64,
+    },
     /// A number that must be finite is not.
     #[error("found {found} for {quantity}, wanted a finite number")]
     NotFinite {

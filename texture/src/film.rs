@@ -1,12 +1,14 @@
 //! A soft film that covers the whole surface.
 
 use crate::error::{Quantity, TextureError, positive};
+use crate::spring_law::SpringLaw;
 
 /// A film of uniform thickness, a one-dimensional spring of compliance `η = h / E_w` at every point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Film {
     thickness: f64,
     young_modulus: f64,
+    law: SpringLaw,
 }
 
 impl Film {
@@ -21,10 +23,24 @@ impl Film {
         Ok(Self {
             thickness,
             young_modulus,
+            law: SpringLaw::LINEAR,
         })
     }
 
-    /// Thickness h, m. A computed shortening beyond it is outside the model's validity.
+    /// The same film as springs of the [logarithmic law](SpringLaw), never squeezed beyond the thickness.
+    #[must_use]
+    pub fn stiffening(self) -> Self {
+        let law = SpringLaw::of_checked(self.young_modulus);
+        Self { law, ..self }
+    }
+
+    /// How the springs shorten.
+    #[must_use]
+    pub fn spring_law(&self) -> SpringLaw {
+        self.law
+    }
+
+    /// Thickness h, m. A computed shortening beyond it, as linear springs may have, is outside the model's validity.
     #[must_use]
     pub fn thickness(&self) -> f64 {
         self.thickness
@@ -36,7 +52,7 @@ impl Film {
         self.young_modulus
     }
 
-    /// Compliance `η = h / E_w`, m/Pa.
+    /// Compliance at rest `η = h / E_w`, m/Pa.
     #[must_use]
     pub fn compliance(&self) -> f64 {
         self.thickness / self.young_modulus
@@ -53,5 +69,17 @@ mod tests {
         assert_eq!(Film::new(0.0, 1.0), error(Quantity::Thickness, 0.0));
         assert_eq!(Film::new(5e-9, -1.0), error(Quantity::YoungModulus, -1.0));
         assert_eq!(Film::new(4.0, 8.0).unwrap().compliance(), 0.5);
+    }
+
+    #[test]
+    fn a_film_is_linear_until_it_is_to_stiffen() {
+        let film = Film::new(4.0, 8.0).unwrap();
+        assert!(film.spring_law().is_linear());
+        let stiffening = film.stiffening();
+        assert_eq!(
+            Ok(stiffening.spring_law()),
+            SpringLaw::logarithmic(film.young_modulus())
+        );
+        assert_eq!(stiffening.compliance(), film.compliance());
     }
 }

@@ -4,8 +4,8 @@
 //! The crate answers one question: at every element of a [`Grid`], does the surface carry relief, how high does it
 //! stand and how soft is it? The answer is a [`SampledRelief`] of three fields: the mask, the surface profile `f*` (m,
 //! 0 on the tops) and the compliance `η` (m/Pa) of the one-dimensional springs that stand for the relief, `η = h / E_a`
-//! ((3.3) of Stepanov and Torskaya, Mech. Solids 57, 2022). It knows no elasticity beyond that quotient and depends on
-//! no other crate of the workspace.
+//! ((3.3) of Stepanov and Torskaya, Mech. Solids 57, 2022). A [`SpringLaw`] says how they shorten: in proportion to the
+//! pressure, or ever less. It knows no elasticity beyond that and depends on no other crate of the workspace.
 //!
 //! A field is a `Vec<f64>` of N² values with index `i * N + j`, first index along x, second along y; see [`Grid`].
 //! Lengths and moduli may be in SI or in any consistent dimensionless system.
@@ -53,6 +53,7 @@ mod parameter;
 mod relief;
 mod relief_map;
 mod sampled;
+mod spring_law;
 mod summit;
 
 pub use cylinders::{CylinderSpec, Cylinders};
@@ -66,3 +67,4 @@ pub use parameter::ReliefParameter;
 pub use relief::Relief;
 pub use relief_map::{MapCompliance, ReliefMap};
 pub use sampled::SampledRelief;
+pub use spring_law::SpringLaw;

@@ -47,7 +47,7 @@ impl Relief {
         }
     }
 
-    /// The same relief with another value of one number; itself where it has no such number.
+    /// The same relief, of the same law of springs, with another value of one number; itself where it has no such number.
     ///
     /// # Errors
     ///
@@ -61,23 +61,35 @@ impl Relief {
             return Ok(self.clone());
         }
         let or = |wanted: ReliefParameter, own: f64| if parameter == wanted { value } else { own };
+        let is_linear = self.spring_law().is_linear();
         Ok(match self {
             Self::Bare => Self::Bare,
-            Self::Film(film) => Self::Film(Film::new(
-                or(ReliefParameter::Height, film.thickness()),
-                or(ReliefParameter::YoungModulus, film.young_modulus()),
-            )?),
-            Self::Cylinders(cylinders) => Self::Cylinders(Cylinders::new(CylinderSpec {
-                height: or(ReliefParameter::Height, cylinders.height()),
-                young_modulus: or(ReliefParameter::YoungModulus, cylinders.young_modulus()),
-                ..cylinders.spec()
-            })?),
+            Self::Film(film) => {
+                let other = Film::new(
+                    or(ReliefParameter::Height, film.thickness()),
+                    or(ReliefParameter::YoungModulus, film.young_modulus()),
+                )?;
+                Self::Film(if is_linear { other } else { other.stiffening() })
+            }
+            Self::Cylinders(cylinders) => {
+                let other = Cylinders::new(CylinderSpec {
+                    height: or(ReliefParameter::Height, cylinders.height()),
+                    young_modulus: or(ReliefParameter::YoungModulus, cylinders.young_modulus()),
+                    ..cylinders.spec()
+                })?;
+                Self::Cylinders(if is_linear { other } else { other.stiffening() })
+            }
             Self::Map(map) => {
                 let compliance = match map.compliance() {
                     MapCompliance::Uniform(_) => MapCompliance::Uniform(value),
                     MapCompliance::YoungModulus(_) => MapCompliance::YoungModulus(value),
                 };
-                Self::Map(ReliefMap::new(map.map().clone(), compliance)?)
+                let other = ReliefMap::new(map.map().clone(), compliance)?;
+                Self::Map(if is_linear {
+                    other
+                } else {
+                    other.stiffening()?
+                })
             }
         })
     }
@@ -90,7 +102,9 @@ mod tests {
 
     #[test]
     fn every_number_is_listed_read_and_replaced_alone() {
-        let film = Relief::Film(Film::new(0.5, 2.0).unwrap());
+        let film = Film::new(0.5, 2.0).unwrap();
+        let stiffening = Relief::Film(film.stiffening());
+        let film = Relief::Film(film);
         let pillars = Cylinders::new(CylinderSpec {
             lattice: Lattice::Square,
             radius: 0.1,
@@ -99,7 +113,7 @@ mod tests {
             offset: [0.0, 0.0],
             young_modulus: 2.0,
         });
-        for relief in [film, Relief::Cylinders(pillars.unwrap())] {
+        for relief in [film, stiffening, Relief::Cylinders(pillars.unwrap())] {
             let all = relief.parameters();
             assert_eq!(
                 all,
@@ -108,6 +122,8 @@ mod tests {
             let other = relief
                 .with_parameter(ReliefParameter::YoungModulus, 3.0)
                 .unwrap();
+            let is_linear = relief.spring_law().is_linear();
+            assert_eq!(other.spring_law().is_linear(), is_linear);
             let values = all.iter().map(|of| other.parameter(*of).unwrap());
             assert_eq!(values.collect::<Vec<_>>(), [3.0, 0.5]);
             assert!(

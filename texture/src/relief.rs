@@ -7,6 +7,7 @@ use crate::film::Film;
 use crate::grid::Grid;
 use crate::relief_map::ReliefMap;
 use crate::sampled::SampledRelief;
+use crate::spring_law::SpringLaw;
 
 /// The relief on top of the foundation.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -51,11 +52,13 @@ impl Relief {
         field: impl Fn(&(dyn Fn([f64; 2]) -> f64 + Sync)) -> Vec<f64>,
     ) -> SampledRelief {
         let everywhere = |value: f64| vec![value; count];
+        let law = self.spring_law();
         match self {
             Self::Bare => SampledRelief {
                 mask: vec![false; count],
                 profile: everywhere(0.0),
                 compliance: everywhere(0.0),
+                law,
             },
             Self::Cylinders(cylinders) => {
                 let mask = outline(cylinders);
@@ -69,18 +72,32 @@ impl Relief {
                     profile: choose(0.0, -cylinders.height()),
                     compliance: choose(cylinders.compliance(), 0.0),
                     mask,
+                    law,
                 }
             }
             Self::Film(film) => SampledRelief {
                 mask: vec![true; count],
                 profile: everywhere(0.0),
                 compliance: everywhere(film.compliance()),
+                law,
             },
             Self::Map(map) => SampledRelief {
                 mask: vec![true; count],
                 profile: field(&|point| map.profile_at(point)),
                 compliance: field(&|point| map.compliance_at(point)),
+                law,
             },
+        }
+    }
+
+    /// How the springs of the relief shorten.
+    #[must_use]
+    pub fn spring_law(&self) -> SpringLaw {
+        match self {
+            Self::Bare => SpringLaw::LINEAR,
+            Self::Cylinders(cylinders) => cylinders.spring_law(),
+            Self::Film(film) => film.spring_law(),
+            Self::Map(map) => map.spring_law(),
         }
     }
 

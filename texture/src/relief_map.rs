@@ -3,6 +3,7 @@
 use crate::error::{Quantity, TextureError, not_negative, positive};
 use crate::grid::Grid;
 use crate::height_map::HeightMap;
+use crate::spring_law::SpringLaw;
 
 /// How soft a measured relief is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,6 +22,7 @@ pub enum MapCompliance {
 pub struct ReliefMap {
     map: HeightMap,
     compliance: MapCompliance,
+    law: SpringLaw,
     lowest: f64,
     highest: f64,
 }
@@ -41,9 +43,30 @@ impl ReliefMap {
         Ok(Self {
             map,
             compliance,
+            law: SpringLaw::LINEAR,
             lowest,
             highest,
         })
+    }
+
+    /// The same relief as springs of the [logarithmic law](SpringLaw), never squeezed beyond their height above the
+    /// deepest point.
+    ///
+    /// # Errors
+    ///
+    /// [`TextureError::NoHeight`] of a uniform compliance, whose springs have no height.
+    pub fn stiffening(self) -> Result<Self, TextureError> {
+        let law = match self.compliance {
+            MapCompliance::Uniform(found) => return Err(TextureError::NoHeight { found }),
+            MapCompliance::YoungModulus(modulus) => SpringLaw::of_checked(modulus),
+        };
+        Ok(Self { law, ..self })
+    }
+
+    /// How the springs shorten.
+    #[must_use]
+    pub fn spring_law(&self) -> SpringLaw {
+        self.law
     }
 
     /// The map as given.
@@ -132,6 +155,17 @@ mod tests {
         assert!(relief.covers(&Grid::new(3.0, 10).unwrap()));
         assert!(!relief.covers(&Grid::new(4.0, 10).unwrap()));
         assert_eq!(relief.profile_at([40.0, 0.0]), 0.0);
+    }
+
+    #[test]
+    fn springs_stiffen_where_they_have_a_height() {
+        let relief = |compliance| ReliefMap::new(ramp(), compliance).unwrap().stiffening();
+        let law = relief(MapCompliance::YoungModulus(4.0)).map(|relief| relief.spring_law());
+        assert_eq!(law, SpringLaw::logarithmic(4.0));
+        assert_eq!(
+            relief(MapCompliance::Uniform(0.5)).unwrap_err(),
+            TextureError::NoHeight { found: 0.5 }
+        );
     }
 
     #[test]

@@ -1,4 +1,6 @@
-//! A relief as a solver sees it: three fields on a grid.
+//! A relief as a solver sees it: three fields on a grid, and the law of its springs.
+
+use crate::spring_law::SpringLaw;
 
 /// The relief at the centres of a grid's elements: mask, surface profile and compliance, N² values each, index
 /// `i * N + j`; or at those of a quadrant.
@@ -7,6 +9,7 @@ pub struct SampledRelief {
     pub(crate) mask: Vec<bool>,
     pub(crate) profile: Vec<f64>,
     pub(crate) compliance: Vec<f64>,
+    pub(crate) law: SpringLaw,
 }
 
 impl SampledRelief {
@@ -22,7 +25,13 @@ impl SampledRelief {
         &self.profile
     }
 
-    /// Compliance η of the relief at each element, m/Pa: `h / E_a` on the tops, 0 between the cylinders.
+    /// How the springs shorten.
+    #[must_use]
+    pub fn spring_law(&self) -> SpringLaw {
+        self.law
+    }
+
+    /// Compliance at rest η of the relief at each element, m/Pa: `h / E_a` on the tops, 0 between the cylinders.
     #[must_use]
     pub fn compliance(&self) -> &[f64] {
         &self.compliance

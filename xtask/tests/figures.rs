@@ -67,9 +67,9 @@ fn a_figure_is_drawing_pixels_and_table_with_its_certificate() {
     ] {
         assert!(svg.contains(words), "{words}");
     }
-    // Two panels, two curves, a row a load.
+    // Two panels, three curves, a row a load.
     let loads = 19;
-    assert_eq!(text(&files, "fig6.csv").lines().count(), 1 + 2 * 2 * loads);
+    assert_eq!(text(&files, "fig6.csv").lines().count(), 1 + 2 * 3 * loads);
 }
 
 #[test]

@@ -15,16 +15,25 @@ pub enum Dimension {
     Angle,
     /// Metres per pascal: a length over a pressure.
     Compliance,
+    /// Newtons per metre: a force over a length.
+    Stiffness,
+    /// Metres per newton: a length over a force.
+    FrameCompliance,
+    /// Seconds.
+    Time,
 }
 
 impl Dimension {
     /// All of them.
-    pub const ALL: [Self; 5] = [
+    pub const ALL: [Self; 8] = [
         Self::Length,
         Self::Pressure,
         Self::Force,
         Self::Angle,
         Self::Compliance,
+        Self::Stiffness,
+        Self::FrameCompliance,
+        Self::Time,
     ];
 
     /// Its name in a message.
@@ -36,6 +45,9 @@ impl Dimension {
             Self::Force => "a force",
             Self::Angle => "an angle",
             Self::Compliance => "a compliance",
+            Self::Stiffness => "a stiffness",
+            Self::FrameCompliance => "a compliance of a frame",
+            Self::Time => "a time",
         }
     }
 
@@ -48,6 +60,9 @@ impl Dimension {
             Self::Force => "N",
             Self::Angle => "rad",
             Self::Compliance => "m/Pa",
+            Self::Stiffness => "N/m",
+            Self::FrameCompliance => "m/N",
+            Self::Time => "s",
         }
     }
 
@@ -60,6 +75,9 @@ impl Dimension {
             Self::Force => "\"2.3 mN\"",
             Self::Angle => "\"65.03 deg\"",
             Self::Compliance => "\"5 nm/GPa\"",
+            Self::Stiffness => "\"0.04 N/m\"",
+            Self::FrameCompliance => "\"0.2 nm/mN\"",
+            Self::Time => "\"5 s\"",
         }
     }
 
@@ -76,6 +94,9 @@ impl Dimension {
             Self::Force => &["N", "kN", "mN", "uN", "µN", "nN", "pN", "lbf"],
             Self::Angle => &["deg", "°", "rad", "gon"],
             Self::Compliance => &["m/Pa", "um/MPa", "nm/GPa", "a length / a pressure"],
+            Self::Stiffness => &["N/m", "mN/um", "µN/nm", "nN/nm", "a force / a length"],
+            Self::FrameCompliance => &["m/N", "nm/mN", "um/N", "a length / a force"],
+            Self::Time => &["s", "ms", "us", "µs", "ns", "min", "h"],
         }
     }
 
@@ -87,7 +108,7 @@ impl Dimension {
             Self::Length | Self::Pressure => 1e-30..=1e30,
             // Any force, however small, is a load; the certificate says whether it could be solved for.
             Self::Force => f64::from_bits(1)..=1e60,
-            Self::Compliance => 1e-60..=1e60,
+            Self::Compliance | Self::Stiffness | Self::FrameCompliance | Self::Time => 1e-60..=1e60,
             Self::Angle => 0.0..=f64::MAX,
         }
     }

@@ -136,6 +136,12 @@ impl Document {
         )
     }
 
+    /// Whether there is a value of this key.
+    #[must_use]
+    pub fn has(&self, key: &str) -> bool {
+        self.field(key).is_some()
+    }
+
     fn field(&self, key: &str) -> Option<ValueReader<'_>> {
         let mut node = self.root();
         for part in overrides::key_path(key)? {

@@ -1,6 +1,6 @@
 //! A quantity with its unit, as a string: `"70 GPa"`, `"5 nm"`, `"2.3 mN"`, `"65.03 deg"`.
 
-use uom::si::f64::{Angle, Force, Length, Pressure};
+use uom::si::f64::{Angle, Force, Length, Pressure, Time};
 
 use super::dimension::Dimension;
 
@@ -24,7 +24,8 @@ pub enum QuantityError {
     OtherDimension(Dimension),
 }
 
-/// The quantity in SI units (m, Pa, N, rad, m/Pa), correctly rounded if the unit is a power of ten of the SI unit.
+/// The quantity in SI units (m, Pa, N, rad, m/Pa, N/m, s), correctly rounded if the unit is a power of ten of the SI
+/// unit.
 ///
 /// # Errors
 ///
@@ -75,12 +76,18 @@ fn factor(dimension: Dimension, unit: &str) -> Option<f64> {
         Dimension::Pressure => one.parse::<Pressure>().ok().map(|pressure| pressure.value),
         Dimension::Force => one.parse::<Force>().ok().map(|force| force.value),
         Dimension::Angle => one.parse::<Angle>().ok().map(|angle| angle.value),
-        Dimension::Compliance => {
-            let (length, pressure) = unit.split_once('/')?;
-            let length = factor(Dimension::Length, &spelling(length))?;
-            Some(length / factor(Dimension::Pressure, &spelling(pressure))?)
-        }
+        Dimension::Compliance => quotient(unit, Dimension::Length, Dimension::Pressure),
+        Dimension::Stiffness => quotient(unit, Dimension::Force, Dimension::Length),
+        Dimension::FrameCompliance => quotient(unit, Dimension::Length, Dimension::Force),
+        Dimension::Time => one.parse::<Time>().ok().map(|time| time.value),
     }
+}
+
+/// One of a unit `above/below` in SI units.
+fn quotient(unit: &str, above: Dimension, below: Dimension) -> Option<f64> {
+    let (numerator, denominator) = unit.split_once('/')?;
+    let numerator = factor(above, &spelling(numerator))?;
+    Some(numerator / factor(below, &spelling(denominator))?)
 }
 
 /// The longest prefix of the text that is a number, and the rest.
@@ -109,8 +116,9 @@ fn spelling(unit: &str) -> String {
         .replace("^2", "²")
         .replace("m2", "m²");
     match unit.as_str() {
-        "um" | "uN" | "uPa" => unit.replacen('u', "\u{b5}", 1),
+        "um" | "uN" | "uPa" | "us" => unit.replacen('u', "\u{b5}", 1),
         "deg" => "°".into(),
+        "sec" => "s".into(),
         "angstrom" => "Å".into(),
         "N/m²" => "Pa".into(),
         _ => unit,
@@ -243,6 +251,26 @@ mod tests {
         let found = Err(QuantityError::OtherDimension(Dimension::Compliance));
         assert_eq!(length("5 nm/GPa"), found);
         assert!(compliance("5 nm/um").is_err() && compliance("5 N/mm^2").is_err());
+    }
+
+    #[test]
+    fn a_stiffness_is_a_force_over_a_length_and_a_time_has_minutes() {
+        let stiffness = |text| parse(text, Dimension::Stiffness);
+        assert_eq!(stiffness("0.04 N/m"), Ok(0.04));
+        assert_eq!(stiffness("3 uN/nm"), Ok(3e3));
+        assert_eq!(stiffness("2 nN/nm"), Ok(2.0));
+        let found = Err(QuantityError::OtherDimension(Dimension::Stiffness));
+        assert_eq!(parse("5 N/m", Dimension::Pressure), found);
+        for (text, seconds) in [
+            ("3 s", 3.0),
+            ("3 sec", 3.0),
+            ("2 min", 120.0),
+            ("1 h", 3600.0),
+        ] {
+            assert_eq!(parse(text, Dimension::Time), Ok(seconds), "{text}");
+        }
+        assert_eq!(parse("7 us", Dimension::Time), Ok(7e-6));
+        assert_eq!(parse("7 ms", Dimension::Time), Ok(7e-3));
     }
 
     #[test]

@@ -12,6 +12,7 @@ use super::dimension::Dimension;
 use super::foundation::FoundationCase;
 use super::height_limits::HeightLimits;
 use super::map::MapCase;
+use super::spring_law::LawCase;
 use super::table_reader::TableReader;
 use super::value_reader::Sign;
 
@@ -29,6 +30,8 @@ pub enum SurfaceCase {
         thickness: f64,
         /// Young's modulus, Pa.
         young_modulus: f64,
+        /// How its springs shorten.
+        law: LawCase,
     },
     /// A measured relief.
     Map(ReliefMapCase),
@@ -45,6 +48,8 @@ pub struct ReliefMapCase {
     /// Its compliance.
     #[serde(flatten)]
     pub compliance: ComplianceCase,
+    /// How its springs shorten.
+    pub law: LawCase,
 }
 
 /// The compliance of a measured relief.
@@ -72,6 +77,8 @@ pub struct CylindersCase {
     pub offset: [f64; 2],
     /// Young's modulus `E_a`, Pa; that of the surface unless given.
     pub young_modulus: f64,
+    /// How their springs shorten.
+    pub law: LawCase,
 }
 
 /// Arrangement of the cylinders.
@@ -83,6 +90,10 @@ pub enum LatticeCase {
     /// Six neighbours each.
     Hexagonal,
 }
+
+/// Wanted of a map whose springs are to stiffen.
+const NO_HEIGHT: &str =
+    "\"linear\", or young_modulus in place of compliance, with which springs have a height";
 
 #[derive(Clone, Copy)]
 enum SurfaceKind {
@@ -127,16 +138,17 @@ impl SurfaceCase {
     }
 
     fn read_film(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
-        table.only(&["kind", "thickness", "young_modulus"])?;
+        table.only(&["kind", "thickness", "young_modulus", LawCase::KEY])?;
         Ok(Self::Film {
             thickness: table.positive("thickness", Dimension::Length)?,
             young_modulus: table.positive("young_modulus", Dimension::Pressure)?,
+            law: LawCase::read(table)?,
         })
     }
 
     fn read_rough(table: &TableReader<'_>, folder: &Path) -> Result<Self, Diagnosis> {
         table.only(&MapCase::KEYS).map_err(|diagnosis| {
-            let springs = table.given(&ComplianceCase::KEYS);
+            let springs = table.given(&[&ComplianceCase::KEYS[..], &[LawCase::KEY]].concat());
             if springs.is_empty() {
                 return diagnosis;
             }
@@ -157,7 +169,14 @@ impl SurfaceCase {
             Self::Film {
                 thickness,
                 young_modulus,
-            } => Film::new(*thickness, *young_modulus).map(Relief::Film),
+                law,
+            } => {
+                let film = Film::new(*thickness, *young_modulus)?;
+                Ok(Relief::Film(match law {
+                    LawCase::Linear => film,
+                    LawCase::Logarithmic => film.stiffening(),
+                }))
+            }
             Self::Map(map) => map.build().map(Relief::Map),
             Self::Rough(map) => {
                 ReliefMap::new(map.heights(), MapCompliance::Uniform(0.0)).map(Relief::Map)
@@ -178,9 +197,15 @@ impl SurfaceCase {
 
 impl ReliefMapCase {
     fn read(table: &TableReader<'_>, folder: &Path) -> Result<Self, Diagnosis> {
-        table.only(&[&MapCase::KEYS[..], &ComplianceCase::KEYS].concat())?;
+        let keys = [&MapCase::KEYS[..], &ComplianceCase::KEYS, &[LawCase::KEY]].concat();
+        table.only(&keys)?;
+        let (compliance, law) = (ComplianceCase::read(table)?, LawCase::read(table)?);
+        if let (ComplianceCase::Compliance(_), LawCase::Logarithmic) = (compliance, law) {
+            return Err(table.required(LawCase::KEY, NO_HEIGHT)?.wanted(NO_HEIGHT));
+        }
         Ok(Self {
-            compliance: ComplianceCase::read(table)?,
+            compliance,
+            law,
             map: MapCase::read(table, folder, HeightLimits::SURFACE)?,
         })
     }
@@ -190,7 +215,11 @@ impl ReliefMapCase {
             ComplianceCase::Compliance(compliance) => MapCompliance::Uniform(compliance),
             ComplianceCase::YoungModulus(modulus) => MapCompliance::YoungModulus(modulus),
         };
-        ReliefMap::new(self.map.heights(), compliance)
+        let map = ReliefMap::new(self.map.heights(), compliance)?;
+        match self.law {
+            LawCase::Linear => Ok(map),
+            LawCase::Logarithmic => map.stiffening(),
+        }
     }
 }
 
@@ -220,7 +249,7 @@ impl ComplianceCase {
 
 impl CylindersCase {
     fn read(table: &TableReader<'_>, foundation: &FoundationCase) -> Result<Self, Diagnosis> {
-        const KEYS: [&str; 7] = [
+        const KEYS: [&str; 8] = [
             "kind",
             "radius",
             "height",
@@ -228,6 +257,7 @@ impl CylindersCase {
             "lattice",
             "offset",
             "young_modulus",
+            LawCase::KEY,
         ];
         table.only(&KEYS)?;
         let cylinders = Self {
@@ -237,6 +267,7 @@ impl CylindersCase {
             period: table.positive("period", Dimension::Length)?,
             offset: offset(table)?,
             young_modulus: young_modulus(table, foundation)?,
+            law: LawCase::read(table)?,
         };
         // Every number is in range by now: only an overlap can still be refused.
         let radius = table.required("radius", "")?;
@@ -249,13 +280,17 @@ impl CylindersCase {
             LatticeCase::Square => Lattice::Square,
             LatticeCase::Hexagonal => Lattice::Hexagonal,
         };
-        Cylinders::new(CylinderSpec {
+        let cylinders = Cylinders::new(CylinderSpec {
             lattice,
             radius: self.radius,
             height: self.height,
             period: self.period,
             offset: self.offset,
             young_modulus: self.young_modulus,
+        })?;
+        Ok(match self.law {
+            LawCase::Linear => cylinders,
+            LawCase::Logarithmic => cylinders.stiffening(),
         })
     }
 }
@@ -292,84 +327,4 @@ fn young_modulus(table: &TableReader<'_>, foundation: &FoundationCase) -> Result
 }
 
 #[cfg(test)]
-mod tests {
-    use super::super::foundation::strength::BodyStrengthCase;
-    use super::super::foundation::substrate::{MaterialCase, SubstrateCase};
-    use super::super::table_reader::tests::read_table;
-    use super::*;
-
-    fn read(text: &str) -> Result<SurfaceCase, String> {
-        let material = MaterialCase {
-            young_modulus: 10.0,
-            poisson_ratio: 0.3,
-            strength: BodyStrengthCase::default(),
-        };
-        let foundation = FoundationCase {
-            substrate: SubstrateCase::Elastic(material),
-            layer: Vec::new(),
-        };
-        read_table(text, |table| {
-            SurfaceCase::read(&table, &foundation, Path::new(""))
-        })
-    }
-
-    const CYLINDERS: &str = "kind = \"cylinders\"\nradius = 1\nheight = 2\nperiod = 3\n";
-
-    #[test]
-    fn cylinders_take_the_modulus_of_the_surface() {
-        let Ok(SurfaceCase::Cylinders(cylinders)) = read(CYLINDERS) else {
-            panic!("not cylinders")
-        };
-        assert_eq!(cylinders.young_modulus, 10.0);
-        assert_eq!(cylinders.offset, [0.0, 0.0]);
-    }
-
-    #[test]
-    fn a_surface_is_bare_unless_it_says_otherwise() {
-        assert_eq!(read(""), Ok(SurfaceCase::Bare));
-    }
-
-    #[test]
-    fn overlapping_cylinders_are_diagnosed_at_their_radius() {
-        let message = read(&CYLINDERS.replace("radius = 1", "radius = 1.6")).unwrap_err();
-        assert!(
-            message.starts_with("case.toml, line 2, key `radius`: found 1.6"),
-            "{message}"
-        );
-        assert!(message.contains("overlap"), "{message}");
-    }
-
-    #[test]
-    fn keys_of_another_kind_are_unknown() {
-        let message =
-            read("kind = \"film\"\nthickness = 1\nyoung_modulus = 1\nradius = 3").unwrap_err();
-        assert!(
-            message.starts_with("case.toml, line 4, key `radius`: found an unknown key"),
-            "{message}"
-        );
-    }
-
-    #[test]
-    fn what_is_no_surface_is_refused() {
-        for text in [
-            "kind = \"cilinders\"",
-            "kind = 3",
-            "kind = \"map\"",
-            "kind = \"map\"\nfile = \"a.npy\"",
-            "kind = \"map\"\ncompliance = 0",
-            "kind = \"map\"\nfile = \"a.npy\"\ncompliance = 0\nyoung_modulus = 1",
-            "kind = \"film\"\nthickness = 1",
-            "radius = 1",
-        ] {
-            assert!(read(text).is_err(), "{text}");
-        }
-        for change in [
-            "offset = [1]",
-            "offset = 1",
-            "offset = [1, nan]",
-            "lattice = \"cubic\"",
-        ] {
-            assert!(read(&format!("{CYLINDERS}{change}")).is_err(), "{change}");
-        }
-    }
-}
+mod tests;

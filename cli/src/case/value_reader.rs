@@ -74,6 +74,22 @@ impl<'a> ValueReader<'a> {
         &self.node.value
     }
 
+    /// The node itself.
+    #[must_use]
+    pub fn node(&self) -> &'a TomlNode {
+        self.node
+    }
+
+    /// The diagnosis that no number has the key that leads here, with a suggestion.
+    pub fn unknown_key(&self, key: &str, known: &[&str]) -> Diagnosis {
+        let wanted = format!("one of {}", known.join(", "));
+        let diagnosis = self.diagnosis(Fault::Unknown { wanted });
+        match closest(key, known) {
+            Some(known) => diagnosis.with_help(format!("did you mean `{known}`?")),
+            None => diagnosis,
+        }
+    }
+
     /// The diagnosis that another value is wanted here.
     pub fn wanted(&self, wanted: impl Into<String>) -> Diagnosis {
         let (found, wanted) = (self.found(), wanted.into());

@@ -15,6 +15,7 @@ use super::lock::Lock;
 use super::run_files;
 use super::unfinished::{self, Unfinished};
 use crate::failure::Failure;
+use crate::identification::result;
 
 /// Name of the lock in a claimed folder.
 const LOCK: &str = ".pellicle-lock";
@@ -221,7 +222,7 @@ fn contents(path: &Path) -> FolderContents {
     };
     if entries.all(|entry| entry.is_ok_and(|entry| is_hidden(&entry))) {
         FolderContents::Empty
-    } else if run_files::case_in(path).is_some() {
+    } else if run_files::case_in(path).is_some() || result::is_in(path) {
         FolderContents::Results
     } else {
         FolderContents::Foreign

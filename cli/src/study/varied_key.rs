@@ -154,7 +154,11 @@ fn rounded(text: &str, dimension: Dimension) -> Option<String> {
         Dimension::Length => with_prefix(Unit::Metre),
         Dimension::Pressure => with_prefix(Unit::Pascal),
         Dimension::Force => with_prefix(Unit::Newton),
-        Dimension::Angle | Dimension::Compliance => {
+        Dimension::Angle
+        | Dimension::Compliance
+        | Dimension::Stiffness
+        | Dimension::FrameCompliance
+        | Dimension::Time => {
             format!("{} {}", significant(value, 5), dimension.si_unit())
         }
     })

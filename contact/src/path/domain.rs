@@ -8,7 +8,7 @@
 //! ```
 //!
 //! on the relief's springs alone `Q_w(a) = (φ/η) ∫₀^a (f(a) − f(ρ)) 2πρ dρ`, and on both in series
-//! `1/Q = 1/Q_e + 1/Q_w`. Nothing depends on the estimate but the first domain tried:
+//! `1/Q = 1/Q_e + 1/Q_w`. Springs that are not linear have `w*/p` at the mean pressure for η. Nothing depends on the estimate but the first domain tried:
 //! [`choose_side`](crate::choose_side) asks a solution on a coarse grid whether it is large enough.
 
 pub mod choice;
@@ -37,6 +37,8 @@ pub enum Domain {
 
 /// Half the side over the estimated contact radius: the estimate is good to some 20 %.
 const MARGIN: f64 = 1.5;
+/// Times that springs are stiffened by the mean pressure found so far, which brings it to some percent of itself.
+const STIFFENINGS: usize = 10;
 /// Midpoints of the quadratures over the profile; the estimate needs no more.
 const POINTS: usize = 64;
 /// `sin θ` at the midpoints of `0 … π/2`.
@@ -71,6 +73,12 @@ pub fn estimated_force(model: &Model, penetration: f64) -> f64 {
     } else {
         0.0
     }
+}
+
+/// The force (N) that presses the indenter to a contact radius (m), by the closed forms of the first guess.
+#[must_use]
+pub fn estimated_force_at_radius(model: &Model, radius: f64) -> f64 {
+    force_at(model, radius)
 }
 
 /// The largest force and the largest penetration of some loads: those of the widest contact.
@@ -169,11 +177,20 @@ fn force_at(model: &Model, a: f64) -> f64 {
         return f64::INFINITY;
     }
     let elastic = elastic_force(model, a);
-    match relief_force(model, a) {
-        // 0 where either is, since 1/0 = ∞
-        Some(relief) => 1.0 / (1.0 / elastic + 1.0 / relief),
-        None => elastic,
+    let Some(relief) = ReliefForce::new(model, a) else {
+        return elastic;
+    };
+    // 0 where either is, since 1/0 = ∞
+    let on_both = |springs: f64| 1.0 / (1.0 / elastic + 1.0 / relief.force(springs));
+    let (law, mut force) = (model.relief.spring_law(), on_both(1.0));
+    if law.is_linear() {
+        return force;
     }
+    let area = model.relief.area_fraction() * PI * a * a;
+    for _ in 0..STIFFENINGS {
+        force = on_both(law.secant(1.0, force / area));
+    }
+    force
 }
 
 /// `Q_e(a)`.
@@ -188,18 +205,46 @@ fn elastic_force(model: &Model, a: f64) -> f64 {
     2.0 * modulus * a * a * integral
 }
 
-/// `Q_w(a)`; none without springs.
-fn relief_force(model: &Model, a: f64) -> Option<f64> {
-    let compliance = match &model.relief {
+/// What `Q_w(a)` is made of.
+struct ReliefForce {
+    /// `φ ∫₀^a (f(a) − f(ρ)) 2πρ dρ`.
+    volume: f64,
+    /// `η` of the springs, and the compliance beside it that no pressure stiffens.
+    compliance: [f64; 2],
+}
+
+impl ReliefForce {
+    /// None without springs.
+    fn new(model: &Model, a: f64) -> Option<Self> {
+        Some(Self {
+            compliance: relief_compliance(model)?,
+            volume: relief_volume(model, a),
+        })
+    }
+
+    /// `Q_w` with this part of the springs' compliance at rest.
+    fn force(&self, part: f64) -> f64 {
+        let [springs, other] = self.compliance;
+        self.volume / (part * springs + other)
+    }
+}
+
+/// `η` of the springs, and the compliance beside it that no pressure stiffens, in m/Pa; none without springs.
+fn relief_compliance(model: &Model) -> Option<[f64; 2]> {
+    Some(match &model.relief {
         Relief::Bare => return None,
-        Relief::Map(map) => Some(map.mean_compliance()).filter(|mean| *mean > 0.0)?,
-        Relief::Film(film) => film.compliance(),
+        Relief::Map(map) => [Some(map.mean_compliance()).filter(|mean| *mean > 0.0)?, 0.0],
+        Relief::Film(film) => [film.compliance(), 0.0],
         // A cylinder also presses itself into the foundation, by some C(1/r) more than an even pressure would.
         Relief::Cylinders(cylinders) => {
             let local = (model.tables.bodies()).compliance(1.0 / cylinders.radius());
-            cylinders.compliance() + (1.0 - cylinders.area_fraction()) * local
+            let share = 1.0 - cylinders.area_fraction();
+            [cylinders.compliance(), share * local]
         }
-    };
+    })
+}
+
+fn relief_volume(model: &Model, a: f64) -> f64 {
     let step = a / POINTS as f64;
     let deepest = averaged(&model.indenter, a);
     let volume: f64 = (0..POINTS)
@@ -208,7 +253,7 @@ fn relief_force(model: &Model, a: f64) -> Option<f64> {
             (deepest - averaged(&model.indenter, rho)) * TAU * rho * step
         })
         .sum();
-    Some(model.relief.area_fraction() * volume / compliance)
+    model.relief.area_fraction() * volume
 }
 
 /// `f′(ρ)` of the averaged profile, by a central difference.

@@ -109,7 +109,8 @@ impl Level {
         } = model.sample_sector(grid, sector);
         let elasticity = model.elasticity(&grid)?;
         let (known, area) = (elasticity.value.clone(), grid.element_area());
-        let problem = DiscreteProblem::of_sector(known, sector, compliance, initial_gap, area)?;
+        let problem = DiscreteProblem::of_sector(known, sector, compliance, initial_gap, area)?
+            .with_spring_law(model.relief.spring_law());
         let everywhere = problem.everywhere();
         Ok(Self {
             keeps,

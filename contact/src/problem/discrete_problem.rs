@@ -2,16 +2,18 @@
 //!
 //! Find `p ≥ 0` and `D` with `g = K p + η p + g0 − D ≥ 0` and `p g = 0`: the conditions (2.1)–(2.2) of the
 //! paper in our signs. It is the minimum of the energy `½ p·(K + η) p + g0·p` over the pressures of the given
-//! force, or of that energy less `D Σ p` where the penetration is given.
+//! force, or of that energy less `D Σ p` where the penetration is given. Springs of another [law](SpringLaw) have their
+//! `w*(p)` in place of `η p`, and `∫ w* dp` in place of `½ η p²`: convex as well.
 
 use std::sync::Arc;
 
 use pellicle_influence::{ElasticOperator, Sector, SurfaceElasticity};
+use pellicle_texture::SpringLaw;
 use rayon::prelude::*;
 
 use crate::{
     ContactError, grid::window::Window, problem::body::Body, problem::scale::Scale,
-    vector::update_with,
+    problem::tangents::Tangents, vector::update_with,
 };
 
 /// Values looked at together: to ask after each whether another thread has found a wrong one took a ninth of a Hertz
@@ -34,6 +36,9 @@ pub struct DiscreteProblem {
     sector: Sector,
     size: usize,
     relief_compliance: Vec<f64>,
+    spring_law: SpringLaw,
+    /// The springs straightened, where they are not linear and have been so far.
+    tangents: Option<Tangents>,
     initial_gap: Vec<f64>,
     element_area: f64,
     scale: Scale,
@@ -128,11 +133,24 @@ impl DiscreteProblem {
             sector,
             size,
             relief_compliance,
+            spring_law: SpringLaw::LINEAR,
+            tangents: None,
             initial_gap,
             element_area,
             grid_size: size,
             identity: Identity::default(),
         })
+    }
+
+    /// The same problem on springs of another law than the linear one; the relief's compliance is theirs at rest.
+    #[must_use]
+    pub fn with_spring_law(self, spring_law: SpringLaw) -> Self {
+        Self {
+            spring_law,
+            tangents: None,
+            identity: Identity::default(),
+            ..self
+        }
     }
 
     /// The source of the operator, where it is known.
@@ -151,6 +169,8 @@ impl DiscreteProblem {
             sector: self.sector,
             size: window.size(),
             relief_compliance: window.cut(&self.relief_compliance),
+            spring_law: self.spring_law,
+            tangents: None,
             initial_gap: window.cut(&self.initial_gap),
             element_area: self.element_area,
             scale: self.scale,
@@ -202,7 +222,13 @@ impl DiscreteProblem {
         self.initial_gap.len()
     }
 
-    /// The relief's compliance `η`, in m/Pa.
+    /// How the relief's springs shorten.
+    #[must_use]
+    pub fn spring_law(&self) -> SpringLaw {
+        self.spring_law
+    }
+
+    /// The relief's compliance at rest `η`, in m/Pa.
     #[must_use]
     pub fn relief_compliance(&self) -> &[f64] {
         &self.relief_compliance
@@ -256,27 +282,49 @@ impl DiscreteProblem {
         })
     }
 
-    /// Writes `(K + η) p` (m) of the pressure `p` (Pa) into `deformation`: one product with `K`.
+    /// The springs straightened; none where they are linear, or have not been straightened yet.
+    pub(crate) fn tangents(&self) -> Option<&Tangents> {
+        self.tangents.as_ref()
+    }
+
+    /// Straightens springs that are not linear at a pressure ≥ 0, in the units of the problem's scale.
+    pub(crate) fn straighten_springs(&mut self, pressure: &[f64]) {
+        let (law, rest) = (self.spring_law, &self.relief_compliance);
+        if self.tangents.is_none() {
+            self.tangents = Tangents::at_rest(law, self.scale, rest);
+        }
+        if let Some(tangents) = &mut self.tangents {
+            tangents.take(rest, pressure);
+        }
+    }
+
+    /// The compliance (m/Pa) of the linear problem: `η`, or that of the straightened springs.
+    pub(crate) fn tangent_compliance(&self) -> &[f64] {
+        (self.tangents.as_ref()).map_or(&self.relief_compliance, Tangents::compliance)
+    }
+
+    /// Writes `K p + w*(p)` (m) of the pressure `p` (Pa) into `deformation`, `(K + η) p` on linear springs: one product
+    /// with `K`.
     pub fn deform_into(&mut self, pressure: &[f64], deformation: &mut [f64]) {
         self.operator_mut().apply_into(pressure, deformation);
+        let law = self.spring_law;
         update_with(
             deformation,
             &self.relief_compliance,
             pressure,
-            |v, eta, p| *v += eta * p,
+            |v, eta, p| *v += law.shortening(*eta, *p),
         );
     }
 
-    /// The same of a pressure and a deformation in the units of the problem's [scale](Self::scale).
+    /// Writes `(K + η) p` of the linear problem into `deformation`, both in the units of the problem's
+    /// [scale](Self::scale).
     pub(crate) fn deform_to_scale(&mut self, pressure: &[f64], deformation: &mut [f64]) {
         let per_unit = 1.0 / self.scale.compliance;
         self.operator_mut().apply_into(pressure, deformation);
-        update_with(
-            deformation,
-            &self.relief_compliance,
-            pressure,
-            |v, eta, p| *v = (*v + eta * p) * per_unit,
-        );
+        let compliance = self.tangent_compliance();
+        update_with(deformation, compliance, pressure, |v, eta, p| {
+            *v = (*v + eta * p) * per_unit;
+        });
     }
 }
 

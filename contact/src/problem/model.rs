@@ -89,6 +89,7 @@ impl Model {
         let sector = Sector::Whole;
         let value =
             DiscreteProblem::of_sector(value, sector, compliance.to_vec(), initial_gap, area)?;
+        let value = value.with_spring_law(sampled.relief.spring_law());
         Ok(Cached { value, origin })
     }
 

@@ -12,6 +12,12 @@ pub struct Scale {
 }
 
 impl Scale {
+    /// The units of the problem's own numbers.
+    pub const SI: Self = Self {
+        length: 1.0,
+        compliance: 1.0,
+    };
+
     /// From the side of an element (m) and its coefficient to itself (m/Pa).
     pub fn new(side: f64, own_coefficient: f64) -> Self {
         Self {

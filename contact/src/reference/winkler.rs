@@ -43,6 +43,23 @@ pub fn from_force(radius: f64, compliance: f64, force: f64) -> WinklerContact {
     }
 }
 
+/// Force (N) of the paraboloid `f = ρ²/2R` on springs of the logarithmic law, of height h (m) and Young's modulus E (Pa),
+/// at a penetration `D ≤ h` (m): `p = −E ln(1 − (D − f)/h)` integrated over the contact of radius `√(2RD)`,
+///
+/// ```text
+/// Q = 2π R h E (1 − u + u ln u),    u = 1 − D/h
+/// ```
+#[must_use]
+pub fn force_on_stiffening(radius: f64, height: f64, young_modulus: f64, penetration: f64) -> f64 {
+    let left = 1.0 - penetration / height;
+    let integral = if left > 0.0 {
+        (1.0 - left) + left * left.ln()
+    } else {
+        1.0
+    };
+    2.0 * PI * radius * height * young_modulus * integral
+}
+
 impl WinklerContact {
     /// Pressure at the distance ρ (m) from the axis, Pa: `p = (D − ρ²/2R)/η`, 0 outside the contact.
     #[must_use]

@@ -1,6 +1,6 @@
 //! The proof that a pressure solves the contact problem, computed afresh from the pressure alone.
 //!
-//! With `v = K p + η p + g0` and `D = Σ p v / Σ p` (or the prescribed penetration), `g = v − D`, every line is
+//! With `v = K p + w* + g0`, where `w*` is the springs' shortening by their own law, `η p` if it is linear, and `D = Σ p v / Σ p` (or the prescribed penetration), `g = v − D`, every line is
 //! a number without scale:
 //!
 //! ```text
@@ -104,7 +104,7 @@ impl Solution {
         let surface = DeformedSurface::new(
             fields.displacement,
             &solution.pressure,
-            problem.relief_compliance(),
+            (problem.spring_law(), problem.relief_compliance()),
             problem.initial_gap(),
             solution.penetration,
         );
@@ -141,9 +141,12 @@ impl Solution {
         problem.displace_into([window, &reach], &pressure, displacement);
         *products += 1;
         let window_of_reach = window.within(&reach);
-        // η p
+        // w*(p), of linear springs η p
+        let law = problem.spring_law();
         let mut shortening = window.cut(problem.relief_compliance());
-        update(&mut shortening, &pressure, |eta, p| *eta *= p);
+        update(&mut shortening, &pressure, |eta, p| {
+            *eta = law.shortening(*eta, *p);
+        });
         let penetration = match load {
             Load::Penetration(penetration) => penetration,
             // D = Σ p v / Σ p

@@ -20,7 +20,7 @@ pub struct ContactField<'a> {
     pub judged: &'a JudgedFields,
     /// Whether an element lies on the relief, on the window's sector.
     pub mask: &'a [bool],
-    /// Compliance `η` of the relief on the window's sector, in m/Pa.
+    /// Compliance at rest `η` of the relief on the window's sector, in m/Pa.
     pub compliance: &'a [f64],
     /// Influence coefficient of an element on itself, in m/Pa.
     pub coefficient: f64,
@@ -50,10 +50,12 @@ impl ContactField<'_> {
         self.mask[i * self.window.grid() + j]
     }
 
-    /// `η` of an element of the window, in m/Pa.
-    pub fn compliance_of(&self, element: usize) -> f64 {
+    /// `w*/p` of an element of the window, in m/Pa: `η` of linear springs.
+    pub fn secant_of(&self, element: usize) -> f64 {
         let [i, j] = self.on_sector(element);
-        self.compliance[i * self.window.grid() + j]
+        let compliance = self.compliance[i * self.window.grid() + j];
+        let law = self.model.relief.spring_law();
+        law.secant(compliance, self.pressure[element])
     }
 
     /// The gap of an element of the window, in m; infinite where the indenter has no surface.

@@ -278,7 +278,7 @@ fn crossing(field: &ContactField<'_>, inside: &CellCorner, outside: &CellCorner)
             crate::Profile::distance_to_rim(&field.model.indenter, x, y)
         })));
     }
-    let (own, eta) = (field.coefficient, field.compliance_of(element));
+    let (own, eta) = (field.coefficient, field.secant_of(element));
     // s = (κ K₀₀ + η) p
     let level = (OWN_PRESSURE * own + eta) * field.pressure[element];
     // Both are 0 where a pressure is too small for its level.

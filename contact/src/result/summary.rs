@@ -34,7 +34,7 @@ pub struct Summary {
     pub contact_area_on_relief: f64,
     /// Contact area between the cylinders, in m².
     pub contact_area_between: f64,
-    /// Largest shortening `η p` of the relief, in m.
+    /// Largest shortening `w*` of the relief, in m.
     pub largest_shortening: f64,
     /// Distance from the axis to the farthest point of the contact's edge, in m; 0 without contact.
     pub contact_radius: f64,
@@ -47,6 +47,7 @@ impl Summary {
     pub(crate) fn of(field: &ContactField<'_>, force: f64) -> Self {
         let (window, grid) = (field.window, field.grid);
         let size = grid.size();
+        let law = field.model.relief.spring_law();
         let place = |e: usize| [grid.centre(e / size), grid.centre(e % size)];
         let of_line = |line: usize, pressure: &[f64]| {
             let compliance = window.line(field.compliance, line);
@@ -56,7 +57,7 @@ impl Summary {
             for (column, p) in columns.clone() {
                 let [i, j] = image(column);
                 found.add(i * size + j, *p);
-                found.shortening = found.shortening.max(compliance[column] * p);
+                found.shortening = found.shortening.max(law.shortening(compliance[column], *p));
             }
             // Of one row, no element is nearer to an edge than the outermost two.
             for (column, _) in [columns.next(), columns.next_back()].into_iter().flatten() {

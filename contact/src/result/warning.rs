@@ -155,7 +155,7 @@ impl fmt::Display for Warning {
             ),
             Self::FilmShortening { step, times } => write!(
                 f,
-                "step {step}: the relief shortens by {times:.2} times its height, beyond what linear springs describe"
+                "step {step}: the relief shortens by {times:.2} times its height, beyond what linear springs describe: choose `surface.law = \"logarithmic\"`"
             ),
             Self::TextureUnderResolved {
                 elements_per_radius,

@@ -7,8 +7,11 @@ use pellicle_influence::{
 };
 use pellicle_texture::Grid;
 
-use super::ModelParameter;
-use crate::{ContactError, Model, SampledModel, grid::window::Window, problem::model::initial_gap};
+use super::{ModelParameter, springs::SpringChange};
+use crate::{
+    ContactError, Model, SampledModel, grid::window::Window, problem::model::initial_gap,
+    vector::dot,
+};
 
 /// Relative step of the central difference by which springs and heights are differentiated: an error of 1e-10 by its
 /// square, and as much by rounding.
@@ -72,13 +75,23 @@ impl ModelDerivatives {
     }
 }
 
+/// Derivatives under a pressure `p`, on its window.
+pub struct Changed {
+    /// `K_θ p + w*_θ(p)`.
+    pub image: Vec<f64>,
+    /// `½ p·K_θ p + Σ ∂/∂θ ∫ w* dp`.
+    pub energy: f64,
+    /// `g0_θ`.
+    pub gap: Vec<f64>,
+}
+
 /// Derivatives by one number θ on a grid, per unit of θ.
 pub enum Change {
     /// `K_θ`.
     Coefficients(SurfaceElasticity),
-    /// `η_θ` and `g0_θ`, N² values each.
+    /// Of the springs, and `g0_θ`, N² values.
     Geometry {
-        compliance: Vec<f64>,
+        springs: SpringChange,
         initial_gap: Vec<f64>,
     },
 }
@@ -111,39 +124,47 @@ impl Change {
                 ..
             } = SampledModel::on(*grid, &moved.relief, &moved.indenter);
             let gap = initial_gap(&indenter_profile, relief.profile());
-            Ok::<_, ContactError>((relief.into_parts().2, gap))
+            let law = relief.spring_law();
+            Ok::<_, ContactError>(((law, relief.into_parts().2), gap))
         };
         let (more, less) = (at(value + step)?, at(value - step)?);
         Ok(Self::Geometry {
-            compliance: difference(&more.0, &less.0, step),
             initial_gap: difference(&more.1, &less.1, step),
+            springs: SpringChange::of(more.0, less.0, step),
         })
     }
 
-    /// `(K_θ + η_θ) p` and `g0_θ` on a window of the grid, for a pressure `p` on it.
-    pub fn under(&self, window: &Window, pressure: &[f64]) -> [Vec<f64>; 2] {
+    /// What it changes on a window of the grid, under a pressure `p` on it.
+    pub fn under(&self, window: &Window, pressure: &[f64]) -> Changed {
         match self {
             Self::Coefficients(elasticity) => {
                 let mut image = vec![0.0; pressure.len()];
                 elasticity
                     .operator(window.size())
                     .apply_into(pressure, &mut image);
-                [image, vec![0.0; pressure.len()]]
+                Changed {
+                    energy: 0.5 * dot(pressure, &image),
+                    image,
+                    gap: vec![0.0; pressure.len()],
+                }
             }
             Self::Geometry {
-                compliance,
+                springs,
                 initial_gap,
             } => {
-                let springs = window.cut(compliance);
-                let image = springs.iter().zip(pressure).map(|(eta, p)| eta * p);
-                [image.collect(), window.cut(initial_gap)]
+                let (image, energy) = springs.under(window, pressure);
+                Changed {
+                    image,
+                    energy,
+                    gap: window.cut(initial_gap),
+                }
             }
         }
     }
 }
 
 /// `(more − less)/(2 step)`; 0 where both are infinite, beyond the indenter's end.
-fn difference(more: &[f64], less: &[f64], step: f64) -> Vec<f64> {
+pub(super) fn difference(more: &[f64], less: &[f64], step: f64) -> Vec<f64> {
     let pairs = more.iter().zip(less);
     let slope = |(more, less): (&f64, &f64)| {
         if more.is_finite() && less.is_finite() {

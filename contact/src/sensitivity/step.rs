@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::change::{Change, ModelDerivatives};
+use super::change::{Change, Changed, ModelDerivatives};
 use crate::{
     ContactError, DiscreteProblem, LoadingPath, Solution,
     grid::window::Window,
@@ -87,8 +87,9 @@ impl Sensitivities<'_> {
         let rates = part.and_then(|mut part| pressure_per_penetration(&mut part, &pressure));
         let area = self.path.grid.element_area();
         let of_change = |(value, change): &(f64, Change)| {
-            let [image, gap] = change.under(&window, &pressure);
-            let energy = area * change_of_energy(&pressure, &image, &gap);
+            let changed = change.under(&window, &pressure);
+            let energy = area * change_of_energy(&pressure, &changed);
+            let Changed { image, gap, .. } = changed;
             // s·((K_θ + η_θ) p + g0_θ) / Σ s
             let penetration =
                 (rates.as_ref()).map(|rates| (dot(rates, &image) + dot(rates, &gap)) / sum(rates));
@@ -114,13 +115,13 @@ impl Sensitivities<'_> {
         let (window, pressure) = self.pressed(step);
         let area = self.path.grid.element_area();
         let of_change = |(_, change): &(f64, Change)| {
-            let [image, gap] = change.under(&window, &pressure);
-            area * change_of_energy(&pressure, &image, &gap)
+            area * change_of_energy(&pressure, &change.under(&window, &pressure))
         };
         self.changes.iter().map(of_change).collect()
     }
 
-    /// The energy `E = ∫ D dQ` of a step, in J: `½ (D Q + A g0·p)`, since `(K + η) p + g0 = D` where p is not zero.
+    /// The energy `E = ∫ D dQ` of a step, in J: `½ (D Q + A g0·p)`, since `(K + η) p + g0 = D` where p is not zero, and
+    /// `A Σ (∫ w* dp − ½ w* p)` of springs that are not linear.
     ///
     /// # Panics
     /// If there is no such step.
@@ -130,8 +131,14 @@ impl Sensitivities<'_> {
         let gap = window.cut(self.problem.initial_gap());
         let pairs = pressure.iter().zip(gap).filter(|(p, _)| **p > 0.0);
         let weighted: f64 = pairs.map(|(p, gap)| p * gap).sum();
+        let springs = window.cut(self.problem.relief_compliance());
+        let law = self.problem.spring_law();
+        let bent = springs.iter().zip(&pressure);
+        let bent = bent.map(|(eta, p)| law.energy(*eta, *p) - 0.5 * law.shortening(*eta, *p) * p);
+        let bent: f64 = bent.sum();
         let penetration = self.path.steps[step].solution.penetration;
-        0.5 * self.path.grid.element_area() * (penetration * sum(&pressure) + weighted)
+        let area = self.path.grid.element_area();
+        0.5 * area * (penetration * sum(&pressure) + weighted) + area * bent
     }
 
     /// The window that holds a step's pressure, and the pressure on it.
@@ -144,7 +151,7 @@ impl Sensitivities<'_> {
     }
 }
 
-/// `½ p·(K_θ + η_θ) p + g0_θ·p`, by the image of the pressure.
-fn change_of_energy(pressure: &[f64], image: &[f64], gap: &[f64]) -> f64 {
-    0.5 * dot(pressure, image) + dot(pressure, gap)
+/// `½ p·(K_θ + η_θ) p + g0_θ·p`.
+fn change_of_energy(pressure: &[f64], changed: &Changed) -> f64 {
+    changed.energy + dot(pressure, &changed.gap)
 }

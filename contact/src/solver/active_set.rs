@@ -9,11 +9,18 @@
 //! towards the solution on the working set until an element would pull, drops that one, and takes in the element
 //! with the largest overlap only at the minimum of a set. The energy falls strictly from minimum to minimum, so no
 //! set occurs twice (Nocedal and Wright 2006, section 16.5).
+//!
+//! Springs that are not linear are straightened, and again at each solution: Newton's method around all this.
 
 mod dense_system;
 mod exchange;
+mod springs;
 
-use self::{dense_system::DenseSystem, exchange::Exchange};
+use self::{
+    dense_system::{DenseSystem, SetSolution},
+    exchange::Exchange,
+    springs::DenseSprings,
+};
 use super::{Iterate, Solver, SolverOptions, Watch};
 use crate::{ContactError, DiscreteProblem, Load};
 
@@ -45,23 +52,52 @@ impl Solver for ActiveSetSolver {
         start: &[f64],
         watch: &mut Watch<'_>,
     ) -> Result<Iterate, ContactError> {
-        let size = problem.size();
-        check_size(size)?;
-        let system = DenseSystem::new(problem, load);
-        let mut exchange = Exchange::start(&system, start);
-        let (mut residuals, mut before) = (Vec::new(), Vec::new());
+        check_size(problem.size())?;
+        let mut system = DenseSystem::new(problem, load);
+        let mut residuals = Vec::new();
+        let mut solution = self.solve_linear(&system, start, &mut residuals, watch)?;
+        let Some(mut springs) = DenseSprings::of(problem) else {
+            return Ok(solution.into_iterate(residuals));
+        };
+        while springs.straighten(&mut system, &solution) {
+            let start = springs.pressure().to_vec();
+            solution = self.solve_linear(&system, &start, &mut residuals, watch)?;
+            if residuals.len() > self.options.max_applications {
+                break;
+            }
+        }
+        Ok(solution.into_iterate(residuals))
+    }
+}
+
+impl ActiveSetSolver {
+    /// Exchanges until the set is right, or so often that it is given up.
+    fn solve_linear(
+        &self,
+        system: &DenseSystem,
+        start: &[f64],
+        residuals: &mut Vec<f64>,
+        watch: &mut Watch<'_>,
+    ) -> Result<SetSolution, ContactError> {
+        let mut exchange = Exchange::start(system, start);
+        let mut before = Vec::new();
         loop {
             let members = exchange.members();
             let trial = system.solve_on(members)?;
             let working_set = [members.len(), moves(&before, members)];
-            watch.tell(size, residuals.len(), trial.residual(), working_set)?;
+            watch.tell(
+                system.size(),
+                residuals.len(),
+                trial.residual(),
+                working_set,
+            )?;
             residuals.push(trial.residual());
             let given_up = residuals.len() > self.options.max_applications;
             if trial.infeasible.is_empty() || given_up {
-                return Ok(trial.into_iterate(residuals));
+                return Ok(trial);
             }
             before = members.to_vec();
-            exchange.advance(&system, &trial);
+            exchange.advance(system, &trial);
         }
     }
 }

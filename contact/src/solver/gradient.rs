@@ -36,6 +36,9 @@
 //! more than some twenty times as stiff as its base a factorised sparse approximate inverse `Gᵀ G` of the restricted
 //! system (Kaporin 1994; Schäfer, Katzfuss and Owhadi 2021).
 //!
+//! **Springs.** Where their law is not linear they are straightened at a pressure, and anew as soon as their law has
+//! more to say than the linear problem: Newton's method around the loop above, at no product of its own.
+//!
 //! **Why it ends.** No accepted fast step raises the energy above the largest of the last few; a step that does not
 //! start downhill is replaced by a projection of the plain gradient, which always does. After sixteen exchanges without
 //! gain Newton gives way to the descent, which visits no face twice. The number of products is bounded besides, and the
@@ -49,13 +52,14 @@ mod context;
 mod control;
 mod ongoing_solution;
 mod preconditioner;
+mod springs;
 mod state;
 mod steps;
 mod strategy;
 mod working_set;
 
 use self::{
-    ongoing_solution::{OngoingSolution, Workspace},
+    ongoing_solution::{Judgement, OngoingSolution, Workspace},
     strategy::{Phase, Strategy},
 };
 use super::{Iterate, Solver, SolverOptions, Watch};
@@ -87,12 +91,16 @@ impl Solver for GradientSolver {
         let mut strategy = Strategy::new();
         let mut residuals = Vec::new();
         let ending = loop {
-            let (residual, is_admissible) = solution.judge();
-            solution.tell(watch, residuals.len(), residual)?;
-            residuals.push(residual);
-            if let Some(ending) = self.ending(&solution, &strategy, residual, is_admissible) {
+            let judgement = solution.judge();
+            solution.tell(watch, residuals.len(), judgement.residual)?;
+            residuals.push(judgement.residual);
+            if let Some(ending) = self.ending(&solution, &strategy, judgement) {
                 break ending;
             }
+            if solution.straighten(&judgement, strategy.phase()) {
+                strategy.begin_anew();
+            }
+            let residual = judgement.linear;
             if !residual.is_finite() {
                 // Nothing was left of the pressure, or rounding is all there is: back to the best.
                 strategy.descend();
@@ -178,9 +186,13 @@ impl GradientSolver {
         &self,
         solution: &OngoingSolution<'_>,
         strategy: &Strategy,
-        residual: f64,
-        is_admissible: bool,
+        judgement: Judgement,
     ) -> Option<Ending> {
+        let Judgement {
+            residual,
+            is_admissible,
+            ..
+        } = judgement;
         let options = &self.options;
         // A descent that ends in no number would only begin again.
         let is_lost = residual.is_infinite() && strategy.phase() == Phase::Descent;

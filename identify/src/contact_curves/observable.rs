@@ -8,6 +8,8 @@ use crate::Prediction;
 
 /// Steps of Newton's method for the force at a depth: it is convex in logarithms, and a few do.
 const MOST_STEPS: usize = 60;
+/// Relative step of a force, by which the stiffness is differentiated.
+const STEP: f64 = 1e-3;
 /// Relative accuracy of that force.
 const ACCURACY: f64 = 1e-13;
 
@@ -20,6 +22,10 @@ pub enum Observable {
     /// The force (N) at penetrations (m).
     #[serde(rename = "force at depth")]
     ForceAtDepth,
+    /// The contact stiffness `dQ/dD` (N/m) at contact radii (m), `√(A/π)` of the contact area A. Under indenters of
+    /// revolution it does not depend on their shape: each is the stiffness of a flat punch of that radius.
+    #[serde(rename = "stiffness at contact radius")]
+    StiffnessAtContactRadius,
 }
 
 impl Observable {
@@ -62,8 +68,32 @@ impl Observable {
                 let changes = point.changes.iter().map(|change| -change / point.slope);
                 Ok((force, 1.0 / point.slope, changes.collect()))
             }
+            Self::StiffnessAtContactRadius => {
+                let force = force_at_radius(curve, abscissa)?;
+                let stiffness = |part: f64| curve.stiffness(force * part);
+                let [_, rate] = curve.radius(force);
+                // dS/da = (dS/dQ)/(da/dQ)
+                let by_force =
+                    (stiffness(1.0 + STEP) - stiffness(1.0 - STEP)) / (2.0 * STEP * force);
+                Ok((stiffness(1.0), by_force / rate, Vec::new()))
+            }
         }
     }
+}
+
+/// The force that gives a contact radius, by Newton's method in logarithms.
+fn force_at_radius(curve: &SolvedCurve, radius: f64) -> Result<f64, ContactError> {
+    let [least, most] = curve.ends();
+    let mut force = most;
+    for _ in 0..MOST_STEPS {
+        let [found, rate] = curve.radius(force);
+        let change = (radius / found).ln() * found / (force * rate);
+        force = (force * change.exp()).clamp(least, most);
+        if change.abs() <= ACCURACY.sqrt() || (force == least && change < 0.0) {
+            return Ok(force);
+        }
+    }
+    Err(ContactError::Force { force })
 }
 
 /// The force that gives a penetration, by Newton's method in logarithms; 0 where there is none.

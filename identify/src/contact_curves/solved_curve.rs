@@ -2,7 +2,7 @@
 
 use pellicle_contact::{
     ContactError, Domain, ForceCurve, Load, LoadingPath, Model, ModelDerivatives, ModelParameter,
-    SolverOptions, Status, default_side, estimated_force, solve_path,
+    SolverOptions, Status, default_side, estimated_force, estimated_force_at_radius, solve_path,
 };
 use rayon::prelude::*;
 
@@ -38,6 +38,8 @@ enum NodeEnds {
     Forces([f64; 2]),
     /// Depths (m), whose forces depend on the parameters.
     Depths([f64; 2]),
+    /// Contact radii (m), whose forces depend on the parameters.
+    Radii([f64; 2]),
 }
 
 impl Nodes {
@@ -50,16 +52,18 @@ impl Nodes {
         if most == 0.0 {
             return Err(ContactError::Force { force: most });
         }
-        let (ends, decades) = match curve.observable {
-            Observable::DepthAtForce => {
-                let ends = [least.max(SMALLEST_PART * most), most];
-                (NodeEnds::Forces(ends), (ends[1] / ends[0]).log10())
-            }
-            Observable::ForceAtDepth => {
-                let ends = [least.max(SMALLEST_PART.powf(2.0 / 3.0) * most), most];
-                let decades = 1.5 * (ends[1] / ends[0]).log10() + 2.0 * ESTIMATE.log10();
-                (NodeEnds::Depths(ends), decades)
-            }
+        // The force goes with this power of the abscissa, about.
+        let (power, estimate): (f64, f64) = match curve.observable {
+            Observable::DepthAtForce => (1.0, 1.0),
+            Observable::ForceAtDepth => (1.5, ESTIMATE),
+            Observable::StiffnessAtContactRadius => (3.0, ESTIMATE),
+        };
+        let ends = [least.max(SMALLEST_PART.powf(1.0 / power) * most), most];
+        let decades = power * (ends[1] / ends[0]).log10() + 2.0 * estimate.log10();
+        let ends = match curve.observable {
+            Observable::DepthAtForce => NodeEnds::Forces(ends),
+            Observable::ForceAtDepth => NodeEnds::Depths(ends),
+            Observable::StiffnessAtContactRadius => NodeEnds::Radii(ends),
         };
         let wanted = (decades * options.loads_per_decade).ceil();
         let count = (1..MOST_INTERVALS).find(|count| f64::from(*count) >= wanted);
@@ -81,6 +85,10 @@ impl Nodes {
                 estimated_force(model, least) / ESTIMATE,
                 estimated_force(model, most) * ESTIMATE,
             ],
+            NodeEnds::Radii([least, most]) => [
+                estimated_force_at_radius(model, least) / ESTIMATE,
+                estimated_force_at_radius(model, most) * ESTIMATE,
+            ],
         };
         // One node beyond each end, where a spline knows less.
         let inside = (self.count - 3) as f64;
@@ -97,7 +105,11 @@ pub struct SolvedCurve {
     /// Forces at both ends of what was solved, N.
     ends: [f64; 2],
     energy: ForceCurve,
+    /// `√(A/π)` of the contact area A.
+    radius: ForceCurve,
     changes: Vec<ForceCurve>,
+    /// Products with `K` on the finer grids of all loads.
+    pub products: usize,
 }
 
 /// `D`, `dD/dQ` and each `∂D/∂θ` at a force.
@@ -119,16 +131,19 @@ impl SolvedCurve {
         let forces = nodes.forces(model);
         let solved = forces.par_iter();
         let solved = solved.map(|force| energies(model, &derivatives, *force, options.elements));
-        let solved: Vec<Result<Vec<f64>, ContactError>> = solved.collect();
+        let solved: Vec<Result<(Vec<f64>, usize), ContactError>> = solved.collect();
         let solved = solved.into_iter().collect::<Result<Vec<_>, _>>()?;
+        let products = solved.iter().map(|(_, products)| products).sum();
         let curve = |index: usize| {
-            let values: Vec<f64> = solved.iter().map(|of_load| of_load[index]).collect();
+            let values: Vec<f64> = solved.iter().map(|(of_load, _)| of_load[index]).collect();
             ForceCurve::through(&forces, &values).ok_or(ContactError::Force { force: forces[0] })
         };
         Ok(Self {
             ends: [forces[0], forces[forces.len() - 1]],
+            products,
             energy: curve(0)?,
-            changes: (1..=parameters.len())
+            radius: curve(1)?,
+            changes: (2..parameters.len() + 2)
                 .map(curve)
                 .collect::<Result<_, _>>()?,
         })
@@ -154,34 +169,45 @@ impl SolvedCurve {
         }
     }
 
+    /// The contact radius (m) at a force, and its derivative by the force.
+    pub fn radius(&self, force: f64) -> [f64; 2] {
+        [self.radius.value(force), self.radius.derivative(force)]
+    }
+
+    /// The contact stiffness `dQ/dD = 1/E″` (N/m) at a force.
+    pub fn stiffness(&self, force: f64) -> f64 {
+        1.0 / self.energy.second_derivative(force)
+    }
+
     /// Forces at both ends of what was solved, N.
     pub fn ends(&self) -> [f64; 2] {
         self.ends
     }
 }
 
-/// `E` and each `∂E/∂θ` under a force, extrapolated from a grid of `elements` per side and one of half as many.
+/// `E`, the contact radius and each `∂E/∂θ` under a force, extrapolated from a grid of `elements` per side and one of half as many.
 ///
-/// Their errors fall with the square of the element's side: `(4 E_h − E_2h)/3`.
+/// Their errors fall with the square of the element's side: `(4 E_h − E_2h)/3`. Besides the products on the finer grid.
 fn energies(
     model: &Model,
     derivatives: &ModelDerivatives,
     force: f64,
     elements: usize,
-) -> Result<Vec<f64>, ContactError> {
+) -> Result<(Vec<f64>, usize), ContactError> {
     let side = SIDE_PER_RADIUS * contact_radius(model, force, elements / 2)?;
     let on_grid = |elements: usize| {
         let path = solved(model, force, side, elements)?;
         let sensitivities = derivatives.of_path(&path)?;
-        let mut energies = vec![sensitivities.energy(0)];
+        let step = &path.steps[0];
+        let radius = (step.summary.contact_area / std::f64::consts::PI).sqrt();
+        let mut energies = vec![sensitivities.energy(0), radius];
         energies.extend(sensitivities.energies(0));
-        Ok::<_, ContactError>(energies)
+        Ok::<_, ContactError>((energies, step.work.operator_applications))
     };
-    let (fine, coarse) = (on_grid(elements)?, on_grid(elements / 2)?);
+    let ((fine, products), (coarse, _)) = (on_grid(elements)?, on_grid(elements / 2)?);
     let pairs = fine.iter().zip(&coarse);
-    Ok(pairs
-        .map(|(fine, coarse)| (4.0 * fine - coarse) / 3.0)
-        .collect())
+    let extrapolated = pairs.map(|(fine, coarse)| (4.0 * fine - coarse) / 3.0);
+    Ok((extrapolated.collect(), products))
 }
 
 /// The contact radius (m) on a grid that holds the contact.

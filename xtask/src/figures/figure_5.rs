@@ -1,4 +1,4 @@
-//! Fig. 5: pressure under the Berkovich pyramid with and without film.
+//! Fig. 5: pressure under the Berkovich pyramid with and without film, and with a film that stiffens.
 
 use pellicle_cli::Units;
 use pellicle_cli::drawing::Axis;
@@ -7,14 +7,15 @@ use pellicle_cli::drawing::accuracy::BRACKETS;
 use pellicle_cli::{Scale, Unit, quantity};
 
 use super::chart::{self, AXIS, ChartLine, LEFT};
-use super::pressures::{FILM_AND_BARE, Pressures, Shown, reach, rounded_up};
+use super::pressures::{FILMS_AND_BARE, Pressures, Shown, reach, rounded_up};
 use super::runner::{Runner, SolvedStep};
 use super::sheet::{Caption, Picture, Sheet};
 use crate::XtaskError;
 
 /// The panels and their cases.
-const PANELS: [(&str, &str); 2] = [
+const PANELS: [(&str, &str); 3] = [
     ("with film", "cases/fig5-film"),
+    ("film that stiffens", "cases/paper/fig5-stiffening"),
     ("without film", "cases/fig5-bare"),
 ];
 
@@ -51,7 +52,7 @@ pub(super) fn draw(runner: &Runner) -> Result<Vec<Picture>, XtaskError> {
     Ok(pictures)
 }
 
-/// The same ends of axes and colours in both panels.
+/// The same ends of axes and colours in all panels.
 fn panels<'a>(steps: &'a [SolvedStep]) -> Vec<Shown<'a>> {
     let peaks = || steps.iter().map(|step| step.numbers().max_pressure);
     let pascals = Scale::of(peaks().fold(0.0, f64::max), Unit::Pascal, Units::Si);
@@ -73,6 +74,7 @@ fn notes(steps: &[SolvedStep]) -> Vec<String> {
     let mut notes = vec![
         format!("coating: E₁ = 70 GPa, E₁/E₂ = 10, ν₁ = 0.3, ν₂ = 0.4. Grey: film that carries nothing. {BRACKETS}."),
         "The film shortens by many times its thickness at this force, as printed: linear springs are used outside their validity.".into(),
+        "The film that stiffens has logarithmic springs of the same thickness and modulus, and is never squeezed beyond its thickness.".into(),
     ];
     let data = steps.iter().zip(PANELS);
     notes.extend(data.map(|(step, (name, _))| step.note(name)));
@@ -83,7 +85,7 @@ fn notes(steps: &[SolvedStep]) -> Vec<String> {
 fn profiles(pressures: &Pressures<'_>) -> Picture {
     let size = (PLACE.right() + 40.0, LEGEND + PLACE.height + AXIS);
     let mut sheet = Sheet::new(size, &pressures.caption);
-    let colours = FILM_AND_BARE.into_iter().enumerate();
+    let colours = FILMS_AND_BARE.into_iter().enumerate();
     let lines: Vec<ChartLine> = colours
         .map(|(i, colour)| pressures.profile(i, colour))
         .collect();
@@ -95,6 +97,6 @@ fn profiles(pressures: &Pressures<'_>) -> Picture {
         Axis::new(0.0, 1.06 * panel.top, pressure, 5),
     ];
     chart::draw(&mut sheet.svg, "", PLACE, axes, &lines);
-    chart::legend(&mut sheet.svg, (2, 420.0), &lines);
+    chart::legend(&mut sheet.svg, (3, 360.0), &lines);
     sheet.finish("fig5-profile", chart::csv([("along x", lines.as_slice())]))
 }

@@ -17,11 +17,8 @@ use super::chart::{ChartLine, quoted};
 use super::runner::SolvedStep;
 use super::sheet::{Caption, Picture, Sheet};
 
-/// Colours of the coating with and without film.
-pub(super) const FILM_AND_BARE: [Colour; 2] = [colours::SKY, colours::AMBER];
-
-/// Panels side by side.
-const COLUMNS: usize = 2;
+/// Colours of the coating with film, with a film that stiffens, and without.
+pub(super) const FILMS_AND_BARE: [Colour; 3] = [colours::SKY, colours::PURPLE, colours::AMBER];
 
 /// Of a map and its colour bar, in pixels.
 const MAP: f64 = 480.0;
@@ -101,11 +98,12 @@ impl Pressures<'_> {
         (width, height): (f64, f64),
         draw: fn(&Self, &mut Svg, (f64, f64), &Shown<'_>),
     ) -> Sheet {
-        let rows = self.panels.len().div_ceil(COLUMNS) as f64;
-        let mut sheet = Sheet::new((COLUMNS as f64 * width, rows * height), &self.caption);
+        let columns = if self.panels.len() == 3 { 3 } else { 2 };
+        let rows = self.panels.len().div_ceil(columns) as f64;
+        let mut sheet = Sheet::new((columns as f64 * width, rows * height), &self.caption);
         for (i, shown) in self.panels.iter().enumerate() {
-            let left = width * (i % COLUMNS) as f64;
-            let top = Sheet::TOP + height * (i / COLUMNS) as f64;
+            let left = width * (i % columns) as f64;
+            let top = Sheet::TOP + height * (i / columns) as f64;
             draw(self, &mut sheet.svg, (left, top), shown);
         }
         sheet

@@ -35,7 +35,8 @@ pub struct SetSolution {
     pub infeasible: Vec<usize>,
     /// Contact stiffness `dQ/dD = 4a² Σ a` of the set, in N/m.
     pub stiffness: f64,
-    penetration: f64,
+    /// Penetration, in m.
+    pub penetration: f64,
 }
 
 impl DenseSystem {
@@ -54,6 +55,17 @@ impl DenseSystem {
             relief_compliance: problem.relief_compliance().to_vec(),
             initial_gap: problem.initial_gap().to_vec(),
         }
+    }
+
+    /// Elements per side.
+    pub fn size(&self) -> usize {
+        self.size
+    }
+
+    /// Takes the springs' compliance and initial gap of another linear problem.
+    pub fn take_springs(&mut self, compliance: &[f64], initial_gap: Vec<f64>) {
+        self.relief_compliance.copy_from_slice(compliance);
+        self.initial_gap = initial_gap;
     }
 
     pub fn elements(&self) -> usize {

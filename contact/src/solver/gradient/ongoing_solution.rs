@@ -9,6 +9,7 @@ use crate::{
             context::Context,
             control::Control,
             preconditioner::Preconditioner,
+            springs::Springs,
             state::State,
             steps::{
                 conjugate::{ConjugateDirections, Course},
@@ -33,6 +34,8 @@ pub struct Workspace {
     preconditioner: Preconditioner,
     segment: Segment,
     methods: Methods,
+    /// None where they are linear.
+    springs: Option<Springs>,
 }
 
 /// The memory of each kind of step.
@@ -57,6 +60,7 @@ impl Workspace {
                 newton: None,
                 faces: None,
             },
+            springs: Springs::of(problem),
         }
     }
 
@@ -83,6 +87,17 @@ impl Workspace {
     }
 }
 
+/// The result of a look at the present pressure.
+#[derive(Debug, Clone, Copy)]
+pub struct Judgement {
+    /// The largest line of the certificate.
+    pub residual: f64,
+    /// That of the linear problem, which differs where springs that are not linear have been straightened.
+    pub linear: f64,
+    /// Whether no element pulls.
+    pub is_admissible: bool,
+}
+
 /// Everything that one solution carries from step to step.
 pub struct OngoingSolution<'a> {
     problem: &'a mut DiscreteProblem,
@@ -105,6 +120,10 @@ impl<'a> OngoingSolution<'a> {
         workspace.restart();
         workspace.best.restart();
         workspace.state.start(problem, control, start);
+        if let Some(springs) = &mut workspace.springs {
+            springs.straighten_here(problem, &mut workspace.state);
+            workspace.preconditioner.follow_springs(problem);
+        }
         workspace.set.start(&workspace.state);
         Self {
             problem,
@@ -114,16 +133,63 @@ impl<'a> OngoingSolution<'a> {
         }
     }
 
-    /// The largest line of the certificate by the running residual, and whether no element pulls; an admissible
-    /// pressure is kept if it is the best so far.
-    pub fn judge(&mut self) -> (f64, bool) {
-        let Workspace { state, best, .. } = &mut *self.workspace;
-        let (residual, is_admissible) = state.residual();
+    /// The largest line of the certificate by the running residual; an admissible pressure is kept if it is the best so
+    /// far.
+    pub fn judge(&mut self) -> Judgement {
+        let Workspace {
+            state,
+            best,
+            springs,
+            ..
+        } = &mut *self.workspace;
+        let (linear, is_admissible) = state.residual();
+        let residual = match springs {
+            Some(springs) if is_admissible => springs.residual(self.problem, state),
+            _ => linear,
+        };
         if is_admissible {
             best.offer(state, residual);
         }
         self.residual = residual;
-        (residual, is_admissible)
+        Judgement {
+            residual,
+            linear,
+            is_admissible,
+        }
+    }
+
+    /// Straightens springs that are not linear anew, where their law has more to say than the linear problem; whether
+    /// it did. No product.
+    pub fn straighten(&mut self, judgement: &Judgement, phase: Phase) -> bool {
+        let Workspace { state, springs, .. } = &mut *self.workspace;
+        let Some(springs) = springs else {
+            return false;
+        };
+        if !judgement.is_admissible || !Springs::are_bent(judgement.linear, judgement.residual) {
+            return false;
+        }
+        springs.straighten(self.problem, state);
+        self.begin_on_tangents();
+        let Workspace {
+            state,
+            set,
+            methods,
+            ..
+        } = &mut *self.workspace;
+        match (phase, &mut methods.faces) {
+            (Phase::Fast, _) => set.update(state),
+            (Phase::Descent, Some(faces)) => faces.begin(state),
+            _ => (),
+        }
+        true
+    }
+
+    /// Forgets all that was known of springs straightened otherwise.
+    fn begin_on_tangents(&mut self) {
+        self.course = Course::Left(Part::Whole);
+        self.workspace.restart();
+        let preconditioner = &mut self.workspace.preconditioner;
+        preconditioner.follow_springs(self.problem);
     }
 
     /// Tells who watches; an error if they cancel.
@@ -233,6 +299,11 @@ impl<'a> OngoingSolution<'a> {
 
     /// `dQ/dD` (N/m) on the elements that press, and the products that it takes; none where nothing presses.
     pub fn contact_stiffness(&mut self) -> (Option<f64>, usize) {
+        let Workspace { state, springs, .. } = &mut *self.workspace;
+        if let Some(springs) = springs {
+            springs.straighten_here(self.problem, state);
+            self.begin_on_tangents();
+        }
         let (mut context, methods) = self.workspace.on(self.problem);
         context.set.keep_pressing(context.state);
         if context.set.len() == 0 {

@@ -32,7 +32,7 @@ pub struct State {
     pub v: Vec<f64>,
     /// `D`.
     pub penetration: f64,
-    /// `g0`, 0 where nothing can touch.
+    /// `g0` of the linear problem, 0 where nothing can touch.
     pub initial_gap: Vec<f64>,
     /// The elements of the problem: those under the indenter.
     can_touch: Vec<bool>,
@@ -93,7 +93,28 @@ impl State {
             });
         }
         control.rescale(pressure);
+        problem.straighten_springs(&self.pressure);
+        self.take_gap(problem);
         self.refresh(problem);
+    }
+
+    /// Takes the initial gap of the linear problem: of straightened springs with what they keep when let go.
+    fn take_gap(&mut self, problem: &DiscreteProblem) {
+        let Some(tangents) = problem.tangents() else {
+            return;
+        };
+        let per_length = 1.0 / problem.scale().length;
+        update(&mut self.initial_gap, problem.initial_gap(), |to, g0| {
+            *to = if g0.is_finite() { g0 * per_length } else { 0.0 };
+        });
+        tangents.add_offset(problem.relief_compliance(), &mut self.initial_gap);
+    }
+
+    /// Goes on with springs that have been straightened at its pressure, for which its `v` is right already: no
+    /// product, but where that is far from balanced.
+    pub fn begin_on_tangents(&mut self, problem: &mut DiscreteProblem) {
+        self.take_gap(problem);
+        self.balance(problem);
     }
 
     pub fn elements(&self) -> usize {
@@ -247,31 +268,34 @@ impl State {
     ///
     /// The complementarity is a mean of gaps in contact, so it is never the largest.
     pub fn residual(&self) -> (f64, bool) {
-        let lines = by_parts(self.elements(), |part| self.lines(part));
+        self.residual_of(&self.v, self.penetration)
+    }
+
+    /// The same of another `v` and penetration at its pressure.
+    pub fn residual_of(&self, v: &[f64], penetration: f64) -> (f64, bool) {
+        let lines = by_parts(self.elements(), |part| self.lines(part, v, penetration));
         let lines = lines
             .into_iter()
             .fold(ResidualExtremes::default(), ResidualExtremes::and);
         let length = lines.largest.max(lines.overlap);
         // `max` drops what is no number, but in a sum it stays.
-        let is_number = (lines.sum + self.penetration).is_finite();
+        let is_number = (lines.sum + penetration).is_finite();
         let residual = if !is_number {
             f64::INFINITY
         } else if length == 0.0 {
             0.0
         } else {
-            length / self.penetration.abs()
+            length / penetration.abs()
         };
         (residual, !lines.pulls)
     }
 
-    fn lines(&self, part: std::ops::Range<usize>) -> ResidualExtremes {
+    fn lines(&self, part: std::ops::Range<usize>, v: &[f64], penetration: f64) -> ResidualExtremes {
         let mut lines = ResidualExtremes::default();
-        let fields = self.pressure[part.clone()]
-            .iter()
-            .zip(&self.v[part.clone()]);
+        let fields = self.pressure[part.clone()].iter().zip(&v[part.clone()]);
         for ((p, v), _) in (fields.zip(&self.can_touch[part])).filter(|(_, can_touch)| **can_touch)
         {
-            let gap = v - self.penetration;
+            let gap = v - penetration;
             lines.overlap = lines.overlap.max(-gap);
             lines.pulls |= *p < 0.0;
             lines.sum += p + v;

@@ -59,6 +59,11 @@ impl Strategy {
         }
     }
 
+    /// Goes on in the same phase with another problem.
+    pub fn begin_anew(&mut self) {
+        self.enter(self.phase);
+    }
+
     /// Descends for good.
     pub fn descend(&mut self) {
         self.enter(Phase::Descent);

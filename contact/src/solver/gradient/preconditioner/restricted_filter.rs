@@ -78,6 +78,11 @@ impl RestrictedFilter {
         self.band.surround(set);
     }
 
+    /// Forgets the compliances that it is tuned to.
+    pub fn forget_compliance(&mut self) {
+        self.mean_compliance = f64::NAN;
+    }
+
     fn tune(&mut self, mean: f64, relief_compliance: &[f64]) {
         self.mean_compliance = mean;
         let multiplier = |symbol: f64| 1.0 / (symbol + mean);

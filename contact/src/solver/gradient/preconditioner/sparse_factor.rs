@@ -78,24 +78,25 @@ impl SparseFactor {
         relief_compliance: &[f64],
         neighbours: usize,
     ) -> Self {
-        let own = elasticity.coefficient([0, 0]);
         let places = PLACES_PER_NEIGHBOUR * neighbours;
         let size = grid.size();
         Self {
             size,
             sector: grid.sector(),
             neighbours,
+            classes: classes(&elasticity, relief_compliance),
             elasticity,
-            classes: relief_compliance
-                .iter()
-                .map(|eta| class(eta / own))
-                .collect(),
             offsets: [0, 1, 2].map(|colour| earlier_offsets(colour, places)),
             known: HashMap::new(),
             rows: Vec::new(),
             row_of: vec![OUTSIDE; size * size],
             product: vec![0.0; size * size],
         }
+    }
+
+    /// Takes other compliances of the relief, in m/Pa: rows are of patterns of compliances, so those known stay right.
+    pub fn take_compliance(&mut self, relief_compliance: &[f64]) {
+        self.classes = classes(&self.elasticity, relief_compliance);
     }
 
     /// Finds the row of every element of the set, and computes those not met before.
@@ -229,6 +230,13 @@ impl SparseFactor {
             }
         });
     }
+}
+
+/// The class of every element's compliance (m/Pa).
+fn classes(elasticity: &SurfaceElasticity, relief_compliance: &[f64]) -> Vec<u16> {
+    let own = elasticity.coefficient([0, 0]);
+    let classes = relief_compliance.iter().map(|eta| class(eta / own));
+    classes.collect()
 }
 
 /// The class of compliance in the lower half of a pattern's entry.

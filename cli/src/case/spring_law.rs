@@ -1,0 +1,33 @@
+//! `surface.law`: how the springs of a relief shorten.
+
+use serde::Serialize;
+
+use super::diagnosis::Diagnosis;
+use super::table_reader::TableReader;
+
+/// The law of the springs.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum LawCase {
+    /// `w* = η p`.
+    #[default]
+    Linear,
+    /// `w* = h (1 − exp(−p/E))`.
+    Logarithmic,
+}
+
+impl LawCase {
+    /// The key in `[surface]`.
+    pub const KEY: &'static str = "law";
+
+    /// Reads the key; linear without it.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] if it names no law.
+    pub fn read(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
+        let choices = [("linear", Self::Linear), ("logarithmic", Self::Logarithmic)];
+        let field = table.optional(Self::KEY);
+        field.map_or(Ok(Self::Linear), |field| field.choice(&choices))
+    }
+}

@@ -1,0 +1,111 @@
+//! `pellicle identify`: fits a model to measured curves and tells what they say of it.
+
+use std::time::Instant;
+
+use indicatif::ProgressBar;
+use pellicle_identify::{Fit, FitVerdict, IdentifyError};
+
+use crate::arguments::IdentifyArguments;
+use crate::failure::Failure;
+use crate::fit_file::FitFile;
+use crate::identification::result::{self, FitResult};
+use crate::identification::{Identification, tables, text};
+use crate::output::file::{self, Existing};
+use crate::output::folder::{Completeness, ResultsFolder};
+use crate::output::json;
+use crate::program::Outcome;
+use crate::{interrupt, terminal, threads};
+
+/// Fits the model, writes the results and tells them.
+///
+/// # Errors
+///
+/// [`Failure`] if the fit file or a measurement is wrong, the results cannot be written, or the model has no
+/// prediction at all.
+pub fn identify(arguments: &IdentifyArguments) -> Result<Outcome, Failure> {
+    let start = Instant::now();
+    let file = FitFile::read(&arguments.path)?;
+    let folder = claim(arguments)?;
+    threads::set(arguments.threads)?;
+    threads::begin();
+    let identification = Identification::new(file)?;
+    let line = if arguments.quiet || arguments.json {
+        ProgressBar::hidden()
+    } else {
+        ProgressBar::new_spinner()
+    };
+    let tell = |predictions: usize| {
+        line.set_message(format!("{predictions} curves solved"));
+        line.tick();
+    };
+    let fit = match identification.run(&tell) {
+        Err(Failure::Identify(IdentifyError::Stopped { predictions })) => {
+            line.finish_and_clear();
+            let told = format!("stopped after {predictions} curves solved; nothing is written");
+            terminal::tell(&told);
+            return Ok(Outcome::Stopped);
+        }
+        fit => fit?,
+    };
+    interrupt::hold();
+    line.finish_and_clear();
+    let found = FitResult::new(&identification, &fit, start.elapsed().as_secs_f64())?;
+    let write = |folder: ResultsFolder| {
+        folder.write(|folder| {
+            file::write_bytes(&folder.join(result::FILE), json(&found)?.as_bytes())?;
+            for (name, table) in tables::all(&identification, &fit) {
+                file::write_bytes(&folder.join(name), table.as_bytes())?;
+            }
+            Ok(Completeness::Whole)
+        })
+    };
+    let written = folder.map(write).transpose()?;
+    if !(arguments.quiet || arguments.json) {
+        terminal::tell(text::text(&found).trim_end());
+        if let Some(folder) = &written {
+            terminal::tell(&format!("written to {}", folder.display()));
+        }
+    }
+    if !arguments.quiet {
+        for warning in &found.warnings {
+            terminal::tell(&format!("warning: {}", warning.message));
+        }
+    }
+    if arguments.json {
+        terminal::print(&json(&found)?)?;
+    }
+    Ok(outcome(arguments, &fit))
+}
+
+/// Claims the folder of the results; none with `--json` alone.
+fn claim(arguments: &IdentifyArguments) -> Result<Option<ResultsFolder>, Failure> {
+    let existing = if arguments.force {
+        Existing::Replace
+    } else {
+        Existing::Keep
+    };
+    let name = arguments.path.file_stem().unwrap_or_default();
+    match &arguments.out {
+        Some(path) => ResultsFolder::claim(path, existing).map(Some),
+        None if arguments.json => Ok(None),
+        None => ResultsFolder::claim_default(&name.to_string_lossy(), existing).map(Some),
+    }
+}
+
+fn outcome(arguments: &IdentifyArguments, fit: &Fit) -> Outcome {
+    match fit.verdict {
+        FitVerdict::Fitted => Outcome::Done,
+        FitVerdict::Misfit if arguments.accept_misfit => Outcome::Done,
+        FitVerdict::Misfit => {
+            terminal::tell(
+                "Error: misfit: the model does not follow the measurements, do not use these numbers; \
+                 --accept-misfit takes them all the same",
+            );
+            Outcome::Misfit
+        }
+        FitVerdict::NotConverged => {
+            terminal::tell("Error: not converged: do not use these numbers");
+            Outcome::NotConverged
+        }
+    }
+}

@@ -1,0 +1,152 @@
+//! `[model]` of a fit file: a case, whose values are the fixed ones and the starts.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use pellicle_contact::Model;
+use pellicle_influence::Cache;
+
+use crate::case::Case;
+use crate::case::diagnosis::Diagnosis;
+use crate::case::document::{self, TomlEntry, TomlNode, TomlTable, TomlValue};
+use crate::case::overrides;
+use crate::case::parameter::CaseParameter;
+use crate::case::source;
+use crate::case::value_reader::ValueReader;
+use crate::failure::Failure;
+
+/// The model of a fit: the tree of a case, and its radial tables by shape.
+#[derive(Debug)]
+pub struct FitModel {
+    root: TomlNode,
+    folder: PathBuf,
+    name: String,
+    cache: Cache,
+}
+
+/// The model of a case, and its numbers that can be sought.
+#[derive(Debug)]
+pub struct ModelParameters {
+    /// The model.
+    pub model: Model,
+    /// Its numbers.
+    pub parameters: Vec<CaseParameter>,
+}
+
+impl FitModel {
+    /// Reads the table: the path of a case, from the folder of the fit file, or the tables of one.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure`] if there is no such case or it is not valid.
+    pub fn read(field: &ValueReader<'_>, folder: &Path) -> Result<Self, Failure> {
+        let table = field.clone().table()?;
+        let cache = Cache::of_shapes();
+        let (mut root, folder, name) = if let Some(case) = table.optional("case") {
+            table.only(&["case"])?;
+            let path = folder.join(case.text()?);
+            let root = document::parse(&Arc::new(source::read(&path)?))?;
+            let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+            let folder = path.parent().unwrap_or(Path::new("")).to_owned();
+            (root, folder, stem.into_owned())
+        } else {
+            (field.node().clone(), folder.to_owned(), "model".to_owned())
+        };
+        give_load(&mut root);
+        Ok(Self {
+            root,
+            folder,
+            name,
+            cache,
+        })
+    }
+
+    /// The case with the values of some keys replaced.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure`] if it is not valid then.
+    pub fn with(&self, set: &TomlTable) -> Result<ModelParameters, Failure> {
+        let mut root = self.root.clone();
+        for TomlEntry {
+            key,
+            key_span,
+            node,
+        } in &set.entries
+        {
+            overrides::replace(&mut root, key, key_span, node.clone())?;
+        }
+        let case = Case::resolve(&root, &self.name, &self.folder)?;
+        let model = case.model(&self.cache)?.value;
+        let parameters = case.parameters(&model)?;
+        Ok(ModelParameters {
+            model,
+            parameters,
+        })
+    }
+
+    /// The case as it is.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::with`].
+    pub fn parameters(&self) -> Result<ModelParameters, Failure> {
+        self.with(&TomlTable::default())
+    }
+}
+
+impl ModelParameters {
+    /// The number of a key, in whatever spelling.
+    #[must_use]
+    pub fn find(&self, key: &str) -> Option<&CaseParameter> {
+        let path = overrides::key_path(key)?;
+        let is_wanted = |of: &&CaseParameter| overrides::key_path(&of.key).as_ref() == Some(&path);
+        self.parameters.iter().find(is_wanted)
+    }
+
+    /// The number of a key that a fit file names.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] with the numbers that there are.
+    pub fn required(
+        &self,
+        field: &ValueReader<'_>,
+        key: &str,
+    ) -> Result<&CaseParameter, Diagnosis> {
+        self.find(key).ok_or_else(|| {
+            let keys: Vec<&str> = self.parameters.iter().map(|of| of.key.as_str()).collect();
+            field.unknown_key(key, &keys)
+        })
+    }
+
+    /// The value of a number in the case.
+    #[must_use]
+    pub fn value(&self, of: &CaseParameter) -> Option<f64> {
+        self.model.parameter(of.parameter)
+    }
+}
+
+/// Gives a case without a load one, which a fit does not use.
+fn give_load(root: &mut TomlNode) {
+    let span = root.span.clone();
+    let TomlValue::Table(table) = &mut root.value else {
+        return;
+    };
+    if table.entry("load").is_some() {
+        return;
+    }
+    let entry = |key: &str, value: TomlValue| TomlEntry {
+        key: key.to_owned(),
+        key_span: span.clone(),
+        node: TomlNode {
+            value,
+            span: span.clone(),
+        },
+    };
+    let force = entry("force", TomlValue::Float(1.0));
+    let load = TomlValue::Table(TomlTable {
+        entries: vec![force],
+    });
+    table.entries.push(entry("load", load));
+}

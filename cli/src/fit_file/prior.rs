@@ -1,0 +1,76 @@
+//! What is known of a number before the measurement.
+
+use pellicle_identify::Prior;
+
+use crate::case::diagnosis::Diagnosis;
+use crate::case::dimension::Dimension;
+use crate::case::table_reader::TableReader;
+use crate::case::value_reader::Sign;
+
+/// The keys of a prior.
+pub const KEYS: [&str; 5] = ["prior", "median", "factor", "mean", "sd"];
+
+const FACTOR: &str = "a factor above 1 that is one standard deviation, such as 1.05";
+
+/// The kinds of priors.
+#[derive(Clone, Copy)]
+enum PriorKind {
+    Lognormal,
+    Normal,
+}
+
+/// Reads the prior of a positive number of this dimension, none for a plain number; nothing if the table has none.
+///
+/// # Errors
+///
+/// A [`Diagnosis`] of the first fault.
+pub fn read(
+    table: &TableReader<'_>,
+    dimension: Option<Dimension>,
+) -> Result<Option<Prior>, Diagnosis> {
+    let Some(kind) = table.optional("prior") else {
+        return Ok(None);
+    };
+    let choices = [
+        ("lognormal", PriorKind::Lognormal),
+        ("normal", PriorKind::Normal),
+    ];
+    Ok(Some(match kind.choice(&choices)? {
+        PriorKind::Lognormal => {
+            let factor = table.required("factor", FACTOR)?;
+            let number = factor.number(FACTOR)?;
+            if number <= 1.0 {
+                return Err(factor.wanted(FACTOR));
+            }
+            Prior::Lognormal {
+                median: value(table, "median", dimension, Sign::Positive)?,
+                factor: number,
+            }
+        }
+        PriorKind::Normal => Prior::Normal {
+            mean: value(table, "mean", dimension, Sign::Any)?,
+            sd: value(table, "sd", dimension, Sign::Positive)?,
+        },
+    }))
+}
+
+/// The value of a key, a quantity or a plain number.
+///
+/// # Errors
+///
+/// A [`Diagnosis`] if it is missing or is not such a value.
+pub fn value(
+    table: &TableReader<'_>,
+    key: &str,
+    dimension: Option<Dimension>,
+    sign: Sign,
+) -> Result<f64, Diagnosis> {
+    const NUMBER: &str = "a number";
+    match dimension {
+        Some(dimension) => {
+            let field = table.required(key, &sign.wanted(dimension))?;
+            field.quantity(dimension, sign)
+        }
+        None => table.required(key, NUMBER)?.number(NUMBER),
+    }
+}

@@ -1,0 +1,128 @@
+//! A measured curve as a fit takes it: abscissae, observed values and noise.
+
+use pellicle_identify::{Amount, Correlation, Curve, IdentifyError, Noise, Observable};
+
+use crate::case::diagnosis::Diagnosis;
+use crate::failure::Failure;
+use crate::fit_file::FitFile;
+use crate::measured::channel::Channel;
+use crate::measured::curve::MeasuredCurve;
+use crate::measured::data_table::{DataTable, Observe};
+use crate::measured::error::CurveError;
+use crate::measured::noise::{self, Noise as MeasuredNoise};
+
+/// A curve, and where it came from.
+#[derive(Debug)]
+pub struct CurveSource {
+    /// The measurement.
+    pub measured: MeasuredCurve,
+    /// Abscissae of the points that are fitted: forces, N, or depths, m.
+    pub abscissa: Vec<f64>,
+    /// What was observed there.
+    pub observed: Vec<f64>,
+    /// When, s, where known.
+    pub time: Option<Vec<f64>>,
+    /// Points left out because their abscissa is not positive: there is no contact.
+    pub without_contact: usize,
+}
+
+impl CurveSource {
+    /// The curves of the files of a table.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure`] if a file gives no curve.
+    pub fn of_table(table: &DataTable) -> Result<Vec<Self>, Failure> {
+        let sources = table.curves()?.into_iter();
+        sources
+            .map(|measured| Ok(Self::of(measured, table)?))
+            .collect()
+    }
+
+    fn of(measured: MeasuredCurve, table: &DataTable) -> Result<Self, Diagnosis> {
+        let (x, y) = match table.observe {
+            Observe::DepthAtForce => (Channel::Force, Channel::Depth),
+            Observe::ForceAtDepth => (Channel::Depth, Channel::Force),
+            Observe::StiffnessAtContactRadius => (Channel::ContactRadius, Channel::Stiffness),
+        };
+        let values = |channel| measured.values(channel).unwrap_or_default();
+        let (abscissa, observed) = (values(x), values(y));
+        let in_contact: Vec<usize> = (0..abscissa.len())
+            .filter(|point| abscissa[*point] > 0.0)
+            .collect();
+        let kept = |values: &[f64]| in_contact.iter().map(|point| values[*point]).collect();
+        let source = Self {
+            abscissa: kept(abscissa),
+            observed: kept(observed),
+            time: measured.time().map(kept),
+            without_contact: abscissa.len() - in_contact.len(),
+            measured,
+        };
+        let (found, rows) = (source.abscissa.len(), source.measured.table_rows);
+        let wanted = 3;
+        if found < wanted {
+            let error = CurveError::TooFewPoints {
+                found,
+                rows,
+                wanted,
+            };
+            return Err(table.diagnosis(&source.measured.file, &error));
+        }
+        Ok(source)
+    }
+
+    /// The curve for a fit; times only where they ascend.
+    ///
+    /// # Errors
+    ///
+    /// [`IdentifyError`] if a value is not finite.
+    pub fn curve(&self) -> Result<Curve, IdentifyError> {
+        let curve = Curve::new(self.abscissa.clone(), self.observed.clone())?;
+        match &self.time {
+            Some(time) if time.windows(2).all(|pair| pair[1] > pair[0]) => {
+                curve.with_time(time.clone())
+            }
+            _ => Ok(curve),
+        }
+    }
+}
+
+/// What is observed at what, in the words of a fit.
+#[must_use]
+pub fn observable(observe: Observe) -> Observable {
+    match observe {
+        Observe::DepthAtForce => Observable::DepthAtForce,
+        Observe::ForceAtDepth => Observable::ForceAtDepth,
+        Observe::StiffnessAtContactRadius => Observable::StiffnessAtContactRadius,
+    }
+}
+
+/// The noise of all tables, which must agree.
+///
+/// What is left out of it is estimated for what is observed, and none for the abscissa.
+///
+/// # Errors
+///
+/// [`Failure`] if two tables have different noise.
+pub fn noise(file: &FitFile) -> Result<Noise, Failure> {
+    let of = |table: &DataTable| (table.observe, table.noise);
+    let first = file.data.first().map(of);
+    let (observe, noise) = first.unwrap_or((Observe::DepthAtForce, MeasuredNoise::default()));
+    if let Some(other) = file.data.iter().find(|table| of(table) != (observe, noise)) {
+        return Err(other.other_noise().into());
+    }
+    let (observed, abscissa) = match observe {
+        Observe::DepthAtForce => (noise.depth, noise.force),
+        Observe::ForceAtDepth => (noise.force, noise.depth),
+        Observe::StiffnessAtContactRadius => (None, None),
+    };
+    Ok(Noise {
+        observed: observed.map_or(Amount::Estimated, Amount::Given),
+        abscissa: Amount::Given(abscissa.unwrap_or(0.0)),
+        relative: Amount::Given(noise.relative.unwrap_or(0.0)),
+        correlation: match noise.correlation {
+            noise::Correlation::None => Correlation::None,
+            noise::Correlation::Estimate => Correlation::Estimated,
+        },
+    })
+}

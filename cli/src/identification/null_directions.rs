@@ -1,0 +1,57 @@
+//! What no data of the measurements can tell, by the keys of the case.
+
+use pellicle_contact::ModelParameter;
+use pellicle_identify::{IdentifyError, NullDirections};
+
+use crate::fit_file::model::ModelParameters;
+
+/// The directions of the model of one table, in logarithms of its numbers; those of its own have names of their own.
+///
+/// # Errors
+///
+/// None: every direction has a number for each parameter.
+pub fn of(
+    parameters: &ModelParameters,
+    own: &[ModelParameter],
+    table: usize,
+) -> Result<NullDirections, IdentifyError> {
+    let all = &parameters.parameters;
+    let names = all.iter().map(|of| {
+        if own.contains(&of.parameter) {
+            format!("data[{table}] {}", of.key)
+        } else {
+            of.key.clone()
+        }
+    });
+    let vectors = parameters.model.null_directions().into_iter();
+    let vectors = vectors.map(|direction| {
+        let entry = |parameter: ModelParameter| {
+            let found = direction.iter().find(|(of, _)| *of == parameter);
+            let value = parameters.model.parameter(parameter).unwrap_or(1.0);
+            // d ln θ; a number that is zero is not sought by its logarithm.
+            found.map_or(0.0, |(_, change)| {
+                if value == 0.0 {
+                    *change
+                } else {
+                    change / value
+                }
+            })
+        };
+        let raw: Vec<f64> = all.iter().map(|of| entry(of.parameter)).collect();
+        let length = raw.iter().map(|x| x * x).sum::<f64>().sqrt();
+        raw.iter().map(|x| x / length).collect()
+    });
+    NullDirections::new(names.collect(), vectors.collect())
+}
+
+/// The directions that all tables have in common.
+///
+/// # Errors
+///
+/// [`IdentifyError::Decomposition`] where a number is not finite.
+pub fn common(
+    tables: Vec<Result<NullDirections, IdentifyError>>,
+) -> Result<NullDirections, IdentifyError> {
+    let tables = tables.into_iter().collect::<Result<Vec<_>, _>>()?;
+    NullDirections::common(&tables)
+}

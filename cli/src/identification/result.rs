@@ -1,0 +1,396 @@
+//! `fit.json`: what a fit found, in SI units.
+
+use std::fs;
+use std::path::Path;
+
+use pellicle_identify::{
+    Correlation, Estimate, Exclusion, Fit, FitVerdict, NoiseLevels, Observable, Role, Verdict,
+    Warning,
+};
+use serde::{Deserialize, Serialize};
+
+use super::{Identification, validity};
+use crate::failure::Failure;
+use crate::output::summary::PROGRAM;
+
+/// Name of the file in a folder of results.
+pub const FILE: &str = "fit.json";
+
+/// Name and version of the layout.
+const SCHEMA: &str = "pellicle-fit/1";
+
+/// Whether a folder holds the results of a fit.
+#[must_use]
+pub fn is_in(folder: &Path) -> bool {
+    #[derive(Deserialize)]
+    struct Head {
+        schema: String,
+    }
+    let text = fs::read_to_string(folder.join(FILE));
+    let head = text
+        .ok()
+        .and_then(|text| serde_json::from_str::<Head>(&text).ok());
+    head.is_some_and(|head| head.schema.starts_with("pellicle-fit/"))
+}
+
+/// What a fit found.
+#[derive(Debug, Clone, Serialize)]
+pub struct FitResult {
+    /// Name and version of this layout.
+    pub schema: &'static str,
+    /// The program that wrote it.
+    pub program: &'static str,
+    /// Its version.
+    pub version: &'static str,
+    /// Title of the fit file.
+    pub title: String,
+    /// `fitted`, `misfit` or `not-converged`.
+    pub verdict: &'static str,
+    /// What was sought.
+    pub unknowns: Vec<EstimateResult>,
+    /// What was not known exactly.
+    pub nuisances: Vec<EstimateResult>,
+    /// Correlation of the unknowns, in their order.
+    pub correlation: Vec<Vec<f64>>,
+    /// How well the model follows the data.
+    pub fit: Quality,
+    /// What it has cost.
+    pub work: WorkResult,
+    /// The curves.
+    pub curves: Vec<CurveResult>,
+    /// What a reader should know.
+    pub warnings: Vec<WarningResult>,
+}
+
+/// A number as found.
+#[derive(Debug, Clone, Serialize)]
+pub struct EstimateResult {
+    /// Its key.
+    pub key: String,
+    /// Its SI unit.
+    pub unit: String,
+    /// Its value in the best fit.
+    pub value: f64,
+    /// The interval; null on a side that is open.
+    pub interval: [Option<f64>; 2],
+    /// Level of the interval.
+    pub level: f64,
+    /// The interval from the covariance alone.
+    pub wald: [Option<f64>; 2],
+    /// What the data tell of it.
+    pub verdict: String,
+    /// Why, in a sentence.
+    pub why: String,
+    /// Its standard deviation between repeats; missing without repeats.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub scatter: Option<f64>,
+    /// What is known instead.
+    pub known_combination: Option<CombinationResult>,
+}
+
+/// A product of powers that the data tell.
+#[derive(Debug, Clone, Serialize)]
+pub struct CombinationResult {
+    /// Such as `foundation.substrate.young_modulus * indenter.radius^0.5`.
+    pub expression: String,
+    /// Its value in SI units.
+    pub value: f64,
+    /// Its interval; null on a side that is open.
+    pub interval: [Option<f64>; 2],
+}
+
+/// How well the model follows the data.
+#[derive(Debug, Clone, Serialize)]
+pub struct Quality {
+    /// Points fitted.
+    pub points: usize,
+    /// Points left out.
+    pub excluded: Vec<ExcludedResult>,
+    /// `χ²` over degrees of freedom.
+    pub chi_squared_per_degree: f64,
+    /// The noise, given or estimated.
+    pub noise: NoiseResult,
+    /// Probability of a misfit as bad by chance.
+    pub misfit_p: f64,
+    /// Probability of as few runs of one sign.
+    pub runs_p: f64,
+    /// Durbin and Watson's `d`, 2 without correlation.
+    pub durbin_watson: f64,
+}
+
+/// Points left out for one reason.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct ExcludedResult {
+    /// The reason.
+    pub reason: String,
+    /// How many.
+    pub count: usize,
+}
+
+/// The noise.
+#[derive(Debug, Clone, Serialize)]
+pub struct NoiseResult {
+    /// Standard deviation of the depth, m; null where it is not among what was measured.
+    pub depth: Option<f64>,
+    /// Standard deviation of the force, N.
+    pub force: Option<f64>,
+    /// Standard deviation over the value of what was observed.
+    pub relative: f64,
+    /// Correlation from one point to the next.
+    pub correlation: f64,
+}
+
+/// What a fit has cost.
+#[derive(Debug, Clone, Serialize)]
+pub struct WorkResult {
+    /// Predictions of all curves, derivatives included.
+    pub curves_solved: usize,
+    /// Loads solved.
+    pub loads_solved: usize,
+    /// Products with `K` on the finer of two grids of each load.
+    pub operator_applications: usize,
+    /// Time, s.
+    pub seconds: f64,
+}
+
+/// One curve.
+#[derive(Debug, Clone, Serialize)]
+pub struct CurveResult {
+    /// Its file.
+    pub file: String,
+    /// The shift of its zero, m or N; null without.
+    pub shift: Option<f64>,
+    /// Points fitted.
+    pub points: usize,
+}
+
+/// What a reader should know.
+#[derive(Debug, Clone, Serialize)]
+pub struct WarningResult {
+    /// A word for programs.
+    pub code: String,
+    /// A sentence for people.
+    pub message: String,
+}
+
+impl FitResult {
+    /// The result of a fit that took so many seconds.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure`] if the contact cannot be solved at the best fit.
+    pub fn new(of: &Identification, fit: &Fit, seconds: f64) -> Result<Self, Failure> {
+        let estimates = || fit.estimates.iter().enumerate();
+        let with_role = |role: Role| {
+            let chosen = estimates().filter(move |(_, estimate)| estimate.role == role);
+            chosen.map(|(index, estimate)| of.estimate(index, estimate))
+        };
+        let coefficients = fit.coefficients.iter().filter(|one| one.curve.is_none());
+        let common = coefficients.map(|one| of.coefficient(&one.name, one.value, one.interval));
+        let mut warnings = of.warnings(fit);
+        warnings.extend(validity::warnings(of, fit)?);
+        Ok(Self {
+            schema: SCHEMA,
+            program: PROGRAM,
+            version: env!("CARGO_PKG_VERSION"),
+            title: of.file.title.clone(),
+            verdict: verdict(fit.verdict),
+            unknowns: with_role(Role::Sought).collect(),
+            nuisances: with_role(Role::Nuisance).chain(common).collect(),
+            correlation: fit.correlation.clone(),
+            fit: of.quality(fit),
+            work: WorkResult {
+                curves_solved: fit.work.curves_solved,
+                loads_solved: of.model.loads_solved(),
+                operator_applications: of.model.operator_applications(),
+                seconds,
+            },
+            curves: of.curves(fit),
+            warnings,
+        })
+    }
+}
+
+/// The verdict's word.
+#[must_use]
+pub fn verdict(verdict: FitVerdict) -> &'static str {
+    match verdict {
+        FitVerdict::Fitted => "fitted",
+        FitVerdict::Misfit => "misfit",
+        FitVerdict::NotConverged => "not-converged",
+    }
+}
+
+impl Identification {
+    fn estimate(&self, index: usize, estimate: &Estimate) -> EstimateResult {
+        let unit = self.file.all_unknowns()[index].unit();
+        EstimateResult {
+            key: estimate.name.clone(),
+            unit: unit.into(),
+            value: estimate.value,
+            interval: estimate.interval,
+            level: self.file.report.level,
+            wald: estimate.wald.map_or([None, None], |ends| ends.map(Some)),
+            verdict: estimate.verdict.to_string(),
+            why: estimate.why.clone(),
+            scatter: (estimate.between_curves.as_ref()).map(|of| of.standard_deviation),
+            known_combination: estimate
+                .known_combination
+                .as_ref()
+                .map(|known| CombinationResult {
+                    expression: known.expression.clone(),
+                    value: known.value,
+                    interval: known.interval,
+                }),
+        }
+    }
+
+    /// A linear nuisance that all curves share.
+    fn coefficient(&self, name: &str, value: f64, interval: [f64; 2]) -> EstimateResult {
+        let ends = interval.map(|end| Some(end).filter(|end| end.is_finite()));
+        let closes = ends.iter().all(Option::is_some);
+        let unit = match name {
+            "frame_compliance" => "m/N",
+            _ => "1",
+        };
+        let verdict = if closes {
+            Verdict::Weak
+        } else {
+            Verdict::NotIdentified
+        };
+        EstimateResult {
+            key: name.to_owned(),
+            unit: unit.into(),
+            value,
+            interval: ends,
+            level: self.file.report.level,
+            wald: ends,
+            verdict: verdict.to_string(),
+            why: "It enters linearly; its interval is that of the covariance.".into(),
+            scatter: None,
+            known_combination: None,
+        }
+    }
+
+    fn quality(&self, fit: &Fit) -> Quality {
+        let goodness = &fit.goodness;
+        Quality {
+            points: goodness.points,
+            excluded: self.excluded(fit),
+            chi_squared_per_degree: goodness.chi_squared_per_degree,
+            noise: self.noise(&fit.noise),
+            misfit_p: goodness.misfit_p,
+            runs_p: goodness.runs_p,
+            durbin_watson: goodness.durbin_watson,
+        }
+    }
+
+    /// Points left out before the fit, and curves left out by it.
+    fn excluded(&self, fit: &Fit) -> Vec<ExcludedResult> {
+        let mut found: Vec<ExcludedResult> = Vec::new();
+        let mut add = |reason: String, count: usize| {
+            if count == 0 {
+                return;
+            }
+            match found.iter_mut().find(|known| known.reason == reason) {
+                Some(known) => known.count += count,
+                None => found.push(ExcludedResult { reason, count }),
+            }
+        };
+        for source in &self.sources {
+            for exclusion in &source.measured.excluded {
+                add(exclusion.reason.to_string(), exclusion.count);
+            }
+            add(
+                "no force or depth of contact".into(),
+                source.without_contact,
+            );
+        }
+        for exclusion in &fit.excluded {
+            let source = &self.sources[exclusion.curve()];
+            let file = source.measured.file.display();
+            let reason = match exclusion {
+                Exclusion::Discordant { deviation, .. } => {
+                    format!(
+                        "{file} disagrees with the other repeats, by {deviation:.1} standard deviations"
+                    )
+                }
+                Exclusion::Rough { factor, .. } => {
+                    format!("{file} is {factor:.1} times as rough as the other repeats")
+                }
+            };
+            add(reason, source.abscissa.len());
+        }
+        found
+    }
+
+    fn noise(&self, levels: &NoiseLevels) -> NoiseResult {
+        let observable = self.model.curves().first().map(|curve| curve.observable);
+        let [depth, force] = match observable {
+            Some(Observable::ForceAtDepth) => [Some(levels.abscissa), Some(levels.observed)],
+            Some(Observable::StiffnessAtContactRadius) => [None, None],
+            _ => [Some(levels.observed), Some(levels.abscissa)],
+        };
+        let is_estimated = self.problem.noise().correlation == Correlation::Estimated;
+        NoiseResult {
+            depth,
+            force,
+            relative: levels.relative,
+            // The correlation of the sum of the persistent part and white noise.
+            correlation: if is_estimated {
+                levels.persistence * (1.0 - levels.white_fraction)
+            } else {
+                0.0
+            },
+        }
+    }
+
+    fn curves(&self, fit: &Fit) -> Vec<CurveResult> {
+        let shift = |curve: usize| {
+            let is_shift = |name: &str| name.starts_with("shift");
+            let mut coefficients = fit.coefficients.iter();
+            coefficients
+                .find(|one| one.curve == Some(curve) && is_shift(&one.name))
+                .map(|one| one.value)
+        };
+        let sources = self.sources.iter().enumerate();
+        sources
+            .map(|(index, source)| CurveResult {
+                file: source.measured.file.display().to_string(),
+                shift: shift(index),
+                points: source.abscissa.len(),
+            })
+            .collect()
+    }
+
+    fn warnings(&self, fit: &Fit) -> Vec<WarningResult> {
+        let warning = |code: &str, message: String| WarningResult {
+            code: code.into(),
+            message,
+        };
+        let of_files = self.sources.iter().flat_map(|source| {
+            let file = source.measured.file.display();
+            let warnings = source.measured.warnings.iter();
+            warnings.map(move |found| warning(found.code, format!("{file}: {}", found.message)))
+        });
+        let name = |index: &usize| fit.estimates[*index].name.clone();
+        let of_fit = fit.warnings.iter().map(|found| match found {
+            Warning::SeveralMinima => warning(
+                "several-minima",
+                "another start led to another minimum, which is worse".into(),
+            ),
+            Warning::AtBound(index) => warning(
+                "at-bound",
+                format!(
+                    "the best fit lies at a bound of {}: the data may be in another unit, or the bound too narrow",
+                    name(index)
+                ),
+            ),
+            Warning::BetterFitFound(index) => warning(
+                "better-fit",
+                format!("the profile of {} found a better fit than the search", name(index)),
+            ),
+        });
+        of_files.chain(of_fit).collect()
+    }
+}

@@ -1,0 +1,28 @@
+//! Measured indentation curves: text of any instrument read into depths and forces in SI units.
+//!
+//! A [`DataTable`](data_table::DataTable) is one `[[data]]` table of a fit file. It names files and says how they are
+//! read; each gives a [`MeasuredCurve`](curve::MeasuredCurve): the points of the segment that is used, and a count of
+//! what was left out and why. `docs/measured-curves.md` describes the keys.
+
+mod binary;
+pub mod channel;
+mod checks;
+pub mod columns;
+mod contact_slope;
+pub mod curve;
+mod cut;
+pub mod data_table;
+pub mod decode;
+pub mod depth_step;
+pub mod error;
+pub mod exclusion;
+pub mod files;
+pub mod header;
+pub mod noise;
+mod raw_curve;
+pub mod segment;
+pub mod separator;
+pub mod spring;
+pub mod text_options;
+pub mod text_table;
+pub mod warning;

@@ -1,0 +1,124 @@
+//! The quantities that a measured curve consists of, one column of its file each.
+
+use crate::case::dimension::Dimension;
+
+/// A measured quantity.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Channel {
+    /// Penetration, positive into the body, m.
+    Depth,
+    /// Force, positive if it presses, N.
+    Force,
+    /// Time, s.
+    Time,
+    /// Contact stiffness, N/m.
+    Stiffness,
+    /// Radius of the contact, m.
+    ContactRadius,
+    /// Height of the piezo that carries a cantilever, m.
+    Height,
+    /// Deflection of the cantilever, positive if the body presses it, m.
+    Deflection,
+}
+
+impl Channel {
+    /// All of them.
+    pub const ALL: [Self; 7] = [
+        Self::Depth,
+        Self::Force,
+        Self::Time,
+        Self::Stiffness,
+        Self::ContactRadius,
+        Self::Height,
+        Self::Deflection,
+    ];
+
+    /// Its key in `columns` and `units`.
+    #[must_use]
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::Depth => "depth",
+            Self::Force => "force",
+            Self::Time => "time",
+            Self::Stiffness => "stiffness",
+            Self::ContactRadius => "contact_radius",
+            Self::Height => "height",
+            Self::Deflection => "deflection",
+        }
+    }
+
+    /// Its dimension.
+    #[must_use]
+    pub fn dimension(self) -> Dimension {
+        match self {
+            Self::Depth | Self::ContactRadius | Self::Height | Self::Deflection => {
+                Dimension::Length
+            }
+            Self::Force => Dimension::Force,
+            Self::Time => Dimension::Time,
+            Self::Stiffness => Dimension::Stiffness,
+        }
+    }
+
+    /// The words by which instruments name a column of it.
+    fn words(self) -> &'static [&'static str] {
+        match self {
+            Self::Depth => &[
+                "depth",
+                "displacement",
+                "indentation",
+                "penetration",
+                "eindringtiefe",
+            ],
+            Self::Force => &["force", "load", "kraft", "last"],
+            Self::Time => &["time", "zeit"],
+            Self::Stiffness => &["stiffness"],
+            Self::ContactRadius => &["radius"],
+            Self::Height => &["height", "piezo", "z-sense", "z"],
+            Self::Deflection => &["deflection", "cantilever"],
+        }
+    }
+
+    /// The other quantity that the name of a column tells, if it tells one and not this one.
+    #[must_use]
+    pub fn other_in(self, name: &str) -> Option<Self> {
+        let name = name.to_lowercase();
+        let words: Vec<_> = (name.split(|c: char| !c.is_alphanumeric() && c != '-'))
+            .filter(|word| !word.is_empty())
+            .collect();
+        let told = |channel: &Self| channel.words().iter().any(|word| words.contains(word));
+        // A name that tells this quantity too, "load at depth", proves nothing; heights and depths are often mixed.
+        let is_like = |channel: &Self| {
+            *channel == self || (channel.dimension() == self.dimension() && told(channel))
+        };
+        if Self::ALL
+            .iter()
+            .filter(|channel| told(channel))
+            .any(is_like)
+        {
+            return None;
+        }
+        Self::ALL.into_iter().find(told)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_name_tells_another_quantity_only_if_it_tells_nothing_else() {
+        assert_eq!(
+            Channel::Depth.other_in("Load On Sample"),
+            Some(Channel::Force)
+        );
+        assert_eq!(
+            Channel::Force.other_in("Extend Z-Sense"),
+            Some(Channel::Height)
+        );
+        assert_eq!(Channel::Force.other_in("Load at maximum depth"), None);
+        assert_eq!(Channel::Depth.other_in("h"), None);
+        assert_eq!(Channel::Height.other_in("Displacement"), None);
+        assert_eq!(Channel::Depth.other_in("overload"), None);
+    }
+}

@@ -1,0 +1,117 @@
+//! What a curve must and should be, before anything is fitted to it.
+
+use super::channel::Channel;
+use super::columns::{ColumnUnit, Columns};
+use super::contact_slope::contact_slope;
+use super::curve::MeasuredCurve;
+use super::error::CurveError;
+use super::exclusion::ExclusionReason;
+use super::warning::CurveWarning;
+
+/// Fewer points are not a curve.
+const LEAST_POINTS: usize = 3;
+/// Fewer points give no estimate of noise worth the name.
+const FEW_POINTS: usize = 10;
+/// The area under a curve over that of its rectangle: 2/5 for Hertz, 1/3 for a cone, 1/2 for a flat punch, and 3/5 for
+/// Hertz with depth and force swapped.
+const LARGEST_AREA: f64 = 0.55;
+/// Depths and forces that no indentation of a coating reaches, as ranges of what is usual.
+const USUAL: [(Channel, f64, f64, &str); 2] = [
+    (Channel::Depth, 1e-11, 1e-3, "m"),
+    (Channel::Force, 1e-13, 1e3, "N"),
+];
+
+/// Refuses what is no curve.
+pub(super) fn refuse(curve: &MeasuredCurve) -> Result<(), CurveError> {
+    curve.at_least(LEAST_POINTS)?;
+    let (Some(depth), Some(force)) = (curve.depth(), curve.force()) else {
+        return Ok(());
+    };
+    let (lowest, highest) = range(force);
+    if lowest >= highest {
+        return Err(CurveError::ConstantForce { force: highest });
+    }
+    if contact_slope(depth, force) < 0.0 {
+        return Err(CurveError::DepthFalls);
+    }
+    Ok(())
+}
+
+/// The warnings about a curve.
+pub(super) fn warnings(curve: &MeasuredCurve, columns: &Columns) -> Vec<CurveWarning> {
+    let mut warnings = Vec::new();
+    let mut warn = |code, message: String| warnings.push(CurveWarning::new(code, message));
+    let points = curve.rows.len();
+    if points < FEW_POINTS {
+        warn(
+            "few-points",
+            format!("{points} points: too few to estimate their noise"),
+        );
+    }
+    let invalid = curve
+        .excluded
+        .iter()
+        .find(|e| e.reason == ExclusionReason::InvalidValue);
+    let invalid = invalid.map_or(0, |exclusion| exclusion.count);
+    if invalid * 10 > curve.table_rows {
+        let rows = curve.table_rows;
+        warn(
+            "many-invalid",
+            format!("{invalid} of {rows} rows hold an invalid value and are left out"),
+        );
+    }
+    if curve
+        .time()
+        .is_some_and(|time| time.windows(2).any(|pair| pair[1] < pair[0]))
+    {
+        warn(
+            "time-falls",
+            "the time falls between some points: the rows are not in the order of measurement"
+                .into(),
+        );
+    }
+    if let Some(area) = relative_area(curve).filter(|area| *area > LARGEST_AREA) {
+        let message = format!(
+            "the force rises ever more slowly with the depth (area under the curve {area:.2} of its rectangle, \
+             elastic contacts have 0.5 or less): are the columns swapped, or is this no contact?"
+        );
+        warn("concave-curve", message);
+    }
+    for (channel, least, most, unit) in USUAL {
+        let is_bare = columns.channels.iter().any(|(found, _, given)| {
+            *found == channel && matches!(given, Some(ColumnUnit::Value(_)))
+        });
+        let Some((lowest, highest)) = curve.values(channel).filter(|_| !is_bare).map(range) else {
+            continue;
+        };
+        let size = highest - lowest;
+        if size < least || size > most {
+            let key = channel.key();
+            let message = format!(
+                "a {key} over {size:.3e} {unit} is not of the size of an indentation: is its unit right?"
+            );
+            warn("unusual-size", message);
+        }
+    }
+    warnings
+}
+
+fn range(values: &[f64]) -> (f64, f64) {
+    let start = (f64::INFINITY, f64::NEG_INFINITY);
+    values
+        .iter()
+        .fold(start, |(low, high), v| (low.min(*v), high.max(*v)))
+}
+
+/// The area under force over depth above the lower end, over that of the rectangle between both ends.
+fn relative_area(curve: &MeasuredCurve) -> Option<f64> {
+    let (depth, force) = (curve.depth()?, curve.force()?);
+    let (first, last) = (force.first()?, force.last()?);
+    let lower = first.min(*last);
+    let rectangle = (depth.last()? - depth.first()?) * (last - first).abs();
+    let strips = depth.windows(2).zip(force.windows(2));
+    let strip = |(d, f): (&[f64], &[f64])| 0.5 * (f[0] + f[1] - 2.0 * lower) * (d[1] - d[0]);
+    let area: f64 = strips.map(strip).sum();
+    let has_area = rectangle != 0.0 && (last > first) == (rectangle > 0.0);
+    (depth.len() >= FEW_POINTS && has_area).then(|| area / rectangle)
+}

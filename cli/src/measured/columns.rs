@@ -1,0 +1,282 @@
+//! The tables `columns` and `units` of a fit file: which columns are read, and what a 1 in them means.
+
+use super::channel::Channel;
+use super::error::CurveError;
+use super::header::{HeaderField, HeaderUnit};
+use super::text_table::TextTable;
+use crate::case::diagnosis::Diagnosis;
+use crate::case::document::TomlValue;
+use crate::case::quantity;
+use crate::case::table_reader::TableReader;
+use crate::case::value_reader::{Sign, ValueReader};
+
+/// A column by its number from 1 or by its name in the header.
+#[derive(Debug, Clone, PartialEq)]
+pub enum ColumnName {
+    /// From 1.
+    Number(usize),
+    /// As in the header, with or without the unit.
+    Header(String),
+}
+
+impl ColumnName {
+    /// More columns than any instrument writes.
+    const MOST: usize = 10_000;
+
+    /// Reads the value of a key of `columns`.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] if it is neither.
+    pub fn read(field: &ValueReader<'_>) -> Result<Self, Diagnosis> {
+        const WANTED: &str = "the number of a column from 1, or its name in the header of the file";
+        match field.value() {
+            TomlValue::Integer(_) => {
+                let number = field.count(1..=Self::MOST, ", or the name of the column in the file");
+                number.map(Self::Number)
+            }
+            TomlValue::Text(name) if !name.trim().is_empty() => Ok(Self::Header(name.clone())),
+            _ => Err(field.wanted(WANTED)),
+        }
+    }
+
+    /// Its place in the table, from 0; `key` is the key that names it.
+    ///
+    /// # Errors
+    ///
+    /// [`CurveError`] if there is no such column, or more than one.
+    pub fn place(&self, key: &'static str, table: &TextTable<'_>) -> Result<usize, CurveError> {
+        let columns = table.columns.max(table.header.len());
+        match self {
+            Self::Number(number) if *number > columns => {
+                let number = *number;
+                Err(CurveError::ColumnRange {
+                    key,
+                    number,
+                    columns,
+                })
+            }
+            Self::Number(number) => Ok(number - 1),
+            Self::Header(name) => by_name(name, key, &table.header),
+        }
+    }
+}
+
+/// The column of this name: as written, or without its unit, or in other cases of letters, in this order.
+fn by_name(name: &str, key: &'static str, header: &[HeaderField]) -> Result<usize, CurveError> {
+    let wanted = HeaderField::new(name).text;
+    let lower = wanted.to_lowercase();
+    let ways: [&dyn Fn(&HeaderField) -> bool; 4] = [
+        &|head| head.text == wanted,
+        &|head| head.name == wanted,
+        &|head| head.text.to_lowercase() == lower,
+        &|head| head.name.to_lowercase() == lower,
+    ];
+    for way in ways {
+        let found: Vec<_> = (header.iter().enumerate())
+            .filter(|(_, head)| way(head))
+            .map(|(place, _)| place)
+            .collect();
+        match found[..] {
+            [] => {}
+            [place] => return Ok(place),
+            _ => {
+                let numbers: Vec<_> = found.iter().map(|place| (place + 1).to_string()).collect();
+                let (name, numbers) = (name.to_owned(), numbers.join(", "));
+                return Err(CurveError::NameTwice { key, name, numbers });
+            }
+        }
+    }
+    let quoted = header.iter().map(|head| format!("\"{}\"", head.text));
+    let columns = match header {
+        [] => "the columns, which have no header".to_owned(),
+        _ => quoted.collect::<Vec<_>>().join(", "),
+    };
+    let name = name.to_owned();
+    Err(CurveError::NoSuchColumn { key, name, columns })
+}
+
+/// What a 1 in a column means.
+#[derive(Debug, Clone, PartialEq)]
+pub enum ColumnUnit {
+    /// A unit, perhaps with a factor or a sign: its SI value and its text.
+    Named(f64, String),
+    /// A bare number, the SI value of a 1: it replaces the unit in the header.
+    Value(f64),
+}
+
+impl ColumnUnit {
+    /// Reads the value of a key of `units`.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] if it is not a unit of this quantity.
+    pub fn read(field: &ValueReader<'_>, channel: Channel) -> Result<Self, Diagnosis> {
+        let dimension = channel.dimension();
+        let TomlValue::Text(text) = field.value() else {
+            let value = field.quantity(dimension, Sign::Any)?;
+            return match value {
+                0.0 => Err(field.wanted("a number other than zero")),
+                value => Ok(Self::Value(value)),
+            };
+        };
+        let unit = match text.strip_prefix('-') {
+            Some(rest) => quantity::one(rest, dimension).map(|one| -one),
+            None => quantity::one(text, dimension),
+        };
+        let unit = unit.map_or_else(|_| field.quantity(dimension, Sign::Any), Ok)?;
+        match unit {
+            0.0 => Err(field.wanted("a unit other than zero")),
+            unit => Ok(Self::Named(unit, text.clone())),
+        }
+    }
+
+    /// The SI value of a 1 in the column, with a look at its head.
+    ///
+    /// # Errors
+    ///
+    /// [`CurveError`] if neither says a unit, or if the head tells another unit or another quantity.
+    pub fn factor(
+        given: Option<&Self>,
+        channel: Channel,
+        head: Option<&HeaderField>,
+    ) -> Result<f64, CurveError> {
+        if let Some(head) = head {
+            refuse_other_quantity(given, channel, head)?;
+        }
+        let stated = head.and_then(|head| {
+            let factor = quantity::one(&head.unit_text, channel.dimension()).ok()?;
+            Some((factor, head.unit_text.clone()))
+        });
+        let (name, example) = (channel.key(), example(channel));
+        match (given, stated) {
+            (Some(Self::Value(value)), _) => Ok(*value),
+            (Some(Self::Named(factor, given)), Some((stated, header))) => {
+                // Units are powers of ten or long fractions: anything closer is the same unit.
+                if (factor.abs() / stated - 1.0).abs() < 1e-9 {
+                    return Ok(*factor);
+                }
+                let given = given.clone();
+                Err(CurveError::OtherUnit {
+                    name,
+                    header,
+                    given,
+                })
+            }
+            (Some(Self::Named(factor, _)), None) => Ok(*factor),
+            (None, Some((stated, _))) => Ok(stated),
+            (None, None) => Err(CurveError::NoUnit { name, example }),
+        }
+    }
+}
+
+fn example(channel: Channel) -> &'static str {
+    match channel {
+        Channel::Depth | Channel::Height | Channel::Deflection => "\"nm\"",
+        Channel::ContactRadius => "\"um\"",
+        Channel::Force => "\"mN\"",
+        Channel::Time => "\"s\"",
+        Channel::Stiffness => "\"N/m\"",
+    }
+}
+
+fn refuse_other_quantity(
+    given: Option<&ColumnUnit>,
+    channel: Channel,
+    head: &HeaderField,
+) -> Result<(), CurveError> {
+    let is_calibrated = matches!(given, Some(ColumnUnit::Value(_)));
+    let refused = |found: String| CurveError::OtherQuantity {
+        name: channel.key(),
+        column: head.text.clone(),
+        found,
+        wanted: channel.dimension().noun(),
+    };
+    match head.unit {
+        HeaderUnit::Of(dimension) if dimension != channel.dimension() => {
+            Err(refused(format!("which is {}", dimension.noun())))
+        }
+        HeaderUnit::Electrical if !is_calibrated => {
+            Err(refused(format!("which is in {}", head.unit_text)))
+        }
+        _ => match channel.other_in(&head.name) {
+            Some(other) => Err(refused(format!("which is called a {}", other.key()))),
+            None => Ok(()),
+        },
+    }
+}
+
+/// The columns to read, and their units.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Columns {
+    /// Each quantity with its column and the unit given for it.
+    pub channels: Vec<(Channel, ColumnName, Option<ColumnUnit>)>,
+    /// The column that tells segments.
+    pub segment: Option<ColumnName>,
+    /// The column of markers.
+    pub marker: Option<ColumnName>,
+}
+
+impl Columns {
+    const KEYS: [&'static str; 9] = [
+        "depth",
+        "force",
+        "time",
+        "stiffness",
+        "contact_radius",
+        "height",
+        "deflection",
+        "segment",
+        "marker",
+    ];
+
+    /// Reads `columns` and `units`.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] of the first fault, a unit without a column among them.
+    pub fn read(
+        columns: &TableReader<'_>,
+        units: Option<&TableReader<'_>>,
+    ) -> Result<Self, Diagnosis> {
+        columns.only(&Self::KEYS)?;
+        let keys = Channel::ALL.map(Channel::key);
+        if let Some(units) = units {
+            units.only(&keys)?;
+        }
+        let name = |key| {
+            columns
+                .optional(key)
+                .map(|field| ColumnName::read(&field))
+                .transpose()
+        };
+        let mut channels = Vec::new();
+        for channel in Channel::ALL {
+            let unit = units.and_then(|units| units.optional(channel.key()));
+            match (name(channel.key())?, unit) {
+                (Some(column), unit) => {
+                    let unit = unit
+                        .map(|unit| ColumnUnit::read(&unit, channel))
+                        .transpose()?;
+                    channels.push((channel, column, unit));
+                }
+                (None, Some(_)) => {
+                    let wanted = "the column that has this unit".to_owned();
+                    return Err(columns.missing(channel.key(), wanted));
+                }
+                (None, None) => {}
+            }
+        }
+        Ok(Self {
+            channels,
+            segment: name("segment")?,
+            marker: name("marker")?,
+        })
+    }
+
+    /// Whether the column of a quantity is given.
+    #[must_use]
+    pub fn has(&self, channel: Channel) -> bool {
+        self.channels.iter().any(|(found, ..)| *found == channel)
+    }
+}

@@ -1,0 +1,229 @@
+//! The rows of a measurement that lie in a segment.
+
+use super::channel::Channel;
+use super::depth_step::DepthStep;
+use super::error::CurveError;
+use super::exclusion::ExclusionReason::{
+    AfterDepthStep, AfterLargestForce, AfterSegment, BeforeLargestForce, BeforeSegment,
+    InvalidValue, OtherSegment,
+};
+use super::exclusion::KeptRows;
+use super::raw_curve::RawCurve;
+use super::segment::{Part, Segment, SegmentEnd, Until};
+use super::warning::CurveWarning;
+
+/// An unloading given as a loading has its largest force within this fraction of its rows from its first.
+const FRACTION_OF_UNLOADING: usize = 10;
+
+/// The rows in the segment: valid, of its value, between its rows, times and markers, of its part, between its forces,
+/// and before the pop-in, in this order.
+pub(super) fn cut(
+    raw: &RawCurve<'_>,
+    segment: &Segment,
+    warnings: &mut Vec<CurveWarning>,
+) -> Result<KeptRows, CurveError> {
+    let mut kept = KeptRows {
+        rows: (0..raw.rows).collect(),
+        ..KeptRows::default()
+    };
+    let valid = raw.valid_rows();
+    kept.retain(InvalidValue, |row| valid.binary_search(&row).is_ok());
+    if kept.rows.is_empty() {
+        return Err(CurveError::NoNumbers { rows: raw.rows });
+    }
+    keep_value(&mut kept, raw, segment)?;
+    keep_between_rows(&mut kept, raw, segment)?;
+    if let Some(forces) = raw.values(Channel::Force) {
+        keep_part(&mut kept, forces, segment.part)?;
+        keep_between_forces(&mut kept, forces, segment);
+    }
+    if segment.until == Until::LargestDepthStep {
+        keep_before_step(&mut kept, raw, warnings);
+    }
+    Ok(kept)
+}
+
+fn keep_value(
+    kept: &mut KeptRows,
+    raw: &RawCurve<'_>,
+    segment: &Segment,
+) -> Result<(), CurveError> {
+    let Some(value) = &segment.value else {
+        return Ok(());
+    };
+    let field = |row: usize| raw.segments.get(row).copied().unwrap_or_default();
+    if !raw.segments.iter().any(|field| is_same(field, value)) {
+        let (value, values) = (format!("\"{value}\""), listed(&raw.segments));
+        return Err(CurveError::NoSuchSegment { value, values });
+    }
+    kept.retain(OtherSegment, |row| is_same(field(row), value));
+    Ok(())
+}
+
+/// Whether two fields are the same number or the same text.
+fn is_same(field: &str, value: &str) -> bool {
+    let number = |text: &str| text.parse::<f64>().ok();
+    field == value || number(field).is_some_and(|found| Some(found) == number(value))
+}
+
+/// The different texts of a column, the first few of them.
+fn listed(fields: &[&str]) -> String {
+    const MOST: usize = 8;
+    let mut different: Vec<&str> = Vec::new();
+    for field in fields.iter().filter(|field| !field.is_empty()) {
+        if different.len() <= MOST && !different.contains(field) {
+            different.push(field);
+        }
+    }
+    match different[..] {
+        [] => "none".into(),
+        _ if different.len() > MOST => {
+            format!("\"{}\" and others", different[..MOST].join("\", \""))
+        }
+        _ => format!("\"{}\"", different.join("\", \"")),
+    }
+}
+
+fn keep_between_rows(
+    kept: &mut KeptRows,
+    raw: &RawCurve<'_>,
+    segment: &Segment,
+) -> Result<(), CurveError> {
+    let row = |end: &'static str, given: &Option<SegmentEnd>| match given {
+        Some(SegmentEnd::Row(row)) => Ok(Some(row - 1)),
+        Some(SegmentEnd::Marker(marker)) => marked_row(raw, end, marker).map(Some),
+        _ => Ok(None),
+    };
+    let (from, to) = (row("from", &segment.from)?, row("to", &segment.to)?);
+    kept.retain(BeforeSegment, |row| from.is_none_or(|from| row >= from));
+    kept.retain(AfterSegment, |row| to.is_none_or(|to| row <= to));
+    let times = raw.values(Channel::Time).unwrap_or_default();
+    let time = |row: usize| times.get(row).copied().unwrap_or(f64::NAN);
+    if let Some(SegmentEnd::Time(from)) = segment.from {
+        kept.retain(BeforeSegment, |row| time(row) >= from);
+    }
+    if let Some(SegmentEnd::Time(to)) = segment.to {
+        kept.retain(AfterSegment, |row| time(row) <= to);
+    }
+    Ok(())
+}
+
+fn marked_row(raw: &RawCurve<'_>, end: &'static str, marker: &str) -> Result<usize, CurveError> {
+    let found = raw.markers.iter().position(|field| *field == marker);
+    found.ok_or_else(|| CurveError::NoSuchMarker {
+        end,
+        marker: marker.to_owned(),
+        markers: listed(&raw.markers),
+    })
+}
+
+/// Keeps the rows up to the first largest force, or from the last one on.
+fn keep_part(kept: &mut KeptRows, forces: &[f64], part: Part) -> Result<(), CurveError> {
+    let (lowest, peak) = range(kept.rows.iter().map(|row| forces[*row]));
+    // A constant force has no parts; the checks refuse it.
+    if lowest >= peak {
+        return Ok(());
+    }
+    let is_peak = |row: &usize| forces[*row] >= peak;
+    match part {
+        Part::Whole => {}
+        Part::Loading => {
+            let end = kept
+                .rows
+                .iter()
+                .position(is_peak)
+                .map_or(0, |place| place + 1);
+            refuse_unloading(&kept.rows, forces, end)?;
+            kept.keep_places(0, end, [BeforeLargestForce, AfterLargestForce]);
+        }
+        Part::Unloading => {
+            let start = kept.rows.iter().rposition(is_peak).unwrap_or(0);
+            kept.keep_places(
+                start,
+                kept.rows.len(),
+                [BeforeLargestForce, AfterLargestForce],
+            );
+        }
+    }
+    Ok(())
+}
+
+/// The least and the largest of some values.
+fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
+    let start = (f64::INFINITY, f64::NEG_INFINITY);
+    values.fold(start, |(low, high), value| {
+        (low.min(value), high.max(value))
+    })
+}
+
+/// Refuses rows that begin in the upper half of their forces and soon reach the largest.
+fn refuse_unloading(rows: &[usize], forces: &[f64], end: usize) -> Result<(), CurveError> {
+    let (Some(first), Some(last), Some(peak)) = (rows.first(), rows.last(), end.checked_sub(1))
+    else {
+        return Ok(());
+    };
+    let (lowest, _) = range(rows.iter().map(|row| forces[*row]));
+    let (from, to, highest) = (forces[*first], forces[*last], forces[rows[peak]]);
+    let begins_high = from - lowest > 0.5 * (highest - lowest);
+    if begins_high && peak * FRACTION_OF_UNLOADING < rows.len() {
+        return Err(CurveError::Unloading { from, to });
+    }
+    Ok(())
+}
+
+/// Keeps the points between the forces of the ends. A loading or unloading stays one piece, without the rows before
+/// the force last enters between them and those behind it first leaves.
+fn keep_between_forces(kept: &mut KeptRows, forces: &[f64], segment: &Segment) {
+    let force = |end: &Option<SegmentEnd>, none| match end {
+        Some(SegmentEnd::Force(force)) => *force,
+        _ => none,
+    };
+    let from = force(&segment.from, f64::NEG_INFINITY);
+    let to = force(&segment.to, f64::INFINITY);
+    let below = |row: &usize| forces[*row] < from;
+    let above = |row: &usize| forces[*row] > to;
+    let behind_last = |rows: &[usize], outside: &dyn Fn(&usize) -> bool| {
+        rows.iter().rposition(outside).map_or(0, |place| place + 1)
+    };
+    let first = |rows: &[usize], outside: &dyn Fn(&usize) -> bool| {
+        rows.iter().position(outside).unwrap_or(rows.len())
+    };
+    let (start, length) = match segment.part {
+        Part::Loading => {
+            let end = first(&kept.rows, &above);
+            (behind_last(&kept.rows[..end], &below), end)
+        }
+        Part::Unloading => {
+            let start = behind_last(&kept.rows, &above);
+            (start, start + first(&kept.rows[start..], &below))
+        }
+        Part::Whole => {
+            kept.retain(BeforeSegment, |row| !below(&row));
+            kept.retain(AfterSegment, |row| !above(&row));
+            return;
+        }
+    };
+    kept.keep_places(start, length, [BeforeSegment, AfterSegment]);
+}
+
+fn keep_before_step(kept: &mut KeptRows, raw: &RawCurve<'_>, warnings: &mut Vec<CurveWarning>) {
+    let depths = raw.values(Channel::Depth).unwrap_or_default();
+    let depths: Vec<_> = kept
+        .rows
+        .iter()
+        .filter_map(|row| depths.get(*row))
+        .copied()
+        .collect();
+    let Some(step) = DepthStep::find(&depths, &kept.rows) else {
+        return;
+    };
+    if step.stands_out() {
+        kept.keep_places(0, step.last_before + 1, [BeforeSegment, AfterDepthStep]);
+        return;
+    }
+    let message = format!(
+        "the largest depth step, {:.3e} m, is not ten times the median of all, {:.3e} m: it is no pop-in, and ends nothing",
+        step.height, step.median
+    );
+    warnings.push(CurveWarning::new("no-depth-step", message));
+}

@@ -1,0 +1,213 @@
+//! One `[[data]]` table of a fit file: which files hold measurements, how they are read, and what of them is used.
+
+mod required_columns;
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use super::columns::Columns;
+use super::curve::MeasuredCurve;
+use super::error::CurveError;
+use super::files::files;
+use super::noise::Noise;
+use super::segment::Segment;
+use super::spring::{HeightDirection, SpringConstant};
+use super::text_options::TextOptions;
+use crate::case::diagnosis::{Diagnosis, Fault};
+use crate::case::document::{self, Document, TomlNode, TomlTable, TomlValue};
+use crate::case::overrides;
+use crate::case::source::Source;
+use crate::case::table_reader::TableReader;
+use crate::case::value_reader::ValueReader;
+
+/// What is compared with a model.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum Observe {
+    /// The depth at each force.
+    #[default]
+    DepthAtForce,
+    /// The force at each depth.
+    ForceAtDepth,
+    /// The contact stiffness at each radius of the contact.
+    StiffnessAtContactRadius,
+}
+
+/// One `[[data]]` table.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DataTable {
+    /// The files, in the order of their names.
+    pub files: Vec<PathBuf>,
+    /// The columns and their units.
+    pub columns: Columns,
+    /// How the text is written.
+    pub text: TextOptions,
+    /// The part that is used.
+    pub segment: Segment,
+    /// What is compared with the model.
+    pub observe: Observe,
+    /// The noise.
+    pub noise: Noise,
+    /// The spring constant of a cantilever, if the penetration comes from the height of its piezo.
+    pub spring_constant: Option<SpringConstant>,
+    /// The direction in which that height counts.
+    pub height_direction: HeightDirection,
+    /// Values of keys of the model that are others for these files, by their dotted paths.
+    pub set: TomlTable,
+    /// The tree of the table, for diagnoses.
+    document: Document,
+    path: String,
+}
+
+impl DataTable {
+    const KEYS: [&'static str; 10] = [
+        "file",
+        "columns",
+        "units",
+        "text",
+        "segment",
+        "observe",
+        "noise",
+        "spring_constant",
+        "height_direction",
+        "set",
+    ];
+
+    /// Reads every `[[data]]` table of the text of a fit file in this folder; its other tables are not looked at.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] of the first fault.
+    pub fn parse_all(source: &Arc<Source>, folder: &Path) -> Result<Vec<Self>, Diagnosis> {
+        Self::read_all(&document::parse(source)?, folder)
+    }
+
+    /// Reads every `[[data]]` table of a fit file in this folder.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] of the first fault.
+    pub fn read_all(root: &TomlNode, folder: &Path) -> Result<Vec<Self>, Diagnosis> {
+        const WANTED: &str = "one table [[data]] or more";
+        let tables = TableReader::root(root)?.required("data", WANTED)?;
+        let read = |field: &ValueReader<'_>| Self::read(root, field, folder);
+        tables.list(WANTED)?.iter().map(read).collect()
+    }
+
+    fn read(root: &TomlNode, field: &ValueReader<'_>, folder: &Path) -> Result<Self, Diagnosis> {
+        let table = field.clone().table()?;
+        table.only(&Self::KEYS)?;
+        let optional = |key| table.optional(key).map(ValueReader::table).transpose();
+        let columns =
+            "the columns, such as { depth = 2, force = 3 }, by their numbers from 1 or their names";
+        let columns = table.required("columns", columns)?.table()?;
+        let spring = table.optional("spring_constant");
+        let direction = table.optional("height_direction");
+        let data = Self {
+            files: matching(&table, folder)?,
+            columns: Columns::read(&columns, optional("units")?.as_ref())?,
+            text: optional("text")?
+                .map_or(Ok(TextOptions::default()), |t| TextOptions::read(&t))?,
+            segment: optional("segment")?.map_or(Ok(Segment::default()), |t| Segment::read(&t))?,
+            observe: observe(&table)?,
+            noise: optional("noise")?.map_or(Ok(Noise::default()), |t| Noise::read(&t))?,
+            spring_constant: spring.map(|f| SpringConstant::read(&f)).transpose()?,
+            height_direction: direction.map_or(Ok(HeightDirection::default()), |f| {
+                HeightDirection::read(&f)
+            })?,
+            set: set(&table)?,
+            document: Document::new(root),
+            path: field.path().to_owned(),
+        };
+        data.require_columns(&table, &columns)?;
+        Ok(data)
+    }
+
+    /// The curves of all files.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] of the first file that gives none, at the key to change.
+    pub fn curves(&self) -> Result<Vec<MeasuredCurve>, Diagnosis> {
+        let curve = |path: &PathBuf| {
+            let curve = MeasuredCurve::read(path, self);
+            curve.map_err(|error| self.diagnosis(path, &error))
+        };
+        self.files.iter().map(curve).collect()
+    }
+
+    /// The diagnosis that its noise or what it observes is not that of the first table.
+    #[must_use]
+    pub fn other_noise(&self) -> Diagnosis {
+        let keys = ["noise", "observe", "file"].map(|key| format!("{}.{key}", self.path));
+        let given = keys.iter().find(|key| self.document.has(key));
+        let key = given.unwrap_or(&keys[2]);
+        self.document.wanted(
+            key,
+            "the noise and the observable of the first [[data]]: a fit has one of each",
+        )
+    }
+
+    /// The diagnosis of a file that gives no curve.
+    #[must_use]
+    pub fn diagnosis(&self, path: &Path, error: &CurveError) -> Diagnosis {
+        #[derive(Debug, thiserror::Error)]
+        #[error("{file}: {error}")]
+        struct InFile<'a> {
+            file: String,
+            error: &'a CurveError,
+        }
+        let file = path.display().to_string();
+        let keys = error.keys();
+        let named = keys.iter().map(String::as_str).chain(["file"]);
+        let keys: Vec<_> = named.map(|key| format!("{}.{key}", self.path)).collect();
+        let keys: Vec<_> = keys.iter().map(String::as_str).collect();
+        self.document.refused(&keys, &InFile { file, error })
+    }
+}
+
+fn matching(table: &TableReader<'_>, folder: &Path) -> Result<Vec<PathBuf>, Diagnosis> {
+    const WANTED: &str = "the path of a text file from the folder of the fit file, or a pattern with * and ? for several";
+    let field = table.required("file", WANTED)?;
+    let found = files(folder, field.text()?);
+    if found.is_empty() {
+        return Err(field.unusable(&"which no file matches", WANTED));
+    }
+    Ok(found)
+}
+
+fn observe(table: &TableReader<'_>) -> Result<Observe, Diagnosis> {
+    let observe = table.optional("observe").map(|field| {
+        field.choice(&[
+            ("depth at force", Observe::DepthAtForce),
+            ("force at depth", Observe::ForceAtDepth),
+            (
+                "stiffness at contact radius",
+                Observe::StiffnessAtContactRadius,
+            ),
+        ])
+    });
+    Ok(observe.transpose()?.unwrap_or_default())
+}
+
+/// The entries of `set`, whose keys must be paths, and whose values are left to the model.
+fn set(table: &TableReader<'_>) -> Result<TomlTable, Diagnosis> {
+    let Some(field) = table.optional("set") else {
+        return Ok(TomlTable::default());
+    };
+    let TomlValue::Table(entries) = field.value() else {
+        return Err(field
+            .wanted("a table of keys of the model, such as { \"indenter.radius\" = \"1 um\" }"));
+    };
+    for entry in &entries.entries {
+        if overrides::key_path(&entry.key).is_none() {
+            let wanted = "the dotted path of a key of the model".into();
+            let fault = Fault::Unknown { wanted };
+            return Err(Diagnosis::of_key(
+                entry.key.clone(),
+                entry.key_span.clone(),
+                fault,
+            ));
+        }
+    }
+    Ok(entries.clone())
+}

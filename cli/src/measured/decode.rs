@@ -1,0 +1,149 @@
+//! The text of a file in one of the encodings of instruments.
+
+use std::borrow::Cow;
+
+use encoding_rs::{Encoding, UTF_8, UTF_16BE, UTF_16LE, WINDOWS_1252};
+
+use super::error::CurveError;
+
+/// The encoding of a file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum TextEncoding {
+    /// UTF-16 or UTF-8 where the bytes are that, Windows-1252 otherwise.
+    Guessed,
+    /// As named in the fit file; a byte-order mark goes before it.
+    Named(&'static Encoding),
+}
+
+/// The text of a file and the encoding that was guessed for want of a better one.
+pub(super) struct Decoded<'a> {
+    /// The text.
+    pub(super) text: Cow<'a, str>,
+    /// The encoding, if it was guessed and the bytes do not prove it.
+    pub(super) guessed: Option<&'static str>,
+}
+
+impl TextEncoding {
+    /// The encoding of this name: one of the labels of the WHATWG's standard, or `latin-1`.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        let name = match name.to_lowercase().as_str() {
+            "auto" => return Some(Self::Guessed),
+            // The standard has "latin1" and "iso-8859-1", all three for Windows-1252, which contains them.
+            "latin-1" => "latin1".to_owned(),
+            other => other.to_owned(),
+        };
+        Encoding::for_label_no_replacement(name.as_bytes()).map(Self::Named)
+    }
+
+    /// The text of these bytes.
+    pub(super) fn decode(self, bytes: &[u8]) -> Result<Decoded<'_>, CurveError> {
+        if let Some((encoding, mark)) = Encoding::for_bom(bytes) {
+            return strict(encoding, bytes.get(mark..).unwrap_or_default());
+        }
+        match self {
+            Self::Named(encoding) => strict(encoding, bytes),
+            Self::Guessed => guess(bytes),
+        }
+    }
+
+    /// Whether zero bytes belong to a text in this encoding.
+    pub(super) fn has_zero_bytes(self, bytes: &[u8]) -> bool {
+        let encoding = match (Encoding::for_bom(bytes), self) {
+            (Some((encoding, _)), _) | (None, Self::Named(encoding)) => Some(encoding),
+            (None, Self::Guessed) => utf_16(bytes),
+        };
+        encoding.is_some_and(|encoding| encoding == UTF_16LE || encoding == UTF_16BE)
+    }
+}
+
+fn guess(bytes: &[u8]) -> Result<Decoded<'_>, CurveError> {
+    if let Some(encoding) = utf_16(bytes) {
+        return strict(encoding, bytes);
+    }
+    if let Ok(decoded) = strict(UTF_8, bytes) {
+        return Ok(decoded);
+    }
+    let (text, _) = WINDOWS_1252.decode_without_bom_handling(bytes);
+    Ok(Decoded {
+        text,
+        guessed: Some("windows-1252"),
+    })
+}
+
+/// UTF-16 without a mark: in numbers every second byte is zero.
+fn utf_16(bytes: &[u8]) -> Option<&'static Encoding> {
+    let start = bytes.get(..bytes.len().min(512)).unwrap_or_default();
+    let zeros = |odd: usize| {
+        start
+            .iter()
+            .skip(odd)
+            .step_by(2)
+            .filter(|&&b| b == 0)
+            .count()
+    };
+    let (even, odd) = (zeros(0), zeros(1));
+    // A letter like µ or a dash may have no zero byte; ordinary text has none at all.
+    match start.len() / 2 {
+        0 | 1 => None,
+        half if odd * 10 >= half * 9 && even == 0 => Some(UTF_16LE),
+        half if even * 10 >= half * 9 && odd == 0 => Some(UTF_16BE),
+        _ => None,
+    }
+}
+
+fn strict(encoding: &'static Encoding, bytes: &[u8]) -> Result<Decoded<'static>, CurveError> {
+    let decoded = encoding.decode_without_bom_handling_and_without_replacement(bytes);
+    let text = decoded.ok_or_else(|| {
+        let (text, _) = encoding.decode_without_bom_handling(bytes);
+        let before = text.split('\u{fffd}').next().unwrap_or_default();
+        CurveError::Encoding {
+            encoding: encoding.name().to_lowercase(),
+            line: 1 + before.matches('\n').count(),
+        }
+    })?;
+    Ok(Decoded {
+        text: Cow::Owned(text.into_owned()),
+        guessed: None,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn decoded(name: &str, bytes: &[u8]) -> Result<(String, bool), CurveError> {
+        let decoded = TextEncoding::named(name).unwrap().decode(bytes)?;
+        Ok((decoded.text.into_owned(), decoded.guessed.is_some()))
+    }
+
+    #[test]
+    fn a_micro_sign_is_read_in_every_encoding() {
+        let want = |guessed| Ok(("F (µN)\n1".to_owned(), guessed));
+        assert_eq!(decoded("latin-1", b"F (\xb5N)\n1"), want(false));
+        assert_eq!(decoded("windows-1252", b"F (\xb5N)\n1"), want(false));
+        assert_eq!(decoded("auto", b"F (\xb5N)\n1"), want(true));
+        assert_eq!(decoded("auto", "F (µN)\n1".as_bytes()), want(false));
+        assert_eq!(decoded("auto", "\u{feff}F (µN)\n1".as_bytes()), want(false));
+        let utf_16: Vec<u8> = "F (µN)\n1"
+            .encode_utf16()
+            .flat_map(u16::to_le_bytes)
+            .collect();
+        assert_eq!(decoded("utf-16", &utf_16), want(false));
+        assert_eq!(decoded("auto", &utf_16), want(false));
+        assert!(TextEncoding::Guessed.has_zero_bytes(&utf_16));
+        let utf_16: Vec<u8> = "\u{feff}F (µN)\n1"
+            .encode_utf16()
+            .flat_map(u16::to_be_bytes)
+            .collect();
+        assert_eq!(decoded("auto", &utf_16), want(false));
+    }
+
+    #[test]
+    fn a_byte_of_another_encoding_is_refused_with_its_line() {
+        let found = decoded("utf-8", b"a\nb\nF (\xb5N)\n1").unwrap_err();
+        let (encoding, line) = ("utf-8".into(), 3);
+        assert_eq!(found, CurveError::Encoding { encoding, line });
+        assert_eq!(TextEncoding::named("latin-99"), None);
+    }
+}

@@ -1,0 +1,241 @@
+//! The reasons why a file gives no measured curve, each with a code that does not change.
+
+/// The reason why a file gives no measured curve.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum CurveError {
+    /// The file cannot be read.
+    #[error("found a file that cannot be read ({cause}), wanted a table of numbers as text")]
+    Unreadable {
+        /// The words of the operating system.
+        cause: String,
+    },
+    /// The file holds nothing.
+    #[error("found an empty file, wanted a table of numbers as text")]
+    Empty,
+    /// The file is not text.
+    #[error("found {kind}, wanted a table as text: {tool}")]
+    Binary {
+        /// What the file seems to be.
+        kind: &'static str,
+        /// How to make a table of it.
+        tool: &'static str,
+    },
+    /// The text is not in this encoding.
+    #[error(
+        "found a byte in line {line} that is not {encoding}, wanted another encoding, such as \"windows-1252\""
+    )]
+    Encoding {
+        /// The encoding as named.
+        encoding: String,
+        /// Line of the byte, from 1.
+        line: usize,
+    },
+    /// No line contains the text after which the table begins.
+    #[error("found no line with \"{text}\", wanted the text of a line of the file")]
+    SkipUntil {
+        /// The text.
+        text: String,
+    },
+    /// There is no table of this number.
+    #[error("found {found} tables, wanted the number of one of them, not {wanted}")]
+    NoSuchTable {
+        /// The number asked for.
+        wanted: usize,
+        /// Tables in the file.
+        found: usize,
+    },
+    /// There are no lines of numbers.
+    #[error("found no table, wanted lines with two numbers or more{}", .hint.unwrap_or_default())]
+    NoTable {
+        /// The setting with which there is one, in words that follow.
+        hint: Option<&'static str>,
+    },
+    /// No column has this name.
+    #[error("found no column \"{name}\" among {columns}, wanted its name or its number from 1")]
+    NoSuchColumn {
+        /// The key of the column.
+        key: &'static str,
+        /// The name asked for.
+        name: String,
+        /// The names that there are.
+        columns: String,
+    },
+    /// Several columns have this name.
+    #[error(
+        "found the columns {numbers} with the name \"{name}\", wanted the number of one of them"
+    )]
+    NameTwice {
+        /// The key of the column.
+        key: &'static str,
+        /// The name asked for.
+        name: String,
+        /// The numbers of the columns of that name.
+        numbers: String,
+    },
+    /// The number of a column is larger than the table.
+    #[error(
+        "found a table of {columns} columns, wanted a number from 1 to {columns}, not {number}"
+    )]
+    ColumnRange {
+        /// The key of the column.
+        key: &'static str,
+        /// The number asked for.
+        number: usize,
+        /// Columns of the table.
+        columns: usize,
+    },
+    /// Neither the file nor the table of units says a unit.
+    #[error("found no unit of {name} in the file, wanted one in units, such as {name} = {example}")]
+    NoUnit {
+        /// The key of the column.
+        name: &'static str,
+        /// An example of a unit.
+        example: &'static str,
+    },
+    /// The file says another unit.
+    #[error(
+        "found {name} in {header} in the header of the file, and in {given} here, wanted one unit; \
+         a bare number, the SI value of a 1 in the file, replaces that of the header"
+    )]
+    OtherUnit {
+        /// The key of the column.
+        name: &'static str,
+        /// The unit in the header.
+        header: String,
+        /// The unit in the table of units.
+        given: String,
+    },
+    /// The name or the unit of the column tells another quantity.
+    #[error(
+        "found the column \"{column}\", {found}, wanted one of {wanted}: are the columns swapped?"
+    )]
+    OtherQuantity {
+        /// The key of the column.
+        name: &'static str,
+        /// The header of the column.
+        column: String,
+        /// What the header tells.
+        found: String,
+        /// The dimension wanted.
+        wanted: &'static str,
+    },
+    /// No row has a valid number in every column that is read.
+    #[error("found {rows} rows, none with valid numbers in every column that is read, wanted some")]
+    NoNumbers {
+        /// Rows of the table.
+        rows: usize,
+    },
+    /// No row has this marker.
+    #[error("found no marker \"{marker}\" among {markers}, wanted one of them")]
+    NoSuchMarker {
+        /// The end of the segment that names it.
+        end: &'static str,
+        /// The marker asked for.
+        marker: String,
+        /// The markers that there are.
+        markers: String,
+    },
+    /// No row has this value in the column of segments.
+    #[error("found no row of the segment {value} among {values}, wanted one of them")]
+    NoSuchSegment {
+        /// The value asked for.
+        value: String,
+        /// The values that there are.
+        values: String,
+    },
+    /// The segment keeps too few points.
+    #[error("found {found} points in the segment out of {rows} rows, wanted at least {wanted}")]
+    TooFewPoints {
+        /// Points kept.
+        found: usize,
+        /// Rows of the table.
+        rows: usize,
+        /// The least number of points.
+        wanted: usize,
+    },
+    /// The force is the same in every point.
+    #[error("found a force of {force:e} N in every point of the segment, wanted one that changes")]
+    ConstantForce {
+        /// That force, N.
+        force: f64,
+    },
+    /// The segment is an unloading.
+    #[error(
+        "found a force that falls from {from:e} to {to:e} N, an unloading, wanted a loading, or part = \"unloading\""
+    )]
+    Unloading {
+        /// Force of the first point, N.
+        from: f64,
+        /// Force of the last point, N.
+        to: f64,
+    },
+    /// The depth falls as the force rises.
+    #[error(
+        "found a depth that falls as the force rises, wanted a depth counted positive into the body: \
+         swap the columns, or turn the sign, such as units = {{ depth = \"-1 nm\" }}"
+    )]
+    DepthFalls,
+    /// The direction in which the piezo's height counts cannot be told from the force.
+    #[error(
+        "found a height that does not change with the force, wanted height_direction = \"toward\" or \"away\""
+    )]
+    HeightDirection,
+}
+
+impl CurveError {
+    /// A short name, for programs.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Unreadable { .. } => "unreadable",
+            Self::Empty => "empty-file",
+            Self::Binary { .. } => "binary-file",
+            Self::Encoding { .. } => "other-encoding",
+            Self::SkipUntil { .. } => "skip-until-not-found",
+            Self::NoSuchTable { .. } => "no-such-table",
+            Self::NoTable { .. } => "no-table",
+            Self::NoSuchColumn { .. } => "no-such-column",
+            Self::NameTwice { .. } => "column-name-twice",
+            Self::ColumnRange { .. } => "column-out-of-range",
+            Self::NoUnit { .. } => "no-unit",
+            Self::OtherUnit { .. } => "other-unit",
+            Self::OtherQuantity { .. } => "other-quantity",
+            Self::NoNumbers { .. } => "no-numbers",
+            Self::NoSuchMarker { .. } => "no-such-marker",
+            Self::NoSuchSegment { .. } => "no-such-segment",
+            Self::TooFewPoints { .. } => "too-few-points",
+            Self::ConstantForce { .. } => "constant-force",
+            Self::Unloading { .. } => "unloading",
+            Self::DepthFalls => "depth-falls",
+            Self::HeightDirection => "height-direction",
+        }
+    }
+
+    /// The keys of a `[[data]]` table to change, the most exact first.
+    #[must_use]
+    pub fn keys(&self) -> Vec<String> {
+        match self {
+            Self::Encoding { .. } => vec!["text.encoding".into(), "text".into()],
+            Self::SkipUntil { .. } => vec!["text.skip_until".into()],
+            Self::NoSuchTable { .. } => vec!["text.table".into()],
+            Self::NoSuchColumn { key, .. }
+            | Self::NameTwice { key, .. }
+            | Self::ColumnRange { key, .. } => vec![format!("columns.{key}")],
+            Self::NoUnit { name, .. } => vec!["units".into(), format!("columns.{name}")],
+            Self::OtherUnit { name, .. } => vec![format!("units.{name}")],
+            Self::OtherQuantity { name, .. } => vec![format!("columns.{name}")],
+            Self::NoSuchMarker { end, .. } => vec![format!("segment.{end}")],
+            Self::NoSuchSegment { .. } => vec!["segment.value".into()],
+            Self::TooFewPoints { .. } | Self::ConstantForce { .. } | Self::Unloading { .. } => {
+                vec!["segment".into()]
+            }
+            Self::DepthFalls => vec!["columns.depth".into()],
+            Self::HeightDirection => vec!["height_direction".into(), "columns.height".into()],
+            Self::Unreadable { .. }
+            | Self::Empty
+            | Self::Binary { .. }
+            | Self::NoTable { .. }
+            | Self::NoNumbers { .. } => Vec::new(),
+        }
+    }
+}

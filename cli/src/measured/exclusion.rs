@@ -1,0 +1,87 @@
+//! Rows of a measurement that are left out, counted by their reason.
+
+use std::fmt;
+
+/// The reason why rows of a table are no points of its curve.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum ExclusionReason {
+    /// A column that is read has no valid number there.
+    InvalidValue,
+    /// The column of segments has another value there.
+    OtherSegment,
+    /// They lie before the segment.
+    BeforeSegment,
+    /// They lie behind the segment.
+    AfterSegment,
+    /// They are measured after the largest force, and the loading is used.
+    AfterLargestForce,
+    /// They are measured before the largest force, and the unloading is used.
+    BeforeLargestForce,
+    /// They lie behind the largest step of depth.
+    AfterDepthStep,
+}
+
+impl fmt::Display for ExclusionReason {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::InvalidValue => "invalid value",
+            Self::OtherSegment => "other segment",
+            Self::BeforeSegment => "before the segment",
+            Self::AfterSegment => "after the segment",
+            Self::AfterLargestForce => "after the largest force",
+            Self::BeforeLargestForce => "before the largest force",
+            Self::AfterDepthStep => "after the largest depth step",
+        })
+    }
+}
+
+/// A number of rows left out for one reason.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Exclusion {
+    /// The reason.
+    pub reason: ExclusionReason,
+    /// Rows, at least one.
+    pub count: usize,
+}
+
+/// The rows that are kept so far, in order, and those that are not.
+#[derive(Debug, Clone, Default)]
+pub(super) struct KeptRows {
+    /// Rows, from 0.
+    pub(super) rows: Vec<usize>,
+    /// What is left out.
+    pub(super) excluded: Vec<Exclusion>,
+}
+
+impl KeptRows {
+    /// Keeps the rows for which this is true.
+    pub(super) fn retain(&mut self, reason: ExclusionReason, keep: impl Fn(usize) -> bool) {
+        let before = self.rows.len();
+        self.rows.retain(|row| keep(*row));
+        self.count(reason, before - self.rows.len());
+    }
+
+    /// Keeps the points of these places in the list of kept rows.
+    pub(super) fn keep_places(&mut self, from: usize, to: usize, reasons: [ExclusionReason; 2]) {
+        let (from, to) = (
+            from.min(self.rows.len()),
+            to.min(self.rows.len()).max(from.min(self.rows.len())),
+        );
+        self.count(reasons[1], self.rows.len() - to);
+        self.count(reasons[0], from);
+        self.rows.truncate(to);
+        self.rows.drain(..from);
+    }
+
+    fn count(&mut self, reason: ExclusionReason, count: usize) {
+        match self
+            .excluded
+            .iter_mut()
+            .find(|found| found.reason == reason)
+        {
+            Some(found) => found.count += count,
+            None if count > 0 => self.excluded.push(Exclusion { reason, count }),
+            None => {}
+        }
+    }
+}

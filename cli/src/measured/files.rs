@@ -1,0 +1,61 @@
+//! The files that a name or a pattern means.
+
+use std::path::{Path, PathBuf};
+
+use glob::{MatchOptions, Pattern};
+
+/// `*` and `?` stand for a part of one name, not for folders nor for a hidden file's dot.
+const OPTIONS: MatchOptions = MatchOptions {
+    case_sensitive: true,
+    require_literal_separator: true,
+    require_literal_leading_dot: true,
+};
+
+/// The files of a name, or of a pattern with `*` and `?`, from a folder, in the order of their names; none if there
+/// are none.
+#[must_use]
+pub fn files(folder: &Path, pattern: &str) -> Vec<PathBuf> {
+    let named = folder.join(pattern);
+    if named.is_file() {
+        return vec![named];
+    }
+    let wild = |c: char| match c {
+        '*' | '?' => c.to_string(),
+        c => Pattern::escape(&c.to_string()),
+    };
+    let escaped: String = pattern.chars().map(wild).collect();
+    let folder = Pattern::escape(&folder.to_string_lossy());
+    let whole = Path::new(&folder).join(escaped);
+    let found = glob::glob_with(&whole.to_string_lossy(), OPTIONS);
+    let paths = found.into_iter().flatten().flatten();
+    let mut files: Vec<_> = paths.filter(|path| path.is_file()).collect();
+    files.sort();
+    files
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_pattern_means_its_files_in_order() {
+        let folder = tempfile::tempdir().unwrap();
+        let inside = folder.path().join("[a] b");
+        std::fs::create_dir(&inside).unwrap();
+        for name in [
+            "t2.csv", "t10.csv", "t1.csv", ".t3.csv", "[x].csv", "t1.txt",
+        ] {
+            std::fs::write(inside.join(name), "1").unwrap();
+        }
+        let names = |pattern: &str| -> Vec<String> {
+            let name = |path: &PathBuf| path.file_name().unwrap().to_string_lossy().into_owned();
+            files(&inside, pattern).iter().map(name).collect()
+        };
+        assert_eq!(names("t*.csv"), ["t1.csv", "t10.csv", "t2.csv"]);
+        assert_eq!(names("t?.csv"), ["t1.csv", "t2.csv"]);
+        assert_eq!(names("[x].csv"), ["[x].csv"]);
+        assert_eq!(names("[x].*"), ["[x].csv"]);
+        assert!(names("*.hdf5").is_empty() && names("").is_empty());
+        assert_eq!(files(folder.path(), "*/t1.txt").len(), 1);
+    }
+}

@@ -1,0 +1,65 @@
+//! The table `noise` of a fit file: what is known of the noise of a measurement.
+
+use crate::case::diagnosis::Diagnosis;
+use crate::case::dimension::Dimension;
+use crate::case::table_reader::TableReader;
+use crate::case::value_reader::Sign;
+
+/// What is known of the noise; what is not is estimated.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Noise {
+    /// Standard deviation of the depth, m.
+    pub depth: Option<f64>,
+    /// Standard deviation of the force, N.
+    pub force: Option<f64>,
+    /// Standard deviation of what is observed over its value.
+    pub relative: Option<f64>,
+    /// Whether neighbouring points have noise in common.
+    pub correlation: Correlation,
+}
+
+/// Whether neighbouring points have noise in common.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum Correlation {
+    /// They have none.
+    None,
+    /// How much is estimated.
+    #[default]
+    Estimate,
+}
+
+impl Noise {
+    /// Reads the table.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] of the first fault.
+    pub fn read(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
+        table.only(&["depth", "force", "relative", "correlation"])?;
+        let quantity = |key, dimension| {
+            let field = table.optional(key);
+            field
+                .map(|field| field.quantity(dimension, Sign::NotNegative))
+                .transpose()
+        };
+        let relative = table.optional("relative").map(|field| {
+            let wanted = "a fraction of 0 or more, below 1";
+            let number = field.number(wanted)?;
+            Some(number)
+                .filter(|n| (0.0..1.0).contains(n))
+                .ok_or_else(|| field.wanted(wanted))
+        });
+        let correlation = table.optional("correlation").map(|field| {
+            field.choice(&[
+                ("none", Correlation::None),
+                ("estimate", Correlation::Estimate),
+            ])
+        });
+        Ok(Self {
+            depth: quantity("depth", Dimension::Length)?,
+            force: quantity("force", Dimension::Force)?,
+            relative: relative.transpose()?,
+            correlation: correlation.transpose()?.unwrap_or_default(),
+        })
+    }
+}

@@ -1,0 +1,92 @@
+//! The columns of a measurement as numbers in SI units, every row of the table kept.
+
+use super::channel::Channel;
+use super::columns::{ColumnUnit, Columns};
+use super::error::CurveError;
+use super::text_options::TextOptions;
+use super::text_table::TextTable;
+
+/// The columns of a measurement, row by row; what is not a valid number is NaN.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct RawCurve<'t> {
+    /// Values of each quantity, SI.
+    pub(super) channels: Vec<(Channel, Vec<f64>)>,
+    /// Fields of the column of segments; empty if there is none.
+    pub(super) segments: Vec<&'t str>,
+    /// Fields of the column of markers; empty if there is none.
+    pub(super) markers: Vec<&'t str>,
+    /// Rows of the table.
+    pub(super) rows: usize,
+}
+
+impl<'t> RawCurve<'t> {
+    /// The columns of a table.
+    pub(super) fn read(
+        table: &TextTable<'t>,
+        columns: &Columns,
+        options: &TextOptions,
+    ) -> Result<Self, CurveError> {
+        let mut places = Vec::new();
+        for (channel, column, unit) in &columns.channels {
+            let place = column.place(channel.key(), table)?;
+            let factor = ColumnUnit::factor(unit.as_ref(), *channel, table.header.get(place))?;
+            places.push((place, factor));
+        }
+        let label = |key, name: &Option<super::columns::ColumnName>| {
+            name.as_ref().map(|name| name.place(key, table)).transpose()
+        };
+        let (segment, marker) = (
+            label("segment", &columns.segment)?,
+            label("marker", &columns.marker)?,
+        );
+        let mut values = vec![Vec::with_capacity(table.rows.len()); places.len()];
+        let (mut segments, mut markers) = (Vec::new(), Vec::new());
+        for row in &table.rows {
+            let fields = table.separator.fields(row);
+            let field = |place: usize| fields.get(place).copied().unwrap_or_default();
+            for ((place, factor), values) in places.iter().zip(&mut values) {
+                values.push(options.valid(field(*place)) * factor);
+            }
+            segments.extend(segment.map(field));
+            markers.extend(marker.map(field));
+        }
+        let channels = columns.channels.iter().map(|(channel, ..)| *channel);
+        Ok(Self {
+            channels: channels.zip(values).collect(),
+            segments,
+            markers,
+            rows: table.rows.len(),
+        })
+    }
+
+    /// The values of a quantity, if it has a column.
+    pub(super) fn values(&self, channel: Channel) -> Option<&[f64]> {
+        let found = self.channels.iter().find(|(found, _)| *found == channel);
+        found.map(|(_, values)| values.as_slice())
+    }
+
+    /// Puts values in the place of those of a quantity, or adds them.
+    pub(super) fn replace(&mut self, channel: Channel, values: Vec<f64>) {
+        self.channels.retain(|(found, _)| *found != channel);
+        self.channels.push((channel, values));
+    }
+
+    /// The rows in which every quantity has a valid number.
+    pub(super) fn valid_rows(&self) -> Vec<usize> {
+        let is_valid = |row: &usize| {
+            let value =
+                |(_, values): &(Channel, Vec<f64>)| values.get(*row).is_some_and(|v| v.is_finite());
+            self.channels.iter().all(value)
+        };
+        (0..self.rows).filter(is_valid).collect()
+    }
+}
+
+impl TextOptions {
+    /// The number of a field; NaN if there is none or it stands for an invalid value.
+    fn valid(&self, field: &str) -> f64 {
+        let number = self.decimal.number(field);
+        let valid = number.filter(|number| number.abs() <= self.invalid_above);
+        valid.unwrap_or(f64::NAN)
+    }
+}

@@ -1,0 +1,180 @@
+//! The table `segment` of a fit file: the part of a measurement that is used.
+
+use crate::case::diagnosis::{Diagnosis, Fault};
+use crate::case::dimension::Dimension;
+use crate::case::document::TomlValue;
+use crate::case::quantity;
+use crate::case::table_reader::TableReader;
+use crate::case::value_reader::{Sign, ValueReader};
+
+/// The part of a measurement that is used.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Segment {
+    /// The value in the column of segments; all by default.
+    pub value: Option<String>,
+    /// Where it begins.
+    pub from: Option<SegmentEnd>,
+    /// Where it ends.
+    pub to: Option<SegmentEnd>,
+    /// Loading, unloading or both.
+    pub part: Part,
+    /// What ends it before `to`.
+    pub until: Until,
+}
+
+/// An end of a segment, itself included.
+#[derive(Debug, Clone, PartialEq)]
+pub enum SegmentEnd {
+    /// At a force, N.
+    Force(f64),
+    /// At a time, s.
+    Time(f64),
+    /// At a row of the table, from 1.
+    Row(usize),
+    /// At the first row with this marker.
+    Marker(String),
+}
+
+/// Which way the force goes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Part {
+    /// Up to the largest force.
+    #[default]
+    Loading,
+    /// From the last of the largest forces on.
+    Unloading,
+    /// Both.
+    Whole,
+}
+
+/// What ends a loading.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Until {
+    /// The largest force.
+    #[default]
+    LargestForce,
+    /// The largest step of depth between neighbouring points: the pop-in.
+    LargestDepthStep,
+}
+
+impl Segment {
+    const KEYS: [&'static str; 5] = ["value", "from", "to", "part", "until"];
+
+    /// Reads the table.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] of the first fault.
+    pub fn read(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
+        table.only(&Self::KEYS)?;
+        let end = |key| {
+            table
+                .optional(key)
+                .map(|field| SegmentEnd::read(&field))
+                .transpose()
+        };
+        let mut segment = Self {
+            value: table
+                .optional("value")
+                .map(|field| label(&field))
+                .transpose()?,
+            from: end("from")?,
+            to: end("to")?,
+            ..Self::default()
+        };
+        if let Some(field) = table.optional("part") {
+            segment.part = field.choice(&[
+                ("loading", Part::Loading),
+                ("unloading", Part::Unloading),
+                ("whole", Part::Whole),
+            ])?;
+        }
+        if let Some(field) = table.optional("until") {
+            segment.until = field.choice(&[
+                ("largest force", Until::LargestForce),
+                ("largest depth step", Until::LargestDepthStep),
+            ])?;
+            if segment.part != Part::Loading {
+                return Err(field.unusable(
+                    &"where part is not \"loading\"",
+                    "until for a loading alone",
+                ));
+            }
+        }
+        segment.refuse_reversed(table)?;
+        Ok(segment)
+    }
+
+    fn refuse_reversed(&self, table: &TableReader<'_>) -> Result<(), Diagnosis> {
+        let is_reversed = match (&self.from, &self.to) {
+            (Some(SegmentEnd::Force(from)), Some(SegmentEnd::Force(to)))
+            | (Some(SegmentEnd::Time(from)), Some(SegmentEnd::Time(to))) => from >= to,
+            (Some(SegmentEnd::Row(from)), Some(SegmentEnd::Row(to))) => from >= to,
+            _ => false,
+        };
+        match table.optional("to") {
+            Some(field) if is_reversed => Err(field.wanted("an end beyond `from`")),
+            _ => Ok(()),
+        }
+    }
+}
+
+impl SegmentEnd {
+    const WANTED: &'static str = "a force or a time with its unit, such as \"0.8 mN\" or \"3 s\", the number of a row, \
+        or a table of one of force, time, row and marker";
+
+    fn read(field: &ValueReader<'_>) -> Result<Self, Diagnosis> {
+        match field.value() {
+            TomlValue::Text(text) => match quantity::dimension_of(text) {
+                Some(Dimension::Force) => {
+                    field.quantity(Dimension::Force, Sign::Any).map(Self::Force)
+                }
+                Some(Dimension::Time) => field.quantity(Dimension::Time, Sign::Any).map(Self::Time),
+                _ => Err(field.wanted(Self::WANTED)),
+            },
+            TomlValue::Integer(_) => row(field),
+            TomlValue::Table(_) => Self::of_table(&field.clone().table()?),
+            _ => {
+                let help =
+                    "a bare number is a row; a force without a unit is written { force = 0.1 }";
+                Err(field.wanted(Self::WANTED).with_help(help))
+            }
+        }
+    }
+
+    fn of_table(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
+        const KEYS: [&str; 4] = ["force", "time", "row", "marker"];
+        table.only(&KEYS)?;
+        let [key] = table.given(&KEYS)[..] else {
+            return Err(table.missing("force", "one of force, time, row and marker".into()));
+        };
+        let field = table.required(key, Self::WANTED)?;
+        match key {
+            "force" => field.quantity(Dimension::Force, Sign::Any).map(Self::Force),
+            "time" => field.quantity(Dimension::Time, Sign::Any).map(Self::Time),
+            "row" => row(&field),
+            _ => Ok(Self::Marker(field.text()?.to_owned())),
+        }
+    }
+}
+
+fn row(field: &ValueReader<'_>) -> Result<SegmentEnd, Diagnosis> {
+    let row = field.count(1..=1_000_000_000, ", the number of a row of the table");
+    row.map(SegmentEnd::Row)
+}
+
+/// A value of the column of segments, a number or a text.
+fn label(field: &ValueReader<'_>) -> Result<String, Diagnosis> {
+    match field.value() {
+        TomlValue::Text(text) => Ok(text.clone()),
+        TomlValue::Integer(number) => Ok(number.to_string()),
+        TomlValue::Float(number) => Ok(number.to_string()),
+        _ => {
+            let (found, wanted) = (
+                "neither".into(),
+                "a number or a text in the column of segments".into(),
+            );
+            Err(field.diagnosis(Fault::Wrong { found, wanted }))
+        }
+    }
+}

@@ -1,0 +1,152 @@
+//! Lines cut into fields at a separator, and numbers with a decimal mark.
+
+/// The mark between whole and fraction.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum DecimalMark {
+    /// `0.5`.
+    Point,
+    /// `0,5`.
+    Comma,
+}
+
+impl DecimalMark {
+    /// The number of a field, which may be NaN or infinite; none if it is not a number.
+    #[must_use]
+    pub fn number(self, field: &str) -> Option<f64> {
+        match self {
+            Self::Point => field.parse().ok(),
+            // A point in such a file would separate thousands.
+            Self::Comma if field.contains('.') => None,
+            Self::Comma => field.replacen(',', ".", 1).parse().ok(),
+        }
+    }
+}
+
+/// What stands between two fields of a line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Separator {
+    /// One tab.
+    Tab,
+    /// One semicolon.
+    Semicolon,
+    /// One comma.
+    Comma,
+    /// Any number of blanks and tabs.
+    Space,
+}
+
+impl Separator {
+    /// All of them; where several fit equally well, the first is meant.
+    pub const ALL: [Self; 4] = [Self::Tab, Self::Semicolon, Self::Comma, Self::Space];
+
+    /// The fields of a line, without the blanks and quotation marks around them; separators between quotation marks
+    /// separate nothing.
+    #[must_use]
+    pub fn fields(self, line: &str) -> Vec<&str> {
+        if line.contains('"') {
+            return self.quoted_fields(line);
+        }
+        match self {
+            Self::Tab => line.split('\t').map(str::trim).collect(),
+            Self::Semicolon => line.split(';').map(str::trim).collect(),
+            Self::Comma => line.split(',').map(str::trim).collect(),
+            Self::Space => line.split_whitespace().collect(),
+        }
+    }
+
+    fn quoted_fields(self, line: &str) -> Vec<&str> {
+        let mut is_quoted = false;
+        let fields = line.split(|c: char| {
+            is_quoted ^= c == '"';
+            !is_quoted && self.is(c)
+        });
+        let fields = fields.map(|field| field.trim().trim_matches('"').trim());
+        match self {
+            Self::Space => fields.filter(|field| !field.is_empty()).collect(),
+            _ => fields.collect(),
+        }
+    }
+
+    fn is(self, c: char) -> bool {
+        match self {
+            Self::Tab => c == '\t',
+            Self::Semicolon => c == ';',
+            Self::Comma => c == ',',
+            Self::Space => c.is_whitespace(),
+        }
+    }
+
+    /// Lines that are looked at to find the separator, evenly from the whole file.
+    const SAMPLE: usize = 2000;
+
+    /// The separator that makes rows of numbers of the most lines, and their number; none if none makes any.
+    #[must_use]
+    pub fn of(lines: &[&str], decimal: DecimalMark) -> Option<(Self, usize)> {
+        let step = lines.len().div_ceil(Self::SAMPLE).max(1);
+        let rows = |separator: Self| {
+            let sample = lines.iter().step_by(step);
+            sample
+                .filter(|line| separator.is_clean_row(line, decimal))
+                .count()
+        };
+        let usable = |separator: &Self| *separator != Self::Comma || decimal == DecimalMark::Point;
+        let counts = Self::ALL.into_iter().filter(usable);
+        let mut best = None;
+        for (separator, count) in counts.map(|separator| (separator, rows(separator))) {
+            if count > best.map_or(0, |(_, most)| most) {
+                best = Some((separator, count));
+            }
+        }
+        best
+    }
+
+    /// Whether every field of a line is a number, empty, or a word, and at least two are numbers.
+    fn is_clean_row(self, line: &str, decimal: DecimalMark) -> bool {
+        let mut numbers = 0;
+        for field in self.fields(line) {
+            if decimal.number(field).is_some() {
+                numbers += 1;
+            } else if field.starts_with(|c: char| c.is_ascii_digit() || ",.+".contains(c)) {
+                return false;
+            }
+        }
+        numbers >= 2
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn quotation_marks_hide_a_separator() {
+        let fields = Separator::Comma.fields("\"Depth, nm\" , 3,,\"4\"");
+        assert_eq!(fields, ["Depth, nm", "3", "", "4"]);
+        assert_eq!(
+            Separator::Space.fields(" \"a b\"  3\t4 "),
+            ["a b", "3", "4"]
+        );
+    }
+
+    #[test]
+    fn the_separator_is_found_by_what_makes_numbers() {
+        use DecimalMark::{Comma, Point};
+        let of = |line, decimal| Some(Separator::of(&[line], decimal)?.0);
+        assert_eq!(of("1.5,2.5,load", Point), Some(Separator::Comma));
+        assert_eq!(of("1,5;2,5", Comma), Some(Separator::Semicolon));
+        assert_eq!(of("1,5;2,5", Point), None);
+        assert_eq!(of("1,5\t2,5", Comma), Some(Separator::Tab));
+        assert_eq!(of("1,5\t2,5", Point), None);
+        assert_eq!(of(" 1.5   -2e-3 ", Point), Some(Separator::Space));
+        assert_eq!(of("1.0, 2.0", Point), Some(Separator::Comma));
+        assert_eq!(of("Date: 3", Point), None);
+    }
+
+    #[test]
+    fn a_decimal_comma_stands_for_a_point_and_a_point_then_for_nothing() {
+        assert_eq!(DecimalMark::Comma.number("-1,25e-3"), Some(-1.25e-3));
+        assert_eq!(DecimalMark::Comma.number("1.234,5"), None);
+        assert_eq!(DecimalMark::Point.number("1,25"), None);
+        assert!(DecimalMark::Point.number("NaN").is_some_and(f64::is_nan));
+    }
+}

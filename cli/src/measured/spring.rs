@@ -1,0 +1,150 @@
+//! The cantilever of a force microscope: penetration from the height of its piezo and the force.
+//!
+//! `δ = z − d = z − F/k`: the tip goes as far into the body as the piezo moves towards it, less what the cantilever
+//! bends. If the force was computed from the deflection, `F = k d`, another spring constant changes the force and not
+//! the penetration.
+
+use super::channel::Channel;
+use super::contact_slope::contact_slope;
+use super::error::CurveError;
+use super::raw_curve::RawCurve;
+use crate::case::diagnosis::Diagnosis;
+use crate::case::dimension::Dimension;
+use crate::case::table_reader::TableReader;
+use crate::case::value_reader::{Sign, ValueReader};
+
+/// The spring constant of a cantilever, N/m.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SpringConstant {
+    /// Its mean.
+    pub mean: f64,
+    /// Its standard deviation; none if it is taken as exact.
+    pub sd: Option<f64>,
+}
+
+impl SpringConstant {
+    /// Reads a stiffness, or a table of `mean` and `sd`.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] of the first fault.
+    pub fn read(field: &ValueReader<'_>) -> Result<Self, Diagnosis> {
+        if !field.is_table() {
+            let mean = field.quantity(Dimension::Stiffness, Sign::Positive)?;
+            return Ok(Self { mean, sd: None });
+        }
+        let table: TableReader<'_> = field.clone().table()?;
+        table.only(&["mean", "sd"])?;
+        let sd = table.optional("sd");
+        let sd = sd.map(|field| field.quantity(Dimension::Stiffness, Sign::Positive));
+        Ok(Self {
+            mean: table.positive("mean", Dimension::Stiffness)?,
+            sd: sd.transpose()?,
+        })
+    }
+}
+
+/// The direction in which the height of a piezo counts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum HeightDirection {
+    /// Told from the force, which grows towards the body.
+    #[default]
+    FromForce,
+    /// Larger is nearer to the body.
+    Toward,
+    /// Larger is farther from the body.
+    Away,
+}
+
+impl HeightDirection {
+    /// Reads the word for it.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] if it is none.
+    pub fn read(field: &ValueReader<'_>) -> Result<Self, Diagnosis> {
+        field.choice(&[
+            ("auto", Self::FromForce),
+            ("toward", Self::Toward),
+            ("away", Self::Away),
+        ])
+    }
+
+    /// 1 if larger heights are nearer to the body, −1 otherwise.
+    fn sign(self, heights: &[f64], forces: &[f64]) -> Result<f64, CurveError> {
+        match self {
+            Self::Toward => Ok(1.0),
+            Self::Away => Ok(-1.0),
+            Self::FromForce => match contact_slope(heights, forces) {
+                slope if slope > 0.0 => Ok(1.0),
+                slope if slope < 0.0 => Ok(-1.0),
+                _ => Err(CurveError::HeightDirection),
+            },
+        }
+    }
+}
+
+/// The penetration, m, for a spring constant, N/m, from the approach of the piezo, m, and the force, N; the first point
+/// has none.
+///
+/// ```
+/// use pellicle_cli::measurements::penetration;
+/// // 10 nm of approach, 2 nN on 1 N/m: 8 nm are left.
+/// let found = penetration(&[0.0, 10e-9], &[1e-9, 3e-9], 1.0);
+/// assert_eq!(found[0], 0.0);
+/// // One rounding each of a difference, a quotient and a difference.
+/// assert!((found[1] - 8e-9).abs() < 1e-23);
+/// ```
+#[must_use]
+pub fn penetration(approach: &[f64], force: &[f64], spring_constant: f64) -> Vec<f64> {
+    let (z0, f0) = match (approach.first(), force.first()) {
+        (Some(z0), Some(f0)) => (*z0, *f0),
+        _ => return Vec::new(),
+    };
+    // δ = (z − z0) − (F − F0)/k
+    let depth = |(z, f): (&f64, &f64)| (z - z0) - (f - f0) / spring_constant;
+    approach.iter().zip(force).map(depth).collect()
+}
+
+/// Turns the heights so that they grow towards the body, and adds the force, if the deflection is measured, and the
+/// penetration at this spring constant.
+pub(super) fn add_penetration(
+    raw: &mut RawCurve<'_>,
+    direction: HeightDirection,
+    spring: SpringConstant,
+) -> Result<(), CurveError> {
+    if let Some(deflections) = raw.values(Channel::Deflection) {
+        // F = k d
+        let forces = deflections.iter().map(|d| spring.mean * d).collect();
+        raw.replace(Channel::Force, forces);
+    }
+    let (heights, forces) = (raw.values(Channel::Height), raw.values(Channel::Force));
+    let (Some(heights), Some(forces)) = (heights, forces) else {
+        return Ok(());
+    };
+    let sign = direction.sign(heights, forces)?;
+    let approach: Vec<_> = heights.iter().map(|height| sign * height).collect();
+    // Here the zero does not matter; an invalid first row must not make all of them invalid.
+    let depth = |(z, f): (&f64, &f64)| z - f / spring.mean;
+    let depths = approach.iter().zip(forces).map(depth).collect();
+    raw.replace(Channel::Height, approach);
+    raw.replace(Channel::Depth, depths);
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_direction_is_that_in_which_the_force_grows() {
+        // Adhesion and a slope before contact do not count.
+        let forces = [0.0, 0.1, 0.2, -1.0, 1.0, 2.0, 3.0];
+        let toward = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];
+        let sign = |heights: &[f64]| HeightDirection::FromForce.sign(heights, &forces);
+        assert_eq!(sign(&toward), Ok(1.0));
+        assert_eq!(sign(&toward.map(|z| 10.0 - z)), Ok(-1.0));
+        assert_eq!(sign(&[2.0; 7]), Err(CurveError::HeightDirection));
+        assert_eq!(HeightDirection::Away.sign(&toward, &forces), Ok(-1.0));
+    }
+}

@@ -1,0 +1,200 @@
+//! The table of numbers in a text: where it begins and ends, its rows, and the heads of its columns.
+
+use super::error::CurveError;
+use super::header::{self, HeaderField};
+use super::separator::{DecimalMark, Separator};
+use super::text_options::TextOptions;
+
+/// A run of rows counts as a table if it has this fraction of the rows of the longest.
+const SHARE_OF_LONGEST: usize = 10;
+
+/// A table in a text.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TextTable<'t> {
+    /// What separates its columns.
+    pub separator: Separator,
+    /// The heads of its columns; empty if there are none.
+    pub header: Vec<HeaderField>,
+    /// Its rows, as lines of the text; lines without any value are left out.
+    pub rows: Vec<&'t str>,
+    /// Columns of its first row.
+    pub columns: usize,
+    /// Tables in the text.
+    pub tables: usize,
+}
+
+/// What a line is to a table.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Line {
+    /// At least two fields are numbers.
+    Row,
+    /// As many fields as in the first row, one of them a number or none a word.
+    Broken,
+    /// No value at all, or a comment.
+    Blank,
+    /// Something else, at which a table ends.
+    Other,
+}
+
+/// Lines of a text that belong together: from the first row to behind the last one.
+#[derive(Debug, Clone, Copy)]
+struct Run {
+    start: usize,
+    end: usize,
+    rows: usize,
+}
+
+impl<'t> TextTable<'t> {
+    /// Finds the table that the options mean.
+    ///
+    /// # Errors
+    ///
+    /// [`CurveError`] if there is none.
+    pub fn find(text: &'t str, options: &TextOptions) -> Result<Self, CurveError> {
+        let lines = lines(text);
+        let found = Separator::of(&lines, options.decimal);
+        let hint = hint(&lines, options.decimal, found.map_or(0, |(_, rows)| rows));
+        let no_table = || CurveError::NoTable { hint };
+        let separator = match (options.separator, found) {
+            (Some(separator), _) => separator,
+            (None, Some((separator, _))) if hint.is_none() => separator,
+            _ => return Err(no_table()),
+        };
+        let runs = Runs {
+            lines: &lines,
+            separator,
+            decimal: options.decimal,
+        };
+        let (floor, run, tables) = match &options.skip_until {
+            Some(text) => runs.behind(text, options.table.unwrap_or(1))?,
+            None => runs.of_whole_text(options.table.unwrap_or(1))?,
+        };
+        let run = run.ok_or_else(no_table)?;
+        let kept = lines.get(run.start..run.end).unwrap_or_default();
+        let columns = kept.first().map_or(0, |row| separator.fields(row).len());
+        let is_row = |line: &&&str| runs.kind(line, columns) != Line::Blank;
+        Ok(Self {
+            separator,
+            header: header::above(
+                lines.get(floor..run.start).unwrap_or_default(),
+                separator,
+                columns,
+            ),
+            rows: kept.iter().filter(is_row).copied().collect(),
+            columns,
+            tables,
+        })
+    }
+}
+
+/// The lines of a text, whatever ends them.
+fn lines(text: &str) -> Vec<&str> {
+    let mark = if text.contains('\n') { '\n' } else { '\r' };
+    text.split(mark)
+        .map(|line| line.trim_matches('\r'))
+        .collect()
+}
+
+/// The decimal mark with which there is a table, if the other one gives hardly a row of it.
+fn hint(lines: &[&str], decimal: DecimalMark, rows: usize) -> Option<&'static str> {
+    let (other, hint) = match decimal {
+        DecimalMark::Point => (DecimalMark::Comma, ": decimal = \",\" gives one"),
+        DecimalMark::Comma => (DecimalMark::Point, ": decimal = \".\" gives one"),
+    };
+    let (_, of_other) = Separator::of(lines, other)?;
+    (of_other > SHARE_OF_LONGEST * rows).then_some(hint)
+}
+
+/// The runs of rows in the lines of a text.
+struct Runs<'a, 't> {
+    lines: &'a [&'t str],
+    separator: Separator,
+    decimal: DecimalMark,
+}
+
+impl Runs<'_, '_> {
+    /// The n-th table of the whole text, with the number of tables.
+    fn of_whole_text(&self, wanted: usize) -> Result<(usize, Option<Run>, usize), CurveError> {
+        let runs = self.all(0, self.lines.len());
+        let longest = runs.iter().map(|run| run.rows).max().unwrap_or(0);
+        let is_long = |run: &&Run| run.rows * SHARE_OF_LONGEST >= longest;
+        let tables: Vec<_> = runs.iter().filter(is_long).copied().collect();
+        let found = tables.len();
+        match tables.get(wanted - 1) {
+            None if found > 0 => Err(CurveError::NoSuchTable { wanted, found }),
+            run => Ok((0, run.copied(), found)),
+        }
+    }
+
+    /// The first longer table at or behind the n-th line with the text, with the number of such lines.
+    fn behind(&self, text: &str, wanted: usize) -> Result<(usize, Option<Run>, usize), CurveError> {
+        let words = |line: &str| line.split_whitespace().collect::<Vec<_>>().join(" ");
+        let text = words(text);
+        let has_text =
+            |(number, line): (usize, &&str)| words(line).contains(&text).then_some(number);
+        let starts: Vec<_> = self.lines.iter().enumerate().filter_map(has_text).collect();
+        let found = starts.len();
+        let Some(&start) = starts.get(wanted - 1) else {
+            return Err(match found {
+                0 => CurveError::SkipUntil { text },
+                _ => CurveError::NoSuchTable { wanted, found },
+            });
+        };
+        let end = starts.get(wanted).copied().unwrap_or(self.lines.len());
+        let runs = self.all(start, end);
+        let longest = runs.iter().map(|run| run.rows).max().unwrap_or(0);
+        let long = runs
+            .iter()
+            .find(|run| run.rows * SHARE_OF_LONGEST >= longest);
+        Ok((start, long.copied(), found))
+    }
+
+    /// All runs between two lines.
+    fn all(&self, start: usize, end: usize) -> Vec<Run> {
+        let mut runs: Vec<Run> = Vec::new();
+        let (mut open, mut columns) = (false, 0);
+        for number in start..end {
+            let line = self.lines.get(number).copied().unwrap_or_default();
+            match (self.kind(line, columns), open) {
+                (Line::Row, false) => {
+                    open = true;
+                    columns = self.separator.fields(line).len();
+                    runs.push(Run {
+                        start: number,
+                        end: number + 1,
+                        rows: 1,
+                    });
+                }
+                (Line::Row | Line::Broken, true) => {
+                    if let Some(run) = runs.last_mut() {
+                        (run.end, run.rows) = (number + 1, run.rows + 1);
+                    }
+                }
+                (Line::Other, _) => open = false,
+                (Line::Blank | Line::Broken, _) => {}
+            }
+        }
+        runs
+    }
+
+    fn kind(&self, line: &str, columns: usize) -> Line {
+        if line.starts_with(['#', '%']) {
+            return Line::Blank;
+        }
+        let fields = self.separator.fields(line);
+        let is_number = |field: &&&str| self.decimal.number(field).is_some();
+        let numbers = fields.iter().filter(is_number).take(2).count();
+        if numbers == 2 {
+            return Line::Row;
+        }
+        if fields.iter().all(|field| field.is_empty()) {
+            return Line::Blank;
+        }
+        let has_word = |field: &&str| field.contains(char::is_alphabetic);
+        let may_be_broken = numbers == 1 || !fields.iter().any(has_word);
+        if fields.len() == columns && columns > 1 && may_be_broken {
+            return Line::Broken;
+        }
+        Line::Other
+    }
+}

@@ -1,0 +1,61 @@
+//! Measured curves of seven kinds of instruments, read as a fit file says, with numbers taken from the files by hand.
+
+#![expect(
+    clippy::unreadable_literal,
+    reason = "the numbers are written as in the files"
+)]
+
+use std::path::Path;
+use std::sync::Arc;
+
+use pellicle_cli::measurements::{DataTable, ExclusionReason, MeasuredCurve};
+use pellicle_cli::{Diagnosis, Source};
+
+mod cantilevers;
+mod instruments;
+mod invented;
+mod tungsten;
+
+/// Reads the curves of one table `[[data]]`, whose files lie beside this one.
+fn read(table: &str) -> Result<Vec<MeasuredCurve>, Diagnosis> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/curves");
+    let text = format!("[[data]]\n{table}\n");
+    let source = Arc::new(Source::new("fit.toml", text));
+    let tables = DataTable::parse_all(&source, &folder)?;
+    assert_eq!(tables.len(), 1);
+    tables[0].curves()
+}
+
+/// The only curve of a table.
+fn one(table: &str) -> MeasuredCurve {
+    let mut curves = read(table).expect("the files are curves");
+    assert_eq!(curves.len(), 1, "{table}");
+    curves.remove(0)
+}
+
+/// The sentence of the diagnosis of a table.
+fn refused(table: &str) -> String {
+    read(table).expect_err("some file is none").to_string()
+}
+
+/// Rows left out for a reason.
+fn excluded(curve: &MeasuredCurve, reason: ExclusionReason) -> usize {
+    let found = curve.excluded.iter().find(|found| found.reason == reason);
+    found.map_or(0, |found| found.count)
+}
+
+fn codes(curve: &MeasuredCurve) -> Vec<&str> {
+    curve.warnings.iter().map(|warning| warning.code).collect()
+}
+
+/// First and last value. One rounding of the number and one of its product with the unit.
+fn check_ends(values: Option<&[f64]>, first: f64, last: f64) {
+    let values = values.expect("the column was read");
+    let ends = [(values[0], first), (values[values.len() - 1], last)];
+    for (found, wanted) in ends {
+        assert!(
+            (found - wanted).abs() <= 4e-16 * wanted.abs(),
+            "{found:e}, not {wanted:e}"
+        );
+    }
+}

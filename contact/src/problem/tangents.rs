@@ -1,0 +1,131 @@
+//! Springs of a law that is not linear, straightened at a pressure.
+//!
+//! ```text
+//! w*(p) ≈ w*(p₀) + η_t (p − p₀) = η_t p + s,    η_t = dw*/dp(p₀),    s = w*(p₀) − η_t p₀
+//! ```
+//!
+//! So a grid's problem becomes a linear one of the compliance `η_t` and the initial gap `g0 + s`.
+
+use pellicle_texture::SpringLaw;
+
+use crate::{
+    problem::scale::Scale,
+    vector::{by_parts, update, update_with},
+};
+
+/// Part of the decrease that the slope promises which the energy must show (Armijo).
+const DECREASE: f64 = 1e-4;
+/// Bisections for the minimum on the way: to a thousandth of it.
+const BISECTIONS: usize = 10;
+
+/// Tangents to the shortenings of all springs, in the units of a problem's scale but for the compliances.
+#[derive(Debug, Clone)]
+pub struct Tangents {
+    law: SpringLaw,
+    per_compliance: f64,
+    /// `p₀`.
+    at: Vec<f64>,
+    /// `η_t`, in m/Pa.
+    compliance: Vec<f64>,
+}
+
+impl Tangents {
+    /// Tangents at rest, where they are the compliances η (m/Pa) themselves; none for springs that are linear.
+    pub fn at_rest(law: SpringLaw, scale: Scale, compliance: &[f64]) -> Option<Self> {
+        (!law.is_linear()).then(|| Self {
+            law: law.in_unit(scale.pressure()),
+            per_compliance: 1.0 / scale.compliance,
+            at: vec![0.0; compliance.len()],
+            compliance: compliance.to_vec(),
+        })
+    }
+
+    /// `η_t`, in m/Pa.
+    pub fn compliance(&self) -> &[f64] {
+        &self.compliance
+    }
+
+    /// `p₀`.
+    pub fn at(&self) -> &[f64] {
+        &self.at
+    }
+
+    /// Straightens the springs of compliances at rest η (m/Pa) at a pressure ≥ 0.
+    pub fn take(&mut self, rest: &[f64], pressure: &[f64]) {
+        self.at.copy_from_slice(pressure);
+        let law = self.law;
+        update_with(&mut self.compliance, rest, pressure, |tangent, eta, p| {
+            *tangent = law.tangent(*eta, *p);
+        });
+    }
+
+    /// Adds `s` to a gap.
+    pub fn add_offset(&self, rest: &[f64], gap: &mut [f64]) {
+        // s is what the law lies below the tangent at rest.
+        update_with(gap, rest, &self.at, |gap, eta, at| {
+            if *at > 0.0 {
+                *gap -= self.law.beyond_tangent(self.per_compliance * eta, *at, 0.0);
+            }
+        });
+    }
+
+    /// Adds to `v`, computed with the tangents, what the law itself differs by at a pressure; `beyond` is a buffer.
+    pub fn add_beyond(&self, rest: &[f64], pressure: &[f64], beyond: &mut [f64], v: &mut [f64]) {
+        beyond.copy_from_slice(pressure);
+        update_with(beyond, rest, &self.at, |value, eta, at| {
+            let eta = self.per_compliance * eta;
+            *value = if (*value - at).abs() > 0.0 {
+                self.law.beyond_tangent(eta, *at, *value)
+            } else {
+                0.0
+            };
+        });
+        update(v, beyond, |v, beyond| *v += beyond);
+    }
+
+    /// The part of the way from `p₀` to a pressure to go: all of it, unless the energy would not be lower there; then up
+    /// to its minimum on the way. By the linear problem, the energy has this slope and curvature along the way.
+    pub fn part_downhill(
+        &self,
+        rest: &[f64],
+        pressure: &[f64],
+        [slope, curvature]: [f64; 2],
+    ) -> f64 {
+        // E(p₀ + t s) − E(p₀) = t s·∂E + ½ t² s·y + what the law adds
+        let change = slope + curvature / 2.0 + self.beyond_along(rest, pressure, 1.0)[0];
+        let is_uphill = change > DECREASE * slope;
+        if !(is_uphill && slope < 0.0) {
+            return 1.0;
+        }
+        let (mut low, mut high) = (0.0, 1.0);
+        for _ in 0..BISECTIONS {
+            let middle = f64::midpoint(low, high);
+            let [_, beyond] = self.beyond_along(rest, pressure, middle);
+            if slope + middle * curvature + beyond < 0.0 {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        f64::midpoint(low, high)
+    }
+
+    /// What the law adds to the energy, and to its slope, after a part `t` of the way from `p₀` to a pressure.
+    fn beyond_along(&self, rest: &[f64], pressure: &[f64], t: f64) -> [f64; 2] {
+        let parts = by_parts(pressure.len(), |part| {
+            let fields = (self.at[part.clone()].iter()).zip(&pressure[part.clone()]);
+            let mut sums = [0.0; 2];
+            for ((at, p), eta) in fields.zip(&rest[part]) {
+                let (step, eta) = (p - at, self.per_compliance * eta);
+                if step != 0.0 && eta != 0.0 {
+                    let to = at + t * step;
+                    sums[0] += self.law.energy_beyond_tangent(eta, *at, to);
+                    sums[1] += step * self.law.beyond_tangent(eta, *at, to);
+                }
+            }
+            sums
+        });
+        let add = |sums: [f64; 2], part: [f64; 2]| [sums[0] + part[0], sums[1] + part[1]];
+        parts.into_iter().fold([0.0; 2], add)
+    }
+}

@@ -1,0 +1,49 @@
+//! What one number of a model changes of its springs.
+
+use pellicle_texture::SpringLaw;
+
+use super::change::difference;
+use crate::{grid::window::Window, vector::dot};
+
+/// Derivatives of springs by one number θ, per unit of θ.
+pub enum SpringChange {
+    /// `η_θ`.
+    Linear(Vec<f64>),
+    /// Law and compliance at rest a step above and a step below.
+    Stiffening([(SpringLaw, Vec<f64>); 2], f64),
+}
+
+impl SpringChange {
+    /// By springs a step above and below.
+    pub fn of(more: (SpringLaw, Vec<f64>), less: (SpringLaw, Vec<f64>), step: f64) -> Self {
+        if more.0.is_linear() {
+            Self::Linear(difference(&more.1, &less.1, step))
+        } else {
+            Self::Stiffening([more, less], step)
+        }
+    }
+
+    /// `w*_θ(p)` and `Σ ∂/∂θ ∫ w* dp` under a pressure on a window.
+    pub fn under(&self, window: &Window, pressure: &[f64]) -> (Vec<f64>, f64) {
+        match self {
+            Self::Linear(compliance) => {
+                let springs = window.cut(compliance);
+                let image = springs.iter().zip(pressure).map(|(eta, p)| eta * p);
+                let image: Vec<f64> = image.collect();
+                let energy = 0.5 * dot(pressure, &image);
+                (image, energy)
+            }
+            Self::Stiffening(both, step) => {
+                let [more, less] = both.each_ref().map(|(law, compliance)| {
+                    let springs = window.cut(compliance);
+                    let pairs = springs.iter().zip(pressure);
+                    let shortening = pairs.clone().map(|(eta, p)| law.shortening(*eta, *p));
+                    let energy: f64 = pairs.map(|(eta, p)| law.energy(*eta, *p)).sum();
+                    (shortening.collect::<Vec<f64>>(), energy)
+                });
+                let image = difference(&more.0, &less.0, *step);
+                (image, (more.1 - less.1) / (2.0 * step))
+            }
+        }
+    }
+}
