@@ -43,11 +43,13 @@ pub fn identify(
         warnings.push(Warning::SeveralMinima);
     }
     match problem.scatter() {
-        Scatter::None => Fitting::new(problem, options, warnings)?.run(&mut predictor, found.at),
-        Scatter::BetweenCurves => {
+        Scatter::BetweenCurves if problem.curves().len() > 1 => {
             let mut fit = Repeats::new(problem, options)?.run(&mut predictor, found.at)?;
             fit.warnings.extend(warnings);
             Ok(fit)
+        }
+        Scatter::None | Scatter::BetweenCurves => {
+            Fitting::new(problem, options, warnings)?.run(&mut predictor, found.at)
         }
     }
 }
@@ -158,7 +160,7 @@ impl<'p> Fitting<'p> {
         intervals: Vec<Interval>,
         search: usize,
     ) -> Fit {
-        self.warn_at_bounds(refined);
+        self.warn(refined);
         let goodness = self.goodness(refined, sought);
         let verdict = if !refined.minimum.converged {
             FitVerdict::NotConverged
@@ -186,7 +188,10 @@ impl<'p> Fitting<'p> {
         }
     }
 
-    fn warn_at_bounds(&mut self, refined: &Refined) {
+    fn warn(&mut self, refined: &Refined) {
+        if refined.minimum.within_jitter {
+            self.warnings.push(Warning::Jitter);
+        }
         for (j, unknown) in self.problem.unknowns().iter().enumerate() {
             if unknown.bounds().contains(&refined.minimum.at.position[j]) {
                 self.warnings.push(Warning::AtBound(j));
@@ -217,7 +222,7 @@ impl<'p> Fitting<'p> {
             degrees: whitened.len().saturating_sub(fitted).max(1) as f64,
             known,
         }
-        .judge(lower_half)
+        .judge(lower_half, self.likelihood(refined).persistence_p())
     }
 
     fn points(&self, refined: &Refined) -> FittedPoints {

@@ -17,13 +17,16 @@ const COARSE: f64 = 0.1;
 /// Two searches agree where they end within this many standard errors of each other.
 const AGREEMENT: f64 = 1.0;
 
+/// A fit whose χ² per degree of freedom is above this is plainly wrong, and may be the wrong one of several minima.
+const IMPLAUSIBLE: f64 = 3.0;
+
 /// Where the best of several searches ended, and whether another one led elsewhere.
 pub(crate) struct Found {
     pub at: Rc<Evaluation>,
     pub several_minima: bool,
 }
 
-/// Searches from one start after the other until two agree.
+/// Searches from one start after the other until two agree on a fit that is not plainly wrong.
 pub(crate) fn search(
     problem: &Problem,
     predictor: &mut Predictor,
@@ -54,7 +57,10 @@ pub(crate) fn search(
         };
         let minimum = search.descend(predictor, first, agrees)?;
         if agrees(&minimum.at) {
-            break;
+            if is_plausible(problem, &minimum) {
+                break;
+            }
+            continue;
         }
         let Some(known) = &best else {
             best = Some(minimum);
@@ -98,6 +104,11 @@ pub(crate) fn first_levels(problem: &Problem) -> crate::NoiseLevels {
 fn degrees(problem: &Problem) -> f64 {
     let fitted = problem.unknowns().len() + problem.columns().len();
     problem.points().saturating_sub(fitted).max(1) as f64
+}
+
+/// Whether a fit comes as near to the data as their noise allows, as far as that is known.
+fn is_plausible(problem: &Problem, minimum: &Minimum) -> bool {
+    !problem.noise().is_given() || minimum.system.chi_squared <= IMPLAUSIBLE * degrees(problem)
 }
 
 /// Whether a point lies within the standard error of a minimum, by the distance `‖J (x − x₀)‖²`.

@@ -1,9 +1,10 @@
 //! Whether the model follows the data, or only comes near them.
 //!
-//! Four tests, each with its own probability under a true model: χ² where the noise is known, runs of signs and the
-//! statistic of Durbin and Watson for residuals that hang together, and the lower half of the abscissae against the
-//! whole. The misfit's probability is that of the worst, times their number (Bonferroni), so that a true model is
-//! refused no oftener than that says, whatever the tests have in common.
+//! Up to five tests, each with its own probability under a true model: χ² where the noise is known, runs of signs and
+//! the statistic of Durbin and Watson for residuals that hang together, the lower half of the abscissae against the
+//! whole, and the persistence of a correlated noise, which must not be long enough to hide a misfit. The misfit's
+//! probability is that of the worst, times their number (Bonferroni), so that a true model is refused no oftener
+//! than that says, whatever the tests have in common.
 
 use crate::{
     Problem,
@@ -33,9 +34,12 @@ pub struct Goodness {
     pub durbin_watson: f64,
     /// Probability of as small a `d`.
     pub durbin_watson_p: f64,
-    /// Probability of as great a difference between the unknowns of the lower half of the abscissae and of all; nothing
-    /// where the halves cannot tell them.
+    /// Probability of as great a difference between the unknowns of the lower half of the abscissae and of all;
+    /// nothing where the halves cannot tell them.
     pub lower_half_p: Option<f64>,
+    /// Probability that noise which forgets itself within a tenth of its curve looks as persistent as the estimated
+    /// one; nothing where no correlation is estimated.
+    pub persistence_p: Option<f64>,
     /// The least of these, times their number, at most 1. Below [`REFUSAL`] the fit is a misfit.
     pub misfit_p: f64,
 }
@@ -53,8 +57,8 @@ pub(crate) struct Residuals<'a> {
 }
 
 impl Residuals<'_> {
-    /// Judges the residuals, with the probability of the lower half from elsewhere.
-    pub fn judge(&self, lower_half_p: Option<f64>) -> Goodness {
+    /// Judges the residuals, with the probabilities of the lower half and of the persistence from elsewhere.
+    pub fn judge(&self, lower_half_p: Option<f64>, persistence_p: Option<f64>) -> Goodness {
         let chi_squared = self.chi_squared;
         let chi_squared_p = self
             .known
@@ -66,6 +70,7 @@ impl Residuals<'_> {
             Some(runs_p),
             Some(durbin_watson_p),
             lower_half_p,
+            persistence_p,
         ]
         .into_iter()
         .flatten()
@@ -80,14 +85,15 @@ impl Residuals<'_> {
             durbin_watson,
             durbin_watson_p,
             lower_half_p,
+            persistence_p,
             misfit_p: (worst * all.len() as f64).min(1.0),
         }
     }
 }
 
-/// The probability of so few runs, all series together: with `n₊` and `n₋` signs in one series, the number of runs has
-/// mean `1 + 2n₊n₋/n` and variance `2n₊n₋(2n₊n₋ − n)/(n²(n − 1))` (A. Wald and J. Wolfowitz, Ann. Math. Stat. 11, 147
-/// (1940)); normal, with the correction for continuity.
+/// The probability of so few runs, all series together: with `n₊` and `n₋` signs in one series, the number of runs
+/// has mean `1 + 2n₊n₋/n` and variance `2n₊n₋(2n₊n₋ − n)/(n²(n − 1))` (A. Wald and J. Wolfowitz, Ann. Math. Stat.
+/// 11, 147 (1940)); normal, with the correction for continuity.
 fn runs(series: &[&[f64]]) -> f64 {
     let (mut found, mut mean, mut variance) = (0.0, 0.0, 0.0);
     for residuals in series.iter().filter(|r| r.len() > 1) {
@@ -108,8 +114,8 @@ fn runs(series: &[&[f64]]) -> f64 {
     normal_below((found + 0.5 - mean) / variance.sqrt())
 }
 
-/// `d` and the probability of a smaller one: J. Durbin and G. S. Watson, Biometrika 37, 409 (1950). Without correlation
-/// `d` has mean 2, slightly more after a fit, and variance `4/n`, slightly less.
+/// `d` and the probability of a smaller one: J. Durbin and G. S. Watson, Biometrika 37, 409 (1950). Without
+/// correlation `d` has mean 2, slightly more after a fit, and variance `4/n`, slightly less.
 fn durbin_watson(series: &[&[f64]]) -> (f64, f64) {
     let (mut differences, mut squares, mut points) = (0.0, 0.0, 0.0);
     for residuals in series {

@@ -6,7 +6,7 @@
 //! (JᵀJ + λ D²) δ = Jᵀr                     over the unknowns that no bound holds
 //! |δ| ≤ 0.7, x + δ between the bounds
 //! ρ = fall of χ² / fall of the linear problem
-//! ρ > 0: go there, λ ← λ max(⅓, 1 − (2ρ − 1)³);  else, or without a prediction: λ ← λ ν, ν ← 2ν
+//! ρ > 0: go there, λ ← λ max(⅓, 1 − (2ρ − 1)³);  else: λ ← λ ν, ν ← 2ν, and the next step a quarter as long
 //! ```
 //!
 //! The rule for λ: H. B. Nielsen, Damping parameter in Marquardt's method, IMM-REP-1999-05, Technical University of
@@ -21,7 +21,8 @@ use crate::{
     predictor::{Evaluation, Predictor},
 };
 
-/// Least damping, above the rounding of a matrix of unit diagonal, so that it stays regular where the data see nothing.
+/// Least damping, above the rounding of a matrix of unit diagonal, so that it stays regular where the data see
+/// nothing.
 const LEAST_DAMPING: f64 = 1e-11;
 /// Longest step of a coordinate, a factor of two for a logarithm: beyond, a linearisation is worth nothing.
 const LONGEST_STEP: f64 = 0.7;
@@ -29,10 +30,15 @@ const LONGEST_STEP: f64 = 0.7;
 const FIRST_DAMPING: f64 = 1e-4;
 /// A step shorter than this in every coordinate leads nowhere.
 const SHORTEST_STEP: f64 = 1e-10;
-/// After a step that failed, what a linear problem could still gain, in units of χ², counts as reached: a tenth of a
-/// standard deviation, where a prediction's own jitter can exceed what its derivatives promise.
-const WITHIN_JITTER: f64 = 0.01;
-/// Part of a step that is tried after one to where the model has no prediction.
+/// After a step that gained other than its derivatives promised, what a linear problem could still gain, in units of
+/// χ², counts as reached: a fifth of a standard error, where the jitter of a prediction from a grid is all that is
+/// left.
+const WITHIN_JITTER: f64 = 0.04;
+/// Each further step in a row that failed so multiplies that, up to one standard error.
+const MORE_JITTER: f64 = 4.0;
+/// A step that gained less or more than this much of what was promised, as a part of it.
+const OTHER_THAN_PROMISED: f64 = 0.5;
+/// Part of a step that is tried after one that failed.
 const RETREAT: f64 = 0.25;
 /// Trials before a search ends without convergence.
 const MOST_TRIALS: usize = 60;
@@ -58,6 +64,8 @@ pub(crate) struct Minimum {
     pub at: Rc<Evaluation>,
     pub system: System,
     pub converged: bool,
+    /// Whether it ended within the jitter of the predictions.
+    pub within_jitter: bool,
     /// χ² that a linear problem could still gain.
     pub remaining: f64,
 }
@@ -91,6 +99,7 @@ impl Search<'_, '_> {
             at: start,
             system,
             converged: false,
+            within_jitter: false,
             remaining: f64::INFINITY,
         };
         let mut damping = Damping {
@@ -98,44 +107,54 @@ impl Search<'_, '_> {
             growth: 2.0,
             longest: LONGEST_STEP,
         };
-        let mut failed = false;
+        let mut jitter = 0.0;
         for _ in 0..MOST_TRIALS {
             let moving = self.moving(&now);
             let equations = NormalEquations::new(&now.system, &moving);
             now.remaining = equations.possible_decrease()?;
             let scale = self.stopping.scale(now.system.chi_squared);
-            let reached = if failed { WITHIN_JITTER } else { 0.0 };
+            now.within_jitter = now.remaining <= f64::min(jitter, 1.0) * scale;
             let target = self.target(&now, &equations.damped_step(damping.value)?, &damping);
-            now.converged = now.remaining <= self.stopping.tolerance.max(reached) * scale
+            now.converged = now.within_jitter
+                || now.remaining <= self.stopping.tolerance * scale
                 || farthest(&now.at.position, &target) < SHORTEST_STEP;
             if now.converged || enough(&now.at) {
                 break;
             }
             let trial = predictor.evaluate(&target)?;
-            failed = !self.judge(&mut now, &mut damping, trial);
+            let step = difference(&target, &now.at.position);
+            let gained = self.judge(&mut now, &mut damping, &step, trial);
+            jitter = if (gained - 1.0_f64).abs() <= OTHER_THAN_PROMISED {
+                0.0
+            } else {
+                (MORE_JITTER * jitter).max(WITHIN_JITTER)
+            };
         }
         Ok(now)
     }
 
-    /// Goes to the trial where χ² falls, and adapts the damping.
+    /// Goes to the trial where χ² falls, and adapts the damping. Gives what was gained as a part of what was
+    /// promised.
     fn judge(
         &self,
         now: &mut Minimum,
         damping: &mut Damping,
+        step: &[f64],
         trial: Option<Rc<Evaluation>>,
-    ) -> bool {
+    ) -> f64 {
         let Some(trial) = trial else {
-            damping.longest *= RETREAT;
-            return false;
+            damping.longest = RETREAT * size(step);
+            // It tells nothing of the jitter.
+            return 1.0;
         };
-        let step = difference(&trial.position, &now.at.position);
-        let promised = now.system.decrease(&step);
+        let promised = now.system.decrease(step);
         let system = self.metric.system(&trial);
         let ratio = (now.system.chi_squared - system.chi_squared) / promised;
         if !(promised > 0.0 && ratio > 0.0) {
+            damping.longest = RETREAT * size(step);
             damping.value *= damping.growth;
             damping.growth *= 2.0;
-            return false;
+            return ratio.min(0.0);
         }
         let factor = (1.0 - (2.0 * ratio - 1.0).powi(3)).max(1.0 / 3.0);
         damping.value = (damping.value * factor).max(LEAST_DAMPING);
@@ -143,7 +162,7 @@ impl Search<'_, '_> {
         damping.longest = (damping.longest / RETREAT).min(LONGEST_STEP);
         now.at = trial;
         now.system = system;
-        true
+        ratio
     }
 
     /// The free unknowns that no bound holds against the fall of χ².
@@ -163,7 +182,7 @@ impl Search<'_, '_> {
 
     /// Where a step leads, no farther than allowed.
     fn target(&self, now: &Minimum, step: &[f64], damping: &Damping) -> Vec<f64> {
-        let size = step.iter().fold(0.0, |most: f64, s| most.max(s.abs()));
+        let size = size(step);
         let part = if size > damping.longest {
             damping.longest / size
         } else {
@@ -176,6 +195,11 @@ impl Search<'_, '_> {
         }
         target
     }
+}
+
+/// The greatest of a step's coordinates.
+fn size(step: &[f64]) -> f64 {
+    step.iter().fold(0.0, |most, s| most.max(s.abs()))
 }
 
 /// The greatest difference of two lists.

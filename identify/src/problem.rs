@@ -140,6 +140,11 @@ impl Problem {
         }
     }
 
+    /// Points of the longest curve.
+    pub(crate) fn points_of_longest(&self) -> usize {
+        self.curves.iter().map(Curve::points).max().unwrap_or(0)
+    }
+
     /// Coefficients of the linear nuisances.
     pub(crate) fn columns(&self) -> &[NuisanceColumn] {
         &self.columns

@@ -23,8 +23,9 @@ const NEAR: f64 = 0.05;
 const LONGEST_STRIDE: f64 = 1.4;
 /// What the constrained fits may leave to be gained, in units of χ²; it is taken off as if the problem were linear.
 const CONSTRAINED: f64 = 0.02;
-/// A profile lower than the best fit by this has found a better one.
-const BETTER: f64 = 0.05;
+/// A profile lower than the best fit by this has found a better one: a twentieth of χ² at level 0.95, so that the
+/// jitter of a prediction from a grid is not taken for one.
+const BETTER: f64 = 0.2;
 /// Constrained fits on one side before it counts as open.
 const MOST_POINTS: usize = 24;
 /// Halvings of a stride to where the model has no prediction.

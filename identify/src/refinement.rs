@@ -53,7 +53,7 @@ impl<'p> Refinement<'_, 'p> {
             let metric = Metric::at(self.problem, &levels, &at);
             let mut minimum = self.descend(predictor, &metric, Rc::clone(&at))?;
             round += 1;
-            let settled = Rc::ptr_eq(&minimum.at, &at) || self.is_fixed();
+            let settled = Rc::ptr_eq(&minimum.at, &at) || minimum.within_jitter || self.is_fixed();
             if settled || round == MOST_ROUNDS {
                 minimum.converged &= settled;
                 return Ok(Refined {

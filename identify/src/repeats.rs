@@ -140,7 +140,7 @@ impl<'p> Repeats<'p> {
             let common = self
                 .mixed_model(&curves, &state)
                 .solve(&self.guess(&curves))?;
-            if self.is_settled(&common) {
+            if self.is_settled(&state, &common) {
                 let Some(exclusion) = discordant::discordant(&curves) else {
                     return self.result(predictor, &state, &curves, &common, true);
                 };
@@ -158,11 +158,29 @@ impl<'p> Repeats<'p> {
 
     /// The noise of the included curves, each of which has parameters of its own.
     fn noise(&self, state: &State) -> NoiseLevels {
-        let included: Vec<(&Share, Evaluation)> = self
-            .included(state)
+        let parts = self.parts(state);
+        self.likelihood(&parts, state).estimate()
+    }
+
+    /// See [`RestrictedLikelihood::persistence_p`].
+    fn persistence_p(&self, state: &State) -> Option<f64> {
+        let parts = self.parts(state);
+        self.likelihood(&parts, state).persistence_p()
+    }
+
+    /// The included curves, each with its part of the present evaluation.
+    fn parts(&self, state: &State) -> Vec<(&Share, Evaluation)> {
+        self.included(state)
             .map(|share| (share, state.at.part(&self.problem.spans()[share.index])))
-            .collect();
-        let parts = included
+            .collect()
+    }
+
+    fn likelihood<'a>(
+        &'a self,
+        parts: &'a [(&'a Share, Evaluation)],
+        state: &State,
+    ) -> RestrictedLikelihood<'a> {
+        let parts = parts
             .iter()
             .map(|(share, at)| Part {
                 problem: &share.problem,
@@ -170,7 +188,7 @@ impl<'p> Repeats<'p> {
                 free: &self.told,
             })
             .collect();
-        RestrictedLikelihood::new(parts, *self.problem.noise(), state.levels).estimate()
+        RestrictedLikelihood::new(parts, *self.problem.noise(), state.levels)
     }
 
     fn curves(&self, state: &State) -> Vec<CurveFit> {
@@ -246,9 +264,15 @@ impl<'p> Repeats<'p> {
             .collect()
     }
 
-    fn is_settled(&self, common: &Common) -> bool {
-        (0..self.told.len())
-            .all(|k| common.correction[k].abs() <= SETTLED * common.covariance[(k, k)].sqrt())
+    /// Whether every correction is small beside its standard error, or leads out of the range from a bound.
+    fn is_settled(&self, state: &State, common: &Common) -> bool {
+        self.told.iter().enumerate().all(|(k, &j)| {
+            let [low, high] = self.problem.unknowns()[j].bounds();
+            let (x, step) = (state.at.position[j], common.correction[k]);
+            step.abs() <= SETTLED * common.covariance[(k, k)].sqrt()
+                || (x <= low && step < 0.0)
+                || (x >= high && step > 0.0)
+        })
     }
 
     /// Goes to the common parameters, part of the way where the model has no prediction there.

@@ -88,6 +88,9 @@ pub struct Work {
 pub enum Warning {
     /// Another start led to another minimum, which is worse.
     SeveralMinima,
+    /// The predictions jump about what their derivatives promise near the best fit, which is known to no better than a
+    /// part of a standard error.
+    Jitter,
     /// The best fit lies at a bound of this unknown, by its index.
     AtBound(usize),
     /// A profile of this unknown, by its index, found a better fit than the search, and the fit went on from there.

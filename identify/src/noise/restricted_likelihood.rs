@@ -3,15 +3,16 @@
 //! The restricted likelihood of the residuals, which does not count what the fit itself has absorbed:
 //! `−2 ℓ_R = ln det V + ln det XᵀV⁻¹X + rᵀ P r`, where `X` holds the derivatives by all unknowns and nuisances, and
 //! `rᵀ P r` is what of the residual no combination of them explains: H. D. Patterson and R. Thompson, Biometrika 58,
-//! 545 (1971). No prediction is needed: the residuals of the present point serve every trial. Degrees of freedom of an
-//! interval follow by Satterthwaite's rule, `ν = 2 C²/Var(C)`, with `Var(C)` from the curvature of `ℓ_R`:
-//! F. G. Giesbrecht and J. C. Burns, Biometrics 41, 477 (1985).
+//! 545 (1971). No prediction is needed: the residuals of the present point serve every trial. Degrees of freedom of
+//! an interval follow by Satterthwaite's rule, `ν = 2 C²/Var(C)`, with `Var(C)` from the curvature of `ℓ_R`: F. G.
+//! Giesbrecht and J. C. Burns, Biometrics 41, 477 (1985).
 
 use faer::{Mat, Side};
 
 use super::{Amount, Correlation, Noise, NoiseLevels, simplex};
 use crate::{
     IdentifyError, Problem,
+    distribution::chi_squared_above,
     metric::Metric,
     predictor::Evaluation,
     projection::{Projection, dot},
@@ -27,7 +28,11 @@ const DIFFERENCE: f64 = 0.05;
 /// Curvatures of `−2 ℓ_R` below this, a standard error above six in a logarithm, tell nothing.
 const FLAT: f64 = 0.05;
 
+/// Noise forgets itself at least so often in a curve; what lasts longer counts as a misfit.
+const FORGOTTEN: f64 = 10.0;
+
 /// One problem with its residuals, to which the noise belongs.
+#[derive(Clone)]
 pub(crate) struct Part<'a> {
     pub problem: &'a Problem,
     pub at: &'a Evaluation,
@@ -35,16 +40,24 @@ pub(crate) struct Part<'a> {
     pub free: &'a [usize],
 }
 
-/// The restricted likelihood over the estimated numbers of the noise, of one problem or of several with the same noise.
+/// The restricted likelihood over the estimated numbers of the noise, of one problem or of several with the same
+/// noise.
 pub(crate) struct RestrictedLikelihood<'a> {
     parts: Vec<Part<'a>>,
     base: NoiseLevels,
     noise: Noise,
+    /// The persistence is not sought above this.
+    most_persistence: f64,
 }
 
 impl<'a> RestrictedLikelihood<'a> {
     pub fn new(parts: Vec<Part<'a>>, noise: Noise, base: NoiseLevels) -> Self {
-        Self { parts, base, noise }
+        Self {
+            parts,
+            base,
+            noise,
+            most_persistence: 1.0,
+        }
     }
 
     /// The levels of the greatest likelihood.
@@ -58,6 +71,41 @@ impl<'a> RestrictedLikelihood<'a> {
             start[middle..].fill(0.0);
         }
         self.decode(&simplex::least(&start, 0.5, |p| self.deviance(p)))
+    }
+
+    /// The probability that noise which forgets itself within a tenth of its curve looks as persistent as this one;
+    /// none where its correlation is not estimated.
+    ///
+    /// What hangs together for longer cannot be told from a model that does not follow the data, which an
+    /// autoregression takes up as readily as noise. Twice the logarithm of the likelihood ratio, of the best
+    /// persistence to the best one below `e^(−10/n)`, is zero or χ² with even chances, the limit being one-sided
+    /// (H. Chernoff, Ann. Math. Stat. 25, 573 (1954)).
+    pub fn persistence_p(&self) -> Option<f64> {
+        if self.noise.correlation != Correlation::Estimated {
+            return None;
+        }
+        let longest = self
+            .parts
+            .iter()
+            .map(|part| part.problem.points_of_longest())
+            .max()?;
+        let limit = (-FORGOTTEN / longest as f64).exp();
+        if self.base.persistence <= limit {
+            return Some(1.0);
+        }
+        let limited = Self {
+            parts: self.parts.clone(),
+            base: NoiseLevels {
+                persistence: limit,
+                ..self.base
+            },
+            most_persistence: limit,
+            ..*self
+        };
+        let best = limited.estimate();
+        let excess =
+            limited.deviance(&limited.encode(&best)) - self.deviance(&self.encode(&self.base));
+        Some(0.5 * chi_squared_above(excess.max(0.0), 1.0))
     }
 
     /// Degrees of freedom of the variance `C_jj` of each free unknown.
@@ -171,7 +219,7 @@ impl<'a> RestrictedLikelihood<'a> {
             ..self.base
         };
         if let [persistence, white] = rest.as_slice() {
-            levels.persistence = logistic(*persistence);
+            levels.persistence = logistic(*persistence).min(self.most_persistence);
             levels.white_fraction = logistic(*white);
         }
         levels

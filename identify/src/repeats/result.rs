@@ -5,7 +5,7 @@ use faer::Mat;
 use super::{Common, CurveFit, MixedModel, Repeats, State};
 use crate::{
     BetweenCurves, Coefficient, Estimate, Fit, FitVerdict, FittedPoints, Goodness, IdentifyError,
-    KnownCombination, REFUSAL, Verdict, Work,
+    KnownCombination, REFUSAL, Verdict, Warning, Work,
     correlation::correlation,
     distribution::student_quantile,
     goodness::{Residuals, lower_half_p},
@@ -26,7 +26,7 @@ impl Repeats<'_> {
         converged: bool,
     ) -> Result<Fit, IdentifyError> {
         let model = self.mixed_model(curves, state);
-        let goodness = self.goodness(curves);
+        let goodness = self.goodness(state, curves);
         let verdict = if !converged {
             FitVerdict::NotConverged
         } else if goodness.misfit_p < REFUSAL {
@@ -52,11 +52,11 @@ impl Repeats<'_> {
                 curves_solved: predictor.predictions(),
                 search: predictor.predictions(),
             },
-            warnings: Vec::new(),
+            warnings: self.warnings(state),
         })
     }
 
-    fn goodness(&self, curves: &[CurveFit]) -> Goodness {
+    fn goodness(&self, state: &State, curves: &[CurveFit]) -> Goodness {
         let known = self.problem.noise().is_known();
         let degrees = curves.iter().map(|curve| curve.degrees).sum();
         let sum = |k: usize| curves.iter().map(|curve| curve.lower_half[k]).sum::<f64>();
@@ -71,7 +71,10 @@ impl Repeats<'_> {
             degrees,
             known,
         }
-        .judge(lower_half_p(sum(0), sum(1), (!known).then_some(degrees)))
+        .judge(
+            lower_half_p(sum(0), sum(1), (!known).then_some(degrees)),
+            self.persistence_p(state),
+        )
     }
 
     /// The covariance of the unknowns; what is not identifiable has an infinite variance.
@@ -244,6 +247,14 @@ impl Repeats<'_> {
             }
         }
         coefficients
+    }
+
+    fn warnings(&self, state: &State) -> Vec<Warning> {
+        let unknowns = self.problem.unknowns();
+        (0..unknowns.len())
+            .filter(|&j| unknowns[j].bounds().contains(&state.at.position[j]))
+            .map(Warning::AtBound)
+            .collect()
     }
 
     fn points(&self, state: &State, curves: &[CurveFit]) -> FittedPoints {

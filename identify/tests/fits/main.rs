@@ -8,8 +8,10 @@
 mod analytic;
 mod coverage;
 mod misfit;
+mod noise;
 mod reference;
 mod repeats;
+mod robustness;
 mod toys;
 mod verdicts;
 mod work;

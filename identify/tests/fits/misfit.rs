@@ -1,18 +1,30 @@
 //! Models that the data refuse, and how often they refuse a true one.
 
 use pellicle_identify::{
-    Correlation, Fit, FitOptions, FitVerdict, Intervals, LinearNuisance, Noise, Problem, identify,
+    Amount, Correlation, Fit, FitOptions, FitVerdict, Intervals, LinearNuisance, Noise, Problem,
+    identify,
 };
 
 use crate::toys::{Normals, Point, Toy, coat_moduli, hertz_modulus, logarithmic, noisy, unknown};
 
 const SIGMA: f64 = 0.02;
 
+const CORRELATED: Noise = Noise {
+    observed: Amount::Estimated,
+    abscissa: Amount::Given(0.0),
+    relative: Amount::Given(0.0),
+    correlation: Correlation::Estimated,
+};
+
 /// Sixty points of a coat, fitted by a law of one or two moduli.
 fn fit(law: fn(f64, &[f64]) -> Point, unknowns: usize, noise: Noise, seed: u64) -> Fit {
+    fit_series(law, unknowns, noise, &Normals::new(seed).white(60))
+}
+
+fn fit_series(law: fn(f64, &[f64]) -> Point, unknowns: usize, noise: Noise, series: &[f64]) -> Fit {
     let forces = logarithmic(0.01, 100.0, 60);
     let truth = Toy::new(forces.clone(), coat_moduli).values(&[10.0, 1.5]);
-    let curve = noisy(&forces, &truth, SIGMA, &Normals::new(seed).white(60));
+    let curve = noisy(&forces, &truth, SIGMA, series);
     let both = [
         unknown("E1", [0.1, 100.0], 5.0),
         unknown("E2", [0.2, 10.0], 1.0),
@@ -28,7 +40,8 @@ fn fit(law: fn(f64, &[f64]) -> Point, unknowns: usize, noise: Noise, seed: u64) 
 
 #[test]
 fn a_half_space_fitted_to_a_coat_is_refused() {
-    for noise in [Noise::white(SIGMA), Noise::default()] {
+    // An autoregression would take up the misfit, but for its own persistence.
+    for noise in [Noise::white(SIGMA), Noise::default(), CORRELATED] {
         let fit = fit(hertz_modulus, 1, noise, 1);
         assert_eq!(fit.verdict, FitVerdict::Misfit, "{:?}", fit.goodness);
         assert!(fit.goodness.misfit_p < 1e-6, "{:?}", fit.goodness);
@@ -37,14 +50,7 @@ fn a_half_space_fitted_to_a_coat_is_refused() {
 
 #[test]
 fn a_true_model_is_refused_at_most_once_in_a_hundred() {
-    for noise in [
-        Noise::white(SIGMA),
-        Noise::default(),
-        Noise {
-            correlation: Correlation::Estimated,
-            ..Noise::default()
-        },
-    ] {
+    for noise in [Noise::white(SIGMA), Noise::default(), CORRELATED] {
         let fits: Vec<Fit> = (0..400)
             .map(|seed| fit(coat_moduli, 2, noise, seed))
             .collect();
@@ -59,4 +65,22 @@ fn a_true_model_is_refused_at_most_once_in_a_hundred() {
                 .all(|fit| fit.verdict != FitVerdict::NotConverged)
         );
     }
+}
+
+#[test]
+fn correlated_noise_is_not_taken_for_a_misfit() {
+    let refused = |noise, replicates| {
+        (0..replicates)
+            .map(|seed| Normals::new(seed).autoregressive(60, 0.8, 0.2))
+            .filter(|series| {
+                fit_series(coat_moduli, 2, noise, series).verdict == FitVerdict::Misfit
+            })
+            .count()
+    };
+    let told = refused(CORRELATED, 400);
+    // One in a hundred of 400.
+    assert!(told <= 4, "{told} of 400 refused");
+    // The control: without a word of its correlation most are refused.
+    let untold = refused(Noise::default(), 100);
+    assert!(untold > 50, "{untold} of 100 refused");
 }
