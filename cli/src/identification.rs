@@ -3,6 +3,7 @@
 pub mod curve_source;
 pub mod null_directions;
 pub mod result;
+pub mod simulation;
 pub mod tables;
 pub mod text;
 pub mod validity;

@@ -89,7 +89,7 @@ fn force_at_radius(curve: &SolvedCurve, radius: f64) -> Result<f64, ContactError
         let [found, rate] = curve.radius(force);
         let change = (radius / found).ln() * found / (force * rate);
         force = (force * change.exp()).clamp(least, most);
-        if change.abs() <= ACCURACY.sqrt() || (force == least && change < 0.0) {
+        if change.abs() <= ACCURACY.sqrt() || (force <= least && change < 0.0) {
             return Ok(force);
         }
     }
