@@ -47,7 +47,8 @@ impl Relief {
         }
     }
 
-    /// The same relief, of the same law of springs, with another value of one number; itself where it has no such number.
+    /// The same relief, of the same law of springs, with another value of one number; itself where it has no such
+    /// number.
     ///
     /// # Errors
     ///

@@ -8,8 +8,9 @@
 //! ```
 //!
 //! on the relief's springs alone `Q_w(a) = (φ/η) ∫₀^a (f(a) − f(ρ)) 2πρ dρ`, and on both in series
-//! `1/Q = 1/Q_e + 1/Q_w`. Springs that are not linear have `w*/p` at the mean pressure for η. Nothing depends on the estimate but the first domain tried:
-//! [`choose_side`](crate::choose_side) asks a solution on a coarse grid whether it is large enough.
+//! `1/Q = 1/Q_e + 1/Q_w`. Springs that are not linear have `w*/p` at the mean pressure for η. Nothing depends on the
+//! estimate but the first domain tried: [`choose_side`](crate::choose_side) asks a solution on a coarse grid whether it
+//! is large enough.
 
 pub mod choice;
 mod root;

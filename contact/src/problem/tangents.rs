@@ -83,8 +83,8 @@ impl Tangents {
         update(v, beyond, |v, beyond| *v += beyond);
     }
 
-    /// The part of the way from `p₀` to a pressure to go: all of it, unless the energy would not be lower there; then up
-    /// to its minimum on the way. By the linear problem, the energy has this slope and curvature along the way.
+    /// The part of the way from `p₀` to a pressure to go: all of it, unless the energy would not be lower there; then
+    /// up to its minimum on the way. By the linear problem, the energy has this slope and curvature along the way.
     pub fn part_downhill(
         &self,
         rest: &[f64],

@@ -43,8 +43,8 @@ pub fn from_force(radius: f64, compliance: f64, force: f64) -> WinklerContact {
     }
 }
 
-/// Force (N) of the paraboloid `f = ρ²/2R` on springs of the logarithmic law, of height h (m) and Young's modulus E (Pa),
-/// at a penetration `D ≤ h` (m): `p = −E ln(1 − (D − f)/h)` integrated over the contact of radius `√(2RD)`,
+/// Force (N) of the paraboloid `f = ρ²/2R` on springs of the logarithmic law, of height h (m) and Young's modulus E
+/// (Pa), at a penetration `D ≤ h` (m): `p = −E ln(1 − (D − f)/h)` integrated over the contact of radius `√(2RD)`,
 ///
 /// ```text
 /// Q = 2π R h E (1 − u + u ln u),    u = 1 − D/h

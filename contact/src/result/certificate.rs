@@ -1,7 +1,7 @@
 //! The proof that a pressure solves the contact problem, computed afresh from the pressure alone.
 //!
-//! With `v = K p + w* + g0`, where `w*` is the springs' shortening by their own law, `η p` if it is linear, and `D = Σ p v / Σ p` (or the prescribed penetration), `g = v − D`, every line is
-//! a number without scale:
+//! With `v = K p + w* + g0`, where `w*` is the springs' shortening by their own law, `η p` if it is linear, and
+//! `D = Σ p v / Σ p` (or the prescribed penetration), `g = v − D`, every line is a number without scale:
 //!
 //! ```text
 //! complementarity = Σ p |g| / (D Σ p)        gap_in_contact = max over p > 0 of |g| / D

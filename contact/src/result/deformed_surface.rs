@@ -16,8 +16,8 @@ pub struct DeformedSurface {
 }
 
 impl DeformedSurface {
-    /// The surface displaced by a pressure at a penetration `D`, with the relief's springs of compliance `η` and the initial gap
-    /// `g0`.
+    /// The surface displaced by a pressure at a penetration `D`, with the relief's springs of compliance `η` and the
+    /// initial gap `g0`.
     pub(crate) fn new(
         displacement: Vec<f64>,
         pressure: &[f64],

@@ -85,10 +85,12 @@ fn notes(steps: &[SolvedStep]) -> Vec<String> {
 fn profiles(pressures: &Pressures<'_>) -> Picture {
     let size = (PLACE.right() + 40.0, LEGEND + PLACE.height + AXIS);
     let mut sheet = Sheet::new(size, &pressures.caption);
-    let colours = FILMS_AND_BARE.into_iter().enumerate();
-    let lines: Vec<ChartLine> = colours
-        .map(|(i, colour)| pressures.profile(i, colour))
-        .collect();
+    let drawn = FILMS_AND_BARE.into_iter().enumerate();
+    let lines = drawn.map(|(i, (colour, dash))| ChartLine {
+        dash,
+        ..pressures.profile(i, colour)
+    });
+    let lines: Vec<ChartLine> = lines.collect();
     let (reach, panel) = (pressures.reach, &pressures.panels[0]);
     let along = format!("x, {}", pressures.metres.label);
     let pressure = format!("p beside the axis, {}", panel.pascals.label);

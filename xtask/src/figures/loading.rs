@@ -104,17 +104,17 @@ pub(super) fn figure_6(runner: &Runner) -> Result<Picture, XtaskError> {
     let figure = Loading {
         name: "fig6",
         title: "Fig. 6: Berkovich pyramid with a rounded tip, with and without film",
-        subtitle: "tip radius 400 nm; coating H = 10 nm; film 5 nm thick, modulus 140 MPa",
-        remark: "coating: E₁ = 70 GPa, E₁/E₂ = 10, ν₁ = 0.3, ν₂ = 0.4. The last load, 2.3 mN, is that of Fig. 5; the film shortens by more than its thickness, as printed; the one that stiffens has logarithmic springs and does not.".into(),
+        subtitle: "tip radius 400 nm; coating H = 10 nm; film 5 nm thick, modulus 140 MPa, linear as printed or logarithmic",
+        remark: "coating: E₁ = 70 GPa, E₁/E₂ = 10, ν₁ = 0.3, ν₂ = 0.4. The last load, 2.3 mN, is that of Fig. 5; the film shortens by more than its thickness, as printed.".into(),
         curves: vec![
-            ("cases/paper/fig6-film", "with film", film, Dash::Solid),
+            ("cases/paper/fig6-film", "with film", film.0, film.1),
             (
                 "cases/paper/fig6-stiffening",
                 "film that stiffens",
-                stiffening,
-                Dash::Solid,
+                stiffening.0,
+                stiffening.1,
             ),
-            ("cases/paper/fig6-bare", "without film", bare, Dash::Solid),
+            ("cases/paper/fig6-bare", "without film", bare.0, bare.1),
         ],
         load: ("Q, mN", 1e-3),
         views: [

@@ -9,7 +9,7 @@ use pellicle_cli::drawing::Crop;
 use pellicle_cli::drawing::Panel3d;
 use pellicle_cli::drawing::Projection;
 use pellicle_cli::drawing::colours::{self, Colour};
-use pellicle_cli::drawing::{Anchor, Rect, Svg};
+use pellicle_cli::drawing::{Anchor, Dash, Rect, Svg};
 use pellicle_cli::drawing::{Axis, Panel};
 use pellicle_cli::drawing::{colour_bar, labels, pressure_map};
 
@@ -17,8 +17,12 @@ use super::chart::{ChartLine, quoted};
 use super::runner::SolvedStep;
 use super::sheet::{Caption, Picture, Sheet};
 
-/// Colours of the coating with film, with a film that stiffens, and without.
-pub(super) const FILMS_AND_BARE: [Colour; 3] = [colours::SKY, colours::PURPLE, colours::AMBER];
+/// Lines of the coating with film, with a film that stiffens, and without, which is drawn over the one before.
+pub(super) const FILMS_AND_BARE: [(Colour, Dash); 3] = [
+    (colours::SKY, Dash::Solid),
+    (colours::PURPLE, Dash::Solid),
+    (colours::AMBER, Dash::Dashed),
+];
 
 /// Of a map and its colour bar, in pixels.
 const MAP: f64 = 480.0;
