@@ -379,6 +379,12 @@ impl Identification {
                 "several-minima",
                 "another start led to another minimum, which is worse".into(),
             ),
+            Warning::Jitter => warning(
+                "jitter",
+                "predictions jump about what their derivatives promise: the best fit is known to no better than a \
+                 part of a standard error"
+                    .into(),
+            ),
             Warning::AtBound(index) => warning(
                 "at-bound",
                 format!(
