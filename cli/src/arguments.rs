@@ -121,12 +121,16 @@ pub struct RunArguments {
 
 /// Arguments of `identify`.
 #[derive(Debug, Args)]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is a switch of the command line"
+)]
 pub struct IdentifyArguments {
     /// The fit file
     #[arg(value_name = "FIT")]
     pub path: PathBuf,
-    /// Folder of the results [default: results/NAME after the fit file, numbered if that exists; none with --json]; with
-    /// --simulate the file to write
+    /// Folder of the results [default: results/NAME after the fit file, numbered if that exists; none with --json];
+    /// with --simulate the file to write
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// Replace the results in an existing folder

@@ -212,7 +212,8 @@ impl SolvedCurve {
     }
 }
 
-/// `E`, the contact radius and each `∂E/∂θ` under a force, extrapolated from a grid of `elements` per side and one of half as many.
+/// `E`, the contact radius and each `∂E/∂θ` under a force, extrapolated from a grid of `elements` per side and one of
+/// half as many.
 ///
 /// Their errors fall with the square of the element's side: `(4 E_h − E_2h)/3`. Besides the products on the finer grid.
 fn energies(
