@@ -386,6 +386,10 @@ impl Identification {
                     name(index)
                 ),
             ),
+            Warning::Jitter => warning(
+                "jitter",
+                "the model's curves jitter by more than the search can follow: the least misfit is known to that".into(),
+            ),
             Warning::BetterFitFound(index) => warning(
                 "better-fit",
                 format!("the profile of {} found a better fit than the search", name(index)),

@@ -51,6 +51,12 @@ pub const SPRINGS: Colour = Colour(158, 202, 225);
 /// The body below it.
 pub const BODY: Colour = Colour(240, 228, 205);
 
+/// The ground of an interval.
+pub const INTERVAL: Colour = Colour(226, 238, 247);
+
+/// What was measured, but left out of a fit.
+pub const LEFT_OUT: Colour = Colour(190, 190, 190);
+
 impl Colour {
     /// The colour with this much light on it; 1 leaves it as it is.
     #[must_use]
