@@ -43,6 +43,48 @@ fn of_place(place: &str) -> Option<String> {
     Some(found.to_owned())
 }
 
+/// The same in symbols: `E, layer 0`.
+#[must_use]
+pub fn symbol(key: &str) -> String {
+    let (place, quantity) = key.rsplit_once('.').unwrap_or(("", key));
+    let letter = match (quantity, place) {
+        ("young_modulus", _) => "E",
+        ("poisson_ratio", _) => "ν",
+        ("thickness", _) => "H",
+        ("normal_compliance", _) => "c_n",
+        ("shear_compliance", _) => "c_s",
+        ("radius", "indenter") => return "R".into(),
+        ("tip_radius", _) => return "R_b".into(),
+        ("half_angle", _) => return "half-angle".into(),
+        ("face_angle", _) => return "face angle".into(),
+        ("height", _) => "h",
+        ("compliance", _) => "η",
+        _ => return of_key(key),
+    };
+    match of_place(place) {
+        Some(place) => format!("{letter}, {}", place.trim_start_matches("the ")),
+        None => key.to_owned(),
+    }
+}
+
+/// A product of powers of keys in symbols: `E (substrate) · R^0.5`.
+#[must_use]
+pub fn combination(expression: &str) -> String {
+    let factor = |factor: &str| {
+        let (key, exponent) = factor.split_once('^').unwrap_or((factor, ""));
+        let symbol = match symbol(key).split_once(", ") {
+            Some((letter, place)) => format!("{letter} ({place})"),
+            None => symbol(key),
+        };
+        match exponent {
+            "" => symbol,
+            exponent => format!("{symbol}^{exponent}"),
+        }
+    };
+    let factors: Vec<_> = expression.split(" * ").map(factor).collect();
+    factors.join(" · ")
+}
+
 fn of_nuisance(key: &str) -> String {
     match key {
         "frame_compliance" => "compliance of the frame".into(),
@@ -76,5 +118,12 @@ mod tests {
         ] {
             assert_eq!(of_key(key), words);
         }
+    }
+
+    #[test]
+    fn combinations_are_told_in_symbols() {
+        let known = "foundation.substrate.young_modulus * indenter.radius^0.5";
+        assert_eq!(combination(known), "E (substrate) · R^0.5");
+        assert_eq!(symbol("foundation.layer[0].thickness"), "H, layer 0");
     }
 }

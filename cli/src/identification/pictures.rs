@@ -14,7 +14,7 @@ use crate::picture::fit::corner::{self, Corner};
 use crate::picture::fit::curve::{self, Curves, FittedCurve, Part, Point, Quantity};
 use crate::picture::fit::profiles::{self, Profiles};
 use crate::picture::fit::repeats::{self, Repeated, Repeats};
-use crate::picture::fit::unknown::FittedUnknown;
+use crate::picture::fit::unknown::{Combination, FittedUnknown};
 use crate::picture::fit::{Head, axes};
 use crate::picture::style::Style;
 
@@ -237,13 +237,10 @@ impl FitSubject<'_> {
         // The unknowns of a fit file are positive, and sought by their logarithms.
         let wald = estimate.wald.map(|[low, high]| 0.5 * (high / low).ln());
         let profile = estimate.profile.iter();
-        let name = names::of_key(&estimate.name);
+        let combination = estimate.known_combination.as_ref();
         FittedUnknown {
-            name: match &estimate.known_combination {
-                // Its profile is that of the combination.
-                Some(_) => format!("{name}, the others held"),
-                None => name,
-            },
+            name: names::of_key(&estimate.name),
+            symbol: names::symbol(&estimate.name),
             scale: units::scale(estimate.value, case.unit()),
             value: estimate.value,
             interval: estimate.interval,
@@ -254,6 +251,10 @@ impl FitSubject<'_> {
             profile: profile
                 .map(|point| [point.value, point.delta_chi_squared])
                 .collect(),
+            combination: combination.map(|known| Combination {
+                words: names::combination(&known.expression),
+                interval: known.interval.map(|end| Some(end? / known.value)),
+            }),
         }
     }
 }

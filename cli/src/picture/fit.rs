@@ -10,13 +10,17 @@ pub mod unknown;
 use super::colours::{self, Colour};
 
 /// The colours of several measurements, which the colour-blind can tell apart.
-const COLOURS: [Colour; 6] = [
+const COLOURS: [Colour; 10] = [
     colours::BLUE,
     colours::ORANGE,
     colours::GREEN,
     colours::PURPLE,
     colours::SKY,
     colours::AMBER,
+    colours::INDIGO,
+    colours::WINE,
+    colours::OLIVE,
+    colours::TEAL,
 ];
 
 /// The colour of measurement number `i`.

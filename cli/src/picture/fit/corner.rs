@@ -13,7 +13,7 @@ pub const NAME: &str = "fit-corner";
 
 const LEFT: f64 = 112.0;
 const TOP: f64 = heading::HEIGHT + 44.0;
-const SIDE: f64 = 270.0;
+const SIDE: f64 = 300.0;
 const STEP: f64 = SIDE + 34.0;
 
 /// `Δχ²` of two unknowns at 68 and 95 %: `−2 ln(1 − p)`.
@@ -198,9 +198,9 @@ fn reach(unknown: &FittedUnknown) -> Option<[f64; 2]> {
 fn axis(unknown: &FittedUnknown) -> Option<Axis> {
     let ends = reach(unknown)?;
     Some(if axes::suits_logarithms(ends) {
-        axes::logarithmic(ends, &unknown.scale, &unknown.name)
+        axes::logarithmic(ends, &unknown.scale, &unknown.symbol)
     } else {
-        axes::linear(ends, &unknown.scale, &unknown.name, 4)
+        axes::linear(ends, &unknown.scale, &unknown.symbol, 4)
     })
 }
 
@@ -253,7 +253,7 @@ mod tests {
     fn a_single_unknown_has_no_pairs() {
         assert_eq!(corner(&["one"]).draw(&Style::default()), None);
         let both = corner(&["one", "two"]).draw(&Style::default()).unwrap();
-        assert!(both.contains(">one</text>") && both.contains(">two, GPa</text>"));
+        assert!(both.contains(">one</text>") && both.contains(">E, GPa</text>"));
     }
 
     #[test]

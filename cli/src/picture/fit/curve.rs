@@ -18,7 +18,7 @@ const HIGH: f64 = 430.0;
 const BETWEEN: f64 = 26.0;
 const LOW: f64 = 200.0;
 const WIDTH: f64 = LEFT + WIDE + 36.0;
-const HEIGHT: f64 = TOP + HIGH + BETWEEN + LOW + 72.0;
+const HEIGHT: f64 = TOP + HIGH + BETWEEN + LOW + 84.0;
 
 /// Height of a line of the legend, its columns, and the files that it names.
 const ENTRY: f64 = 26.0;
@@ -29,6 +29,12 @@ const NAMED: usize = 12;
 const POINTS: usize = 3000;
 const MOST_OF_ONE: usize = 500;
 const FEWEST_OF_ONE: usize = 40;
+
+/// As many points of a curve are drawn above its line.
+const FEW: usize = 120;
+
+/// Light on the line of a model, relative to its points.
+const DARK: f64 = 0.55;
 
 /// The band of whitened residuals that holds most of them, standard deviations.
 const BAND: f64 = 2.0;
@@ -151,6 +157,14 @@ impl Curves {
         Axis::new(-most, most, "residual / σ, whitened".into(), 5)
     }
 
+    /// The colour of a model's curve, darker than its points; ink for a single curve.
+    fn line_colour(&self, i: usize) -> Colour {
+        match self.curves.len() {
+            1 => colours::INK,
+            _ => colour(i).lit(DARK),
+        }
+    }
+
     fn used(&self) -> impl Iterator<Item = (usize, &FittedCurve)> {
         let curves = self.curves.iter().enumerate();
         curves.filter(|(_, curve)| curve.part == Part::Used)
@@ -168,11 +182,17 @@ impl Curves {
                 let places: Vec<_> = shown
                     .map(|point| scaled(point.abscissa, point.observed))
                     .collect();
-                svg.dots(&places, 3.0, ink(i, curve));
+                // A line below few points does not hide them; one below many would be hidden.
+                let stroke = Stroke::new(self.line_colour(i), 1.6);
+                let line = line(curve, scaled);
+                if places.len() <= FEW {
+                    svg.line(&line, stroke);
+                    svg.dots(&places, 4.2, ink(i, curve));
+                } else {
+                    svg.dots(&places, 2.4, ink(i, curve));
+                    svg.line(&line, stroke);
+                }
             }
-            let lines: Vec<Vec<_>> = self.used().map(|(_, curve)| line(curve, scaled)).collect();
-            svg.lines(&lines, Stroke::new(colours::WHITE, 3.6));
-            svg.lines(&lines, Stroke::new(colours::INK, 1.6));
         });
         panel.draw_axes(svg);
         if panel.x.is_logarithmic {
@@ -225,7 +245,7 @@ impl Curves {
         let stride = self.curves.iter().map(|curve| self.stride(curve)).max();
         let stride = stride.filter(|stride| *stride > 1);
         let thinned =
-            stride.map(|stride| format!("one point in {stride} is shown where they are densest"));
+            stride.map(|stride| format!("of the longest curve one point in {stride} is drawn"));
         let unnamed = (more > 0).then(|| format!("and {more} more curves"));
         let notes: Vec<_> = unnamed.into_iter().chain(thinned).collect();
         (!notes.is_empty()).then(|| notes.join("; "))
@@ -251,8 +271,11 @@ fn ink(i: usize, curve: &FittedCurve) -> Colour {
     }
 }
 
-/// The model's curve, in the order of its abscissae: a measurement may go back and forth.
+/// The model's curve, in the order of its abscissae: a measurement may go back and forth. None of what was left out.
 fn line(curve: &FittedCurve, at: impl Fn(f64, f64) -> (f64, f64)) -> Vec<(f64, f64)> {
+    if curve.part == Part::LeftOut {
+        return Vec::new();
+    }
     let mut points: Vec<_> = curve.points.iter().collect();
     points.sort_by(|one, other| one.abscissa.total_cmp(&other.abscissa));
     let stride = points.len().div_ceil(MOST_OF_ONE).max(1);

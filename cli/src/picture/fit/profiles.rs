@@ -2,6 +2,7 @@
 
 use super::unknown::FittedUnknown;
 use super::{Head, axes};
+use crate::display::Scale;
 use crate::picture::colours;
 use crate::picture::heading;
 use crate::picture::panel::{Axis, Panel};
@@ -49,7 +50,7 @@ impl Profiles {
         }
         let columns = panels.len().min(COLUMNS);
         let rows = panels.len().div_ceil(COLUMNS);
-        let width = (LEFT + columns as f64 * ACROSS).max(2.0 * ACROSS) - 30.0;
+        let width = LEFT + columns.max(2) as f64 * ACROSS - 50.0;
         let mut svg = style.sheet(width, TOP + rows as f64 * DOWN - 50.0);
         if style.heading == Heading::Shown {
             heading::draw(
@@ -61,29 +62,44 @@ impl Profiles {
             );
             heading::draw_accuracy(&mut svg, LEFT, &self.legend());
         }
+        // A single panel fills the width of the heading.
+        let alone = if columns == 1 { ACROSS } else { 0.0 };
         for (i, (unknown, range)) in panels.into_iter().enumerate() {
             let place = Rect {
                 left: LEFT + (i % COLUMNS) as f64 * ACROSS,
                 top: TOP + (i / COLUMNS) as f64 * DOWN,
-                width: PANEL_WIDTH,
+                width: PANEL_WIDTH + alone,
                 height: PANEL_HEIGHT,
             };
-            self.draw_panel(&mut svg, place, unknown, range);
+            let mut panel = panel(place, unknown, range);
+            if i % COLUMNS > 0 {
+                panel.y.title.clear();
+            }
+            self.draw_panel(&mut svg, &panel, unknown);
         }
         Some(svg.finish())
     }
 
     fn legend(&self) -> String {
+        let is_there = self
+            .unknowns
+            .iter()
+            .any(|unknown| !unknown.profile.is_empty());
+        let profile = if is_there {
+            "line: profile likelihood; "
+        } else {
+            ""
+        };
         format!(
-            "line: profile likelihood; dashed: from the covariance (Wald); shaded: the {} % interval",
+            "{profile}dashed: from the covariance (Wald); shaded: the {} % interval",
             percent(self.level)
         )
     }
 
-    fn draw_panel(&self, svg: &mut Svg, place: Rect, unknown: &FittedUnknown, range: [f64; 2]) {
-        let panel = panel(place, unknown, range);
-        let at = |[value, delta]: [f64; 2]| panel.at(value / unknown.scale.divisor, delta);
-        let name = heading::fitted(&unknown.name, PANEL_WIDTH + 60.0, 17.0);
+    fn draw_panel(&self, svg: &mut Svg, panel: &Panel, unknown: &FittedUnknown) {
+        let (place, divisor) = (panel.place, scale(unknown).divisor);
+        let at = |[value, delta]: [f64; 2]| panel.at(value / divisor, delta);
+        let name = heading::fitted(&unknown.name, place.width + 60.0, 17.0);
         svg.text((place.left, place.top - 40.0), 17.0, Anchor::Start, &name);
         let numbers = format!("{}, {}", unknown.numbers(), unknown.verdict);
         svg.text(
@@ -92,7 +108,7 @@ impl Profiles {
             Anchor::Start,
             &numbers,
         );
-        svg.within(place, |svg| draw_interval(svg, &panel, unknown));
+        svg.within(place, |svg| draw_interval(svg, panel, unknown));
         panel.draw_mesh(svg);
         svg.within(place, |svg| {
             let best = [at([unknown.value, 0.0]), at([unknown.value, panel.y.to])];
@@ -103,7 +119,7 @@ impl Profiles {
                 panel.at(to, unknown.threshold),
             ];
             svg.line(&level, Stroke::new(colours::INK, 1.4));
-            let parabola: Vec<_> = parabola(unknown, &panel).into_iter().map(at).collect();
+            let parabola: Vec<_> = parabola(unknown, panel).into_iter().map(at).collect();
             svg.broken_lines(&[parabola], Stroke::new(colours::ORANGE, 2.0), Dash::Dashed);
             let profile: Vec<_> = unknown.smooth_profile().into_iter().map(at).collect();
             svg.line(&profile, Stroke::new(colours::BLUE, 2.4));
@@ -113,9 +129,9 @@ impl Profiles {
         panel.draw_axes(svg);
         let (x, y) = panel.at(panel.x.to, unknown.threshold);
         svg.text(
-            (x - 6.0, y - 11.0),
-            14.0,
-            Anchor::End,
+            (x + 5.0, y),
+            13.0,
+            Anchor::Start,
             &format!("{} %", percent(self.level)),
         );
     }
@@ -127,13 +143,30 @@ fn percent(level: f64) -> String {
     percent.trim_end_matches(".0").to_owned()
 }
 
+/// The unit of the panel; a combination is shown over its best value.
+fn scale(unknown: &FittedUnknown) -> Scale {
+    match &unknown.combination {
+        Some(_) => Scale {
+            divisor: unknown.value,
+            label: String::new(),
+        },
+        None => unknown.scale.clone(),
+    }
+}
+
+/// The interval of what the panel shows.
+fn interval(unknown: &FittedUnknown) -> [Option<f64>; 2] {
+    match &unknown.combination {
+        Some(known) => known.interval.map(|end| Some(end? * unknown.value)),
+        None => unknown.interval,
+    }
+}
+
 /// Shades the interval, to the side of the panel where it is open.
 fn draw_interval(svg: &mut Svg, panel: &Panel, unknown: &FittedUnknown) {
-    if unknown.interval == [None, None] && unknown.wald.is_none() {
-        return;
-    }
-    let end = |end: Option<f64>, open: f64| end.map_or(open, |end| end / unknown.scale.divisor);
-    let [low, high] = unknown.interval;
+    let divisor = scale(unknown).divisor;
+    let end = |end: Option<f64>, open: f64| end.map_or(open, |end| end / divisor);
+    let [low, high] = interval(unknown);
     let (left, _) = panel.at(end(low, panel.x.from), 0.0);
     let (right, _) = panel.at(end(high, panel.x.to), 0.0);
     let place = Rect {
@@ -148,7 +181,7 @@ fn draw_interval(svg: &mut Svg, panel: &Panel, unknown: &FittedUnknown) {
 fn range(unknown: &FittedUnknown) -> Option<[f64; 2]> {
     let low_enough = |point: &&[f64; 2]| point[1] <= SHOWN * unknown.threshold;
     let profile = unknown.profile.iter().filter(low_enough);
-    let ends = unknown.interval.into_iter().flatten();
+    let ends = interval(unknown).into_iter().flatten();
     let half = unknown.wald.unwrap_or(0.0);
     let wald = [-half, half].map(|half| unknown.value * (SHOWN.sqrt() * half).exp());
     let wald = wald.map(|end| end.clamp(unknown.bounds[0], unknown.bounds[1]));
@@ -163,17 +196,19 @@ fn range(unknown: &FittedUnknown) -> Option<[f64; 2]> {
 }
 
 fn panel(place: Rect, unknown: &FittedUnknown, range: [f64; 2]) -> Panel {
-    let title = axes::title("", &unknown.scale)
-        .trim_start_matches(", ")
-        .to_owned();
+    let quantity = match &unknown.combination {
+        Some(known) => format!("{} over its best value", known.words),
+        None => unknown.name.clone(),
+    };
+    let scale = scale(unknown);
     let x = if axes::suits_logarithms(range) {
-        axes::logarithmic(range, &unknown.scale, "")
+        axes::logarithmic(range, &scale, &quantity)
     } else {
-        axes::linear(range, &unknown.scale, "", 5)
+        axes::linear(range, &scale, &quantity, 5)
     };
     Panel {
         place,
-        x: Axis { title, ..x },
+        x,
         y: Axis::new(0.0, SHOWN * unknown.threshold, "Δχ²".into(), 5),
     }
 }
@@ -182,7 +217,7 @@ fn panel(place: Rect, unknown: &FittedUnknown, range: [f64; 2]) -> Panel {
 fn parabola(unknown: &FittedUnknown, panel: &Panel) -> Vec<[f64; 2]> {
     let half = unknown.wald.unwrap_or(0.0) * (1.2 * SHOWN).sqrt();
     let [from, to] =
-        [panel.x.from, panel.x.to].map(|end| (end * unknown.scale.divisor / unknown.value).ln());
+        [panel.x.from, panel.x.to].map(|end| (end * scale(unknown).divisor / unknown.value).ln());
     // What is not positive has no logarithm.
     let from = if from.is_finite() {
         from.max(-half)
@@ -219,7 +254,7 @@ mod tests {
         let all = names.map(|name| unknown(name, 7e10, 0.02));
         let svg = profiles(all.to_vec()).draw(&Style::default()).unwrap();
         for name in names {
-            assert!(svg.contains(&format!(">{name}</text>")), "{name}");
+            assert!(svg.contains(&format!(">{name}, GPa</text>")), "{name}");
         }
         assert!(
             svg.contains("70.00 [67.31, 72.80] GPa, identified"),

@@ -2,6 +2,7 @@
 
 use super::unknown::FittedUnknown;
 use super::{Head, axes, colour};
+use crate::display::significant;
 use crate::picture::colours;
 use crate::picture::heading;
 use crate::picture::panel::{Axis, Panel};
@@ -135,10 +136,11 @@ fn draw_panel(svg: &mut Svg, panel: &Panel, repeated: &Repeated) {
         [(x, top), (x, panel.place.bottom())]
     };
     let numbers = format!(
-        "{}, {}, scatter {}",
+        "{}, {}, scatter {} {}",
         unknown.numbers(),
         unknown.verdict,
-        unknown.scale.with_unit(*scatter)
+        significant(*scatter / unknown.scale.divisor, 3),
+        unknown.scale.label
     );
     svg.text((left, top - 16.0), 14.0, Anchor::Start, &numbers);
     svg.within(panel.place, |svg| {
@@ -189,7 +191,7 @@ mod tests {
         };
         let svg = repeats.draw(&Style::default()).unwrap();
         assert!(svg.contains(">a.csv</text>") && svg.contains(">b.csv (left out)</text>"));
-        assert!(svg.contains("scatter 1.0000 GPa"), "{svg}");
+        assert!(svg.contains("scatter 1.00 GPa"), "{svg}");
         let none = Repeats {
             unknowns: Vec::new(),
             ..repeats
