@@ -16,6 +16,8 @@ struct Page<'a> {
     found: &'a FitResult,
     verdict: FitVerdict,
     misfit_p: String,
+    /// The test that speaks most against the model.
+    worst: &'static str,
     refusal: String,
     level: String,
     tables: [(&'static str, Vec<EstimateRow>); 2],
@@ -34,7 +36,6 @@ struct EstimateRow {
     value: String,
     interval: String,
     verdict: String,
-    meaning: &'static str,
     why: String,
     scatter: Option<String>,
     known: Option<String>,
@@ -48,6 +49,7 @@ pub fn html(of: &Identification, fit: &Fit, found: &FitResult, drawings: &FitDra
         found,
         verdict: fit.verdict,
         misfit_p: significant(fit.goodness.misfit_p, 2),
+        worst: worst(fit),
         refusal: REFUSAL.to_string(),
         level: percent(of.file.report.level),
         tables: [
@@ -76,18 +78,25 @@ fn row(of: &EstimateResult) -> EstimateRow {
         name: names::of_key(&of.key),
         key: of.key.clone(),
         value: with_unit(number(of.value)),
-        interval: with_unit(ends(of.interval, number)),
+        interval: match of.interval {
+            [None, None] => "open".into(),
+            interval => with_unit(ends(interval, number)),
+        },
         verdict: of.verdict.clone(),
-        meaning: meaning(&of.verdict),
         why: of.why.clone(),
         scatter: of.scatter.map(|scatter| with_unit(number(scatter))),
         known: of.known_combination.as_ref().map(known),
     }
 }
 
+/// An interval in words; one end or both may be open.
 fn ends(interval: [Option<f64>; 2], number: impl Fn(f64) -> String) -> String {
-    let [low, high] = interval.map(|end| end.map_or("open".into(), &number));
-    format!("{low} to {high}")
+    match interval {
+        [Some(low), Some(high)] => format!("{} to {}", number(low), number(high)),
+        [Some(low), None] => format!("above {}", number(low)),
+        [None, Some(high)] => format!("below {}", number(high)),
+        [None, None] => String::new(),
+    }
 }
 
 fn known(of: &CombinationResult) -> String {
@@ -100,23 +109,13 @@ fn known(of: &CombinationResult) -> String {
     )
 }
 
-/// The verdict on an unknown in words.
-fn meaning(verdict: &str) -> &'static str {
-    match verdict {
-        "identified" => "the interval closes on both sides within a factor of 1.2",
-        "weak" => "the interval closes on both sides, but farther out than a factor of 1.2",
-        "one-sided" => "the data bound it on one side alone",
-        "not-identified" => "these data allow every value between the bounds",
-        "not-identifiable" => "no data of this kind can tell, however good",
-        "prior-driven" => "the data add nothing to what was known before",
-        _ => "",
-    }
-}
-
 /// The noise by channel; what was not measured has none.
 fn noise(found: &FitResult) -> Vec<(&'static str, String, &'static str)> {
     let noise = &found.fit.noise;
-    let with_unit = |value: f64, unit| units::scale(value, unit).with_unit(value);
+    let with_unit = |value: f64, unit| {
+        let scale = units::scale(value, unit);
+        format!("{} {}", significant(value / scale.divisor, 3), scale.label)
+    };
     let depth = noise
         .depth
         .map(|sigma| ("noise of the depth", with_unit(sigma, "m")));
@@ -134,6 +133,24 @@ fn noise(found: &FitResult) -> Vec<(&'static str, String, &'static str)> {
         "from one point to the next",
     );
     lines.chain([last]).collect()
+}
+
+/// The test that speaks most against the model.
+fn worst(fit: &Fit) -> &'static str {
+    let of = &fit.goodness;
+    let tests = [
+        ("χ²", of.chi_squared_p),
+        ("the runs of residuals of one sign", Some(of.runs_p)),
+        ("Durbin and Watson", Some(of.durbin_watson_p)),
+        ("the lower half of the abscissae", of.lower_half_p),
+        (
+            "the persistence of the noise, which hides a misfit",
+            of.persistence_p,
+        ),
+    ];
+    let known = tests.into_iter().filter_map(|(name, p)| Some((name, p?)));
+    let worst = known.min_by(|(_, one), (_, other)| one.total_cmp(other));
+    worst.map_or("", |(name, _)| name)
 }
 
 /// The tests of the residuals; some need what a fit may not have.
@@ -191,7 +208,9 @@ fn curves(of: &Identification, found: &FitResult) -> Vec<(String, usize, String)
         Some(Observable::StiffnessAtContactRadius) => "N/m",
         _ => "m",
     };
-    let shift = |shift: f64| units::scale(shift, unit).with_unit(shift);
+    let shifts = found.curves.iter().filter_map(|curve| curve.shift);
+    let scale = units::scale(shifts.map(f64::abs).fold(0.0, f64::max), unit);
+    let shift = |shift: f64| format!("{:.3} {}", shift / scale.divisor, scale.label);
     let curves = found.curves.iter();
     curves
         .map(|curve| {
@@ -203,23 +222,7 @@ fn curves(of: &Identification, found: &FitResult) -> Vec<(String, usize, String)
 
 #[cfg(test)]
 mod tests {
-    use pellicle_identify::Verdict;
-
     use super::*;
-
-    #[test]
-    fn every_verdict_has_words() {
-        for verdict in [
-            Verdict::Identified,
-            Verdict::Weak,
-            Verdict::OneSided,
-            Verdict::NotIdentified,
-            Verdict::NotIdentifiable,
-            Verdict::PriorDriven,
-        ] {
-            assert!(!meaning(&verdict.to_string()).is_empty(), "{verdict}");
-        }
-    }
 
     #[test]
     fn a_row_has_units_and_open_ends() {
@@ -236,6 +239,6 @@ mod tests {
             known_combination: None,
         });
         assert_eq!(row.value, "164.2 nm");
-        assert_eq!(row.interval, "160.0 to open nm");
+        assert_eq!(row.interval, "above 160.0 nm");
     }
 }

@@ -200,7 +200,7 @@ fn axis(unknown: &FittedUnknown) -> Option<Axis> {
     Some(if axes::suits_logarithms(ends) {
         axes::logarithmic(ends, &unknown.scale, &unknown.symbol)
     } else {
-        axes::linear(ends, &unknown.scale, &unknown.symbol, 4)
+        axes::linear(ends, &unknown.scale, &unknown.symbol, 5)
     })
 }
 

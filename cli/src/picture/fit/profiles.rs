@@ -51,7 +51,7 @@ impl Profiles {
         let columns = panels.len().min(COLUMNS);
         let rows = panels.len().div_ceil(COLUMNS);
         let width = LEFT + columns.max(2) as f64 * ACROSS - 50.0;
-        let mut svg = style.sheet(width, TOP + rows as f64 * DOWN - 50.0);
+        let mut svg = style.sheet(width, TOP + rows as f64 * DOWN - 70.0);
         if style.heading == Heading::Shown {
             heading::draw(
                 &mut svg,
@@ -204,7 +204,7 @@ fn panel(place: Rect, unknown: &FittedUnknown, range: [f64; 2]) -> Panel {
     let x = if axes::suits_logarithms(range) {
         axes::logarithmic(range, &scale, &quantity)
     } else {
-        axes::linear(range, &scale, &quantity, 5)
+        axes::linear(range, &scale, &quantity, 6)
     };
     Panel {
         place,
