@@ -133,6 +133,9 @@ pub enum Failure {
         /// Memory available, bytes.
         available: u64,
     },
+    /// The model of a fit file has no curve.
+    #[error("the measurement cannot be simulated: {0}")]
+    NotSimulated(String),
     /// A fit cannot be posed, or has no start.
     #[error(transparent)]
     Identify(#[from] IdentifyError),

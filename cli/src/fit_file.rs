@@ -16,6 +16,7 @@ use self::unknown::{UnknownCase, read_unknowns};
 use crate::case::document;
 use crate::case::source::{self, Source};
 use crate::case::table_reader::TableReader;
+use crate::case::value_reader::ValueReader;
 use crate::failure::Failure;
 use crate::measured::data_table::DataTable;
 
@@ -68,7 +69,7 @@ impl FitFile {
         let parameters = model.parameters()?;
         let unknown = table.required("unknown", "a table [unknown] of the keys that are sought")?;
         let unknowns = read_unknowns(&unknown, &parameters)?;
-        let optional = |key| table.optional(key).map(|field| field.table()).transpose();
+        let optional = |key| table.optional(key).map(ValueReader::table).transpose();
         let nuisances = match table.optional("nuisance") {
             Some(field) => NuisanceTable::read(&field, &parameters)?,
             None => NuisanceTable::default(),

@@ -41,6 +41,7 @@ fn pillars(young_modulus: f64) -> Cylinders {
 }
 
 /// Ten models of every kind of parameter, each with a force and the side of a domain.
+#[expect(clippy::too_many_lines, reason = "a list of cases")]
 fn cases() -> Vec<(Model, f64, f64)> {
     let film = |thickness, young| Relief::Film(Film::new(thickness, young).unwrap());
     let springs = Interface::spring(0.02, 0.05).unwrap();
@@ -219,15 +220,16 @@ fn derivatives_agree_with_differences_between_solutions_of_the_same_contact_set(
             .at(0);
         let [penetration, energy] = numbers(&model, &path);
         for (parameter, found) in parameters.iter().zip(found) {
-            let unit = match parameter {
+            let is_ratio = matches!(
+                parameter,
                 ModelParameter::Elastic(
                     ElasticParameter::CounterbodyPoissonRatio
-                    | ElasticParameter::Foundation(FoundationParameter::PoissonRatio { .. }),
-                ) => 1.0,
-                _ => found.value,
-            };
+                        | ElasticParameter::Foundation(FoundationParameter::PoissonRatio { .. })
+                )
+            );
+            let unit = if is_ratio { 1.0 } else { found.value };
             // At an end of the range of Poisson's ratio there is no central difference.
-            if unit == 1.0 && [0.0, 0.5].contains(&found.value) {
+            if is_ratio && !(0.01..0.49).contains(&found.value) {
                 continue;
             }
             let unchanged = [3e-5, 3e-6].iter().find_map(|part| {

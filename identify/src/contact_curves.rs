@@ -188,8 +188,8 @@ impl ContactCurves {
         Ok(solved)
     }
 
-    /// Stiffnesses at contact radii, differentiated by solving again: the radius of the contact has no derivative of its
-    /// own.
+    /// Stiffnesses at contact radii, differentiated by solving again: the radius of the contact has no derivative of
+    /// its own.
     fn stiffnesses(
         &self,
         curve: usize,

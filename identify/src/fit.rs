@@ -54,6 +54,8 @@ pub fn identify(
     }
 }
 
+/// Jitter is told from here on, in units of χ²: a tenth of a standard error.
+const TOLD_JITTER: f64 = 0.01;
 /// Restarts from better fits that profiles find.
 const MOST_RESTARTS: usize = 3;
 
@@ -189,7 +191,7 @@ impl<'p> Fitting<'p> {
     }
 
     fn warn(&mut self, refined: &Refined) {
-        if refined.minimum.within_jitter {
+        if refined.minimum.within_jitter && refined.minimum.remaining > TOLD_JITTER {
             self.warnings.push(Warning::Jitter);
         }
         for (j, unknown) in self.problem.unknowns().iter().enumerate() {

@@ -20,13 +20,16 @@ const AGREEMENT: f64 = 1.0;
 /// A fit whose χ² per degree of freedom is above this is plainly wrong, and may be the wrong one of several minima.
 const IMPLAUSIBLE: f64 = 3.0;
 
+/// A fit whose χ² per degree of freedom is below this needs no second start.
+const GOOD: f64 = 1.5;
+
 /// Where the best of several searches ended, and whether another one led elsewhere.
 pub(crate) struct Found {
     pub at: Rc<Evaluation>,
     pub several_minima: bool,
 }
 
-/// Searches from one start after the other until two agree on a fit that is not plainly wrong.
+/// Searches from one start after the other until two agree on a fit that is not plainly wrong, or one is good.
 pub(crate) fn search(
     problem: &Problem,
     predictor: &mut Predictor,
@@ -63,7 +66,11 @@ pub(crate) fn search(
             continue;
         }
         let Some(known) = &best else {
+            let is_good = is_good(problem, &minimum);
             best = Some(minimum);
+            if is_good {
+                break;
+            }
             continue;
         };
         several_minima = minimum.converged;
@@ -109,6 +116,11 @@ fn degrees(problem: &Problem) -> f64 {
 /// Whether a fit comes as near to the data as their noise allows, as far as that is known.
 fn is_plausible(problem: &Problem, minimum: &Minimum) -> bool {
     !problem.noise().is_given() || minimum.system.chi_squared <= IMPLAUSIBLE * degrees(problem)
+}
+
+/// Whether a fit follows the data within noise that is known: no other minimum can tell them better.
+fn is_good(problem: &Problem, minimum: &Minimum) -> bool {
+    problem.noise().is_given() && minimum.system.chi_squared <= GOOD * degrees(problem)
 }
 
 /// Whether a point lies within the standard error of a minimum, by the distance `‖J (x − x₀)‖²`.

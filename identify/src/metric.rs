@@ -151,3 +151,125 @@ fn nuisance_columns(problem: &Problem, whitener: &Whitener) -> Vec<Vec<f64>> {
         })
         .collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Curve, LinearNuisance, Noise, Prior, Unknown};
+
+    /// `y = a q^b` on two curves with shifts, a frame compliance of known size, and a prior of `b`.
+    fn problem() -> Problem {
+        let curve = |from: f64| {
+            let q: Vec<f64> = (1..=12).map(|i| from * f64::from(i)).collect();
+            let y = q
+                .iter()
+                .map(|q| 1.9 * q.powf(0.7) + 0.1 * q.sin())
+                .collect();
+            Curve::new(q, y).unwrap()
+        };
+        let prior = Prior::Lognormal {
+            median: 0.6,
+            factor: 1.2,
+        };
+        let unknowns = vec![
+            Unknown::positive("a", [0.1, 10.0]).unwrap(),
+            Unknown::signed("b", [0.1, 2.0])
+                .unwrap()
+                .with_prior(prior)
+                .unwrap(),
+        ];
+        let frame = LinearNuisance::frame_compliance()
+            .with_normal_prior(0.02, 0.01)
+            .unwrap();
+        let nuisances = [LinearNuisance::shift(), frame];
+        Problem::new(
+            vec![curve(0.2), curve(1.0)],
+            unknowns,
+            &nuisances,
+            Noise::white(0.1),
+        )
+        .unwrap()
+    }
+
+    fn evaluation(problem: &Problem, position: [f64; 2]) -> Evaluation {
+        let parameters: Vec<f64> = problem
+            .unknowns()
+            .iter()
+            .zip(position)
+            .map(|(u, x)| u.value(x))
+            .collect();
+        let (a, b) = (parameters[0], parameters[1]);
+        let scale = [0, 1].map(|j| problem.unknowns()[j].value_slope(parameters[j]));
+        let q = problem.abscissa();
+        let column = |f: &dyn Fn(f64) -> f64| q.iter().map(|q| f(*q)).collect::<Vec<f64>>();
+        Evaluation {
+            position: position.to_vec(),
+            value: column(&|q| a * q.powf(b)),
+            slope: column(&|q| a * b * q.powf(b - 1.0)),
+            jacobian: vec![
+                column(&|q| scale[0] * q.powf(b)),
+                column(&|q| scale[1] * a * q.powf(b) * q.ln()),
+            ],
+            parameters,
+        }
+    }
+
+    #[test]
+    fn the_jacobian_is_the_derivative_of_the_residual_with_the_nuisances_eliminated() {
+        let problem = problem();
+        let levels = problem.noise().first_guess(1.0, 1.0);
+        let levels = NoiseLevels {
+            persistence: 0.6,
+            white_fraction: 0.3,
+            ..levels
+        };
+        let centre = [0.5, 1.5];
+        let at = evaluation(&problem, centre);
+        let metric = Metric::at(&problem, &levels, &at);
+        let system = metric.system(&at);
+        let step = 1e-5;
+        for j in 0..2 {
+            let shifted = |sign: f64| {
+                let mut position = centre;
+                position[j] += sign * step;
+                metric.system(&evaluation(&problem, position)).residual
+            };
+            let (up, down) = (shifted(1.0), shifted(-1.0));
+            for (i, derivative) in system.jacobian[j].iter().enumerate() {
+                let quotient = -(up[i] - down[i]) / (2.0 * step);
+                // A central difference errs by step² of numbers up to 10³ and by rounding over step.
+                assert!(
+                    (derivative - quotient).abs() < 1e-6,
+                    "{j} {i}: {derivative} {quotient}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn no_coefficients_of_the_nuisances_do_better_than_those_eliminated() {
+        let problem = problem();
+        let at = evaluation(&problem, [0.5, 1.5]);
+        let metric = Metric::at(&problem, &problem.noise().first_guess(1.0, 1.0), &at);
+        let system = metric.system(&at);
+        let (rows, _) = metric.rows(&at);
+        let columns = metric.nuisance_columns();
+        let misfit = |coefficients: &[f64]| {
+            let mut rest = rows.clone();
+            for (column, c) in columns.iter().zip(coefficients) {
+                rest.iter_mut().zip(column).for_each(|(r, b)| *r -= c * b);
+            }
+            dot(&rest, &rest)
+        };
+        let least = misfit(&system.coefficients);
+        // Rounding of a sum of some thirty squares.
+        assert!((least / system.chi_squared - 1.0).abs() < 1e-12);
+        for k in 0..columns.len() {
+            for change in [-1e-3, 1e-3] {
+                let mut other = system.coefficients.clone();
+                other[k] += change;
+                assert!(misfit(&other) > least);
+            }
+        }
+    }
+}

@@ -20,7 +20,7 @@ pub struct FitOptions {
     pub intervals: Intervals,
     /// Most starts of the search, 4 by default. It ends when a second one leads to the same place.
     pub starts: usize,
-    /// `χ²` that a linear problem could still gain where the search ends, 10⁻⁶ by default: a thousandth of a standard
+    /// `χ²` that a linear problem could still gain where the search ends, 10⁻⁴ by default: a hundredth of a standard
     /// error.
     pub tolerance: f64,
 }
@@ -31,7 +31,7 @@ impl Default for FitOptions {
             level: 0.95,
             intervals: Intervals::Profile,
             starts: 4,
-            tolerance: 1e-6,
+            tolerance: 1e-4,
         }
     }
 }

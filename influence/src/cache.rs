@@ -90,7 +90,8 @@ impl Cache {
 
     /// As [`Self::in_memory`], for many foundations of few shapes, as a fit tries them: radial tables are those of the
     /// ratios of moduli and thicknesses and of Poisson's ratios alone, so that a foundation of another size or
-    /// stiffness finds them in memory. The ratios are rounded to 1e-12 of themselves, and coefficients with them; those are not kept.
+    /// stiffness finds them in memory. The ratios are rounded to 1e-12 of themselves, and coefficients
+    /// with them; those are not kept.
     #[must_use]
     pub fn of_shapes() -> Self {
         Self::new(LIMIT, None, Self::SMALLEST_STORED, true)

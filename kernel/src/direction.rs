@@ -27,8 +27,8 @@ impl Foundation {
         changes.collect()
     }
 
-    /// Changes of the materials that leave the compliance `C(k)` at every wavenumber: what no normal load on the surface
-    /// can tell.
+    /// Changes of the materials that leave the compliance `C(k)` at every wavenumber: what no normal load on the
+    /// surface can tell.
     ///
     /// Under a given pressure the stresses depend on `1/E*` of each body, `E* = E/(1 − ν²)`, and on the differences of
     /// `1/(2G)` between bodies that are bonded or joined by springs. A common change of `1/(2G)` adds the gradient of

@@ -128,7 +128,7 @@ mod tests {
 substrate = { young_modulus = 1, poisson_ratio = 0.3 }
 [[foundation.layer]]
 thickness = 0.1
-young_modulus = { from = 10, to = 2 }
+young_modulus = { from = 10, to = 2, profile = "linear" }
 poisson_ratio = 0.2
 [[foundation.layer]]
 thickness = 0.2

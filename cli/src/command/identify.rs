@@ -1,5 +1,6 @@
 //! `pellicle identify`: fits a model to measured curves and tells what they say of it.
 
+use std::path::Path;
 use std::time::Instant;
 
 use indicatif::ProgressBar;
@@ -9,8 +10,8 @@ use crate::arguments::IdentifyArguments;
 use crate::failure::Failure;
 use crate::fit_file::FitFile;
 use crate::identification::result::FitResult;
-use crate::identification::{Identification, files, text};
-use crate::output::file::Existing;
+use crate::identification::{Identification, files, simulation, text};
+use crate::output::file::{self, Existing};
 use crate::output::folder::{Completeness, ResultsFolder};
 use crate::output::json;
 use crate::program::Outcome;
@@ -25,6 +26,9 @@ use crate::{interrupt, terminal, threads};
 pub fn identify(arguments: &IdentifyArguments) -> Result<Outcome, Failure> {
     let start = Instant::now();
     let file = FitFile::read(&arguments.path)?;
+    if let (true, Some(out)) = (arguments.simulate, &arguments.out) {
+        return simulate(arguments, &file, out);
+    }
     let folder = claim(arguments)?;
     threads::set(arguments.threads)?;
     threads::begin();
@@ -72,6 +76,26 @@ pub fn identify(arguments: &IdentifyArguments) -> Result<Outcome, Failure> {
         terminal::print(&json(&found)?)?;
     }
     Ok(outcome(arguments, &fit))
+}
+
+/// Writes measurements that the fit file would give; of several tables, one file each, numbered.
+fn simulate(arguments: &IdentifyArguments, file: &FitFile, out: &Path) -> Result<Outcome, Failure> {
+    threads::set(arguments.threads)?;
+    let seed = arguments.seed.unwrap_or(file.report.seed);
+    for table in 0..file.data.len() {
+        let text = simulation::measurement(file, table, seed)?;
+        let path = simulation::path(out, table, file.data.len());
+        let write = if arguments.force {
+            file::write_bytes
+        } else {
+            file::write_new
+        };
+        write(&path, text.as_bytes())?;
+        if !arguments.quiet {
+            terminal::tell(&format!("written to {}", path.display()));
+        }
+    }
+    Ok(Outcome::Done)
 }
 
 /// Claims the folder of the results; none with `--json` alone.

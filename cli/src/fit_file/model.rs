@@ -79,10 +79,7 @@ impl FitModel {
         let case = Case::resolve(&root, &self.name, &self.folder)?;
         let model = case.model(&self.cache)?.value;
         let parameters = case.parameters(&model)?;
-        Ok(ModelParameters {
-            model,
-            parameters,
-        })
+        Ok(ModelParameters { model, parameters })
     }
 
     /// The case as it is.

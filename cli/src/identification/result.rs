@@ -379,16 +379,18 @@ impl Identification {
                 "several-minima",
                 "another start led to another minimum, which is worse".into(),
             ),
+            Warning::Jitter => warning(
+                "jitter",
+                "predictions jump about what their derivatives promise: the best fit is known to no better than a \
+                 part of a standard error"
+                    .into(),
+            ),
             Warning::AtBound(index) => warning(
                 "at-bound",
                 format!(
                     "the best fit lies at a bound of {}: the data may be in another unit, or the bound too narrow",
                     name(index)
                 ),
-            ),
-            Warning::Jitter => warning(
-                "jitter",
-                "the model's curves jitter by more than the search can follow: the least misfit is known to that".into(),
             ),
             Warning::BetterFitFound(index) => warning(
                 "better-fit",

@@ -22,32 +22,30 @@ fn data(of: &Identification, fit: &Fit) -> String {
         Some(Observable::StiffnessAtContactRadius) => ["contact radius [m]", "stiffness", "N/m"],
         _ => ["force [N]", "depth", "m"],
     };
-    let mut text =
+    let header =
         format!("file,{x},{y} [{unit}],model [{unit}],residual [{unit}],whitened residual\n");
-    let mut point = 0;
-    for source in &of.sources {
+    let sources = of.sources.iter().flat_map(|source| {
         let file = quoted(&source.measured.file.display().to_string());
-        for (abscissa, observed) in source.abscissa.iter().zip(&source.observed) {
-            let points = &fit.points;
-            let (model, residual) = (points.model[point], points.residual[point]);
-            let whitened = points.whitened[point];
-            text +=
-                &format!("{file},{abscissa:e},{observed:e},{model:e},{residual:e},{whitened:e}\n");
-            point += 1;
-        }
-    }
-    text
+        let points = source.abscissa.iter().zip(&source.observed);
+        points.map(move |(abscissa, observed)| format!("{file},{abscissa:e},{observed:e}"))
+    });
+    let fitted = &fit.points;
+    let rows = sources.enumerate().map(|(point, measured)| {
+        let (model, residual) = (fitted.model[point], fitted.residual[point]);
+        let whitened = fitted.whitened[point];
+        format!("{measured},{model:e},{residual:e},{whitened:e}\n")
+    });
+    header + &rows.collect::<String>()
 }
 
 /// Covariance of the logarithms of the unknowns; empty where it is not finite.
 fn covariance(fit: &Fit) -> String {
     let names: Vec<String> = fit.estimates.iter().map(|of| quoted(&of.name)).collect();
-    let mut text = format!("covariance of ln,{}\n", names.join(","));
-    for (name, row) in names.iter().zip(&fit.covariance) {
+    let rows = names.iter().zip(&fit.covariance).map(|(name, row)| {
         let cells: Vec<String> = row.iter().map(|value| number(*value)).collect();
-        text += &format!("{name},{}\n", cells.join(","));
-    }
-    text
+        format!("{name},{}\n", cells.join(","))
+    });
+    format!("covariance of ln,{}\n", names.join(",")) + &rows.collect::<String>()
 }
 
 /// The profile of every unknown: its value, and how much `χ²` is above the least with it held there.

@@ -6,25 +6,26 @@ use crate::display::significant;
 /// The result in words, one line for each number.
 #[must_use]
 pub fn text(result: &FitResult) -> String {
-    let mut text = format!("{}\n", result.title);
-    for estimate in result.unknowns.iter().chain(&result.nuisances) {
-        text += &line(estimate);
-    }
+    let estimates = result.unknowns.iter().chain(&result.nuisances).map(line);
     let fit = &result.fit;
-    text += &format!(
+    let quality = format!(
         "  points {}, χ² per degree of freedom {}, misfit p {}, Durbin-Watson {}\n",
         fit.points,
         significant(fit.chi_squared_per_degree, 3),
         significant(fit.misfit_p, 2),
         significant(fit.durbin_watson, 3),
     );
-    text += &format!(
+    let work = format!(
         "  {} curves solved, {} loads, {} s\n",
         result.work.curves_solved,
         result.work.loads_solved,
         significant(result.work.seconds, 3)
     );
-    text
+    format!(
+        "{}\n{}{quality}{work}",
+        result.title,
+        estimates.collect::<String>()
+    )
 }
 
 fn line(estimate: &EstimateResult) -> String {
@@ -33,24 +34,21 @@ fn line(estimate: &EstimateResult) -> String {
     let end = |end: Option<f64>| end.map_or("open".to_owned(), number);
     let [low, high] = estimate.interval.map(end);
     let value = number(estimate.value);
-    let mut line = format!(
+    let own = format!(
         "  {key} = {value} {}   [{low}, {high}]   {}\n      {}\n",
         unit.1, estimate.verdict, estimate.why
     );
-    if let Some(scatter) = estimate.scatter {
-        line += &format!(
-            "      scatter between repeats {} {}\n",
-            number(scatter),
-            unit.1
-        );
-    }
-    if let Some(known) = &estimate.known_combination {
+    let scatter = estimate.scatter.map(|scatter| {
+        let (scatter, unit) = (number(scatter), &unit.1);
+        format!("      scatter between repeats {scatter} {unit}\n")
+    });
+    let known = estimate.known_combination.as_ref().map(|known| {
         let end = |end: Option<f64>| end.map_or("open".to_owned(), |value| significant(value, 4));
         let [low, high] = known.interval.map(end);
         let value = significant(known.value, 4);
-        line += &format!("      {} = {value} [{low}, {high}]\n", known.expression);
-    }
-    line
+        format!("      {} = {value} [{low}, {high}]\n", known.expression)
+    });
+    own + &scatter.unwrap_or_default() + &known.unwrap_or_default()
 }
 
 /// The power of a thousand that suits a number, and its unit with the prefix.

@@ -93,6 +93,21 @@ impl DataTable {
         tables.list(WANTED)?.iter().map(read).collect()
     }
 
+    /// The diagnosis that no file was found; none if there are some.
+    #[must_use]
+    pub fn without_files(&self) -> Option<Diagnosis> {
+        let key = format!("{}.file", self.path);
+        let wanted = format!("{FILES}; no file matches");
+        (self.files.is_empty()).then(|| self.document.wanted(&key, &wanted))
+    }
+
+    /// The diagnosis that another value of one of its keys is wanted.
+    #[must_use]
+    pub fn wanted(&self, key: &str, wanted: &str) -> Diagnosis {
+        self.document
+            .wanted(&format!("{}.{key}", self.path), wanted)
+    }
+
     fn read(root: &TomlNode, field: &ValueReader<'_>, folder: &Path) -> Result<Self, Diagnosis> {
         let table = field.clone().table()?;
         table.only(&Self::KEYS)?;
@@ -128,6 +143,9 @@ impl DataTable {
     ///
     /// A [`Diagnosis`] of the first file that gives none, at the key to change.
     pub fn curves(&self) -> Result<Vec<MeasuredCurve>, Diagnosis> {
+        if let Some(diagnosis) = self.without_files() {
+            return Err(diagnosis);
+        }
         let curve = |path: &PathBuf| {
             let curve = MeasuredCurve::read(path, self);
             curve.map_err(|error| self.diagnosis(path, &error))
@@ -165,14 +183,13 @@ impl DataTable {
     }
 }
 
+/// Which files are wanted.
+const FILES: &str = "the path of a text file from the folder of the fit file, or a pattern with * and ? for several";
+
+/// The files that match, which may be none as long as nothing is read.
 fn matching(table: &TableReader<'_>, folder: &Path) -> Result<Vec<PathBuf>, Diagnosis> {
-    const WANTED: &str = "the path of a text file from the folder of the fit file, or a pattern with * and ? for several";
-    let field = table.required("file", WANTED)?;
-    let found = files(folder, field.text()?);
-    if found.is_empty() {
-        return Err(field.unusable(&"which no file matches", WANTED));
-    }
-    Ok(found)
+    let field = table.required("file", FILES)?;
+    Ok(files(folder, field.text()?))
 }
 
 fn observe(table: &TableReader<'_>) -> Result<Observe, Diagnosis> {

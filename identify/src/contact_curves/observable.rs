@@ -23,7 +23,8 @@ pub enum Observable {
     #[serde(rename = "force at depth")]
     ForceAtDepth,
     /// The contact stiffness `dQ/dD` (N/m) at contact radii (m), `√(A/π)` of the contact area A. Under indenters of
-    /// revolution it does not depend on their shape: each is the stiffness of a flat punch of that radius.
+    /// revolution it does not depend on their shape: each is the stiffness of a flat punch of that radius. Under a
+    /// Berkovich pyramid it is larger, by 9 % where the tip is round and by 18 % beyond.
     #[serde(rename = "stiffness at contact radius")]
     StiffnessAtContactRadius,
 }
@@ -89,7 +90,7 @@ fn force_at_radius(curve: &SolvedCurve, radius: f64) -> Result<f64, ContactError
         let [found, rate] = curve.radius(force);
         let change = (radius / found).ln() * found / (force * rate);
         force = (force * change.exp()).clamp(least, most);
-        if change.abs() <= ACCURACY.sqrt() || (force == least && change < 0.0) {
+        if change.abs() <= ACCURACY.sqrt() || (force <= least && change < 0.0) {
             return Ok(force);
         }
     }

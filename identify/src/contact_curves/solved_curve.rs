@@ -1,5 +1,7 @@
 //! The contact solved at a few loads, and the smooth curves through them.
 
+use std::f64::consts::PI;
+
 use pellicle_contact::{
     ContactError, Domain, ForceCurve, Load, LoadingPath, Model, ModelDerivatives, ModelParameter,
     SolverOptions, Status, default_side, estimated_force, estimated_force_at_radius, solve_path,
@@ -29,6 +31,8 @@ const TOLERANCE: f64 = 1e-7;
 pub struct Nodes {
     ends: NodeEnds,
     count: usize,
+    /// Side of each load's domain over that of the first guess.
+    stretches: Vec<f64>,
 }
 
 /// Smallest and largest.
@@ -67,10 +71,30 @@ impl Nodes {
         };
         let wanted = (decades * options.loads_per_decade).ceil();
         let count = (1..MOST_INTERVALS).find(|count| f64::from(*count) >= wanted);
-        Ok(Self {
+        let mut nodes = Self {
             ends,
+            stretches: Vec::new(),
             count: ForceCurve::FEWEST.max(3 + usize::from(count.unwrap_or(MOST_INTERVALS))),
-        })
+        };
+        nodes.stretches = nodes.stretches_for(&curve.model, options)?;
+        Ok(nodes)
+    }
+
+    /// The stretches by which half of each domain is in contact. They are kept while the parameters change, so that a
+    /// domain follows its contact without a jump.
+    fn stretches_for(
+        &self,
+        model: &Model,
+        options: CurveOptions,
+    ) -> Result<Vec<f64>, ContactError> {
+        let forces = self.forces(model);
+        let stretch = |force: &f64| {
+            let radius = contact_radius(model, *force, options.elements / 2)?;
+            let guess = default_side(model, &[Load::Force(*force)]);
+            Ok(SIDE_PER_RADIUS * radius / guess)
+        };
+        let stretches: Vec<Result<f64, ContactError>> = forces.par_iter().map(stretch).collect();
+        stretches.into_iter().collect()
     }
 
     pub fn len(&self) -> usize {
@@ -129,8 +153,11 @@ impl SolvedCurve {
     ) -> Result<Self, ContactError> {
         let derivatives = model.derivatives(parameters)?;
         let forces = nodes.forces(model);
-        let solved = forces.par_iter();
-        let solved = solved.map(|force| energies(model, &derivatives, *force, options.elements));
+        let solved = forces.par_iter().zip(&nodes.stretches);
+        let solved = solved.map(|(force, stretch)| {
+            let side = stretch * default_side(model, &[Load::Force(*force)]);
+            energies(model, &derivatives, *force, (side, options.elements))
+        });
         let solved: Vec<Result<(Vec<f64>, usize), ContactError>> = solved.collect();
         let solved = solved.into_iter().collect::<Result<Vec<_>, _>>()?;
         let products = solved.iter().map(|(_, products)| products).sum();
@@ -185,28 +212,36 @@ impl SolvedCurve {
     }
 }
 
-/// `E`, the contact radius and each `∂E/∂θ` under a force, extrapolated from a grid of `elements` per side and one of half as many.
+/// `E`, the contact radius and each `∂E/∂θ` under a force, extrapolated from a grid of `elements` per side and one of
+/// half as many.
 ///
 /// Their errors fall with the square of the element's side: `(4 E_h − E_2h)/3`. Besides the products on the finer grid.
 fn energies(
     model: &Model,
     derivatives: &ModelDerivatives,
     force: f64,
-    elements: usize,
+    (mut side, elements): (f64, usize),
 ) -> Result<(Vec<f64>, usize), ContactError> {
-    let side = SIDE_PER_RADIUS * contact_radius(model, force, elements / 2)?;
-    let on_grid = |elements: usize| {
-        let path = solved(model, force, side, elements)?;
-        let sensitivities = derivatives.of_path(&path)?;
-        let step = &path.steps[0];
-        let radius = (step.summary.contact_area / std::f64::consts::PI).sqrt();
+    let mut fine = solved(model, force, side, elements)?;
+    for _ in 0..ENLARGEMENTS {
+        if !is_at_edge(&fine) {
+            break;
+        }
+        side *= ENLARGEMENT;
+        fine = solved(model, force, side, elements)?;
+    }
+    let coarse = solved(model, force, side, elements / 2)?;
+    let energies = |path: &LoadingPath| {
+        let sensitivities = derivatives.of_path(path)?;
+        let radius = (path.steps[0].summary.contact_area / PI).sqrt();
         let mut energies = vec![sensitivities.energy(0), radius];
         energies.extend(sensitivities.energies(0));
-        Ok::<_, ContactError>((energies, step.work.operator_applications))
+        Ok::<_, ContactError>(energies)
     };
-    let ((fine, products), (coarse, _)) = (on_grid(elements)?, on_grid(elements / 2)?);
-    let pairs = fine.iter().zip(&coarse);
+    let (of_fine, of_coarse) = (energies(&fine)?, energies(&coarse)?);
+    let pairs = of_fine.iter().zip(&of_coarse);
     let extrapolated = pairs.map(|(fine, coarse)| (4.0 * fine - coarse) / 3.0);
+    let products = fine.steps[0].work.operator_applications;
     Ok((extrapolated.collect(), products))
 }
 
@@ -215,17 +250,19 @@ fn contact_radius(model: &Model, force: f64, elements: usize) -> Result<f64, Con
     let mut side = default_side(model, &[Load::Force(force)]);
     for _ in 0..ENLARGEMENTS {
         let path = solved(model, force, side, elements)?;
-        let summary = &path.steps[0].summary;
-        if summary
-            .elements_to_edge
-            .is_none_or(|elements| elements >= EDGE)
-        {
-            return Ok(summary.contact_radius);
+        if !is_at_edge(&path) {
+            return Ok(path.steps[0].summary.contact_radius);
         }
         side *= ENLARGEMENT;
     }
     let trials = ENLARGEMENTS;
     Err(ContactError::DomainTooSmall { side, trials })
+}
+
+/// Whether a contact reaches the edge of its domain.
+fn is_at_edge(path: &LoadingPath) -> bool {
+    let to_edge = path.steps[0].summary.elements_to_edge;
+    to_edge.is_some_and(|elements| elements < EDGE)
 }
 
 /// A certified solution.

@@ -1,0 +1,166 @@
+//! Measurements that a fit file would give: the curve of its model, with its noise, in the format that it reads.
+
+use std::path::{Path, PathBuf};
+
+use pellicle_identify::{
+    ContactCurve, ContactCurves, CurveOptions, ForwardError, ForwardModel, Observable, Prediction,
+};
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+use rand_distr::{Distribution, StandardNormal};
+
+use super::curve_source::observable;
+use crate::failure::Failure;
+use crate::fit_file::FitFile;
+use crate::measured::channel::Channel;
+use crate::measured::columns::{ColumnName, ColumnUnit};
+use crate::measured::data_table::{DataTable, Observe};
+use crate::measured::segment::SegmentEnd;
+
+/// Points of a measurement, evenly spread in the logarithm of the force.
+const POINTS: u32 = 100;
+/// Relative noise of what is observed, where the fit file says nothing of noise.
+const RELATIVE: f64 = 0.01;
+/// Time between two points, s.
+const INTERVAL: f64 = 0.1;
+
+/// The text of the measurements of a table, with noise of this seed.
+///
+/// # Errors
+///
+/// [`Failure`] if the fit file does not say between which forces, or the contact cannot be solved.
+pub fn measurement(file: &FitFile, table: usize, seed: u64) -> Result<String, Failure> {
+    let data = &file.data[table];
+    let forces = forces(file, data)?;
+    let depths = depths(file, data, &forces)?;
+    let mut normal = Normal(ChaCha8Rng::seed_from_u64(seed.wrapping_add(table as u64)));
+    let noise = data.noise;
+    let said = noise.depth.is_some() || noise.force.is_some() || noise.relative.is_some();
+    let relative = noise.relative.unwrap_or(if said { 0.0 } else { RELATIVE });
+    let [of_depth, of_force] = match data.observe {
+        Observe::ForceAtDepth => [0.0, relative],
+        _ => [relative, 0.0],
+    };
+    let points = forces.iter().zip(&depths.value).map(|(force, depth)| {
+        let mut noisy = |value: f64, absolute: Option<f64>, relative: f64| {
+            let deviation = absolute.unwrap_or(0.0).hypot(relative * value);
+            value + deviation * normal.next()
+        };
+        [
+            noisy(*depth, noise.depth, of_depth),
+            noisy(*force, noise.force, of_force),
+        ]
+    });
+    Ok(text(data, &points.collect::<Vec<_>>()))
+}
+
+/// The file of a table: the one named, or numbered where there are several.
+#[must_use]
+pub fn path(out: &Path, table: usize, tables: usize) -> PathBuf {
+    if tables == 1 {
+        return out.to_owned();
+    }
+    let stem = out.file_stem().unwrap_or_default().to_string_lossy();
+    let ending = out.extension().map(|ending| ending.to_string_lossy());
+    let ending = ending.map_or_else(String::new, |ending| format!(".{ending}"));
+    out.with_file_name(format!("{stem}-{}{ending}", table + 1))
+}
+
+/// Forces between the ends of the segment, or between those of the design.
+fn forces(file: &FitFile, data: &DataTable) -> Result<Vec<f64>, Failure> {
+    let segment = &data.segment;
+    let design = &file.report.design.forces;
+    let [least, most] = match (&segment.from, &segment.to) {
+        (Some(SegmentEnd::Force(from)), Some(SegmentEnd::Force(to))) => [*from, *to],
+        _ => [
+            design.iter().copied().fold(f64::INFINITY, f64::min),
+            design.iter().copied().fold(0.0, f64::max),
+        ],
+    };
+    if !(least > 0.0 && most > least) {
+        let wanted = "two positive forces from and to, between which measurements are simulated";
+        return Err(data.wanted("segment", wanted).into());
+    }
+    let part = |i: u32| f64::from(i) / f64::from(POINTS - 1);
+    Ok((0..POINTS)
+        .map(|i| least * (most / least).powf(part(i)))
+        .collect())
+}
+
+/// The depths at these forces, by the model of a table.
+fn depths(file: &FitFile, data: &DataTable, forces: &[f64]) -> Result<Prediction, Failure> {
+    if observable(data.observe) == Observable::StiffnessAtContactRadius {
+        let wanted = "\"depth at force\" or \"force at depth\" to simulate";
+        return Err(data.wanted("observe", wanted).into());
+    }
+    let curve = ContactCurve {
+        model: file.model.with(&data.set)?.model,
+        observable: Observable::DepthAtForce,
+        abscissae: forces.to_vec(),
+        own: Vec::new(),
+    };
+    let curves = ContactCurves::new(vec![curve], Vec::new(), CurveOptions::default())?;
+    curves.predict(&[]).map_err(|error| match error {
+        ForwardError::OutOfRange { source } => Failure::NotSimulated(source.to_string()),
+        other => Failure::NotSimulated(other.to_string()),
+    })
+}
+
+/// The table that the fit file reads: its columns, in its units.
+fn text(data: &DataTable, points: &[[f64; 2]]) -> String {
+    let mut columns: Vec<(usize, String, f64, Channel)> = Vec::new();
+    let mut named = 0;
+    for (channel, name, unit) in &data.columns.channels {
+        let (factor, unit) = match unit {
+            Some(ColumnUnit::Named(factor, text)) => (*factor, text.clone()),
+            Some(ColumnUnit::Value(factor)) => (*factor, String::new()),
+            None => (1.0, channel.dimension().si_unit().to_owned()),
+        };
+        let (place, name) = match name {
+            ColumnName::Number(number) => (*number, channel.key().to_owned()),
+            ColumnName::Header(name) => (usize::MAX, name.clone()),
+        };
+        let head = if unit.is_empty() || name.contains(['(', '[']) {
+            name
+        } else {
+            format!("{name} [{unit}]")
+        };
+        columns.push((place, head, factor, *channel));
+    }
+    // Columns without a number take the places that are left.
+    for index in 0..columns.len() {
+        if columns[index].0 == usize::MAX {
+            named += 1;
+            while columns.iter().any(|(place, ..)| *place == named) {
+                named += 1;
+            }
+            columns[index].0 = named;
+        }
+    }
+    let count = columns.iter().map(|(place, ..)| *place).max().unwrap_or(0);
+    let at = |place: usize| columns.iter().find(|(known, ..)| *known == place);
+    let heads = (1..=count).map(|place| at(place).map_or("-", |(_, head, ..)| head));
+    let mut text = heads.collect::<Vec<_>>().join(",") + "\n";
+    for (index, [depth, force]) in points.iter().enumerate() {
+        let cell = |place: usize| {
+            let value = match at(place) {
+                Some((.., factor, Channel::Depth)) => depth / factor,
+                Some((.., factor, Channel::Force)) => force / factor,
+                Some((.., factor, Channel::Time)) => index as f64 * INTERVAL / factor,
+                _ => 0.0,
+            };
+            format!("{value:e}")
+        };
+        text += &((1..=count).map(cell).collect::<Vec<_>>().join(",") + "\n");
+    }
+    text
+}
+
+/// Standard normal numbers.
+struct Normal(ChaCha8Rng);
+
+impl Normal {
+    fn next(&mut self) -> f64 {
+        StandardNormal.sample(&mut self.0)
+    }
+}

@@ -1,0 +1,131 @@
+//! Fits of contacts, whose predictions come from grids.
+
+#![allow(clippy::unwrap_used, reason = "helpers of tests")]
+
+use pellicle_contact::{Model, ModelParameter, Paraboloid};
+use pellicle_identify::{
+    Amount, ContactCurve, ContactCurves, Curve, CurveOptions, Fit, FitOptions, FitVerdict,
+    ForwardModel as _, LinearNuisance, Noise, Observable, Problem, Unknown, Verdict, identify,
+};
+use pellicle_influence::{Cache, ElasticBodies, ElasticParameter};
+use pellicle_kernel::{Foundation, FoundationParameter, Material};
+use pellicle_texture::Relief;
+use rand::SeedableRng as _;
+use rand_chacha::ChaCha8Rng;
+use rand_distr::{Distribution as _, StandardNormal};
+
+/// Moduli of coat and base in Pa, thickness in m.
+const TRUTH: [f64; 3] = [100e9, 10e9, 0.5e-6];
+const NOISE: f64 = 0.01;
+
+fn young_modulus(body: usize) -> ModelParameter {
+    ModelParameter::Elastic(ElasticParameter::Foundation(
+        FoundationParameter::YoungModulus { body },
+    ))
+}
+
+/// A coat of half a micrometre under a ball of ten, between 0.1 and 10 mN.
+fn coat(parameters: usize) -> (ContactCurves, Vec<f64>) {
+    let [hard, soft] =
+        [(TRUTH[0], 0.25), (TRUTH[1], 0.3)].map(|(e, nu)| Material::new(e, nu).unwrap());
+    let bodies: ElasticBodies = Foundation::coated(TRUTH[2], hard, soft).unwrap().into();
+    let cache = Cache::of_shapes();
+    let model = Model {
+        tables: cache.radial_tables_of(&bodies).unwrap().value,
+        relief: Relief::Bare,
+        indenter: Paraboloid::new(10e-6).unwrap().into(),
+        cache,
+    };
+    let forces: Vec<f64> = (0..24)
+        .map(|i| 1e-4 * 100_f64.powf(f64::from(i) / 23.0))
+        .collect();
+    let thickness = ModelParameter::Elastic(ElasticParameter::Foundation(
+        FoundationParameter::Thickness { layer: 0 },
+    ));
+    let all = [young_modulus(0), young_modulus(1), thickness];
+    let curve = ContactCurve {
+        model,
+        observable: Observable::DepthAtForce,
+        abscissae: forces.clone(),
+        own: Vec::new(),
+    };
+    let options = CurveOptions::default();
+    (
+        ContactCurves::new(vec![curve], all[..parameters].to_vec(), options).unwrap(),
+        forces,
+    )
+}
+
+/// The first of the coat's numbers from a curve of its own with noise of 1 % and an unknown zero.
+fn fit(parameters: usize) -> Fit {
+    let (curves, forces) = coat(parameters);
+    let mut random = ChaCha8Rng::seed_from_u64(1);
+    let observed = curves
+        .predict(&TRUTH[..parameters])
+        .unwrap()
+        .value
+        .iter()
+        .map(|depth| {
+            let normal: f64 = StandardNormal.sample(&mut random);
+            depth * (1.0 + NOISE * normal) + 3e-9
+        })
+        .collect();
+    let unknown = |name: &str, range, start| {
+        Unknown::positive(name, range)
+            .unwrap()
+            .starting_at(start)
+            .unwrap()
+    };
+    let unknowns = [
+        unknown("E1", [20e9, 500e9], 60e9),
+        unknown("E2", [1e9, 100e9], 20e9),
+        unknown("H", [0.05e-6, 5e-6], 0.8e-6),
+    ];
+    let noise = Noise {
+        observed: Amount::Given(0.0),
+        relative: Amount::Given(NOISE),
+        ..Noise::default()
+    };
+    let curve = Curve::new(forces, observed).unwrap();
+    let shift = [LinearNuisance::shift()];
+    let problem =
+        Problem::new(vec![curve], unknowns[..parameters].to_vec(), &shift, noise).unwrap();
+    identify(&curves, &problem, &FitOptions::default()).unwrap()
+}
+
+fn assert_truth_inside(fit: &Fit) {
+    assert_eq!(fit.verdict, FitVerdict::Fitted, "{:?}", fit.goodness);
+    for (estimate, truth) in fit.estimates.iter().zip(TRUTH) {
+        let [low, high] = estimate.interval;
+        assert!(low < Some(truth) && high > Some(truth), "{estimate:?}");
+    }
+}
+
+#[test]
+fn two_moduli_of_a_coat_and_their_intervals_take_a_dozen_curves() {
+    let fit = fit(2);
+    assert_truth_inside(&fit);
+    assert!(
+        fit.estimates
+            .iter()
+            .all(|estimate| estimate.verdict == Verdict::Identified)
+    );
+    assert!(
+        fit.work.search <= 12 && fit.work.curves_solved <= 16,
+        "{:?}",
+        fit.work
+    );
+}
+
+#[test]
+fn with_the_thickness_unknown_the_modulus_of_the_coat_is_weak() {
+    let fit = fit(3);
+    assert_truth_inside(&fit);
+    assert_eq!(fit.estimates[0].verdict, Verdict::Weak);
+    assert_eq!(fit.estimates[1].verdict, Verdict::Identified);
+    assert!(
+        fit.work.search <= 20 && fit.work.curves_solved <= 45,
+        "{:?}",
+        fit.work
+    );
+}
