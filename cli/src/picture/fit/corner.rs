@@ -282,7 +282,7 @@ mod tests {
     #[test]
     fn samples_are_dots_and_bars() {
         let mut with = corner(&["one", "two"]);
-        let sample = |i: i32| vec![7e10 * (1.0 + 1e-3 * f64::from(i % 17)), 7e10];
+        let sample = |i: i32| vec![7e10 * (1.0 + 3e-3 * f64::from(i % 17)), 7e10];
         with.samples = (0..400).map(sample).collect();
         let [with, without] =
             [with, corner(&["one", "two"])].map(|of| of.draw(&Style::default()).unwrap());

@@ -31,7 +31,7 @@ const MOST_OF_ONE: usize = 500;
 const FEWEST_OF_ONE: usize = 40;
 
 /// As many points of a curve are drawn above its line.
-const FEW: usize = 120;
+const FEW: usize = 60;
 
 /// Light on the line of a model, relative to its points.
 const DARK: f64 = 0.55;

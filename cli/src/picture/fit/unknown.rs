@@ -193,7 +193,10 @@ pub(super) mod tests {
         let mut found = unknown("E", 7e9, 0.1);
         found.profile.truncate(4);
         let end = found.interval[1].unwrap();
-        assert_eq!(found.smooth_profile().last(), Some(&[end, found.threshold]));
+        let [value, delta] = *found.smooth_profile().last().unwrap();
+        // Rounding of an exponential and of a root.
+        assert_relative_eq!(value, end, max_relative = 1e-12);
+        assert_relative_eq!(delta, found.threshold, max_relative = 1e-12);
     }
 
     #[test]
