@@ -159,7 +159,7 @@ impl FitSubject<'_> {
             head: self.head(),
             x,
             y,
-            curves,
+            all: curves,
         }
     }
 

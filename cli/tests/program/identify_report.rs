@@ -23,17 +23,18 @@ const ALWAYS: [&str; 9] = [
     "report.html",
 ];
 
-/// A fit of Hertz's contact, `D = (9Q²/(16 R E*²))^⅓` with 3 nm of noise, or of half that law's power.
+/// A fit of Hertz's contact, `D = (9Q²/(16 R E*²))^⅓`, its depths raised to a power, with 0.2 nm of noise.
 fn hertz(folder: &TestFolder, unknowns: &str, power: f64) {
-    let mut text = String::from("force,depth\n");
-    for i in 1..=40 {
+    let row = |i: i32| {
         let force = 2e-5 * f64::from(i);
         let reduced = 7e10 / (1.0 - 0.09);
         let depth = (9.0 * force * force / (16.0 * 1e-5 * reduced * reduced)).cbrt();
         let noise = 3e-10 * f64::sin(17.0 * f64::from(i * i));
         let depth = depth.powf(power) * 1e-7_f64.powf(1.0 - power) + noise;
-        text += &format!("{force:e},{depth:e}\n");
-    }
+        format!("{force:e},{depth:e}")
+    };
+    let rows: Vec<_> = (1..=40).map(row).collect();
+    let text = format!("force,depth\n{}\n", rows.join("\n"));
     fs::write(folder.path("curve.csv"), text).unwrap();
     let fit = format!(
         r#"title = "Hertz & <noise>"

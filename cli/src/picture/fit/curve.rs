@@ -91,7 +91,7 @@ pub struct Curves {
     /// What was observed.
     pub y: Quantity,
     /// The curves.
-    pub curves: Vec<FittedCurve>,
+    pub all: Vec<FittedCurve>,
 }
 
 impl Curves {
@@ -99,7 +99,7 @@ impl Curves {
     #[must_use]
     pub fn draw(&self, style: &Style) -> Option<String> {
         let [upper, lower] = self.panels()?;
-        let named = self.curves.len().min(NAMED);
+        let named = self.all.len().min(NAMED);
         let lines = named.div_ceil(COLUMNS) + usize::from(self.note().is_some());
         let mut svg = style.sheet(WIDTH, HEIGHT + ENTRY * lines as f64);
         if style.heading == Heading::Shown {
@@ -119,7 +119,7 @@ impl Curves {
 
     /// The panel of the curves and that of the residuals.
     fn panels(&self) -> Option<[Panel; 2]> {
-        let points = || self.curves.iter().flat_map(|curve| &curve.points);
+        let points = || self.all.iter().flat_map(|curve| &curve.points);
         let x = axes::ends(points().map(|point| point.abscissa))?;
         let y = axes::ends(points().flat_map(|point| [point.observed, point.model]))?;
         let both = axes::suits_logarithms(x) && y[0] > 0.0;
@@ -159,14 +159,14 @@ impl Curves {
 
     /// The colour of a model's curve, darker than its points; ink for a single curve.
     fn line_colour(&self, i: usize) -> Colour {
-        match self.curves.len() {
+        match self.all.len() {
             1 => colours::INK,
             _ => colour(i).lit(DARK),
         }
     }
 
     fn used(&self) -> impl Iterator<Item = (usize, &FittedCurve)> {
-        let curves = self.curves.iter().enumerate();
+        let curves = self.all.iter().enumerate();
         curves.filter(|(_, curve)| curve.part == Part::Used)
     }
 
@@ -175,7 +175,7 @@ impl Curves {
         let scaled = |x: f64, y: f64| panel.at(x / self.x.scale.divisor, y / self.y.scale.divisor);
         svg.within(panel.place, |svg| {
             // What was left out lies below the rest.
-            let mut order: Vec<_> = self.curves.iter().enumerate().collect();
+            let mut order: Vec<_> = self.all.iter().enumerate().collect();
             order.sort_by_key(|(_, curve)| curve.part == Part::Used);
             for (i, curve) in order {
                 let shown = shown(&curve.points, self.stride(curve));
@@ -189,7 +189,7 @@ impl Curves {
                     svg.line(&line, stroke);
                     svg.dots(&places, 4.2, ink(i, curve));
                 } else {
-                    svg.dots(&places, 2.4, ink(i, curve));
+                    svg.dots(&places, 3.0, ink(i, curve));
                     svg.line(&line, stroke);
                 }
             }
@@ -220,7 +220,7 @@ impl Curves {
 
     fn draw_legend(&self, svg: &mut Svg, named: usize) {
         let column = (WIDTH - LEFT) / COLUMNS as f64;
-        for (i, curve) in self.curves.iter().take(named).enumerate() {
+        for (i, curve) in self.all.iter().take(named).enumerate() {
             let x = LEFT + column * (i % COLUMNS) as f64;
             let y = HEIGHT + ENTRY * (i / COLUMNS) as f64;
             svg.dots(&[(x + 10.0, y)], 5.0, ink(i, curve));
@@ -241,8 +241,8 @@ impl Curves {
 
     /// What is not shown.
     fn note(&self) -> Option<String> {
-        let more = self.curves.len().saturating_sub(NAMED);
-        let stride = self.curves.iter().map(|curve| self.stride(curve)).max();
+        let more = self.all.len().saturating_sub(NAMED);
+        let stride = self.all.iter().map(|curve| self.stride(curve)).max();
         let stride = stride.filter(|stride| *stride > 1);
         let thinned =
             stride.map(|stride| format!("of the longest curve one point in {stride} is drawn"));
@@ -253,7 +253,7 @@ impl Curves {
 
     /// Every so manieth point of a curve is drawn.
     fn stride(&self, curve: &FittedCurve) -> usize {
-        let share = POINTS / self.curves.len().max(1);
+        let share = POINTS / self.all.len().max(1);
         let most = share.clamp(FEWEST_OF_ONE, MOST_OF_ONE);
         curve.points.len().div_ceil(most).max(1)
     }
@@ -322,7 +322,7 @@ mod tests {
                 name: "depth D",
                 scale: scale(1e-6, "µm"),
             },
-            curves: vec![curve("one", Part::Used), curve("other", Part::LeftOut)],
+            all: vec![curve("one", Part::Used), curve("other", Part::LeftOut)],
         }
     }
 
