@@ -7,6 +7,9 @@ pub mod profiles;
 pub mod repeats;
 pub mod unknown;
 
+#[cfg(test)]
+mod tests;
+
 use super::colours::{self, Colour};
 
 /// The colours of several measurements, which the colour-blind can tell apart.

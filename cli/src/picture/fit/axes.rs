@@ -10,6 +10,9 @@ const MARGIN: f64 = 0.05;
 /// Ratio of the largest to the smallest value from which an axis is logarithmic.
 const DECADES: f64 = 50.0;
 
+/// The same for what is sought by its logarithm, whose likelihood is crowded at small values on a linear axis.
+const FACTOR: f64 = 5.0;
+
 /// The least and the largest finite value; none if there is none.
 #[must_use]
 pub fn ends(values: impl IntoIterator<Item = f64>) -> Option<[f64; 2]> {
@@ -44,6 +47,16 @@ pub fn linear([low, high]: [f64; 2], scale: &Scale, quantity: &str, count: usize
 pub fn logarithmic([low, high]: [f64; 2], scale: &Scale, quantity: &str) -> Axis {
     let [low, high] = [low, high].map(|value| value / scale.divisor);
     Axis::logarithmic(low, high, title(quantity, scale))
+}
+
+/// An axis of what is sought by its logarithm: a logarithmic one as soon as values differ by a factor.
+#[must_use]
+pub fn of_unknown([low, high]: [f64; 2], scale: &Scale, quantity: &str, count: usize) -> Axis {
+    if low > 0.0 && high >= FACTOR * low {
+        logarithmic([low, high], scale, quantity)
+    } else {
+        linear([low, high], scale, quantity, count)
+    }
 }
 
 /// The quantity with its unit, if it has one.

@@ -25,7 +25,7 @@ const REACH: f64 = 2.9;
 const FARTHEST: f64 = 100.0;
 
 /// Points of an ellipse or a marginal, bars of a histogram, and dots of a pair.
-const POINTS: usize = 160;
+const POINTS: usize = 400;
 const BARS: usize = 40;
 const DOTS: usize = 2000;
 
@@ -197,11 +197,7 @@ fn reach(unknown: &FittedUnknown) -> Option<[f64; 2]> {
 
 fn axis(unknown: &FittedUnknown) -> Option<Axis> {
     let ends = reach(unknown)?;
-    Some(if axes::suits_logarithms(ends) {
-        axes::logarithmic(ends, &unknown.scale, &unknown.symbol)
-    } else {
-        axes::linear(ends, &unknown.scale, &unknown.symbol, 5)
-    })
+    Some(axes::of_unknown(ends, &unknown.scale, &unknown.symbol, 5))
 }
 
 /// Values over the range that is shown.

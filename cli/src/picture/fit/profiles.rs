@@ -201,14 +201,9 @@ fn panel(place: Rect, unknown: &FittedUnknown, range: [f64; 2]) -> Panel {
         None => unknown.name.clone(),
     };
     let scale = scale(unknown);
-    let x = if axes::suits_logarithms(range) {
-        axes::logarithmic(range, &scale, &quantity)
-    } else {
-        axes::linear(range, &scale, &quantity, 6)
-    };
     Panel {
         place,
-        x,
+        x: axes::of_unknown(range, &scale, &quantity, 6),
         y: Axis::new(0.0, SHOWN * unknown.threshold, "Δχ²".into(), 5),
     }
 }
