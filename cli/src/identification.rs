@@ -1,11 +1,16 @@
 //! The fit of a fit file: its measurements and its model, made into a problem, solved, and told.
 
 pub mod curve_source;
+pub mod files;
+pub mod names;
 pub mod null_directions;
+pub mod pictures;
+pub mod report;
 pub mod result;
 pub mod simulation;
 pub mod tables;
 pub mod text;
+pub mod units;
 pub mod validity;
 
 use std::sync::atomic::{AtomicUsize, Ordering};

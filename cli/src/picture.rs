@@ -15,6 +15,7 @@ pub mod crop;
 pub mod curve;
 pub mod depth_scale;
 pub mod field_map;
+pub mod fit;
 pub mod heading;
 pub mod labels;
 pub mod outline;

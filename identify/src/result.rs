@@ -1,6 +1,9 @@
 //! What a fit returns.
 
-use crate::{Exclusion, Goodness, KnownCombination, NoiseLevels, ProfilePoint, Role, Verdict};
+use crate::{
+    Exclusion, Goodness, KnownCombination, NoiseLevels, ProfilePoint, Role, Verdict,
+    distribution::student_quantile,
+};
 
 /// What became of a fit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -39,6 +42,14 @@ pub struct Estimate {
     pub profile: Vec<ProfilePoint>,
     /// How it scatters between curves, where they are repeats and it is an answer.
     pub between_curves: Option<BetweenCurves>,
+}
+
+impl Estimate {
+    /// The `Δχ²` at which an interval of this level ends: the squared quantile of Student's distribution.
+    #[must_use]
+    pub fn threshold(&self, level: f64) -> f64 {
+        student_quantile(level, self.degrees_of_freedom).powi(2)
+    }
 }
 
 /// How a parameter scatters between repeats.

@@ -9,8 +9,8 @@ use pellicle_identify::{Fit, FitVerdict, IdentifyError};
 use crate::arguments::IdentifyArguments;
 use crate::failure::Failure;
 use crate::fit_file::FitFile;
-use crate::identification::result::{self, FitResult};
-use crate::identification::{Identification, simulation, tables, text};
+use crate::identification::result::FitResult;
+use crate::identification::{Identification, files, simulation, text};
 use crate::output::file::{self, Existing};
 use crate::output::folder::{Completeness, ResultsFolder};
 use crate::output::json;
@@ -53,13 +53,10 @@ pub fn identify(arguments: &IdentifyArguments) -> Result<Outcome, Failure> {
     };
     interrupt::hold();
     line.finish_and_clear();
-    let found = FitResult::new(&identification, &fit, start.elapsed().as_secs_f64())?;
+    let mut found = FitResult::new(&identification, &fit, start.elapsed().as_secs_f64())?;
     let write = |folder: ResultsFolder| {
         folder.write(|folder| {
-            file::write_bytes(&folder.join(result::FILE), json(&found)?.as_bytes())?;
-            for (name, table) in tables::all(&identification, &fit) {
-                file::write_bytes(&folder.join(name), table.as_bytes())?;
-            }
+            files::write(folder, &identification, &fit, &mut found)?;
             Ok(Completeness::Whole)
         })
     };

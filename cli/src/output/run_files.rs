@@ -1,4 +1,4 @@
-//! The files that a run writes, told from somebody else's, which are never replaced.
+//! The files that a run or a fit writes, told from somebody else's, which are never replaced.
 
 use std::fs::{self, DirEntry, File};
 use std::io::{self, BufReader};
@@ -9,6 +9,7 @@ use serde::de::IgnoredAny;
 use serde_json::Value;
 
 use super::{curve, report, summary};
+use crate::identification::{files, result};
 
 /// Files written once per run, and their endings.
 const OF_A_RUN: [(&str, &[&str]); 2] =
@@ -134,13 +135,28 @@ pub fn remove_files(folder: &Path) -> io::Result<()> {
     if fs::symlink_metadata(&summary).is_ok() {
         fs::remove_file(summary)?;
     }
+    // A table of somebody else may lie in the folder of a run.
+    let is_fit = result::is_in(folder);
     for entry in fs::read_dir(folder)? {
         let entry = entry?;
-        if is_file(&entry) {
+        let is_of_fit = is_fit && is_fit_file(&entry) && entry.file_name() != result::FILE;
+        if is_file(&entry) || is_of_fit {
             fs::remove_file(entry.path())?;
         }
     }
+    // Last, so that a fit half removed is still one.
+    if is_fit {
+        fs::remove_file(folder.join(result::FILE))?;
+    }
     Ok(())
+}
+
+/// Whether an entry of a folder is a file, or a link in the place of one, with a name that a fit gives.
+#[must_use]
+pub fn is_fit_file(entry: &DirEntry) -> bool {
+    let is_folder = entry.file_type().is_ok_and(|kind| kind.is_dir());
+    let name = entry.file_name();
+    !is_folder && name.to_str().is_some_and(files::is_name)
 }
 
 #[cfg(test)]

@@ -51,6 +51,24 @@ pub const SPRINGS: Colour = Colour(158, 202, 225);
 /// The body below it.
 pub const BODY: Colour = Colour(240, 228, 205);
 
+/// Indigo of Tol's muted palette, for more lines than Okabe and Ito's has colours.
+pub const INDIGO: Colour = Colour(51, 34, 136);
+
+/// Wine of the same palette.
+pub const WINE: Colour = Colour(136, 34, 85);
+
+/// Olive of the same palette.
+pub const OLIVE: Colour = Colour(153, 153, 51);
+
+/// Teal of the same palette.
+pub const TEAL: Colour = Colour(68, 170, 153);
+
+/// The ground of an interval.
+pub const INTERVAL: Colour = Colour(226, 238, 247);
+
+/// What was measured, but left out of a fit.
+pub const LEFT_OUT: Colour = Colour(190, 190, 190);
+
 impl Colour {
     /// The colour with this much light on it; 1 leaves it as it is.
     #[must_use]

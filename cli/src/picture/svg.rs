@@ -198,6 +198,19 @@ impl Svg {
         ));
     }
 
+    /// Many filled circles of one kind, as one element.
+    pub fn dots(&mut self, places: &[(f64, f64)], radius: f64, colour: Colour) {
+        let dot = |(x, y): &(f64, f64)| format!("M{} {}h0", number(*x), number(*y));
+        let path: String = places.iter().map(dot).collect();
+        if !path.is_empty() {
+            let width = number(2.0 * radius);
+            self.push(&format!(
+                "<path d=\"{path}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"{width}\" \
+                 stroke-linecap=\"round\"/>"
+            ));
+        }
+    }
+
     /// A text, centred on the height of the point.
     pub fn text(&mut self, (x, y): (f64, f64), size: f64, anchor: Anchor, text: &str) {
         self.directed_text((x, y), size, anchor, TextDirection::Across, text);

@@ -15,6 +15,7 @@ mod damage;
 mod files;
 mod guide;
 mod identify;
+mod identify_report;
 mod interrupt;
 mod keeping;
 mod maps;

@@ -1,7 +1,7 @@
 //! The hidden folder in which results are filled, and the way of its files up into the results folder.
 //!
-//! When it is complete it is renamed, which makes it valid; then its files move up, `summary.json` last. Its name says
-//! how far this is:
+//! When it is complete it is renamed, which makes it valid; then its files move up, `summary.json` or
+//! `fit.json` last. Its name says how far this is:
 //!
 //! | name | what the next run does with it if its owner is dead |
 //! |---|---|
@@ -13,6 +13,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use crate::identification::result;
 use crate::output::unfinished::Unfinished;
 use crate::output::{file, run_files, summary};
 
@@ -79,7 +80,7 @@ fn remove_half_written(folder: &Path) {
     };
     for entry in entries.flatten() {
         let is_partial = entry.file_name().to_str().is_some_and(file::is_partial);
-        if run_files::is_file(&entry) || is_partial {
+        if run_files::is_file(&entry) || run_files::is_fit_file(&entry) || is_partial {
             // Best effort: the next run tries again.
             drop(fs::remove_file(entry.path()));
         }
@@ -112,12 +113,12 @@ fn remove_older(path: &Path, complete: &Path) -> io::Result<PathBuf> {
     renamed(complete, EMPTYING)
 }
 
-/// Moves the files of a hidden folder up, the summary last, and removes it.
+/// Moves the files of a hidden folder up, what makes them results last, and removes it.
 fn move_up(path: &Path, emptying: &Path) -> io::Result<()> {
     let names = fs::read_dir(emptying)?;
     let names = names.map(|entry| Ok(entry?.file_name()));
     let mut names = names.collect::<io::Result<Vec<_>>>()?;
-    names.sort_by_key(|name| name == summary::FILE);
+    names.sort_by_key(|name| name == summary::FILE || name == result::FILE);
     for name in names {
         fs::rename(emptying.join(&name), path.join(&name))?;
     }

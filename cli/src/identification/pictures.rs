@@ -1,0 +1,260 @@
+//! The pictures of a fit, each as SVG and as PNG, and the drawings that its page shows.
+
+use std::path::Path;
+
+use pellicle_identify::{Estimate, Exclusion, Fit, FitVerdict, Observable, Role};
+use rayon::prelude::*;
+
+use super::result::FitResult;
+use super::{Identification, names, units};
+use crate::display::significant;
+use crate::failure::Failure;
+use crate::output::write_progress::WriteProgress;
+use crate::picture::fit::corner::{self, Corner};
+use crate::picture::fit::curve::{self, Curves, FittedCurve, Part, Point, Quantity};
+use crate::picture::fit::profiles::{self, Profiles};
+use crate::picture::fit::repeats::{self, Repeated, Repeats};
+use crate::picture::fit::unknown::{Combination, FittedUnknown};
+use crate::picture::fit::{Head, axes};
+use crate::picture::style::Style;
+
+/// A picture of a fit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FitPicture {
+    /// Points, model and residuals.
+    Curve,
+    /// The profile of each unknown.
+    Profiles,
+    /// The pairs of unknowns.
+    Corner,
+    /// The values of each repeat.
+    Repeats,
+}
+
+impl FitPicture {
+    /// All of them, in the order of the page.
+    pub const ALL: [Self; 4] = [Self::Curve, Self::Profiles, Self::Corner, Self::Repeats];
+
+    /// Its name, without ending.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Curve => curve::NAME,
+            Self::Profiles => profiles::NAME,
+            Self::Corner => corner::NAME,
+            Self::Repeats => repeats::NAME,
+        }
+    }
+}
+
+/// The pictures that there are, as SVG.
+pub type FitDrawings = Vec<(FitPicture, String)>;
+
+/// Draws and writes the pictures that the fit has.
+///
+/// # Errors
+///
+/// [`Failure::Write`] if a picture cannot be written.
+pub fn write(
+    folder: &Path,
+    of: &Identification,
+    fit: &Fit,
+    found: &FitResult,
+    style: &Style,
+    writer: &WriteProgress<'_>,
+) -> Result<FitDrawings, Failure> {
+    let subject = FitSubject { of, fit, found };
+    let one = |picture: &FitPicture| {
+        let name = picture.name();
+        let svg = writer.drawn(name, || Ok(subject.draw(*picture, style)));
+        let Some(svg) = svg.flatten() else {
+            return Ok(None);
+        };
+        let written = writer.picture(folder, name, || svg)?;
+        Ok(written.map(|svg| (*picture, svg)))
+    };
+    let drawn = FitPicture::ALL.par_iter().map(one);
+    let drawn = drawn.collect::<Result<Vec<_>, Failure>>()?;
+    Ok(drawn.into_iter().flatten().collect())
+}
+
+/// What the pictures are of.
+struct FitSubject<'a> {
+    of: &'a Identification,
+    fit: &'a Fit,
+    found: &'a FitResult,
+}
+
+impl FitSubject<'_> {
+    fn draw(&self, picture: FitPicture, style: &Style) -> Option<String> {
+        match picture {
+            FitPicture::Curve => self.curves().draw(style),
+            FitPicture::Profiles => self.profiles().draw(style),
+            FitPicture::Corner => self.corner().draw(style),
+            FitPicture::Repeats => self.repeats().draw(style),
+        }
+    }
+
+    fn head(&self) -> Head {
+        let verdict = match self.fit.verdict {
+            FitVerdict::Fitted => "fitted",
+            FitVerdict::Misfit => "MISFIT: the model does not follow the measurements",
+            FitVerdict::NotConverged => "NOT CONVERGED",
+        };
+        let count = |number: usize, noun: &str| match number {
+            1 => format!("1 {noun}"),
+            number => format!("{number} {noun}s"),
+        };
+        Head {
+            title: self.found.title.clone(),
+            numbers: format!(
+                "{}, {}, χ²/ν = {}, {verdict}",
+                count(self.of.sources.len(), "curve"),
+                count(self.fit.goodness.points, "point"),
+                significant(self.fit.goodness.chi_squared_per_degree, 3),
+            ),
+        }
+    }
+
+    /// The files by their names without folders.
+    fn names(&self) -> Vec<String> {
+        let name = |path: &Path| {
+            path.file_name()
+                .unwrap_or_default()
+                .to_string_lossy()
+                .into_owned()
+        };
+        let sources = self.of.sources.iter();
+        sources.map(|source| name(&source.measured.file)).collect()
+    }
+
+    fn curves(&self) -> Curves {
+        let points = &self.fit.points;
+        let left_out: Vec<usize> = self.fit.excluded.iter().map(Exclusion::curve).collect();
+        let mut first = 0;
+        let sources = self.of.sources.iter().zip(self.names()).enumerate();
+        let curve = sources.map(|(index, (source, name))| {
+            let span = first..first + source.abscissa.len();
+            first = span.end;
+            let point = |(i, at): (usize, usize)| Point {
+                abscissa: source.abscissa[i],
+                observed: source.observed[i],
+                model: points.model[at],
+                whitened: points.whitened[at],
+            };
+            let part = if left_out.contains(&index) {
+                Part::LeftOut
+            } else {
+                Part::Used
+            };
+            FittedCurve {
+                name,
+                points: span.enumerate().map(point).collect(),
+                part,
+            }
+        });
+        let curves: Vec<_> = curve.collect();
+        let [x, y] = self.quantities(&curves);
+        Curves {
+            head: self.head(),
+            x,
+            y,
+            all: curves,
+        }
+    }
+
+    /// What was measured at what.
+    fn quantities(&self, curves: &[FittedCurve]) -> [Quantity; 2] {
+        let observable = self.of.model.curves().first().map(|curve| curve.observable);
+        let [x, y] = match observable {
+            Some(Observable::ForceAtDepth) => [("depth D", "m"), ("force Q", "N")],
+            Some(Observable::StiffnessAtContactRadius) => {
+                [("contact radius a", "m"), ("contact stiffness S", "N/m")]
+            }
+            _ => [("force Q", "N"), ("depth D", "m")],
+        };
+        let points = || curves.iter().flat_map(|curve| &curve.points);
+        let quantity = |(name, unit), largest: f64| Quantity {
+            name,
+            scale: units::scale(largest, unit),
+        };
+        let largest = |ends: Option<[f64; 2]>| ends.map_or(1.0, |[low, high]| high.max(-low));
+        [
+            quantity(x, largest(axes::ends(points().map(|point| point.abscissa)))),
+            quantity(y, largest(axes::ends(points().map(|point| point.observed)))),
+        ]
+    }
+
+    fn profiles(&self) -> Profiles {
+        let sought = self.sought();
+        Profiles {
+            head: self.head(),
+            level: self.of.file.report.level,
+            unknowns: sought.map(|(index, of)| self.unknown(index, of)).collect(),
+        }
+    }
+
+    fn corner(&self) -> Corner {
+        let has_covariance = |(_, estimate): &(usize, &Estimate)| estimate.wald.is_some();
+        let chosen: Vec<_> = self.sought().filter(has_covariance).collect();
+        let correlation = &self.fit.correlation;
+        let row =
+            |(i, _): &(usize, &Estimate)| chosen.iter().map(|(j, _)| correlation[*i][*j]).collect();
+        Corner {
+            head: self.head(),
+            correlation: chosen.iter().map(row).collect(),
+            unknowns: (chosen.iter())
+                .map(|(index, of)| self.unknown(*index, of))
+                .collect(),
+            samples: Vec::new(),
+        }
+    }
+
+    fn repeats(&self) -> Repeats {
+        let repeated = |(index, estimate): (usize, &Estimate)| {
+            let between = estimate.between_curves.as_ref()?;
+            Some(Repeated {
+                unknown: self.unknown(index, estimate),
+                scatter: between.standard_deviation,
+                values: between.values.clone(),
+            })
+        };
+        Repeats {
+            head: self.head(),
+            names: self.names(),
+            unknowns: self.sought().filter_map(repeated).collect(),
+        }
+    }
+
+    /// The unknowns that are answers.
+    fn sought(&self) -> impl Iterator<Item = (usize, &Estimate)> {
+        let all = self.fit.estimates.iter().enumerate();
+        all.filter(|(_, estimate)| estimate.role == Role::Sought)
+    }
+
+    fn unknown(&self, index: usize, estimate: &Estimate) -> FittedUnknown {
+        let case = &self.of.file.all_unknowns()[index];
+        // The unknowns of a fit file are positive, and sought by their logarithms.
+        let wald = estimate.wald.map(|[low, high]| 0.5 * (high / low).ln());
+        let profile = estimate.profile.iter();
+        let combination = estimate.known_combination.as_ref();
+        FittedUnknown {
+            name: names::of_key(&estimate.name),
+            symbol: names::symbol(&estimate.name),
+            scale: units::scale(estimate.value, case.unit()),
+            value: estimate.value,
+            interval: estimate.interval,
+            bounds: case.range,
+            verdict: estimate.verdict.to_string(),
+            wald: wald.filter(|half| half.is_finite() && *half > 0.0),
+            threshold: estimate.threshold(self.of.file.report.level),
+            profile: profile
+                .map(|point| [point.value, point.delta_chi_squared])
+                .collect(),
+            combination: combination.map(|known| Combination {
+                words: names::combination(&known.expression),
+                interval: known.interval.map(|end| Some(end? / known.value)),
+            }),
+        }
+    }
+}

@@ -1,0 +1,244 @@
+//! `report.html` of a fit: what was found, on one page that needs no network. The page itself is
+//! `cli/templates/fit_report.html`; here is the text that stands in it.
+
+use askama::Template;
+use pellicle_identify::{Fit, FitVerdict, Observable, REFUSAL};
+
+use super::pictures::{FitDrawings, FitPicture};
+use super::result::{CombinationResult, EstimateResult, FitResult};
+use super::{Identification, names, units};
+use crate::display::significant;
+
+/// The page, its numbers in words.
+#[derive(Template)]
+#[template(path = "fit_report.html")]
+struct Page<'a> {
+    found: &'a FitResult,
+    verdict: FitVerdict,
+    misfit_p: String,
+    /// The test that speaks most against the model.
+    worst: &'static str,
+    refusal: String,
+    level: String,
+    tables: [(&'static str, Vec<EstimateRow>); 2],
+    drawings: &'a FitDrawings,
+    /// Names, values and what they mean.
+    tests: Vec<(&'static str, String, &'static str)>,
+    /// Files, points and shifts.
+    curves: Vec<(String, usize, String)>,
+    seconds: String,
+}
+
+/// An estimate in words.
+struct EstimateRow {
+    name: String,
+    key: String,
+    value: String,
+    interval: String,
+    verdict: String,
+    why: String,
+    scatter: Option<String>,
+    known: Option<String>,
+}
+
+/// The page as HTML.
+#[must_use]
+pub fn html(of: &Identification, fit: &Fit, found: &FitResult, drawings: &FitDrawings) -> String {
+    let rows = |all: &[EstimateResult]| all.iter().map(row).collect();
+    let page = Page {
+        found,
+        verdict: fit.verdict,
+        misfit_p: significant(fit.goodness.misfit_p, 2),
+        worst: worst(fit),
+        refusal: REFUSAL.to_string(),
+        level: percent(of.file.report.level),
+        tables: [
+            ("Unknowns", rows(&found.unknowns)),
+            ("Nuisances", rows(&found.nuisances)),
+        ],
+        drawings,
+        tests: noise(found).into_iter().chain(tests(fit)).collect(),
+        curves: curves(of, found),
+        seconds: significant(found.work.seconds, 3),
+    };
+    page.to_string()
+}
+
+/// A part of one in percent.
+fn percent(part: f64) -> String {
+    let percent = format!("{:.1}", 100.0 * part);
+    format!("{} %", percent.trim_end_matches(".0"))
+}
+
+fn row(of: &EstimateResult) -> EstimateRow {
+    let scale = units::scale(of.value, &of.unit);
+    let number = |value: f64| significant(value / scale.divisor, 4);
+    let with_unit = |text: String| format!("{text} {}", scale.label).trim_end().to_owned();
+    EstimateRow {
+        name: names::of_key(&of.key),
+        key: of.key.clone(),
+        value: with_unit(number(of.value)),
+        interval: match of.interval {
+            [None, None] => "open".into(),
+            interval => with_unit(ends(interval, number)),
+        },
+        verdict: of.verdict.clone(),
+        why: of.why.clone(),
+        scatter: of.scatter.map(|scatter| with_unit(number(scatter))),
+        known: of.known_combination.as_ref().map(known),
+    }
+}
+
+/// An interval in words; one end or both may be open.
+fn ends(interval: [Option<f64>; 2], number: impl Fn(f64) -> String) -> String {
+    match interval {
+        [Some(low), Some(high)] => format!("{} to {}", number(low), number(high)),
+        [Some(low), None] => format!("above {}", number(low)),
+        [None, Some(high)] => format!("below {}", number(high)),
+        [None, None] => String::new(),
+    }
+}
+
+fn known(of: &CombinationResult) -> String {
+    let number = |value| significant(value, 4);
+    let interval = ends(of.interval, number);
+    format!(
+        "{} = {}, {interval} in SI units",
+        of.expression,
+        number(of.value)
+    )
+}
+
+/// The noise by channel; what was not measured has none.
+fn noise(found: &FitResult) -> Vec<(&'static str, String, &'static str)> {
+    let noise = &found.fit.noise;
+    let with_unit = |value: f64, unit| {
+        let scale = units::scale(value, unit);
+        format!("{} {}", significant(value / scale.divisor, 3), scale.label)
+    };
+    let depth = noise
+        .depth
+        .map(|sigma| ("noise of the depth", with_unit(sigma, "m")));
+    let force = noise
+        .force
+        .map(|sigma| ("noise of the force", with_unit(sigma, "N")));
+    let [relative, correlation] = [noise.relative, noise.correlation];
+    let relative = (relative > 0.0).then(|| ("noise over the value", percent(relative)));
+    let measured = depth.into_iter().chain(force).chain(relative);
+    let lines =
+        measured.map(|(name, value)| (name, value, "standard deviation, given or estimated"));
+    let last = (
+        "correlation of the noise",
+        significant(correlation, 3),
+        "from one point to the next",
+    );
+    lines.chain([last]).collect()
+}
+
+/// The test that speaks most against the model.
+fn worst(fit: &Fit) -> &'static str {
+    let of = &fit.goodness;
+    let tests = [
+        ("χ²", of.chi_squared_p),
+        ("the runs of residuals of one sign", Some(of.runs_p)),
+        ("Durbin and Watson", Some(of.durbin_watson_p)),
+        ("the lower half of the abscissae", of.lower_half_p),
+        (
+            "the persistence of the noise, which hides a misfit",
+            of.persistence_p,
+        ),
+    ];
+    let known = tests.into_iter().filter_map(|(name, p)| Some((name, p?)));
+    let worst = known.min_by(|(_, one), (_, other)| one.total_cmp(other));
+    worst.map_or("", |(name, _)| name)
+}
+
+/// The tests of the residuals; some need what a fit may not have.
+fn tests(fit: &Fit) -> Vec<(&'static str, String, &'static str)> {
+    let of = &fit.goodness;
+    let always = |name, value, meaning| Some((name, significant(value, 3), meaning));
+    let maybe = |name, value: Option<f64>, meaning| {
+        value.map(|value| (name, significant(value, 3), meaning))
+    };
+    let rows = [
+        always(
+            "χ² per degree of freedom",
+            of.chi_squared_per_degree,
+            "near 1 where the noise is right; by construction where it is estimated",
+        ),
+        maybe("p of χ²", of.chi_squared_p, "of a larger χ² by chance"),
+        always(
+            "p of the runs",
+            of.runs_p,
+            "of residuals that keep their sign as long, by chance",
+        ),
+        always(
+            "Durbin–Watson d",
+            of.durbin_watson,
+            "2 where neighbouring residuals are independent",
+        ),
+        always(
+            "p of Durbin–Watson",
+            of.durbin_watson_p,
+            "of as small a d by chance",
+        ),
+        maybe(
+            "p of the lower half",
+            of.lower_half_p,
+            "of as great a difference between the lower half of the abscissae and all, by chance",
+        ),
+        maybe(
+            "p of the persistence",
+            of.persistence_p,
+            "that short-lived noise looks as persistent by chance",
+        ),
+        always(
+            "p of the misfit",
+            of.misfit_p,
+            "the least of these times their number, at most 1",
+        ),
+    ];
+    rows.into_iter().flatten().collect()
+}
+
+fn curves(of: &Identification, found: &FitResult) -> Vec<(String, usize, String)> {
+    let observable = of.model.curves().first().map(|curve| curve.observable);
+    let unit = match observable {
+        Some(Observable::ForceAtDepth) => "N",
+        Some(Observable::StiffnessAtContactRadius) => "N/m",
+        _ => "m",
+    };
+    let shifts = found.curves.iter().filter_map(|curve| curve.shift);
+    let scale = units::scale(shifts.map(f64::abs).fold(0.0, f64::max), unit);
+    let shift = |shift: f64| format!("{:.3} {}", shift / scale.divisor, scale.label);
+    let curves = found.curves.iter();
+    curves
+        .map(|curve| {
+            let shift = curve.shift.map_or("none".into(), shift);
+            (curve.file.clone(), curve.points, shift)
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_row_has_units_and_open_ends() {
+        let row = row(&EstimateResult {
+            key: "indenter.radius".into(),
+            unit: "m".into(),
+            value: 1.642e-7,
+            interval: [Some(1.6e-7), None],
+            level: 0.95,
+            wald: [None, None],
+            verdict: "one-sided".into(),
+            why: "Why.".into(),
+            scatter: None,
+            known_combination: None,
+        });
+        assert_eq!(row.value, "164.2 nm");
+        assert_eq!(row.interval, "above 160.0 nm");
+    }
+}

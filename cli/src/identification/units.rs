@@ -1,0 +1,56 @@
+//! The unit in which a number of a fit is easy to read.
+
+use std::f64::consts::PI;
+
+use crate::case::units::Units;
+use crate::display::{Scale, Unit};
+
+/// The scale for values up to `largest`, in SI units, of the unit that `fit.json` names.
+#[must_use]
+pub fn scale(largest: f64, unit: &str) -> Scale {
+    let prefixed = |value, unit| Scale::of(value, unit, Units::Si);
+    let own = |divisor, label: &str| Scale {
+        divisor,
+        label: label.into(),
+    };
+    match unit {
+        "Pa" => prefixed(largest, Unit::Pascal),
+        "m" => prefixed(largest, Unit::Metre),
+        "N" => prefixed(largest, Unit::Newton),
+        "N/m" => prefixed(largest, Unit::NewtonPerMetre),
+        "rad" => own(PI / 180.0, "°"),
+        // A length over a gigapascal.
+        "m/Pa" => {
+            let Scale { divisor, label } = prefixed(1e9 * largest, Unit::Metre);
+            own(1e-9 * divisor, &format!("{label}/GPa"))
+        }
+        "m/N" => own(1e-6, "nm/mN"),
+        "1" => own(1.0, ""),
+        other => own(1.0, other),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_relative_eq;
+
+    use super::*;
+
+    #[test]
+    fn every_unit_of_a_fit_has_a_readable_scale() {
+        for (value, unit, wanted, label) in [
+            (1.642e-7, "m", 164.2, "nm"),
+            (4.1e11, "Pa", 410.0, "GPa"),
+            (2e-4, "N", 200.0, "µN"),
+            (PI / 3.0, "rad", 60.0, "°"),
+            (5e-18, "m/Pa", 5.0, "nm/GPa"),
+            (2e-7, "m/N", 0.2, "nm/mN"),
+            (0.3, "1", 0.3, ""),
+        ] {
+            let scale = scale(value, unit);
+            assert_eq!(scale.label, label);
+            // One rounding of each of two factors.
+            assert_relative_eq!(value / scale.divisor, wanted, max_relative = 1e-14);
+        }
+    }
+}

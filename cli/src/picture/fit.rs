@@ -1,0 +1,41 @@
+//! Pictures of a fit: curves with residuals, profiles, pairs of unknowns, repeats.
+
+pub mod axes;
+pub mod corner;
+pub mod curve;
+pub mod profiles;
+pub mod repeats;
+pub mod unknown;
+
+#[cfg(test)]
+mod tests;
+
+use super::colours::{self, Colour};
+
+/// The colours of several measurements, which the colour-blind can tell apart.
+const COLOURS: [Colour; 10] = [
+    colours::BLUE,
+    colours::ORANGE,
+    colours::GREEN,
+    colours::PURPLE,
+    colours::SKY,
+    colours::AMBER,
+    colours::INDIGO,
+    colours::WINE,
+    colours::OLIVE,
+    colours::TEAL,
+];
+
+/// The colour of measurement number `i`.
+fn colour(i: usize) -> Colour {
+    COLOURS[i % COLOURS.len()]
+}
+
+/// The lines above a picture of a fit.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Head {
+    /// The title of the fit.
+    pub title: String,
+    /// What became of it, with its numbers.
+    pub numbers: String,
+}

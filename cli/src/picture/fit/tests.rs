@@ -1,0 +1,114 @@
+//! Whatever numbers a fit has, its pictures can be drawn.
+
+use super::Head;
+use super::corner::Corner;
+use super::curve::{Curves, FittedCurve, Part, Point, Quantity};
+use super::profiles::Profiles;
+use super::repeats::{Repeated, Repeats};
+use super::unknown::FittedUnknown;
+use crate::display::Scale;
+use crate::picture::png;
+use crate::picture::style::Style;
+
+fn scale(divisor: f64) -> Scale {
+    Scale {
+        divisor,
+        label: "m".into(),
+    }
+}
+
+fn head() -> Head {
+    Head {
+        title: "a fit".into(),
+        numbers: "NOT CONVERGED".into(),
+    }
+}
+
+fn unknown(value: f64, other: f64) -> FittedUnknown {
+    FittedUnknown {
+        name: "E".into(),
+        symbol: "E".into(),
+        scale: scale(value),
+        value,
+        interval: [None, Some(other)],
+        bounds: [1e-30, 1e30],
+        verdict: "weak".into(),
+        wald: Some(other),
+        threshold: 3.84,
+        profile: vec![[value, 0.0], [value, 0.0], [other, other], [1e30, f64::NAN]],
+        combination: None,
+    }
+}
+
+/// All pictures of a fit with these numbers.
+fn pictures(value: f64, other: f64) -> [Option<String>; 4] {
+    let point = |abscissa, observed| Point {
+        abscissa,
+        observed,
+        model: other,
+        whitened: observed,
+    };
+    let quantity = |divisor| Quantity {
+        name: "force Q",
+        scale: scale(divisor),
+    };
+    let curve = FittedCurve {
+        name: "one".into(),
+        points: vec![
+            point(value, other),
+            point(other, value),
+            point(1.0, f64::NAN),
+        ],
+        part: Part::Used,
+    };
+    let curves = Curves {
+        head: head(),
+        x: quantity(value),
+        y: quantity(other),
+        all: vec![curve],
+    };
+    let unknowns = vec![unknown(value, other), unknown(other, value)];
+    let repeats = Repeats {
+        head: head(),
+        names: vec!["one".into(); 3],
+        unknowns: vec![Repeated {
+            unknown: unknown(value, other),
+            scatter: other,
+            values: vec![(0, value), (2, f64::NAN)],
+        }],
+    };
+    let profiles = Profiles {
+        head: head(),
+        level: 0.95,
+        unknowns: unknowns.clone(),
+    };
+    let corner = Corner {
+        head: head(),
+        unknowns,
+        correlation: vec![vec![1.0, f64::NAN], vec![2.0, 1.0]],
+        samples: vec![vec![value, other], vec![f64::INFINITY, 0.0]],
+    };
+    let style = Style::default();
+    [
+        curves.draw(&style),
+        profiles.draw(&style),
+        corner.draw(&style),
+        repeats.draw(&style),
+    ]
+}
+
+#[test]
+fn every_fit_can_be_drawn() {
+    let numbers = [1e-300, 1e-9, 1.0, 1e12, 1e300, 0.0, f64::NAN, f64::INFINITY];
+    let mut drawn = 0;
+    for value in numbers {
+        for other in numbers {
+            for svg in pictures(value, other).into_iter().flatten() {
+                assert!(png::render(&svg).is_ok(), "{value} {other}: {svg}");
+                drawn += 1;
+            }
+        }
+    }
+    // Half of them and more have something to show.
+    assert!(drawn > 2 * numbers.len().pow(2), "{drawn}");
+}
