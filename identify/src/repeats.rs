@@ -162,10 +162,17 @@ impl<'p> Repeats<'p> {
         self.likelihood(&parts, state).estimate()
     }
 
-    /// See [`RestrictedLikelihood::persistence_p`].
+    /// See [`RestrictedLikelihood::persistence_p`]: that of the median curve. What lasts in one repeat and is another in
+    /// the next is in the scatter between them; a misfit lasts in every one.
     fn persistence_p(&self, state: &State) -> Option<f64> {
         let parts = self.parts(state);
-        self.likelihood(&parts, state).persistence_p()
+        let of_curve = |part: &(&Share, Evaluation)| {
+            let part = std::slice::from_ref(part);
+            self.likelihood(part, state).persistence_p()
+        };
+        let mut all: Vec<f64> = parts.iter().filter_map(of_curve).collect();
+        all.sort_by(f64::total_cmp);
+        all.get(all.len() / 2).copied()
     }
 
     /// The included curves, each with its part of the present evaluation.
