@@ -2,9 +2,9 @@
 //!
 //! Up to six tests, each with its own probability under a true model: χ² where the noise is known, runs of signs and
 //! the statistic of Durbin and Watson for residuals that hang together, the lower half of the abscissae against the
-//! whole, a smooth change of the curve that the model does not have, and the persistence of a correlated noise, which must not be long enough to hide a misfit. The misfit's
-//! probability is that of the worst, times their number (Bonferroni), so that a true model is refused no oftener
-//! than that says, whatever the tests have in common.
+//! whole, a smooth change of the curve that the model does not have, and the persistence of a correlated noise, which
+//! must not be long enough to hide a misfit. The misfit's probability is that of the worst, times their number
+//! (Bonferroni), so that a true model is refused no oftener than that says, whatever the tests have in common.
 
 use crate::{
     Problem,

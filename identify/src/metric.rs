@@ -43,8 +43,8 @@ impl<'a> Metric<'a> {
         }
     }
 
-    /// The covariance at an evaluation. Noise that is relative is so to all that is read, nuisances included: their share
-    /// is found under the model's values alone.
+    /// The covariance at an evaluation. Noise that is relative is so to all that is read, nuisances included: their
+    /// share is found under the model's values alone.
     pub fn at(problem: &'a Problem, levels: &NoiseLevels, at: &Evaluation) -> Self {
         let of_model = Self::new(problem, levels, &at.value, &at.slope);
         if levels.relative == 0.0 || problem.columns().is_empty() {

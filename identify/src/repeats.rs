@@ -162,8 +162,8 @@ impl<'p> Repeats<'p> {
         self.likelihood(&parts, state).estimate()
     }
 
-    /// See [`RestrictedLikelihood::persistence_p`]: that of the median curve. What lasts in one repeat and is another in
-    /// the next is in the scatter between them; a misfit lasts in every one.
+    /// See [`RestrictedLikelihood::persistence_p`]: that of the median curve. What lasts in one repeat and is another
+    /// in the next is in the scatter between them; a misfit lasts in every one.
     fn persistence_p(&self, state: &State) -> Option<f64> {
         let parts = self.parts(state);
         let of_curve = |part: &(&Share, Evaluation)| {
