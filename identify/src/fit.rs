@@ -7,7 +7,7 @@ use crate::{
     REFUSAL, Scatter, Warning, Work,
     correlation::correlation,
     global_search,
-    goodness::{Residuals, lower_half_p, lower_half_score},
+    goodness::{Residuals, lower_half_score, score_p, smooth_score},
     noise::restricted_likelihood::{Part, RestrictedLikelihood},
     null_direction::NullSpace,
     predictor::{Evaluation, Predictor},
@@ -210,9 +210,12 @@ impl<'p> Fitting<'p> {
             .map(|one| one.degrees)
             .fold(f64::INFINITY, f64::min);
         let known = problem.noise().is_known();
-        let [score, q] =
-            lower_half_score(problem, &refined.metric, &refined.minimum.at, &self.told);
-        let lower_half = lower_half_p(score, q, (!known).then_some(least));
+        let at = (&refined.metric, &*refined.minimum.at);
+        let scores = [
+            lower_half_score(problem, at.0, at.1, &self.told),
+            smooth_score(problem, at.0, at.1, &self.told),
+        ];
+        let scores = scores.map(|score| score_p(score, (!known).then_some(least)));
         Residuals {
             series: problem
                 .spans()
@@ -224,7 +227,7 @@ impl<'p> Fitting<'p> {
             degrees: whitened.len().saturating_sub(fitted).max(1) as f64,
             known,
         }
-        .judge(lower_half, self.likelihood(refined).persistence_p())
+        .judge(scores, self.likelihood(refined).persistence_p())
     }
 
     fn points(&self, refined: &Refined) -> FittedPoints {

@@ -1,8 +1,8 @@
 //! Whether the model follows the data, or only comes near them.
 //!
-//! Up to five tests, each with its own probability under a true model: χ² where the noise is known, runs of signs and
+//! Up to six tests, each with its own probability under a true model: χ² where the noise is known, runs of signs and
 //! the statistic of Durbin and Watson for residuals that hang together, the lower half of the abscissae against the
-//! whole, and the persistence of a correlated noise, which must not be long enough to hide a misfit. The misfit's
+//! whole, a smooth change of the curve that the model does not have, and the persistence of a correlated noise, which must not be long enough to hide a misfit. The misfit's
 //! probability is that of the worst, times their number (Bonferroni), so that a true model is refused no oftener
 //! than that says, whatever the tests have in common.
 
@@ -16,6 +16,10 @@ use crate::{
 
 /// A fit is refused below this probability.
 pub const REFUSAL: f64 = 0.01;
+
+/// Degree of the polynomials that a smooth misfit is looked for with: a wrong shape of the indenter or a layer too few
+/// bends a curve once or twice.
+const HIGHEST_DEGREE: u8 = 4;
 
 /// How well the model follows the data.
 #[derive(Debug, Clone, PartialEq)]
@@ -40,6 +44,9 @@ pub struct Goodness {
     /// Probability that noise which forgets itself within a tenth of its curve looks as persistent as the estimated
     /// one; nothing where no correlation is estimated.
     pub persistence_p: Option<f64>,
+    /// Probability of as great a smooth part of the residuals: the curve times a polynomial in the logarithm of the
+    /// abscissa, beyond what unknowns and nuisances can do; nothing where they can do all of it.
+    pub smooth_p: Option<f64>,
     /// The least of these, times their number, at most 1. Below [`REFUSAL`] the fit is a misfit.
     pub misfit_p: f64,
 }
@@ -57,8 +64,13 @@ pub(crate) struct Residuals<'a> {
 }
 
 impl Residuals<'_> {
-    /// Judges the residuals, with the probabilities of the lower half and of the persistence from elsewhere.
-    pub fn judge(&self, lower_half_p: Option<f64>, persistence_p: Option<f64>) -> Goodness {
+    /// Judges the residuals, with the probabilities of the lower half, of a smooth part and of the persistence from
+    /// elsewhere.
+    pub fn judge(
+        &self,
+        [lower_half_p, smooth_p]: [Option<f64>; 2],
+        persistence_p: Option<f64>,
+    ) -> Goodness {
         let chi_squared = self.chi_squared;
         let chi_squared_p = self
             .known
@@ -71,6 +83,7 @@ impl Residuals<'_> {
             Some(durbin_watson_p),
             lower_half_p,
             persistence_p,
+            smooth_p,
         ]
         .into_iter()
         .flatten()
@@ -86,6 +99,7 @@ impl Residuals<'_> {
             durbin_watson_p,
             lower_half_p,
             persistence_p,
+            smooth_p,
             misfit_p: (worst * all.len() as f64).min(1.0),
         }
     }
@@ -150,28 +164,65 @@ pub(crate) fn lower_half_score(
     told: &[usize],
 ) -> [f64; 2] {
     let upper = upper_half(&problem.abscissa());
+    let columns = told.iter().map(|&j| {
+        let halves = at.jacobian[j].iter().zip(&upper);
+        halves
+            .map(|(derivative, &up)| if up { *derivative } else { 0.0 })
+            .collect()
+    });
+    score(metric, at, told, columns)
+}
+
+/// The smooth part of the residuals: the score of the model's curve times Chebyshev polynomials in `ln` of the
+/// abscissa, of all degrees up to the fourth, and its degrees of freedom (J. Neyman, Skand. Aktuarietidskr. 20, 149
+/// (1937), in the form of Rao's test).
+pub(crate) fn smooth_score(
+    problem: &Problem,
+    metric: &Metric,
+    at: &Evaluation,
+    told: &[usize],
+) -> [f64; 2] {
+    let places: Vec<f64> = problem.abscissa().iter().map(|q| q.ln()).collect();
+    let low = places.iter().copied().fold(f64::INFINITY, f64::min);
+    let high = places.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let columns = (0..=HIGHEST_DEGREE).map(|degree| {
+        let pairs = places.iter().zip(&at.value);
+        pairs
+            .map(|(x, value)| {
+                let position = ((2.0 * x - low - high) / (high - low)).clamp(-1.0, 1.0);
+                // T_n(x) = cos(n arccos x)
+                value * (f64::from(degree) * position.acos()).cos()
+            })
+            .collect()
+    });
+    score(metric, at, told, columns)
+}
+
+/// `S = rᵀZ(ZᵀZ)⁻¹Zᵀr` of some columns over the points, after nuisances and unknowns have taken their part, and its
+/// degrees of freedom.
+fn score(
+    metric: &Metric,
+    at: &Evaluation,
+    told: &[usize],
+    columns: impl Iterator<Item = Vec<f64>>,
+) -> [f64; 2] {
     let system = metric.system(at);
     let fitted = Projection::of(told.iter().map(|&j| system.jacobian[j].clone()));
     let mut residual = system.residual;
     fitted.remove_from(&mut residual);
-    let mut split = fitted.clone();
-    for &j in told {
-        let column: Vec<f64> = at.jacobian[j]
-            .iter()
-            .zip(&upper)
-            .map(|(derivative, &up)| if up { *derivative } else { 0.0 })
-            .collect();
-        split.push(metric.reduce(column));
+    let mut added = fitted.clone();
+    for column in columns {
+        added.push(metric.reduce(column));
     }
     let before = dot(&residual, &residual);
-    split.remove_from(&mut residual);
-    let added = split.rank() - fitted.rank();
-    [before - dot(&residual, &residual), added as f64]
+    added.remove_from(&mut residual);
+    let rank = added.rank() - fitted.rank();
+    [before - dot(&residual, &residual), rank as f64]
 }
 
 /// The probability of so great a score, `S/q` being Fisher's F with the degrees of freedom of an estimated noise;
-/// nothing where the halves cannot tell the unknowns.
-pub(crate) fn lower_half_p(score: f64, q: f64, degrees: Option<f64>) -> Option<f64> {
+/// nothing where there is no freedom.
+pub(crate) fn score_p([score, q]: [f64; 2], degrees: Option<f64>) -> Option<f64> {
     (q > 0.0).then(|| match degrees {
         None => chi_squared_above(score, q),
         Some(degrees) => fisher_above(score / q, q, degrees),

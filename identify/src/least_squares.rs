@@ -31,13 +31,15 @@ const FIRST_DAMPING: f64 = 1e-4;
 /// A step shorter than this in every coordinate leads nowhere.
 const SHORTEST_STEP: f64 = 1e-10;
 /// After a step that gained other than its derivatives promised, what a linear problem could still gain, in units of
-/// χ², counts as reached: a fifth of a standard error, where the jitter of a prediction from a grid is all that is
-/// left.
-const WITHIN_JITTER: f64 = 0.04;
+/// χ², counts as reached: a hundredth of a standard error, where the jitter of a prediction from a grid may be all that
+/// is left.
+const WITHIN_JITTER: f64 = 1e-4;
 /// Each further step in a row that failed so multiplies that, up to one standard error.
 const MORE_JITTER: f64 = 4.0;
 /// A step that gained less or more than this much of what was promised, as a part of it.
 const OTHER_THAN_PROMISED: f64 = 0.5;
+/// A step to the least of the linear problem that is longer than this leads along what the data do not tell.
+const FAR: f64 = 0.05;
 /// Part of a step that is tried after one that failed.
 const RETREAT: f64 = 0.25;
 /// Trials before a search ends without convergence.
@@ -131,6 +133,26 @@ impl Search<'_, '_> {
             };
         }
         Ok(now)
+    }
+
+    /// The evaluation to which the linear problem leads from a minimum, within the bounds; none where that is far, as
+    /// along what the data do not tell, or where the model has no prediction.
+    pub fn full_step(
+        &self,
+        predictor: &mut Predictor,
+        now: &Minimum,
+    ) -> Result<Option<Rc<Evaluation>>, IdentifyError> {
+        let moving = self.moving(now);
+        let step = NormalEquations::new(&now.system, &moving).full_step()?;
+        if size(&step) > FAR {
+            return Ok(None);
+        }
+        let mut target = now.at.position.clone();
+        for (j, step) in step.iter().enumerate() {
+            let [low, high] = self.problem.unknowns()[j].bounds();
+            target[j] = (target[j] + step).clamp(low, high);
+        }
+        predictor.evaluate(&target)
     }
 
     /// Goes to the trial where χ² falls, and adapts the damping. Gives what was gained as a part of what was

@@ -43,9 +43,21 @@ impl<'a> Metric<'a> {
         }
     }
 
-    /// The covariance at an evaluation.
+    /// The covariance at an evaluation. Noise that is relative is so to all that is read, nuisances included: their share
+    /// is found under the model's values alone.
     pub fn at(problem: &'a Problem, levels: &NoiseLevels, at: &Evaluation) -> Self {
-        Self::new(problem, levels, &at.value, &at.slope)
+        let of_model = Self::new(problem, levels, &at.value, &at.slope);
+        if levels.relative == 0.0 || problem.columns().is_empty() {
+            return of_model;
+        }
+        let mut value = at.value.clone();
+        let coefficients = of_model.system(at).coefficients;
+        for (column, c) in problem.columns().iter().zip(coefficients) {
+            for (value, shape) in value.iter_mut().zip(&column.values) {
+                *value += c * shape;
+            }
+        }
+        Self::new(problem, levels, &value, &at.slope)
     }
 
     /// The problem linearised at a point.

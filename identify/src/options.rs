@@ -21,7 +21,7 @@ pub struct FitOptions {
     /// Most starts of the search, 4 by default. It ends when a second one leads to the same place.
     pub starts: usize,
     /// `χ²` that a linear problem could still gain where the search ends, 10⁻⁴ by default: a hundredth of a standard
-    /// error.
+    /// error. One more step takes most of that.
     pub tolerance: f64,
 }
 

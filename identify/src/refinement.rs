@@ -13,6 +13,9 @@ use crate::{
 /// Rounds of noise and fit; each changes the other less than the one before.
 const MOST_ROUNDS: usize = 12;
 
+/// With so little `χ²` to be gained a fit is as good as a number of 64 bits tells.
+const NOTHING_LEFT: f64 = 1e-12;
+
 /// The best fit, and the covariance of the noise under which it is the best.
 pub(crate) struct Refined<'p> {
     pub minimum: Minimum,
@@ -56,14 +59,49 @@ impl<'p> Refinement<'_, 'p> {
             let settled = Rc::ptr_eq(&minimum.at, &at) || minimum.within_jitter || self.is_fixed();
             if settled || round == MOST_ROUNDS {
                 minimum.converged &= settled;
-                return Ok(Refined {
+                let refined = Refined {
                     minimum,
                     metric,
                     levels,
-                });
+                };
+                return self.polished(predictor, refined);
             }
             at = minimum.at;
         }
+    }
+
+    /// One more step, taken whatever `χ²` says of it: its fall is less than what the derivatives of a prediction are
+    /// wrong by, and the step is right to that part of itself. Where it leads nowhere, the point stays.
+    fn polished(
+        &self,
+        predictor: &mut Predictor,
+        refined: Refined<'p>,
+    ) -> Result<Refined<'p>, IdentifyError> {
+        let Minimum {
+            converged,
+            within_jitter,
+            remaining,
+            ..
+        } = refined.minimum;
+        if !converged || within_jitter || remaining < NOTHING_LEFT {
+            return Ok(refined);
+        }
+        let free = self.free();
+        let search = self.search(&refined.metric, &free);
+        let Some(at) = search.full_step(predictor, &refined.minimum)? else {
+            return Ok(refined);
+        };
+        let metric = Metric::at(self.problem, &refined.levels, &at);
+        let minimum = Minimum {
+            system: metric.system(&at),
+            at,
+            ..refined.minimum
+        };
+        Ok(Refined {
+            minimum,
+            metric,
+            levels: refined.levels,
+        })
     }
 
     fn descend(
@@ -72,17 +110,25 @@ impl<'p> Refinement<'_, 'p> {
         metric: &Metric<'p>,
         at: Rc<Evaluation>,
     ) -> Result<Minimum, IdentifyError> {
-        let free: Vec<usize> = (0..self.problem.unknowns().len()).collect();
-        let search = Search {
+        let free = self.free();
+        let search = self.search(metric, &free);
+        search.descend(predictor, at, |_| false)
+    }
+
+    fn free(&self) -> Vec<usize> {
+        (0..self.problem.unknowns().len()).collect()
+    }
+
+    fn search<'m>(&self, metric: &'m Metric<'p>, free: &'m [usize]) -> Search<'m, 'p> {
+        Search {
             problem: self.problem,
             metric,
-            free: &free,
+            free,
             stopping: Stopping {
                 tolerance: self.options.tolerance,
                 degrees: None,
             },
-        };
-        search.descend(predictor, at, |_| false)
+        }
     }
 
     /// Whether the covariance of the noise depends on no fit.

@@ -14,6 +14,7 @@ mod cases;
 mod damage;
 mod files;
 mod guide;
+mod identify;
 mod identify_report;
 mod interrupt;
 mod keeping;

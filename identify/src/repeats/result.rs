@@ -8,7 +8,7 @@ use crate::{
     KnownCombination, REFUSAL, Verdict, Warning, Work,
     correlation::correlation,
     distribution::student_quantile,
-    goodness::{Residuals, lower_half_p},
+    goodness::{Residuals, score_p},
     known_combination::{expression, not_identifiable},
     predictor::Predictor,
     profile::Open,
@@ -71,8 +71,9 @@ impl Repeats<'_> {
             degrees,
             known,
         }
+        // What all repeats have in common besides noise is the instrument's as often as the model's.
         .judge(
-            lower_half_p(sum(0), sum(1), (!known).then_some(degrees)),
+            [score_p([sum(0), sum(1)], (!known).then_some(degrees)), None],
             self.persistence_p(state),
         )
     }
