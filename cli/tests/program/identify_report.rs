@@ -232,7 +232,8 @@ fn the_worked_example_of_the_page_gives_what_the_page_says() {
     for (line, said) in values.into_iter().zip(said) {
         // The last digits are those of the search; the intervals are 0.5 and 4 % wide to a side.
         let numbers = |line: &str| -> Vec<f64> {
-            let words = line.split([' ', '[', ']', ',']);
+            let (_, numbers) = line.split_once(" = ").unwrap();
+            let words = numbers.split([' ', '[', ']', ',']);
             words.filter_map(|word| word.parse().ok()).collect()
         };
         let verdict = |line: &str| line.split_whitespace().last().map(str::to_owned);
