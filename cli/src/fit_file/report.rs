@@ -93,6 +93,12 @@ impl ReportTable {
 }
 
 impl Design {
+    /// Whether nothing is to be judged.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.forces.is_empty() && self.radii.is_empty()
+    }
+
     fn read(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
         table.only(&["forces", "radii"])?;
         let list = |key, dimension| {

@@ -105,10 +105,14 @@ impl FitSubject<'_> {
             1 => format!("1 {noun}"),
             number => format!("{number} {noun}s"),
         };
+        let left_out = match self.fit.excluded.len() {
+            0 => String::new(),
+            number => format!(", {number} of them left out"),
+        };
         Head {
             title: self.found.title.clone(),
             numbers: format!(
-                "{}, {}, χ²/ν = {}, {verdict}",
+                "{}{left_out}, {}, χ²/ν = {}, {verdict}",
                 count(self.of.sources.len(), "curve"),
                 count(self.fit.goodness.points, "point"),
                 significant(self.fit.goodness.chi_squared_per_degree, 3),

@@ -147,6 +147,7 @@ fn worst(fit: &Fit) -> &'static str {
             "the persistence of the noise, which hides a misfit",
             of.persistence_p,
         ),
+        ("the smooth part of the residuals", of.smooth_p),
     ];
     let known = tests.into_iter().filter_map(|(name, p)| Some((name, p?)));
     let worst = known.min_by(|(_, one), (_, other)| one.total_cmp(other));
@@ -191,6 +192,11 @@ fn tests(fit: &Fit) -> Vec<(&'static str, String, &'static str)> {
             "p of the persistence",
             of.persistence_p,
             "that short-lived noise looks as persistent by chance",
+        ),
+        maybe(
+            "p of the smooth part",
+            of.smooth_p,
+            "of as great a smooth part of the residuals by chance",
         ),
         always(
             "p of the misfit",

@@ -225,7 +225,23 @@ fn the_worked_example_of_the_page_gives_what_the_page_says() {
     }
     let values: Vec<_> = told.lines().filter(|line| line.contains(" = ")).collect();
     assert_eq!(values.len(), 2, "{told}");
-    for line in values {
-        assert!(of("text").contains(line), "{line}");
+    let said: Vec<_> = of("text")
+        .lines()
+        .filter(|line| line.contains(" = "))
+        .collect();
+    for (line, said) in values.into_iter().zip(said) {
+        // The last digits are those of the search; the intervals are 0.5 and 4 % wide to a side.
+        let numbers = |line: &str| -> Vec<f64> {
+            let (_, numbers) = line.split_once(" = ").unwrap();
+            let words = numbers.split([' ', '[', ']', ',']);
+            words.filter_map(|word| word.parse().ok()).collect()
+        };
+        let verdict = |line: &str| line.split_whitespace().last().map(str::to_owned);
+        assert_eq!(verdict(line), verdict(said));
+        let (found, said) = (numbers(line), numbers(said));
+        assert_eq!([found.len(), said.len()], [3; 2], "{line}");
+        for (found, said) in found.iter().zip(&said) {
+            assert!((found / said - 1.0).abs() < 2e-3, "{line}");
+        }
     }
 }

@@ -1,0 +1,103 @@
+//! What a reader of a fit should know: points left out, and warnings.
+
+use pellicle_identify::{Exclusion, Fit, Warning};
+
+use super::{ExcludedResult, WarningResult};
+use crate::identification::Identification;
+
+impl Identification {
+    /// Points left out before the fit, and curves left out by it.
+    pub(super) fn excluded(&self, fit: &Fit) -> Vec<ExcludedResult> {
+        let mut found: Vec<ExcludedResult> = Vec::new();
+        let mut add = |reason: String, count: usize| {
+            if count == 0 {
+                return;
+            }
+            match found.iter_mut().find(|known| known.reason == reason) {
+                Some(known) => known.count += count,
+                None => found.push(ExcludedResult { reason, count }),
+            }
+        };
+        for source in &self.sources {
+            for exclusion in &source.measured.excluded {
+                add(exclusion.reason.to_string(), exclusion.count);
+            }
+            add(
+                "no force or depth of contact".into(),
+                source.without_contact,
+            );
+        }
+        for exclusion in &fit.excluded {
+            let source = &self.sources[exclusion.curve()];
+            let file = source.measured.file.display();
+            let reason = match exclusion {
+                Exclusion::Discordant { deviation, .. } => {
+                    format!(
+                        "{file} disagrees with the other repeats, by {deviation:.1} standard deviations"
+                    )
+                }
+                Exclusion::Rough { factor, .. } => {
+                    format!("{file} is {factor:.1} times as rough as the other repeats")
+                }
+            };
+            add(reason, source.abscissa.len());
+        }
+        found
+    }
+
+    /// The warnings about the files and of the fit.
+    pub(super) fn warnings(&self, fit: &Fit) -> Vec<WarningResult> {
+        let warning = |code: &str, message: String| WarningResult {
+            code: code.into(),
+            message,
+        };
+        let of_files = self.sources.iter().flat_map(|source| {
+            let file = source.measured.file.display();
+            let warnings = source.measured.warnings.iter();
+            warnings.map(move |found| warning(found.code, format!("{file}: {}", found.message)))
+        });
+        let name = |index: &usize| fit.estimates[*index].name.clone();
+        let of_fit = fit.warnings.iter().map(|found| match found {
+            Warning::SeveralMinima => warning(
+                "several-minima",
+                "another start led to another minimum, which is worse".into(),
+            ),
+            Warning::Jitter => warning(
+                "jitter",
+                "predictions jump about what their derivatives promise: the best fit is known to no better than a \
+                 part of a standard error"
+                    .into(),
+            ),
+            Warning::AtBound(index) => warning(
+                "at-bound",
+                format!(
+                    "the best fit lies at a bound of {}: the data may be in another unit, or the bound too narrow",
+                    name(index)
+                ),
+            ),
+            Warning::BetterFitFound(index) => warning(
+                "better-fit",
+                format!("the profile of {} found a better fit than the search", name(index)),
+            ),
+        });
+        let report = &self.file.report;
+        let asked = [
+            (
+                report.posterior > 0,
+                "samples of a posterior (report.posterior)",
+            ),
+            (
+                !report.design.is_empty(),
+                "measurements to be planned (report.design)",
+            ),
+        ];
+        let not_made = asked.into_iter().filter(|(is_asked, _)| *is_asked);
+        let not_made = not_made.map(|(_, what)| {
+            warning(
+                "not-made",
+                format!("{what} are read, but this version makes none"),
+            )
+        });
+        of_files.chain(of_fit).chain(not_made).collect()
+    }
+}
