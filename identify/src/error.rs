@@ -83,6 +83,24 @@ pub enum IdentifyError {
         /// What the model said at the last of them.
         source: ForwardError,
     },
+    /// Parameters of a plan at which the model has no prediction.
+    #[error("found no prediction at the parameters of the plan, wanted one")]
+    NoPlan {
+        /// What the model says.
+        source: ForwardError,
+    },
+    /// A surrogate that does not come near enough to its model.
+    #[error(
+        "found a surrogate that misses its model by {reached:e} after {predictions} predictions, wanted {wanted:e}"
+    )]
+    Surrogate {
+        /// Largest relative error at the points of the check; infinite where the model has no prediction at one.
+        reached: f64,
+        /// Largest error wanted.
+        wanted: f64,
+        /// Predictions made.
+        predictions: usize,
+    },
     /// The caller ended the fit.
     #[error("the fit was stopped after {predictions} predictions")]
     Stopped {

@@ -28,6 +28,8 @@ mod normal_equations;
 mod nuisance;
 mod null_direction;
 mod options;
+mod plan;
+mod posterior;
 mod predictor;
 mod prior;
 mod problem;
@@ -37,6 +39,7 @@ mod refinement;
 mod repeats;
 mod result;
 mod start;
+mod surrogate;
 mod unknown;
 mod verdict;
 
@@ -52,6 +55,8 @@ pub use noise::{Amount, Correlation, Noise, NoiseLevels};
 pub use nuisance::{LinearNuisance, Scope, Shape};
 pub use null_direction::NullDirections;
 pub use options::{FitOptions, Intervals};
+pub use plan::{Design, Plan, plan};
+pub use posterior::{Convergence, Posterior, PosteriorOptions, posterior};
 pub use prior::Prior;
 pub use problem::{Problem, Scatter};
 pub use profile::ProfilePoint;
@@ -59,5 +64,6 @@ pub use repeats::Exclusion;
 pub use result::{
     BetweenCurves, Coefficient, Estimate, Fit, FitVerdict, FittedPoints, Warning, Work,
 };
+pub use surrogate::{Surrogate, SurrogateOptions};
 pub use unknown::{Coordinate, Role, Unknown};
 pub use verdict::{IDENTIFIED_WITHIN, PRIOR_DRIVEN_ABOVE, Verdict};

@@ -2,7 +2,7 @@
 
 use std::{ops::Range, rc::Rc};
 
-use crate::{ForwardError, ForwardModel, IdentifyError, Problem};
+use crate::{ForwardError, ForwardModel, IdentifyError, Prediction, Problem, Unknown};
 
 /// The model at one point of the coordinates `x` of the unknowns.
 #[derive(Debug, Clone)]
@@ -20,6 +20,25 @@ pub(crate) struct Evaluation {
 }
 
 impl Evaluation {
+    /// A prediction with its derivatives by the coordinates.
+    pub fn of(unknowns: &[Unknown], parameters: &[f64], prediction: Prediction) -> Self {
+        let mut jacobian = prediction.derivatives;
+        for ((column, unknown), &value) in jacobian.iter_mut().zip(unknowns).zip(parameters) {
+            let slope = unknown.value_slope(value);
+            column.iter_mut().for_each(|d| *d *= slope);
+        }
+        let pairs = unknowns.iter().zip(parameters);
+        Self {
+            position: pairs
+                .map(|(unknown, &value)| unknown.position(value))
+                .collect(),
+            parameters: parameters.to_vec(),
+            value: prediction.value,
+            slope: prediction.slope,
+            jacobian,
+        }
+    }
+
     /// The evaluation at some of the points.
     pub fn part(&self, points: &Range<usize>) -> Self {
         let part = |values: &Vec<f64>| values[points.clone()].to_vec();
@@ -93,17 +112,9 @@ impl<'a> Predictor<'a> {
         if !prediction.is_complete(self.problem.points(), unknowns.len()) {
             return Ok(None);
         }
-        let mut jacobian = prediction.derivatives;
-        for ((column, unknown), &value) in jacobian.iter_mut().zip(unknowns).zip(&parameters) {
-            let slope = unknown.value_slope(value);
-            column.iter_mut().for_each(|d| *d *= slope);
-        }
         Ok(Some(Evaluation {
             position: position.to_vec(),
-            parameters,
-            value: prediction.value,
-            slope: prediction.slope,
-            jacobian,
+            ..Evaluation::of(unknowns, &parameters, prediction)
         }))
     }
 }

@@ -1,0 +1,187 @@
+//! What is believed of the unknowns after the measurement: samples of the posterior.
+//!
+//! The density is that of the fit's own noise, with the linear nuisances integrated out, over the coordinates of the
+//! unknowns, in which what is unknown before is flat. An ensemble of walkers samples it (J. Goodman and J. Weare, Comm.
+//! App. Math. Comp. Sci. 5, 65 (2010)) on a [`Surrogate`]. Four ensembles that know nothing of each other tell whether
+//! they have arrived. Each walker has its own random numbers, so that no sample depends on the number of threads.
+
+mod convergence;
+mod density;
+
+use rand::{RngExt as _, SeedableRng as _};
+use rand_chacha::ChaCha8Rng;
+use rayon::prelude::*;
+
+pub use convergence::Convergence;
+use density::Density;
+
+use crate::{Fit, IdentifyError, Problem, Surrogate};
+
+/// Ensembles, from seeds of their own.
+const ENSEMBLES: usize = 4;
+
+/// Walkers of each; at least twice the unknowns, of which there are four at most.
+const WALKERS: usize = 16;
+
+/// Steps before the first that counts, ten autocorrelation times.
+const BURN_IN: usize = 400;
+
+/// Of so many steps one is kept, or more where few samples are wanted.
+const THINNING: usize = 16;
+
+/// Fewest steps after the burn-in, some 25 autocorrelation times, so that convergence can be told.
+const FEWEST_STEPS: usize = 1000;
+
+/// A sample so near a face of the surrogate's box, in half sides, counts as one at it.
+const AT_FACE: f64 = 0.02;
+
+/// How a posterior is sampled.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct PosteriorOptions {
+    /// Samples wanted, 4000 by default; there are as many as whole steps of all walkers give, or a few more.
+    pub samples: usize,
+    /// Seed of the random numbers.
+    pub seed: u64,
+}
+
+impl Default for PosteriorOptions {
+    fn default() -> Self {
+        Self {
+            samples: 4000,
+            seed: 1,
+        }
+    }
+}
+
+/// Samples of a posterior.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Posterior {
+    /// One list of values of the unknowns, in their units, for each sample.
+    pub samples: Vec<Vec<f64>>,
+    /// Whether the walkers have arrived.
+    pub convergence: Convergence,
+    /// Part of the samples at a face of the surrogate's box that is no bound of the unknown: what lies beyond is
+    /// missing.
+    pub cut_off: f64,
+}
+
+impl Posterior {
+    /// The value that an unknown, by its index, lies below with a probability.
+    ///
+    /// # Panics
+    ///
+    /// Where there is no such unknown.
+    #[must_use]
+    pub fn quantile(&self, unknown: usize, probability: f64) -> f64 {
+        let mut values: Vec<f64> = self.samples.iter().map(|one| one[unknown]).collect();
+        values.sort_by(f64::total_cmp);
+        let intervals = (values.len() - 1) as f64;
+        // The first place k with k/(n − 1) not below the probability, and the one before.
+        let below = |k: usize| (k as f64) < probability * intervals;
+        let above = (0..values.len() - 1).take_while(|k| below(*k)).count();
+        let before = above.saturating_sub(1);
+        let part = (probability * intervals - before as f64).clamp(0.0, 1.0);
+        values[before] + part * (values[above] - values[before])
+    }
+}
+
+/// Samples the posterior of a problem about its best fit. Only a surrogate is asked.
+///
+/// # Errors
+///
+/// [`IdentifyError::Number`] for no samples, [`IdentifyError::Length`] for a surrogate of another problem.
+pub fn posterior(
+    surrogate: &Surrogate,
+    problem: &Problem,
+    fit: &Fit,
+    options: PosteriorOptions,
+) -> Result<Posterior, IdentifyError> {
+    if options.samples == 0 {
+        return Err(IdentifyError::Number {
+            quantity: "number of samples",
+            found: 0.0,
+            wanted: "at least one",
+        });
+    }
+    let density = Density::new(surrogate, problem, fit)?;
+    let kept = options.samples.div_ceil(ENSEMBLES * WALKERS);
+    let thinning = THINNING.max(FEWEST_STEPS.div_ceil(kept));
+    let seeds = (0..ENSEMBLES).into_par_iter();
+    let ensembles: Vec<Ensemble> = seeds
+        .map(|index| Ensemble::run(&density, fit, options.seed, index, kept * thinning))
+        .collect();
+    let convergence = Convergence::of(&ensembles);
+    let positions = ensembles.iter().flat_map(|one| one.chain.chunks(WALKERS));
+    // The last of each thinned run of steps.
+    let positions = positions.skip(thinning - 1).step_by(thinning).flatten();
+    let positions: Vec<&Vec<f64>> = positions.collect();
+    Ok(Posterior {
+        samples: positions.iter().map(|x| density.values(x)).collect(),
+        convergence,
+        cut_off: cut_off(surrogate, problem, &positions),
+    })
+}
+
+/// The steps of one ensemble after its burn-in.
+struct Ensemble {
+    /// Positions: all walkers of one step, then of the next.
+    chain: Vec<Vec<f64>>,
+    acceptance: f64,
+}
+
+impl Ensemble {
+    fn run(density: &Density, fit: &Fit, seed: u64, index: usize, steps: usize) -> Self {
+        let steps = BURN_IN + steps;
+        let walkers = (0..WALKERS).map(|walker| {
+            let mut random = ChaCha8Rng::seed_from_u64(seed);
+            random.set_stream((index * WALKERS + walker) as u64);
+            (start(density, fit, &mut random), random)
+        });
+        let (mut chain, accepted) = hammer_and_sample::sample(
+            density,
+            &hammer_and_sample::Stretch::default(),
+            walkers,
+            hammer_and_sample::MinChainLen(steps * WALKERS),
+            hammer_and_sample::Serial,
+        );
+        chain.drain(..BURN_IN * WALKERS);
+        Self {
+            chain,
+            acceptance: accepted as f64 / (steps * WALKERS) as f64,
+        }
+    }
+}
+
+/// A place in the box within a standard error of the best fit, evenly drawn.
+fn start(density: &Density, fit: &Fit, random: &mut ChaCha8Rng) -> Vec<f64> {
+    let sides = density.sides().iter().zip(&density.best).enumerate();
+    sides
+        .map(|(j, (&[low, high], best))| {
+            let error = fit.covariance[j][j].sqrt().min(0.25 * (high - low));
+            let shift: f64 = random.random_range(-1.0..1.0);
+            (best + shift * error).clamp(low, high)
+        })
+        .collect()
+}
+
+/// Part of the samples at a face of the box that is no bound.
+fn cut_off(surrogate: &Surrogate, problem: &Problem, positions: &[&Vec<f64>]) -> f64 {
+    let sides = surrogate.region().coordinates();
+    let bounds: Vec<[f64; 2]> = problem
+        .unknowns()
+        .iter()
+        .map(crate::Unknown::bounds)
+        .collect();
+    let at_face = |x: &&&Vec<f64>| {
+        let places = surrogate.region().cube(x);
+        places
+            .iter()
+            .zip(sides)
+            .zip(&bounds)
+            .any(|((t, side), bound)| {
+                let inner = |k: usize| (side[k] - bound[k]).abs() > 1e-9 * (bound[1] - bound[0]);
+                (*t < AT_FACE - 1.0 && inner(0)) || (*t > 1.0 - AT_FACE && inner(1))
+            })
+    };
+    positions.iter().filter(at_face).count() as f64 / positions.len() as f64
+}

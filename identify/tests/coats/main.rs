@@ -1,0 +1,8 @@
+//! Coats under balls on the real model: plans, surrogates, posteriors, coverage, and what is lost.
+#![allow(clippy::unwrap_used, reason = "helpers of tests")]
+
+mod coat;
+mod coverage;
+mod plan;
+mod posterior;
+mod surrogate;
