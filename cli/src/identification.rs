@@ -7,6 +7,7 @@ pub mod null_directions;
 pub mod pictures;
 pub mod report;
 pub mod result;
+pub mod sampling;
 pub mod simulation;
 pub mod tables;
 pub mod text;

@@ -10,9 +10,12 @@ use super::{Identification, report, tables};
 use crate::failure::Failure;
 use crate::output::file;
 use crate::output::json;
+use crate::output::npz;
 use crate::output::write_progress::WriteProgress;
 use crate::picture::style::Style;
 
+/// Samples of the posterior, an array for each unknown.
+const SAMPLES: &str = "posterior.npz";
 /// The tables of a fit.
 const TABLES: [&str; 3] = ["fit.csv", "covariance.csv", "profiles.csv"];
 
@@ -23,7 +26,9 @@ pub fn is_name(name: &str) -> bool {
         let ending = name.strip_prefix(picture.name());
         ending.is_some_and(|ending| [".svg", ".png"].contains(&ending))
     };
-    name == result::FILE || TABLES.contains(&name) || FitPicture::ALL.iter().any(is_picture)
+    [result::FILE, SAMPLES].contains(&name)
+        || TABLES.contains(&name)
+        || FitPicture::ALL.iter().any(is_picture)
 }
 
 /// Writes the files into a folder; a picture that cannot be drawn becomes a warning of the result.
@@ -44,6 +49,13 @@ pub fn write(
         code: warning.code,
         message: warning.message,
     }));
+    if !found.samples.is_empty() {
+        let columns = fit.estimates.iter().enumerate().map(|(index, estimate)| {
+            let values = found.samples.iter().map(|sample| sample[index]);
+            (estimate.name.clone(), values.collect())
+        });
+        npz::write_columns(&folder.join(SAMPLES), &columns.collect::<Vec<_>>())?;
+    }
     for (name, table) in tables::all(of, fit) {
         file::write_bytes(&folder.join(name), table.as_bytes())?;
     }
@@ -61,6 +73,7 @@ mod tests {
         for name in [
             "fit.json",
             "fit.csv",
+            "posterior.npz",
             "covariance.csv",
             "fit-curve.svg",
             "fit-corner.png",

@@ -210,7 +210,9 @@ impl FitSubject<'_> {
             unknowns: (chosen.iter())
                 .map(|(index, of)| self.unknown(*index, of))
                 .collect(),
-            samples: Vec::new(),
+            samples: (self.found.samples.iter())
+                .map(|sample| chosen.iter().map(|(index, _)| sample[*index]).collect())
+                .collect(),
         }
     }
 

@@ -61,6 +61,9 @@ pub struct FitResult {
     pub curves: Vec<CurveResult>,
     /// What a reader should know.
     pub warnings: Vec<WarningResult>,
+    /// Samples of the posterior, which have a file of their own.
+    #[serde(skip)]
+    pub samples: Vec<Vec<f64>>,
 }
 
 /// A number as found.
@@ -190,6 +193,8 @@ impl FitResult {
         let common = coefficients.map(|one| of.coefficient(&one.name, one.value, one.interval));
         let mut warnings = of.warnings(fit);
         warnings.extend(validity::warnings(of, fit)?);
+        let sampling = of.sample(fit);
+        warnings.extend(sampling.warnings);
         Ok(Self {
             schema: SCHEMA,
             program: PROGRAM,
@@ -208,6 +213,7 @@ impl FitResult {
             },
             curves: of.curves(fit),
             warnings,
+            samples: sampling.samples,
         })
     }
 }

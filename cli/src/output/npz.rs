@@ -56,6 +56,21 @@ fn npz(file: impl io::Write + io::Seek, fields: &Fields<'_>) -> Result<(), Write
     Ok(())
 }
 
+/// Writes columns of numbers, an array each, by their names.
+///
+/// # Errors
+///
+/// [`Failure::Write`] if the file cannot be written.
+pub fn write_columns(file: &Path, columns: &[(String, Vec<f64>)]) -> Result<(), Failure> {
+    write_stoppable(file, |file| {
+        let mut npz = ZipWriter::new(file);
+        for (name, values) in columns {
+            add(&mut npz, name, &Array1::from(values.clone())).map_err(io::Error::other)?;
+        }
+        npz.finish().map(|_| ()).map_err(io::Error::other)
+    })
+}
+
 /// Adds an array to an archive under way.
 ///
 /// # Errors

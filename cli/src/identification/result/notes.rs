@@ -80,19 +80,9 @@ impl Identification {
                 format!("the profile of {} found a better fit than the search", name(index)),
             ),
         });
-        let report = &self.file.report;
-        let asked = [
-            (
-                report.posterior > 0,
-                "samples of a posterior (report.posterior)",
-            ),
-            (
-                !report.design.is_empty(),
-                "measurements to be planned (report.design)",
-            ),
-        ];
-        let not_made = asked.into_iter().filter(|(is_asked, _)| *is_asked);
-        let not_made = not_made.map(|(_, what)| {
+        let is_asked = !self.file.report.design.is_empty();
+        let not_made = is_asked.then(|| {
+            let what = "measurements to be planned (report.design)";
             warning(
                 "not-made",
                 format!("{what} are read, but this version makes none"),

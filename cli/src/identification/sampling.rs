@@ -1,0 +1,93 @@
+//! Samples of the posterior, where the fit file asks for them and the fit allows them.
+
+use pellicle_identify::{
+    Fit, FitVerdict, IdentifyError, PosteriorOptions, Surrogate, SurrogateOptions, Verdict,
+    posterior,
+};
+
+use super::Identification;
+use super::result::WarningResult;
+
+/// Part of the samples at a face of the surrogate's box from which on that is told.
+const CUT_OFF: f64 = 0.01;
+
+/// Samples of the posterior, and what is to be said of them.
+#[derive(Debug, Default)]
+pub struct Sampling {
+    /// One list of values of the unknowns and nuisances, in SI units, for each sample; empty without.
+    pub samples: Vec<Vec<f64>>,
+    /// What a reader should know of them.
+    pub warnings: Vec<WarningResult>,
+}
+
+impl Identification {
+    /// The samples that the fit file asks for: none of a misfit, nor where a direction of the unknowns is not told.
+    #[must_use]
+    pub fn sample(&self, fit: &Fit) -> Sampling {
+        let report = &self.file.report;
+        if report.posterior == 0 {
+            return Sampling::default();
+        }
+        let is_told = |verdict: Verdict| verdict != Verdict::NotIdentifiable;
+        let all_told = fit
+            .estimates
+            .iter()
+            .all(|estimate| is_told(estimate.verdict));
+        if fit.verdict != FitVerdict::Fitted || !all_told {
+            return Sampling::without("there is none of a misfit, nor of what no data can tell");
+        }
+        match self.drawn(fit) {
+            Ok(sampling) => sampling,
+            Err(error) => Sampling::without(&error.to_string()),
+        }
+    }
+
+    fn drawn(&self, fit: &Fit) -> Result<Sampling, IdentifyError> {
+        let report = &self.file.report;
+        let options = SurrogateOptions {
+            seed: report.seed,
+            ..SurrogateOptions::default()
+        };
+        let surrogate = Surrogate::around(&self.model, &self.problem, fit, options)?;
+        let options = PosteriorOptions {
+            samples: report.posterior,
+            seed: report.seed,
+        };
+        let found = posterior(&surrogate, &self.problem, fit, options)?;
+        let mut warnings = Vec::new();
+        let mut warn = |message: String| {
+            warnings.push(WarningResult {
+                code: "posterior".into(),
+                message,
+            });
+        };
+        if !found.convergence.is_converged() {
+            let r_hat = found.convergence.r_hat;
+            warn(format!(
+                "the samples of the posterior have not converged, R-hat {r_hat:.3}: do not use them"
+            ));
+        }
+        if found.cut_off > CUT_OFF {
+            warn(format!(
+                "{:.1} % of the samples of the posterior lie at the border of what was computed: its tails are cut off",
+                100.0 * found.cut_off
+            ));
+        }
+        Ok(Sampling {
+            samples: found.samples,
+            warnings,
+        })
+    }
+}
+
+impl Sampling {
+    fn without(reason: &str) -> Self {
+        Self {
+            samples: Vec::new(),
+            warnings: vec![WarningResult {
+                code: "posterior".into(),
+                message: format!("no samples of the posterior: {reason}"),
+            }],
+        }
+    }
+}
