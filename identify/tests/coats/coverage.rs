@@ -54,9 +54,9 @@ fn soft() -> System {
         coat: Coat {
             layer: (1e9, 0.45),
             base: (100e9, 0.3),
-            ..coat(10e-6)
+            ..coat(1e-3)
         },
-        sides: vec![[0.7e9, 1.4e9], [30e9, 300e9]],
+        sides: vec![[0.8e9, 1.25e9], [55e9, 200e9]],
     }
 }
 
