@@ -202,7 +202,7 @@ fn of_forty_intervals_of_a_coat_nearly_all_hold_the_truth() {
 }
 
 #[test]
-#[ignore = "nine measurements of three coats, 400 times each: some minutes in release"]
+#[ignore = "ten minutes in release; E1 of the weak coat under white noise is held 362 times only, why is not known"]
 fn profiles_of_coats_hold_what_they_say_and_covariances_of_weak_ones_do_not() {
     let mut failed = Vec::new();
     for (name, system) in [("weak", weak()), ("soft", soft()), ("stiff", stiff())] {
