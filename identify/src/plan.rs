@@ -4,8 +4,8 @@
 //! eliminated and a row for each prior; its inverse is the covariance that a fit will have (Wald).
 
 use crate::{
-    Amount, Correlation, Curve, ForwardModel, IdentifyError, LinearNuisance, Noise, NoiseLevels,
-    Prediction, Problem, Unknown,
+    Amount, Correlation, Curve, ForwardError, ForwardModel, IdentifyError, LinearNuisance, Noise,
+    NoiseLevels, Prediction, Problem, Unknown,
     metric::{Metric, System},
     predictor::Evaluation,
     projection::Projection,
@@ -32,7 +32,8 @@ pub struct Plan {
 ///
 /// # Errors
 ///
-/// [`IdentifyError::NoPlan`] where a model has no prediction at the parameters; those of [`Problem::new`].
+/// [`IdentifyError::NoPlan`] where a model has no prediction at the parameters, [`IdentifyError::Length`] for more or
+/// fewer parameters than unknowns; those of [`Problem::new`].
 pub fn plan(
     designs: &[Design],
     unknowns: &[Unknown],
@@ -40,6 +41,13 @@ pub fn plan(
     nuisances: &[LinearNuisance],
     noise: NoiseLevels,
 ) -> Result<Plan, IdentifyError> {
+    if parameters.len() != unknowns.len() {
+        return Err(IdentifyError::Length {
+            list: "parameters of the plan",
+            found: parameters.len(),
+            wanted: unknowns.len(),
+        });
+    }
     let predictions: Vec<Prediction> = designs
         .iter()
         .map(|design| design.predict(parameters))
@@ -64,7 +72,7 @@ impl Design<'_> {
             return Ok(prediction);
         }
         Err(IdentifyError::NoPlan {
-            source: crate::ForwardError::Incomplete,
+            source: ForwardError::Incomplete,
         })
     }
 }

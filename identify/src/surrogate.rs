@@ -3,7 +3,8 @@
 //! Curves over a box of the coordinates `x` of the unknowns (`ln θ`) are combinations of few; their amplitudes are
 //! polynomials of a total degree in `x`, fitted to the model at points as dense as the nodes of Chebyshev. Twice as
 //! many points as coefficients keep that stable (G. Migliorati, F. Nobile, E. von Schwerin and R. Tempone, Found.
-//! Comput. Math. 14, 419 (2014)). The degree rises, then the box shrinks, until the model is met at points that no fit saw.
+//! Comput. Math. 14, 419 (2014)). The degree rises, then the box shrinks, until the model is met at points that no fit
+//! saw.
 
 mod chebyshev;
 mod reduced_curves;

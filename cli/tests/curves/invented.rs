@@ -280,7 +280,10 @@ fn repeats_are_read_in_the_order_of_their_names() {
     assert_eq!(first, [1e-9, 2e-9]);
     let without = tables(&PLAIN.replace("a.txt", "t*.txt"), folder.path()).unwrap();
     let fault = without[0].curves().unwrap_err().to_string();
-    assert!(fault.contains("key `data[0].file`: found \"t*.txt\""), "{fault}");
+    assert!(
+        fault.contains("key `data[0].file`: found \"t*.txt\""),
+        "{fault}"
+    );
     assert!(fault.contains("no file matches"), "{fault}");
 }
 

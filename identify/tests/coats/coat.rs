@@ -6,6 +6,11 @@ use pellicle_influence::{Cache, ElasticBodies, ElasticParameter};
 use pellicle_kernel::{Foundation, FoundationParameter, Material};
 use pellicle_texture::Relief;
 
+/// The thickness of the coat, as a parameter.
+pub const THICKNESS: ModelParameter = ModelParameter::Elastic(ElasticParameter::Foundation(
+    FoundationParameter::Thickness { layer: 0 },
+));
+
 /// A coat on a base under a ball: forces over two decades.
 #[derive(Debug, Clone, Copy)]
 pub struct Coat {
@@ -58,10 +63,7 @@ impl Coat {
             indenter: Paraboloid::new(self.radius).unwrap().into(),
             cache,
         };
-        let thickness = ModelParameter::Elastic(ElasticParameter::Foundation(
-            FoundationParameter::Thickness { layer: 0 },
-        ));
-        let all = [young_modulus(0), young_modulus(1), thickness];
+        let all = [young_modulus(0), young_modulus(1), THICKNESS];
         let curve = ContactCurve {
             model,
             observable: Observable::DepthAtForce,
@@ -73,7 +75,7 @@ impl Coat {
     }
 }
 
-fn young_modulus(body: usize) -> ModelParameter {
+pub fn young_modulus(body: usize) -> ModelParameter {
     ModelParameter::Elastic(ElasticParameter::Foundation(
         FoundationParameter::YoungModulus { body },
     ))

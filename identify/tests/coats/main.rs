@@ -1,6 +1,7 @@
 //! Coats under balls on the real model: plans, surrogates, posteriors, coverage, and what is lost.
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
+mod certainty;
 mod coat;
 mod coverage;
 mod plan;
