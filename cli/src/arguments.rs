@@ -1,11 +1,13 @@
 //! The command line.
 
+mod identify;
 mod values;
 
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
 
+pub use self::identify::IdentifyArguments;
 use self::values::{depth, offset, perturbation, point, positive, range, section};
 use crate::case::output::{Format, OutputCase, Steps};
 use crate::picture::colour_map::ColourMap;
@@ -109,43 +111,6 @@ pub struct RunArguments {
     #[command(flatten)]
     pub output: OutputArguments,
     /// Print the summary as JSON to standard output and nothing else; write a folder only with --out
-    #[arg(long)]
-    pub json: bool,
-    /// Number of threads [default: one per core]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
-    pub threads: Option<u16>,
-    /// Print nothing but errors
-    #[arg(long, short)]
-    pub quiet: bool,
-}
-
-/// Arguments of `identify`.
-#[derive(Debug, Args)]
-#[expect(
-    clippy::struct_excessive_bools,
-    reason = "each is a switch of the command line"
-)]
-pub struct IdentifyArguments {
-    /// The fit file
-    #[arg(value_name = "FIT")]
-    pub path: PathBuf,
-    /// Folder of the results [default: results/NAME after the fit file, numbered if that exists; none with --json];
-    /// with --simulate the file to write
-    #[arg(long, value_name = "DIR")]
-    pub out: Option<PathBuf>,
-    /// Replace the results in an existing folder
-    #[arg(long)]
-    pub force: bool,
-    /// Write measurements that the fit file would give, from the values of its model and its noise, in place of a fit
-    #[arg(long, requires = "out", conflicts_with_all = ["json", "accept_misfit"])]
-    pub simulate: bool,
-    /// Seed of the noise of --simulate [default: that of the fit file]
-    #[arg(long, value_name = "N", requires = "simulate")]
-    pub seed: Option<u64>,
-    /// Take a misfit for a result: exit code 0 in place of 3
-    #[arg(long)]
-    pub accept_misfit: bool,
-    /// Print the result as JSON to standard output and nothing else; write a folder only with --out
     #[arg(long)]
     pub json: bool,
     /// Number of threads [default: one per core]

@@ -2,13 +2,14 @@
 
 pub mod sensitivity;
 pub mod stress;
+mod warning;
 
 use std::fs;
 use std::path::Path;
 use std::time::Instant;
 
 use pellicle_contact::{
-    Certificate, CriticalLoad, GridError, LoadingPath, Status, Step, Warning, Work, nan_from_null,
+    Certificate, CriticalLoad, GridError, LoadingPath, Status, Step, Work, nan_from_null,
 };
 use pellicle_influence::{CacheWarning, Origin};
 use serde::{Deserialize, Deserializer, Serialize};
@@ -17,10 +18,10 @@ use serde_json::Value;
 
 use self::sensitivity::SensitivitySummary;
 use self::stress::StressSummary;
+pub use self::warning::WarningSummary;
 use super::curve;
 use crate::case::Case;
 use crate::case::units::Units;
-use crate::case::warnings::CaseWarning;
 use crate::failure::Failure;
 
 /// Name of the file in a results folder.
@@ -177,16 +178,6 @@ pub struct Clock {
     pub tables_origin: Origin,
 }
 
-/// A warning about the numbers.
-#[derive(Debug, Clone, Serialize, Deserialize)]
-pub struct WarningSummary {
-    /// A word for programs.
-    #[serde(default)]
-    pub code: String,
-    /// A sentence for people.
-    pub message: String,
-}
-
 impl Summary {
     /// The summary of a solved case; the side of the domain is filled in where the case left it open.
     ///
@@ -309,31 +300,6 @@ fn nans_from_nulls<'de, D: Deserializer<'de>>(deserializer: D) -> Result<[f64; 2
 
 fn read_text(path: &Path) -> Result<String, Failure> {
     fs::read_to_string(path).map_err(|cause| Failure::damaged(path, &cause))
-}
-
-impl From<CaseWarning> for WarningSummary {
-    fn from(CaseWarning { code, message }: CaseWarning) -> Self {
-        let code = code.into();
-        Self { code, message }
-    }
-}
-
-impl From<&Warning> for WarningSummary {
-    fn from(warning: &Warning) -> Self {
-        Self {
-            code: warning.code().into(),
-            message: warning.to_string(),
-        }
-    }
-}
-
-impl From<&CacheWarning> for WarningSummary {
-    fn from(warning: &CacheWarning) -> Self {
-        Self {
-            code: warning.code().into(),
-            message: warning.to_string(),
-        }
-    }
 }
 
 impl StepSummary {

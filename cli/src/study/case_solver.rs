@@ -19,7 +19,7 @@ use crate::output::file::Existing;
 use crate::output::folder::{Completeness, ResultsFolder};
 use crate::output::summary::{Clock, Summary};
 use crate::output::{results, run_files};
-use crate::stresses;
+use crate::{sensitivities, stresses};
 
 /// Solves the cases of a study.
 #[derive(Debug)]
@@ -132,6 +132,9 @@ impl CaseSolver<'_> {
         };
         // Warnings of the cache concern all cases, and are printed at the end.
         let mut summary = Summary::new(&case, &path, clock, &[])?;
+        if let Some(found) = sensitivities::find(&case, &model.value, &path)? {
+            summary.add_sensitivities(found);
+        }
         if let (Some(stress), Some(found)) = (&case.stress, stresses) {
             summary.add_stresses(stress, found);
         }

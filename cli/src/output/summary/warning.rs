@@ -1,0 +1,42 @@
+//! A warning in a summary: of the case, of the path, of the cache.
+
+use pellicle_contact::Warning;
+use pellicle_influence::CacheWarning;
+use serde::{Deserialize, Serialize};
+
+use crate::case::warnings::CaseWarning;
+
+/// A warning about the numbers.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub struct WarningSummary {
+    /// A word for programs.
+    #[serde(default)]
+    pub code: String,
+    /// A sentence for people.
+    pub message: String,
+}
+
+impl From<CaseWarning> for WarningSummary {
+    fn from(CaseWarning { code, message }: CaseWarning) -> Self {
+        let code = code.into();
+        Self { code, message }
+    }
+}
+
+impl From<&Warning> for WarningSummary {
+    fn from(warning: &Warning) -> Self {
+        Self {
+            code: warning.code().into(),
+            message: warning.to_string(),
+        }
+    }
+}
+
+impl From<&CacheWarning> for WarningSummary {
+    fn from(warning: &CacheWarning) -> Self {
+        Self {
+            code: warning.code().into(),
+            message: warning.to_string(),
+        }
+    }
+}
