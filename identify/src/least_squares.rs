@@ -10,8 +10,8 @@
 //! ```
 //!
 //! The rule for λ: H. B. Nielsen, Damping parameter in Marquardt's method, IMM-REP-1999-05, Technical University of
-//! Denmark (1999). The bounds: an unknown at a bound towards which χ² falls is held there. One that a step leads beyond a
-//! bound goes to it and no farther, and the others follow to where this leaves them: cut alone, it would lose what it
+//! Denmark (1999). The bounds: an unknown at a bound towards which χ² falls is held there. One that a step leads beyond
+//! a bound goes to it and no farther, and the others follow to where this leaves them: cut alone, it would lose what it
 //! gains along a valley.
 
 use std::rc::Rc;
@@ -162,7 +162,7 @@ impl Search<'_, '_> {
         predictor.evaluate(&target)
     }
 
-    /// Where one unknown is held at `x`, where the problem linearised at an evaluation is least, and that problem there.
+    /// Where the problem linearised at an evaluation is least with one unknown held at `x`, and that problem there.
     pub fn linear_minimum(
         &self,
         known: &Evaluation,

@@ -103,8 +103,8 @@ impl Profile<'_, '_> {
         self.outward(predictor, self.first()?, sign)
     }
 
-    /// Scans on from the end of a side, where an evaluation from elsewhere promises that the profile is lower there: the
-    /// others may have two valleys, and a scan follows one. Nothing where none does.
+    /// Scans on from the end of a side, where an evaluation from elsewhere promises a lower profile there: the others
+    /// may have two valleys, and a scan follows one. Nothing where none does.
     pub fn beyond(
         &self,
         predictor: &mut Predictor,

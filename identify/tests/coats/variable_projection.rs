@@ -60,7 +60,7 @@ impl Separable {
         model
     }
 
-    fn columns(&self, first: &[f64], second: f64) -> DMatrix<f64> {
+    fn columns(first: &[f64], second: f64) -> DMatrix<f64> {
         let points = first.len();
         DMatrix::from_fn(
             points,
@@ -105,13 +105,13 @@ impl SeparableNonlinearModel for Separable {
     }
 
     fn eval(&self) -> Result<DMatrix<f64>, ForwardError> {
-        Ok(self.columns(&self.prediction.value, 1.0))
+        Ok(Self::columns(&self.prediction.value, 1.0))
     }
 
     fn eval_partial_deriv(&self, index: usize) -> Result<DMatrix<f64>, ForwardError> {
         let derivative = &self.prediction.derivatives[index];
         let column: Vec<f64> = derivative.iter().map(|d| d * UNITS[index]).collect();
-        Ok(self.columns(&column, 0.0))
+        Ok(Self::columns(&column, 0.0))
     }
 }
 
