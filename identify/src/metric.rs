@@ -43,8 +43,8 @@ impl<'a> Metric<'a> {
         }
     }
 
-    /// The covariance at an evaluation. Relative noise is so to what is read from its zero: a frame's compliance and a
-    /// drift add to it, whose share is found under the model's values alone, and not to a shift.
+    /// The covariance at an evaluation. Relative noise is a part of what is read from its zero: of the model's value
+    /// and what a frame's compliance and a drift add, found under the model's values alone, but not of a shift.
     pub fn at(problem: &'a Problem, levels: &NoiseLevels, at: &Evaluation) -> Self {
         let of_model = Self::new(problem, levels, &at.value, &at.slope);
         if levels.relative == 0.0 || problem.columns().iter().all(|column| column.is_zero) {
