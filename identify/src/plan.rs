@@ -47,6 +47,8 @@ pub struct Expected {
     pub value: f64,
     /// Standard error in its coordinate, of `ln θ` for a positive one; infinite where nothing is told.
     pub standard_error: f64,
+    /// Half the interval in its coordinate, as if there were no bounds.
+    pub half_width: f64,
     /// The interval from the covariance; nothing on a side that is open or beyond its bound.
     pub interval: [Option<f64>; 2],
     /// What the measurements will tell of it.
@@ -123,6 +125,7 @@ impl Plan {
             role: unknown.role(),
             value: self.truth[index],
             standard_error,
+            half_width: half,
             interval: ends.map(|end| end.ok().map(|x| unknown.value_beyond(x))),
             verdict: verdict::judge(unknown, position, &ends, standard_error).0,
             known_combination: None,
@@ -131,6 +134,7 @@ impl Plan {
             expected.known_combination = hold.map(|hold| self.combination(&expected, index, &hold));
             expected.verdict = Verdict::NotIdentifiable;
             expected.standard_error = f64::INFINITY;
+            expected.half_width = f64::INFINITY;
             expected.interval = [None, None];
         }
         Ok(expected)
