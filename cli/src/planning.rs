@@ -134,7 +134,7 @@ impl<'a> Planning<'a> {
         });
         self.loads_solved += curves.loads_solved();
         for doubt in doubts {
-            self.warn(doubt.code(), candidate, &doubt);
+            self.warn(doubt.code(), candidate, &validity::words(&doubt));
         }
         Ok(())
     }

@@ -32,8 +32,8 @@ pub struct Plan {
     pub noise: NoiseLevels,
     /// Standard deviation of each unknown between curves, in its coordinate: 0 where it is the same for all.
     pub scatter: Vec<f64>,
-    /// Degrees of freedom of what the noise is known from, infinite where it is given.
-    pub degrees_of_freedom: f64,
+    /// Degrees of freedom behind the interval of each unknown, infinite where the noise is given.
+    pub degrees_of_freedom: Vec<f64>,
 }
 
 /// What is to be expected of an unknown.
@@ -73,6 +73,7 @@ impl Plan {
         let unknowns = self.unknowns.len();
         check_length("list of true values", &self.truth, unknowns)?;
         check_length("scatter of the unknowns", &self.scatter, unknowns)?;
+        check_length("degrees of freedom", &self.degrees_of_freedom, unknowns)?;
         let points = curves.iter().map(Curve::points).sum();
         if !prediction.is_complete(points, unknowns) {
             let source = ForwardError::Incomplete;
@@ -97,9 +98,8 @@ impl Plan {
     ) -> Result<Vec<Expected>, IdentifyError> {
         let jacobian = Information::jacobian(self, measurements);
         let space = directions.among(&self.unknowns)?;
-        let quantile = student_quantile(level, self.degrees_of_freedom);
         (0..self.unknowns.len())
-            .map(|unknown| self.one_expected(unknown, &jacobian, &space, quantile))
+            .map(|unknown| self.one_expected(unknown, &jacobian, &space, level))
             .collect()
     }
 
@@ -108,7 +108,7 @@ impl Plan {
         index: usize,
         jacobian: &[Vec<f64>],
         space: &NullSpace,
-        quantile: f64,
+        level: f64,
     ) -> Result<Expected, IdentifyError> {
         let unknown = &self.unknowns[index];
         let hold = space.hold_for(index)?;
@@ -118,7 +118,7 @@ impl Plan {
             None => f64::INFINITY,
         };
         let position = unknown.position(self.truth[index]);
-        let half = quantile * standard_error;
+        let half = student_quantile(level, self.degrees_of_freedom[index]) * standard_error;
         let ends = verdict::wald_ends(unknown, position, half);
         let mut expected = Expected {
             name: unknown.name().to_owned(),

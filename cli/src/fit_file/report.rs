@@ -83,7 +83,7 @@ impl ReportTable {
             report.seed = field.count(0..=usize::MAX, "")? as u64;
         }
         if let Some(field) = table.optional("design") {
-            report.design = Design::read(field, parameters)?;
+            report.design = Design::read(&field, parameters)?;
         }
         Ok(report)
     }
@@ -106,7 +106,7 @@ impl Design {
         *self == Self::default()
     }
 
-    fn read(field: ValueReader<'_>, parameters: &ModelParameters) -> Result<Self, Diagnosis> {
+    fn read(field: &ValueReader<'_>, parameters: &ModelParameters) -> Result<Self, Diagnosis> {
         let table = field.clone().table()?;
         table.only(&["forces", "radii", "points"])?;
         let list = |key, dimension| {

@@ -33,7 +33,7 @@ pub fn warnings(of: &Identification, fit: &Fit) -> Result<Vec<WarningResult>, Fa
         };
         found.extend(at_load(&model, load)?.iter().map(|warning| WarningResult {
             code: warning.code().into(),
-            message: format!("data[{table}], at its largest load: {warning}"),
+            message: format!("data[{table}], at its largest load: {}", words(warning)),
         }));
     }
     Ok(found)
@@ -58,4 +58,11 @@ pub fn at_load(model: &Model, load: Load) -> Result<Vec<Warning>, Failure> {
         )
     };
     Ok(path.warnings.into_iter().filter(is_of_model).collect())
+}
+
+/// The warning without the number of its step: there is one.
+#[must_use]
+pub fn words(warning: &Warning) -> String {
+    let words = warning.to_string();
+    words.trim_start_matches("step 0: ").to_owned()
 }

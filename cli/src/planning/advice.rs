@@ -25,36 +25,39 @@ pub fn advice(designs: &[DesignResult], of: Advice) -> String {
     let Some(chosen) = chosen(designs) else {
         return String::new();
     };
+    let (never, rest): (Vec<_>, Vec<_>) = chosen.unknowns.iter().partition(|of| is_never(of));
     let mut sentences = Vec::new();
     let now = designs.iter().find(|design| design.curves.is_empty());
     if let Some(now) = now.filter(|now| now.is_told()) {
-        sentences.push(format!("What was measured tells already {}.", told(now)));
+        let now: Vec<_> = now.unknowns.iter().collect();
+        sentences.push(format!("What was measured tells all: {}.", told(&now)));
     }
     let verb = match of {
         Advice::ForAPlan => "Measure",
         Advice::AfterAFit => "Add",
     };
-    sentences.push(format!("{verb} {}: {}.", curves(chosen), told(chosen)));
-    if !chosen.is_told() {
-        let open = chosen.unknowns.iter().filter(|of| !is_told(of));
-        let open: Vec<_> = open.map(|of| names::of_key(&of.key)).collect();
+    if !rest.is_empty() {
+        sentences.push(format!("{verb} {}: {}.", curves(chosen), told(&rest)));
+    }
+    let open: Vec<_> = rest.into_iter().filter(|of| !is_told(of)).collect();
+    if !open.is_empty() {
+        let within = 100.0 * (IDENTIFIED_WITHIN - 1.0);
         sentences.push(format!(
-            "Of these designs none tells {} within {:.0} %.",
-            listed(&open, "or"),
-            100.0 * (IDENTIFIED_WITHIN - 1.0)
+            "None of these designs tells {} within {within:.0} %.",
+            listed(&open, "or")
         ));
     }
-    let never = chosen.unknowns.iter().filter(|of| is_never(of));
-    let never: Vec<_> = never.map(|of| names::of_key(&of.key)).collect();
     if !never.is_empty() {
-        let rest = "no data of this kind can tell; hold a number fixed or give it a prior";
-        sentences.push(format!("Of {} {rest}.", listed(&never, "and")));
+        sentences.push(format!(
+            "No data of this kind can tell {}: hold a number fixed, or give one a prior.",
+            listed(&never, "or")
+        ));
     }
     sentences.join(" ")
 }
 
-/// The design with the fewest curves that tells every unknown; without one, the best, unless fewer curves do nearly as
-/// well.
+/// The design with the fewest curves that tells every unknown that any does; without one, the best, unless fewer curves
+/// do nearly as well.
 #[must_use]
 pub fn chosen(designs: &[DesignResult]) -> Option<&DesignResult> {
     let best_of = |count: usize| {
@@ -63,7 +66,12 @@ pub fn chosen(designs: &[DesignResult]) -> Option<&DesignResult> {
     };
     let most = designs.iter().map(|design| design.curves.len()).max()?;
     let by_count: Vec<_> = (1..=most).filter_map(best_of).collect();
-    if let Some(told) = by_count.iter().find(|design| design.is_told()) {
+    let fewest_lost = designs.iter().map(DesignResult::lost).min()?;
+    let is_told = |design: &&&DesignResult| {
+        let mut unknowns = design.unknowns.iter();
+        design.lost() == fewest_lost && unknowns.all(|of| of.is_lost() || is_told(of))
+    };
+    if let Some(told) = by_count.iter().find(is_told) {
         return Some(told);
     }
     let better_by_far = |best: &DesignResult, more: &DesignResult| {
@@ -109,15 +117,16 @@ pub fn curves(design: &DesignResult) -> String {
     }
 }
 
-/// Every unknown with its width: `E, layer 0, ± 3.4 %`.
-fn told(design: &DesignResult) -> String {
-    let one = |of: &ExpectedResult| format!("{} {}", names::of_key(&of.key), width(of));
-    let all: Vec<_> = design.unknowns.iter().map(one).collect();
+/// Numbers with their widths: `thickness of layer 0 ± 3.4 %, Young's modulus of layer 0 lost`.
+fn told(all: &[&ExpectedResult]) -> String {
+    let one = |of: &&ExpectedResult| format!("{} {}", names::of_key(&of.key), width(of));
+    let all: Vec<_> = all.iter().map(one).collect();
     all.join(", ")
 }
 
-fn listed(all: &[String], word: &str) -> String {
-    match all {
+fn listed(all: &[&ExpectedResult], word: &str) -> String {
+    let all: Vec<_> = all.iter().map(|of| names::of_key(&of.key)).collect();
+    match &all[..] {
         [] => String::new(),
         [one] => one.clone(),
         [first @ .., last] => format!("{} {word} {last}", first.join(", ")),

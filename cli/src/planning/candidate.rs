@@ -13,8 +13,8 @@ use crate::measured::segment::SegmentEnd;
 /// Points of a curve where neither the fit file nor measurements say how many.
 pub const POINTS: usize = 24;
 
-/// The smallest load over the largest, where the segment does not begin later.
-const LEAST_PART: f64 = 0.01;
+/// The largest load over the smallest, where the segment does not begin later.
+const SPAN: f64 = 100.0;
 
 /// A curve that may be measured: points evenly spread in the logarithm of the force.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -125,7 +125,7 @@ fn least(file: &FitFile, most: f64) -> f64 {
             Some(SegmentEnd::Force(force)) if force < most => Some(force),
             _ => None,
         });
-    (LEAST_PART * most).max(from.unwrap_or(0.0))
+    (most / SPAN).max(from.unwrap_or(0.0))
 }
 
 fn no_force(file: &FitFile) -> Diagnosis {

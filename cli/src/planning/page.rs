@@ -4,7 +4,7 @@ use askama::Template;
 
 use super::result::{DesignResult, PlanResult};
 use super::text::{self, percent};
-use super::words::width;
+use super::words::{count, instead, width};
 use crate::display::significant;
 use crate::identification::names;
 
@@ -18,6 +18,7 @@ struct Page<'a> {
     designs: DesignTable,
     truth: Vec<(String, String, String)>,
     drawing: Option<&'a str>,
+    work: String,
     seconds: String,
 }
 
@@ -27,6 +28,8 @@ pub struct DesignTable {
     pub heads: Vec<String>,
     /// Names of the designs, and a width for each number.
     pub rows: Vec<(String, Vec<String>)>,
+    /// What the best design tells in place of what no data can tell.
+    pub instead: Vec<(String, String)>,
 }
 
 impl DesignTable {
@@ -41,7 +44,13 @@ impl DesignTable {
             let widths = text::numbers(design).map(width);
             (text::name(design), widths.collect())
         };
+        let instead = designs.first().map(|first| {
+            let all = text::numbers(first);
+            all.filter_map(|of| Some((names::of_key(&of.key), instead(of)?)))
+                .collect()
+        });
         Self {
+            instead: instead.unwrap_or_default(),
             heads: heads.unwrap_or_default(),
             rows: designs.iter().map(row).collect(),
         }
@@ -68,6 +77,7 @@ pub fn html(plan: &PlanResult, drawing: Option<&str>) -> String {
         designs: DesignTable::of(&plan.designs),
         truth: truth.unwrap_or_default(),
         drawing,
+        work: count(plan.work.curves_solved, "curve"),
         seconds: significant(plan.work.seconds, 3),
     };
     page.to_string()

@@ -27,7 +27,7 @@ pub struct Premises<'a> {
     pub plan: Plan,
     /// What is observed.
     pub observe: Observe,
-    /// Whether the noise is not from the fit file, but assumed.
+    /// Where the noise is from.
     pub noise: NoiseSource,
     base: ModelParameters,
     cases: Vec<UnknownCase>,
@@ -105,7 +105,7 @@ impl<'a> Premises<'a> {
         premises.plan.scatter = scatter.collect();
         premises.plan.degrees_of_freedom = estimates()
             .map(|estimate| estimate.degrees_of_freedom)
-            .fold(f64::INFINITY, f64::min);
+            .collect();
         premises.seek_radii(candidates)?;
         Ok(premises)
     }
@@ -130,10 +130,10 @@ impl<'a> Premises<'a> {
         let plan = Plan {
             unknowns: sought.chain(nuisances).collect::<Result<_, _>>()?,
             scatter: vec![0.0; truth.len()],
+            degrees_of_freedom: vec![f64::INFINITY; truth.len()],
             truth,
             nuisances: file.nuisances.linear()?,
             noise,
-            degrees_of_freedom: f64::INFINITY,
         };
         Ok(Self {
             file,
@@ -161,15 +161,17 @@ impl<'a> Premises<'a> {
                 continue;
             }
             let unknown = scaled(&self.cases[place], self.name_of(radius), radius)?;
-            let unknown = match place < self.file.unknowns.len() {
-                true => unknown,
-                false => unknown.as_nuisance(),
+            let unknown = if place < self.file.unknowns.len() {
+                unknown
+            } else {
+                unknown.as_nuisance()
             };
-            self.others.push((radius, self.plan.unknowns.len()));
-            self.plan.unknowns.push(unknown);
-            self.plan.truth.push(radius);
-            let scatter = self.plan.scatter[place];
-            self.plan.scatter.push(scatter);
+            let plan = &mut self.plan;
+            self.others.push((radius, plan.unknowns.len()));
+            plan.unknowns.push(unknown);
+            plan.truth.push(radius);
+            plan.scatter.push(plan.scatter[place]);
+            plan.degrees_of_freedom.push(plan.degrees_of_freedom[place]);
         }
         Ok(())
     }

@@ -2,7 +2,7 @@
 
 use super::advice;
 use super::result::{DesignResult, ExpectedResult, PlanResult};
-use super::words::width;
+use super::words::{count, instead, width};
 use crate::display::significant;
 use crate::identification::names;
 use crate::identification::result::NoiseResult;
@@ -15,13 +15,13 @@ const ROWS: usize = 24;
 #[must_use]
 pub fn text(plan: &PlanResult) -> String {
     format!(
-        "{}: what to measure\n  expected {} intervals, {}\n\n{}\n  {}\n  {} curves solved, {} loads, {} s\n",
+        "{}: what to measure\n  expected {} intervals, {}\n\n{}\n  {}\n  {} solved, {} loads, {} s\n",
         plan.title,
         percent(plan.level),
         conditions(plan),
         table(&plan.designs),
         plan.advice,
-        plan.work.curves_solved,
+        count(plan.work.curves_solved, "curve"),
         plan.work.loads_solved,
         significant(plan.work.seconds, 3)
     )
@@ -86,7 +86,10 @@ pub fn table(designs: &[DesignResult]) -> String {
         });
         cells.collect::<String>().trim_end().to_owned() + "\n"
     };
-    rows.iter().map(line).collect()
+    let rows = rows.iter().map(line).collect::<String>();
+    let instead = numbers(first).filter_map(|of| Some((names::symbol(&of.key), instead(of)?)));
+    let instead = instead.map(|(symbol, known)| format!("  in place of {symbol}: {known}\n"));
+    rows + &instead.collect::<String>()
 }
 
 /// Unknowns, then nuisances.

@@ -4,8 +4,9 @@ use pellicle_identify::{IDENTIFIED_WITHIN, Verdict};
 
 use super::result::ExpectedResult;
 use crate::display::{Scale, significant};
+use crate::identification::names;
 
-/// A factor from which an interval is told as lost on the side that still closes.
+/// A factor from which on an interval counts as lost, even if the bounds are wider.
 const MANY: f64 = 1000.0;
 
 /// The number with at most three digits, without zeros at the end.
@@ -32,13 +33,38 @@ pub fn width(of: &ExpectedResult) -> String {
         return "never".into();
     }
     match of.factor {
-        Some(factor) if factor <= IDENTIFIED_WITHIN => {
-            format!("± {} %", significant(100.0 * (factor - 1.0), 2))
-        }
+        Some(factor) if factor <= IDENTIFIED_WITHIN => percents(factor),
         Some(factor) if factor < MANY && of.verdict != Verdict::NotIdentified.to_string() => {
             format!("factor {}", significant(factor, 2))
         }
         _ => "lost".into(),
+    }
+}
+
+/// What is told in place of numbers that no data can tell: `E (substrate) · R^0.5 ± 0.7 %`.
+#[must_use]
+pub fn instead(of: &ExpectedResult) -> Option<String> {
+    let known = of.known_combination.as_ref()?;
+    let product = names::combination(&known.expression);
+    let factor = known.interval[1].map(|end| end / known.value);
+    let width = match factor {
+        Some(factor) if factor <= IDENTIFIED_WITHIN => percents(factor),
+        Some(factor) => format!("within a factor {}", significant(factor, 2)),
+        None => return None,
+    };
+    Some(format!("{product} {width}"))
+}
+
+fn percents(factor: f64) -> String {
+    format!("± {} %", significant(100.0 * (factor - 1.0), 2))
+}
+
+/// `1 curve`, `2 curves`.
+#[must_use]
+pub fn count(number: usize, noun: &str) -> String {
+    match number {
+        1 => format!("1 {noun}"),
+        number => format!("{number} {noun}s"),
     }
 }
 

@@ -15,6 +15,8 @@ mod damage;
 mod files;
 mod guide;
 mod identify;
+mod identify_next;
+mod identify_plan;
 mod identify_report;
 mod interrupt;
 mod keeping;

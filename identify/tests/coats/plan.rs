@@ -32,7 +32,7 @@ fn plan_for(unknowns: &[Unknown], truth: &[f64], more: &[LinearNuisance]) -> Pla
         nuisances: [&[LinearNuisance::shift()], more].concat(),
         noise: NOISE,
         scatter: vec![0.0; truth.len()],
-        degrees_of_freedom: f64::INFINITY,
+        degrees_of_freedom: vec![f64::INFINITY; truth.len()],
     }
 }
 

@@ -90,6 +90,11 @@ impl Designs {
             let x = axes::logarithmic(forces, &self.forces, "largest force");
             self.draw_panel(&mut svg, &Panel { place, x, y }, unknown);
         }
+        if self.all_lines().flatten().any(|(_, width)| width.is_none()) {
+            let note = "○ on the upper side: lost";
+            let place = (width - 44.0, TOP - 44.0);
+            svg.text(place, 14.0, Anchor::End, note);
+        }
         for (i, (name, stroke, dash)) in entries.iter().enumerate() {
             let left = LEFT + (i % across) as f64 * ENTRY_WIDTH;
             let y = legend + ENTRY * (i / across) as f64;
@@ -166,15 +171,6 @@ impl Designs {
             self.draw_line(svg, panel, i, points);
         }
         panel.draw_axes(svg);
-        let is_lost = unknown
-            .lines
-            .iter()
-            .flatten()
-            .any(|(_, width)| width.is_none());
-        if is_lost {
-            let right = (place.right(), place.top - 16.0);
-            svg.text(right, 14.0, Anchor::End, "open: lost");
-        }
     }
 
     fn draw_line(&self, svg: &mut Svg, panel: &Panel, i: usize, points: &[(f64, Option<f64>)]) {
@@ -241,7 +237,7 @@ mod tests {
             "R 1 µm",
             "R 100 µm",
             "all together",
-            "open: lost",
+            "○ on the upper side: lost",
             "largest force, mN",
         ] {
             assert!(svg.contains(&format!(">{text}</text>")), "{text}");
