@@ -132,9 +132,9 @@ design = {{ forces = ["0.2 mN"] }}
     let [low, high] = [0, 1].map(|end: usize| number(&radius["wald"][end]));
     let planned = &unknown(now, "indenter.radius")["interval"];
     let [least, most] = [0, 1].map(|end: usize| number(&planned[end]));
-    // The fit estimates the noise of each curve for itself.
+    // Rounding of the mixed model's algebra.
     let part = (most / least).ln() / (high / low).ln();
-    assert!((part - 1.0).abs() < 0.1, "{part}");
+    assert!((part - 1.0).abs() < 1e-6, "{part}");
     let more = fit["design"].as_array().unwrap().iter();
     let mut more = more.filter(|design| design["curves"].as_array().unwrap().len() == 1);
     let after = error(more.next().unwrap(), "indenter.radius");

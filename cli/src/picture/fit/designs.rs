@@ -90,15 +90,18 @@ impl Designs {
             let x = axes::logarithmic(forces, &self.forces, "largest force");
             self.draw_panel(&mut svg, &Panel { place, x, y }, unknown);
         }
-        if self.all_lines().flatten().any(|(_, width)| width.is_none()) {
-            let note = "○ on the upper side: lost";
-            let place = (width - 44.0, TOP - 44.0);
-            svg.text(place, 14.0, Anchor::End, note);
-        }
-        for (i, (name, stroke, dash)) in entries.iter().enumerate() {
+        for (i, (name, sample)) in entries.iter().enumerate() {
             let left = LEFT + (i % across) as f64 * ENTRY_WIDTH;
             let y = legend + ENTRY * (i / across) as f64;
-            svg.broken_lines(&[[(left, y), (left + SAMPLE, y)]], *stroke, *dash);
+            match sample {
+                Sample::Line(stroke, dash) => {
+                    svg.broken_lines(&[[(left, y), (left + SAMPLE, y)]], *stroke, *dash);
+                }
+                Sample::Circle => {
+                    let place = (left + 0.5 * SAMPLE, y);
+                    svg.circle(place, 5.0, colours::WHITE, colours::INK);
+                }
+            }
             svg.text((left + SAMPLE + 8.0, y), 16.0, Anchor::Start, name);
         }
         Some(svg.finish())
@@ -116,22 +119,22 @@ impl Designs {
         self.unknowns.iter().flat_map(|unknown| &unknown.lines)
     }
 
-    /// The lines with their names.
-    fn entries(&self) -> Vec<(String, Stroke, Dash)> {
+    /// What the legend names.
+    fn entries(&self) -> Vec<(String, Sample)> {
         let indenters = self.indenters.iter().enumerate();
-        let indenters = indenters.map(|(i, name)| (name.clone(), line(i), Dash::Solid));
+        let indenters =
+            indenters.map(|(i, name)| (name.clone(), Sample::Line(line(i), Dash::Solid)));
         let is_there = |of: &dyn Fn(&DesignedUnknown) -> Option<f64>| {
             self.unknowns.iter().any(|unknown| of(unknown).is_some())
         };
-        let together = (
-            "all together".to_owned(),
-            Stroke::new(colours::INK, 1.8),
-            Dash::Dashed,
-        );
-        let measured = ("what was measured".to_owned(), MEASURED, Dash::Solid);
+        let is_lost = self.all_lines().flatten().any(|(_, width)| width.is_none());
+        let entry = |name: &str, sample| (name.to_owned(), sample);
+        let together = entry("all together", Sample::Line(TOGETHER, Dash::Dashed));
+        let measured = entry("what was measured", Sample::Line(MEASURED, Dash::Solid));
         indenters
             .chain(is_there(&|of| of.together).then_some(together))
             .chain(is_there(&|of| of.measured).then_some(measured))
+            .chain(is_lost.then(|| entry("lost", Sample::Circle)))
             .collect()
     }
 
@@ -146,7 +149,10 @@ impl Designs {
                 .map(|width| width.clamp(NARROWEST, WIDEST)),
         );
         let [low, high] = ends.unwrap_or([1.0, WIDEST]);
-        Axis::logarithmic(low, high.max(3.0 * low), "half the interval, %".into())
+        // Widths that are nearly the same lie in the middle.
+        let middle = (low * high).sqrt();
+        let (low, high) = (low.min(middle / 2.0), high.max(middle * 2.0));
+        Axis::logarithmic(low, high, "half the interval, %".into())
     }
 
     fn draw_panel(&self, svg: &mut Svg, panel: &Panel, unknown: &DesignedUnknown) {
@@ -163,8 +169,7 @@ impl Designs {
                 svg.line(&level(measured), MEASURED);
             }
             if let Some(together) = unknown.together {
-                let stroke = Stroke::new(colours::INK, 1.8);
-                svg.broken_lines(&[level(together)], stroke, Dash::Dashed);
+                svg.broken_lines(&[level(together)], TOGETHER, Dash::Dashed);
             }
         });
         for (i, points) in unknown.lines.iter().enumerate() {
@@ -197,6 +202,18 @@ const MEASURED: Stroke = Stroke {
     colour: colours::LEFT_OUT,
     width: 3.0,
 };
+
+/// The line of all curves together.
+const TOGETHER: Stroke = Stroke {
+    colour: colours::INK,
+    width: 1.8,
+};
+
+/// What stands before a name in the legend.
+enum Sample {
+    Line(Stroke, Dash),
+    Circle,
+}
 
 fn line(i: usize) -> Stroke {
     Stroke::new(colour(i), 2.4)
@@ -237,13 +254,13 @@ mod tests {
             "R 1 µm",
             "R 100 µm",
             "all together",
-            "○ on the upper side: lost",
+            "lost",
             "largest force, mN",
         ] {
             assert!(svg.contains(&format!(">{text}</text>")), "{text}");
         }
         assert!(!svg.contains("what was measured"));
-        assert_eq!(svg.matches("<circle").count(), 1);
+        assert_eq!(svg.matches("<circle").count(), 2);
     }
 
     #[test]
