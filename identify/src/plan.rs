@@ -62,9 +62,9 @@ impl Plan {
     ///
     /// # Errors
     ///
-    /// [`IdentifyError::NoPlan`] where the prediction is not complete, [`IdentifyError::Length`] where a list of the plan
-    /// does not fit the unknowns, [`IdentifyError::Number`] for noise that is none, [`IdentifyError::NoTime`] for a
-    /// drift of curves without times.
+    /// [`IdentifyError::NoPlan`] where the prediction is not complete, [`IdentifyError::Length`] where a list of the
+    /// plan does not fit the unknowns, [`IdentifyError::Number`] for noise that is none, [`IdentifyError::NoTime`] for
+    /// a drift of curves without times.
     pub fn information(
         &self,
         prediction: &Prediction,

@@ -72,10 +72,7 @@ fn what_was_measured_has_the_intervals_of_the_fit_and_the_same_again_halves_thei
     assert!((0.9..=1.0).contains(&radius), "{radius}");
 
     for name in ["plan-intervals.svg", "plan-intervals.png"] {
-        assert!(
-            names(Path::new(&results)).contains(&name.to_owned()),
-            "{name}"
-        );
+        assert!(names(&results).contains(&name.to_owned()), "{name}");
     }
     let page = read("report.html");
     assert!(page.contains("What to measure next") && page.contains("what was measured"));

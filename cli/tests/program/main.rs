@@ -17,6 +17,7 @@ mod guide;
 mod identify;
 mod identify_next;
 mod identify_plan;
+mod identify_plan_files;
 mod identify_report;
 mod interrupt;
 mod keeping;

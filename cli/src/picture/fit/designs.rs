@@ -90,7 +90,12 @@ impl Designs {
             let x = axes::logarithmic(forces, &self.forces, "largest force");
             self.draw_panel(&mut svg, &Panel { place, x, y }, unknown);
         }
-        for (i, (name, sample)) in entries.iter().enumerate() {
+        self.draw_legend(&mut svg, legend, across);
+        Some(svg.finish())
+    }
+
+    fn draw_legend(&self, svg: &mut Svg, legend: f64, across: usize) {
+        for (i, (name, sample)) in self.entries().iter().enumerate() {
             let left = LEFT + (i % across) as f64 * ENTRY_WIDTH;
             let y = legend + ENTRY * (i / across) as f64;
             match sample {
@@ -104,7 +109,6 @@ impl Designs {
             }
             svg.text((left + SAMPLE + 8.0, y), 16.0, Anchor::Start, name);
         }
-        Some(svg.finish())
     }
 
     fn entries_across(&self, width: f64) -> usize {
