@@ -64,12 +64,19 @@ pub fn html(of: &Identification, fit: &Fit, found: &FitResult, drawings: &FitDra
         drawings,
         tests: noise(found).into_iter().chain(tests(fit)).collect(),
         curves: curves(of, found),
-        help: found.unknowns.iter().filter_map(help).collect(),
+        help: match fit.verdict {
+            FitVerdict::Fitted => found.unknowns.iter().filter_map(help).collect(),
+            _ => vec![FIRST.into()],
+        },
         designs: DesignTable::of(&found.design),
         seconds: significant(found.work.seconds, 3),
     };
     page.to_string()
 }
+
+/// What to do before anything is measured for a fit that is none.
+const FIRST: &str = "First find out why the model does not follow the measurements: no interval holds what it says, and \
+                     nothing below does.";
 
 /// What would tell more of an unknown; nothing where it is well told.
 fn help(of: &EstimateResult) -> Option<String> {

@@ -132,3 +132,71 @@ fn listed(all: &[&ExpectedResult], word: &str) -> String {
         [first @ .., last] => format!("{} {word} {last}", first.join(", ")),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::candidate::Candidate;
+    use super::*;
+
+    /// A design of so many curves that tells one unknown to this standard error.
+    fn design(curves: usize, error: Option<f64>, verdict: Verdict) -> DesignResult {
+        let curve = Candidate {
+            radius: None,
+            forces: [1e-5, 1e-3],
+            points: 24,
+        };
+        DesignResult {
+            curves: vec![curve; curves],
+            unknowns: vec![ExpectedResult {
+                key: "foundation.substrate.young_modulus".into(),
+                unit: "Pa".into(),
+                value: 1e9,
+                standard_error: error,
+                factor: error.map(|error| (2.0 * error).exp()),
+                interval: [None, None],
+                verdict: verdict.to_string(),
+                known_combination: None,
+            }],
+            nuisances: Vec::new(),
+        }
+    }
+
+    #[test]
+    fn the_fewest_curves_that_tell_it_are_advised() {
+        let designs = [
+            design(3, Some(0.01), Verdict::Identified),
+            design(2, Some(0.05), Verdict::Identified),
+            design(1, Some(0.2), Verdict::Weak),
+        ];
+        assert_eq!(chosen(&designs).unwrap().curves.len(), 2);
+        let advice = advice(&designs, Advice::ForAPlan);
+        assert!(
+            advice.contains("10 to 1000 µN") || advice.contains("0.01 to 1 mN"),
+            "{advice}"
+        );
+        assert!(advice.ends_with("± 11 %."), "{advice}");
+    }
+
+    #[test]
+    fn where_none_tells_it_more_curves_are_advised_only_if_they_help() {
+        let single = design(1, Some(0.2), Verdict::Weak);
+        let little = [design(2, Some(0.18), Verdict::Weak), single.clone()];
+        assert_eq!(chosen(&little).unwrap().curves.len(), 1);
+        let much = [design(2, Some(0.12), Verdict::Weak), single];
+        assert_eq!(chosen(&much).unwrap().curves.len(), 2);
+        assert!(
+            advice(&much, Advice::ForAPlan).contains("None of these designs tells Young's modulus")
+        );
+    }
+
+    #[test]
+    fn what_no_data_can_tell_is_not_advised() {
+        let never = [design(1, None, Verdict::NotIdentifiable)];
+        let advice = advice(&never, Advice::ForAPlan);
+        assert!(
+            advice.starts_with("No data of this kind can tell Young's modulus"),
+            "{advice}"
+        );
+        assert!(!advice.contains("Measure"), "{advice}");
+    }
+}

@@ -32,12 +32,10 @@ pub fn width(of: &ExpectedResult) -> String {
     if of.verdict == Verdict::NotIdentifiable.to_string() {
         return "never".into();
     }
-    match of.factor {
+    match of.factor.filter(|factor| *factor < MANY && !of.is_lost()) {
         Some(factor) if factor <= IDENTIFIED_WITHIN => percents(factor),
-        Some(factor) if factor < MANY && of.verdict != Verdict::NotIdentified.to_string() => {
-            format!("factor {}", significant(factor, 2))
-        }
-        _ => "lost".into(),
+        Some(factor) => format!("factor {}", significant(factor, 2)),
+        None => "lost".into(),
     }
 }
 
@@ -88,7 +86,8 @@ mod tests {
         };
         assert_eq!(of(Some(1.0342), Verdict::Identified), "± 3.4 %");
         assert_eq!(of(Some(2.13), Verdict::Weak), "factor 2.1");
-        assert_eq!(of(Some(40.0), Verdict::NotIdentified), "lost");
+        // Between narrow bounds even a narrow interval says nothing.
+        assert_eq!(of(Some(1.1), Verdict::NotIdentified), "lost");
         assert_eq!(of(None, Verdict::NotIdentified), "lost");
         assert_eq!(of(None, Verdict::NotIdentifiable), "never");
         assert_eq!(short(0.1), "0.1");

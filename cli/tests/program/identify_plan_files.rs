@@ -150,7 +150,11 @@ fn the_plan_of_the_page_is_what_the_page_says() {
         let found = blocks.iter().find_map(|block| block.split_once(start));
         found.unwrap().1
     };
-    fs::write(folder.path("coat-design.toml"), after("# coat-design.toml\n")).unwrap();
+    fs::write(
+        folder.path("coat-design.toml"),
+        after("# coat-design.toml\n"),
+    )
+    .unwrap();
     let ran = folder.run(&["identify", "coat-design.toml", "--plan"]);
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
     let said = after("before any measurement: what to measure");
