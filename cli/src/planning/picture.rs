@@ -19,7 +19,10 @@ pub fn designs(title: &str, level: f64, conditions: &str, all: &[DesignResult]) 
         .collect();
     singles.sort_by(|(one, _), (other, _)| one.forces[1].total_cmp(&other.forces[1]));
     let radii = distinct(singles.iter().map(|(curve, _)| curve.radius));
-    let largest = singles.iter().map(|(curve, _)| curve.forces[1]);
+    let [least, most] = match (singles.first(), singles.last()) {
+        (Some((first, _)), Some((last, _))) => [first.forces[1], last.forces[1]],
+        _ => [1.0, 1.0],
+    };
     let together = all.iter().max_by_key(|design| design.curves.len());
     let together = together.filter(|design| design.curves.len() > 1);
     let measured = all.iter().find(|design| design.curves.is_empty());
@@ -50,7 +53,8 @@ pub fn designs(title: &str, level: f64, conditions: &str, all: &[DesignResult]) 
             numbers: format!("expected {} intervals {added}", percent(level)),
         },
         note: conditions.to_owned(),
-        forces: units::scale(largest.fold(0.0, f64::max), "N"),
+        // Over many decades the middle of the axis has the short numbers.
+        forces: units::scale((least * most).sqrt(), "N"),
         indenters: radii
             .iter()
             .map(|radius| radius.map_or("one curve".into(), radius_words))

@@ -89,7 +89,11 @@ pub fn table(designs: &[DesignResult]) -> String {
     let rows = rows.iter().map(line).collect::<String>();
     let instead = numbers(first).filter_map(|of| Some((names::symbol(&of.key), instead(of)?)));
     let instead = instead.map(|(symbol, known)| format!("  in place of {symbol}: {known}\n"));
-    rows + &instead.collect::<String>()
+    let more = match designs.len().saturating_sub(ROWS) {
+        0 => String::new(),
+        more => format!("  … and {}\n", count(more, "worse design")),
+    };
+    rows + &more + &instead.collect::<String>()
 }
 
 /// Unknowns, then nuisances.
