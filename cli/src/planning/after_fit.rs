@@ -2,7 +2,9 @@
 
 use std::ops::Range;
 
-use pellicle_identify::{Curve, Exclusion, Fit, FitVerdict, ForwardModel, Observable, Prediction};
+use pellicle_identify::{
+    Coefficient, Curve, Exclusion, Fit, FitVerdict, ForwardModel, Observable, Prediction,
+};
 
 use super::advice::{self, Advice};
 use super::candidate::candidates;
@@ -90,8 +92,7 @@ fn largest_force(of: &Identification) -> f64 {
 fn data(of: &Identification, fit: &Fit, premises: &Premises<'_>) -> Result<Judged, Failure> {
     let values = &premises.plan.truth[..premises.cases().len()];
     let mut prediction = of.model.predict(values).map_err(not_solved)?;
-    // Noise is relative to what is read, nuisances included.
-    prediction.value.clone_from(&fit.points.model);
+    prediction.value = without_shift(of, fit);
     let prediction = premises.spread(prediction, &Indenter::OfModel);
     let left_out: Vec<usize> = fit.excluded.iter().map(Exclusion::curve).collect();
     let curves = of.problem.curves();
@@ -112,6 +113,22 @@ fn data(of: &Identification, fit: &Fit, premises: &Premises<'_>) -> Result<Judge
         information: premises.plan.information(&prediction, &curves)?,
         directions: of.directions.clone(),
     })
+}
+
+/// What noise is relative to: what is read from its zero, frame and drift included.
+fn without_shift(of: &Identification, fit: &Fit) -> Vec<f64> {
+    let curves = of.problem.curves().iter().enumerate();
+    let shifts = curves.flat_map(|(index, curve)| {
+        let is_shift =
+            |one: &&Coefficient| one.curve == Some(index) && one.name.starts_with("shift");
+        let shift = fit.coefficients.iter().find(is_shift);
+        std::iter::repeat_n(shift.map_or(0.0, |one| one.value), curve.points())
+    });
+    let model = fit.points.model.iter();
+    model
+        .zip(shifts)
+        .map(|(read, shift)| read - shift)
+        .collect()
 }
 
 /// The prediction at the points of some of the curves.

@@ -17,7 +17,7 @@ file = "coat.csv"
 columns = {{ depth = "depth", force = "force", time = "time" }}
 units = {{ depth = "nm", force = "mN", time = "s" }}
 segment = {{ from = "0.1 mN", to = "10 mN" }}
-noise = {{ relative = 0.005, correlation = "none" }}
+noise = {{ depth = "0.3 nm", correlation = "none" }}
 [unknown]
 {E1}
 {E2}
