@@ -83,6 +83,16 @@ impl LinearNuisance {
         Ok(self)
     }
 
+    /// Whether all curves have the same coefficient.
+    pub(crate) fn is_common(&self) -> bool {
+        self.scope == Scope::Common
+    }
+
+    /// Mean and standard deviation of its coefficients, where known before.
+    pub(crate) fn prior(&self) -> Option<[f64; 2]> {
+        self.prior
+    }
+
     /// The columns of its coefficients.
     pub(crate) fn columns(&self, curves: &[Curve]) -> Result<Vec<NuisanceColumn>, IdentifyError> {
         let whole = self.whole(curves)?;

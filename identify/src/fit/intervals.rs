@@ -11,7 +11,7 @@ use crate::{
     profile::{Open, Profile, Scan, Side},
     projection::Projection,
     refinement::Refined,
-    verdict::Ends,
+    verdict::{Ends, wald_ends},
 };
 
 /// One unknown among the others.
@@ -65,12 +65,9 @@ impl Interval {
 impl Sought {
     /// `x ± t s`, as far as the bounds.
     pub fn wald_interval(&self, problem: &Problem) -> Interval {
-        let [low, high] = problem.unknowns()[self.unknown].bounds();
         let half = self.quantile * self.standard_error;
-        let (down, up) = (self.position - half, self.position + half);
-        let closed = |inside: bool, end: f64| if inside { Ok(end) } else { Err(Open::Bound) };
         Interval {
-            ends: [closed(down >= low, down), closed(up <= high, up)],
+            ends: wald_ends(&problem.unknowns()[self.unknown], self.position, half),
             points: Vec::new(),
         }
     }
