@@ -7,7 +7,7 @@ use crate::{
     REFUSAL, Scatter, Warning, Work,
     correlation::correlation,
     global_search,
-    goodness::{Residuals, lower_half_score, score_p, smooth_score},
+    goodness::{Residuals, Scale, lower_half_score, smooth_score},
     noise::restricted_likelihood::{Part, RestrictedLikelihood},
     null_direction::NullSpace,
     predictor::{Evaluation, Predictor},
@@ -215,7 +215,8 @@ impl<'p> Fitting<'p> {
             lower_half_score(problem, at.0, at.1, &self.told),
             smooth_score(problem, at.0, at.1, &self.told),
         ];
-        let scores = scores.map(|score| score_p(score, (!known).then_some(least)));
+        let scale = Scale::of(problem, least);
+        let scores = scores.map(|score| scale.probability(score));
         Residuals {
             series: problem
                 .spans()

@@ -8,7 +8,7 @@ use crate::{
     KnownCombination, REFUSAL, Verdict, Warning, Work,
     correlation::correlation,
     distribution::student_quantile,
-    goodness::{Residuals, score_p},
+    goodness::{Residuals, Scale},
     known_combination::{expression, not_identifiable},
     predictor::Predictor,
     profile::Open,
@@ -73,7 +73,10 @@ impl Repeats<'_> {
         }
         // What all repeats have in common besides noise is the instrument's as often as the model's.
         .judge(
-            [score_p([sum(0), sum(1)], (!known).then_some(degrees)), None],
+            [
+                Scale::of(self.problem, degrees).probability([sum(0), sum(1)]),
+                None,
+            ],
             self.persistence_p(state),
         )
     }
