@@ -62,7 +62,7 @@ pub use problem::{Problem, Scatter};
 pub use profile::ProfilePoint;
 pub use repeats::Exclusion;
 pub use result::{
-    BetweenCurves, Coefficient, Estimate, Fit, FitVerdict, FittedPoints, Warning, Work,
+    BetweenCurves, Coefficient, Estimate, Fit, FitVerdict, FittedPoints, Stopped, Warning, Work,
 };
 pub use surrogate::{Surrogate, SurrogateOptions};
 pub use unknown::{Coordinate, Role, Unknown};

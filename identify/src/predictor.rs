@@ -86,8 +86,13 @@ impl<'a> Predictor<'a> {
     }
 
     /// What the model said when it last failed.
-    pub fn into_last_failure(self) -> Option<ForwardError> {
-        self.last_failure
+    pub fn take_last_failure(&mut self) -> Option<ForwardError> {
+        self.last_failure.take()
+    }
+
+    /// Every prediction that there was, in the order in which they were asked for.
+    pub fn evaluations(&self) -> impl Iterator<Item = &Rc<Evaluation>> {
+        self.memory.iter().filter_map(|(_, known)| known.as_ref())
     }
 
     fn predict(&mut self, position: &[f64]) -> Result<Option<Evaluation>, IdentifyError> {

@@ -35,6 +35,18 @@ pub(super) struct Sought {
 pub(super) struct Interval {
     pub ends: Ends,
     pub points: Vec<(f64, f64)>,
+    pub reach: Reach,
+}
+
+/// How far the search for an interval came.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Reach {
+    /// To its end.
+    Whole,
+    /// To the best fit: the ends are those of the covariance, in place of a profile.
+    BestFit,
+    /// Not to the best fit.
+    Nowhere,
 }
 
 /// What the scans of all unknowns found.
@@ -54,14 +66,16 @@ impl Sought {
         Interval {
             ends: [closed(down >= low, down), closed(up <= high, up)],
             points: Vec::new(),
+            reach: Reach::Whole,
         }
     }
 
     /// Open on both sides.
-    fn no_interval() -> Interval {
+    pub fn no_interval(reach: Reach) -> Interval {
         Interval {
             ends: [Err(Open::Bound), Err(Open::Bound)],
             points: Vec::new(),
+            reach,
         }
     }
 }
@@ -104,7 +118,7 @@ impl Fitting<'_> {
         })
     }
 
-    /// The intervals of all unknowns.
+    /// The intervals of all unknowns; those of the covariance where the model ends the scans.
     pub(super) fn scan(
         &self,
         predictor: &mut Predictor,
@@ -114,16 +128,21 @@ impl Fitting<'_> {
         let mut intervals = Vec::with_capacity(sought.len());
         for one in sought {
             if one.hold.is_none() {
-                intervals.push(Sought::no_interval());
+                intervals.push(Sought::no_interval(Reach::Whole));
                 continue;
             }
             if self.options.intervals == Intervals::Wald {
                 intervals.push(one.wald_interval(self.problem));
                 continue;
             }
-            match self.profile(predictor, refined, one)? {
-                Ok(interval) => intervals.push(interval),
-                Err(better) => return Ok(Scanned::Better(one.unknown, better)),
+            match self.profile(predictor, refined, one) {
+                Ok(Ok(interval)) => intervals.push(interval),
+                Ok(Err(better)) => return Ok(Scanned::Better(one.unknown, better)),
+                Err(IdentifyError::Stopped { .. }) => intervals.push(Interval {
+                    reach: Reach::BestFit,
+                    ..one.wald_interval(self.problem)
+                }),
+                Err(error) => return Err(error),
             }
         }
         Ok(Scanned::All(intervals))
@@ -157,6 +176,10 @@ impl Fitting<'_> {
             }
         }
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
-        Ok(Ok(Interval { ends, points }))
+        Ok(Ok(Interval {
+            ends,
+            points,
+            reach: Reach::Whole,
+        }))
     }
 }

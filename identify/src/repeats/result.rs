@@ -40,6 +40,7 @@ impl Repeats<'_> {
             .collect();
         Ok(Fit {
             verdict,
+            stopped: None,
             estimates: estimates?,
             coefficients: self.coefficients(state, curves, common),
             correlation: correlation(&covariance),

@@ -12,6 +12,7 @@ mod noise;
 mod reference;
 mod repeats;
 mod robustness;
+mod stopped;
 mod toys;
 mod verdicts;
 mod work;
