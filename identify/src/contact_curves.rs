@@ -7,6 +7,7 @@
 
 mod observable;
 mod solved_curve;
+mod validity;
 
 use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -16,6 +17,7 @@ use rayon::prelude::*;
 
 pub use observable::Observable;
 use solved_curve::{Nodes, SolvedCurve};
+pub use validity::Invalidity;
 
 use crate::{ForwardError, ForwardModel, Prediction};
 
@@ -47,12 +49,14 @@ pub struct ContactCurves {
 }
 
 /// How the curves are computed.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub struct CurveOptions {
     /// Elements per side of the finer of the two grids; even.
     pub elements: usize,
     /// Loads to a decade at which the contact is solved.
     pub loads_per_decade: f64,
+    /// Asked before each load of a prediction, which ends with [`ForwardError::Stopped`] where the answer is yes.
+    pub stop: fn() -> bool,
 }
 
 impl Default for CurveOptions {
@@ -62,6 +66,7 @@ impl Default for CurveOptions {
         Self {
             elements: 64,
             loads_per_decade: 6.0,
+            stop: || false,
         }
     }
 }
@@ -230,8 +235,11 @@ impl ForwardModel for ContactCurves {
             derivatives: vec![Vec::new(); self.parameters.len()],
         };
         for one in predicted {
-            let one = one.map_err(|source| ForwardError::OutOfRange {
-                source: Box::new(source),
+            let one = one.map_err(|source| match source {
+                ContactError::Cancelled { .. } => ForwardError::Stopped,
+                source => ForwardError::OutOfRange {
+                    source: Box::new(source),
+                },
             })?;
             all.value.extend(one.value);
             all.slope.extend(one.slope);

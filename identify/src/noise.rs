@@ -72,6 +72,14 @@ pub struct NoiseLevels {
     pub white_fraction: f64,
 }
 
+impl NoiseLevels {
+    /// The effective variance `σ_D² + (ρ y)² + (∂y/∂Q)² σ_Q²` of a point of value `y` where the curve has this slope.
+    #[must_use]
+    pub fn variance(&self, value: f64, slope: f64) -> f64 {
+        self.observed.powi(2) + (self.relative * value).powi(2) + (slope * self.abscissa).powi(2)
+    }
+}
+
 /// An amount that is to be estimated starts as this part of the typical observable or abscissa.
 const FIRST_GUESS: f64 = 0.01;
 
