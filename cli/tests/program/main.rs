@@ -16,6 +16,8 @@ mod files;
 mod guide;
 mod identify;
 mod identify_report;
+mod identify_stopped;
+mod identify_validity;
 mod interrupt;
 mod keeping;
 mod maps;
