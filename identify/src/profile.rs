@@ -4,9 +4,15 @@
 //! of the interval: D. M. Bates and D. G. Watts, Nonlinear Regression Analysis and Its Applications (Wiley, 1988),
 //! section 6.1. The scan goes outward in `z = √Δ`, which is nearly linear. Derivatives make it cheap: the others start
 //! where their tangent leads, what a linear problem could still gain is taken off without another prediction, and
-//! `dΔ/dx_j = −2 J_jᵀ r` of the constrained fit leads to the next point and corrects the last.
+//! `dΔ/dx_j = −2 J_jᵀ r` of the constrained fit leads to the next point and corrects the last. With `z` below zero on
+//! one side, `x_j(z)` and the others run smoothly through the best fit: one side tells where the other begins
+//! (`bend.rs`).
+
+mod bend;
 
 use std::rc::Rc;
+
+use bend::Bend;
 
 use crate::{
     IdentifyError, Problem,
@@ -17,12 +23,15 @@ use crate::{
     projection::dot,
 };
 
-/// A scan ends where `z` is this near its target, as a part of it; a tangent leads the rest of the way.
-const NEAR: f64 = 0.05;
+/// A scan may end where `z` is this near its target, as a part of it; a cubic leads the rest of the way …
+const NEAR: f64 = 0.25;
+/// … if the tangent at the last point leads to the same place but for this part of the standard error: what the cubic
+/// itself misses is a power of `z` higher, a fraction of that.
+const AGREEMENT: f64 = 0.03;
 /// Longest stride of a scan, a factor of four for a logarithm.
 const LONGEST_STRIDE: f64 = 1.4;
 /// What the constrained fits may leave to be gained, in units of χ²; it is taken off as if the problem were linear.
-const CONSTRAINED: f64 = 0.02;
+const CONSTRAINED: f64 = 0.1;
 /// A profile lower than the best fit by this has found a better one: a twentieth of χ² at level 0.95, so that the
 /// jitter of a prediction from a grid is not taken for one.
 const BETTER: f64 = 0.2;
@@ -56,6 +65,8 @@ pub(crate) struct Side {
     pub end: Result<f64, Open>,
     /// Points in the coordinate, outward from the best fit, which is not among them: `x` and `Δ`.
     pub points: Vec<(f64, f64)>,
+    /// How the profile bends, if it came to its end.
+    pub bend: Option<Bend>,
 }
 
 /// What a scan found.
@@ -80,32 +91,46 @@ pub(crate) struct Profile<'s, 'p> {
 }
 
 /// A constrained fit of the scan.
-struct Point {
-    at: Rc<Evaluation>,
-    x: f64,
+pub(crate) struct Point {
+    pub at: Rc<Evaluation>,
+    pub x: f64,
     /// `√Δ`.
-    z: f64,
+    pub z: f64,
     /// `dz/d|x|`.
-    slope: f64,
+    pub slope: f64,
+    /// The others where a linear problem has its least, over all unknowns.
+    pub least: Vec<f64>,
     /// How the others follow, `dx_k/dx_j`, over all unknowns.
-    tangent: Vec<f64>,
+    pub tangent: Vec<f64>,
 }
 
 impl Profile<'_, '_> {
-    /// Scans outward, up for `sign` 1 and down for −1.
-    pub fn side(&self, predictor: &mut Predictor, sign: f64) -> Result<Scan, IdentifyError> {
+    /// Scans outward, up for `sign` 1 and down for −1, from where the bend of the other side leads, if it is known.
+    pub fn side(
+        &self,
+        predictor: &mut Predictor,
+        sign: f64,
+        bend: Option<&Bend>,
+    ) -> Result<Scan, IdentifyError> {
         let [low, high] = self.problem.unknowns()[self.unknown].bounds();
         let bound = if sign > 0.0 { high } else { low };
         let mut inner = self.first()?;
+        let mut guess = bend.and_then(|bend| self.guess(bend, &inner, sign));
         let mut outer: Option<Point> = None;
         let mut points = Vec::new();
-        let done = |end, points| Ok(Scan::Side(Side { end, points }));
+        let done = |end, points| {
+            let bend = None;
+            Ok(Scan::Side(Side { end, points, bend }))
+        };
         for _ in 0..MOST_POINTS {
             if sign * (bound - inner.x) <= 0.0 {
                 return done(Err(Open::Bound), points);
             }
-            let wanted = self.next(&inner, outer.as_ref(), sign, bound);
-            let Some(point) = self.reach(predictor, &inner, wanted, sign)? else {
+            let start = guess.take().unwrap_or_else(|| {
+                let wanted = self.next(&inner, outer.as_ref(), sign, bound);
+                self.follow(&inner, wanted)
+            });
+            let Some(point) = self.reach(predictor, &inner, start, sign)? else {
                 return done(Err(Open::Model), points);
             };
             let point = match point {
@@ -113,10 +138,14 @@ impl Profile<'_, '_> {
                 Err(better) => return Ok(Scan::Better(better)),
             };
             points.push((point.x, point.z * point.z));
-            if (point.z - self.target).abs() <= NEAR * self.target {
-                let end = point.x + sign * (self.target - point.z) / point.slope;
+            if let Some(distance) = self.rest(&inner, &point) {
+                let end = point.x + sign * distance;
                 let outside = sign * (end - bound) > 0.0;
-                return done(if outside { Err(Open::Bound) } else { Ok(end) }, points);
+                return Ok(Scan::Side(Side {
+                    end: if outside { Err(Open::Bound) } else { Ok(end) },
+                    points,
+                    bend: Bend::between(&self.first()?, &point, sign),
+                }));
             }
             if point.z < self.target {
                 inner = point;
@@ -127,11 +156,36 @@ impl Profile<'_, '_> {
         done(Err(Open::Bound), points)
     }
 
+    /// How far the end still is, if that is known well enough: by the cubic `x(z)` through two points with its slopes,
+    /// where it agrees with the tangent at the second.
+    fn rest(&self, inner: &Point, point: &Point) -> Option<f64> {
+        let left = self.target - point.z;
+        if left.abs() > NEAR * self.target || !(point.slope > 0.0 && inner.slope > 0.0) {
+            return None;
+        }
+        let tangent = left / point.slope;
+        let ends = [inner, point].map(|of| [of.z, -(of.x - point.x).abs(), 1.0 / of.slope]);
+        let cubic = hermite(ends, self.target);
+        ((cubic - tangent).abs() <= AGREEMENT * self.standard_error).then_some(cubic)
+    }
+
+    /// Where the bend of the other side leads: the unknown at its end, and the others; none where that is as far as no
+    /// scan goes.
+    fn guess(&self, bend: &Bend, first: &Point, sign: f64) -> Option<Vec<f64>> {
+        let stride = bend.stride(self.standard_error, sign * self.target);
+        let is_likely = sign * stride > 0.0 && stride.abs() <= LONGEST_STRIDE;
+        is_likely.then(|| {
+            let x = first.x + stride;
+            self.placed(x, |k| first.at.position[k] + bend.follow(first, k, stride))
+        })
+    }
+
     /// The best fit as the first point.
     fn first(&self) -> Result<Point, IdentifyError> {
         Ok(Point {
             x: self.best.at.position[self.unknown],
             at: Rc::clone(&self.best.at),
+            least: self.best.at.position.clone(),
             z: 0.0,
             slope: 1.0 / self.standard_error,
             tangent: self.tangent(self.best)?,
@@ -156,31 +210,35 @@ impl Profile<'_, '_> {
         inner.x + sign * width * part
     }
 
-    /// The constrained fit at a coordinate, or nearer where the model has no prediction there. `Err` is a better fit.
+    /// The constrained fit from a place, or nearer where the model has no prediction there. `Err` is a better fit.
     fn reach(
         &self,
         predictor: &mut Predictor,
         inner: &Point,
-        wanted: f64,
+        mut start: Vec<f64>,
         sign: f64,
     ) -> Result<Option<Result<Point, Rc<Evaluation>>>, IdentifyError> {
-        let mut x = wanted;
         for _ in 0..MOST_RETREATS {
-            if let Some(start) = predictor.evaluate(&self.follow(inner, x))? {
+            if let Some(start) = predictor.evaluate(&start)? {
                 return self.constrained(predictor, start, sign).map(Some);
             }
-            x = f64::midpoint(inner.x, x);
+            start = self.follow(inner, f64::midpoint(inner.x, start[self.unknown]));
         }
         Ok(None)
     }
 
     /// Where the tangent of the others leads.
     fn follow(&self, inner: &Point, x: f64) -> Vec<f64> {
-        let mut position = inner.at.position.clone();
         let step = x - inner.x;
+        self.placed(x, |k| inner.least[k] + step * inner.tangent[k])
+    }
+
+    /// The unknown at a coordinate and the others at theirs, within the bounds.
+    fn placed(&self, x: f64, of_other: impl Fn(usize) -> f64) -> Vec<f64> {
+        let mut position = self.best.at.position.clone();
         for &k in self.others {
             let [low, high] = self.problem.unknowns()[k].bounds();
-            position[k] = (position[k] + step * inner.tangent[k]).clamp(low, high);
+            position[k] = of_other(k).clamp(low, high);
         }
         position[self.unknown] = x;
         position
@@ -210,7 +268,8 @@ impl Profile<'_, '_> {
         let z = delta.max(0.0).sqrt();
         let equations = NormalEquations::new(&fit.system, &search.moving(&fit));
         // The residual after the rest of the step, and from it dΔ/dx_j = −2 J_jᵀ r.
-        let rest = fit.system.after(&equations.full_step()?);
+        let step = equations.full_step()?;
+        let rest = fit.system.after(&step);
         let column = &fit.system.jacobian[self.unknown];
         let rise = -2.0 * sign * dot(column, &rest);
         Ok(Ok(Point {
@@ -218,6 +277,13 @@ impl Profile<'_, '_> {
             slope: rise / (2.0 * z.max(f64::MIN_POSITIVE)),
             z,
             tangent: self.tangent(&fit)?,
+            least: fit
+                .at
+                .position
+                .iter()
+                .zip(&step)
+                .map(|(x, s)| x + s)
+                .collect(),
             at: fit.at,
         }))
     }
@@ -235,17 +301,14 @@ impl Profile<'_, '_> {
 
 /// Where between two points, as a part of their distance, the cubic through both with their slopes reaches the target.
 fn bracketed(inner: &Point, outer: &Point, width: f64, target: f64) -> f64 {
-    let hermite = |t: f64| {
-        let (t2, t3) = (t * t, t * t * t);
-        (2.0 * t3 - 3.0 * t2 + 1.0) * inner.z
-            + (t3 - 2.0 * t2 + t) * width * inner.slope
-            + (3.0 * t2 - 2.0 * t3) * outer.z
-            + (t3 - t2) * width * outer.slope
+    let z = |t: f64| {
+        let ends = [(0.0, inner), (1.0, outer)];
+        hermite(ends.map(|(t, of)| [t, of.z, width * of.slope]), t)
     };
     let (mut low, mut high) = (0.0, 1.0);
     for _ in 0..50 {
         let middle = f64::midpoint(low, high);
-        if hermite(middle) < target {
+        if z(middle) < target {
             low = middle;
         } else {
             high = middle;
@@ -253,4 +316,15 @@ fn bracketed(inner: &Point, outer: &Point, width: f64, target: f64) -> f64 {
     }
     // Away from both ends, so that the bracket always shrinks.
     f64::midpoint(low, high).clamp(0.05, 0.95)
+}
+
+/// The cubic through two points, each with its abscissa, value and slope.
+fn hermite([[u0, y0, s0], [u1, y1, s1]]: [[f64; 3]; 2], at: f64) -> f64 {
+    let width = u1 - u0;
+    let t = (at - u0) / width;
+    let (t2, t3) = (t * t, t * t * t);
+    (2.0 * t3 - 3.0 * t2 + 1.0) * y0
+        + (t3 - 2.0 * t2 + t) * width * s0
+        + (3.0 * t2 - 2.0 * t3) * y1
+        + (t3 - t2) * width * s1
 }

@@ -166,12 +166,14 @@ impl Fitting<'_> {
         };
         let mut ends = [Err(Open::Bound); 2];
         let mut points = vec![(one.position, 0.0)];
+        let mut bend = None;
         for (end, sign) in ends.iter_mut().zip([-1.0, 1.0]) {
-            match profile.side(predictor, sign)? {
+            match profile.side(predictor, sign, bend.as_ref())? {
                 Scan::Better(at) => return Ok(Err(at)),
                 Scan::Side(side) => {
                     *end = side.end;
                     points.extend(side.points);
+                    bend = side.bend;
                 }
             }
         }

@@ -9,6 +9,7 @@ mod analytic;
 mod coverage;
 mod misfit;
 mod noise;
+mod profile_ends;
 mod reference;
 mod repeats;
 mod robustness;
