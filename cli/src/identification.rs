@@ -11,6 +11,7 @@ pub mod report;
 pub mod result;
 pub mod sampling;
 pub mod simulation;
+pub mod spring_constants;
 pub mod tables;
 pub mod text;
 pub mod units;
@@ -109,7 +110,8 @@ impl Identification {
             stop: interrupt::is_requested,
             ..CurveOptions::default()
         };
-        let model = ContactCurves::new(curves, sought, options)?;
+        let model = ContactCurves::new(curves, sought, options)?
+            .with_force_scales(spring_constants::scales(&file));
         let (tables, sources): (Vec<usize>, Vec<CurveSource>) = sources.into_iter().unzip();
         let problem = problem(&file, &sources, starts)?
             .with_null_directions(null_directions::common(directions)?)
@@ -133,6 +135,14 @@ impl FitFile {
         let nuisances = self.nuisances.parameters.iter();
         self.unknowns.iter().chain(nuisances).cloned().collect()
     }
+
+    /// The SI unit of one of the estimates of a fit: those, then the spring constants.
+    #[must_use]
+    pub fn unit(&self, index: usize) -> &'static str {
+        let all = self.all_unknowns();
+        all.get(index)
+            .map_or(spring_constants::UNIT, UnknownCase::unit)
+    }
 }
 
 /// The problem without what no data can tell.
@@ -146,7 +156,9 @@ fn problem(
     let nuisances = file.nuisances.parameters.iter();
     let nuisances = nuisances.map(|case| case.unknown().map(Unknown::as_nuisance));
     let unknowns = file.unknowns.iter().map(UnknownCase::unknown);
-    let mut unknowns = unknowns.chain(nuisances).collect::<Result<Vec<_>, _>>()?;
+    let springs = spring_constants::unknowns(file);
+    let unknowns = unknowns.chain(nuisances).chain(springs);
+    let mut unknowns = unknowns.collect::<Result<Vec<_>, _>>()?;
     if let Some(starts) = starts {
         let pairs = unknowns.into_iter().zip(starts);
         let moved = pairs.map(|(unknown, start)| unknown.starting_at(*start));

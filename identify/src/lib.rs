@@ -43,7 +43,9 @@ mod surrogate;
 mod unknown;
 mod verdict;
 
-pub use contact_curves::{ContactCurve, ContactCurves, CurveOptions, Invalidity, Observable};
+pub use contact_curves::{
+    ContactCurve, ContactCurves, CurveOptions, ForceScale, Invalidity, Observable,
+};
 pub use curve::Curve;
 pub use error::IdentifyError;
 pub use fit::identify;

@@ -226,7 +226,7 @@ pub fn verdict(verdict: FitVerdict) -> &'static str {
 
 impl Identification {
     fn estimate(&self, index: usize, estimate: &Estimate) -> EstimateResult {
-        let unit = self.file.all_unknowns()[index].unit();
+        let unit = self.file.unit(index);
         EstimateResult {
             key: estimate.name.clone(),
             unit: unit.into(),

@@ -16,6 +16,7 @@ mod files;
 mod guide;
 mod identify;
 mod identify_report;
+mod identify_spring;
 mod identify_stopped;
 mod identify_validity;
 mod interrupt;

@@ -97,6 +97,15 @@ impl Nodes {
         stretches.into_iter().collect()
     }
 
+    /// The same with forces larger by a factor, where they are given.
+    pub fn with_forces_times(&self, factor: f64) -> Self {
+        let mut scaled = self.clone();
+        if let NodeEnds::Forces(ends) = &mut scaled.ends {
+            *ends = ends.map(|end| factor * end);
+        }
+        scaled
+    }
+
     pub fn len(&self) -> usize {
         self.count
     }

@@ -116,14 +116,14 @@ impl ContactCurves {
             ..self.options
         };
         let curves = curves.collect::<Result<Vec<_>, ContactError>>()?;
-        let all = Self::new(curves, Vec::new(), options)?;
+        let all = Self::new(curves, Vec::new(), options)?.with_force_scales(self.scales.clone());
         let mut together = Prediction {
             value: Vec::new(),
             slope: Vec::new(),
             derivatives: Vec::new(),
         };
         for index in 0..all.curves.len() {
-            let one = all.predicted(index, &[])?;
+            let one = all.predicted(index, self.constants(values))?;
             together.value.extend(one.value);
             together.slope.extend(one.slope);
         }
@@ -134,16 +134,20 @@ impl ContactCurves {
     fn conditions(&self, curve: usize, values: &[f64]) -> Result<Vec<Condition>, ContactError> {
         let model = self.model(curve, values)?;
         let observable = self.curves[curve].observable;
-        let solved = self.nodes[curve].domains(&model).into_par_iter();
+        let constants = self.constants(values);
+        let factor = self.scales[curve].map_or(1.0, |scale| scale.factor(constants));
+        let nodes = self.nodes[curve].with_forces_times(factor);
+        let solved = nodes.domains(&model).into_par_iter();
         let solved = solved.map(|domain| {
             let path = held(&model, domain, self.options.elements)?;
-            Ok(condition(&model, observable, domain.0, &path))
+            Ok(condition(&model, observable, domain.0 / factor, &path))
         });
         let all: Vec<Result<Condition, ContactError>> = solved.collect();
         all.into_iter().collect()
     }
 }
 
+/// The condition of a contact under a force that was read as this one.
 fn condition(model: &Model, observable: Observable, force: f64, path: &LoadingPath) -> Condition {
     let step = &path.steps[0];
     let area = step.summary.contact_area;
