@@ -166,6 +166,9 @@ impl ContactCurves {
         parameters: &[f64],
         factor: f64,
     ) -> Result<Prediction, ContactError> {
+        if (self.options.stop)() {
+            return Err(ContactError::Cancelled { step: 0 });
+        }
         let model = self.model(curve, parameters)?;
         let own: BTreeSet<usize> = self.own(curve).collect();
         let all = self.parameters.iter().enumerate();

@@ -12,7 +12,6 @@ const SPRING: f64 = 0.05;
 
 /// Approach, deflection and force of a ball on an elastic half-space by Hertz, with 0.2 nm of noise.
 fn measurement() -> String {
-    let mut text = String::from("height [nm],deflection [nm],force [nN]\n");
     let mut state = 12345_u64;
     let mut noise = || {
         // The sum of twelve numbers in [0, 1), less six.
@@ -24,20 +23,17 @@ fn measurement() -> String {
         };
         (0..12).map(|_| next()).sum::<f64>() - 6.0
     };
-    for i in 0..60 {
+    let row = |i: u32| {
         let force = 0.1e-9 * 100_f64.powf(f64::from(i) / 59.0);
         let modulus = MODULUS / (1.0 - 0.45 * 0.45);
         let depth = (9.0 * force * force / (16.0 * RADIUS * modulus * modulus)).cbrt();
         let deflection = force / SPRING;
         let height = depth + deflection + 0.2e-9 * noise();
-        text += &format!(
-            "{:.6},{:.6},{:.6}\n",
-            1e9 * height,
-            1e9 * deflection,
-            1e9 * force
-        );
-    }
-    text
+        let [z, d, f] = [height, deflection, force].map(|value| 1e9 * value);
+        format!("{z:.6},{d:.6},{f:.6}\n")
+    };
+    let rows = (0..60).map(row);
+    String::from("height [nm],deflection [nm],force [nN]\n") + &rows.collect::<String>()
 }
 
 /// The fit with this spring constant and this column for the force.

@@ -9,10 +9,8 @@ use serde_json::Value;
 use crate::interrupt::interrupted;
 use crate::runner::TestFolder;
 
-/// Three numbers of a coat from many tables of one file: more work than any test waits for.
-fn long_fit() -> String {
-    let mut fit = String::from(
-        r#"
+/// Three numbers of a coat, with samples of their posterior.
+const COAT: &str = r#"
 [model]
 foundation = { substrate = { young_modulus = "10 GPa", poisson_ratio = 0.3 }, layer = [{ thickness = "0.5 um", young_modulus = "100 GPa", poisson_ratio = 0.25 }] }
 indenter = { kind = "paraboloid", radius = "10 um" }
@@ -22,35 +20,32 @@ indenter = { kind = "paraboloid", radius = "10 um" }
 "foundation.substrate.young_modulus" = { from = "2 GPa", to = "50 GPa" }
 [report]
 posterior = 4000
-"#,
-    );
-    for table in 0..6 {
-        fit += &format!(
-            r#"
+"#;
+
+const TABLE: &str = r#"
 [[data]]
 file = "coat.csv"
-columns = {{ depth = "depth", force = "force" }}
-units = {{ depth = "nm", force = "mN" }}
-segment = {{ from = "0.1 mN", to = "10 mN" }}
-noise = {{ relative = 0.01, depth = "0 nm", correlation = "none" }}
-set = {{ "indenter.radius" = "{}.00{table} um" }}
-"#,
-            10
-        );
-    }
-    fit
+columns = { depth = "depth", force = "force" }
+units = { depth = "nm", force = "mN" }
+segment = { from = "0.1 mN", to = "10 mN" }
+noise = { relative = 0.01, depth = "0 nm", correlation = "none" }
+"#;
+
+/// The fit of so many tables, of a model each: more work than any test waits for, if there are six.
+fn fit(tables: usize) -> String {
+    let radius = |table: usize| format!("set = {{ \"indenter.radius\" = \"10.00{table} um\" }}\n");
+    let tables = (0..tables).map(|table| TABLE.to_owned() + &radius(table));
+    COAT.to_owned() + &tables.collect::<String>()
 }
 
 #[test]
 fn ctrl_c_in_a_fit_keeps_what_is_found_and_marks_it() {
     let folder = TestFolder::new();
-    let one = long_fit();
-    let (one, _) = one.split_at(one.match_indices("[[data]]").nth(1).unwrap().0);
-    fs::write(folder.path("fit.toml"), one).unwrap();
+    fs::write(folder.path("fit.toml"), fit(1)).unwrap();
     let simulate = ["identify", "fit.toml", "--simulate", "--out", "coat.csv"];
     let ran = folder.run(&simulate);
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
-    fs::write(folder.path("fit.toml"), long_fit()).unwrap();
+    fs::write(folder.path("fit.toml"), fit(6)).unwrap();
     let start = Instant::now();
     let later = || start.elapsed() > Duration::from_secs(6);
     let line = ["identify", "fit.toml", "--out", "fit"];
