@@ -115,7 +115,7 @@ impl Profile<'_, '_> {
         let [low, high] = self.problem.unknowns()[self.unknown].bounds();
         let bound = if sign > 0.0 { high } else { low };
         let mut inner = self.first()?;
-        let mut guess = bend.and_then(|bend| self.guess(bend, &inner, sign));
+        let mut guess = bend.and_then(|bend| self.guess(bend, &inner, sign, bound));
         let mut outer: Option<Point> = None;
         let mut points = Vec::new();
         let done = |end, points| {
@@ -171,11 +171,17 @@ impl Profile<'_, '_> {
 
     /// Where the bend of the other side leads: the unknown at its end, and the others; none where that is as far as no
     /// scan goes.
-    fn guess(&self, bend: &Bend, first: &Point, sign: f64) -> Option<Vec<f64>> {
-        let stride = bend.stride(self.standard_error, sign * self.target);
-        let is_likely = sign * stride > 0.0 && stride.abs() <= LONGEST_STRIDE;
+    fn guess(&self, bend: &Bend, first: &Point, sign: f64, bound: f64) -> Option<Vec<f64>> {
+        let stride = sign * bend.stride(self.standard_error, sign * self.target);
+        let is_likely = stride > 0.0 && stride <= LONGEST_STRIDE;
+        let to_bound = sign * (bound - first.x);
         is_likely.then(|| {
-            let x = first.x + stride;
+            let stride = sign * stride.min(to_bound);
+            let x = if stride.abs() < to_bound {
+                first.x + stride
+            } else {
+                bound
+            };
             self.placed(x, |k| first.at.position[k] + bend.follow(first, k, stride))
         })
     }

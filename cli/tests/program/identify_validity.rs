@@ -1,5 +1,5 @@
-//! Points at which the model of a fit does not hold: they are left out, counted, listed and told, or the fit says why it
-//! is none.
+//! Points at which the model of a fit does not hold: they are left out, counted, listed and told, or the fit says why
+//! it is none.
 
 use std::f64::consts::PI;
 use std::fs;
