@@ -37,16 +37,22 @@ impl Identification {
             let now = narrowed.as_ref().unwrap_or(&self);
             let model = Remembered::new(&now.model, &tell);
             let search = now.fit(&model, Intervals::Wald)?;
-            if search.stopped.is_some() || search.verdict == FitVerdict::NotConverged {
+            if search.stopped.is_some() {
                 break (now.outside.clone(), search);
             }
             let Some(mut outside) = Outside::of(&self, &search, (now, &model)) else {
                 break (now.outside.clone(), now.fit(&model, self.intervals())?);
             };
+            let is_fit = search.verdict != FitVerdict::NotConverged;
             let handling = match self.file.report.outside {
                 _ if outside.points == now.outside.points => Some(Handling::LeftOut),
                 OutsidePoints::Keep => Some(Handling::Kept),
-                OutsidePoints::LeaveOut if repetitions == MOST_REPETITIONS => {
+                // What lies outside at values that are no fit is no reason to leave it out.
+                OutsidePoints::LeaveOut if !is_fit && narrowed.is_none() => {
+                    Some(Handling::NotConverged)
+                }
+                OutsidePoints::LeaveOut if !is_fit || repetitions == MOST_REPETITIONS => {
+                    outside = now.outside.clone();
                     Some(Handling::Unsettled)
                 }
                 OutsidePoints::LeaveOut => None,
@@ -56,8 +62,12 @@ impl Identification {
                 break (outside, now.fit(&model, self.intervals())?);
             }
             let Some(next) = self.without(&outside, &search, now)? else {
-                outside.handling = Handling::TooFewLeft;
-                narrowed = None;
+                if narrowed.is_some() {
+                    outside = now.outside.clone();
+                    outside.handling = Handling::Unsettled;
+                } else {
+                    outside.handling = Handling::TooFewLeft;
+                }
                 let verdict = FitVerdict::NotConverged;
                 break (outside, Fit { verdict, ..search });
             };

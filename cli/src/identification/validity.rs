@@ -37,6 +37,8 @@ pub enum Handling {
     Unsettled,
     /// They are in the fit, because too few would be left without them.
     TooFewLeft,
+    /// They are in the fit, which did not converge.
+    NotConverged,
 }
 
 impl Outside {
@@ -133,6 +135,7 @@ impl Identification {
                 "these points are not in the fit, but by its result they would be others: choose a segment that \
                  keeps clear of them",
             ),
+            Handling::NotConverged => Some("these points are in the fit, which did not converge"),
             Handling::TooFewLeft => Some(
                 "too few points are left without them: the fit is of all points, and outside of its own model",
             ),
