@@ -90,6 +90,7 @@ impl LinearNuisance {
             name,
             curve,
             values,
+            is_zero: self.shape == Shape::Constant,
             prior: self.prior,
         };
         if self.scope == Scope::Common {
@@ -136,6 +137,8 @@ pub(crate) struct NuisanceColumn {
     /// The curve it belongs to, if to one.
     pub curve: Option<usize>,
     pub values: Vec<f64>,
+    /// Whether it moves the zero alone: no noise is relative to it.
+    pub is_zero: bool,
     /// Mean and standard deviation known before.
     pub prior: Option<[f64; 2]>,
 }

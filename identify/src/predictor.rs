@@ -85,14 +85,14 @@ impl<'a> Predictor<'a> {
         self.memory.len()
     }
 
+    /// All predictions so far.
+    pub fn evaluations(&self) -> impl Iterator<Item = &Rc<Evaluation>> {
+        self.memory.iter().filter_map(|(_, known)| known.as_ref())
+    }
+
     /// What the model said when it last failed.
     pub fn take_last_failure(&mut self) -> Option<ForwardError> {
         self.last_failure.take()
-    }
-
-    /// Every prediction that there was, in the order in which they were asked for.
-    pub fn evaluations(&self) -> impl Iterator<Item = &Rc<Evaluation>> {
-        self.memory.iter().filter_map(|(_, known)| known.as_ref())
     }
 
     fn predict(&mut self, position: &[f64]) -> Result<Option<Evaluation>, IdentifyError> {

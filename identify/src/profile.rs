@@ -9,14 +9,17 @@
 //! (`bend.rs`).
 
 mod bend;
+mod cubic;
+mod valley;
 
 use std::rc::Rc;
 
 use bend::Bend;
+use cubic::{bracketed, hermite};
 
 use crate::{
     IdentifyError, Problem,
-    least_squares::{Minimum, Search, Stopping},
+    least_squares::{Minimum, Search, Stopping, farthest},
     metric::Metric,
     normal_equations::NormalEquations,
     predictor::{Evaluation, Predictor},
@@ -35,6 +38,8 @@ const CONSTRAINED: f64 = 0.1;
 /// A profile lower than the best fit by this has found a better one: a twentieth of χ² at level 0.95, so that the
 /// jitter of a prediction from a grid is not taken for one.
 const BETTER: f64 = 0.2;
+/// No linearisation is trusted farther than this, a factor of 1.4 for a logarithm.
+const TRUSTED: f64 = 0.35;
 /// Constrained fits on one side before it counts as open.
 const MOST_POINTS: usize = 24;
 /// Halvings of a stride to where the model has no prediction.
@@ -105,17 +110,39 @@ pub(crate) struct Point {
 }
 
 impl Profile<'_, '_> {
-    /// Scans outward, up for `sign` 1 and down for −1, from where the bend of the other side leads, if it is known.
+    /// Scans outward from the best fit, up for `sign` 1 and down for −1, first to where the bend of the other side
+    /// leads, if it is known.
     pub fn side(
         &self,
         predictor: &mut Predictor,
         sign: f64,
         bend: Option<&Bend>,
     ) -> Result<Scan, IdentifyError> {
-        let [low, high] = self.problem.unknowns()[self.unknown].bounds();
-        let bound = if sign > 0.0 { high } else { low };
-        let mut inner = self.first()?;
-        let mut guess = bend.and_then(|bend| self.guess(bend, &inner, sign, bound));
+        let first = self.first()?;
+        let guess = bend.and_then(|bend| self.guess(bend, &first, sign));
+        self.outward(predictor, first, guess, sign)
+    }
+
+    fn search(&self) -> Search<'_, '_> {
+        Search {
+            problem: self.problem,
+            metric: self.metric,
+            free: self.others,
+            stopping: Stopping {
+                tolerance: CONSTRAINED,
+                degrees: None,
+            },
+        }
+    }
+
+    fn outward(
+        &self,
+        predictor: &mut Predictor,
+        mut inner: Point,
+        mut guess: Option<Vec<f64>>,
+        sign: f64,
+    ) -> Result<Scan, IdentifyError> {
+        let bound = self.bound(sign);
         let mut outer: Option<Point> = None;
         let mut points = Vec::new();
         let done = |end, points| {
@@ -156,6 +183,12 @@ impl Profile<'_, '_> {
         done(Err(Open::Bound), points)
     }
 
+    /// The bound that a scan goes towards.
+    fn bound(&self, sign: f64) -> f64 {
+        let [low, high] = self.problem.unknowns()[self.unknown].bounds();
+        if sign > 0.0 { high } else { low }
+    }
+
     /// How far the end still is, if that is known well enough: by the cubic `x(z)` through two points with its slopes,
     /// where it agrees with the tangent at the second.
     fn rest(&self, inner: &Point, point: &Point) -> Option<f64> {
@@ -171,7 +204,8 @@ impl Profile<'_, '_> {
 
     /// Where the bend of the other side leads: the unknown at its end, and the others; none where that is as far as no
     /// scan goes.
-    fn guess(&self, bend: &Bend, first: &Point, sign: f64, bound: f64) -> Option<Vec<f64>> {
+    fn guess(&self, bend: &Bend, first: &Point, sign: f64) -> Option<Vec<f64>> {
+        let bound = self.bound(sign);
         let stride = sign * bend.stride(self.standard_error, sign * self.target);
         let is_likely = stride > 0.0 && stride <= LONGEST_STRIDE;
         let to_bound = sign * (bound - first.x);
@@ -256,22 +290,15 @@ impl Profile<'_, '_> {
         start: Rc<Evaluation>,
         sign: f64,
     ) -> Result<Result<Point, Rc<Evaluation>>, IdentifyError> {
-        let search = Search {
-            problem: self.problem,
-            metric: self.metric,
-            free: self.others,
-            stopping: Stopping {
-                tolerance: CONSTRAINED,
-                degrees: None,
-            },
-        };
+        let search = self.search();
         let fit = search.descend(predictor, start, |_| false)?;
-        let delta = fit.system.chi_squared - fit.remaining - self.best.system.chi_squared
-            + self.best.remaining;
-        if delta < -BETTER {
+        let above = fit.system.chi_squared - self.best.system.chi_squared + self.best.remaining;
+        if above < -BETTER {
             return Ok(Err(fit.at));
         }
-        let z = delta.max(0.0).sqrt();
+        // What a search that found no end could gain is not known.
+        let gain = if fit.converged { fit.remaining } else { 0.0 };
+        let z = (above - gain).max(0.0).sqrt();
         let equations = NormalEquations::new(&fit.system, &search.moving(&fit));
         // The residual after the rest of the step, and from it dΔ/dx_j = −2 J_jᵀ r.
         let step = equations.full_step()?;
@@ -283,13 +310,7 @@ impl Profile<'_, '_> {
             slope: rise / (2.0 * z.max(f64::MIN_POSITIVE)),
             z,
             tangent: self.tangent(&fit)?,
-            least: fit
-                .at
-                .position
-                .iter()
-                .zip(&step)
-                .map(|(x, s)| x + s)
-                .collect(),
+            least: least(&fit, &step),
             at: fit.at,
         }))
     }
@@ -305,32 +326,13 @@ impl Profile<'_, '_> {
     }
 }
 
-/// Where between two points, as a part of their distance, the cubic through both with their slopes reaches the target.
-fn bracketed(inner: &Point, outer: &Point, width: f64, target: f64) -> f64 {
-    let z = |t: f64| {
-        let ends = [(0.0, inner), (1.0, outer)];
-        hermite(ends.map(|(t, of)| [t, of.z, width * of.slope]), t)
-    };
-    let (mut low, mut high) = (0.0, 1.0);
-    for _ in 0..50 {
-        let middle = f64::midpoint(low, high);
-        if z(middle) < target {
-            low = middle;
-        } else {
-            high = middle;
-        }
+/// Where a linear problem has its least, if that is no farther than its derivatives are trusted; the fit itself otherwise.
+fn least(fit: &Minimum, step: &[f64]) -> Vec<f64> {
+    let pairs = fit.at.position.iter().zip(step);
+    let least: Vec<f64> = pairs.map(|(x, s)| x + s).collect();
+    if fit.converged && farthest(&least, &fit.at.position) <= TRUSTED {
+        least
+    } else {
+        fit.at.position.clone()
     }
-    // Away from both ends, so that the bracket always shrinks.
-    f64::midpoint(low, high).clamp(0.05, 0.95)
-}
-
-/// The cubic through two points, each with its abscissa, value and slope.
-fn hermite([[u0, y0, s0], [u1, y1, s1]]: [[f64; 3]; 2], at: f64) -> f64 {
-    let width = u1 - u0;
-    let t = (at - u0) / width;
-    let (t2, t3) = (t * t, t * t * t);
-    (2.0 * t3 - 3.0 * t2 + 1.0) * y0
-        + (t3 - 2.0 * t2 + t) * width * s0
-        + (3.0 * t2 - 2.0 * t3) * y1
-        + (t3 - t2) * width * s1
 }

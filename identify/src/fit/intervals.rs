@@ -8,7 +8,7 @@ use crate::{
     distribution::student_quantile,
     null_direction::Hold,
     predictor::{Evaluation, Predictor},
-    profile::{Open, Profile, Scan},
+    profile::{Open, Profile, Scan, Side},
     projection::Projection,
     refinement::Refined,
     verdict::Ends,
@@ -49,11 +49,29 @@ pub(super) enum Reach {
     Nowhere,
 }
 
+/// The lower end of an interval and the upper one, with the direction outward.
+const SIDES: [(usize, f64); 2] = [(0, -1.0), (1, 1.0)];
+
 /// What the scans of all unknowns found.
 pub(super) enum Scanned {
     All(Vec<Interval>),
     /// A better fit, by the profile of this unknown.
     Better(usize, Rc<Evaluation>),
+}
+
+impl Interval {
+    /// The best fit alone.
+    fn of(one: &Sought) -> Self {
+        Self {
+            points: vec![(one.position, 0.0)],
+            ..Sought::no_interval(Reach::Whole)
+        }
+    }
+
+    fn take(&mut self, end: usize, side: Side) {
+        self.ends[end] = side.end;
+        self.points.extend(side.points);
+    }
 }
 
 impl Sought {
@@ -67,6 +85,14 @@ impl Sought {
             ends: [closed(down >= low, down), closed(up <= high, up)],
             points: Vec::new(),
             reach: Reach::Whole,
+        }
+    }
+
+    /// `x ± t s` in place of a profile that the model ended.
+    fn without_profile(&self, problem: &Problem) -> Interval {
+        Interval {
+            reach: Reach::BestFit,
+            ..self.wald_interval(problem)
         }
     }
 
@@ -135,27 +161,63 @@ impl Fitting<'_> {
                 intervals.push(one.wald_interval(self.problem));
                 continue;
             }
-            match self.profile(predictor, refined, one) {
-                Ok(Ok(interval)) => intervals.push(interval),
-                Ok(Err(better)) => return Ok(Scanned::Better(one.unknown, better)),
-                Err(IdentifyError::Stopped { .. }) => intervals.push(Interval {
-                    reach: Reach::BestFit,
-                    ..one.wald_interval(self.problem)
-                }),
-                Err(error) => return Err(error),
+            let profile = self.profile(refined, one);
+            let mut interval = Interval::of(one);
+            let mut bend = None;
+            for (k, sign) in SIDES {
+                match profile.side(predictor, sign, bend.as_ref()) {
+                    Ok(Scan::Better(at)) => return Ok(Scanned::Better(one.unknown, at)),
+                    Ok(Scan::Side(mut side)) => {
+                        bend = side.bend.take();
+                        interval.take(k, side);
+                    }
+                    Err(IdentifyError::Stopped { .. }) => {
+                        interval = one.without_profile(self.problem);
+                        break;
+                    }
+                    Err(error) => return Err(error),
+                }
             }
+            intervals.push(interval);
+        }
+        self.extend(predictor, refined, sought, intervals)
+    }
+
+    /// Scans on where the evaluations of all scans promise that an interval reaches farther.
+    fn extend(
+        &self,
+        predictor: &mut Predictor,
+        refined: &Refined,
+        sought: &[Sought],
+        mut intervals: Vec<Interval>,
+    ) -> Result<Scanned, IdentifyError> {
+        for (one, interval) in sought.iter().zip(&mut intervals) {
+            if interval.points.is_empty() {
+                continue;
+            }
+            let profile = self.profile(refined, one);
+            for (k, sign) in SIDES {
+                let Ok(end) = interval.ends[k] else { continue };
+                match profile.beyond(predictor, end, sign) {
+                    Ok(Some(Scan::Better(at))) => return Ok(Scanned::Better(one.unknown, at)),
+                    Ok(Some(Scan::Side(side))) => interval.take(k, side),
+                    Ok(None) => {}
+                    Err(IdentifyError::Stopped { .. }) => {
+                        *interval = one.without_profile(self.problem);
+                        break;
+                    }
+                    Err(error) => return Err(error),
+                }
+            }
+        }
+        for interval in &mut intervals {
+            interval.points.sort_by(|a, b| a.0.total_cmp(&b.0));
         }
         Ok(Scanned::All(intervals))
     }
 
-    /// Both sides of a profile; `Err` is a better fit.
-    fn profile(
-        &self,
-        predictor: &mut Predictor,
-        refined: &Refined,
-        one: &Sought,
-    ) -> Result<Result<Interval, Rc<Evaluation>>, IdentifyError> {
-        let profile = Profile {
+    fn profile<'s>(&'s self, refined: &'s Refined, one: &'s Sought) -> Profile<'s, 's> {
+        Profile {
             problem: self.problem,
             metric: &refined.metric,
             best: &refined.minimum,
@@ -163,25 +225,6 @@ impl Fitting<'_> {
             others: &one.others,
             standard_error: one.standard_error,
             target: one.quantile,
-        };
-        let mut ends = [Err(Open::Bound); 2];
-        let mut points = vec![(one.position, 0.0)];
-        let mut bend = None;
-        for (end, sign) in ends.iter_mut().zip([-1.0, 1.0]) {
-            match profile.side(predictor, sign, bend.as_ref())? {
-                Scan::Better(at) => return Ok(Err(at)),
-                Scan::Side(side) => {
-                    *end = side.end;
-                    points.extend(side.points);
-                    bend = side.bend;
-                }
-            }
         }
-        points.sort_by(|a, b| a.0.total_cmp(&b.0));
-        Ok(Ok(Interval {
-            ends,
-            points,
-            reach: Reach::Whole,
-        }))
     }
 }
