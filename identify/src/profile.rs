@@ -326,7 +326,8 @@ impl Profile<'_, '_> {
     }
 }
 
-/// Where a linear problem has its least, if that is no farther than its derivatives are trusted; the fit itself otherwise.
+/// Where a linear problem has its least, if that is no farther than its derivatives are trusted; the fit itself
+/// otherwise.
 fn least(fit: &Minimum, step: &[f64]) -> Vec<f64> {
     let pairs = fit.at.position.iter().zip(step);
     let least: Vec<f64> = pairs.map(|(x, s)| x + s).collect();

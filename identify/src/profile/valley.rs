@@ -16,8 +16,8 @@ const PROMISE: f64 = 0.75;
 const NEARLY_AS_GOOD: f64 = 2.0;
 
 impl Profile<'_, '_> {
-    /// Scans on from the end of a side, where an evaluation from elsewhere promises that the profile is lower there: the
-    /// others may have two valleys, and a scan follows one. Nothing where none does.
+    /// Scans on from the end of a side, where an evaluation from elsewhere promises that the profile is lower there:
+    /// the others may have two valleys, and a scan follows one. Nothing where none does.
     pub fn beyond(
         &self,
         predictor: &mut Predictor,
