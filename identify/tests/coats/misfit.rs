@@ -1,7 +1,7 @@
 //! How often a wrong model of a coat is refused, and a right one is not.
 //!
-//! Each measurement is 100 points with noise of 1 % of the depth and a zero of its own. Its fit seeks both moduli of half
-//! a micrometre on a half-space under a ball of ten, on a surrogate of the real model.
+//! Each measurement is 100 points with noise of 1 % of the depth and a zero of its own. Its fit seeks both moduli of
+//! half a micrometre on a half-space under a ball of ten, on a surrogate of the real model.
 
 use std::f64::consts::FRAC_PI_2;
 
