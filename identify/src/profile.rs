@@ -26,8 +26,10 @@ use crate::{
     projection::dot,
 };
 
-/// A scan may end where `z` is this near its target, as a part of it; a cubic leads the rest of the way …
+/// A scan may end where `z` is this near its target, as a part of it; a cubic leads the rest of the way, …
 const NEAR: f64 = 0.25;
+/// this near it where a bound of another unknown bends the profile, …
+const NEAR_A_KINK: f64 = 0.05;
 /// … if the tangent at the last point leads to the same place but for this part of the standard error: what the cubic
 /// itself misses is a power of `z` higher, a fraction of that.
 const AGREEMENT: f64 = 0.03;
@@ -165,8 +167,7 @@ impl Profile<'_, '_> {
                 Err(better) => return Ok(Scan::Better(better)),
             };
             points.push((point.x, point.z * point.z));
-            if let Some(distance) = self.rest(&inner, &point) {
-                let end = point.x + sign * distance;
+            if let Some(end) = self.end(&inner, &point, sign) {
                 let outside = sign * (end - bound) > 0.0;
                 return Ok(Scan::Side(Side {
                     end: if outside { Err(Open::Bound) } else { Ok(end) },
@@ -189,9 +190,9 @@ impl Profile<'_, '_> {
         if sign > 0.0 { high } else { low }
     }
 
-    /// How far the end still is, if that is known well enough: by the cubic `x(z)` through two points with its slopes,
-    /// where it agrees with the tangent at the second.
-    fn rest(&self, inner: &Point, point: &Point) -> Option<f64> {
+    /// Where the end is, if that is known well enough: by the cubic `x(z)` through two points with its slopes, where it
+    /// agrees with the tangent at the second.
+    fn end(&self, inner: &Point, point: &Point, sign: f64) -> Option<f64> {
         let left = self.target - point.z;
         if left.abs() > NEAR * self.target || !(point.slope > 0.0 && inner.slope > 0.0) {
             return None;
@@ -199,7 +200,31 @@ impl Profile<'_, '_> {
         let tangent = left / point.slope;
         let ends = [inner, point].map(|of| [of.z, -(of.x - point.x).abs(), 1.0 / of.slope]);
         let cubic = hermite(ends, self.target);
-        ((cubic - tangent).abs() <= AGREEMENT * self.standard_error).then_some(cubic)
+        let end = point.x + sign * cubic;
+        let is_smooth = self.keeps_bounds(inner, point, end);
+        // Where the profile bends much, the standard error is longer than what a step of one in z really takes.
+        let one = (end - self.best.at.position[self.unknown]).abs() / self.target;
+        let agrees = (cubic - tangent).abs() <= AGREEMENT * one.min(self.standard_error);
+        (agrees && (is_smooth || left.abs() <= NEAR_A_KINK * self.target)).then_some(end)
+    }
+
+    /// Whether no bound begins or ceases to hold another unknown from the first point to the end, where the profile has
+    /// a kink, and the end itself is within the bounds.
+    fn keeps_bounds(&self, inner: &Point, point: &Point, end: f64) -> bool {
+        let step = end - point.x;
+        let is_held = |of: &Point, k: usize| {
+            let [low, high] = self.problem.unknowns()[k].bounds();
+            let x = of.at.position[k];
+            x <= low || x >= high
+        };
+        let keeps = |&k: &usize| {
+            let [low, high] = self.problem.unknowns()[k].bounds();
+            let there = point.at.position[k] + step * point.tangent[k];
+            is_held(inner, k) == is_held(point, k)
+                && (is_held(point, k) || (low..=high).contains(&there))
+        };
+        let [low, high] = self.problem.unknowns()[self.unknown].bounds();
+        (low..=high).contains(&end) && self.others.iter().all(keeps)
     }
 
     /// Where the bend of the other side leads: the unknown at its end, and the others; none where that is as far as no
