@@ -38,7 +38,12 @@ mod terminal;
 mod threads;
 mod validation;
 
-pub use case::{Case, diagnosis::Diagnosis, source::Source, units::Units};
+pub use case::{
+    Case,
+    diagnosis::{Diagnosis, Fault},
+    source::Source,
+    units::Units,
+};
 pub use display::{Scale, Unit, quantity};
 pub use failure::Failure;
 pub use program::main;
@@ -48,6 +53,7 @@ pub use templates::Template;
 pub mod solved {
     pub use crate::cache::open as open_cache;
     pub use crate::case::map_sources::MapSources;
+    pub use crate::case::source::read as read_source;
     pub use crate::map::MapError;
     pub use crate::memory::MemoryBudget;
     pub use crate::output::curve::csv as curve;
