@@ -126,6 +126,17 @@ class Case:
             to.write(text)
         return text
 
+    def replaced(self, values: Mapping[str, Any]) -> Case:
+        """The same case with other values of some keys, as `--set` replaces them: `{"load.force": "3 mN"}`.
+
+        Items of lists are numbered from 0, as in `foundation.layer[0].thickness`; keys that are not there are added.
+        """
+        text, source, name, folder, arrays = self._state
+        document = tomllib.loads(text)
+        for key, value in values.items():
+            _put(document, key, value_of(key.rpartition(".")[2], value))
+        return Case._restored(toml.text(document), source, name, folder, arrays)
+
     @cached_property
     def resolved(self) -> dict[str, Any]:
         """The case with every default filled in and every quantity in SI units or the case's own."""
@@ -205,6 +216,18 @@ def _threads(threads: int | None) -> int | None:
     if threads is not None and (isinstance(threads, bool) or not 1 <= threads <= 4096):
         raise ArgumentError(f"threads: found {threads}, wanted a number from 1 to 4096")
     return threads
+
+
+def _put(document: dict[str, Any], key: str, value: toml.Value) -> None:
+    """Puts the value of a dotted key into nested tables; missing tables are created."""
+    *parents, last = key.replace("[", ".").replace("]", "").split(".")
+    place: Any = document
+    try:
+        for part in parents:
+            place = place[int(part)] if isinstance(place, list) else place.setdefault(part, {})
+        place[int(last) if isinstance(place, list) else last] = value
+    except (AttributeError, IndexError, TypeError, ValueError) as error:
+        raise ArgumentError(f"values: found {key!r}, wanted a key of the case") from error
 
 
 def _with_files(text: str, renamed: Any) -> str:

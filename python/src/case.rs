@@ -14,6 +14,10 @@ use crate::run::Run;
 
 /// The text of a case file, as the program reads it.
 #[pyfunction]
+#[expect(
+    clippy::needless_pass_by_value,
+    reason = "Python hands over a path of its own"
+)]
 pub fn read_text(path: PathBuf) -> Result<String, Refusal> {
     Ok(read_source(&path)?.inner().clone())
 }
@@ -27,6 +31,10 @@ impl Case {
     /// Reads a text that goes by the name `source`; `name` is its title unless it has one. Its maps are `arrays`, or
     /// else files of `folder`.
     #[new]
+    #[expect(
+        clippy::needless_pass_by_value,
+        reason = "Python hands over a path of its own"
+    )]
     fn new(
         py: Python<'_>,
         text: String,
