@@ -7,7 +7,7 @@ import os
 import tomllib
 from collections.abc import Mapping, Sequence
 from functools import cached_property
-from typing import Any, Literal, TypeAlias, TypeVar
+from typing import Any, Literal, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -26,8 +26,6 @@ from .table import Table, value_of
 
 Loads: TypeAlias = Sequence[Quantity] | npt.NDArray[np.float64] | Range
 """Several loads: a list, an array or a range."""
-
-Part = TypeVar("Part", bound=Table)
 
 TURN = 20
 """Milliseconds between two looks at signals and progress while a case is solved."""
@@ -65,14 +63,14 @@ class Case:
     ) -> None:
         load = {"force": force, "forces": forces, "penetration": penetration, "penetrations": penetrations}
         tables: dict[str, Mapping[str, Any] | None] = {
-            "foundation": _part(foundation, Foundation, "foundation").table(),
-            "surface": surface and _part(surface, Surface, "surface").table(),
-            "indenter": _part(indenter, Indenter, "indenter").table(),
+            "foundation": _table(foundation, Foundation, "foundation"),
+            "surface": None if surface is None else _table(surface, Surface, "surface"),
+            "indenter": _table(indenter, Indenter, "indenter"),
             "load": _given(load) | ({"sensitivities": True} if sensitivities else {}),
-            "grid": _given({"side": side, "elements": elements}),
-            "solver": _given({"tolerance": tolerance, "method": method}),
-            "stress": None if stress is None else _part(stress, Stress, "stress").table(),
-            "output": output and _part(output, Output, "output").table(),
+            "grid": _given({"side": side, "elements": elements}) or None,
+            "solver": _given({"tolerance": tolerance, "method": method}) or None,
+            "stress": None if stress is None else _table(stress, Stress, "stress"),
+            "output": None if output is None else _table(output, Output, "output"),
         }
         arrays: dict[str, npt.NDArray[np.float64]] = {}
         for name, part in (("surface", surface), ("indenter", indenter)):
@@ -80,8 +78,8 @@ class Case:
                 file, array = part.file_or_array(f"{name}.npy")
                 tables[name] = {**(tables[name] or {}), "file": file}
                 arrays |= {} if array is None else {file: array}
-        document = {name: table for name, table in tables.items() if table or name in ("load", "stress") and table is not None}
-        text = toml.text(({} if title is None else {"title": title}) | document)
+        document = {name: table for name, table in tables.items() if table is not None}
+        text = toml.text(_given({"title": title}) | document)
         self._read(text, "case", "case", os.getcwd(), arrays)
 
     def _read(
@@ -202,10 +200,11 @@ class Case:
         return show.table(["key", "value"], show.keys(self.resolved))
 
 
-def _part(value: Any, kind: type[Part], name: str) -> Part:
+def _table(value: Any, kind: type[Table], name: str) -> dict[str, toml.Value]:
+    """The table of a part of the case, if it is of this kind."""
     if not isinstance(value, kind):
         raise ArgumentError(f"{name}: found {type(value).__name__}, wanted a pellicle.{kind.__name__}")
-    return value
+    return value.table()
 
 
 def _given(values: Mapping[str, Any]) -> dict[str, toml.Value]:

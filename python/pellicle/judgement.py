@@ -75,9 +75,13 @@ class GridError:
     @classmethod
     def of(cls, summary: Mapping[str, Any]) -> GridError:
         """The grid error in a summary."""
-        names = ("penetration", "force", "contact_area", "max_pressure")
-        estimates = (Estimate.of(summary.get(name)) for name in names)
-        return cls(*estimates, levels=tuple(summary["levels"]))
+        return cls(
+            penetration=Estimate.of(summary.get("penetration")),
+            force=Estimate.of(summary.get("force")),
+            contact_area=Estimate.of(summary.get("contact_area")),
+            max_pressure=Estimate.of(summary.get("max_pressure")),
+            levels=tuple(summary["levels"]),
+        )
 
 
 @dataclass(frozen=True, slots=True)

@@ -151,7 +151,8 @@ class Step:
     def x(self) -> npt.NDArray[np.float64]:
         """Coordinates of the centres of the elements along x, which are those along y, m; the axis is at 0."""
         size, element_side = self._grid["elements"], self._grid["element_side"]
-        return (2 * np.arange(size) + 1 - size) * (0.5 * element_side)
+        coordinates: npt.NDArray[np.float64] = (2 * np.arange(size) + 1 - size) * (0.5 * element_side)
+        return coordinates
 
     @property
     def y(self) -> npt.NDArray[np.float64]:

@@ -10,6 +10,7 @@ use pellicle_cli::solved::{MapSources, read_source};
 use pyo3::prelude::*;
 
 use crate::error::Refusal;
+use crate::process::Threads;
 use crate::run::Run;
 
 /// The text of a case file, as the program reads it.
@@ -42,7 +43,7 @@ impl Case {
         name: &str,
         folder: PathBuf,
         arrays: BTreeMap<String, PyReadonlyArray2<'_, f64>>,
-    ) -> Result<Self, Refusal> {
+    ) -> PyResult<Self> {
         let mut maps = MapSources::in_folder(&folder);
         for (name, array) in arrays {
             let shape = [array.shape()[0], array.shape()[1]];
@@ -51,7 +52,8 @@ impl Case {
             maps = maps.with_array(&name, shape, heights);
         }
         let source = Arc::new(Source::new(source, text));
-        let case = py.detach(|| pellicle_cli::Case::parse_with(&source, name, &maps))?;
+        let case = Threads::work(py, || pellicle_cli::Case::parse_with(&source, name, &maps))?
+            .map_err(Refusal::from)?;
         Ok(Self(Arc::new(case)))
     }
 

@@ -7,13 +7,17 @@
 //! only under the interpreter's own, which whoever forks holds: no child finds it taken.
 
 use std::mem;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use pellicle_cli::Failure;
 use pellicle_cli::solved::{MemoryBudget, open_cache};
 use pellicle_influence::Cache;
+use pyo3::{PyResult, Python};
 use rayon::{ThreadPool, ThreadPoolBuilder};
+
+use crate::error::{self, Refusal};
 
 /// The most pools of threads that wait; more are ended.
 const MOST_IDLE: usize = 8;
@@ -92,6 +96,20 @@ impl Threads {
             wanted,
             process: process::id(),
         })
+    }
+
+    /// Does some work on threads of this process while Python's other threads go on. All work belongs on such threads:
+    /// rayon's global ones are gone after a fork.
+    ///
+    /// # Errors
+    ///
+    /// An exception if they cannot be started, or the work panics.
+    pub fn work<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> PyResult<T> {
+        let threads = Self::take(None).map_err(Refusal::from)?;
+        let work = || catch_unwind(AssertUnwindSafe(work));
+        let done = py.detach(|| threads.pool.install(work));
+        threads.release();
+        done.map_err(|panic| error::of_panic(&*panic))
     }
 
     /// The threads themselves.

@@ -76,15 +76,9 @@ impl Solution {
     /// Displacement, gap and shortening of a step, computed from its pressure.
     fn surface<'py>(&self, py: Python<'py>, step: usize) -> PyResult<[Array<'py>; 3]> {
         self.check(step)?;
-        let threads = Threads::take(None).map_err(Refusal::from)?;
         let path = &self.0.path;
-        let surface = py.detach(|| {
-            threads
-                .pool()
-                .install(|| path.surface(&path.geometry(), step))
-        });
-        threads.release();
-        let surface = surface.ok_or_else(|| PyIndexError::new_err(step))?;
+        let surface = Threads::work(py, || path.surface(&path.geometry(), step));
+        let surface = surface?.ok_or_else(|| PyIndexError::new_err(step))?;
         let array = |values| self.array(py, values);
         Ok([
             array(surface.displacement)?,
@@ -95,7 +89,7 @@ impl Solution {
 
     /// Profile and mask of the relief.
     fn geometry<'py>(&self, py: Python<'py>) -> PyResult<(Array<'py>, Bound<'py, PyArray2<bool>>)> {
-        let geometry = py.detach(|| self.0.path.geometry());
+        let geometry = Threads::work(py, || self.0.path.geometry())?;
         let relief = &geometry.relief;
         Ok((
             self.array(py, relief.profile().to_vec())?,

@@ -13,10 +13,6 @@ import pytest
 
 import pellicle as pl
 
-ROOT = Path(__file__).resolve().parents[2]
-
-Program = Callable[..., "subprocess.CompletedProcess[str]"]
-
 
 @pytest.fixture
 def body() -> pl.Foundation:
@@ -31,12 +27,12 @@ def case(body: pl.Foundation) -> pl.Case:
 
 
 @pytest.fixture(scope="session")
-def program() -> Program:
-    """Runs the command `pellicle`, which `PELLICLE_PROGRAM` names."""
-    path = os.environ.get("PELLICLE_PROGRAM", str(ROOT / "target" / "debug" / "pellicle"))
+def program() -> Callable[..., subprocess.CompletedProcess[str]]:
+    """Runs the command `pellicle` that cargo has built for tests."""
+    path = Path(__file__).resolve().parents[2] / "target" / "debug" / "pellicle"
 
     def run(*arguments: object) -> subprocess.CompletedProcess[str]:
-        words = [path, *map(str, arguments)]
+        words = [str(path), *map(str, arguments)]
         return subprocess.run(words, check=True, capture_output=True, text=True)
 
     return run

@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 
 import pellicle as pl
+from pellicle import toml
 from pellicle.quantity import SI_UNITS
 
 
@@ -130,7 +131,7 @@ def keys_that_the_reader_knows(place: str, **values: Any) -> set[str]:
         table.clear()
     table |= values | {"no_such_key": 1}
     with pytest.raises(pl.CaseError) as error:
-        pl.Case.from_string(pl.case.toml.text(document))
+        pl.Case.from_string(toml.text(document))
     assert error.value.key == f"{place}.no_such_key"
     assert error.value.wanted is not None
     return set(error.value.wanted.removeprefix("one of ").split(", "))
