@@ -52,6 +52,7 @@ pub use templates::Template;
 /// Cases solved as the program solves them.
 pub mod solved {
     pub use crate::cache::open as open_cache;
+    pub use crate::case::foundation::FoundationCase;
     pub use crate::case::map_sources::MapSources;
     pub use crate::case::source::read as read_source;
     pub use crate::map::MapError;

@@ -40,7 +40,8 @@ from .indenter import (
     Sphere,
     Vickers,
 )
-from .judgement import Certificate, Estimate, GridError, ResultWarning, Work
+from .judgement import Certificate, Estimate, GridError, ResultWarning, Sensitivity, Work
+from .operator import ElasticOperator, compliance, influence_coefficients
 from .options import Output, Range, Stress
 from .path import Path
 from .progress import Progress
@@ -60,6 +61,7 @@ __all__ = [
     "CubeCorner",
     "Curve",
     "Cylinders",
+    "ElasticOperator",
     "Error",
     "Estimate",
     "Film",
@@ -89,6 +91,7 @@ __all__ = [
     "ResultWarning",
     "Rough",
     "RunError",
+    "Sensitivity",
     "Sphere",
     "Spring",
     "Step",
@@ -97,4 +100,6 @@ __all__ = [
     "TextureError",
     "Vickers",
     "Work",
+    "compliance",
+    "influence_coefficients",
 ]

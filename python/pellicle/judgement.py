@@ -106,6 +106,33 @@ class Work:
 
 
 @dataclass(frozen=True, slots=True)
+class Sensitivity:
+    """The derivatives of a step by one number θ of the case, per unit of θ; None where there is none."""
+
+    value: float
+    """θ itself."""
+    penetration: float | None
+    """∂D/∂θ at constant force, of the elements in contact."""
+    smooth_penetration: float | None
+    """The same along the curve, without the steps of elements that enter the contact."""
+    force: float | None
+    """∂Q/∂θ at constant penetration, of the elements in contact."""
+    energy: float
+    """∂E/∂θ at constant force, E = ∫ D dQ."""
+
+    @classmethod
+    def of(cls, summary: Mapping[str, Any]) -> Sensitivity:
+        """The derivatives in a summary."""
+        return cls(
+            value=number(summary["value"]),
+            penetration=summary["penetration"],
+            smooth_penetration=summary["smooth_penetration"],
+            force=summary["force"],
+            energy=number(summary["energy"]),
+        )
+
+
+@dataclass(frozen=True, slots=True)
 class ResultWarning:
     """A doubt about a result: a word for programs and a sentence for people."""
 

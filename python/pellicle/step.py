@@ -4,14 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import cached_property
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 import numpy.typing as npt
 
 from . import show
+from .errors import ArgumentError
 from .fields import Field, Fields, StoredFields
-from .judgement import Certificate, GridError, Work, number
+from .judgement import Certificate, GridError, Sensitivity, Work, number
+
+if TYPE_CHECKING:
+    import xarray
 
 
 class Step:
@@ -166,6 +170,21 @@ class Step:
     @cached_property
     def _geometry(self) -> tuple[Field, npt.NDArray[np.bool_]]:
         return self._fields.geometry()
+
+    def sensitivities(self) -> dict[str, Sensitivity]:
+        """The derivatives of the step by the numbers of the case, by their keys; the case must have asked for them."""
+        given = self._summary.get("sensitivities")
+        if given is None:
+            raise ArgumentError("sensitivities: the case does not ask for any, wanted Case(..., sensitivities=True)")
+        return {one["parameter"]: Sensitivity.of(one) for one in given}
+
+    def to_xarray(self) -> xarray.Dataset:
+        """The fields as an `xarray.Dataset` over x and y, with units and meanings; needs xarray."""
+        return show.dataset(self)
+
+    def plot(self, ax: Any = None) -> Any:
+        """Draws the pressure with matplotlib on `ax`, or on new axes, which it returns."""
+        return show.pressure_map(self, ax)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Step):

@@ -5,6 +5,7 @@
 //! results. This module solves. Work is done on threads of its own while the interpreter goes on, and Python waits for
 //! it in short turns, so that signals are noticed.
 
+mod body;
 mod case;
 mod error;
 mod field;
@@ -16,6 +17,8 @@ use pyo3::pymodule;
 
 #[pymodule(gil_used = true)]
 mod _pellicle {
+    #[pymodule_export]
+    use crate::body::{Body, Operator};
     #[pymodule_export]
     use crate::case::{Case, read_text};
     #[pymodule_export]
