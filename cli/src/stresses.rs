@@ -42,8 +42,8 @@ pub enum Search {
 ///
 /// # Errors
 ///
-/// [`ContactError::Cancelled`] if `tell` or the observer stops it; [`Failure`] if a stress cannot be computed or a critical
-/// load not be solved for.
+/// [`ContactError::Cancelled`] if `tell` or the observer stops it; [`Failure`] if a stress cannot be computed or a
+/// critical load not be solved for.
 pub fn find(
     case: &Case,
     model: &Model,

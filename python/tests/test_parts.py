@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import pickle
+from typing import Any
 
 import numpy as np
 import pytest
@@ -70,13 +71,14 @@ def test_scipy_solves_with_the_operator() -> None:
 
 
 @pytest.mark.parametrize("pressure", [np.zeros((4, 5)), np.zeros(16 + 1), [[math.nan] * 4] * 4, [["a"] * 4] * 4])
-def test_a_pressure_that_does_not_fit_is_refused_by_its_name(pressure: np.ndarray) -> None:  # type: ignore[type-arg]
+def test_a_pressure_that_does_not_fit_is_refused_by_its_name(pressure: Any) -> None:
     with pytest.raises(pl.ArgumentError, match="pressure: found"):
         pl.ElasticOperator(GLASS, 1e-6, 4) @ pressure
 
 
 def test_a_grid_that_cannot_be_is_refused() -> None:
-    for elements in (0, -1, 2.5, 10**6):
+    refused: list[Any] = [0, -1, 2.5, 10**6]
+    for elements in refused:
         with pytest.raises(pl.ArgumentError, match="elements: found"):
             pl.ElasticOperator(GLASS, 1e-6, elements)
     with pytest.raises(pl.InfluenceError) as error:
