@@ -55,11 +55,13 @@ pub mod solved {
     pub use crate::case::foundation::FoundationCase;
     pub use crate::case::map_sources::MapSources;
     pub use crate::case::source::read as read_source;
+    pub use crate::case::stress::StressCase;
     pub use crate::map::MapError;
     pub use crate::memory::MemoryBudget;
     pub use crate::output::curve::csv as curve;
     pub use crate::output::folder::Completeness;
     pub use crate::output::json;
+    pub use crate::output::stress::{FIELDS, FieldName, fields::StressFields};
     pub use crate::solving::{Resources, SolvedCase, solve};
     pub use crate::stresses::Search;
 }

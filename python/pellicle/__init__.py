@@ -47,6 +47,7 @@ from .path import Path
 from .progress import Progress
 from .quantity import Quantity
 from .step import Step
+from .stresses import StressFields
 from .surface import Bare, Cylinders, Film, ReliefMap, Rough, Surface
 
 __all__ = [
@@ -96,6 +97,7 @@ __all__ = [
     "Spring",
     "Step",
     "Stress",
+    "StressFields",
     "Surface",
     "TextureError",
     "Vickers",

@@ -8,7 +8,8 @@ from typing import Protocol, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from ._pellicle import Solution
+from ._pellicle import Planes, Solution
+from .errors import ArgumentError
 
 Field: TypeAlias = npt.NDArray[np.float64]
 """N × N numbers, first index along x."""
@@ -31,6 +32,10 @@ class Fields(Protocol):
 
     def warnings_of(self, step: int) -> list[str]:
         """The messages of the warnings that are about this step."""
+        ...
+
+    def stress(self, step: int, text: str) -> Planes:
+        """Displacements and stresses on the planes that a table `[stress]` asks for."""
         ...
 
 
@@ -56,6 +61,10 @@ class SolvedFields:
     def warnings_of(self, step: int) -> list[str]:
         """The messages of the warnings that are about this step."""
         return self.solution.warnings_of(step)
+
+    def stress(self, step: int, text: str) -> Planes:
+        """Displacements and stresses on the planes that a table `[stress]` asks for."""
+        return self.solution.stress(step, text)
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,3 +103,7 @@ class StoredFields:
     def warnings_of(self, step: int) -> list[str]:
         """The messages of the warnings that are about this step."""
         return self.warnings[step]
+
+    def stress(self, step: int, text: str) -> Planes:
+        """Nothing: a pickle keeps no body to compute them in."""
+        raise ArgumentError("stress: found results from a pickle, wanted those of a solution; solve the case again")

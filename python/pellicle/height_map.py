@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Any, Literal, TypeAlias
+from typing import Any, Literal, Self, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -16,6 +17,10 @@ from .table import Table
 
 Heights: TypeAlias = npt.ArrayLike | str | os.PathLike[str]
 """A 2-D array of heights, first index along x, second along y; or the path of a file that holds one."""
+
+
+Height: TypeAlias = Callable[[npt.NDArray[np.float64], npt.NDArray[np.float64]], npt.ArrayLike]
+"""A function of arrays of x and of y (m) that gives heights (m)."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,6 +49,23 @@ class HeightMap(Table):
         return all(np.array_equal(mine[name], others[name]) for name in mine)
 
     __hash__ = None  # type: ignore[assignment]
+
+    @classmethod
+    def sampled(
+        cls, function: Height, samples: int | tuple[int, int], *, sides: tuple[float, float], **keys: Any
+    ) -> Self:
+        """The map of a function of x and y (m), which is called once with two arrays and gives heights (m).
+
+        The map has so many samples along each side, at the centres of its pixels, and the height between them is
+        interpolated. The middle of the map lies at x = y = 0.
+        """
+        counts = (samples, samples) if isinstance(samples, int) else samples
+        axes = [side * ((np.arange(count) + 0.5) / count - 0.5) for count, side in zip(counts, sides, strict=True)]
+        x, y = np.meshgrid(*axes, indexing="ij")
+        found = np.asarray(function(x, y))
+        if found.shape != x.shape:
+            raise ArgumentError(f"function: found values of shape {found.shape}, wanted {x.shape}, that of x and y")
+        return cls(checked(found, "function"), sides=sides, **keys)
 
     def table(self) -> dict[str, toml.Value]:
         """The keys of the map without its file."""

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, TypeAlias
+
+import numpy as np
+import numpy.typing as npt
 
 from . import toml
 from .quantity import Quantity, written
@@ -27,6 +30,10 @@ class Range(Table):
         return ends | {"count": self.count, "spacing": self.spacing}
 
 
+Depths: TypeAlias = Sequence[Quantity] | npt.NDArray[np.float64] | Range
+"""Several depths: a list, an array or a range."""
+
+
 @dataclass(frozen=True)
 class Stress(Table):
     """Asks for the stresses inside the body.
@@ -35,7 +42,7 @@ class Stress(Table):
     that slides has a coefficient of `friction` and a `direction` in rad, from +x to +y.
     """
 
-    depths: Sequence[Quantity] | Range | None = None
+    depths: Depths | None = None
     extent: Quantity | None = None
     friction: float | None = None
     direction: Quantity | None = None

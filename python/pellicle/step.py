@@ -9,10 +9,13 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 import numpy.typing as npt
 
-from . import show
+from . import show, toml
 from .errors import ArgumentError
 from .fields import Field, Fields, StoredFields
 from .judgement import Certificate, GridError, Sensitivity, Work, number
+from .options import Depths, Stress
+from .quantity import Quantity
+from .stresses import StressFields
 
 if TYPE_CHECKING:
     import xarray
@@ -177,6 +180,22 @@ class Step:
         if given is None:
             raise ArgumentError("sensitivities: the case does not ask for any, wanted Case(..., sensitivities=True)")
         return {one["parameter"]: Sensitivity.of(one) for one in given}
+
+    def stress(
+        self,
+        depths: Depths | None = None,
+        *,
+        extent: Quantity | None = None,
+        friction: float | None = None,
+        direction: Quantity | None = None,
+    ) -> StressFields:
+        """Displacements and stresses on planes at these depths (m) in the body, by default down to two contact radii.
+
+        The planes are squares of side `extent` (m), by default 1.5 contact diameters. An indenter that slides has a
+        coefficient of `friction` and a `direction` (rad) from +x to +y.
+        """
+        table = Stress(depths, extent, friction, direction).table()
+        return StressFields.of(self._fields.stress(self.index, toml.text({"stress": table})))
 
     def to_xarray(self) -> xarray.Dataset:
         """The fields as an `xarray.Dataset` over x and y, with units and meanings; needs xarray."""

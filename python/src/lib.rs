@@ -9,6 +9,7 @@ mod body;
 mod case;
 mod error;
 mod field;
+mod planes;
 mod process;
 mod run;
 mod solution;
@@ -28,6 +29,8 @@ mod _pellicle {
     };
     #[pymodule_export]
     use crate::field::Field;
+    #[pymodule_export]
+    use crate::planes::Planes;
     #[pymodule_export]
     use crate::run::Run;
     #[pymodule_export]

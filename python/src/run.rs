@@ -69,6 +69,7 @@ impl Observer for Watcher<'_> {
 /// A case being solved. It is stopped when nobody holds this any more.
 #[pyclass(frozen, module = "pellicle._pellicle")]
 pub struct Run {
+    case: Arc<pellicle_cli::Case>,
     watched: Arc<Watched>,
     threads: Mutex<Option<Threads>>,
 }
@@ -79,12 +80,13 @@ impl Run {
         let start = Instant::now();
         let (shared, threads) = (process::shared(), Threads::take(threads)?);
         let watched = Arc::<Watched>::default();
-        let of_work = Arc::clone(&watched);
+        let (of_work, case_of_work) = (Arc::clone(&watched), Arc::clone(&case));
         threads.pool().spawn(move || {
-            let work = || solve_watched(&case, &shared, start, &of_work);
+            let work = || solve_watched(&case_of_work, &shared, start, &of_work);
             of_work.finish(catch_unwind(AssertUnwindSafe(work)));
         });
         Ok(Self {
+            case,
             watched,
             threads: Mutex::new(Some(threads)),
         })
@@ -166,7 +168,8 @@ impl Run {
             Ok(solved) => {
                 let solved = solved.map_err(Refusal::from)?;
                 let solved = solved.filter(|solved| !solved.path.steps.is_empty());
-                Ok(solved.map(Solution::new))
+                let case = Arc::clone(&self.case);
+                Ok(solved.map(|solved| Solution::new(case, solved)))
             }
         }
     }
