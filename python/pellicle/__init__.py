@@ -44,6 +44,7 @@ from .judgement import Certificate, Estimate, GridError, ResultWarning, Sensitiv
 from .operator import ElasticOperator, compliance, influence_coefficients
 from .options import Output, Range, Stress
 from .path import Path
+from .problem import DiscreteProblem, Judgement
 from .progress import Progress
 from .quantity import Quantity
 from .step import Step
@@ -62,6 +63,7 @@ __all__ = [
     "CubeCorner",
     "Curve",
     "Cylinders",
+    "DiscreteProblem",
     "ElasticOperator",
     "Error",
     "Estimate",
@@ -77,6 +79,7 @@ __all__ = [
     "InfluenceError",
     "InternalError",
     "Interrupted",
+    "Judgement",
     "KernelError",
     "Layer",
     "Material",

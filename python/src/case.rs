@@ -27,6 +27,13 @@ pub fn read_text(path: PathBuf) -> Result<String, Refusal> {
 #[pyclass(frozen, module = "pellicle._pellicle")]
 pub struct Case(Arc<pellicle_cli::Case>);
 
+impl Case {
+    /// The case itself.
+    pub fn inner(&self) -> &pellicle_cli::Case {
+        &self.0
+    }
+}
+
 #[pymethods]
 impl Case {
     /// Reads a text that goes by the name `source`; `name` is its title unless it has one. Its maps are `arrays`, or

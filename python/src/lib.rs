@@ -10,6 +10,7 @@ mod case;
 mod error;
 mod field;
 mod planes;
+mod problem;
 mod process;
 mod run;
 mod solution;
@@ -31,6 +32,8 @@ mod _pellicle {
     use crate::field::Field;
     #[pymodule_export]
     use crate::planes::Planes;
+    #[pymodule_export]
+    use crate::problem::Problem;
     #[pymodule_export]
     use crate::run::Run;
     #[pymodule_export]
