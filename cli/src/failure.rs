@@ -136,6 +136,9 @@ pub enum Failure {
     /// The model of a fit file has no curve.
     #[error("the measurement cannot be simulated: {0}")]
     NotSimulated(String),
+    /// A curve of a plan cannot be solved.
+    #[error("the curve cannot be planned: {0}")]
+    NotPlanned(String),
     /// A fit cannot be posed, or has no start.
     #[error(transparent)]
     Identify(#[from] IdentifyError),

@@ -13,7 +13,7 @@ use self::model::FitModel;
 use self::nuisance::NuisanceTable;
 use self::report::ReportTable;
 use self::unknown::{UnknownCase, read_unknowns};
-use crate::case::document;
+use crate::case::document::{self, Document};
 use crate::case::source::{self, Source};
 use crate::case::table_reader::TableReader;
 use crate::case::value_reader::ValueReader;
@@ -35,6 +35,17 @@ pub struct FitFile {
     pub nuisances: NuisanceTable,
     /// How the result is told.
     pub report: ReportTable,
+    /// The tree of the file, for diagnoses.
+    pub document: Document,
+}
+
+/// Whether a fit file must name measurements.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Measurements {
+    /// It must.
+    Required,
+    /// It need not: they are to be planned.
+    Optional,
 }
 
 impl FitFile {
@@ -43,11 +54,11 @@ impl FitFile {
     /// # Errors
     ///
     /// [`Failure::Unreadable`] if the file or its case cannot be read, [`Failure::Case`] if one of them is not valid.
-    pub fn read(path: &Path) -> Result<Self, Failure> {
+    pub fn read(path: &Path, measurements: Measurements) -> Result<Self, Failure> {
         let source = Arc::new(source::read(path)?);
         let stem = path.file_stem().unwrap_or_default().to_string_lossy();
         let folder = path.parent().unwrap_or(Path::new(""));
-        Self::parse(&source, &stem, folder)
+        Self::parse(&source, &stem, folder, measurements)
     }
 
     /// Reads the text of a fit file that names its files relative to `folder`.
@@ -55,7 +66,12 @@ impl FitFile {
     /// # Errors
     ///
     /// As [`Self::read`].
-    pub fn parse(source: &Arc<Source>, name: &str, folder: &Path) -> Result<Self, Failure> {
+    pub fn parse(
+        source: &Arc<Source>,
+        name: &str,
+        folder: &Path,
+        measurements: Measurements,
+    ) -> Result<Self, Failure> {
         const TABLES: [&str; 6] = ["title", "model", "data", "unknown", "nuisance", "report"];
         let root = document::parse(source)?;
         let table = TableReader::root(&root)?;
@@ -74,14 +90,19 @@ impl FitFile {
             Some(field) => NuisanceTable::read(&field, &parameters)?,
             None => NuisanceTable::default(),
         };
-        let report = optional("report")?.map(|table| ReportTable::read(&table));
+        let report = optional("report")?.map(|table| ReportTable::read(&table, &parameters));
+        let data = match (table.optional("data"), measurements) {
+            (None, Measurements::Optional) => Vec::new(),
+            _ => DataTable::read_all(&root, folder)?,
+        };
         Ok(Self {
             title: title.replace(char::is_control, " "),
-            data: DataTable::read_all(&root, folder)?,
+            data,
             model,
             unknowns,
             nuisances,
             report: report.transpose()?.unwrap_or_default(),
+            document: Document::new(&root),
         })
     }
 }

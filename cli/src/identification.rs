@@ -19,7 +19,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use pellicle_contact::ModelParameter;
 use pellicle_identify::{
     ContactCurve, ContactCurves, CurveOptions, Fit, ForwardError, ForwardModel, IdentifyError,
-    Prediction, Problem, Scatter, Unknown, identify,
+    NullDirections, Prediction, Problem, Scatter, Unknown, identify,
 };
 
 use self::curve_source::CurveSource;
@@ -44,6 +44,8 @@ pub struct Identification {
     pub model: ContactCurves,
     /// What is to be found.
     pub problem: Problem,
+    /// Directions in which no curve changes.
+    pub directions: NullDirections,
 }
 
 impl Identification {
@@ -74,14 +76,16 @@ impl Identification {
         let unknowns = file.all_unknowns();
         let sought = unknowns.iter().map(|unknown| unknown.parameter).collect();
         let model = ContactCurves::new(curves, sought, CurveOptions::default())?;
+        let directions = null_directions::common(directions)?;
         let problem = problem(&file, &sources)?
-            .with_null_directions(null_directions::common(directions)?)
+            .with_null_directions(directions.clone())
             .with_scatter(scatter(&file));
         Ok(Self {
             file,
             sources,
             model,
             problem,
+            directions,
         })
     }
 
@@ -139,7 +143,7 @@ fn scatter(file: &FitFile) -> Scatter {
 }
 
 /// The numbers that a table gives a value of its own.
-fn own(table: &DataTable, parameters: &ModelParameters) -> Vec<ModelParameter> {
+pub fn own(table: &DataTable, parameters: &ModelParameters) -> Vec<ModelParameter> {
     let keys = table.set.entries.iter();
     let found = keys.filter_map(|entry| parameters.find(&entry.key));
     found.map(|of| of.parameter).collect()

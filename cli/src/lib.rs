@@ -27,6 +27,7 @@ mod measured;
 mod memory;
 mod output;
 mod picture;
+mod planning;
 mod program;
 mod progress;
 mod sensitivities;

@@ -3,14 +3,16 @@
 //! ```text
 //! at x:  r, J                              nuisances eliminated, metric.rs
 //! stop where a linear problem could fall by no more than the tolerance
-//! (JᵀJ + λ D²) δ = Jᵀr                     over the unknowns that no bound holds
-//! |δ| ≤ 0.7, x + δ between the bounds
+//! (JᵀJ + λ D²) δ = Jᵀr, |δ| ≤ 0.7          over the unknowns that no bound holds;
+//!                                          what a step leads beyond a bound stays there, and δ is found anew
 //! ρ = fall of χ² / fall of the linear problem
 //! ρ > 0: go there, λ ← λ max(⅓, 1 − (2ρ − 1)³);  else: λ ← λ ν, ν ← 2ν, and the next step a quarter as long
 //! ```
 //!
 //! The rule for λ: H. B. Nielsen, Damping parameter in Marquardt's method, IMM-REP-1999-05, Technical University of
-//! Denmark (1999). The bounds: an unknown at a bound towards which χ² falls is held there, and steps end at bounds.
+//! Denmark (1999). The bounds: an unknown at a bound towards which χ² falls is held there. One that a step leads beyond
+//! a bound goes to it and no farther, and the others follow to where this leaves them: cut alone, it would lose what it
+//! gains along a valley.
 
 use std::rc::Rc;
 
@@ -19,6 +21,7 @@ use crate::{
     metric::{Metric, System},
     normal_equations::NormalEquations,
     predictor::{Evaluation, Predictor},
+    projection::dot,
 };
 
 /// Least damping, above the rounding of a matrix of unit diagonal, so that it stays regular where the data see
@@ -88,6 +91,14 @@ struct Damping {
     longest: f64,
 }
 
+impl Damping {
+    const FIRST: Self = Self {
+        value: FIRST_DAMPING,
+        growth: 2.0,
+        longest: LONGEST_STEP,
+    };
+}
+
 impl Search<'_, '_> {
     /// Descends from an evaluation. `enough` ends the search early.
     pub fn descend(
@@ -104,11 +115,7 @@ impl Search<'_, '_> {
             within_jitter: false,
             remaining: f64::INFINITY,
         };
-        let mut damping = Damping {
-            value: FIRST_DAMPING,
-            growth: 2.0,
-            longest: LONGEST_STEP,
-        };
+        let mut damping = Damping::FIRST;
         let mut jitter = 0.0;
         for _ in 0..MOST_TRIALS {
             let moving = self.moving(&now);
@@ -116,7 +123,7 @@ impl Search<'_, '_> {
             now.remaining = equations.possible_decrease()?;
             let scale = self.stopping.scale(now.system.chi_squared);
             now.within_jitter = now.remaining <= f64::min(jitter, 1.0) * scale;
-            let target = self.target(&now, &equations.damped_step(damping.value)?, &damping);
+            let target = self.target(&now, moving, &damping)?;
             now.converged = now.within_jitter
                 || now.remaining <= self.stopping.tolerance * scale
                 || farthest(&now.at.position, &target) < SHORTEST_STEP;
@@ -155,6 +162,35 @@ impl Search<'_, '_> {
         predictor.evaluate(&target)
     }
 
+    /// Where the problem linearised at an evaluation is least with one unknown held at `x`, and that problem there.
+    pub fn linear_minimum(
+        &self,
+        known: &Evaluation,
+        held: usize,
+        x: f64,
+    ) -> Result<(Vec<f64>, System), IdentifyError> {
+        let mut position = known.position.clone();
+        position[held] = x;
+        let there = difference(&position, &known.position);
+        let now = Minimum {
+            system: self.metric.system(known).shifted(&there),
+            at: Rc::new(Evaluation {
+                position,
+                ..known.clone()
+            }),
+            converged: false,
+            within_jitter: false,
+            remaining: f64::INFINITY,
+        };
+        let anywhere = Damping {
+            longest: f64::INFINITY,
+            ..Damping::FIRST
+        };
+        let target = self.target(&now, self.moving(&now), &anywhere)?;
+        let system = now.system.shifted(&difference(&target, &now.at.position));
+        Ok((target, system))
+    }
+
     /// Goes to the trial where χ² falls, and adapts the damping. Gives what was gained as a part of what was
     /// promised.
     fn judge(
@@ -189,8 +225,7 @@ impl Search<'_, '_> {
 
     /// The free unknowns that no bound holds against the fall of χ².
     pub fn moving(&self, now: &Minimum) -> Vec<usize> {
-        let falls_up =
-            |j: usize| crate::projection::dot(&now.system.jacobian[j], &now.system.residual) > 0.0;
+        let falls_up = |j: usize| dot(&now.system.jacobian[j], &now.system.residual) > 0.0;
         self.free
             .iter()
             .copied()
@@ -202,20 +237,38 @@ impl Search<'_, '_> {
             .collect()
     }
 
-    /// Where a step leads, no farther than allowed.
-    fn target(&self, now: &Minimum, step: &[f64], damping: &Damping) -> Vec<f64> {
-        let size = size(step);
-        let part = if size > damping.longest {
-            damping.longest / size
-        } else {
-            1.0
-        };
-        let mut target = now.at.position.clone();
-        for &j in self.free {
-            let [low, high] = self.problem.unknowns()[j].bounds();
-            target[j] = (target[j] + part * step[j]).clamp(low, high);
+    /// Where a damped step leads, no farther than allowed and between the bounds.
+    fn target(
+        &self,
+        now: &Minimum,
+        mut moving: Vec<usize>,
+        damping: &Damping,
+    ) -> Result<Vec<f64>, IdentifyError> {
+        let from = &now.at.position;
+        let mut to_bounds = vec![0.0; from.len()];
+        loop {
+            let system = now.system.shifted(&to_bounds);
+            let mut step = NormalEquations::new(&system, &moving).damped_step(damping.value)?;
+            for (step, to_bound) in step.iter_mut().zip(&to_bounds) {
+                *step += to_bound;
+            }
+            let part = (damping.longest / size(&step)).min(1.0);
+            let mut target: Vec<f64> = from.iter().zip(&step).map(|(x, s)| x + part * s).collect();
+            let beyond = |j: &usize| (self.within_bounds(*j, target[*j]) - target[*j]).abs() > 0.0;
+            let Some(place) = moving.iter().position(beyond) else {
+                for &j in self.free {
+                    target[j] = self.within_bounds(j, target[j]);
+                }
+                return Ok(target);
+            };
+            let j = moving.remove(place);
+            to_bounds[j] = self.within_bounds(j, target[j]) - from[j];
         }
-        target
+    }
+
+    fn within_bounds(&self, unknown: usize, x: f64) -> f64 {
+        let [low, high] = self.problem.unknowns()[unknown].bounds();
+        x.clamp(low, high)
     }
 }
 
@@ -225,7 +278,7 @@ fn size(step: &[f64]) -> f64 {
 }
 
 /// The greatest difference of two lists.
-fn farthest(a: &[f64], b: &[f64]) -> f64 {
+pub(crate) fn farthest(a: &[f64], b: &[f64]) -> f64 {
     a.iter()
         .zip(b)
         .map(|(x, y)| (x - y).abs())

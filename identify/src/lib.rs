@@ -55,7 +55,7 @@ pub use noise::{Amount, Correlation, Noise, NoiseLevels};
 pub use nuisance::{LinearNuisance, Scope, Shape};
 pub use null_direction::NullDirections;
 pub use options::{FitOptions, Intervals};
-pub use plan::{Design, Plan, plan};
+pub use plan::{Expected, Information, Plan};
 pub use posterior::{Convergence, Posterior, PosteriorOptions, posterior};
 pub use prior::Prior;
 pub use problem::{Problem, Scatter};

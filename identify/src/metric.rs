@@ -43,16 +43,17 @@ impl<'a> Metric<'a> {
         }
     }
 
-    /// The covariance at an evaluation. Noise that is relative is so to all that is read, nuisances included: their
-    /// share is found under the model's values alone.
+    /// The covariance at an evaluation. Relative noise is a part of what is read from its zero: of the model's value
+    /// and what a frame's compliance and a drift add, found under the model's values alone, but not of a shift.
     pub fn at(problem: &'a Problem, levels: &NoiseLevels, at: &Evaluation) -> Self {
         let of_model = Self::new(problem, levels, &at.value, &at.slope);
-        if levels.relative == 0.0 || problem.columns().is_empty() {
+        if levels.relative == 0.0 || problem.columns().iter().all(|column| column.is_zero) {
             return of_model;
         }
         let mut value = at.value.clone();
         let coefficients = of_model.system(at).coefficients;
-        for (column, c) in problem.columns().iter().zip(coefficients) {
+        let columns = problem.columns().iter().zip(coefficients);
+        for (column, c) in columns.filter(|(column, _)| !column.is_zero) {
             for (value, shape) in value.iter_mut().zip(&column.values) {
                 *value += c * shape;
             }

@@ -72,6 +72,22 @@ pub struct NoiseLevels {
     pub white_fraction: f64,
 }
 
+impl NoiseLevels {
+    /// Checks the numbers.
+    pub(crate) fn check(&self) -> Result<(), IdentifyError> {
+        let noise = Noise {
+            observed: Amount::Given(self.observed),
+            abscissa: Amount::Given(self.abscissa),
+            relative: Amount::Given(self.relative),
+            correlation: Correlation::Given {
+                persistence: self.persistence,
+                white_fraction: self.white_fraction,
+            },
+        };
+        noise.check()
+    }
+}
+
 /// An amount that is to be estimated starts as this part of the typical observable or abscissa.
 const FIRST_GUESS: f64 = 0.01;
 

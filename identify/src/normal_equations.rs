@@ -111,6 +111,16 @@ impl System {
         rest
     }
 
+    /// The problem linearised at the end of a step if it is linear.
+    pub fn shifted(&self, step: &[f64]) -> System {
+        let residual = self.after(step);
+        System {
+            chi_squared: dot(&residual, &residual),
+            residual,
+            ..self.clone()
+        }
+    }
+
     /// By how much χ² falls along a step if the problem is linear.
     pub fn decrease(&self, step: &[f64]) -> f64 {
         let rest = self.after(step);

@@ -83,6 +83,16 @@ impl LinearNuisance {
         Ok(self)
     }
 
+    /// Whether all curves have the same coefficient.
+    pub(crate) fn is_common(&self) -> bool {
+        self.scope == Scope::Common
+    }
+
+    /// Mean and standard deviation of its coefficients, where known before.
+    pub(crate) fn prior(&self) -> Option<[f64; 2]> {
+        self.prior
+    }
+
     /// The columns of its coefficients.
     pub(crate) fn columns(&self, curves: &[Curve]) -> Result<Vec<NuisanceColumn>, IdentifyError> {
         let whole = self.whole(curves)?;
@@ -90,6 +100,7 @@ impl LinearNuisance {
             name,
             curve,
             values,
+            is_zero: self.shape == Shape::Constant,
             prior: self.prior,
         };
         if self.scope == Scope::Common {
@@ -136,6 +147,8 @@ pub(crate) struct NuisanceColumn {
     /// The curve it belongs to, if to one.
     pub curve: Option<usize>,
     pub values: Vec<f64>,
+    /// Whether it moves the zero alone: no noise is relative to it.
+    pub is_zero: bool,
     /// Mean and standard deviation known before.
     pub prior: Option<[f64; 2]>,
 }

@@ -1,139 +1,165 @@
 //! What a measurement will tell, before it is made.
 //!
-//! At the true parameters the information of a design is `JᵀJ` of the whitened derivatives, with the linear nuisances
-//! eliminated and a row for each prior; its inverse is the covariance that a fit will have (Wald).
+//! At the true parameters the information of a measurement is `JᵀJ` of its whitened derivatives, with the nuisances of
+//! each curve eliminated. Measurements add up, a prior is one more row, and the inverse of the sum is the covariance
+//! that a fit will have (Wald).
+
+mod information;
+
+pub use information::Information;
 
 use crate::{
-    Amount, Correlation, Curve, ForwardError, ForwardModel, IdentifyError, LinearNuisance, Noise,
-    NoiseLevels, Prediction, Problem, Unknown,
-    metric::{Metric, System},
-    predictor::Evaluation,
+    Curve, ForwardError, IdentifyError, KnownCombination, LinearNuisance, NoiseLevels,
+    NullDirections, Prediction, Role, Unknown, Verdict,
+    curve::check_length,
+    distribution::student_quantile,
+    known_combination::expression,
+    null_direction::{Hold, NullSpace},
     projection::Projection,
+    verdict,
 };
 
-/// Curves that may be measured.
-pub struct Design<'a> {
-    /// Their model.
-    pub model: &'a dyn ForwardModel,
-    /// Abscissae of each curve, in the order of the model's points.
-    pub abscissae: Vec<Vec<f64>>,
-}
-
-/// Expected relative standard errors `σ_θ/θ` of the unknowns, infinite where a design does not tell them.
-#[derive(Debug, Clone, PartialEq)]
+/// What a plan takes for true.
+#[derive(Debug, Clone)]
 pub struct Plan {
-    /// Of each design alone: one list of unknowns for each.
-    pub alone: Vec<Vec<f64>>,
-    /// Of all designs together.
-    pub together: Vec<f64>,
+    /// What will be sought.
+    pub unknowns: Vec<Unknown>,
+    /// The true values of the unknowns.
+    pub truth: Vec<f64>,
+    /// What acts on the measurements besides; what is common to curves is common to all measurements.
+    pub nuisances: Vec<LinearNuisance>,
+    /// The noise of every point.
+    pub noise: NoiseLevels,
+    /// Standard deviation of each unknown between curves, in its coordinate: 0 where it is the same for all.
+    pub scatter: Vec<f64>,
+    /// Degrees of freedom behind the interval of each unknown, infinite where the noise is given.
+    pub degrees_of_freedom: Vec<f64>,
 }
 
-/// The expected standard errors of the unknowns at `parameters`, for each design and for all.
-///
-/// # Errors
-///
-/// [`IdentifyError::NoPlan`] where a model has no prediction at the parameters, [`IdentifyError::Length`] for more or
-/// fewer parameters than unknowns; those of [`Problem::new`].
-pub fn plan(
-    designs: &[Design],
-    unknowns: &[Unknown],
-    parameters: &[f64],
-    nuisances: &[LinearNuisance],
-    noise: NoiseLevels,
-) -> Result<Plan, IdentifyError> {
-    if parameters.len() != unknowns.len() {
-        return Err(IdentifyError::Length {
-            list: "parameters of the plan",
-            found: parameters.len(),
-            wanted: unknowns.len(),
-        });
-    }
-    let predictions: Vec<Prediction> = designs
-        .iter()
-        .map(|design| design.predict(parameters))
-        .collect::<Result<_, _>>()?;
-    let expected = |parts: &[Design], predictions: &[Prediction]| {
-        let prediction = joined(predictions, unknowns.len());
-        standard_errors(parts, prediction, unknowns, parameters, nuisances, noise)
-    };
-    let one = |k: usize| expected(&designs[k..=k], &predictions[k..=k]);
-    Ok(Plan {
-        alone: (0..designs.len()).map(one).collect::<Result<_, _>>()?,
-        together: expected(designs, &predictions)?,
-    })
+/// What is to be expected of an unknown.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Expected {
+    /// Its name.
+    pub name: String,
+    /// Whether it is an answer or a nuisance.
+    pub role: Role,
+    /// Its true value.
+    pub value: f64,
+    /// Standard error in its coordinate, of `ln θ` for a positive one; infinite where nothing is told.
+    pub standard_error: f64,
+    /// Half the interval in its coordinate, as if there were no bounds.
+    pub half_width: f64,
+    /// The interval from the covariance; nothing on a side that is open or beyond its bound.
+    pub interval: [Option<f64>; 2],
+    /// What the measurements will tell of it.
+    pub verdict: Verdict,
+    /// What is known instead of an unknown that is not identifiable.
+    pub known_combination: Option<KnownCombination>,
 }
 
-impl Design<'_> {
-    fn predict(&self, parameters: &[f64]) -> Result<Prediction, IdentifyError> {
-        let prediction = self.model.predict(parameters);
-        let prediction = prediction.map_err(|source| IdentifyError::NoPlan { source })?;
-        let points = self.abscissae.iter().map(Vec::len).sum();
-        if prediction.is_complete(points, parameters.len()) {
-            return Ok(prediction);
+impl Plan {
+    /// What curves tell that are expected to follow this prediction of their model, with derivatives by all unknowns.
+    ///
+    /// # Errors
+    ///
+    /// [`IdentifyError::NoPlan`] where the prediction is not complete, [`IdentifyError::Length`] where a list of the
+    /// plan does not fit the unknowns, [`IdentifyError::Number`] for noise that is none, [`IdentifyError::NoTime`] for
+    /// a drift of curves without times.
+    pub fn information(
+        &self,
+        prediction: &Prediction,
+        curves: &[Curve],
+    ) -> Result<Information, IdentifyError> {
+        let unknowns = self.unknowns.len();
+        check_length("list of true values", &self.truth, unknowns)?;
+        check_length("scatter of the unknowns", &self.scatter, unknowns)?;
+        check_length("degrees of freedom", &self.degrees_of_freedom, unknowns)?;
+        let points = curves.iter().map(Curve::points).sum();
+        if !prediction.is_complete(points, unknowns) {
+            let source = ForwardError::Incomplete;
+            return Err(IdentifyError::NoPlan { source });
         }
-        Err(IdentifyError::NoPlan {
-            source: ForwardError::Incomplete,
-        })
+        self.noise.check()?;
+        Information::of(self, prediction, curves)
+    }
+
+    /// What is to be expected of each unknown from some measurements together, with intervals of this level.
+    ///
+    /// `directions` are those in which none of these measurements changes.
+    ///
+    /// # Errors
+    ///
+    /// [`IdentifyError::Decomposition`] where a number is not finite.
+    pub fn expected(
+        &self,
+        measurements: &[&Information],
+        directions: &NullDirections,
+        level: f64,
+    ) -> Result<Vec<Expected>, IdentifyError> {
+        let jacobian = Information::jacobian(self, measurements);
+        let space = directions.among(&self.unknowns)?;
+        (0..self.unknowns.len())
+            .map(|unknown| self.one_expected(unknown, &jacobian, &space, level))
+            .collect()
+    }
+
+    fn one_expected(
+        &self,
+        index: usize,
+        jacobian: &[Vec<f64>],
+        space: &NullSpace,
+        level: f64,
+    ) -> Result<Expected, IdentifyError> {
+        let unknown = &self.unknowns[index];
+        let hold = space.hold_for(index)?;
+        let held = hold.as_ref().map_or(&[][..], |hold| &hold.held);
+        let standard_error = match &hold {
+            Some(_) => standard_error(jacobian, index, held),
+            None => f64::INFINITY,
+        };
+        let position = unknown.position(self.truth[index]);
+        let half = student_quantile(level, self.degrees_of_freedom[index]) * standard_error;
+        let ends = verdict::wald_ends(unknown, position, half);
+        let mut expected = Expected {
+            name: unknown.name().to_owned(),
+            role: unknown.role(),
+            value: self.truth[index],
+            standard_error,
+            half_width: half,
+            interval: ends.map(|end| end.ok().map(|x| unknown.value_beyond(x))),
+            verdict: verdict::judge(unknown, position, &ends, standard_error).0,
+            known_combination: None,
+        };
+        if space.moves(index) {
+            expected.known_combination = hold.map(|hold| self.combination(&expected, index, &hold));
+            expected.verdict = Verdict::NotIdentifiable;
+            expected.standard_error = f64::INFINITY;
+            expected.half_width = f64::INFINITY;
+            expected.interval = [None, None];
+        }
+        Ok(expected)
+    }
+
+    /// What is told instead: the unknown times powers of those held, with its interval while they are held.
+    fn combination(&self, expected: &Expected, unknown: usize, hold: &Hold) -> KnownCombination {
+        let factor = |&(k, exponent): &(usize, f64)| self.truth[k].powf(exponent);
+        let factor: f64 = hold.exponents.iter().map(factor).product();
+        KnownCombination {
+            expression: expression(&self.unknowns, unknown, &hold.exponents),
+            value: expected.value * factor,
+            interval: expected.interval.map(|end| end.map(|end| end * factor)),
+        }
     }
 }
 
-fn joined(predictions: &[Prediction], unknowns: usize) -> Prediction {
-    let join = |of: &dyn Fn(&Prediction) -> &Vec<f64>| -> Vec<f64> {
-        predictions.iter().flat_map(of).copied().collect()
-    };
-    Prediction {
-        value: join(&|one| &one.value),
-        slope: join(&|one| &one.slope),
-        derivatives: (0..unknowns)
-            .map(|j| join(&|one| &one.derivatives[j]))
-            .collect(),
-    }
-}
-
-fn standard_errors(
-    designs: &[Design],
-    prediction: Prediction,
-    unknowns: &[Unknown],
-    parameters: &[f64],
-    nuisances: &[LinearNuisance],
-    noise: NoiseLevels,
-) -> Result<Vec<f64>, IdentifyError> {
-    let mut values = prediction.value.iter().copied();
-    let curves = designs
-        .iter()
-        .flat_map(|design| &design.abscissae)
-        .map(|abscissa| {
-            let observed = values.by_ref().take(abscissa.len()).collect();
-            Curve::new(abscissa.clone(), observed)
-        })
-        .collect::<Result<_, _>>()?;
-    let problem = Problem::new(curves, unknowns.to_vec(), nuisances, given(noise))?;
-    let at = Evaluation::of(unknowns, parameters, prediction);
-    let system = Metric::at(&problem, &noise, &at).system(&at);
-    let relative = |(j, (unknown, value)): (usize, (&Unknown, &f64))| {
-        standard_error(&system, j) * unknown.value_slope(*value) / value.abs()
-    };
-    let pairs = unknowns.iter().zip(parameters);
-    Ok(pairs.enumerate().map(relative).collect())
-}
-
-/// The noise of these levels, none of them to be estimated.
-fn given(levels: NoiseLevels) -> Noise {
-    Noise {
-        observed: Amount::Given(levels.observed),
-        abscissa: Amount::Given(levels.abscissa),
-        relative: Amount::Given(levels.relative),
-        correlation: Correlation::Given {
-            persistence: levels.persistence,
-            white_fraction: levels.white_fraction,
-        },
-    }
-}
-
-/// `√((JᵀJ)⁻¹_jj)`. The unknown comes last, so that it is the one to be dropped where it depends on the others.
-fn standard_error(system: &System, unknown: usize) -> f64 {
-    let last = system.jacobian.len() - 1;
-    let others = (0..=last).filter(|&j| j != unknown);
-    let columns = others.chain([unknown]).map(|j| system.jacobian[j].clone());
+/// `√((JᵀJ)⁻¹_jj)` with some unknowns held. The unknown comes last, so that it is the one to be dropped where it
+/// depends on the others.
+fn standard_error(jacobian: &[Vec<f64>], unknown: usize, held: &[usize]) -> f64 {
+    let others = (0..jacobian.len()).filter(|j| *j != unknown && !held.contains(j));
+    let columns: Vec<_> = others
+        .chain([unknown])
+        .map(|j| jacobian[j].clone())
+        .collect();
+    let last = columns.len() - 1;
     Projection::of(columns).inverse_gram()[last][last].sqrt()
 }

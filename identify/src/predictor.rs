@@ -85,6 +85,11 @@ impl<'a> Predictor<'a> {
         self.memory.len()
     }
 
+    /// All predictions so far.
+    pub fn evaluations(&self) -> impl Iterator<Item = &Rc<Evaluation>> {
+        self.memory.iter().filter_map(|(_, known)| known.as_ref())
+    }
+
     /// What the model said when it last failed.
     pub fn into_last_failure(self) -> Option<ForwardError> {
         self.last_failure

@@ -10,8 +10,8 @@ use std::rc::Rc;
 
 use crate::{
     IdentifyError, Problem,
-    least_squares::{Minimum, Search, Stopping},
-    metric::Metric,
+    least_squares::{Minimum, Search, Stopping, farthest},
+    metric::{Metric, System},
     normal_equations::NormalEquations,
     predictor::{Evaluation, Predictor},
     projection::dot,
@@ -26,6 +26,12 @@ const CONSTRAINED: f64 = 0.02;
 /// A profile lower than the best fit by this has found a better one: a twentieth of χ² at level 0.95, so that the
 /// jitter of a prediction from a grid is not taken for one.
 const BETTER: f64 = 0.2;
+/// A scan goes on where a linearisation promises less than this part of `Δ` at the end.
+const PROMISE: f64 = 0.75;
+/// Such a fit is no worse than the end by this factor of `Δ`.
+const NEARLY_AS_GOOD: f64 = 2.0;
+/// No linearisation is trusted farther than this, a factor of 1.4 for a logarithm.
+const TRUSTED: f64 = 0.35;
 /// Constrained fits on one side before it counts as open.
 const MOST_POINTS: usize = 24;
 /// Halvings of a stride to where the model has no prediction.
@@ -92,11 +98,84 @@ struct Point {
 }
 
 impl Profile<'_, '_> {
-    /// Scans outward, up for `sign` 1 and down for −1.
+    /// Scans outward from the best fit, up for `sign` 1 and down for −1.
     pub fn side(&self, predictor: &mut Predictor, sign: f64) -> Result<Scan, IdentifyError> {
+        self.outward(predictor, self.first()?, sign)
+    }
+
+    /// Scans on from the end of a side, where an evaluation from elsewhere promises a lower profile there: the others
+    /// may have two valleys, and a scan follows one. Nothing where none does.
+    pub fn beyond(
+        &self,
+        predictor: &mut Predictor,
+        end: f64,
+        sign: f64,
+    ) -> Result<Option<Scan>, IdentifyError> {
+        let Some(promised) = self.promised(predictor, end)? else {
+            return Ok(None);
+        };
+        let Some(start) = predictor.evaluate(&promised)? else {
+            return Ok(None);
+        };
+        match self.constrained(predictor, start, sign)? {
+            Err(better) => Ok(Some(Scan::Better(better))),
+            Ok(point) if point.z < (1.0 - NEAR) * self.target => {
+                self.outward(predictor, point, sign).map(Some)
+            }
+            Ok(_) => Ok(None),
+        }
+    }
+
+    /// Where the linearisation of a fit nearly as good as the end has a lower profile there.
+    fn promised(&self, predictor: &Predictor, x: f64) -> Result<Option<Vec<f64>>, IdentifyError> {
+        let search = self.search();
+        let end = self.target * self.target;
+        let above = |system: &System| system.chi_squared - self.best.system.chi_squared;
+        let mut least = PROMISE * end;
+        let mut found = None;
+        for known in predictor
+            .evaluations()
+            .filter(|known| self.is_beside(known))
+        {
+            if above(&self.metric.system(known)) > NEARLY_AS_GOOD * end {
+                continue;
+            }
+            let (position, system) = search.linear_minimum(known, self.unknown, x)?;
+            if above(&system) < least && farthest(&position, &known.position) <= TRUSTED {
+                (least, found) = (above(&system), Some(position));
+            }
+        }
+        Ok(found)
+    }
+
+    /// Whether what is held is the same there.
+    fn is_beside(&self, known: &Evaluation) -> bool {
+        let best = &self.best.at.position;
+        let is_held = |j: &usize| *j != self.unknown && !self.others.contains(j);
+        let mut held = (0..best.len()).filter(is_held);
+        held.all(|j| known.position[j].to_bits() == best[j].to_bits())
+    }
+
+    fn search(&self) -> Search<'_, '_> {
+        Search {
+            problem: self.problem,
+            metric: self.metric,
+            free: self.others,
+            stopping: Stopping {
+                tolerance: CONSTRAINED,
+                degrees: None,
+            },
+        }
+    }
+
+    fn outward(
+        &self,
+        predictor: &mut Predictor,
+        mut inner: Point,
+        sign: f64,
+    ) -> Result<Scan, IdentifyError> {
         let [low, high] = self.problem.unknowns()[self.unknown].bounds();
         let bound = if sign > 0.0 { high } else { low };
-        let mut inner = self.first()?;
         let mut outer: Option<Point> = None;
         let mut points = Vec::new();
         let done = |end, points| Ok(Scan::Side(Side { end, points }));
@@ -192,22 +271,15 @@ impl Profile<'_, '_> {
         start: Rc<Evaluation>,
         sign: f64,
     ) -> Result<Result<Point, Rc<Evaluation>>, IdentifyError> {
-        let search = Search {
-            problem: self.problem,
-            metric: self.metric,
-            free: self.others,
-            stopping: Stopping {
-                tolerance: CONSTRAINED,
-                degrees: None,
-            },
-        };
+        let search = self.search();
         let fit = search.descend(predictor, start, |_| false)?;
-        let delta = fit.system.chi_squared - fit.remaining - self.best.system.chi_squared
-            + self.best.remaining;
-        if delta < -BETTER {
+        let above = fit.system.chi_squared - self.best.system.chi_squared + self.best.remaining;
+        if above < -BETTER {
             return Ok(Err(fit.at));
         }
-        let z = delta.max(0.0).sqrt();
+        // What a search that found no end could gain is not known.
+        let gain = if fit.converged { fit.remaining } else { 0.0 };
+        let z = (above - gain).max(0.0).sqrt();
         let equations = NormalEquations::new(&fit.system, &search.moving(&fit));
         // The residual after the rest of the step, and from it dΔ/dx_j = −2 J_jᵀ r.
         let rest = fit.system.after(&equations.full_step()?);

@@ -42,6 +42,14 @@ impl fmt::Display for Verdict {
 /// The two ends of an interval in the coordinate of the unknown, each with what keeps it open.
 pub(crate) type Ends = [Result<f64, Open>; 2];
 
+/// The ends of `x ± half`, as far as the bounds.
+pub(crate) fn wald_ends(unknown: &Unknown, position: f64, half: f64) -> Ends {
+    let [low, high] = unknown.bounds();
+    let (down, up) = (position - half, position + half);
+    let closed = |inside: bool, end: f64| if inside { Ok(end) } else { Err(Open::Bound) };
+    [closed(down >= low, down), closed(up <= high, up)]
+}
+
 /// The verdict on an unknown that the data may tell, and why.
 pub(crate) fn judge(
     unknown: &Unknown,

@@ -14,13 +14,16 @@ pub struct IdentifyArguments {
     /// The fit file
     #[arg(value_name = "FIT")]
     pub path: PathBuf,
-    /// Folder of the results [default: results/NAME after the fit file, numbered if that exists; none with --json];
-    /// with --simulate the file to write
+    /// Folder of the results [default: results/NAME after the fit file, with --plan results/NAME-plan, numbered if that
+    /// exists; none with --json]; with --simulate the file to write
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// Replace the results in an existing folder
     #[arg(long)]
     pub force: bool,
+    /// Tell what to measure, in place of a fit: the intervals that the design of the fit file would give; needs no data
+    #[arg(long, conflicts_with_all = ["simulate", "accept_misfit"])]
+    pub plan: bool,
     /// Write measurements that the fit file would give, from the values of its model and its noise, in place of a fit
     #[arg(long, requires = "out", conflicts_with_all = ["json", "accept_misfit"])]
     pub simulate: bool,

@@ -1,5 +1,7 @@
 //! `pellicle identify`: fits a model to measured curves and tells what they say of it.
 
+mod plan;
+
 use std::path::Path;
 use std::time::Instant;
 
@@ -8,12 +10,13 @@ use pellicle_identify::{Fit, FitVerdict, IdentifyError};
 
 use crate::arguments::IdentifyArguments;
 use crate::failure::Failure;
-use crate::fit_file::FitFile;
+use crate::fit_file::{FitFile, Measurements};
 use crate::identification::result::FitResult;
 use crate::identification::{Identification, files, simulation, text};
 use crate::output::file::{self, Existing};
 use crate::output::folder::{Completeness, ResultsFolder};
 use crate::output::json;
+use crate::planning::after_fit::Next;
 use crate::program::Outcome;
 use crate::{interrupt, terminal, threads};
 
@@ -24,20 +27,19 @@ use crate::{interrupt, terminal, threads};
 /// [`Failure`] if the fit file or a measurement is wrong, the results cannot be written, or the model has no
 /// prediction at all.
 pub fn identify(arguments: &IdentifyArguments) -> Result<Outcome, Failure> {
+    if arguments.plan {
+        return plan::plan(arguments);
+    }
     let start = Instant::now();
-    let file = FitFile::read(&arguments.path)?;
+    let file = FitFile::read(&arguments.path, Measurements::Required)?;
     if let (true, Some(out)) = (arguments.simulate, &arguments.out) {
         return simulate(arguments, &file, out);
     }
-    let folder = claim(arguments)?;
+    let folder = claim(arguments, "")?;
     threads::set(arguments.threads)?;
     threads::begin();
     let identification = Identification::new(file)?;
-    let line = if arguments.quiet || arguments.json {
-        ProgressBar::hidden()
-    } else {
-        ProgressBar::new_spinner()
-    };
+    let line = progress(arguments);
     let tell = |predictions: usize| {
         line.set_message(format!("{predictions} curves solved"));
         line.tick();
@@ -52,8 +54,13 @@ pub fn identify(arguments: &IdentifyArguments) -> Result<Outcome, Failure> {
         fit => fit?,
     };
     interrupt::hold();
+    let next = Next::of(&identification, &fit, &|done| {
+        line.set_message(format!("{done} curves of the design planned"));
+        line.tick();
+    });
     line.finish_and_clear();
-    let mut found = FitResult::new(&identification, &fit, start.elapsed().as_secs_f64())?;
+    let seconds = start.elapsed().as_secs_f64();
+    let mut found = FitResult::new(&identification, &fit, next, seconds)?;
     let write = |folder: ResultsFolder| {
         folder.write(|folder| {
             files::write(folder, &identification, &fit, &mut found)?;
@@ -98,8 +105,17 @@ fn simulate(arguments: &IdentifyArguments, file: &FitFile, out: &Path) -> Result
     Ok(Outcome::Done)
 }
 
-/// Claims the folder of the results; none with `--json` alone.
-fn claim(arguments: &IdentifyArguments) -> Result<Option<ResultsFolder>, Failure> {
+/// The line that tells how far the work is.
+fn progress(arguments: &IdentifyArguments) -> ProgressBar {
+    if arguments.quiet || arguments.json {
+        ProgressBar::hidden()
+    } else {
+        ProgressBar::new_spinner()
+    }
+}
+
+/// Claims the folder of the results, by default that of the fit file's name and this ending; none with `--json` alone.
+fn claim(arguments: &IdentifyArguments, ending: &str) -> Result<Option<ResultsFolder>, Failure> {
     let existing = if arguments.force {
         Existing::Replace
     } else {
@@ -109,7 +125,10 @@ fn claim(arguments: &IdentifyArguments) -> Result<Option<ResultsFolder>, Failure
     match &arguments.out {
         Some(path) => ResultsFolder::claim(path, existing).map(Some),
         None if arguments.json => Ok(None),
-        None => ResultsFolder::claim_default(&name.to_string_lossy(), existing).map(Some),
+        None => {
+            let name = format!("{}{ending}", name.to_string_lossy());
+            ResultsFolder::claim_default(&name, existing).map(Some)
+        }
     }
 }
 

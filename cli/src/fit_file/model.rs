@@ -117,6 +117,13 @@ impl ModelParameters {
         })
     }
 
+    /// The radius of the indenter, if it has one.
+    #[must_use]
+    pub fn radius(&self) -> Option<&CaseParameter> {
+        let keys = ["indenter.radius", "indenter.tip_radius"];
+        keys.iter().find_map(|key| self.find(key))
+    }
+
     /// The value of a number in the case.
     #[must_use]
     pub fn value(&self, of: &CaseParameter) -> Option<f64> {

@@ -2,16 +2,21 @@
 
 use pellicle_identify::{FitOptions, Intervals};
 
+use super::model::ModelParameters;
 use crate::case::diagnosis::Diagnosis;
 use crate::case::dimension::Dimension;
 use crate::case::quantity_list::QuantityList;
 use crate::case::table_reader::TableReader;
-use crate::case::value_reader::Sign;
+use crate::case::value_reader::{Sign, ValueReader};
 
 /// The most samples of a posterior.
 const MOST_SAMPLES: usize = 1_000_000;
-/// The most loads and radii of a design.
+/// The most curves of a design: largest forces times radii.
 const MOST_OF_DESIGN: usize = 100;
+/// The most points of a curve of a design.
+const MOST_POINTS: usize = 10_000;
+/// The fewest.
+const FEWEST_POINTS: usize = 3;
 
 /// How the result is told.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,13 +33,15 @@ pub struct ReportTable {
     pub design: Design,
 }
 
-/// Measurements to judge in advance: each radius with each range of forces up to one of these.
+/// Measurements to judge in advance: a curve for each radius and each range of forces up to one of these.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Design {
     /// Largest forces, N.
     pub forces: Vec<f64>,
     /// Radii of indenters, m.
     pub radii: Vec<f64>,
+    /// Points of a curve.
+    pub points: Option<usize>,
 }
 
 impl Default for ReportTable {
@@ -55,7 +62,7 @@ impl ReportTable {
     /// # Errors
     ///
     /// A [`Diagnosis`] of the first fault.
-    pub fn read(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
+    pub fn read(table: &TableReader<'_>, parameters: &ModelParameters) -> Result<Self, Diagnosis> {
         const LEVEL: &str = "a number between 0.5 and 0.999, such as 0.95";
         table.only(&["level", "intervals", "posterior", "seed", "design"])?;
         let mut report = Self::default();
@@ -76,7 +83,7 @@ impl ReportTable {
             report.seed = field.count(0..=usize::MAX, "")? as u64;
         }
         if let Some(field) = table.optional("design") {
-            report.design = Design::read(&field.table()?)?;
+            report.design = Design::read(&field, parameters)?;
         }
         Ok(report)
     }
@@ -96,11 +103,12 @@ impl Design {
     /// Whether nothing is to be judged.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.forces.is_empty() && self.radii.is_empty()
+        *self == Self::default()
     }
 
-    fn read(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
-        table.only(&["forces", "radii"])?;
+    fn read(field: &ValueReader<'_>, parameters: &ModelParameters) -> Result<Self, Diagnosis> {
+        let table = field.clone().table()?;
+        table.only(&["forces", "radii", "points"])?;
         let list = |key, dimension| {
             let list = QuantityList {
                 dimension,
@@ -110,9 +118,32 @@ impl Design {
             let field = table.optional(key);
             field.map_or(Ok(Vec::new()), |field| list.read(&field))
         };
-        Ok(Self {
-            forces: list("forces", Dimension::Force)?,
-            radii: list("radii", Dimension::Length)?,
-        })
+        let points = table
+            .optional("points")
+            .map(|field| field.count(FEWEST_POINTS..=MOST_POINTS, ", points of a curve"));
+        let design = Self {
+            forces: distinct(list("forces", Dimension::Force)?),
+            radii: distinct(list("radii", Dimension::Length)?),
+            points: points.transpose()?,
+        };
+        if let (Some(radii), None) = (table.optional("radii"), parameters.radius()) {
+            return Err(radii.wanted("none: the indenter of the model has no radius"));
+        }
+        if design.forces.len().max(1) * design.radii.len().max(1) > MOST_OF_DESIGN {
+            let wanted = format!("at most {MOST_OF_DESIGN} curves, forces times radii");
+            return Err(field.wanted(wanted));
+        }
+        Ok(design)
     }
+}
+
+/// The values without repetitions, in their order.
+fn distinct(values: Vec<f64>) -> Vec<f64> {
+    let mut found: Vec<f64> = Vec::new();
+    for value in values {
+        if !found.contains(&value) {
+            found.push(value);
+        }
+    }
+    found
 }

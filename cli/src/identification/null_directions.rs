@@ -3,6 +3,7 @@
 use pellicle_contact::ModelParameter;
 use pellicle_identify::{IdentifyError, NullDirections};
 
+use crate::case::parameter::CaseParameter;
 use crate::fit_file::model::ModelParameters;
 
 /// The directions of the model of one table, in logarithms of its numbers; those of its own have names of their own.
@@ -15,14 +16,25 @@ pub fn of(
     own: &[ModelParameter],
     table: usize,
 ) -> Result<NullDirections, IdentifyError> {
+    named(parameters, |of| {
+        let is_own = own.contains(&of.parameter);
+        is_own.then(|| format!("data[{table}] {}", of.key))
+    })
+}
+
+/// The same, with the names of some numbers in place of their keys.
+///
+/// # Errors
+///
+/// None: every direction has a number for each parameter.
+pub fn named(
+    parameters: &ModelParameters,
+    name: impl Fn(&CaseParameter) -> Option<String>,
+) -> Result<NullDirections, IdentifyError> {
     let all = &parameters.parameters;
-    let names = all.iter().map(|of| {
-        if own.contains(&of.parameter) {
-            format!("data[{table}] {}", of.key)
-        } else {
-            of.key.clone()
-        }
-    });
+    let names = all
+        .iter()
+        .map(|of| name(of).unwrap_or_else(|| of.key.clone()));
     let vectors = parameters.model.null_directions().into_iter();
     let vectors = vectors.map(|direction| {
         let entry = |parameter: ModelParameter| {

@@ -12,11 +12,13 @@ use crate::failure::Failure;
 use crate::output::write_progress::WriteProgress;
 use crate::picture::fit::corner::{self, Corner};
 use crate::picture::fit::curve::{self, Curves, FittedCurve, Part, Point, Quantity};
+use crate::picture::fit::designs::{self, Designs};
 use crate::picture::fit::profiles::{self, Profiles};
 use crate::picture::fit::repeats::{self, Repeated, Repeats};
 use crate::picture::fit::unknown::{Combination, FittedUnknown};
 use crate::picture::fit::{Head, axes};
 use crate::picture::style::Style;
+use crate::planning;
 
 /// A picture of a fit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -29,11 +31,19 @@ pub enum FitPicture {
     Corner,
     /// The values of each repeat.
     Repeats,
+    /// What a design would add.
+    Designs,
 }
 
 impl FitPicture {
     /// All of them, in the order of the page.
-    pub const ALL: [Self; 4] = [Self::Curve, Self::Profiles, Self::Corner, Self::Repeats];
+    pub const ALL: [Self; 5] = [
+        Self::Curve,
+        Self::Profiles,
+        Self::Corner,
+        Self::Repeats,
+        Self::Designs,
+    ];
 
     /// Its name, without ending.
     #[must_use]
@@ -43,6 +53,7 @@ impl FitPicture {
             Self::Profiles => profiles::NAME,
             Self::Corner => corner::NAME,
             Self::Repeats => repeats::NAME,
+            Self::Designs => designs::NAME,
         }
     }
 }
@@ -92,6 +103,7 @@ impl FitSubject<'_> {
             FitPicture::Profiles => self.profiles().draw(style),
             FitPicture::Corner => self.corner().draw(style),
             FitPicture::Repeats => self.repeats().draw(style),
+            FitPicture::Designs => self.designs().draw(style),
         }
     }
 
@@ -230,6 +242,12 @@ impl FitSubject<'_> {
             names: self.names(),
             unknowns: self.sought().filter_map(repeated).collect(),
         }
+    }
+
+    fn designs(&self) -> Designs {
+        let level = self.of.file.report.level;
+        let noise = "with the noise of the fit";
+        planning::picture::designs(&self.found.title, level, noise, &self.found.design)
     }
 
     /// The unknowns that are answers.

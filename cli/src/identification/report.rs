@@ -8,6 +8,7 @@ use super::pictures::{FitDrawings, FitPicture};
 use super::result::{CombinationResult, EstimateResult, FitResult};
 use super::{Identification, names, units};
 use crate::display::significant;
+use crate::planning::page::DesignTable;
 
 /// The page, its numbers in words.
 #[derive(Template)]
@@ -26,6 +27,10 @@ struct Page<'a> {
     tests: Vec<(&'static str, String, &'static str)>,
     /// Files, points and shifts.
     curves: Vec<(String, usize, String)>,
+    /// What would help with each unknown that is not well told.
+    help: Vec<String>,
+    /// What a design would add, if the fit file has one.
+    designs: DesignTable,
     seconds: String,
 }
 
@@ -59,9 +64,35 @@ pub fn html(of: &Identification, fit: &Fit, found: &FitResult, drawings: &FitDra
         drawings,
         tests: noise(found).into_iter().chain(tests(fit)).collect(),
         curves: curves(of, found),
+        help: match fit.verdict {
+            FitVerdict::Fitted => found.unknowns.iter().filter_map(help).collect(),
+            _ => vec![FIRST.into()],
+        },
+        designs: DesignTable::of(&found.design),
         seconds: significant(found.work.seconds, 3),
     };
     page.to_string()
+}
+
+/// What to do before anything is measured for a fit that is none.
+const FIRST: &str = "First find out why the model does not follow the measurements: no interval holds what it says, and \
+                     nothing below does.";
+
+/// What would tell more of an unknown; nothing where it is well told.
+fn help(of: &EstimateResult) -> Option<String> {
+    let what = match of.verdict.as_str() {
+        "weak" => "less noise, more loads, or an indenter of another radius",
+        "one-sided" => {
+            "loads that reach where it matters: larger for what lies deep, smaller for what lies at the surface"
+        }
+        "not-identified" => "another measurement, or knowledge from elsewhere as a prior",
+        "not-identifiable" => {
+            "no load and no noise: hold one of the numbers fixed, or give it a prior"
+        }
+        "prior-driven" => "another measurement: these data add almost nothing to the prior",
+        _ => return None,
+    };
+    Some(format!("{}: {what}.", names::of_key(&of.key)))
 }
 
 /// A part of one in percent.

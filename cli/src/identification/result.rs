@@ -13,6 +13,8 @@ use serde::{Deserialize, Serialize};
 use super::{Identification, validity};
 use crate::failure::Failure;
 use crate::output::summary::PROGRAM;
+use crate::planning::after_fit::Next;
+use crate::planning::result::DesignResult;
 
 /// Name of the file in a folder of results.
 pub const FILE: &str = "fit.json";
@@ -59,11 +61,17 @@ pub struct FitResult {
     pub work: WorkResult,
     /// The curves.
     pub curves: Vec<CurveResult>,
+    /// What a design would add, the best first; missing unless the fit file asks for it.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub design: Vec<DesignResult>,
     /// What a reader should know.
     pub warnings: Vec<WarningResult>,
     /// Samples of the posterior, which have a file of their own.
     #[serde(skip)]
     pub samples: Vec<Vec<f64>>,
+    /// What to measure next of the design, in a sentence or two.
+    #[serde(skip)]
+    pub advice: String,
 }
 
 /// A number as found.
@@ -178,12 +186,12 @@ pub struct WarningResult {
 }
 
 impl FitResult {
-    /// The result of a fit that took so many seconds.
+    /// The result of a fit that took so many seconds, and what to measure next.
     ///
     /// # Errors
     ///
     /// [`Failure`] if the contact cannot be solved at the best fit.
-    pub fn new(of: &Identification, fit: &Fit, seconds: f64) -> Result<Self, Failure> {
+    pub fn new(of: &Identification, fit: &Fit, next: Next, seconds: f64) -> Result<Self, Failure> {
         let estimates = || fit.estimates.iter().enumerate();
         let with_role = |role: Role| {
             let chosen = estimates().filter(move |(_, estimate)| estimate.role == role);
@@ -195,6 +203,7 @@ impl FitResult {
         warnings.extend(validity::warnings(of, fit)?);
         let sampling = of.sample(fit);
         warnings.extend(sampling.warnings);
+        warnings.extend(next.warnings);
         Ok(Self {
             schema: SCHEMA,
             program: PROGRAM,
@@ -212,8 +221,10 @@ impl FitResult {
                 seconds,
             },
             curves: of.curves(fit),
+            design: next.designs,
             warnings,
             samples: sampling.samples,
+            advice: next.advice,
         })
     }
 }

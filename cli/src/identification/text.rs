@@ -2,6 +2,7 @@
 
 use super::result::{EstimateResult, FitResult};
 use crate::display::significant;
+use crate::planning;
 
 /// The result in words, one line for each number.
 #[must_use]
@@ -22,9 +23,22 @@ pub fn text(result: &FitResult) -> String {
         significant(result.work.seconds, 3)
     );
     format!(
-        "{}\n{}{quality}{work}",
+        "{}\n{}{quality}{work}{}",
         result.title,
-        estimates.collect::<String>()
+        estimates.collect::<String>(),
+        next(result)
+    )
+}
+
+/// What a design would add; nothing without one.
+fn next(result: &FitResult) -> String {
+    if result.design.is_empty() {
+        return String::new();
+    }
+    let table = planning::text::table(&result.design);
+    format!(
+        "\n  what to measure next, added to what was measured:\n{table}  {}\n",
+        result.advice
     )
 }
 

@@ -15,7 +15,6 @@ use super::lock::Lock;
 use super::run_files;
 use super::unfinished::{self, Unfinished};
 use crate::failure::Failure;
-use crate::identification::result;
 
 /// Name of the lock in a claimed folder.
 const LOCK: &str = ".pellicle-lock";
@@ -222,7 +221,7 @@ fn contents(path: &Path) -> FolderContents {
     };
     if entries.all(|entry| entry.is_ok_and(|entry| is_hidden(&entry))) {
         FolderContents::Empty
-    } else if run_files::case_in(path).is_some() || result::is_in(path) {
+    } else if run_files::case_in(path).is_some() || run_files::is_fit(path) {
         FolderContents::Results
     } else {
         FolderContents::Foreign

@@ -10,6 +10,7 @@ use serde_json::Value;
 
 use super::{curve, report, summary};
 use crate::identification::{files, result};
+use crate::planning;
 
 /// Files written once per run, and their endings.
 const OF_A_RUN: [(&str, &[&str]); 2] =
@@ -136,27 +137,46 @@ pub fn remove_files(folder: &Path) -> io::Result<()> {
         fs::remove_file(summary)?;
     }
     // A table of somebody else may lie in the folder of a run.
-    let is_fit = result::is_in(folder);
+    let marks = [
+        (result::is_in(folder), result::FILE),
+        (planning::result::is_in(folder), planning::result::FILE),
+    ];
+    let marks: Vec<&str> = marks
+        .iter()
+        .filter(|(is_in, _)| *is_in)
+        .map(|(_, name)| *name)
+        .collect();
     for entry in fs::read_dir(folder)? {
         let entry = entry?;
-        let is_of_fit = is_fit && is_fit_file(&entry) && entry.file_name() != result::FILE;
+        let name = entry.file_name();
+        let is_mark = marks.iter().any(|mark| name == **mark);
+        let is_of_fit = !marks.is_empty() && is_fit_file(&entry) && !is_mark;
         if is_file(&entry) || is_of_fit {
             fs::remove_file(entry.path())?;
         }
     }
     // Last, so that a fit half removed is still one.
-    if is_fit {
-        fs::remove_file(folder.join(result::FILE))?;
-    }
-    Ok(())
+    marks
+        .iter()
+        .try_for_each(|mark| fs::remove_file(folder.join(mark)))
 }
 
-/// Whether an entry of a folder is a file, or a link in the place of one, with a name that a fit gives.
+/// Whether a folder holds the results of a fit, or a plan of one.
+#[must_use]
+pub fn is_fit(folder: &Path) -> bool {
+    result::is_in(folder) || planning::result::is_in(folder)
+}
+
+/// Whether an entry of a folder is a file, or a link in the place of one, with a name that a fit or a plan
+/// gives.
 #[must_use]
 pub fn is_fit_file(entry: &DirEntry) -> bool {
     let is_folder = entry.file_type().is_ok_and(|kind| kind.is_dir());
     let name = entry.file_name();
-    !is_folder && name.to_str().is_some_and(files::is_name)
+    !is_folder
+        && name
+            .to_str()
+            .is_some_and(|name| files::is_name(name) || planning::files::is_name(name))
 }
 
 #[cfg(test)]

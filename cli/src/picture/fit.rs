@@ -3,6 +3,7 @@
 pub mod axes;
 pub mod corner;
 pub mod curve;
+pub mod designs;
 pub mod profiles;
 pub mod repeats;
 pub mod unknown;

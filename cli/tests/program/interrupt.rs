@@ -228,3 +228,25 @@ fn ctrl_c_while_stresses_are_looked_for_keeps_the_contact_and_says_what_is_missi
         ran.stderr
     );
 }
+
+#[test]
+fn a_plan_that_is_stopped_leaves_nothing() {
+    let folder = TestFolder::new();
+    let fit = r#"
+[model]
+foundation = { substrate = { young_modulus = "10 GPa", poisson_ratio = 0.3 }, layer = [{ thickness = "0.5 um", young_modulus = "100 GPa", poisson_ratio = 0.25 }] }
+indenter = { kind = "paraboloid", radius = "10 um" }
+[unknown]
+"foundation.substrate.young_modulus" = { from = "1 GPa", to = "100 GPa" }
+[report]
+design = { forces = { from = "0.1 mN", to = "10 mN", count = 100 } }
+"#;
+    fs::write(folder.path("fit.toml"), fit).unwrap();
+    let (ran, time) = interrupted(&folder, &["identify", "fit.toml", "--plan"], "-INT", || {
+        true
+    });
+    assert_eq!(ran.code, Some(130), "{}", ran.stderr);
+    // A second, and what a busy machine takes to start and end a process.
+    assert!(time < Duration::from_secs(3), "{time:?}");
+    assert_eq!(folder.names(), ["fit.toml"]);
+}

@@ -8,10 +8,10 @@ use crate::{
     distribution::student_quantile,
     null_direction::Hold,
     predictor::{Evaluation, Predictor},
-    profile::{Open, Profile, Scan},
+    profile::{Open, Profile, Scan, Side},
     projection::Projection,
     refinement::Refined,
-    verdict::Ends,
+    verdict::{Ends, wald_ends},
 };
 
 /// One unknown among the others.
@@ -37,6 +37,9 @@ pub(super) struct Interval {
     pub points: Vec<(f64, f64)>,
 }
 
+/// The lower end of an interval and the upper one, with the direction outward.
+const SIDES: [(usize, f64); 2] = [(0, -1.0), (1, 1.0)];
+
 /// What the scans of all unknowns found.
 pub(super) enum Scanned {
     All(Vec<Interval>),
@@ -44,15 +47,27 @@ pub(super) enum Scanned {
     Better(usize, Rc<Evaluation>),
 }
 
+impl Interval {
+    /// The best fit alone.
+    fn of(one: &Sought) -> Self {
+        Self {
+            points: vec![(one.position, 0.0)],
+            ..Sought::no_interval()
+        }
+    }
+
+    fn take(&mut self, end: usize, side: Side) {
+        self.ends[end] = side.end;
+        self.points.extend(side.points);
+    }
+}
+
 impl Sought {
     /// `x ± t s`, as far as the bounds.
     pub fn wald_interval(&self, problem: &Problem) -> Interval {
-        let [low, high] = problem.unknowns()[self.unknown].bounds();
         let half = self.quantile * self.standard_error;
-        let (down, up) = (self.position - half, self.position + half);
-        let closed = |inside: bool, end: f64| if inside { Ok(end) } else { Err(Open::Bound) };
         Interval {
-            ends: [closed(down >= low, down), closed(up <= high, up)],
+            ends: wald_ends(&problem.unknowns()[self.unknown], self.position, half),
             points: Vec::new(),
         }
     }
@@ -121,22 +136,49 @@ impl Fitting<'_> {
                 intervals.push(one.wald_interval(self.problem));
                 continue;
             }
-            match self.profile(predictor, refined, one)? {
-                Ok(interval) => intervals.push(interval),
-                Err(better) => return Ok(Scanned::Better(one.unknown, better)),
+            let profile = self.profile(refined, one);
+            let mut interval = Interval::of(one);
+            for (k, sign) in SIDES {
+                match profile.side(predictor, sign)? {
+                    Scan::Better(at) => return Ok(Scanned::Better(one.unknown, at)),
+                    Scan::Side(side) => interval.take(k, side),
+                }
             }
+            intervals.push(interval);
+        }
+        self.extend(predictor, refined, sought, intervals)
+    }
+
+    /// Scans on where the evaluations of all scans promise that an interval reaches farther.
+    fn extend(
+        &self,
+        predictor: &mut Predictor,
+        refined: &Refined,
+        sought: &[Sought],
+        mut intervals: Vec<Interval>,
+    ) -> Result<Scanned, IdentifyError> {
+        for (one, interval) in sought.iter().zip(&mut intervals) {
+            if interval.points.is_empty() {
+                continue;
+            }
+            let profile = self.profile(refined, one);
+            for (k, sign) in SIDES {
+                let Ok(end) = interval.ends[k] else { continue };
+                match profile.beyond(predictor, end, sign)? {
+                    Some(Scan::Better(at)) => return Ok(Scanned::Better(one.unknown, at)),
+                    Some(Scan::Side(side)) => interval.take(k, side),
+                    None => {}
+                }
+            }
+        }
+        for interval in &mut intervals {
+            interval.points.sort_by(|a, b| a.0.total_cmp(&b.0));
         }
         Ok(Scanned::All(intervals))
     }
 
-    /// Both sides of a profile; `Err` is a better fit.
-    fn profile(
-        &self,
-        predictor: &mut Predictor,
-        refined: &Refined,
-        one: &Sought,
-    ) -> Result<Result<Interval, Rc<Evaluation>>, IdentifyError> {
-        let profile = Profile {
+    fn profile<'s>(&'s self, refined: &'s Refined, one: &'s Sought) -> Profile<'s, 's> {
+        Profile {
             problem: self.problem,
             metric: &refined.metric,
             best: &refined.minimum,
@@ -144,19 +186,6 @@ impl Fitting<'_> {
             others: &one.others,
             standard_error: one.standard_error,
             target: one.quantile,
-        };
-        let mut ends = [Err(Open::Bound); 2];
-        let mut points = vec![(one.position, 0.0)];
-        for (end, sign) in ends.iter_mut().zip([-1.0, 1.0]) {
-            match profile.side(predictor, sign)? {
-                Scan::Better(at) => return Ok(Err(at)),
-                Scan::Side(side) => {
-                    *end = side.end;
-                    points.extend(side.points);
-                }
-            }
         }
-        points.sort_by(|a, b| a.0.total_cmp(&b.0));
-        Ok(Ok(Interval { ends, points }))
     }
 }

@@ -5,14 +5,14 @@
 //! `rᵀ P r` is what of the residual no combination of them explains: H. D. Patterson and R. Thompson, Biometrika 58,
 //! 545 (1971). No prediction is needed: the residuals of the present point serve every trial. Degrees of freedom of
 //! an interval follow by Satterthwaite's rule, `ν = 2 C²/Var(C)`, with `Var(C)` from the curvature of `ℓ_R`: F. G.
-//! Giesbrecht and J. C. Burns, Biometrics 41, 477 (1985).
+//! Giesbrecht and J. C. Burns, Biometrics 41, 477 (1985). Where a correlation is estimated, `ln C` is normal instead.
 
 use faer::{Mat, Side};
 
 use super::{Amount, Correlation, Noise, NoiseLevels, simplex};
 use crate::{
     IdentifyError, Problem,
-    distribution::chi_squared_above,
+    distribution::{chi_squared_above, lognormal_degrees},
     metric::Metric,
     predictor::Evaluation,
     projection::{Projection, dot},
@@ -142,6 +142,9 @@ impl<'a> RestrictedLikelihood<'a> {
                         2.0 * along * along / eigen.S()[k]
                     })
                     .sum();
+                if self.noise.correlation == Correlation::Estimated {
+                    return lognormal_degrees(spread / (variance[j] * variance[j]));
+                }
                 (2.0 * variance[j] * variance[j] / spread).max(1.0)
             })
             .collect())

@@ -2,8 +2,9 @@
 
 use pellicle_contact::{Model, ModelParameter, Pyramid};
 use pellicle_identify::{
-    Amount, ContactCurve, ContactCurves, Curve, CurveOptions, Design, Estimate, Fit, FitOptions,
-    ForwardModel, LinearNuisance, Noise, NoiseLevels, Observable, Problem, Unknown, identify, plan,
+    Amount, ContactCurve, ContactCurves, Curve, CurveOptions, Estimate, Fit, FitOptions,
+    ForwardModel, LinearNuisance, Noise, NoiseLevels, NullDirections, Observable, Plan, Problem,
+    Unknown, identify,
 };
 use pellicle_influence::{Cache, ElasticBodies};
 use pellicle_kernel::{Foundation, Material};
@@ -115,15 +116,20 @@ fn of_the_paper(greatest_force: f64, sought: &[usize]) -> Vec<f64> {
         persistence: 0.0,
         white_fraction: 1.0,
     };
-    let design = Design {
-        model: &curves,
-        abscissae: vec![forces],
+    let plan = Plan {
+        unknowns: unknowns.collect(),
+        nuisances: vec![LinearNuisance::shift()],
+        noise,
+        scatter: vec![0.0; truth.len()],
+        degrees_of_freedom: vec![f64::INFINITY; truth.len()],
+        truth,
     };
-    let unknowns: Vec<Unknown> = unknowns.collect();
-    let shift = [LinearNuisance::shift()];
-    plan(&[design], &unknowns, &truth, &shift, noise)
-        .unwrap()
-        .together
+    let prediction = curves.predict(&plan.truth).unwrap();
+    let curve = Curve::new(forces, prediction.value.clone()).unwrap();
+    let information = plan.information(&prediction, &[curve]).unwrap();
+    let none = NullDirections::default();
+    let expected = plan.expected(&[&information], &none, 0.95).unwrap();
+    expected.iter().map(|one| one.standard_error).collect()
 }
 
 #[test]

@@ -52,6 +52,12 @@ impl Coat {
 
     /// The curve with the first of these as parameters.
     pub fn curves(&self, unknowns: usize) -> ContactCurves {
+        let all = [young_modulus(0), young_modulus(1), THICKNESS];
+        self.curves_of(&all[..unknowns])
+    }
+
+    /// The curve with these parameters.
+    pub fn curves_of(&self, sought: &[ModelParameter]) -> ContactCurves {
         let [upper, lower] = [self.layer, self.base].map(|(e, nu)| Material::new(e, nu).unwrap());
         let bodies: ElasticBodies = Foundation::coated(self.thickness, upper, lower)
             .unwrap()
@@ -63,15 +69,13 @@ impl Coat {
             indenter: Paraboloid::new(self.radius).unwrap().into(),
             cache,
         };
-        let all = [young_modulus(0), young_modulus(1), THICKNESS];
         let curve = ContactCurve {
             model,
             observable: Observable::DepthAtForce,
             abscissae: self.forces(),
             own: Vec::new(),
         };
-        let sought = all[..unknowns].to_vec();
-        ContactCurves::new(vec![curve], sought, CurveOptions::default()).unwrap()
+        ContactCurves::new(vec![curve], sought.to_vec(), CurveOptions::default()).unwrap()
     }
 }
 

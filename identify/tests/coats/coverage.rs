@@ -201,8 +201,51 @@ fn of_forty_intervals_of_a_coat_nearly_all_hold_the_truth() {
     }
 }
 
+/// How much worse than its best fit a fit's curve is at other moduli and thickness, with the zero that suits best.
+fn worse_by(simulated: &Simulated, fit: &Fit, observed: &[f64], parameters: &[f64]) -> f64 {
+    let model = simulated.surrogate.predict(parameters).unwrap().value;
+    let shift = fit.coefficients[0].value;
+    let weights: Vec<f64> = (fit.points.model.iter())
+        .map(|depth| (fit.noise.relative * (depth - shift)).powi(-2))
+        .collect();
+    let rest: Vec<f64> = observed.iter().zip(&model).map(|(y, f)| y - f).collect();
+    let zero = dot(&weights, &rest) / weights.iter().sum::<f64>();
+    let of_one = |(weight, rest): (&f64, &f64)| weight * (rest - zero).powi(2);
+    let sum: f64 = weights.iter().zip(&rest).map(of_one).sum();
+    let least: f64 = fit.points.whitened.iter().map(|r| r * r).sum();
+    sum - least
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
 #[test]
-#[ignore = "ten minutes in release; E1 of the weak coat under white noise is held 362 times only, why is not known"]
+fn a_profile_whose_others_have_two_valleys_ends_where_the_lower_of_both_does() {
+    let simulated = Simulated::new(&weak(), Kind::White);
+    // At the upper end E2 is at its bound, 3 GPa, in one valley, and 8 GPa in the other.
+    for seed in [115, 243] {
+        let fit = simulated.fit(seed);
+        let observed = simulated.measured(seed);
+        let modulus = &fit.estimates[0];
+        let end = modulus.interval[1].unwrap();
+        let grid =
+            |range: [f64; 2], i: i32| range[0] * (range[1] / range[0]).powf(f64::from(i) / 60.0);
+        let least = (0..=60)
+            .flat_map(|i| (0..=60).map(move |k| [grid([3e9, 25e9], i), grid([0.45e-6, 5e-6], k)]))
+            .map(|[base, thickness]| worse_by(&simulated, &fit, &observed, &[end, base, thickness]))
+            .fold(f64::INFINITY, f64::min);
+        let target = modulus.threshold(0.95);
+        // A twentieth of it is where scans end; the grid of 4 % finds no less than the profile, and some tenths more.
+        assert!(
+            (0.9 * target..1.3 * target).contains(&least),
+            "{seed}: {least} {target}"
+        );
+    }
+}
+
+#[test]
+#[ignore = "four minutes in release on two busy cores"]
 fn profiles_of_coats_hold_what_they_say_and_covariances_of_weak_ones_do_not() {
     let mut failed = Vec::new();
     let mut weak_covariances = false;

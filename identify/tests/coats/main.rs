@@ -7,3 +7,4 @@ mod coverage;
 mod plan;
 mod posterior;
 mod surrogate;
+mod variable_projection;

@@ -1,7 +1,8 @@
 //! Expected intervals of planned measurements.
 
 use pellicle_identify::{
-    ContactCurves, Design, LinearNuisance, NoiseLevels, Plan, Prior, Unknown, plan,
+    Curve, Expected, ForwardModel, Information, LinearNuisance, NoiseLevels, NullDirections, Plan,
+    Prior, Unknown, Verdict,
 };
 
 use crate::coat::{Coat, coat};
@@ -23,27 +24,40 @@ fn unknowns() -> [Unknown; 3] {
     ]
 }
 
-/// The plan of some designs with the first of the unknowns, an unknown zero, and more.
-fn planned(coats: &[Coat], count: usize, more: &[LinearNuisance]) -> Plan {
-    let curves: Vec<ContactCurves> = coats.iter().map(|coat| coat.curves(count)).collect();
-    let designs: Vec<Design> = coats
-        .iter()
-        .zip(&curves)
-        .map(|(coat, model)| Design {
-            model,
-            abscissae: vec![coat.forces()],
-        })
-        .collect();
-    let truth = coats[0].truth();
-    let nuisances = [&[LinearNuisance::shift()], more].concat();
-    plan(
-        &designs,
-        &unknowns()[..count],
-        &truth[..count],
-        &nuisances,
-        NOISE,
-    )
-    .unwrap()
+/// A plan for the first of these unknowns, each curve with a zero of its own.
+fn plan_for(unknowns: &[Unknown], truth: &[f64], more: &[LinearNuisance]) -> Plan {
+    Plan {
+        unknowns: unknowns.to_vec(),
+        truth: truth.to_vec(),
+        nuisances: [&[LinearNuisance::shift()], more].concat(),
+        noise: NOISE,
+        scatter: vec![0.0; truth.len()],
+        degrees_of_freedom: vec![f64::INFINITY; truth.len()],
+    }
+}
+
+/// What a curve on a coat tells.
+fn information(plan: &Plan, coat: &Coat) -> Information {
+    let curves = coat.curves(plan.truth.len());
+    let prediction = curves.predict(&plan.truth).unwrap();
+    let curve = Curve::new(coat.forces(), prediction.value.clone()).unwrap();
+    plan.information(&prediction, &[curve]).unwrap()
+}
+
+fn expected(plan: &Plan, measurements: &[&Information]) -> Vec<Expected> {
+    let none = NullDirections::default();
+    plan.expected(measurements, &none, 0.95).unwrap()
+}
+
+fn errors(plan: &Plan, measurements: &[&Information]) -> Vec<f64> {
+    let all = expected(plan, measurements);
+    all.iter().map(|one| one.standard_error).collect()
+}
+
+/// The errors of the first of the unknowns from one curve, with an unknown zero and more.
+fn planned(coat: &Coat, count: usize, more: &[LinearNuisance]) -> Vec<f64> {
+    let plan = plan_for(&unknowns()[..count], &coat.truth()[..count], more);
+    errors(&plan, &[&information(&plan, coat)])
 }
 
 /// Errors computed before by another program, to two or three digits.
@@ -58,7 +72,7 @@ fn assert_near(found: &[f64], expected: &[f64], tolerance: f64) {
 
 #[test]
 fn each_unknown_more_makes_the_others_less_certain() {
-    let of = |count, more: &[LinearNuisance]| planned(&[coat(10e-6)], count, more).together;
+    let of = |count, more: &[LinearNuisance]| planned(&coat(10e-6), count, more);
     // The digits of the expected numbers.
     assert_near(&of(1, &[]), &[0.010], 0.03);
     assert_near(&of(2, &[]), &[0.034, 0.018], 0.03);
@@ -74,31 +88,23 @@ fn a_small_and_a_large_ball_together_tell_what_neither_does() {
         radius,
         ..coat(20e-6)
     };
-    let plan = planned(&[ball(1e-6), ball(100e-6)], 3, &[]);
+    let plan = plan_for(&unknowns(), &coat(1.0).truth(), &[]);
+    let both = [1e-6, 100e-6].map(|radius| information(&plan, &ball(radius)));
+    let together = errors(&plan, &[&both[0], &both[1]]);
     // The forces of these numbers are not known; 20 µN to 2 mN come near them.
-    assert_near(&plan.together, &[0.027, 0.008, 0.027], 0.1);
-    for j in 0..3 {
-        assert!(
-            plan.alone
-                .iter()
-                .all(|alone| alone[j] > 1.2 * plan.together[j])
-        );
+    assert_near(&together, &[0.027, 0.008, 0.027], 0.1);
+    for one in &both {
+        let alone = errors(&plan, &[one]);
+        assert!((0..3).all(|j| alone[j] > 1.2 * together[j]));
     }
 }
 
 #[test]
 fn a_prior_is_one_more_observation() {
     let coat = coat(10e-6);
-    let curves = coat.curves(1);
-    let design = || Design {
-        model: &curves,
-        abscissae: vec![coat.forces()],
-    };
     let of = |unknown: Unknown| {
-        let shift = [LinearNuisance::shift()];
-        plan(&[design()], &[unknown], &[100e9], &shift, NOISE)
-            .unwrap()
-            .together[0]
+        let plan = plan_for(&[unknown], &[100e9], &[]);
+        errors(&plan, &[&information(&plan, &coat)])[0]
     };
     let [free, ..] = unknowns();
     let prior = Prior::Lognormal {
@@ -120,10 +126,53 @@ fn no_certainty_where_a_parameter_is_lost() {
             thickness,
             ..coat(10e-6)
         };
-        planned(&[one], 3, more).together
+        planned(&one, 3, more)
     };
     let thick = of(4e-6, &[LinearNuisance::frame_compliance()]);
     assert!(thick[1] > lost && thick[2] > lost, "{thick:?}");
     let thin = of(0.05e-6, &[]);
     assert!(thin[0] > lost, "{thin:?}");
+}
+
+#[test]
+fn two_curves_alike_halve_the_variance_and_scatter_between_them_stays() {
+    let coat = coat(10e-6);
+    let mut plan = plan_for(&unknowns()[..1], &[100e9], &[]);
+    let one = information(&plan, &coat);
+    let single = errors(&plan, &[&one])[0];
+    let pair = errors(&plan, &[&one, &one])[0];
+    // 1/σ² adds, to rounding.
+    assert!((single / pair - 2_f64.sqrt()).abs() < 1e-9);
+    plan.scatter = vec![0.03];
+    let scattered = errors(&plan, &[&information(&plan, &coat)])[0];
+    // σ² + τ², to rounding.
+    assert!((scattered / single.hypot(0.03) - 1.0).abs() < 1e-9);
+}
+
+#[test]
+fn an_exact_direction_is_told_as_such_whatever_the_numbers_say() {
+    let coat = coat(10e-6);
+    let plan = plan_for(&unknowns()[..2], &coat.truth()[..2], &[]);
+    let one = information(&plan, &coat);
+    let names = ["E1", "E2"].map(String::from).to_vec();
+    let directions = NullDirections::new(names, vec![vec![1.0, -2.0]]).unwrap();
+    let found = plan.expected(&[&one], &directions, 0.95).unwrap();
+    for one in &found {
+        assert_eq!(one.verdict, Verdict::NotIdentifiable);
+        assert_eq!(
+            (one.interval, one.standard_error),
+            ([None; 2], f64::INFINITY)
+        );
+    }
+    let known = found[0].known_combination.as_ref().unwrap();
+    // E1² E2 does not change along (1, −2).
+    assert_eq!(known.expression, "E1 * E2^0.5");
+    // With E2 held the error is that of E1 alone, and 1.96 of them are the interval of the product.
+    let alone = plan_for(&unknowns()[..1], &coat.truth()[..1], &[]);
+    let alone = errors(&alone, &[&information(&alone, &coat)])[0];
+    let half = (known.interval[1].unwrap() / known.value).ln();
+    assert!(
+        (half / (1.959_964 * alone) - 1.0).abs() < 1e-6,
+        "{half} {alone}"
+    );
 }

@@ -80,14 +80,6 @@ impl Identification {
                 format!("the profile of {} found a better fit than the search", name(index)),
             ),
         });
-        let is_asked = !self.file.report.design.is_empty();
-        let not_made = is_asked.then(|| {
-            let what = "measurements to be planned (report.design)";
-            warning(
-                "not-made",
-                format!("{what} are read, but this version makes none"),
-            )
-        });
-        of_files.chain(of_fit).chain(not_made).collect()
+        of_files.chain(of_fit).collect()
     }
 }

@@ -1,0 +1,74 @@
+//! `pellicle identify --plan`: what to measure, before anything is.
+
+use std::time::Instant;
+
+use pellicle_identify::IdentifyError;
+
+use super::{claim, progress};
+use crate::arguments::IdentifyArguments;
+use crate::failure::Failure;
+use crate::fit_file::{FitFile, Measurements};
+use crate::output::folder::{Completeness, ResultsFolder};
+use crate::output::json;
+use crate::planning::candidate::{POINTS, candidates};
+use crate::planning::premises::Premises;
+use crate::planning::result::PlanResult;
+use crate::planning::{Planning, files, text};
+use crate::program::Outcome;
+use crate::{interrupt, terminal, threads};
+
+/// Added to the name of the fit file for the folder of a plan, so that the fit keeps its own.
+const FOLDER: &str = "-plan";
+
+/// Judges the design of the fit file, writes the plan and tells it.
+///
+/// # Errors
+///
+/// [`Failure`] if the fit file is wrong, no curve can be solved, or the results cannot be written.
+pub fn plan(arguments: &IdentifyArguments) -> Result<Outcome, Failure> {
+    let start = Instant::now();
+    let file = FitFile::read(&arguments.path, Measurements::Optional)?;
+    let candidates = candidates(&file, POINTS, None)?;
+    let premises = Premises::of_file(&file, &candidates)?;
+    let folder = claim(arguments, FOLDER)?;
+    threads::set(arguments.threads)?;
+    threads::begin();
+    let line = progress(arguments);
+    let planned = Planning::new(premises, &candidates, &|done| {
+        line.set_message(format!("{done} of {} curves planned", candidates.len()));
+        line.tick();
+    });
+    line.finish_and_clear();
+    let planning = match planned {
+        Err(Failure::Identify(IdentifyError::Stopped { predictions })) => {
+            let told = format!("stopped after {predictions} curves solved; nothing is written");
+            terminal::tell(&told);
+            return Ok(Outcome::Stopped);
+        }
+        planned => planned?,
+    };
+    interrupt::hold();
+    let mut plan = PlanResult::new(&planning, start.elapsed().as_secs_f64())?;
+    let write = |folder: ResultsFolder| {
+        folder.write(|folder| {
+            files::write(folder, &mut plan)?;
+            Ok(Completeness::Whole)
+        })
+    };
+    let written = folder.map(write).transpose()?;
+    if !(arguments.quiet || arguments.json) {
+        terminal::tell(text::text(&plan).trim_end());
+        if let Some(folder) = &written {
+            terminal::tell(&format!("written to {}", folder.display()));
+        }
+    }
+    if !arguments.quiet {
+        for warning in &plan.warnings {
+            terminal::tell(&format!("warning: {}", warning.message));
+        }
+    }
+    if arguments.json {
+        terminal::print(&json(&plan)?)?;
+    }
+    Ok(Outcome::Done)
+}

@@ -1,0 +1,178 @@
+//! What to measure next: the intervals that curves of a design would give, alone, in pairs and together.
+
+pub mod advice;
+pub mod after_fit;
+pub mod candidate;
+pub mod comparison;
+pub mod files;
+pub mod page;
+pub mod picture;
+pub mod premises;
+pub mod result;
+pub mod table;
+pub mod text;
+pub mod words;
+
+use pellicle_contact::Load;
+use pellicle_identify::{
+    ContactCurve, ContactCurves, Curve, CurveOptions, ForwardError, ForwardModel, IdentifyError,
+    Information, NullDirections, Observable, Prediction,
+};
+
+use self::candidate::Candidate;
+use self::premises::Premises;
+use crate::failure::Failure;
+use crate::identification::null_directions;
+use crate::identification::result::WarningResult;
+use crate::identification::validity;
+use crate::interrupt;
+use crate::measured::data_table::Observe;
+
+/// Time between two points of a curve, s: of a drift only the shape counts.
+const INTERVAL: f64 = 0.1;
+
+/// A measurement, made or to be made: what it tells, and the directions in which it does not change.
+#[derive(Debug)]
+pub struct Judged {
+    /// The curve; none for the data that there are.
+    pub candidate: Option<Candidate>,
+    /// Places of the radii that it depends on among the unknowns of the plan.
+    pub radii: Vec<usize>,
+    /// What it tells.
+    pub information: Information,
+    /// Directions in which it does not change.
+    pub directions: NullDirections,
+}
+
+/// Curves of a design, each judged alone.
+#[derive(Debug)]
+pub struct Planning<'a> {
+    /// What is taken for true.
+    pub premises: Premises<'a>,
+    /// The data that there are.
+    pub data: Option<Judged>,
+    /// The curves that can be solved.
+    pub judged: Vec<Judged>,
+    /// Loads solved.
+    pub loads_solved: usize,
+    /// What a reader should know.
+    pub warnings: Vec<WarningResult>,
+}
+
+impl<'a> Planning<'a> {
+    /// Judges every candidate; `tell` is told how many are done.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure`] if no candidate can be solved, or the user stops.
+    pub fn new(
+        premises: Premises<'a>,
+        candidates: &[Candidate],
+        tell: &dyn Fn(usize),
+    ) -> Result<Self, Failure> {
+        let mut planning = Self {
+            premises,
+            data: None,
+            judged: Vec::new(),
+            loads_solved: 0,
+            warnings: Vec::new(),
+        };
+        let mut failed = None;
+        for (done, candidate) in candidates.iter().enumerate() {
+            if interrupt::is_requested() {
+                return Err(IdentifyError::Stopped { predictions: done }.into());
+            }
+            if let Err(failure) = planning.judge(candidate) {
+                planning.warn("not-solved", candidate, &failure);
+                failed = Some(failure);
+            }
+            tell(done + 1);
+        }
+        match failed {
+            Some(failure) if planning.judged.is_empty() => Err(failure),
+            _ => Ok(planning),
+        }
+    }
+
+    fn warn(&mut self, code: &str, candidate: &Candidate, what: &dyn std::fmt::Display) {
+        self.warnings.push(WarningResult {
+            code: code.into(),
+            message: format!("{}: {what}", candidate.words()),
+        });
+    }
+
+    /// Solves a candidate and keeps what it tells.
+    fn judge(&mut self, candidate: &Candidate) -> Result<(), Failure> {
+        let premises = &self.premises;
+        let indenter = premises.indenter(candidate.radius);
+        let parameters = premises.with_radius(candidate.radius)?;
+        let name = indenter.name();
+        let is_radius = |key: &str| premises.radius_key() == Some(key);
+        let directions = null_directions::named(&parameters, |of| {
+            is_radius(&of.key).then(|| name.clone()).flatten()
+        })?;
+        let curve = ContactCurve {
+            model: parameters.model.clone(),
+            observable: Observable::DepthAtForce,
+            abscissae: candidate.loads(),
+            own: premises.own(&indenter),
+        };
+        let curves = ContactCurves::new(vec![curve], premises.sought(), CurveOptions::default())?;
+        let values = premises.values(&indenter, candidate.radius);
+        let solved = curves.predict(&values).map_err(not_solved)?;
+        let load = Load::Force(candidate.forces[1]);
+        let doubts = validity::at_load(&curves.model(0, &values)?, load)?;
+        let (abscissae, prediction) = observed(premises.observe, candidate.loads(), solved);
+        let prediction = premises.spread(prediction, &indenter);
+        let curve = timed(abscissae, &prediction)?;
+        let information = premises.plan.information(&prediction, &[curve])?;
+        self.judged.push(Judged {
+            candidate: Some(candidate.clone()),
+            radii: premises.place(&indenter).into_iter().collect(),
+            information,
+            directions,
+        });
+        self.loads_solved += curves.loads_solved();
+        for doubt in doubts {
+            self.warn(doubt.code(), candidate, &validity::words(&doubt));
+        }
+        Ok(())
+    }
+}
+
+/// The failure of a model without a prediction.
+fn not_solved(error: ForwardError) -> Failure {
+    match error {
+        ForwardError::OutOfRange { source } => Failure::NotPlanned(source.to_string()),
+        other => Failure::NotPlanned(other.to_string()),
+    }
+}
+
+/// A curve of the expected values, its points evenly in time.
+fn timed(abscissae: Vec<f64>, prediction: &Prediction) -> Result<Curve, IdentifyError> {
+    let times = (0..abscissae.len()).map(|i| i as f64 * INTERVAL).collect();
+    Curve::new(abscissae, prediction.value.clone())?.with_time(times)
+}
+
+/// Depths at forces, or what they mean for forces at these depths.
+fn observed(observe: Observe, forces: Vec<f64>, depths: Prediction) -> (Vec<f64>, Prediction) {
+    if observe != Observe::ForceAtDepth {
+        return (forces, depths);
+    }
+    let Prediction {
+        value,
+        slope,
+        derivatives,
+    } = depths;
+    // ∂Q/∂θ|_D = −(dQ/dD) ∂D/∂θ|_Q
+    let at_depth = |column: Vec<f64>| {
+        let pairs = column.iter().zip(&slope);
+        pairs.map(|(change, slope)| -change / slope).collect()
+    };
+    let prediction = Prediction {
+        value: forces,
+        derivatives: derivatives.into_iter().map(at_depth).collect(),
+        slope: slope.iter().map(|slope| slope.recip()).collect(),
+    };
+    (value, prediction)
+}

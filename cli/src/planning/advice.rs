@@ -1,0 +1,199 @@
+//! What to measure, in a sentence or two.
+
+use pellicle_identify::{IDENTIFIED_WITHIN, Verdict};
+
+use super::comparison::better;
+use super::result::{DesignResult, ExpectedResult};
+use super::words::width;
+use crate::identification::names;
+
+/// A design of more curves is advised only if its worst standard error is below this part of that of fewer.
+const WORTH: f64 = 0.67;
+
+/// What the advice is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Advice {
+    /// Nothing has been measured.
+    ForAPlan,
+    /// There are data, to which curves are added.
+    AfterAFit,
+}
+
+/// The advice that follows from the designs, the best first.
+#[must_use]
+pub fn advice(designs: &[DesignResult], of: Advice) -> String {
+    let Some(chosen) = chosen(designs) else {
+        return String::new();
+    };
+    let (never, rest): (Vec<_>, Vec<_>) = chosen.unknowns.iter().partition(|of| is_never(of));
+    let mut sentences = Vec::new();
+    let now = designs.iter().find(|design| design.curves.is_empty());
+    if let Some(now) = now.filter(|now| now.is_told()) {
+        let now: Vec<_> = now.unknowns.iter().collect();
+        sentences.push(format!("What was measured tells all: {}.", told(&now)));
+    }
+    let verb = match of {
+        Advice::ForAPlan => "Measure",
+        Advice::AfterAFit => "Add",
+    };
+    if !rest.is_empty() {
+        sentences.push(format!("{verb} {}: {}.", curves(chosen), told(&rest)));
+    }
+    let open: Vec<_> = rest.into_iter().filter(|of| !is_told(of)).collect();
+    if !open.is_empty() {
+        let within = 100.0 * (IDENTIFIED_WITHIN - 1.0);
+        sentences.push(format!(
+            "None of these designs tells {} within {within:.0} %.",
+            listed(&open, "or")
+        ));
+    }
+    if !never.is_empty() {
+        sentences.push(format!(
+            "No data of this kind can tell {}: hold a number fixed, or give one a prior.",
+            listed(&never, "or")
+        ));
+    }
+    sentences.join(" ")
+}
+
+/// The design with the fewest curves that tells every unknown that any does; without one, the best, unless fewer curves
+/// do nearly as well.
+#[must_use]
+pub fn chosen(designs: &[DesignResult]) -> Option<&DesignResult> {
+    let best_of = |count: usize| {
+        let of_count = designs.iter().filter(|design| design.curves.len() == count);
+        of_count.min_by(|one, other| better(one, other))
+    };
+    let most = designs.iter().map(|design| design.curves.len()).max()?;
+    let by_count: Vec<_> = (1..=most).filter_map(best_of).collect();
+    let fewest_lost = designs.iter().map(DesignResult::lost).min()?;
+    let is_told = |design: &&&DesignResult| {
+        let mut unknowns = design.unknowns.iter();
+        design.lost() == fewest_lost && unknowns.all(|of| of.is_lost() || is_told(of))
+    };
+    if let Some(told) = by_count.iter().find(is_told) {
+        return Some(told);
+    }
+    let better_by_far = |best: &DesignResult, more: &DesignResult| {
+        more.lost() < best.lost() || more.worst() < WORTH * best.worst()
+    };
+    by_count.into_iter().reduce(|best, more| {
+        if better_by_far(best, more) {
+            more
+        } else {
+            best
+        }
+    })
+}
+
+impl DesignResult {
+    /// Whether every unknown is told within a factor of 1.2.
+    #[must_use]
+    pub fn is_told(&self) -> bool {
+        self.unknowns.iter().all(is_told)
+    }
+}
+
+fn is_told(of: &ExpectedResult) -> bool {
+    !of.is_lost() && of.factor.is_some_and(|factor| factor <= IDENTIFIED_WITHIN)
+}
+
+fn is_never(of: &ExpectedResult) -> bool {
+    of.verdict == Verdict::NotIdentifiable.to_string()
+}
+
+/// The curves of a design in words.
+#[must_use]
+pub fn curves(design: &DesignResult) -> String {
+    let all: Vec<_> = design
+        .curves
+        .iter()
+        .map(super::candidate::Candidate::words)
+        .collect();
+    match all.len() {
+        0 => "nothing more".into(),
+        1 | 2 => all.join(" and "),
+        count => format!("all {count} curves"),
+    }
+}
+
+/// Numbers with their widths: `thickness of layer 0 ± 3.4 %, Young's modulus of layer 0 lost`.
+fn told(all: &[&ExpectedResult]) -> String {
+    let one = |of: &&ExpectedResult| format!("{} {}", names::of_key(&of.key), width(of));
+    let all: Vec<_> = all.iter().map(one).collect();
+    all.join(", ")
+}
+
+fn listed(all: &[&ExpectedResult], word: &str) -> String {
+    let all: Vec<_> = all.iter().map(|of| names::of_key(&of.key)).collect();
+    match &all[..] {
+        [] => String::new(),
+        [one] => one.clone(),
+        [first @ .., last] => format!("{} {word} {last}", first.join(", ")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::candidate::Candidate;
+    use super::*;
+
+    /// A design of so many curves that tells one unknown to this standard error.
+    fn design(curves: usize, error: Option<f64>, verdict: Verdict) -> DesignResult {
+        let curve = Candidate {
+            radius: None,
+            forces: [1e-5, 1e-3],
+            points: 24,
+        };
+        DesignResult {
+            curves: vec![curve; curves],
+            unknowns: vec![ExpectedResult {
+                key: "foundation.substrate.young_modulus".into(),
+                unit: "Pa".into(),
+                value: 1e9,
+                standard_error: error,
+                factor: error.map(|error| (2.0 * error).exp()),
+                interval: [None, None],
+                verdict: verdict.to_string(),
+                known_combination: None,
+            }],
+            nuisances: Vec::new(),
+        }
+    }
+
+    #[test]
+    fn the_fewest_curves_that_tell_it_are_advised() {
+        let designs = [
+            design(3, Some(0.01), Verdict::Identified),
+            design(2, Some(0.05), Verdict::Identified),
+            design(1, Some(0.2), Verdict::Weak),
+        ];
+        assert_eq!(chosen(&designs).unwrap().curves.len(), 2);
+        let advice = advice(&designs, Advice::ForAPlan);
+        assert!(advice.contains("0.01 to 1 mN"), "{advice}");
+        assert!(advice.ends_with("± 11 %."), "{advice}");
+    }
+
+    #[test]
+    fn where_none_tells_it_more_curves_are_advised_only_if_they_help() {
+        let single = design(1, Some(0.2), Verdict::Weak);
+        let little = [design(2, Some(0.18), Verdict::Weak), single.clone()];
+        assert_eq!(chosen(&little).unwrap().curves.len(), 1);
+        let much = [design(2, Some(0.12), Verdict::Weak), single];
+        assert_eq!(chosen(&much).unwrap().curves.len(), 2);
+        assert!(
+            advice(&much, Advice::ForAPlan).contains("None of these designs tells Young's modulus")
+        );
+    }
+
+    #[test]
+    fn what_no_data_can_tell_is_not_advised() {
+        let never = [design(1, None, Verdict::NotIdentifiable)];
+        let advice = advice(&never, Advice::ForAPlan);
+        assert!(
+            advice.starts_with("No data of this kind can tell Young's modulus"),
+            "{advice}"
+        );
+        assert!(!advice.contains("Measure"), "{advice}");
+    }
+}

@@ -1,0 +1,152 @@
+//! A curve that may be measured, and those of a design.
+
+use serde::Serialize;
+
+use super::words::span;
+use crate::case::diagnosis::Diagnosis;
+use crate::failure::Failure;
+use crate::fit_file::FitFile;
+use crate::fit_file::model::ModelParameters;
+use crate::identification::units;
+use crate::measured::segment::SegmentEnd;
+
+/// Points of a curve where neither the fit file nor measurements say how many.
+pub const POINTS: usize = 24;
+
+/// The largest load over the smallest, where the segment does not begin later.
+const SPAN: f64 = 100.0;
+
+/// A curve that may be measured: points evenly spread in the logarithm of the force.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Candidate {
+    /// Radius of the indenter, m; null if it has none.
+    pub radius: Option<f64>,
+    /// Least and largest force, N.
+    pub forces: [f64; 2],
+    /// Points.
+    pub points: usize,
+}
+
+impl Candidate {
+    /// The forces of the points, N.
+    #[must_use]
+    pub fn loads(&self) -> Vec<f64> {
+        let [least, most] = self.forces;
+        let part = |i: usize| i as f64 / (self.points - 1) as f64;
+        let load = |i| least * (most / least).powf(part(i));
+        (0..self.points).map(load).collect()
+    }
+
+    /// `R 10 µm, 0.1 to 10 mN`.
+    #[must_use]
+    pub fn words(&self) -> String {
+        let forces = span(self.forces, &units::scale(self.forces[1], "N"));
+        match self.radius {
+            Some(radius) => format!("{}, {forces}", radius_words(radius)),
+            None => forces,
+        }
+    }
+}
+
+/// `R 10 µm`.
+#[must_use]
+pub fn radius_words(radius: f64) -> String {
+    let scale = units::scale(radius, "m");
+    let number = super::words::short(radius / scale.divisor);
+    format!("R {number} {}", scale.label)
+}
+
+/// The curves of the design of a fit file: each radius with each largest force.
+///
+/// Without radii they are those of the `[[data]]` tables, or that of the model; without forces the end of the segment,
+/// or `largest`, the largest force that was measured.
+///
+/// # Errors
+///
+/// [`Failure`] if there is no largest force, or the values of a table are not valid.
+pub fn candidates(
+    file: &FitFile,
+    points: usize,
+    largest: Option<f64>,
+) -> Result<Vec<Candidate>, Failure> {
+    let design = &file.report.design;
+    let radii: Vec<Option<f64>> = if design.radii.is_empty() {
+        radii_of_tables(file)?
+    } else {
+        design.radii.iter().copied().map(Some).collect()
+    };
+    let forces = if design.forces.is_empty() {
+        vec![end(file).or(largest).ok_or_else(|| no_force(file))?]
+    } else {
+        design.forces.clone()
+    };
+    let points = design.points.unwrap_or(points);
+    let one = |radius: Option<f64>, most: f64| Candidate {
+        radius,
+        forces: [least(file, most), most],
+        points,
+    };
+    let of_radius = |radius: Option<f64>| forces.iter().map(move |most| (radius, *most));
+    let all = radii.into_iter().flat_map(of_radius);
+    Ok(all.map(|(radius, most)| one(radius, most)).collect())
+}
+
+/// The radii of the indenters of the tables; that of the model without tables.
+fn radii_of_tables(file: &FitFile) -> Result<Vec<Option<f64>>, Failure> {
+    let radius = |of: &ModelParameters| of.radius().and_then(|radius| of.value(radius));
+    if file.data.is_empty() {
+        return Ok(vec![radius(&file.model.parameters()?)]);
+    }
+    let mut radii = Vec::new();
+    for table in &file.data {
+        let found = radius(&file.model.with(&table.set)?);
+        if !radii.contains(&found) {
+            radii.push(found);
+        }
+    }
+    Ok(radii)
+}
+
+/// The largest force at which a segment ends.
+fn end(file: &FitFile) -> Option<f64> {
+    let ends = file.data.iter().filter_map(|table| match table.segment.to {
+        Some(SegmentEnd::Force(force)) => Some(force),
+        _ => None,
+    });
+    ends.filter(|force| *force > 0.0).reduce(f64::max)
+}
+
+/// Two decades below the largest force, or where the segment begins if that is later.
+fn least(file: &FitFile, most: f64) -> f64 {
+    let from = file
+        .data
+        .first()
+        .and_then(|table| match table.segment.from {
+            Some(SegmentEnd::Force(force)) if force < most => Some(force),
+            _ => None,
+        });
+    (most / SPAN).max(from.unwrap_or(0.0))
+}
+
+fn no_force(file: &FitFile) -> Diagnosis {
+    let wanted = "at least one largest force, such as { forces = [\"1 mN\", \"10 mN\"] }";
+    file.document.wanted("report.design.forces", wanted)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn loads_are_evenly_spread_in_the_logarithm_and_named() {
+        let curve = Candidate {
+            radius: Some(1e-5),
+            forces: [1e-4, 1e-2],
+            points: 3,
+        };
+        let loads = curve.loads();
+        // Rounding of a power.
+        assert!((loads[1] / 1e-3 - 1.0).abs() < 1e-12 && loads.len() == 3);
+        assert_eq!(curve.words(), "R 10 µm, 0.1 to 10 mN");
+    }
+}

@@ -1,0 +1,142 @@
+//! Curves alone, in pairs and all together, the best first.
+
+use std::cmp::Ordering;
+
+use pellicle_identify::{Expected, NullDirections, Role, Verdict};
+
+use super::candidate::Candidate;
+use super::result::{DesignResult, ExpectedResult};
+use super::{Judged, Planning};
+use crate::failure::Failure;
+use crate::identification::result::CombinationResult;
+
+/// Pairs that are told, the best ones.
+const PAIRS: usize = 10;
+
+/// The designs, the best first: each curve alone, the best pairs, all together; and what has been measured alone.
+///
+/// # Errors
+///
+/// [`Failure`] if a number is not finite.
+pub fn designs(of: &Planning<'_>) -> Result<Vec<DesignResult>, Failure> {
+    let count = of.judged.len();
+    let design = |chosen: Vec<usize>| of.design(&chosen);
+    let single = (0..count).map(|i| vec![i]);
+    let mut designs = single.map(design).collect::<Result<Vec<_>, _>>()?;
+    let pair = |i: usize| (i + 1..count).map(move |j| vec![i, j]);
+    let pairs = (0..count).flat_map(pair).map(design);
+    let mut pairs = pairs.collect::<Result<Vec<_>, _>>()?;
+    pairs.sort_by(better);
+    pairs.truncate(PAIRS);
+    designs.extend(pairs);
+    if count > 2 {
+        designs.push(design((0..count).collect())?);
+    }
+    if of.data.is_some() {
+        designs.push(design(Vec::new())?);
+    }
+    designs.sort_by(better);
+    Ok(designs)
+}
+
+/// The better of two designs first: the one that loses fewer unknowns, then the one whose worst known unknown is known
+/// better.
+#[must_use]
+pub fn better(one: &DesignResult, other: &DesignResult) -> Ordering {
+    let lost = one.lost().cmp(&other.lost());
+    lost.then(one.worst().total_cmp(&other.worst()))
+}
+
+impl DesignResult {
+    /// Unknowns of which nothing is told.
+    #[must_use]
+    pub fn lost(&self) -> usize {
+        let unknowns = self.unknowns.iter();
+        unknowns.filter(|of| of.is_lost()).count()
+    }
+
+    /// The largest standard error of the unknowns that are told.
+    #[must_use]
+    pub fn worst(&self) -> f64 {
+        let told = self.unknowns.iter().filter(|of| !of.is_lost());
+        let errors = told.filter_map(|of| of.standard_error);
+        errors.fold(0.0, f64::max)
+    }
+}
+
+impl ExpectedResult {
+    /// Whether nothing is told of it.
+    #[must_use]
+    pub fn is_lost(&self) -> bool {
+        let lost = [Verdict::NotIdentified, Verdict::NotIdentifiable];
+        lost.iter()
+            .any(|verdict| self.verdict == verdict.to_string())
+    }
+}
+
+impl Planning<'_> {
+    /// What some of the curves tell together, besides the data that there are.
+    fn design(&self, chosen: &[usize]) -> Result<DesignResult, Failure> {
+        let chosen: Vec<&Judged> = chosen.iter().map(|i| &self.judged[*i]).collect();
+        let parts: Vec<&Judged> = self.data.iter().chain(chosen.iter().copied()).collect();
+        let directions: Vec<NullDirections> =
+            parts.iter().map(|of| of.directions.clone()).collect();
+        let directions = NullDirections::common(&directions)?;
+        let information: Vec<_> = parts.iter().map(|of| &of.information).collect();
+        let premises = &self.premises;
+        let level = premises.file.report.level;
+        let all = premises.plan.expected(&information, &directions, level)?;
+        let own = premises.place_of_radius();
+        let of_case = |index: usize| {
+            let expected = match own {
+                Some(place) if place == index => radius(&all, &parts, place),
+                _ => &all[index],
+            };
+            (expected.role, self.result(index, expected))
+        };
+        let (sought, nuisances): (Vec<_>, Vec<_>) = (0..premises.cases().len())
+            .map(of_case)
+            .partition(|(role, _)| *role == Role::Sought);
+        let without_role = |all: Vec<(Role, ExpectedResult)>| {
+            let all = all.into_iter();
+            all.map(|(_, expected)| expected).collect()
+        };
+        let curves = chosen.iter().filter_map(|of| of.candidate.clone());
+        Ok(DesignResult {
+            curves: curves.collect::<Vec<Candidate>>(),
+            unknowns: without_role(sought),
+            nuisances: without_role(nuisances),
+        })
+    }
+
+    fn result(&self, index: usize, of: &Expected) -> ExpectedResult {
+        let case = &self.premises.cases()[index];
+        let finite = |value: f64| Some(value).filter(|value| value.is_finite());
+        ExpectedResult {
+            key: case.key.clone(),
+            unit: case.unit().into(),
+            value: of.value,
+            standard_error: finite(of.standard_error),
+            factor: finite(of.half_width.exp()),
+            interval: of.interval,
+            verdict: of.verdict.to_string(),
+            known_combination: of
+                .known_combination
+                .as_ref()
+                .map(|known| CombinationResult {
+                    expression: known.expression.clone(),
+                    value: known.value,
+                    interval: known.interval,
+                }),
+        }
+    }
+}
+
+/// Of several indenters whose radii are sought, the one whose radius is known least.
+fn radius<'a>(all: &'a [Expected], parts: &[&Judged], own: usize) -> &'a Expected {
+    let places = parts.iter().flat_map(|of| &of.radii);
+    let least = places
+        .map(|place| &all[*place])
+        .max_by(|one, other| one.standard_error.total_cmp(&other.standard_error));
+    least.unwrap_or(&all[own])
+}

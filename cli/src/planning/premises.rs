@@ -1,0 +1,189 @@
+//! What a plan takes for true: the values of the model, or those of a fit; its noise, and the indenters.
+
+mod radius;
+
+use pellicle_contact::ModelParameter;
+use pellicle_identify::{Amount, Fit, NoiseLevels, Plan, Prediction, Unknown};
+
+pub use self::radius::Indenter;
+use self::radius::known_radii;
+use super::candidate::Candidate;
+use crate::failure::Failure;
+use crate::fit_file::FitFile;
+use crate::fit_file::model::ModelParameters;
+use crate::fit_file::unknown::UnknownCase;
+use crate::identification::{Identification, curve_source};
+use crate::measured::data_table::Observe;
+
+/// Noise over the value of what is observed, where the fit file says nothing of noise.
+const RELATIVE: f64 = 0.01;
+
+/// What a plan takes for true.
+#[derive(Debug)]
+pub struct Premises<'a> {
+    /// The fit file.
+    pub file: &'a FitFile,
+    /// What is sought, at which values, with which noise.
+    pub plan: Plan,
+    /// What is observed.
+    pub observe: Observe,
+    /// Where the noise is from.
+    pub noise: NoiseSource,
+    base: ModelParameters,
+    cases: Vec<UnknownCase>,
+    /// Radii of indenters that are sought besides that of the model, each with its place among the unknowns.
+    others: Vec<(f64, usize)>,
+    /// Radii that tables have of their own, which a fit takes for known.
+    known: Vec<f64>,
+}
+
+/// Where the noise of a plan comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum NoiseSource {
+    /// The fit file or a fit.
+    Known,
+    /// Nowhere: it is assumed.
+    Assumed,
+}
+
+impl<'a> Premises<'a> {
+    /// The premises before any measurement: the values of the model, the noise of the fit file.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure`] if the tables of the fit file disagree, or do not observe what can be planned.
+    pub fn of_file(file: &'a FitFile, candidates: &[Candidate]) -> Result<Self, Failure> {
+        let cases = file.all_unknowns();
+        let truth = cases.iter().map(|case| case.start).collect();
+        let (noise, source) = noise(file)?;
+        let mut premises = Self::new(file, cases, truth, noise)?;
+        premises.noise = source;
+        premises.seek_radii(candidates)?;
+        Ok(premises)
+    }
+
+    /// The premises after a fit: its values, its noise, the scatter between repeats.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure`] if the tables do not observe what can be planned.
+    pub fn of_fit(
+        of: &'a Identification,
+        fit: &Fit,
+        candidates: &[Candidate],
+    ) -> Result<Self, Failure> {
+        let estimates = || fit.estimates.iter();
+        let truth = estimates().map(|estimate| estimate.value).collect();
+        let mut premises = Self::new(&of.file, of.file.all_unknowns(), truth, fit.noise)?;
+        // The unknowns of a fit file are sought by their logarithms.
+        let scatter = estimates().map(|estimate| {
+            let between = estimate.between_curves.as_ref();
+            between.map_or(0.0, |between| between.standard_deviation / estimate.value)
+        });
+        premises.plan.scatter = scatter.collect();
+        premises.plan.degrees_of_freedom = estimates()
+            .map(|estimate| estimate.degrees_of_freedom)
+            .collect();
+        premises.seek_radii(candidates)?;
+        Ok(premises)
+    }
+
+    fn new(
+        file: &'a FitFile,
+        cases: Vec<UnknownCase>,
+        truth: Vec<f64>,
+        noise: NoiseLevels,
+    ) -> Result<Self, Failure> {
+        let observe = file
+            .data
+            .first()
+            .map_or(Observe::default(), |table| table.observe);
+        if let (Observe::StiffnessAtContactRadius, Some(table)) = (observe, file.data.first()) {
+            let wanted = "\"depth at force\" or \"force at depth\" to plan";
+            return Err(table.wanted("observe", wanted).into());
+        }
+        let sought = file.unknowns.iter().map(UnknownCase::unknown);
+        let nuisances = file.nuisances.parameters.iter();
+        let nuisances = nuisances.map(|case| case.unknown().map(Unknown::as_nuisance));
+        let plan = Plan {
+            unknowns: sought.chain(nuisances).collect::<Result<_, _>>()?,
+            scatter: vec![0.0; truth.len()],
+            degrees_of_freedom: vec![f64::INFINITY; truth.len()],
+            truth,
+            nuisances: file.nuisances.linear()?,
+            noise,
+        };
+        Ok(Self {
+            file,
+            plan,
+            observe,
+            noise: NoiseSource::Known,
+            base: file.model.parameters()?,
+            cases,
+            others: Vec::new(),
+            known: known_radii(file)?,
+        })
+    }
+
+    /// What is sought of a curve.
+    #[must_use]
+    pub fn sought(&self) -> Vec<ModelParameter> {
+        self.cases.iter().map(|case| case.parameter).collect()
+    }
+
+    /// The true values for a curve of this indenter.
+    #[must_use]
+    pub fn values(&self, indenter: &Indenter, radius: Option<f64>) -> Vec<f64> {
+        let mut values = self.plan.truth[..self.cases.len()].to_vec();
+        if let (Indenter::Sought(..), Some(radius), Some(place)) =
+            (indenter, radius, self.place_of_radius())
+        {
+            values[place] = radius;
+        }
+        values
+    }
+
+    /// The prediction with derivatives by all unknowns of the plan: by its own radius, and by no other one.
+    #[must_use]
+    pub fn spread(&self, mut prediction: Prediction, indenter: &Indenter) -> Prediction {
+        let nothing = vec![0.0; prediction.value.len()];
+        let unknowns = self.plan.unknowns.len();
+        prediction.derivatives.resize(unknowns, nothing);
+        if let (Indenter::Sought(own, _), Some(place)) = (indenter, self.place_of_radius()) {
+            prediction.derivatives.swap(*own, place);
+        }
+        prediction
+    }
+
+    /// The unknowns of the fit file, which come first among those of the plan.
+    #[must_use]
+    pub fn cases(&self) -> &[UnknownCase] {
+        &self.cases
+    }
+}
+
+/// The noise of the fit file; what is left out of it is none, and all of it is assumed if it says nothing of what is
+/// observed.
+fn noise(file: &FitFile) -> Result<(NoiseLevels, NoiseSource), Failure> {
+    let noise = curve_source::noise(file)?;
+    let level = |amount| match amount {
+        Amount::Given(level) => level,
+        Amount::Estimated => 0.0,
+    };
+    let [observed, abscissa, relative] =
+        [noise.observed, noise.abscissa, noise.relative].map(level);
+    let is_assumed = noise.observed == Amount::Estimated && relative == 0.0;
+    let levels = NoiseLevels {
+        observed,
+        abscissa,
+        relative: if is_assumed { RELATIVE } else { relative },
+        persistence: 0.0,
+        white_fraction: 1.0,
+    };
+    let source = if is_assumed {
+        NoiseSource::Assumed
+    } else {
+        NoiseSource::Known
+    };
+    Ok((levels, source))
+}

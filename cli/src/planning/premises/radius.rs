@@ -1,0 +1,175 @@
+//! The radii of the indenters of a plan: that of the model, known ones, and those that are sought as it is.
+
+use pellicle_contact::ModelParameter;
+use pellicle_identify::{IdentifyError, Prior, Unknown};
+
+use super::Premises;
+use crate::failure::Failure;
+use crate::fit_file::FitFile;
+use crate::fit_file::model::ModelParameters;
+use crate::fit_file::unknown::UnknownCase;
+use crate::planning::candidate::{Candidate, radius_words};
+
+/// Radii that differ by less are one.
+const SAME: f64 = 1e-9;
+
+/// How a plan knows the radius of an indenter.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Indenter {
+    /// It is that of the model.
+    OfModel,
+    /// It is another one, and known exactly.
+    Known(String),
+    /// It is another one, and sought as that of the model is: its place among the unknowns, and its name.
+    Sought(usize, String),
+}
+
+impl Indenter {
+    /// The name of its radius, if that is not the key of the model's.
+    #[must_use]
+    pub fn name(&self) -> Option<String> {
+        match self {
+            Self::OfModel => None,
+            Self::Known(name) | Self::Sought(_, name) => Some(name.clone()),
+        }
+    }
+}
+
+impl Premises<'_> {
+    /// The radius of each other indenter becomes an unknown, if that of the model is one.
+    pub(super) fn seek_radii(&mut self, candidates: &[Candidate]) -> Result<(), Failure> {
+        let Some(place) = self.place_of_radius() else {
+            return Ok(());
+        };
+        let radii = candidates.iter().filter_map(|candidate| candidate.radius);
+        for radius in radii {
+            if self.indenter(Some(radius)) != Indenter::Known(self.name_of(radius)) {
+                continue;
+            }
+            if self.known.iter().any(|known| is_same(*known, radius)) {
+                continue;
+            }
+            let unknown = scaled(&self.cases[place], self.name_of(radius), radius)?;
+            let unknown = if place < self.file.unknowns.len() {
+                unknown
+            } else {
+                unknown.as_nuisance()
+            };
+            let plan = &mut self.plan;
+            self.others.push((radius, plan.unknowns.len()));
+            plan.unknowns.push(unknown);
+            plan.truth.push(radius);
+            plan.scatter.push(plan.scatter[place]);
+            plan.degrees_of_freedom.push(plan.degrees_of_freedom[place]);
+        }
+        Ok(())
+    }
+
+    /// How the radius of an indenter is known.
+    #[must_use]
+    pub fn indenter(&self, radius: Option<f64>) -> Indenter {
+        let Some(radius) = radius else {
+            return Indenter::OfModel;
+        };
+        if self.own_radius().is_some_and(|own| is_same(own, radius)) {
+            return Indenter::OfModel;
+        }
+        let name = self.name_of(radius);
+        let mut others = self.others.iter();
+        match others.find(|(other, _)| is_same(*other, radius)) {
+            Some((_, place)) => Indenter::Sought(*place, name),
+            None => Indenter::Known(name),
+        }
+    }
+
+    fn name_of(&self, radius: f64) -> String {
+        let key = self.radius_key().unwrap_or_default();
+        format!("{key} of {}", radius_words(radius))
+    }
+
+    /// The radius of the model as the fit file has it.
+    fn own_radius(&self) -> Option<f64> {
+        self.base.value(self.base.radius()?)
+    }
+
+    /// The key of the radius of the indenter, if it has one.
+    #[must_use]
+    pub fn radius_key(&self) -> Option<&str> {
+        Some(self.base.radius()?.key.as_str())
+    }
+
+    /// The place of the radius of the model among the unknowns, if it is sought.
+    #[must_use]
+    pub fn place_of_radius(&self) -> Option<usize> {
+        let of = self.base.radius()?;
+        self.cases.iter().position(|case| case.key == of.key)
+    }
+
+    /// The place of the radius of an indenter among the unknowns, if it is sought.
+    #[must_use]
+    pub fn place(&self, indenter: &Indenter) -> Option<usize> {
+        match indenter {
+            Indenter::OfModel => self.place_of_radius(),
+            Indenter::Sought(place, _) => Some(*place),
+            Indenter::Known(_) => None,
+        }
+    }
+
+    /// The model with an indenter of this radius.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure`] if there is no such indenter.
+    pub fn with_radius(&self, radius: Option<f64>) -> Result<ModelParameters, Failure> {
+        let model = match (radius, self.base.radius()) {
+            (Some(radius), Some(of)) => self.base.model.with_parameter(of.parameter, radius)?,
+            _ => self.base.model.clone(),
+        };
+        Ok(ModelParameters {
+            model,
+            parameters: self.base.parameters.clone(),
+        })
+    }
+
+    /// What is not sought of a curve of this indenter.
+    #[must_use]
+    pub fn own(&self, indenter: &Indenter) -> Vec<ModelParameter> {
+        match (indenter, self.base.radius()) {
+            (Indenter::Known(_), Some(of)) => vec![of.parameter],
+            _ => Vec::new(),
+        }
+    }
+}
+
+fn is_same(one: f64, other: f64) -> bool {
+    (one / other - 1.0).abs() < SAME
+}
+
+/// The radii that tables have of their own.
+pub(super) fn known_radii(file: &FitFile) -> Result<Vec<f64>, Failure> {
+    let mut radii = Vec::new();
+    for table in &file.data {
+        let of = file.model.with(&table.set)?;
+        let own = crate::identification::own(table, &of);
+        let radius = of.radius().filter(|radius| own.contains(&radius.parameter));
+        radii.extend(radius.and_then(|radius| of.value(radius)));
+    }
+    Ok(radii)
+}
+
+/// What is known of the radius of the model, for another indenter: the same over its radius.
+fn scaled(case: &UnknownCase, name: String, radius: f64) -> Result<Unknown, IdentifyError> {
+    let part = radius / case.start;
+    let unknown = Unknown::positive(name, case.range.map(|end| part * end))?.starting_at(radius)?;
+    match case.prior {
+        None => Ok(unknown),
+        Some(Prior::Lognormal { median, factor }) => unknown.with_prior(Prior::Lognormal {
+            median: part * median,
+            factor,
+        }),
+        Some(Prior::Normal { mean, sd }) => unknown.with_prior(Prior::Normal {
+            mean: part * mean,
+            sd: part * sd,
+        }),
+    }
+}

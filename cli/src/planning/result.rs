@@ -1,0 +1,168 @@
+//! `plan.json`, and the key `design` of `fit.json`: what designs are expected to tell, in SI units.
+
+use std::fs;
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+
+use super::Planning;
+use super::advice::{self, Advice};
+use super::candidate::Candidate;
+use super::comparison;
+use super::premises::NoiseSource;
+use crate::failure::Failure;
+use crate::identification::result::{CombinationResult, NoiseResult, WarningResult};
+use crate::measured::data_table::Observe;
+use crate::output::summary::PROGRAM;
+
+/// Name of the file in a folder of results.
+pub const FILE: &str = "plan.json";
+
+/// Name and version of the layout.
+const SCHEMA: &str = "pellicle-plan/1";
+
+/// Whether a folder holds a plan.
+#[must_use]
+pub fn is_in(folder: &Path) -> bool {
+    #[derive(Deserialize)]
+    struct Head {
+        schema: String,
+    }
+    let text = fs::read_to_string(folder.join(FILE));
+    let head = text
+        .ok()
+        .and_then(|text| serde_json::from_str::<Head>(&text).ok());
+    head.is_some_and(|head| head.schema.starts_with("pellicle-plan/"))
+}
+
+/// What designs are expected to tell.
+#[derive(Debug, Clone, Serialize)]
+pub struct PlanResult {
+    /// Name and version of this layout.
+    pub schema: &'static str,
+    /// The program that wrote it.
+    pub program: &'static str,
+    /// Its version.
+    pub version: &'static str,
+    /// Title of the fit file.
+    pub title: String,
+    /// Level of the intervals.
+    pub level: f64,
+    /// The noise, given or assumed.
+    pub noise: NoiseResult,
+    /// The designs, the best first.
+    pub designs: Vec<DesignResult>,
+    /// What to measure, in a sentence or two.
+    pub advice: String,
+    /// What it has cost.
+    pub work: PlanWork,
+    /// What a reader should know.
+    pub warnings: Vec<WarningResult>,
+}
+
+/// A design: one curve or several.
+#[derive(Debug, Clone, Serialize)]
+pub struct DesignResult {
+    /// The curves to measure; none for what has been measured alone.
+    pub curves: Vec<Candidate>,
+    /// What is sought.
+    pub unknowns: Vec<ExpectedResult>,
+    /// What is not known exactly.
+    pub nuisances: Vec<ExpectedResult>,
+}
+
+/// What is expected of a number.
+#[derive(Debug, Clone, Serialize)]
+pub struct ExpectedResult {
+    /// Its key.
+    pub key: String,
+    /// Its SI unit.
+    pub unit: String,
+    /// The value that is taken for true.
+    pub value: f64,
+    /// Standard error of its logarithm, the relative one where it is small; null where nothing is told.
+    pub standard_error: Option<f64>,
+    /// The factor within which the interval lies, as if there were no bounds.
+    pub factor: Option<f64>,
+    /// The interval; null on a side that is open.
+    pub interval: [Option<f64>; 2],
+    /// What the measurements will tell of it.
+    pub verdict: String,
+    /// What is known instead.
+    pub known_combination: Option<CombinationResult>,
+}
+
+/// What a plan has cost.
+#[derive(Debug, Clone, Serialize)]
+pub struct PlanWork {
+    /// Curves solved.
+    pub curves_solved: usize,
+    /// Loads solved.
+    pub loads_solved: usize,
+    /// Time, s.
+    pub seconds: f64,
+}
+
+impl PlanResult {
+    /// The result of a plan that took so many seconds.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure`] if a number is not finite.
+    pub fn new(of: &Planning<'_>, seconds: f64) -> Result<Self, Failure> {
+        let designs = comparison::designs(of)?;
+        let mut warnings = of.premises.warnings();
+        warnings.extend(of.warnings.clone());
+        Ok(Self {
+            schema: SCHEMA,
+            program: PROGRAM,
+            version: env!("CARGO_PKG_VERSION"),
+            title: of.premises.file.title.clone(),
+            level: of.premises.file.report.level,
+            noise: of.premises.noise_result(),
+            advice: advice::advice(&designs, Advice::ForAPlan),
+            designs,
+            work: PlanWork {
+                curves_solved: of.judged.len(),
+                loads_solved: of.loads_solved,
+                seconds,
+            },
+            warnings,
+        })
+    }
+}
+
+impl super::Premises<'_> {
+    /// The noise by channel.
+    #[must_use]
+    pub fn noise_result(&self) -> NoiseResult {
+        let levels = &self.plan.noise;
+        let [depth, force] = match self.observe {
+            Observe::ForceAtDepth => [levels.abscissa, levels.observed],
+            _ => [levels.observed, levels.abscissa],
+        };
+        NoiseResult {
+            depth: Some(depth),
+            force: Some(force),
+            relative: levels.relative,
+            correlation: levels.persistence * (1.0 - levels.white_fraction),
+        }
+    }
+
+    /// What was assumed.
+    #[must_use]
+    pub fn warnings(&self) -> Vec<WarningResult> {
+        let what = match self.observe {
+            Observe::ForceAtDepth => "force",
+            _ => "depth",
+        };
+        let assumed = (self.noise == NoiseSource::Assumed).then(|| WarningResult {
+            code: "assumed-noise".into(),
+            message: format!(
+                "the fit file gives no noise of the {what}: {} % of it is assumed, independent from point to point",
+                100.0 * self.plan.noise.relative
+            ),
+        });
+        assumed.into_iter().collect()
+    }
+}

@@ -1,0 +1,112 @@
+//! A plan on the terminal.
+
+use super::advice;
+use super::result::{DesignResult, ExpectedResult, PlanResult};
+use super::words::{count, instead, width};
+use crate::display::significant;
+use crate::identification::names;
+use crate::identification::result::NoiseResult;
+use crate::identification::units;
+
+/// Rows of the table that are shown.
+const ROWS: usize = 24;
+
+/// The plan in words: the noise, the table, the advice.
+#[must_use]
+pub fn text(plan: &PlanResult) -> String {
+    format!(
+        "{}: what to measure\n  expected {} intervals, {}\n\n{}\n  {}\n  {} solved, {} loads, {} s\n",
+        plan.title,
+        percent(plan.level),
+        conditions(plan),
+        table(&plan.designs),
+        plan.advice,
+        count(plan.work.curves_solved, "curve"),
+        plan.work.loads_solved,
+        significant(plan.work.seconds, 3)
+    )
+}
+
+/// The noise and the number of points.
+#[must_use]
+pub fn conditions(plan: &PlanResult) -> String {
+    let mut curves = plan.designs.iter().flat_map(|design| &design.curves);
+    let points = curves.next().map_or(0, |curve| curve.points);
+    format!("{}, {points} points a curve", noise(&plan.noise))
+}
+
+fn noise(of: &NoiseResult) -> String {
+    let with_unit = |value: f64, unit, what| {
+        let scale = units::scale(value, unit);
+        let number = super::words::short(value / scale.divisor);
+        format!("{number} {} of {what}", scale.label)
+    };
+    let depth = of.depth.filter(|sigma| *sigma > 0.0);
+    let force = of.force.filter(|sigma| *sigma > 0.0);
+    let relative = (of.relative > 0.0).then(|| percent(of.relative));
+    let parts: Vec<_> = (depth
+        .map(|sigma| with_unit(sigma, "m", "depth"))
+        .into_iter())
+    .chain(force.map(|sigma| with_unit(sigma, "N", "force")))
+    .chain(relative.map(|part| format!("{part} of the reading")))
+    .collect();
+    format!("noise {}", parts.join(" and "))
+}
+
+/// A part of one in percent.
+#[must_use]
+pub fn percent(part: f64) -> String {
+    format!("{} %", super::words::short(100.0 * part))
+}
+
+/// The designs in rows, the best first, the unknowns in columns.
+#[must_use]
+pub fn table(designs: &[DesignResult]) -> String {
+    let Some(first) = designs.first() else {
+        return String::new();
+    };
+    let heads = numbers(first).map(|of| names::symbol(&of.key));
+    let head: Vec<String> = std::iter::once(String::new()).chain(heads).collect();
+    let row = |design: &DesignResult| {
+        let name = std::iter::once(name(design));
+        name.chain(numbers(design).map(width)).collect()
+    };
+    let shown = designs.iter().take(ROWS).map(row);
+    let rows: Vec<Vec<String>> = std::iter::once(head).chain(shown).collect();
+    let width = |column: usize| {
+        let cells = rows.iter().map(|row| row[column].chars().count());
+        cells.max().unwrap_or(0)
+    };
+    let widths: Vec<usize> = (0..rows[0].len()).map(width).collect();
+    let line = |row: &Vec<String>| {
+        let cells = row.iter().zip(&widths).enumerate();
+        let cells = cells.map(|(column, (cell, width))| match column {
+            0 => format!("  {cell:<width$}"),
+            _ => format!("   {cell:>width$}"),
+        });
+        cells.collect::<String>().trim_end().to_owned() + "\n"
+    };
+    let rows = rows.iter().map(line).collect::<String>();
+    let instead = numbers(first).filter_map(|of| Some((names::symbol(&of.key), instead(of)?)));
+    let instead = instead.map(|(symbol, known)| format!("  in place of {symbol}: {known}\n"));
+    let more = match designs.len().saturating_sub(ROWS) {
+        0 => String::new(),
+        more => format!("  … and {}\n", count(more, "worse design")),
+    };
+    rows + &more + &instead.collect::<String>()
+}
+
+/// Unknowns, then nuisances.
+pub fn numbers(design: &DesignResult) -> impl Iterator<Item = &ExpectedResult> {
+    design.unknowns.iter().chain(&design.nuisances)
+}
+
+/// The curves of a design, for a row.
+#[must_use]
+pub fn name(design: &DesignResult) -> String {
+    match design.curves.len() {
+        0 => "what was measured".into(),
+        1 | 2 => advice::curves(design).replace(" and ", " + "),
+        count => format!("all {count} curves"),
+    }
+}
