@@ -30,8 +30,8 @@ def compliance(foundation: Foundation, wavenumber: npt.ArrayLike) -> npt.NDArray
 def influence_coefficients(foundation: Foundation, element_side: float, elements: int) -> npt.NDArray[np.float64]:
     """The displacement of an element under unit pressure on another, by their offset, in m/Pa.
 
-    Coefficient `[m, n]` of the N × N array belongs to elements of side `element_side` (m) that are m apart along x and n
-    along y.
+    Coefficient `[m, n]` of the N × N array belongs to elements of side `element_side` (m) that are m apart along x and
+    n along y.
     """
     return ElasticOperator(foundation, element_side, elements).coefficients
 

@@ -6,6 +6,8 @@ import json
 from collections.abc import Iterator, Mapping
 from typing import Any, TypeAlias
 
+from .errors import ArgumentError
+
 Value: TypeAlias = Any
 """A string, an integer, a float, a truth value, a list of values or a table of them."""
 
@@ -53,6 +55,8 @@ def _inline(value: Value) -> str:
             return f"{{ {pairs} }}"
         case list():
             return f"[{', '.join(map(_inline, value))}]"
-        case _:
+        case int() | float():
             # The shortest digits that read back as the same number.
             return repr(value)
+        case _:
+            raise ArgumentError(f"found {type(value).__name__}, wanted a value that a case file can hold")

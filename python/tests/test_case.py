@@ -220,6 +220,13 @@ def test_what_is_no_quantity_is_refused(body: pl.Foundation, value: Any) -> None
         pl.Case(body, pl.Sphere(value), force=1.0)
 
 
+def test_what_no_case_file_can_hold_is_refused(body: pl.Foundation) -> None:
+    interface: Any = object()
+    for part in (pl.Layer(1.0, pl.Material(1.0, 0.3), interface), pl.Layer(1.0, pl.Material(1.0, interface))):
+        with pytest.raises(pl.ArgumentError, match="found object, wanted a"):
+            pl.Case(pl.Foundation("rigid", [part]), pl.Sphere(1.0), force=1.0)
+
+
 @pytest.mark.parametrize("part", ["foundation", "indenter", "surface", "stress"])
 def test_a_part_of_another_kind_is_refused_by_its_name(body: pl.Foundation, part: str) -> None:
     parts: dict[str, Any] = {"foundation": body, "indenter": pl.Sphere(1.0), "force": 1.0}
