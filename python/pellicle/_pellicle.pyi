@@ -7,6 +7,27 @@ from typing import Any, final
 import numpy as np
 import numpy.typing as npt
 
+__all__ = [
+    "Body",
+    "Case",
+    "CaseError",
+    "ContactError",
+    "Error",
+    "Field",
+    "IndenterError",
+    "InfluenceError",
+    "InternalError",
+    "KernelError",
+    "Operator",
+    "Planes",
+    "Problem",
+    "Run",
+    "RunError",
+    "Solution",
+    "TextureError",
+    "read_text",
+]
+
 class Error(Exception):
     """Whatever keeps a case from being read or solved."""
 
