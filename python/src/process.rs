@@ -117,18 +117,19 @@ impl Threads {
         &self.pool
     }
 
+    /// Whether they are those of the process that this one was forked from.
+    pub fn are_of_parent(&self) -> bool {
+        self.process != process::id()
+    }
+
     /// Lets the threads wait for other work; they must have none.
     pub fn release(self) {
-        let Self {
-            pool,
-            wanted,
-            process,
-        } = self;
-        if process != process::id() {
-            // They are those of the process that this one was forked from.
-            mem::forget(pool);
+        if self.are_of_parent() {
+            // They cannot be ended here.
+            mem::forget(self.pool);
             return;
         }
+        let Self { pool, wanted, .. } = self;
         with_process(|process| {
             if process.idle.len() < MOST_IDLE {
                 process.idle.push((wanted, pool));

@@ -177,8 +177,13 @@ impl Run {
 
 impl Drop for Run {
     fn drop(&mut self) {
-        if self.watched.state().is_finished {
-            self.release_threads();
+        let threads = self.threads.get_mut();
+        let Some(threads) = threads.unwrap_or_else(PoisonError::into_inner).take() else {
+            return;
+        };
+        // In a forked child the state may be locked by a thread that is not there.
+        if threads.are_of_parent() || self.watched.state().is_finished {
+            threads.release();
         } else {
             self.watched.is_cancelled.store(true, Ordering::Relaxed);
         }
