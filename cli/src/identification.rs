@@ -2,27 +2,31 @@
 
 pub mod curve_source;
 pub mod files;
+pub mod fitting;
 pub mod names;
 pub mod null_directions;
 pub mod pictures;
+pub mod remembered;
 pub mod report;
 pub mod result;
 pub mod sampling;
 pub mod simulation;
+pub mod spring_constants;
 pub mod tables;
 pub mod text;
 pub mod units;
 pub mod validity;
 
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::Arc;
 
 use pellicle_contact::ModelParameter;
 use pellicle_identify::{
-    ContactCurve, ContactCurves, CurveOptions, Fit, ForwardError, ForwardModel, IdentifyError,
-    NullDirections, Prediction, Problem, Scatter, Unknown, identify,
+    ContactCurve, ContactCurves, CurveOptions, IdentifyError, NullDirections, Problem, Scatter,
+    Unknown,
 };
 
 use self::curve_source::CurveSource;
+use self::validity::Outside;
 use crate::failure::Failure;
 use crate::fit_file::FitFile;
 use crate::fit_file::model::ModelParameters;
@@ -37,15 +41,32 @@ const FEWEST_REPEATS: usize = 3;
 #[derive(Debug)]
 pub struct Identification {
     /// The fit file.
-    pub file: FitFile,
+    pub file: Arc<FitFile>,
     /// The curves, in the order of the tables and their files.
     pub sources: Vec<CurveSource>,
+    /// The table of each curve, by its index.
+    pub tables: Vec<usize>,
     /// Their models.
     pub model: ContactCurves,
     /// What is to be found.
     pub problem: Problem,
     /// Directions in which no curve changes.
     pub directions: NullDirections,
+    /// Points at which the model does not hold.
+    pub outside: Outside,
+    /// What earlier fits took, of which points had to be left out.
+    pub spent: Spent,
+}
+
+/// What fits take.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Spent {
+    /// Curves solved.
+    pub curves: usize,
+    /// Loads solved.
+    pub loads: usize,
+    /// Products with `K`.
+    pub products: usize,
 }
 
 impl Identification {
@@ -55,56 +76,60 @@ impl Identification {
     ///
     /// [`Failure`] if a measurement gives no curve, a model cannot be built, or there are too few points.
     pub fn new(file: FitFile) -> Result<Self, Failure> {
-        let mut sources = Vec::new();
+        let of_table = |(index, table)| {
+            let sources = CurveSource::of_table(table)?.into_iter();
+            Ok(sources.map(move |source| (index, source)))
+        };
+        let sources = file.data.iter().enumerate().map(of_table);
+        let sources: Vec<_> = sources.collect::<Result<_, Failure>>()?;
+        Self::posed(file.into(), sources.into_iter().flatten().collect(), None)
+    }
+
+    /// The problem of these curves, each with the index of its table, from the starts of the fit file or from others.
+    fn posed(
+        file: Arc<FitFile>,
+        sources: Vec<(usize, CurveSource)>,
+        starts: Option<&[f64]>,
+    ) -> Result<Self, Failure> {
         let mut curves = Vec::new();
         let mut directions = Vec::new();
         for (index, table) in file.data.iter().enumerate() {
             let parameters = file.model.with(&table.set)?;
             let own = own(table, &parameters);
             directions.push(null_directions::of(&parameters, &own, index));
-            let of_table = CurveSource::of_table(table)?;
+            let of_table = sources.iter().filter(|(table, _)| *table == index);
             curves.push(ContactCurve {
                 model: parameters.model.clone(),
                 observable: curve_source::observable(table.observe),
-                abscissae: (of_table.iter())
-                    .flat_map(|source| source.abscissa.iter().copied())
+                abscissae: of_table
+                    .flat_map(|(_, source)| source.abscissa.iter().copied())
                     .collect(),
                 own,
             });
-            sources.extend(of_table);
         }
         let unknowns = file.all_unknowns();
         let sought = unknowns.iter().map(|unknown| unknown.parameter).collect();
-        let model = ContactCurves::new(curves, sought, CurveOptions::default())?;
+        let options = CurveOptions {
+            stop: interrupt::is_requested,
+            ..CurveOptions::default()
+        };
+        let model = ContactCurves::new(curves, sought, options)?
+            .with_force_scales(spring_constants::scales(&file));
+        let (tables, sources): (Vec<usize>, Vec<CurveSource>) = sources.into_iter().unzip();
         let directions = null_directions::common(directions)?;
-        let problem = problem(&file, &sources)?
+        let problem = problem(&file, &sources, starts)?
             .with_null_directions(directions.clone())
             .with_scatter(scatter(&file));
         Ok(Self {
             file,
             sources,
+            tables,
             model,
             problem,
             directions,
+            outside: Outside::default(),
+            spent: Spent::default(),
         })
-    }
-
-    /// Makes the fit; `tell` is told of each prediction how many there were.
-    ///
-    /// # Errors
-    ///
-    /// [`Failure`] if the model has no prediction at any start, or the user stops.
-    pub fn run(&self, tell: &(dyn Fn(usize) + Sync)) -> Result<Fit, Failure> {
-        let watched = Watched {
-            model: &self.model,
-            predictions: AtomicUsize::new(0),
-            tell,
-        };
-        Ok(identify(
-            &watched,
-            &self.problem,
-            &self.file.report.options(),
-        )?)
     }
 }
 
@@ -115,16 +140,35 @@ impl FitFile {
         let nuisances = self.nuisances.parameters.iter();
         self.unknowns.iter().chain(nuisances).cloned().collect()
     }
+
+    /// The SI unit of one of the estimates of a fit: those, then the spring constants.
+    #[must_use]
+    pub fn unit(&self, index: usize) -> &'static str {
+        let all = self.all_unknowns();
+        all.get(index)
+            .map_or(spring_constants::UNIT, UnknownCase::unit)
+    }
 }
 
 /// The problem without what no data can tell.
-fn problem(file: &FitFile, sources: &[CurveSource]) -> Result<Problem, Failure> {
+fn problem(
+    file: &FitFile,
+    sources: &[CurveSource],
+    starts: Option<&[f64]>,
+) -> Result<Problem, Failure> {
     let curves = sources.iter().map(CurveSource::curve);
     let curves = curves.collect::<Result<Vec<_>, IdentifyError>>()?;
     let nuisances = file.nuisances.parameters.iter();
     let nuisances = nuisances.map(|case| case.unknown().map(Unknown::as_nuisance));
     let unknowns = file.unknowns.iter().map(UnknownCase::unknown);
-    let unknowns = unknowns.chain(nuisances).collect::<Result<Vec<_>, _>>()?;
+    let springs = spring_constants::unknowns(file);
+    let unknowns = unknowns.chain(nuisances).chain(springs);
+    let mut unknowns = unknowns.collect::<Result<Vec<_>, _>>()?;
+    if let Some(starts) = starts {
+        let pairs = unknowns.into_iter().zip(starts);
+        let moved = pairs.map(|(unknown, start)| unknown.starting_at(*start));
+        unknowns = moved.collect::<Result<_, _>>()?;
+    }
     let noise = curve_source::noise(file)?;
     Ok(Problem::new(
         curves,
@@ -147,22 +191,4 @@ pub fn own(table: &DataTable, parameters: &ModelParameters) -> Vec<ModelParamete
     let keys = table.set.entries.iter();
     let found = keys.filter_map(|entry| parameters.find(&entry.key));
     found.map(|of| of.parameter).collect()
-}
-
-/// A model that tells of its predictions and stops when the user wants.
-struct Watched<'a> {
-    model: &'a ContactCurves,
-    predictions: AtomicUsize,
-    tell: &'a (dyn Fn(usize) + Sync),
-}
-
-impl ForwardModel for Watched<'_> {
-    fn predict(&self, parameters: &[f64]) -> Result<Prediction, ForwardError> {
-        if interrupt::is_requested() {
-            return Err(ForwardError::Stopped);
-        }
-        let prediction = self.model.predict(parameters);
-        (self.tell)(1 + self.predictions.fetch_add(1, Ordering::Relaxed));
-        prediction
-    }
 }

@@ -4,6 +4,7 @@ pub mod advice;
 pub mod after_fit;
 pub mod candidate;
 pub mod comparison;
+pub mod doubts;
 pub mod files;
 pub mod page;
 pub mod picture;
@@ -24,7 +25,6 @@ use self::premises::Premises;
 use crate::failure::Failure;
 use crate::identification::null_directions;
 use crate::identification::result::WarningResult;
-use crate::identification::validity;
 use crate::interrupt;
 use crate::measured::data_table::Observe;
 
@@ -121,7 +121,7 @@ impl<'a> Planning<'a> {
         let values = premises.values(&indenter, candidate.radius);
         let solved = curves.predict(&values).map_err(not_solved)?;
         let load = Load::Force(candidate.forces[1]);
-        let doubts = validity::at_load(&curves.model(0, &values)?, load)?;
+        let doubts = doubts::at_load(&curves.model(0, &values)?, load)?;
         let (abscissae, prediction) = observed(premises.observe, candidate.loads(), solved);
         let prediction = premises.spread(prediction, &indenter);
         let curve = timed(abscissae, &prediction)?;
@@ -134,7 +134,7 @@ impl<'a> Planning<'a> {
         });
         self.loads_solved += curves.loads_solved();
         for doubt in doubts {
-            self.warn(doubt.code(), candidate, &validity::words(&doubt));
+            self.warn(doubt.code(), candidate, &doubts::words(&doubt));
         }
         Ok(())
     }

@@ -32,7 +32,10 @@ pub use path::{
         Domain, choice::choose_side, default_side, estimated_force, estimated_force_at_radius,
     },
     loads_at_once, solve_path,
-    warnings::{domain_much_larger, model_warnings},
+    warnings::{
+        FEWEST_ELEMENTS, LARGEST_SHORTENING, LARGEST_SLOPE, domain_much_larger, edge_slope,
+        model_warnings, relative_shortening,
+    },
 };
 pub use problem::{
     discrete_problem::{DiscreteProblem, Identity},

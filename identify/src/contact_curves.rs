@@ -5,8 +5,10 @@
 //! `D = dE/dQ`, `dD/dQ` and `∂D/∂θ` at every point. As the parameters change, each load's domain follows its contact,
 //! so that the same elements press and no step comes from one that enters.
 
+mod force_scale;
 mod observable;
 mod solved_curve;
+mod validity;
 
 use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -14,8 +16,10 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use pellicle_contact::{ContactError, Model, ModelParameter};
 use rayon::prelude::*;
 
+pub use force_scale::ForceScale;
 pub use observable::Observable;
 use solved_curve::{Nodes, SolvedCurve};
+pub use validity::Invalidity;
 
 use crate::{ForwardError, ForwardModel, Prediction};
 
@@ -41,18 +45,22 @@ pub struct ContactCurves {
     curves: Vec<ContactCurve>,
     nodes: Vec<Nodes>,
     parameters: Vec<ModelParameter>,
+    /// Of each curve.
+    scales: Vec<Option<ForceScale>>,
     options: CurveOptions,
     loads_solved: AtomicUsize,
     operator_applications: AtomicUsize,
 }
 
 /// How the curves are computed.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub struct CurveOptions {
     /// Elements per side of the finer of the two grids; even.
     pub elements: usize,
     /// Loads to a decade at which the contact is solved.
     pub loads_per_decade: f64,
+    /// Asked before each load of a prediction, which ends with [`ForwardError::Stopped`] where the answer is yes.
+    pub stop: fn() -> bool,
 }
 
 impl Default for CurveOptions {
@@ -62,6 +70,7 @@ impl Default for CurveOptions {
         Self {
             elements: 64,
             loads_per_decade: 6.0,
+            stop: || false,
         }
     }
 }
@@ -88,6 +97,7 @@ impl ContactCurves {
             .map(|curve| Nodes::of(curve, options))
             .collect::<Result<_, _>>()?;
         Ok(Self {
+            scales: vec![None; curves.len()],
             curves,
             nodes,
             parameters,
@@ -148,8 +158,17 @@ impl ContactCurves {
         parameters.filter(is_own).map(|(index, _)| index)
     }
 
-    /// One curve at these parameters: its points, their slopes, and their derivatives.
-    fn predicted(&self, curve: usize, parameters: &[f64]) -> Result<Prediction, ContactError> {
+    /// One curve at these parameters, at its abscissae or, where they are forces, at so many times them: its points,
+    /// their slopes, and their derivatives by the parameters of the model.
+    fn true_curve(
+        &self,
+        curve: usize,
+        parameters: &[f64],
+        factor: f64,
+    ) -> Result<Prediction, ContactError> {
+        if (self.options.stop)() {
+            return Err(ContactError::Cancelled { step: 0 });
+        }
         let model = self.model(curve, parameters)?;
         let own: BTreeSet<usize> = self.own(curve).collect();
         let all = self.parameters.iter().enumerate();
@@ -163,8 +182,9 @@ impl ContactCurves {
         let mut prediction = if *observable == Observable::StiffnessAtContactRadius {
             self.stiffnesses(curve, &model, &sought)?
         } else {
-            let solved = self.solved(curve, &model, &sought)?;
-            observable.of(&solved, abscissae)?
+            let nodes = self.nodes[curve].with_forces_times(factor);
+            let solved = self.solved(&nodes, &model, &sought)?;
+            observable.of(&solved, &observable.true_abscissae(abscissae, factor))?
         };
         for index in own {
             prediction
@@ -177,11 +197,10 @@ impl ContactCurves {
     /// A curve solved at its nodes, and counted.
     fn solved(
         &self,
-        curve: usize,
+        nodes: &Nodes,
         model: &Model,
         sought: &[ModelParameter],
     ) -> Result<SolvedCurve, ContactError> {
-        let nodes = &self.nodes[curve];
         let solved = SolvedCurve::of(model, nodes, sought, self.options)?;
         self.loads_solved.fetch_add(nodes.len(), Ordering::Relaxed);
         (self.operator_applications).fetch_add(solved.products, Ordering::Relaxed);
@@ -202,7 +221,7 @@ impl ContactCurves {
             ..
         } = &self.curves[curve];
         let of = |model: &Model| {
-            let solved = self.solved(curve, model, &[])?;
+            let solved = self.solved(&self.nodes[curve], model, &[])?;
             observable.of(&solved, abscissae)
         };
         let mut prediction = of(model)?;
@@ -227,11 +246,14 @@ impl ForwardModel for ContactCurves {
         let mut all = Prediction {
             value: Vec::new(),
             slope: Vec::new(),
-            derivatives: vec![Vec::new(); self.parameters.len()],
+            derivatives: vec![Vec::new(); parameters.len().max(self.parameters.len())],
         };
         for one in predicted {
-            let one = one.map_err(|source| ForwardError::OutOfRange {
-                source: Box::new(source),
+            let one = one.map_err(|source| match source {
+                ContactError::Cancelled { .. } => ForwardError::Stopped,
+                source => ForwardError::OutOfRange {
+                    source: Box::new(source),
+                },
             })?;
             all.value.extend(one.value);
             all.slope.extend(one.slope);

@@ -7,7 +7,7 @@ use crate::{
     REFUSAL, Scatter, Warning, Work,
     correlation::correlation,
     global_search,
-    goodness::{Residuals, lower_half_score, score_p, smooth_score},
+    goodness::{Residuals, Scale, lower_half_score, smooth_score},
     noise::restricted_likelihood::{Part, RestrictedLikelihood},
     null_direction::NullSpace,
     predictor::{Evaluation, Predictor},
@@ -18,16 +18,20 @@ use crate::{
 mod covariance;
 mod estimates;
 mod intervals;
+mod stopped;
 
 use intervals::{Interval, Scanned, Sought};
 
 /// Finds the unknowns of a problem, their intervals, and what the data cannot tell.
 ///
+/// A model that ends the fit, by [`ForwardError::Stopped`](crate::ForwardError::Stopped), leaves what is found by then:
+/// see [`Fit::stopped`].
+///
 /// # Errors
 ///
-/// [`IdentifyError::NoStart`] where the model has no prediction at any start, [`IdentifyError::Stopped`] where the
-/// model ended the fit, [`IdentifyError::Number`] for wrong options. A search that does not converge and a model that
-/// does not follow the data are verdicts of the fit.
+/// [`IdentifyError::NoStart`] where the model has no prediction at any start, [`IdentifyError::Stopped`] where it ended
+/// the fit before its first, [`IdentifyError::Number`] for wrong options. A search that does not converge and a model
+/// that does not follow the data are verdicts of the fit.
 pub fn identify(
     model: &dyn ForwardModel,
     problem: &Problem,
@@ -35,7 +39,24 @@ pub fn identify(
 ) -> Result<Fit, IdentifyError> {
     options.check()?;
     let mut predictor = Predictor::new(model, problem);
-    let Some(found) = global_search::search(problem, &mut predictor, options)? else {
+    match searched(&mut predictor, problem, options) {
+        Err(stopped @ IdentifyError::Stopped { .. }) => {
+            let Some(best) = stopped::best(&predictor, problem) else {
+                return Err(stopped);
+            };
+            Fitting::new(problem, options, Vec::new())?.unfinished(&predictor, best)
+        }
+        found => found,
+    }
+}
+
+/// The fit, or the error that the model ended it before the best fit was found.
+fn searched(
+    predictor: &mut Predictor,
+    problem: &Problem,
+    options: &FitOptions,
+) -> Result<Fit, IdentifyError> {
+    let Some(found) = global_search::search(problem, predictor, options)? else {
         return Err(global_search::no_start(predictor, options.starts));
     };
     let mut warnings = Vec::new();
@@ -44,12 +65,12 @@ pub fn identify(
     }
     match problem.scatter() {
         Scatter::BetweenCurves if problem.curves().len() > 1 => {
-            let mut fit = Repeats::new(problem, options)?.run(&mut predictor, found.at)?;
+            let mut fit = Repeats::new(problem, options)?.run(predictor, found.at)?;
             fit.warnings.extend(warnings);
             Ok(fit)
         }
         Scatter::None | Scatter::BetweenCurves => {
-            Fitting::new(problem, options, warnings)?.run(&mut predictor, found.at)
+            Fitting::new(problem, options, warnings)?.run(predictor, found.at)
         }
     }
 }
@@ -174,6 +195,7 @@ impl<'p> Fitting<'p> {
         let covariance = self.covariance(refined);
         Fit {
             verdict,
+            stopped: stopped::profiles(&intervals),
             estimates: self.estimates(refined, sought, intervals),
             coefficients: self.coefficients(refined, sought),
             correlation: correlation(&covariance),
@@ -215,7 +237,8 @@ impl<'p> Fitting<'p> {
             lower_half_score(problem, at.0, at.1, &self.told),
             smooth_score(problem, at.0, at.1, &self.told),
         ];
-        let scores = scores.map(|score| score_p(score, (!known).then_some(least)));
+        let scale = Scale::of(problem, least);
+        let scores = scores.map(|score| scale.probability(score));
         Residuals {
             series: problem
                 .spans()

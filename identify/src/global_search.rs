@@ -85,15 +85,15 @@ pub(crate) fn search(
 }
 
 /// The error of a model that has no prediction at any start.
-pub(crate) fn no_start(predictor: Predictor, starts: usize) -> IdentifyError {
+pub(crate) fn no_start(predictor: &mut Predictor, starts: usize) -> IdentifyError {
     let source = predictor
-        .into_last_failure()
+        .take_last_failure()
         .unwrap_or(ForwardError::Incomplete);
     IdentifyError::NoStart { starts, source }
 }
 
 /// White noise of guessed or given size, at the observed values, so that all searches are measured alike.
-fn provisional_metric<'p>(problem: &'p Problem, first: &Evaluation) -> Metric<'p> {
+pub(crate) fn provisional_metric<'p>(problem: &'p Problem, first: &Evaluation) -> Metric<'p> {
     let levels = first_levels(problem);
     Metric::new(problem, &levels, problem.observed(), &first.slope)
 }

@@ -7,7 +7,7 @@
 //! (Bonferroni), so that a true model is refused no oftener than that says, whatever the tests have in common.
 
 use crate::{
-    Problem,
+    Correlation, Problem,
     distribution::{chi_squared_above, fisher_above, normal_below},
     metric::Metric,
     predictor::Evaluation,
@@ -220,13 +220,44 @@ fn score(
     [before - dot(&residual, &residual), rank as f64]
 }
 
-/// The probability of so great a score, `S/q` being Fisher's F with the degrees of freedom of an estimated noise;
-/// nothing where there is no freedom.
-pub(crate) fn score_p([score, q]: [f64; 2], degrees: Option<f64>) -> Option<f64> {
-    (q > 0.0).then(|| match degrees {
-        None => chi_squared_above(score, q),
-        Some(degrees) => fisher_above(score / q, q, degrees),
-    })
+/// What is known of the size of the noise that a score is measured by.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Scale {
+    /// All.
+    Known,
+    /// It was estimated with these degrees of freedom from residuals that hold the score.
+    OfResiduals(f64),
+    /// It was estimated, with a correlation that takes up part of a misfit, with these degrees of freedom.
+    OfCorrelated(f64),
+}
+
+impl Scale {
+    /// That of a problem's noise.
+    pub fn of(problem: &Problem, degrees: f64) -> Self {
+        let noise = problem.noise();
+        if noise.is_known() {
+            Self::Known
+        } else if noise.correlation == Correlation::Estimated {
+            Self::OfCorrelated(degrees)
+        } else {
+            Self::OfResiduals(degrees)
+        }
+    }
+
+    /// The probability of so great a score `S` of `q` columns; nothing where there is no freedom. With `ν` degrees of
+    /// freedom that hold the score, `(S/q)/((ν − S)/(ν − q))` is Fisher's F, otherwise `S/q` is.
+    pub fn probability(self, [score, q]: [f64; 2]) -> Option<f64> {
+        (q > 0.0).then(|| match self {
+            Self::Known => chi_squared_above(score, q),
+            Self::OfCorrelated(degrees) => fisher_above(score / q, q, degrees),
+            Self::OfResiduals(degrees) if degrees <= q => 1.0,
+            Self::OfResiduals(degrees) if degrees <= score => 0.0,
+            Self::OfResiduals(degrees) => {
+                let rest = (degrees - score) / (degrees - q);
+                fisher_above(score / q / rest, q, degrees - q)
+            }
+        })
+    }
 }
 
 /// Whether each point lies above the median of the abscissae.

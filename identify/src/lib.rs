@@ -43,7 +43,9 @@ mod surrogate;
 mod unknown;
 mod verdict;
 
-pub use contact_curves::{ContactCurve, ContactCurves, CurveOptions, Observable};
+pub use contact_curves::{
+    ContactCurve, ContactCurves, CurveOptions, ForceScale, Invalidity, Observable,
+};
 pub use curve::Curve;
 pub use error::IdentifyError;
 pub use fit::identify;
@@ -62,7 +64,7 @@ pub use problem::{Problem, Scatter};
 pub use profile::ProfilePoint;
 pub use repeats::Exclusion;
 pub use result::{
-    BetweenCurves, Coefficient, Estimate, Fit, FitVerdict, FittedPoints, Warning, Work,
+    BetweenCurves, Coefficient, Estimate, Fit, FitVerdict, FittedPoints, Stopped, Warning, Work,
 };
 pub use surrogate::{Surrogate, SurrogateOptions};
 pub use unknown::{Coordinate, Role, Unknown};

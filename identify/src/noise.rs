@@ -86,6 +86,12 @@ impl NoiseLevels {
         };
         noise.check()
     }
+
+    /// The effective variance `σ_D² + (ρ y)² + (∂y/∂Q)² σ_Q²` of a point of value `y` where the curve has this slope.
+    #[must_use]
+    pub fn variance(&self, value: f64, slope: f64) -> f64 {
+        self.observed.powi(2) + (self.relative * value).powi(2) + (slope * self.abscissa).powi(2)
+    }
 }
 
 /// An amount that is to be estimated starts as this part of the typical observable or abscissa.

@@ -91,8 +91,8 @@ impl<'a> Predictor<'a> {
     }
 
     /// What the model said when it last failed.
-    pub fn into_last_failure(self) -> Option<ForwardError> {
-        self.last_failure
+    pub fn take_last_failure(&mut self) -> Option<ForwardError> {
+        self.last_failure.take()
     }
 
     fn predict(&mut self, position: &[f64]) -> Result<Option<Evaluation>, IdentifyError> {

@@ -4,32 +4,40 @@
 //! of the interval: D. M. Bates and D. G. Watts, Nonlinear Regression Analysis and Its Applications (Wiley, 1988),
 //! section 6.1. The scan goes outward in `z = √Δ`, which is nearly linear. Derivatives make it cheap: the others start
 //! where their tangent leads, what a linear problem could still gain is taken off without another prediction, and
-//! `dΔ/dx_j = −2 J_jᵀ r` of the constrained fit leads to the next point and corrects the last.
+//! `dΔ/dx_j = −2 J_jᵀ r` of the constrained fit leads to the next point and corrects the last. With `z` below zero on
+//! one side, `x_j(z)` and the others run smoothly through the best fit: one side tells where the other begins
+//! (`bend.rs`).
+
+mod bend;
+mod cubic;
+mod valley;
 
 use std::rc::Rc;
+
+use bend::Bend;
+use cubic::{bracketed, hermite};
 
 use crate::{
     IdentifyError, Problem,
     least_squares::{Minimum, Search, Stopping, farthest},
-    metric::{Metric, System},
+    metric::Metric,
     normal_equations::NormalEquations,
     predictor::{Evaluation, Predictor},
     projection::dot,
 };
 
-/// A scan ends where `z` is this near its target, as a part of it; a tangent leads the rest of the way.
-const NEAR: f64 = 0.05;
+/// A scan may end where `z` is this near its target, as a part of it; a cubic leads the rest of the way …
+const NEAR: f64 = 0.25;
+/// … if the tangent at the last point leads to the same place but for this part of the standard error: what the cubic
+/// itself misses is a power of `z` higher, a fraction of that.
+const AGREEMENT: f64 = 0.03;
 /// Longest stride of a scan, a factor of four for a logarithm.
 const LONGEST_STRIDE: f64 = 1.4;
 /// What the constrained fits may leave to be gained, in units of χ²; it is taken off as if the problem were linear.
-const CONSTRAINED: f64 = 0.02;
+const CONSTRAINED: f64 = 0.1;
 /// A profile lower than the best fit by this has found a better one: a twentieth of χ² at level 0.95, so that the
 /// jitter of a prediction from a grid is not taken for one.
 const BETTER: f64 = 0.2;
-/// A scan goes on where a linearisation promises less than this part of `Δ` at the end.
-const PROMISE: f64 = 0.75;
-/// Such a fit is no worse than the end by this factor of `Δ`.
-const NEARLY_AS_GOOD: f64 = 2.0;
 /// No linearisation is trusted farther than this, a factor of 1.4 for a logarithm.
 const TRUSTED: f64 = 0.35;
 /// Constrained fits on one side before it counts as open.
@@ -62,6 +70,8 @@ pub(crate) struct Side {
     pub end: Result<f64, Open>,
     /// Points in the coordinate, outward from the best fit, which is not among them: `x` and `Δ`.
     pub points: Vec<(f64, f64)>,
+    /// How the profile bends, if it came to its end.
+    pub bend: Option<Bend>,
 }
 
 /// What a scan found.
@@ -86,74 +96,31 @@ pub(crate) struct Profile<'s, 'p> {
 }
 
 /// A constrained fit of the scan.
-struct Point {
-    at: Rc<Evaluation>,
-    x: f64,
+pub(crate) struct Point {
+    pub at: Rc<Evaluation>,
+    pub x: f64,
     /// `√Δ`.
-    z: f64,
+    pub z: f64,
     /// `dz/d|x|`.
-    slope: f64,
+    pub slope: f64,
+    /// The others where a linear problem has its least, over all unknowns.
+    pub least: Vec<f64>,
     /// How the others follow, `dx_k/dx_j`, over all unknowns.
-    tangent: Vec<f64>,
+    pub tangent: Vec<f64>,
 }
 
 impl Profile<'_, '_> {
-    /// Scans outward from the best fit, up for `sign` 1 and down for −1.
-    pub fn side(&self, predictor: &mut Predictor, sign: f64) -> Result<Scan, IdentifyError> {
-        self.outward(predictor, self.first()?, sign)
-    }
-
-    /// Scans on from the end of a side, where an evaluation from elsewhere promises a lower profile there: the others
-    /// may have two valleys, and a scan follows one. Nothing where none does.
-    pub fn beyond(
+    /// Scans outward from the best fit, up for `sign` 1 and down for −1, first to where the bend of the other side
+    /// leads, if it is known.
+    pub fn side(
         &self,
         predictor: &mut Predictor,
-        end: f64,
         sign: f64,
-    ) -> Result<Option<Scan>, IdentifyError> {
-        let Some(promised) = self.promised(predictor, end)? else {
-            return Ok(None);
-        };
-        let Some(start) = predictor.evaluate(&promised)? else {
-            return Ok(None);
-        };
-        match self.constrained(predictor, start, sign)? {
-            Err(better) => Ok(Some(Scan::Better(better))),
-            Ok(point) if point.z < (1.0 - NEAR) * self.target => {
-                self.outward(predictor, point, sign).map(Some)
-            }
-            Ok(_) => Ok(None),
-        }
-    }
-
-    /// Where the linearisation of a fit nearly as good as the end has a lower profile there.
-    fn promised(&self, predictor: &Predictor, x: f64) -> Result<Option<Vec<f64>>, IdentifyError> {
-        let search = self.search();
-        let end = self.target * self.target;
-        let above = |system: &System| system.chi_squared - self.best.system.chi_squared;
-        let mut least = PROMISE * end;
-        let mut found = None;
-        for known in predictor
-            .evaluations()
-            .filter(|known| self.is_beside(known))
-        {
-            if above(&self.metric.system(known)) > NEARLY_AS_GOOD * end {
-                continue;
-            }
-            let (position, system) = search.linear_minimum(known, self.unknown, x)?;
-            if above(&system) < least && farthest(&position, &known.position) <= TRUSTED {
-                (least, found) = (above(&system), Some(position));
-            }
-        }
-        Ok(found)
-    }
-
-    /// Whether what is held is the same there.
-    fn is_beside(&self, known: &Evaluation) -> bool {
-        let best = &self.best.at.position;
-        let is_held = |j: &usize| *j != self.unknown && !self.others.contains(j);
-        let mut held = (0..best.len()).filter(is_held);
-        held.all(|j| known.position[j].to_bits() == best[j].to_bits())
+        bend: Option<&Bend>,
+    ) -> Result<Scan, IdentifyError> {
+        let first = self.first()?;
+        let guess = bend.and_then(|bend| self.guess(bend, &first, sign));
+        self.outward(predictor, first, guess, sign)
     }
 
     fn search(&self) -> Search<'_, '_> {
@@ -172,19 +139,25 @@ impl Profile<'_, '_> {
         &self,
         predictor: &mut Predictor,
         mut inner: Point,
+        mut guess: Option<Vec<f64>>,
         sign: f64,
     ) -> Result<Scan, IdentifyError> {
-        let [low, high] = self.problem.unknowns()[self.unknown].bounds();
-        let bound = if sign > 0.0 { high } else { low };
+        let bound = self.bound(sign);
         let mut outer: Option<Point> = None;
         let mut points = Vec::new();
-        let done = |end, points| Ok(Scan::Side(Side { end, points }));
+        let done = |end, points| {
+            let bend = None;
+            Ok(Scan::Side(Side { end, points, bend }))
+        };
         for _ in 0..MOST_POINTS {
             if sign * (bound - inner.x) <= 0.0 {
                 return done(Err(Open::Bound), points);
             }
-            let wanted = self.next(&inner, outer.as_ref(), sign, bound);
-            let Some(point) = self.reach(predictor, &inner, wanted, sign)? else {
+            let start = guess.take().unwrap_or_else(|| {
+                let wanted = self.next(&inner, outer.as_ref(), sign, bound);
+                self.follow(&inner, wanted)
+            });
+            let Some(point) = self.reach(predictor, &inner, start, sign)? else {
                 return done(Err(Open::Model), points);
             };
             let point = match point {
@@ -192,10 +165,14 @@ impl Profile<'_, '_> {
                 Err(better) => return Ok(Scan::Better(better)),
             };
             points.push((point.x, point.z * point.z));
-            if (point.z - self.target).abs() <= NEAR * self.target {
-                let end = point.x + sign * (self.target - point.z) / point.slope;
+            if let Some(distance) = self.rest(&inner, &point) {
+                let end = point.x + sign * distance;
                 let outside = sign * (end - bound) > 0.0;
-                return done(if outside { Err(Open::Bound) } else { Ok(end) }, points);
+                return Ok(Scan::Side(Side {
+                    end: if outside { Err(Open::Bound) } else { Ok(end) },
+                    points,
+                    bend: Bend::between(&self.first()?, &point, sign),
+                }));
             }
             if point.z < self.target {
                 inner = point;
@@ -206,11 +183,49 @@ impl Profile<'_, '_> {
         done(Err(Open::Bound), points)
     }
 
+    /// The bound that a scan goes towards.
+    fn bound(&self, sign: f64) -> f64 {
+        let [low, high] = self.problem.unknowns()[self.unknown].bounds();
+        if sign > 0.0 { high } else { low }
+    }
+
+    /// How far the end still is, if that is known well enough: by the cubic `x(z)` through two points with its slopes,
+    /// where it agrees with the tangent at the second.
+    fn rest(&self, inner: &Point, point: &Point) -> Option<f64> {
+        let left = self.target - point.z;
+        if left.abs() > NEAR * self.target || !(point.slope > 0.0 && inner.slope > 0.0) {
+            return None;
+        }
+        let tangent = left / point.slope;
+        let ends = [inner, point].map(|of| [of.z, -(of.x - point.x).abs(), 1.0 / of.slope]);
+        let cubic = hermite(ends, self.target);
+        ((cubic - tangent).abs() <= AGREEMENT * self.standard_error).then_some(cubic)
+    }
+
+    /// Where the bend of the other side leads: the unknown at its end, and the others; none where that is as far as no
+    /// scan goes.
+    fn guess(&self, bend: &Bend, first: &Point, sign: f64) -> Option<Vec<f64>> {
+        let bound = self.bound(sign);
+        let stride = sign * bend.stride(self.standard_error, sign * self.target);
+        let is_likely = stride > 0.0 && stride <= LONGEST_STRIDE;
+        let to_bound = sign * (bound - first.x);
+        is_likely.then(|| {
+            let stride = sign * stride.min(to_bound);
+            let x = if stride.abs() < to_bound {
+                first.x + stride
+            } else {
+                bound
+            };
+            self.placed(x, |k| first.at.position[k] + bend.follow(first, k, stride))
+        })
+    }
+
     /// The best fit as the first point.
     fn first(&self) -> Result<Point, IdentifyError> {
         Ok(Point {
             x: self.best.at.position[self.unknown],
             at: Rc::clone(&self.best.at),
+            least: self.best.at.position.clone(),
             z: 0.0,
             slope: 1.0 / self.standard_error,
             tangent: self.tangent(self.best)?,
@@ -235,31 +250,35 @@ impl Profile<'_, '_> {
         inner.x + sign * width * part
     }
 
-    /// The constrained fit at a coordinate, or nearer where the model has no prediction there. `Err` is a better fit.
+    /// The constrained fit from a place, or nearer where the model has no prediction there. `Err` is a better fit.
     fn reach(
         &self,
         predictor: &mut Predictor,
         inner: &Point,
-        wanted: f64,
+        mut start: Vec<f64>,
         sign: f64,
     ) -> Result<Option<Result<Point, Rc<Evaluation>>>, IdentifyError> {
-        let mut x = wanted;
         for _ in 0..MOST_RETREATS {
-            if let Some(start) = predictor.evaluate(&self.follow(inner, x))? {
+            if let Some(start) = predictor.evaluate(&start)? {
                 return self.constrained(predictor, start, sign).map(Some);
             }
-            x = f64::midpoint(inner.x, x);
+            start = self.follow(inner, f64::midpoint(inner.x, start[self.unknown]));
         }
         Ok(None)
     }
 
     /// Where the tangent of the others leads.
     fn follow(&self, inner: &Point, x: f64) -> Vec<f64> {
-        let mut position = inner.at.position.clone();
         let step = x - inner.x;
+        self.placed(x, |k| inner.least[k] + step * inner.tangent[k])
+    }
+
+    /// The unknown at a coordinate and the others at theirs, within the bounds.
+    fn placed(&self, x: f64, of_other: impl Fn(usize) -> f64) -> Vec<f64> {
+        let mut position = self.best.at.position.clone();
         for &k in self.others {
             let [low, high] = self.problem.unknowns()[k].bounds();
-            position[k] = (position[k] + step * inner.tangent[k]).clamp(low, high);
+            position[k] = of_other(k).clamp(low, high);
         }
         position[self.unknown] = x;
         position
@@ -282,7 +301,8 @@ impl Profile<'_, '_> {
         let z = (above - gain).max(0.0).sqrt();
         let equations = NormalEquations::new(&fit.system, &search.moving(&fit));
         // The residual after the rest of the step, and from it dΔ/dx_j = −2 J_jᵀ r.
-        let rest = fit.system.after(&equations.full_step()?);
+        let step = equations.full_step()?;
+        let rest = fit.system.after(&step);
         let column = &fit.system.jacobian[self.unknown];
         let rise = -2.0 * sign * dot(column, &rest);
         Ok(Ok(Point {
@@ -290,6 +310,7 @@ impl Profile<'_, '_> {
             slope: rise / (2.0 * z.max(f64::MIN_POSITIVE)),
             z,
             tangent: self.tangent(&fit)?,
+            least: least(&fit, &step),
             at: fit.at,
         }))
     }
@@ -305,24 +326,14 @@ impl Profile<'_, '_> {
     }
 }
 
-/// Where between two points, as a part of their distance, the cubic through both with their slopes reaches the target.
-fn bracketed(inner: &Point, outer: &Point, width: f64, target: f64) -> f64 {
-    let hermite = |t: f64| {
-        let (t2, t3) = (t * t, t * t * t);
-        (2.0 * t3 - 3.0 * t2 + 1.0) * inner.z
-            + (t3 - 2.0 * t2 + t) * width * inner.slope
-            + (3.0 * t2 - 2.0 * t3) * outer.z
-            + (t3 - t2) * width * outer.slope
-    };
-    let (mut low, mut high) = (0.0, 1.0);
-    for _ in 0..50 {
-        let middle = f64::midpoint(low, high);
-        if hermite(middle) < target {
-            low = middle;
-        } else {
-            high = middle;
-        }
+/// Where a linear problem has its least, if that is no farther than its derivatives are trusted; the fit itself
+/// otherwise.
+fn least(fit: &Minimum, step: &[f64]) -> Vec<f64> {
+    let pairs = fit.at.position.iter().zip(step);
+    let least: Vec<f64> = pairs.map(|(x, s)| x + s).collect();
+    if fit.converged && farthest(&least, &fit.at.position) <= TRUSTED {
+        least
+    } else {
+        fit.at.position.clone()
     }
-    // Away from both ends, so that the bracket always shrinks.
-    f64::midpoint(low, high).clamp(0.05, 0.95)
 }

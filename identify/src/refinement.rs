@@ -7,6 +7,7 @@ use crate::{
     least_squares::{Minimum, Search, Stopping},
     metric::Metric,
     noise::restricted_likelihood::{Part, RestrictedLikelihood},
+    normal_equations::NormalEquations,
     predictor::{Evaluation, Predictor},
 };
 
@@ -46,14 +47,8 @@ impl<'p> Refinement<'_, 'p> {
         let mut levels = first;
         let mut round = 0;
         loop {
-            let part = Part {
-                problem: self.problem,
-                at: &at,
-                free: self.told,
-            };
-            levels =
-                RestrictedLikelihood::new(vec![part], *self.problem.noise(), levels).estimate();
-            let metric = Metric::at(self.problem, &levels, &at);
+            let metric;
+            (metric, levels) = self.weighed(&at, levels);
             let mut minimum = self.descend(predictor, &metric, Rc::clone(&at))?;
             round += 1;
             let settled = Rc::ptr_eq(&minimum.at, &at) || minimum.within_jitter || self.is_fixed();
@@ -68,6 +63,41 @@ impl<'p> Refinement<'_, 'p> {
             }
             at = minimum.at;
         }
+    }
+
+    /// A fit that is not the best: the noise that its residuals show, and the problem there.
+    pub fn unfinished(
+        &self,
+        at: Rc<Evaluation>,
+        first: NoiseLevels,
+    ) -> Result<Refined<'p>, IdentifyError> {
+        let (metric, levels) = self.weighed(&at, first);
+        let system = metric.system(&at);
+        let remaining = NormalEquations::new(&system, &self.free()).possible_decrease()?;
+        let minimum = Minimum {
+            at,
+            system,
+            converged: false,
+            within_jitter: false,
+            remaining,
+        };
+        Ok(Refined {
+            minimum,
+            metric,
+            levels,
+        })
+    }
+
+    /// The noise that the residuals at a point show, and the metric under it.
+    fn weighed(&self, at: &Evaluation, levels: NoiseLevels) -> (Metric<'p>, NoiseLevels) {
+        let part = Part {
+            problem: self.problem,
+            at,
+            free: self.told,
+        };
+        let levels =
+            RestrictedLikelihood::new(vec![part], *self.problem.noise(), levels).estimate();
+        (Metric::at(self.problem, &levels, at), levels)
     }
 
     /// One more step, taken whatever `χ²` says of it: its fall is less than what the derivatives of a prediction are

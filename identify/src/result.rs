@@ -16,6 +16,16 @@ pub enum FitVerdict {
     NotConverged,
 }
 
+/// How far a fit came that its model ended.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Stopped {
+    /// Not to the best fit: the values are the best so far, and have no intervals.
+    Search,
+    /// To the best fit, but not to the profiles of these unknowns, by their index: they have the interval from the
+    /// covariance alone.
+    Profiles(Vec<usize>),
+}
+
 /// A parameter as found.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Estimate {
@@ -113,6 +123,8 @@ pub enum Warning {
 pub struct Fit {
     /// What became of it.
     pub verdict: FitVerdict,
+    /// How far it came, if its model ended it.
+    pub stopped: Option<Stopped>,
     /// The unknowns and nonlinear nuisances, in the order of the problem.
     pub estimates: Vec<Estimate>,
     /// The linear nuisances.

@@ -2,12 +2,13 @@
 
 #![expect(clippy::unwrap_used, reason = "a test fails by its panic")]
 
+use approx::assert_relative_eq;
 use pellicle_contact::{
     Cone, Domain, Indenter, IndenterQuantity, Load, Model, ModelParameter, Paraboloid, Pyramid,
     SolverOptions, default_side, solve_path,
 };
 use pellicle_identify::{
-    ContactCurve, ContactCurves, CurveOptions, ForwardModel, Observable, Prediction,
+    ContactCurve, ContactCurves, CurveOptions, ForceScale, ForwardModel, Observable, Prediction,
 };
 use pellicle_influence::{Cache, ElasticBodies, ElasticParameter};
 use pellicle_kernel::{Foundation, FoundationParameter, Material};
@@ -78,6 +79,61 @@ fn predicted(
     let values = parameters.iter().map(|of| model.parameter(*of).unwrap());
     let curves = curves(model, observable, abscissae, parameters);
     curves.predict(&values.collect::<Vec<_>>()).unwrap()
+}
+
+#[test]
+fn forces_read_with_another_constant_are_those_of_the_true_one() {
+    let bodies = ElasticBodies::from(Foundation::half_space(material(70e9, 0.2)));
+    let model = model(&bodies, Relief::Bare, Paraboloid::new(RADIUS).unwrap());
+    let parameters = [young_modulus(0)];
+    let (constant, nominal) = (0.046, 0.04);
+    let factor = constant / nominal;
+    let scale = ForceScale {
+        constant: 0,
+        nominal,
+    };
+    let true_forces: Vec<f64> = forces().iter().map(|force| factor * force).collect();
+    let plain = predicted(&model, Observable::DepthAtForce, true_forces, &parameters);
+    let depths = plain.value.clone();
+    let inverse = predicted(
+        &model,
+        Observable::ForceAtDepth,
+        depths.clone(),
+        &parameters,
+    );
+    for (observable, abscissae, value, slope) in [
+        (
+            Observable::DepthAtForce,
+            forces(),
+            plain.value,
+            plain
+                .slope
+                .iter()
+                .map(|slope| factor * slope)
+                .collect::<Vec<f64>>(),
+        ),
+        (
+            Observable::ForceAtDepth,
+            depths,
+            inverse.value.iter().map(|force| force / factor).collect(),
+            inverse.slope.iter().map(|slope| slope / factor).collect(),
+        ),
+    ] {
+        let scaled = curves(&model, observable, abscissae, &parameters);
+        let scaled = scaled.with_force_scales(vec![Some(scale)]);
+        let at = |constant: f64| scaled.predict(&[70e9, constant]).unwrap();
+        let found = at(constant);
+        let step = 1e-3 * constant;
+        let (more, less) = (at(constant + step), at(constant - step));
+        for i in 0..value.len() {
+            // The same loads on the same grids, to rounding.
+            assert_relative_eq!(found.value[i], value[i], max_relative = 1e-9);
+            assert_relative_eq!(found.slope[i], slope[i], max_relative = 1e-9);
+            let quotient = (more.value[i] - less.value[i]) / (2.0 * step);
+            // Predictions jump by 1e-6 of themselves and the quotient by that over the step; its slope is 1e-4 off.
+            assert_relative_eq!(found.derivatives[1][i], quotient, max_relative = 3e-3);
+        }
+    }
 }
 
 #[test]

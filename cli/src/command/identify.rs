@@ -44,14 +44,13 @@ pub fn identify(arguments: &IdentifyArguments) -> Result<Outcome, Failure> {
         line.set_message(format!("{predictions} curves solved"));
         line.tick();
     };
-    let fit = match identification.run(&tell) {
-        Err(Failure::Identify(IdentifyError::Stopped { predictions })) => {
+    let (identification, fit) = match identification.fitted(&tell) {
+        Err(Failure::Identify(IdentifyError::Stopped { .. })) => {
             line.finish_and_clear();
-            let told = format!("stopped after {predictions} curves solved; nothing is written");
-            terminal::tell(&told);
+            terminal::tell("stopped before the first curve was solved; nothing is written");
             return Ok(Outcome::Stopped);
         }
-        fit => fit?,
+        found => found?,
     };
     interrupt::hold();
     let next = Next::of(&identification, &fit, &|done| {
@@ -60,11 +59,14 @@ pub fn identify(arguments: &IdentifyArguments) -> Result<Outcome, Failure> {
     });
     line.finish_and_clear();
     let seconds = start.elapsed().as_secs_f64();
-    let mut found = FitResult::new(&identification, &fit, next, seconds)?;
+    let mut found = FitResult::new(&identification, &fit, next, seconds);
     let write = |folder: ResultsFolder| {
         folder.write(|folder| {
             files::write(folder, &identification, &fit, &mut found)?;
-            Ok(Completeness::Whole)
+            Ok(match fit.stopped {
+                None => Completeness::Whole,
+                Some(_) => Completeness::Part,
+            })
         })
     };
     let written = folder.map(write).transpose()?;
@@ -133,6 +135,9 @@ fn claim(arguments: &IdentifyArguments, ending: &str) -> Result<Option<ResultsFo
 }
 
 fn outcome(arguments: &IdentifyArguments, fit: &Fit) -> Outcome {
+    if fit.stopped.is_some() {
+        return Outcome::Stopped;
+    }
     match fit.verdict {
         FitVerdict::Fitted => Outcome::Done,
         FitVerdict::Misfit if arguments.accept_misfit => Outcome::Done,

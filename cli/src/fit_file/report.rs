@@ -31,6 +31,17 @@ pub struct ReportTable {
     pub seed: u64,
     /// Measurements to judge in advance.
     pub design: Design,
+    /// What is done with points at which the model does not hold.
+    pub outside: OutsidePoints,
+}
+
+/// What is done with points at which the model does not hold.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum OutsidePoints {
+    /// The fit is made without them.
+    LeaveOut,
+    /// They stay, and are told.
+    Keep,
 }
 
 /// Measurements to judge in advance: a curve for each radius and each range of forces up to one of these.
@@ -52,6 +63,7 @@ impl Default for ReportTable {
             posterior: 0,
             seed: 1,
             design: Design::default(),
+            outside: OutsidePoints::LeaveOut,
         }
     }
 }
@@ -64,7 +76,14 @@ impl ReportTable {
     /// A [`Diagnosis`] of the first fault.
     pub fn read(table: &TableReader<'_>, parameters: &ModelParameters) -> Result<Self, Diagnosis> {
         const LEVEL: &str = "a number between 0.5 and 0.999, such as 0.95";
-        table.only(&["level", "intervals", "posterior", "seed", "design"])?;
+        table.only(&[
+            "level",
+            "intervals",
+            "posterior",
+            "seed",
+            "design",
+            "outside",
+        ])?;
         let mut report = Self::default();
         if let Some(field) = table.optional("level") {
             report.level = field.number(LEVEL)?;
@@ -81,6 +100,13 @@ impl ReportTable {
         }
         if let Some(field) = table.optional("seed") {
             report.seed = field.count(0..=usize::MAX, "")? as u64;
+        }
+        if let Some(field) = table.optional("outside") {
+            let choices = [
+                ("leave out", OutsidePoints::LeaveOut),
+                ("keep", OutsidePoints::Keep),
+            ];
+            report.outside = field.choice(&choices)?;
         }
         if let Some(field) = table.optional("design") {
             report.design = Design::read(&field, parameters)?;

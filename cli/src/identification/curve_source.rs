@@ -1,6 +1,6 @@
 //! A measured curve as a fit takes it: abscissae, observed values and noise.
 
-use pellicle_identify::{Amount, Correlation, Curve, IdentifyError, Noise, Observable};
+use pellicle_identify::{Amount, Correlation, Curve, IdentifyError, Invalidity, Noise, Observable};
 
 use crate::case::diagnosis::Diagnosis;
 use crate::failure::Failure;
@@ -11,8 +11,11 @@ use crate::measured::data_table::{DataTable, Observe};
 use crate::measured::error::CurveError;
 use crate::measured::noise::{self, Noise as MeasuredNoise};
 
+/// Points without which a curve is none.
+pub const FEWEST_POINTS: usize = 3;
+
 /// A curve, and where it came from.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct CurveSource {
     /// The measurement.
     pub measured: MeasuredCurve,
@@ -24,6 +27,21 @@ pub struct CurveSource {
     pub time: Option<Vec<f64>>,
     /// Points left out because their abscissa is not positive: there is no contact.
     pub without_contact: usize,
+    /// The place of each point that is fitted among those of the measurement.
+    points: Vec<usize>,
+}
+
+/// A point of a measurement at which the model does not hold.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OutsidePoint {
+    /// Its row in the table of the file, from 1.
+    pub row: usize,
+    /// Its abscissa.
+    pub abscissa: f64,
+    /// What was observed there.
+    pub observed: f64,
+    /// Why.
+    pub reason: Invalidity,
 }
 
 impl CurveSource {
@@ -56,10 +74,11 @@ impl CurveSource {
             observed: kept(observed),
             time: measured.time().map(kept),
             without_contact: abscissa.len() - in_contact.len(),
+            points: in_contact,
             measured,
         };
         let (found, rows) = (source.abscissa.len(), source.measured.table_rows);
-        let wanted = 3;
+        let wanted = FEWEST_POINTS;
         if found < wanted {
             let error = CurveError::TooFewPoints {
                 found,
@@ -69,6 +88,37 @@ impl CurveSource {
             return Err(table.diagnosis(&source.measured.file, &error));
         }
         Ok(source)
+    }
+
+    /// The curve without the points at which the model does not hold; of each point why, if so.
+    #[must_use]
+    pub fn without(&self, invalid: &[Option<Invalidity>]) -> Self {
+        let kept: Vec<usize> = (0..self.points.len())
+            .filter(|point| invalid[*point].is_none())
+            .collect();
+        let chosen = |values: &[f64]| kept.iter().map(|point| values[*point]).collect();
+        Self {
+            abscissa: chosen(&self.abscissa),
+            observed: chosen(&self.observed),
+            time: self.time.as_deref().map(chosen),
+            points: kept.iter().map(|point| self.points[*point]).collect(),
+            ..self.clone()
+        }
+    }
+
+    /// The points at which the model does not hold.
+    #[must_use]
+    pub fn outside(&self, invalid: &[Option<Invalidity>]) -> Vec<OutsidePoint> {
+        let points = self.points.iter().zip(invalid).enumerate();
+        let outside = points.filter_map(|(point, (place, reason))| {
+            Some(OutsidePoint {
+                row: self.measured.rows[*place],
+                abscissa: self.abscissa[point],
+                observed: self.observed[point],
+                reason: (*reason)?,
+            })
+        });
+        outside.collect()
     }
 
     /// The curve for a fit; times only where they ascend.

@@ -16,6 +16,8 @@ use crate::picture::style::Style;
 
 /// Samples of the posterior, an array for each unknown.
 const SAMPLES: &str = "posterior.npz";
+/// The points at which the model does not hold, if there are any.
+const EXCLUDED: &str = "excluded.csv";
 /// The tables of a fit.
 const TABLES: [&str; 3] = ["fit.csv", "covariance.csv", "profiles.csv"];
 
@@ -26,7 +28,7 @@ pub fn is_name(name: &str) -> bool {
         let ending = name.strip_prefix(picture.name());
         ending.is_some_and(|ending| [".svg", ".png"].contains(&ending))
     };
-    [result::FILE, SAMPLES].contains(&name)
+    [result::FILE, SAMPLES, EXCLUDED].contains(&name)
         || TABLES.contains(&name)
         || FitPicture::ALL.iter().any(is_picture)
 }
@@ -59,6 +61,9 @@ pub fn write(
     for (name, table) in tables::all(of, fit) {
         file::write_bytes(&folder.join(name), table.as_bytes())?;
     }
+    if let Some(table) = tables::excluded(of) {
+        file::write_bytes(&folder.join(EXCLUDED), table.as_bytes())?;
+    }
     let page = report::html(of, fit, found, &drawings);
     file::write_bytes(&folder.join(crate::output::report::FILE), page.as_bytes())?;
     file::write_bytes(&folder.join(result::FILE), json(found)?.as_bytes())
@@ -74,6 +79,7 @@ mod tests {
             "fit.json",
             "fit.csv",
             "posterior.npz",
+            "excluded.csv",
             "covariance.csv",
             "fit-curve.svg",
             "fit-corner.png",

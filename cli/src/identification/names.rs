@@ -18,6 +18,7 @@ pub fn of_key(key: &str) -> String {
         "face_angle" => "face angle",
         "height" => "height",
         "compliance" => "compliance",
+        "spring_constant" => "spring constant",
         _ => return key.to_owned(),
     };
     match of_place(place) {
@@ -31,6 +32,8 @@ fn of_place(place: &str) -> Option<String> {
         "foundation.substrate" => "the substrate",
         "indenter" => "the indenter",
         "surface" => "the surface",
+        // A table of measurements.
+        _ if place.starts_with("data[") => place,
         _ => {
             let (index, rest) = place.strip_prefix("foundation.layer[")?.split_once(']')?;
             return match rest {
@@ -59,6 +62,7 @@ pub fn symbol(key: &str) -> String {
         ("face_angle", _) => return "face angle".into(),
         ("height", _) => "h",
         ("compliance", _) => "η",
+        ("spring_constant", _) => "k",
         _ => return of_key(key),
     };
     match of_place(place) {
@@ -114,6 +118,7 @@ mod tests {
             ("indenter.tip_radius", "tip radius of the indenter"),
             ("surface.thickness", "thickness of the surface"),
             ("frame_compliance", "compliance of the frame"),
+            ("data[0].spring_constant", "spring constant of data[0]"),
             ("foundation.mystery.radius", "foundation.mystery.radius"),
         ] {
             assert_eq!(of_key(key), words);

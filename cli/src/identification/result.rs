@@ -10,8 +10,7 @@ use pellicle_identify::{
 };
 use serde::{Deserialize, Serialize};
 
-use super::{Identification, validity};
-use crate::failure::Failure;
+use super::Identification;
 use crate::output::summary::PROGRAM;
 use crate::planning::after_fit::Next;
 use crate::planning::result::DesignResult;
@@ -187,11 +186,8 @@ pub struct WarningResult {
 
 impl FitResult {
     /// The result of a fit that took so many seconds, and what to measure next.
-    ///
-    /// # Errors
-    ///
-    /// [`Failure`] if the contact cannot be solved at the best fit.
-    pub fn new(of: &Identification, fit: &Fit, next: Next, seconds: f64) -> Result<Self, Failure> {
+    #[must_use]
+    pub fn new(of: &Identification, fit: &Fit, next: Next, seconds: f64) -> Self {
         let estimates = || fit.estimates.iter().enumerate();
         let with_role = |role: Role| {
             let chosen = estimates().filter(move |(_, estimate)| estimate.role == role);
@@ -200,11 +196,11 @@ impl FitResult {
         let coefficients = fit.coefficients.iter().filter(|one| one.curve.is_none());
         let common = coefficients.map(|one| of.coefficient(&one.name, one.value, one.interval));
         let mut warnings = of.warnings(fit);
-        warnings.extend(validity::warnings(of, fit)?);
+        warnings.extend(of.outside_warnings());
         let sampling = of.sample(fit);
         warnings.extend(sampling.warnings);
         warnings.extend(next.warnings);
-        Ok(Self {
+        Self {
             schema: SCHEMA,
             program: PROGRAM,
             version: env!("CARGO_PKG_VERSION"),
@@ -215,9 +211,9 @@ impl FitResult {
             correlation: fit.correlation.clone(),
             fit: of.quality(fit),
             work: WorkResult {
-                curves_solved: fit.work.curves_solved,
-                loads_solved: of.model.loads_solved(),
-                operator_applications: of.model.operator_applications(),
+                curves_solved: of.spent.curves + fit.work.curves_solved,
+                loads_solved: of.spent.loads + of.model.loads_solved(),
+                operator_applications: of.spent.products + of.model.operator_applications(),
                 seconds,
             },
             curves: of.curves(fit),
@@ -225,7 +221,7 @@ impl FitResult {
             warnings,
             samples: sampling.samples,
             advice: next.advice,
-        })
+        }
     }
 }
 
@@ -241,7 +237,7 @@ pub fn verdict(verdict: FitVerdict) -> &'static str {
 
 impl Identification {
     fn estimate(&self, index: usize, estimate: &Estimate) -> EstimateResult {
-        let unit = self.file.all_unknowns()[index].unit();
+        let unit = self.file.unit(index);
         EstimateResult {
             key: estimate.name.clone(),
             unit: unit.into(),

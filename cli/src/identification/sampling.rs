@@ -28,6 +28,9 @@ impl Identification {
         if report.posterior == 0 {
             return Sampling::default();
         }
+        if fit.stopped.is_some() {
+            return Sampling::without("the fit was stopped");
+        }
         let is_told = |verdict: Verdict| verdict != Verdict::NotIdentifiable;
         let all_told = fit
             .estimates

@@ -3,6 +3,7 @@
 use pellicle_identify::{Estimate, Fit, Observable};
 
 use super::Identification;
+use super::curve_source::OutsidePoint;
 
 /// Every table with the name of its file.
 #[must_use]
@@ -14,14 +15,43 @@ pub fn all(of: &Identification, fit: &Fit) -> [(&'static str, String); 3] {
     ]
 }
 
-/// Data, model and residuals of every point.
-fn data(of: &Identification, fit: &Fit) -> String {
+/// The points left out because the model does not hold there, and why; nothing without such.
+#[must_use]
+pub fn excluded(of: &Identification) -> Option<String> {
+    if !of.outside.are_left_out() || of.outside.points.is_empty() {
+        return None;
+    }
+    let [x, y, unit] = axes(of);
+    let curves = of.sources.iter().zip(&of.outside.points);
+    let rows = curves.flat_map(|(source, points)| {
+        let file = quoted(&source.measured.file.display().to_string());
+        let points = points.iter();
+        points.map(move |point| {
+            let OutsidePoint {
+                row,
+                abscissa,
+                observed,
+                reason,
+            } = point;
+            format!("{file},{row},{abscissa:e},{observed:e},{reason}\n")
+        })
+    });
+    Some(format!("file,row,{x},{y} [{unit}],reason\n") + &rows.collect::<String>())
+}
+
+/// Heads of abscissa and observable, and the unit of the second.
+fn axes(of: &Identification) -> [&'static str; 3] {
     let observable = of.model.curves().first().map(|curve| curve.observable);
-    let [x, y, unit] = match observable {
+    match observable {
         Some(Observable::ForceAtDepth) => ["depth [m]", "force", "N"],
         Some(Observable::StiffnessAtContactRadius) => ["contact radius [m]", "stiffness", "N/m"],
         _ => ["force [N]", "depth", "m"],
-    };
+    }
+}
+
+/// Data, model and residuals of every point.
+fn data(of: &Identification, fit: &Fit) -> String {
+    let [x, y, unit] = axes(of);
     let header =
         format!("file,{x},{y} [{unit}],model [{unit}],residual [{unit}],whitened residual\n");
     let sources = of.sources.iter().flat_map(|source| {

@@ -1,68 +1,168 @@
-//! Whether the model holds where a fit used it: the warnings of the contact at the best fit, under the largest load.
+//! Whether the model holds where a fit used it: the points outside of it, and what is said of them.
 
-use pellicle_contact::{Domain, Load, Model, SolverOptions, Warning, solve_path};
-use pellicle_identify::{Fit, Observable};
+use std::collections::BTreeMap;
+
+use pellicle_contact::ContactError;
+use pellicle_identify::{Fit, ForwardError, ForwardModel as _, Invalidity, Observable};
 
 use super::Identification;
-use super::result::WarningResult;
-use crate::failure::Failure;
+use super::curve_source::OutsidePoint;
+use super::remembered::Remembered;
+use super::result::{ExcludedResult, WarningResult};
+use super::units;
+use crate::display::significant;
 
-/// Elements per side of the solution that is looked at.
-const ELEMENTS: usize = 64;
+/// Points at which the model does not hold.
+#[derive(Debug, Clone, Default)]
+pub struct Outside {
+    /// Of each point that was measured in contact, why, if so; empty if there are none.
+    pub invalid: Vec<Option<Invalidity>>,
+    /// The points, for each curve; empty if there are none.
+    pub points: Vec<Vec<OutsidePoint>>,
+    /// What became of them.
+    pub handling: Handling,
+    /// Why they could not be looked for, if so.
+    pub failure: Option<String>,
+}
 
-/// The warnings about the model, a film squeezed by more than its thickness or a steep indenter, for each table.
-///
-/// # Errors
-///
-/// [`Failure`] if the contact cannot be solved at the best fit.
-pub fn warnings(of: &Identification, fit: &Fit) -> Result<Vec<WarningResult>, Failure> {
-    let values: Vec<f64> = fit
-        .estimates
-        .iter()
-        .map(|estimate| estimate.value)
-        .collect();
-    let mut found = Vec::new();
-    for (table, curve) in of.model.curves().iter().enumerate() {
-        let model = of.model.model(table, &values)?;
-        let largest = curve.abscissae.iter().copied().fold(0.0, f64::max);
-        let load = match curve.observable {
-            Observable::DepthAtForce => Load::Force(largest),
-            Observable::ForceAtDepth => Load::Penetration(largest),
-            // Radii do not tell how far the indenter went.
-            Observable::StiffnessAtContactRadius => continue,
+/// What became of the points at which the model does not hold.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum Handling {
+    /// They are not in the fit.
+    #[default]
+    LeftOut,
+    /// They are in the fit, because the fit file says so.
+    Kept,
+    /// They are not in the fit, but by the fit without them they would be others.
+    Unsettled,
+    /// They are in the fit, because too few would be left without them.
+    TooFewLeft,
+    /// They are in the fit, which did not converge.
+    NotConverged,
+}
+
+impl Outside {
+    /// The points outside of the model at a fit of some of them, among all that were measured; those known before where
+    /// the contact cannot be solved to tell. Nothing if the user stopped.
+    #[must_use]
+    pub fn of(
+        whole: &Identification,
+        fit: &Fit,
+        (now, model): (&Identification, &Remembered<'_>),
+    ) -> Option<Self> {
+        let as_before = |failure: String| Self {
+            failure: Some(failure),
+            ..now.outside.clone()
         };
-        found.extend(at_load(&model, load)?.iter().map(|warning| WarningResult {
-            code: warning.code().into(),
-            message: format!("data[{table}], at its largest load: {}", words(warning)),
-        }));
+        let values: Vec<f64> = fit.estimates.iter().map(|of| of.value).collect();
+        // Where points were left out before, the fit's own prediction has not all of them.
+        let known = model.known(&values);
+        let known = known.filter(|known| known.value.len() == whole.problem.points());
+        let at_fit = match known.map_or_else(|| whole.model.predict(&values), Ok) {
+            Ok(prediction) => prediction,
+            Err(ForwardError::Stopped) => return None,
+            Err(error) => return Some(as_before(error.to_string())),
+        };
+        let pairs = at_fit.value.iter().zip(&at_fit.slope);
+        let noise = pairs.map(|(value, slope)| fit.noise.variance(*value, *slope).sqrt());
+        let noise: Vec<f64> = noise.collect();
+        let invalid = match whole.model.invalid_points(fit, &at_fit, &noise) {
+            Err(ContactError::Cancelled { .. }) => return None,
+            Err(error) => return Some(as_before(error.to_string())),
+            Ok(invalid) if invalid.iter().all(Option::is_none) => return Some(Self::default()),
+            Ok(invalid) => invalid,
+        };
+        let mut first = 0;
+        let points = whole.sources.iter().map(|source| {
+            let end = first + source.abscissa.len();
+            let points = source.outside(&invalid[first..end]);
+            first = end;
+            points
+        });
+        Some(Self {
+            points: points.collect(),
+            invalid,
+            ..Self::default()
+        })
     }
-    Ok(found)
+
+    /// Whether they are missing in the fit.
+    #[must_use]
+    pub fn are_left_out(&self) -> bool {
+        matches!(self.handling, Handling::LeftOut | Handling::Unsettled)
+    }
+
+    /// The points left out of the fit, by reason.
+    #[must_use]
+    pub fn excluded(&self) -> Vec<ExcludedResult> {
+        if !self.are_left_out() {
+            return Vec::new();
+        }
+        let mut counts: BTreeMap<String, usize> = BTreeMap::new();
+        for point in self.points.iter().flatten() {
+            *counts.entry(point.reason.to_string()).or_default() += 1;
+        }
+        let reasons = counts.into_iter();
+        reasons
+            .map(|(reason, count)| ExcludedResult { reason, count })
+            .collect()
+    }
 }
 
-/// The warnings about a model under a load.
-///
-/// # Errors
-///
-/// [`Failure`] if the contact cannot be solved.
-pub fn at_load(model: &Model, load: Load) -> Result<Vec<Warning>, Failure> {
-    let options = SolverOptions {
-        contact_stiffness: false,
-        ..SolverOptions::default()
-    };
-    let domain = Domain::Automatic;
-    let path = solve_path(model, domain, ELEMENTS, &[load], &options, &mut ())?;
-    let is_of_model = |warning: &Warning| {
-        matches!(
-            warning,
-            Warning::FilmShortening { .. } | Warning::SteepIndenter { .. }
-        )
-    };
-    Ok(path.warnings.into_iter().filter(is_of_model).collect())
-}
+impl Identification {
+    /// What a reader should know of the points at which the model does not hold: how many of each curve, between which
+    /// abscissae, and what became of them.
+    #[must_use]
+    pub fn outside_warnings(&self) -> Vec<WarningResult> {
+        let mut found = Vec::new();
+        for (source, points) in self.sources.iter().zip(&self.outside.points) {
+            let mut by_reason: BTreeMap<String, Vec<f64>> = BTreeMap::new();
+            for point in points {
+                let known = by_reason.entry(point.reason.to_string()).or_default();
+                known.push(point.abscissa);
+            }
+            let file = source.measured.file.display();
+            found.extend(by_reason.into_iter().map(|(reason, abscissae)| {
+                let (count, range) = (abscissae.len(), self.range(&abscissae));
+                format!("{file}: outside the model, {reason}: {count} points {range}")
+            }));
+        }
+        let what = match self.outside.handling {
+            _ if found.is_empty() => None,
+            Handling::LeftOut => Some("these points are not in the fit; excluded.csv lists them"),
+            Handling::Kept => Some("these points are in the fit, as report.outside says"),
+            Handling::Unsettled => Some(
+                "these points are not in the fit, but by its result they would be others: choose a segment that \
+                 keeps clear of them",
+            ),
+            Handling::NotConverged => Some("these points are in the fit, which did not converge"),
+            Handling::TooFewLeft => Some(
+                "too few points are left without them: the fit is of all points, and outside of its own model",
+            ),
+        };
+        found.extend(what.map(str::to_owned));
+        let failure = self.outside.failure.as_ref();
+        found.extend(failure.map(|failure| {
+            format!("whether the model holds at every point could not be looked at: {failure}")
+        }));
+        let warning = |message| WarningResult {
+            code: "outside-model".into(),
+            message,
+        };
+        found.into_iter().map(warning).collect()
+    }
 
-/// The warning without the number of its step: there is one.
-#[must_use]
-pub fn words(warning: &Warning) -> String {
-    let words = warning.to_string();
-    words.trim_start_matches("step 0: ").to_owned()
+    /// Least and greatest of some abscissae in words.
+    fn range(&self, abscissae: &[f64]) -> String {
+        let least = abscissae.iter().copied().fold(f64::INFINITY, f64::min);
+        let most = abscissae.iter().copied().fold(0.0, f64::max);
+        let observable = self.model.curves().first().map(|curve| curve.observable);
+        let unit = match observable {
+            Some(Observable::DepthAtForce) | None => "N",
+            _ => "m",
+        };
+        let scale = units::scale(most, unit);
+        let number = |value: f64| significant(value / scale.divisor, 3);
+        format!("from {} to {} {}", number(least), number(most), scale.label)
+    }
 }

@@ -1,8 +1,8 @@
 //! The cantilever of a force microscope: penetration from the height of its piezo and the force.
 //!
 //! `δ = z − d = z − F/k`: the tip goes as far into the body as the piezo moves towards it, less what the cantilever
-//! bends. If the force was computed from the deflection, `F = k d`, another spring constant changes the force and not
-//! the penetration.
+//! bends. The force was computed from the deflection, `F = k d`, here or by the instrument, so another spring constant
+//! changes the force and not the penetration; what that does to a fit is in `identification/spring_constants.rs`.
 
 use super::channel::Channel;
 use super::contact_slope::contact_slope;

@@ -18,7 +18,7 @@ const LONG: [&str; 4] = [
 
 /// Starts the program, sends it a signal when `ready`, and waits for its end: what it did, and how long after the
 /// signal.
-fn interrupted(
+pub fn interrupted(
     folder: &TestFolder,
     line: &[&str],
     signal: &str,

@@ -14,14 +14,14 @@ const FEWEST_ELEMENTS_PER_RADIUS: f64 = 4.0;
 const FEWEST_ELEMENTS_PER_THICKNESS: f64 = 0.02;
 /// Moduli whose ratio is less belong to layers that are alike.
 const MOST_ALIKE: f64 = 2.0;
-/// A spring cannot shorten by more than its height.
-const LARGEST_SHORTENING: f64 = 1.0;
-/// Slopes up to this are small: the error of linear theory is about the square.
-const LARGEST_SLOPE: f64 = 0.3;
+/// A spring cannot shorten by more than its height: above this, [`Warning::FilmShortening`].
+pub const LARGEST_SHORTENING: f64 = 1.0;
+/// Slopes up to this are small: the error of linear theory is about the square. Above, [`Warning::SteepIndenter`].
+pub const LARGEST_SLOPE: f64 = 0.3;
 
 /// A contact of fewer elements across is not resolved, and the domain is to blame where it is less than a quarter of
 /// it.
-const FEWEST_ELEMENTS: usize = 8;
+pub const FEWEST_ELEMENTS: usize = 8;
 const SMALL_PART: f64 = 0.25;
 /// A contact across less than this part of the side wants a smaller domain, however many elements it has.
 const SMALLEST_PART: f64 = 0.02;
@@ -193,8 +193,15 @@ fn step_warnings(model: &Model, index: usize, step: &Step) -> Vec<Warning> {
     .collect()
 }
 
+/// Largest shortening of a step's springs over their height; none without springs of a height. Above
+/// [`LARGEST_SHORTENING`] springs of the linear law are squeezed by more than there is of them.
+#[must_use]
+pub fn relative_shortening(model: &Model, step: &Step) -> Option<f64> {
+    Some(step.summary.largest_shortening / model.relief.height()?)
+}
+
 fn shortening(model: &Model, index: usize, step: &Step) -> Option<Warning> {
-    let times = step.summary.largest_shortening / model.relief.height()?;
+    let times = relative_shortening(model, step)?;
     (times > LARGEST_SHORTENING).then_some(Warning::FilmShortening { step: index, times })
 }
 
@@ -212,9 +219,16 @@ fn peak(index: usize, step: &Step) -> Option<Warning> {
     })
 }
 
-fn steepness(model: &Model, index: usize, step: &Step) -> Option<Warning> {
+/// Slope of the indenter's profile where a step's contact ends, averaged around it; none without contact and where the
+/// indenter ends.
+#[must_use]
+pub fn edge_slope(model: &Model, step: &Step) -> Option<f64> {
     let radius = step.summary.contact_radius;
     let slope = slope(&model.indenter, radius);
-    (radius > 0.0 && slope.is_finite() && slope > LARGEST_SLOPE)
-        .then_some(Warning::SteepIndenter { step: index, slope })
+    (radius > 0.0 && slope.is_finite()).then_some(slope)
+}
+
+fn steepness(model: &Model, index: usize, step: &Step) -> Option<Warning> {
+    let slope = edge_slope(model, step)?;
+    (slope > LARGEST_SLOPE).then_some(Warning::SteepIndenter { step: index, slope })
 }

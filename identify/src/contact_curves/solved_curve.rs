@@ -97,8 +97,28 @@ impl Nodes {
         stretches.into_iter().collect()
     }
 
+    /// The same with forces larger by a factor, where they are given.
+    pub fn with_forces_times(&self, factor: f64) -> Self {
+        let mut scaled = self.clone();
+        if let NodeEnds::Forces(ends) = &mut scaled.ends {
+            *ends = ends.map(|end| factor * end);
+        }
+        scaled
+    }
+
     pub fn len(&self) -> usize {
         self.count
+    }
+
+    /// Their forces (N) for a model, each with the side of its domain (m).
+    pub fn domains(&self, model: &Model) -> Vec<(f64, f64)> {
+        let forces = self.forces(model).into_iter().zip(&self.stretches);
+        forces
+            .map(|(force, stretch)| {
+                let side = stretch * default_side(model, &[Load::Force(force)]);
+                (force, side)
+            })
+            .collect()
     }
 
     /// Their forces for a model, evenly spread in logarithms.
@@ -152,11 +172,13 @@ impl SolvedCurve {
         options: CurveOptions,
     ) -> Result<Self, ContactError> {
         let derivatives = model.derivatives(parameters)?;
-        let forces = nodes.forces(model);
-        let solved = forces.par_iter().zip(&nodes.stretches);
-        let solved = solved.map(|(force, stretch)| {
-            let side = stretch * default_side(model, &[Load::Force(*force)]);
-            energies(model, &derivatives, *force, (side, options.elements))
+        let domains = nodes.domains(model);
+        let forces: Vec<f64> = domains.iter().map(|(force, _)| *force).collect();
+        let solved = domains.par_iter().enumerate().map(|(step, domain)| {
+            if (options.stop)() {
+                return Err(ContactError::Cancelled { step });
+            }
+            energies(model, &derivatives, *domain, options.elements)
         });
         let solved: Vec<Result<(Vec<f64>, usize), ContactError>> = solved.collect();
         let solved = solved.into_iter().collect::<Result<Vec<_>, _>>()?;
@@ -219,18 +241,11 @@ impl SolvedCurve {
 fn energies(
     model: &Model,
     derivatives: &ModelDerivatives,
-    force: f64,
-    (mut side, elements): (f64, usize),
+    domain: (f64, f64),
+    elements: usize,
 ) -> Result<(Vec<f64>, usize), ContactError> {
-    let mut fine = solved(model, force, side, elements)?;
-    for _ in 0..ENLARGEMENTS {
-        if !is_at_edge(&fine) {
-            break;
-        }
-        side *= ENLARGEMENT;
-        fine = solved(model, force, side, elements)?;
-    }
-    let coarse = solved(model, force, side, elements / 2)?;
+    let fine = held(model, domain, elements)?;
+    let coarse = solved(model, domain.0, fine.grid.side(), elements / 2)?;
     let energies = |path: &LoadingPath| {
         let sensitivities = derivatives.of_path(path)?;
         let radius = (path.steps[0].summary.contact_area / PI).sqrt();
@@ -243,6 +258,23 @@ fn energies(
     let extrapolated = pairs.map(|(fine, coarse)| (4.0 * fine - coarse) / 3.0);
     let products = fine.steps[0].work.operator_applications;
     Ok((extrapolated.collect(), products))
+}
+
+/// The solution under a force on a domain of this side, or on a larger one if the contact reaches its edge.
+pub fn held(
+    model: &Model,
+    (force, mut side): (f64, f64),
+    elements: usize,
+) -> Result<LoadingPath, ContactError> {
+    let mut path = solved(model, force, side, elements)?;
+    for _ in 0..ENLARGEMENTS {
+        if !is_at_edge(&path) {
+            break;
+        }
+        side *= ENLARGEMENT;
+        path = solved(model, force, side, elements)?;
+    }
+    Ok(path)
 }
 
 /// The contact radius (m) on a grid that holds the contact.

@@ -2,7 +2,7 @@
 
 use super::{
     Fitting,
-    intervals::{Interval, Sought},
+    intervals::{Interval, Reach, Sought},
 };
 use crate::{
     Estimate, KnownCombination, ProfilePoint, Unknown, Verdict,
@@ -60,6 +60,11 @@ impl Fitting<'_> {
         } else {
             (estimate.verdict, estimate.why) =
                 verdict::judge(unknown, one.position, &interval.ends, one.standard_error);
+        }
+        match interval.reach {
+            Reach::Whole => {}
+            Reach::BestFit => estimate.leave_to_covariance(),
+            Reach::Nowhere => estimate.leave_without_interval(),
         }
         estimate
     }

@@ -35,6 +35,18 @@ pub(super) struct Sought {
 pub(super) struct Interval {
     pub ends: Ends,
     pub points: Vec<(f64, f64)>,
+    pub reach: Reach,
+}
+
+/// How far the search for an interval came.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Reach {
+    /// To its end.
+    Whole,
+    /// To the best fit: the ends are those of the covariance, in place of a profile.
+    BestFit,
+    /// Not to the best fit.
+    Nowhere,
 }
 
 /// The lower end of an interval and the upper one, with the direction outward.
@@ -52,7 +64,7 @@ impl Interval {
     fn of(one: &Sought) -> Self {
         Self {
             points: vec![(one.position, 0.0)],
-            ..Sought::no_interval()
+            ..Sought::no_interval(Reach::Whole)
         }
     }
 
@@ -69,14 +81,24 @@ impl Sought {
         Interval {
             ends: wald_ends(&problem.unknowns()[self.unknown], self.position, half),
             points: Vec::new(),
+            reach: Reach::Whole,
+        }
+    }
+
+    /// `x ± t s` in place of a profile that the model ended.
+    fn without_profile(&self, problem: &Problem) -> Interval {
+        Interval {
+            reach: Reach::BestFit,
+            ..self.wald_interval(problem)
         }
     }
 
     /// Open on both sides.
-    fn no_interval() -> Interval {
+    pub fn no_interval(reach: Reach) -> Interval {
         Interval {
             ends: [Err(Open::Bound), Err(Open::Bound)],
             points: Vec::new(),
+            reach,
         }
     }
 }
@@ -119,7 +141,7 @@ impl Fitting<'_> {
         })
     }
 
-    /// The intervals of all unknowns.
+    /// The intervals of all unknowns; those of the covariance where the model ends the scans.
     pub(super) fn scan(
         &self,
         predictor: &mut Predictor,
@@ -129,7 +151,7 @@ impl Fitting<'_> {
         let mut intervals = Vec::with_capacity(sought.len());
         for one in sought {
             if one.hold.is_none() {
-                intervals.push(Sought::no_interval());
+                intervals.push(Sought::no_interval(Reach::Whole));
                 continue;
             }
             if self.options.intervals == Intervals::Wald {
@@ -138,10 +160,19 @@ impl Fitting<'_> {
             }
             let profile = self.profile(refined, one);
             let mut interval = Interval::of(one);
+            let mut bend = None;
             for (k, sign) in SIDES {
-                match profile.side(predictor, sign)? {
-                    Scan::Better(at) => return Ok(Scanned::Better(one.unknown, at)),
-                    Scan::Side(side) => interval.take(k, side),
+                match profile.side(predictor, sign, bend.as_ref()) {
+                    Ok(Scan::Better(at)) => return Ok(Scanned::Better(one.unknown, at)),
+                    Ok(Scan::Side(mut side)) => {
+                        bend = side.bend.take();
+                        interval.take(k, side);
+                    }
+                    Err(IdentifyError::Stopped { .. }) => {
+                        interval = one.without_profile(self.problem);
+                        break;
+                    }
+                    Err(error) => return Err(error),
                 }
             }
             intervals.push(interval);
@@ -164,10 +195,15 @@ impl Fitting<'_> {
             let profile = self.profile(refined, one);
             for (k, sign) in SIDES {
                 let Ok(end) = interval.ends[k] else { continue };
-                match profile.beyond(predictor, end, sign)? {
-                    Some(Scan::Better(at)) => return Ok(Scanned::Better(one.unknown, at)),
-                    Some(Scan::Side(side)) => interval.take(k, side),
-                    None => {}
+                match profile.beyond(predictor, end, sign) {
+                    Ok(Some(Scan::Better(at))) => return Ok(Scanned::Better(one.unknown, at)),
+                    Ok(Some(Scan::Side(side))) => interval.take(k, side),
+                    Ok(None) => {}
+                    Err(IdentifyError::Stopped { .. }) => {
+                        *interval = one.without_profile(self.problem);
+                        break;
+                    }
+                    Err(error) => return Err(error),
                 }
             }
         }

@@ -65,13 +65,8 @@ impl Whitener {
 
 /// `σ_i = √(σ_D² + (ρ y_i)² + (s_i σ_Q)²)`.
 fn deviations(levels: &NoiseLevels, value: &[f64], slope: &[f64]) -> Vec<f64> {
-    let variance: Vec<f64> = value
-        .iter()
-        .zip(slope)
-        .map(|(y, s)| {
-            levels.observed.powi(2) + (levels.relative * y).powi(2) + (s * levels.abscissa).powi(2)
-        })
-        .collect();
+    let pairs = value.iter().zip(slope);
+    let variance: Vec<f64> = pairs.map(|(y, s)| levels.variance(*y, *s)).collect();
     let typical = variance.iter().sum::<f64>() / variance.len() as f64;
     let least = (LEAST_DEVIATION * LEAST_DEVIATION * typical).max(f64::MIN_POSITIVE);
     variance.iter().map(|v| v.max(least).sqrt()).collect()

@@ -8,7 +8,7 @@ use crate::{
     KnownCombination, REFUSAL, Verdict, Warning, Work,
     correlation::correlation,
     distribution::student_quantile,
-    goodness::{Residuals, score_p},
+    goodness::{Residuals, Scale},
     known_combination::{expression, not_identifiable},
     predictor::Predictor,
     profile::Open,
@@ -40,6 +40,7 @@ impl Repeats<'_> {
             .collect();
         Ok(Fit {
             verdict,
+            stopped: None,
             estimates: estimates?,
             coefficients: self.coefficients(state, curves, common),
             correlation: correlation(&covariance),
@@ -73,7 +74,10 @@ impl Repeats<'_> {
         }
         // What all repeats have in common besides noise is the instrument's as often as the model's.
         .judge(
-            [score_p([sum(0), sum(1)], (!known).then_some(degrees)), None],
+            [
+                Scale::of(self.problem, degrees).probability([sum(0), sum(1)]),
+                None,
+            ],
             self.persistence_p(state),
         )
     }
@@ -130,7 +134,7 @@ impl Repeats<'_> {
             estimate.known_combination = known;
             return Ok(estimate);
         }
-        let half = self.half_width(curves, common, model, unknown)?;
+        let half = self.half_width(state, curves, common, model, unknown)?;
         let [low, high] = parameter.bounds();
         let end = |inside: bool, end: f64| if inside { Ok(end) } else { Err(Open::Bound) };
         let ends: Ends = [
@@ -144,9 +148,18 @@ impl Repeats<'_> {
         Ok(estimate)
     }
 
+    /// The variance of an unknown by its own prior, in its coordinate.
+    fn prior_variance(&self, state: &State, unknown: usize) -> Option<f64> {
+        let parameter = &self.problem.unknowns()[unknown];
+        let value = state.at.parameters[unknown];
+        let slope = parameter.prior()?.deviation_slope(value) * parameter.value_slope(value);
+        Some(slope.powi(-2))
+    }
+
     /// `√(t² C_c + z² C_p)`.
     fn half_width(
         &self,
+        state: &State,
         curves: &[CurveFit],
         common: &Common,
         model: &MixedModel,
@@ -156,9 +169,13 @@ impl Repeats<'_> {
             return Ok(f64::INFINITY);
         };
         let whole = common.covariance[(column, column)];
+        // Of the information 1/C the unknown's own prior gives 1/v; the curves give the rest at most.
+        let beside_prior = self
+            .prior_variance(state, unknown)
+            .map_or(whole, |prior| whole * (1.0 - whole / prior).max(0.0));
         let from_curves = model
             .variance_from_curves(column, &common.scatter)?
-            .min(whole);
+            .min(beside_prior);
         let t = student_quantile(self.options.level, (curves.len() as f64 - 1.0).max(1.0));
         let z = student_quantile(self.options.level, f64::INFINITY);
         Ok((t * t * from_curves + z * z * (whole - from_curves)).sqrt())

@@ -4,6 +4,7 @@
 mod certainty;
 mod coat;
 mod coverage;
+mod misfit;
 mod plan;
 mod posterior;
 mod surrogate;

@@ -181,6 +181,10 @@ fn a_common_prior_widens_the_common_value_and_not_the_scatter() {
             < 0.01
     );
     assert_eq!(fit.estimates[1].verdict, Verdict::PriorDriven);
+    // The interval of the radius is that of its prior.
+    let [low, high] = fit.estimates[1].interval.map(Option::unwrap);
+    let prior = 2.0 * 1.96 * 1.05_f64.ln();
+    assert_relative_eq!((high / low).ln(), prior, max_relative = 0.01);
 }
 
 #[test]

@@ -34,6 +34,12 @@ impl Toy {
             .collect()
     }
 
+    /// The law with its derivatives.
+    pub fn points(&self, parameters: &[f64]) -> Vec<Point> {
+        let law = |q: &f64| (self.law)(*q, parameters);
+        self.abscissa.iter().map(law).collect()
+    }
+
     /// Every set of parameters asked for, in order.
     pub fn asked(&self) -> Vec<Vec<f64>> {
         self.asked.lock().unwrap().clone()
@@ -43,11 +49,7 @@ impl Toy {
 impl ForwardModel for Toy {
     fn predict(&self, parameters: &[f64]) -> Result<Prediction, ForwardError> {
         self.asked.lock().unwrap().push(parameters.to_vec());
-        let points: Vec<Point> = self
-            .abscissa
-            .iter()
-            .map(|&q| (self.law)(q, parameters))
-            .collect();
+        let points = self.points(parameters);
         Ok(Prediction {
             value: points.iter().map(|p| p.0).collect(),
             slope: points.iter().map(|p| p.1).collect(),

@@ -1,6 +1,6 @@
 //! What a reader of a fit should know: points left out, and warnings.
 
-use pellicle_identify::{Exclusion, Fit, Warning};
+use pellicle_identify::{Exclusion, Fit, Stopped, Warning};
 
 use super::{ExcludedResult, WarningResult};
 use crate::identification::Identification;
@@ -26,6 +26,9 @@ impl Identification {
                 "no force or depth of contact".into(),
                 source.without_contact,
             );
+        }
+        for ExcludedResult { reason, count } in self.outside.excluded() {
+            add(reason, count);
         }
         for exclusion in &fit.excluded {
             let source = &self.sources[exclusion.curve()];
@@ -80,6 +83,20 @@ impl Identification {
                 format!("the profile of {} found a better fit than the search", name(index)),
             ),
         });
-        of_files.chain(of_fit).collect()
+        let stopped = fit.stopped.as_ref().map(|stopped| match stopped {
+            Stopped::Search => warning(
+                "stopped",
+                "the fit was stopped before the best one was found: these are the best values so far".into(),
+            ),
+            Stopped::Profiles(missing) => {
+                let missing: Vec<String> = missing.iter().map(name).collect();
+                let missing = missing.join(", ");
+                warning(
+                    "stopped",
+                    format!("the fit was stopped before the profiles of {missing}: no intervals but those of the covariance"),
+                )
+            }
+        });
+        of_files.chain(stopped).chain(of_fit).collect()
     }
 }

@@ -1,0 +1,134 @@
+//! The fit of a fit file, and again without the points at which the model does not hold:
+//!
+//! ```text
+//! best fit of all points
+//! look where the model holds there                                  validity.rs
+//! best fit of the points at which it does, until they stay the same
+//! intervals
+//! ```
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use pellicle_identify::{Fit, FitOptions, FitVerdict, IdentifyError, Intervals, identify};
+
+use super::curve_source::FEWEST_POINTS;
+use super::remembered::Remembered;
+use super::validity::{Handling, Outside};
+use super::{Identification, Spent};
+use crate::failure::Failure;
+use crate::fit_file::report::OutsidePoints;
+
+/// Fits after the first, each without the points at which the model does not hold by the one before.
+const MOST_REPETITIONS: usize = 3;
+
+impl Identification {
+    /// Makes the fit; `tell` is told of each prediction how many there were. The points of the fit come with it: those
+    /// of `self`, unless some had to be left out.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure`] if the model has no prediction at any start, or the user stops before the first.
+    pub fn fitted(self, tell: &(dyn Fn(usize) + Sync)) -> Result<(Self, Fit), Failure> {
+        let predictions = AtomicUsize::new(0);
+        let tell = || tell(1 + predictions.fetch_add(1, Ordering::Relaxed));
+        let mut narrowed: Option<Self> = None;
+        let mut repetitions = 0;
+        let (outside, fit) = loop {
+            let now = narrowed.as_ref().unwrap_or(&self);
+            let model = Remembered::new(&now.model, &tell);
+            let search = now.fit(&model, Intervals::Wald)?;
+            if search.stopped.is_some() {
+                break (now.outside.clone(), search);
+            }
+            let Some(mut outside) = Outside::of(&self, &search, (now, &model)) else {
+                break (now.outside.clone(), now.fit(&model, self.intervals())?);
+            };
+            let is_fit = search.verdict != FitVerdict::NotConverged;
+            let handling = match self.file.report.outside {
+                _ if outside.points == now.outside.points => Some(Handling::LeftOut),
+                OutsidePoints::Keep => Some(Handling::Kept),
+                // What lies outside at values that are no fit is no reason to leave it out.
+                OutsidePoints::LeaveOut if !is_fit && narrowed.is_none() => {
+                    Some(Handling::NotConverged)
+                }
+                OutsidePoints::LeaveOut if !is_fit || repetitions == MOST_REPETITIONS => {
+                    outside = now.outside.clone();
+                    Some(Handling::Unsettled)
+                }
+                OutsidePoints::LeaveOut => None,
+            };
+            if let Some(handling) = handling {
+                outside.handling = handling;
+                break (outside, now.fit(&model, self.intervals())?);
+            }
+            let Some(next) = self.without(&outside, &search, now)? else {
+                if narrowed.is_some() {
+                    outside = now.outside.clone();
+                    outside.handling = Handling::Unsettled;
+                } else {
+                    outside.handling = Handling::TooFewLeft;
+                }
+                let verdict = FitVerdict::NotConverged;
+                break (outside, Fit { verdict, ..search });
+            };
+            narrowed = Some(next);
+            repetitions += 1;
+        };
+        let mut found = narrowed.unwrap_or(self);
+        found.outside = outside;
+        Ok((found, fit))
+    }
+
+    /// One fit.
+    fn fit(&self, model: &Remembered<'_>, intervals: Intervals) -> Result<Fit, Failure> {
+        let options = FitOptions {
+            intervals,
+            ..self.file.report.options()
+        };
+        Ok(identify(model, &self.problem, &options)?)
+    }
+
+    fn intervals(&self) -> Intervals {
+        self.file.report.intervals
+    }
+
+    /// The fit without these points, from the best values so far; none if too few points are left.
+    fn without(
+        &self,
+        outside: &Outside,
+        search: &Fit,
+        before: &Self,
+    ) -> Result<Option<Self>, Failure> {
+        let mut first = 0;
+        let sources = self
+            .sources
+            .iter()
+            .zip(&self.tables)
+            .map(|(source, table)| {
+                let end = first + source.abscissa.len();
+                let kept = source.without(&outside.invalid[first..end]);
+                first = end;
+                (*table, kept)
+            });
+        let sources: Vec<_> = sources.collect();
+        let is_short =
+            |(_, source): &(_, super::CurveSource)| source.abscissa.len() < FEWEST_POINTS;
+        if sources.iter().any(is_short) {
+            return Ok(None);
+        }
+        let starts: Vec<f64> = search.estimates.iter().map(|of| of.value).collect();
+        match Self::posed(self.file.clone(), sources, Some(&starts)) {
+            Err(Failure::Identify(IdentifyError::TooFewPoints { .. })) => Ok(None),
+            Err(failure) => Err(failure),
+            Ok(next) => Ok(Some(Self {
+                outside: outside.clone(),
+                spent: Spent {
+                    curves: before.spent.curves + search.work.curves_solved,
+                    loads: before.spent.loads + before.model.loads_solved(),
+                    products: before.spent.products + before.model.operator_applications(),
+                },
+                ..next
+            })),
+        }
+    }
+}

@@ -1,0 +1,54 @@
+//! A model that remembers its predictions, tells how many there were, and stops when the user wants.
+
+use std::sync::{Mutex, PoisonError};
+
+use pellicle_identify::{ContactCurves, ForwardError, ForwardModel, Prediction};
+
+use crate::interrupt;
+
+/// A model with a memory: a fit that repeats the search of another, from the same start, pays for what is new in it.
+pub struct Remembered<'a> {
+    model: &'a ContactCurves,
+    memory: Mutex<Vec<(Vec<f64>, Prediction)>>,
+    tell: &'a (dyn Fn() + Sync),
+}
+
+impl<'a> Remembered<'a> {
+    /// A model that remembers nothing yet and tells of each prediction.
+    pub fn new(model: &'a ContactCurves, tell: &'a (dyn Fn() + Sync)) -> Self {
+        Self {
+            model,
+            memory: Mutex::default(),
+            tell,
+        }
+    }
+
+    /// What was predicted for these parameters, if they were asked for.
+    #[must_use]
+    pub fn known(&self, parameters: &[f64]) -> Option<Prediction> {
+        let memory = self.memory.lock().unwrap_or_else(PoisonError::into_inner);
+        let known = memory.iter().find(|(of, _)| of == parameters);
+        known.map(|(_, prediction)| prediction.clone())
+    }
+}
+
+impl ForwardModel for Remembered<'_> {
+    fn predict(&self, parameters: &[f64]) -> Result<Prediction, ForwardError> {
+        if let Some(known) = self.known(parameters) {
+            return Ok(known);
+        }
+        if interrupt::is_requested() {
+            return Err(ForwardError::Stopped);
+        }
+        let prediction = self.model.predict(parameters);
+        (self.tell)();
+        let prediction = prediction?;
+        let mut memory = self.memory.lock().unwrap_or_else(PoisonError::into_inner);
+        if memory.is_empty() {
+            // From here on there is something to be written when the user stops.
+            interrupt::hold();
+        }
+        memory.push((parameters.to_vec(), prediction.clone()));
+        Ok(prediction)
+    }
+}

@@ -1,0 +1,36 @@
+//! What is doubtful about a model under the largest load of a curve that is not measured yet.
+
+use pellicle_contact::{Domain, Load, Model, SolverOptions, Warning, solve_path};
+
+use crate::failure::Failure;
+
+/// Elements per side of the solution that is looked at.
+const ELEMENTS: usize = 64;
+
+/// The warnings about a model under a load.
+///
+/// # Errors
+///
+/// [`Failure`] if the contact cannot be solved.
+pub fn at_load(model: &Model, load: Load) -> Result<Vec<Warning>, Failure> {
+    let options = SolverOptions {
+        contact_stiffness: false,
+        ..SolverOptions::default()
+    };
+    let domain = Domain::Automatic;
+    let path = solve_path(model, domain, ELEMENTS, &[load], &options, &mut ())?;
+    let is_of_model = |warning: &Warning| {
+        matches!(
+            warning,
+            Warning::FilmShortening { .. } | Warning::SteepIndenter { .. }
+        )
+    };
+    Ok(path.warnings.into_iter().filter(is_of_model).collect())
+}
+
+/// The warning without the number of its step: there is one.
+#[must_use]
+pub fn words(warning: &Warning) -> String {
+    let words = warning.to_string();
+    words.trim_start_matches("step 0: ").to_owned()
+}

@@ -1,0 +1,177 @@
+//! Points at which the model of a fit does not hold: they are left out, counted, listed and told, or the fit says why
+//! it is none.
+
+use std::f64::consts::PI;
+use std::fs;
+
+use serde_json::Value;
+
+use crate::runner::{ProgramOutput, TestFolder};
+
+/// A ball on a film of 1 µm on what is rigid beside it, between a tenth and ten times the load that squeezes the film
+/// by its thickness.
+const FILM: &str = r#"
+[model]
+foundation = { substrate = { young_modulus = "1 TPa", poisson_ratio = 0.3 } }
+indenter = { kind = "paraboloid", radius = "100 um" }
+surface = { kind = "film", thickness = "1 um", young_modulus = "1 MPa" }
+
+[[data]]
+file = "curve.csv"
+columns = { depth = "depth", force = "force" }
+units = { depth = "nm", force = "uN" }
+segment = { from = "31.4159 uN", to = "3141.59 uN" }
+noise = { relative = 0.01, depth = "0 nm", correlation = "none" }
+
+[unknown]
+"surface.young_modulus" = { from = "0.1 MPa", to = "10 MPa" }
+"#;
+
+/// A small ball on a soft body, about the load at which its slope at the contact's edge is 0.3.
+const STEEP: &str = r#"
+[model]
+foundation = { substrate = { young_modulus = "1 GPa", poisson_ratio = 0.2 } }
+indenter = { kind = "paraboloid", radius = "1 um" }
+
+[[data]]
+file = "curve.csv"
+columns = { depth = "depth", force = "force" }
+units = { depth = "nm", force = "uN" }
+segment = { from = "3.75 uN", to = "375 uN" }
+noise = { relative = 0.01, depth = "0 nm", correlation = "none" }
+
+[unknown]
+"foundation.substrate.young_modulus" = { from = "0.1 GPa", to = "10 GPa" }
+"#;
+
+const SQUEEZED: &str = "springs squeezed by more than their height";
+const TOO_STEEP: &str = "indenter too steep where the contact ends";
+
+/// The fit of measurements that the same file gives, with another file's measurements and fit if they differ.
+fn fitted(simulated: &str, fit: &str) -> (TestFolder, ProgramOutput, Value) {
+    let folder = TestFolder::new();
+    fs::write(folder.path("fit.toml"), simulated).unwrap();
+    let simulate = ["identify", "fit.toml", "--simulate", "--out", "curve.csv"];
+    let ran = folder.run(&simulate);
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    fs::write(folder.path("fit.toml"), fit).unwrap();
+    let ran = folder.run(&["identify", "fit.toml", "--out", "fit"]);
+    let found = fs::read_to_string(folder.path("fit").join("fit.json"));
+    let found = found.unwrap_or_else(|error| panic!("{error}: {}", ran.stderr));
+    (folder, ran, serde_json::from_str(&found).unwrap())
+}
+
+/// The forces of a simulated curve, N, as its fit file spreads them.
+fn forces(least: f64) -> impl Iterator<Item = f64> {
+    (0..100).map(move |i| least * 100_f64.powf(f64::from(i) / 99.0))
+}
+
+fn codes(found: &Value) -> Vec<&str> {
+    let warnings = found["warnings"].as_array().unwrap().iter();
+    warnings.map(|one| one["code"].as_str().unwrap()).collect()
+}
+
+fn assert_left_out(folder: &TestFolder, found: &Value, reason: &str, count: usize) {
+    assert_eq!(found["verdict"], "fitted");
+    let expected = serde_json::json!([{ "reason": reason, "count": count }]);
+    assert_eq!(found["fit"]["excluded"], expected);
+    assert_eq!(found["fit"]["points"], 100 - count);
+    assert_eq!(found["curves"][0]["points"], 100 - count);
+    let rows = |name: &str| fs::read_to_string(folder.path("fit").join(name)).unwrap();
+    let listed = rows("excluded.csv");
+    assert_eq!(listed.lines().count(), 1 + count, "{listed}");
+    // They are the last rows of the table: the largest forces.
+    for (line, row) in listed.lines().skip(1).zip(101 - count..) {
+        assert!(line.starts_with(&format!("curve.csv,{row},")), "{line}");
+        assert!(line.ends_with(reason), "{line}");
+    }
+    assert_eq!(rows("fit.csv").lines().count(), 101 - count);
+    assert!(rows("report.html").contains(reason));
+    assert_eq!(codes(found), ["outside-model", "outside-model"]);
+}
+
+#[test]
+fn a_film_is_left_at_the_load_that_squeezes_it_by_its_thickness() {
+    // A paraboloid on springs alone: p = (D − r²/2R)/η, so Q = π R D²/η, and ηp = h at Q = π R h²/η = π R h E.
+    let limit = PI * 100e-6 * 1e-6 * 1e6;
+    let count = forces(31.4159e-6).filter(|force| *force > limit).count();
+    assert_eq!(count, 50);
+    let (folder, ran, found) = fitted(FILM, FILM);
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    assert_left_out(&folder, &found, SQUEEZED, count);
+    assert!(
+        ran.stderr.contains("50 points from 0.322 to 3.14 mN"),
+        "{}",
+        ran.stderr
+    );
+    let modulus = found["unknowns"][0]["value"].as_f64().unwrap();
+    // Four standard errors: 1 % of noise in D ∝ E^−½ at 50 points, with a free zero.
+    assert!((modulus / 1e6 - 1.0).abs() < 0.03, "{modulus}");
+}
+
+#[test]
+fn logarithmic_springs_are_never_squeezed_to_nothing() {
+    // Beside a rigid body such springs would end at their height, in a knee that six loads to a decade do not follow.
+    let softer = FILM.replace("\"1 TPa\"", "\"20 MPa\"");
+    let logarithmic = softer.replace("\"1 MPa\" }", "\"1 MPa\", law = \"logarithmic\" }");
+    assert_ne!(logarithmic, softer);
+    let (_, _, linear) = fitted(&softer, &softer);
+    assert_eq!(linear["fit"]["excluded"][0]["reason"], SQUEEZED);
+    let (folder, ran, found) = fitted(&logarithmic, &logarithmic);
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    assert_eq!(found["fit"]["excluded"], serde_json::json!([]));
+    assert_eq!(codes(&found), [""; 0]);
+    assert!(!folder.path("fit").join("excluded.csv").exists());
+}
+
+#[test]
+fn a_ball_is_left_where_it_is_steep_at_the_edge_of_the_contact() {
+    // a/R = 0.3 with a³ = 3QR/4E*.
+    let limit = 4.0 / 3.0 * 1e9 / 0.96 * 1e-12 * 0.3_f64.powi(3);
+    let count = forces(3.75e-6).filter(|force| *force > limit).count();
+    assert_eq!(count, 50);
+    let (folder, ran, found) = fitted(STEEP, STEEP);
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    assert_left_out(&folder, &found, TOO_STEEP, count);
+}
+
+#[test]
+fn points_that_the_fit_file_keeps_are_fitted_and_told() {
+    let keep = format!("{STEEP}[report]\noutside = \"keep\"\n");
+    let (folder, ran, found) = fitted(STEEP, &keep);
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    assert_eq!(found["fit"]["points"], 100);
+    assert_eq!(found["fit"]["excluded"], serde_json::json!([]));
+    assert_eq!(codes(&found), ["outside-model", "outside-model"]);
+    assert!(!folder.path("fit").join("excluded.csv").exists());
+}
+
+#[test]
+fn a_fit_that_would_keep_too_few_points_is_none_and_says_why() {
+    // All loads squeeze the film.
+    let higher = |fit: &str| {
+        let fit = fit.replace("\"31.4159 uN\"", "\"400 uN\"");
+        fit.replace("\"3141.59 uN\"", "\"4 mN\"")
+    };
+    let (_, ran, found) = fitted(&higher(FILM), &higher(FILM));
+    assert_eq!(ran.code, Some(1), "{}", ran.stderr);
+    assert_eq!(found["verdict"], "not-converged");
+    assert!(
+        ran.stderr.contains("100 points from 0.400 to 4.00 mN"),
+        "{}",
+        ran.stderr
+    );
+    assert!(
+        ran.stderr.contains("too few points are left"),
+        "{}",
+        ran.stderr
+    );
+    assert!(ran.stderr.contains(SQUEEZED), "{}", ran.stderr);
+    // And none of a noise far below the error of the grid.
+    let exact = STEEP.replace("relative = 0.01, depth = \"0 nm\"", "depth = \"1e-7 nm\"");
+    let (_, ran, found) = fitted(STEEP, &exact);
+    assert_eq!(ran.code, Some(1), "{}", ran.stderr);
+    assert_eq!(found["verdict"], "not-converged");
+    let told = "error of the prediction above half the noise";
+    assert!(ran.stderr.contains(told), "{}", ran.stderr);
+}

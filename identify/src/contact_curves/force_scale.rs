@@ -1,0 +1,121 @@
+//! Forces that were read by an instrument whose constant is not known exactly.
+//!
+//! A cantilever or a spring of constant k tells a force by its deflection, `F = k d`. Read with a nominal k₀, it gives
+//! `F₀ = k₀ d`, so the true force is `F = κ F₀` with `κ = k/k₀`. What the instrument reads then follows from the
+//! penetration `D(F)` under the true force, and its inverse `Q(D)`:
+//!
+//! ```text
+//! depth at force:    y = D(κ F₀)       ∂y/∂F₀ = κ D′(κ F₀)       ∂y/∂k = (F₀/k₀) D′(κ F₀)
+//! force at depth:    y = Q(D)/κ        ∂y/∂D  = Q′(D)/κ          ∂y/∂k = −y/k
+//! ```
+
+use pellicle_contact::ContactError;
+
+use super::{ContactCurve, ContactCurves, Observable};
+use crate::Prediction;
+
+/// A constant in proportion to which the forces of a curve are, and that is one more parameter to be found.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ForceScale {
+    /// Its place among such constants; as parameters they come after those of the model.
+    pub constant: usize,
+    /// Its value with which the forces were read.
+    pub nominal: f64,
+}
+
+impl ForceScale {
+    /// `κ` among these constants.
+    pub(super) fn factor(self, constants: &[f64]) -> f64 {
+        let constant = constants.get(self.constant);
+        constant.map_or(1.0, |constant| constant / self.nominal)
+    }
+
+    /// What is read at the abscissae that are read, from what is true there. Gives `∂y/∂k`.
+    pub(super) fn apply(
+        self,
+        observable: Observable,
+        factor: f64,
+        abscissae: &[f64],
+        prediction: &mut Prediction,
+    ) -> Vec<f64> {
+        let constant = factor * self.nominal;
+        if observable == Observable::DepthAtForce {
+            let pairs = prediction.slope.iter_mut().zip(abscissae);
+            let change = pairs.map(|(slope, read)| {
+                let by_constant = *slope * read / self.nominal;
+                *slope *= factor;
+                by_constant
+            });
+            return change.collect();
+        }
+        let lists = [&mut prediction.value, &mut prediction.slope].into_iter();
+        let lists = lists.chain(&mut prediction.derivatives);
+        lists.flatten().for_each(|value| *value /= factor);
+        prediction.value.iter().map(|y| -y / constant).collect()
+    }
+}
+
+impl Observable {
+    /// Abscissae as they are, where forces that were read are too small by a factor.
+    pub(super) fn true_abscissae(self, read: &[f64], factor: f64) -> Vec<f64> {
+        let factor = if self == Self::DepthAtForce {
+            factor
+        } else {
+            1.0
+        };
+        read.iter().map(|read| factor * read).collect()
+    }
+}
+
+impl ContactCurves {
+    /// The same curves with scales of their forces, of each curve its own or none. Their constants are parameters after
+    /// those of the model, in the order of their places.
+    #[must_use]
+    pub fn with_force_scales(mut self, mut scales: Vec<Option<ForceScale>>) -> Self {
+        scales.resize(self.curves.len(), None);
+        self.scales = scales;
+        self
+    }
+
+    /// The constants of scales among the parameters.
+    pub(super) fn constants<'p>(&self, parameters: &'p [f64]) -> &'p [f64] {
+        parameters.get(self.parameters.len()..).unwrap_or_default()
+    }
+
+    /// One curve at these parameters: its points as they are read, their slopes, and their derivatives.
+    pub(super) fn predicted(
+        &self,
+        curve: usize,
+        parameters: &[f64],
+    ) -> Result<Prediction, ContactError> {
+        let constants = self.constants(parameters);
+        let Some(scale) = self.scales[curve] else {
+            let mut prediction = self.true_curve(curve, parameters, 1.0)?;
+            prediction.extend_by_constants(constants.len());
+            return Ok(prediction);
+        };
+        let factor = scale.factor(constants);
+        let mut prediction = self.true_curve(curve, parameters, factor)?;
+        let ContactCurve {
+            observable,
+            abscissae,
+            ..
+        } = &self.curves[curve];
+        let change = scale.apply(*observable, factor, abscissae, &mut prediction);
+        let first = prediction.derivatives.len();
+        prediction.extend_by_constants(constants.len());
+        if let Some(column) = prediction.derivatives.get_mut(first + scale.constant) {
+            *column = change;
+        }
+        Ok(prediction)
+    }
+}
+
+impl Prediction {
+    /// Adds derivatives by so many constants on which the points do not depend.
+    fn extend_by_constants(&mut self, count: usize) {
+        let none = vec![0.0; self.value.len()];
+        let derivatives = &mut self.derivatives;
+        derivatives.resize(derivatives.len() + count, none);
+    }
+}

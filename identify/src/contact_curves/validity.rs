@@ -1,0 +1,240 @@
+//! Where a model holds: the points of curves at which its springs are squeezed by no more than there is of them, its
+//! indenter is flat enough, its contact is resolved, and its error is small beside the noise.
+//!
+//! The contact is solved once more at the loads of each curve. Shortening, slope and elements follow powers of the load
+//! from one to the next, so they are straight lines in logarithms between them, and beyond the first and the last.
+
+use std::fmt;
+
+use pellicle_contact::{
+    ContactError, FEWEST_ELEMENTS, LARGEST_SHORTENING, LARGEST_SLOPE, LoadingPath, Model,
+    edge_slope, relative_shortening,
+};
+use rayon::prelude::*;
+
+use super::{ContactCurve, ContactCurves, CurveOptions, Observable, solved_curve::held};
+use crate::{Fit, Prediction};
+
+/// The error of a prediction is told from one on a grid this much finer, with as many times more loads.
+const FINER: f64 = 1.5;
+/// An error above this part of a point's standard deviation is too large: it adds a quarter to the variance. Any part
+/// is arbitrary; from about here on a point tells more of the grid than of the body.
+const LARGEST_ERROR: f64 = 0.5;
+
+/// Why a model does not hold at a point.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Invalidity {
+    /// Springs of the linear law are squeezed by more than their height.
+    Squeezed,
+    /// The indenter is steeper than [`LARGEST_SLOPE`] where the contact ends.
+    Steep,
+    /// The contact is less than [`FEWEST_ELEMENTS`] across on the coarser of the two grids.
+    Unresolved,
+    /// The prediction may be wrong by more than half a standard deviation of the noise.
+    Inaccurate,
+}
+
+impl fmt::Display for Invalidity {
+    fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
+        formatter.write_str(match self {
+            Self::Squeezed => "springs squeezed by more than their height",
+            Self::Steep => "indenter too steep where the contact ends",
+            Self::Unresolved => "contact not resolved by the grid",
+            Self::Inaccurate => "error of the prediction above half the noise",
+        })
+    }
+}
+
+/// What a contact is like at one of the loads of a curve.
+#[derive(Debug, Clone, Copy)]
+struct Condition {
+    /// Abscissa of the curve, N or m.
+    abscissa: f64,
+    /// Largest shortening of the springs over their height.
+    shortening: Option<f64>,
+    /// Slope of the indenter where the contact ends.
+    slope: Option<f64>,
+    /// Elements of the coarser grid across the contact.
+    elements: f64,
+}
+
+impl ContactCurves {
+    /// Of each point of all curves, why the model does not hold there at a fit; nothing where it does. `at_fit` is what
+    /// these curves predict at the fit's values, and `noise` the standard deviation of each point.
+    ///
+    /// Each load is solved once more, and on a finer grid; neither counts as solved.
+    ///
+    /// # Errors
+    ///
+    /// [`ContactError`] where the contact cannot be solved at the fit.
+    pub fn invalid_points(
+        &self,
+        fit: &Fit,
+        at_fit: &Prediction,
+        noise: &[f64],
+    ) -> Result<Vec<Option<Invalidity>>, ContactError> {
+        let values: Vec<f64> = fit.estimates.iter().map(|of| of.value).collect();
+        let finer = self.finer(&values)?;
+        let pairs = at_fit.value.iter().zip(&finer.value);
+        // Second order in the element's side: e − e/F² is seen of an error e.
+        let seen = 1.0 - 1.0 / (FINER * FINER);
+        let errors = pairs.map(|(value, finer)| (value - finer).abs() / seen);
+        let inaccurate: Vec<bool> = (errors.zip(noise))
+            .map(|(error, noise)| error > LARGEST_ERROR * noise)
+            .collect();
+        let mut found = Vec::new();
+        for (index, curve) in self.curves.iter().enumerate() {
+            let conditions = self.conditions(index, &values)?;
+            let invalid = |abscissa: &f64| invalid(&conditions, *abscissa);
+            found.extend(curve.abscissae.iter().map(invalid));
+        }
+        let pairs = found.into_iter().zip(inaccurate);
+        Ok(pairs
+            .map(|(found, inaccurate)| found.or(inaccurate.then_some(Invalidity::Inaccurate)))
+            .collect())
+    }
+
+    /// The same points from a finer grid and more loads.
+    fn finer(&self, values: &[f64]) -> Result<Prediction, ContactError> {
+        let curves = self.curves.iter().enumerate();
+        let curves = curves.map(|(index, curve)| {
+            let model = self.model(index, values)?;
+            Ok(ContactCurve {
+                model,
+                ..curve.clone()
+            })
+        });
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a small number of elements"
+        )]
+        let half = (FINER * self.options.elements as f64 / 2.0).round() as usize;
+        let options = CurveOptions {
+            elements: 2 * half,
+            loads_per_decade: FINER * self.options.loads_per_decade,
+            ..self.options
+        };
+        let curves = curves.collect::<Result<Vec<_>, ContactError>>()?;
+        let all = Self::new(curves, Vec::new(), options)?.with_force_scales(self.scales.clone());
+        let mut together = Prediction {
+            value: Vec::new(),
+            slope: Vec::new(),
+            derivatives: Vec::new(),
+        };
+        for index in 0..all.curves.len() {
+            let one = all.predicted(index, self.constants(values))?;
+            together.value.extend(one.value);
+            together.slope.extend(one.slope);
+        }
+        Ok(together)
+    }
+
+    /// The contact at the loads of a curve.
+    fn conditions(&self, curve: usize, values: &[f64]) -> Result<Vec<Condition>, ContactError> {
+        let model = self.model(curve, values)?;
+        let observable = self.curves[curve].observable;
+        let constants = self.constants(values);
+        let factor = self.scales[curve].map_or(1.0, |scale| scale.factor(constants));
+        let nodes = self.nodes[curve].with_forces_times(factor);
+        let solved = nodes.domains(&model).into_par_iter();
+        let solved = solved.map(|domain| {
+            let path = held(&model, domain, self.options.elements)?;
+            Ok(condition(&model, observable, domain.0 / factor, &path))
+        });
+        let all: Vec<Result<Condition, ContactError>> = solved.collect();
+        all.into_iter().collect()
+    }
+}
+
+/// The condition of a contact under a force that was read as this one.
+fn condition(model: &Model, observable: Observable, force: f64, path: &LoadingPath) -> Condition {
+    let step = &path.steps[0];
+    let area = step.summary.contact_area;
+    Condition {
+        abscissa: match observable {
+            Observable::DepthAtForce => force,
+            Observable::ForceAtDepth => step.solution.penetration,
+            Observable::StiffnessAtContactRadius => (area / std::f64::consts::PI).sqrt(),
+        },
+        shortening: relative_shortening(model, step),
+        slope: edge_slope(model, step),
+        // 2a over elements twice as wide.
+        elements: step.summary.contact_radius / path.grid.element_side(),
+    }
+}
+
+/// Why the model does not hold at an abscissa.
+fn invalid(conditions: &[Condition], abscissa: f64) -> Option<Invalidity> {
+    let at = |of: fn(&Condition) -> Option<f64>| interpolated(conditions, abscissa, of);
+    let above = |found: Option<f64>, limit: f64| found.is_some_and(|found| found > limit);
+    let elements = at(|of| Some(of.elements));
+    if above(at(|of| of.shortening), LARGEST_SHORTENING) {
+        Some(Invalidity::Squeezed)
+    } else if above(at(|of| of.slope), LARGEST_SLOPE) {
+        Some(Invalidity::Steep)
+    } else if elements.is_some_and(|found| found < FEWEST_ELEMENTS as f64) {
+        Some(Invalidity::Unresolved)
+    } else {
+        None
+    }
+}
+
+/// A positive quantity at an abscissa, on the straight line in logarithms through the two loads beside it.
+fn interpolated(
+    conditions: &[Condition],
+    abscissa: f64,
+    of: fn(&Condition) -> Option<f64>,
+) -> Option<f64> {
+    let last = conditions.len().checked_sub(2)?;
+    let first = conditions.partition_point(|one| one.abscissa < abscissa);
+    let first = first.saturating_sub(1).min(last);
+    let (low, high) = (&conditions[first], &conditions[first + 1]);
+    let (below, above) = (of(low)?, of(high)?);
+    let part = (abscissa / low.abscissa).ln() / (high.abscissa / low.abscissa).ln();
+    let found = below * (above / below).powf(part);
+    found.is_finite().then_some(found)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Powers of the load that fail at 2 and 30, and elements that fail below 0.1.
+    fn conditions() -> Vec<Condition> {
+        [0.03_f64, 0.3, 3.0, 30.0]
+            .map(|load| Condition {
+                abscissa: load,
+                shortening: Some((load / 2.0).cbrt()),
+                slope: Some(LARGEST_SLOPE * (load / 0.9).powf(0.2)),
+                elements: FEWEST_ELEMENTS as f64 * (load / 0.1).cbrt(),
+            })
+            .to_vec()
+    }
+
+    #[test]
+    fn powers_of_the_load_fail_where_they_should_between_the_loads_and_beyond_them() {
+        let conditions = conditions();
+        for (load, wanted) in [
+            (0.01, Some(Invalidity::Unresolved)),
+            (0.0999, Some(Invalidity::Unresolved)),
+            (0.1001, None),
+            (0.899, None),
+            (0.901, Some(Invalidity::Steep)),
+            (1.999, Some(Invalidity::Steep)),
+            (2.001, Some(Invalidity::Squeezed)),
+            (100.0, Some(Invalidity::Squeezed)),
+        ] {
+            assert_eq!(invalid(&conditions, load), wanted, "{load}");
+        }
+    }
+
+    #[test]
+    fn what_a_model_does_not_have_never_fails() {
+        let mut conditions = conditions();
+        for one in &mut conditions {
+            (one.shortening, one.slope) = (None, None);
+        }
+        assert_eq!(invalid(&conditions, 100.0), None);
+    }
+}

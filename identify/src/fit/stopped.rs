@@ -1,0 +1,71 @@
+//! What is left of a fit that its model ended: the best so far, without the intervals that are missing.
+
+use std::rc::Rc;
+
+use super::{
+    Fitting,
+    intervals::{Interval, Reach, Sought},
+};
+use crate::{
+    Estimate, Fit, FitVerdict, IdentifyError, Problem, Stopped, Verdict, global_search,
+    predictor::{Evaluation, Predictor},
+};
+
+/// The prediction nearest to the data, all weighed alike; none where there is none.
+pub(super) fn best(predictor: &Predictor, problem: &Problem) -> Option<Rc<Evaluation>> {
+    let metric = global_search::provisional_metric(problem, predictor.evaluations().next()?);
+    let misfits = predictor
+        .evaluations()
+        .map(|at| (metric.system(at).chi_squared, at));
+    let best = misfits.min_by(|(one, _), (other, _)| one.total_cmp(other));
+    best.map(|(_, at)| Rc::clone(at))
+}
+
+/// The unknowns whose profile is missing, if there are any.
+pub(super) fn profiles(intervals: &[Interval]) -> Option<Stopped> {
+    let missing = intervals.iter().enumerate();
+    let missing = missing.filter(|(_, interval)| interval.reach == Reach::BestFit);
+    let missing: Vec<usize> = missing.map(|(unknown, _)| unknown).collect();
+    (!missing.is_empty()).then_some(Stopped::Profiles(missing))
+}
+
+impl Fitting<'_> {
+    /// The fit as far as it came: the best prediction, under the noise that its residuals show.
+    pub(super) fn unfinished(
+        self,
+        predictor: &Predictor,
+        best: Rc<Evaluation>,
+    ) -> Result<Fit, IdentifyError> {
+        let refined = self
+            .refinement()
+            .unfinished(best, global_search::first_levels(self.problem))?;
+        let sought = self.sought(&refined)?;
+        let intervals = sought.iter().map(|_| Sought::no_interval(Reach::Nowhere));
+        let intervals = intervals.collect();
+        let search = predictor.predictions();
+        Ok(Fit {
+            verdict: FitVerdict::NotConverged,
+            stopped: Some(Stopped::Search),
+            ..self.finish(predictor, &refined, &sought, intervals, search)
+        })
+    }
+}
+
+impl Estimate {
+    /// Without a profile there is no interval but that of the covariance, by which the unknown is judged.
+    pub(super) fn leave_to_covariance(&mut self) {
+        self.interval = [None, None];
+        self.why
+            .push_str(" This is by the covariance alone: the fit was stopped before its profile.");
+    }
+
+    /// Away from the best fit there is no interval at all.
+    pub(super) fn leave_without_interval(&mut self) {
+        (self.interval, self.wald) = ([None, None], None);
+        if self.verdict != Verdict::NotIdentifiable {
+            self.verdict = Verdict::NotIdentified;
+            "The fit was stopped before the best one was found: this is the best value so far."
+                .clone_into(&mut self.why);
+        }
+    }
+}

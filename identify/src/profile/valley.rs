@@ -1,0 +1,75 @@
+//! A second valley of a profile: where the others may lie lower than where a scan has followed them.
+
+use super::{Profile, Scan, TRUSTED};
+use crate::{
+    IdentifyError,
+    least_squares::farthest,
+    metric::System,
+    predictor::{Evaluation, Predictor},
+};
+
+/// A point at an end from elsewhere is below it from this part of `z` on.
+const LOWER: f64 = 0.95;
+/// A scan goes on where a linearisation promises less than this part of `Δ` at the end.
+const PROMISE: f64 = 0.75;
+/// Such a fit is no worse than the end by this factor of `Δ`.
+const NEARLY_AS_GOOD: f64 = 2.0;
+
+impl Profile<'_, '_> {
+    /// Scans on from the end of a side, where an evaluation from elsewhere promises that the profile is lower there:
+    /// the others may have two valleys, and a scan follows one. Nothing where none does.
+    pub fn beyond(
+        &self,
+        predictor: &mut Predictor,
+        end: f64,
+        sign: f64,
+    ) -> Result<Option<Scan>, IdentifyError> {
+        let Some(promised) = self.promised(predictor, end)? else {
+            return Ok(None);
+        };
+        let Some(start) = predictor.evaluate(&promised)? else {
+            return Ok(None);
+        };
+        // There the promise may be seen to be none.
+        let (_, system) = self.search().linear_minimum(&start, self.unknown, end)?;
+        let lower = LOWER * self.target;
+        if system.chi_squared - self.best.system.chi_squared >= lower * lower {
+            return Ok(None);
+        }
+        match self.constrained(predictor, start, sign)? {
+            Err(better) => Ok(Some(Scan::Better(better))),
+            Ok(point) if point.z < lower => self.outward(predictor, point, None, sign).map(Some),
+            Ok(_) => Ok(None),
+        }
+    }
+
+    /// Where the linearisation of a fit nearly as good as the end has a lower profile there.
+    fn promised(&self, predictor: &Predictor, x: f64) -> Result<Option<Vec<f64>>, IdentifyError> {
+        let search = self.search();
+        let end = self.target * self.target;
+        let above = |system: &System| system.chi_squared - self.best.system.chi_squared;
+        let mut least = PROMISE * end;
+        let mut found = None;
+        for known in predictor
+            .evaluations()
+            .filter(|known| self.is_beside(known))
+        {
+            if above(&self.metric.system(known)) > NEARLY_AS_GOOD * end {
+                continue;
+            }
+            let (position, system) = search.linear_minimum(known, self.unknown, x)?;
+            if above(&system) < least && farthest(&position, &known.position) <= TRUSTED {
+                (least, found) = (above(&system), Some(position));
+            }
+        }
+        Ok(found)
+    }
+
+    /// Whether what is held is the same there.
+    fn is_beside(&self, known: &Evaluation) -> bool {
+        let best = &self.best.at.position;
+        let is_held = |j: &usize| *j != self.unknown && !self.others.contains(j);
+        let mut held = (0..best.len()).filter(is_held);
+        held.all(|j| known.position[j].to_bits() == best[j].to_bits())
+    }
+}
