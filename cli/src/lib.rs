@@ -31,6 +31,7 @@ mod planning;
 mod program;
 mod progress;
 mod sensitivities;
+mod solving;
 mod stresses;
 mod study;
 mod templates;
@@ -38,11 +39,33 @@ mod terminal;
 mod threads;
 mod validation;
 
-pub use case::{Case, diagnosis::Diagnosis, source::Source, units::Units};
+pub use case::{
+    Case,
+    diagnosis::{Diagnosis, Fault},
+    source::Source,
+    units::Units,
+};
 pub use display::{Scale, Unit, quantity};
 pub use failure::Failure;
 pub use program::main;
 pub use templates::Template;
+
+/// Cases solved as the program solves them.
+pub mod solved {
+    pub use crate::cache::open as open_cache;
+    pub use crate::case::foundation::FoundationCase;
+    pub use crate::case::map_sources::MapSources;
+    pub use crate::case::source::read as read_source;
+    pub use crate::case::stress::StressCase;
+    pub use crate::map::MapError;
+    pub use crate::memory::MemoryBudget;
+    pub use crate::output::curve::csv as curve;
+    pub use crate::output::folder::Completeness;
+    pub use crate::output::json;
+    pub use crate::output::stress::{FIELDS, FieldName, fields::StressFields};
+    pub use crate::solving::{Resources, SolvedCase, solve};
+    pub use crate::stresses::Search;
+}
 
 /// The files of a run, and the way they are written: whole or not at all.
 pub mod results {

@@ -63,6 +63,14 @@ impl MapFile {
         parse(&bytes(path)?)
     }
 
+    /// The map of a NumPy array, value `(i, j)` at `i * shape[1] + j`: rows of heights, first index along x, or, three
+    /// to a row, the points x, y, z of a regular grid.
+    #[must_use]
+    pub fn of_array(shape: [usize; 2], values: Vec<f64>) -> Self {
+        let points = (shape[1] == 3).then(|| grid_points::map(&values)).flatten();
+        points.unwrap_or_else(|| Self::bare(shape, values))
+    }
+
     /// A map without size and units, from the values of an array, first index along x.
     fn bare(shape: [usize; 2], heights: Vec<f64>) -> Self {
         Self {

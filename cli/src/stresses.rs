@@ -7,7 +7,7 @@ use std::thread;
 use std::time::Duration;
 
 use pellicle_contact::{
-    ContactError, CriticalLoad, Domain, LoadingPath, Model, Observer, StressExtremes,
+    ContactError, CriticalLoad, Domain, LoadingPath, Model, Observer, Signal, StressExtremes,
     critical_loads, stress_extremes,
 };
 
@@ -37,18 +37,19 @@ pub enum Search {
     Critical,
 }
 
-/// Finds the stresses of a solved path, unless the case asks for none; `tell` is told what is being looked for.
+/// Finds the stresses of a solved path, unless the case asks for none; `tell` is told what is being looked for, and may
+/// stop it.
 ///
 /// # Errors
 ///
-/// [`ContactError::Cancelled`] if the user has stopped; [`Failure`] if a stress cannot be computed or a critical load
-/// not be solved for.
+/// [`ContactError::Cancelled`] if `tell` or the observer stops it; [`Failure`] if a stress cannot be computed or a
+/// critical load not be solved for.
 pub fn find(
     case: &Case,
     model: &Model,
     domain: Domain,
     path: &LoadingPath,
-    tell: &dyn Fn(Search),
+    tell: &dyn Fn(Search) -> Signal,
     observer: &mut dyn Observer,
 ) -> Result<Option<Stresses>, Failure> {
     let Some(stress) = &case.stress else {
@@ -57,10 +58,9 @@ pub fn find(
     let stress = stress.model(&case.foundation, path.tables.foundation());
     let count = path.steps.len();
     let of_step = |step| {
-        if interrupt::is_requested() {
+        if tell(Search::Step(step, count)) == Signal::Cancel {
             return Err(ContactError::Cancelled { step });
         }
-        tell(Search::Step(step, count));
         stress_extremes(path, step, &stress)
     };
     let steps: Result<Vec<_>, _> = (0..count).map(of_step).collect();
@@ -69,7 +69,9 @@ pub fn find(
         let critical = None;
         return Ok(Some(Stresses { steps, critical }));
     }
-    tell(Search::Critical);
+    if tell(Search::Critical) == Signal::Cancel {
+        return Err(ContactError::Cancelled { step: count }.into());
+    }
     let options = case.solver_options();
     let critical = critical_loads(model, path, &steps, domain, &options, &stress, observer)
         .map_err(|error| case.blame(error))?;
@@ -104,7 +106,10 @@ pub fn find_beside(
         // Dropped when the search has ended, in whatever way.
         let _alive = alive;
         let mut observer = line.clone();
-        let tell = |search| line.tell(search);
+        let tell = |search| {
+            line.tell(search);
+            interrupt::signal()
+        };
         pool.install(|| find(&case, &model, domain, &path, &tell, &mut observer))
     });
     while watched.recv_timeout(LOOK) == Err(RecvTimeoutError::Timeout) {

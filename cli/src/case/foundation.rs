@@ -6,6 +6,8 @@ pub mod modulus;
 pub mod strength;
 pub mod substrate;
 
+use std::sync::Arc;
+
 use pellicle_contact::Criterion;
 use pellicle_kernel::{Foundation, KernelError};
 use serde::Serialize;
@@ -14,6 +16,8 @@ use self::layer::LayerCase;
 use self::strength::BodyStrengthCase;
 use self::substrate::SubstrateCase;
 use super::diagnosis::Diagnosis;
+use super::document;
+use super::source::Source;
 use super::table_reader::TableReader;
 use super::value_reader::ValueReader;
 
@@ -75,6 +79,18 @@ impl FoundationCase {
             Ok(_) => Ok(foundation),
             Err(refusal) => Err(blamed(table, &refusal)?.refused(&refusal.error)),
         }
+    }
+
+    /// Reads the text of a case of which only `[foundation]` matters.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] of the first invalid key.
+    pub fn parse(source: &Arc<Source>) -> Result<Self, Diagnosis> {
+        let root = document::parse(source)?;
+        let table = TableReader::root(&root)?;
+        let foundation = table.required("foundation", "a table [foundation]")?;
+        Self::read(&foundation.table()?)
     }
 
     /// The foundation itself, with its graded layers split.

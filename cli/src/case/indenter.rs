@@ -1,7 +1,6 @@
 //! `[indenter]`: the body pressed into the surface.
 
 use std::f64::consts::FRAC_PI_2;
-use std::path::Path;
 
 use pellicle_contact::{
     Cone, FlatPunch, Indenter, IndenterError, IndenterMap, Paraboloid, Pyramid, Sphere,
@@ -14,6 +13,7 @@ use super::dimension::Dimension;
 use super::foundation::substrate::POISSON_RATIO;
 use super::height_limits::HeightLimits;
 use super::map::MapCase;
+use super::map_sources::MapSources;
 use super::table_reader::TableReader;
 use super::value_reader::Sign;
 
@@ -41,14 +41,14 @@ pub struct ElasticConstants {
 const ELASTIC: [&str; 2] = ["young_modulus", "poisson_ratio"];
 
 impl IndenterCase {
-    /// Reads the table, and a map's file by its path from `folder`.
+    /// Reads the table, and the map that it names.
     ///
     /// # Errors
     ///
     /// A [`Diagnosis`] of the first key that is invalid for its kind.
-    pub fn read(table: &TableReader<'_>, folder: &Path) -> Result<Self, Diagnosis> {
+    pub fn read(table: &TableReader<'_>, maps: &MapSources) -> Result<Self, Diagnosis> {
         Ok(Self {
-            shape: IndenterShape::read(table, folder)?,
+            shape: IndenterShape::read(table, maps)?,
             material: ElasticConstants::read(table)?,
         })
     }
@@ -168,12 +168,12 @@ const KINDS: [(&str, IndenterKind); 8] = [
 const WANTED: &str = "\"paraboloid\", \"sphere\", \"cone\", \"berkovich\", \"vickers\", \"cube-corner\", \"flat-punch\" or \"map\"";
 
 impl IndenterShape {
-    /// Reads the table, and a map's file by its path from `folder`.
+    /// Reads the table, and the map that it names.
     ///
     /// # Errors
     ///
     /// A [`Diagnosis`] of the first key that is invalid for its kind.
-    pub fn read(table: &TableReader<'_>, folder: &Path) -> Result<Self, Diagnosis> {
+    pub fn read(table: &TableReader<'_>, maps: &MapSources) -> Result<Self, Diagnosis> {
         let field = table.required("kind", WANTED)?;
         let indenter = match field.choice(&KINDS)? {
             IndenterKind::Paraboloid => Self::Paraboloid {
@@ -198,7 +198,7 @@ impl IndenterShape {
             // A map is checked as it is read.
             IndenterKind::Map => {
                 only(table, &MapCase::KEYS)?;
-                return MapCase::read(table, folder, HeightLimits::INDENTER).map(Self::Map);
+                return MapCase::read(table, maps, HeightLimits::INDENTER).map(Self::Map);
             }
         };
         indenter.build().map_err(|error| field.refused(&error))?;
@@ -299,7 +299,7 @@ mod tests {
     use super::*;
 
     fn read(text: &str) -> Result<IndenterShape, String> {
-        let read = |table: TableReader<'_>| IndenterCase::read(&table, Path::new(""));
+        let read = |table: TableReader<'_>| IndenterCase::read(&table, &MapSources::default());
         read_table(text, read).map(|case| case.shape)
     }
 
@@ -307,7 +307,9 @@ mod tests {
     fn an_elastic_indenter_has_both_constants() {
         let read = |constants: &str| {
             let text = format!("kind = \"paraboloid\"\nradius = 1\n{constants}");
-            read_table(&text, |table| IndenterCase::read(&table, Path::new("")))
+            read_table(&text, |table| {
+                IndenterCase::read(&table, &MapSources::default())
+            })
         };
         let diamond = read("young_modulus = \"1141 GPa\"\npoisson_ratio = 0.07").unwrap();
         let expected = Material::new(1141e9, 0.07).unwrap();

@@ -5,7 +5,6 @@
 //! number, negative to turn heights into depths. Without it heights are in the unit that the file names, or in metres,
 //! or in the case's own unit of length. `interpolation` gives the heights between the samples.
 
-use std::path::Path;
 use std::sync::Arc;
 
 use pellicle_texture::{HeightMap, Interpolation};
@@ -15,6 +14,7 @@ use super::diagnosis::{Diagnosis, Fault};
 use super::dimension::Dimension;
 use super::document::TomlValue;
 use super::height_limits::HeightLimits;
+use super::map_sources::MapSources;
 use super::quantity;
 use super::table_reader::TableReader;
 use super::units::Units;
@@ -83,7 +83,7 @@ impl MapCase {
         "interpolation",
     ];
 
-    /// Reads the keys and the file, by its path from `folder`, and checks the heights.
+    /// Reads the keys and the map that they name, and checks the heights.
     ///
     /// # Errors
     ///
@@ -91,12 +91,12 @@ impl MapCase {
     /// steep.
     pub fn read(
         table: &TableReader<'_>,
-        folder: &Path,
+        maps: &MapSources,
         limits: HeightLimits,
     ) -> Result<Self, Diagnosis> {
         let field = table.required("file", FILE)?;
         let name = field.text()?;
-        let read = MapFile::read(&folder.join(name));
+        let read = maps.read(name);
         let file = read.map_err(|error| field.unusable(&error, FILE))?;
         refuse_points(table, &field, &file)?;
         let interpolation = InterpolationCase::read(table)?;
@@ -284,7 +284,11 @@ mod tests {
     fn read(text: &str) -> Result<MapCase, String> {
         let folder = folder();
         read_table(text, |table| {
-            MapCase::read(&table, folder.path(), HeightLimits::SURFACE)
+            MapCase::read(
+                &table,
+                &MapSources::in_folder(folder.path()),
+                HeightLimits::SURFACE,
+            )
         })
     }
 

@@ -2,6 +2,8 @@
 
 mod depths;
 
+use std::sync::Arc;
+
 use pellicle_contact::{
     BodyPart, BodyStrengths, InterfacePart, InterfaceStrengths, Sliding, StressModel,
 };
@@ -10,11 +12,13 @@ use serde::Serialize;
 
 use super::diagnosis::Diagnosis;
 use super::dimension::Dimension;
+use super::document;
 use super::foundation::FoundationCase;
 use super::foundation::depths::BodyPlane;
 use super::foundation::strength::{BodyStrengthCase, InterfaceStrengthCase};
 use super::foundation::substrate::SubstrateCase;
 use super::quantity_list::QuantityList;
+use super::source::Source;
 use super::spacing::rounded;
 use super::table_reader::TableReader;
 use super::value_reader::{Sign, ValueReader};
@@ -72,6 +76,22 @@ impl StressCase {
 }
 
 impl StressCase {
+    /// Reads the table `[stress]` of a text for a body on a domain of this side.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] of the first invalid key.
+    pub fn parse(
+        source: &Arc<Source>,
+        foundation: &FoundationCase,
+        side: f64,
+    ) -> Result<Self, Diagnosis> {
+        let root = document::parse(source)?;
+        let table = TableReader::root(&root)?;
+        let stress = table.required("stress", "a table [stress]")?;
+        Self::read(&stress.table()?, foundation, Some(side))
+    }
+
     /// The sliding asked for.
     #[must_use]
     pub fn sliding(&self) -> Sliding {

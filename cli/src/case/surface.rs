@@ -1,7 +1,5 @@
 //! `[surface]`: the relief of springs that the foundation carries.
 
-use std::path::Path;
-
 use pellicle_texture::{
     CylinderSpec, Cylinders, Film, Lattice, MapCompliance, Relief, ReliefMap, TextureError,
 };
@@ -12,6 +10,7 @@ use super::dimension::Dimension;
 use super::foundation::FoundationCase;
 use super::height_limits::HeightLimits;
 use super::map::MapCase;
+use super::map_sources::MapSources;
 use super::spring_law::LawCase;
 use super::table_reader::TableReader;
 use super::value_reader::Sign;
@@ -113,8 +112,7 @@ const KINDS: [(&str, SurfaceKind); 5] = [
 ];
 
 impl SurfaceCase {
-    /// Reads the table, and a map's file by its path from `folder`; the foundation gives the cylinders' modulus if the
-    /// table does not.
+    /// Reads the table, and the map that it names; the foundation gives the cylinders' modulus if the table does not.
     ///
     /// # Errors
     ///
@@ -122,7 +120,7 @@ impl SurfaceCase {
     pub fn read(
         table: &TableReader<'_>,
         foundation: &FoundationCase,
-        folder: &Path,
+        maps: &MapSources,
     ) -> Result<Self, Diagnosis> {
         let kind = match table.optional("kind") {
             Some(field) => field.choice(&KINDS)?,
@@ -132,8 +130,8 @@ impl SurfaceCase {
             SurfaceKind::Bare => table.only(&["kind"]).map(|()| Self::Bare),
             SurfaceKind::Cylinders => CylindersCase::read(table, foundation).map(Self::Cylinders),
             SurfaceKind::Film => Self::read_film(table),
-            SurfaceKind::Map => ReliefMapCase::read(table, folder).map(Self::Map),
-            SurfaceKind::Rough => Self::read_rough(table, folder),
+            SurfaceKind::Map => ReliefMapCase::read(table, maps).map(Self::Map),
+            SurfaceKind::Rough => Self::read_rough(table, maps),
         }
     }
 
@@ -146,7 +144,7 @@ impl SurfaceCase {
         })
     }
 
-    fn read_rough(table: &TableReader<'_>, folder: &Path) -> Result<Self, Diagnosis> {
+    fn read_rough(table: &TableReader<'_>, maps: &MapSources) -> Result<Self, Diagnosis> {
         table.only(&MapCase::KEYS).map_err(|diagnosis| {
             let springs = table.given(&[&ComplianceCase::KEYS[..], &[LawCase::KEY]].concat());
             if springs.is_empty() {
@@ -154,7 +152,7 @@ impl SurfaceCase {
             }
             diagnosis.with_help("a rough surface is the body's own and has no springs: springs belong to kind = \"map\"")
         })?;
-        MapCase::read(table, folder, HeightLimits::SURFACE).map(Self::Rough)
+        MapCase::read(table, maps, HeightLimits::SURFACE).map(Self::Rough)
     }
 
     /// The relief itself.
@@ -196,7 +194,7 @@ impl SurfaceCase {
 }
 
 impl ReliefMapCase {
-    fn read(table: &TableReader<'_>, folder: &Path) -> Result<Self, Diagnosis> {
+    fn read(table: &TableReader<'_>, maps: &MapSources) -> Result<Self, Diagnosis> {
         let keys = [&MapCase::KEYS[..], &ComplianceCase::KEYS, &[LawCase::KEY]].concat();
         table.only(&keys)?;
         let (compliance, law) = (ComplianceCase::read(table)?, LawCase::read(table)?);
@@ -206,7 +204,7 @@ impl ReliefMapCase {
         Ok(Self {
             compliance,
             law,
-            map: MapCase::read(table, folder, HeightLimits::SURFACE)?,
+            map: MapCase::read(table, maps, HeightLimits::SURFACE)?,
         })
     }
 

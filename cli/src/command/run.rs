@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 use std::time::Instant;
 
-use pellicle_contact::{ContactError, Domain, LoadingPath, Model, Observer, Status, solve_path};
+use pellicle_contact::{Domain, LoadingPath, Model, Status};
 
 use crate::arguments::RunArguments;
 use crate::case::Case;
@@ -13,12 +13,12 @@ use crate::forecast::Need;
 use crate::memory::MemoryBudget;
 use crate::output::file::Existing;
 use crate::output::folder::{self, Completeness, ResultsFolder};
-use crate::output::summary::{Clock, Summary, WarningSummary};
+use crate::output::summary::{Clock, Summary};
 use crate::output::{json, report, results, summary_text};
 use crate::program::Outcome;
 use crate::progress::ProgressLine;
 use crate::stresses::{self, Stresses};
-use crate::{cache, interrupt, sensitivities, terminal, threads};
+use crate::{cache, interrupt, solving, terminal, threads};
 
 /// Solves the case, writes its results folder and reports the result.
 ///
@@ -41,7 +41,7 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
     let writers = folder.as_ref().map_or(0, |_| rayon::current_num_threads());
     let domain = case.domain(&model.value)?;
     let _share = memory.take(Need::new(&case, &model.value, domain, writers))?;
-    let path = Arc::new(solve(&case, &model.value, domain, &mut line)?);
+    let path = Arc::new(solving::path(&case, &model.value, domain, &mut line)?);
     if path.interrupted && path.steps.is_empty() {
         drop(line);
         return Ok(stopped_at_once());
@@ -54,16 +54,7 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
         tables_origin: model.origin,
     };
     let mut summary = Summary::new(&case, &path, clock, &cache.take_warnings())?;
-    summary.warnings.extend(unfinished(&case, &path));
-    if let Some(found) = sensitivities::find(&case, &model.value, &path)? {
-        summary.add_sensitivities(found);
-    }
-    if let Some(stress) = &case.stress {
-        match stresses {
-            Some(found) => summary.add_stresses(stress, found),
-            None => summary.warnings.push(without_stresses()),
-        }
-    }
+    solving::complete(&case, &model.value, &path, stresses, &mut summary)?;
     let write = |folder: ResultsFolder| {
         let tell = line.writing();
         folder.write(|folder| {
@@ -84,15 +75,6 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
     Ok(outcome(&summary))
 }
 
-/// The warning of a path that the user stopped.
-fn unfinished(case: &Case, path: &LoadingPath) -> Option<WarningSummary> {
-    let (done, steps) = (path.steps.len(), case.load.loads().len());
-    path.interrupted.then(|| WarningSummary {
-        code: "stopped".into(),
-        message: format!("stopped by the user after {done} of {steps} loading steps"),
-    })
-}
-
 /// The stresses of a path; none if the case asks for none or the user stops.
 fn find_stresses(
     case: &Case,
@@ -104,18 +86,8 @@ fn find_stresses(
     if interrupt::is_requested() {
         return Ok(None);
     }
-    match stresses::find_beside(case, model, domain, path, line.searching()) {
-        Err(Failure::Contact(ContactError::Cancelled { .. })) => Ok(None),
-        found => found,
-    }
-}
-
-/// The warning of stresses that the user did not wait for.
-fn without_stresses() -> WarningSummary {
-    WarningSummary {
-        code: "stopped".into(),
-        message: "stopped by the user before all stresses were found: they are missing".into(),
-    }
+    let found = stresses::find_beside(case, model, domain, path, line.searching());
+    solving::unless_stopped(found)
 }
 
 /// Claims the results folder; none with `--json` alone.
@@ -142,24 +114,6 @@ fn progress_line(arguments: &RunArguments, tolerance: f64) -> ProgressLine {
         ProgressLine::hidden()
     };
     line.keeping_steps()
-}
-
-fn solve(
-    case: &Case,
-    model: &Model,
-    domain: Domain,
-    observer: &mut dyn Observer,
-) -> Result<LoadingPath, Failure> {
-    let (loads, options) = (case.load.loads(), case.solver_options());
-    let path = solve_path(
-        model,
-        domain,
-        case.grid.elements,
-        &loads,
-        &options,
-        observer,
-    );
-    path.map_err(|error| case.blame(error))
 }
 
 fn stopped_at_once() -> Outcome {

@@ -1,7 +1,7 @@
 //! `.npy`: one array of NumPy in two dimensions, first index along x.
 
 use super::npy_header::NpyHeader;
-use super::{MapError, MapFile, grid_points};
+use super::{MapError, MapFile};
 
 /// Reads the array, of floats or integers in either order of bytes and of axes.
 ///
@@ -34,8 +34,7 @@ pub fn parse(bytes: &[u8]) -> Result<MapFile, MapError> {
     } else {
         (0..along_x * along_y).map(at).collect()
     };
-    let points = (along_y == 3).then(|| grid_points::map(&heights)).flatten();
-    Ok(points.unwrap_or_else(|| MapFile::bare([along_x, along_y], heights)))
+    Ok(MapFile::of_array([along_x, along_y], heights))
 }
 
 fn npy(reason: String) -> MapError {

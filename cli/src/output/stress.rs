@@ -2,6 +2,7 @@
 //! by plane, so that no more than one plane is in memory; and the pictures of the same planes, with `stress-NNN.npz` to
 //! draw them again.
 
+pub mod fields;
 mod netcdf;
 pub mod npz;
 mod planes;
@@ -259,7 +260,7 @@ fn write_step(
     let Some(field) = StressField::new(path, *step, stress.sliding()) else {
         return Ok(None);
     };
-    let radius = block_radius(summary, *step);
+    let radius = block_radius(summary.steps[*step].contact_radius, summary.grid.side);
     let foundation = path.tables.foundation();
     let is_of_fields = |format: &&Format| **format != Format::Npz;
     let of_fields: Vec<_> = formats.iter().filter(is_of_fields).collect();
@@ -334,11 +335,10 @@ fn section_line(step: &StepSummary, stress: &StressCase) -> SurfaceLine {
 
 /// The contact radius that the planes and their square are chosen by, m; of a step without contact a third of the
 /// domain, as if it filled it.
-fn block_radius(summary: &Summary, step: usize) -> f64 {
-    let radius = summary.steps[step].contact_radius;
-    if radius > 0.0 {
-        radius
+fn block_radius(contact_radius: f64, side: f64) -> f64 {
+    if contact_radius > 0.0 {
+        contact_radius
     } else {
-        summary.grid.side / 3.0
+        side / 3.0
     }
 }

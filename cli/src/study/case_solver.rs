@@ -4,7 +4,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
 use std::time::Instant;
 
-use pellicle_contact::{ContactError, Observer, solve_path};
+use pellicle_contact::Observer;
 use pellicle_influence::Cache;
 use serde_json::Value;
 
@@ -13,13 +13,13 @@ use super::case_status::CaseStatus;
 use super::table_columns::{TableColumns, status};
 use crate::case::Case;
 use crate::failure::Failure;
-use crate::forecast::Need;
+use crate::interrupt;
 use crate::memory::MemoryBudget;
 use crate::output::file::Existing;
 use crate::output::folder::{Completeness, ResultsFolder};
-use crate::output::summary::{Clock, Summary};
+use crate::output::summary::Summary;
 use crate::output::{results, run_files};
-use crate::{sensitivities, stresses};
+use crate::solving::{self, Resources, SolvedCase};
 
 /// Solves the cases of a study.
 #[derive(Debug)]
@@ -102,42 +102,22 @@ impl CaseSolver<'_> {
         let start = Instant::now();
         let case = self.study.case(number)?;
         let folder = self.claim(number, &case)?;
-        let model = case.model(&self.cache)?;
-        let tables_seconds = start.elapsed().as_secs_f64();
-        let (loads, options) = (case.load.loads(), case.solver_options());
-        let domain = case.domain(&model.value)?;
-        let elements = case.grid.elements;
-        let writers = folder.as_ref().map_or(0, |_| rayon::current_num_threads());
-        let need = Need::new(&case, &model.value, domain, writers);
-        let Some(_share) = self.memory.take(need)? else {
+        let resources = Resources {
+            cache: &self.cache,
+            memory: &self.memory,
+            writers: folder.as_ref().map_or(0, |_| rayon::current_num_threads()),
+        };
+        let search = |_| interrupt::signal();
+        let Some(solved) = solving::solve(&case, resources, start, observer, &search)? else {
             return Ok(None);
         };
-        let path = solve_path(&model.value, domain, elements, &loads, &options, observer)
-            .map_err(|error| case.blame(error))?;
-        if path.interrupted {
+        if solved.completeness == Completeness::Part {
             return Ok(None);
         }
-        let stresses = stresses::find(&case, &model.value, domain, &path, &|_| (), observer);
-        if matches!(
-            stresses,
-            Err(Failure::Contact(ContactError::Cancelled { .. }))
-        ) {
-            return Ok(None);
-        }
-        let stresses = stresses?;
-        let clock = Clock {
-            start,
-            tables_seconds,
-            tables_origin: model.origin,
-        };
         // Warnings of the cache concern all cases, and are printed at the end.
-        let mut summary = Summary::new(&case, &path, clock, &[])?;
-        if let Some(found) = sensitivities::find(&case, &model.value, &path)? {
-            summary.add_sensitivities(found);
-        }
-        if let (Some(stress), Some(found)) = (&case.stress, stresses) {
-            summary.add_stresses(stress, found);
-        }
+        let SolvedCase {
+            path, mut summary, ..
+        } = solved;
         if let Some(folder) = folder {
             let mut completeness = Completeness::Whole;
             folder.write(|folder| {

@@ -106,6 +106,23 @@ impl Warning {
             Self::NotConverged { .. } => "not-converged",
         }
     }
+
+    /// The loading step that it is about, counted from 0; none if it is about the whole path.
+    #[must_use]
+    pub fn step(&self) -> Option<usize> {
+        match self {
+            Self::DomainEdge { step, .. }
+            | Self::CutOff { step, .. }
+            | Self::FilmShortening { step, .. }
+            | Self::PeakNotResolved { step, .. }
+            | Self::SteepIndenter { step, .. }
+            | Self::NotConverged { step, .. } => Some(*step),
+            Self::DomainMuchLarger { .. }
+            | Self::TextureUnderResolved { .. }
+            | Self::LayerUnderResolved { .. }
+            | Self::CoefficientAccuracy { .. } => None,
+        }
+    }
 }
 
 /// `1 element`, `2 elements`.

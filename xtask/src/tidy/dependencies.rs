@@ -6,7 +6,7 @@ use super::Violation;
 use crate::Tree;
 
 /// The packages that each package may use. Its tests may also use what these may use.
-const ALLOWED: [(&str, &[&str]); 6] = [
+const ALLOWED: [(&str, &[&str]); 7] = [
     ("pellicle-kernel", &[]),
     ("pellicle-influence", &["pellicle-kernel"]),
     ("pellicle-texture", &[]),
@@ -20,6 +20,16 @@ const ALLOWED: [(&str, &[&str]); 6] = [
         &[
             "pellicle-contact",
             "pellicle-identify",
+            "pellicle-influence",
+            "pellicle-kernel",
+            "pellicle-texture",
+        ],
+    ),
+    (
+        "pellicle-python",
+        &[
+            "pellicle-cli",
+            "pellicle-contact",
             "pellicle-influence",
             "pellicle-kernel",
             "pellicle-texture",

@@ -16,7 +16,7 @@ fn read(text: &str) -> Result<SurfaceCase, String> {
         layer: Vec::new(),
     };
     read_table(text, |table| {
-        SurfaceCase::read(&table, &foundation, Path::new(""))
+        SurfaceCase::read(&table, &foundation, &MapSources::default())
     })
 }
 

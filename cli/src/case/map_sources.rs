@@ -1,0 +1,62 @@
+//! Where the maps of a case come from: the files of a folder, and arrays that a caller hands over with the case.
+
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use crate::map::{MapError, MapFile};
+
+/// The maps that a case may name as `file`.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct MapSources {
+    folder: PathBuf,
+    arrays: BTreeMap<String, MapFile>,
+}
+
+impl MapSources {
+    /// The files of a folder.
+    #[must_use]
+    pub fn in_folder(folder: &Path) -> Self {
+        Self {
+            folder: folder.to_owned(),
+            arrays: BTreeMap::new(),
+        }
+    }
+
+    /// The same, and under this name an array instead of a file, read as if it stood in a NumPy file:
+    /// `heights[i * shape[1] + j]` is sample `(i, j)`, first index along x.
+    #[must_use]
+    pub fn with_array(mut self, name: &str, shape: [usize; 2], heights: Vec<f64>) -> Self {
+        let array = MapFile::of_array(shape, heights);
+        self.arrays.insert(name.to_owned(), array);
+        self
+    }
+
+    /// The map of this name: an array if there is one, or else the file.
+    ///
+    /// # Errors
+    ///
+    /// A [`MapError`] if the file cannot be read as a map.
+    pub fn read(&self, name: &str) -> Result<Cow<'_, MapFile>, MapError> {
+        match self.arrays.get(name) {
+            Some(array) => Ok(Cow::Borrowed(array)),
+            None => MapFile::read(&self.folder.join(name)).map(Cow::Owned),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_array_goes_before_the_file_of_its_name() {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join("a.csv"), "1,2\n").unwrap();
+        let files = MapSources::in_folder(folder.path());
+        assert_eq!(files.read("a.csv").unwrap().shape, [2, 1]);
+        let arrays = files.with_array("a.csv", [1, 3], vec![5.0, 6.0, 7.0]);
+        assert_eq!(arrays.read("a.csv").unwrap().heights, [5.0, 6.0, 7.0]);
+        assert!(arrays.read("b.csv").is_err());
+    }
+}

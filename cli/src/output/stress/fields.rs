@@ -1,0 +1,54 @@
+//! The fields on all planes of a step at once, for whoever has the memory.
+
+use pellicle_contact::{LoadingPath, StressField};
+
+use super::{FIELDS, PlaneValues, block_radius};
+use crate::case::Case;
+use crate::case::foundation::depths::BodyPlane;
+use crate::case::stress::StressCase;
+use crate::failure::Failure;
+
+/// The fields on planes in the body.
+#[derive(Debug)]
+pub struct StressFields {
+    /// The coordinates of the points along x, and along y, m.
+    pub centres: Vec<f64>,
+    /// The planes, from the surface down.
+    pub planes: Vec<BodyPlane>,
+    /// Of every plane the values of every one of [`FIELDS`], a row for each coordinate along x.
+    pub values: Vec<[Vec<f64>; FIELDS.len()]>,
+}
+
+impl StressFields {
+    /// The fields of a step of the path of a case that `stress` asks for; none if there is no such step.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure`] if a field cannot be computed.
+    pub fn new(
+        case: &Case,
+        path: &LoadingPath,
+        step: usize,
+        stress: &StressCase,
+    ) -> Result<Option<Self>, Failure> {
+        let Some(field) = StressField::new(path, step, stress.sliding()) else {
+            return Ok(None);
+        };
+        let (contact, side) = (path.steps[step].summary.contact_radius, path.grid.side());
+        let radius = block_radius(contact, side);
+        let planes = stress.planes(&case.foundation, path.tables.foundation(), radius);
+        let mut below = field.planes(stress.side(radius, side));
+        let centres = below.centres().to_vec();
+        let values = planes.iter().map(|plane| {
+            let mut values = PlaneValues::new(centres.len());
+            values.compute(&mut below, *plane)?;
+            Ok(values.fields)
+        });
+        let values = values.collect::<Result<_, Failure>>()?;
+        Ok(Some(Self {
+            centres,
+            planes,
+            values,
+        }))
+    }
+}

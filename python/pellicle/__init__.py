@@ -1,0 +1,110 @@
+"""Contact of an indenter with a layered, textured elastic body: solved and certified.
+
+>>> import pellicle as pl
+>>> body = pl.Foundation(pl.Material("3 GPa", 0.35), [pl.Layer("2 um", pl.Material("200 GPa", 0.25))])
+>>> case = pl.Case(body, pl.Sphere("0.5 mm"), force="5 mN", elements=64)
+>>> path = case.solve()
+>>> path.status
+'certified'
+>>> path[-1].pressure.shape
+(64, 64)
+"""
+
+from .body import Foundation, Grading, Layer, Material, Spring
+from .case import Case
+from .curve import Curve
+from .errors import (
+    ArgumentError,
+    CaseError,
+    ContactError,
+    Error,
+    IndenterError,
+    InfluenceError,
+    InternalError,
+    Interrupted,
+    KernelError,
+    NotCertifiedWarning,
+    RunError,
+    TextureError,
+)
+from .height_map import HeightMap
+from .indenter import (
+    Berkovich,
+    Cone,
+    CubeCorner,
+    FlatPunch,
+    Indenter,
+    IndenterMap,
+    Paraboloid,
+    Pyramid,
+    Sphere,
+    Vickers,
+)
+from .judgement import Certificate, Estimate, GridError, ResultWarning, Sensitivity, Work
+from .operator import ElasticOperator, compliance, influence_coefficients
+from .options import Output, Range, Stress
+from .path import Path
+from .problem import DiscreteProblem, Judgement
+from .progress import Progress
+from .quantity import Quantity
+from .step import Step
+from .stresses import StressFields
+from .surface import Bare, Cylinders, Film, ReliefMap, Rough, Surface
+
+__all__ = [
+    "ArgumentError",
+    "Bare",
+    "Berkovich",
+    "Case",
+    "CaseError",
+    "Certificate",
+    "Cone",
+    "ContactError",
+    "CubeCorner",
+    "Curve",
+    "Cylinders",
+    "DiscreteProblem",
+    "ElasticOperator",
+    "Error",
+    "Estimate",
+    "Film",
+    "FlatPunch",
+    "Foundation",
+    "Grading",
+    "GridError",
+    "HeightMap",
+    "Indenter",
+    "IndenterError",
+    "IndenterMap",
+    "InfluenceError",
+    "InternalError",
+    "Interrupted",
+    "Judgement",
+    "KernelError",
+    "Layer",
+    "Material",
+    "NotCertifiedWarning",
+    "Output",
+    "Paraboloid",
+    "Path",
+    "Progress",
+    "Pyramid",
+    "Quantity",
+    "Range",
+    "ReliefMap",
+    "ResultWarning",
+    "Rough",
+    "RunError",
+    "Sensitivity",
+    "Sphere",
+    "Spring",
+    "Step",
+    "Stress",
+    "StressFields",
+    "Surface",
+    "TextureError",
+    "Vickers",
+    "Work",
+    "compliance",
+    "influence_coefficients",
+]

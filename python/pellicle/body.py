@@ -1,0 +1,90 @@
+"""The elastic body: materials, layers and what they lie on."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+from . import toml
+from .quantity import SI_UNITS, Quantity, written
+from .table import Table
+
+
+@dataclass(frozen=True)
+class Grading(Table):
+    """A Young's modulus that changes with depth, from the top of a layer to its bottom.
+
+    Moduli are in Pa. A `"linear"` profile changes by the same amount over equal depths, an `"exponential"` one by the
+    same factor.
+    """
+
+    top: Quantity
+    bottom: Quantity
+    profile: Literal["linear", "exponential"] = "linear"
+
+    def table(self) -> dict[str, toml.Value]:
+        """The keys `from`, `to` and `profile`; the first is a word of Python, so the fields have other names."""
+        unit = SI_UNITS["young_modulus"]
+        ends = {"from": written(self.top, "top", unit), "to": written(self.bottom, "bottom", unit)}
+        return ends | {"profile": self.profile}
+
+
+@dataclass(frozen=True)
+class Material(Table):
+    """An isotropic elastic material: Young's modulus in Pa, Poisson's ratio in [0, 0.5], and the strengths it bears.
+
+    `yield_strength` is of von Mises' stress, `tensile_strength` of the largest principal stress, both in Pa; critical
+    loads are found for those that are given.
+    """
+
+    young_modulus: Quantity | Grading
+    poisson_ratio: float
+    yield_strength: Quantity | None = None
+    tensile_strength: Quantity | None = None
+
+
+@dataclass(frozen=True)
+class Spring(Table):
+    """An imperfect bond: the bodies part and slide in proportion to the traction, by these compliances in m/Pa."""
+
+    normal_compliance: Quantity
+    shear_compliance: Quantity
+
+
+@dataclass(frozen=True)
+class Layer(Table):
+    """A layer: its thickness in m, its material, and the interface with what lies below it.
+
+    Only the material of a layer may have a `Grading` as its Young's modulus. Interface strengths are in Pa.
+    """
+
+    thickness: Quantity
+    material: Material
+    interface: Literal["bonded", "frictionless"] | Spring | None = None
+    interface_shear_strength: Quantity | None = None
+    interface_tensile_strength: Quantity | None = None
+
+    def table(self) -> dict[str, toml.Value]:
+        """The keys of the layer and those of its material, side by side."""
+        table = super().table()
+        material: dict[str, toml.Value] = table.pop("material")
+        thickness = {"thickness": table.pop("thickness")}
+        return thickness | material | table
+
+
+@dataclass(frozen=True)
+class Foundation(Table):
+    """The elastic body: a substrate, and the layers on it from the surface down.
+
+    The substrate is a material or `"rigid"`, a base that does not deform.
+    """
+
+    substrate: Material | Literal["rigid"]
+    layers: Sequence[Layer] = ()
+
+    def table(self) -> dict[str, toml.Value]:
+        """The keys `substrate` and `layer`."""
+        substrate = self.substrate.table() if isinstance(self.substrate, Table) else self.substrate
+        layers = [layer.table() for layer in self.layers]
+        return {"substrate": substrate} | ({"layer": layers} if layers else {})

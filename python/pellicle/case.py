@@ -1,0 +1,238 @@
+"""A case: one contact problem, which is a case file and the arrays that it names."""
+
+from __future__ import annotations
+
+import json
+import os
+import tomllib
+from collections.abc import Mapping, Sequence
+from functools import cached_property
+from typing import Any, Literal, TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _pellicle, show, toml
+from .body import Foundation
+from .errors import ArgumentError, Interrupted
+from .height_map import HeightMap
+from .indenter import Indenter
+from .options import Output, Range, Stress
+from .path import Path, path_of
+from .progress import Report, reporting
+from .quantity import Quantity
+from .surface import Surface
+from .table import Table, value_of
+
+Loads: TypeAlias = Sequence[Quantity] | npt.NDArray[np.float64] | Range
+"""Several loads: a list, an array or a range."""
+
+TURN = 20
+"""Milliseconds between two looks at signals and progress while a case is solved."""
+
+PATIENCE = 100
+"""Milliseconds in which an interrupted solution may end before it is left behind."""
+
+
+class Case:
+    """One contact problem.
+
+    Exactly one of `force`, `forces`, `penetration` and `penetrations` is the load. Numbers are in SI units (m, Pa, N,
+    rad, m/Pa), or in any consistent system if no quantity has a unit; strings such as `"5 nm"` and quantities of pint
+    carry units. Whatever is left out has the default of the case file.
+    """
+
+    def __init__(
+        self,
+        foundation: Foundation,
+        indenter: Indenter,
+        *,
+        surface: Surface | None = None,
+        force: Quantity | None = None,
+        forces: Loads | None = None,
+        penetration: Quantity | None = None,
+        penetrations: Loads | None = None,
+        sensitivities: bool = False,
+        side: Quantity | None = None,
+        elements: int | None = None,
+        tolerance: float | None = None,
+        method: Literal["gradient", "active-set"] | None = None,
+        stress: Stress | None = None,
+        output: Output | None = None,
+        title: str | None = None,
+    ) -> None:
+        load = {"force": force, "forces": forces, "penetration": penetration, "penetrations": penetrations}
+        tables: dict[str, Mapping[str, Any] | None] = {
+            "foundation": _table(foundation, Foundation, "foundation"),
+            "surface": None if surface is None else _table(surface, Surface, "surface"),
+            "indenter": _table(indenter, Indenter, "indenter"),
+            "load": _given(load) | ({"sensitivities": True} if sensitivities else {}),
+            "grid": _given({"side": side, "elements": elements}) or None,
+            "solver": _given({"tolerance": tolerance, "method": method}) or None,
+            "stress": None if stress is None else _table(stress, Stress, "stress"),
+            "output": None if output is None else _table(output, Output, "output"),
+        }
+        arrays: dict[str, npt.NDArray[np.float64]] = {}
+        for name, part in (("surface", surface), ("indenter", indenter)):
+            if isinstance(part, HeightMap):
+                file, array = part.file_or_array(f"{name}.npy")
+                tables[name] = {**(tables[name] or {}), "file": file}
+                arrays |= {} if array is None else {file: array}
+        document = {name: table for name, table in tables.items() if table is not None}
+        text = toml.text(_given({"title": title}) | document)
+        self._read(text, "case", "case", os.getcwd(), arrays)
+
+    def _read(
+        self, text: str, source: str, name: str, folder: str, arrays: Mapping[str, npt.NDArray[np.float64]]
+    ) -> None:
+        self._state = (text, source, name, folder, dict(arrays))
+        self._case = _pellicle.Case(*self._state)
+
+    @classmethod
+    def _restored(cls, *state: Any) -> Case:
+        case = cls.__new__(cls)
+        case._read(*state)
+        return case
+
+    @classmethod
+    def from_toml(cls, path: str | os.PathLike[str]) -> Case:
+        """The case of a file, as `pellicle run` reads it."""
+        folder, file = os.path.split(os.path.abspath(path))
+        return cls._restored(_pellicle.read_text(path), os.fspath(path), os.path.splitext(file)[0], folder, {})
+
+    @classmethod
+    def from_string(cls, text: str, folder: str | os.PathLike[str] = ".") -> Case:
+        """The case of the text of a case file, which names maps by their paths from `folder`."""
+        return cls._restored(text, "case", "case", os.path.abspath(folder), {})
+
+    def to_toml(self, path: str | os.PathLike[str] | None = None) -> str:
+        """The text of the case file; written to `path` if one is given, with its arrays beside it as `.npy` files.
+
+        `pellicle run` gives the same bits for it as `solve` does.
+        """
+        text, _, _, folder, arrays = self._state
+        if path is None:
+            return text
+        target, file = os.path.split(os.path.abspath(path))
+        stem = os.path.splitext(file)[0]
+        moved = {name: f"{stem}-{name}" for name in arrays}
+        if arrays or target != folder:
+            text = _with_files(text, lambda name: moved.get(name) or os.path.join(folder, name))
+        for name, array in arrays.items():
+            np.save(os.path.join(target, moved[name]), array)
+        with open(path, "w", encoding="utf-8", newline="\n") as to:
+            to.write(text)
+        return text
+
+    def replaced(self, values: Mapping[str, Any]) -> Case:
+        """The same case with other values of some keys, as `--set` replaces them: `{"load.force": "3 mN"}`.
+
+        Items of lists are numbered from 0, as in `foundation.layer[0].thickness`; keys that are not there are added.
+        """
+        text, source, name, folder, arrays = self._state
+        document = tomllib.loads(text)
+        for key, value in values.items():
+            _put(document, key, value_of(key.rpartition(".")[2], value))
+        return Case._restored(toml.text(document), source, name, folder, arrays)
+
+    @cached_property
+    def resolved(self) -> dict[str, Any]:
+        """The case with every default filled in and every quantity in SI units or the case's own."""
+        resolved: dict[str, Any] = json.loads(self._case.resolved())
+        return resolved
+
+    @property
+    def title(self) -> str:
+        """The title; the name of the file unless it has one."""
+        title: str = self.resolved["title"]
+        return title
+
+    def solve(self, *, progress: bool | Report = False, threads: int | None = None) -> Path:
+        """Solves the case.
+
+        `progress` shows a bar, or is a function that is told a `Progress` some times a second. `threads` is the number
+        of threads; without it that of `RAYON_NUM_THREADS`, or of cores. The result has the same bits for every number.
+
+        Python's other threads go on meanwhile. Ctrl-C raises `Interrupted`, whose `path` has the steps finished so
+        far. A solution that is not certified is returned with a `NotCertifiedWarning`.
+        """
+        run = self._case.start(_threads(threads))
+        try:
+            with reporting(progress, self.title if progress else "") as report:
+                while not run.wait(TURN):
+                    report(run.progress())
+                report(run.progress())
+        except KeyboardInterrupt:
+            run.cancel()
+            run.wait(PATIENCE)
+            raise Interrupted(self, run) from None
+        except BaseException:
+            run.cancel()
+            raise
+        solution = run.result()
+        if solution is None:
+            raise _pellicle.InternalError("found no solution where nobody stopped it")
+        return path_of(self, solution)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Case):
+            return NotImplemented
+        return self._case == other._case
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __copy__(self) -> Case:
+        return self
+
+    def __deepcopy__(self, memo: object) -> Case:
+        return self
+
+    def __reduce__(self) -> tuple[Any, tuple[Any, ...]]:
+        return Case._restored, self._state
+
+    def __repr__(self) -> str:
+        kind, elements = self.resolved["indenter"]["kind"], self.resolved["grid"]["elements"]
+        layers = len(self.resolved["foundation"]["layer"])
+        counted = f"{layers} layer{'' if layers == 1 else 's'}"
+        return f"<Case {self.title!r}: {kind} on {counted}, {elements} × {elements} elements>"
+
+    def _repr_html_(self) -> str:
+        return show.table(["key", "value"], show.keys(self.resolved))
+
+
+def _table(value: Any, kind: type[Table], name: str) -> dict[str, toml.Value]:
+    """The table of a part of the case, if it is of this kind."""
+    if not isinstance(value, kind):
+        raise ArgumentError(f"{name}: found {type(value).__name__}, wanted a pellicle.{kind.__name__}")
+    return value.table()
+
+
+def _given(values: Mapping[str, Any]) -> dict[str, toml.Value]:
+    return {name: value_of(name, value) for name, value in values.items() if value is not None}
+
+
+def _threads(threads: int | None) -> int | None:
+    if threads is not None and (isinstance(threads, bool) or not 1 <= threads <= 4096):
+        raise ArgumentError(f"threads: found {threads}, wanted a number from 1 to 4096")
+    return threads
+
+
+def _put(document: dict[str, Any], key: str, value: toml.Value) -> None:
+    """Puts the value of a dotted key into nested tables; missing tables are created."""
+    *parents, last = key.replace("[", ".").replace("]", "").split(".")
+    place: Any = document
+    try:
+        for part in parents:
+            place = place[int(part)] if isinstance(place, list) else place.setdefault(part, {})
+        place[int(last) if isinstance(place, list) else last] = value
+    except (AttributeError, IndexError, TypeError, ValueError) as error:
+        raise ArgumentError(f"values: found {key!r}, wanted a key of the case") from error
+
+
+def _with_files(text: str, renamed: Any) -> str:
+    """The case with other paths of its maps; the text itself if it has no maps."""
+    document = tomllib.loads(text)
+    tables = [document[name] for name in ("surface", "indenter") if "file" in document.get(name, {})]
+    for table in tables:
+        table["file"] = renamed(table["file"])
+    return toml.text(document) if tables else text

@@ -1,0 +1,109 @@
+"""Where the fields of a path come from: the solution itself, or arrays that were stored."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Protocol, TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+
+from ._pellicle import Planes, Solution
+from .errors import ArgumentError
+
+Field: TypeAlias = npt.NDArray[np.float64]
+"""N × N numbers, first index along x."""
+
+
+class Fields(Protocol):
+    """The fields of the steps of a path."""
+
+    def pressure(self, step: int) -> Field:
+        """Pressure, Pa."""
+        ...
+
+    def surface(self, step: int) -> tuple[Field, Field, Field]:
+        """Displacement, gap and shortening, m."""
+        ...
+
+    def geometry(self) -> tuple[Field, npt.NDArray[np.bool_]]:
+        """Profile of the relief, m, and whether an element belongs to it."""
+        ...
+
+    def warnings_of(self, step: int) -> list[str]:
+        """The messages of the warnings that are about this step."""
+        ...
+
+    def stress(self, step: int, text: str) -> Planes:
+        """Displacements and stresses on the planes that a table `[stress]` asks for."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class SolvedFields:
+    """The fields of a solution: the pressure in its own memory, the others computed from it."""
+
+    solution: Solution
+
+    def pressure(self, step: int) -> Field:
+        """Pressure, Pa; cannot be written to."""
+        return np.asarray(self.solution.pressure(step))
+
+    def surface(self, step: int) -> tuple[Field, Field, Field]:
+        """Displacement, gap and shortening, m."""
+        displacement, gap, shortening = self.solution.surface(step)
+        return displacement, gap, shortening
+
+    def geometry(self) -> tuple[Field, npt.NDArray[np.bool_]]:
+        """Profile of the relief, m, and whether an element belongs to it."""
+        return self.solution.geometry()
+
+    def warnings_of(self, step: int) -> list[str]:
+        """The messages of the warnings that are about this step."""
+        return self.solution.warnings_of(step)
+
+    def stress(self, step: int, text: str) -> Planes:
+        """Displacements and stresses on the planes that a table `[stress]` asks for."""
+        return self.solution.stress(step, text)
+
+
+@dataclass(frozen=True, slots=True)
+class StoredFields:
+    """Fields as a pickle keeps them, of some of the steps of a path."""
+
+    pressures: dict[int, Field]
+    surfaces: dict[int, tuple[Field, Field, Field]]
+    relief: tuple[Field, npt.NDArray[np.bool_]]
+    warnings: dict[int, list[str]]
+
+    @classmethod
+    def of(cls, fields: Fields, steps: range) -> StoredFields:
+        """The fields of these steps, all of them computed."""
+        return cls(
+            {step: np.array(fields.pressure(step)) for step in steps},
+            {step: fields.surface(step) for step in steps},
+            fields.geometry(),
+            {step: fields.warnings_of(step) for step in steps},
+        )
+
+    def pressure(self, step: int) -> Field:
+        """Pressure, Pa; cannot be written to."""
+        pressure = self.pressures[step].view()
+        pressure.flags.writeable = False
+        return pressure
+
+    def surface(self, step: int) -> tuple[Field, Field, Field]:
+        """Displacement, gap and shortening, m."""
+        return self.surfaces[step]
+
+    def geometry(self) -> tuple[Field, npt.NDArray[np.bool_]]:
+        """Profile of the relief, m, and whether an element belongs to it."""
+        return self.relief
+
+    def warnings_of(self, step: int) -> list[str]:
+        """The messages of the warnings that are about this step."""
+        return self.warnings[step]
+
+    def stress(self, step: int, text: str) -> Planes:
+        """Nothing: a pickle keeps no body to compute them in."""
+        raise ArgumentError("stress: found results from a pickle, wanted those of a solution; solve the case again")

@@ -1,0 +1,87 @@
+"""The indenters of a case. Each may be elastic: `young_modulus` in Pa and `poisson_ratio`, both or none."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import ClassVar
+
+from .height_map import HeightMap
+from .quantity import Quantity
+from .table import Table
+
+
+@dataclass(frozen=True)
+class Indenter(Table):
+    """What presses on the body; rigid unless it has a Young's modulus (Pa) and a Poisson's ratio."""
+
+    young_modulus: Quantity | None = field(default=None, kw_only=True)
+    poisson_ratio: float | None = field(default=None, kw_only=True)
+
+
+@dataclass(frozen=True)
+class Paraboloid(Indenter):
+    """A paraboloid of revolution of height ρ²/(2R), R its radius of curvature in m."""
+
+    _kind: ClassVar[str] = "paraboloid"
+    radius: Quantity
+
+
+@dataclass(frozen=True)
+class Sphere(Indenter):
+    """A ball of this radius in m."""
+
+    _kind: ClassVar[str] = "sphere"
+    radius: Quantity
+
+
+@dataclass(frozen=True)
+class Cone(Indenter):
+    """A cone: the angle between its axis and its side in rad, and the radius of its tip in m, 0 if it is sharp."""
+
+    _kind: ClassVar[str] = "cone"
+    half_angle: Quantity
+    tip_radius: Quantity | None = None
+
+
+@dataclass(frozen=True)
+class Pyramid(Indenter):
+    """A pyramid: the radius of its tip in m, 0 if it is sharp, and the angle between its axis and a face in rad."""
+
+    tip_radius: Quantity | None = None
+    face_angle: Quantity | None = None
+
+
+@dataclass(frozen=True)
+class Berkovich(Pyramid):
+    """A three-sided pyramid, its faces at 65.03° to the axis unless said."""
+
+    _kind: ClassVar[str] = "berkovich"
+
+
+@dataclass(frozen=True)
+class Vickers(Pyramid):
+    """A four-sided pyramid, its faces at 68° to the axis unless said."""
+
+    _kind: ClassVar[str] = "vickers"
+
+
+@dataclass(frozen=True)
+class CubeCorner(Pyramid):
+    """The corner of a cube, its faces at 35.26° to the axis unless said."""
+
+    _kind: ClassVar[str] = "cube-corner"
+
+
+@dataclass(frozen=True)
+class FlatPunch(Indenter):
+    """The flat end of a cylinder of this radius in m."""
+
+    _kind: ClassVar[str] = "flat-punch"
+    radius: Quantity
+
+
+@dataclass(frozen=True, eq=False)
+class IndenterMap(HeightMap, Indenter):
+    """A measured indenter: the heights of its surface above the plane, the lowest of which touches first."""
+
+    _kind: ClassVar[str] = "map"

@@ -1,0 +1,57 @@
+"""The further tables of a case: ranges of loads, stresses, and what the program writes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal, TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+
+from . import toml
+from .quantity import Quantity, written
+from .table import Table
+
+
+@dataclass(frozen=True)
+class Range(Table):
+    """So many values from the first to the last, evenly spaced or, with `"log"`, in equal ratios."""
+
+    start: Quantity
+    stop: Quantity
+    count: int
+    spacing: Literal["linear", "log"] = "linear"
+
+    def value(self, unit: str | None) -> toml.Value:
+        """The keys `from`, `to`, `count` and `spacing` of values in this unit."""
+        unit = unit or "dimensionless"
+        ends = {"from": written(self.start, "start", unit), "to": written(self.stop, "stop", unit)}
+        return ends | {"count": self.count, "spacing": self.spacing}
+
+
+Depths: TypeAlias = Sequence[Quantity] | npt.NDArray[np.float64] | Range
+"""Several depths: a list, an array or a range."""
+
+
+@dataclass(frozen=True)
+class Stress(Table):
+    """Asks for the stresses inside the body.
+
+    `depths` are those of the planes, and `extent` the side of the square, that the program writes, in m. An indenter
+    that slides has a coefficient of `friction` and a `direction` in rad, from +x to +y.
+    """
+
+    depths: Depths | None = None
+    extent: Quantity | None = None
+    friction: float | None = None
+    direction: Quantity | None = None
+
+
+@dataclass(frozen=True)
+class Output(Table):
+    """The fields, pictures and formats that `pellicle run` writes of this case; without effect in Python."""
+
+    fields: Literal["all", "last", "none"] | None = None
+    pictures: Literal["all", "last", "none"] | None = None
+    formats: Sequence[Literal["npz", "vti", "nc", "gsf"]] | None = None

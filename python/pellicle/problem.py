@@ -1,0 +1,87 @@
+"""The discrete problem of a case, for solvers of your own, and the certificate of any pressure."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _pellicle
+from .errors import ArgumentError
+from .height_map import checked
+from .judgement import Certificate
+
+if TYPE_CHECKING:
+    from .case import Case
+
+
+@dataclass(frozen=True, slots=True)
+class Judgement:
+    """What a pressure is worth as a solution: its penetration (m), its force (N) and its certificate."""
+
+    penetration: float
+    force: float
+    certificate: Certificate
+
+
+class DiscreteProblem:
+    """The problem of a case on its grid: find p ≥ 0 with g = K p + w* + g0 − D ≥ 0 and p g = 0.
+
+    `problem @ p` is K p. Springs with a compliance η shorten by w* = η p if their law is linear.
+    """
+
+    def __init__(self, case: Case) -> None:
+        self.case = case
+        self._problem = _pellicle.Problem(case._case)
+
+    @property
+    def elements(self) -> int:
+        """Elements per side, N."""
+        return self._problem.elements
+
+    @property
+    def element_side(self) -> float:
+        """Side of an element, m."""
+        return self._problem.side / self._problem.elements
+
+    @cached_property
+    def initial_gap(self) -> npt.NDArray[np.float64]:
+        """Initial gap g0 = f − f*, m: an N × N array, infinite where nothing can touch."""
+        return self._problem.initial_gap()
+
+    @cached_property
+    def relief_compliance(self) -> npt.NDArray[np.float64]:
+        """Compliance η of the relief at rest, m/Pa: an N × N array."""
+        return self._problem.relief_compliance()
+
+    def __matmul__(self, pressure: npt.ArrayLike) -> npt.NDArray[np.float64]:
+        return self._problem.displacement(self._checked(pressure))
+
+    def judge(
+        self, pressure: npt.ArrayLike, *, force: float | None = None, penetration: float | None = None
+    ) -> Judgement:
+        """Judges an N × N pressure (Pa) as a solution under a force (N), or at a penetration (m)."""
+        if (force is None) == (penetration is None):
+            raise ArgumentError("force: found both or none of force and penetration, wanted one of them")
+        given, name = (force, "force") if penetration is None else (penetration, "penetration")
+        if given is None or not math.isfinite(given) or (force is not None and force <= 0):
+            raise ArgumentError(f"{name}: found {given}, wanted a finite number, a force above zero")
+        depth = 0.0 if penetration is None else float(penetration)
+        found, carried, lines = self._problem.judge(self._checked(pressure), force, depth)
+        return Judgement(found, carried, Certificate(*lines))
+
+    def _checked(self, pressure: Any) -> npt.NDArray[np.float64]:
+        array, wanted = checked(pressure, "pressure"), (self.elements, self.elements)
+        if array.shape != wanted:
+            raise ArgumentError(f"pressure: found shape {array.shape}, wanted {wanted}")
+        return array
+
+    def __reduce__(self) -> tuple[type[DiscreteProblem], tuple[Case]]:
+        return DiscreteProblem, (self.case,)
+
+    def __repr__(self) -> str:
+        return f"<DiscreteProblem of {self.case.title!r}: {self.elements} × {self.elements} elements>"

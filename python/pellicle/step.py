@@ -1,0 +1,230 @@
+"""One loading step of a path: its numbers, its fields, and how far they can be trusted."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+import numpy.typing as npt
+
+from . import show, toml
+from .errors import ArgumentError
+from .fields import Field, Fields, StoredFields
+from .judgement import Certificate, GridError, Sensitivity, Work, number
+from .options import Depths, Stress
+from .quantity import Quantity
+from .stresses import StressFields
+
+if TYPE_CHECKING:
+    import xarray
+
+
+class Step:
+    """A loading step. Numbers are in SI units or the case's own, fields are N × N arrays, first index along x."""
+
+    def __init__(self, summary: Mapping[str, Any], grid: Mapping[str, Any], index: int, fields: Fields) -> None:
+        self._summary = summary
+        self._grid = grid
+        self._fields = fields
+        self.index = index
+        """The step, counted from 0."""
+
+    @property
+    def summary(self) -> Mapping[str, Any]:
+        """The step as `summary.json` has it."""
+        return self._summary
+
+    @property
+    def force(self) -> float:
+        """Force Q, N."""
+        return number(self._summary["force"])
+
+    @property
+    def penetration(self) -> float:
+        """Penetration D, m."""
+        return number(self._summary["penetration"])
+
+    @property
+    def max_pressure(self) -> float:
+        """Largest pressure, Pa."""
+        return number(self._summary["max_pressure"])
+
+    @property
+    def max_pressure_at(self) -> tuple[float, float]:
+        """Centre of the element with the largest pressure, m."""
+        x, y = self._summary["max_pressure_at"]
+        return number(x), number(y)
+
+    @property
+    def mean_pressure(self) -> float:
+        """Force over contact area, Pa."""
+        return number(self._summary["mean_pressure"])
+
+    @property
+    def contact_area(self) -> float:
+        """Contact area, m²."""
+        return number(self._summary["contact_area"])
+
+    @property
+    def contact_area_on_relief(self) -> float:
+        """Contact area on the tops of the relief, m²."""
+        return number(self._summary["contact_area_on_relief"])
+
+    @property
+    def contact_area_between(self) -> float:
+        """Contact area between the tops of the relief, m²."""
+        return number(self._summary["contact_area_between"])
+
+    @property
+    def contact_elements(self) -> int:
+        """Elements in contact."""
+        return int(self._summary["contact_elements"])
+
+    @property
+    def contact_radius(self) -> float:
+        """Distance of the farthest element in contact from the axis, m."""
+        return number(self._summary["contact_radius"])
+
+    @property
+    def contact_stiffness(self) -> float | None:
+        """Contact stiffness dQ/dD, N/m; None without contact."""
+        stiffness: float | None = self._summary["contact_stiffness"]
+        return stiffness
+
+    @property
+    def status(self) -> Literal["certified", "cut-off", "not-converged"]:
+        """What the step may be used for; only `"certified"` is good."""
+        status: Literal["certified", "cut-off", "not-converged"] = self._summary["status"]
+        return status
+
+    @cached_property
+    def certificate(self) -> Certificate:
+        """How well the contact conditions are satisfied; false if they are not."""
+        return Certificate.of(self._summary["certificate"])
+
+    @cached_property
+    def grid_error(self) -> GridError:
+        """How far the numbers are from those of an infinitely fine grid."""
+        return GridError.of(self._summary["grid_error"])
+
+    @cached_property
+    def work(self) -> Work:
+        """The work of the solution."""
+        return Work.of(self._summary["work"])
+
+    @cached_property
+    def warnings(self) -> list[str]:
+        """The warnings about this step; those about the whole path are in `path.warnings`."""
+        return self._fields.warnings_of(self.index)
+
+    @cached_property
+    def pressure(self) -> Field:
+        """Pressure p, Pa, compression positive: an array in the memory of the solution, which cannot be written to."""
+        return self._fields.pressure(self.index)
+
+    @property
+    def displacement(self) -> Field:
+        """Displacement u of the body's surface, m, positive into the body."""
+        return self._surface[0]
+
+    @property
+    def gap(self) -> Field:
+        """Gap g between indenter and surface, m; infinite where the indenter has no surface."""
+        return self._surface[1]
+
+    @property
+    def shortening(self) -> Field:
+        """Shortening w* of the relief, m."""
+        return self._surface[2]
+
+    @property
+    def profile(self) -> Field:
+        """Profile f* of the relief, m: 0 on the tops, negative between them."""
+        return self._geometry[0]
+
+    @property
+    def mask(self) -> npt.NDArray[np.bool_]:
+        """Whether an element belongs to the relief."""
+        return self._geometry[1]
+
+    @property
+    def contact(self) -> npt.NDArray[np.bool_]:
+        """Whether an element carries pressure."""
+        return self.pressure > 0.0
+
+    @cached_property
+    def x(self) -> npt.NDArray[np.float64]:
+        """Coordinates of the centres of the elements along x, which are those along y, m; the axis is at 0."""
+        size, element_side = self._grid["elements"], self._grid["element_side"]
+        coordinates: npt.NDArray[np.float64] = (2 * np.arange(size) + 1 - size) * (0.5 * element_side)
+        return coordinates
+
+    @property
+    def y(self) -> npt.NDArray[np.float64]:
+        """Coordinates of the centres of the elements along y, m."""
+        return self.x
+
+    @cached_property
+    def _surface(self) -> tuple[Field, Field, Field]:
+        return self._fields.surface(self.index)
+
+    @cached_property
+    def _geometry(self) -> tuple[Field, npt.NDArray[np.bool_]]:
+        return self._fields.geometry()
+
+    def sensitivities(self) -> dict[str, Sensitivity]:
+        """The derivatives of the step by the numbers of the case, by their keys; the case must have asked for them."""
+        given = self._summary.get("sensitivities")
+        if given is None:
+            raise ArgumentError("sensitivities: the case does not ask for any, wanted Case(..., sensitivities=True)")
+        return {one["parameter"]: Sensitivity.of(one) for one in given}
+
+    def stress(
+        self,
+        depths: Depths | None = None,
+        *,
+        extent: Quantity | None = None,
+        friction: float | None = None,
+        direction: Quantity | None = None,
+    ) -> StressFields:
+        """Displacements and stresses on planes at these depths (m) in the body, by default down to two contact radii.
+
+        The planes are squares of side `extent` (m), by default 1.5 contact diameters. An indenter that slides has a
+        coefficient of `friction` and a `direction` (rad) from +x to +y.
+        """
+        table = Stress(depths, extent, friction, direction).table()
+        return StressFields.of(self._fields.stress(self.index, toml.text({"stress": table})))
+
+    def to_xarray(self) -> xarray.Dataset:
+        """The fields as an `xarray.Dataset` over x and y, with units and meanings; needs xarray."""
+        return show.dataset(self)
+
+    def plot(self, ax: Any = None) -> Any:
+        """Draws the pressure with matplotlib on `ax`, or on new axes, which it returns."""
+        return show.pressure_map(self, ax)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Step):
+            return NotImplemented
+        mine, others = (self.force, self.penetration), (other.force, other.penetration)
+        return mine == others and np.array_equal(self.pressure, other.pressure)
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __copy__(self) -> Step:
+        return self
+
+    def __deepcopy__(self, memo: object) -> Step:
+        return self
+
+    def __reduce__(self) -> tuple[type[Step], tuple[Any, ...]]:
+        stored = StoredFields.of(self._fields, range(self.index, self.index + 1))
+        return Step, (self._summary, self._grid, self.index, stored)
+
+    def __repr__(self) -> str:
+        return f"<Step {self.index}: Q = {self.force:.6g}, D = {self.penetration:.6g}, {self.status}>"
+
+    def _repr_html_(self) -> str:
+        return show.table([f"step {self.index}", ""], show.step_rows(self))

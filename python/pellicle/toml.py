@@ -1,0 +1,62 @@
+"""Writes the tables of a case as TOML, laid out as a person would."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping
+from typing import Any, TypeAlias
+
+from .errors import ArgumentError
+
+Value: TypeAlias = Any
+"""A string, an integer, a float, a truth value, a list of values or a table of them."""
+
+
+def text(document: Mapping[str, Value]) -> str:
+    """The document as TOML: its plain values, then each table under its own header."""
+    return "\n".join(_sections(document)).lstrip("\n") + "\n"
+
+
+def _sections(document: Mapping[str, Value]) -> Iterator[str]:
+    for key, value in document.items():
+        if not isinstance(value, Mapping):
+            yield f"{key} = {_inline(value)}"
+    for key, value in document.items():
+        if isinstance(value, Mapping):
+            yield from _table(key, value)
+
+
+def _table(name: str, table: Mapping[str, Value]) -> Iterator[str]:
+    """A table under its header, and lists of tables in it under theirs."""
+    yield f"\n[{name}]"
+    lists = {key: value for key, value in table.items() if _is_list_of_tables(value)}
+    for key, value in table.items():
+        if key not in lists:
+            yield f"{key} = {_inline(value)}"
+    for key, items in lists.items():
+        for item in items:
+            yield f"\n[[{name}.{key}]]"
+            yield from (f"{key} = {_inline(value)}" for key, value in item.items())
+
+
+def _is_list_of_tables(value: Value) -> bool:
+    return isinstance(value, list) and bool(value) and all(isinstance(item, Mapping) for item in value)
+
+
+def _inline(value: Value) -> str:
+    match value:
+        case bool():
+            return "true" if value else "false"
+        case str():
+            # JSON escapes as TOML does, but leaves the one control character that is above the others.
+            return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007F")
+        case Mapping():
+            pairs = ", ".join(f"{key} = {_inline(item)}" for key, item in value.items())
+            return f"{{ {pairs} }}"
+        case list():
+            return f"[{', '.join(map(_inline, value))}]"
+        case int() | float():
+            # The shortest digits that read back as the same number.
+            return repr(value)
+        case _:
+            raise ArgumentError(f"found {type(value).__name__}, wanted a value that a case file can hold")

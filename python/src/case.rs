@@ -1,0 +1,81 @@
+//! A case as the program reads it.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use numpy::{PyReadonlyArray2, PyUntypedArrayMethods};
+use pellicle_cli::Source;
+use pellicle_cli::solved::{MapSources, read_source};
+use pyo3::prelude::*;
+
+use crate::error::Refusal;
+use crate::process::Threads;
+use crate::run::Run;
+
+/// The text of a case file, as the program reads it.
+#[pyfunction]
+#[expect(
+    clippy::needless_pass_by_value,
+    reason = "Python hands over a path of its own"
+)]
+pub fn read_text(path: PathBuf) -> Result<String, Refusal> {
+    Ok(read_source(&path)?.inner().clone())
+}
+
+/// A case, read and checked.
+#[pyclass(frozen, module = "pellicle._pellicle")]
+pub struct Case(Arc<pellicle_cli::Case>);
+
+impl Case {
+    /// The case itself.
+    pub fn inner(&self) -> &pellicle_cli::Case {
+        &self.0
+    }
+}
+
+#[pymethods]
+impl Case {
+    /// Reads a text that goes by the name `source`; `name` is its title unless it has one. Its maps are `arrays`, or
+    /// else files of `folder`.
+    #[new]
+    #[expect(
+        clippy::needless_pass_by_value,
+        reason = "Python hands over a path of its own"
+    )]
+    fn new(
+        py: Python<'_>,
+        text: String,
+        source: String,
+        name: &str,
+        folder: PathBuf,
+        arrays: BTreeMap<String, PyReadonlyArray2<'_, f64>>,
+    ) -> PyResult<Self> {
+        let mut maps = MapSources::in_folder(&folder);
+        for (name, array) in arrays {
+            let shape = [array.shape()[0], array.shape()[1]];
+            // Row by row, in whatever order they lie in memory.
+            let heights = array.as_array().iter().copied().collect();
+            maps = maps.with_array(&name, shape, heights);
+        }
+        let source = Arc::new(Source::new(source, text));
+        let case = Threads::work(py, || pellicle_cli::Case::parse_with(&source, name, &maps))?
+            .map_err(Refusal::from)?;
+        Ok(Self(Arc::new(case)))
+    }
+
+    /// The case as resolved, every default filled in, as JSON.
+    fn resolved(&self) -> Result<String, Refusal> {
+        Ok(serde_json::to_string(&*self.0)?)
+    }
+
+    fn __eq__(&self, other: &Self) -> bool {
+        self.0 == other.0
+    }
+
+    /// Starts to solve it, on so many threads.
+    #[pyo3(signature = (threads = None))]
+    fn start(&self, threads: Option<u16>) -> Result<Run, Refusal> {
+        Ok(Run::start(Arc::clone(&self.0), threads)?)
+    }
+}

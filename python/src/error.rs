@@ -1,0 +1,128 @@
+//! The program's errors as exceptions: one class for each error enum, the message that of the program, the numbers as
+//! attributes.
+
+mod numbers;
+
+use pellicle_cli::{Diagnosis, Failure, Fault};
+use pyo3::exceptions::PyException;
+use pyo3::prelude::*;
+use pyo3::{IntoPyObjectExt, create_exception};
+
+create_exception!(
+    pellicle,
+    Error,
+    PyException,
+    "Whatever keeps a case from being read or solved."
+);
+create_exception!(
+    pellicle,
+    CaseError,
+    Error,
+    "A case is wrong at one place: `key`, `line`, `found`, `wanted` and `help` say where and how."
+);
+create_exception!(
+    pellicle,
+    KernelError,
+    Error,
+    "The elastic body is refused, or has no compliance."
+);
+create_exception!(
+    pellicle,
+    InfluenceError,
+    Error,
+    "The influence coefficients cannot be computed."
+);
+create_exception!(pellicle, TextureError, Error, "The surface is refused.");
+create_exception!(pellicle, IndenterError, Error, "The indenter is refused.");
+create_exception!(
+    pellicle,
+    ContactError,
+    Error,
+    "The contact cannot be posed or solved."
+);
+create_exception!(
+    pellicle,
+    RunError,
+    Error,
+    "A case cannot be run: a file cannot be read, or there is too little memory."
+);
+create_exception!(
+    pellicle,
+    InternalError,
+    Error,
+    "An error of the program itself, which should not be."
+);
+
+/// A failure of the program on its way to Python.
+#[derive(Debug)]
+pub struct Refusal(Failure);
+
+impl<E: Into<Failure>> From<E> for Refusal {
+    fn from(error: E) -> Self {
+        Self(error.into())
+    }
+}
+
+impl From<Refusal> for PyErr {
+    fn from(Refusal(failure): Refusal) -> Self {
+        Python::attach(|py| {
+            let error = exception(&failure);
+            match &failure {
+                Failure::Case(diagnosis) => describe(py, &error, diagnosis),
+                other => numbers::of(other)
+                    .into_iter()
+                    .try_for_each(|(name, number)| error.value(py).setattr(name, number)),
+            }
+            // An attribute that cannot be set is no reason to lose the error.
+            .unwrap_or_default();
+            error
+        })
+    }
+}
+
+/// The exception of the failure's class, with the program's sentence.
+fn exception(failure: &Failure) -> PyErr {
+    let message = failure.to_string();
+    match failure {
+        Failure::Case(_) => CaseError::new_err(message),
+        Failure::Kernel(_) => KernelError::new_err(message),
+        Failure::Influence(_) | Failure::Inside(_) => InfluenceError::new_err(message),
+        Failure::Texture(_) => TextureError::new_err(message),
+        Failure::Indenter(_) => IndenterError::new_err(message),
+        Failure::Contact(_) => ContactError::new_err(message),
+        _ => RunError::new_err(message),
+    }
+}
+
+fn describe(py: Python<'_>, error: &PyErr, diagnosis: &Diagnosis) -> PyResult<()> {
+    let (found, wanted) = match &diagnosis.fault {
+        Fault::Wrong { found, wanted } => (Some(found), Some(wanted)),
+        Fault::Missing { wanted } | Fault::Unknown { wanted } => (None, Some(wanted)),
+        Fault::Refused { .. } => (None, None),
+    };
+    let attributes = [
+        ("key", diagnosis.key.as_ref().into_py_any(py)?),
+        ("line", diagnosis.span.line().into_py_any(py)?),
+        ("found", found.into_py_any(py)?),
+        ("wanted", wanted.into_py_any(py)?),
+        ("help", diagnosis.help.as_ref().into_py_any(py)?),
+    ];
+    let value = error.value(py);
+    for (name, attribute) in attributes {
+        value.setattr(name, attribute)?;
+    }
+    if let Some(help) = &diagnosis.help {
+        value.call_method1("add_note", (format!("help: {help}"),))?;
+    }
+    Ok(())
+}
+
+/// An exception for a panic, with its message.
+pub fn of_panic(panic: &(dyn std::any::Any + Send)) -> PyErr {
+    let message = panic.downcast_ref::<String>().map(String::as_str);
+    let message = message.or_else(|| panic.downcast_ref::<&str>().copied());
+    let message = message.unwrap_or("unknown");
+    InternalError::new_err(format!(
+        "an error of the program itself, please report it: {message}"
+    ))
+}

@@ -1,0 +1,41 @@
+//! The module `pellicle._pellicle`: what the Python package `pellicle` needs of the program, in arrays and exceptions
+//! of Python.
+//!
+//! The package itself is Python: it writes cases as TOML, which the program's own reader resolves here, and it shows
+//! results. This module solves. Work is done on threads of its own while the interpreter goes on, and Python waits for
+//! it in short turns, so that signals are noticed.
+
+mod body;
+mod case;
+mod error;
+mod field;
+mod planes;
+mod problem;
+mod process;
+mod run;
+mod solution;
+
+use pyo3::pymodule;
+
+#[pymodule(gil_used = true)]
+mod _pellicle {
+    #[pymodule_export]
+    use crate::body::{Body, Operator};
+    #[pymodule_export]
+    use crate::case::{Case, read_text};
+    #[pymodule_export]
+    use crate::error::{
+        CaseError, ContactError, Error, IndenterError, InfluenceError, InternalError, KernelError,
+        RunError, TextureError,
+    };
+    #[pymodule_export]
+    use crate::field::Field;
+    #[pymodule_export]
+    use crate::planes::Planes;
+    #[pymodule_export]
+    use crate::problem::Problem;
+    #[pymodule_export]
+    use crate::run::Run;
+    #[pymodule_export]
+    use crate::solution::Solution;
+}

@@ -1,0 +1,119 @@
+//! A solved case: its numbers as JSON and columns, its fields as arrays.
+
+use std::sync::Arc;
+
+use numpy::{PyArray1, PyArray2, PyArrayMethods};
+use pellicle_cli::Source;
+use pellicle_cli::solved::{self, Completeness, SolvedCase, StressCase, StressFields};
+use pyo3::exceptions::PyIndexError;
+use pyo3::prelude::*;
+
+use crate::error::Refusal;
+use crate::field::Field;
+use crate::planes::Planes;
+use crate::process::Threads;
+
+/// N × N values.
+type Array<'py> = Bound<'py, PyArray2<f64>>;
+
+/// A solved case.
+#[pyclass(frozen, module = "pellicle._pellicle")]
+pub struct Solution {
+    case: Arc<pellicle_cli::Case>,
+    solved: Arc<SolvedCase>,
+}
+
+impl Solution {
+    /// The solution of a case.
+    pub fn new(case: Arc<pellicle_cli::Case>, solved: SolvedCase) -> Self {
+        let solved = Arc::new(solved);
+        Self { case, solved }
+    }
+
+    /// N² values as an array, first index along x, in the memory that they are in.
+    fn array<'py, T: numpy::Element>(
+        &self,
+        py: Python<'py>,
+        values: Vec<T>,
+    ) -> PyResult<Bound<'py, PyArray2<T>>> {
+        let size = self.solved.path.grid.size();
+        PyArray1::from_vec(py, values).reshape([size, size])
+    }
+
+    fn check(&self, step: usize) -> PyResult<()> {
+        if step < self.solved.path.steps.len() {
+            return Ok(());
+        }
+        Err(PyIndexError::new_err("the path has no such step"))
+    }
+}
+
+#[pymethods]
+impl Solution {
+    /// The text of `summary.json`.
+    fn summary(&self) -> Result<String, Refusal> {
+        Ok(solved::json(&self.solved.summary)?)
+    }
+
+    /// The text of `curve.csv`.
+    fn curve(&self) -> String {
+        solved::curve(&self.solved.summary)
+    }
+
+    /// Whether everything that the case asks for is there.
+    #[getter]
+    fn is_whole(&self) -> bool {
+        self.solved.completeness == Completeness::Whole
+    }
+
+    /// The numbers of the warnings of the path that are about this step.
+    fn warnings_of(&self, step: usize) -> Vec<String> {
+        let warnings = self.solved.path.warnings.iter();
+        let of_step = warnings.filter(|warning| warning.step() == Some(step));
+        of_step.map(ToString::to_string).collect()
+    }
+
+    /// The pressure of a step, in the solution's own memory.
+    fn pressure(&self, step: usize) -> PyResult<Field> {
+        self.check(step)?;
+        Field::pressure(&self.solved, step).ok_or_else(|| PyIndexError::new_err(step))
+    }
+
+    /// Displacement, gap and shortening of a step, computed from its pressure.
+    fn surface<'py>(&self, py: Python<'py>, step: usize) -> PyResult<[Array<'py>; 3]> {
+        self.check(step)?;
+        let path = &self.solved.path;
+        let surface = Threads::work(py, || path.surface(&path.geometry(), step));
+        let surface = surface?.ok_or_else(|| PyIndexError::new_err(step))?;
+        let array = |values| self.array(py, values);
+        Ok([
+            array(surface.displacement)?,
+            array(surface.gap)?,
+            array(surface.shortening)?,
+        ])
+    }
+
+    /// The stresses of a step that the table `[stress]` of a text asks for.
+    fn stress(&self, py: Python<'_>, step: usize, text: String) -> PyResult<Planes> {
+        self.check(step)?;
+        let (case, path) = (&self.case, &self.solved.path);
+        let found = Threads::work(py, || {
+            let source = Arc::new(Source::new("stress", text));
+            let stress = StressCase::parse(&source, &case.foundation, path.grid.side())?;
+            StressFields::new(case, path, step, &stress)
+        })?;
+        let found = found.map_err(Refusal::from)?;
+        let found = found.ok_or_else(|| PyIndexError::new_err(step))?;
+        Ok(Planes::new(found, &case.foundation.body_names()))
+    }
+
+    /// Profile and mask of the relief.
+    fn geometry<'py>(&self, py: Python<'py>) -> PyResult<(Array<'py>, Bound<'py, PyArray2<bool>>)> {
+        let geometry = Threads::work(py, || self.solved.path.geometry())?;
+        let relief = &geometry.relief;
+        Ok((
+            self.array(py, relief.profile().to_vec())?,
+            self.array(py, relief.mask().to_vec())?,
+        ))
+    }
+}

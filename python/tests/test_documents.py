@@ -1,0 +1,31 @@
+"""The examples in Python of the documents run as they are."""
+
+from __future__ import annotations
+
+import doctest
+import re
+from pathlib import Path
+
+import pytest
+
+import pellicle
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def blocks(document: str) -> list[str]:
+    return re.findall(r"^```python\n(.*?)^```", (ROOT / document).read_text(encoding="utf-8"), re.DOTALL | re.MULTILINE)
+
+
+@pytest.mark.parametrize("document", ["README.md", "docs/python.md", "python/README.md"])
+def test_the_examples_of_a_document_run_one_after_the_other(document: str) -> None:
+    found = blocks(document)
+    assert found
+    names: dict[str, object] = {}
+    for block in found:
+        exec(compile(block, document, "exec"), names)
+
+
+def test_the_example_of_the_package_runs() -> None:
+    failed, tried = doctest.testmod(pellicle)
+    assert tried > 0 and failed == 0

@@ -1,0 +1,141 @@
+"""Paths and steps: their numbers, arrays, columns, and how they survive a pickle."""
+
+from __future__ import annotations
+
+import copy
+import gc
+import pickle
+import weakref
+
+import numpy as np
+import pytest
+
+import pellicle as pl
+
+
+@pytest.fixture
+def path(case: pl.Case) -> pl.Path:
+    return case.solve()
+
+
+def test_pressures_add_up_to_the_force(path: pl.Path) -> None:
+    for step in path:
+        element = path.summary["grid"]["element_side"]
+        # The line `load` of the certificate, and the rounding of a sum of a thousand numbers.
+        assert abs(step.pressure.sum() * element**2 / step.force - 1) <= step.certificate.load + 1e-13
+
+
+def test_fields_satisfy_the_contact_conditions(path: pl.Path) -> None:
+    step = path[-1]
+    assert step.certificate and step.status == "certified"
+    assert (step.pressure >= 0).all()
+    # The gap is recomputed from the pressure; the certificate bounds it in parts of the penetration.
+    assert np.abs(step.gap[step.contact]).max() <= 1.01 * step.certificate.gap_in_contact * step.penetration
+    assert step.contact.sum() == step.contact_elements
+
+
+def test_x_is_the_first_index(body: pl.Foundation) -> None:
+    ellipsoid = np.fromfunction(lambda i, j: ((i - 10) ** 2 + 9 * (j - 10) ** 2) * 1e-9, (21, 21))
+    case = pl.Case(body, pl.IndenterMap(ellipsoid, side="10 um"), force="3 mN", side="8 um", elements=32)
+    i, j = np.nonzero(case.solve()[0].contact)
+    assert np.ptp(i) > 1.5 * np.ptp(j)
+
+
+def test_a_path_is_a_sequence_of_steps(path: pl.Path) -> None:
+    assert len(path) == 2
+    assert [step.index for step in path] == [0, 1]
+    assert path[-1] == path[1] != path[0]
+    assert path[::-1] == [path[1], path[0]]
+    with pytest.raises(IndexError):
+        path[2]
+
+
+def test_the_pressure_is_the_solutions_own_memory(path: pl.Path) -> None:
+    first, again = path[0].pressure, path[0].pressure
+    assert first.ctypes.data == again.ctypes.data
+    assert first.shape == (32, 32) and first.dtype == np.float64 and first.flags.c_contiguous
+    with pytest.raises(ValueError, match="read-only"):
+        first[0, 0] = 1.0
+
+
+def test_a_pressure_outlives_its_path(case: pl.Case) -> None:
+    path = case.solve()
+    kept, wanted = path[0].pressure, path[0].pressure.copy()
+    gone = weakref.ref(path)
+    del path
+    gc.collect()
+    assert gone() is None
+    assert np.array_equal(kept, wanted)
+
+
+def test_the_curve_has_a_row_for_each_step(path: pl.Path) -> None:
+    assert path.curve["force [N]"].tolist() == [0.005, 0.05]
+    assert path.curve["force"] is path.curve["force [N]"]
+    assert path.curve["penetration [m]"].tolist() == [step.penetration for step in path]
+    assert path.curve["contact elements"].dtype == np.int64
+    assert path.curve["certificate satisfied"].dtype == np.bool_
+    with pytest.raises(KeyError):
+        path.curve["contact"]
+
+
+def test_the_curve_is_a_data_frame(path: pl.Path) -> None:
+    pandas = pytest.importorskip("pandas")
+    frame = pandas.DataFrame(path.curve)
+    assert frame.shape == (2, len(path.curve))
+
+
+def test_an_empty_cell_of_a_curve_is_not_a_number() -> None:
+    curve = pl.Curve.of_csv("step,contact stiffness [N/m]\n0,\n1,2e0\n")
+    assert np.isnan(curve["contact stiffness"][0]) and curve["contact stiffness"][1] == 2.0
+
+
+def test_numbers_are_those_of_the_summary(path: pl.Path) -> None:
+    step, summary = path[1], path.summary["steps"][1]
+    names = [
+        "force",
+        "penetration",
+        "max_pressure",
+        "mean_pressure",
+        "contact_area",
+        "contact_area_on_relief",
+        "contact_area_between",
+        "contact_elements",
+        "contact_radius",
+        "contact_stiffness",
+        "status",
+    ]
+    assert [getattr(step, name) for name in names] == [summary[name] for name in names]
+    assert list(step.max_pressure_at) == summary["max_pressure_at"]
+    assert step.certificate.worst == summary["certificate"]["worst"]
+    assert step.grid_error.penetration is not None
+    assert step.grid_error.penetration.estimate == summary["grid_error"]["penetration"]["estimate"]
+    assert step.work.operator_applications == path.curve["operator applications"][1]
+
+
+def test_paths_and_steps_survive_a_pickle(path: pl.Path) -> None:
+    again = pickle.loads(pickle.dumps(path))
+    assert again == path and again.summary == path.summary and again.is_whole
+    for name in ("pressure", "displacement", "gap", "shortening", "profile", "mask"):
+        assert np.array_equal(getattr(again[1], name), getattr(path[1], name)), name
+    assert again.curve["force"].tolist() == path.curve["force"].tolist()
+    assert pickle.loads(pickle.dumps(again)) == path
+    step = pickle.loads(pickle.dumps(path[1]))
+    assert step == path[1] and step.index == 1
+    with pytest.raises(ValueError, match="read-only"):
+        step.pressure[0, 0] = 1.0
+    assert copy.deepcopy(path) is path
+
+
+def test_what_is_not_certified_is_returned_with_a_warning(body: pl.Foundation) -> None:
+    case = pl.Case(body, pl.Sphere("0.5 mm"), force="50 mN", side="10 um", elements=32)
+    with pytest.warns(pl.NotCertifiedWarning, match="cut-off, do not use these numbers"):
+        path = case.solve()
+    assert path.status == path[0].status == "cut-off"
+    assert path[0].warnings and "cut-off" in [warning.code for warning in path.warnings]
+
+
+def test_results_show_themselves(path: pl.Path) -> None:
+    assert repr(path) == "<Path 'two loads': 2 steps, certified>"
+    assert repr(path[0]).startswith("<Step 0: Q = 0.005, D = 1.")
+    assert path._repr_html_().count("<tr>") == 3
+    assert "<td>certified</td>" in path[0]._repr_html_()

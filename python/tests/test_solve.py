@@ -1,0 +1,151 @@
+"""Solving: progress, threads, Ctrl-C, forks and many solutions."""
+
+from __future__ import annotations
+
+import multiprocessing
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+from concurrent.futures import ThreadPoolExecutor
+
+import pytest
+
+import pellicle as pl
+
+
+def pressures(case: pl.Case) -> bytes:
+    """The bits of all pressures of a case."""
+    return b"".join(step.pressure.tobytes() for step in case.solve())
+
+
+def test_every_number_of_threads_gives_the_same_bits(case: pl.Case) -> None:
+    paths = [case.solve(threads=threads) for threads in (1, 2, 3, None)]
+    assert all(path == paths[0] for path in paths)
+    assert [path.summary["timing"]["threads"] for path in paths[:3]] == [1, 2, 3]
+
+
+@pytest.mark.parametrize("threads", [0, -1, 5000, True])
+def test_a_number_of_threads_that_cannot_be_is_refused(case: pl.Case, threads: int) -> None:
+    with pytest.raises(pl.ArgumentError, match="threads: found"):
+        case.solve(threads=threads)
+
+
+def test_the_environment_says_how_many_threads_there_are(case: pl.Case) -> None:
+    code = f"import pellicle as pl; print(pl.Case.from_string({case.to_toml()!r}).solve().summary['timing']['threads'])"
+    environment = os.environ | {"RAYON_NUM_THREADS": "3"}
+    found = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=True)
+    assert found.stdout.strip() == "3"
+
+
+def test_many_threads_of_python_solve_at_once(case: pl.Case) -> None:
+    wanted = pressures(case)
+    with ThreadPoolExecutor(8) as pool:
+        assert set(pool.map(pressures, [case] * 32)) == {wanted}
+
+
+@pytest.mark.filterwarnings("ignore:This process:DeprecationWarning")
+@pytest.mark.parametrize("method", ["fork", "spawn"])
+def test_processes_solve(case: pl.Case, method: str) -> None:
+    with multiprocessing.get_context(method).Pool(2) as pool:
+        paths = pool.map_async(pl.Case.solve, [case] * 4).get(timeout=60)
+    assert paths == [case.solve()] * 4
+
+
+def test_a_fork_while_another_thread_solves_can_solve(body: pl.Foundation, case: pl.Case) -> None:
+    large = pl.Case(body, pl.Sphere("0.5 mm"), forces=pl.Range("5 mN", "50 mN", 40), elements=256)
+    solving = threading.Thread(target=large.solve)
+    solving.start()
+    time.sleep(0.1)
+    process = multiprocessing.get_context("fork").Process(target=case.solve)
+    process.start()
+    process.join(60)
+    assert process.exitcode == 0
+    solving.join()
+
+
+def test_progress_is_told_to_a_function_up_to_the_last_step(case: pl.Case) -> None:
+    told: list[pl.Progress] = []
+    case.solve(progress=told.append)
+    assert told[-1].steps == 2 and told[-1].finished >= 1 and told[-1].elements == 32
+
+
+def test_a_bar_is_shown(case: pl.Case, capsys: pytest.CaptureFixture[str]) -> None:
+    case.solve(progress=True)
+    assert "two loads: 100%" in capsys.readouterr().err
+
+
+def test_a_line_is_shown_without_tqdm(
+    case: pl.Case, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "tqdm.auto", None)
+    case.solve(progress=True)
+    assert "/2, grid 32 × 32, iteration" in capsys.readouterr().err
+
+
+def test_an_error_of_the_function_ends_the_solution(case: pl.Case) -> None:
+    def fail(progress: pl.Progress) -> None:
+        raise ZeroDivisionError
+
+    with pytest.raises(ZeroDivisionError):
+        case.solve(progress=fail)
+
+
+def interrupt_in(seconds: float) -> None:
+    threading.Timer(seconds, os.kill, (os.getpid(), signal.SIGINT)).start()
+
+
+def test_ctrl_c_returns_at_once_with_what_is_finished(body: pl.Foundation) -> None:
+    case = pl.Case(body, pl.Sphere("0.5 mm"), forces=pl.Range("5 mN", "50 mN", 2000), elements=256)
+    case.replaced({"load.forces": [0.005]}).solve()  # Coefficients are made, which nobody can interrupt.
+    start = time.monotonic()
+    interrupt_in(1.0)
+    with pytest.raises(pl.Interrupted) as interrupted:
+        case.solve()
+    # 0.2 s from the signal, and as much again for a machine that is busy.
+    assert time.monotonic() - start < 1.4
+    path = interrupted.value.path
+    assert path is not None and 0 < len(path) < 2000 and not path.is_whole
+    assert path.status == "certified"
+    assert path.warnings[-1].message == f"stopped by the user after {len(path)} of 2000 loading steps"
+    assert interrupted.value.path is path
+
+
+def test_ctrl_c_before_the_first_step_leaves_no_path(body: pl.Foundation) -> None:
+    case = pl.Case(body, pl.Sphere("0.5 mm"), force="50 mN", elements=2048)
+    interrupt_in(0.3)
+    with pytest.raises(KeyboardInterrupt) as interrupted:
+        case.solve()
+    assert isinstance(interrupted.value, pl.Interrupted)
+    assert interrupted.value.path is None
+
+
+def test_memory_does_not_grow_with_the_number_of_solutions(body: pl.Foundation) -> None:
+    case = pl.Case(body, pl.Sphere("0.5 mm"), force="5 mN", elements=32)
+    # In a process of its own, whose peak is not that of other tests.
+    code = (
+        "import resource, pellicle as pl\n"
+        f"case = pl.Case.from_string({case.to_toml()!r})\n"
+        "def peak_after(solutions):\n"
+        "    for _ in range(solutions): case.solve(threads=1)[0].gap.sum()\n"
+        "    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss\n"
+        "before = peak_after(200)\n"
+        "print(peak_after(600) - before)\n"
+    )
+    found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    # In kB. A leak of one field a solution would be 600 × 8 kB = 4.8 MB.
+    assert int(found.stdout) < 2000
+
+
+def test_too_little_memory_is_an_error_with_its_numbers(case: pl.Case) -> None:
+    code = (
+        "import resource, pellicle as pl\n"
+        "resource.setrlimit(resource.RLIMIT_AS, (2 << 30, 2 << 30))\n"
+        f"case = pl.Case.from_string({case.to_toml()!r}).replaced({{'grid.elements': 8192}})\n"
+        "try: case.solve()\n"
+        "except pl.RunError as error: print(error.needed > error.available > 0, error)\n"
+    )
+    found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert found.stdout.startswith("True found ") and "fewer elements" in found.stdout

@@ -1,0 +1,67 @@
+"""Stresses in the body under a step."""
+
+from __future__ import annotations
+
+import pickle
+
+import numpy as np
+import pytest
+
+import pellicle as pl
+
+GLASS = pl.Foundation(pl.Material("70 GPa", 0.22))
+
+
+@pytest.fixture
+def step() -> pl.Step:
+    """Hertz: a paraboloid on glass."""
+    return pl.Case(GLASS, pl.Paraboloid("10 mm"), force="10 N", elements=64).solve()[0]
+
+
+def test_below_hertz_contact_the_stress_on_the_axis_is_the_closed_form(step: pl.Step) -> None:
+    radius, peak = 100.648e-6, 471.335e6
+    depths = np.array([0.5, 1.0, 2.0]) * radius
+    found = step.stress(depths)
+    assert found.body == ("substrate",) * 3 and np.allclose(found.depth, depths, rtol=1e-15)
+    middle = np.abs(found.x).argmin()
+    # σ_zz = −p0/(1 + z²/a²) on the axis; the points nearest to it lie half an element beside it, and the grid's own
+    # error of the pressure is some 0.1 %.
+    wanted = -peak / (1 + (depths / radius) ** 2)
+    np.testing.assert_allclose(found["szz"][:, middle, middle], wanted, rtol=0.01)
+
+
+def test_an_interface_has_two_planes_with_one_traction(body: pl.Foundation) -> None:
+    step = pl.Case(body, pl.Sphere("0.5 mm"), force="50 mN", elements=32).solve()[0]
+    found = step.stress(["1 um", "2 um"], extent="20 um")
+    assert found.body == ("layer[0]", "layer[0]", "substrate")
+    assert np.abs(found.x).max() <= 10e-6
+    above, below = found["szz"][1:]
+    np.testing.assert_allclose(above, below, atol=1e-9 * np.abs(above).max())
+    assert np.abs(found["sxx"][1] - found["sxx"][2]).max() > 0.1 * np.abs(above).max()
+
+
+def test_sliding_drags_the_surface_along(step: pl.Step) -> None:
+    side = 2 * step.x[-1]
+    still, sliding = (step.stress(["1 um"], extent=side, friction=friction)["sxz"] for friction in (0.0, 0.3))
+    # Equilibrium: below the surface the shear carries what friction puts on it, but for some depth over side that goes
+    # beyond the domain.
+    assert abs(still.sum()) < 1e-9 * abs(sliding.sum())
+    element = step.x[1] - step.x[0]
+    assert abs(sliding.sum()) * element**2 == pytest.approx(0.3 * step.force, rel=0.02)
+
+
+def test_depths_that_cannot_be_are_refused_with_their_key(step: pl.Step) -> None:
+    with pytest.raises(pl.CaseError, match="stress.depths"):
+        step.stress([-1.0])
+    with pytest.raises(pl.CaseError, match="stress.extent"):
+        step.stress(extent="1 m")
+
+
+def test_stresses_are_a_data_set_and_are_not_in_a_pickle(step: pl.Step) -> None:
+    found = step.stress(["10 um", "20 um"])
+    pytest.importorskip("xarray")
+    fields = found.to_xarray()
+    assert fields.von_mises.dims == ("plane", "x", "y") and fields.von_mises.units == "Pa"
+    assert list(found) == list(fields.data_vars)
+    with pytest.raises(pl.ArgumentError, match="solve the case again"):
+        pickle.loads(pickle.dumps(step)).stress()

@@ -1,0 +1,42 @@
+"""Results as other packages want to see them."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import pellicle as pl
+
+
+def test_the_fields_are_a_data_set(case: pl.Case) -> None:
+    pytest.importorskip("xarray")
+    step = case.solve()[-1]
+    fields = step.to_xarray()
+    assert fields.pressure.dims == ("x", "y") and fields.pressure.units == "Pa"
+    assert np.array_equal(fields.gap.values, step.gap)
+    assert fields.attrs["force"] == 0.05
+    # The largest pressure of a ball is on the axis, beside which two elements lie.
+    assert abs(float(fields.pressure.idxmax("x").max())) <= step.x[1] - step.x[0]
+
+
+def test_the_pressure_is_drawn(case: pl.Case) -> None:
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("agg")
+    step = case.solve()[-1]
+    ax = step.plot()
+    image = ax.images[0]
+    assert np.array_equal(image.get_array(), step.pressure.T)
+    assert image.get_extent()[1] == pytest.approx(case.solve().summary["grid"]["side"] / 2)
+    assert step.plot(ax) is ax
+
+
+def test_derivatives_are_there_when_they_are_asked_for(case: pl.Case) -> None:
+    with pytest.raises(pl.ArgumentError, match="sensitivities=True"):
+        case.solve()[0].sensitivities()
+    case = case.replaced({"grid.side": "40 um", "solver.tolerance": 1e-10})
+    step = case.replaced({"load.sensitivities": True}).solve()[1]
+    found = step.sensitivities()["foundation.layer[0].thickness"]
+    assert found.value == 2e-6 and found.penetration is not None
+    # A difference so small that no element enters: D is right to 1e-10 of 0.6 µm, its change is 1e-11 m.
+    more, less = (case.replaced({"foundation.layer[0].thickness": t}).solve()[1] for t in (2.0002e-6, 1.9998e-6))
+    assert found.penetration == pytest.approx((more.penetration - less.penetration) / 0.0004e-6, rel=1e-4)
