@@ -245,7 +245,7 @@ fn a_profile_whose_others_have_two_valleys_ends_where_the_lower_of_both_does() {
 }
 
 #[test]
-#[ignore = "four minutes in release on two busy cores"]
+#[ignore = "six minutes in release on two busy cores"]
 fn profiles_of_coats_hold_what_they_say_and_covariances_of_weak_ones_do_not() {
     let mut failed = Vec::new();
     let mut weak_covariances = false;
