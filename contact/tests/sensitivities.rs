@@ -257,6 +257,48 @@ fn derivatives_agree_with_differences_between_solutions_of_the_same_contact_set(
     }
 }
 
+#[test]
+fn along_null_directions_the_penetration_stands_still() {
+    let bodies: ElasticBodies = coated(0.1, material(10.0, 0.25), material(1.0, 0.3)).into();
+    let film = Relief::Film(Film::new(0.002, 0.5).unwrap());
+    let paraboloid: Indenter = Paraboloid::new(1.0).unwrap().into();
+    let sharp: [Indenter; 2] = [
+        Cone::new(1.4, 0.0).unwrap().into(),
+        Pyramid::berkovich(0.0).unwrap().into(),
+    ];
+    let cases = [
+        // The materials of the coat and the gauge, and the compliance of the film.
+        (model(&bodies, Relief::Bare, paraboloid.clone()), 2),
+        (model(&bodies, film.clone(), paraboloid), 3),
+        (model(&bodies, film.clone(), sharp[0].clone()), 3),
+        (model(&bodies, film.clone(), sharp[1].clone()), 3),
+        // A rounded tip has a length of its own.
+        (model(&bodies, film, Cone::new(1.4, 0.01).unwrap()), 2),
+    ];
+    for (index, (model, count)) in cases.iter().enumerate() {
+        let directions = model.null_directions();
+        assert_eq!(directions.len(), *count, "case {index}");
+        let path = solved(model, 0.6, 48, &[1e-2]);
+        for direction in directions {
+            let parameters: Vec<ModelParameter> = direction.iter().map(|(of, _)| *of).collect();
+            let derivatives = model.derivatives(&parameters).unwrap();
+            let found = derivatives.of_path(&path).unwrap().at(0);
+            let changes = direction.iter().zip(&found);
+            let changes: Vec<f64> = changes
+                .map(|((_, change), found)| change * found.penetration.unwrap())
+                .collect();
+            let largest = changes.iter().fold(0.0_f64, |most, c| most.max(c.abs()));
+            // Tables of derivatives are right to 2e-8; the gauge scales the elements too, which stay as they are here.
+            let gauge = parameters
+                .iter()
+                .any(|of| matches!(of, ModelParameter::Indenter(_)));
+            let within = if gauge { 3e-2 } else { 1e-6 };
+            let sum: f64 = changes.iter().sum();
+            assert!(sum.abs() < within * largest, "case {index}: {changes:?}");
+        }
+    }
+}
+
 /// Loads a decade apart at both ends, at which the curves are sampled.
 fn decade(largest: f64) -> Vec<f64> {
     (-12..=0)

@@ -208,6 +208,29 @@ fn no_sampled_stress_exceeds_the_extremes_and_each_is_found_where_it_is_said_to_
 }
 
 #[test]
+fn planes_that_show_a_part_of_the_loaded_square_hold_the_states_at_their_centres() {
+    let (path, stress, _) = coat_under_a_ball(0.02);
+    let field = StressField::new(&path, 0, stress.sliding).unwrap();
+    let depth = Depth::below(0.013);
+    for part in [0.1, 0.5, 1.0] {
+        let mut planes = field.planes(part * path.grid.side());
+        let centres = planes.centres().to_vec();
+        let (i, k) = (centres.len() / 3, centres.len() / 4);
+        let mut found = Vec::new();
+        planes
+            .fields_on(depth, |_, values| found.push(values[i * centres.len() + k]))
+            .unwrap();
+        let state = field.at([centres[i], centres[k]], depth).unwrap();
+        let expected = [state.displacement.as_slice(), state.stress.as_slice()].concat();
+        for (found, expected) in found.iter().zip(&expected) {
+            // A plane is a convolution, a state a sum: each is right to 1e-11 of the largest value of its field.
+            assert_relative_eq!(found, expected, max_relative = 1e-8, epsilon = 1e-10);
+        }
+        assert_eq!(found.len(), 9);
+    }
+}
+
+#[test]
 fn tractions_of_an_interface_are_the_largest_on_its_plane() {
     let thickness = 0.05;
     let (path, stress, found) = coat_under_a_ball(thickness);
