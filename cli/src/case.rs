@@ -137,7 +137,12 @@ impl Case {
         Self::resolve_with(&document::parse(source)?, name, maps)
     }
 
-    fn resolve_with(root: &TomlNode, name: &str, maps: &MapSources) -> Result<Self, Diagnosis> {
+    /// Reads a case from the tree of its text, its maps from `maps`.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] of the first fault.
+    pub fn resolve_with(root: &TomlNode, name: &str, maps: &MapSources) -> Result<Self, Diagnosis> {
         const TABLES: [&str; 9] = [
             "title",
             "foundation",

@@ -14,11 +14,13 @@ use self::nuisance::NuisanceTable;
 use self::report::ReportTable;
 use self::unknown::{UnknownCase, read_unknowns};
 use crate::case::document::{self, Document};
+use crate::case::map_sources::MapSources;
 use crate::case::source::{self, Source};
 use crate::case::table_reader::TableReader;
 use crate::case::value_reader::ValueReader;
 use crate::failure::Failure;
 use crate::measured::data_table::DataTable;
+use crate::measured::sources::MeasurementSources;
 
 /// A fit file.
 #[derive(Debug)]
@@ -37,6 +39,26 @@ pub struct FitFile {
     pub report: ReportTable,
     /// The tree of the file, for diagnoses.
     pub document: Document,
+}
+
+/// Where the maps and measurements of a fit file come from.
+#[derive(Debug, Clone, Default)]
+pub struct FitSources {
+    /// The maps of the model.
+    pub maps: MapSources,
+    /// The measurements.
+    pub measurements: MeasurementSources,
+}
+
+impl FitSources {
+    /// The files of a folder.
+    #[must_use]
+    pub fn in_folder(folder: &Path) -> Self {
+        Self {
+            maps: MapSources::in_folder(folder),
+            measurements: MeasurementSources::in_folder(folder),
+        }
+    }
 }
 
 /// Whether a fit file must name measurements.
@@ -58,10 +80,10 @@ impl FitFile {
         let source = Arc::new(source::read(path)?);
         let stem = path.file_stem().unwrap_or_default().to_string_lossy();
         let folder = path.parent().unwrap_or(Path::new(""));
-        Self::parse(&source, &stem, folder, measurements)
+        Self::parse(&source, &stem, &FitSources::in_folder(folder), measurements)
     }
 
-    /// Reads the text of a fit file that names its files relative to `folder`.
+    /// Reads the text of a fit file, whose files and arrays are those of `sources`.
     ///
     /// # Errors
     ///
@@ -69,7 +91,7 @@ impl FitFile {
     pub fn parse(
         source: &Arc<Source>,
         name: &str,
-        folder: &Path,
+        sources: &FitSources,
         measurements: Measurements,
     ) -> Result<Self, Failure> {
         const TABLES: [&str; 6] = ["title", "model", "data", "unknown", "nuisance", "report"];
@@ -81,7 +103,7 @@ impl FitFile {
             None => name,
         };
         let model = table.required("model", "a table [model]")?;
-        let model = FitModel::read(&model, folder)?;
+        let model = FitModel::read(&model, &sources.maps)?;
         let parameters = model.parameters()?;
         let unknown = table.required("unknown", "a table [unknown] of the keys that are sought")?;
         let unknowns = read_unknowns(&unknown, &parameters)?;
@@ -93,7 +115,7 @@ impl FitFile {
         let report = optional("report")?.map(|table| ReportTable::read(&table, &parameters));
         let data = match (table.optional("data"), measurements) {
             (None, Measurements::Optional) => Vec::new(),
-            _ => DataTable::read_all(&root, folder)?,
+            _ => DataTable::read_all(&root, &sources.measurements)?,
         };
         Ok(Self {
             title: title.replace(char::is_control, " "),

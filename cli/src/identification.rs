@@ -22,7 +22,7 @@ use std::sync::Arc;
 use pellicle_contact::ModelParameter;
 use pellicle_identify::{
     ContactCurve, ContactCurves, CurveOptions, IdentifyError, NullDirections, Problem, Scatter,
-    Unknown,
+    StopFlag, Unknown,
 };
 
 use self::curve_source::CurveSource;
@@ -31,7 +31,6 @@ use crate::failure::Failure;
 use crate::fit_file::FitFile;
 use crate::fit_file::model::ModelParameters;
 use crate::fit_file::unknown::UnknownCase;
-use crate::interrupt;
 use crate::measured::data_table::DataTable;
 
 /// As many repeats as tell a scatter between them.
@@ -56,6 +55,8 @@ pub struct Identification {
     pub outside: Outside,
     /// What earlier fits took, of which points had to be left out.
     pub spent: Spent,
+    /// The user's wish that it ends.
+    pub stop: StopFlag,
 }
 
 /// What fits take.
@@ -70,19 +71,20 @@ pub struct Spent {
 }
 
 impl Identification {
-    /// Reads the measurements and poses the problem.
+    /// Reads the measurements and poses the problem; `stop` ends the fit.
     ///
     /// # Errors
     ///
     /// [`Failure`] if a measurement gives no curve, a model cannot be built, or there are too few points.
-    pub fn new(file: FitFile) -> Result<Self, Failure> {
+    pub fn new(file: FitFile, stop: StopFlag) -> Result<Self, Failure> {
         let of_table = |(index, table)| {
             let sources = CurveSource::of_table(table)?.into_iter();
             Ok(sources.map(move |source| (index, source)))
         };
         let sources = file.data.iter().enumerate().map(of_table);
         let sources: Vec<_> = sources.collect::<Result<_, Failure>>()?;
-        Self::posed(file.into(), sources.into_iter().flatten().collect(), None)
+        let sources = sources.into_iter().flatten().collect();
+        Self::posed(file.into(), sources, None, stop)
     }
 
     /// The problem of these curves, each with the index of its table, from the starts of the fit file or from others.
@@ -90,6 +92,7 @@ impl Identification {
         file: Arc<FitFile>,
         sources: Vec<(usize, CurveSource)>,
         starts: Option<&[f64]>,
+        stop: StopFlag,
     ) -> Result<Self, Failure> {
         let mut curves = Vec::new();
         let mut directions = Vec::new();
@@ -110,7 +113,7 @@ impl Identification {
         let unknowns = file.all_unknowns();
         let sought = unknowns.iter().map(|unknown| unknown.parameter).collect();
         let options = CurveOptions {
-            stop: interrupt::is_requested,
+            stop: stop.clone(),
             ..CurveOptions::default()
         };
         let model = ContactCurves::new(curves, sought, options)?
@@ -129,6 +132,7 @@ impl Identification {
             directions,
             outside: Outside::default(),
             spent: Spent::default(),
+            stop,
         })
     }
 }

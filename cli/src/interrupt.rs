@@ -6,11 +6,13 @@
 //! [`GRACE`] of the first signal are left out. SIGTERM, which batch systems send before they kill, counts as Ctrl-C.
 
 use std::process;
+use std::sync::LazyLock;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::Duration;
 
 use pellicle_contact::Signal;
+use pellicle_identify::StopFlag;
 
 use crate::output::unfinished;
 use crate::terminal;
@@ -24,7 +26,7 @@ const PATIENCE: Duration = Duration::from_millis(900);
 /// Time for which results are still written: the rest of the second is for the numbers, which come last.
 pub const GRACE: Duration = Duration::from_millis(100);
 
-static REQUESTED: AtomicBool = AtomicBool::new(false);
+static REQUESTED: LazyLock<StopFlag> = LazyLock::new(StopFlag::default);
 static OVERDUE: AtomicBool = AtomicBool::new(false);
 static HELD: AtomicBool = AtomicBool::new(false);
 
@@ -37,7 +39,13 @@ pub fn listen() {
 /// Whether the user has asked to stop.
 #[must_use]
 pub fn is_requested() -> bool {
-    REQUESTED.load(Ordering::SeqCst)
+    REQUESTED.is_raised()
+}
+
+/// The user's wish to stop.
+#[must_use]
+pub fn flag() -> StopFlag {
+    REQUESTED.clone()
 }
 
 /// The signal that an observer returns.
@@ -63,7 +71,7 @@ pub fn hold() {
 
 /// Handles a signal, on a thread of its own and not in the signal handler.
 fn received() {
-    if REQUESTED.swap(true, Ordering::SeqCst) {
+    if !REQUESTED.raise() {
         end();
     }
     terminal::tell("stopping; press Ctrl-C again to stop at once");

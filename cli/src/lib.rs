@@ -21,6 +21,7 @@ mod failure;
 mod fit_file;
 mod forecast;
 mod identification;
+mod identifying;
 mod interrupt;
 mod map;
 mod measured;
@@ -65,6 +66,14 @@ pub mod solved {
     pub use crate::output::stress::{FIELDS, FieldName, fields::StressFields};
     pub use crate::solving::{Resources, SolvedCase, solve};
     pub use crate::stresses::Search;
+}
+
+/// Fits made as the program makes them.
+pub mod fitted {
+    pub use crate::fit_file::{FitFile, FitSources, Measurements};
+    pub use crate::identifying::{FittedFile, Stage, fit, plan, plan_table};
+    pub use crate::measured::sources::MeasurementSources;
+    pub use crate::planning::result::PlanResult;
 }
 
 /// The files of a run, and the way they are written: whole or not at all.

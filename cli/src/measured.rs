@@ -22,6 +22,7 @@ pub mod noise;
 mod raw_curve;
 pub mod segment;
 pub mod separator;
+pub mod sources;
 pub mod spring;
 pub mod text_options;
 pub mod text_table;

@@ -17,7 +17,7 @@ pub mod words;
 use pellicle_contact::Load;
 use pellicle_identify::{
     ContactCurve, ContactCurves, Curve, CurveOptions, ForwardError, ForwardModel, IdentifyError,
-    Information, NullDirections, Observable, Prediction,
+    Information, NullDirections, Observable, Prediction, StopFlag,
 };
 
 use self::candidate::Candidate;
@@ -25,7 +25,6 @@ use self::premises::Premises;
 use crate::failure::Failure;
 use crate::identification::null_directions;
 use crate::identification::result::WarningResult;
-use crate::interrupt;
 use crate::measured::data_table::Observe;
 
 /// Time between two points of a curve, s: of a drift only the shape counts.
@@ -60,7 +59,7 @@ pub struct Planning<'a> {
 }
 
 impl<'a> Planning<'a> {
-    /// Judges every candidate; `tell` is told how many are done.
+    /// Judges every candidate; `tell` is told how many are done, `stop` ends it.
     ///
     /// # Errors
     ///
@@ -68,6 +67,7 @@ impl<'a> Planning<'a> {
     pub fn new(
         premises: Premises<'a>,
         candidates: &[Candidate],
+        stop: &StopFlag,
         tell: &dyn Fn(usize),
     ) -> Result<Self, Failure> {
         let mut planning = Self {
@@ -79,7 +79,7 @@ impl<'a> Planning<'a> {
         };
         let mut failed = None;
         for (done, candidate) in candidates.iter().enumerate() {
-            if interrupt::is_requested() {
+            if stop.is_raised() {
                 return Err(IdentifyError::Stopped { predictions: done }.into());
             }
             if let Err(failure) = planning.judge(candidate) {

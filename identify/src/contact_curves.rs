@@ -21,7 +21,7 @@ pub use observable::Observable;
 use solved_curve::{Nodes, SolvedCurve};
 pub use validity::Invalidity;
 
-use crate::{ForwardError, ForwardModel, Prediction};
+use crate::{ForwardError, ForwardModel, Prediction, StopFlag};
 
 /// Relative step of a parameter by which a stiffness is differentiated: 1e-3 by its square, and as much by the grid.
 const STIFFNESS_STEP: f64 = 0.03;
@@ -53,14 +53,14 @@ pub struct ContactCurves {
 }
 
 /// How the curves are computed.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct CurveOptions {
     /// Elements per side of the finer of the two grids; even.
     pub elements: usize,
     /// Loads to a decade at which the contact is solved.
     pub loads_per_decade: f64,
-    /// Asked before each load of a prediction, which ends with [`ForwardError::Stopped`] where the answer is yes.
-    pub stop: fn() -> bool,
+    /// Looked at before each load of a prediction, which ends with [`ForwardError::Stopped`] once it is raised.
+    pub stop: StopFlag,
 }
 
 impl Default for CurveOptions {
@@ -70,7 +70,7 @@ impl Default for CurveOptions {
         Self {
             elements: 64,
             loads_per_decade: 6.0,
-            stop: || false,
+            stop: StopFlag::default(),
         }
     }
 }
@@ -94,7 +94,7 @@ impl ContactCurves {
         }
         let nodes = curves
             .iter()
-            .map(|curve| Nodes::of(curve, options))
+            .map(|curve| Nodes::of(curve, &options))
             .collect::<Result<_, _>>()?;
         Ok(Self {
             scales: vec![None; curves.len()],
@@ -166,7 +166,7 @@ impl ContactCurves {
         parameters: &[f64],
         factor: f64,
     ) -> Result<Prediction, ContactError> {
-        if (self.options.stop)() {
+        if self.options.stop.is_raised() {
             return Err(ContactError::Cancelled { step: 0 });
         }
         let model = self.model(curve, parameters)?;
@@ -201,7 +201,7 @@ impl ContactCurves {
         model: &Model,
         sought: &[ModelParameter],
     ) -> Result<SolvedCurve, ContactError> {
-        let solved = SolvedCurve::of(model, nodes, sought, self.options)?;
+        let solved = SolvedCurve::of(model, nodes, sought, &self.options)?;
         self.loads_solved.fetch_add(nodes.len(), Ordering::Relaxed);
         (self.operator_applications).fetch_add(solved.products, Ordering::Relaxed);
         Ok(solved)

@@ -39,6 +39,7 @@ mod refinement;
 mod repeats;
 mod result;
 mod start;
+mod stop_flag;
 mod surrogate;
 mod unknown;
 mod verdict;
@@ -66,6 +67,7 @@ pub use repeats::Exclusion;
 pub use result::{
     BetweenCurves, Coefficient, Estimate, Fit, FitVerdict, FittedPoints, Stopped, Warning, Work,
 };
+pub use stop_flag::StopFlag;
 pub use surrogate::{Surrogate, SurrogateOptions};
 pub use unknown::{Coordinate, Role, Unknown};
 pub use verdict::{IDENTIFIED_WITHIN, PRIOR_DRIVEN_ABOVE, Verdict};

@@ -18,6 +18,8 @@ from .errors import (
     CaseError,
     ContactError,
     Error,
+    FitWarning,
+    IdentifyError,
     IndenterError,
     InfluenceError,
     InternalError,
@@ -27,7 +29,18 @@ from .errors import (
     RunError,
     TextureError,
 )
+from .fit import Design, Fit, Nuisances, Report, Unknown
 from .height_map import HeightMap
+from .identification import (
+    Expected,
+    ExpectedDesign,
+    FitEstimate,
+    Identification,
+    KnownCombination,
+    Plan,
+    identify,
+    plan,
+)
 from .indenter import (
     Berkovich,
     Cone,
@@ -41,11 +54,12 @@ from .indenter import (
     Vickers,
 )
 from .judgement import Certificate, Estimate, GridError, ResultWarning, Sensitivity, Work
+from .measurement import Data, Noise, Segment, SpringConstant, Text
 from .operator import ElasticOperator, compliance, influence_coefficients
 from .options import Output, Range, Stress
 from .path import Path
 from .problem import DiscreteProblem, Judgement
-from .progress import Progress
+from .progress import FitProgress, Progress
 from .quantity import Quantity
 from .step import Step
 from .stresses import StressFields
@@ -63,16 +77,26 @@ __all__ = [
     "CubeCorner",
     "Curve",
     "Cylinders",
+    "Data",
+    "Design",
     "DiscreteProblem",
     "ElasticOperator",
     "Error",
     "Estimate",
+    "Expected",
+    "ExpectedDesign",
     "Film",
+    "Fit",
+    "FitEstimate",
+    "FitProgress",
+    "FitWarning",
     "FlatPunch",
     "Foundation",
     "Grading",
     "GridError",
     "HeightMap",
+    "Identification",
+    "IdentifyError",
     "Indenter",
     "IndenterError",
     "IndenterMap",
@@ -81,30 +105,41 @@ __all__ = [
     "Interrupted",
     "Judgement",
     "KernelError",
+    "KnownCombination",
     "Layer",
     "Material",
+    "Noise",
     "NotCertifiedWarning",
+    "Nuisances",
     "Output",
     "Paraboloid",
     "Path",
+    "Plan",
     "Progress",
     "Pyramid",
     "Quantity",
     "Range",
     "ReliefMap",
+    "Report",
     "ResultWarning",
     "Rough",
     "RunError",
+    "Segment",
     "Sensitivity",
     "Sphere",
     "Spring",
+    "SpringConstant",
     "Step",
     "Stress",
     "StressFields",
     "Surface",
+    "Text",
     "TextureError",
+    "Unknown",
     "Vickers",
     "Work",
     "compliance",
+    "identify",
     "influence_coefficients",
+    "plan",
 ]

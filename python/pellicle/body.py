@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Literal
+from typing import ClassVar, Literal
 
 from . import toml
-from .quantity import SI_UNITS, Quantity, written
+from .quantity import Quantity
 from .table import Table
 
 
@@ -19,15 +19,11 @@ class Grading(Table):
     same factor.
     """
 
+    _names: ClassVar[Mapping[str, str]] = {"top": "from", "bottom": "to"}
+
     top: Quantity
     bottom: Quantity
     profile: Literal["linear", "exponential"] = "linear"
-
-    def table(self) -> dict[str, toml.Value]:
-        """The keys `from`, `to` and `profile`; the first is a word of Python, so the fields have other names."""
-        unit = SI_UNITS["young_modulus"]
-        ends = {"from": written(self.top, "top", unit), "to": written(self.bottom, "bottom", unit)}
-        return ends | {"profile": self.profile}
 
 
 @dataclass(frozen=True)
@@ -65,9 +61,9 @@ class Layer(Table):
     interface_shear_strength: Quantity | None = None
     interface_tensile_strength: Quantity | None = None
 
-    def table(self) -> dict[str, toml.Value]:
+    def as_table(self) -> dict[str, toml.Value]:
         """The keys of the layer and those of its material, side by side."""
-        table = super().table()
+        table = super().as_table()
         material: dict[str, toml.Value] = table.pop("material")
         thickness = {"thickness": table.pop("thickness")}
         return thickness | material | table
@@ -83,8 +79,8 @@ class Foundation(Table):
     substrate: Material | Literal["rigid"]
     layers: Sequence[Layer] = ()
 
-    def table(self) -> dict[str, toml.Value]:
+    def as_table(self) -> dict[str, toml.Value]:
         """The keys `substrate` and `layer`."""
-        substrate = self.substrate.table() if isinstance(self.substrate, Table) else self.substrate
-        layers = [layer.table() for layer in self.layers]
+        substrate = self.substrate.as_table() if isinstance(self.substrate, Table) else self.substrate
+        layers = [layer.as_table() for layer in self.layers]
         return {"substrate": substrate} | ({"layer": layers} if layers else {})

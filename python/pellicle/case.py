@@ -14,24 +14,19 @@ import numpy.typing as npt
 
 from . import _pellicle, show, toml
 from .body import Foundation
-from .errors import ArgumentError, Interrupted
+from .errors import ArgumentError
 from .height_map import HeightMap
 from .indenter import Indenter
 from .options import Output, Range, Stress
 from .path import Path, path_of
-from .progress import Report, reporting
+from .progress import Progress, Report, reporting
 from .quantity import Quantity
 from .surface import Surface
 from .table import Table, value_of
+from .waiting import finished
 
 Loads: TypeAlias = Sequence[Quantity] | npt.NDArray[np.float64] | Range
 """Several loads: a list, an array or a range."""
-
-TURN = 20
-"""Milliseconds between two looks at signals and progress while a case is solved."""
-
-PATIENCE = 100
-"""Milliseconds in which an interrupted solution may end before it is left behind."""
 
 
 class Case:
@@ -117,7 +112,7 @@ class Case:
         stem = os.path.splitext(file)[0]
         moved = {name: f"{stem}-{name}" for name in arrays}
         if arrays or target != folder:
-            text = _with_files(text, lambda name: moved.get(name) or os.path.join(folder, name))
+            text = with_files(text, lambda name: moved.get(name) or os.path.join(folder, name))
         for name, array in arrays.items():
             np.save(os.path.join(target, moved[name]), array)
         with open(path, "w", encoding="utf-8", newline="\n") as to:
@@ -156,23 +151,8 @@ class Case:
         Python's other threads go on meanwhile. Ctrl-C raises `Interrupted`, whose `path` has the steps finished so
         far. A solution that is not certified is returned with a `NotCertifiedWarning`.
         """
-        run = self._case.start(_threads(threads))
-        try:
-            with reporting(progress, self.title if progress else "") as report:
-                while not run.wait(TURN):
-                    report(run.progress())
-                report(run.progress())
-        except KeyboardInterrupt:
-            run.cancel()
-            run.wait(PATIENCE)
-            raise Interrupted(self, run) from None
-        except BaseException:
-            run.cancel()
-            raise
-        solution = run.result()
-        if solution is None:
-            raise _pellicle.InternalError("found no solution where nobody stopped it")
-        return path_of(self, solution)
+        run = self._case.start(checked_threads(threads))
+        return finished(run, lambda solution: path_of(self, solution), reporting(progress, self, Progress))
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Case):
@@ -204,14 +184,15 @@ def _table(value: Any, kind: type[Table], name: str) -> dict[str, toml.Value]:
     """The table of a part of the case, if it is of this kind."""
     if not isinstance(value, kind):
         raise ArgumentError(f"{name}: found {type(value).__name__}, wanted a pellicle.{kind.__name__}")
-    return value.table()
+    return value.as_table()
 
 
 def _given(values: Mapping[str, Any]) -> dict[str, toml.Value]:
     return {name: value_of(name, value) for name, value in values.items() if value is not None}
 
 
-def _threads(threads: int | None) -> int | None:
+def checked_threads(threads: int | None) -> int | None:
+    """A number of threads, if it is one."""
     if threads is not None and (isinstance(threads, bool) or not 1 <= threads <= 4096):
         raise ArgumentError(f"threads: found {threads}, wanted a number from 1 to 4096")
     return threads
@@ -229,7 +210,7 @@ def _put(document: dict[str, Any], key: str, value: toml.Value) -> None:
         raise ArgumentError(f"values: found {key!r}, wanted a key of the case") from error
 
 
-def _with_files(text: str, renamed: Any) -> str:
+def with_files(text: str, renamed: Any) -> str:
     """The case with other paths of its maps; the text itself if it has no maps."""
     document = tomllib.loads(text)
     tables = [document[name] for name in ("surface", "indenter") if "file" in document.get(name, {})]

@@ -1,7 +1,9 @@
-"""The curve of a path: the columns of `curve.csv`."""
+"""Tables of results: the columns of `curve.csv` and others."""
 
 from __future__ import annotations
 
+import csv
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -9,7 +11,7 @@ import numpy.typing as npt
 
 
 class Curve(dict[str, npt.NDArray[Any]]):
-    """Columns by their names in `curve.csv`, such as `"force [N]"`; `curve["force"]` finds it, too.
+    """Columns by their names in the file, such as `"force [N]"`; `curve["force"]` finds it, too.
 
     `pandas.DataFrame(path.curve)` is a table of them.
     """
@@ -22,17 +24,20 @@ class Curve(dict[str, npt.NDArray[Any]]):
 
     @classmethod
     def of_csv(cls, text: str) -> Curve:
-        """The columns of the text of a `curve.csv`."""
-        header, *rows = (line.split(",") for line in text.splitlines())
+        """The columns of the text of a table."""
+        header, *rows = csv.reader(text.splitlines())
         cells = zip(*rows, strict=True) if rows else ((),) * len(header)
         return cls(zip(header, map(_column, cells), strict=True))
 
 
-def _column(cells: tuple[str, ...]) -> npt.NDArray[Any]:
-    """Truth values, integers, or floats, NaN where there is no number."""
+def _column(cells: Sequence[str]) -> npt.NDArray[Any]:
+    """Truth values, integers, floats, NaN where there is no number, or texts."""
     if all(cell in ("true", "false") for cell in cells):
         return np.array([cell == "true" for cell in cells], dtype=np.bool_)
     # A float is always written with an exponent, an integer never.
     if all(cell.isdecimal() for cell in cells):
         return np.array([int(cell) for cell in cells], dtype=np.int64)
-    return np.array([float(cell or "nan") for cell in cells], dtype=np.float64)
+    try:
+        return np.array([float(cell or "nan") for cell in cells], dtype=np.float64)
+    except ValueError:
+        return np.array(cells, dtype=np.str_)

@@ -67,9 +67,9 @@ class HeightMap(Table):
             raise ArgumentError(f"function: found values of shape {found.shape}, wanted {x.shape}, that of x and y")
         return cls(checked(found, "function"), sides=sides, **keys)
 
-    def table(self) -> dict[str, toml.Value]:
+    def as_table(self) -> dict[str, toml.Value]:
         """The keys of the map without its file."""
-        table = super().table()
+        table = super().as_table()
         del table["heights"]
         return table
 

@@ -85,4 +85,4 @@ class ElasticOperator:
 
 
 def _body(foundation: Foundation) -> _pellicle.Body:
-    return _pellicle.Body(toml.text({"foundation": foundation.table()}), "foundation")
+    return _pellicle.Body(toml.text({"foundation": foundation.as_table()}), "foundation")

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Literal, TypeAlias
+from typing import ClassVar, Literal, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
 
-from . import toml
-from .quantity import Quantity, written
+from .quantity import Quantity
 from .table import Table
 
 
@@ -18,16 +17,12 @@ from .table import Table
 class Range(Table):
     """So many values from the first to the last, evenly spaced or, with `"log"`, in equal ratios."""
 
+    _names: ClassVar[Mapping[str, str]] = {"start": "from", "stop": "to"}
+
     start: Quantity
     stop: Quantity
     count: int
     spacing: Literal["linear", "log"] = "linear"
-
-    def value(self, unit: str | None) -> toml.Value:
-        """The keys `from`, `to`, `count` and `spacing` of values in this unit."""
-        unit = unit or "dimensionless"
-        ends = {"from": written(self.start, "start", unit), "to": written(self.stop, "stop", unit)}
-        return ends | {"count": self.count, "spacing": self.spacing}
 
 
 Depths: TypeAlias = Sequence[Quantity] | npt.NDArray[np.float64] | Range

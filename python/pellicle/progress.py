@@ -6,7 +6,7 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
-from typing import Any, TypeAlias
+from typing import Any, Protocol, TypeAlias
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,41 +26,87 @@ class Progress:
     residual: float
     """Largest line of the certificate at this iterate, dimensionless."""
 
+    @classmethod
+    def of(cls, raw: tuple[int, int, int, int, int, float]) -> Progress:
+        """The progress of these numbers."""
+        return cls(*raw)
+
+    @property
+    def done(self) -> tuple[int, int | None, str]:
+        """Parts of the work that are finished, parts in all, and what a part is."""
+        return self.finished, self.steps, "step"
+
     def __str__(self) -> str:
         return f"grid {self.elements} × {self.elements}, iteration {self.iteration}, residual {self.residual:.1e}"
 
 
+@dataclass(frozen=True, slots=True)
+class FitProgress:
+    """Where a fit or a plan stands."""
+
+    solved: int | None
+    """Predictions of all curves that are made; None while a design is planned."""
+    planned: int | None
+    """Curves of the design that are judged; None while the fit is made."""
+
+    @classmethod
+    def of(cls, raw: tuple[int | None, int | None]) -> FitProgress:
+        """The progress of these numbers."""
+        return cls(*raw)
+
+    @property
+    def done(self) -> tuple[int, int | None, str]:
+        """Parts of the work that are finished, parts in all, and what a part is."""
+        return self.solved or self.planned or 0, None, "curve"
+
+    def __str__(self) -> str:
+        return f"{self.solved} curves solved" if self.planned is None else f"{self.planned} curves planned"
+
+
 Report: TypeAlias = Callable[[Progress], object]
-Raw: TypeAlias = tuple[int, int, int, int, int, float]
+FitReport: TypeAlias = Callable[[FitProgress], object]
+
+
+class Titled(Protocol):
+    """A case or a fit."""
+
+    @property
+    def title(self) -> str:
+        """What the bar is called."""
+        ...
 
 
 @contextmanager
-def reporting(progress: bool | Report, title: str) -> Iterator[Callable[[Raw | None], None]]:
+def reporting(
+    progress: bool | Callable[[Any], object], of: Titled, kind: type[Progress] | type[FitProgress]
+) -> Iterator[Callable[[Any], None]]:
     """A function that passes progress on: to a bar if `progress` is true, or to `progress` itself."""
     if not progress:
         yield lambda raw: None
     elif callable(progress):
-        yield _telling(progress)
+        yield _telling(progress, kind)
     else:
-        with _bar(title) as report:
-            yield _telling(report)
+        with _bar(of.title) as report:
+            yield _telling(report, kind)
 
 
-def _telling(report: Report) -> Callable[[Raw | None], None]:
+def _telling(
+    report: Callable[[Any], object], kind: type[Progress] | type[FitProgress]
+) -> Callable[[Any], None]:
     """Tells what is new, and nothing twice."""
-    last: Raw | None = None
+    last: Any = None
 
-    def tell(raw: Raw | None) -> None:
+    def tell(raw: Any) -> None:
         nonlocal last
         if raw is not None and raw != last:
             last = raw
-            report(Progress(*raw))
+            report(kind.of(raw))
 
     return tell
 
 
 @contextmanager
-def _bar(title: str) -> Iterator[Report]:
+def _bar(title: str) -> Iterator[Callable[[Any], object]]:
     """A bar of tqdm, or a line on standard error where it is not installed."""
     try:
         from tqdm.auto import tqdm
@@ -68,18 +114,19 @@ def _bar(title: str) -> Iterator[Report]:
         yield _write_line
         print(file=sys.stderr)
         return
-    with tqdm(desc=title, unit="step") as bar:
+    with tqdm(desc=title) as bar:
         yield lambda progress: _advance(bar, progress)
         bar.update((bar.total or 0) - bar.n)
 
 
-def _advance(bar: Any, progress: Progress) -> None:
-    bar.total = progress.steps
+def _advance(bar: Any, progress: Progress | FitProgress) -> None:
+    done, bar.total, bar.unit = progress.done
     bar.set_postfix_str(str(progress), refresh=False)
-    bar.update(progress.finished - bar.n)
+    bar.update(done - bar.n)
     bar.refresh()
 
 
-def _write_line(progress: Progress) -> None:
-    line = f"\rstep {progress.finished + 1}/{progress.steps}, {progress}"
+def _write_line(progress: Progress | FitProgress) -> None:
+    done, parts, part = progress.done
+    line = f"\r{progress}" if parts is None else f"\r{part} {done + 1}/{parts}, {progress}"
     print(line, end="", file=sys.stderr, flush=True)

@@ -49,8 +49,12 @@ SI_UNITS = {
     "friction": "dimensionless",
     "direction": "rad",
     "tolerance": "dimensionless",
+    "depth": "m",
+    "radii": "m",
+    "spring_constant": "N/m",
+    "frame_compliance": "m/N",
 }
-"""The SI unit of every key of a case that is a quantity."""
+"""The SI unit of every key of a case or a fit that is a quantity."""
 
 
 def written(value: object, name: str, unit: str) -> float | int | str:

@@ -194,7 +194,7 @@ class Step:
         The planes are squares of side `extent` (m), by default 1.5 contact diameters. An indenter that slides has a
         coefficient of `friction` and a `direction` (rad) from +x to +y.
         """
-        table = Stress(depths, extent, friction, direction).table()
+        table = Stress(depths, extent, friction, direction).as_table()
         return StressFields.of(self._fields.stress(self.index, toml.text({"stress": table})))
 
     def to_xarray(self) -> xarray.Dataset:

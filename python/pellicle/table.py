@@ -1,8 +1,9 @@
-"""The parts of a case that are tables of its file: each a frozen dataclass whose fields are the table's keys."""
+"""The parts of a case or a fit that are tables of its file: each a frozen dataclass whose fields are the table's keys."""
 
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Mapping
 from typing import Any, ClassVar
 
 from . import toml
@@ -14,25 +15,39 @@ class Table:
     """A table of a case file. A field that is None is a key that is left out."""
 
     _kind: ClassVar[str | None] = None
+    _names: ClassVar[Mapping[str, str]] = {}
+    """Keys of fields that go by another name in Python, where the key is a word of the language."""
+    _hidden: ClassVar[frozenset[str]] = frozenset()
+    """Fields that are no keys."""
 
-    def table(self) -> dict[str, toml.Value]:
-        """The keys and values of the table as the case file has them."""
-        fields = ((field.name, getattr(self, field.name)) for field in dataclasses.fields(self))
-        kind = {} if self._kind is None else {"kind": self._kind}
-        return kind | {name: value_of(name, value) for name, value in fields if value is not None}
+    def as_table(self) -> dict[str, toml.Value]:
+        """The keys and values of the table as the file has them."""
+        return self._given(None)
 
-    def value(self, unit: str | None) -> toml.Value:
-        """The table as a value in another, where values are in this unit."""
-        return self.table()
+    def as_value(self, unit: str | None) -> toml.Value:
+        """The table as a value in another; without units of their own its values are in this one."""
+        return self.as_table() if unit is None else self._given(unit)
+
+    def _given(self, unit: str | None) -> dict[str, toml.Value]:
+        found: dict[str, toml.Value] = {} if self._kind is None else {"kind": self._kind}
+        for field in dataclasses.fields(self):
+            value = getattr(self, field.name)
+            if value is not None and field.name not in self._hidden:
+                found[self._names.get(field.name, field.name)] = value_of(field.name, value, unit)
+        return found
 
 
-def value_of(name: str, value: Any) -> toml.Value:
-    """One value of a table as the case file has it."""
-    unit = SI_UNITS.get(name.partition("[")[0])
+def value_of(name: str, value: Any, unit: str | None = None) -> toml.Value:
+    """One value of a table as the file has it; `unit` is that of quantities whose key has none of its own."""
+    unit = SI_UNITS.get(name.partition("[")[0], unit)
     if isinstance(value, Table):
-        return value.value(unit)
+        return value.as_value(unit)
+    if isinstance(value, Mapping):
+        return {key: value_of(key, item) for key, item in value.items()}
     if hasattr(value, "tolist") and not hasattr(value, "to"):
         value = value.tolist()
     if isinstance(value, (list, tuple)):
-        return [value_of(f"{name}[{i}]", item) for i, item in enumerate(value)]
-    return value if unit is None else written(value, name, unit)
+        return [value_of(f"{name}[{i}]", item, unit) for i, item in enumerate(value)]
+    if unit is None or isinstance(value, bool):
+        return value
+    return written(value, name, unit)

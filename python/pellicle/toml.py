@@ -1,4 +1,4 @@
-"""Writes the tables of a case as TOML, laid out as a person would."""
+"""Writes the tables of a case or a fit as TOML, laid out as a person would."""
 
 from __future__ import annotations
 
@@ -19,11 +19,13 @@ def text(document: Mapping[str, Value]) -> str:
 
 def _sections(document: Mapping[str, Value]) -> Iterator[str]:
     for key, value in document.items():
-        if not isinstance(value, Mapping):
-            yield f"{key} = {_inline(value)}"
+        if not (isinstance(value, Mapping) or _is_list_of_tables(value)):
+            yield f"{_key(key)} = {_inline(value)}"
     for key, value in document.items():
         if isinstance(value, Mapping):
-            yield from _table(key, value)
+            yield from _table(_key(key), value)
+        elif _is_list_of_tables(value):
+            yield from _list(_key(key), value)
 
 
 def _table(name: str, table: Mapping[str, Value]) -> Iterator[str]:
@@ -32,11 +34,21 @@ def _table(name: str, table: Mapping[str, Value]) -> Iterator[str]:
     lists = {key: value for key, value in table.items() if _is_list_of_tables(value)}
     for key, value in table.items():
         if key not in lists:
-            yield f"{key} = {_inline(value)}"
+            yield f"{_key(key)} = {_inline(value)}"
     for key, items in lists.items():
-        for item in items:
-            yield f"\n[[{name}.{key}]]"
-            yield from (f"{key} = {_inline(value)}" for key, value in item.items())
+        yield from _list(f"{name}.{_key(key)}", items)
+
+
+def _list(name: str, items: list[Mapping[str, Value]]) -> Iterator[str]:
+    for item in items:
+        yield f"\n[[{name}]]"
+        yield from (f"{_key(key)} = {_inline(value)}" for key, value in item.items())
+
+
+def _key(key: str) -> str:
+    """A key, in quotes unless it is one word."""
+    is_bare = key.isascii() and key.replace("_", "a").replace("-", "a").isalnum()
+    return key if is_bare else _inline(key)
 
 
 def _is_list_of_tables(value: Value) -> bool:
@@ -51,7 +63,7 @@ def _inline(value: Value) -> str:
             # JSON escapes as TOML does, but leaves the one control character that is above the others.
             return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007F")
         case Mapping():
-            pairs = ", ".join(f"{key} = {_inline(item)}" for key, item in value.items())
+            pairs = ", ".join(f"{_key(key)} = {_inline(item)}" for key, item in value.items())
             return f"{{ {pairs} }}"
         case list():
             return f"[{', '.join(map(_inline, value))}]"

@@ -1,7 +1,7 @@
 //! A case as the program reads it.
 
 use std::collections::BTreeMap;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use numpy::{PyReadonlyArray2, PyUntypedArrayMethods};
@@ -21,6 +21,21 @@ use crate::run::Run;
 )]
 pub fn read_text(path: PathBuf) -> Result<String, Refusal> {
     Ok(read_source(&path)?.inner().clone())
+}
+
+/// The maps of a case: arrays by their names, or else files of the folder.
+pub fn map_sources(
+    folder: &Path,
+    arrays: BTreeMap<String, PyReadonlyArray2<'_, f64>>,
+) -> MapSources {
+    let mut maps = MapSources::in_folder(folder);
+    for (name, array) in arrays {
+        let shape = [array.shape()[0], array.shape()[1]];
+        // Row by row, in whatever order they lie in memory.
+        let heights = array.as_array().iter().copied().collect();
+        maps = maps.with_array(&name, shape, heights);
+    }
+    maps
 }
 
 /// A case, read and checked.
@@ -51,13 +66,7 @@ impl Case {
         folder: PathBuf,
         arrays: BTreeMap<String, PyReadonlyArray2<'_, f64>>,
     ) -> PyResult<Self> {
-        let mut maps = MapSources::in_folder(&folder);
-        for (name, array) in arrays {
-            let shape = [array.shape()[0], array.shape()[1]];
-            // Row by row, in whatever order they lie in memory.
-            let heights = array.as_array().iter().copied().collect();
-            maps = maps.with_array(&name, shape, heights);
-        }
+        let maps = map_sources(&folder, arrays);
         let source = Arc::new(Source::new(source, text));
         let case = Threads::work(py, || pellicle_cli::Case::parse_with(&source, name, &maps))?
             .map_err(Refusal::from)?;

@@ -1,7 +1,7 @@
-//! The program's errors as exceptions: one class for each error enum, the message that of the program, the numbers as
+//! The program's errors as exceptions: one class for each error enum, the message that of the program, the fields as
 //! attributes.
 
-mod numbers;
+mod attributes;
 
 use pellicle_cli::{Diagnosis, Failure, Fault};
 use pyo3::exceptions::PyException;
@@ -42,6 +42,12 @@ create_exception!(
 );
 create_exception!(
     pellicle,
+    IdentifyError,
+    Error,
+    "A fit cannot be posed or made."
+);
+create_exception!(
+    pellicle,
     RunError,
     Error,
     "A case cannot be run: a file cannot be read, or there is too little memory."
@@ -69,9 +75,7 @@ impl From<Refusal> for PyErr {
             let error = exception(&failure);
             match &failure {
                 Failure::Case(diagnosis) => describe(py, &error, diagnosis),
-                other => numbers::of(other)
-                    .into_iter()
-                    .try_for_each(|(name, number)| error.value(py).setattr(name, number)),
+                other => attributes::set(py, error.value(py), other),
             }
             // An attribute that cannot be set is no reason to lose the error.
             .unwrap_or_default();
@@ -90,6 +94,7 @@ fn exception(failure: &Failure) -> PyErr {
         Failure::Texture(_) => TextureError::new_err(message),
         Failure::Indenter(_) => IndenterError::new_err(message),
         Failure::Contact(_) => ContactError::new_err(message),
+        Failure::Identify(_) | Failure::NotPlanned(_) => IdentifyError::new_err(message),
         _ => RunError::new_err(message),
     }
 }

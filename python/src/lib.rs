@@ -9,11 +9,13 @@ mod body;
 mod case;
 mod error;
 mod field;
+mod fit;
 mod planes;
 mod problem;
 mod process;
 mod run;
 mod solution;
+mod work;
 
 use pyo3::pymodule;
 
@@ -25,11 +27,13 @@ mod _pellicle {
     use crate::case::{Case, read_text};
     #[pymodule_export]
     use crate::error::{
-        CaseError, ContactError, Error, IndenterError, InfluenceError, InternalError, KernelError,
-        RunError, TextureError,
+        CaseError, ContactError, Error, IdentifyError, IndenterError, InfluenceError,
+        InternalError, KernelError, RunError, TextureError,
     };
     #[pymodule_export]
     use crate::field::Field;
+    #[pymodule_export]
+    use crate::fit::{Fit, FitRun};
     #[pymodule_export]
     use crate::planes::Planes;
     #[pymodule_export]

@@ -94,6 +94,8 @@ def test_an_error_of_the_function_ends_the_solution(case: pl.Case) -> None:
 
 
 def interrupt_in(seconds: float) -> None:
+    # A process started in the background is born deaf to the signal.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     threading.Timer(seconds, os.kill, (os.getpid(), signal.SIGINT)).start()
 
 

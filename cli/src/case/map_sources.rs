@@ -23,6 +23,12 @@ impl MapSources {
         }
     }
 
+    /// The folder.
+    #[must_use]
+    pub fn folder(&self) -> &Path {
+        &self.folder
+    }
+
     /// The same, and under this name an array instead of a file, read as if it stood in a NumPy file:
     /// `heights[i * shape[1] + j]` is sample `(i, j)`, first index along x.
     #[must_use]

@@ -11,12 +11,11 @@ use pellicle_identify::{Fit, FitVerdict, IdentifyError};
 use crate::arguments::IdentifyArguments;
 use crate::failure::Failure;
 use crate::fit_file::{FitFile, Measurements};
-use crate::identification::result::FitResult;
-use crate::identification::{Identification, files, simulation, text};
+use crate::identification::{files, simulation, text};
+use crate::identifying::{self, FittedFile, Stage};
 use crate::output::file::{self, Existing};
 use crate::output::folder::{Completeness, ResultsFolder};
 use crate::output::json;
-use crate::planning::after_fit::Next;
 use crate::program::Outcome;
 use crate::{interrupt, terminal, threads};
 
@@ -38,13 +37,15 @@ pub fn identify(arguments: &IdentifyArguments) -> Result<Outcome, Failure> {
     let folder = claim(arguments, "")?;
     threads::set(arguments.threads)?;
     threads::begin();
-    let identification = Identification::new(file)?;
     let line = progress(arguments);
-    let tell = |predictions: usize| {
-        line.set_message(format!("{predictions} curves solved"));
+    let tell = |stage| {
+        line.set_message(match stage {
+            Stage::Solved(predictions) => format!("{predictions} curves solved"),
+            Stage::Planned(done) => format!("{done} curves of the design planned"),
+        });
         line.tick();
     };
-    let (identification, fit) = match identification.fitted(&tell) {
+    let mut fitted = match identifying::fit(file, start, &interrupt::flag(), &tell) {
         Err(Failure::Identify(IdentifyError::Stopped { .. })) => {
             line.finish_and_clear();
             terminal::tell("stopped before the first curve was solved; nothing is written");
@@ -52,24 +53,19 @@ pub fn identify(arguments: &IdentifyArguments) -> Result<Outcome, Failure> {
         }
         found => found?,
     };
-    interrupt::hold();
-    let next = Next::of(&identification, &fit, &|done| {
-        line.set_message(format!("{done} curves of the design planned"));
-        line.tick();
-    });
     line.finish_and_clear();
-    let seconds = start.elapsed().as_secs_f64();
-    let mut found = FitResult::new(&identification, &fit, next, seconds);
     let write = |folder: ResultsFolder| {
         folder.write(|folder| {
-            files::write(folder, &identification, &fit, &mut found)?;
-            Ok(match fit.stopped {
-                None => Completeness::Whole,
-                Some(_) => Completeness::Part,
+            files::write(folder, &mut fitted)?;
+            Ok(if fitted.is_stopped() {
+                Completeness::Part
+            } else {
+                Completeness::Whole
             })
         })
     };
     let written = folder.map(write).transpose()?;
+    let FittedFile { fit, found, .. } = fitted;
     if !(arguments.quiet || arguments.json) {
         terminal::tell(text::text(&found).trim_end());
         if let Some(folder) = &written {

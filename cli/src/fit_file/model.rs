@@ -1,6 +1,6 @@
 //! `[model]` of a fit file: a case, whose values are the fixed ones and the starts.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 
 use pellicle_contact::Model;
@@ -9,6 +9,7 @@ use pellicle_influence::Cache;
 use crate::case::Case;
 use crate::case::diagnosis::Diagnosis;
 use crate::case::document::{self, TomlEntry, TomlNode, TomlTable, TomlValue};
+use crate::case::map_sources::MapSources;
 use crate::case::overrides;
 use crate::case::parameter::CaseParameter;
 use crate::case::source;
@@ -19,7 +20,7 @@ use crate::failure::Failure;
 #[derive(Debug)]
 pub struct FitModel {
     root: TomlNode,
-    folder: PathBuf,
+    maps: MapSources,
     name: String,
     cache: Cache,
 }
@@ -34,28 +35,29 @@ pub struct ModelParameters {
 }
 
 impl FitModel {
-    /// Reads the table: the path of a case, from the folder of the fit file, or the tables of one.
+    /// Reads the table: the path of a case, from the folder of the fit file, or the tables of one, whose maps come from
+    /// `maps`.
     ///
     /// # Errors
     ///
     /// [`Failure`] if there is no such case or it is not valid.
-    pub fn read(field: &ValueReader<'_>, folder: &Path) -> Result<Self, Failure> {
+    pub fn read(field: &ValueReader<'_>, maps: &MapSources) -> Result<Self, Failure> {
         let table = field.clone().table()?;
         let cache = Cache::of_shapes();
-        let (mut root, folder, name) = if let Some(case) = table.optional("case") {
+        let (mut root, maps, name) = if let Some(case) = table.optional("case") {
             table.only(&["case"])?;
-            let path = folder.join(case.text()?);
+            let path = maps.folder().join(case.text()?);
             let root = document::parse(&Arc::new(source::read(&path)?))?;
             let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-            let folder = path.parent().unwrap_or(Path::new("")).to_owned();
-            (root, folder, stem.into_owned())
+            let folder = path.parent().unwrap_or(Path::new(""));
+            (root, MapSources::in_folder(folder), stem.into_owned())
         } else {
-            (field.node().clone(), folder.to_owned(), "model".to_owned())
+            (field.node().clone(), maps.clone(), "model".to_owned())
         };
         give_load(&mut root);
         Ok(Self {
             root,
-            folder,
+            maps,
             name,
             cache,
         })
@@ -76,7 +78,7 @@ impl FitModel {
         {
             overrides::replace(&mut root, key, key_span, node.clone())?;
         }
-        let case = Case::resolve(&root, &self.name, &self.folder)?;
+        let case = Case::resolve_with(&root, &self.name, &self.maps)?;
         let model = case.model(&self.cache)?.value;
         let parameters = case.parameters(&model)?;
         Ok(ModelParameters { model, parameters })

@@ -2,12 +2,11 @@
 
 use std::path::Path;
 
-use pellicle_identify::Fit;
-
 use super::pictures::{self, FitPicture};
-use super::result::{self, FitResult, WarningResult};
-use super::{Identification, report, tables};
+use super::result::{self, WarningResult};
+use super::{report, tables};
 use crate::failure::Failure;
+use crate::identifying::FittedFile;
 use crate::output::file;
 use crate::output::json;
 use crate::output::npz;
@@ -16,8 +15,6 @@ use crate::picture::style::Style;
 
 /// Samples of the posterior, an array for each unknown.
 const SAMPLES: &str = "posterior.npz";
-/// The points at which the model does not hold, if there are any.
-const EXCLUDED: &str = "excluded.csv";
 /// The tables of a fit.
 const TABLES: [&str; 3] = ["fit.csv", "covariance.csv", "profiles.csv"];
 
@@ -28,7 +25,7 @@ pub fn is_name(name: &str) -> bool {
         let ending = name.strip_prefix(picture.name());
         ending.is_some_and(|ending| [".svg", ".png"].contains(&ending))
     };
-    [result::FILE, SAMPLES, EXCLUDED].contains(&name)
+    [result::FILE, SAMPLES, tables::EXCLUDED].contains(&name)
         || TABLES.contains(&name)
         || FitPicture::ALL.iter().any(is_picture)
 }
@@ -38,33 +35,31 @@ pub fn is_name(name: &str) -> bool {
 /// # Errors
 ///
 /// [`Failure::Write`] if a file cannot be written.
-pub fn write(
-    folder: &Path,
-    of: &Identification,
-    fit: &Fit,
-    found: &mut FitResult,
-) -> Result<(), Failure> {
+pub fn write(folder: &Path, fitted: &mut FittedFile) -> Result<(), Failure> {
     let writer = WriteProgress::new(FitPicture::ALL.len(), &|_, _| ());
+    let (of, fit, found) = (&fitted.identification, &fitted.fit, &fitted.found);
     let drawings = pictures::write(folder, of, fit, found, &Style::default(), &writer)?;
     let failed = writer.warnings().into_iter();
-    found.warnings.extend(failed.map(|warning| WarningResult {
-        code: warning.code,
-        message: warning.message,
-    }));
-    if !found.samples.is_empty() {
-        let columns = fit.estimates.iter().enumerate().map(|(index, estimate)| {
-            let values = found.samples.iter().map(|sample| sample[index]);
-            (estimate.name.clone(), values.collect())
-        });
-        npz::write_columns(&folder.join(SAMPLES), &columns.collect::<Vec<_>>())?;
+    fitted
+        .found
+        .warnings
+        .extend(failed.map(|warning| WarningResult {
+            code: warning.code,
+            message: warning.message,
+        }));
+    let samples = fitted.samples();
+    if !samples.is_empty() {
+        npz::write_columns(&folder.join(SAMPLES), &samples)?;
     }
-    for (name, table) in tables::all(of, fit) {
+    for (name, table) in fitted.tables() {
         file::write_bytes(&folder.join(name), table.as_bytes())?;
     }
-    if let Some(table) = tables::excluded(of) {
-        file::write_bytes(&folder.join(EXCLUDED), table.as_bytes())?;
-    }
-    let page = report::html(of, fit, found, &drawings);
+    let FittedFile {
+        identification,
+        fit,
+        found,
+    } = fitted;
+    let page = report::html(identification, fit, found, &drawings);
     file::write_bytes(&folder.join(crate::output::report::FILE), page.as_bytes())?;
     file::write_bytes(&folder.join(result::FILE), json(found)?.as_bytes())
 }

@@ -35,7 +35,7 @@ impl Identification {
         let mut repetitions = 0;
         let (outside, fit) = loop {
             let now = narrowed.as_ref().unwrap_or(&self);
-            let model = Remembered::new(&now.model, &tell);
+            let model = Remembered::new(&now.model, &self.stop, &tell);
             let search = now.fit(&model, Intervals::Wald)?;
             if search.stopped.is_some() {
                 break (now.outside.clone(), search);
@@ -117,7 +117,7 @@ impl Identification {
             return Ok(None);
         }
         let starts: Vec<f64> = search.estimates.iter().map(|of| of.value).collect();
-        match Self::posed(self.file.clone(), sources, Some(&starts)) {
+        match Self::posed(self.file.clone(), sources, Some(&starts), self.stop.clone()) {
             Err(Failure::Identify(IdentifyError::TooFewPoints { .. })) => Ok(None),
             Err(failure) => Err(failure),
             Ok(next) => Ok(Some(Self {

@@ -2,7 +2,7 @@
 
 use std::sync::{Mutex, PoisonError};
 
-use pellicle_identify::{ContactCurves, ForwardError, ForwardModel, Prediction};
+use pellicle_identify::{ContactCurves, ForwardError, ForwardModel, Prediction, StopFlag};
 
 use crate::interrupt;
 
@@ -10,15 +10,17 @@ use crate::interrupt;
 pub struct Remembered<'a> {
     model: &'a ContactCurves,
     memory: Mutex<Vec<(Vec<f64>, Prediction)>>,
+    stop: &'a StopFlag,
     tell: &'a (dyn Fn() + Sync),
 }
 
 impl<'a> Remembered<'a> {
     /// A model that remembers nothing yet and tells of each prediction.
-    pub fn new(model: &'a ContactCurves, tell: &'a (dyn Fn() + Sync)) -> Self {
+    pub fn new(model: &'a ContactCurves, stop: &'a StopFlag, tell: &'a (dyn Fn() + Sync)) -> Self {
         Self {
             model,
             memory: Mutex::default(),
+            stop,
             tell,
         }
     }
@@ -37,7 +39,7 @@ impl ForwardModel for Remembered<'_> {
         if let Some(known) = self.known(parameters) {
             return Ok(known);
         }
-        if interrupt::is_requested() {
+        if self.stop.is_raised() {
             return Err(ForwardError::Stopped);
         }
         let prediction = self.model.predict(parameters);

@@ -5,6 +5,9 @@ use pellicle_identify::{Estimate, Fit, Observable};
 use super::Identification;
 use super::curve_source::OutsidePoint;
 
+/// The table of the points at which the model does not hold.
+pub const EXCLUDED: &str = "excluded.csv";
+
 /// Every table with the name of its file.
 #[must_use]
 pub fn all(of: &Identification, fit: &Fit) -> [(&'static str, String); 3] {

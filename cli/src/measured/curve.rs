@@ -1,7 +1,5 @@
 //! A measured curve: the points of one file that are used, in SI units, and what became of the others.
 
-use std::fs::{self, File};
-use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 use super::binary::refuse_binary;
@@ -15,9 +13,6 @@ use super::raw_curve::RawCurve;
 use super::spring::{self, penetration};
 use super::text_table::TextTable;
 use super::warning::CurveWarning;
-
-/// The largest file that is read, bytes.
-const LARGEST_FILE: u64 = 512 << 20;
 
 /// A measured curve: the points of one file that are used, in SI units.
 #[derive(Debug, Clone, PartialEq)]
@@ -44,9 +39,12 @@ impl MeasuredCurve {
     ///
     /// [`CurveError`] if it gives no curve.
     pub fn read(path: &Path, data: &DataTable) -> Result<Self, CurveError> {
-        let bytes = bytes(path).map_err(|error| CurveError::Unreadable {
-            cause: error.to_string(),
-        })?;
+        let bytes = data
+            .sources
+            .read(path)
+            .map_err(|error| CurveError::Unreadable {
+                cause: error.to_string(),
+            })?;
         Self::parse(path, &bytes, data)
     }
 
@@ -230,23 +228,4 @@ fn of_text(guessed: Option<&str>, table: &TextTable<'_>, data: &DataTable) -> Ve
         warnings.push(CurveWarning::new("several-tables", message));
     }
     warnings
-}
-
-fn bytes(path: &Path) -> io::Result<Vec<u8>> {
-    // Reading from a pipe might never end.
-    if !fs::metadata(path)?.is_file() {
-        return Err(io::Error::new(
-            io::ErrorKind::InvalidInput,
-            "it is not a regular file",
-        ));
-    }
-    let mut bytes = Vec::new();
-    let read = File::open(path)?
-        .take(LARGEST_FILE + 1)
-        .read_to_end(&mut bytes)?;
-    if read as u64 > LARGEST_FILE {
-        let message = format!("larger than {} MiB", LARGEST_FILE >> 20);
-        return Err(io::Error::new(io::ErrorKind::FileTooLarge, message));
-    }
-    Ok(bytes)
 }

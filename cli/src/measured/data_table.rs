@@ -8,9 +8,9 @@ use std::sync::Arc;
 use super::columns::Columns;
 use super::curve::MeasuredCurve;
 use super::error::CurveError;
-use super::files::files;
 use super::noise::Noise;
 use super::segment::Segment;
+use super::sources::MeasurementSources;
 use super::spring::{HeightDirection, SpringConstant};
 use super::text_options::TextOptions;
 use crate::case::diagnosis::{Diagnosis, Fault};
@@ -53,6 +53,8 @@ pub struct DataTable {
     pub height_direction: HeightDirection,
     /// Values of keys of the model that are others for these files, by their dotted paths.
     pub set: TomlTable,
+    /// Where their content comes from.
+    pub sources: MeasurementSources,
     /// The tree of the table, for diagnoses.
     document: Document,
     path: String,
@@ -78,18 +80,21 @@ impl DataTable {
     ///
     /// A [`Diagnosis`] of the first fault.
     pub fn parse_all(source: &Arc<Source>, folder: &Path) -> Result<Vec<Self>, Diagnosis> {
-        Self::read_all(&document::parse(source)?, folder)
+        Self::read_all(
+            &document::parse(source)?,
+            &MeasurementSources::in_folder(folder),
+        )
     }
 
-    /// Reads every `[[data]]` table of a fit file in this folder.
+    /// Reads every `[[data]]` table of a fit file whose measurements these are.
     ///
     /// # Errors
     ///
     /// A [`Diagnosis`] of the first fault.
-    pub fn read_all(root: &TomlNode, folder: &Path) -> Result<Vec<Self>, Diagnosis> {
+    pub fn read_all(root: &TomlNode, sources: &MeasurementSources) -> Result<Vec<Self>, Diagnosis> {
         const WANTED: &str = "one table [[data]] or more";
         let tables = TableReader::root(root)?.required("data", WANTED)?;
-        let read = |field: &ValueReader<'_>| Self::read(root, field, folder);
+        let read = |field: &ValueReader<'_>| Self::read(root, field, sources);
         tables.list(WANTED)?.iter().map(read).collect()
     }
 
@@ -108,7 +113,11 @@ impl DataTable {
             .wanted(&format!("{}.{key}", self.path), wanted)
     }
 
-    fn read(root: &TomlNode, field: &ValueReader<'_>, folder: &Path) -> Result<Self, Diagnosis> {
+    fn read(
+        root: &TomlNode,
+        field: &ValueReader<'_>,
+        sources: &MeasurementSources,
+    ) -> Result<Self, Diagnosis> {
         let table = field.clone().table()?;
         table.only(&Self::KEYS)?;
         let optional = |key| table.optional(key).map(ValueReader::table).transpose();
@@ -118,7 +127,8 @@ impl DataTable {
         let spring = table.optional("spring_constant");
         let direction = table.optional("height_direction");
         let data = Self {
-            files: matching(&table, folder)?,
+            files: matching(&table, sources)?,
+            sources: sources.clone(),
             columns: Columns::read(&columns, optional("units")?.as_ref())?,
             text: optional("text")?
                 .map_or(Ok(TextOptions::default()), |t| TextOptions::read(&t))?,
@@ -187,9 +197,12 @@ impl DataTable {
 const FILES: &str = "the path of a text file from the folder of the fit file, or a pattern with * and ? for several";
 
 /// The files that match, which may be none as long as nothing is read.
-fn matching(table: &TableReader<'_>, folder: &Path) -> Result<Vec<PathBuf>, Diagnosis> {
+fn matching(
+    table: &TableReader<'_>,
+    sources: &MeasurementSources,
+) -> Result<Vec<PathBuf>, Diagnosis> {
     let field = table.required("file", FILES)?;
-    Ok(files(folder, field.text()?))
+    Ok(sources.of(field.text()?))
 }
 
 fn observe(table: &TableReader<'_>) -> Result<Observe, Diagnosis> {

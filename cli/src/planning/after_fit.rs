@@ -59,7 +59,7 @@ impl Next {
         let candidates = candidates(&of.file, most, Some(largest_force(of)))?;
         let premises = Premises::of_fit(of, fit, &candidates)?;
         let data = data(of, fit, &premises)?;
-        let mut planning = Planning::new(premises, &candidates, tell)?;
+        let mut planning = Planning::new(premises, &candidates, &of.stop, tell)?;
         planning.data = Some(data);
         let designs = comparison::designs(&planning)?;
         Ok(Self {

@@ -1,19 +1,35 @@
 //! An indenter measured point by point.
 
+mod mean_profile;
+
+use std::sync::{Arc, OnceLock};
+
+use mean_profile::MeanProfile;
 use pellicle_texture::HeightMap;
 
 use super::Profile;
+
+/// The smallest circle that heights are averaged over, in distances between samples.
+const FINEST: f64 = 0.01;
 
 /// A measured indenter: a height map, placed so that its lowest point stands on the origin at height 0.
 ///
 /// Between samples the height is that of the map's [interpolation](pellicle_texture::Interpolation). Beyond the map's
 /// rectangle the indenter ends, `f = +∞`: a contact that reaches the rim of the measurement is bounded by it as by the
 /// rim of a punch, and a [step](crate::Step) says that it is cut off.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct IndenterMap {
     map: HeightMap,
     lowest: f64,
     lowest_point: [f64; 2],
+    /// Made when it is first asked for, once for all clones.
+    mean_profile: Arc<OnceLock<MeanProfile>>,
+}
+
+impl PartialEq for IndenterMap {
+    fn eq(&self, other: &Self) -> bool {
+        self.map == other.map
+    }
 }
 
 impl IndenterMap {
@@ -27,6 +43,7 @@ impl IndenterMap {
             map,
             lowest,
             lowest_point,
+            mean_profile: Arc::default(),
         }
     }
 
@@ -34,6 +51,15 @@ impl IndenterMap {
     #[must_use]
     pub fn map(&self) -> &HeightMap {
         &self.map
+    }
+
+    fn made_mean_profile(&self) -> MeanProfile {
+        let ([width, height], [rows, columns]) = (self.map.extent(), self.map.shape());
+        let spacing = (width / rows as f64).min(height / columns as f64);
+        MeanProfile::new(
+            |x, y| self.height(x, y),
+            [FINEST * spacing, width.hypot(height)],
+        )
     }
 
     /// The point of the map above a point of the plane, m.
@@ -50,6 +76,12 @@ impl Profile for IndenterMap {
         } else {
             f64::INFINITY
         }
+    }
+
+    /// Over as much of the circle as lies on the map; infinite where nothing does.
+    fn mean_profile(&self, radius: f64) -> f64 {
+        let made = self.mean_profile.get_or_init(|| self.made_mean_profile());
+        made.at(radius)
     }
 
     fn distance_to_rim(&self, x: f64, y: f64) -> f64 {

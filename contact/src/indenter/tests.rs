@@ -35,9 +35,15 @@ fn the_mean_over_a_circle_is_the_mean_of_many_heights() {
             .map(|(sine, cosine)| indenter.height(0.9 * cosine, 0.9 * sine));
         let mean = heights.sum::<f64>() / 9001.0;
         let error = (indenter.mean_profile(0.9) - mean).abs();
-        // A profile of height about 1 with a few kinks on 360 angles: some 1/360² of it each.
+        // A profile of height about 1 with a few kinks on 360 angles: some 1/360² of it each. That of a map is looked
+        // up between radii a tenth apart.
+        let within = if matches!(indenter, Indenter::Map(_)) {
+            2e-3
+        } else {
+            3e-5
+        };
         assert!(
-            mean.is_infinite() || error < 3e-5,
+            mean.is_infinite() || error < within,
             "{indenter:?}: {error:e}"
         );
         assert_eq!(mean.is_infinite(), indenter.mean_profile(0.9).is_infinite());

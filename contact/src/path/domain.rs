@@ -47,8 +47,6 @@ static SINES: LazyLock<[f64; POINTS]> = LazyLock::new(|| {
     let step = FRAC_PI_2 / POINTS as f64;
     std::array::from_fn(|i| ((i as f64 + 0.5) * step).sin())
 });
-/// Angles at which a map is looked at where a part of the circle lies beyond its end.
-const ANGLES: u32 = 360;
 
 /// The side (m) of the square to try first for all `loads`: three times the largest estimated contact radius.
 ///
@@ -137,7 +135,7 @@ fn contact_radius(model: &Model, load: Load) -> f64 {
 
 /// The radius at which the indenter stands so high, m.
 fn radius_at(model: &Model, height: f64) -> f64 {
-    where_zero(|a| (averaged(&model.indenter, a) / height).ln())
+    where_zero(|a| (model.indenter.mean_profile(a) / height).ln())
 }
 
 /// A length to look at where nothing touches.
@@ -154,27 +152,9 @@ fn unloaded_radius(model: &Model, loads: &[Load]) -> f64 {
     radius_at(model, height.unwrap_or(1.0))
 }
 
-/// The mean height over a circle, m; of a map, over as much of the circle as lies on it.
-fn averaged(indenter: &Indenter, radius: f64) -> f64 {
-    if !matches!(indenter, Indenter::Map(_)) {
-        return indenter.mean_profile(radius);
-    }
-    let height = |k: u32| {
-        let (sine, cosine) = ((f64::from(k) + 0.5) * TAU / f64::from(ANGLES)).sin_cos();
-        indenter.height(radius * cosine, radius * sine)
-    };
-    let heights = (0..ANGLES).map(height).filter(|height| height.is_finite());
-    let (count, sum) = heights.fold((0, 0.0), |(count, sum), height| (count + 1, sum + height));
-    if count == 0 {
-        f64::INFINITY
-    } else {
-        sum / f64::from(count)
-    }
-}
-
 /// The force (N) at the contact radius `a`; infinite beyond the indenter's rim.
 fn force_at(model: &Model, a: f64) -> f64 {
-    if averaged(&model.indenter, a).is_infinite() {
+    if model.indenter.mean_profile(a).is_infinite() {
         return f64::INFINITY;
     }
     let elastic = elastic_force(model, a);
@@ -247,11 +227,11 @@ fn relief_compliance(model: &Model) -> Option<[f64; 2]> {
 
 fn relief_volume(model: &Model, a: f64) -> f64 {
     let step = a / POINTS as f64;
-    let deepest = averaged(&model.indenter, a);
+    let deepest = model.indenter.mean_profile(a);
     let volume: f64 = (0..POINTS)
         .map(|i| {
             let rho = (i as f64 + 0.5) * step;
-            (deepest - averaged(&model.indenter, rho)) * TAU * rho * step
+            (deepest - model.indenter.mean_profile(rho)) * TAU * rho * step
         })
         .sum();
     model.relief.area_fraction() * volume
@@ -260,7 +240,7 @@ fn relief_volume(model: &Model, a: f64) -> f64 {
 /// `f′(ρ)` of the averaged profile, by a central difference.
 pub(crate) fn slope(indenter: &Indenter, rho: f64) -> f64 {
     let step = 1e-3 * rho;
-    (averaged(indenter, rho + step) - averaged(indenter, rho - step)) / (2.0 * step)
+    (indenter.mean_profile(rho + step) - indenter.mean_profile(rho - step)) / (2.0 * step)
 }
 
 #[cfg(test)]

@@ -48,7 +48,7 @@ enum NodeEnds {
 
 impl Nodes {
     /// Loads that cover a curve's points.
-    pub fn of(curve: &ContactCurve, options: CurveOptions) -> Result<Self, ContactError> {
+    pub fn of(curve: &ContactCurve, options: &CurveOptions) -> Result<Self, ContactError> {
         let positive = curve.abscissae.iter().copied().filter(|x| *x > 0.0);
         let [least, most] = positive.fold([f64::INFINITY, 0.0], |[least, most], x| {
             [f64::min(least, x), f64::max(most, x)]
@@ -85,7 +85,7 @@ impl Nodes {
     fn stretches_for(
         &self,
         model: &Model,
-        options: CurveOptions,
+        options: &CurveOptions,
     ) -> Result<Vec<f64>, ContactError> {
         let forces = self.forces(model);
         let stretch = |force: &f64| {
@@ -169,13 +169,13 @@ impl SolvedCurve {
         model: &Model,
         nodes: &Nodes,
         parameters: &[ModelParameter],
-        options: CurveOptions,
+        options: &CurveOptions,
     ) -> Result<Self, ContactError> {
         let derivatives = model.derivatives(parameters)?;
         let domains = nodes.domains(model);
         let forces: Vec<f64> = domains.iter().map(|(force, _)| *force).collect();
         let solved = domains.par_iter().enumerate().map(|(step, domain)| {
-            if (options.stop)() {
+            if options.stop.is_raised() {
                 return Err(ContactError::Cancelled { step });
             }
             energies(model, &derivatives, *domain, options.elements)

@@ -113,7 +113,7 @@ impl ContactCurves {
         let options = CurveOptions {
             elements: 2 * half,
             loads_per_decade: FINER * self.options.loads_per_decade,
-            ..self.options
+            ..self.options.clone()
         };
         let curves = curves.collect::<Result<Vec<_>, ContactError>>()?;
         let all = Self::new(curves, Vec::new(), options)?.with_force_scales(self.scales.clone());

@@ -30,6 +30,7 @@ const ALLOWED: [(&str, &[&str]); 7] = [
         &[
             "pellicle-cli",
             "pellicle-contact",
+            "pellicle-identify",
             "pellicle-influence",
             "pellicle-kernel",
             "pellicle-texture",

@@ -8,12 +8,10 @@ use super::{claim, progress};
 use crate::arguments::IdentifyArguments;
 use crate::failure::Failure;
 use crate::fit_file::{FitFile, Measurements};
+use crate::identifying::{self, Stage};
 use crate::output::folder::{Completeness, ResultsFolder};
 use crate::output::json;
-use crate::planning::candidate::{POINTS, candidates};
-use crate::planning::premises::Premises;
-use crate::planning::result::PlanResult;
-use crate::planning::{Planning, files, text};
+use crate::planning::{files, text};
 use crate::program::Outcome;
 use crate::{interrupt, terminal, threads};
 
@@ -28,18 +26,18 @@ const FOLDER: &str = "-plan";
 pub fn plan(arguments: &IdentifyArguments) -> Result<Outcome, Failure> {
     let start = Instant::now();
     let file = FitFile::read(&arguments.path, Measurements::Optional)?;
-    let candidates = candidates(&file, POINTS, None)?;
-    let premises = Premises::of_file(&file, &candidates)?;
     let folder = claim(arguments, FOLDER)?;
     threads::set(arguments.threads)?;
     threads::begin();
     let line = progress(arguments);
-    let planned = Planning::new(premises, &candidates, &|done| {
-        line.set_message(format!("{done} of {} curves planned", candidates.len()));
-        line.tick();
+    let planned = identifying::plan(&file, start, &interrupt::flag(), &|stage| {
+        if let Stage::Planned(done) = stage {
+            line.set_message(format!("{done} curves planned"));
+            line.tick();
+        }
     });
     line.finish_and_clear();
-    let planning = match planned {
+    let mut plan = match planned {
         Err(Failure::Identify(IdentifyError::Stopped { predictions })) => {
             let told = format!("stopped after {predictions} curves solved; nothing is written");
             terminal::tell(&told);
@@ -48,7 +46,6 @@ pub fn plan(arguments: &IdentifyArguments) -> Result<Outcome, Failure> {
         planned => planned?,
     };
     interrupt::hold();
-    let mut plan = PlanResult::new(&planning, start.elapsed().as_secs_f64())?;
     let write = |folder: ResultsFolder| {
         folder.write(|folder| {
             files::write(folder, &mut plan)?;

@@ -1,0 +1,100 @@
+//! Where measurements come from: the files of a folder, and texts that a caller hands over with a fit.
+
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+use std::fs::{self, File};
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use super::files::files;
+
+/// The largest file that is read, bytes.
+const LARGEST_FILE: u64 = 512 << 20;
+
+/// The measurements that a fit file may name as `file`.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct MeasurementSources {
+    folder: PathBuf,
+    texts: BTreeMap<PathBuf, Arc<str>>,
+}
+
+impl MeasurementSources {
+    /// The files of a folder.
+    #[must_use]
+    pub fn in_folder(folder: &Path) -> Self {
+        Self {
+            folder: folder.to_owned(),
+            texts: BTreeMap::new(),
+        }
+    }
+
+    /// The same, and under this name a text instead of a file.
+    #[must_use]
+    pub fn with_text(mut self, name: &str, text: &str) -> Self {
+        self.texts.insert(name.into(), text.into());
+        self
+    }
+
+    /// The measurements of a name or a pattern, in the order of their names: a text if there is one, or else files.
+    #[must_use]
+    pub fn of(&self, pattern: &str) -> Vec<PathBuf> {
+        match self.texts.get_key_value(Path::new(pattern)) {
+            Some((name, _)) => vec![name.clone()],
+            None => files(&self.folder, pattern),
+        }
+    }
+
+    /// The content of one of them.
+    ///
+    /// # Errors
+    ///
+    /// [`io::Error`] if a file cannot be read.
+    pub fn read(&self, path: &Path) -> io::Result<Cow<'_, [u8]>> {
+        match self.texts.get(path) {
+            Some(text) => Ok(Cow::Borrowed(text.as_bytes())),
+            None => bytes(path).map(Cow::Owned),
+        }
+    }
+}
+
+fn bytes(path: &Path) -> io::Result<Vec<u8>> {
+    // Reading from a pipe might never end.
+    if !fs::metadata(path)?.is_file() {
+        return Err(io::Error::new(
+            io::ErrorKind::InvalidInput,
+            "it is not a regular file",
+        ));
+    }
+    let mut bytes = Vec::new();
+    let read = File::open(path)?
+        .take(LARGEST_FILE + 1)
+        .read_to_end(&mut bytes)?;
+    if read as u64 > LARGEST_FILE {
+        let message = format!("larger than {} MiB", LARGEST_FILE >> 20);
+        return Err(io::Error::new(io::ErrorKind::FileTooLarge, message));
+    }
+    Ok(bytes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_text_goes_before_a_file_of_its_name() {
+        let folder = tempfile::tempdir().unwrap();
+        for name in ["a.csv", "b.csv"] {
+            fs::write(folder.path().join(name), "file").unwrap();
+        }
+        let sources = MeasurementSources::in_folder(folder.path()).with_text("a.csv", "text");
+        let content = |pattern: &str| -> Vec<Vec<u8>> {
+            let read = |path: &PathBuf| sources.read(path).unwrap().into_owned();
+            sources.of(pattern).iter().map(read).collect()
+        };
+        assert_eq!(content("a.csv"), [b"text"]);
+        assert_eq!(content("b.csv"), [b"file"]);
+        assert_eq!(content("*.csv"), [b"file", b"file"]);
+        assert!(sources.read(Path::new("none")).is_err());
+    }
+}

@@ -1,0 +1,270 @@
+"""A fit: measurements, a model, and what is sought of it, which is a fit file and the arrays that it names."""
+
+from __future__ import annotations
+
+import os
+import tomllib
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, ClassVar, Literal, TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _pellicle, toml
+from .case import Case, with_files
+from .errors import ArgumentError
+from .measurement import Data
+from .options import Range
+from .quantity import SI_UNITS, Quantity
+from .table import Table, value_of
+
+
+@dataclass(frozen=True)
+class Unknown(Table):
+    """A number that is sought: between bounds, with a prior, or both.
+
+    A lognormal prior has a `median` and a `factor` that is one standard deviation, a normal one a `mean` and an `sd`.
+    """
+
+    _names: ClassVar[Mapping[str, str]] = {"low": "from", "high": "to"}
+
+    low: Quantity | None = None
+    high: Quantity | None = None
+    prior: Literal["lognormal", "normal"] | None = None
+    median: Quantity | None = None
+    factor: float | None = None
+    mean: Quantity | None = None
+    sd: Quantity | None = None
+
+
+Bounds: TypeAlias = Unknown | tuple[Quantity, Quantity]
+"""An `Unknown`, or its bounds."""
+
+Arrays: TypeAlias = dict[str, npt.NDArray[np.float64]]
+
+
+@dataclass(frozen=True)
+class Nuisances(Table):
+    """What acts on the measurements besides: a shift and a drift of each curve, the compliance of the frame in m/N, and
+    numbers of the model, by their keys, that are not known exactly."""
+
+    shift: bool | None = None
+    frame_compliance: Literal["off", "free"] | Unknown | None = None
+    drift: bool | None = None
+    parameters: Mapping[str, Bounds] | None = None
+
+    def as_table(self) -> dict[str, toml.Value]:
+        """The keys of `[nuisance]`: those of the numbers of the model stand beside the others."""
+        found: dict[str, toml.Value] = {}
+        for name, is_free in (("shift", self.shift), ("drift", self.drift)):
+            if is_free is not None:
+                found[name] = {"per": "curve"} if is_free else "off"
+        if self.frame_compliance is not None:
+            found["frame_compliance"] = value_of("frame_compliance", self.frame_compliance)
+        return found | _bounds(self.parameters or {})
+
+
+@dataclass(frozen=True)
+class Design(Table):
+    """Curves that could be measured: each radius of the indenter (m) with each largest force (N)."""
+
+    forces: Sequence[Quantity] | npt.NDArray[np.float64] | Range | None = None
+    radii: Sequence[Quantity] | npt.NDArray[np.float64] | Range | None = None
+    points: int | None = None
+
+
+@dataclass(frozen=True)
+class Report(Table):
+    """How the result is told: level and kind of the intervals, samples of the posterior, what to measure next."""
+
+    level: float | None = None
+    intervals: Literal["profile", "wald"] | None = None
+    posterior: int | None = None
+    seed: int | None = None
+    design: Design | None = None
+    outside: Literal["leave out", "keep"] | None = None
+
+
+class Fit:
+    """Measurements, a model, and what is sought of it.
+
+    `model` is a case, of which fixed values and starts are taken; its loads do not matter. `unknown` has what is sought
+    by its keys, such as `"foundation.layer[0].young_modulus"`, each between bounds or with a prior. A fit without `data`
+    can only be planned.
+    """
+
+    def __init__(
+        self,
+        model: Case,
+        data: Data | Sequence[Data] = (),
+        *,
+        unknown: Mapping[str, Bounds],
+        nuisance: Nuisances | None = None,
+        report: Report | None = None,
+        title: str | None = None,
+    ) -> None:
+        if not isinstance(model, Case):
+            raise ArgumentError(f"model: found {type(model).__name__}, wanted a pellicle.Case")
+        tables = [data] if isinstance(data, Data) else list(data)
+        texts: dict[str, str] = {}
+        written: list[toml.Value] = []
+        for number, table in enumerate(tables):
+            if not isinstance(table, Data):
+                raise ArgumentError(f"data: found {type(table).__name__}, wanted a pellicle.Data")
+            values, rows = table.as_table(), table.rows_or_none()
+            if rows is not None:
+                values["file"] = table.file or f"data-{number}.csv"
+                if texts.setdefault(values["file"], rows) != rows:
+                    raise ArgumentError(f"data: found two arrays of the name {table.file!r}, wanted a name for each")
+            written.append(values)
+        text, _, _, folder, arrays = model._state
+        document = {
+            **({} if title is None else {"title": title}),
+            "model": tomllib.loads(with_files(text, lambda name: name if name in arrays else os.path.join(folder, name))),
+            **({"data": written} if written else {}),
+            "unknown": _bounds(unknown),
+            **_optional("nuisance", nuisance, Nuisances),
+            **_optional("report", report, Report),
+        }
+        self._read(toml.text(document), "fit", "fit", os.getcwd(), dict(arrays), texts)
+
+    def _read(self, *state: Any) -> None:
+        self._state: tuple[str, str, str, str, Arrays, dict[str, str]] = state
+        # Faults are told where the fit is made, not where it is used.
+        self.begun(is_measured=self.is_measured)
+
+    def begun(self, *, is_measured: bool) -> _pellicle.Fit:
+        """The fit, read once more, for one use."""
+        return _pellicle.Fit(*self._state, is_measured)
+
+    @property
+    def is_measured(self) -> bool:
+        """Whether it names measurements."""
+        return "data" in tomllib.loads(self._state[0])
+
+    @property
+    def title(self) -> str:
+        """The title; the name of the file unless it has one."""
+        title: str = tomllib.loads(self._state[0]).get("title", self._state[2])
+        return title
+
+    @classmethod
+    def _restored(cls, *state: Any) -> Fit:
+        fit = cls.__new__(cls)
+        fit._read(*state)
+        return fit
+
+    @classmethod
+    def from_toml(cls, path: str | os.PathLike[str]) -> Fit:
+        """The fit of a file, as `pellicle identify` reads it."""
+        folder, file = os.path.split(os.path.abspath(path))
+        text = _pellicle.read_text(path)
+        return cls._restored(text, os.fspath(path), os.path.splitext(file)[0], folder, {}, {})
+
+    @classmethod
+    def from_string(cls, text: str, folder: str | os.PathLike[str] = ".") -> Fit:
+        """The fit of the text of a fit file, which names its files by their paths from `folder`."""
+        return cls._restored(text, "fit", "fit", os.path.abspath(folder), {}, {})
+
+    def to_toml(self, path: str | os.PathLike[str] | None = None) -> str:
+        """The text of the fit file; written to `path` if one is given, with its arrays beside it.
+
+        `pellicle identify` gives the same bits for it as `identify` does.
+        """
+        text, _, _, folder, arrays, texts = self._state
+        if path is None:
+            return str(text)
+        target, file = os.path.split(os.path.abspath(path))
+        stem = os.path.splitext(file)[0]
+        own = {name: f"{stem}-{name}" for name in (*arrays, *texts)}
+        document = tomllib.loads(text)
+        moved = own if target == folder else _Elsewhere(own, folder)
+        for table in (document.get("model", {}).get("surface"), document.get("model", {}).get("indenter")):
+            if table is not None and "file" in table:
+                table["file"] = moved.get(table["file"], table["file"])
+        for table in document.get("data", []):
+            table["file"] = moved.get(table["file"], table["file"])
+        if "case" in document.get("model", {}):
+            document["model"]["case"] = moved.get(document["model"]["case"], document["model"]["case"])
+        written = toml.text(document) if own or target != folder else str(text)
+        for name, array in arrays.items():
+            np.save(os.path.join(target, own[name]), array)
+        for name, rows in texts.items():
+            _write(os.path.join(target, own[name]), rows)
+        _write(os.fspath(path), written)
+        return written
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Fit):
+            return NotImplemented
+        mine, others = self._state, other._state
+        same = mine[0] == others[0] and mine[3] == others[3] and mine[5] == others[5]
+        return same and mine[4].keys() == others[4].keys() and all(
+            np.array_equal(array, others[4][name]) for name, array in mine[4].items()
+        )
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __copy__(self) -> Fit:
+        return self
+
+    def __deepcopy__(self, memo: object) -> Fit:
+        return self
+
+    def __reduce__(self) -> tuple[Any, tuple[Any, ...]]:
+        return Fit._restored, self._state
+
+    def __repr__(self) -> str:
+        document = tomllib.loads(self._state[0])
+        tables = len(document.get("data", []))
+        return f"<Fit {self.title!r}: {len(_flattened(document['unknown']))} unknown, {tables} of data>"
+
+
+class _Elsewhere(dict[str, str]):
+    """Other paths of files that lie in a folder, and the new names of arrays."""
+
+    def __init__(self, own: Mapping[str, str], folder: str) -> None:
+        super().__init__(own)
+        self._folder = folder
+
+    def get(self, name: str, default: Any = None) -> Any:
+        return self[name] if name in self else os.path.join(self._folder, name)
+
+
+def _write(path: str, text: str) -> None:
+    with open(path, "w", encoding="utf-8", newline="\n") as to:
+        to.write(text)
+
+
+def _optional(name: str, part: Table | None, kind: type[Table]) -> dict[str, toml.Value]:
+    if part is None:
+        return {}
+    if not isinstance(part, kind):
+        raise ArgumentError(f"{name}: found {type(part).__name__}, wanted a pellicle.{kind.__name__}")
+    return {name: part.as_table()}
+
+
+def _bounds(unknown: Mapping[str, Bounds]) -> dict[str, toml.Value]:
+    """The tables of numbers of the model, by their keys."""
+    found: dict[str, toml.Value] = {}
+    for key, bounds in unknown.items():
+        if isinstance(bounds, tuple) and len(bounds) == 2:
+            bounds = Unknown(*bounds)
+        if not isinstance(bounds, Unknown):
+            raise ArgumentError(f"{key}: found {bounds!r}, wanted a pellicle.Unknown or a pair of bounds")
+        unit = SI_UNITS.get(key.rpartition(".")[2].partition("[")[0])
+        found[key] = bounds.as_value(unit)
+    return found
+
+
+def _flattened(table: Mapping[str, Any]) -> list[str]:
+    """The keys of the unknowns, however they are nested."""
+    kinds = {"from", "to", "prior"}
+    keys: list[str] = []
+    for key, value in table.items():
+        if isinstance(value, Mapping) and not kinds & value.keys():
+            keys += [f"{key}.{inner}" for inner in _flattened(value)]
+        else:
+            keys.append(key)
+    return keys

@@ -1,0 +1,131 @@
+"""Fits as others want to see them: rows of tables, and pictures of matplotlib."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .errors import ArgumentError
+
+if TYPE_CHECKING:
+    from .identification import FitEstimate, ExpectedDesign, Identification
+
+
+def cells(estimate: FitEstimate) -> list[str]:
+    """An estimate as a row of a table."""
+    low, high = (f"{end:.4g}" if np.isfinite(end) else "open" for end in estimate.interval)
+    value = f"{estimate.value:.4g} {estimate.unit}"
+    return [estimate.key, value, f"[{low}, {high}]", estimate.verdict, estimate.why]
+
+
+def design_cells(design: ExpectedDesign) -> list[str]:
+    """A design as a row of a table: its curves, and the factor within which each unknown would lie."""
+    named = " + ".join(
+        ", ".join(f"{key} {value:.3g}" if isinstance(value, float) else f"{key} {value}" for key, value in curve.items())
+        for curve in design.curves
+    )
+    factors = (expected.factor for expected in design.unknowns)
+    return [named or "the data", *(f"factor {factor:.3g}" if np.isfinite(factor) else "open" for factor in factors)]
+
+
+def curve(result: Identification) -> Any:
+    """Every point and the model through them, and below the residuals over their standard deviations."""
+    import matplotlib.pyplot as plt
+
+    heights = {"height_ratios": [3, 1]}
+    figure, (above, below) = plt.subplots(2, 1, sharex=True, figsize=(6.4, 5.6), gridspec_kw=heights)
+    _, abscissa, observed, model, _, whitened = result.curve
+    files = list(dict.fromkeys(result.curve["file"]))
+    for file in files:
+        at = result.curve["file"] == file
+        order = np.argsort(result.curve[abscissa][at], kind="stable")
+        x = result.curve[abscissa][at][order]
+        (points,) = above.plot(x, result.curve[observed][at][order], ".", ms=4, label=str(file))
+        above.plot(x, result.curve[model][at][order], "-", lw=1, color=points.get_color())
+        below.plot(x, result.curve[whitened][at][order], ".", ms=3, color=points.get_color())
+    below.axhline(0, color="0.5", lw=1)
+    below.set_ylabel("residual / σ")
+    _quantity(below.xaxis, *_split(abscissa))
+    _quantity(above.yaxis, *_split(observed))
+    above.set_title(f"{result.fit.title}: {result.verdict}")
+    if len(files) > 1:
+        above.legend(fontsize="small")
+    figure.tight_layout()
+    return figure
+
+
+def profiles(result: Identification) -> Any:
+    """The rise of χ² along each unknown, and its interval."""
+    import matplotlib.pyplot as plt
+
+    table = result.profiles
+    name, value, rise, *_ = table
+    unknowns = [estimate for estimate in result.unknowns if np.any(table[name] == estimate.key)]
+    count = max(len(unknowns), 1)
+    figure, axes = plt.subplots(1, count, squeeze=False, figsize=(4 * count, 3.4))
+    for ax, estimate in zip(axes[0], unknowns, strict=False):
+        at = table[name] == estimate.key
+        order = np.argsort(table[value][at])
+        x, y = table[value][at][order], table[rise][at][order]
+        # Between two points the root of the rise is nearly straight.
+        root = np.sqrt(np.maximum(y, 0)) * np.sign(x - estimate.value)
+        along = np.linspace(x[0], x[-1], 200)
+        (line,) = ax.plot(along, np.interp(along, x, root) ** 2, lw=1)
+        ax.plot(x, y, ".", color=line.get_color())
+        for end in estimate.interval:
+            if np.isfinite(end):
+                ax.axvline(end, color="0.5", lw=1, ls="--")
+        ax.axvline(estimate.value, color="0.2", lw=1)
+        ax.set(ylabel="rise of χ²", title=estimate.verdict)
+        _quantity(ax.xaxis, _short(estimate.key), estimate.unit)
+    figure.tight_layout()
+    return figure
+
+
+def corner(result: Identification) -> Any:
+    """The samples of the posterior, each unknown against each."""
+    import matplotlib.pyplot as plt
+
+    unknowns = [estimate for estimate in result.unknowns if estimate.key in result.posterior]
+    if not unknowns:
+        raise ArgumentError("posterior: found no samples, wanted a fit whose report asks for them")
+    count = len(unknowns)
+    figure, axes = plt.subplots(count, count, squeeze=False, figsize=(2.8 * count, 2.6 * count))
+    for i, down in enumerate(unknowns):
+        for j, across in enumerate(unknowns):
+            ax = axes[i][j]
+            if j > i:
+                ax.set_axis_off()
+                continue
+            if i == j:
+                ax.hist(result.posterior[down.key], bins=40, color="0.6")
+                ax.set_yticks([])
+            else:
+                ax.plot(result.posterior[across.key], result.posterior[down.key], ".", ms=2, alpha=0.3)
+                _quantity(ax.yaxis, _short(down.key) if j == 0 else "", down.unit)
+            _quantity(ax.xaxis, _short(across.key) if i == count - 1 else "", across.unit)
+            ax.tick_params(axis="x", rotation=30)
+    figure.tight_layout()
+    return figure
+
+
+def _quantity(axis: Any, label: str, unit: str) -> None:
+    """An axis of a quantity in SI units, its numbers with prefixes."""
+    from matplotlib.ticker import EngFormatter
+
+    axis.set_label_text(label)
+    if unit != "1":
+        axis.set_major_formatter(EngFormatter(unit))
+
+
+def _split(head: str) -> tuple[str, str]:
+    """Name and unit of a column."""
+    name, _, unit = head.partition(" [")
+    return name, unit.rstrip("]")
+
+
+def _short(key: str) -> str:
+    """A key on two lines."""
+    place, _, name = key.rpartition(".")
+    return f"{place}\n{name}" if place else name

@@ -1,0 +1,358 @@
+"""A fit made: the numbers found, with intervals, verdicts and what is known instead."""
+
+from __future__ import annotations
+
+import json
+import os
+import warnings
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from . import fit_views, show
+from .case import checked_threads
+from .curve import Curve
+from .errors import ArgumentError, FitWarning
+from .fit import Fit
+from .judgement import ResultWarning, number
+from .progress import FitProgress, FitReport, reporting
+from .waiting import finished
+
+Interval = tuple[float, float]
+"""Two ends; infinite on a side that is open."""
+
+Files = tuple[str, list[tuple[str, str]], list[tuple[str, list[float]]], bool]
+"""JSON, tables by the names of their files, samples of the posterior, and whether the work was finished."""
+
+
+@dataclass(frozen=True)
+class KnownCombination:
+    """A product of powers of what is sought that the data tell."""
+
+    expression: str
+    value: float
+    """In SI units."""
+    interval: Interval
+
+
+@dataclass(frozen=True)
+class FitEstimate:
+    """A number as found, in SI units."""
+
+    key: str
+    unit: str
+    value: float
+    interval: Interval
+    level: float
+    """Level of the interval."""
+    wald: Interval
+    """The interval from the covariance alone."""
+    verdict: str
+    """`"identified"`, `"weak"`, `"prior-driven"`, `"bounded-below"`, `"bounded-above"` or `"not-identifiable"`."""
+    why: str
+    """Why, in a sentence."""
+    scatter: float | None
+    """Standard deviation between repeats; None without repeats."""
+    known_combination: KnownCombination | None
+    """What is known instead."""
+
+    def __str__(self) -> str:
+        low, high = (f"{end:.4g}" if np.isfinite(end) else "open" for end in self.interval)
+        return f"{self.key} = {self.value:.4g} {self.unit}   [{low}, {high}]   {self.verdict}"
+
+
+@dataclass(frozen=True)
+class Expected:
+    """What is expected of a number, in SI units."""
+
+    key: str
+    unit: str
+    value: float
+    """The value that is taken for true."""
+    standard_error: float
+    """Of its logarithm, the relative one where it is small; NaN where nothing is told."""
+    factor: float
+    """The factor within which the interval lies, as if there were no bounds; infinite where nothing is told."""
+    interval: Interval
+    verdict: str
+    known_combination: KnownCombination | None
+
+
+class Result:
+    """What a fit or a plan found, in the words of its file of results."""
+
+    def __init__(
+        self, fit: Fit, found: dict[str, Any], tables: Mapping[str, str], samples: Mapping[str, Any], is_whole: bool
+    ) -> None:
+        self.fit = fit
+        """The fit as it was given."""
+        self._found = found
+        self._tables = dict(tables)
+        self._samples = dict(samples)
+        self.is_whole = is_whole
+        """Whether everything that was asked for is here; otherwise it was interrupted."""
+
+    def to_dict(self) -> dict[str, Any]:
+        """The content of the file of results: numbers, texts, lists and dicts alone."""
+        found: dict[str, Any] = json.loads(json.dumps(self._found))
+        return found
+
+    @cached_property
+    def warnings(self) -> list[ResultWarning]:
+        """What a reader should know."""
+        return [ResultWarning(**warning) for warning in self._found["warnings"]]
+
+    @property
+    def work(self) -> dict[str, Any]:
+        """What it has cost: `curves_solved`, `loads_solved`, `seconds`, …"""
+        work: dict[str, Any] = self._found["work"]
+        return work
+
+    def __eq__(self, other: object) -> bool:
+        if type(other) is not type(self) or not isinstance(other, Result):
+            return NotImplemented
+        return self.fit == other.fit and _timeless(self._found) == _timeless(other._found)
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __copy__(self) -> Result:
+        return self
+
+    def __deepcopy__(self, memo: object) -> Result:
+        return self
+
+    def __reduce__(self) -> tuple[type[Result], tuple[Any, ...]]:
+        return type(self), (self.fit, self._found, self._tables, self._samples, self.is_whole)
+
+
+class Identification(Result):
+    """A fit made. `result["indenter.radius"]` is the estimate of a key."""
+
+    @property
+    def verdict(self) -> str:
+        """`"fitted"`, `"misfit"` or `"not-converged"`; only what is fitted may be used."""
+        verdict: str = self._found["verdict"]
+        return verdict
+
+    @cached_property
+    def unknowns(self) -> list[FitEstimate]:
+        """What was sought."""
+        return [_estimate(found) for found in self._found["unknowns"]]
+
+    @cached_property
+    def nuisances(self) -> list[FitEstimate]:
+        """What was not known exactly."""
+        return [_estimate(found) for found in self._found["nuisances"]]
+
+    def __getitem__(self, key: str) -> FitEstimate:
+        for estimate in (*self.unknowns, *self.nuisances):
+            if estimate.key == key:
+                return estimate
+        raise KeyError(key)
+
+    def __iter__(self) -> Iterator[FitEstimate]:
+        return iter(self.unknowns)
+
+    @property
+    def correlation(self) -> npt.NDArray[np.float64]:
+        """Correlation of the unknowns, in their order."""
+        return np.array(self._found["correlation"], dtype=np.float64)
+
+    @cached_property
+    def curve(self) -> Curve:
+        """The columns of `fit.csv`: every point with model and residual; `pandas.DataFrame(result.curve)` is a table."""
+        return Curve.of_csv(self._tables["fit.csv"])
+
+    @cached_property
+    def covariance(self) -> npt.NDArray[np.float64]:
+        """Covariance of the logarithms of all estimates, unknowns first, as in `covariance.csv`."""
+        rows = [line.split(",")[1:] for line in self._tables["covariance.csv"].splitlines()[1:]]
+        return np.array([[float(cell or "nan") for cell in row] for row in rows], dtype=np.float64)
+
+    @cached_property
+    def profiles(self) -> Curve:
+        """The columns of `profiles.csv`: the likelihood along each unknown."""
+        return Curve.of_csv(self._tables["profiles.csv"])
+
+    @cached_property
+    def posterior(self) -> dict[str, npt.NDArray[np.float64]]:
+        """Samples of the posterior by key; empty unless the report asks for them."""
+        return {key: np.array(values, dtype=np.float64) for key, values in self._samples.items()}
+
+    @property
+    def goodness(self) -> dict[str, Any]:
+        """How well the model follows the data: `chi_squared_per_degree`, `misfit_p`, `noise`, `excluded`, …"""
+        goodness: dict[str, Any] = self._found["fit"]
+        return goodness
+
+    @property
+    def curves(self) -> list[dict[str, Any]]:
+        """The measured curves: `file`, `points` and the `shift` of each."""
+        curves: list[dict[str, Any]] = self._found["curves"]
+        return curves
+
+    @property
+    def excluded(self) -> Curve | None:
+        """The points at which the model does not hold, and why; None without such."""
+        table = self._tables.get("excluded.csv")
+        return None if table is None else Curve.of_csv(table)
+
+    @cached_property
+    def design(self) -> list[ExpectedDesign]:
+        """What curves of the report's design would add, the best first."""
+        return [_design(found) for found in self._found.get("design", [])]
+
+    def plot(self) -> Any:
+        """Data, model and residuals; returns the figure of matplotlib."""
+        return fit_views.curve(self)
+
+    def plot_profiles(self) -> Any:
+        """The likelihood along each unknown with its interval; returns the figure of matplotlib."""
+        return fit_views.profiles(self)
+
+    def plot_corner(self) -> Any:
+        """The posterior, each unknown against each; returns the figure of matplotlib."""
+        return fit_views.corner(self)
+
+    def __str__(self) -> str:
+        return "\n".join([f"{self.fit.title}: {self.verdict}", *(f"  {estimate}" for estimate in self.unknowns)])
+
+    def __repr__(self) -> str:
+        return f"<Identification {self.fit.title!r}: {len(self.unknowns)} unknown, {self.verdict}>"
+
+    def _repr_html_(self) -> str:
+        header = ["key", "value", "interval", "verdict", "why"]
+        return show.table(header, [fit_views.cells(estimate) for estimate in self.unknowns])
+
+
+@dataclass(frozen=True)
+class ExpectedDesign:
+    """One curve or several, and what they would tell."""
+
+    curves: Sequence[Mapping[str, Any]]
+    """The curves to measure; none for what has been measured alone."""
+    unknowns: Sequence[Expected]
+    nuisances: Sequence[Expected]
+
+
+class Plan(Result):
+    """What designs are expected to tell, before anything is measured."""
+
+    @cached_property
+    def designs(self) -> list[ExpectedDesign]:
+        """The designs, the best first."""
+        return [_design(found) for found in self._found["designs"]]
+
+    @property
+    def advice(self) -> str:
+        """What to measure, in a sentence or two."""
+        advice: str = self._found["advice"]
+        return advice
+
+    @cached_property
+    def table(self) -> Curve:
+        """The columns of `plan.csv`."""
+        return Curve.of_csv(self._tables["plan.csv"])
+
+    def __str__(self) -> str:
+        return f"{self.fit.title}: {self.advice}"
+
+    def __repr__(self) -> str:
+        return f"<Plan {self.fit.title!r}: {len(self.designs)} designs>"
+
+    def _repr_html_(self) -> str:
+        keys = [expected.key for expected in self.designs[0].unknowns] if self.designs else []
+        return show.table(["curves", *keys], [fit_views.design_cells(design) for design in self.designs])
+
+
+def identify(
+    fit: Fit | str | os.PathLike[str], *, progress: bool | FitReport = False, threads: int | None = None
+) -> Identification:
+    """Makes a fit, or that of a fit file, as `pellicle identify` does.
+
+    `progress` shows a bar, or is a function that is told a `FitProgress` some times a second. `threads` is as for
+    `Case.solve`; every number gives the same bits. Ctrl-C raises `Interrupted`, whose `result` has the best values and
+    the intervals found so far. A misfit and a fit that has not converged are returned with a `FitWarning`.
+    """
+    fit = _fit(fit)
+    run = fit.begun(is_measured=True).start_fit(checked_threads(threads))
+    return finished(run, lambda found: _identification(fit, found), reporting(progress, fit, FitProgress))
+
+
+def plan(fit: Fit | str | os.PathLike[str], *, progress: bool | FitReport = False, threads: int | None = None) -> Plan:
+    """Tells what the curves of a design would tell, as `pellicle identify --plan` does; no data are needed."""
+    fit = _fit(fit)
+    run = fit.begun(is_measured=fit.is_measured).start_plan(checked_threads(threads))
+    return finished(run, lambda found: Plan(*_parts(fit, found)), reporting(progress, fit, FitProgress))
+
+
+def _fit(fit: Fit | str | os.PathLike[str]) -> Fit:
+    if isinstance(fit, Fit):
+        return fit
+    if isinstance(fit, (str, os.PathLike)):
+        return Fit.from_toml(fit)
+    raise ArgumentError(f"fit: found {type(fit).__name__}, wanted a pellicle.Fit or the path of a fit file")
+
+
+def _parts(fit: Fit, found: Files) -> tuple[Fit, dict[str, Any], dict[str, str], dict[str, list[float]], bool]:
+    text, tables, samples, is_whole = found
+    return fit, json.loads(text), dict(tables), dict(samples), is_whole
+
+
+def _identification(fit: Fit, found: Files) -> Identification:
+    """The fit as found; warns if it is finished and may not be used."""
+    made = Identification(*_parts(fit, found))
+    if not made.is_whole:
+        return made
+    if made.verdict == "misfit":
+        message = "misfit: the model does not follow the measurements, do not use these numbers"
+        warnings.warn(message, FitWarning, stacklevel=4)
+    elif made.verdict != "fitted":
+        warnings.warn(f"{made.verdict}: do not use these numbers", FitWarning, stacklevel=4)
+    return made
+
+
+def _interval(ends: Sequence[float | None]) -> Interval:
+    low, high = ends
+    return -np.inf if low is None else low, np.inf if high is None else high
+
+
+def _combination(found: Mapping[str, Any] | None) -> KnownCombination | None:
+    if found is None:
+        return None
+    return KnownCombination(found["expression"], found["value"], _interval(found["interval"]))
+
+
+def _estimate(found: Mapping[str, Any]) -> FitEstimate:
+    changed = {
+        "interval": _interval(found["interval"]),
+        "wald": _interval(found["wald"]),
+        "scatter": found.get("scatter"),
+        "known_combination": _combination(found["known_combination"]),
+    }
+    return FitEstimate(**{**found, **changed})
+
+
+def _design(found: Mapping[str, Any]) -> ExpectedDesign:
+    unknowns, nuisances = (list(map(_expected, found[name])) for name in ("unknowns", "nuisances"))
+    return ExpectedDesign(found["curves"], unknowns, nuisances)
+
+
+def _expected(found: Mapping[str, Any]) -> Expected:
+    changed = {
+        "interval": _interval(found["interval"]),
+        "standard_error": number(found["standard_error"]),
+        "factor": np.inf if found["factor"] is None else found["factor"],
+        "known_combination": _combination(found["known_combination"]),
+    }
+    return Expected(**{**found, **changed})
+
+
+def _timeless(found: Mapping[str, Any]) -> dict[str, Any]:
+    """A result without the time it took."""
+    work = {name: value for name, value in found["work"].items() if name != "seconds"}
+    return {**found, "work": work}

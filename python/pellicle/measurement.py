@@ -1,0 +1,183 @@
+"""The measurements of a fit: files of an instrument, or arrays."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar, Literal
+
+import numpy as np
+import numpy.typing as npt
+
+from .errors import ArgumentError
+from .quantity import Quantity
+from .table import Table
+
+UNITS = {
+    "depth": "m",
+    "force": "N",
+    "time": "s",
+    "stiffness": "N/m",
+    "contact_radius": "m",
+    "height": "m",
+    "deflection": "m",
+}
+"""The columns that are quantities, with the SI unit in which arrays hold them."""
+
+
+@dataclass(frozen=True)
+class Text(Table):
+    """How the text of a file is written."""
+
+    decimal: Literal[".", ","] | None = None
+    separator: Literal["auto", ",", ";", "tab", "space"] | None = None
+    skip_until: str | None = None
+    table: int | None = None
+    encoding: str | None = None
+    invalid_above: float | None = None
+
+
+@dataclass(frozen=True)
+class Segment(Table):
+    """The part of a curve that is used.
+
+    `start` and `stop` are forces (`"0.8 mN"`) or times (`"3 s"`), the number of a row from 1, or tables such as
+    `{"force": 1e-3}` and `{"marker": "hold"}`.
+    """
+
+    _names: ClassVar[Mapping[str, str]] = {"start": "from", "stop": "to"}
+
+    start: str | int | Mapping[str, Any] | None = None
+    stop: str | int | Mapping[str, Any] | None = None
+    part: Literal["loading", "unloading", "whole"] | None = None
+    until: Literal["largest force", "largest depth step"] | None = None
+    value: str | int | float | None = None
+
+
+@dataclass(frozen=True)
+class Noise(Table):
+    """Standard deviations of the measured values: in m, in N, and in parts of the value observed."""
+
+    depth: Quantity | None = None
+    force: Quantity | None = None
+    relative: float | None = None
+    correlation: Literal["none", "estimate"] | None = None
+
+
+@dataclass(frozen=True)
+class SpringConstant(Table):
+    """The spring constant of a cantilever with its standard deviation, in N/m."""
+
+    mean: Quantity
+    sd: Quantity | None = None
+
+
+@dataclass(frozen=True)
+class Data(Table):
+    """Measured curves: a file or a pattern for several, and how they are read. `Data.of_arrays` takes arrays."""
+
+    file: str
+    columns: Mapping[str, int | str]
+    units: Mapping[str, str | float] | None = None
+    text: Text | None = None
+    segment: Segment | None = None
+    observe: Literal["depth at force", "force at depth", "stiffness at contact radius"] | None = None
+    noise: Noise | None = None
+    spring_constant: Quantity | SpringConstant | None = None
+    height_direction: Literal["toward", "away", "auto"] | None = None
+    set: Mapping[str, Any] | None = None
+
+    _measured: ClassVar[str | None] = None
+
+    @classmethod
+    def of_arrays(
+        cls,
+        *,
+        depth: npt.ArrayLike | None = None,
+        force: npt.ArrayLike | None = None,
+        time: npt.ArrayLike | None = None,
+        stiffness: npt.ArrayLike | None = None,
+        contact_radius: npt.ArrayLike | None = None,
+        height: npt.ArrayLike | None = None,
+        deflection: npt.ArrayLike | None = None,
+        segment: Segment | None = None,
+        observe: Literal["depth at force", "force at depth", "stiffness at contact radius"] | None = None,
+        noise: Noise | None = None,
+        spring_constant: Quantity | SpringConstant | None = None,
+        height_direction: Literal["toward", "away", "auto"] | None = None,
+        set: Mapping[str, Any] | None = None,
+        name: str | None = None,
+    ) -> Data:
+        """One curve as arrays of equal lengths in SI units, in the order of the measurement.
+
+        `name` is what the result calls it. A stiffness in N/m is observed at a contact radius in m, see `observe`.
+        """
+        given = {
+            "depth": depth,
+            "force": force,
+            "time": time,
+            "stiffness": stiffness,
+            "contact_radius": contact_radius,
+            "height": height,
+            "deflection": deflection,
+        }
+        arrays = {key: _column(key, values) for key, values in given.items() if values is not None}
+        return MeasuredArrays(
+            file="" if name is None else name,
+            columns={key: key for key in arrays},
+            units={key: UNITS[key] for key in arrays},
+            segment=segment,
+            observe=observe,
+            noise=noise,
+            spring_constant=spring_constant,
+            height_direction=height_direction,
+            set=set,
+            rows=_rows(arrays),
+        )
+
+    def rows_or_none(self) -> str | None:
+        """The text of arrays; None where a file is read."""
+        return None
+
+
+@dataclass(frozen=True)
+class MeasuredArrays(Data):
+    """A curve of arrays, written as the text that the program reads: the digits give the same bits back."""
+
+    _hidden: ClassVar[frozenset[str]] = frozenset({"rows"})
+
+    rows: str = ""
+
+    def rows_or_none(self) -> str | None:
+        """The text of arrays."""
+        return self.rows
+
+    def __repr__(self) -> str:
+        points = max(self.rows.count("\n") - 1, 0)
+        return f"<Data of {', '.join(self.columns) or 'nothing'}: {points} points>"
+
+
+def _column(name: str, values: npt.ArrayLike) -> npt.NDArray[np.float64]:
+    """The values of a column, if they are numbers along one axis."""
+    try:
+        column = np.asarray(values, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise ArgumentError(f"{name}: found {type(values).__name__}, wanted an array of numbers ({error})") from error
+    if column.ndim != 1:
+        raise ArgumentError(f"{name}: found an array of shape {column.shape}, wanted one axis")
+    wrong = np.flatnonzero(~np.isfinite(column))
+    if wrong.size:
+        raise ArgumentError(f"{name}: found {column[wrong[0]]} at [{wrong[0]}], wanted finite numbers")
+    return column
+
+
+def _rows(arrays: Mapping[str, npt.NDArray[np.float64]]) -> str:
+    """The columns as text, each number with the digits that read back as the same."""
+    sizes = {name: column.size for name, column in arrays.items()}
+    first = next(iter(sizes.values()), 0)
+    for name, size in sizes.items():
+        if size != first:
+            raise ArgumentError(f"{name}: found {size} values, wanted {first}, as many as of {next(iter(sizes))}")
+    columns = [column.tolist() for column in arrays.values()]
+    lines = [",".join(arrays), *(",".join(map(repr, row)) for row in zip(*columns, strict=True))]
+    return "\n".join(lines) + "\n"

@@ -1,0 +1,185 @@
+//! A fit file, fitted or planned.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+use std::sync::{Mutex, PoisonError};
+use std::time::Instant;
+
+use numpy::PyReadonlyArray2;
+use pellicle_cli::fitted::{
+    FitFile, FitSources, FittedFile, MeasurementSources, Measurements, PlanResult, Stage, fit,
+    plan, plan_table,
+};
+use pellicle_cli::solved::json;
+use pellicle_cli::{Failure, Source};
+use pellicle_identify::IdentifyError;
+use pyo3::prelude::*;
+
+use crate::case::map_sources;
+use crate::error::{InternalError, Refusal};
+use crate::process::Threads;
+use crate::work::Work;
+
+/// A fit file, read and checked, before it is fitted or planned.
+#[pyclass(frozen, module = "pellicle._pellicle")]
+pub struct Fit {
+    file: Mutex<Option<FitFile>>,
+    start: Instant,
+}
+
+impl Fit {
+    fn take(&self) -> PyResult<FitFile> {
+        let file = self.file.lock().unwrap_or_else(PoisonError::into_inner);
+        { file }
+            .take()
+            .ok_or_else(|| InternalError::new_err("a fit file is fitted once"))
+    }
+}
+
+#[pymethods]
+impl Fit {
+    /// Reads a text that goes by the name `source`; `name` is its title unless it has one. Its maps are `arrays`, its
+    /// measurements `texts`, or else files of `folder`. Only with measurements can it be fitted.
+    #[new]
+    #[expect(
+        clippy::needless_pass_by_value,
+        reason = "Python hands over a path of its own"
+    )]
+    #[expect(clippy::too_many_arguments, reason = "each is a part of a fit file")]
+    fn new(
+        py: Python<'_>,
+        text: String,
+        source: String,
+        name: &str,
+        folder: PathBuf,
+        arrays: BTreeMap<String, PyReadonlyArray2<'_, f64>>,
+        texts: BTreeMap<String, String>,
+        is_measured: bool,
+    ) -> PyResult<Self> {
+        let start = Instant::now();
+        let mut measurements = MeasurementSources::in_folder(&folder);
+        for (name, text) in &texts {
+            measurements = measurements.with_text(name, text);
+        }
+        let sources = FitSources {
+            maps: map_sources(&folder, arrays),
+            measurements,
+        };
+        let source = Source::new(source, text).into();
+        let wanted = if is_measured {
+            Measurements::Required
+        } else {
+            Measurements::Optional
+        };
+        let read = || FitFile::parse(&source, name, &sources, wanted);
+        let file = Threads::work(py, read)?.map_err(Refusal::from)?;
+        Ok(Self {
+            file: Mutex::new(Some(file)),
+            start,
+        })
+    }
+
+    /// Starts to fit it on so many threads.
+    #[pyo3(signature = (threads = None))]
+    fn start_fit(&self, threads: Option<u16>) -> PyResult<FitRun> {
+        let (file, start) = (self.take()?, self.start);
+        let work = Work::start(threads, move |watched| {
+            let tell = |stage| watched.tell(counts(stage));
+            let fitted = unless_stopped(fit(file, start, &watched.stop, &tell))?;
+            fitted.map(|fitted| Found::of_fit(&fitted)).transpose()
+        });
+        Ok(FitRun(work.map_err(Refusal::from)?))
+    }
+
+    /// Starts to plan its design on so many threads.
+    #[pyo3(signature = (threads = None))]
+    fn start_plan(&self, threads: Option<u16>) -> PyResult<FitRun> {
+        let (file, start) = (self.take()?, self.start);
+        let work = Work::start(threads, move |watched| {
+            let tell = |stage| watched.tell(counts(stage));
+            let planned = unless_stopped(plan(&file, start, &watched.stop, &tell))?;
+            planned.map(|plan| Found::of_plan(&plan)).transpose()
+        });
+        Ok(FitRun(work.map_err(Refusal::from)?))
+    }
+}
+
+/// Curves solved by a fit, and curves of the design judged.
+fn counts(stage: Stage) -> (Option<usize>, Option<usize>) {
+    match stage {
+        Stage::Solved(curves) => (Some(curves), None),
+        Stage::Planned(curves) => (None, Some(curves)),
+    }
+}
+
+/// Nothing where the user has stopped the work before there was anything, which is no failure.
+fn unless_stopped<T>(found: Result<T, Failure>) -> Result<Option<T>, Failure> {
+    match found {
+        Err(Failure::Identify(IdentifyError::Stopped { .. })) => Ok(None),
+        found => found.map(Some),
+    }
+}
+
+/// What a fit or a plan found, in the words of its files.
+#[derive(Debug)]
+struct Found {
+    json: String,
+    tables: Vec<(String, String)>,
+    samples: Vec<(String, Vec<f64>)>,
+    is_whole: bool,
+}
+
+impl Found {
+    fn of_fit(fitted: &FittedFile) -> Result<Self, Failure> {
+        let tables = fitted.tables().into_iter();
+        Ok(Self {
+            json: json(&fitted.found)?,
+            tables: tables
+                .map(|(name, table)| (name.to_owned(), table))
+                .collect(),
+            samples: fitted.samples(),
+            is_whole: !fitted.is_stopped(),
+        })
+    }
+
+    fn of_plan(plan: &PlanResult) -> Result<Self, Failure> {
+        Ok(Self {
+            json: json(plan)?,
+            tables: vec![("plan.csv".to_owned(), plan_table(plan))],
+            samples: Vec::new(),
+            is_whole: true,
+        })
+    }
+}
+
+/// The texts of the files of a result, samples of its posterior, and whether the work was finished.
+type Files = (String, Vec<(String, String)>, Vec<(String, Vec<f64>)>, bool);
+
+/// A fit or a plan being made. It is stopped when nobody holds this any more.
+#[pyclass(frozen, module = "pellicle._pellicle")]
+pub struct FitRun(Work<(Option<usize>, Option<usize>), Option<Found>>);
+
+#[pymethods]
+impl FitRun {
+    /// Waits at most so many milliseconds; whether the work is finished.
+    fn wait(&self, py: Python<'_>, milliseconds: u64) -> bool {
+        self.0.wait(py, milliseconds)
+    }
+
+    /// Asks the work to end; what is found so far is kept.
+    fn cancel(&self) {
+        self.0.cancel();
+    }
+
+    /// Curves solved, or else curves of the design judged; none before the first.
+    fn progress(&self) -> Option<(Option<usize>, Option<usize>)> {
+        self.0.progress()
+    }
+
+    /// The result of work that is finished, handed out once: JSON, tables with the names of their files, samples of the
+    /// posterior, and whether it is whole; none if nothing was found before the stop.
+    fn result(&self) -> PyResult<Option<Files>> {
+        let found = self.0.result()?;
+        Ok(found.map(|found| (found.json, found.tables, found.samples, found.is_whole)))
+    }
+}

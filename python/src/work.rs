@@ -1,0 +1,140 @@
+//! Work on threads of its own: Python starts it, waits for it in short turns, hears how far it is, and may stop it.
+
+use std::any::Any;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+use pellicle_cli::Failure;
+use pellicle_identify::StopFlag;
+use pyo3::prelude::*;
+
+use crate::error::{self, Refusal};
+use crate::process::Threads;
+
+/// A result, a failure, or a panic.
+type Outcome<T> = Result<Result<T, Failure>, Box<dyn Any + Send>>;
+
+/// Where the work stands.
+struct State<P, T> {
+    progress: Option<P>,
+    is_finished: bool,
+    outcome: Option<Outcome<T>>,
+}
+
+/// What the work and those who wait for it both see.
+pub struct Watched<P, T> {
+    state: Mutex<State<P, T>>,
+    finished: Condvar,
+    /// The wish that the work ends.
+    pub stop: StopFlag,
+}
+
+impl<P, T> Watched<P, T> {
+    fn new() -> Self {
+        Self {
+            state: Mutex::new(State {
+                progress: None,
+                is_finished: false,
+                outcome: None,
+            }),
+            finished: Condvar::new(),
+            stop: StopFlag::default(),
+        }
+    }
+
+    fn state(&self) -> MutexGuard<'_, State<P, T>> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Tells how far the work is.
+    pub fn tell(&self, progress: P) {
+        self.state().progress = Some(progress);
+    }
+
+    fn finish(&self, outcome: Outcome<T>) {
+        let mut state = self.state();
+        state.outcome = Some(outcome);
+        state.is_finished = true;
+        drop(state);
+        self.finished.notify_all();
+    }
+}
+
+/// Work under way. It is stopped when nobody holds this any more.
+pub struct Work<P, T> {
+    watched: Arc<Watched<P, T>>,
+    threads: Mutex<Option<Threads>>,
+}
+
+impl<P: Copy + Send + 'static, T: Send + 'static> Work<P, T> {
+    /// Starts some work on so many threads.
+    pub fn start(
+        threads: Option<u16>,
+        work: impl FnOnce(&Watched<P, T>) -> Result<T, Failure> + Send + 'static,
+    ) -> Result<Self, Failure> {
+        let threads = Threads::take(threads)?;
+        let watched = Arc::new(Watched::new());
+        let of_work = Arc::clone(&watched);
+        threads.pool().spawn(move || {
+            let outcome = catch_unwind(AssertUnwindSafe(|| work(&of_work)));
+            of_work.finish(outcome);
+        });
+        Ok(Self {
+            watched,
+            threads: Mutex::new(Some(threads)),
+        })
+    }
+
+    /// Waits at most so many milliseconds; whether the work is finished.
+    pub fn wait(&self, py: Python<'_>, milliseconds: u64) -> bool {
+        py.detach(|| {
+            let patience = Duration::from_millis(milliseconds);
+            let waits = |state: &mut State<P, T>| !state.is_finished;
+            let finished = &self.watched.finished;
+            let waited = finished.wait_timeout_while(self.watched.state(), patience, waits);
+            waited.unwrap_or_else(PoisonError::into_inner).0.is_finished
+        })
+    }
+
+    /// Asks the work to end.
+    pub fn cancel(&self) {
+        // It may have been asked before.
+        let _ = self.watched.stop.raise();
+    }
+
+    /// What the work told last.
+    pub fn progress(&self) -> Option<P> {
+        self.watched.state().progress
+    }
+
+    /// The result of work that is finished, handed out once.
+    pub fn result(&self) -> PyResult<T> {
+        let outcome = self.watched.state().outcome.take();
+        let Some(outcome) = outcome else {
+            let message = "no result is there to be taken";
+            return Err(error::InternalError::new_err(message));
+        };
+        let mut threads = self.threads.lock().unwrap_or_else(PoisonError::into_inner);
+        threads.take().into_iter().for_each(Threads::release);
+        match outcome {
+            Err(panic) => Err(error::of_panic(&*panic)),
+            Ok(found) => Ok(found.map_err(Refusal::from)?),
+        }
+    }
+}
+
+impl<P, T> Drop for Work<P, T> {
+    fn drop(&mut self) {
+        let threads = self.threads.get_mut();
+        let Some(threads) = threads.unwrap_or_else(PoisonError::into_inner).take() else {
+            return;
+        };
+        // In a forked child the state may be locked by a thread that is not there.
+        if threads.are_of_parent() || self.watched.state().is_finished {
+            threads.release();
+        } else {
+            let _ = self.watched.stop.raise();
+        }
+    }
+}
