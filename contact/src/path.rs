@@ -8,6 +8,7 @@ pub mod domain;
 mod hierarchy;
 mod level;
 mod levels;
+mod start;
 pub mod warnings;
 
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};

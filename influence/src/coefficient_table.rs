@@ -84,6 +84,7 @@ impl CoefficientTable {
     ///
     /// If an offset is not below [`Self::size`].
     #[must_use]
+    #[inline]
     pub fn coefficient(&self, offset: [usize; 2]) -> f64 {
         let [m, n] = [offset[0].max(offset[1]), offset[0].min(offset[1])];
         assert!(m < self.size, "offset {m} in a table of size {}", self.size);

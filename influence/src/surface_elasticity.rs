@@ -66,6 +66,7 @@ impl SurfaceElasticity {
     /// # Panics
     /// If an offset is not below [`Self::size`].
     #[must_use]
+    #[inline]
     pub fn coefficient(&self, offset: [usize; 2]) -> f64 {
         self.table.coefficient(offset)
     }

@@ -1,86 +1,85 @@
-//! A field of a coarse grid on a finer one over the same square.
+//! Where the elements of a fine window lie among those of a coarser grid over the same square.
 
-use rayon::prelude::*;
+use pellicle_influence::Sector;
 
 use crate::grid::window::Window;
 
-/// A field of a level on a window of it, and the outline of the whole level's relief.
-#[derive(Clone, Copy)]
-pub struct Field<'a> {
-    pub window: Window,
-    pub values: &'a [f64],
-    pub mask: &'a [bool],
+/// The lines of a fine window among those of a coarse one, along both axes.
+pub struct Prolongation {
+    lines: [Vec<FineLine>; 2],
 }
 
-/// The field on a window `onto` of a grid over the same square, whose relief has the outline `mask`.
-///
-/// Bilinear between the centres of elements on the same side of the outline, constant beyond the outermost; 0 where the
-/// four centres around lie all on the other side, or outside the field's window. Values of −∞ count for nothing.
-#[must_use]
-pub fn prolong(field: &Field<'_>, onto: &Window, mask: &[bool]) -> Vec<f64> {
-    let places = [0, 1].map(|axis: usize| {
-        let first = onto.origin()[axis];
-        let along = first..first + onto.size();
-        let places = along.map(|i| BetweenCentres::of(i, field.window.grid(), onto.grid()));
-        places.collect::<Vec<_>>()
-    });
-    let mut fine = vec![0.0; onto.size() * onto.size()];
-    let rows = fine.par_chunks_mut(onto.size()).zip(&places[0]).enumerate();
-    rows.for_each(|(row, (values, x))| {
-        let mask = onto.line(mask, row);
-        for ((value, side), y) in values.iter_mut().zip(mask).zip(&places[1]) {
-            *value = interpolate(field, *side, [x, y]);
-        }
-    });
-    fine
+/// A line of fine centres among lines of coarse ones, all by their index in the coarse window.
+#[derive(Debug, Clone, Copy)]
+pub struct FineLine {
+    /// The coarse line that holds it; may lie outside the window.
+    pub within: isize,
+    /// The two lines around it, none outside the window, and their weights: linear.
+    pub around: [(Option<usize>, f64); 2],
+    /// The four lines around it, and the weights of the cubic through their values. Across the axis of a quadrant they
+    /// are mirror images; elsewhere the outermost line stands for those beyond.
+    pub among: [(usize, f64); 4],
 }
 
-/// The mean of the four values around a place that lie on one side of the outline, by their bilinear weights.
-fn interpolate(field: &Field<'_>, side: bool, [x, y]: [&BetweenCentres; 2]) -> f64 {
-    let (mut sum, mut weights) = (0.0, 0.0);
-    for (i, along_x) in x.ends() {
-        for (j, along_y) in y.ends() {
-            if let Some(place) = field.window.place([i, j])
-                && field.mask[i * field.window.grid() + j] == side
-                && field.values[place] > f64::NEG_INFINITY
-            {
-                sum += along_x * along_y * field.values[place];
-                weights += along_x * along_y;
-            }
-        }
-    }
-    if weights > 0.0 { sum / weights } else { 0.0 }
-}
-
-/// A fine centre between two coarse ones along one axis.
-struct BetweenCentres {
-    low: usize,
-    high: usize,
-    /// Weight of the second.
-    weight: f64,
-}
-
-impl BetweenCentres {
-    /// The place of the `i`-th of `to` centres among `from`.
-    fn of(i: usize, from: usize, to: usize) -> Self {
-        let position =
-            ((i as f64 + 0.5) * from as f64 / to as f64 - 0.5).clamp(0.0, (from - 1) as f64);
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "clamped to 0 ..= from − 1"
-        )]
-        let low = position as usize;
+impl Prolongation {
+    /// From the elements of a window of a coarse grid to those of a window of a finer one.
+    #[must_use]
+    pub fn new(from: &Window, onto: &Window) -> Self {
         Self {
-            low,
-            high: (low + 1).min(from - 1),
-            weight: position - low as f64,
+            lines: [0, 1].map(|axis: usize| {
+                let first = onto.origin()[axis];
+                let fine = first..first + onto.size();
+                fine.map(|i| FineLine::of(i, onto.grid(), from, axis))
+                    .collect()
+            }),
         }
     }
 
-    /// Both centres with their weights.
-    fn ends(&self) -> [(usize, f64); 2] {
-        [(self.low, 1.0 - self.weight), (self.high, self.weight)]
+    /// The fine lines along x.
+    #[must_use]
+    pub fn rows(&self) -> &[FineLine] {
+        &self.lines[0]
+    }
+
+    /// The fine lines along y.
+    #[must_use]
+    pub fn columns(&self) -> &[FineLine] {
+        &self.lines[1]
+    }
+}
+
+impl FineLine {
+    /// The `i`-th of `fine` lines of a grid.
+    fn of(i: usize, fine: usize, from: &Window, axis: usize) -> Self {
+        let (first, coarse) = (from.origin()[axis].cast_signed(), from.grid());
+        let last = from.size().cast_signed() - 1;
+        let within = ((2 * i + 1) * coarse / (2 * fine)).cast_signed() - first;
+        // Centres lie at half-integers.
+        let position = (i as f64 + 0.5) * coarse as f64 / fine as f64 - 0.5;
+        #[expect(clippy::cast_possible_truncation, reason = "an index of a grid, or −1")]
+        let low = position.floor() as isize;
+        let t = position - position.floor();
+        let is_mirrored = from.sector() == Sector::Quadrant;
+        let line = |index: isize| {
+            let image = if index < 0 && is_mirrored {
+                -1 - index
+            } else {
+                index
+            };
+            image.clamp(0, coarse.cast_signed() - 1) - first
+        };
+        let inside = |line: isize| usize::try_from(line).ok().filter(|_| line <= last);
+        let nearest = |line: isize| line.clamp(0, last).cast_unsigned();
+        Self {
+            within,
+            around: [(inside(line(low)), 1.0 - t), (inside(line(low + 1)), t)],
+            among: [
+                (nearest(line(low - 1)), -t * (1.0 - t) * (2.0 - t) / 6.0),
+                (nearest(line(low)), (1.0 + t) * (1.0 - t) * (2.0 - t) / 2.0),
+                (nearest(line(low + 1)), (1.0 + t) * t * (2.0 - t) / 2.0),
+                (nearest(line(low + 2)), -(1.0 + t) * t * (1.0 - t) / 6.0),
+            ],
+        }
     }
 }
 
@@ -88,66 +87,54 @@ impl BetweenCentres {
 mod tests {
     use super::*;
 
+    /// The value that the weights give a field of the coarse line's position, in coarse elements.
+    fn linear(line: &FineLine, field: impl Fn(f64) -> f64) -> f64 {
+        let terms = line.around.iter();
+        terms
+            .map(|(at, weight)| weight * field(at.unwrap() as f64))
+            .sum()
+    }
+
+    fn cubic(line: &FineLine, field: impl Fn(f64) -> f64) -> f64 {
+        let terms = line.among.iter();
+        terms.map(|(at, weight)| weight * field(*at as f64)).sum()
+    }
+
     #[test]
-    fn a_plane_is_prolonged_exactly_between_the_outermost_centres() {
+    fn lines_are_prolonged_exactly_and_cubics_among_four() {
         let (from, to) = (8, 15);
-        let plane = |i: usize, j: usize, n: usize| {
-            (2.0 * i as f64 + 1.0) / n as f64 + 3.0 * (2.0 * j as f64 + 1.0) / n as f64
-        };
-        let coarse: Vec<f64> = (0..from * from)
-            .map(|e| plane(e / from, e % from, from))
-            .collect();
-        let field = Field {
-            window: Window::whole(from),
-            values: &coarse,
-            mask: &vec![true; from * from],
-        };
-        let fine = prolong(&field, &Window::whole(to), &vec![true; to * to]);
-        for (i, j) in [(1, 1), (7, 3), (13, 9)] {
-            approx::assert_relative_eq!(fine[i * to + j], plane(i, j, to), max_relative = 1e-14);
+        let prolongation = Prolongation::new(&Window::whole(from), &Window::whole(to));
+        for i in 3_u8..12 {
+            let place = (f64::from(i) + 0.5) * 8.0 / 15.0 - 0.5;
+            let line = &prolongation.rows()[usize::from(i)];
+            let straight = |x: f64| 2.0 - 3.0 * x;
+            approx::assert_relative_eq!(linear(line, straight), straight(place), epsilon = 1e-13);
+            let curve = |x: f64| x * x * (x - 4.0) + 1.0;
+            approx::assert_relative_eq!(cubic(line, curve), curve(place), epsilon = 1e-12);
         }
     }
 
     #[test]
-    fn on_a_window_the_field_is_that_of_the_whole_grid() {
-        let coarse: Vec<f64> = (0..256).map(|e| (f64::from(e)).sin()).collect();
-        let mask: Vec<bool> = (0..1024).map(|e| e % 5 > 1).collect();
-        let field = Field {
-            window: Window::whole(16),
-            values: &coarse,
-            mask: &mask[..256],
-        };
-        let whole = prolong(&field, &Window::whole(32), &mask);
-        let onto = Window::whole(32).around(|[i, j]| i == 13 && j == 20);
-        assert_eq!(prolong(&field, &onto, &mask), onto.cut(&whole));
-        // A part of the field that holds all that its interpolation looks at.
-        let part = Window::whole(16).around(|[i, j]| i == 6 && j == 10);
-        let field = Field {
-            window: part,
-            values: &part.cut(&coarse),
-            ..field
-        };
-        let inner = Window::whole(32).around(|[i, j]| i == 13 && j == 21);
-        assert!(inner.size() < 2 * part.size() - 2);
-        assert_eq!(prolong(&field, &inner, &mask), inner.cut(&whole));
-    }
-
-    #[test]
-    fn nothing_is_interpolated_across_an_outline() {
-        let (from, to) = (16, 32);
-        let mask = |n: usize| (0..n * n).map(|e| 4 * (e / n) < n).collect::<Vec<bool>>();
-        let coarse: Vec<f64> = mask(from)
+    fn the_coarse_line_that_holds_a_fine_one_is_the_nearest() {
+        let prolongation = Prolongation::new(&Window::whole(8), &Window::whole(16));
+        let within: Vec<_> = prolongation
+            .columns()
             .iter()
-            .map(|on| if *on { 3.0 } else { -1.0 })
+            .map(|line| line.within)
             .collect();
-        let field = Field {
-            window: Window::whole(from),
-            values: &coarse,
-            mask: &mask(from),
-        };
-        let fine = prolong(&field, &Window::whole(to), &mask(to));
-        for (value, on) in fine.iter().zip(mask(to)) {
-            approx::assert_relative_eq!(*value, if on { 3.0 } else { -1.0 });
-        }
+        let halves: Vec<isize> = (0..16).map(|i| i / 2).collect();
+        assert_eq!(within, halves);
+    }
+
+    #[test]
+    fn across_the_axis_of_a_quadrant_lies_the_mirror_image() {
+        let (from, to) = (
+            Window::all_of(Sector::Quadrant, 8),
+            Window::all_of(Sector::Quadrant, 16),
+        );
+        let even = |x: f64| (x + 0.5).powi(2);
+        let line = Prolongation::new(&from, &to).rows()[0];
+        // The parabola about the axis at −½.
+        approx::assert_relative_eq!(cubic(&line, even), even(-0.25), epsilon = 1e-13);
     }
 }

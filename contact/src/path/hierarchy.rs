@@ -11,8 +11,9 @@ use crate::{
     CoarsePressure, ContactError, GridError, LevelValues, LevelWork, Load, Method, Model,
     SolverOptions, Step, Work,
     path::domain::Guess,
-    path::level::{Level, LevelResult, SignedField, Start},
+    path::level::{Level, LevelResult, Start},
     path::levels::{COARSE_TOLERANCE, coarser_sizes},
+    path::start::CoarserSolution,
     result::cut_off,
     solver::Watch,
 };
@@ -160,12 +161,12 @@ impl<'a> Hierarchy<'a> {
         watch: &mut Watch<'_>,
     ) -> Result<LevelResult, ContactError> {
         let Ascent { load, options, .. } = *ascent;
-        let start = match &ascent.field {
-            Some(coarser) => Start::Coarser(coarser.field()),
+        let start = match &ascent.coarser_solution {
+            Some(coarser) => Start::Coarser(coarser),
             None => Guess::new(self.model, load).map_or(Start::Nothing, Start::Guess),
         };
         let index = ascent.levels.len();
-        let (result, field) = self.solve_level(index, load, start, options, watch)?;
+        let (result, coarser) = self.solve_level(index, load, start, options, watch)?;
         let finest = self.sizes.len() - 1;
         if options.coarse_pressures && index < finest && index + COARSE_PRESSURES >= finest {
             ascent.coarser.push(CoarsePressure {
@@ -175,7 +176,7 @@ impl<'a> Hierarchy<'a> {
         }
         ascent.levels.push(result.work);
         ascent.values.push(result.values(load));
-        ascent.field = field;
+        ascent.coarser_solution = coarser;
         Ok(result)
     }
 
@@ -219,7 +220,7 @@ impl<'a> Hierarchy<'a> {
         start: Start<'_>,
         options: SolverOptions,
         watch: &mut Watch<'_>,
-    ) -> Result<(LevelResult, Option<SignedField>), ContactError> {
+    ) -> Result<(LevelResult, Option<CoarserSolution>), ContactError> {
         let is_finest = index + 1 == self.sizes.len();
         let options = if is_finest {
             options
@@ -231,20 +232,20 @@ impl<'a> Hierarchy<'a> {
             None => self.make(index)?,
         };
         let mut result = level.solve(self.model, load, start, options, watch);
-        let field = match &mut result {
+        let coarser = match &mut result {
             Ok(result) if is_finest => {
                 let pressure = std::mem::take(&mut result.solution.pressure);
                 result.solution.pressure = result.window.spread(pressure);
                 None
             }
-            Ok(result) => Some(level.signed_field(result)),
+            Ok(result) => Some(level.as_coarser(self.model, result)),
             Err(_) => None,
         };
         level.release();
         if self.keep || is_finest {
             self.levels[index] = Some(level);
         }
-        Ok((result?, field))
+        Ok((result?, coarser))
     }
 
     fn make(&mut self, index: usize) -> Result<Level, ContactError> {
@@ -275,7 +276,7 @@ struct Ascent {
     /// The pressures of the finest of them, where they are kept.
     coarser: Vec<CoarsePressure>,
     /// The start of the next level.
-    field: Option<SignedField>,
+    coarser_solution: Option<CoarserSolution>,
 }
 
 impl Ascent {
@@ -286,7 +287,7 @@ impl Ascent {
             levels: Vec::new(),
             values: Vec::new(),
             coarser: Vec::new(),
-            field: None,
+            coarser_solution: None,
         }
     }
 

@@ -6,23 +6,16 @@ use std::sync::Arc;
 use crate::{
     ActiveSetSolver, ContactError, DiscreteProblem, GradientSolver, Iterate, LevelValues,
     LevelWork, Load, Method, Model, Solution, Solver, SolverOptions, Summary,
-    grid::prolongation::{Field, prolong},
     grid::window::Window,
     path::domain::Guess,
+    path::start::{CoarserSolution, FineGrid, bends},
     problem::model::SampledSector,
     result::certificate::{JudgedFields, Trial},
     result::contact_field::ContactField,
     solver::Watch,
-    vector::update,
 };
 use pellicle_influence::{Origin, Sector, SurfaceElasticity};
 use pellicle_texture::Grid;
-
-/// Pressure that stands for a gap, as a part of what closes the gap alone: halfway between contact that ends at the
-/// last element that presses and at the first that does not. From 0.2 to 1 it matters little.
-const PRESSURE_PER_GAP: f64 = 0.5;
-/// Elements from a pressure within which an interpolation looks.
-const NEIGHBOURS: usize = 2;
 
 /// A grid of a path.
 pub struct Level {
@@ -78,7 +71,7 @@ impl Posed {
 pub enum Start<'a> {
     Nothing,
     Guess(Guess),
-    Coarser(Field<'a>),
+    Coarser(&'a CoarserSolution),
 }
 
 /// The result of one level.
@@ -162,7 +155,7 @@ impl Level {
         let start = match start {
             Start::Nothing => None,
             Start::Guess(guess) => self.guessed(guess),
-            Start::Coarser(field) => self.prolonged(&field),
+            Start::Coarser(coarser) => self.prolonged(coarser),
         };
         let start = start.unwrap_or_else(nothing);
         let (solution, window, effort) = self.solve_from(start, load, options, watch)?;
@@ -202,13 +195,18 @@ impl Level {
     }
 
     /// A coarser level's pressure on a window around it; none where it presses nowhere.
-    fn prolonged(&self, coarser: &Field<'_>) -> Option<(Window, Vec<f64>)> {
-        let presses = pressed(&coarser.window, coarser.values);
-        let reach = (coarser.window).on_finer(presses, self.whole.problem.size())?;
-        let pressure = prolong(coarser, &reach, &self.outline);
+    fn prolonged(&self, coarser: &CoarserSolution) -> Option<(Window, Vec<f64>)> {
+        let reach = coarser
+            .window
+            .on_finer(|_| true, self.whole.problem.size())?;
+        let fine = FineGrid {
+            initial_gap: self.whole.problem.initial_gap(),
+            outline: &self.outline,
+        };
+        let pressure = coarser.start_on(&reach, &fine);
         let window = reach.around(pressed(&reach, &pressure));
-        let pressure = window.take_over(&reach, &pressure);
-        Some((window, pressure))
+        let start = window.take_over(&reach, &pressure);
+        start.iter().any(|p| *p > 0.0).then_some((window, start))
     }
 
     /// The elasticity of the elements.
@@ -296,39 +294,17 @@ impl Level {
         }
     }
 
-    /// The start of the next finer level: the last load's pressure; where it is zero, the gap as a negative pressure,
-    /// −∞ beyond the indenter.
-    pub fn signed_field(&self, result: &LevelResult) -> SignedField {
-        let per_gap = PRESSURE_PER_GAP / self.elasticity.coefficient([0, 0]);
-        let window = result.window.with_rim(NEIGHBOURS);
-        let mut values = window.take_over(&result.window, &result.solution.pressure);
-        let gaps = self.judged.gap_on(&window);
-        update(&mut values, &gaps, |value, gap| {
-            if *value <= 0.0 {
-                *value = -per_gap * gap.max(0.0);
-            }
-        });
-        SignedField {
+    /// What the next finer level starts from.
+    pub fn as_coarser(&self, model: &Model, result: &LevelResult) -> CoarserSolution {
+        let window = *self.judged.reach();
+        let extent = result.window.size() * result.window.sector().parts();
+        CoarserSolution {
             window,
-            values,
+            pressure: window.take_over(&result.window, &result.solution.pressure),
+            displacement: self.judged.displacement().to_vec(),
+            penetration: result.solution.penetration,
             outline: self.outline.clone(),
-        }
-    }
-}
-
-/// A pressure with gaps as negative pressures, on a window that holds all pressures and what lies next to them.
-pub struct SignedField {
-    window: Window,
-    values: Vec<f64>,
-    outline: Arc<Vec<bool>>,
-}
-
-impl SignedField {
-    pub fn field(&self) -> Field<'_> {
-        Field {
-            window: self.window,
-            values: &self.values,
-            mask: &self.outline,
+            bends: bends(model, extent as f64 * self.grid.element_side()),
         }
     }
 }

@@ -20,6 +20,9 @@ use crate::{
 /// contact's time at N = 2048.
 const VALUES_AT_ONCE: usize = 4096;
 
+/// Part of the elements that are crests from which on a surface is rough.
+const CRESTS: f64 = 0.3;
+
 /// Tells one problem from all others, however alike; clones are equal.
 #[derive(Debug, Clone, Default)]
 pub struct Identity(Arc<()>);
@@ -238,6 +241,23 @@ impl DiscreteProblem {
     #[must_use]
     pub fn initial_gap(&self) -> &[f64] {
         &self.initial_gap
+    }
+
+    /// Whether the surface is rough: a smooth indenter's gap is convex but beside the outlines of a relief, and above a
+    /// rough surface every other element is a crest.
+    pub(crate) fn is_rough(&self) -> bool {
+        let (size, g0) = (self.size, &self.initial_gap);
+        let inner = 1..size.saturating_sub(1);
+        let is_crest = |element: usize| {
+            let around = [element - size, element - 1, element + 1, element + size];
+            around.map(|other| g0[other]).iter().sum::<f64>() < 4.0 * g0[element]
+        };
+        let in_row = |row: usize| {
+            let elements = inner.clone().map(|column| row * size + column);
+            elements.filter(|element| is_crest(*element)).count()
+        };
+        let crests: Vec<usize> = inner.clone().into_par_iter().map(in_row).collect();
+        crests.iter().sum::<usize>() as f64 > CRESTS * (inner.len() * inner.len()) as f64
     }
 
     /// The area `4a²` of an element, in m².

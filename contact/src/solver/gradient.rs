@@ -8,8 +8,9 @@
 //!   fast:     I changes:       p ← max(p + α z, 0),  z = M_I⁻¹ (λ − v), α spectral     (Barzilai and Borwein 1988)
 //!             I stands still:  p ← p + α d,          d = z + β d, conjugate on I       (Polak and Ribière)
 //!             a step that raises the energy is cut at its minimum on the segment       (Grippo, Lampariello and Lucidi 1986)
-//!   Newton:   where the fast steps stall or are cut: solve on I by conjugate gradients until it is clear which
-//!             elements are on the wrong side, exchange them all                        (Hintermüller, Ito and Kunisch 2003)
+//!   Newton:   where the fast steps stall or are cut, and from the start under a stiff coat: solve on I by conjugate
+//!             gradients until it is clear which elements are on the wrong side, exchange them all
+//!                                                                                      (Hintermüller, Ito and Kunisch 2003)
 //!   descent:  where Newton cycles: from face to face, the energy falls                 (Lawson and Hanson 1974)
 //! then dQ/dD by one more system on {p > 0}
 //! ```
@@ -33,8 +34,9 @@
 //!
 //! **Preconditioners.** The reciprocal of the symbol of `K` on the periodic grid, aliases included, whose answer is
 //! made to vanish in a narrow band around the set: without aliases or band it takes twice the products. Under a coat
-//! more than some twenty times as stiff as its base a factorised sparse approximate inverse `Gᵀ G` of the restricted
-//! system (Kaporin 1994; Schäfer, Katzfuss and Owhadi 2021).
+//! more than some twenty times as stiff as its base, four times if the surface is rough, a factorised sparse
+//! approximate inverse `Gᵀ G` of the restricted system (Kaporin 1994; Schäfer, Katzfuss and Owhadi 2021), or where the
+//! set is small its own Cholesky factor.
 //!
 //! **Springs.** Where their law is not linear they are straightened at a pressure, and anew as soon as their law has
 //! more to say than the linear problem: Newton's method around the loop above, at no product of its own.
@@ -88,7 +90,7 @@ impl Solver for GradientSolver {
     ) -> Result<Iterate, ContactError> {
         let workspace = self.workspace_for(problem);
         let mut solution = OngoingSolution::begin(problem, workspace, load, start);
-        let mut strategy = Strategy::new();
+        let mut strategy = Strategy::new(solution.begins_with_newton());
         let mut residuals = Vec::new();
         let ending = loop {
             let judgement = solution.judge();

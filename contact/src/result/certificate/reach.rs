@@ -74,6 +74,16 @@ impl JudgedFields {
         self.gap = reach.cut(problem.initial_gap());
     }
 
+    /// The part of the grid that was looked at.
+    pub fn reach(&self) -> &Window {
+        &self.reach
+    }
+
+    /// `K p` there, in m.
+    pub fn displacement(&self) -> &[f64] {
+        &self.displacement
+    }
+
     /// Whether an element of the grid overlaps.
     pub fn overlaps(&self, element: [usize; 2]) -> bool {
         let place = self.reach.place(element);
@@ -85,10 +95,5 @@ impl JudgedFields {
         self.reach
             .place(element)
             .map_or(f64::INFINITY, |place| self.gap[place])
-    }
-
-    /// The gap on a window no wider than what was looked at.
-    pub fn gap_on(&self, window: &Window) -> Vec<f64> {
-        window.take_over(&self.reach, &self.gap)
     }
 }

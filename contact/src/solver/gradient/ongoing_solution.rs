@@ -105,6 +105,7 @@ pub struct OngoingSolution<'a> {
     course: Course,
     /// The residual of the present pressure.
     residual: f64,
+    begins_with_newton: bool,
 }
 
 impl<'a> OngoingSolution<'a> {
@@ -125,11 +126,19 @@ impl<'a> OngoingSolution<'a> {
             workspace.preconditioner.follow_springs(problem);
         }
         workspace.set.start(&workspace.state);
+        // A start of nothing presses everywhere, from where the fast steps find the set sooner.
+        let knows_contact = start.iter().any(|p| *p > 0.0);
+        let begins_with_newton = knows_contact && workspace.preconditioner.is_for_newton();
+        if begins_with_newton {
+            // What overlaps beside the start is as uncertain as its pressures.
+            workspace.set.keep_pressing(&workspace.state);
+        }
         Self {
             problem,
             workspace,
             course: Course::Left(Part::Whole),
             residual: f64::INFINITY,
+            begins_with_newton,
         }
     }
 
@@ -219,6 +228,11 @@ impl<'a> OngoingSolution<'a> {
     /// Whether anything is known of the operator.
     pub fn knows_operator(&self) -> bool {
         self.workspace.preconditioner.knows_operator()
+    }
+
+    /// Whether a load is to begin with Newton's method.
+    pub fn begins_with_newton(&self) -> bool {
+        self.begins_with_newton
     }
 
     /// A conjugate step on a set that stands still, else a spectral one.

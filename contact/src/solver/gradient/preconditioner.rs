@@ -1,8 +1,9 @@
 //! The preconditioner: an approximate inverse of the system on the working set.
 //!
 //! Two of them, for two kinds of problem: the [restricted filter](self::restricted_filter), by FFT, and under a coat
-//! so stiff that the contact breaks up into rings and edges the [factorised sparse approximate
-//! inverse](self::sparse_factor) of the restricted system itself. The latter also where springs stiffen, by orders of
+//! so stiff that the contact breaks up into rings and edges, or into the summits of a rough surface, the [factorised
+//! sparse approximate inverse](self::sparse_factor) of the restricted system itself. The latter also where springs
+//! stiffen, by orders of
 //! magnitude from the edge of the contact to its middle: under the load of the paper's Fig. 5 the filter takes three
 //! times the products, in the same time.
 
@@ -21,16 +22,21 @@ use crate::{
     vector::{sum, update, update_with},
 };
 
-/// Response to the longest wave over that to the shortest from which on a coat counts as stiff. Under a coat ten times
-/// as stiff as what it lies on, the filter takes as many products as the factor; above, it is the factor that the fast
-/// steps end with in any case.
+/// Stiffness contrast from which on a coat counts as stiff. Under a coat ten times as stiff as what it lies on, the
+/// filter takes as many products as the factor, in less time.
 const STIFF: f64 = 20.0;
+/// The same above a rough surface, where the filter takes two to three times the factor's products from here on.
+const STIFF_IF_ROUGH: f64 = 4.0;
+/// Stiffness contrast from which on the factor needs more neighbours to stay below 40 products at N = 512.
+const VERY_STIFF: f64 = 400.0;
 /// `k` times the symbol at the shortest wave along one side, in units of that at the longest, on a homogeneous body:
 /// `2/π` and its aliases.
 const SHORTEST_RESPONSE: f64 = 1.166;
-/// Neighbours of an element in the sparse factor: with 12 a fifth more products, with 30 a tenth fewer, at three times
-/// the cost.
-const NEIGHBOURS: usize = 20;
+/// Neighbours of an element in the sparse factor: with 20 a third more products, with 40 a sixth fewer at twice the
+/// cost.
+const NEIGHBOURS: usize = 30;
+/// The same under a very stiff coat.
+const MORE_NEIGHBOURS: usize = 42;
 /// Sides below which no spectrum tells stiff from soft.
 const SMALLEST_SPECTRUM: usize = 8;
 
@@ -44,6 +50,10 @@ pub struct Preconditioner {
     even: Even,
     /// The revision of the set that it is adapted to.
     adapted_to: Option<u64>,
+    /// Neighbours of an element, should it be the sparse factor.
+    neighbours: usize,
+    /// Whether the coat is so stiff that Newton's method comes first.
+    is_for_newton: bool,
 }
 
 enum Inverse {
@@ -64,16 +74,22 @@ struct Even {
 
 impl Preconditioner {
     pub fn new(problem: &DiscreteProblem) -> Self {
-        let inverse = match problem.elasticity() {
+        let symbol = (problem.elasticity())
+            .map(|elasticity| elasticity.symbol(problem.sector().parts() * problem.size()));
+        let contrast = symbol.as_ref().map_or(1.0, stiffness_contrast);
+        let is_stiff = contrast > STIFF || (contrast > STIFF_IF_ROUGH && problem.is_rough());
+        let neighbours = if contrast > VERY_STIFF {
+            MORE_NEIGHBOURS
+        } else {
+            NEIGHBOURS
+        };
+        let inverse = match symbol {
             None => Inverse::Identity,
-            Some(elasticity) => {
-                let sector = problem.sector();
-                let symbol = elasticity.symbol(sector.parts() * problem.size());
-                if is_stiff(&symbol) || !problem.spring_law().is_linear() {
-                    factor(problem, NEIGHBOURS).unwrap_or(Inverse::Identity)
-                } else {
-                    Inverse::Filter(Box::new(RestrictedFilter::new(symbol, sector)))
-                }
+            Some(_) if is_stiff || !problem.spring_law().is_linear() => {
+                factor(problem, neighbours).unwrap_or(Inverse::Identity)
+            }
+            Some(symbol) => {
+                Inverse::Filter(Box::new(RestrictedFilter::new(symbol, problem.sector())))
             }
         };
         let unit = match inverse {
@@ -90,7 +106,15 @@ impl Preconditioner {
                 exact_total: 0.0,
             },
             adapted_to: None,
+            neighbours,
+            is_for_newton: is_stiff,
         }
+    }
+
+    /// Whether it serves Newton's method best from the start: the sparse factor is exact enough for the set to be found
+    /// in five to nine exchanges, where the fast steps take as many products to each halving of the set.
+    pub fn is_for_newton(&self) -> bool {
+        self.is_for_newton
     }
 
     /// Whether anything is known of the operator.
@@ -112,7 +136,7 @@ impl Preconditioner {
     /// Turns to the sparse factor, with so many times its usual neighbours; false where nothing is known of the
     /// operator.
     pub fn turn_to_factor(&mut self, problem: &DiscreteProblem, times: usize) -> bool {
-        match factor(problem, times * NEIGHBOURS) {
+        match factor(problem, times * self.neighbours) {
             None => false,
             Some(inverse) => {
                 if times > 1 || !matches!(self.inverse, Inverse::Factor(_)) {
@@ -228,12 +252,13 @@ fn factor(problem: &DiscreteProblem, neighbours: usize) -> Option<Inverse> {
     Some(Inverse::Factor(Box::new(factor)))
 }
 
-/// Whether long waves meet a much softer body than short ones do.
-fn is_stiff(symbol: &PeriodicSymbol) -> bool {
-    let shortest = symbol.size() / 2;
+/// The response to the longest wave over that to the shortest: by how much long waves meet a softer body.
+fn stiffness_contrast(symbol: &PeriodicSymbol) -> f64 {
+    if symbol.size() < SMALLEST_SPECTRUM {
+        return 1.0;
+    }
     let response = |frequency: usize| frequency as f64 * symbol.value([0, frequency]);
-    symbol.size() >= SMALLEST_SPECTRUM
-        && response(1) * SHORTEST_RESPONSE > STIFF * response(shortest)
+    response(1) * SHORTEST_RESPONSE / response(symbol.size() / 2)
 }
 
 /// `r = D − v` on the set, 0 outside.

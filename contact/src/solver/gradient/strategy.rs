@@ -1,5 +1,5 @@
-//! Which kind of step comes next: fast ones while they gain, Newton's where they do not, descent from face to face
-//! where Newton's fail.
+//! Which kind of step comes next: fast ones while they gain, Newton's where they do not or under a stiff coat, descent
+//! from face to face where Newton's fail.
 
 use crate::solver::gradient::steps::newton::Turn;
 use crate::solver::gradient::steps::segment::Part;
@@ -29,9 +29,14 @@ pub struct Strategy {
 }
 
 impl Strategy {
-    pub fn new() -> Self {
+    /// Begins with Newton's method or with the fast steps.
+    pub fn new(begins_with_newton: bool) -> Self {
         Self {
-            phase: Phase::Fast,
+            phase: if begins_with_newton {
+                Phase::Newton(0)
+            } else {
+                Phase::Fast
+            },
             milestone: f64::INFINITY,
             since: 0,
         }
@@ -91,7 +96,7 @@ mod tests {
 
     #[test]
     fn fast_steps_that_gain_go_on_and_those_that_are_cut_give_way() {
-        let mut strategy = Strategy::new();
+        let mut strategy = Strategy::new(false);
         for step in 0..100 {
             assert!(!strategy.after_fast(0.5_f64.powi(step), Part::Whole));
         }
@@ -100,11 +105,17 @@ mod tests {
     }
 
     fn at_newton() -> Strategy {
-        let mut strategy = Strategy::new();
+        let mut strategy = Strategy::new(false);
         while strategy.phase() == Phase::Fast {
             strategy.after_fast(1.0, Part::Whole);
         }
         strategy
+    }
+
+    #[test]
+    fn under_a_stiff_coat_newton_comes_first() {
+        assert_eq!(Strategy::new(true).phase(), Phase::Newton(0));
+        assert_eq!(Strategy::new(false).phase(), Phase::Fast);
     }
 
     #[test]

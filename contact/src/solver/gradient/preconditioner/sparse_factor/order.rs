@@ -18,7 +18,7 @@ pub struct Rank {
 }
 
 /// A level above all of any grid, for the element (0, 0).
-const TOP: u32 = 20;
+pub const TOP: u32 = 20;
 
 impl Rank {
     pub fn of(i: i32, j: i32) -> Self {

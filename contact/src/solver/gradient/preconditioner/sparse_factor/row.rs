@@ -1,4 +1,4 @@
-//! One row of the factor: the small dense system of an element and its earlier neighbours.
+//! The rows of the factor: the small dense systems of elements and their earlier neighbours.
 
 use pellicle_influence::SurfaceElasticity;
 
@@ -32,7 +32,10 @@ fn compliance_of(class: u16) -> f64 {
 /// The system of one element, last, and its neighbours before it.
 pub struct LocalSystem<'a> {
     pub elasticity: &'a SurfaceElasticity,
-    /// Where the neighbours lie, in elements.
+    pub near: &'a NearCoefficients,
+    /// The spacing of places is 2^level elements.
+    pub level: u32,
+    /// Where the neighbours lie.
     pub places: &'a [[i32; 2]],
     /// Class of compliance of each neighbour.
     pub classes: &'a [u16],
@@ -42,58 +45,198 @@ pub struct LocalSystem<'a> {
     pub to_axis: [Option<u32>; 2],
 }
 
-impl LocalSystem<'_> {
-    /// `g` of `Lᵀ g = e_last`, where `L Lᵀ` is the system: the last row of the inverse of `L`.
+/// Distance, in the spacing of a level, below which coefficients are looked up in a table of their own.
+const NEAR: usize = 32;
+
+/// The coefficients of elements few places apart, in the spacing of one level.
+pub struct NearCoefficients(Vec<f64>);
+
+impl NearCoefficients {
+    /// Those at distances of whole multiples of 2^`level` elements; none where the grid has no two such elements.
+    pub fn of(elasticity: &SurfaceElasticity, level: u32) -> Self {
+        let size = elasticity.size();
+        if 1 << level >= size {
+            return Self(Vec::new());
+        }
+        let offsets = (0..NEAR).flat_map(|x| (0..NEAR).map(move |y| [x << level, y << level]));
+        let value = |offset: [usize; 2]| {
+            let is_there = offset.iter().all(|along| *along < size);
+            if is_there {
+                elasticity.coefficient(offset)
+            } else {
+                0.0
+            }
+        };
+        Self(offsets.map(value).collect())
+    }
+
+    fn coefficient(&self, [x, y]: [usize; 2]) -> Option<f64> {
+        let is_near = x < NEAR && y < NEAR;
+        is_near.then(|| self.0.get(x * NEAR + y).copied()).flatten()
+    }
+}
+
+/// Systems that are solved side by side, so that their arithmetic fills the registers.
+pub const AT_ONCE: usize = 8;
+
+/// One number of each of them.
+type Lane = [f64; AT_ONCE];
+
+fn subtract_product(value: &mut Lane, x: &Lane, y: &Lane) {
+    for (value, (x, y)) in value.iter_mut().zip(x.iter().zip(y)) {
+        *value -= x * y;
+    }
+}
+
+/// Memory for systems solved side by side.
+pub struct SystemBatch {
+    order: usize,
+    /// The lower triangle, by rows.
+    triangle: Vec<Lane>,
+    g: Vec<Lane>,
+}
+
+impl SystemBatch {
+    /// For systems of so many neighbours at most.
+    pub fn new(neighbours: usize) -> Self {
+        let order = neighbours + 1;
+        Self {
+            order,
+            triangle: vec![[0.0; AT_ONCE]; order * (order + 1) / 2],
+            g: vec![[0.0; AT_ONCE]; order],
+        }
+    }
+
+    /// `g` of `Lᵀ g = e_last` for each system `L Lᵀ`: the last row of the inverse of `L`.
     ///
     /// A system that is not positive definite up to rounding gives the element's own `1/√(K₀₀ + η)` and nothing else.
-    pub fn row(&self) -> Vec<f64> {
-        let n = self.places.len() + 1;
-        let factor = self.cholesky();
-        let mut g = vec![0.0; n];
-        g[n - 1] = 1.0;
-        for a in (0..n).rev() {
-            g[a] /= factor[a * n + a];
-            let (before, from_a) = g.split_at_mut(a);
-            let column = &factor[a * n..a * n + a];
-            before
-                .iter_mut()
-                .zip(column)
-                .for_each(|(g, l)| *g -= l * from_a[0]);
+    pub fn rows(&mut self, systems: &[LocalSystem<'_>]) -> Vec<Vec<f64>> {
+        let used = systems.iter().map(LocalSystem::order).max().unwrap_or(0);
+        debug_assert!(used <= self.order && systems.len() <= AT_ONCE);
+        for lane in 0..AT_ONCE {
+            self.fill(lane, systems.get(lane), used);
         }
+        self.factorise(used);
+        self.substitute(used);
+        let rows = systems.iter().enumerate();
+        rows.map(|(lane, system)| self.row(lane, system, used))
+            .collect()
+    }
+
+    /// Writes one system, the last of `used` unknowns, with those of the identity before it.
+    fn fill(&mut self, lane: usize, system: Option<&LocalSystem<'_>>, used: usize) {
+        let order = system.map_or(0, LocalSystem::order);
+        let first = used - order;
+        for a in 0..used {
+            let row = &mut self.triangle[a * (a + 1) / 2..][..=a];
+            match system {
+                Some(system) if a >= first => {
+                    row[..first].iter_mut().for_each(|value| value[lane] = 0.0);
+                    system.row_into(a - first, &mut row[first..], lane);
+                }
+                _ => {
+                    row.iter_mut().for_each(|value| value[lane] = 0.0);
+                    row[a][lane] = 1.0;
+                }
+            }
+        }
+    }
+
+    /// `L`, in place, with the reciprocals of its diagonal.
+    fn factorise(&mut self, used: usize) {
+        for a in 0..used {
+            let (above, rest) = self.triangle.split_at_mut(a * (a + 1) / 2);
+            let row_a = &mut rest[..=a];
+            for b in 0..a {
+                let row_b = &above[b * (b + 1) / 2..][..=b];
+                let mut value = row_a[b];
+                for (x, y) in row_a[..b].iter().zip(&row_b[..b]) {
+                    subtract_product(&mut value, x, y);
+                }
+                value
+                    .iter_mut()
+                    .zip(&row_b[b])
+                    .for_each(|(value, r)| *value *= r);
+                row_a[b] = value;
+            }
+            let mut diagonal = row_a[a];
+            for x in &row_a[..a] {
+                subtract_product(&mut diagonal, x, x);
+            }
+            row_a[a] = diagonal.map(|square| 1.0 / square.sqrt());
+        }
+    }
+
+    /// `g` from the last unknown to the first.
+    fn substitute(&mut self, used: usize) {
+        let g = &mut self.g[..used];
+        g.fill([0.0; AT_ONCE]);
+        g[used - 1] = [1.0; AT_ONCE];
+        for a in (0..used).rev() {
+            let row = &self.triangle[a * (a + 1) / 2..][..=a];
+            let (before, from_a) = g.split_at_mut(a);
+            let value = &mut from_a[0];
+            value
+                .iter_mut()
+                .zip(&row[a])
+                .for_each(|(value, r)| *value *= r);
+            for (g, l) in before.iter_mut().zip(row) {
+                subtract_product(g, l, value);
+            }
+        }
+    }
+
+    /// The `g` of one system.
+    fn row(&self, lane: usize, system: &LocalSystem<'_>, used: usize) -> Vec<f64> {
+        let order = system.order();
+        let g = self.g[used - order..used].iter().map(|g| g[lane]);
+        let mut g: Vec<f64> = g.collect();
         if !g.iter().all(|g| g.is_finite()) {
             g.fill(0.0);
-            g[n - 1] = 1.0 / self.entry(n - 1, n - 1).sqrt();
+            g[order - 1] = 1.0 / system.entry(order - 1, order - 1).sqrt();
         }
         g
     }
+}
 
-    /// The lower factor, by rows.
-    fn cholesky(&self) -> Vec<f64> {
-        let n = self.places.len() + 1;
-        let mut factor = vec![0.0; n * n];
-        for a in 0..n {
-            for b in 0..=a {
-                let (row_a, row_b) = (&factor[a * n..a * n + b], &factor[b * n..b * n + b]);
-                let known: f64 = row_a.iter().zip(row_b).map(|(x, y)| x * y).sum();
-                let rest = self.entry(a, b) - known;
-                factor[a * n + b] = if a == b {
-                    rest.sqrt()
-                } else {
-                    rest / factor[b * n + b]
-                };
+impl LocalSystem<'_> {
+    /// Unknowns.
+    fn order(&self) -> usize {
+        self.places.len() + 1
+    }
+
+    /// Writes the entries up to the diagonal of a row.
+    fn row_into(&self, a: usize, row: &mut [Lane], lane: usize) {
+        if self.to_axis == [None, None] {
+            let [x, y] = self.place(a);
+            for (value, [other_x, other_y]) in row.iter_mut().zip(self.places) {
+                let offset = [x.abs_diff(*other_x) as usize, y.abs_diff(*other_y) as usize];
+                value[lane] = self.near.coefficient(offset).unwrap_or_else(|| {
+                    self.elasticity
+                        .coefficient(offset.map(|along| along << self.level))
+                });
+            }
+            row[a][lane] = self.entry(a, a);
+        } else {
+            for (b, value) in row.iter_mut().enumerate() {
+                value[lane] = self.entry(a, b);
             }
         }
-        factor
+    }
+
+    /// Where an unknown lies, in elements.
+    fn place(&self, a: usize) -> [i32; 2] {
+        self.places.get(a).copied().unwrap_or_default()
     }
 
     /// `(K + η)_ab`.
     fn entry(&self, a: usize, b: usize) -> f64 {
-        let [p, q] = [a, b].map(|a| self.places.get(a).copied().unwrap_or_default());
-        let direct = [0, 1].map(|axis: usize| p[axis].abs_diff(q[axis]) as usize);
+        let [p, q] = [a, b].map(|a| self.place(a));
+        let direct = [0, 1].map(|axis: usize| (p[axis].abs_diff(q[axis]) as usize) << self.level);
         // The image of index j lies at −1 − j: i + j + 1 from the index i.
         let mirrored = [0, 1].map(|axis: usize| {
             let twice = 2 * i64::from(self.to_axis[axis]?) + 1;
-            usize::try_from(twice + i64::from(p[axis]) + i64::from(q[axis])).ok()
+            usize::try_from(twice + ((i64::from(p[axis]) + i64::from(q[axis])) << self.level)).ok()
         });
         let along = |axis: usize| std::iter::once(direct[axis]).chain(mirrored[axis]);
         let elastic: f64 = along(0)
