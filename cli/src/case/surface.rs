@@ -8,6 +8,7 @@ use serde::Serialize;
 use super::diagnosis::{Diagnosis, Fault};
 use super::dimension::Dimension;
 use super::foundation::FoundationCase;
+use super::handed_over::{self, HandedOver};
 use super::height_limits::HeightLimits;
 use super::map::MapCase;
 use super::map_sources::MapSources;
@@ -36,6 +37,8 @@ pub enum SurfaceCase {
     Map(ReliefMapCase),
     /// The elastic body's own measured surface.
     Rough(MapCase),
+    /// A relief of a caller's own functions.
+    Function(HandedOver<Relief>),
 }
 
 /// A measured relief and its compliance.
@@ -123,7 +126,13 @@ impl SurfaceCase {
         maps: &MapSources,
     ) -> Result<Self, Diagnosis> {
         let kind = match table.optional("kind") {
-            Some(field) => field.choice(&KINDS)?,
+            Some(field) => {
+                if let Some(relief) = handed_over::behind(&field, maps.relief()) {
+                    table.only(&["kind"])?;
+                    return Ok(Self::Function(relief));
+                }
+                field.choice(&KINDS)?
+            }
             None => SurfaceKind::Bare,
         };
         match kind {
@@ -176,6 +185,7 @@ impl SurfaceCase {
                 }))
             }
             Self::Map(map) => map.build().map(Relief::Map),
+            Self::Function(relief) => Ok(relief.shape.clone()),
             Self::Rough(map) => {
                 ReliefMap::new(map.heights(), MapCompliance::Uniform(0.0)).map(Relief::Map)
             }
