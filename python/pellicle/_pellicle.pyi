@@ -1,7 +1,7 @@
 """The compiled module: cases are read and solved here."""
 
 import os
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any, final
 
 import numpy as np
@@ -73,6 +73,7 @@ class Case:
         name: str,
         folder: str | os.PathLike[str],
         arrays: Mapping[str, npt.NDArray[np.float64]],
+        functions: Mapping[str, Callable[[npt.NDArray[np.float64], npt.NDArray[np.float64]], npt.NDArray[np.float64]]],
     ) -> Case: ...
     def resolved(self) -> str: ...
     def start(self, threads: int | None = None) -> Run: ...
@@ -107,6 +108,7 @@ class Fit:
         name: str,
         folder: str | os.PathLike[str],
         arrays: Mapping[str, npt.NDArray[np.float64]],
+        functions: Mapping[str, Callable[[npt.NDArray[np.float64], npt.NDArray[np.float64]], npt.NDArray[np.float64]]],
         texts: Mapping[str, str],
         is_measured: bool,
     ) -> Fit: ...

@@ -10,6 +10,7 @@ use pellicle_cli::solved::{MapSources, read_source};
 use pyo3::prelude::*;
 
 use crate::error::Refusal;
+use crate::function::{Functions, with_functions};
 use crate::process::Threads;
 use crate::run::Run;
 
@@ -23,10 +24,12 @@ pub fn read_text(path: PathBuf) -> Result<String, Refusal> {
     Ok(read_source(&path)?.inner().clone())
 }
 
-/// The maps of a case: arrays by their names, or else files of the folder.
+/// What a case names and does not hold: maps, which are arrays by their names or else files of the folder, and shapes
+/// that are functions.
 pub fn map_sources(
     folder: &Path,
     arrays: BTreeMap<String, PyReadonlyArray2<'_, f64>>,
+    functions: &Functions,
 ) -> MapSources {
     let mut maps = MapSources::in_folder(folder);
     for (name, array) in arrays {
@@ -35,7 +38,7 @@ pub fn map_sources(
         let heights = array.as_array().iter().copied().collect();
         maps = maps.with_array(&name, shape, heights);
     }
-    maps
+    with_functions(maps, functions)
 }
 
 /// A case, read and checked.
@@ -52,12 +55,13 @@ impl Case {
 #[pymethods]
 impl Case {
     /// Reads a text that goes by the name `source`; `name` is its title unless it has one. Its maps are `arrays`, or
-    /// else files of `folder`.
+    /// else files of `folder`; its shapes of kind `function` are `functions`.
     #[new]
     #[expect(
         clippy::needless_pass_by_value,
         reason = "Python hands over a path of its own"
     )]
+    #[expect(clippy::too_many_arguments, reason = "each is a part of a case")]
     fn new(
         py: Python<'_>,
         text: String,
@@ -65,8 +69,9 @@ impl Case {
         name: &str,
         folder: PathBuf,
         arrays: BTreeMap<String, PyReadonlyArray2<'_, f64>>,
+        functions: Functions,
     ) -> PyResult<Self> {
-        let maps = map_sources(&folder, arrays);
+        let maps = map_sources(&folder, arrays, &functions);
         let source = Arc::new(Source::new(source, text));
         let case = Threads::work(py, || pellicle_cli::Case::parse_with(&source, name, &maps))?
             .map_err(Refusal::from)?;

@@ -3,10 +3,14 @@
 
 mod attributes;
 
+use std::any::Any;
+
 use pellicle_cli::{Diagnosis, Failure, Fault};
 use pyo3::exceptions::PyException;
 use pyo3::prelude::*;
 use pyo3::{IntoPyObjectExt, create_exception};
+
+use crate::function;
 
 create_exception!(
     pellicle,
@@ -122,8 +126,12 @@ fn describe(py: Python<'_>, error: &PyErr, diagnosis: &Diagnosis) -> PyResult<()
     Ok(())
 }
 
-/// An exception for a panic, with its message.
-pub fn of_panic(panic: &(dyn std::any::Any + Send)) -> PyErr {
+/// The exception of one of the caller's functions that has unwound the work, or else one for a panic, with its message.
+pub fn of_panic(panic: Box<dyn Any + Send>) -> PyErr {
+    function::exception(panic).unwrap_or_else(|panic| of_mistake(&*panic))
+}
+
+fn of_mistake(panic: &(dyn Any + Send)) -> PyErr {
     let message = panic.downcast_ref::<String>().map(String::as_str);
     let message = message.or_else(|| panic.downcast_ref::<&str>().copied());
     let message = message.unwrap_or("unknown");

@@ -1,68 +1,63 @@
 //! Shapes that are functions of Python, asked for whole arrays of points at once.
 //!
-//! They are called on the threads that solve, each time with the interpreter attached: whoever waits for those threads
-//! must have detached from it. Shapes cannot fail, so what goes wrong first is kept for the end of the work: from then
-//! on heights are NaN, which no solution survives.
+//! They are called on the threads that solve, one at a time, each time with the interpreter attached: whoever waits for
+//! those threads has detached from it. A shape cannot fail, so an exception unwinds the work as a panic would, and is
+//! raised where the work is waited for.
 
+use std::any::Any;
 use std::collections::BTreeMap;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::panic::resume_unwind;
 
-use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray1};
+use numpy::{PyArray1, PyReadonlyArray1};
+use pellicle_cli::solved::MapSources;
 use pellicle_contact::{Indenter, Profile};
-use pellicle_texture::{Relief, ReliefShape};
+use pellicle_texture::{CustomRelief, ReliefShape};
 use pyo3::prelude::*;
 
-/// What went wrong first in the functions of one piece of work.
-#[derive(Debug, Clone, Default)]
-pub struct Fault(Arc<Mutex<Option<PyErr>>>);
+use crate::error::InternalError;
 
-impl Fault {
-    fn tell(&self, error: PyErr) {
-        let mut first = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        first.get_or_insert(error);
-    }
-
-    /// Whether anything went wrong.
-    pub fn is_there(&self) -> bool {
-        let first = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        first.is_some()
-    }
-
-    /// Raises what went wrong, once.
-    pub fn raise(&self) -> PyResult<()> {
-        let first = self.0.lock().unwrap_or_else(PoisonError::into_inner).take();
-        first.map_or(Ok(()), Err)
-    }
-}
+/// The functions of a case by their names: `indenter`; `profile` and `compliance` of a surface. Each takes two arrays
+/// of as many numbers and gives one of as many, checked by the package.
+pub type Functions = BTreeMap<String, Function>;
 
 /// A function of arrays of x and y that gives an array of numbers.
-#[derive(Debug)]
-struct Function {
-    callable: Py<PyAny>,
-    fault: Fault,
+#[derive(Debug, FromPyObject)]
+#[pyo3(transparent)]
+pub struct Function(Py<PyAny>);
+
+impl Clone for Function {
+    fn clone(&self) -> Self {
+        Python::attach(|py| Self(self.0.clone_ref(py)))
+    }
 }
 
 impl Function {
-    fn call(&self, points: &[[f64; 2]]) -> PyResult<Vec<f64>> {
-        Python::attach(|py| {
-            let axis = |axis: usize| PyArray1::from_iter(py, points.iter().map(|point| point[axis]));
-            let found = self.callable.bind(py).call1((axis(0), axis(1)))?;
-            let values: PyReadonlyArray1<'_, f64> = found.extract()?;
-            Ok(values.as_array().iter().copied().collect())
-        })
+    fn call(&self, py: Python<'_>, points: &[[f64; 2]]) -> PyResult<Vec<f64>> {
+        let axis = |axis: usize| PyArray1::from_iter(py, points.iter().map(|point| point[axis]));
+        let found = self.0.bind(py).call1((axis(0), axis(1)))?;
+        let values: PyReadonlyArray1<'_, f64> = found.extract()?;
+        let values: Vec<f64> = values.as_array().iter().copied().collect();
+        if values.len() == points.len() {
+            return Ok(values);
+        }
+        Err(InternalError::new_err("a function's values are unchecked"))
     }
 
-    /// Its values at some points; NaN once anything went wrong.
+    /// Its values at some points.
     fn values(&self, points: &[[f64; 2]]) -> Vec<f64> {
-        let nothing = || vec![f64::NAN; points.len()];
-        if points.is_empty() || self.fault.is_there() {
-            return nothing();
+        if points.is_empty() {
+            return Vec::new();
         }
-        self.call(points).unwrap_or_else(|error| {
-            self.fault.tell(error);
-            nothing()
-        })
+        // There is no interpreter any more where Python has ended before the work.
+        let values = Python::try_attach(|py| self.call(py, points));
+        let values = values.unwrap_or_else(|| Err(InternalError::new_err("Python has ended")));
+        values.unwrap_or_else(|error| resume_unwind(Box::new(error)))
     }
+}
+
+/// The exception that has unwound some work; the panic itself if it is none.
+pub fn exception(panic: Box<dyn Any + Send>) -> Result<PyErr, Box<dyn Any + Send>> {
+    panic.downcast::<PyErr>().map(|error| *error)
 }
 
 /// An indenter that is a function.
@@ -71,7 +66,7 @@ struct FunctionProfile(Function);
 
 impl Profile for FunctionProfile {
     fn height(&self, x: f64, y: f64) -> f64 {
-        self.heights(&[[x, y]])[0]
+        self.0.values(&[[x, y]])[0]
     }
 
     fn heights(&self, points: &[[f64; 2]]) -> Vec<f64> {
@@ -79,11 +74,11 @@ impl Profile for FunctionProfile {
     }
 }
 
-/// A relief that is two functions.
+/// A relief that is a function; its compliance is another, or a number of the case.
 #[derive(Debug)]
 struct FunctionRelief {
     profile: Function,
-    compliance: Function,
+    compliance: Option<Function>,
 }
 
 impl ReliefShape for FunctionRelief {
@@ -92,57 +87,23 @@ impl ReliefShape for FunctionRelief {
     }
 
     fn compliance(&self, points: &[[f64; 2]]) -> Vec<f64> {
-        self.compliance.values(points)
+        let values = |function: &Function| function.values(points);
+        (self.compliance.as_ref()).map_or_else(|| vec![0.0; points.len()], values)
     }
 }
 
-/// The functions of a case by their names: `indenter`; `profile` and `compliance` of a surface. Each takes two arrays
-/// of as many numbers, and gives an array of as many numbers that are valid.
-#[derive(Debug, Default)]
-pub struct Functions(BTreeMap<String, Py<PyAny>>);
-
-impl Functions {
-    /// The functions of these names.
-    pub fn new(functions: BTreeMap<String, Py<PyAny>>) -> Self {
-        Self(functions)
+/// The sources, and the shapes that these functions are.
+pub fn with_functions(mut sources: MapSources, functions: &Functions) -> MapSources {
+    let function = |name| functions.get(name).cloned();
+    if let Some(function) = function("indenter") {
+        sources = sources.with_indenter(Indenter::custom(FunctionProfile(function)));
     }
-
-    /// Whether the case has none.
-    pub fn are_none(&self) -> bool {
-        self.0.is_empty()
+    if let Some(profile) = function("profile") {
+        let compliance = function("compliance");
+        sources = sources.with_relief(CustomRelief::new(FunctionRelief {
+            profile,
+            compliance,
+        }));
     }
-
-    fn function(&self, py: Python<'_>, name: &str, fault: &Fault) -> Option<Function> {
-        Some(Function {
-            callable: self.0.get(name)?.clone_ref(py),
-            fault: fault.clone(),
-        })
-    }
-
-    /// The indenter, which tells faults to this one.
-    pub fn indenter(&self, py: Python<'_>, fault: &Fault) -> Option<Indenter> {
-        let function = self.function(py, "indenter", fault)?;
-        Some(Indenter::custom(FunctionProfile(function)))
-    }
-
-    /// The relief, which tells faults to this one.
-    pub fn relief(&self, py: Python<'_>, fault: &Fault) -> Option<Relief> {
-        Some(Relief::custom(FunctionRelief {
-            profile: self.function(py, "profile", fault)?,
-            compliance: self.function(py, "compliance", fault)?,
-        }))
-    }
-
-    /// Whether these are equal to others, as Python has it.
-    pub fn are_equal(&self, py: Python<'_>, others: &Self) -> PyResult<bool> {
-        if !self.0.keys().eq(others.0.keys()) {
-            return Ok(false);
-        }
-        for (mine, other) in self.0.values().zip(others.0.values()) {
-            if !mine.bind(py).eq(other)? {
-                return Ok(false);
-            }
-        }
-        Ok(true)
-    }
+    sources
 }

@@ -10,6 +10,7 @@ mod case;
 mod error;
 mod field;
 mod fit;
+mod function;
 mod planes;
 mod problem;
 mod process;

@@ -109,7 +109,7 @@ impl Threads {
         let work = || catch_unwind(AssertUnwindSafe(work));
         let done = py.detach(|| threads.pool.install(work));
         threads.release();
-        done.map_err(|panic| error::of_panic(&*panic))
+        done.map_err(error::of_panic)
     }
 
     /// The threads themselves.

@@ -3,6 +3,8 @@
 use std::fmt::Debug;
 use std::sync::Arc;
 
+use crate::error::{Quantity, TextureError, not_negative};
+
 /// Points along each side of the square over which a compliance is averaged: the mean serves an estimate.
 const POINTS: u32 = 16;
 
@@ -18,30 +20,54 @@ pub trait ReliefShape: Debug + Send + Sync {
 
 /// A shape that the crate does not know, shared by all copies of a relief; it equals its copies alone.
 #[derive(Clone, Debug)]
-pub struct CustomRelief(Arc<dyn ReliefShape>);
+pub struct CustomRelief {
+    shape: Arc<dyn ReliefShape>,
+    /// In place of the shape's, m/Pa.
+    uniform_compliance: Option<f64>,
+}
 
 impl PartialEq for CustomRelief {
     fn eq(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.0, &other.0)
+        Arc::ptr_eq(&self.shape, &other.shape)
+            && self.uniform_compliance == other.uniform_compliance
     }
 }
 
 impl CustomRelief {
     /// A relief of this shape.
-    pub(crate) fn new(shape: impl ReliefShape + 'static) -> Self {
-        Self(Arc::new(shape))
+    #[must_use]
+    pub fn new(shape: impl ReliefShape + 'static) -> Self {
+        Self {
+            shape: Arc::new(shape),
+            uniform_compliance: None,
+        }
+    }
+
+    /// The same profile with one compliance (m/Pa) everywhere.
+    ///
+    /// # Errors
+    /// [`TextureError`] if the compliance is negative or not finite.
+    pub fn with_uniform_compliance(self, compliance: f64) -> Result<Self, TextureError> {
+        let uniform_compliance = Some(not_negative(Quantity::Compliance, compliance)?);
+        Ok(Self {
+            uniform_compliance,
+            ..self
+        })
     }
 
     /// Surface profile `f*` at some points, m.
     #[must_use]
     pub fn profile(&self, points: &[[f64; 2]]) -> Vec<f64> {
-        self.0.profile(points)
+        self.shape.profile(points)
     }
 
     /// Compliance η at some points, m/Pa.
     #[must_use]
     pub fn compliance(&self, points: &[[f64; 2]]) -> Vec<f64> {
-        self.0.compliance(points)
+        match self.uniform_compliance {
+            Some(compliance) => vec![compliance; points.len()],
+            None => self.shape.compliance(points),
+        }
     }
 
     /// The mean of η over points of the square around the axis that encloses the circle of this radius (m), m/Pa.
@@ -98,6 +124,23 @@ mod tests {
         // 1 + R²/3, and the midpoint rule's relative error 1/16² of the second part.
         let found = valley.mean_compliance(3.0);
         assert!((found - 4.0).abs() <= 3.0 / 256.0 + 1e-12, "{found}");
+    }
+
+    #[test]
+    fn a_uniform_compliance_takes_the_place_of_the_shapes() {
+        let valley = CustomRelief::new(Valley);
+        let uniform = valley.clone().with_uniform_compliance(7.0).unwrap();
+        assert_ne!(valley, uniform);
+        let points = [[0.0, 1.0], [2.0, 3.0]];
+        assert_eq!(uniform.compliance(&points), [7.0, 7.0]);
+        assert_eq!(uniform.profile(&points), valley.profile(&points));
+        assert_eq!(
+            valley.with_uniform_compliance(-1.0),
+            Err(TextureError::Negative {
+                quantity: Quantity::Compliance,
+                found: -1.0
+            })
+        );
     }
 
     #[test]

@@ -8,12 +8,19 @@ use super::value_reader::ValueReader;
 /// The word for it in a case.
 const KIND: &str = "function";
 
-/// A shape of a caller's own; nothing of it is written but its kind.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+/// A shape of a caller's own; nothing of it is written but its kind. It is no part of the case: all are equal here, and
+/// who hands shapes over can tell them apart.
+#[derive(Debug, Clone, Serialize)]
 pub struct HandedOver<T> {
     /// The shape itself.
     #[serde(skip)]
     pub shape: T,
+}
+
+impl<T> PartialEq for HandedOver<T> {
+    fn eq(&self, _other: &Self) -> bool {
+        true
+    }
 }
 
 /// The shape, if the kind asks for one and there is one.

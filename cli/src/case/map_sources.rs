@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use pellicle_contact::Indenter;
-use pellicle_texture::Relief;
+use pellicle_texture::CustomRelief;
 
 use crate::map::{MapError, MapFile};
 
@@ -16,7 +16,7 @@ pub struct MapSources {
     folder: PathBuf,
     arrays: BTreeMap<String, MapFile>,
     indenter: Option<Indenter>,
-    relief: Option<Relief>,
+    relief: Option<CustomRelief>,
 }
 
 impl MapSources {
@@ -53,7 +53,7 @@ impl MapSources {
 
     /// The same, and a relief for `[surface]` with `kind = "function"`.
     #[must_use]
-    pub fn with_relief(mut self, relief: Relief) -> Self {
+    pub fn with_relief(mut self, relief: CustomRelief) -> Self {
         self.relief = Some(relief);
         self
     }
@@ -66,7 +66,7 @@ impl MapSources {
 
     /// The relief that was handed over.
     #[must_use]
-    pub fn relief(&self) -> Option<&Relief> {
+    pub fn relief(&self) -> Option<&CustomRelief> {
         self.relief.as_ref()
     }
 

@@ -1,7 +1,8 @@
 //! `[surface]`: the relief of springs that the foundation carries.
 
 use pellicle_texture::{
-    CylinderSpec, Cylinders, Film, Lattice, MapCompliance, Relief, ReliefMap, TextureError,
+    CustomRelief, CylinderSpec, Cylinders, Film, Lattice, MapCompliance, Relief, ReliefMap,
+    TextureError,
 };
 use serde::Serialize;
 
@@ -14,7 +15,7 @@ use super::map::MapCase;
 use super::map_sources::MapSources;
 use super::spring_law::LawCase;
 use super::table_reader::TableReader;
-use super::value_reader::Sign;
+use super::value_reader::{Sign, ValueReader};
 
 /// The surface of a case, every value in SI units or the case's own.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -38,7 +39,18 @@ pub enum SurfaceCase {
     /// The elastic body's own measured surface.
     Rough(MapCase),
     /// A relief of a caller's own functions.
-    Function(HandedOver<Relief>),
+    Function(ReliefFunctionCase),
+}
+
+/// A relief of a caller's own functions.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ReliefFunctionCase {
+    /// The functions.
+    #[serde(skip)]
+    pub relief: HandedOver<CustomRelief>,
+    /// The compliance everywhere, m/Pa; none where it is one of the functions.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub compliance: Option<f64>,
 }
 
 /// A measured relief and its compliance.
@@ -128,8 +140,7 @@ impl SurfaceCase {
         let kind = match table.optional("kind") {
             Some(field) => {
                 if let Some(relief) = handed_over::behind(&field, maps.relief()) {
-                    table.only(&["kind"])?;
-                    return Ok(Self::Function(relief));
+                    return ReliefFunctionCase::read(table, relief).map(Self::Function);
                 }
                 field.choice(&KINDS)?
             }
@@ -185,7 +196,7 @@ impl SurfaceCase {
                 }))
             }
             Self::Map(map) => map.build().map(Relief::Map),
-            Self::Function(relief) => Ok(relief.shape.clone()),
+            Self::Function(function) => function.build().map(Relief::Custom),
             Self::Rough(map) => {
                 ReliefMap::new(map.heights(), MapCompliance::Uniform(0.0)).map(Relief::Map)
             }
@@ -199,6 +210,24 @@ impl SurfaceCase {
             Self::Map(map) => Some(&map.map),
             Self::Rough(map) => Some(map),
             _ => None,
+        }
+    }
+}
+
+impl ReliefFunctionCase {
+    fn read(table: &TableReader<'_>, relief: HandedOver<CustomRelief>) -> Result<Self, Diagnosis> {
+        table.only(&["kind", "compliance"])?;
+        let read =
+            |field: ValueReader<'_>| field.quantity(Dimension::Compliance, Sign::NotNegative);
+        let compliance = table.optional("compliance").map(read).transpose()?;
+        Ok(Self { relief, compliance })
+    }
+
+    fn build(&self) -> Result<CustomRelief, TextureError> {
+        let relief = self.relief.shape.clone();
+        match self.compliance {
+            Some(compliance) => relief.with_uniform_compliance(compliance),
+            None => Ok(relief),
         }
     }
 }
@@ -319,8 +348,7 @@ fn offset(table: &TableReader<'_>) -> Result<[f64; 2], Diagnosis> {
     let [x, y] = &field.list(WANTED)?[..] else {
         return Err(field.wanted(WANTED));
     };
-    let length =
-        |field: &super::value_reader::ValueReader<'_>| field.quantity(Dimension::Length, Sign::Any);
+    let length = |field: &ValueReader<'_>| field.quantity(Dimension::Length, Sign::Any);
     Ok([length(x)?, length(y)?])
 }
 

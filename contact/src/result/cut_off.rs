@@ -47,10 +47,7 @@ pub(crate) fn can_touch(model: &Model, grid: &Grid) -> bool {
 pub(crate) fn lowest_height(model: &Model, grid: &Grid) -> f64 {
     let middle = grid.size() / 2;
     let centres = [middle.saturating_sub(1), middle.min(grid.size() - 1)].map(|i| grid.centre(i));
-    let heights = centres
-        .iter()
-        .flat_map(|x| centres.map(|y| model.indenter.height(*x, y)));
-    heights.fold(f64::INFINITY, f64::min)
+    smallest(&(model.indenter).heights(&centres.map(|x| centres.map(|y| [x, y])).concat()))
 }
 
 /// The surroundings of a domain, computed as far as needed.
@@ -195,13 +192,13 @@ impl Outlook {
     fn of(model: &Model, side: f64) -> Self {
         let edge = |k: usize| (k as f64 / BLOCKS as f64 - 0.5) * side;
         let half = 0.5 * side;
-        let heights = (0..=BLOCKS).flat_map(|k| {
+        let places = (0..=BLOCKS).flat_map(|k| {
             let along = edge(k);
-            let places = [[-half, along], [half, along], [along, -half], [along, half]];
-            places.map(|[x, y]| model.indenter.height(x, y))
+            [[-half, along], [half, along], [along, -half], [along, half]]
         });
+        let places: Vec<_> = places.collect();
         Self {
-            lowest: heights.fold(f64::INFINITY, f64::min),
+            lowest: smallest(&model.indenter.heights(&places)),
             blocks: None,
         }
     }
@@ -223,7 +220,6 @@ impl Outlook {
 impl Blocks {
     /// The gaps above this relief.
     fn of(model: &Model, relief: &Relief, around: Around) -> Self {
-        let smallest = |lengths: &[f64]| lengths.iter().copied().fold(f64::INFINITY, f64::min);
         let count = around.count();
         let blocks = (0..count * count).map(|block| [block / count, block % count]);
         let outer = blocks.clone().filter(|block| !around.is_within(*block));
@@ -356,6 +352,11 @@ impl Around {
         };
         blocks.map(part).collect()
     }
+}
+
+/// The smallest of some lengths; infinite of none.
+fn smallest(lengths: &[f64]) -> f64 {
+    lengths.iter().copied().fold(f64::INFINITY, f64::min)
 }
 
 /// `g0 = f − f*` at a point, m.
