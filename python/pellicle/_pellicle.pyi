@@ -2,10 +2,12 @@
 
 import os
 from collections.abc import Callable, Mapping
-from typing import Any, final
+from typing import Any, TypeAlias, final
 
 import numpy as np
 import numpy.typing as npt
+
+_Function: TypeAlias = Callable[[npt.NDArray[np.float64], npt.NDArray[np.float64], bool], npt.NDArray[np.float64]]
 
 __all__ = [
     "Body",
@@ -73,7 +75,7 @@ class Case:
         name: str,
         folder: str | os.PathLike[str],
         arrays: Mapping[str, npt.NDArray[np.float64]],
-        functions: Mapping[str, Callable[[npt.NDArray[np.float64], npt.NDArray[np.float64]], npt.NDArray[np.float64]]],
+        functions: Mapping[str, _Function],
     ) -> Case: ...
     def resolved(self) -> str: ...
     def start(self, threads: int | None = None) -> Run: ...
@@ -108,7 +110,7 @@ class Fit:
         name: str,
         folder: str | os.PathLike[str],
         arrays: Mapping[str, npt.NDArray[np.float64]],
-        functions: Mapping[str, Callable[[npt.NDArray[np.float64], npt.NDArray[np.float64]], npt.NDArray[np.float64]]],
+        functions: Mapping[str, _Function],
         texts: Mapping[str, str],
         is_measured: bool,
     ) -> Fit: ...

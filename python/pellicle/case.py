@@ -218,7 +218,7 @@ def refuse_functions(functions: Mapping[str, CheckedFunction]) -> None:
     """Refuses to write functions."""
     if functions:
         found = " and ".join(functions)
-        raise ArgumentError(f"{found}: found a function, wanted what a file can hold, such as a map, `sampled` of it")
+        raise ArgumentError(f"{found}: found a function, which no file can hold, wanted a map, such as HeightMap.sampled")
 
 
 def _put(document: dict[str, Any], key: str, value: toml.Value) -> None:

@@ -79,13 +79,17 @@ class CheckedFunction:
     lowest: float = -np.finfo(np.float64).max
     highest: float = np.finfo(np.float64).max
 
-    def __call__(self, x: Coordinates, y: Coordinates) -> npt.NDArray[np.float64]:
-        values = np.asarray(self.function(x.copy(), y.copy()))
+    def __call__(self, x: Coordinates, y: Coordinates, is_estimate: bool) -> npt.NDArray[np.float64]:
+        # What overflows is refused or an end; estimates ask for points far away, where the function may have ended.
+        with np.errstate(all="ignore" if is_estimate else None, over="ignore", under="ignore"):
+            values = np.asarray(self.function(x.copy(), y.copy()))
         if values.shape != x.shape:
             raise ArgumentError(f"{self.name}: found values of shape {values.shape}, wanted {x.shape}, that of x and y")
         if values.dtype.kind not in "fiu":
             raise ArgumentError(f"{self.name}: found values of {values.dtype}, wanted real numbers")
         values = np.ascontiguousarray(values, dtype=np.float64)
+        if is_estimate:
+            return np.where(np.isnan(values), np.inf, values)
         is_wrong = ~((values >= self.lowest) & (values <= self.highest))
         if is_wrong.any():
             i = int(is_wrong.argmax())

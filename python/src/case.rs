@@ -43,12 +43,15 @@ pub fn map_sources(
 
 /// A case, read and checked.
 #[pyclass(frozen, module = "pellicle._pellicle")]
-pub struct Case(Arc<pellicle_cli::Case>);
+pub struct Case {
+    case: Arc<pellicle_cli::Case>,
+    has_functions: bool,
+}
 
 impl Case {
     /// The case itself.
     pub fn inner(&self) -> &pellicle_cli::Case {
-        &self.0
+        &self.case
     }
 }
 
@@ -75,21 +78,26 @@ impl Case {
         let source = Arc::new(Source::new(source, text));
         let case = Threads::work(py, || pellicle_cli::Case::parse_with(&source, name, &maps))?
             .map_err(Refusal::from)?;
-        Ok(Self(Arc::new(case)))
+        Ok(Self {
+            case: Arc::new(case),
+            has_functions: !functions.is_empty(),
+        })
     }
 
     /// The case as resolved, every default filled in, as JSON.
     fn resolved(&self) -> Result<String, Refusal> {
-        Ok(serde_json::to_string(&*self.0)?)
+        Ok(serde_json::to_string(&*self.case)?)
     }
 
+    /// Whether they are equal, functions aside.
     fn __eq__(&self, other: &Self) -> bool {
-        self.0 == other.0
+        self.case == other.case
     }
 
     /// Starts to solve it, on so many threads.
     #[pyo3(signature = (threads = None))]
     fn start(&self, threads: Option<u16>) -> Result<Run, Refusal> {
-        Ok(Run::start(Arc::clone(&self.0), threads)?)
+        let case = Arc::clone(&self.case);
+        Ok(Run::start(case, self.has_functions, threads)?)
     }
 }

@@ -16,6 +16,22 @@ pub trait ReliefShape: Debug + Send + Sync {
 
     /// Compliance η at some points, m/Pa: not negative; 0 where the relief is as rigid as a part of the body.
     fn compliance(&self, points: &[[f64; 2]]) -> Vec<f64>;
+
+    /// The mean of η over [points of the square](mean_points) around the axis that encloses the circle of this radius
+    /// (m), m/Pa: meant for estimates.
+    fn mean_compliance(&self, radius: f64) -> f64 {
+        let values = self.compliance(&mean_points(radius));
+        values.iter().sum::<f64>() / values.len() as f64
+    }
+}
+
+/// Points of the square around the axis that encloses the circle of this radius (m), which stand for its mean.
+#[must_use]
+pub fn mean_points(radius: f64) -> Vec<[f64; 2]> {
+    let at = |i: u32| radius * (f64::from(2 * i + 1) / f64::from(POINTS) - 1.0);
+    (0..POINTS * POINTS)
+        .map(|k| [at(k / POINTS), at(k % POINTS)])
+        .collect()
 }
 
 /// A shape that the crate does not know, shared by all copies of a relief; it equals its copies alone.
@@ -70,13 +86,11 @@ impl CustomRelief {
         }
     }
 
-    /// The mean of η over points of the square around the axis that encloses the circle of this radius (m), m/Pa.
+    /// The mean of η about the axis, m/Pa; see [`ReliefShape::mean_compliance`].
     #[must_use]
     pub fn mean_compliance(&self, radius: f64) -> f64 {
-        let at = |i: u32| radius * (f64::from(2 * i + 1) / f64::from(POINTS) - 1.0);
-        let points = (0..POINTS * POINTS).map(|k| [at(k / POINTS), at(k % POINTS)]);
-        let points: Vec<_> = points.collect();
-        self.compliance(&points).iter().sum::<f64>() / points.len() as f64
+        self.uniform_compliance
+            .unwrap_or_else(|| self.shape.mean_compliance(radius))
     }
 }
 

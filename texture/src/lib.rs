@@ -57,7 +57,7 @@ mod sampled;
 mod spring_law;
 mod summit;
 
-pub use custom_relief::{CustomRelief, ReliefShape};
+pub use custom_relief::{CustomRelief, ReliefShape, mean_points};
 pub use cylinders::{CylinderSpec, Cylinders};
 pub use error::{Quantity, TextureError};
 pub use film::Film;

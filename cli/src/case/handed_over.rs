@@ -29,3 +29,53 @@ pub fn behind<T: Clone>(kind: &ValueReader<'_>, handed: Option<&T>) -> Option<Ha
     let shape = handed.filter(|_| is_asked_for).cloned()?;
     Some(HandedOver { shape })
 }
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use pellicle_contact::{Indenter, Paraboloid};
+
+    use crate::case::Case;
+    use crate::case::map_sources::MapSources;
+    use crate::case::source::Source;
+
+    const CASE: &str = r#"
+        [foundation.substrate]
+        young_modulus = 1.0
+        poisson_ratio = 0.3
+        [indenter]
+        kind = "function"
+        young_modulus = 2.0
+        poisson_ratio = 0.2
+        [load]
+        force = 1.0
+    "#;
+
+    fn read(text: &str, maps: &MapSources) -> Result<Case, String> {
+        let source = Arc::new(Source::new("case", text.to_owned()));
+        Case::parse_with(&source, "case", maps).map_err(|diagnosis| diagnosis.to_string())
+    }
+
+    fn handing_over() -> MapSources {
+        MapSources::default().with_indenter(Indenter::from(Paraboloid::new(2.0).unwrap()))
+    }
+
+    #[test]
+    fn a_shape_stands_where_the_case_asks_for_one_and_nowhere_else() {
+        let case = read(CASE, &handing_over()).unwrap();
+        assert_eq!(case.indenter.build().unwrap().height(3.0, 4.0), 6.25);
+        assert!(case.indenter.build_material().unwrap().is_some());
+        let other = CASE.replace("\"function\"", "\"sphere\"\nradius = 7.0");
+        let ball = read(&other, &handing_over()).unwrap();
+        assert_eq!(ball.indenter.build().unwrap().height(0.0, 7.0), 7.0);
+    }
+
+    #[test]
+    fn a_case_that_asks_for_a_shape_is_refused_where_there_is_none() {
+        let refused = read(CASE, &MapSources::default()).unwrap_err();
+        assert!(refused.contains("\"function\""), "{refused}");
+        let radius = CASE.replace("\"function\"", "\"function\"\nradius = 7.0");
+        assert!(read(&radius, &handing_over()).is_err());
+    }
+}
