@@ -64,7 +64,6 @@ impl Case {
         clippy::needless_pass_by_value,
         reason = "Python hands over a path of its own"
     )]
-    #[expect(clippy::too_many_arguments, reason = "each is a part of a case")]
     fn new(
         py: Python<'_>,
         text: String,
