@@ -60,7 +60,8 @@ class Path(Sequence[Step]):
         return map(self._step, range(len(self)))
 
     def _step(self, index: int) -> Step:
-        return Step(self.summary["steps"][index], self.summary["grid"], index, self._fields)
+        is_si = "force [N]" in self.curve
+        return Step(self.summary["steps"][index], self.summary["grid"], index, self._fields, is_si)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Path):

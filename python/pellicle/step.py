@@ -24,10 +24,14 @@ if TYPE_CHECKING:
 class Step:
     """A loading step. Numbers are in SI units or the case's own, fields are N × N arrays, first index along x."""
 
-    def __init__(self, summary: Mapping[str, Any], grid: Mapping[str, Any], index: int, fields: Fields) -> None:
+    def __init__(
+        self, summary: Mapping[str, Any], grid: Mapping[str, Any], index: int, fields: Fields, is_si: bool
+    ) -> None:
         self._summary = summary
         self._grid = grid
         self._fields = fields
+        self.is_si = is_si
+        """Whether numbers are in SI units; otherwise in the case's own."""
         self.index = index
         """The step, counted from 0."""
 
@@ -221,7 +225,7 @@ class Step:
 
     def __reduce__(self) -> tuple[type[Step], tuple[Any, ...]]:
         stored = StoredFields.of(self._fields, range(self.index, self.index + 1))
-        return Step, (self._summary, self._grid, self.index, stored)
+        return Step, (self._summary, self._grid, self.index, stored, self.is_si)
 
     def __repr__(self) -> str:
         return f"<Step {self.index}: Q = {self.force:.6g}, D = {self.penetration:.6g}, {self.status}>"
