@@ -21,10 +21,11 @@ def code_cells(notebook: Path) -> list[str]:
 def run_cell(code: str, names: dict[str, Any]) -> Any:
     """Runs a cell; the value of its last line as a notebook shows it, None without one."""
     tree = ast.parse(code)
-    last = tree.body.pop() if isinstance(tree.body[-1], ast.Expr) else None
-    exec(compile(tree, "cell", "exec"), names)
-    if last is None:
+    last = tree.body[-1]
+    if not isinstance(last, ast.Expr):
+        exec(compile(tree, "cell", "exec"), names)
         return None
+    exec(compile(ast.Module(tree.body[:-1], []), "cell", "exec"), names)
     return eval(compile(ast.Expression(last.value), "cell", "eval"), names)
 
 

@@ -30,7 +30,8 @@ def test_the_pressure_is_drawn(case: pl.Case) -> None:
     assert np.array_equal(image.get_array(), step.pressure.T)
     assert image.get_extent()[1] == pytest.approx(case.solve().summary["grid"]["side"] / 2)
     assert step.plot(ax) is ax
-    assert ax.get_title() == "Q = 50.00 mN, D = 602.42 nm" and ax.xaxis.get_major_formatter()(1e-6) == "1 µm"
+    assert ax.get_title() == f"Q = 50.00 mN, D = {step.penetration * 1e9:.2f} nm"
+    assert ax.xaxis.get_major_formatter()(1e-6) == "1 µm"
 
 
 def test_the_units_of_a_case_of_its_own_are_not_said_to_be_si() -> None:
