@@ -20,7 +20,7 @@ def compliance(foundation: Foundation, wavenumber: npt.ArrayLike) -> npt.NDArray
 
     The result has the shape of `wavenumber`. Displacements are positive into the body.
     """
-    wavenumbers = np.asarray(wavenumber, dtype=np.float64)
+    wavenumbers = np.array(wavenumber, dtype=np.float64)
     if not (np.isfinite(wavenumbers) & (wavenumbers > 0)).all():
         raise ArgumentError("wavenumber: found zero, a negative number or none, wanted positive finite numbers")
     found = _body(foundation).compliance(np.ascontiguousarray(wavenumbers.ravel()))
