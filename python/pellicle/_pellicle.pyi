@@ -1,6 +1,7 @@
 """The compiled module: cases are read and solved here."""
 
 import os
+import pathlib
 from collections.abc import Callable, Mapping
 from typing import Any, TypeAlias, final
 
@@ -45,14 +46,122 @@ class CaseError(Error):
     wanted: str | None
     help: str | None
 
-class KernelError(Error): ...
-class InfluenceError(Error): ...
-class TextureError(Error): ...
-class IndenterError(Error): ...
-class ContactError(Error): ...
-class IdentifyError(Error): ...
-class RunError(Error): ...
-class InternalError(Error): ...
+class KernelError(Error):
+    """The elastic body is refused, or has no compliance."""
+
+    found: float
+    largest: float
+    layer: int
+    layers: int
+    reached: float
+    s: float
+    smallest: float
+    sublayers: int
+    wanted: Any
+
+class InfluenceError(Error):
+    """The influence coefficients cannot be computed."""
+
+    at: float
+    found: float
+    largest: float
+    layer: int
+    layers: int
+    lower: float
+    offset: tuple[int, int]
+    radius: float
+    reached: float
+    s: float
+    smallest: float
+    sublayers: int
+    upper: float
+    wanted: Any
+
+class TextureError(Error):
+    """The surface is refused."""
+
+    found: float
+    index: tuple[int, int]
+    largest: float
+    period: float
+    quantity: str
+    radius: float
+    shape: tuple[int, int]
+
+class IndenterError(Error):
+    """The indenter is refused."""
+
+    found: float
+    least: int
+    most: int
+    quantity: str
+
+class ContactError(Error):
+    """The contact cannot be posed or solved."""
+
+    area: float
+    at: float
+    element: int
+    element_side: float
+    elements: int
+    field: str
+    force: float
+    found: float
+    index: tuple[int, int]
+    largest: float
+    layer: int
+    layers: int
+    least: int
+    lower: float
+    most: int
+    offset: tuple[int, int]
+    penetration: float
+    period: float
+    quantity: str
+    radius: float
+    reached: float
+    s: float
+    shape: tuple[int, int]
+    side: float
+    smallest: float
+    step: int
+    sublayers: int
+    tolerance: float
+    trials: int
+    upper: float
+    wanted: Any
+    worst: float
+
+class IdentifyError(Error):
+    """A fit cannot be posed or made."""
+
+    curve: int
+    found: float
+    list: str
+    name: str
+    point: int
+    points: int
+    predictions: int
+    quantity: str
+    reached: float
+    size: int
+    starts: int
+    wanted: Any
+
+class RunError(Error):
+    """A case cannot be run: a file cannot be read, or there is too little memory."""
+
+    available: float
+    bottom: float
+    found: float
+    last: int
+    needed: float
+    path: pathlib.Path
+    reason: str
+
+class InternalError(Error):
+    """An error of the program itself, which should not be."""
+
 
 def read_text(path: str | os.PathLike[str]) -> str: ...
 @final

@@ -207,7 +207,7 @@ class Fit:
             np.array_equal(array, others[4][name]) for name, array in mine[4].items()
         )
 
-    __hash__ = None  # type: ignore[assignment]
+    __hash__: ClassVar[None]  # type: ignore[assignment]
 
     def __copy__(self) -> Fit:
         return self

@@ -47,8 +47,8 @@ class ElasticOperator:
         if not (isinstance(elements, (int, np.integer)) and 1 <= elements <= 8192):
             raise ArgumentError(f"elements: found {elements}, wanted an integer from 1 to 8192")
         self.foundation = foundation
-        self.element_side = float(element_side)
-        self.elements = int(elements)
+        self.element_side: float = float(element_side)
+        self.elements: int = int(elements)
         self._operator = _pellicle.Operator(_body(foundation), self.element_side, self.elements)
 
     @property
