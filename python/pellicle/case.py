@@ -153,6 +153,11 @@ class Case:
         return resolved
 
     @property
+    def foundation_table(self) -> str:
+        """The text of the table `[foundation]`."""
+        return toml.text({"foundation": tomllib.loads(self._state[0])["foundation"]})
+
+    @property
     def title(self) -> str:
         """The title; the name of the file unless it has one."""
         title: str = self.resolved["title"]

@@ -77,7 +77,8 @@ class Path(Sequence[Step]):
         return self
 
     def __reduce__(self) -> tuple[type[Path], tuple[Any, ...]]:
-        stored = StoredFields.of(self._fields, range(len(self)))
+        radii = {step.index: step.contact_radius for step in self}
+        stored = StoredFields.of(self._fields, range(len(self)), self.summary["grid"]["side"], radii)
         return Path, (self.case, self.summary, self.curve, stored, self.is_whole)
 
     def __repr__(self) -> str:
@@ -93,7 +94,7 @@ def path_of(case: Case, solution: Solution) -> Path:
     """The path of a solution; warns if it is not certified."""
     summary = json.loads(solution.summary())
     curve = Curve.of_csv(solution.curve())
-    path = Path(case, summary, curve, SolvedFields(solution), solution.is_whole)
+    path = Path(case, summary, curve, SolvedFields(solution, case), solution.is_whole)
     if path.status != "certified":
         reasons = [str(warning) for warning in path.warnings if warning.code == path.status]
         message = "; ".join([f"the solution is {path.status}, do not use these numbers", *reasons])

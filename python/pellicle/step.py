@@ -224,7 +224,8 @@ class Step:
         return self
 
     def __reduce__(self) -> tuple[type[Step], tuple[Any, ...]]:
-        stored = StoredFields.of(self._fields, range(self.index, self.index + 1))
+        steps, radii = range(self.index, self.index + 1), {self.index: self.contact_radius}
+        stored = StoredFields.of(self._fields, steps, self._grid["side"], radii)
         return Step, (self._summary, self._grid, self.index, stored, self.is_si)
 
     def __repr__(self) -> str:
