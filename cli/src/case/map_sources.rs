@@ -1,5 +1,5 @@
-//! What a case names and does not hold: maps in the files of a folder, and what a caller hands over with the case, arrays
-//! instead of files, and shapes of its own.
+//! What a case names and does not hold: maps in the files of a folder, and what a caller hands over with the case,
+//! arrays instead of files, and shapes of its own.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
