@@ -53,6 +53,7 @@ def test_a_notebook_runs_and_draws(notebook: Path, monkeypatch: pytest.MonkeyPat
     import matplotlib.pyplot as plt
 
     monkeypatch.chdir(notebook.parent)
+    plt.close("all")
     pictures: list[Path] = []
 
     def show() -> None:
