@@ -129,6 +129,9 @@ impl Profile for FunctionProfile {
 
     /// Between neighbouring radii, at which it is kept: the first guess of a domain asks some thousand times a load.
     fn mean_profile(&self, radius: f64) -> f64 {
+        if radius == 0.0 {
+            return self.function.values(&[[0.0; 2]], Purpose::Estimate)[0];
+        }
         let place = (radius.ln() / RATIO.ln()).floor();
         if !place.is_finite() {
             return f64::INFINITY;
