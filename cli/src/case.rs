@@ -5,6 +5,7 @@ pub mod dimension;
 pub mod document;
 pub mod foundation;
 pub mod grid;
+pub mod handed_over;
 pub mod height_limits;
 pub mod indenter;
 pub mod load;

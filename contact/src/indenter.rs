@@ -148,6 +148,10 @@ impl Profile for Indenter {
         self.shape().height(x, y)
     }
 
+    fn heights(&self, points: &[[f64; 2]]) -> Vec<f64> {
+        self.shape().heights(points)
+    }
+
     fn mean_profile(&self, radius: f64) -> f64 {
         self.shape().mean_profile(radius)
     }

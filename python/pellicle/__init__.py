@@ -30,6 +30,7 @@ from .errors import (
     TextureError,
 )
 from .fit import Design, Fit, Nuisances, Report, Unknown
+from .function import IndenterFunction, ReliefFunction
 from .height_map import HeightMap
 from .identification import (
     Expected,
@@ -99,6 +100,7 @@ __all__ = [
     "IdentifyError",
     "Indenter",
     "IndenterError",
+    "IndenterFunction",
     "IndenterMap",
     "InfluenceError",
     "InternalError",
@@ -119,6 +121,7 @@ __all__ = [
     "Pyramid",
     "Quantity",
     "Range",
+    "ReliefFunction",
     "ReliefMap",
     "Report",
     "ResultWarning",

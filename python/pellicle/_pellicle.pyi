@@ -1,11 +1,14 @@
 """The compiled module: cases are read and solved here."""
 
 import os
-from collections.abc import Mapping
-from typing import Any, final
+import pathlib
+from collections.abc import Callable, Mapping
+from typing import Any, TypeAlias, final
 
 import numpy as np
 import numpy.typing as npt
+
+_Function: TypeAlias = Callable[[npt.NDArray[np.float64], npt.NDArray[np.float64], bool], npt.NDArray[np.float64]]
 
 __all__ = [
     "Body",
@@ -43,20 +46,131 @@ class CaseError(Error):
     wanted: str | None
     help: str | None
 
-class KernelError(Error): ...
-class InfluenceError(Error): ...
-class TextureError(Error): ...
-class IndenterError(Error): ...
-class ContactError(Error): ...
-class IdentifyError(Error): ...
-class RunError(Error): ...
-class InternalError(Error): ...
+class KernelError(Error):
+    """The elastic body is refused, or has no compliance."""
+
+    found: float
+    largest: float
+    layer: int
+    layers: int
+    reached: float
+    s: float
+    smallest: float
+    sublayers: int
+    wanted: Any
+
+class InfluenceError(Error):
+    """The influence coefficients cannot be computed."""
+
+    at: float
+    found: float
+    largest: float
+    layer: int
+    layers: int
+    lower: float
+    offset: tuple[int, int]
+    radius: float
+    reached: float
+    s: float
+    smallest: float
+    sublayers: int
+    upper: float
+    wanted: Any
+
+class TextureError(Error):
+    """The surface is refused."""
+
+    found: float
+    index: tuple[int, int]
+    largest: float
+    period: float
+    quantity: str
+    radius: float
+    shape: tuple[int, int]
+
+class IndenterError(Error):
+    """The indenter is refused."""
+
+    found: float
+    least: int
+    most: int
+    quantity: str
+
+class ContactError(Error):
+    """The contact cannot be posed or solved."""
+
+    area: float
+    at: float
+    element: int
+    element_side: float
+    elements: int
+    field: str
+    force: float
+    found: float
+    index: tuple[int, int]
+    largest: float
+    layer: int
+    layers: int
+    least: int
+    lower: float
+    most: int
+    offset: tuple[int, int]
+    penetration: float
+    period: float
+    quantity: str
+    radius: float
+    reached: float
+    s: float
+    shape: tuple[int, int]
+    side: float
+    smallest: float
+    step: int
+    sublayers: int
+    tolerance: float
+    trials: int
+    upper: float
+    wanted: Any
+    worst: float
+
+class IdentifyError(Error):
+    """A fit cannot be posed or made."""
+
+    curve: int
+    found: float
+    list: str
+    name: str
+    point: int
+    points: int
+    predictions: int
+    quantity: str
+    reached: float
+    size: int
+    starts: int
+    wanted: Any
+
+class RunError(Error):
+    """A case cannot be run: a file cannot be read, or there is too little memory."""
+
+    available: float
+    bottom: float
+    found: float
+    last: int
+    needed: float
+    path: pathlib.Path
+    reason: str
+
+class InternalError(Error):
+    """An error of the program itself, which should not be."""
+
 
 def read_text(path: str | os.PathLike[str]) -> str: ...
 @final
 class Body:
     def __new__(cls, text: str, source: str) -> Body: ...
     def compliance(self, wavenumbers: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]: ...
+    def stress(
+        self, pressure: npt.NDArray[np.float64], side: float, contact_radius: float, text: str
+    ) -> Planes: ...
 
 @final
 class Operator:
@@ -73,6 +187,7 @@ class Case:
         name: str,
         folder: str | os.PathLike[str],
         arrays: Mapping[str, npt.NDArray[np.float64]],
+        functions: Mapping[str, _Function],
     ) -> Case: ...
     def resolved(self) -> str: ...
     def start(self, threads: int | None = None) -> Run: ...
@@ -107,6 +222,7 @@ class Fit:
         name: str,
         folder: str | os.PathLike[str],
         arrays: Mapping[str, npt.NDArray[np.float64]],
+        functions: Mapping[str, _Function],
         texts: Mapping[str, str],
         is_measured: bool,
     ) -> Fit: ...

@@ -7,7 +7,7 @@ import os
 import tomllib
 from collections.abc import Mapping, Sequence
 from functools import cached_property
-from typing import Any, Literal, TypeAlias
+from typing import Any, ClassVar, Literal, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -15,6 +15,7 @@ import numpy.typing as npt
 from . import _pellicle, show, toml
 from .body import Foundation
 from .errors import ArgumentError
+from .function import CheckedFunction, Function, IndenterFunction, ReliefFunction, as_part
 from .height_map import HeightMap
 from .indenter import Indenter
 from .options import Output, Range, Stress
@@ -35,14 +36,17 @@ class Case:
     Exactly one of `force`, `forces`, `penetration` and `penetrations` is the load. Numbers are in SI units (m, Pa, N,
     rad, m/Pa), or in any consistent system if no quantity has a unit; strings such as `"5 nm"` and quantities of pint
     carry units. Whatever is left out has the default of the case file.
+
+    A function `f(x, y)` of two arrays (m) that gives heights (m) is an indenter or a surface too, as in
+    `IndenterFunction` and `ReliefFunction`.
     """
 
     def __init__(
         self,
         foundation: Foundation,
-        indenter: Indenter,
+        indenter: Indenter | Function,
         *,
-        surface: Surface | None = None,
+        surface: Surface | Function | None = None,
         force: Quantity | None = None,
         forces: Loads | None = None,
         penetration: Quantity | None = None,
@@ -56,6 +60,8 @@ class Case:
         output: Output | None = None,
         title: str | None = None,
     ) -> None:
+        indenter = as_part(indenter, Indenter, IndenterFunction)
+        surface = as_part(surface, Surface, ReliefFunction)
         load = {"force": force, "forces": forces, "penetration": penetration, "penetrations": penetrations}
         tables: dict[str, Mapping[str, Any] | None] = {
             "foundation": _table(foundation, Foundation, "foundation"),
@@ -68,19 +74,28 @@ class Case:
             "output": None if output is None else _table(output, Output, "output"),
         }
         arrays: dict[str, npt.NDArray[np.float64]] = {}
+        functions: dict[str, CheckedFunction] = {}
         for name, part in (("surface", surface), ("indenter", indenter)):
+            if isinstance(part, (IndenterFunction, ReliefFunction)):
+                functions |= part.functions()
             if isinstance(part, HeightMap):
                 file, array = part.file_or_array(f"{name}.npy")
                 tables[name] = {**(tables[name] or {}), "file": file}
                 arrays |= {} if array is None else {file: array}
         document = {name: table for name, table in tables.items() if table is not None}
         text = toml.text(_given({"title": title}) | document)
-        self._read(text, "case", "case", os.getcwd(), arrays)
+        self._read(text, "case", "case", os.getcwd(), arrays, functions)
 
     def _read(
-        self, text: str, source: str, name: str, folder: str, arrays: Mapping[str, npt.NDArray[np.float64]]
+        self,
+        text: str,
+        source: str,
+        name: str,
+        folder: str,
+        arrays: Mapping[str, npt.NDArray[np.float64]],
+        functions: Mapping[str, CheckedFunction],
     ) -> None:
-        self._state = (text, source, name, folder, dict(arrays))
+        self._state = (text, source, name, folder, dict(arrays), dict(functions))
         self._case = _pellicle.Case(*self._state)
 
     @classmethod
@@ -93,19 +108,20 @@ class Case:
     def from_toml(cls, path: str | os.PathLike[str]) -> Case:
         """The case of a file, as `pellicle run` reads it."""
         folder, file = os.path.split(os.path.abspath(path))
-        return cls._restored(_pellicle.read_text(path), os.fspath(path), os.path.splitext(file)[0], folder, {})
+        return cls._restored(_pellicle.read_text(path), os.fspath(path), os.path.splitext(file)[0], folder, {}, {})
 
     @classmethod
     def from_string(cls, text: str, folder: str | os.PathLike[str] = ".") -> Case:
         """The case of the text of a case file, which names maps by their paths from `folder`."""
-        return cls._restored(text, "case", "case", os.path.abspath(folder), {})
+        return cls._restored(text, "case", "case", os.path.abspath(folder), {}, {})
 
     def to_toml(self, path: str | os.PathLike[str] | None = None) -> str:
         """The text of the case file; written to `path` if one is given, with its arrays beside it as `.npy` files.
 
-        `pellicle run` gives the same bits for it as `solve` does.
+        `pellicle run` gives the same bits for it as `solve` does. A case of functions is refused: no file holds them.
         """
-        text, _, _, folder, arrays = self._state
+        text, _, _, folder, arrays, functions = self._state
+        refuse_functions(functions)
         if path is None:
             return text
         target, file = os.path.split(os.path.abspath(path))
@@ -124,17 +140,22 @@ class Case:
 
         Items of lists are numbered from 0, as in `foundation.layer[0].thickness`; keys that are not there are added.
         """
-        text, source, name, folder, arrays = self._state
+        text, source, name, folder, arrays, functions = self._state
         document = tomllib.loads(text)
         for key, value in values.items():
             _put(document, key, value_of(key.rpartition(".")[2], value))
-        return Case._restored(toml.text(document), source, name, folder, arrays)
+        return Case._restored(toml.text(document), source, name, folder, arrays, functions)
 
     @cached_property
     def resolved(self) -> dict[str, Any]:
         """The case with every default filled in and every quantity in SI units or the case's own."""
         resolved: dict[str, Any] = json.loads(self._case.resolved())
         return resolved
+
+    @property
+    def foundation_table(self) -> str:
+        """The text of the table `[foundation]`."""
+        return toml.text({"foundation": tomllib.loads(self._state[0])["foundation"]})
 
     @property
     def title(self) -> str:
@@ -157,9 +178,9 @@ class Case:
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Case):
             return NotImplemented
-        return self._case == other._case
+        return self._case == other._case and self._state[-1] == other._state[-1]
 
-    __hash__ = None  # type: ignore[assignment]
+    __hash__: ClassVar[None]  # type: ignore[assignment]
 
     def __copy__(self) -> Case:
         return self
@@ -196,6 +217,13 @@ def checked_threads(threads: int | None) -> int | None:
     if threads is not None and (isinstance(threads, bool) or not 1 <= threads <= 4096):
         raise ArgumentError(f"threads: found {threads}, wanted a number from 1 to 4096")
     return threads
+
+
+def refuse_functions(functions: Mapping[str, CheckedFunction]) -> None:
+    """Refuses to write functions."""
+    if functions:
+        found = " and ".join(functions)
+        raise ArgumentError(f"{found}: found a function, which no file can hold, wanted a map, such as HeightMap.sampled")
 
 
 def _put(document: dict[str, Any], key: str, value: toml.Value) -> None:

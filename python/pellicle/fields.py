@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Protocol, TypeAlias
+from typing import TYPE_CHECKING, Protocol, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
 
-from ._pellicle import Planes, Solution
-from .errors import ArgumentError
+from ._pellicle import Body, Planes, Solution
+
+if TYPE_CHECKING:
+    from .case import Case
 
 Field: TypeAlias = npt.NDArray[np.float64]
 """N × N numbers, first index along x."""
@@ -17,6 +19,11 @@ Field: TypeAlias = npt.NDArray[np.float64]
 
 class Fields(Protocol):
     """The fields of the steps of a path."""
+
+    @property
+    def foundation(self) -> str:
+        """The table of the body in the case."""
+        ...
 
     def pressure(self, step: int) -> Field:
         """Pressure, Pa."""
@@ -44,6 +51,12 @@ class SolvedFields:
     """The fields of a solution: the pressure in its own memory, the others computed from it."""
 
     solution: Solution
+    case: Case
+
+    @property
+    def foundation(self) -> str:
+        """The table of the body in the case."""
+        return self.case.foundation_table
 
     def pressure(self, step: int) -> Field:
         """Pressure, Pa; cannot be written to."""
@@ -71,15 +84,24 @@ class SolvedFields:
 class StoredFields:
     """Fields as a pickle keeps them, of some of the steps of a path."""
 
+    foundation: str
+    """The table of the body in the case."""
+    side: float
+    """Side of the grid, m."""
+    radii: dict[int, float]
+    """Contact radii, m."""
     pressures: dict[int, Field]
     surfaces: dict[int, tuple[Field, Field, Field]]
     relief: tuple[Field, npt.NDArray[np.bool_]]
     warnings: dict[int, list[str]]
 
     @classmethod
-    def of(cls, fields: Fields, steps: range) -> StoredFields:
-        """The fields of these steps, all of them computed."""
+    def of(cls, fields: Fields, steps: range, side: float, radii: dict[int, float]) -> StoredFields:
+        """The fields of these steps on a grid of this side, with these contact radii, all of them computed."""
         return cls(
+            fields.foundation,
+            side,
+            radii,
             {step: np.array(fields.pressure(step)) for step in steps},
             {step: fields.surface(step) for step in steps},
             fields.geometry(),
@@ -105,5 +127,6 @@ class StoredFields:
         return self.warnings[step]
 
     def stress(self, step: int, text: str) -> Planes:
-        """Nothing: a pickle keeps no body to compute them in."""
-        raise ArgumentError("stress: found results from a pickle, wanted those of a solution; solve the case again")
+        """Displacements and stresses on the planes that a table `[stress]` asks for."""
+        body = Body(self.foundation, "case")
+        return body.stress(self.pressures[step], self.side, self.radii[step], text)

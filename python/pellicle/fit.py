@@ -12,8 +12,9 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _pellicle, toml
-from .case import Case, with_files
+from .case import Case, refuse_functions, with_files
 from .errors import ArgumentError
+from .function import CheckedFunction
 from .measurement import Data
 from .options import Range
 from .quantity import SI_UNITS, Quantity
@@ -118,7 +119,7 @@ class Fit:
                 if texts.setdefault(values["file"], rows) != rows:
                     raise ArgumentError(f"data: found two arrays of the name {table.file!r}, wanted a name for each")
             written.append(values)
-        text, _, _, folder, arrays = model._state
+        text, _, _, folder, arrays, functions = model._state
         document = {
             **({} if title is None else {"title": title}),
             "model": tomllib.loads(with_files(text, lambda name: name if name in arrays else os.path.join(folder, name))),
@@ -127,10 +128,10 @@ class Fit:
             **_optional("nuisance", nuisance, Nuisances),
             **_optional("report", report, Report),
         }
-        self._read(toml.text(document), "fit", "fit", os.getcwd(), dict(arrays), texts)
+        self._read(toml.text(document), "fit", "fit", os.getcwd(), arrays, functions, texts)
 
     def _read(self, *state: Any) -> None:
-        self._state: tuple[str, str, str, str, Arrays, dict[str, str]] = state
+        self._state: tuple[str, str, str, str, Arrays, dict[str, CheckedFunction], dict[str, str]] = state
         # Faults are told where the fit is made, not where it is used.
         self.begun(is_measured=self.is_measured)
 
@@ -160,19 +161,21 @@ class Fit:
         """The fit of a file, as `pellicle identify` reads it."""
         folder, file = os.path.split(os.path.abspath(path))
         text = _pellicle.read_text(path)
-        return cls._restored(text, os.fspath(path), os.path.splitext(file)[0], folder, {}, {})
+        return cls._restored(text, os.fspath(path), os.path.splitext(file)[0], folder, {}, {}, {})
 
     @classmethod
     def from_string(cls, text: str, folder: str | os.PathLike[str] = ".") -> Fit:
         """The fit of the text of a fit file, which names its files by their paths from `folder`."""
-        return cls._restored(text, "fit", "fit", os.path.abspath(folder), {}, {})
+        return cls._restored(text, "fit", "fit", os.path.abspath(folder), {}, {}, {})
 
     def to_toml(self, path: str | os.PathLike[str] | None = None) -> str:
         """The text of the fit file; written to `path` if one is given, with its arrays beside it.
 
-        `pellicle identify` gives the same bits for it as `identify` does.
+        `pellicle identify` gives the same bits for it as `identify` does. A fit of functions is refused: no file holds
+        them.
         """
-        text, _, _, folder, arrays, texts = self._state
+        text, _, _, folder, arrays, functions, texts = self._state
+        refuse_functions(functions)
         if path is None:
             return str(text)
         target, file = os.path.split(os.path.abspath(path))
@@ -199,12 +202,12 @@ class Fit:
         if not isinstance(other, Fit):
             return NotImplemented
         mine, others = self._state, other._state
-        same = mine[0] == others[0] and mine[3] == others[3] and mine[5] == others[5]
+        same = mine[0] == others[0] and mine[3] == others[3] and mine[5:] == others[5:]
         return same and mine[4].keys() == others[4].keys() and all(
             np.array_equal(array, others[4][name]) for name, array in mine[4].items()
         )
 
-    __hash__ = None  # type: ignore[assignment]
+    __hash__: ClassVar[None]  # type: ignore[assignment]
 
     def __copy__(self) -> Fit:
         return self

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -41,7 +42,7 @@ def curve(result: Identification) -> Any:
         at = result.curve["file"] == file
         order = np.argsort(result.curve[abscissa][at], kind="stable")
         x = result.curve[abscissa][at][order]
-        (points,) = above.plot(x, result.curve[observed][at][order], ".", ms=4, label=str(file))
+        (points,) = above.plot(x, result.curve[observed][at][order], ".", ms=4, label=os.path.basename(str(file)))
         above.plot(x, result.curve[model][at][order], "-", lw=1, color=points.get_color())
         below.plot(x, result.curve[whitened][at][order], ".", ms=3, color=points.get_color())
     below.axhline(0, color="0.5", lw=1)
@@ -62,7 +63,9 @@ def profiles(result: Identification) -> Any:
     table = result.profiles
     name, value, rise, *_ = table
     unknowns = [estimate for estimate in result.unknowns if np.any(table[name] == estimate.key)]
-    count = max(len(unknowns), 1)
+    if not unknowns:
+        raise ArgumentError("profiles: found none, wanted a fit whose intervals come from profiles")
+    count = len(unknowns)
     figure, axes = plt.subplots(1, count, squeeze=False, figsize=(4 * count, 3.4))
     for ax, estimate in zip(axes[0], unknowns, strict=False):
         at = table[name] == estimate.key

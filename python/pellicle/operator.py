@@ -20,7 +20,7 @@ def compliance(foundation: Foundation, wavenumber: npt.ArrayLike) -> npt.NDArray
 
     The result has the shape of `wavenumber`. Displacements are positive into the body.
     """
-    wavenumbers = np.asarray(wavenumber, dtype=np.float64)
+    wavenumbers = np.array(wavenumber, dtype=np.float64)
     if not (np.isfinite(wavenumbers) & (wavenumbers > 0)).all():
         raise ArgumentError("wavenumber: found zero, a negative number or none, wanted positive finite numbers")
     found = _body(foundation).compliance(np.ascontiguousarray(wavenumbers.ravel()))
@@ -47,8 +47,8 @@ class ElasticOperator:
         if not (isinstance(elements, (int, np.integer)) and 1 <= elements <= 8192):
             raise ArgumentError(f"elements: found {elements}, wanted an integer from 1 to 8192")
         self.foundation = foundation
-        self.element_side = float(element_side)
-        self.elements = int(elements)
+        self.element_side: float = float(element_side)
+        self.elements: int = int(elements)
         self._operator = _pellicle.Operator(_body(foundation), self.element_side, self.elements)
 
     @property

@@ -6,7 +6,7 @@ import json
 import warnings
 from collections.abc import Iterator, Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, overload
+from typing import TYPE_CHECKING, Any, ClassVar, overload
 
 from . import show
 from .curve import Curve
@@ -60,14 +60,15 @@ class Path(Sequence[Step]):
         return map(self._step, range(len(self)))
 
     def _step(self, index: int) -> Step:
-        return Step(self.summary["steps"][index], self.summary["grid"], index, self._fields)
+        is_si = "force [N]" in self.curve
+        return Step(self.summary["steps"][index], self.summary["grid"], index, self._fields, is_si)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Path):
             return NotImplemented
         return self.case == other.case and list(self) == list(other)
 
-    __hash__ = None  # type: ignore[assignment]
+    __hash__: ClassVar[None]  # type: ignore[assignment]
 
     def __copy__(self) -> Path:
         return self
@@ -76,7 +77,8 @@ class Path(Sequence[Step]):
         return self
 
     def __reduce__(self) -> tuple[type[Path], tuple[Any, ...]]:
-        stored = StoredFields.of(self._fields, range(len(self)))
+        radii = {step.index: step.contact_radius for step in self}
+        stored = StoredFields.of(self._fields, range(len(self)), self.summary["grid"]["side"], radii)
         return Path, (self.case, self.summary, self.curve, stored, self.is_whole)
 
     def __repr__(self) -> str:
@@ -92,7 +94,7 @@ def path_of(case: Case, solution: Solution) -> Path:
     """The path of a solution; warns if it is not certified."""
     summary = json.loads(solution.summary())
     curve = Curve.of_csv(solution.curve())
-    path = Path(case, summary, curve, SolvedFields(solution), solution.is_whole)
+    path = Path(case, summary, curve, SolvedFields(solution, case), solution.is_whole)
     if path.status != "certified":
         reasons = [str(warning) for warning in path.warnings if warning.code == path.status]
         message = "; ".join([f"the solution is {path.status}, do not use these numbers", *reasons])

@@ -28,7 +28,7 @@ def dataset(step: Step) -> xarray.Dataset:
     import xarray
 
     def attributes(unit: str | None, meaning: str) -> dict[str, str]:
-        return {"long_name": meaning} | ({} if unit is None else {"units": unit})
+        return {"long_name": meaning} | ({} if unit is None else {"units": unit if step.is_si else "case units"})
 
     fields = {name: (("x", "y"), getattr(step, name), attributes(*about)) for name, about in FIELDS.items()}
     axes = {axis: (axis, step.x, attributes("m", f"{axis} of the element's centre")) for axis in ("x", "y")}
@@ -38,13 +38,27 @@ def dataset(step: Step) -> xarray.Dataset:
 def pressure_map(step: Step, ax: Any) -> Any:
     """The pressure seen from above, x to the right and y upwards."""
     import matplotlib.pyplot as plt
+    from matplotlib.ticker import EngFormatter, MaxNLocator
 
     ax = plt.subplots()[1] if ax is None else ax
     half = 0.5 * step.x.size * (step.x[1] - step.x[0]) if step.x.size > 1 else 0.5
     image = ax.imshow(step.pressure.T, origin="lower", extent=(-half, half, -half, half), cmap="viridis")
-    ax.figure.colorbar(image, ax=ax, label="pressure")
-    ax.set(xlabel="x", ylabel="y", title=f"Q = {step.force:.4g}, D = {step.penetration:.4g}")
+    bar = ax.figure.colorbar(image, ax=ax, label="pressure")
+    force, penetration = (quantity(value, unit, step) for value, unit in ((step.force, "N"), (step.penetration, "m")))
+    ax.set(xlabel="x", ylabel="y", title=f"Q = {force}, D = {penetration}")
+    if step.is_si:
+        for axis, unit in ((ax.xaxis, "m"), (ax.yaxis, "m"), (bar.ax.yaxis, "Pa")):
+            axis.set_major_formatter(EngFormatter(unit))
+        # Numbers with units are wide.
+        ax.xaxis.set_major_locator(MaxNLocator(4))
     return ax
+
+
+def quantity(value: float, unit: str, step: Step) -> str:
+    """A number with a prefix and its unit, if the step is in SI units."""
+    from matplotlib.ticker import EngFormatter
+
+    return str(EngFormatter(unit, places=2).format_data(value)) if step.is_si else f"{value:.4g}"
 
 
 def table(header: Sequence[str], rows: Iterable[Sequence[str]]) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -24,10 +24,14 @@ if TYPE_CHECKING:
 class Step:
     """A loading step. Numbers are in SI units or the case's own, fields are N × N arrays, first index along x."""
 
-    def __init__(self, summary: Mapping[str, Any], grid: Mapping[str, Any], index: int, fields: Fields) -> None:
+    def __init__(
+        self, summary: Mapping[str, Any], grid: Mapping[str, Any], index: int, fields: Fields, is_si: bool
+    ) -> None:
         self._summary = summary
         self._grid = grid
         self._fields = fields
+        self.is_si = is_si
+        """Whether numbers are in SI units; otherwise in the case's own."""
         self.index = index
         """The step, counted from 0."""
 
@@ -211,7 +215,7 @@ class Step:
         mine, others = (self.force, self.penetration), (other.force, other.penetration)
         return mine == others and np.array_equal(self.pressure, other.pressure)
 
-    __hash__ = None  # type: ignore[assignment]
+    __hash__: ClassVar[None]  # type: ignore[assignment]
 
     def __copy__(self) -> Step:
         return self
@@ -220,8 +224,9 @@ class Step:
         return self
 
     def __reduce__(self) -> tuple[type[Step], tuple[Any, ...]]:
-        stored = StoredFields.of(self._fields, range(self.index, self.index + 1))
-        return Step, (self._summary, self._grid, self.index, stored)
+        steps, radii = range(self.index, self.index + 1), {self.index: self.contact_radius}
+        stored = StoredFields.of(self._fields, steps, self._grid["side"], radii)
+        return Step, (self._summary, self._grid, self.index, stored, self.is_si)
 
     def __repr__(self) -> str:
         return f"<Step {self.index}: Q = {self.force:.6g}, D = {self.penetration:.6g}, {self.status}>"

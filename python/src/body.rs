@@ -2,19 +2,27 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
-use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
-use pellicle_cli::solved::FoundationCase;
+use numpy::{
+    PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods,
+};
+use pellicle_cli::solved::{FoundationCase, StressCase, StressFields};
 use pellicle_cli::{Failure, Source};
+use pellicle_contact::{ContactError, StressField};
 use pellicle_influence::{CoefficientTable, ConvolutionOperator, ElasticOperator};
 use pellicle_kernel::Foundation;
+use pellicle_texture::Grid;
 use pyo3::prelude::*;
 
 use crate::error::Refusal;
+use crate::planes::Planes;
 use crate::process::{self, Threads};
 
 /// A layered body.
 #[pyclass(frozen, module = "pellicle._pellicle")]
-pub struct Body(Foundation);
+pub struct Body {
+    case: FoundationCase,
+    foundation: Foundation,
+}
 
 #[pymethods]
 impl Body {
@@ -22,7 +30,9 @@ impl Body {
     #[new]
     fn new(text: String, source: String) -> Result<Self, Refusal> {
         let source = Arc::new(Source::new(source, text));
-        Ok(Self(FoundationCase::parse(&source)?.split()?.foundation))
+        let case = FoundationCase::parse(&source)?;
+        let foundation = case.split()?.foundation;
+        Ok(Self { case, foundation })
     }
 
     /// The compliances at these wavenumbers (1/m), which must be positive, m/Pa.
@@ -33,9 +43,52 @@ impl Body {
         wavenumbers: PyReadonlyArray1<'py, f64>,
     ) -> Bound<'py, PyArray1<f64>> {
         let wavenumbers = wavenumbers.as_array();
-        let compliances = wavenumbers.iter().map(|k| self.0.compliance(*k));
+        let compliances = wavenumbers.iter().map(|k| self.foundation.compliance(*k));
         PyArray1::from_vec(py, compliances.collect())
     }
+
+    /// The stresses that the table `[stress]` of a text asks for, under a pressure (Pa) on a square of this side (m) of
+    /// which a contact of this radius (m) carries some.
+    #[expect(clippy::needless_pass_by_value, reason = "Python hands over a borrow")]
+    fn stress(
+        &self,
+        py: Python<'_>,
+        pressure: PyReadonlyArray2<'_, f64>,
+        side: f64,
+        contact_radius: f64,
+        text: String,
+    ) -> PyResult<Planes> {
+        let size = pressure.shape()[0];
+        let pressure: Vec<f64> = pressure.as_array().iter().copied().collect();
+        let shared = process::shared();
+        let found = Threads::work(py, || {
+            let grid = Grid::new(side, size)?;
+            check_length(pressure.len(), grid.len())?;
+            let source = Arc::new(Source::new("stress", text));
+            let stress = StressCase::parse(&source, &self.case, side)?;
+            let tables = shared.cache.radial_tables(&self.foundation)?.value;
+            let field = StressField::of(tables, grid, &pressure, stress.sliding());
+            StressFields::of(
+                (&self.case, &self.foundation),
+                &field,
+                contact_radius,
+                &stress,
+            )
+        })?;
+        let found = found.map_err(Refusal::from)?;
+        Ok(Planes::new(found, &self.case.body_names()))
+    }
+}
+
+/// Refuses a pressure of another length.
+fn check_length(found: usize, wanted: usize) -> Result<(), ContactError> {
+    let field = "pressure";
+    let error = ContactError::FieldLength {
+        field,
+        found,
+        wanted,
+    };
+    if found == wanted { Ok(()) } else { Err(error) }
 }
 
 /// The product `u = K p` on a grid.
@@ -52,7 +105,7 @@ impl Operator {
     fn new(py: Python<'_>, body: &Body, element_side: f64, elements: usize) -> PyResult<Self> {
         let shared = process::shared();
         let made = Threads::work(py, || {
-            let tables = shared.cache.radial_tables(&body.0)?.value;
+            let tables = shared.cache.radial_tables(&body.foundation)?.value;
             let table = shared
                 .cache
                 .coefficients(&tables, element_side, elements)?
@@ -80,16 +133,7 @@ impl Operator {
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let size = self.table.size();
         let pressure: Vec<f64> = pressure.as_array().iter().copied().collect();
-        if pressure.len() != size * size {
-            let field = "pressure";
-            let (found, wanted) = (pressure.len(), size * size);
-            let error = pellicle_contact::ContactError::FieldLength {
-                field,
-                found,
-                wanted,
-            };
-            return Err(Refusal::from(error).into());
-        }
+        check_length(pressure.len(), size * size).map_err(Refusal::from)?;
         let displacement = Threads::work(py, || {
             let mut displacement = vec![0.0; size * size];
             let mut operator = self.operator.lock().unwrap_or_else(PoisonError::into_inner);

@@ -10,6 +10,7 @@ use pellicle_cli::solved::{MapSources, read_source};
 use pyo3::prelude::*;
 
 use crate::error::Refusal;
+use crate::function::{Functions, with_functions};
 use crate::process::Threads;
 use crate::run::Run;
 
@@ -23,10 +24,12 @@ pub fn read_text(path: PathBuf) -> Result<String, Refusal> {
     Ok(read_source(&path)?.inner().clone())
 }
 
-/// The maps of a case: arrays by their names, or else files of the folder.
+/// What a case names and does not hold: maps, which are arrays by their names or else files of the folder, and shapes
+/// that are functions.
 pub fn map_sources(
     folder: &Path,
     arrays: BTreeMap<String, PyReadonlyArray2<'_, f64>>,
+    functions: &Functions,
 ) -> MapSources {
     let mut maps = MapSources::in_folder(folder);
     for (name, array) in arrays {
@@ -35,24 +38,27 @@ pub fn map_sources(
         let heights = array.as_array().iter().copied().collect();
         maps = maps.with_array(&name, shape, heights);
     }
-    maps
+    with_functions(maps, functions)
 }
 
 /// A case, read and checked.
 #[pyclass(frozen, module = "pellicle._pellicle")]
-pub struct Case(Arc<pellicle_cli::Case>);
+pub struct Case {
+    case: Arc<pellicle_cli::Case>,
+    has_functions: bool,
+}
 
 impl Case {
     /// The case itself.
     pub fn inner(&self) -> &pellicle_cli::Case {
-        &self.0
+        &self.case
     }
 }
 
 #[pymethods]
 impl Case {
     /// Reads a text that goes by the name `source`; `name` is its title unless it has one. Its maps are `arrays`, or
-    /// else files of `folder`.
+    /// else files of `folder`; its shapes of kind `function` are `functions`.
     #[new]
     #[expect(
         clippy::needless_pass_by_value,
@@ -65,26 +71,32 @@ impl Case {
         name: &str,
         folder: PathBuf,
         arrays: BTreeMap<String, PyReadonlyArray2<'_, f64>>,
+        functions: Functions,
     ) -> PyResult<Self> {
-        let maps = map_sources(&folder, arrays);
+        let maps = map_sources(&folder, arrays, &functions);
         let source = Arc::new(Source::new(source, text));
         let case = Threads::work(py, || pellicle_cli::Case::parse_with(&source, name, &maps))?
             .map_err(Refusal::from)?;
-        Ok(Self(Arc::new(case)))
+        Ok(Self {
+            case: Arc::new(case),
+            has_functions: !functions.is_empty(),
+        })
     }
 
     /// The case as resolved, every default filled in, as JSON.
     fn resolved(&self) -> Result<String, Refusal> {
-        Ok(serde_json::to_string(&*self.0)?)
+        Ok(serde_json::to_string(&*self.case)?)
     }
 
+    /// Whether they are equal, functions aside.
     fn __eq__(&self, other: &Self) -> bool {
-        self.0 == other.0
+        self.case == other.case
     }
 
     /// Starts to solve it, on so many threads.
     #[pyo3(signature = (threads = None))]
     fn start(&self, threads: Option<u16>) -> Result<Run, Refusal> {
-        Ok(Run::start(Arc::clone(&self.0), threads)?)
+        let case = Arc::clone(&self.case);
+        Ok(Run::start(case, self.has_functions, threads)?)
     }
 }

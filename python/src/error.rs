@@ -3,10 +3,14 @@
 
 mod attributes;
 
+use std::any::Any;
+
 use pellicle_cli::{Diagnosis, Failure, Fault};
 use pyo3::exceptions::PyException;
 use pyo3::prelude::*;
 use pyo3::{IntoPyObjectExt, create_exception};
+
+use crate::function;
 
 create_exception!(
     pellicle,
@@ -24,33 +28,53 @@ create_exception!(
     pellicle,
     KernelError,
     Error,
-    "The elastic body is refused, or has no compliance."
+    "The elastic body is refused, or has no compliance. As far as its message says them, its attributes are \
+     `found`, `largest`, `layer`, `layers`, `reached`, `s`, `smallest`, `sublayers` and `wanted`."
 );
 create_exception!(
     pellicle,
     InfluenceError,
     Error,
-    "The influence coefficients cannot be computed."
+    "The influence coefficients cannot be computed. As far as its message says them, its attributes are `at`, \
+     `found`, `largest`, `layer`, `layers`, `lower`, `offset`, `radius`, `reached`, `s`, `smallest`, \
+     `sublayers`, `upper` and `wanted`."
 );
-create_exception!(pellicle, TextureError, Error, "The surface is refused.");
-create_exception!(pellicle, IndenterError, Error, "The indenter is refused.");
+create_exception!(
+    pellicle,
+    TextureError,
+    Error,
+    "The surface is refused. As far as its message says them, its attributes are `found`, `index`, `largest`, \
+     `period`, `quantity`, `radius` and `shape`."
+);
+create_exception!(
+    pellicle,
+    IndenterError,
+    Error,
+    "The indenter is refused. As far as its message says them, its attributes are `found`, `least`, `most` \
+     and `quantity`."
+);
 create_exception!(
     pellicle,
     ContactError,
     Error,
-    "The contact cannot be posed or solved."
+    "The contact cannot be posed or solved. As far as its message says them, its attributes are `area`, `at`, \
+     `element`, `element_side`, `elements`, `field`, `force`, `found`, `index`, `largest`, `layer`, `layers`, \
+     `least`, `lower`, `most`, `offset`, `penetration`, `period`, `quantity`, `radius`, `reached`, `s`, \
+     `shape`, `side`, `smallest`, `step`, `sublayers`, `tolerance`, `trials`, `upper`, `wanted` and `worst`."
 );
 create_exception!(
     pellicle,
     IdentifyError,
     Error,
-    "A fit cannot be posed or made."
+    "A fit cannot be posed or made. As far as its message says them, its attributes are `curve`, `found`, \
+     `list`, `name`, `point`, `points`, `predictions`, `quantity`, `reached`, `size`, `starts` and `wanted`."
 );
 create_exception!(
     pellicle,
     RunError,
     Error,
-    "A case cannot be run: a file cannot be read, or there is too little memory."
+    "A case cannot be run: a file cannot be read, or there is too little memory. As far as its message says \
+     them, its attributes are `available`, `bottom`, `found`, `last`, `needed`, `path` and `reason`."
 );
 create_exception!(
     pellicle,
@@ -122,8 +146,12 @@ fn describe(py: Python<'_>, error: &PyErr, diagnosis: &Diagnosis) -> PyResult<()
     Ok(())
 }
 
-/// An exception for a panic, with its message.
-pub fn of_panic(panic: &(dyn std::any::Any + Send)) -> PyErr {
+/// The exception of one of the caller's functions that has unwound the work, or else one for a panic, with its message.
+pub fn of_panic(panic: Box<dyn Any + Send>) -> PyErr {
+    function::exception(panic).unwrap_or_else(|panic| of_mistake(&*panic))
+}
+
+fn of_mistake(panic: &(dyn Any + Send)) -> PyErr {
     let message = panic.downcast_ref::<String>().map(String::as_str);
     let message = message.or_else(|| panic.downcast_ref::<&str>().copied());
     let message = message.unwrap_or("unknown");

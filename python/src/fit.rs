@@ -17,6 +17,7 @@ use pyo3::prelude::*;
 
 use crate::case::map_sources;
 use crate::error::{InternalError, Refusal};
+use crate::function::Functions;
 use crate::process::Threads;
 use crate::work::Work;
 
@@ -39,7 +40,8 @@ impl Fit {
 #[pymethods]
 impl Fit {
     /// Reads a text that goes by the name `source`; `name` is its title unless it has one. Its maps are `arrays`, its
-    /// measurements `texts`, or else files of `folder`. Only with measurements can it be fitted.
+    /// measurements `texts`, or else files of `folder`, and its shapes of kind `function` are `functions`. Only with
+    /// measurements can it be fitted.
     #[new]
     #[expect(
         clippy::needless_pass_by_value,
@@ -53,6 +55,7 @@ impl Fit {
         name: &str,
         folder: PathBuf,
         arrays: BTreeMap<String, PyReadonlyArray2<'_, f64>>,
+        functions: Functions,
         texts: BTreeMap<String, String>,
         is_measured: bool,
     ) -> PyResult<Self> {
@@ -62,7 +65,7 @@ impl Fit {
             measurements = measurements.with_text(name, text);
         }
         let sources = FitSources {
-            maps: map_sources(&folder, arrays),
+            maps: map_sources(&folder, arrays, &functions),
             measurements,
         };
         let source = Source::new(source, text).into();

@@ -10,6 +10,7 @@ mod case;
 mod error;
 mod field;
 mod fit;
+mod function;
 mod planes;
 mod problem;
 mod process;
@@ -19,7 +20,9 @@ mod work;
 
 use pyo3::pymodule;
 
-#[pymodule(gil_used = true)]
+// Whatever threads share is behind a lock, and arrays are copied before they are read: no interpreter-wide lock is
+// needed.
+#[pymodule(gil_used = false)]
 mod _pellicle {
     #[pymodule_export]
     use crate::body::{Body, Operator};

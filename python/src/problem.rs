@@ -78,13 +78,13 @@ impl Problem {
 
     /// Initial gap `g0 = f − f*`, m; infinite where nothing can touch.
     fn initial_gap<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
-        let values = self.problem().initial_gap().to_vec();
+        let values = py.detach(|| self.problem().initial_gap().to_vec());
         self.array(py, values)
     }
 
     /// Compliance `η` of the relief at rest, m/Pa.
     fn relief_compliance<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
-        let values = self.problem().relief_compliance().to_vec();
+        let values = py.detach(|| self.problem().relief_compliance().to_vec());
         self.array(py, values)
     }
 

@@ -3,8 +3,9 @@
 //! Every solution has threads to itself while it runs. Threads shared by several solutions could take up one while they
 //! wait for a part of another, which would then wait for the first.
 //!
-//! A child that is forked from a process has its memory but none of its threads, so it begins anew. The lock is held
-//! only under the interpreter's own, which whoever forks holds: no child finds it taken.
+//! A child that is forked from a process has its memory but none of its threads, so it begins anew. The lock is taken
+//! and released while attached to the interpreter, and whoever forks is attached alone: by its lock, or because a
+//! free-threaded one lets all others stop or detach first. No child finds it taken.
 
 use std::mem;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -109,7 +110,7 @@ impl Threads {
         let work = || catch_unwind(AssertUnwindSafe(work));
         let done = py.detach(|| threads.pool.install(work));
         threads.release();
-        done.map_err(|panic| error::of_panic(&*panic))
+        done.map_err(error::of_panic)
     }
 
     /// The threads themselves.

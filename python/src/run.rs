@@ -37,18 +37,27 @@ fn signal(watched: &Solving) -> Signal {
 #[pyclass(frozen, module = "pellicle._pellicle")]
 pub struct Run {
     case: Arc<pellicle_cli::Case>,
+    has_functions: bool,
     work: Work<Progress, Option<SolvedCase>>,
 }
 
 impl Run {
-    /// Starts to solve a case on so many threads.
-    pub fn start(case: Arc<pellicle_cli::Case>, threads: Option<u16>) -> Result<Self, Failure> {
+    /// Starts to solve a case on so many threads; whether its shapes are functions of Python.
+    pub fn start(
+        case: Arc<pellicle_cli::Case>,
+        has_functions: bool,
+        threads: Option<u16>,
+    ) -> Result<Self, Failure> {
         let (start, shared) = (Instant::now(), process::shared());
         let of_work = Arc::clone(&case);
         let work = Work::start(threads, move |watched| {
             solve_watched(&of_work, &shared, start, watched)
         })?;
-        Ok(Self { case, work })
+        Ok(Self {
+            case,
+            has_functions,
+            work,
+        })
     }
 }
 
@@ -105,6 +114,6 @@ impl Run {
         let solved = self.work.result()?;
         let solved = solved.filter(|solved| !solved.path.steps.is_empty());
         let case = Arc::clone(&self.case);
-        Ok(solved.map(|solved| Solution::new(case, solved)))
+        Ok(solved.map(|solved| Solution::new(case, solved, self.has_functions)))
     }
 }

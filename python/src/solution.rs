@@ -1,10 +1,11 @@
 //! A solved case: its numbers as JSON and columns, its fields as arrays.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pellicle_cli::Source;
 use pellicle_cli::solved::{self, Completeness, SolvedCase, StressCase, StressFields};
+use pellicle_contact::SampledModel;
 use pyo3::exceptions::PyIndexError;
 use pyo3::prelude::*;
 
@@ -21,13 +22,27 @@ type Array<'py> = Bound<'py, PyArray2<f64>>;
 pub struct Solution {
     case: Arc<pellicle_cli::Case>,
     solved: Arc<SolvedCase>,
+    /// Relief and indenter on the grid, kept if they are functions, which are not called again; none otherwise.
+    kept_geometry: Option<OnceLock<Arc<SampledModel>>>,
 }
 
 impl Solution {
-    /// The solution of a case.
-    pub fn new(case: Arc<pellicle_cli::Case>, solved: SolvedCase) -> Self {
-        let solved = Arc::new(solved);
-        Self { case, solved }
+    /// The solution of a case, whose shapes may be functions of Python.
+    pub fn new(case: Arc<pellicle_cli::Case>, solved: SolvedCase, has_functions: bool) -> Self {
+        Self {
+            case,
+            solved: Arc::new(solved),
+            kept_geometry: has_functions.then(OnceLock::new),
+        }
+    }
+
+    /// Relief and indenter on the grid. Who asks has detached from the interpreter, which functions need.
+    fn sampled(&self) -> Arc<SampledModel> {
+        let sample = || Arc::new(self.solved.path.geometry());
+        match &self.kept_geometry {
+            Some(kept) => Arc::clone(kept.get_or_init(sample)),
+            None => sample(),
+        }
     }
 
     /// N² values as an array, first index along x, in the memory that they are in.
@@ -83,7 +98,7 @@ impl Solution {
     fn surface<'py>(&self, py: Python<'py>, step: usize) -> PyResult<[Array<'py>; 3]> {
         self.check(step)?;
         let path = &self.solved.path;
-        let surface = Threads::work(py, || path.surface(&path.geometry(), step));
+        let surface = Threads::work(py, || path.surface(&self.sampled(), step));
         let surface = surface?.ok_or_else(|| PyIndexError::new_err(step))?;
         let array = |values| self.array(py, values);
         Ok([
@@ -109,7 +124,7 @@ impl Solution {
 
     /// Profile and mask of the relief.
     fn geometry<'py>(&self, py: Python<'py>) -> PyResult<(Array<'py>, Bound<'py, PyArray2<bool>>)> {
-        let geometry = Threads::work(py, || self.solved.path.geometry())?;
+        let geometry = Threads::work(py, || self.sampled())?;
         let relief = &geometry.relief;
         Ok((
             self.array(py, relief.profile().to_vec())?,

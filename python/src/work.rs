@@ -118,7 +118,7 @@ impl<P: Copy + Send + 'static, T: Send + 'static> Work<P, T> {
         let mut threads = self.threads.lock().unwrap_or_else(PoisonError::into_inner);
         threads.take().into_iter().for_each(Threads::release);
         match outcome {
-            Err(panic) => Err(error::of_panic(&*panic)),
+            Err(panic) => Err(error::of_panic(panic)),
             Ok(found) => Ok(found.map_err(Refusal::from)?),
         }
     }

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import doctest
+import importlib.metadata
 import re
 from pathlib import Path
 
@@ -24,6 +25,14 @@ def test_the_examples_of_a_document_run_one_after_the_other(document: str) -> No
     names: dict[str, object] = {}
     for block in found:
         exec(compile(block, document, "exec"), names)
+
+
+@pytest.mark.parametrize("licence", ["LICENSE-APACHE", "LICENSE-MIT"])
+def test_the_wheel_has_the_licences_of_the_repository(licence: str) -> None:
+    text = (ROOT / licence).read_text(encoding="utf-8")
+    assert (ROOT / "python" / licence).read_text(encoding="utf-8") == text
+    files = importlib.metadata.files("pellicle") or []
+    assert [file.read_text(encoding="utf-8") for file in files if file.name == licence] == [text]
 
 
 def test_the_example_of_the_package_runs() -> None:

@@ -231,7 +231,7 @@ def test_faults_of_a_fit_are_told_with_their_keys(model: pl.Case, measured: tupl
     short = pl.Data.of_arrays(force=force[:3], depth=depth[:3])
     with pytest.raises(pl.IdentifyError) as few:
         pl.identify(pl.Fit(model, short, unknown={COAT: ("1 GPa", "1 TPa"), BASE: ("1 GPa", "1 TPa")}))
-    assert few.value.points == 3 and few.value.wanted == 3  # type: ignore[attr-defined]
+    assert few.value.points == 3 and few.value.wanted == 3
 
 
 def test_priors_nuisances_and_repeats_are_written_as_the_fit_file_has_them(

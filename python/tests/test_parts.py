@@ -83,6 +83,6 @@ def test_a_grid_that_cannot_be_is_refused() -> None:
             pl.ElasticOperator(GLASS, 1e-6, elements)
     with pytest.raises(pl.InfluenceError) as error:
         pl.ElasticOperator(GLASS, -1e-6, 4)
-    assert error.value.found == -1e-6  # type: ignore[attr-defined]
+    assert error.value.found == -1e-6
     with pytest.raises(pl.CaseError, match="foundation, line 2, key `foundation.substrate.young_modulus`"):
         pl.compliance(pl.Foundation(pl.Material(-1, 0.3)), 1.0)

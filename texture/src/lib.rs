@@ -42,6 +42,7 @@
     )
 )]
 
+mod custom_relief;
 mod cylinders;
 mod error;
 mod film;
@@ -56,6 +57,7 @@ mod sampled;
 mod spring_law;
 mod summit;
 
+pub use custom_relief::{CustomRelief, ReliefShape, mean_points};
 pub use cylinders::{CylinderSpec, Cylinders};
 pub use error::{Quantity, TextureError};
 pub use film::Film;

@@ -64,7 +64,7 @@ impl Relief {
         let or = |wanted: ReliefParameter, own: f64| if parameter == wanted { value } else { own };
         let is_linear = self.spring_law().is_linear();
         Ok(match self {
-            Self::Bare => Self::Bare,
+            Self::Bare | Self::Custom(_) => self.clone(),
             Self::Film(film) => {
                 let other = Film::new(
                     or(ReliefParameter::Height, film.thickness()),

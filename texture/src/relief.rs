@@ -2,6 +2,7 @@
 
 use rayon::prelude::*;
 
+use crate::custom_relief::{CustomRelief, ReliefShape};
 use crate::cylinders::Cylinders;
 use crate::film::Film;
 use crate::grid::Grid;
@@ -21,9 +22,34 @@ pub enum Relief {
     Film(Film),
     /// A measured height map.
     Map(ReliefMap),
+    /// A shape of a user's own.
+    Custom(CustomRelief),
 }
 
 impl Relief {
+    /// A relief of any shape.
+    #[must_use]
+    pub fn custom(shape: impl ReliefShape + 'static) -> Self {
+        Self::Custom(CustomRelief::new(shape))
+    }
+
+    /// Surface profile `f*` at some points (m): 0 on the tops, negative between them.
+    #[must_use]
+    pub fn profile_at(&self, points: &[[f64; 2]]) -> Vec<f64> {
+        match self {
+            Self::Bare | Self::Film(_) => vec![0.0; points.len()],
+            Self::Cylinders(cylinders) => {
+                let depth = |is_top: bool| if is_top { 0.0 } else { -cylinders.height() };
+                let points = points.iter();
+                points
+                    .map(|point| depth(cylinders.contains(*point)))
+                    .collect()
+            }
+            Self::Map(map) => points.iter().map(|point| map.profile_at(*point)).collect(),
+            Self::Custom(custom) => custom.profile(points),
+        }
+    }
+
     /// Mask, surface profile and compliance at the centres of the grid's elements.
     #[must_use]
     pub fn sample(&self, grid: &Grid) -> SampledRelief {
@@ -31,6 +57,7 @@ impl Relief {
             grid.len(),
             |cylinders| grid.sample(self.is_mirrored(), |point| cylinders.contains(point)),
             |value| grid.sample(false, value),
+            || grid.sample(false, |point| point),
         )
     }
 
@@ -41,15 +68,17 @@ impl Relief {
             grid.size().div_ceil(2).pow(2),
             |cylinders| grid.sample_quadrant(|point| cylinders.contains(point)),
             |value| grid.sample_quadrant(value),
+            || grid.sample_quadrant(|point| point),
         )
     }
 
-    /// The relief at `count` elements, by what samples cylinders and functions of the point there.
+    /// The relief at `count` elements, by what samples cylinders and functions of the point there, or their centres.
     fn sampled(
         &self,
         count: usize,
         outline: impl Fn(&Cylinders) -> Vec<bool>,
         field: impl Fn(&(dyn Fn([f64; 2]) -> f64 + Sync)) -> Vec<f64>,
+        centres: impl Fn() -> Vec<[f64; 2]>,
     ) -> SampledRelief {
         let everywhere = |value: f64| vec![value; count];
         let law = self.spring_law();
@@ -87,6 +116,15 @@ impl Relief {
                 compliance: field(&|point| map.compliance_at(point)),
                 law,
             },
+            Self::Custom(custom) => {
+                let centres = centres();
+                SampledRelief {
+                    mask: vec![true; count],
+                    profile: custom.profile(&centres),
+                    compliance: custom.compliance(&centres),
+                    law,
+                }
+            }
         }
     }
 
@@ -94,29 +132,29 @@ impl Relief {
     #[must_use]
     pub fn spring_law(&self) -> SpringLaw {
         match self {
-            Self::Bare => SpringLaw::LINEAR,
+            Self::Bare | Self::Custom(_) => SpringLaw::LINEAR,
             Self::Cylinders(cylinders) => cylinders.spring_law(),
             Self::Film(film) => film.spring_law(),
             Self::Map(map) => map.spring_law(),
         }
     }
 
-    /// Fraction of the plane that carries relief: closed form for cylinders, 1 for a film or a map, 0 for a bare
-    /// surface.
+    /// Fraction of the plane that carries relief: closed form for cylinders, 0 for a bare surface, 1 for the
+    /// others.
     #[must_use]
     pub fn area_fraction(&self) -> f64 {
         match self {
             Self::Bare => 0.0,
             Self::Cylinders(cylinders) => cylinders.area_fraction(),
-            Self::Film(_) | Self::Map(_) => 1.0,
+            Self::Film(_) | Self::Map(_) | Self::Custom(_) => 1.0,
         }
     }
 
-    /// Height h of the cylinders or thickness of the film, m; none for a bare surface and for a map, where it varies.
+    /// Height h of the cylinders or thickness of the film, m; none for a bare surface and where it varies.
     #[must_use]
     pub fn height(&self) -> Option<f64> {
         match self {
-            Self::Bare | Self::Map(_) => None,
+            Self::Bare | Self::Map(_) | Self::Custom(_) => None,
             Self::Cylinders(cylinders) => Some(cylinders.height()),
             Self::Film(film) => Some(film.thickness()),
         }
@@ -128,7 +166,7 @@ impl Relief {
     pub fn distance_to_outline(&self, point: [f64; 2]) -> Option<f64> {
         match self {
             Self::Cylinders(cylinders) => Some(cylinders.distance_to_rim(point)),
-            Self::Bare | Self::Film(_) | Self::Map(_) => None,
+            Self::Bare | Self::Film(_) | Self::Map(_) | Self::Custom(_) => None,
         }
     }
 
@@ -138,11 +176,11 @@ impl Relief {
     pub fn distance_to_ridge(&self, point: [f64; 2]) -> f64 {
         match self {
             Self::Map(map) => map.map().distance_to_ridge(point),
-            Self::Bare | Self::Film(_) | Self::Cylinders(_) => f64::INFINITY,
+            Self::Bare | Self::Film(_) | Self::Cylinders(_) | Self::Custom(_) => f64::INFINITY,
         }
     }
 
-    /// Whether the relief is its own mirror image in both axes; false of every map.
+    /// Whether the relief is its own mirror image in both axes; false of every map, and of shapes of a user's own.
     ///
     /// Then its samples are so to the last bit, on every grid.
     #[must_use]
@@ -150,7 +188,7 @@ impl Relief {
         match self {
             Self::Bare | Self::Film(_) => true,
             Self::Cylinders(cylinders) => cylinders.is_mirrored(),
-            Self::Map(_) => false,
+            Self::Map(_) | Self::Custom(_) => false,
         }
     }
 }

@@ -9,7 +9,7 @@ use crate::XtaskError;
 /// Folders that hold no source: build output and results of runs.
 const OUTPUT: [&str; 2] = ["target", "results"];
 /// Hidden folders that are part of the workspace; all others belong to tools.
-const HIDDEN_SOURCE: [&str; 2] = [".ci", ".cargo"];
+const HIDDEN_SOURCE: [&str; 3] = [".ci", ".cargo", ".github"];
 
 /// One file of the workspace.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -11,6 +11,7 @@ use serde::Serialize;
 use super::diagnosis::Diagnosis;
 use super::dimension::Dimension;
 use super::foundation::substrate::POISSON_RATIO;
+use super::handed_over::{self, HandedOver};
 use super::height_limits::HeightLimits;
 use super::map::MapCase;
 use super::map_sources::MapSources;
@@ -131,6 +132,8 @@ pub enum IndenterShape {
     },
     /// A measured surface.
     Map(MapCase),
+    /// A function of a caller's own.
+    Function(HandedOver<Indenter>),
 }
 
 /// The numbers of a pyramid.
@@ -175,6 +178,10 @@ impl IndenterShape {
     /// A [`Diagnosis`] of the first key that is invalid for its kind.
     pub fn read(table: &TableReader<'_>, maps: &MapSources) -> Result<Self, Diagnosis> {
         let field = table.required("kind", WANTED)?;
+        if let Some(indenter) = handed_over::behind(&field, maps.indenter()) {
+            only(table, &["kind"])?;
+            return Ok(Self::Function(indenter));
+        }
         let indenter = match field.choice(&KINDS)? {
             IndenterKind::Paraboloid => Self::Paraboloid {
                 radius: radius(table)?,
@@ -222,6 +229,7 @@ impl IndenterShape {
             Self::Berkovich(pyramid) | Self::CubeCorner(pyramid) => pyramid.build(3),
             Self::Vickers(pyramid) => pyramid.build(4),
             Self::Map(map) => Ok(IndenterMap::new(map.heights()).into()),
+            Self::Function(indenter) => Ok(indenter.shape.clone()),
         }
     }
 

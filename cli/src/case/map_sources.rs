@@ -1,16 +1,22 @@
-//! Where the maps of a case come from: the files of a folder, and arrays that a caller hands over with the case.
+//! What a case names and does not hold: maps in the files of a folder, and what a caller hands over with the case,
+//! arrays instead of files, and shapes of its own.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
+use pellicle_contact::Indenter;
+use pellicle_texture::CustomRelief;
+
 use crate::map::{MapError, MapFile};
 
-/// The maps that a case may name as `file`.
+/// The maps that a case may name as `file`, and the shapes behind `kind = "function"`, which no file can hold.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct MapSources {
     folder: PathBuf,
     arrays: BTreeMap<String, MapFile>,
+    indenter: Option<Indenter>,
+    relief: Option<CustomRelief>,
 }
 
 impl MapSources {
@@ -19,7 +25,7 @@ impl MapSources {
     pub fn in_folder(folder: &Path) -> Self {
         Self {
             folder: folder.to_owned(),
-            arrays: BTreeMap::new(),
+            ..Self::default()
         }
     }
 
@@ -36,6 +42,32 @@ impl MapSources {
         let array = MapFile::of_array(shape, heights);
         self.arrays.insert(name.to_owned(), array);
         self
+    }
+
+    /// The same, and an indenter for `[indenter]` with `kind = "function"`.
+    #[must_use]
+    pub fn with_indenter(mut self, indenter: Indenter) -> Self {
+        self.indenter = Some(indenter);
+        self
+    }
+
+    /// The same, and a relief for `[surface]` with `kind = "function"`.
+    #[must_use]
+    pub fn with_relief(mut self, relief: CustomRelief) -> Self {
+        self.relief = Some(relief);
+        self
+    }
+
+    /// The indenter that was handed over.
+    #[must_use]
+    pub fn indenter(&self) -> Option<&Indenter> {
+        self.indenter.as_ref()
+    }
+
+    /// The relief that was handed over.
+    #[must_use]
+    pub fn relief(&self) -> Option<&CustomRelief> {
+        self.relief.as_ref()
     }
 
     /// The map of this name: an array if there is one, or else the file.

@@ -1,19 +1,21 @@
 //! `[surface]`: the relief of springs that the foundation carries.
 
 use pellicle_texture::{
-    CylinderSpec, Cylinders, Film, Lattice, MapCompliance, Relief, ReliefMap, TextureError,
+    CustomRelief, CylinderSpec, Cylinders, Film, Lattice, MapCompliance, Relief, ReliefMap,
+    TextureError,
 };
 use serde::Serialize;
 
 use super::diagnosis::{Diagnosis, Fault};
 use super::dimension::Dimension;
 use super::foundation::FoundationCase;
+use super::handed_over::{self, HandedOver};
 use super::height_limits::HeightLimits;
 use super::map::MapCase;
 use super::map_sources::MapSources;
 use super::spring_law::LawCase;
 use super::table_reader::TableReader;
-use super::value_reader::Sign;
+use super::value_reader::{Sign, ValueReader};
 
 /// The surface of a case, every value in SI units or the case's own.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -36,6 +38,19 @@ pub enum SurfaceCase {
     Map(ReliefMapCase),
     /// The elastic body's own measured surface.
     Rough(MapCase),
+    /// A relief of a caller's own functions.
+    Function(ReliefFunctionCase),
+}
+
+/// A relief of a caller's own functions.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ReliefFunctionCase {
+    /// The functions.
+    #[serde(skip)]
+    pub relief: HandedOver<CustomRelief>,
+    /// The compliance everywhere, m/Pa; none where it is one of the functions.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub compliance: Option<f64>,
 }
 
 /// A measured relief and its compliance.
@@ -123,7 +138,12 @@ impl SurfaceCase {
         maps: &MapSources,
     ) -> Result<Self, Diagnosis> {
         let kind = match table.optional("kind") {
-            Some(field) => field.choice(&KINDS)?,
+            Some(field) => {
+                if let Some(relief) = handed_over::behind(&field, maps.relief()) {
+                    return ReliefFunctionCase::read(table, relief).map(Self::Function);
+                }
+                field.choice(&KINDS)?
+            }
             None => SurfaceKind::Bare,
         };
         match kind {
@@ -176,6 +196,7 @@ impl SurfaceCase {
                 }))
             }
             Self::Map(map) => map.build().map(Relief::Map),
+            Self::Function(function) => function.build().map(Relief::Custom),
             Self::Rough(map) => {
                 ReliefMap::new(map.heights(), MapCompliance::Uniform(0.0)).map(Relief::Map)
             }
@@ -189,6 +210,24 @@ impl SurfaceCase {
             Self::Map(map) => Some(&map.map),
             Self::Rough(map) => Some(map),
             _ => None,
+        }
+    }
+}
+
+impl ReliefFunctionCase {
+    fn read(table: &TableReader<'_>, relief: HandedOver<CustomRelief>) -> Result<Self, Diagnosis> {
+        table.only(&["kind", "compliance"])?;
+        let read =
+            |field: ValueReader<'_>| field.quantity(Dimension::Compliance, Sign::NotNegative);
+        let compliance = table.optional("compliance").map(read).transpose()?;
+        Ok(Self { relief, compliance })
+    }
+
+    fn build(&self) -> Result<CustomRelief, TextureError> {
+        let relief = self.relief.shape.clone();
+        match self.compliance {
+            Some(compliance) => relief.with_uniform_compliance(compliance),
+            None => Ok(relief),
         }
     }
 }
@@ -309,8 +348,7 @@ fn offset(table: &TableReader<'_>) -> Result<[f64; 2], Diagnosis> {
     let [x, y] = &field.list(WANTED)?[..] else {
         return Err(field.wanted(WANTED));
     };
-    let length =
-        |field: &super::value_reader::ValueReader<'_>| field.quantity(Dimension::Length, Sign::Any);
+    let length = |field: &ValueReader<'_>| field.quantity(Dimension::Length, Sign::Any);
     Ok([length(x)?, length(y)?])
 }
 

@@ -192,6 +192,7 @@ fn features(case: &Case) -> Vec<(String, f64)> {
             ("period of the cylinders".to_owned(), cylinders.period),
         ],
         SurfaceCase::Map(_)
+        | SurfaceCase::Function(_)
         | SurfaceCase::Rough(_)
         | SurfaceCase::Bare
         | SurfaceCase::Film { .. } => Vec::new(),

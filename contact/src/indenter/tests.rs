@@ -27,6 +27,16 @@ fn every_indenter_touches_the_origin_and_nothing_below_it() {
 }
 
 #[test]
+fn the_heights_at_many_points_are_those_at_each() {
+    let point = |k: u32| [k % 61, k / 61].map(|i| f64::from(i) / 20.0 - 1.5);
+    let points: Vec<_> = (0..61 * 61).map(point).collect();
+    for indenter in all() {
+        let each = points.iter().map(|[x, y]| indenter.height(*x, *y));
+        assert!(each.eq(indenter.heights(&points)), "{indenter:?}");
+    }
+}
+
+#[test]
 fn the_mean_over_a_circle_is_the_mean_of_many_heights() {
     for indenter in all() {
         let turn = |k: i32| (f64::from(k) * std::f64::consts::TAU / 9001.0).sin_cos();

@@ -198,7 +198,7 @@ impl ReliefForce {
     /// None without springs.
     fn new(model: &Model, a: f64) -> Option<Self> {
         Some(Self {
-            compliance: relief_compliance(model)?,
+            compliance: relief_compliance(model, a)?,
             volume: relief_volume(model, a),
         })
     }
@@ -210,11 +210,14 @@ impl ReliefForce {
     }
 }
 
-/// `η` of the springs, and the compliance beside it that no pressure stiffens, in m/Pa; none without springs.
-fn relief_compliance(model: &Model) -> Option<[f64; 2]> {
+/// `η` of the springs, and the compliance beside it that no pressure stiffens, in m/Pa; none without springs. That of a
+/// relief of a user's own is looked up within the radius `a`.
+fn relief_compliance(model: &Model, a: f64) -> Option<[f64; 2]> {
+    let if_any = |mean: f64| Some([mean, 0.0]).filter(|_| mean > 0.0);
     Some(match &model.relief {
         Relief::Bare => return None,
-        Relief::Map(map) => [Some(map.mean_compliance()).filter(|mean| *mean > 0.0)?, 0.0],
+        Relief::Map(map) => if_any(map.mean_compliance())?,
+        Relief::Custom(custom) => if_any(custom.mean_compliance(a))?,
         Relief::Film(film) => [film.compliance(), 0.0],
         // A cylinder also presses itself into the foundation, by some C(1/r) more than an even pressure would.
         Relief::Cylinders(cylinders) => {

@@ -6,7 +6,7 @@ use pellicle_influence::{Cache, Cached, RadialTables, Sector, SurfaceElasticity}
 use pellicle_texture::{Grid, Relief, SampledRelief};
 use rayon::prelude::*;
 
-use crate::{ContactError, DiscreteProblem, Indenter};
+use crate::{ContactError, DiscreteProblem, Indenter, Profile};
 
 /// An indenter above a relief on an elastic foundation, with no grid and no load yet.
 #[derive(Debug, Clone)]
@@ -62,7 +62,7 @@ impl Model {
                 (sampled.indenter_profile, sampled.relief)
             }
             Sector::Quadrant => (
-                grid.sample_quadrant(|[x, y]| self.indenter.height(x, y)),
+                self.indenter.heights(&grid.sample_quadrant(|point| point)),
                 self.relief.sample_quadrant(&grid),
             ),
         };
@@ -119,7 +119,11 @@ impl SampledModel {
         Self {
             grid,
             relief: relief.sample(&grid),
-            indenter_profile: grid.sample(indenter.is_mirrored(), |[x, y]| indenter.height(x, y)),
+            indenter_profile: if indenter.is_mirrored() {
+                grid.sample(true, |[x, y]| indenter.height(x, y))
+            } else {
+                indenter.heights(&grid.sample(false, |point| point))
+            },
         }
     }
 }

@@ -11,7 +11,8 @@ use std::{cell::OnceCell, sync::Arc};
 use pellicle_influence::{Sector, SurfaceElasticity};
 use pellicle_texture::{Grid, Relief};
 
-use crate::{Indenter, Model, Solution};
+use crate::problem::model::initial_gap;
+use crate::{Indenter, Model, Profile, Solution};
 
 /// Blocks per side that the pressure is summed up in.
 const BLOCKS: usize = 64;
@@ -46,10 +47,7 @@ pub(crate) fn can_touch(model: &Model, grid: &Grid) -> bool {
 pub(crate) fn lowest_height(model: &Model, grid: &Grid) -> f64 {
     let middle = grid.size() / 2;
     let centres = [middle.saturating_sub(1), middle.min(grid.size() - 1)].map(|i| grid.centre(i));
-    let heights = centres
-        .iter()
-        .flat_map(|x| centres.map(|y| model.indenter.height(*x, y)));
-    heights.fold(f64::INFINITY, f64::min)
+    smallest(&(model.indenter).heights(&centres.map(|x| centres.map(|y| [x, y])).concat()))
 }
 
 /// The surroundings of a domain, computed as far as needed.
@@ -169,10 +167,9 @@ impl SquareFrame {
         {
             return false;
         }
-        let blocks = self.blocks.get_or_insert_with(|| {
-            let gap = |place| initial_gap_at(model, place);
-            Blocks::of(model, Around::new(side, BLOCKS), gap)
-        });
+        let blocks = self
+            .blocks
+            .get_or_insert_with(|| Blocks::of(model, &model.relief, Around::new(side, BLOCKS)));
         let touched = (1.0 - OVERLAP) * solution.penetration;
         blocks.is_closer_than(touched, model, grid, solution)
     }
@@ -195,13 +192,13 @@ impl Outlook {
     fn of(model: &Model, side: f64) -> Self {
         let edge = |k: usize| (k as f64 / BLOCKS as f64 - 0.5) * side;
         let half = 0.5 * side;
-        let heights = (0..=BLOCKS).flat_map(|k| {
+        let places = (0..=BLOCKS).flat_map(|k| {
             let along = edge(k);
-            let places = [[-half, along], [half, along], [along, -half], [along, half]];
-            places.map(|[x, y]| model.indenter.height(x, y))
+            [[-half, along], [half, along], [along, -half], [along, half]]
         });
+        let places: Vec<_> = places.collect();
         Self {
-            lowest: heights.fold(f64::INFINITY, f64::min),
+            lowest: smallest(&model.indenter.heights(&places)),
             blocks: None,
         }
     }
@@ -212,35 +209,33 @@ impl Outlook {
         if self.lowest >= depth {
             return true;
         }
-        let blocks = self.blocks.get_or_insert_with(|| {
-            let height = |[x, y]: [f64; 2]| model.indenter.height(x, y);
-            Blocks::of(model, Around::new(side, FEW_BLOCKS), height)
-        });
+        let blocks = self
+            .blocks
+            .get_or_insert_with(|| Blocks::of(model, &Relief::Bare, Around::new(side, FEW_BLOCKS)));
         blocks.can_move(model)
             && !blocks.is_closer_than((1.0 + CLEAR) * depth, model, grid, solution)
     }
 }
 
 impl Blocks {
-    fn of(model: &Model, around: Around, gap: impl Fn([f64; 2]) -> f64) -> Self {
+    /// The gaps above this relief.
+    fn of(model: &Model, relief: &Relief, around: Around) -> Self {
         let count = around.count();
-        let (mut gaps, mut lowest) = (Vec::with_capacity(count * count), f64::INFINITY);
-        for i in 0..count {
-            for j in 0..count {
-                if around.is_within([i, j]) {
-                    gaps.push(f64::INFINITY);
-                    continue;
-                }
-                let place = [around.centre(i), around.centre(j)];
-                lowest = lowest.min(model.indenter.height(place[0], place[1]));
-                gaps.push(gap(place));
-            }
-        }
+        let blocks = (0..count * count).map(|block| [block / count, block % count]);
+        let outer = blocks.clone().filter(|block| !around.is_within(*block));
+        let places: Vec<_> = outer.map(|block| block.map(|i| around.centre(i))).collect();
+        let heights = model.indenter.heights(&places);
+        let outer_gaps = initial_gap(&heights, &relief.profile_at(&places));
+        let mut next = outer_gaps.iter().copied();
+        let gap = |block| {
+            let gap = (!around.is_within(block)).then(|| next.next());
+            gap.flatten().unwrap_or(f64::INFINITY)
+        };
         Self {
             around,
-            smallest_gap: gaps.iter().copied().fold(f64::INFINITY, f64::min),
-            gaps,
-            lowest,
+            smallest_gap: smallest(&outer_gaps),
+            gaps: blocks.map(gap).collect(),
+            lowest: smallest(&heights),
             elasticity: OnceCell::new(),
         }
     }
@@ -359,15 +354,15 @@ impl Around {
     }
 }
 
+/// The smallest of some lengths; infinite of none.
+fn smallest(lengths: &[f64]) -> f64 {
+    lengths.iter().copied().fold(f64::INFINITY, f64::min)
+}
+
 /// `g0 = f − f*` at a point, m.
 fn initial_gap_at(model: &Model, [x, y]: [f64; 2]) -> f64 {
-    let profile = match &model.relief {
-        Relief::Bare | Relief::Film(_) => 0.0,
-        Relief::Cylinders(cylinders) if cylinders.contains([x, y]) => 0.0,
-        Relief::Cylinders(cylinders) => -cylinders.height(),
-        Relief::Map(map) => map.profile_at([x, y]),
-    };
-    model.indenter.height(x, y) - profile
+    let profile = model.relief.profile_at(&[[x, y]]);
+    model.indenter.height(x, y) - profile[0]
 }
 
 /// The map of which the contact reaches the end: within an element of it.

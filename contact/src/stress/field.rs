@@ -38,13 +38,13 @@ impl StressField {
         Some(Self::of(path.tables.clone(), path.grid, pressure, sliding))
     }
 
-    /// The field of the pressures on a grid.
-    pub(super) fn of(
-        tables: Arc<RadialTables>,
-        grid: Grid,
-        pressure: &[f64],
-        sliding: Sliding,
-    ) -> Self {
+    /// The field of the pressures on the elements of a grid, row after row, in Pa.
+    ///
+    /// # Panics
+    /// If there is not one pressure for each element.
+    #[must_use]
+    pub fn of(tables: Arc<RadialTables>, grid: Grid, pressure: &[f64], sliding: Sliding) -> Self {
+        assert_eq!(pressure.len(), grid.len(), "one pressure an element");
         Self {
             tables,
             grid,

@@ -1,9 +1,11 @@
 //! The fields on all planes of a step at once, for whoever has the memory.
 
 use pellicle_contact::{LoadingPath, StressField};
+use pellicle_kernel::Foundation;
 
 use super::{FIELDS, PlaneValues, block_radius};
 use crate::case::Case;
+use crate::case::foundation::FoundationCase;
 use crate::case::foundation::depths::BodyPlane;
 use crate::case::stress::StressCase;
 use crate::failure::Failure;
@@ -34,9 +36,26 @@ impl StressFields {
         let Some(field) = StressField::new(path, step, stress.sliding()) else {
             return Ok(None);
         };
-        let (contact, side) = (path.steps[step].summary.contact_radius, path.grid.side());
-        let radius = block_radius(contact, side);
-        let planes = stress.planes(&case.foundation, path.tables.foundation(), radius);
+        let contact_radius = path.steps[step].summary.contact_radius;
+        let foundation = (&case.foundation, path.tables.foundation());
+        Self::of(foundation, &field, contact_radius, stress).map(Some)
+    }
+
+    /// The fields under a contact of this radius (m) that `stress` asks for, in a foundation as the case has it and as
+    /// it is split.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure`] if a field cannot be computed.
+    pub fn of(
+        (case, foundation): (&FoundationCase, &Foundation),
+        field: &StressField,
+        contact_radius: f64,
+        stress: &StressCase,
+    ) -> Result<Self, Failure> {
+        let side = field.grid().side();
+        let radius = block_radius(contact_radius, side);
+        let planes = stress.planes(case, foundation, radius);
         let mut below = field.planes(stress.side(radius, side));
         let centres = below.centres().to_vec();
         let values = planes.iter().map(|plane| {
@@ -45,10 +64,10 @@ impl StressFields {
             Ok(values.fields)
         });
         let values = values.collect::<Result<_, Failure>>()?;
-        Ok(Some(Self {
+        Ok(Self {
             centres,
             planes,
             values,
-        }))
+        })
     }
 }

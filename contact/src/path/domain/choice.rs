@@ -174,7 +174,7 @@ fn is_seen_by(model: &Model, grid: &Grid) -> bool {
     let is_relief_seen = match &model.relief {
         Relief::Bare | Relief::Film(_) => true,
         Relief::Cylinders(cylinders) => cylinders.radius() >= grid.element_side(),
-        Relief::Map(_) => false,
+        Relief::Map(_) | Relief::Custom(_) => false,
     };
     is_relief_seen
         && !matches!(model.indenter, Indenter::Map(_) | Indenter::Custom(_))

@@ -1,0 +1,81 @@
+//! `kind = "function"`: a shape that no file can hold, handed over by the caller that solves the case.
+
+use serde::Serialize;
+
+use super::document::TomlValue;
+use super::value_reader::ValueReader;
+
+/// The word for it in a case.
+const KIND: &str = "function";
+
+/// A shape of a caller's own; nothing of it is written but its kind. It is no part of the case: all are equal here, and
+/// who hands shapes over can tell them apart.
+#[derive(Debug, Clone, Serialize)]
+pub struct HandedOver<T> {
+    /// The shape itself.
+    #[serde(skip)]
+    pub shape: T,
+}
+
+impl<T> PartialEq for HandedOver<T> {
+    fn eq(&self, _other: &Self) -> bool {
+        true
+    }
+}
+
+/// The shape, if the kind asks for one and there is one.
+pub fn behind<T: Clone>(kind: &ValueReader<'_>, handed: Option<&T>) -> Option<HandedOver<T>> {
+    let is_asked_for = matches!(kind.value(), TomlValue::Text(text) if text == KIND);
+    let shape = handed.filter(|_| is_asked_for).cloned()?;
+    Some(HandedOver { shape })
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use pellicle_contact::{Indenter, Paraboloid};
+
+    use crate::case::Case;
+    use crate::case::map_sources::MapSources;
+    use crate::case::source::Source;
+
+    const CASE: &str = r#"
+        [foundation.substrate]
+        young_modulus = 1.0
+        poisson_ratio = 0.3
+        [indenter]
+        kind = "function"
+        young_modulus = 2.0
+        poisson_ratio = 0.2
+        [load]
+        force = 1.0
+    "#;
+
+    fn read(text: &str, maps: &MapSources) -> Result<Case, String> {
+        let source = Arc::new(Source::new("case", text.to_owned()));
+        Case::parse_with(&source, "case", maps).map_err(|diagnosis| diagnosis.to_string())
+    }
+
+    fn handing_over() -> MapSources {
+        MapSources::default().with_indenter(Indenter::from(Paraboloid::new(2.0).unwrap()))
+    }
+
+    #[test]
+    fn a_shape_stands_where_the_case_asks_for_one_and_nowhere_else() {
+        let case = read(CASE, &handing_over()).unwrap();
+        assert_eq!(case.indenter.build().unwrap().height(3.0, 4.0), 6.25);
+        assert!(case.indenter.build_material().unwrap().is_some());
+        let other = CASE.replace("\"function\"", "\"sphere\"\nradius = 7.0");
+        let ball = read(&other, &handing_over()).unwrap();
+        assert_eq!(ball.indenter.build().unwrap().height(0.0, 7.0), 7.0);
+    }
+
+    #[test]
+    fn a_case_that_asks_for_a_shape_is_refused_where_there_is_none() {
+        let refused = read(CASE, &MapSources::default()).unwrap_err();
+        assert!(refused.contains("\"function\""), "{refused}");
+        let radius = CASE.replace("\"function\"", "\"function\"\nradius = 7.0");
+        assert!(read(&radius, &handing_over()).is_err());
+    }
+}

@@ -1,0 +1,113 @@
+"""Shapes that are functions, asked for their values at the centres of the elements, with no map in between."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any, ClassVar, TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+
+from .errors import ArgumentError
+from .indenter import Indenter
+from .quantity import Quantity
+from .surface import Surface
+from .table import Table
+
+Coordinates: TypeAlias = npt.NDArray[np.float64]
+"""One coordinate of each of n points, m: an array of shape (n,)."""
+
+Function: TypeAlias = Callable[[Coordinates, Coordinates], npt.ArrayLike]
+"""A function of x and of y (m), two arrays of float64 of shape (n,), that gives n real numbers."""
+
+
+@dataclass(frozen=True)
+class IndenterFunction(Indenter):
+    """An indenter that is a function: its height (m) at points x and y (m), +inf where it ends.
+
+    The height is that above the plane z = 0, from which the penetration is measured. The points are the centres of the
+    elements of every grid, and some more where a side is chosen or checked.
+    """
+
+    _kind: ClassVar[str] = "function"
+    _hidden: ClassVar[frozenset[str]] = frozenset({"function"})
+    function: Function
+
+    def __post_init__(self) -> None:
+        _check(self.function, "function")
+
+    def functions(self) -> dict[str, CheckedFunction]:
+        """The function by its name, checked."""
+        return {"indenter": CheckedFunction(self.function, "indenter", highest=np.inf)}
+
+
+@dataclass(frozen=True)
+class ReliefFunction(Surface):
+    """A relief that is a function: its profile (m) at points x and y (m), at best 0 on its tops and negative elsewhere.
+
+    `compliance` is that of its springs, which are linear, in m/Pa: a function too, or a quantity, 0 if the relief is as
+    rigid as a part of the body.
+    """
+
+    _kind: ClassVar[str] = "function"
+    _hidden: ClassVar[frozenset[str]] = frozenset({"profile"})
+    profile: Function
+    compliance: Quantity | Function = field(default=0.0, kw_only=True)
+
+    def __post_init__(self) -> None:
+        _check(self.profile, "profile")
+
+    def as_table(self) -> dict[str, Any]:
+        """The keys of the relief without its functions."""
+        return {"kind": self._kind} if callable(self.compliance) else super().as_table()
+
+    def functions(self) -> dict[str, CheckedFunction]:
+        """The functions by their names, checked."""
+        found = {"profile": CheckedFunction(self.profile, "profile")}
+        if callable(self.compliance):
+            found["compliance"] = CheckedFunction(self.compliance, "compliance", lowest=0.0)
+        return found
+
+
+@dataclass(frozen=True)
+class CheckedFunction:
+    """A function whose values are checked; what is wrong is refused by the function's name."""
+
+    function: Function
+    name: str
+    lowest: float = -np.finfo(np.float64).max
+    highest: float = np.finfo(np.float64).max
+
+    def __call__(self, x: Coordinates, y: Coordinates, is_estimate: bool) -> npt.NDArray[np.float64]:
+        # What overflows is refused or an end; estimates ask for points far away, where the function may have ended.
+        with np.errstate(all="ignore" if is_estimate else None, over="ignore", under="ignore"):
+            values = np.asarray(self.function(x.copy(), y.copy()))
+        if values.shape != x.shape:
+            raise ArgumentError(f"{self.name}: found values of shape {values.shape}, wanted {x.shape}, that of x and y")
+        if values.dtype.kind not in "fiu":
+            raise ArgumentError(f"{self.name}: found values of {values.dtype}, wanted real numbers")
+        values = np.ascontiguousarray(values, dtype=np.float64)
+        if is_estimate:
+            return np.where(np.isnan(values), np.inf, values)
+        is_wrong = ~((values >= self.lowest) & (values <= self.highest))
+        if is_wrong.any():
+            i = int(is_wrong.argmax())
+            raise ArgumentError(f"{self.name}: found {values[i]} at ({x[i]}, {y[i]}), wanted {self._wanted()}")
+        return values
+
+    def _wanted(self) -> str:
+        if self.lowest == 0.0:
+            return "a finite number of zero or more"
+        return "a number or +inf" if self.highest == np.inf else "a finite number"
+
+
+def as_part(value: Any, kind: type[Table], of_function: Callable[[Function], Table]) -> Any:
+    """The part of a case, made of a bare function if it is one."""
+    is_function = callable(value) and not isinstance(value, (kind, type))
+    return of_function(value) if is_function else value
+
+
+def _check(function: Any, name: str) -> None:
+    if not callable(function) or isinstance(function, type):
+        raise ArgumentError(f"{name}: found {function!r}, wanted a function of x and y")
