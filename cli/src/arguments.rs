@@ -1,6 +1,7 @@
 //! The command line.
 
 mod identify;
+mod surface;
 mod values;
 
 use std::path::PathBuf;
@@ -8,6 +9,7 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand};
 
 pub use self::identify::IdentifyArguments;
+pub use self::surface::SurfaceArguments;
 use self::values::{depth, offset, perturbation, point, positive, range, section};
 use crate::case::output::{Format, OutputCase, Steps};
 use crate::picture::colour_map::ColourMap;
@@ -56,6 +58,8 @@ pub enum Command {
                             u_x and u_y are unbounded: NaN, or null in JSON."
     )]
     Stress(StressArguments),
+    /// Make a self-affine rough surface and write it as a height map
+    Surface(SurfaceArguments),
     /// Find properties of layers and films from measured curves, each with an interval, or why these data cannot tell
     #[command(
         after_help = "Exit codes: 0 fitted, 1 not converged, 2 the fit file, a measurement or the command line is wrong, \

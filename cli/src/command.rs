@@ -12,4 +12,5 @@ pub mod plot;
 pub mod run;
 pub mod stress;
 pub mod study;
+pub mod surface;
 pub mod validate;

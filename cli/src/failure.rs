@@ -98,6 +98,12 @@ pub enum Failure {
         /// The loading step, counted from 0.
         step: usize,
     },
+    /// A rough surface that cannot be made.
+    #[error("{message}")]
+    RoughSurface {
+        /// What was found and what is wanted.
+        message: String,
+    },
     /// A study has no cases.
     #[error("the study has no cases")]
     NoCases,

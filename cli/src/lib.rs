@@ -31,6 +31,7 @@ mod picture;
 mod planning;
 mod program;
 mod progress;
+mod self_affine;
 mod sensitivities;
 mod solving;
 mod stresses;
@@ -122,6 +123,11 @@ pub mod measurements {
     pub use crate::measured::text_options::TextOptions;
     pub use crate::measured::text_table::TextTable;
     pub use crate::measured::warning::CurveWarning;
+}
+
+/// Rough surfaces made of waves.
+pub mod surfaces {
+    pub use crate::self_affine::SelfAffine;
 }
 
 /// The rows of the validation, and the published numbers behind them.

@@ -69,6 +69,7 @@ fn execute(command: Command) -> Result<Outcome, Failure> {
         Command::Kernel(arguments) => command::kernel::kernel(&arguments),
         Command::Influence(arguments) => command::influence::influence(&arguments),
         Command::Stress(arguments) => command::stress::stress(&arguments),
+        Command::Surface(arguments) => command::surface::surface(&arguments),
         Command::Identify(arguments) => command::identify::identify(&arguments),
         Command::Plot(arguments) => command::plot::plot(&arguments),
         Command::Cache(arguments) => command::cache::cache(&arguments),

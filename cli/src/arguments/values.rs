@@ -55,6 +55,22 @@ pub(super) fn perturbation(text: &str) -> Result<f64, String> {
     }
 }
 
+pub(super) fn length(text: &str) -> Result<f64, String> {
+    let length = quantity(text, Dimension::Length)?;
+    if length > 0.0 {
+        Ok(length)
+    } else {
+        Err("wanted a length above zero".into())
+    }
+}
+
+pub(super) fn hurst(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(hurst) if (0.0..=1.0).contains(&hurst) => Ok(hurst),
+        _ => Err("wanted a number from 0 to 1".into()),
+    }
+}
+
 pub(super) fn offset(text: &str) -> Result<[isize; 2], String> {
     let count = |text: &str| text.trim().parse().ok();
     let both = text.split_once(',');

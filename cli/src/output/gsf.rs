@@ -56,6 +56,20 @@ pub fn write(folder: &Path, fields: &Fields<'_>, units: Units, step: usize) -> R
     })
 }
 
+/// The bytes of a square height map in metres.
+#[must_use]
+pub fn height_map(heights: &[f64], size: usize, side: f64) -> Vec<u8> {
+    let text = format!(
+        "Gwyddion Simple Field 1.0\nXRes = {size}\nYRes = {size}\nXReal = {side:e}\nYReal = {side:e}\n\
+         XYUnits = m\nZUnits = m\nTitle = Height\n"
+    );
+    let mut bytes = padded(text);
+    #[expect(clippy::cast_possible_truncation, reason = "single precision is meant")]
+    let value = |e: usize| heights[e] as f32;
+    bytes.extend(rows(size).flat_map(|e| value(e).to_le_bytes()));
+    bytes
+}
+
 fn write_channel(
     path: &Path,
     fields: &Fields<'_>,
@@ -84,19 +98,25 @@ fn head(fields: &Fields<'_>, units: Units, channel: &Channel<'_>) -> Vec<u8> {
         "Gwyddion Simple Field 1.0\nXRes = {size}\nYRes = {size}\nXReal = {side:e}\nYReal = {side:e}\n\
          XOffset = {low:e}\nYOffset = {low:e}\n{units}Title = {title}\n"
     );
+    padded(text)
+}
+
+/// A header up to the next multiple of four after it.
+fn padded(text: String) -> Vec<u8> {
     let mut head = text.into_bytes();
     let padding = 4 - head.len() % 4;
     head.resize(head.len() + padding, 0);
     head
 }
 
+/// The elements in the order of a file.
+fn rows(size: usize) -> impl Iterator<Item = usize> {
+    let row = move |j: usize| (0..size).map(move |i| i * size + j);
+    (0..size).rev().flat_map(row)
+}
+
 fn write_rows(file: &mut impl Write, size: usize, value: impl Fn(usize) -> f32) -> io::Result<()> {
-    for j in (0..size).rev() {
-        for i in 0..size {
-            file.write_all(&value(i * size + j).to_le_bytes())?;
-        }
-    }
-    Ok(())
+    rows(size).try_for_each(|e| file.write_all(&value(e).to_le_bytes()))
 }
 
 #[cfg(test)]

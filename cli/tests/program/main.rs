@@ -35,5 +35,6 @@ mod stress_files;
 mod stress_pictures;
 mod stress_summary;
 mod study;
+mod surface;
 mod tables;
 mod writing;

@@ -11,6 +11,7 @@ mod certificate;
 mod grid_error;
 mod load;
 mod methods;
+mod rough_on_stiff_coats;
 mod scaling;
 mod symmetry;
 mod textured;

@@ -1,0 +1,113 @@
+//! `pellicle surface`: a self-affine rough surface as a height map.
+
+use std::path::Path;
+
+use ndarray::ArrayView2;
+use ndarray_npy::WriteNpyExt;
+
+use crate::arguments::SurfaceArguments;
+use crate::failure::Failure;
+use crate::output::{file, gsf};
+use crate::program::Outcome;
+use crate::self_affine::SelfAffine;
+use crate::terminal;
+
+/// Part of two samples by which the shortest wave may be shorter: rounding of what the user divided.
+const LEEWAY: f64 = 1e-9;
+
+/// Writes the map.
+///
+/// # Errors
+///
+/// [`Failure`] if the name's ending is neither format's, the waves do not fit the square or its samples, or the file
+/// exists or cannot be written.
+pub fn surface(arguments: &SurfaceArguments) -> Result<Outcome, Failure> {
+    let path = &arguments.out;
+    let format = Format::of(path)?;
+    let surface = described(arguments)?;
+    let no_wave = || {
+        Failure::RoughSurface {
+        message: "found no wave between the two lengths, wanted a band that holds the side over a whole number"
+            .to_owned(),
+    }
+    };
+    let heights = surface.heights().ok_or_else(no_wave)?;
+    let bytes = match format {
+        Format::Npy => npy(&heights, surface.size),
+        Format::Gsf => gsf::height_map(&heights, surface.size, arguments.side),
+    };
+    if arguments.force {
+        file::write_bytes(path, &bytes)?;
+    } else {
+        file::write_new(path, &bytes)?;
+    }
+    let shown = path.display();
+    let side = arguments.side;
+    let keys = match format {
+        Format::Npy => format!("file = \"{shown}\", side = \"{side:e} m\", height_unit = \"m\""),
+        Format::Gsf => format!("file = \"{shown}\""),
+    };
+    terminal::tell(&format!(
+        "wrote {shown}; in a case: surface = {{ kind = \"rough\", {keys} }}"
+    ));
+    Ok(Outcome::Done)
+}
+
+/// The format of a map.
+#[derive(Debug, Clone, Copy)]
+enum Format {
+    Npy,
+    Gsf,
+}
+
+impl Format {
+    fn of(path: &Path) -> Result<Self, Failure> {
+        let ending = path.extension().unwrap_or_default().to_string_lossy();
+        match ending.to_lowercase().as_str() {
+            "npy" => Ok(Self::Npy),
+            "gsf" => Ok(Self::Gsf),
+            found => Err(Failure::RoughSurface {
+                message: format!("found a file name that ends in \"{found}\", wanted .npy or .gsf"),
+            }),
+        }
+    }
+}
+
+/// The surface that the arguments describe.
+fn described(arguments: &SurfaceArguments) -> Result<SelfAffine, Failure> {
+    let (side, size) = (arguments.side, usize::from(arguments.size));
+    let finest = 2.0 * side / size as f64;
+    let [longest, shortest] = match arguments.wavelengths[..] {
+        [one, other] => [one.max(other), one.min(other)],
+        _ => [side / 2.0, finest],
+    };
+    let refuse = |message: String| Err(Failure::RoughSurface { message });
+    if longest > side {
+        return refuse(format!(
+            "--wavelengths: found {longest:e} m, wanted no wave longer than the side, {side:e} m"
+        ));
+    }
+    if shortest < finest * (1.0 - LEEWAY) {
+        return refuse(format!(
+            "--wavelengths: found {shortest:e} m, wanted no wave shorter than two samples, {finest:e} m"
+        ));
+    }
+    Ok(SelfAffine {
+        size,
+        waves: [
+            side / longest * (1.0 - LEEWAY),
+            side / shortest * (1.0 + LEEWAY),
+        ],
+        hurst: arguments.hurst,
+        rms: arguments.rms,
+        seed: arguments.seed,
+    })
+}
+
+fn npy(heights: &[f64], size: usize) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    let written = ArrayView2::from_shape((size, size), heights)
+        .map(|view| view.write_npy(&mut bytes).is_ok());
+    debug_assert!(written.unwrap_or_default(), "memory takes every array");
+    bytes
+}

@@ -1,0 +1,123 @@
+//! Rough contact, pillars and rough films on thin stiff coats, where the contact breaks up into islands: the work,
+//! counted in products with `K` on the finest grid.
+//!
+//! A paraboloid of radius 1 on a base of E = 1 under a coat of thickness 0.003 or 0.02 and the same Poisson's ratio, under
+//! the force by which it would have the contact radius 0.08 on the base alone.
+
+use std::sync::{Arc, LazyLock};
+
+use pellicle_cli::surfaces::SelfAffine;
+use pellicle_contact::{
+    Domain, Indenter, Load, Model, Paraboloid, SolverOptions, Step, solve_path,
+};
+use pellicle_influence::{Cache, RadialTables};
+use pellicle_kernel::{Foundation, Material};
+use pellicle_texture::{
+    CylinderSpec, Cylinders, HeightMap, Lattice, MapCompliance, Relief, ReliefMap,
+};
+
+/// Elements per side; every cell takes at most this many products.
+const ELEMENTS: usize = 512;
+const MOST_PRODUCTS: usize = 40;
+/// Side and samples per side of the rough map.
+const SIDE: f64 = 0.3;
+const SAMPLES: usize = 512;
+/// Stiffness of the coat over the base's, and its thickness.
+const COATS: [[f64; 2]; 8] = [
+    [1.0, 0.003],
+    [10.0, 0.003],
+    [30.0, 0.003],
+    [100.0, 0.003],
+    [300.0, 0.003],
+    [1000.0, 0.003],
+    [3000.0, 0.003],
+    [30.0, 0.02],
+];
+
+/// Heights of root mean square 1, Hurst exponent 0.8, waves from half of the side to two samples.
+static HEIGHTS: LazyLock<Vec<f64>> = LazyLock::new(|| {
+    let surface = SelfAffine {
+        size: SAMPLES,
+        waves: [2.0, 256.0],
+        hurst: 0.8,
+        rms: 1.0,
+        seed: 1,
+    };
+    surface.heights().unwrap()
+});
+
+fn rough(rms: f64, compliance: f64) -> Relief {
+    let heights = HEIGHTS.iter().map(|height| rms * height).collect();
+    let map = HeightMap::new(heights, [SAMPLES; 2], [SIDE; 2]).unwrap();
+    Relief::Map(ReliefMap::new(map, MapCompliance::Uniform(compliance)).unwrap())
+}
+
+fn pillars(young_modulus: f64) -> Relief {
+    let spec = CylinderSpec {
+        lattice: Lattice::Square,
+        radius: 0.005,
+        height: 0.001,
+        period: 0.0125,
+        offset: [0.0031, 0.0017],
+        young_modulus,
+    };
+    Relief::Cylinders(Cylinders::new(spec).unwrap())
+}
+
+fn solve([stiffness, thickness]: [f64; 2], relief: Relief) -> Step {
+    let material = |young_modulus| Material::new(young_modulus, 0.3).unwrap();
+    let body = Foundation::coated(thickness, material(stiffness), material(1.0)).unwrap();
+    let model = Model {
+        tables: Arc::new(RadialTables::build(&body).unwrap()),
+        relief,
+        indenter: Indenter::Paraboloid(Paraboloid::new(1.0).unwrap()),
+        cache: Cache::none(),
+    };
+    let options = SolverOptions {
+        contact_stiffness: false,
+        ..SolverOptions::default()
+    };
+    let load = [Load::Force(4.0 / 3.0 * 0.08_f64.powi(3) / 0.91)];
+    let path = solve_path(
+        &model,
+        Domain::Automatic,
+        ELEMENTS,
+        &load,
+        &options,
+        &mut (),
+    );
+    path.unwrap().steps.remove(0)
+}
+
+fn assert_few_products(name: &str, relief: impl Fn(f64) -> Relief) {
+    for coat in COATS {
+        let step = solve(coat, relief(coat[0]));
+        let certificate = step.solution.certificate;
+        assert!(
+            certificate.is_satisfied(),
+            "{name} {coat:?}: {certificate:?}"
+        );
+        let taken = step.work.operator_applications;
+        assert!(taken <= MOST_PRODUCTS, "{name} {coat:?}: {taken} products");
+    }
+}
+
+#[test]
+fn bare_coats_take_few_products() {
+    assert_few_products("bare", |_| Relief::Bare);
+}
+
+#[test]
+fn pillars_beside_the_axis_take_few_products() {
+    assert_few_products("pillars", pillars);
+}
+
+#[test]
+fn a_rough_surface_takes_few_products() {
+    assert_few_products("rough", |_| rough(2e-4, 0.0));
+}
+
+#[test]
+fn a_rough_film_of_springs_takes_few_products() {
+    assert_few_products("rough film", |_| rough(5e-5, 1e-5));
+}
