@@ -1,8 +1,8 @@
 //! Rough contact, pillars and rough films on thin stiff coats, where the contact breaks up into islands: the work,
 //! counted in products with `K` on the finest grid.
 //!
-//! A paraboloid of radius 1 on a base of E = 1 under a coat of thickness 0.003 or 0.02 and the same Poisson's ratio, under
-//! the force by which it would have the contact radius 0.08 on the base alone.
+//! A paraboloid of radius 1 on a base of E = 1 under a coat of thickness 0.003 or 0.02 and the same Poisson's ratio; the
+//! force is that of a contact radius of 0.08 on the base alone.
 
 use std::sync::{Arc, LazyLock};
 

@@ -10,9 +10,9 @@
 //! of the short waves of the pressure: solved to a tenth of it, a system exchanges noise. The preconditioner's
 //! estimate of the pressure's remaining error does show them. So the elements on the wrong side are predicted one step
 //! ahead, and the system is solved until two successive predictions agree but for a third of the elements. If only a
-//! few remain they are exchanged when two predictions agree altogether and the estimated error is small: single elements
-//! would keep switching. Many that keep changing are noise, however small the error: exchanged when it was a hundredth
-//! of the first, they took rough surfaces 130 products instead of 25.
+//! few remain they are exchanged when two predictions agree altogether and the estimated error is small: single
+//! elements would keep switching. Many that keep changing are noise, however small the error: exchanged when it was a
+//! hundredth of the first, they took rough surfaces 130 products instead of 25.
 
 use crate::solver::gradient::context::Context;
 use crate::solver::gradient::steps::conjugate::ConjugateDirections;
