@@ -1,11 +1,13 @@
-//! The product `K p`: by convolution on the whole grid or a quadrant of it, or summed directly.
+//! The product `K p`: by convolution on the whole grid or a quadrant of it, on a periodic cell, or summed directly.
 
 mod convolution;
 mod dense;
 mod elastic;
+mod periodic;
 mod spectrum;
 
 pub use convolution::{ConvolutionOperator, QuadrantOperator, WindowOperator};
 pub use dense::DenseOperator;
 pub use elastic::ElasticOperator;
+pub use periodic::PeriodicOperator;
 pub(crate) use spectrum::{QuarterTransform, Spectrum};

@@ -1,7 +1,7 @@
 //! Rough contact, pillars and rough films on thin stiff coats, where the contact breaks up into islands: the work,
 //! counted in products with `K` on the finest grid.
 //!
-//! A paraboloid of radius 1 on a base of E = 1 under a coat of thickness 0.003 or 0.02 and the same Poisson's ratio; the
+//! A paraboloid of radius 1 on a base of E = 1 under a coat of thickness 0.003 or 0.02, of one ratio of Poisson; the
 //! force is that of a contact radius of 0.08 on the base alone.
 
 use std::sync::{Arc, LazyLock};

@@ -1,0 +1,231 @@
+//! The product `K p` of a periodic cell: pressures that repeat themselves with the grid's side, and no padding.
+//!
+//! Pressures, uniform on each element, that alternate with one wavenumber `k` of the cell displace the centres of the
+//! elements by `S(k)` times themselves, the sum of the responses to `k` and its aliases, which the centres cannot tell
+//! from it:
+//!
+//! ```text
+//! S(k) = Σ C(|q|) sinc(q_x a) sinc(q_y a),    q = k + (m, n) π/a
+//! ```
+//!
+//! so `K` is exact for the grid, as the coefficients of a single square are. On a half-space the mean displacement
+//! under a mean pressure is infinite; displacements are those from the mean plane of the deformed surface, so
+//! `S(0) = 0`. On a base that does not give way at `k = 0`, a rigid one, `S(0) = C(0)`.
+
+mod alias_sum;
+
+use rayon::prelude::*;
+
+use self::alias_sum::AliasSum;
+use super::elastic::ElasticOperator;
+use crate::bodies::ElasticBodies;
+use crate::element::direct::sinc;
+use crate::transform::{FourierLines, Lines, PlaneTransform};
+
+/// `u = K p` of a periodic cell in O(N² log N), by a real FFT without padding: less than half the work of
+/// [`crate::ConvolutionOperator`].
+///
+/// Memory: 2 bytes an element for the multipliers, 8 for the half-transformed field. Accuracy: 1e-12 of the largest
+/// displacement; sums of a single square's coefficients over all cells agree to that (test
+/// `it_is_the_sum_of_the_coefficients_over_all_cells`). Uses the current rayon pool; the result does not depend on it,
+/// bit for bit.
+pub struct PeriodicOperator {
+    transform: PlaneTransform<FourierLines<f64>>,
+    /// `S/N²` of the frequencies 0 … N/2 in both directions, the others being their mirror images.
+    multipliers: Vec<f64>,
+    size: usize,
+}
+
+impl PeriodicOperator {
+    /// For `size` × `size` elements of side `element_side` (m), which fill the cell.
+    #[must_use]
+    pub fn new(bodies: &ElasticBodies, element_side: f64, size: usize) -> Self {
+        let transform = PlaneTransform::new(FourierLines::periodic(size));
+        let width = size / 2 + 1;
+        let aliases = AliasSum::new(bodies, element_side / 2.0);
+        // k a = π i/N
+        let along = |i: usize| std::f64::consts::PI * i as f64 / size as f64;
+        let own = |[x, y]: [f64; 2]| {
+            let wavenumber = x.hypot(y) / (element_side / 2.0);
+            bodies.compliance(wavenumber) * sinc(x) * sinc(y)
+        };
+        let scale = 1.0 / (size * size) as f64;
+        let mut multipliers = vec![0.0; width * width];
+        let rows = multipliers.par_chunks_exact_mut(width).enumerate();
+        rows.for_each(|(i, row)| {
+            let of_row = aliases.along(along(i));
+            for (j, value) in row.iter_mut().enumerate() {
+                let wave = [along(i), along(j)];
+                *value = if [i, j] == [0, 0] {
+                    scale * response_to_a_mean(bodies)
+                } else {
+                    scale * (own(wave) + of_row.at(wave[1]))
+                };
+            }
+        });
+        Self {
+            transform,
+            multipliers,
+            size,
+        }
+    }
+}
+
+/// `S(0)`: the aliases of the mean vanish, as `sinc` does there.
+fn response_to_a_mean(bodies: &ElasticBodies) -> f64 {
+    let mean = bodies.compliance(0.0);
+    if mean.is_finite() { mean } else { 0.0 }
+}
+
+impl ElasticOperator for PeriodicOperator {
+    fn size(&self) -> usize {
+        self.size
+    }
+
+    fn apply_into(&mut self, pressure: &[f64], displacement: &mut [f64]) {
+        let width = self.transform.lines().width();
+        let multipliers = &self.multipliers;
+        self.transform.load(pressure, 1.0);
+        self.transform
+            .multiply(|frequency| [&multipliers[frequency * width..][..width], &[]]);
+        self.transform.restore(displacement, 1.0);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::TAU;
+
+    use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
+
+    use super::*;
+    use crate::{CoefficientTable, RadialTables, love};
+
+    fn material(young_modulus: f64, poisson_ratio: f64) -> Material {
+        Material::new(young_modulus, poisson_ratio).unwrap()
+    }
+
+    /// The displacements by a unit pressure on the first element.
+    fn answer(bodies: &ElasticBodies, size: usize) -> Vec<f64> {
+        let (mut unit, mut found) = (vec![0.0; size * size], vec![0.0; size * size]);
+        unit[0] = 1.0;
+        PeriodicOperator::new(bodies, 1.0, size).apply_into(&unit, &mut found);
+        found
+    }
+
+    /// On a rigid base coefficients fall off exponentially, so their sum over all cells ends; elements of 1 on layers
+    /// much thinner, as thin and thicker, compressible and not.
+    #[test]
+    fn it_is_the_sum_of_the_coefficients_over_all_cells() {
+        let size = 6;
+        for (thickness, young_modulus, poisson_ratio) in [
+            (0.5, 1.0, 0.3),
+            (1.0, 3.0, 0.45),
+            (3.0, 1.0, 0.0),
+            (2.0, 1.0, 0.2),
+        ] {
+            let layer = |thickness, modulus| {
+                Layer::new(
+                    thickness,
+                    material(modulus, poisson_ratio),
+                    Interface::Bonded,
+                )
+                .unwrap()
+            };
+            let layers = vec![
+                layer(thickness / 2.0, 2.0 * young_modulus),
+                layer(thickness / 2.0, young_modulus),
+            ];
+            let foundation = Foundation::new(layers, Base::Rigid).unwrap();
+            let tables = RadialTables::build(&foundation).unwrap();
+            let reach = 26 * size;
+            let table = CoefficientTable::assemble(&tables, 1.0, reach + size).unwrap();
+            let found = answer(&foundation.into(), size);
+            for (element, found) in found.iter().enumerate() {
+                let distance = [element / size, element % size];
+                let cells = -25..=25_i32;
+                let pairs = cells
+                    .clone()
+                    .flat_map(|x| cells.clone().map(move |y| [x, y]));
+                let wanted: f64 = pairs
+                    .map(|cell| {
+                        let along = |axis: usize| {
+                            let offset = distance[axis].cast_signed()
+                                + cell[axis] as isize * size.cast_signed();
+                            offset.unsigned_abs()
+                        };
+                        table.coefficient([along(0), along(1)])
+                    })
+                    .sum();
+                let error = (found - wanted).abs() / table.coefficient([0, 0]);
+                assert!(error < 1e-10, "{thickness} {element}: {found} {wanted}");
+            }
+        }
+    }
+
+    /// `u(0) − u(x)` under a unit pressure in each cell: the sum of differences over a square of cells, less those of a
+    /// uniform pressure on the square, extrapolated from three squares.
+    #[test]
+    fn on_a_half_space_the_differences_are_those_of_the_coefficients_over_all_cells() {
+        let (size, steel) = (4_usize, material(1.0, 0.3));
+        let found = answer(&Foundation::half_space(steel).into(), size);
+        let of_cells = |most: isize, [x, y]: [isize; 2]| {
+            let cells = (-most..=most).flat_map(|i| (-most..=most).map(move |j| [i, j]));
+            cells
+                .map(|cell| {
+                    let k = |[x, y]: [isize; 2]| {
+                        let along = [x + 4 * cell[0], y + 4 * cell[1]];
+                        love::coefficient(&steel, 1.0, along.map(isize::unsigned_abs))
+                    };
+                    k([0, 0]) - k([x, y])
+                })
+                .sum::<f64>()
+        };
+        let uniform = |most: isize, [x, y]: [isize; 2]| {
+            let loaded = -4 * most - 1..=4 * most + 2;
+            let k = |place: [isize; 2]| -> f64 {
+                let pairs = loaded
+                    .clone()
+                    .flat_map(|i| loaded.clone().map(move |j| [i, j]));
+                pairs
+                    .map(|[i, j]| {
+                        let along = [place[0] - i, place[1] - j];
+                        love::coefficient(&steel, 1.0, along.map(isize::unsigned_abs))
+                    })
+                    .sum()
+            };
+            (k([0, 0]) - k([x, y])) / 16.0
+        };
+        for place in [[1, 0], [2, 0], [1, 1], [2, 2]] {
+            let [w8, w16, w32] =
+                [8, 16, 32].map(|most| of_cells(most, place) - uniform(most, place));
+            // What is left falls with the first and the second power of the square's side.
+            let halved = [2.0 * w16 - w8, 2.0 * w32 - w16];
+            let limit = (4.0 * halved[1] - halved[0]) / 3.0;
+            let [x, y] = place.map(isize::unsigned_abs);
+            let difference = found[0] - found[x * size + y];
+            assert!(
+                (difference - limit).abs() < 1e-6 * found[0],
+                "{place:?}: {difference} {limit}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_wave_moves_the_surface_in_its_own_shape_and_its_mean_not_at_all() {
+        let (size, steel) = (512, material(2.0, 0.3));
+        let mut operator = PeriodicOperator::new(&Foundation::half_space(steel).into(), 1.0, size);
+        let wave = |element: usize| (TAU * (element / size) as f64 / size as f64).cos();
+        let pressure: Vec<f64> = (0..size * size)
+            .map(|element| 3.0 + wave(element))
+            .collect();
+        let mut found = vec![0.0; size * size];
+        operator.apply_into(&pressure, &mut found);
+        // 2/(E* k) of a smooth wave, and (k a)²/6 less for the elements it is made of.
+        let wavenumber = TAU / size as f64;
+        let amplitude = 2.0 / (steel.plane_strain_modulus() * wavenumber);
+        for (element, found) in found.iter().enumerate() {
+            assert!((found - amplitude * wave(element)).abs() < 1e-5 * amplitude);
+        }
+    }
+}

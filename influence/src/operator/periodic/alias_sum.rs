@@ -1,0 +1,192 @@
+//! The response of all aliases of a wave together, to the last digits.
+//!
+//! With `α = k_x a`, `β = k_y a` the terms are
+//!
+//! ```text
+//! C(q) sinc(α + πm) sinc(β + πn),    q = |(α + πm, β + πn)|/a,    (m, n) ≠ (0, 0)
+//! ```
+//!
+//! They alternate in sign with m and n and fall like `q⁻³`. A sum that is faded out smoothly loses of an alternating
+//! series exponentially little, so 40 aliases to each side do. The sum is even and smooth in α and β, whose nearest
+//! singularity lies at the first alias, so a polynomial in α² and β² holds it.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+use std::sync::LazyLock;
+
+use libm::erfc;
+use rayon::prelude::*;
+
+use crate::bodies::ElasticBodies;
+use crate::element::direct::sinc;
+
+/// Aliases to each side.
+const REACH: i32 = 40;
+/// Where half of an alias counts, as a part of the reach, and how steeply the others fade: 1e-16 of the last ones and
+/// of the first.
+const MIDDLE: f64 = 0.5;
+const STEEPNESS: f64 = 11.5;
+/// `2 q H` from which on `Φ − 1` is below rounding.
+const FADED: f64 = 20.0;
+/// Nodes of the polynomial along each axis: the first alias is at 14 in the metric of their ellipse, 14⁻¹⁶ = 5e-19,
+/// and less far where a coat is much thinner than an element.
+const NODES: usize = 16;
+
+/// The sum for every wave of a grid.
+pub struct AliasSum {
+    values: [[f64; NODES]; NODES],
+}
+
+/// The same for waves of one α.
+pub struct AliasRow([f64; NODES]);
+
+impl AliasSum {
+    /// For elements of half side `a`.
+    pub fn new(bodies: &ElasticBodies, half_side: f64) -> Self {
+        let foundation = bodies.foundation();
+        let moduli =
+            std::iter::once(foundation.surface_material()).chain(bodies.counterbody().copied());
+        // 2/(E* k) of the surfaces alone
+        let homogeneous: f64 = moduli.map(|body| 2.0 / body.plane_strain_modulus()).sum();
+        let layered = LayeredPart::of(bodies, half_side);
+        let along = wave_nodes();
+        let rows = along.par_iter().zip(&*HOMOGENEOUS).map(|(x, of_node)| {
+            let values = along.iter().zip(of_node);
+            let values =
+                values.map(|(y, sum)| homogeneous * half_side * sum + layered.sum([*x, *y]));
+            values.collect::<Vec<f64>>()
+        });
+        let rows: Vec<Vec<f64>> = rows.collect();
+        Self {
+            values: std::array::from_fn(|i| std::array::from_fn(|j| rows[i][j])),
+        }
+    }
+
+    /// The polynomial in β² at this α.
+    pub fn along(&self, alpha: f64) -> AliasRow {
+        let weights = weights(alpha);
+        AliasRow(std::array::from_fn(|j| {
+            (weights.iter().zip(&self.values))
+                .map(|(weight, row)| weight * row[j])
+                .sum()
+        }))
+    }
+}
+
+impl AliasRow {
+    /// The sum at this β, in m/Pa.
+    pub fn at(&self, beta: f64) -> f64 {
+        let terms = weights(beta).into_iter().zip(&self.0);
+        terms.map(|(weight, value)| weight * value).sum()
+    }
+}
+
+/// The sums at the nodes on a homogeneous body, in units of `2a/E*`: the same for every grid.
+static HOMOGENEOUS: LazyLock<[[f64; NODES]; NODES]> =
+    LazyLock::new(|| wave_nodes().map(|x| wave_nodes().map(|y| sum([x, y], f64::recip))));
+
+/// What the layers below the surface add.
+struct LayeredPart<'a> {
+    bodies: &'a ElasticBodies,
+    half_side: f64,
+    /// `q a` beyond which that is nothing to rounding.
+    largest: f64,
+}
+
+impl<'a> LayeredPart<'a> {
+    fn of(bodies: &'a ElasticBodies, half_side: f64) -> Self {
+        let top = bodies.foundation().layers().first();
+        Self {
+            bodies,
+            half_side,
+            // Φ − 1 falls like exp(−2 q H)
+            largest: top.map_or(0.0, |layer| FADED * half_side / layer.thickness()),
+        }
+    }
+
+    fn sum(&self, wave: [f64; 2]) -> f64 {
+        if self.largest <= FRAC_PI_2 {
+            // No alias is as long.
+            return 0.0;
+        }
+        let foundation = self.bodies.foundation();
+        let per_wave = 2.0 / foundation.surface_material().plane_strain_modulus();
+        sum(wave, |q| {
+            if q > self.largest {
+                return 0.0;
+            }
+            let wavenumber = q / self.half_side;
+            per_wave / wavenumber * foundation.response_minus_one(wavenumber)
+        })
+    }
+}
+
+/// The sum over the aliases of one wave, of a response to `q a`.
+fn sum([alpha, beta]: [f64; 2], response: impl Fn(f64) -> f64) -> f64 {
+    let mut sum = 0.0;
+    for m in -REACH..=REACH {
+        for n in -REACH..=REACH {
+            if [m, n] != [0, 0] {
+                let (x, y) = (alpha + PI * f64::from(m), beta + PI * f64::from(n));
+                sum += fade(m) * fade(n) * response(x.hypot(y)) * sinc(x) * sinc(y);
+            }
+        }
+    }
+    sum
+}
+
+/// `α` at the nodes.
+fn wave_nodes() -> [f64; NODES] {
+    nodes().map(|node| FRAC_PI_2 * node.sqrt())
+}
+
+/// 1 for the first aliases, 0 for the last, and smooth between.
+fn fade(m: i32) -> f64 {
+    let part = f64::from(m.abs()) / f64::from(REACH);
+    erfc(STEEPNESS * (part - MIDDLE)) / 2.0
+}
+
+/// The roots of the Chebyshev polynomial on [0, 1].
+fn nodes() -> [f64; NODES] {
+    std::array::from_fn(|i| {
+        let angle = PI * (i as f64 + 0.5) / NODES as f64;
+        0.5 + 0.5 * angle.cos()
+    })
+}
+
+/// Lagrange's weights of the nodes at `x`, from 0 to π/2.
+fn weights(x: f64) -> [f64; NODES] {
+    let (nodes, place) = (nodes(), (x / FRAC_PI_2).powi(2));
+    std::array::from_fn(|i| {
+        let others = nodes.iter().enumerate().filter(|(other, _)| *other != i);
+        others
+            .map(|(_, node)| (place - node) / (nodes[i] - node))
+            .product()
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use pellicle_kernel::{Foundation, Material};
+
+    use super::*;
+
+    /// Elements a hundred times as large as the coat is thick, as large, and a tenth.
+    #[test]
+    fn the_polynomial_is_the_sum_between_its_nodes_too() {
+        let material = |modulus| Material::new(modulus, 0.3).unwrap();
+        for thickness in [0.01, 1.0, 10.0] {
+            let coated = Foundation::coated(thickness, material(30.0), material(1.0)).unwrap();
+            let bodies = ElasticBodies::from(coated);
+            let aliases = AliasSum::new(&bodies, 0.5);
+            for wave in [[0.1, 0.0], [0.4, 1.5], [1.0, 0.9], [FRAC_PI_2, FRAC_PI_2]] {
+                let found = aliases.along(wave[0]).at(wave[1]);
+                let wanted = sum(wave, |q| bodies.compliance(q / 0.5));
+                let own = bodies.compliance(wave[0].hypot(wave[1]) / 0.5);
+                assert!(
+                    (found - wanted).abs() < 1e-11 * own,
+                    "{thickness} {wave:?}: {found} {wanted}"
+                );
+            }
+        }
+    }
+}
