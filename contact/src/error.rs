@@ -28,6 +28,14 @@ pub enum ContactError {
         /// Value found.
         tolerance: f64,
     },
+    /// Something that a periodic cell does not have, or that is not computed for one.
+    #[error(
+        "found {what} with a periodic cell, wanted a force, and neither stresses nor derivatives"
+    )]
+    Periodic {
+        /// What was asked for.
+        what: &'static str,
+    },
     /// Stresses that are not numbers, so that none is the largest.
     #[error("found stresses that are not numbers, wanted finite ones")]
     StressNotFinite,

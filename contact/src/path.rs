@@ -15,13 +15,15 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Instant;
 
-use pellicle_influence::{CoefficientTable, Origin, RadialTables, Sector, SurfaceElasticity, love};
+use pellicle_influence::{
+    CoefficientTable, ElasticOperator as _, Origin, RadialTables, Sector, SurfaceElasticity, love,
+};
 use pellicle_texture::{Grid, Relief};
 use rayon::prelude::*;
 
 use crate::{
-    ContactError, DeformedSurface, Domain, Indenter, Load, Model, Observer, Progress, SampledModel,
-    Signal, Solution, SolverOptions, Step, Warning, choose_side,
+    Boundary, ContactError, DeformedSurface, Domain, Indenter, Load, Model, Observer, Progress,
+    SampledModel, Signal, Solution, SolverOptions, Step, Warning, choose_side,
     grid::window::Window,
     path::hierarchy::Hierarchy,
     problem::model::initial_gap,
@@ -57,6 +59,8 @@ pub struct LoadingPath {
     pub interrupted: bool,
     /// The foundation, with its radial tables.
     pub tables: Arc<RadialTables>,
+    /// What lies around the square.
+    pub boundary: Boundary,
     /// None where no load reached the finest grid.
     elasticity: Option<Arc<SurfaceElasticity>>,
     pub(crate) relief: Relief,
@@ -87,13 +91,7 @@ impl LoadingPath {
             ..
         } = &self.steps.get(step)?.solution;
         let size = self.grid.size();
-        let presses = |[i, j]: [usize; 2]| pressure[i * size + j] > 0.0;
-        let window = Window::whole(size).around(presses);
-        let mut operator =
-            elasticity.under_window((Sector::Whole, size), window.origin(), window.size());
-        let mut displacement = vec![0.0; pressure.len()];
-        let pressed = window.cut(pressure);
-        operator.apply_into(&pressed, &mut displacement);
+        let displacement = displacement(elasticity, self.boundary, size, pressure);
         let mut surface = DeformedSurface::new(
             displacement,
             pressure,
@@ -102,10 +100,7 @@ impl LoadingPath {
             *penetration,
         );
         if let Some(counterbody) = self.counterbody() {
-            let mut own = vec![0.0; pressure.len()];
-            let shown = (Sector::Whole, size);
-            let mut operator = counterbody.under_window(shown, window.origin(), window.size());
-            operator.apply_into(&pressed, &mut own);
+            let own = self::displacement(&counterbody, self.boundary, size, pressure);
             add_scaled(&mut surface.displacement, -1.0, &own);
         }
         Some(surface)
@@ -122,6 +117,31 @@ impl LoadingPath {
             self.tables.bodies().clone(),
         ))
     }
+}
+
+/// `K p` (m) of a pressure (Pa) on a grid of `size` × `size` elements.
+fn displacement(
+    elasticity: &SurfaceElasticity,
+    boundary: Boundary,
+    size: usize,
+    pressure: &[f64],
+) -> Vec<f64> {
+    let mut displacement = vec![0.0; pressure.len()];
+    match boundary {
+        Boundary::Free => {
+            let presses = |[i, j]: [usize; 2]| pressure[i * size + j] > 0.0;
+            let window = Window::whole(size).around(presses);
+            let shown = (Sector::Whole, size);
+            let mut operator = elasticity.under_window(shown, window.origin(), window.size());
+            operator.apply_into(&window.cut(pressure), &mut displacement);
+        }
+        Boundary::Periodic => {
+            elasticity
+                .periodic_operator(size)
+                .apply_into(pressure, &mut displacement);
+        }
+    }
+    displacement
 }
 
 /// Solves `model` for every one of `loads` on `elements` × `elements` elements.
@@ -144,6 +164,11 @@ pub fn solve_path(
     let options = options.checked_for(elements)?;
     for load in loads {
         load.checked()?;
+        if let (Load::Penetration(_), Boundary::Periodic) = (load, domain.boundary()) {
+            return Err(ContactError::Periodic {
+                what: "a prescribed penetration",
+            });
+        }
     }
     // On a thread of the pool from beginning to end: every parallel loop entered from outside would cost two changes of
     // thread.
@@ -160,13 +185,14 @@ fn solve_on_domains(
     observer: &mut dyn Observer,
 ) -> Result<LoadingPath, ContactError> {
     let (mut side, mut enlargements) = match domain {
-        Domain::Side(side) => (side, 0),
+        Domain::Side(side) | Domain::Periodic(side) => (side, 0),
         Domain::Chosen(side) => (side, ENLARGEMENTS),
         Domain::Automatic => (choose_side(model, loads)?, ENLARGEMENTS),
     };
     loop {
         warnings::check_elements(model, side, elements, loads)?;
-        let hierarchy = Hierarchy::new(model, side, elements, loads.len(), &options);
+        let square = (side, domain.boundary());
+        let hierarchy = Hierarchy::new(model, square, elements, loads.len(), &options);
         let mut run = PathRun {
             lanes: hierarchy.lanes(loads_at_once(elements, loads.len()))?,
             steps: Vec::new(),
@@ -256,8 +282,10 @@ impl PathRun<'_> {
         let coefficients_origin = hierarchy.coefficients_origin();
         let (grid, elasticity) = hierarchy.into_finest()?;
         let mut surroundings = Surroundings::of(model, grid);
-        for step in &mut self.steps {
-            step.cut_off = surroundings.what_cuts_off(&step.solution);
+        if domain.boundary() == Boundary::Free {
+            for step in &mut self.steps {
+                step.cut_off = surroundings.what_cuts_off(&step.solution);
+            }
         }
         let warnings = warnings::warnings(model, &grid, domain, loads, &self.steps);
         Ok(LoadingPath {
@@ -268,6 +296,7 @@ impl PathRun<'_> {
             solve_seconds: self.solve_seconds,
             steps: self.steps,
             interrupted: self.interrupted,
+            boundary: domain.boundary(),
             tables: model.tables.clone(),
             elasticity,
             relief: model.relief.clone(),

@@ -5,7 +5,9 @@ use std::sync::Arc;
 use crate::bodies::ElasticBodies;
 use crate::coefficient_table::CoefficientTable;
 use crate::filter::PeriodicSymbol;
-use crate::operator::{ConvolutionOperator, ElasticOperator, QuadrantOperator, WindowOperator};
+use crate::operator::{
+    ConvolutionOperator, ElasticOperator, PeriodicOperator, QuadrantOperator, WindowOperator,
+};
 use crate::sector::Sector;
 use crate::transform::half_length;
 
@@ -96,6 +98,12 @@ impl SurfaceElasticity {
             Sector::Whole => Box::new(self.operator(size)),
             Sector::Quadrant => Box::new(QuadrantOperator::new(&self.table, size)),
         }
+    }
+
+    /// `K p` of a periodic cell of `size` × `size` elements.
+    #[must_use]
+    pub fn periodic_operator(&self, size: usize) -> PeriodicOperator {
+        PeriodicOperator::new(&self.bodies, self.table.element_side(), size)
     }
 
     /// `K p` on a sector of `shown` × `shown` elements for pressures on a window of `size` × `size`, the first of which

@@ -34,6 +34,31 @@ pub enum Domain {
     /// [Chosen](crate::choose_side) for the loads, large enough for the contact and the same for every grid.
     #[default]
     Automatic,
+    /// A cell of this side (m) that repeats itself in both directions without end, with everything in it. Loads are
+    /// forces on one cell. On a half-space the mean displacement of the surface is infinite, so penetrations are told
+    /// from the mean plane of the deformed surface.
+    Periodic(f64),
+}
+
+/// What lies around the square.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Boundary {
+    /// The surface goes on without load.
+    #[default]
+    Free,
+    /// The square repeats itself.
+    Periodic,
+}
+
+impl Domain {
+    /// What lies around the square.
+    #[must_use]
+    pub fn boundary(self) -> Boundary {
+        match self {
+            Self::Side(_) | Self::Chosen(_) | Self::Automatic => Boundary::Free,
+            Self::Periodic(_) => Boundary::Periodic,
+        }
+    }
 }
 
 /// Half the side over the estimated contact radius: the estimate is good to some 20 %.

@@ -8,7 +8,7 @@ use pellicle_influence::{Origin, Sector, SurfaceElasticity};
 use pellicle_texture::Grid;
 
 use crate::{
-    CoarsePressure, ContactError, GridError, LevelValues, LevelWork, Load, Method, Model,
+    Boundary, CoarsePressure, ContactError, GridError, LevelValues, LevelWork, Load, Method, Model,
     SolverOptions, Step, Work,
     path::domain::Guess,
     path::level::{Level, LevelResult, Start},
@@ -28,6 +28,7 @@ pub struct Hierarchy<'a> {
     model: &'a Model,
     side: f64,
     sector: Sector,
+    boundary: Boundary,
     /// Elements per side, coarsest first.
     sizes: Vec<usize>,
     /// The grids at hand; where only one load is to come, none but the one in use and the finest, whose memory is most
@@ -42,7 +43,7 @@ impl<'a> Hierarchy<'a> {
     /// The grids for `loads` loads on a square of side `side` (m), the finest of `elements` elements per side.
     pub fn new(
         model: &'a Model,
-        side: f64,
+        (side, boundary): (f64, Boundary),
         elements: usize,
         loads: usize,
         options: &SolverOptions,
@@ -55,7 +56,8 @@ impl<'a> Hierarchy<'a> {
         sizes.push(elements);
         let has_quadrants = sizes.iter().all(|size| size.is_multiple_of(2));
         let is_for_quadrants = options.method == Method::Gradient && options.mirror_symmetry;
-        let sector = if has_quadrants && is_for_quadrants && model.is_mirrored() {
+        let is_free = boundary == Boundary::Free;
+        let sector = if is_free && has_quadrants && is_for_quadrants && model.is_mirrored() {
             Sector::Quadrant
         } else {
             Sector::Whole
@@ -64,6 +66,7 @@ impl<'a> Hierarchy<'a> {
             model,
             side,
             sector,
+            boundary,
             levels: sizes.iter().map(|_| None).collect(),
             sizes,
             keep: loads > 1,
@@ -95,6 +98,7 @@ impl<'a> Hierarchy<'a> {
             model: self.model,
             side: self.side,
             sector: self.sector,
+            boundary: self.boundary,
             sizes: self.sizes.clone(),
             levels: twins?.into_iter().map(Some).collect(),
             keep: self.keep,
@@ -163,6 +167,8 @@ impl<'a> Hierarchy<'a> {
         let Ascent { load, options, .. } = *ascent;
         let start = match &ascent.coarser_solution {
             Some(coarser) => Start::Coarser(coarser),
+            // A guess is of a single contact.
+            None if self.boundary == Boundary::Periodic => Start::Nothing,
             None => Guess::new(self.model, load).map_or(Start::Nothing, Start::Guess),
         };
         let index = ascent.levels.len();
@@ -195,12 +201,13 @@ impl<'a> Hierarchy<'a> {
         watch: &mut Watch<'_>,
     ) -> Result<(), ContactError> {
         let finest = self.sizes.len() - 1;
-        let (model, side, size, sector) = (self.model, self.side, self.sizes[finest], self.sector);
+        let (model, side, size) = (self.model, self.side, self.sizes[finest]);
+        let around = (self.sector, self.boundary);
         let keeps = self.keep;
         let clock = Instant::now();
         let ((coarser, ascended), level) = rayon::join(
             || (self.ascend(ascent, finest, watch), clock.elapsed()),
-            || Level::new(model, side, size, sector, keeps),
+            || Level::new(model, side, size, around, keeps),
         );
         // What passed beside the solution costs no time of its own.
         let waited = clock.elapsed().saturating_sub(ascended);
@@ -250,8 +257,8 @@ impl<'a> Hierarchy<'a> {
 
     fn make(&mut self, index: usize) -> Result<Level, ContactError> {
         let clock = Instant::now();
-        let (size, sector) = (self.sizes[index], self.sector);
-        let level = Level::new(self.model, self.side, size, sector, self.keep)?;
+        let (size, around) = (self.sizes[index], (self.sector, self.boundary));
+        let level = Level::new(self.model, self.side, size, around, self.keep)?;
         self.coefficients_seconds += clock.elapsed().as_secs_f64();
         self.note_origin(&level);
         Ok(level)
@@ -332,7 +339,7 @@ mod tests {
     use pellicle_texture::Relief;
 
     use super::Hierarchy;
-    use crate::{Indenter, Method, Model, Paraboloid, Pyramid, SolverOptions};
+    use crate::{Boundary, Indenter, Method, Model, Paraboloid, Pyramid, SolverOptions};
 
     fn model(indenter: Indenter) -> Model {
         let body = Foundation::half_space(Material::new(1.0, 0.0).unwrap());
@@ -365,7 +372,7 @@ mod tests {
             (&paraboloid, 64, whole, Sector::Whole),
             (&berkovich, 64, usual, Sector::Whole),
         ] {
-            let hierarchy = Hierarchy::new(model, 1.0, elements, 1, &options);
+            let hierarchy = Hierarchy::new(model, (1.0, Boundary::Free), elements, 1, &options);
             assert_eq!(hierarchy.sector, sector, "{elements} {options:?}");
         }
     }

@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use crate::{
-    ActiveSetSolver, ContactError, DiscreteProblem, GradientSolver, Iterate, LevelValues,
+    ActiveSetSolver, Boundary, ContactError, DiscreteProblem, GradientSolver, Iterate, LevelValues,
     LevelWork, Load, Method, Model, Solution, Solver, SolverOptions, Summary,
     grid::window::Window,
     path::domain::Guess,
@@ -91,7 +91,7 @@ impl Level {
         model: &Model,
         side: f64,
         size: usize,
-        sector: Sector,
+        (sector, boundary): (Sector, Boundary),
         keeps: bool,
     ) -> Result<Self, ContactError> {
         let grid = Grid::new(side, size)?;
@@ -102,8 +102,13 @@ impl Level {
         } = model.sample_sector(grid, sector);
         let elasticity = model.elasticity(&grid)?;
         let (known, area) = (elasticity.value.clone(), grid.element_area());
-        let problem = DiscreteProblem::of_sector(known, sector, compliance, initial_gap, area)?
-            .with_spring_law(model.relief.spring_law());
+        let problem = match boundary {
+            Boundary::Free => {
+                DiscreteProblem::of_sector(known, sector, compliance, initial_gap, area)
+            }
+            Boundary::Periodic => DiscreteProblem::periodic(known, compliance, initial_gap, area),
+        };
+        let problem = problem?.with_spring_law(model.relief.spring_law());
         let everywhere = problem.everywhere();
         Ok(Self {
             keeps,
@@ -162,6 +167,7 @@ impl Level {
         let field = ContactField {
             model,
             grid: &self.grid,
+            boundary: self.whole.problem.boundary(),
             window: &window,
             pressure: &solution.pressure,
             judged: &self.judged,

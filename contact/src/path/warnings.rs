@@ -4,7 +4,7 @@ use pellicle_influence::RadialTables;
 use pellicle_texture::{Grid, Relief};
 
 use crate::{
-    ContactError, Domain, Load, Model, Step, Warning, default_side, path::domain::slope,
+    Boundary, ContactError, Domain, Load, Model, Step, Warning, default_side, path::domain::slope,
     result::cut_off,
 };
 
@@ -80,7 +80,10 @@ pub(crate) fn warnings(
     loads: &[Load],
     steps: &[Step],
 ) -> Vec<Warning> {
-    let much_larger = much_larger(model, grid, loads, steps);
+    let is_free = domain.boundary() == Boundary::Free;
+    let much_larger = is_free
+        .then(|| much_larger(model, grid, loads, steps))
+        .flatten();
     // Of a contact that the grid hardly sees, the peak says nothing, and its edge is where it is estimated to be.
     let is_seen = |warning: &Warning| match (&much_larger, warning) {
         (Some(_), Warning::PeakNotResolved { .. }) => false,
@@ -103,12 +106,15 @@ pub(crate) fn warnings(
 /// A contact cut off, or near the edge. A domain that was chosen keeps clear of a contact by what the coarse grid of
 /// the choice takes for clear.
 fn edge(domain: Domain, step: usize, found: &Step) -> Option<Warning> {
+    if domain.boundary() == Boundary::Periodic {
+        return None;
+    }
     if let Some(by) = found.cut_off {
         return Some(Warning::CutOff { step, by });
     }
     let margin = match domain {
         Domain::Side(_) => EDGE_MARGIN,
-        Domain::Chosen(_) | Domain::Automatic => 1,
+        Domain::Chosen(_) | Domain::Automatic | Domain::Periodic(_) => 1,
     };
     let elements = found.summary.elements_to_edge?;
     (elements < margin).then_some(Warning::DomainEdge { step, elements })

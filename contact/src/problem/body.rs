@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use pellicle_influence::{ElasticOperator, SurfaceElasticity, WindowOperator};
 
-use crate::grid::window::Window;
+use crate::{Boundary, grid::window::Window};
 
 /// The elastic body under a grid, a window or a sector of one.
 pub enum Body {
@@ -17,15 +17,17 @@ pub enum Body {
 /// A body whose coefficients are known.
 pub struct KnownBody {
     elasticity: Arc<SurfaceElasticity>,
+    boundary: Boundary,
     operator: Option<Box<dyn ElasticOperator>>,
     /// From pressures on one window to displacements on another around it.
     spread: Option<([Window; 2], Box<WindowOperator>)>,
 }
 
 impl Body {
-    pub fn of(elasticity: Arc<SurfaceElasticity>) -> Self {
+    pub fn of(elasticity: Arc<SurfaceElasticity>, boundary: Boundary) -> Self {
         Self::Known(KnownBody {
             elasticity,
+            boundary,
             operator: None,
             spread: None,
         })
@@ -36,6 +38,14 @@ impl Body {
         match self {
             Self::Operator(_) => None,
             Self::Known(surface) => Some(&surface.elasticity),
+        }
+    }
+
+    /// What lies around the grid.
+    pub fn boundary(&self) -> Boundary {
+        match self {
+            Self::Operator(_) => Boundary::Free,
+            Self::Known(surface) => surface.boundary,
         }
     }
 
@@ -91,7 +101,10 @@ impl Body {
 impl KnownBody {
     fn operator_on(&mut self, everywhere: &Window) -> &mut dyn ElasticOperator {
         let elasticity = &self.elasticity;
-        let made = || elasticity.operator_on(everywhere.sector(), everywhere.size());
+        let made = || match self.boundary {
+            Boundary::Free => elasticity.operator_on(everywhere.sector(), everywhere.size()),
+            Boundary::Periodic => Box::new(elasticity.periodic_operator(everywhere.size())),
+        };
         self.operator.get_or_insert_with(made).as_mut()
     }
 

@@ -12,7 +12,7 @@ use pellicle_texture::SpringLaw;
 use rayon::prelude::*;
 
 use crate::{
-    ContactError, grid::window::Window, problem::body::Body, problem::scale::Scale,
+    Boundary, ContactError, grid::window::Window, problem::body::Body, problem::scale::Scale,
     problem::tangents::Tangents, vector::update_with,
 };
 
@@ -85,7 +85,30 @@ impl DiscreteProblem {
         element_area: f64,
     ) -> Result<Self, ContactError> {
         assert!(size <= elasticity.size(), "a grid within the coefficients");
-        let whole = (Body::of(elasticity), Sector::Whole, size);
+        let whole = (Body::of(elasticity, Boundary::Free), Sector::Whole, size);
+        Self::checked(whole, relief_compliance, initial_gap, element_area)
+    }
+
+    /// The problem of a periodic cell, which is the largest grid that the elasticity allows; the other fields as for
+    /// [`Self::new`].
+    ///
+    /// On a half-space the operator tells displacements from the mean plane of the deformed surface, so the load must
+    /// be a force.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub fn periodic(
+        elasticity: Arc<SurfaceElasticity>,
+        relief_compliance: Vec<f64>,
+        initial_gap: Vec<f64>,
+        element_area: f64,
+    ) -> Result<Self, ContactError> {
+        let size = elasticity.size();
+        let whole = (
+            Body::of(elasticity, Boundary::Periodic),
+            Sector::Whole,
+            size,
+        );
         Self::checked(whole, relief_compliance, initial_gap, element_area)
     }
 
@@ -99,7 +122,7 @@ impl DiscreteProblem {
         element_area: f64,
     ) -> Result<Self, ContactError> {
         let size = elasticity.size() / sector.parts();
-        let part = (Body::of(elasticity), sector, size);
+        let part = (Body::of(elasticity, Boundary::Free), sector, size);
         Self::checked(part, relief_compliance, initial_gap, element_area)
     }
 
@@ -163,12 +186,16 @@ impl DiscreteProblem {
     }
 
     /// The same problem on a window of the grid, with an operator of the window's own size; none where the elasticity
-    /// is not known.
+    /// is not known, or of a part of a periodic cell.
     ///
     /// The pressure outside is zero.
     pub(crate) fn window(&self, window: &Window) -> Option<Self> {
+        let boundary = self.body.boundary();
+        if boundary == Boundary::Periodic && !window.is_whole() {
+            return None;
+        }
         Some(Self {
-            body: Body::of(self.elasticity()?.clone()),
+            body: Body::of(self.elasticity()?.clone(), boundary),
             sector: self.sector,
             size: window.size(),
             relief_compliance: window.cut(&self.relief_compliance),
@@ -191,6 +218,11 @@ impl DiscreteProblem {
     #[must_use]
     pub fn identity(&self) -> &Identity {
         &self.identity
+    }
+
+    /// What lies around the grid.
+    pub(crate) fn boundary(&self) -> Boundary {
+        self.body.boundary()
     }
 
     /// The part of the surface that the elements cover.

@@ -4,7 +4,7 @@
 use pellicle_texture::Grid;
 
 use crate::{
-    Model,
+    Boundary, Model,
     grid::window::{Place, Window},
     result::certificate::JudgedFields,
 };
@@ -13,6 +13,7 @@ use crate::{
 pub struct ContactField<'a> {
     pub model: &'a Model,
     pub grid: &'a Grid,
+    pub boundary: Boundary,
     pub window: &'a Window,
     /// Pressure on the window, in Pa.
     pub pressure: &'a [f64],
@@ -27,9 +28,25 @@ pub struct ContactField<'a> {
 }
 
 impl ContactField<'_> {
-    /// The element of the window at a place, itself or as the mirror image; none outside the window.
+    /// The element of the window at a place, itself, as the mirror image, or that of another cell; none outside the
+    /// window otherwise.
     pub fn element(&self, place: Place) -> Option<usize> {
-        self.window.element(place)
+        match self.boundary {
+            Boundary::Free => self.window.element(place),
+            Boundary::Periodic => {
+                let size = self.window.size().cast_signed();
+                self.window.element(place.map(|i| i.rem_euclid(size)))
+            }
+        }
+    }
+
+    /// The first line of places with an element beside the window's: one before it, and of a periodic cell its own
+    /// first, which its last is beside.
+    pub fn first_line(&self) -> isize {
+        match self.boundary {
+            Boundary::Free => -1,
+            Boundary::Periodic => 0,
+        }
     }
 
     /// The pressure at a place, in Pa; 0 outside the window.

@@ -78,13 +78,14 @@ impl ContactShape {
     /// The shape of the contact in a solved field.
     pub fn of(field: &ContactField<'_>) -> Self {
         let (window, grid) = (field.window, field.grid);
-        // Cells from one before the window to its last element.
+        // Cells from one before the window, if it has a border, to its last element.
         let size = window.size().cast_signed();
         let lines = window.by_lines(field.pressure, |line, _| {
             CellSum::of_line(field, line.cast_signed(), size)
         });
-        let first = CellSum::of_line(field, -1, size);
-        let all = lines.into_iter().fold(first, CellSum::and);
+        let before = field.first_line()..0;
+        let before = before.map(|line| CellSum::of_line(field, line, size));
+        let all = before.chain(lines).fold(CellSum::default(), CellSum::and);
         let whole = window.sector().images() as f64 * grid.element_area();
         let without = |area: f64, cut: f64| whole * (area - cut.min(LARGEST_CUT * area));
         Self {
@@ -101,7 +102,7 @@ impl CellSum {
     /// Of the cells whose first corner lies in a line.
     fn of_line(field: &ContactField<'_>, line: isize, size: isize) -> Self {
         let mut part = Self::default();
-        for column in -1..size {
+        for column in field.first_line()..size {
             match field.in_contact_around([line, column]) {
                 0 => {}
                 4 if field.is_one_side([line, column]) => part.add_whole(field, [line, column]),

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::change::{Change, Changed, ModelDerivatives};
 use crate::{
-    ContactError, DiscreteProblem, LoadingPath, Solution,
+    Boundary, ContactError, DiscreteProblem, LoadingPath, Solution,
     grid::window::Window,
     solver::gradient::pressure_per_penetration,
     vector::{dot, sum},
@@ -64,8 +64,14 @@ impl ModelDerivatives {
     /// The derivatives of the steps of `path`, which solved this model: their coefficients on its grid.
     ///
     /// # Errors
-    /// Coefficients that are not finite; as [`Model::with_parameter`](crate::Model::with_parameter).
+    /// [`ContactError::Periodic`] of a periodic cell; coefficients that are not finite; as
+    /// [`Model::with_parameter`](crate::Model::with_parameter).
     pub fn of_path<'a>(&self, path: &'a LoadingPath) -> Result<Sensitivities<'a>, ContactError> {
+        if path.boundary == Boundary::Periodic {
+            return Err(ContactError::Periodic {
+                what: "derivatives",
+            });
+        }
         Ok(Sensitivities {
             path,
             problem: self.model().discretize(&path.geometry())?.value,

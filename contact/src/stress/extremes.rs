@@ -6,7 +6,7 @@ use super::finder::Finder;
 use super::model::StressModel;
 use super::quantity::{OF_BODIES, OF_INTERFACES};
 use super::scan::Target;
-use crate::{ContactError, LoadingPath, nan_from_null};
+use crate::{Boundary, ContactError, LoadingPath, nan_from_null};
 
 /// An extreme of a stress: at a point (x, y, z) of a body, or (x, y) of an interface.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -137,7 +137,8 @@ pub struct StressExtremes {
 /// [coarser grids](crate::SolverOptions::coarse_pressures).
 ///
 /// # Errors
-/// A body or interface outside the foundation; amplitudes that the kernel cannot give.
+/// [`ContactError::Periodic`] of a periodic cell; a body or interface outside the foundation; amplitudes that the
+/// kernel cannot give.
 ///
 /// # Panics
 /// If the path has no such step.
@@ -146,6 +147,9 @@ pub fn stress_extremes(
     step: usize,
     stress: &StressModel,
 ) -> Result<StressExtremes, ContactError> {
+    if path.boundary == Boundary::Periodic {
+        return Err(ContactError::Periodic { what: "stresses" });
+    }
     let bodies = stress.bodies.iter().map(|body| Target {
         top: body.top,
         bottom: body.bottom,

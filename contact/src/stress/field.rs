@@ -8,7 +8,7 @@ use pellicle_influence::{
 use pellicle_texture::Grid;
 
 use super::model::Sliding;
-use crate::LoadingPath;
+use crate::{Boundary, LoadingPath};
 
 /// The displacements and stresses under the pressure of one loading step, and under sliding.
 #[derive(Debug, Clone)]
@@ -31,11 +31,12 @@ pub(super) struct LoadedSquare {
 }
 
 impl StressField {
-    /// The field of a step of a path; none where there is no such step.
+    /// The field of a step of a path; none where there is no such step, or the path is that of a periodic cell.
     #[must_use]
     pub fn new(path: &LoadingPath, step: usize, sliding: Sliding) -> Option<Self> {
         let pressure = &path.steps.get(step)?.solution.pressure;
-        Some(Self::of(path.tables.clone(), path.grid, pressure, sliding))
+        (path.boundary == Boundary::Free)
+            .then(|| Self::of(path.tables.clone(), path.grid, pressure, sliding))
     }
 
     /// The field of the pressures on the elements of a grid, row after row, in Pa.

@@ -203,7 +203,7 @@ impl LoadSearch<'_> {
 
     /// One domain for loads up to this one: as given, or chosen for it.
     fn domain_for(&self, force: f64) -> Result<Domain, ContactError> {
-        if let Domain::Side(_) = self.domain {
+        if let Domain::Side(_) | Domain::Periodic(_) = self.domain {
             return Ok(self.domain);
         }
         Ok(Domain::Side(choose_side(

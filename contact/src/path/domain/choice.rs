@@ -8,7 +8,7 @@ use std::ops::ControlFlow;
 
 use super::{default_side, largest, radius_at};
 use crate::{
-    ContactError, Indenter, Load, Model, SolverOptions, Step,
+    Boundary, ContactError, Indenter, Load, Model, SolverOptions, Step,
     path::hierarchy::Hierarchy,
     path::levels::COARSE_TOLERANCE,
     path::warnings::EDGE_MARGIN,
@@ -202,7 +202,13 @@ fn solve(model: &Model, grid: Grid, load: Load, tolerance: f64) -> Result<Step, 
         contact_stiffness: false,
         ..SolverOptions::default()
     };
-    let mut grids = Hierarchy::new(model, grid.side(), grid.size(), 1, &options);
+    let mut grids = Hierarchy::new(
+        model,
+        (grid.side(), Boundary::Free),
+        grid.size(),
+        1,
+        &options,
+    );
     grids.solve(load, options, &mut Watch::alone(&mut ()))
 }
 
