@@ -14,6 +14,7 @@ pub mod map_sources;
 pub mod output;
 pub mod overrides;
 pub mod parameter;
+pub mod periodic;
 pub mod quantity;
 pub mod quantity_list;
 pub mod solver;
@@ -39,7 +40,7 @@ use self::diagnosis::Diagnosis;
 use self::document::Document;
 use self::document::TomlNode;
 use self::foundation::FoundationCase;
-use self::grid::GridCase;
+use self::grid::{BoundaryCase, GridCase};
 use self::indenter::IndenterCase;
 use self::load::LoadCase;
 use self::map_sources::MapSources;
@@ -171,7 +172,7 @@ impl Case {
         let required = |key| table.required(key, &format!("a table [{key}]"))?.table();
         let optional = |key| table.optional(key).map(ValueReader::table).transpose();
         let foundation = FoundationCase::read(&required("foundation")?)?;
-        let surface = match optional("surface")? {
+        let mut surface = match optional("surface")? {
             Some(table) => SurfaceCase::read(&table, &foundation, maps)?,
             None => SurfaceCase::Bare,
         };
@@ -181,7 +182,10 @@ impl Case {
         let read_stress = |table| StressCase::read(&table, &foundation, grid.side);
         let stress = optional("stress")?.map(read_stress).transpose()?;
         let read_solver = |table| SolverCase::read(&table, grid.elements);
-        let indenter = IndenterCase::read(&required("indenter")?, maps)?;
+        let mut indenter = IndenterCase::read(&required("indenter")?, maps)?;
+        if let (BoundaryCase::Periodic, Some(side)) = (grid.boundary, grid.side) {
+            periodic::fit(&table, side, &mut surface, &mut indenter)?;
+        }
         let given = [surface.map(), indenter.map()];
         let units = given.into_iter().flatten().map(|map| map.units);
         let units = units.fold(Units::of(root), Units::or);
@@ -230,10 +234,10 @@ impl Case {
     ///
     /// [`Failure`] if none can be chosen, or the square of the stresses does not fit in it.
     pub fn domain(&self, model: &Model) -> Result<Domain, Failure> {
-        let domain = if self.grid.side.is_some() {
-            Domain::Side
-        } else {
-            Domain::Chosen
+        let domain = match (self.grid.side, self.grid.boundary) {
+            (_, BoundaryCase::Periodic) => Domain::Periodic,
+            (Some(_), BoundaryCase::Free) => Domain::Side,
+            (None, BoundaryCase::Free) => Domain::Chosen,
         };
         let side = self.side(model).map_err(|error| self.blame(error))?;
         self.check_extent(side)?;

@@ -56,6 +56,7 @@ pub use templates::Template;
 pub mod solved {
     pub use crate::cache::open as open_cache;
     pub use crate::case::foundation::FoundationCase;
+    pub use crate::case::grid::BoundaryCase;
     pub use crate::case::map_sources::MapSources;
     pub use crate::case::source::read as read_source;
     pub use crate::case::stress::StressCase;

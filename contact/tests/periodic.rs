@@ -17,12 +17,12 @@ use pellicle_texture::Relief;
 const AMPLITUDE: f64 = 0.01;
 
 fn half_space() -> Foundation {
-    Foundation::half_space(Material::new(1.0, 0.0).unwrap())
+    Foundation::half_space(Material::new(1.0, 0.0).expect("a material"))
 }
 
 fn model(foundation: &Foundation, indenter: Indenter) -> Model {
     Model {
-        tables: Arc::new(RadialTables::build(foundation).unwrap()),
+        tables: Arc::new(RadialTables::build(foundation).expect("tables")),
         relief: Relief::Bare,
         indenter,
         cache: Cache::none(),
@@ -53,7 +53,7 @@ fn waves(in_both_directions: bool) -> Indenter {
 fn solve(model: &Model, domain: Domain, elements: usize, force: f64) -> LoadingPath {
     let options = SolverOptions::default();
     let loads = [Load::Force(force)];
-    let path = solve_path(model, domain, elements, &loads, &options, &mut ()).unwrap();
+    let path = solve_path(model, domain, elements, &loads, &options, &mut ()).expect("a path");
     let certificate = path.steps[0].solution.certificate;
     assert!(certificate.is_satisfied(), "{certificate:?}");
     let is_unexpected = |warning: &Warning| !matches!(warning, Warning::PeakNotResolved { .. });

@@ -4,6 +4,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2};
 use pellicle_cli::Failure;
+use pellicle_cli::solved::BoundaryCase;
 use pellicle_contact::{Certificate, ContactError, DiscreteProblem, Load, Solution};
 use pyo3::prelude::*;
 
@@ -65,7 +66,11 @@ impl Problem {
             let model = case.model(&shared.cache)?.value;
             let (side, elements) = (case.side(&model)?, case.grid.elements);
             let sampled = model.sample(side, elements)?;
-            let discrete = Mutex::new(model.discretize(&sampled)?.value);
+            let discrete = match case.grid.boundary {
+                BoundaryCase::Free => model.discretize(&sampled)?.value,
+                BoundaryCase::Periodic => model.discretize_cell(&sampled)?.value,
+            };
+            let discrete = Mutex::new(discrete);
             Ok::<_, Failure>(Self {
                 discrete,
                 side,

@@ -1,6 +1,6 @@
 //! `[grid]`: the square domain and its elements.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::diagnosis::Diagnosis;
 use super::dimension::Dimension;
@@ -20,6 +20,28 @@ pub struct GridCase {
     pub side: Option<f64>,
     /// Elements per side.
     pub elements: usize,
+    /// What lies around the square.
+    #[serde(skip_serializing_if = "BoundaryCase::is_free")]
+    pub boundary: BoundaryCase,
+}
+
+/// What lies around the square.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum BoundaryCase {
+    /// The surface goes on without load.
+    #[default]
+    Free,
+    /// The square repeats itself.
+    Periodic,
+}
+
+impl BoundaryCase {
+    /// Whether nothing repeats itself.
+    #[must_use]
+    pub fn is_free(&self) -> bool {
+        *self == Self::Free
+    }
 }
 
 impl Default for GridCase {
@@ -27,6 +49,7 @@ impl Default for GridCase {
         Self {
             side: None,
             elements: DEFAULT_ELEMENTS,
+            boundary: BoundaryCase::Free,
         }
     }
 }
@@ -38,14 +61,27 @@ impl GridCase {
     ///
     /// A [`Diagnosis`] of the first invalid key.
     pub fn read(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
-        table.only(&["side", "elements"])?;
+        table.only(&["side", "elements", "boundary"])?;
         let side = (table.optional("side"))
             .map(|field| field.quantity(Dimension::Length, Sign::Positive))
             .transpose()?;
         let why = " per side (more do not fit in the memory of a workstation)";
         let elements = (table.optional("elements"))
             .map_or(Ok(DEFAULT_ELEMENTS), |field| field.count(ELEMENTS, why))?;
-        Ok(Self { side, elements })
+        let choices = [
+            ("free", BoundaryCase::Free),
+            ("periodic", BoundaryCase::Periodic),
+        ];
+        let boundary = (table.optional("boundary"))
+            .map_or(Ok(BoundaryCase::Free), |field| field.choice(&choices))?;
+        if boundary == BoundaryCase::Periodic && side.is_none() {
+            return Err(table.missing("side", "the side of the periodic cell".to_owned()));
+        }
+        Ok(Self {
+            side,
+            elements,
+            boundary,
+        })
     }
 }
 
@@ -64,6 +100,17 @@ mod tests {
     }
 
     #[test]
+    fn a_periodic_cell_has_a_side() {
+        let cell = read("side = 2\nboundary = \"periodic\"").unwrap();
+        assert_eq!(cell.boundary, BoundaryCase::Periodic);
+        let message = read("boundary = \"periodic\"").unwrap_err();
+        assert!(
+            message.contains("the side of the periodic cell"),
+            "{message}"
+        );
+    }
+
+    #[test]
     fn grids_without_elements_or_beyond_memory_are_refused() {
         for elements in ["0", "8193", "-4", "1_000_000_000", "1e9", "nan"] {
             let message = read(&format!("side = 1\nelements = {elements}")).unwrap_err();
@@ -73,6 +120,7 @@ mod tests {
             assert!(message.starts_with(&start), "{message}");
         }
         assert!(read("side = 0").is_err());
+        assert!(read("boundary = \"round\"").is_err());
         assert!(read("side = \"3 N\"").is_err());
     }
 }

@@ -78,6 +78,14 @@ impl IndenterCase {
     pub fn map(&self) -> Option<&MapCase> {
         self.shape.map()
     }
+
+    /// The same, to change.
+    pub fn map_mut(&mut self) -> Option<&mut MapCase> {
+        match &mut self.shape {
+            IndenterShape::Map(map) => Some(map),
+            _ => None,
+        }
+    }
 }
 
 impl ElasticConstants {

@@ -7,7 +7,7 @@
 
 use std::sync::Arc;
 
-use pellicle_texture::{HeightMap, Interpolation};
+use pellicle_texture::{HeightMap, Interpolation, TextureError};
 use serde::Serialize;
 
 use super::diagnosis::{Diagnosis, Fault};
@@ -43,6 +43,18 @@ pub struct MapCase {
     pub units: Units,
     #[serde(skip)]
     heights: Arc<HeightMap>,
+    /// How it repeats itself, if it does.
+    #[serde(skip)]
+    repeats: Option<Repetition>,
+}
+
+/// How far a map that repeats itself is needed beyond its own square.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Repetition {
+    /// As far as an interpolation looks: the map lies on the cell.
+    InPlace,
+    /// Half of its sides and that: its lowest point is put on the axis.
+    Centred,
 }
 
 /// The interpolation between samples.
@@ -119,13 +131,21 @@ impl MapCase {
             interpolation,
             units: units(&file),
             heights: Arc::new(heights.with_interpolation(interpolation.into())),
+            repeats: None,
         })
     }
 
-    /// The map itself.
+    /// Makes it repeat itself: its neighbours' first samples follow its last.
+    pub fn repeat(&mut self, how: Repetition) {
+        self.repeats = Some(how);
+    }
+
+    /// The map itself, with a rim of its neighbours' samples if it repeats itself.
     #[must_use]
     pub fn heights(&self) -> HeightMap {
-        self.heights.as_ref().clone()
+        let own = self.heights.as_ref();
+        let rimmed = self.repeats.and_then(|how| with_rim(own, how).ok());
+        rimmed.unwrap_or_else(|| own.clone())
     }
 
     /// The samples, m, as [`HeightMap::heights`].
@@ -146,6 +166,26 @@ impl MapCase {
         let [x, y] = self.shape().map(|samples| samples as f64);
         (self.sides[0] / x).max(self.sides[1] / y)
     }
+}
+
+/// A map with samples of its neighbours on all sides.
+fn with_rim(map: &HeightMap, how: Repetition) -> Result<HeightMap, TextureError> {
+    /// As many as an interpolation looks at, and one more.
+    const REACH: usize = 5;
+    let (shape, extent) = (map.shape(), map.extent());
+    let rim = shape.map(|samples| match how {
+        Repetition::InPlace => REACH,
+        Repetition::Centred => samples.div_ceil(2) + REACH,
+    });
+    let wider = [0, 1].map(|axis: usize| shape[axis] + 2 * rim[axis]);
+    let around = |i: usize, axis: usize| (i + rim[axis] * (shape[axis] - 1)) % shape[axis];
+    let heights = (0..wider[0]).flat_map(|i| {
+        let row = &map.heights()[around(i, 0) * shape[1]..][..shape[1]];
+        (0..wider[1]).map(move |j| row[around(j, 1)])
+    });
+    let sides = [0, 1].map(|axis: usize| extent[axis] * wider[axis] as f64 / shape[axis] as f64);
+    let rimmed = HeightMap::new(heights.collect(), wider, sides)?;
+    Ok(rimmed.with_interpolation(map.interpolation()))
 }
 
 /// Whether the given sides or the file have a unit: then heights have one too.

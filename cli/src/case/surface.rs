@@ -212,6 +212,15 @@ impl SurfaceCase {
             _ => None,
         }
     }
+
+    /// The same, to change.
+    pub fn map_mut(&mut self) -> Option<&mut MapCase> {
+        match self {
+            Self::Map(map) => Some(&mut map.map),
+            Self::Rough(map) => Some(map),
+            _ => None,
+        }
+    }
 }
 
 impl ReliefFunctionCase {

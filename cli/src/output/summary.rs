@@ -21,6 +21,7 @@ use self::stress::StressSummary;
 pub use self::warning::WarningSummary;
 use super::curve;
 use crate::case::Case;
+use crate::case::grid::BoundaryCase;
 use crate::case::units::Units;
 use crate::failure::Failure;
 
@@ -76,6 +77,9 @@ pub struct GridSummary {
     /// Side `2a` of an element, m.
     #[serde(deserialize_with = "nan_from_null")]
     pub element_side: f64,
+    /// What lies around the square.
+    #[serde(default, skip_serializing_if = "BoundaryCase::is_free")]
+    pub boundary: BoundaryCase,
 }
 
 /// One loading step: the numbers of a [`Step`] without its fields.
@@ -210,6 +214,7 @@ impl Summary {
                 side: path.grid.side(),
                 elements: path.grid.size(),
                 element_side: path.grid.element_side(),
+                boundary: case.grid.boundary,
             },
             steps: path.steps.iter().map(StepSummary::new).collect(),
             critical: None,

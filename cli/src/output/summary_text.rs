@@ -5,6 +5,7 @@ pub mod stress;
 use pellicle_contact::{Estimate, Status};
 
 use super::summary::{StepSummary, Summary};
+use crate::case::grid::BoundaryCase;
 use crate::case::units::Units;
 use crate::display::{Unit, error_of, quantity, significant};
 
@@ -32,9 +33,19 @@ fn grid(summary: &Summary) -> String {
     let metres = |value| quantity(value, Unit::Metre, summary.units);
     let (side, element_side) = (metres(grid.side), metres(grid.element_side));
     let elements = grid.elements;
-    format!(
-        "grid {elements} × {elements} on a square of side {side}, element side {element_side}\n"
-    )
+    let square = match grid.boundary {
+        BoundaryCase::Free => "square",
+        BoundaryCase::Periodic => "periodic cell",
+    };
+    let line = format!(
+        "grid {elements} × {elements} on a {square} of side {side}, element side {element_side}\n"
+    );
+    match grid.boundary {
+        BoundaryCase::Free => line,
+        BoundaryCase::Periodic => {
+            line + "force on one cell; on a half-space penetration from the mean plane of the deformed surface\n"
+        }
+    }
 }
 
 /// Lines of name, value and note, in columns.

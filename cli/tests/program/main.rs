@@ -26,6 +26,7 @@ mod interrupt;
 mod keeping;
 mod maps;
 mod odd_values;
+mod periodic;
 mod pictures;
 mod read_back;
 mod runner;

@@ -93,6 +93,22 @@ impl Model {
         Ok(Cached { value, origin })
     }
 
+    /// The same of a periodic cell, which the grid fills.
+    ///
+    /// # Errors
+    /// As [`Self::discretize`].
+    pub fn discretize_cell(
+        &self,
+        sampled: &SampledModel,
+    ) -> Result<Cached<DiscreteProblem>, ContactError> {
+        let Cached { value, origin } = self.elasticity(&sampled.grid)?;
+        let initial_gap = initial_gap(&sampled.indenter_profile, sampled.relief.profile());
+        let (compliance, area) = (sampled.relief.compliance(), sampled.grid.element_area());
+        let value = DiscreteProblem::periodic(value, compliance.to_vec(), initial_gap, area)?;
+        let value = value.with_spring_law(sampled.relief.spring_law());
+        Ok(Cached { value, origin })
+    }
+
     /// Whether indenter and relief are their own mirror images in both axes, and the solution with them.
     #[must_use]
     pub fn is_mirrored(&self) -> bool {

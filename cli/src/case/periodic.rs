@@ -1,0 +1,83 @@
+//! What a periodic cell asks of the other tables.
+
+use super::diagnosis::Diagnosis;
+use super::indenter::IndenterCase;
+use super::map::Repetition;
+use super::surface::{LatticeCase, SurfaceCase};
+use super::table_reader::TableReader;
+
+/// Why something is not there.
+const BECAUSE: &str = "with grid.boundary = \"periodic\"";
+/// Part of a side by which lengths may differ: rounding of what a user divided.
+const LEEWAY: f64 = 1e-6;
+
+/// Makes maps repeat themselves, and refuses what a cell of this side (m) does not have.
+///
+/// # Errors
+///
+/// A [`Diagnosis`] of the first key that does not go with a periodic cell.
+pub fn fit(
+    root: &TableReader<'_>,
+    side: f64,
+    surface: &mut SurfaceCase,
+    indenter: &mut IndenterCase,
+) -> Result<(), Diagnosis> {
+    refuse_what_is_not_computed(root)?;
+    if let SurfaceCase::Cylinders(cylinders) = surface {
+        let count = side / cylinders.period;
+        let fits = (count - count.round()).abs() <= LEEWAY * count && count > 0.5;
+        if cylinders.lattice != LatticeCase::Square || !fits {
+            let wanted = "a square lattice whose period divides the side of the cell";
+            return Err(unusable(root, "surface", &["lattice", "period"], wanted));
+        }
+    }
+    let maps = [
+        ("surface", surface.map_mut(), Repetition::InPlace),
+        ("indenter", indenter.map_mut(), Repetition::Centred),
+    ];
+    for (table, map, how) in maps {
+        let Some(map) = map else { continue };
+        if map
+            .sides
+            .iter()
+            .any(|own| (own / side - 1.0).abs() > LEEWAY)
+        {
+            let wanted = format!("a map as large as the cell, {side:e} by {side:e} m");
+            return Err(unusable(root, table, &["sides", "side", "file"], &wanted));
+        }
+        map.repeat(how);
+    }
+    Ok(())
+}
+
+fn refuse_what_is_not_computed(root: &TableReader<'_>) -> Result<(), Diagnosis> {
+    if let Some(stress) = root.optional("stress") {
+        return Err(stress.unusable(&BECAUSE, "no stresses: they are those of a single contact"));
+    }
+    let Some(load) = root.optional("load") else {
+        return Ok(());
+    };
+    let load = load.table()?;
+    for key in ["penetration", "penetrations"] {
+        if let Some(field) = load.optional(key) {
+            let wanted = "force or forces on a cell: its mean displacement may have no limit";
+            return Err(field.unusable(&BECAUSE, wanted));
+        }
+    }
+    match load.optional("sensitivities") {
+        Some(field) if field.switch()? => Err(field.unusable(&BECAUSE, "false")),
+        _ => Ok(()),
+    }
+}
+
+/// The diagnosis of the first of these keys that the table has.
+fn unusable(root: &TableReader<'_>, table: &str, keys: &[&str], wanted: &str) -> Diagnosis {
+    let inside = root.optional(table).and_then(|field| field.table().ok());
+    let key = inside.as_ref().and_then(|table| {
+        let mut given = keys.iter().filter_map(|key| table.optional(key));
+        given
+            .next_back()
+            .map(|field| field.unusable(&BECAUSE, wanted))
+    });
+    key.unwrap_or_else(|| root.missing(table, wanted.to_owned()))
+}
