@@ -111,6 +111,19 @@ fn problem(random: &mut Random, tables: &RadialTables) -> (DiscreteProblem, Load
     (problem.unwrap(), load)
 }
 
+/// The same problem in a periodic cell; none under a prescribed penetration.
+fn periodic_problem(random: &mut Random, tables: &RadialTables) -> Option<(DiscreteProblem, Load)> {
+    let (free, load) = problem(random, tables);
+    let Load::Force(_) = load else { return None };
+    let (springs, gap) = (
+        free.relief_compliance().to_vec(),
+        free.initial_gap().to_vec(),
+    );
+    let elasticity = free.elasticity()?.clone();
+    let cell = DiscreteProblem::periodic(elasticity, springs, gap, free.element_area());
+    Some((cell.unwrap(), load))
+}
+
 /// The outcome of a problem.
 fn outcome(problem: &mut DiscreteProblem, load: Load) -> Result<Solution, ContactError> {
     let mut solver = GradientSolver::default();
@@ -229,6 +242,11 @@ fn every_random_mirrored_model_is_certified_on_the_whole_grid_by_its_quadrant() 
 #[test]
 fn every_random_problem_is_certified_or_refused_with_a_reason() {
     assert_certified(|random, tables| Some(problem(random, tables)));
+}
+
+#[test]
+fn every_random_problem_in_a_periodic_cell_is_certified() {
+    assert_certified(periodic_problem);
 }
 
 #[test]

@@ -100,6 +100,14 @@ impl SurfaceElasticity {
         }
     }
 
+    /// `C(k)` of the longest wave in a periodic cell of `size` × `size` elements, m/Pa: how far a pressure on the cell
+    /// alone would press it in, to order of magnitude.
+    #[must_use]
+    pub fn cell_response(&self, size: usize) -> f64 {
+        let side = size as f64 * self.table.element_side();
+        self.bodies.compliance(std::f64::consts::TAU / side)
+    }
+
     /// `K p` of a periodic cell of `size` × `size` elements.
     #[must_use]
     pub fn periodic_operator(&self, size: usize) -> PeriodicOperator {

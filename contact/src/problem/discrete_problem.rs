@@ -225,6 +225,21 @@ impl DiscreteProblem {
         self.body.boundary()
     }
 
+    /// `C(k)` of a periodic cell's longest wave, in m/Pa; 0 of a free surface.
+    pub(crate) fn cell_response(&self) -> f64 {
+        match (self.boundary(), self.elasticity()) {
+            (Boundary::Periodic, Some(elasticity)) => elasticity.cell_response(self.size),
+            _ => 0.0,
+        }
+    }
+
+    /// The length (m) that gaps are small beside: the penetration. In a periodic cell, where a flat body on a flat
+    /// surface has none, that by which its mean pressure would press the cell in alone, if it is larger.
+    pub(crate) fn reference_length(&self, penetration: f64, total: f64) -> f64 {
+        let mean = total / self.elements() as f64;
+        penetration.abs().max(self.cell_response() * mean)
+    }
+
     /// The part of the surface that the elements cover.
     pub(crate) fn sector(&self) -> Sector {
         self.sector

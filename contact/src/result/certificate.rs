@@ -8,7 +8,9 @@
 //! overlap = max(0, −min g) / D               load = |4a² Σ p − Q| / Q
 //! ```
 //!
-//! and the smallest pressure, which must not be negative. Nothing is taken from an iteration's own residual. No gap is
+//! and the smallest pressure, which must not be negative. In a periodic cell, whose penetration is told from the mean
+//! plane and may vanish, gaps are small beside `C(2π/L) p̄` if that is larger than `D`: how far the mean pressure would
+//! press a single cell in. Nothing is taken from an iteration's own residual. No gap is
 //! computed where the initial one alone is too wide for an overlap.
 
 mod reach;
@@ -168,6 +170,7 @@ impl Solution {
         // g = K p + η p + g0 − D
         update(gap, displacement, |g, u| *g = u + *g - penetration);
         window_of_reach.add(gap, &shortening);
+        let length = problem.reference_length(penetration, total);
         // 4a² Σ p
         let carried = total * problem.loaded_area();
         let (force, residual) = match load {
@@ -182,7 +185,7 @@ impl Solution {
                 smallest(&[smallest(&pressure), 0.0])
             },
             tolerance,
-            ..residuals(&window_of_reach, &pressure, gap, penetration, total)
+            ..residuals(&window_of_reach, &pressure, gap, length, total)
         };
         Self {
             penetration,
@@ -229,7 +232,7 @@ fn residuals(
     window: &Window,
     pressure: &[f64],
     gap: &[f64],
-    penetration: f64,
+    reference: f64,
     total: f64,
 ) -> Certificate {
     let parts = window.by_lines(pressure, |line, pressure| {
@@ -242,7 +245,7 @@ fn residuals(
         if length == 0.0 {
             0.0
         } else {
-            length / penetration.abs()
+            length / reference
         }
     };
     Certificate {

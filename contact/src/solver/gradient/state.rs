@@ -37,6 +37,8 @@ pub struct State {
     /// The elements of the problem: those under the indenter.
     can_touch: Vec<bool>,
     keeps_total: bool,
+    /// How far a unit mean pressure would press a periodic cell in alone; 0 of a free surface.
+    cell_response: f64,
     applications: usize,
 }
 
@@ -71,6 +73,7 @@ impl State {
                 .map(|g0| g0.is_finite())
                 .collect(),
             keeps_total: false,
+            cell_response: problem.cell_response() / problem.scale().compliance,
             applications: 0,
         }
     }
@@ -285,9 +288,18 @@ impl State {
         } else if length == 0.0 {
             0.0
         } else {
-            length / penetration.abs()
+            length / self.reference_length(penetration)
         };
         (residual, !lines.pulls)
+    }
+
+    /// The length that gaps are small beside.
+    pub fn reference_length(&self, penetration: f64) -> f64 {
+        let mean = match self.control {
+            Control::Total(total) => total / self.elements() as f64,
+            Control::Penetration(_) => 0.0,
+        };
+        penetration.abs().max(self.cell_response * mean)
     }
 
     fn lines(&self, part: std::ops::Range<usize>, v: &[f64], penetration: f64) -> ResidualExtremes {

@@ -83,7 +83,7 @@ impl WorkingSet {
     /// will pull, and those outside that overlap by more than a part `slack` of the penetration. Returns how many they
     /// are, and how many were or were not by the look before.
     pub fn look_ahead(&mut self, state: &State, missing: &[f64], slack: f64) -> Ahead {
-        let lowest = state.penetration - slack * state.penetration.abs();
+        let lowest = state.penetration - slack * state.reference_length(state.penetration);
         let fields = (state.pressure.par_chunks(PART)).zip(missing.par_chunks(PART));
         let fields = fields.zip(state.v.par_chunks(PART));
         let fields = fields.zip(self.mask.par_chunks(PART));
