@@ -3,3 +3,4 @@
 mod closed_forms;
 mod displacement;
 mod layered;
+mod rough;
