@@ -1,5 +1,10 @@
 //! A rough surface in a periodic cell on ever finer grids, between whose samples the map is interpolated.
 
+#![expect(
+    clippy::unwrap_used,
+    reason = "a scene that cannot be built fails its test"
+)]
+
 use std::sync::Arc;
 
 use pellicle_cli::surfaces::SelfAffine;
