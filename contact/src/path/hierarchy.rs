@@ -245,7 +245,7 @@ impl<'a> Hierarchy<'a> {
                 result.solution.pressure = result.window.spread(pressure);
                 None
             }
-            Ok(result) => Some(level.as_coarser(self.model, result)),
+            Ok(result) => Some(level.as_coarser(result)),
             Err(_) => None,
         };
         level.release();

@@ -8,7 +8,7 @@ use crate::{
     LevelWork, Load, Method, Model, Solution, Solver, SolverOptions, Summary,
     grid::window::Window,
     path::domain::Guess,
-    path::start::{CoarserSolution, FineGrid, bends},
+    path::start::{CoarserSolution, FineGrid},
     problem::model::SampledSector,
     result::certificate::{JudgedFields, Trial},
     result::contact_field::ContactField,
@@ -301,16 +301,14 @@ impl Level {
     }
 
     /// What the next finer level starts from.
-    pub fn as_coarser(&self, model: &Model, result: &LevelResult) -> CoarserSolution {
+    pub fn as_coarser(&self, result: &LevelResult) -> CoarserSolution {
         let window = *self.judged.reach();
-        let extent = result.window.size() * result.window.sector().parts();
         CoarserSolution {
             window,
             pressure: window.take_over(&result.window, &result.solution.pressure),
             displacement: self.judged.displacement().to_vec(),
             penetration: result.solution.penetration,
             outline: self.outline.clone(),
-            bends: bends(model, extent as f64 * self.grid.element_side()),
         }
     }
 }

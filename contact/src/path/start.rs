@@ -8,8 +8,9 @@
 //! ```
 //!
 //! The second set is what a smooth contact needs, whose gaps vanish. Pressures on `I` are interpolated between
-//! elements on the same side of the relief's outline. A pressure interpolated as a negative gap beside the contact,
-//! as before, made the set 2 to 20 times too large on rough surfaces.
+//! elements on the same side of the relief's outline, and scaled so that the force of a coarse element stays what it
+//! was, less what lies across an outline: unscaled, bare stiff coats take half as many products more. Gaps interpolated
+//! as negative pressures, as before, made the set 2 to 20 times too large on rough surfaces.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -17,7 +18,6 @@ use std::sync::Arc;
 use rayon::prelude::*;
 
 use crate::{
-    Model,
     grid::{
         prolongation::{FineLine, Prolongation},
         window::Window,
@@ -27,14 +27,6 @@ use crate::{
 
 /// Pressure of an element that overlaps where no coarse one presses, as a part of the largest.
 const SMALLEST_PRESSURE: f64 = 1e-3;
-/// Response to waves as long as a part of the contact, over that to the shortest, above which the body under the
-/// surface carries by bending: then a coarse element's force is kept, wherever in it the fine grid presses, and
-/// otherwise its pressure. With the force throughout Fig. 2a takes eight products instead of six, with the pressure
-/// throughout 2b thirteen instead of ten (N = 256).
-const BENDS: f64 = 2.0;
-/// The part of the contact's window that is meant.
-const PART_OF_WINDOW: f64 = 0.25;
-
 /// A level's solution, as the next finer level sees it.
 pub struct CoarserSolution {
     /// Where the displacement is known; it holds all pressures.
@@ -47,18 +39,6 @@ pub struct CoarserSolution {
     pub penetration: f64,
     /// Outline of the relief on the whole level.
     pub outline: Arc<Vec<bool>>,
-    /// Whether the force of an element is worth keeping.
-    pub bends: bool,
-}
-
-/// Whether waves of a part of a contact's extent (m) meet a softer body than short ones do.
-pub fn bends(model: &Model, extent: f64) -> bool {
-    let wavelength = PART_OF_WINDOW * extent;
-    model
-        .tables
-        .foundation()
-        .response(std::f64::consts::TAU / wavelength)
-        > BENDS
 }
 
 /// The fine problem, as far as a start needs it.
@@ -146,7 +126,6 @@ impl Start<'_> {
                 }
             }
         }
-        let per_element = (self.onto.grid() as f64 / from.grid() as f64).powi(2);
         for pressure in pressure.chunks_mut(size) {
             for (p, line) in pressure.iter_mut().zip(columns()) {
                 let Some(column) = self.coarse_line(*line) else {
@@ -154,12 +133,7 @@ impl Start<'_> {
                 };
                 let (wanted, share) = (self.coarser.pressure[coarse(column)], shares[column]);
                 if wanted > 0.0 && share.pressure > 0.0 {
-                    let elements = if self.coarser.bends {
-                        per_element
-                    } else {
-                        share.elements
-                    };
-                    *p *= wanted * elements / share.pressure;
+                    *p *= wanted * share.elements / share.pressure;
                 }
             }
         }
