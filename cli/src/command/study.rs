@@ -12,12 +12,15 @@ use crate::study::Study;
 use crate::study::case_solver::CaseSolver;
 use crate::study::case_status::Tally;
 use crate::study::folder::StudyFolder;
+use crate::study::identity::StudyIdentity;
 use crate::study::plan::StudyPlan;
 use crate::study::progress::StudyProgress;
 use crate::study::results_table::ResultsTable;
-use crate::study::shard::Shard;
 use crate::study::{runner, study_file};
 use crate::{cache, output, terminal};
+
+/// Bytes of the list of cases that are printed at once.
+const LISTED_AT_ONCE: usize = 1 << 16;
 
 /// Solves the remaining cases and prints the number of cases by status.
 ///
@@ -28,7 +31,10 @@ pub fn study(arguments: &StudyArguments) -> Result<Outcome, Failure> {
     let study = study_file::read(&arguments.path, &arguments.sets)?;
     let plan = StudyPlan::new(&study, arguments.shard)?;
     if arguments.list {
-        return list(&study, arguments.shard);
+        return list(&study, &plan.identity);
+    }
+    if let Some(words) = plan.refused.words().filter(|_| is_watched(arguments)) {
+        terminal::tell(&format!("warning: {words}"));
     }
     let folder = folder(arguments, &study);
     let place = StudyFolder::claim(&folder, &plan.identity, arguments.fresh)?;
@@ -39,30 +45,26 @@ pub fn study(arguments: &StudyArguments) -> Result<Outcome, Failure> {
         ));
     }
     let mut table = ResultsTable::open(place, &plan.identity)?;
-    let cases = plan.identity.cases();
-    let to_do = table.remaining(&cases);
-    let lines = StudyProgress::new(
-        cases.len(),
-        cases.len() - to_do.len(),
-        is_watched(arguments),
-    );
+    let cases = plan.identity.len();
+    let to_do = table.remaining(&plan.identity);
+    let lines = StudyProgress::new(cases, cases - to_do.count_left(), is_watched(arguments));
     let kit = CaseSolver {
         study: &study,
         columns: &plan.columns,
-        cache: cache::open(),
+        cache: cache::open_for_many(),
         memory: MemoryBudget::default(),
         folders: arguments.folders.then(|| table.place().cases()),
     };
     let threads = arguments
         .threads
         .map_or_else(runner::default_threads, usize::from);
-    runner::run(&kit, &to_do, threads, &mut table, &lines)?;
+    runner::run(&kit, to_do, threads, &mut table, &lines)?;
     cache::tell_warnings(&kit.cache);
     let (tally, path) = (table.tally(), table.path().to_owned());
-    if tally.done() == cases.len() {
+    if tally.done() == cases {
         table.finish(&plan.identity)?;
     }
-    report(arguments, tally, &path, cases.len())
+    report(arguments, tally, &path, cases)
 }
 
 fn is_watched(arguments: &StudyArguments) -> bool {
@@ -131,9 +133,16 @@ pub fn words(tally: Tally, cases: usize) -> String {
     )
 }
 
-fn list(study: &Study, shard: Shard) -> Result<Outcome, Failure> {
-    let cases = (0..study.len()).filter(|case| shard.holds(*case));
-    let line = |case| format!("case {}: {}\n", case + 1, study.words(case));
-    terminal::print(&cases.map(line).collect::<String>())?;
+/// Prints the cases of a part, some at a time.
+fn list(study: &Study, identity: &StudyIdentity) -> Result<Outcome, Failure> {
+    let mut text = String::new();
+    for case in identity.cases() {
+        let line = format!("case {}: {}\n", case + 1, study.words(case));
+        text.push_str(&line);
+        if text.len() > LISTED_AT_ONCE {
+            terminal::print(&std::mem::take(&mut text))?;
+        }
+    }
+    terminal::print(&text)?;
     Ok(Outcome::Done)
 }

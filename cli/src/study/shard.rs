@@ -28,6 +28,14 @@ impl Shard {
         (place + mixed(round) % self.count) % self.count == self.index - 1
     }
 
+    /// Number of cases of this part in a study of `len` cases.
+    #[must_use]
+    pub fn count_of(self, len: usize) -> usize {
+        let whole_rounds = len / self.count;
+        let rest = whole_rounds * self.count..len;
+        whole_rounds + rest.filter(|case| self.holds(*case)).count()
+    }
+
     /// Name of a file of this part: `results.csv`, or `results-2-of-8.csv`.
     #[must_use]
     pub fn file(self, stem: &str, ending: &str) -> String {
@@ -91,6 +99,10 @@ mod tests {
             let shard = Shard { index, count: 4 };
             let held: Vec<_> = (0..400).filter(|case| shard.holds(*case)).collect();
             assert_eq!(held.len(), 100);
+            for len in 0..20 {
+                let held = (0..len).filter(|case| shard.holds(*case)).count();
+                assert_eq!(shard.count_of(len), held, "{shard} of {len}");
+            }
             for value in 0..4 {
                 let count = held.iter().filter(|case| *case % 4 == value).count();
                 // A quarter of 100, and three times the deviation of chance.

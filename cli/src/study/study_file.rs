@@ -13,6 +13,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
+use super::numbering::CaseNumbering;
 use super::varied_key::VariedKey;
 use super::{Combine, Study};
 use crate::case::diagnosis::{Diagnosis, Fault};
@@ -52,7 +53,7 @@ pub fn read(path: &Path, sets: &[String]) -> Result<Study, Failure> {
         case_name: stem(&case),
         folder: case.parent().unwrap_or(Path::new("")).to_owned(),
         base,
-        combine: parts.combine,
+        numbering: parts.numbering,
         varied_keys: parts.varied_keys,
     })
 }
@@ -73,7 +74,7 @@ fn without_study(root: &TomlNode) -> TomlNode {
 /// The table `[study]`.
 struct StudyTable<'a> {
     case: Option<&'a str>,
-    combine: Combine,
+    numbering: CaseNumbering,
     varied_keys: Vec<VariedKey>,
 }
 
@@ -103,10 +104,14 @@ impl<'a> StudyTable<'a> {
         if varied_keys.is_empty() {
             return Err(vary.wanted("at least one key with a list or a range"));
         }
+        for (axis, varied) in varied_keys.iter_mut().enumerate() {
+            varied.axis = axis;
+        }
         check(&varied_keys, combine)?;
+        let lengths = varied_keys.iter().map(VariedKey::len).collect();
         Ok(Self {
             case,
-            combine,
+            numbering: CaseNumbering { combine, lengths },
             varied_keys,
         })
     }
@@ -152,16 +157,14 @@ fn check(varied_keys: &[VariedKey], combine: Combine) -> Result<(), Diagnosis> {
     if let Some((_, varied)) = varied_keys.iter().enumerate().find(is_given_before) {
         return wrong(varied, "the same key twice".into(), "each key once".into());
     }
-    let wanted = first.values.len();
-    let other = varied_keys
-        .iter()
-        .find(|varied| varied.values.len() != wanted);
+    let wanted = first.len();
+    let other = varied_keys.iter().find(|varied| varied.len() != wanted);
     if let (Combine::Zip, Some(other)) = (combine, other) {
-        let found = format!("{} values", other.values.len());
+        let found = format!("{} values", other.len());
         let wanted = format!("{wanted}, as many as `{}` has, to be zipped", first.key);
         return wrong(other, found, wanted);
     }
-    let lengths = varied_keys.iter().map(|varied| varied.values.len());
+    let lengths = varied_keys.iter().map(VariedKey::len);
     let cases = lengths.fold(1, usize::saturating_mul);
     if combine == Combine::Product && cases > MOST_CASES {
         return wrong(

@@ -23,12 +23,14 @@ pub struct VariedKey {
     pub key: String,
     /// The place of the key in the study.
     pub key_span: Span,
+    /// The axis on which its values are: keys that change together have the same.
+    pub axis: usize,
     /// Its values, in order.
-    pub values: Vec<TomlNode>,
+    values: Vec<TomlNode>,
     /// The values as they stand in the table; made once, since a study needs them often.
     cells: Vec<String>,
     /// The common dimension of the values, if all of them are quantities.
-    dimension: Option<Dimension>,
+    pub dimension: Option<Dimension>,
     /// Whether they come from a range.
     is_range: bool,
 }
@@ -60,11 +62,36 @@ impl VariedKey {
         Ok(Self {
             key,
             key_span,
+            axis: 0,
             cells: values.iter().map(|node| cell(node, dimension)).collect(),
             values,
             dimension,
             is_range: matches!(node.value, TomlValue::Table(_)),
         })
+    }
+
+    /// Number of its values.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.values.len()
+    }
+
+    /// The `i`-th value; an empty text if there is none.
+    #[must_use]
+    pub fn value(&self, i: usize) -> TomlNode {
+        self.values.get(i).cloned().unwrap_or_else(|| TomlNode {
+            value: TomlValue::Text(String::new()),
+            span: self.key_span.clone(),
+        })
+    }
+
+    /// Whether its values may make cases of different shapes, with other layers or other keys: lists, tables, switches
+    /// and words do, numbers and quantities do not.
+    #[must_use]
+    pub fn shapes_cases(&self) -> bool {
+        let is_number =
+            |node: &TomlNode| matches!(node.value, TomlValue::Integer(_) | TomlValue::Float(_));
+        self.dimension.is_none() && !self.values.iter().all(is_number)
     }
 
     /// Name of its column in the table, with the unit.

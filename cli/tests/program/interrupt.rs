@@ -187,8 +187,10 @@ fn a_signal_is_heard_from_the_first_thing_a_command_does() {
 #[test]
 fn a_study_stopped_while_it_is_planned_leaves_nothing() {
     let folder = TestFolder::with_case(CASE);
-    let range = "{ from = \"1 uN\", to = \"2 uN\", count = 100000 }";
-    let study = format!("[study]\ncase = \"case.toml\"\n[study.vary]\nload.force = {range}\n");
+    // Not one of a million cases is valid, and one is looked for.
+    let force = "load.force = { from = \"-2 uN\", to = \"-1 uN\", count = 100000 }";
+    let grids = "grid.elements = { from = 10, to = 100, count = 10 }";
+    let study = format!("[study]\ncase = \"case.toml\"\n[study.vary]\n{force}\n{grids}\n");
     fs::write(folder.path("many.toml"), study).unwrap();
     let (ran, _) = interrupted(&folder, &["study", "many.toml"], "-TERM", || true);
     assert_eq!(ran.code, Some(130), "{}", ran.stderr);
