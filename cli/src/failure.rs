@@ -98,6 +98,18 @@ pub enum Failure {
         /// The loading step, counted from 0.
         step: usize,
     },
+    /// The file of a study's samples cannot be read, or a value in it is wrong.
+    #[error("{}{place}: found {found}, wanted {wanted}", path.display())]
+    Samples {
+        /// The file.
+        path: PathBuf,
+        /// The place in it, in words.
+        place: String,
+        /// The fault.
+        found: String,
+        /// What is wanted.
+        wanted: String,
+    },
     /// A study has no cases.
     #[error("the study has no cases")]
     NoCases,

@@ -19,6 +19,7 @@ pub mod remaining;
 pub mod results_table;
 pub mod row_counts;
 pub mod runner;
+pub mod samples;
 pub mod shard;
 pub mod study_file;
 pub mod table_columns;

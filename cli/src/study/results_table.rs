@@ -1,10 +1,10 @@
 //! The table of a study's results, which survives a kill at any moment.
 //!
 //! A case is a block of rows, one per loading step, passed to the system in one write: what is written survives the
-//! process. [`ResultsTable::unforced`] lets somebody force it to the disk from time to time, so that it survives a power
-//! failure too, while others write on. Either can leave an incomplete block at the end of the file: its last row has no
-//! end, or rows are missing. It is removed when the study continues, and the cases after it are solved again. When every
-//! case is done, the blocks are sorted into a new file that replaces the old one.
+//! process. [`ResultsTable::unforced`] lets somebody force it to the disk from time to time, so that it survives a
+//! power failure too, while others write on. Either can leave an incomplete block at the end of the file: its last row
+//! has no end, or rows are missing. It is removed when the study continues, and the cases after it are solved again.
+//! When every case is done, the blocks are sorted into a new file that replaces the old one.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufReader, ErrorKind, Seek, Write};

@@ -33,10 +33,18 @@ radius = "4 um"
 forces = ["1 uN", "2 uN"]
 "#;
 
+const SAMPLES: &str = "\
+indenter.radius [um],foundation.layer[0].thickness,title
+3,10 nm,a
+4,12 nm,b
+5,11 nm,c
+";
+
 fn study(text: &str) -> Result<Study, String> {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("study.toml");
     fs::write(folder.path().join("base.toml"), BASE).unwrap();
+    fs::write(folder.path().join("samples.csv"), SAMPLES).unwrap();
     fs::write(&path, text).unwrap();
     let named = |error: Failure| {
         error
@@ -85,6 +93,46 @@ fn a_zip_takes_the_values_together() {
     assert_eq!(
         zipped.words(1),
         "foundation.layer[0].thickness = 20 nm, grid.elements = 64"
+    );
+}
+
+#[test]
+fn the_columns_of_a_file_change_together_and_combine_with_other_keys() {
+    let text = "[study]\ncase = \"base.toml\"\n[study.vary]\ngrid.elements = [32, 64]\nfrom = \"samples.csv\"\n";
+    let product = study(text).unwrap();
+    assert_eq!((product.len(), product.varied_keys().len()), (6, 4));
+    assert_eq!(
+        product.words(4),
+        "grid.elements = 64, indenter.radius = 4.0000 µm, foundation.layer[0].thickness = 12.000 nm, title = b"
+    );
+    let case = product.case(4).unwrap();
+    assert_eq!(
+        (case.foundation.layer[0].thickness, &*case.title),
+        (12e-9, "b")
+    );
+    let radius = &product.varied_keys()[1];
+    assert_eq!(
+        (radius.heading().as_str(), &*radius.cell(1)),
+        ("indenter.radius [m]", "4e-6")
+    );
+    // As a list of the same values gives it.
+    let listed = "[study]\ncase = \"base.toml\"\n[study.vary]\nindenter.radius = [\"3 um\", \"4 um\", \"5 um\"]\n";
+    let listed = study(listed).unwrap();
+    assert_eq!(case.indenter, listed.case(1).unwrap().indenter);
+    let zip = text.replace("[study]", "[study]\ncombine = \"zip\"");
+    let message = study(&zip).unwrap_err();
+    assert!(
+        message.contains("key `indenter.radius`: found 3 values, wanted 2"),
+        "{message}"
+    );
+    let zip = study(&zip.replace("[32, 64]", "[32, 48, 64]")).unwrap();
+    assert_eq!((zip.len(), zip.case(2).unwrap().grid.elements), (3, 64));
+    let missing = study(&text.replace("samples", "sample")).unwrap_err();
+    assert!(missing.contains("sample.csv: found"), "{missing}");
+    let number = study(&text.replace("\"samples.csv\"", "3")).unwrap_err();
+    assert!(
+        number.contains("key `study.vary.from`: found 3"),
+        "{number}"
     );
 }
 
@@ -440,7 +488,10 @@ fn the_values_of_a_key_are_read_once() {
     let thickness = &study.varied_keys()[0];
     assert_eq!([0, 1, 3].map(|i| thickness.cell(i)), ["1e-8", "2e-8", ""]);
     // The same text, not one made anew from the values.
-    assert!(std::ptr::eq(thickness.cell(1), thickness.cell(1)));
+    assert!(std::ptr::eq(
+        &raw const *thickness.cell(1),
+        &raw const *thickness.cell(1)
+    ));
 }
 
 #[test]

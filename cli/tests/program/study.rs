@@ -262,3 +262,45 @@ fn the_template_of_a_study_is_one() {
     let listed = folder.run(&["study", "study.toml", "--list"]);
     assert_eq!((listed.code, listed.stdout.lines().count()), (Some(0), 12));
 }
+
+#[test]
+fn samples_of_a_file_give_the_table_of_the_same_values_zipped() {
+    let folder = folder();
+    let zipped = "[study]\ncase = \"case.toml\"\ncombine = \"zip\"\n[study.vary]\n\
+                  load.force = [\"1 uN\", \"3 uN\", \"2 uN\"]\nsurface.radius = [\"10 nm\", \"20 nm\", \"15 nm\"]\n";
+    fs::write(folder.path("many.toml"), zipped).unwrap();
+    assert_eq!(study(&folder, &[]).code, Some(0));
+    let expected = table(&folder, "results.csv");
+    let sampled = "[study]\ncase = \"case.toml\"\n[study.vary]\nfrom = \"samples.csv\"\n";
+    fs::write(folder.path("many.toml"), sampled).unwrap();
+    let samples = "load.force [uN],surface.radius\n1,10 nm\n3,20 nm\n2,15 nm\n";
+    fs::write(folder.path("samples.csv"), samples).unwrap();
+    assert_eq!(study(&folder, &["--fresh"]).code, Some(0));
+    assert_eq!(table(&folder, "results.csv"), expected);
+    // Other samples are another study.
+    fs::write(folder.path("samples.csv"), samples.replace("3,", "4,")).unwrap();
+    let refused = study(&folder, &[]);
+    assert_eq!(refused.code, Some(2), "{}", refused.stderr);
+    fs::write(folder.path("samples.csv"), samples.replace("3,", "x,")).unwrap();
+    let wrong = study(&folder, &[]);
+    assert_eq!(wrong.code, Some(2));
+    let wanted = "line 3, key `load.force`: found \"x\", wanted a number, whose unit is uN";
+    assert!(wrong.stderr.contains(wanted), "{}", wrong.stderr);
+}
+
+#[test]
+fn an_invalid_value_is_told_before_the_cases_and_recorded() {
+    let folder = folder();
+    let text = "[study]\ncase = \"case.toml\"\n[study.vary]\nload.force = [\"1 uN\", \"-1 uN\"]\n";
+    fs::write(folder.path("many.toml"), text).unwrap();
+    let ran = folder.run(&["study", "many.toml"]);
+    assert_eq!(ran.code, Some(1), "{}", ran.stderr);
+    let first = ran.stderr.lines().next().unwrap();
+    assert!(
+        first.starts_with("warning: case 2 is invalid and will be recorded as failed"),
+        "{first}"
+    );
+    assert!(first.contains("load.force"), "{first}");
+    let table = table(&folder, "results.csv");
+    assert!(table.lines().nth(2).unwrap().starts_with("2,failed,"));
+}
