@@ -204,6 +204,9 @@ pub struct StudyArguments {
     /// Print the cases and solve none
     #[arg(long)]
     pub list: bool,
+    /// Print how far the study is, over all its parts, with the rate and the time left, and solve nothing
+    #[arg(long, conflicts_with_all = ["list", "fresh", "folders"])]
+    pub status: bool,
     /// Also write a results folder for every case, in cases/
     #[arg(long)]
     pub folders: bool,

@@ -21,6 +21,7 @@ pub mod row_counts;
 pub mod runner;
 pub mod samples;
 pub mod shard;
+pub mod status;
 pub mod study_file;
 pub mod table_columns;
 pub mod varied_key;

@@ -8,14 +8,16 @@ use crate::arguments::StudyArguments;
 use crate::failure::Failure;
 use crate::memory::MemoryBudget;
 use crate::program::Outcome;
+use crate::progress::in_words;
 use crate::study::Study;
 use crate::study::case_solver::CaseSolver;
 use crate::study::case_status::Tally;
 use crate::study::folder::StudyFolder;
 use crate::study::identity::StudyIdentity;
 use crate::study::plan::StudyPlan;
-use crate::study::progress::StudyProgress;
+use crate::study::progress::{StudyProgress, rate_in_words};
 use crate::study::results_table::ResultsTable;
+use crate::study::status::StudyStatus;
 use crate::study::{runner, study_file};
 use crate::{cache, output, terminal};
 
@@ -37,6 +39,9 @@ pub fn study(arguments: &StudyArguments) -> Result<Outcome, Failure> {
         terminal::tell(&format!("warning: {words}"));
     }
     let folder = folder(arguments, &study);
+    if arguments.status {
+        return tell_status(arguments, &folder, &plan.identity);
+    }
     let place = StudyFolder::claim(&folder, &plan.identity, arguments.fresh)?;
     if let Some(before) = place.before.as_ref().filter(|_| is_watched(arguments)) {
         terminal::tell(&format!(
@@ -69,6 +74,51 @@ pub fn study(arguments: &StudyArguments) -> Result<Outcome, Failure> {
 
 fn is_watched(arguments: &StudyArguments) -> bool {
     !arguments.quiet && !arguments.json
+}
+
+/// The output of `--status --json`.
+#[derive(Debug, Serialize)]
+struct StatusReport {
+    cases: usize,
+    #[serde(flatten)]
+    tally: Tally,
+    parts_at_work: usize,
+    cases_per_second: Option<f64>,
+    seconds_left: Option<f64>,
+}
+
+/// Prints how far the study is.
+fn tell_status(
+    arguments: &StudyArguments,
+    folder: &Path,
+    identity: &StudyIdentity,
+) -> Result<Outcome, Failure> {
+    let status = StudyStatus::read(folder, identity)?;
+    if arguments.json {
+        let report = StatusReport {
+            cases: status.cases,
+            tally: status.tally,
+            parts_at_work: status.parts_at_work,
+            cases_per_second: status.rate,
+            seconds_left: status.time_left().map(|left| left.as_secs_f64()),
+        };
+        terminal::print(&output::json(&report)?)?;
+        return Ok(Outcome::Done);
+    }
+    let parts = match status.parts_at_work {
+        0 => "; nobody is at work on it".to_owned(),
+        1 => "; 1 part at work".to_owned(),
+        count => format!("; {count} parts at work"),
+    };
+    let rate = status.rate.map(|rate| format!(", {}", rate_in_words(rate)));
+    let left = status.time_left();
+    let left = left.map(|left| format!(", {} left", in_words(left)));
+    let rest = rate.unwrap_or_default() + &left.unwrap_or_default();
+    terminal::print(&format!(
+        "{}{parts}{rest}\n",
+        words(status.tally, status.cases)
+    ))?;
+    Ok(Outcome::Done)
 }
 
 /// The folder named, or `results/NAME` after the study.

@@ -109,11 +109,21 @@ impl StudyFolder {
 ///
 /// [`Failure::Write`] if it cannot be made.
 pub fn lock(folder: &Path, part: Shard) -> Result<Option<Lock>, Failure> {
-    let path = folder.join(format!(".pellicle-{}", part.file("study", "lock")));
+    let path = lock_path(folder, part);
     Lock::take(&path, AT_WORK).map_err(|cause| Failure::write(&path, cause))
 }
 
-/// The same, asked for again while another process has it, for some seconds.
+/// Whether a process is at work on a part.
+#[must_use]
+pub fn is_at_work(folder: &Path, part: Shard) -> bool {
+    Lock::is_held(&lock_path(folder, part))
+}
+
+fn lock_path(folder: &Path, part: Shard) -> PathBuf {
+    folder.join(format!(".pellicle-{}", part.file("study", "lock")))
+}
+
+/// The lock of [`lock`], asked for again while another process has it, for some seconds.
 ///
 /// # Errors
 ///

@@ -35,6 +35,9 @@ pub struct StudyIdentity {
     pub numbering: CaseNumbering,
     /// Rows of every case, in this part or not, unless it fails.
     pub rows: RowCounts,
+    /// Number of cases that the table held when this part was last started.
+    #[serde(default)]
+    pub done_before: usize,
 }
 
 impl StudyIdentity {
@@ -50,6 +53,7 @@ impl StudyIdentity {
             header,
             numbering: study.numbering().clone(),
             rows: RowCounts::new(study),
+            done_before: 0,
         }
     }
 

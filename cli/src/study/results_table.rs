@@ -46,8 +46,13 @@ impl ResultsTable {
         if place.begin == Begin::Again {
             file.set_len(0).map_err(failed)?;
         }
-        identity.write(&place.folder)?;
         let blocks = CaseBlocks::read(&path, identity)?;
+        let done_before = blocks.blocks.len();
+        let started = StudyIdentity {
+            done_before,
+            ..identity.clone()
+        };
+        started.write(&place.folder)?;
         let mut table = Self {
             length: blocks.end,
             is_unforced: false,
