@@ -19,7 +19,7 @@ use crate::study::progress::{StudyProgress, rate_in_words};
 use crate::study::results_table::ResultsTable;
 use crate::study::status::StudyStatus;
 use crate::study::{runner, study_file};
-use crate::{cache, output, terminal};
+use crate::{cache, interrupt, output, terminal};
 
 /// Bytes of the list of cases that are printed at once.
 const LISTED_AT_ONCE: usize = 1 << 16;
@@ -63,7 +63,8 @@ pub fn study(arguments: &StudyArguments) -> Result<Outcome, Failure> {
     let threads = arguments
         .threads
         .map_or_else(runner::default_threads, usize::from);
-    runner::run(&kit, to_do, threads, &mut table, &lines)?;
+    let solve = || runner::run(&kit, to_do, threads, &mut table, &lines);
+    interrupt::finishing_what_is_in_hand(solve)?;
     cache::tell_warnings(&kit.cache);
     let (tally, path) = (table.tally(), table.path().to_owned());
     if tally.done() == cases {

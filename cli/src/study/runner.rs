@@ -88,7 +88,7 @@ struct Shared<'a> {
 
 impl<'a> Shared<'a> {
     fn take(&self) -> Option<usize> {
-        if self.is_closed.load(Ordering::SeqCst) || interrupt::is_requested() {
+        if self.is_closed.load(Ordering::SeqCst) || interrupt::is_leaving() {
             return None;
         }
         let mut queue = self.queue.lock().unwrap_or_else(PoisonError::into_inner);
