@@ -3,8 +3,8 @@
 //! The first signal sets a flag that every observer of a solution checks. Where no observer is called for a second
 //! (coefficients of a large grid), the program ends itself, unless [`hold`] has said that finished results are still to
 //! be written. A second signal ends it at once and removes half-written files. Results that are not written within
-//! [`GRACE`] of the first signal are left out. SIGTERM, which batch systems send before they kill, counts as Ctrl-C; but
-//! while the cases of a study are solved, the first one lets those in hand be finished and no other begun.
+//! [`GRACE`] of the first signal are left out. SIGTERM, which batch systems send before they kill, counts as Ctrl-C;
+//! but while the cases of a study are solved, the first one lets those in hand be finished and no other begun.
 
 use std::process;
 use std::sync::LazyLock;
@@ -60,7 +60,8 @@ pub fn listen() {
     drop(ctrlc::set_handler(received));
 }
 
-/// Does work of many parts; a SIGTERM meanwhile lets those in hand be finished, and [`is_leaving`] is true from then on.
+/// Does work of many parts; a SIGTERM meanwhile lets those in hand be finished, and [`is_leaving`] is true from then
+/// on.
 pub fn finishing_what_is_in_hand<T>(work: impl FnOnce() -> T) -> T {
     PATIENT.store(true, Ordering::SeqCst);
     let done = work();
