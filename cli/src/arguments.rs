@@ -14,7 +14,7 @@ use self::values::{depth, offset, perturbation, point, positive, range, section}
 use crate::case::output::{Format, OutputCase, Steps};
 use crate::picture::colour_map::ColourMap;
 use crate::picture::style::Cut;
-use crate::study::shard::Shard;
+use crate::study::shard::WantedShard;
 use crate::templates::Template;
 
 /// Contact of a rigid indenter with a layered, textured elastic body: a case file in, a certified solution out.
@@ -35,6 +35,14 @@ pub struct Arguments {
 pub enum Command {
     /// Solve a case and write a results folder
     Run(RunArguments),
+    /// Solve a case with the values that another program writes to standard input, as they come
+    #[command(
+        after_help = "A line of the input is a JSON object of keys and values: {\"load.force\": \"3 mN\", \"grid.elements\": 64}.\n\
+                            Its answer is the summary of `run --json` on one line, or {\"line\", \"status\": \"failed\", \"error\"}.\n\
+                            Exit codes: 0 every line is certified, 1 some lines are not, 2 the case file or the command line is wrong, \
+                            130 stopped by Ctrl-C."
+    )]
+    Solve(SolveArguments),
     /// Solve a case for many values of its keys, in parallel; after a kill the same command continues where it stopped
     #[command(
         after_help = "A study file is a base case and a table [study] of the keys that vary: `pellicle init study` prints one.\n\
@@ -125,6 +133,20 @@ pub struct RunArguments {
     pub quiet: bool,
 }
 
+/// Arguments of `solve`.
+#[derive(Debug, Args)]
+pub struct SolveArguments {
+    /// The case, and the values that replace its own.
+    #[command(flatten)]
+    pub case: CaseArguments,
+    /// Read JSON Lines from standard input until it ends, and print JSON Lines
+    #[arg(long, required = true)]
+    pub stream: bool,
+    /// Number of threads [default: one per core]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
+}
+
 /// The fields and pictures to write, in place of those that the case asks for.
 #[derive(Debug, Args)]
 pub struct OutputArguments {
@@ -172,17 +194,23 @@ pub struct StudyArguments {
     /// Start afresh and discard the results in the folder, of this study or another
     #[arg(long)]
     pub fresh: bool,
-    /// Solve only part I of N, from 1; `pellicle gather` merges the parts
+    /// Solve only part I of N, from 1, or `auto`, the part of this Slurm task; `pellicle gather` merges the parts
     #[arg(
         long,
         value_name = "I/N",
         default_value = "1/1",
         hide_default_value = true
     )]
-    pub shard: Shard,
+    pub shard: WantedShard,
+    /// Exit with 0 even if some cases are not certified or fail
+    #[arg(long)]
+    pub tolerate_failures: bool,
     /// Print the cases and solve none
     #[arg(long)]
     pub list: bool,
+    /// Print how far the study is, over all its parts, with the rate and the time left, and solve nothing
+    #[arg(long, conflicts_with_all = ["list", "fresh", "folders"])]
+    pub status: bool,
     /// Also write a results folder for every case, in cases/
     #[arg(long)]
     pub folders: bool,

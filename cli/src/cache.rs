@@ -19,6 +19,16 @@ pub fn open() -> Cache {
     folder(env::var_os(VARIABLE), platform_folder).map_or_else(Cache::in_memory, Cache::at)
 }
 
+/// The cache of a study: as [`open`], but tables of coefficients are kept on disk only from N = 128 on. Every case
+/// whose load or radius differs has an element of its own size: 20,000 cases of N = 32 would leave 39,000 files that
+/// take as long to write and read as to compute. Foundations' radial tables, which cases share, are kept as always.
+#[must_use]
+pub fn open_for_many() -> Cache {
+    const SMALLEST: usize = 128;
+    let at = |folder: PathBuf| Cache::storing_from(SMALLEST, folder);
+    folder(env::var_os(VARIABLE), platform_folder).map_or_else(Cache::in_memory, at)
+}
+
 /// Prints the warnings of the cache to standard error.
 pub fn tell_warnings(cache: &Cache) {
     let tell = |warning: CacheWarning| terminal::tell(&format!("warning: {warning}"));

@@ -29,7 +29,7 @@ pub mod units;
 pub mod value_reader;
 pub mod warnings;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use pellicle_contact::{ContactError, Domain, Model, SolverOptions, choose_side};
@@ -84,6 +84,49 @@ pub struct Case {
     /// The document it was read from.
     #[serde(skip)]
     pub document: Document,
+}
+
+/// A case file as it was read, to be resolved with many values of its keys.
+#[derive(Debug, Clone)]
+pub struct BaseCase {
+    /// The tree of its text.
+    pub root: TomlNode,
+    /// Title of a case without one.
+    name: String,
+    /// Folder to which its file names are relative.
+    folder: PathBuf,
+}
+
+impl BaseCase {
+    /// Reads the case file, with the values of `--set` in place of its own. It need not be a valid case yet.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure`] if the file cannot be read or is not TOML.
+    pub fn read(path: &Path, sets: &[String]) -> Result<Self, Failure> {
+        let mut root = document::parse(&Arc::new(source::read(path)?))?;
+        for argument in sets {
+            overrides::set(&mut root, argument)?;
+        }
+        Ok(Self {
+            root,
+            name: path
+                .file_stem()
+                .unwrap_or_default()
+                .to_string_lossy()
+                .into(),
+            folder: path.parent().unwrap_or(Path::new("")).to_owned(),
+        })
+    }
+
+    /// The case of a tree, this one's with other values.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] of the first fault.
+    pub fn resolve(&self, root: &TomlNode) -> Result<Case, Diagnosis> {
+        Case::resolve(root, &self.name, &self.folder)
+    }
 }
 
 impl Case {

@@ -10,6 +10,7 @@ pub mod init;
 pub mod kernel;
 pub mod plot;
 pub mod run;
+pub mod solve;
 pub mod stress;
 pub mod study;
 pub mod surface;

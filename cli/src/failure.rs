@@ -104,6 +104,24 @@ pub enum Failure {
         /// What was found and what is wanted.
         message: String,
     },
+    /// The file of a study's samples cannot be read, or a value in it is wrong.
+    #[error("{}{place}: found {found}, wanted {wanted}", path.display())]
+    Samples {
+        /// The file.
+        path: PathBuf,
+        /// The place in it, in words.
+        place: String,
+        /// The fault.
+        found: String,
+        /// What is wanted.
+        wanted: String,
+    },
+    /// The environment names no task of a batch system.
+    #[error("--shard auto: found {}, wanted the variables of a Slurm task, SLURM_ARRAY_TASK_ID, _COUNT and _MIN or SLURM_PROCID and SLURM_NTASKS", found.as_deref().unwrap_or("none"))]
+    NoTask {
+        /// The fault, if a variable is wrong.
+        found: Option<String>,
+    },
     /// A study has no cases.
     #[error("the study has no cases")]
     NoCases,
@@ -171,6 +189,22 @@ pub enum Failure {
         path: PathBuf,
         /// The fault.
         reason: String,
+    },
+    /// Standard input cannot be read.
+    #[error("standard input: cannot be read: {cause}")]
+    Input {
+        /// The system's error.
+        cause: io::Error,
+    },
+    /// A line of standard input is not what `solve --stream` reads.
+    #[error("standard input, line {line}: found {found}, wanted {wanted}")]
+    Line {
+        /// The line, counted from 1.
+        line: usize,
+        /// The fault.
+        found: String,
+        /// What is wanted.
+        wanted: &'static str,
     },
     /// Standard output cannot be written to.
     #[error("standard output: cannot be written: {cause}")]

@@ -3,7 +3,8 @@
 //! The first signal sets a flag that every observer of a solution checks. Where no observer is called for a second
 //! (coefficients of a large grid), the program ends itself, unless [`hold`] has said that finished results are still to
 //! be written. A second signal ends it at once and removes half-written files. Results that are not written within
-//! [`GRACE`] of the first signal are left out. SIGTERM, which batch systems send before they kill, counts as Ctrl-C.
+//! [`GRACE`] of the first signal are left out. SIGTERM, which batch systems send before they kill, counts as Ctrl-C;
+//! but while the cases of a study are solved, the first one lets those in hand be finished and no other begun.
 
 use std::process;
 use std::sync::LazyLock;
@@ -29,11 +30,49 @@ pub const GRACE: Duration = Duration::from_millis(100);
 static REQUESTED: LazyLock<StopFlag> = LazyLock::new(StopFlag::default);
 static OVERDUE: AtomicBool = AtomicBool::new(false);
 static HELD: AtomicBool = AtomicBool::new(false);
+/// Whether the first SIGTERM lets the work in hand be finished.
+static PATIENT: AtomicBool = AtomicBool::new(false);
+static LEAVING: AtomicBool = AtomicBool::new(false);
 
 /// Installs the handler. Without it, or where the system refuses it, Ctrl-C ends the program at once.
+#[cfg(unix)]
+pub fn listen() {
+    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
+    // If refused, the system's own handler stays, which ends the program.
+    let Ok(mut signals) = signal_hook::iterator::Signals::new([SIGINT, SIGTERM, SIGHUP]) else {
+        return;
+    };
+    thread::spawn(move || {
+        for signal in signals.forever() {
+            if signal == SIGTERM {
+                terminated();
+            } else {
+                received();
+            }
+        }
+    });
+}
+
+/// Installs the handler. Without it, or where the system refuses it, Ctrl-C ends the program at once.
+#[cfg(not(unix))]
 pub fn listen() {
     // If refused, the system's own handler stays, which ends the program.
     drop(ctrlc::set_handler(received));
+}
+
+/// Does work of many parts; a SIGTERM meanwhile lets those in hand be finished, and [`is_leaving`] is true from then
+/// on.
+pub fn finishing_what_is_in_hand<T>(work: impl FnOnce() -> T) -> T {
+    PATIENT.store(true, Ordering::SeqCst);
+    let done = work();
+    PATIENT.store(false, Ordering::SeqCst);
+    done
+}
+
+/// Whether no more parts of the work are to be begun.
+#[must_use]
+pub fn is_leaving() -> bool {
+    LEAVING.load(Ordering::SeqCst) || is_requested()
 }
 
 /// Whether the user has asked to stop.
@@ -67,6 +106,16 @@ pub fn is_overdue() -> bool {
 /// Declares that finished results are to be written before the program may end.
 pub fn hold() {
     HELD.store(true, Ordering::SeqCst);
+}
+
+/// Handles a SIGTERM, on a thread of its own and not in the signal handler.
+#[cfg(unix)]
+fn terminated() {
+    if PATIENT.load(Ordering::SeqCst) && !LEAVING.swap(true, Ordering::SeqCst) {
+        terminal::tell("finishing the cases in hand; another signal stops them");
+    } else {
+        received();
+    }
 }
 
 /// Handles a signal, on a thread of its own and not in the signal handler.

@@ -1,32 +1,46 @@
 //! A study: one case solved for many values of its keys, on all cores and on many machines, resumed after kills.
 //!
-//! [`study_file`] reads it, [`plan`] lists the cases to solve, [`results_table`] keeps the results, one durable block
-//! of rows per case, [`runner`] solves the remaining cases, and [`gather`](mod@gather) merges the tables of several
-//! machines.
+//! [`study_file`] reads it, [`numbering`] numbers its cases, [`plan`] checks what can be checked before any of them is
+//! solved, [`results_table`] keeps the results, one block of rows per case, [`runner`] solves the remaining cases, and
+//! [`gather`](mod@gather) merges the tables of several machines. A case is read when it is its turn: neither the start
+//! of a study nor its memory depends on the number of its cases, but for some bytes each.
 
+pub mod case_blocks;
 pub mod case_solver;
 pub mod case_status;
+pub mod fingerprint;
 pub mod folder;
 pub mod gather;
 pub mod identity;
+pub mod numbering;
 pub mod plan;
 pub mod progress;
+pub mod remaining;
 pub mod results_table;
+pub mod row_counts;
 pub mod runner;
+pub mod samples;
 pub mod shard;
+pub mod status;
 pub mod study_file;
 pub mod table_columns;
 pub mod varied_key;
 
 use std::path::PathBuf;
 
+use serde::{Deserialize, Serialize};
+
+use self::numbering::CaseNumbering;
 use self::varied_key::VariedKey;
 use crate::case::diagnosis::Diagnosis;
 use crate::case::document::TomlNode;
+use crate::case::load::LoadCase;
+use crate::case::table_reader::TableReader;
 use crate::case::{Case, overrides};
 
 /// The combination of the values of several keys.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Combine {
     /// Every value of each with every value of the others; the last key changes fastest.
     Product,
@@ -44,7 +58,7 @@ pub struct Study {
     /// Folder to which the file names of the base case are relative.
     folder: PathBuf,
     base: TomlNode,
-    combine: Combine,
+    numbering: CaseNumbering,
     varied_keys: Vec<VariedKey>,
 }
 
@@ -55,32 +69,47 @@ impl Study {
         &self.varied_keys
     }
 
+    /// The numbers of the cases.
+    #[must_use]
+    pub fn numbering(&self) -> &CaseNumbering {
+        &self.numbering
+    }
+
     /// Number of cases.
     #[must_use]
     pub fn len(&self) -> usize {
-        let mut lengths = self.varied_keys.iter().map(|varied| varied.values.len());
-        match self.combine {
-            Combine::Product => lengths.product(),
-            Combine::Zip => lengths.next().unwrap_or(0),
-        }
+        self.numbering.len()
     }
 
     /// The number of each key's value in a case, all counted from 0.
     #[must_use]
     pub fn choice(&self, case: usize) -> Vec<usize> {
-        let mut rest = case;
-        let digit = |varied: &VariedKey| {
-            let count = varied.values.len();
-            let digit = rest % count;
-            if self.combine == Combine::Product {
-                rest /= count;
-            }
-            digit
+        let choice = self.numbering.choice(case);
+        let keys = self.varied_keys.iter();
+        keys.map(|varied| choice[varied.axis]).collect()
+    }
+
+    /// The axes with a key of which `holds` is true, given its path.
+    #[must_use]
+    pub fn axes_of(&self, holds: impl Fn(&[String]) -> bool) -> Vec<usize> {
+        let is_wanted = |varied: &&VariedKey| {
+            let path = overrides::key_path(&varied.key);
+            path.is_some_and(|path| holds(&path))
         };
-        // The last key is the last digit.
-        let mut choice: Vec<_> = self.varied_keys.iter().rev().map(digit).collect();
-        choice.reverse();
-        choice
+        let keys = self.varied_keys.iter().filter(is_wanted);
+        let mut axes: Vec<_> = keys.map(|varied| varied.axis).collect();
+        axes.dedup();
+        axes
+    }
+
+    /// The text of a case as a tree: the base case with the case's own values.
+    fn tree(&self, case: usize) -> Result<TomlNode, Diagnosis> {
+        let mut root = self.base.clone();
+        for (varied, i) in self.varied_keys.iter().zip(self.choice(case)) {
+            let value = varied.value(i);
+            overrides::replace(&mut root, &varied.key, &varied.key_span, value)?;
+        }
+        Ok(root)
     }
 
     /// A case, counted from 0.
@@ -89,12 +118,17 @@ impl Study {
     ///
     /// A [`Diagnosis`] if these values make an invalid case.
     pub fn case(&self, case: usize) -> Result<Case, Diagnosis> {
-        let mut root = self.base.clone();
-        for (varied, i) in self.varied_keys.iter().zip(self.choice(case)) {
-            let value = varied.values[i].clone();
-            overrides::replace(&mut root, &varied.key, &varied.key_span, value)?;
-        }
-        Case::resolve(&root, &self.case_name, &self.folder)
+        Case::resolve(&self.tree(case)?, &self.case_name, &self.folder)
+    }
+
+    /// The number of loading steps of a case; 1 if its load is invalid. Nothing else of the case is read.
+    fn steps(&self, case: usize) -> usize {
+        let read = || {
+            let root = self.tree(case)?;
+            let load = TableReader::root(&root)?.required("load", "a table [load]")?;
+            LoadCase::read(&load.table()?)
+        };
+        read().map_or(1, |load: LoadCase| load.loads().len())
     }
 
     /// The values of a case in words: `load.force = 1 mN, grid.elements = 64`.

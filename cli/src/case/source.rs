@@ -14,6 +14,9 @@ use crate::failure::Failure;
 /// A text with the name it goes by in messages: the path of a case file, or `--set`.
 pub type Source = NamedSource<String>;
 
+/// The name of the text that `solve --stream` reads, followed by its line.
+pub const STREAM: &str = "standard input";
+
 /// A case file is some lines of text; a file of more bytes than this is not one.
 const LARGEST_FILE: u64 = 16 << 20;
 

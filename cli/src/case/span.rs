@@ -36,11 +36,12 @@ impl Span {
         1 + before.filter(|byte| **byte == b'\n').count()
     }
 
-    /// Source and line in words, `case.toml, line 3`; for the command line only its name, since it has a single line.
+    /// Source and line in words, `case.toml, line 3`; for the command line only its name, since it has a single line,
+    /// and for standard input its name, which tells the line.
     #[must_use]
     pub fn words(&self) -> String {
         let name = self.source.name();
-        if name == super::overrides::NAME {
+        if name == super::overrides::NAME || name.starts_with(super::source::STREAM) {
             return name.to_owned();
         }
         format!("{name}, line {}", self.line())

@@ -45,7 +45,7 @@ impl Units {
 }
 
 /// Keys whose text is never a quantity.
-const PROSE: [&str; 2] = ["title", "file"];
+pub(crate) const PROSE: [&str; 2] = ["title", "file"];
 
 fn names_a_unit(value: &TomlValue) -> bool {
     match value {

@@ -8,16 +8,21 @@ use crate::arguments::StudyArguments;
 use crate::failure::Failure;
 use crate::memory::MemoryBudget;
 use crate::program::Outcome;
+use crate::progress::in_words;
 use crate::study::Study;
 use crate::study::case_solver::CaseSolver;
 use crate::study::case_status::Tally;
 use crate::study::folder::StudyFolder;
+use crate::study::identity::StudyIdentity;
 use crate::study::plan::StudyPlan;
-use crate::study::progress::StudyProgress;
+use crate::study::progress::{StudyProgress, rate_in_words};
 use crate::study::results_table::ResultsTable;
-use crate::study::shard::Shard;
+use crate::study::status::StudyStatus;
 use crate::study::{runner, study_file};
-use crate::{cache, output, terminal};
+use crate::{cache, interrupt, output, terminal};
+
+/// Bytes of the list of cases that are printed at once.
+const LISTED_AT_ONCE: usize = 1 << 16;
 
 /// Solves the remaining cases and prints the number of cases by status.
 ///
@@ -26,11 +31,17 @@ use crate::{cache, output, terminal};
 /// [`Failure`] if the study is invalid or its table cannot be written; not if a case fails.
 pub fn study(arguments: &StudyArguments) -> Result<Outcome, Failure> {
     let study = study_file::read(&arguments.path, &arguments.sets)?;
-    let plan = StudyPlan::new(&study, arguments.shard)?;
+    let plan = StudyPlan::new(&study, arguments.shard.resolve()?)?;
     if arguments.list {
-        return list(&study, arguments.shard);
+        return list(&study, &plan.identity);
+    }
+    if let Some(words) = plan.refused.words().filter(|_| is_watched(arguments)) {
+        terminal::tell(&format!("warning: {words}"));
     }
     let folder = folder(arguments, &study);
+    if arguments.status {
+        return tell_status(arguments, &folder, &plan.identity);
+    }
     let place = StudyFolder::claim(&folder, &plan.identity, arguments.fresh)?;
     if let Some(before) = place.before.as_ref().filter(|_| is_watched(arguments)) {
         terminal::tell(&format!(
@@ -39,34 +50,76 @@ pub fn study(arguments: &StudyArguments) -> Result<Outcome, Failure> {
         ));
     }
     let mut table = ResultsTable::open(place, &plan.identity)?;
-    let cases = plan.identity.cases();
-    let to_do = table.remaining(&cases);
-    let lines = StudyProgress::new(
-        cases.len(),
-        cases.len() - to_do.len(),
-        is_watched(arguments),
-    );
+    let cases = plan.identity.len();
+    let to_do = table.remaining(&plan.identity);
+    let lines = StudyProgress::new(cases, cases - to_do.count_left(), is_watched(arguments));
     let kit = CaseSolver {
         study: &study,
         columns: &plan.columns,
-        cache: cache::open(),
+        cache: cache::open_for_many(),
         memory: MemoryBudget::default(),
         folders: arguments.folders.then(|| table.place().cases()),
     };
     let threads = arguments
         .threads
         .map_or_else(runner::default_threads, usize::from);
-    runner::run(&kit, &to_do, threads, &mut table, &lines)?;
+    let solve = || runner::run(&kit, to_do, threads, &mut table, &lines);
+    interrupt::finishing_what_is_in_hand(solve)?;
     cache::tell_warnings(&kit.cache);
     let (tally, path) = (table.tally(), table.path().to_owned());
-    if tally.done() == cases.len() {
+    if tally.done() == cases {
         table.finish(&plan.identity)?;
     }
-    report(arguments, tally, &path, cases.len())
+    report(arguments, tally, &path, cases)
 }
 
 fn is_watched(arguments: &StudyArguments) -> bool {
     !arguments.quiet && !arguments.json
+}
+
+/// The output of `--status --json`.
+#[derive(Debug, Serialize)]
+struct StatusReport {
+    cases: usize,
+    #[serde(flatten)]
+    tally: Tally,
+    parts_at_work: usize,
+    cases_per_second: Option<f64>,
+    seconds_left: Option<f64>,
+}
+
+/// Prints how far the study is.
+fn tell_status(
+    arguments: &StudyArguments,
+    folder: &Path,
+    identity: &StudyIdentity,
+) -> Result<Outcome, Failure> {
+    let status = StudyStatus::read(folder, identity)?;
+    if arguments.json {
+        let report = StatusReport {
+            cases: status.cases,
+            tally: status.tally,
+            parts_at_work: status.parts_at_work,
+            cases_per_second: status.rate,
+            seconds_left: status.time_left().map(|left| left.as_secs_f64()),
+        };
+        terminal::print(&output::json(&report)?)?;
+        return Ok(Outcome::Done);
+    }
+    let parts = match status.parts_at_work {
+        0 => "; nobody is at work on it".to_owned(),
+        1 => "; 1 part at work".to_owned(),
+        count => format!("; {count} parts at work"),
+    };
+    let rate = status.rate.map(|rate| format!(", {}", rate_in_words(rate)));
+    let left = status.time_left();
+    let left = left.map(|left| format!(", {} left", in_words(left)));
+    let rest = rate.unwrap_or_default() + &left.unwrap_or_default();
+    terminal::print(&format!(
+        "{}{parts}{rest}\n",
+        words(status.tally, status.cases)
+    ))?;
+    Ok(Outcome::Done)
 }
 
 /// The folder named, or `results/NAME` after the study.
@@ -103,7 +156,7 @@ fn report(
     }
     Ok(match tally.done() {
         done if done < cases => Outcome::Stopped,
-        _ if tally.is_certified() => Outcome::Done,
+        _ if tally.is_certified() || arguments.tolerate_failures => Outcome::Done,
         _ => Outcome::NotConverged,
     })
 }
@@ -131,9 +184,16 @@ pub fn words(tally: Tally, cases: usize) -> String {
     )
 }
 
-fn list(study: &Study, shard: Shard) -> Result<Outcome, Failure> {
-    let cases = (0..study.len()).filter(|case| shard.holds(*case));
-    let line = |case| format!("case {}: {}\n", case + 1, study.words(case));
-    terminal::print(&cases.map(line).collect::<String>())?;
+/// Prints the cases of a part, some at a time.
+fn list(study: &Study, identity: &StudyIdentity) -> Result<Outcome, Failure> {
+    let mut text = String::new();
+    for case in identity.cases() {
+        let line = format!("case {}: {}\n", case + 1, study.words(case));
+        text.push_str(&line);
+        if text.len() > LISTED_AT_ONCE {
+            terminal::print(&std::mem::take(&mut text))?;
+        }
+    }
+    terminal::print(&text)?;
     Ok(Outcome::Done)
 }

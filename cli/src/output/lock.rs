@@ -52,6 +52,13 @@ impl Lock {
         Ok(None)
     }
 
+    /// Whether a process holds the lock.
+    #[must_use]
+    pub fn is_held(path: &Path) -> bool {
+        let file = File::open(path);
+        file.is_ok_and(|file| matches!(file.try_lock_shared(), Err(TryLockError::WouldBlock)))
+    }
+
     /// Text of the file that a dead process left; none if there was no such file.
     #[must_use]
     pub fn found(&self) -> Option<&str> {

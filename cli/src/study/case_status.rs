@@ -60,7 +60,8 @@ impl Tally {
         tally
     }
 
-    fn add(&mut self, status: CaseStatus) {
+    /// Counts one more.
+    pub fn add(&mut self, status: CaseStatus) {
         let count = match status {
             CaseStatus::Certified => &mut self.certified,
             CaseStatus::NotConverged => &mut self.not_converged,

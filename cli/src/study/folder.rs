@@ -1,13 +1,12 @@
 //! The folder of a study, which belongs to this study alone and to one process at a time.
 
-use std::fs;
-use std::io;
+use std::fs::{self, File};
+use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 use std::thread;
 use std::time::Duration;
 
 use super::identity::StudyIdentity;
-use super::results_table::{self, CaseBlocks};
 use super::shard::Shard;
 use crate::failure::Failure;
 use crate::output::lock::Lock;
@@ -110,11 +109,21 @@ impl StudyFolder {
 ///
 /// [`Failure::Write`] if it cannot be made.
 pub fn lock(folder: &Path, part: Shard) -> Result<Option<Lock>, Failure> {
-    let path = folder.join(format!(".pellicle-{}", part.file("study", "lock")));
+    let path = lock_path(folder, part);
     Lock::take(&path, AT_WORK).map_err(|cause| Failure::write(&path, cause))
 }
 
-/// The same, asked for again while another process has it, for some seconds.
+/// Whether a process is at work on a part.
+#[must_use]
+pub fn is_at_work(folder: &Path, part: Shard) -> bool {
+    Lock::is_held(&lock_path(folder, part))
+}
+
+fn lock_path(folder: &Path, part: Shard) -> PathBuf {
+    folder.join(format!(".pellicle-{}", part.file("study", "lock")))
+}
+
+/// The lock of [`lock`], asked for again while another process has it, for some seconds.
 ///
 /// # Errors
 ///
@@ -157,7 +166,18 @@ pub fn is_table_of(folder: &Path, identity: &StudyIdentity) -> Result<bool, Fail
     if !is_file(&path) {
         return Ok(false);
     }
-    Ok(CaseBlocks::of(&results_table::read(&path)?, identity).is_some())
+    let first = File::open(&path).and_then(|file| first_line(file, identity.header.len()));
+    let first = first.map_err(|cause| Failure::damaged(&path, &cause))?;
+    let header = format!("{}\n", identity.header);
+    // A kill may have cut it off.
+    Ok(header.as_bytes().starts_with(&first))
+}
+
+/// The first bytes of a table: as many as its first line should have, with its end.
+fn first_line(file: File, length: usize) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    file.take(length as u64 + 1).read_to_end(&mut bytes)?;
+    Ok(bytes)
 }
 
 fn is_file(path: &Path) -> bool {

@@ -1,13 +1,13 @@
 //! Merges the tables of a study's parts into one.
 
-use std::collections::BTreeMap;
-use std::fs;
+use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 
+use super::case_blocks::CaseBlocks;
 use super::case_status::Tally;
 use super::folder;
 use super::identity::StudyIdentity;
-use super::results_table::{self, CaseBlocks};
+use super::results_table;
 use super::shard::Shard;
 use crate::failure::Failure;
 use crate::output::file;
@@ -58,28 +58,32 @@ pub fn gather(folder: &Path, other: OtherTable) -> Result<Gathered, Failure> {
     let _lock = folder::wait_for_lock(folder, Shard::WHOLE)?;
     file::sweep(folder);
     check_whole(folder, &whole, other)?;
-    let texts = parts.iter().map(|part| read(folder, part));
-    let texts = texts.collect::<Result<Vec<_>, _>>()?;
-    let mut rows = BTreeMap::new();
-    let mut statuses = BTreeMap::new();
-    for (part, text) in parts.iter().zip(&texts) {
+    let mut tables = Vec::new();
+    let mut statuses = vec![None; first.numbering.len()];
+    for part in &parts {
         let path = part.table(folder);
-        let blocks = CaseBlocks::of(text, part)
-            .ok_or_else(|| Failure::damaged(&path, &"its first line is not that of this study"))?;
-        rows.extend(blocks.in_order(text));
-        statuses.extend(blocks.statuses());
+        // No row has been written yet.
+        if !path.exists() {
+            continue;
+        }
+        let blocks = CaseBlocks::read(&path, part)?.blocks;
+        for block in &blocks {
+            statuses[block.case] = Some(block.status);
+        }
+        let file = File::open(&path).map_err(|cause| Failure::damaged(&path, &cause))?;
+        tables.push((file, blocks));
     }
-    let missing = 0..first.rows.len();
-    let missing: Vec<_> = missing.filter(|case| !rows.contains_key(case)).collect();
+    let missing = (0..statuses.len()).filter(|case| statuses[*case].is_none());
+    let missing: Vec<_> = missing.collect();
     let table = missing.is_empty().then(|| whole.table(folder));
     if let Some(path) = &table {
         // A kill between the two leaves a study that has not begun, and not a table of an unknown study.
         whole.write(folder)?;
-        results_table::write_in_order(path, &whole.header, &rows)?;
+        results_table::write_in_order(path, &whole.header, tables)?;
         folder::forget_before(folder, &whole)?;
     }
     Ok(Gathered {
-        tally: Tally::of(statuses.into_values()),
+        tally: Tally::of(statuses.into_iter().flatten()),
         missing,
         table,
     })
@@ -101,16 +105,6 @@ fn check_whole(folder: &Path, whole: &StudyIdentity, other: OtherTable) -> Resul
         (Some(remembered), _) if is_known && remembered.fingerprint == whole.fingerprint => Ok(()),
         (Some(_), _) if is_known => Err(Failure::OtherTable { path }),
         _ => Err(Failure::NoResults { path }),
-    }
-}
-
-/// The table of a part; empty if no row has been written yet.
-fn read(folder: &Path, part: &StudyIdentity) -> Result<Vec<u8>, Failure> {
-    let path = part.table(folder);
-    if path.exists() {
-        results_table::read(&path)
-    } else {
-        Ok(Vec::new())
     }
 }
 

@@ -7,12 +7,14 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 
 use super::Study;
+use super::numbering::CaseNumbering;
+use super::row_counts::RowCounts;
 use super::shard::Shard;
 use crate::failure::Failure;
 use crate::output::{file, json};
 
 /// Name and version of the layout.
-const SCHEMA: &str = "pellicle-study/1";
+const SCHEMA: &str = "pellicle-study/2";
 
 /// A study and its part, as stored in its folder.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -29,20 +31,19 @@ pub struct StudyIdentity {
     pub fingerprint: String,
     /// First line of the table.
     pub header: String,
-    /// Rows of every case, in this part or not, unless it fails: one per loading step.
-    pub rows: Vec<usize>,
+    /// The cases of the whole study.
+    pub numbering: CaseNumbering,
+    /// Rows of every case, in this part or not, unless it fails.
+    pub rows: RowCounts,
+    /// Number of cases that the table held when this part was last started.
+    #[serde(default)]
+    pub done_before: usize,
 }
 
 impl StudyIdentity {
-    /// The identity of a study with this hash, these rows and this header.
+    /// The identity of a study with this hash and this header.
     #[must_use]
-    pub fn new(
-        study: &Study,
-        fingerprint: String,
-        rows: Vec<usize>,
-        header: String,
-        shard: Shard,
-    ) -> Self {
+    pub fn new(study: &Study, fingerprint: String, header: String, shard: Shard) -> Self {
         Self {
             schema: SCHEMA.into(),
             version: env!("CARGO_PKG_VERSION").into(),
@@ -50,8 +51,23 @@ impl StudyIdentity {
             shard,
             fingerprint,
             header,
-            rows,
+            numbering: study.numbering().clone(),
+            rows: RowCounts::new(study),
+            done_before: 0,
         }
+    }
+
+    /// Number of cases of this part.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.shard.count_of(self.numbering.len())
+    }
+
+    /// The rows of a case of this part unless it fails; none of any other case.
+    #[must_use]
+    pub fn rows_of(&self, case: usize) -> Option<usize> {
+        let rows = self.rows.of(&self.numbering, case);
+        rows.filter(|_| self.shard.holds(case))
     }
 
     /// The path of its file.
@@ -67,10 +83,9 @@ impl StudyIdentity {
     }
 
     /// The cases of this part, counted from 0.
-    #[must_use]
-    pub fn cases(&self) -> Vec<usize> {
-        let all = 0..self.rows.len();
-        all.filter(|case| self.shard.holds(*case)).collect()
+    pub fn cases(&self) -> impl Iterator<Item = usize> + use<> {
+        let shard = self.shard;
+        (0..self.numbering.len()).filter(move |case| shard.holds(*case))
     }
 
     /// Writes it.

@@ -1,83 +1,121 @@
-//! The plan of a study: every case is resolved once, before any long work.
+//! The plan of a study: what can be known of its cases before any of them is solved, without reading all of them.
 
 use super::Study;
+use super::fingerprint;
 use super::identity::StudyIdentity;
 use super::shard::Shard;
 use super::table_columns::TableColumns;
-use crate::case::Case;
+use super::varied_key::VariedKey;
 use crate::case::diagnosis::Diagnosis;
-use crate::case::output::OutputCase;
-use crate::case::units::Units;
 use crate::failure::Failure;
 use crate::output::curve::stress::StressColumns;
 
-/// The columns and the identity of a study.
+/// The most values of one axis that are tried before anything is solved; the others are read in their turn.
+const MOST_TRIED: usize = 10_000;
+
+/// The columns and the identity of a study, and the cases known to be invalid.
 #[derive(Debug, Clone)]
 pub struct StudyPlan {
     /// The table's columns.
     pub columns: TableColumns,
     /// The study's identity.
     pub identity: StudyIdentity,
+    /// The invalid cases among those that were tried; all of them are recorded as failed in their turn.
+    pub refused: RefusedCases,
+}
+
+/// The invalid ones of the cases that were tried before anything is solved.
+#[derive(Debug, Clone, Default)]
+pub struct RefusedCases {
+    /// Number of cases tried.
+    pub tried: usize,
+    /// Number of invalid ones.
+    pub count: usize,
+    /// The first of them, counted from 0, and what is wrong with it.
+    pub first: Option<(usize, Box<Diagnosis>)>,
 }
 
 impl StudyPlan {
-    /// Resolves every case of the study.
+    /// Reads the cases up to the first valid one, and those that differ from it in one key: so every value of a key is
+    /// tried once, with valid values of the others. Of a key with more than 10,000 values, and of zipped keys, the
+    /// first 10,000 are tried.
     ///
     /// # Errors
     ///
     /// The [`Diagnosis`] of the first case if no case is valid; if others are, an invalid case is recorded in its turn.
     pub fn new(study: &Study, shard: Shard) -> Result<Self, Failure> {
-        let mut hasher = blake3::Hasher::new();
-        hasher.update(env!("CARGO_PKG_VERSION").as_bytes());
-        let (mut rows, mut units, mut refused) = (Vec::new(), None, None);
+        let (reference, units) = first_valid(study)?;
+        let mut refused = RefusedCases::default();
         let mut stress = StressColumns::default();
-        for i in 0..study.len() {
-            match study.case(i) {
-                Ok(case) => {
-                    add(&mut hasher, &case)?;
-                    stress.add(&case);
-                    units = units.or(Some(case.units));
-                    rows.push(case.load.loads().len());
-                }
-                Err(diagnosis) => {
-                    hasher.update(diagnosis.to_string().as_bytes());
-                    refused.get_or_insert(diagnosis);
-                    rows.push(1);
-                }
+        for case in cases_to_try(study, reference) {
+            refused.tried += 1;
+            match study.case(case) {
+                Ok(case) => stress.add(&case),
+                Err(diagnosis) => refused.add(case, diagnosis),
             }
         }
-        let units = units.ok_or_else(|| none_is_valid(refused))?;
         let columns = TableColumns::new(study, units, stress);
-        hasher.update(columns.header().as_bytes());
-        let fingerprint = hasher.finalize().to_hex().to_string();
-        let identity = StudyIdentity::new(study, fingerprint, rows, columns.header(), shard);
-        Ok(Self { columns, identity })
+        let fingerprint = fingerprint::of(study, units, &columns.header());
+        let identity = StudyIdentity::new(study, fingerprint, columns.header(), shard);
+        Ok(Self {
+            columns,
+            identity,
+            refused,
+        })
     }
 }
 
-/// Adds the case and the heights of its maps to the hash.
-fn add(hasher: &mut blake3::Hasher, case: &Case) -> Result<(), Failure> {
-    // The choice of files does not change the solution.
-    let case = Case {
-        output: OutputCase::default(),
-        ..case.clone()
-    };
-    hasher.update(&serde_json::to_vec(&case)?);
-    hasher.update(&[u8::from(case.units == Units::Si)]);
-    for map in [case.surface.map(), case.indenter.map()]
-        .into_iter()
-        .flatten()
-    {
-        for height in map.heights().heights() {
-            hasher.update(&height.to_le_bytes());
+impl RefusedCases {
+    fn add(&mut self, case: usize, diagnosis: Diagnosis) {
+        self.count += 1;
+        self.first.get_or_insert((case, Box::new(diagnosis)));
+    }
+
+    /// The first of them in words, and how many there are; none if every case tried is valid.
+    #[must_use]
+    pub fn words(&self) -> Option<String> {
+        let (case, diagnosis) = self.first.as_ref()?;
+        let others = match self.count {
+            1 => String::new(),
+            count => format!("; {count} of the {} cases tried are invalid", self.tried),
+        };
+        let case = case + 1;
+        Some(format!(
+            "case {case} is invalid and will be recorded as failed: {diagnosis}{others}"
+        ))
+    }
+}
+
+/// The first valid case, and its units.
+fn first_valid(study: &Study) -> Result<(usize, crate::case::units::Units), Failure> {
+    let mut refused = None;
+    for case in 0..study.len() {
+        match study.case(case) {
+            Ok(found) => return Ok((case, found.units)),
+            Err(diagnosis) => {
+                refused.get_or_insert(diagnosis);
+            }
         }
     }
-    Ok(())
+    Err(refused.map_or(Failure::NoCases, Failure::from))
 }
 
-fn none_is_valid(refused: Option<Diagnosis>) -> Failure {
-    match refused {
-        Some(diagnosis) => diagnosis.into(),
-        None => Failure::NoCases,
+/// The cases that differ from a valid one in one key, and in any number of keys that change the shape of a case: these
+/// decide what columns the table has. In order, each once.
+fn cases_to_try(study: &Study, reference: usize) -> Vec<usize> {
+    let numbering = study.numbering();
+    let mut cases = Vec::new();
+    for axis in 0..numbering.lengths.len() {
+        cases.extend(numbering.around(reference, &[axis]).take(MOST_TRIED));
     }
+    let shaping = study
+        .varied_keys()
+        .iter()
+        .filter(|varied| varied.shapes_cases());
+    let mut shaping: Vec<_> = shaping.map(|varied: &VariedKey| varied.axis).collect();
+    shaping.dedup();
+    cases.extend(numbering.around(reference, &shaping));
+    cases.sort_unstable();
+    cases.dedup();
+    cases
 }

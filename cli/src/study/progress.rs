@@ -8,6 +8,7 @@ use pellicle_contact::SolverOptions;
 
 use super::Study;
 use super::case_solver::CaseResult;
+use crate::display::significant;
 use crate::progress::{ProgressLine, in_words};
 use crate::terminal;
 
@@ -49,11 +50,13 @@ impl StudyProgress {
 
     /// Prints that a case has ended.
     pub fn ended(&self, study: &Study, case: usize, done: &CaseResult) {
-        let (count, left) = self.count();
+        let (count, rate, left) = self.count();
         let Some(lines) = &self.terminal else {
             return;
         };
-        let left = left.map_or_else(String::new, |left| format!(", {} left", in_words(left)));
+        let left = left.map_or_else(String::new, |left| {
+            format!("; {}, {} left", rate_in_words(rate), in_words(left))
+        });
         let (total, case_number, words) = (self.total, case + 1, study.words(case));
         let line = format!(
             "{count}/{total}  case {case_number}: {words}: {}{left}",
@@ -67,8 +70,8 @@ impl StudyProgress {
         }
     }
 
-    /// Counts one more case; returns how many are done, and the time left if the others take as long on average.
-    fn count(&self) -> (usize, Option<Duration>) {
+    /// Counts one more case; returns how many are done, how many a second, and the time left if it stays so.
+    fn count(&self) -> (usize, f64, Option<Duration>) {
         let mut done = self
             .done
             .lock()
@@ -78,6 +81,36 @@ impl StudyProgress {
         let to_do = self.total - before - since;
         let each = self.start.elapsed().div_f64(since as f64);
         let left = (to_do > 0).then(|| each.mul_f64(to_do as f64));
-        (before + since, left)
+        (before + since, 1.0 / each.as_secs_f64(), left)
+    }
+}
+
+/// A number of cases a second in words: a minute or an hour where a second is too short.
+#[must_use]
+pub fn rate_in_words(rate: f64) -> String {
+    let (number, time) = if rate >= 1.0 {
+        (rate, "a second")
+    } else if rate * 60.0 >= 1.0 {
+        (rate * 60.0, "a minute")
+    } else {
+        (rate * 3600.0, "an hour")
+    };
+    format!("{} cases {time}", significant(number, 2))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn slow_rates_are_told_for_longer_times() {
+        let words = [123.4, 1.0, 0.5, 0.001].map(rate_in_words);
+        let wanted = [
+            "123 cases a second",
+            "1.0 cases a second",
+            "30 cases a minute",
+            "3.6 cases an hour",
+        ];
+        assert_eq!(words, wanted);
     }
 }

@@ -1,19 +1,20 @@
 //! The table of a study's results, which survives a kill at any moment.
 //!
-//! A case is a block of rows, one per loading step, passed to the system in one write and then flushed to the disk. A
-//! kill can leave at most an incomplete block at the end of the file: its last row has no end, or rows are missing. It
-//! is removed when the study continues. When every case is done, the blocks are sorted into a new file that replaces
-//! the old one.
+//! A case is a block of rows, one per loading step, passed to the system in one write: what is written survives the
+//! process. [`ResultsTable::unforced`] lets somebody force it to the disk from time to time, so that it survives a
+//! power failure too, while others write on. Either can leave an incomplete block at the end of the file: its last row
+//! has no end, or rows are missing. It is removed when the study continues, and the cases after it are solved again.
+//! When every case is done, the blocks are sorted into a new file that replaces the old one.
 
-use std::collections::BTreeMap;
 use std::fs::{self, File, OpenOptions};
-use std::io::{self, ErrorKind, Read, Seek, Write};
-use std::ops::Range;
+use std::io::{self, BufReader, ErrorKind, Seek, Write};
 use std::path::{Path, PathBuf};
 
+use super::case_blocks::{self, CaseBlock, CaseBlocks};
 use super::case_status::{CaseStatus, Tally};
 use super::folder::{self, Begin, StudyFolder};
 use super::identity::StudyIdentity;
+use super::remaining::RemainingCases;
 use crate::failure::Failure;
 use crate::output::file;
 
@@ -23,8 +24,12 @@ pub struct ResultsTable {
     path: PathBuf,
     file: File,
     place: StudyFolder,
-    header: String,
-    done: BTreeMap<usize, CaseStatus>,
+    /// Bytes of its complete blocks.
+    length: u64,
+    /// Whether anything was written since it was last forced to the disk.
+    is_unforced: bool,
+    statuses: Vec<Option<CaseStatus>>,
+    tally: Tally,
 }
 
 impl ResultsTable {
@@ -41,58 +46,95 @@ impl ResultsTable {
         if place.begin == Begin::Again {
             file.set_len(0).map_err(failed)?;
         }
-        identity.write(&place.folder)?;
-        let text = whole(&file).map_err(failed)?;
-        let blocks = CaseBlocks::of(&text, identity)
-            .ok_or_else(|| Failure::damaged(&path, &"its first line is not that of this study"))?;
+        let blocks = CaseBlocks::read(&path, identity)?;
+        let done_before = blocks.blocks.len();
+        let started = StudyIdentity {
+            done_before,
+            ..identity.clone()
+        };
+        started.write(&place.folder)?;
         let mut table = Self {
-            header: identity.header.clone(),
-            done: blocks.statuses(),
+            length: blocks.end,
+            is_unforced: false,
+            statuses: vec![None; identity.numbering.len()],
+            tally: Tally::default(),
             file,
             path: path.clone(),
             place,
         };
-        table.mend(&text, blocks.end).map_err(failed)?;
+        for block in &blocks.blocks {
+            table.count(block.case, block.status);
+        }
+        table.mend(&identity.header).map_err(failed)?;
         Ok(table)
     }
 
     /// Cuts off the incomplete block, and writes the first line if it is missing.
-    fn mend(&mut self, text: &[u8], end: usize) -> io::Result<()> {
-        if end < text.len() {
-            self.file.set_len(end as u64)?;
+    fn mend(&mut self, header: &str) -> io::Result<()> {
+        if self.file.metadata()?.len() > self.length {
+            self.file.set_len(self.length)?;
         }
-        if end == 0 {
-            self.file
-                .write_all(format!("{}\n", self.header).as_bytes())?;
+        if self.length == 0 {
+            let line = format!("{header}\n");
+            self.file.write_all(line.as_bytes())?;
+            self.length = line.len() as u64;
         }
         self.file.sync_all()
     }
 
-    /// Those of the cases that the table has no rows of yet: a study goes on with them.
-    #[must_use]
-    pub fn remaining(&self, cases: &[usize]) -> Vec<usize> {
-        let is_missing = |case: &usize| !self.done.contains_key(case);
-        cases.iter().copied().filter(is_missing).collect()
+    fn count(&mut self, case: usize, status: CaseStatus) {
+        // A case written twice after a power failure counts once.
+        if let Some(place) = self.statuses.get_mut(case)
+            && place.replace(status).is_none()
+        {
+            self.tally.add(status);
+        }
     }
 
-    /// Appends the rows of a case, which are on the disk when this returns.
+    /// The cases that it has no rows of yet: a study goes on with them.
+    #[must_use]
+    pub fn remaining(&self, identity: &StudyIdentity) -> RemainingCases {
+        let done = self.statuses.iter().map(Option::is_some).collect();
+        RemainingCases::new(identity, done)
+    }
+
+    /// Appends the rows of a case. They survive the process, and a power failure once they are forced to the disk.
     ///
     /// # Errors
     ///
-    /// [`Failure::Write`] if they are not.
+    /// [`Failure::Write`] if they cannot be written; the table stays as it was.
     pub fn add(&mut self, case: usize, status: CaseStatus, rows: &str) -> Result<(), Failure> {
-        let written = self.file.write_all(rows.as_bytes());
-        written
-            .and_then(|()| self.file.sync_data())
-            .map_err(|cause| Failure::write(&self.path, cause))?;
-        self.done.insert(case, status);
+        if let Err(cause) = self.file.write_all(rows.as_bytes()) {
+            // Another case may still find room: it must not follow half a block. If this fails too, the next start
+            // finds the half block and cuts there.
+            drop(self.file.set_len(self.length));
+            return Err(Failure::write(&self.path, cause));
+        }
+        self.length += rows.len() as u64;
+        self.is_unforced = true;
+        self.count(case, status);
         Ok(())
+    }
+
+    /// The file, if anything was written since this was last asked: the caller forces it to the disk.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Write`] if the system gives no second handle.
+    pub fn unforced(&mut self) -> Result<Option<UnforcedFile>, Failure> {
+        if !std::mem::take(&mut self.is_unforced) {
+            return Ok(None);
+        }
+        let file = self.file.try_clone();
+        let file = file.map_err(|cause| Failure::write(&self.path, cause))?;
+        let path = self.path.clone();
+        Ok(Some(UnforcedFile { file, path }))
     }
 
     /// The number of finished cases by status.
     #[must_use]
     pub fn tally(&self) -> Tally {
-        Tally::of(self.done.values().copied())
+        self.tally
     }
 
     /// Its path.
@@ -112,37 +154,51 @@ impl ResultsTable {
     /// # Errors
     ///
     /// [`Failure`] if the table cannot be read or written.
-    pub fn finish(self, identity: &StudyIdentity) -> Result<(), Failure> {
-        let text = whole(&self.file).map_err(|cause| Failure::damaged(&self.path, &cause))?;
-        let blocks = CaseBlocks::of(&text, identity)
-            .ok_or_else(|| Failure::damaged(&self.path, &"it has changed meanwhile"))?;
-        // Some systems cannot replace an open file.
-        drop(self.file);
+    pub fn finish(mut self, identity: &StudyIdentity) -> Result<(), Failure> {
+        if let Some(unforced) = self.unforced()? {
+            unforced.force()?;
+        }
+        let found = blocks_of(&self.file, identity);
+        let found = found.map_err(|cause| Failure::damaged(&self.path, &cause))?;
+        let blocks =
+            found.ok_or_else(|| Failure::damaged(&self.path, &"it has changed meanwhile"))?;
         if !blocks.are_in_order() {
-            write_in_order(&self.path, &identity.header, &blocks.in_order(&text))?;
+            write_in_order(
+                &self.path,
+                &identity.header,
+                vec![(self.file, blocks.blocks)],
+            )?;
         }
         folder::forget_before(&self.place.folder, identity)
     }
 }
 
-/// Everything in an open file.
-fn whole(mut file: &File) -> io::Result<Vec<u8>> {
-    let mut text = Vec::new();
+/// A table with rows that may not be on the disk yet.
+#[derive(Debug)]
+pub struct UnforcedFile {
+    file: File,
+    path: PathBuf,
+}
+
+impl UnforcedFile {
+    /// Forces them to the disk.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Write`] if the system cannot.
+    pub fn force(&self) -> Result<(), Failure> {
+        let forced = self.file.sync_data();
+        forced.map_err(|cause| Failure::write(&self.path, cause))
+    }
+}
+
+/// The blocks of an open table; none if its first line is not that of this study.
+fn blocks_of(mut file: &File, identity: &StudyIdentity) -> io::Result<Option<CaseBlocks>> {
     file.rewind()?;
-    file.read_to_end(&mut text)?;
-    Ok(text)
+    CaseBlocks::of(BufReader::new(file), identity)
 }
 
-/// The bytes of a table.
-///
-/// # Errors
-///
-/// [`Failure::Damaged`] if there is none.
-pub fn read(path: &Path) -> Result<Vec<u8>, Failure> {
-    fs::read(path).map_err(|cause| Failure::damaged(path, &cause))
-}
-
-/// Writes a table of these blocks, in the order of their cases.
+/// Writes a table of the blocks of these tables, in the order of their cases; for a repeated case, the last block.
 ///
 /// # Errors
 ///
@@ -150,11 +206,31 @@ pub fn read(path: &Path) -> Result<Vec<u8>, Failure> {
 pub fn write_in_order(
     path: &Path,
     header: &str,
-    blocks: &BTreeMap<usize, &[u8]>,
+    parts: Vec<(File, Vec<CaseBlock>)>,
 ) -> Result<(), Failure> {
+    let (mut files, mut blocks) = (Vec::new(), Vec::new());
+    for (i, (file, found)) in parts.into_iter().enumerate() {
+        files.push(file);
+        blocks.extend(found.into_iter().map(|block| (i, block)));
+    }
+    // Stable: of equal cases the last stays last.
+    blocks.sort_by_key(|(_, block)| block.case);
+    let is_repeated = |i: usize| {
+        let next: Option<&(usize, CaseBlock)> = blocks.get(i + 1);
+        next.is_some_and(|(_, next)| next.case == blocks[i].1.case)
+    };
+    let mut rows = Vec::new();
     file::write_whole(path, |file| {
         writeln!(file, "{header}")?;
-        blocks.values().try_for_each(|rows| file.write_all(rows))
+        for (i, (part, block)) in blocks.iter().enumerate() {
+            if !is_repeated(i) {
+                case_blocks::copy(block, &files[*part], &mut rows)?;
+                file.write_all(&rows)?;
+            }
+        }
+        // Some systems cannot replace an open file.
+        files.clear();
+        Ok(())
     })
 }
 
@@ -168,118 +244,4 @@ fn open(path: &Path) -> io::Result<File> {
         .append(true)
         .create(true)
         .open(path)
-}
-
-/// The complete blocks of a table.
-#[derive(Debug, Clone, PartialEq)]
-pub struct CaseBlocks {
-    /// Case, status and bytes of its lines, in the order of the file.
-    blocks: Vec<(usize, CaseStatus, Range<usize>)>,
-    /// Bytes up to the end of the last block; 0 if not even the first line is complete.
-    pub end: usize,
-}
-
-impl CaseBlocks {
-    /// The complete blocks of a text; none if the first line is not that of this study.
-    #[must_use]
-    pub fn of(text: &[u8], identity: &StudyIdentity) -> Option<Self> {
-        let (mut blocks, mut end) = (Vec::new(), 0);
-        let mut lines = RowReader { text, at: 0 };
-        let Some(first) = lines.next() else {
-            return identity
-                .header
-                .as_bytes()
-                .starts_with(text)
-                .then_some(Self { blocks, end });
-        };
-        if text[first.clone()] != *identity.header.as_bytes() {
-            return None;
-        }
-        end = lines.at;
-        let columns = fields(identity.header.as_bytes())?.len();
-        while let Some((case, status)) = lines.block(columns, identity) {
-            blocks.push((case, status, end..lines.at));
-            end = lines.at;
-        }
-        Some(Self { blocks, end })
-    }
-
-    /// The statuses of the cases.
-    #[must_use]
-    pub fn statuses(&self) -> BTreeMap<usize, CaseStatus> {
-        let statuses = self.blocks.iter();
-        statuses.map(|(case, status, _)| (*case, *status)).collect()
-    }
-
-    /// The lines of every case; for a repeated case, the last block.
-    #[must_use]
-    pub fn in_order<'t>(&self, text: &'t [u8]) -> BTreeMap<usize, &'t [u8]> {
-        let blocks = self.blocks.iter();
-        blocks
-            .map(|(case, _, range)| (*case, &text[range.clone()]))
-            .collect()
-    }
-
-    fn are_in_order(&self) -> bool {
-        self.blocks.is_sorted_by(|a, b| a.0 < b.0)
-    }
-}
-
-/// Reads the complete rows of a text one by one.
-struct RowReader<'t> {
-    text: &'t [u8],
-    at: usize,
-}
-
-impl RowReader<'_> {
-    /// The next row that has an end, without it. A line end between quotes does not end a row.
-    fn next(&mut self) -> Option<Range<usize>> {
-        let mut is_quoted = false;
-        let ends = |byte: &u8| {
-            is_quoted ^= *byte == b'"';
-            *byte == b'\n' && !is_quoted
-        };
-        let length = self.text[self.at..].iter().position(ends)?;
-        let line = self.at..self.at + length;
-        self.at = line.end + 1;
-        Some(line)
-    }
-
-    /// The next block, if it is complete: all lines of one case of this part.
-    fn block(&mut self, columns: usize, identity: &StudyIdentity) -> Option<(usize, CaseStatus)> {
-        let (case, status) = self.row(columns)?;
-        let rows = *identity
-            .rows
-            .get(case)
-            .filter(|_| identity.shard.holds(case))?;
-        let rows = if status == CaseStatus::Failed {
-            1
-        } else {
-            rows
-        };
-        for _ in 1..rows {
-            self.row(columns).filter(|row| *row == (case, status))?;
-        }
-        Some((case, status))
-    }
-
-    /// Case and status of the next line.
-    fn row(&mut self, columns: usize) -> Option<(usize, CaseStatus)> {
-        let line = self.next()?;
-        let fields = fields(&self.text[line])?;
-        if fields.len() != columns {
-            return None;
-        }
-        let case = fields.first()?.parse::<usize>().ok()?.checked_sub(1)?;
-        Some((case, CaseStatus::of(fields.get(1)?)?))
-    }
-}
-
-/// The cells of one row; none if it is not text.
-fn fields(line: &[u8]) -> Option<Vec<String>> {
-    let mut reader = csv::ReaderBuilder::new()
-        .has_headers(false)
-        .from_reader(line);
-    let record = reader.records().next()?.ok()?;
-    Some(record.iter().map(str::to_owned).collect())
 }

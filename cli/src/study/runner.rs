@@ -1,15 +1,21 @@
 //! Solves the remaining cases of a study, as many at a time as there are threads.
 
 use std::num::NonZero;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::{Barrier, Mutex, PoisonError};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{self, RecvTimeoutError};
+use std::sync::{Barrier, Mutex, MutexGuard, PoisonError};
 use std::thread;
+use std::time::Duration;
 
 use super::case_solver::CaseSolver;
 use super::progress::StudyProgress;
+use super::remaining::RemainingCases;
 use super::results_table::ResultsTable;
 use crate::failure::Failure;
 use crate::{interrupt, threads};
+
+/// How often results are forced to the disk: as much work is lost by a power failure.
+const FORCE_EVERY: Duration = Duration::from_secs(1);
 
 /// Solves `cases` and adds each to the table when it is done. Returns early, without an error, if the user asks to
 /// stop.
@@ -22,28 +28,28 @@ use crate::{interrupt, threads};
 /// [`Failure`] of the first case whose results could not be written; the others would fail too.
 pub fn run(
     kit: &CaseSolver<'_>,
-    cases: &[usize],
+    cases: RemainingCases,
     count: usize,
     table: &mut ResultsTable,
     lines: &StudyProgress,
 ) -> Result<(), Failure> {
-    let workers = count.min(cases.len());
+    let workers = count.min(cases.count_left());
     if workers == 0 {
         return Ok(());
     }
-    let queue = CaseQueue {
-        cases,
-        next: AtomicUsize::new(0),
+    let shared = Shared {
+        queue: Mutex::new(cases),
         is_closed: AtomicBool::new(false),
+        table: Mutex::new(table),
+        failure: Mutex::new(None),
     };
     let begun = Barrier::new(workers);
-    let table = Mutex::new(table);
-    let failure = Mutex::new(None);
+    let (working, all_done) = mpsc::channel::<()>();
     thread::scope(|scope| {
         for worker in 0..workers {
             // The first workers take the remainder.
             let own = count / workers + usize::from(worker < count % workers);
-            let (queue, begun, table, failure) = (&queue, &begun, &table, &failure);
+            let (shared, begun, working) = (&shared, &begun, working.clone());
             scope.spawn(move || {
                 let pool = rayon::ThreadPoolBuilder::new().num_threads(own).build();
                 if let Ok(pool) = &pool {
@@ -53,16 +59,16 @@ pub fn run(
                 begun.wait();
                 let worked = pool
                     .map_err(Failure::from)
-                    .and_then(|pool| work(kit, queue, &pool, table, lines));
-                if let Err(first) = worked {
-                    queue.is_closed.store(true, Ordering::SeqCst);
-                    let mut failure = failure.lock().unwrap_or_else(PoisonError::into_inner);
-                    failure.get_or_insert(first);
-                }
+                    .and_then(|pool| work(kit, shared, &pool, lines));
+                shared.end(worked);
+                drop(working);
             });
         }
+        drop(working);
+        force_until(&shared, &all_done);
     });
-    let failure = failure.into_inner().unwrap_or_else(PoisonError::into_inner);
+    let failure = shared.failure.into_inner();
+    let failure = failure.unwrap_or_else(PoisonError::into_inner);
     failure.map_or(Ok(()), Err)
 }
 
@@ -72,31 +78,44 @@ pub fn default_threads() -> usize {
     thread::available_parallelism().map_or(1, NonZero::get)
 }
 
-/// The cases to do, in order.
-struct CaseQueue<'a> {
-    cases: &'a [usize],
-    next: AtomicUsize,
+/// What the workers share.
+struct Shared<'a> {
+    queue: Mutex<RemainingCases>,
     is_closed: AtomicBool,
+    table: Mutex<&'a mut ResultsTable>,
+    failure: Mutex<Option<Failure>>,
 }
 
-impl CaseQueue<'_> {
+impl<'a> Shared<'a> {
     fn take(&self) -> Option<usize> {
-        if self.is_closed.load(Ordering::SeqCst) || interrupt::is_requested() {
+        if self.is_closed.load(Ordering::SeqCst) || interrupt::is_leaving() {
             return None;
         }
-        let next = self.next.fetch_add(1, Ordering::SeqCst);
-        self.cases.get(next).copied()
+        let mut queue = self.queue.lock().unwrap_or_else(PoisonError::into_inner);
+        queue.next()
+    }
+
+    fn table(&self) -> MutexGuard<'_, &'a mut ResultsTable> {
+        self.table.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Keeps the first failure; nobody takes another case after it.
+    fn end(&self, worked: Result<(), Failure>) {
+        if let Err(first) = worked {
+            self.is_closed.store(true, Ordering::SeqCst);
+            let mut failure = self.failure.lock().unwrap_or_else(PoisonError::into_inner);
+            failure.get_or_insert(first);
+        }
     }
 }
 
 fn work(
     kit: &CaseSolver<'_>,
-    queue: &CaseQueue<'_>,
+    shared: &Shared<'_>,
     pool: &rayon::ThreadPool,
-    table: &Mutex<&mut ResultsTable>,
     lines: &StudyProgress,
 ) -> Result<(), Failure> {
-    while let Some(case) = queue.take() {
+    while let Some(case) = shared.take() {
         let solve = || {
             let mut line = lines.case(kit.study, case);
             kit.solve(case, &mut line)
@@ -104,10 +123,24 @@ fn work(
         let Some(done) = pool.install(solve)? else {
             return Ok(());
         };
-        let mut table = table.lock().unwrap_or_else(PoisonError::into_inner);
-        table.add(case, done.status, &done.rows)?;
-        drop(table);
+        shared.table().add(case, done.status, &done.rows)?;
         lines.ended(kit.study, case, &done);
     }
     Ok(())
+}
+
+/// Forces the results to the disk every now and then, and at the end, while the workers write on.
+fn force_until(shared: &Shared<'_>, all_done: &mpsc::Receiver<()>) {
+    loop {
+        // Nothing is ever sent: the channel is closed when the last worker is done.
+        let is_last = all_done.recv_timeout(FORCE_EVERY) == Err(RecvTimeoutError::Disconnected);
+        // The table is free meanwhile.
+        let unforced = shared.table().unforced();
+        let forced = unforced.and_then(|unforced| unforced.map_or(Ok(()), |file| file.force()));
+        let failed = forced.is_err();
+        shared.end(forced);
+        if is_last || failed {
+            return;
+        }
+    }
 }

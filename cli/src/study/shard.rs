@@ -1,9 +1,12 @@
 //! A part of a study: every n-th case.
 
+use std::env;
 use std::fmt;
 use std::str::FromStr;
 
 use serde::{Deserialize, Serialize};
+
+use crate::failure::Failure;
 
 /// Part `index` of `count` parts, counted from 1.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -26,6 +29,14 @@ impl Shard {
     pub fn holds(self, case: usize) -> bool {
         let (round, place) = (case / self.count, case % self.count);
         (place + mixed(round) % self.count) % self.count == self.index - 1
+    }
+
+    /// Number of cases of this part in a study of `len` cases.
+    #[must_use]
+    pub fn count_of(self, len: usize) -> usize {
+        let whole_rounds = len / self.count;
+        let rest = whole_rounds * self.count..len;
+        whole_rounds + rest.filter(|case| self.holds(*case)).count()
     }
 
     /// Name of a file of this part: `results.csv`, or `results-2-of-8.csv`.
@@ -53,6 +64,79 @@ impl fmt::Display for Shard {
     }
 }
 
+/// The part that a command line asks for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum WantedShard {
+    /// This one.
+    Given(Shard),
+    /// That of this task of a batch system.
+    Auto,
+}
+
+impl WantedShard {
+    /// The part.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::NoTask`] if it is that of a task and the environment names none.
+    pub fn resolve(self) -> Result<Shard, Failure> {
+        match self {
+            Self::Given(shard) => Ok(shard),
+            Self::Auto => of_task(|name| env::var(name).ok()),
+        }
+    }
+}
+
+impl FromStr for WantedShard {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        if text.trim() == "auto" {
+            return Ok(Self::Auto);
+        }
+        text.parse().map(Self::Given)
+    }
+}
+
+/// The part of a task of Slurm, given the environment: of a job array, of the tasks that one `srun` has started, or of
+/// both, every task of the array being divided among those of its `srun`.
+fn of_task(variable: impl Fn(&str) -> Option<String>) -> Result<Shard, Failure> {
+    let number = |name: &'static str| {
+        let Some(text) = variable(name) else {
+            return Ok(None);
+        };
+        let number = text.trim().parse::<usize>();
+        let found = Some(format!("{name}={text}"));
+        number.map(Some).map_err(|_| Failure::NoTask { found })
+    };
+    let array = (
+        number("SLURM_ARRAY_TASK_ID")?,
+        number("SLURM_ARRAY_TASK_COUNT")?,
+        number("SLURM_ARRAY_TASK_MIN")?,
+        number("SLURM_ARRAY_TASK_STEP")?,
+    );
+    let array = match array {
+        (Some(id), Some(count), Some(min), step) => {
+            let step = step.unwrap_or(1).max(1);
+            id.checked_sub(min).map(|place| (place / step, count))
+        }
+        _ => None,
+    };
+    let tasks = number("SLURM_PROCID")?.zip(number("SLURM_NTASKS")?);
+    let none = Failure::NoTask { found: None };
+    let (index, count) = match (array, tasks) {
+        (Some((place, count)), Some((task, tasks))) => (place * tasks + task, count * tasks),
+        (Some(one), None) | (None, Some(one)) => one,
+        (None, None) => return Err(none),
+    };
+    if index >= count {
+        let found = format!("task {} of {count}", index + 1);
+        return Err(Failure::NoTask { found: Some(found) });
+    }
+    let index = index + 1;
+    Ok(Shard { index, count })
+}
+
 impl FromStr for Shard {
     type Err = String;
 
@@ -61,7 +145,7 @@ impl FromStr for Shard {
         let both = both.and_then(|(i, n)| Some((i.trim().parse().ok()?, n.trim().parse().ok()?)));
         both.filter(|(index, count)| (1..=*count).contains(index))
             .map(|(index, count)| Self { index, count })
-            .ok_or_else(|| "wanted part i of n parts, from 1, such as 2/8".into())
+            .ok_or_else(|| "wanted part i of n parts, from 1, such as 2/8, or auto".into())
     }
 }
 
@@ -91,12 +175,52 @@ mod tests {
             let shard = Shard { index, count: 4 };
             let held: Vec<_> = (0..400).filter(|case| shard.holds(*case)).collect();
             assert_eq!(held.len(), 100);
+            for len in 0..20 {
+                let held = (0..len).filter(|case| shard.holds(*case)).count();
+                assert_eq!(shard.count_of(len), held, "{shard} of {len}");
+            }
             for value in 0..4 {
                 let count = held.iter().filter(|case| *case % 4 == value).count();
                 // A quarter of 100, and three times the deviation of chance.
                 assert!((12..=38).contains(&count), "{count}");
             }
         }
+    }
+
+    #[test]
+    fn a_task_of_an_array_or_of_srun_has_a_part_and_all_tasks_have_all_parts() {
+        let of = |variables: &[(&str, usize)]| {
+            let variable = |name: &str| {
+                let found = variables.iter().find(|(known, _)| *known == name);
+                found.map(|(_, number)| number.to_string())
+            };
+            of_task(variable).map(|shard| shard.to_string())
+        };
+        let array = |id| {
+            [
+                ("SLURM_ARRAY_TASK_ID", id),
+                ("SLURM_ARRAY_TASK_COUNT", 3),
+                ("SLURM_ARRAY_TASK_MIN", 10),
+                ("SLURM_ARRAY_TASK_STEP", 5),
+            ]
+        };
+        let task = |id| [("SLURM_PROCID", id), ("SLURM_NTASKS", 2)];
+        assert_eq!(
+            [10, 15, 20].map(|id| of(&array(id)).unwrap()),
+            ["1/3", "2/3", "3/3"]
+        );
+        assert_eq!([0, 1].map(|id| of(&task(id)).unwrap()), ["1/2", "2/2"]);
+        let both = [10, 15, 20]
+            .map(|id| [0, 1].map(|i| of(&[&array(id)[..], &task(i)].concat()).unwrap()));
+        assert_eq!(both.concat(), ["1/6", "2/6", "3/6", "4/6", "5/6", "6/6"]);
+        for wrong in [&[][..], &array(25)[..], &array(5)[..], &array(10)[..1]] {
+            assert!(
+                matches!(of(wrong), Err(Failure::NoTask { .. })),
+                "{wrong:?}"
+            );
+        }
+        let wrong = of_task(|_| Some("x".into())).unwrap_err().to_string();
+        assert!(wrong.contains("SLURM_ARRAY_TASK_ID=x"), "{wrong}");
     }
 
     #[test]

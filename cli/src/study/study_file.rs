@@ -8,22 +8,29 @@
 //! [study.vary]                 # any key of the case: a list, or a range; a key with brackets in quotes
 //! "foundation.layer[0].thickness" = ["1 um", "2 um"]
 //! load.force = { from = "1 mN", to = "10 mN", count = 5, spacing = "log" }
+//! from = "samples.csv"         # or cases made elsewhere: a column for every key, whose values change together
 //! ```
 
 use std::path::Path;
 use std::sync::Arc;
 
+use super::numbering::CaseNumbering;
+use super::samples;
 use super::varied_key::VariedKey;
 use super::{Combine, Study};
 use crate::case::diagnosis::{Diagnosis, Fault};
 use crate::case::document::{self, TomlNode, TomlTable, TomlValue};
 use crate::case::source::Source;
 use crate::case::table_reader::{TableReader, dotted};
+use crate::case::value_reader::ValueReader;
 use crate::case::{overrides, source};
 use crate::failure::Failure;
 
 /// The most cases of a study; more are a mistake.
 const MOST_CASES: usize = 1_000_000;
+
+/// The key of `[study.vary]` that names a file and no key of the case.
+const FROM: &str = "from";
 
 /// Reads the file, and the base case with the values of `sets` in place of its own.
 ///
@@ -32,8 +39,8 @@ const MOST_CASES: usize = 1_000_000;
 /// [`Failure`] if a file cannot be read or is not a valid study.
 pub fn read(path: &Path, sets: &[String]) -> Result<Study, Failure> {
     let root = parse(path)?;
-    let parts = StudyTable::of(&root)?;
     let here = path.parent().unwrap_or(Path::new(""));
+    let parts = StudyTable::of(&root, here)?;
     let (mut base, case) = match parts.case {
         Some(case) => (parse(&here.join(case))?, here.join(case)),
         None => (without_study(&root), path.to_owned()),
@@ -52,7 +59,7 @@ pub fn read(path: &Path, sets: &[String]) -> Result<Study, Failure> {
         case_name: stem(&case),
         folder: case.parent().unwrap_or(Path::new("")).to_owned(),
         base,
-        combine: parts.combine,
+        numbering: parts.numbering,
         varied_keys: parts.varied_keys,
     })
 }
@@ -73,12 +80,12 @@ fn without_study(root: &TomlNode) -> TomlNode {
 /// The table `[study]`.
 struct StudyTable<'a> {
     case: Option<&'a str>,
-    combine: Combine,
+    numbering: CaseNumbering,
     varied_keys: Vec<VariedKey>,
 }
 
 impl<'a> StudyTable<'a> {
-    fn of(root: &'a TomlNode) -> Result<Self, Diagnosis> {
+    fn of(root: &'a TomlNode, here: &Path) -> Result<Self, Failure> {
         let root = TableReader::root(root)?;
         let study = root.required("study", "a table [study]")?.table()?;
         study.only(&["case", "combine", "vary"])?;
@@ -95,21 +102,52 @@ impl<'a> StudyTable<'a> {
         };
         let vary = study.required("vary", "a table of keys, each with a list or a range")?;
         let TomlValue::Table(table) = vary.value() else {
-            return Err(vary.wanted("a table of keys, each with a list or a range"));
+            let wanted = "a table of keys, each with a list or a range";
+            return Err(vary.wanted(wanted).into());
         };
         let mut varied_keys = Vec::new();
         collect("", table, &mut varied_keys)?;
+        varied_keys.extend(sampled(table, here)?);
         varied_keys.sort_by_key(|varied| varied.key_span.bytes.start);
         if varied_keys.is_empty() {
-            return Err(vary.wanted("at least one key with a list or a range"));
+            return Err(vary
+                .wanted("at least one key with a list or a range")
+                .into());
         }
-        check(&varied_keys, combine)?;
+        let lengths = number_axes(&mut varied_keys);
+        let numbering = CaseNumbering { combine, lengths };
+        check(&varied_keys, &numbering)?;
         Ok(Self {
             case,
-            combine,
+            numbering,
             varied_keys,
         })
     }
+}
+
+/// Gives every key an axis, and those of a file one together; the number of values of every axis.
+fn number_axes(varied_keys: &mut [VariedKey]) -> Vec<usize> {
+    let mut lengths = Vec::new();
+    let mut is_after_sampled = false;
+    for varied in varied_keys {
+        if !(is_after_sampled && varied.is_sampled()) {
+            lengths.push(varied.len());
+        }
+        varied.axis = lengths.len() - 1;
+        is_after_sampled = varied.is_sampled();
+    }
+    lengths
+}
+
+/// The keys of the file that `from` names, a path relative to `here`.
+fn sampled(table: &TomlTable, here: &Path) -> Result<Vec<VariedKey>, Failure> {
+    let Some(entry) = table.entry(FROM) else {
+        return Ok(Vec::new());
+    };
+    let name = ValueReader::new(format!("study.vary.{FROM}"), &entry.node);
+    let columns = samples::read(&here.join(name.text()?), MOST_CASES)?;
+    let key = |(key, column)| VariedKey::sampled(key, entry.key_span.clone(), column);
+    Ok(columns.into_iter().map(key).collect())
 }
 
 /// Collects the keys of a table and of its subtables: `load.force = …` is the key `force` of the table `load`.
@@ -119,6 +157,9 @@ fn collect(
     varied_keys: &mut Vec<VariedKey>,
 ) -> Result<(), Diagnosis> {
     for entry in &table.entries {
+        if path.is_empty() && entry.key == FROM {
+            continue;
+        }
         let key = dotted(path, &entry.key);
         match &entry.node.value {
             TomlValue::Table(inner) if inner.entry("from").is_none() => {
@@ -131,7 +172,7 @@ fn collect(
 }
 
 /// Refuses repeated keys, lists of different lengths to be zipped, and too many cases.
-fn check(varied_keys: &[VariedKey], combine: Combine) -> Result<(), Diagnosis> {
+fn check(varied_keys: &[VariedKey], numbering: &CaseNumbering) -> Result<(), Diagnosis> {
     let wrong = |varied: &VariedKey, found: String, wanted: String| {
         let fault = Fault::Wrong { found, wanted };
         Err(Diagnosis::of_key(
@@ -152,23 +193,16 @@ fn check(varied_keys: &[VariedKey], combine: Combine) -> Result<(), Diagnosis> {
     if let Some((_, varied)) = varied_keys.iter().enumerate().find(is_given_before) {
         return wrong(varied, "the same key twice".into(), "each key once".into());
     }
-    let wanted = first.values.len();
-    let other = varied_keys
-        .iter()
-        .find(|varied| varied.values.len() != wanted);
-    if let (Combine::Zip, Some(other)) = (combine, other) {
-        let found = format!("{} values", other.values.len());
+    let wanted = first.len();
+    let other = varied_keys.iter().find(|varied| varied.len() != wanted);
+    if let (Combine::Zip, Some(other)) = (numbering.combine, other) {
+        let found = format!("{} values", other.len());
         let wanted = format!("{wanted}, as many as `{}` has, to be zipped", first.key);
         return wrong(other, found, wanted);
     }
-    let lengths = varied_keys.iter().map(|varied| varied.values.len());
-    let cases = lengths.fold(1, usize::saturating_mul);
-    if combine == Combine::Product && cases > MOST_CASES {
-        return wrong(
-            first,
-            format!("{cases} cases"),
-            format!("at most {MOST_CASES}"),
-        );
+    if numbering.len() > MOST_CASES {
+        let found = format!("{} cases", numbering.len());
+        return wrong(first, found, format!("at most {MOST_CASES}"));
     }
     Ok(())
 }

@@ -94,7 +94,7 @@ pub fn status(summary: &Summary) -> CaseStatus {
 fn first(study: &Study, case: usize, status: CaseStatus) -> Vec<String> {
     let choice = study.choice(case);
     let cells = study.varied_keys().iter().zip(choice);
-    let cells = cells.map(|(varied, i)| varied.cell(i).to_owned());
+    let cells = cells.map(|(varied, i)| varied.cell(i).into_owned());
     [(case + 1).to_string(), status.word().to_owned()]
         .into_iter()
         .chain(cells)

@@ -5,12 +5,13 @@ use std::path::Path;
 
 use tempfile::TempDir;
 
+use super::case_blocks::CaseBlocks;
 use super::case_status::CaseStatus;
 use super::folder::StudyFolder;
 use super::gather::{OtherTable, gather};
 use super::identity::StudyIdentity;
 use super::plan::StudyPlan;
-use super::results_table::{CaseBlocks, ResultsTable};
+use super::results_table::ResultsTable;
 use super::shard::Shard;
 use super::{Study, study_file};
 use crate::failure::Failure;
@@ -32,10 +33,18 @@ radius = "4 um"
 forces = ["1 uN", "2 uN"]
 "#;
 
+const SAMPLES: &str = "\
+indenter.radius [um],foundation.layer[0].thickness,title
+3,10 nm,a
+4,12 nm,b
+5,11 nm,c
+";
+
 fn study(text: &str) -> Result<Study, String> {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("study.toml");
     fs::write(folder.path().join("base.toml"), BASE).unwrap();
+    fs::write(folder.path().join("samples.csv"), SAMPLES).unwrap();
     fs::write(&path, text).unwrap();
     let named = |error: Failure| {
         error
@@ -84,6 +93,46 @@ fn a_zip_takes_the_values_together() {
     assert_eq!(
         zipped.words(1),
         "foundation.layer[0].thickness = 20 nm, grid.elements = 64"
+    );
+}
+
+#[test]
+fn the_columns_of_a_file_change_together_and_combine_with_other_keys() {
+    let text = "[study]\ncase = \"base.toml\"\n[study.vary]\ngrid.elements = [32, 64]\nfrom = \"samples.csv\"\n";
+    let product = study(text).unwrap();
+    assert_eq!((product.len(), product.varied_keys().len()), (6, 4));
+    assert_eq!(
+        product.words(4),
+        "grid.elements = 64, indenter.radius = 4.0000 µm, foundation.layer[0].thickness = 12.000 nm, title = b"
+    );
+    let case = product.case(4).unwrap();
+    assert_eq!(
+        (case.foundation.layer[0].thickness, &*case.title),
+        (12e-9, "b")
+    );
+    let radius = &product.varied_keys()[1];
+    assert_eq!(
+        (radius.heading().as_str(), &*radius.cell(1)),
+        ("indenter.radius [m]", "4e-6")
+    );
+    // As a list of the same values gives it.
+    let listed = "[study]\ncase = \"base.toml\"\n[study.vary]\nindenter.radius = [\"3 um\", \"4 um\", \"5 um\"]\n";
+    let listed = study(listed).unwrap();
+    assert_eq!(case.indenter, listed.case(1).unwrap().indenter);
+    let zip = text.replace("[study]", "[study]\ncombine = \"zip\"");
+    let message = study(&zip).unwrap_err();
+    assert!(
+        message.contains("key `indenter.radius`: found 3 values, wanted 2"),
+        "{message}"
+    );
+    let zip = study(&zip.replace("[32, 64]", "[32, 48, 64]")).unwrap();
+    assert_eq!((zip.len(), zip.case(2).unwrap().grid.elements), (3, 64));
+    let missing = study(&text.replace("samples", "sample")).unwrap_err();
+    assert!(missing.contains("sample.csv: found"), "{missing}");
+    let number = study(&text.replace("\"samples.csv\"", "3")).unwrap_err();
+    assert!(
+        number.contains("key `study.vary.from`: found 3"),
+        "{number}"
     );
 }
 
@@ -171,6 +220,134 @@ fn other_values_make_another_study_and_other_words_do_not() {
     );
 }
 
+/// The fingerprint of a study of `keys` whose base case is `base`, beside a map with these heights.
+fn fingerprint_of(base: &str, keys: &str, heights: &str) -> String {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("study.toml");
+    fs::write(folder.path().join("base.toml"), base).unwrap();
+    fs::write(folder.path().join("map.csv"), heights).unwrap();
+    let study = format!("[study]\ncase = \"base.toml\"\n[study.vary]\n{keys}\n");
+    fs::write(&path, study).unwrap();
+    let study = study_file::read(&path, &[]).unwrap();
+    StudyPlan::new(&study, Shard::WHOLE)
+        .unwrap()
+        .identity
+        .fingerprint
+}
+
+#[test]
+fn heights_of_a_map_count_and_values_that_every_case_replaces_do_not() {
+    let map = "kind = \"map\"\nfile = \"map.csv\"\nside = \"1 um\"\nheight_unit = \"1 nm\"";
+    let bare = "kind = \"paraboloid\"\nradius = \"4 um\"";
+    let base = BASE.replace(bare, map);
+    assert_ne!(base, BASE);
+    let (keys, heights) = ("grid.elements = [32, 64]", "0,1,0\n1,2,1\n0,1,0\n");
+    let first = fingerprint_of(&base, keys, heights);
+    assert_eq!(first, fingerprint_of(&base, keys, heights));
+    assert_ne!(
+        first,
+        fingerprint_of(&base, keys, &heights.replace('2', "3"))
+    );
+    // A map that only some cases have.
+    let tables = format!(
+        "indenter = [{{ {} }}, {{ {} }}]",
+        bare.replace('\n', ", "),
+        map.replace('\n', ", ")
+    );
+    let some = fingerprint_of(BASE, &tables, heights);
+    assert_ne!(
+        some,
+        fingerprint_of(BASE, &tables, &heights.replace('2', "3"))
+    );
+    let other = BASE.replace("thickness = \"10 nm\"", "thickness = \"11 nm\"");
+    let thickness = "\"foundation.layer[0].thickness\" = [\"10 nm\"]";
+    let of = |base: &str, keys: &str| fingerprint_of(base, keys, heights);
+    assert_eq!(of(BASE, thickness), of(&other, thickness));
+    assert_ne!(of(BASE, keys), of(&other, keys));
+    let output = format!("{BASE}\n[output]\nfields = \"none\"\n");
+    assert_eq!(of(BASE, keys), of(&output, keys));
+}
+
+/// A million cases.
+const MILLION: &str = r#"
+[study]
+case = "base.toml"
+
+[study.vary]
+indenter.radius = { from = "3 um", to = "5 um", count = 1000 }
+"foundation.layer[0].thickness" = { from = "10 nm", to = "20 nm", count = 1000 }
+"#;
+
+#[test]
+fn a_million_cases_are_planned_by_reading_as_many_as_there_are_values() {
+    let plan = plan(MILLION, Shard { index: 3, count: 7 });
+    assert_eq!(plan.identity.numbering.len(), 1_000_000);
+    // The first case has one value of each key.
+    assert_eq!((plan.refused.tried, plan.refused.count), (1999, 0));
+    let stored = serde_json::to_string(&plan.identity).unwrap();
+    assert!(stored.len() < 1000, "{}", stored.len());
+    let rows = |case| plan.identity.rows.of(&plan.identity.numbering, case);
+    assert_eq!((rows(999_999), rows(1_000_000)), (Some(2), None));
+}
+
+#[test]
+fn an_invalid_value_is_found_before_anything_is_solved() {
+    let text = TWO_KEYS.replace("\"30 nm\"", "\"-30 nm\"");
+    let refused = plan(&text, Shard::WHOLE).refused;
+    // Three values of each key, of which the first case has one each.
+    assert_eq!((refused.tried, refused.count), (5, 1));
+    let words = refused.words().unwrap();
+    assert!(
+        words.starts_with("case 7 is invalid and will be recorded as failed: "),
+        "{words}"
+    );
+    assert!(words.contains("thickness`: found \"-30 nm\""), "{words}");
+}
+
+#[test]
+fn every_list_of_loads_has_its_own_number_of_rows() {
+    let text = "[study]\ncase = \"base.toml\"\n[study.vary]\ngrid.elements = [32, 64]\n\
+                load.forces = [[\"1 uN\"], [\"1 uN\", \"2 uN\", \"3 uN\"]]\nsolver.tolerance = [1e-6, 1e-8]\n";
+    let identity = plan(text, Shard::WHOLE).identity;
+    let rows: Vec<_> = (0..8).filter_map(|case| identity.rows_of(case)).collect();
+    assert_eq!(rows, [1, 1, 3, 3, 1, 1, 3, 3]);
+}
+
+#[test]
+fn a_layer_that_only_some_cases_have_has_columns() {
+    let layer = "{ thickness = \"10 nm\", young_modulus = \"70 GPa\", poisson_ratio = 0.3 }";
+    let text = format!(
+        "[study]\ncase = \"base.toml\"\n[study.vary]\nstress = [{{}}]\n\
+         foundation.layer = [[{layer}], [{layer}, {layer}]]\n"
+    );
+    let header = plan(&text, Shard::WHOLE).identity.header;
+    assert!(header.contains("layer[1]"), "{header}");
+}
+
+#[test]
+fn results_are_forced_to_the_disk_in_groups() {
+    let folder = tempfile::tempdir().unwrap();
+    let identity = plan(MILLION, Shard::WHOLE).identity;
+    let columns = identity.header.split(',').count();
+    let mut table = table(folder.path(), &identity);
+    assert!(table.unforced().unwrap().is_none());
+    let mut forced = 0;
+    for group in 0..3 {
+        for case in 100 * group..100 * (group + 1) {
+            let rows = rows(columns, case, CaseStatus::Certified);
+            table.add(case, CaseStatus::Certified, &rows).unwrap();
+        }
+        // They have left the process all the same.
+        let text = fs::read(table.path()).unwrap();
+        assert_eq!(blocks(&text, &identity).blocks.len(), 100 * (group + 1));
+        while let Some(file) = table.unforced().unwrap() {
+            file.force().unwrap();
+            forced += 1;
+        }
+    }
+    assert_eq!(forced, 3);
+}
+
 /// Two rows for a case, one for a failed one.
 fn rows(columns: usize, case: usize, status: CaseStatus) -> String {
     let cells = ",x".repeat(columns - 2);
@@ -180,6 +357,10 @@ fn rows(columns: usize, case: usize, status: CaseStatus) -> String {
     } else {
         row.repeat(2)
     }
+}
+
+fn blocks(text: &[u8], identity: &StudyIdentity) -> CaseBlocks {
+    CaseBlocks::of(text, identity).unwrap().unwrap()
 }
 
 fn table(folder: &Path, identity: &StudyIdentity) -> ResultsTable {
@@ -206,14 +387,11 @@ fn a_table_cut_at_any_byte_keeps_its_whole_cases_and_no_other() {
         ends.push(text.len());
     }
     for cut in 0..=text.len() {
-        let blocks = CaseBlocks::of(&text.as_bytes()[..cut], &identity).unwrap();
+        let found = blocks(&text.as_bytes()[..cut], &identity);
         let whole = ends.iter().filter(|end| **end <= cut).count();
-        assert_eq!(blocks.statuses().len(), whole.saturating_sub(1), "{cut}");
-        assert_eq!(
-            blocks.end,
-            ends[..whole].last().copied().unwrap_or(0),
-            "{cut}"
-        );
+        assert_eq!(found.blocks.len(), whole.saturating_sub(1), "{cut}");
+        let end = ends[..whole].last().copied().unwrap_or(0);
+        assert_eq!(found.end, end as u64, "{cut}");
     }
 }
 
@@ -228,7 +406,9 @@ fn a_table_is_mended_gone_on_with_and_put_in_order() {
     fs::write(&path, format!("{}\n{}9,certi", identity.header, block(3))).unwrap();
     let mut opened = table(folder.path(), &identity);
     assert_eq!(opened.tally().done(), 1);
-    assert_eq!(opened.remaining(&[2, 3, 9]), [2, 9]);
+    let remaining = opened.remaining(&identity);
+    assert_eq!(remaining.count_left(), 8);
+    assert!(remaining.eq([0, 1, 2, 4, 5, 6, 7, 8]));
     for case in [8, 7, 6, 5, 4, 2, 1, 0] {
         opened
             .add(case, CaseStatus::Certified, &block(case))
@@ -308,7 +488,10 @@ fn the_values_of_a_key_are_read_once() {
     let thickness = &study.varied_keys()[0];
     assert_eq!([0, 1, 3].map(|i| thickness.cell(i)), ["1e-8", "2e-8", ""]);
     // The same text, not one made anew from the values.
-    assert!(std::ptr::eq(thickness.cell(1), thickness.cell(1)));
+    assert!(std::ptr::eq(
+        &raw const *thickness.cell(1),
+        &raw const *thickness.cell(1)
+    ));
 }
 
 #[test]
@@ -344,10 +527,11 @@ fn a_row_ends_where_its_quotes_are_closed() {
     let rows = (0..9).map(|case| plan.columns.failed(&study, case, "why"));
     let table = format!("{}\n{}", plan.identity.header, rows.collect::<String>());
     for cut in 0..=table.len() {
-        let blocks = CaseBlocks::of(&table.as_bytes()[..cut], &plan.identity).unwrap();
-        let again = CaseBlocks::of(&table.as_bytes()[..blocks.end], &plan.identity).unwrap();
-        assert_eq!(again.statuses(), blocks.statuses(), "{cut}");
-        assert!(cut < table.len() || blocks.statuses().len() == 9, "{cut}");
+        let found = blocks(&table.as_bytes()[..cut], &plan.identity);
+        let end = usize::try_from(found.end).unwrap();
+        let again = blocks(&table.as_bytes()[..end], &plan.identity);
+        assert_eq!(again, found, "{cut}");
+        assert!(cut < table.len() || found.blocks.len() == 9, "{cut}");
     }
 }
 

@@ -1,5 +1,9 @@
-//! One key of a study and the values it takes: a list, or a range.
+//! One key of a study and the values it takes: a list, a range, or a column of a file.
 
+use std::borrow::Cow;
+use std::sync::OnceLock;
+
+use super::samples::SampleColumn;
 use crate::case::diagnosis::{Diagnosis, Fault};
 use crate::case::dimension::Dimension;
 use crate::case::document::{TomlNode, TomlValue};
@@ -23,14 +27,29 @@ pub struct VariedKey {
     pub key: String,
     /// The place of the key in the study.
     pub key_span: Span,
+    /// The axis on which its values are: keys that change together have the same.
+    pub axis: usize,
     /// Its values, in order.
-    pub values: Vec<TomlNode>,
-    /// The values as they stand in the table; made once, since a study needs them often.
-    cells: Vec<String>,
+    values: Values,
     /// The common dimension of the values, if all of them are quantities.
-    dimension: Option<Dimension>,
-    /// Whether they come from a range.
-    is_range: bool,
+    pub dimension: Option<Dimension>,
+}
+
+/// The values of a key.
+#[derive(Debug, Clone, PartialEq)]
+enum Values {
+    /// Those of a list or a range.
+    Listed {
+        nodes: Vec<TomlNode>,
+        /// The values as they stand in the table; made once, since a study needs them often.
+        cells: Vec<String>,
+        /// The values for people, made when they are first wanted.
+        words: OnceLock<Vec<String>>,
+        /// Whether they come from a range.
+        is_range: bool,
+    },
+    /// A column of a file.
+    Sampled(SampleColumn),
 }
 
 impl VariedKey {
@@ -57,14 +76,77 @@ impl VariedKey {
             let field = ValueReader::new(key, odd);
             return Err(field.wanted("a quantity of the kind of the key's other values"));
         }
+        let values = Values::Listed {
+            cells: values.iter().map(|node| cell(node, dimension)).collect(),
+            nodes: values,
+            words: OnceLock::new(),
+            is_range: matches!(node.value, TomlValue::Table(_)),
+        };
         Ok(Self {
             key,
             key_span,
-            cells: values.iter().map(|node| cell(node, dimension)).collect(),
+            axis: 0,
             values,
             dimension,
-            is_range: matches!(node.value, TomlValue::Table(_)),
         })
+    }
+
+    /// A key whose values are a column of a file, which the study names at `key_span`.
+    #[must_use]
+    pub fn sampled(key: String, key_span: Span, column: SampleColumn) -> Self {
+        let dimension = match &column {
+            SampleColumn::Quantities(_, dimension) => Some(*dimension),
+            _ => None,
+        };
+        Self {
+            key,
+            key_span,
+            axis: 0,
+            values: Values::Sampled(column),
+            dimension,
+        }
+    }
+
+    /// Whether its values are a column of a file.
+    #[must_use]
+    pub fn is_sampled(&self) -> bool {
+        matches!(self.values, Values::Sampled(_))
+    }
+
+    /// Number of its values.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        match &self.values {
+            Values::Listed { nodes, .. } => nodes.len(),
+            Values::Sampled(column) => column.len(),
+        }
+    }
+
+    /// The `i`-th value; an empty text if there is none.
+    #[must_use]
+    pub fn value(&self, i: usize) -> TomlNode {
+        let value = match &self.values {
+            Values::Listed { nodes, .. } => nodes.get(i).cloned(),
+            Values::Sampled(column) => column.value(i, &self.key_span),
+        };
+        value.unwrap_or_else(|| TomlNode {
+            value: TomlValue::Text(String::new()),
+            span: self.key_span.clone(),
+        })
+    }
+
+    /// Whether its values may make cases of different shapes, with other layers or other keys: lists, tables, switches
+    /// and words do, numbers and quantities do not.
+    #[must_use]
+    pub fn shapes_cases(&self) -> bool {
+        let is_number =
+            |node: &TomlNode| matches!(node.value, TomlValue::Integer(_) | TomlValue::Float(_));
+        match &self.values {
+            Values::Listed { nodes, .. } => {
+                self.dimension.is_none() && !nodes.iter().all(is_number)
+            }
+            Values::Sampled(column) => matches!(column, SampleColumn::Words(_)),
+        }
     }
 
     /// Name of its column in the table, with the unit.
@@ -78,23 +160,49 @@ impl VariedKey {
 
     /// The `i`-th value as it stands in the table: in SI units if it has a unit, otherwise as it was written.
     #[must_use]
-    pub fn cell(&self, i: usize) -> &str {
-        self.cells.get(i).map_or("", String::as_str)
+    pub fn cell(&self, i: usize) -> Cow<'_, str> {
+        match &self.values {
+            Values::Listed { cells, .. } => cells.get(i).map_or("", String::as_str).into(),
+            Values::Sampled(column) if i < column.len() => {
+                cell(&self.value(i), self.dimension).into()
+            }
+            Values::Sampled(_) => "".into(),
+        }
     }
 
-    /// The `i`-th value for people, on one line: as written, or rounded if it comes from a range.
+    /// The `i`-th value for people, on one line: as written, or rounded if it comes from a range or a file.
     #[must_use]
-    pub fn words(&self, i: usize) -> String {
-        let value = self.values.get(i).map(|node| &node.value);
-        let words = match (value, self.dimension) {
-            (Some(TomlValue::Text(text)), Some(dimension)) if self.is_range => {
-                rounded(text, dimension).unwrap_or_else(|| text.clone())
+    pub fn words(&self, i: usize) -> Cow<'_, str> {
+        match &self.values {
+            Values::Listed {
+                nodes,
+                words,
+                is_range,
+                ..
+            } => {
+                let all = || {
+                    let nodes = nodes.iter();
+                    let words = nodes.map(|node| spelt(&node.value, self.dimension, *is_range));
+                    words.collect()
+                };
+                let words = words.get_or_init(all).get(i);
+                words.map_or("", String::as_str).into()
             }
-            (Some(TomlValue::Float(number)), _) => significant(*number, 5),
-            (value, _) => value.map_or_else(String::new, words),
-        };
-        on_one_line(&words)
+            Values::Sampled(_) => spelt(&self.value(i).value, self.dimension, true).into(),
+        }
     }
+}
+
+/// A value for people, on one line; a quantity is rounded if nobody has written it so.
+fn spelt(value: &TomlValue, dimension: Option<Dimension>, is_computed: bool) -> String {
+    let words = match (value, dimension) {
+        (TomlValue::Text(text), Some(dimension)) if is_computed => {
+            rounded(text, dimension).unwrap_or_else(|| text.clone())
+        }
+        (TomlValue::Float(number), _) => significant(*number, 5),
+        (value, _) => words(value),
+    };
+    on_one_line(&words)
 }
 
 /// The dimension of a value that is written with a unit.

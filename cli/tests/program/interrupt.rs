@@ -121,6 +121,33 @@ fn ctrl_c_keeps_the_finished_cases_of_a_study() {
 }
 
 #[test]
+fn sigterm_finishes_the_cases_of_a_study_in_hand_and_begins_no_other() {
+    let folder = TestFolder::with_case(CASE);
+    // The second case takes some seconds: it is in hand when the signal comes.
+    let study = "[study]\ncase = \"case.toml\"\n[study.vary]\ngrid.elements = [32, 512, 48]\n";
+    fs::write(folder.path("study.toml"), study).unwrap();
+    let table = folder.path("results/study/results.csv");
+    let cases = || {
+        let text = fs::read_to_string(&table).unwrap_or_default();
+        let case = |line: &str| line.split(',').next().unwrap().to_owned();
+        text.lines().skip(1).map(case).collect::<Vec<_>>()
+    };
+    let line = ["study", "study.toml", "--threads", "1", "--quiet"];
+    let forces = "load={forces={from=\"0.5 uN\", to=\"1 uN\", count=20}}";
+    let line = [&line[..], &["--set", forces]].concat();
+    let (ran, _) = interrupted(&folder, &line, "-TERM", || cases().len() == 20);
+    assert_eq!(ran.code, Some(130), "{}", ran.stderr);
+    assert!(
+        ran.stderr.contains("finishing the cases in hand"),
+        "{}",
+        ran.stderr
+    );
+    let found = cases();
+    assert_eq!(found.len(), 40, "{found:?}");
+    assert!(found[20..].iter().all(|case| case == "2"), "{found:?}");
+}
+
+#[test]
 fn an_unfinished_curve_replaces_no_whole_one() {
     let folder = TestFolder::with_case(CASE);
     let first = ["run", "case.toml", "--quiet", "--out", "a"];
@@ -187,8 +214,10 @@ fn a_signal_is_heard_from_the_first_thing_a_command_does() {
 #[test]
 fn a_study_stopped_while_it_is_planned_leaves_nothing() {
     let folder = TestFolder::with_case(CASE);
-    let range = "{ from = \"1 uN\", to = \"2 uN\", count = 100000 }";
-    let study = format!("[study]\ncase = \"case.toml\"\n[study.vary]\nload.force = {range}\n");
+    // Not one of a million cases is valid, and one is looked for.
+    let force = "load.force = { from = \"-2 uN\", to = \"-1 uN\", count = 100000 }";
+    let grids = "grid.elements = { from = 10, to = 100, count = 10 }";
+    let study = format!("[study]\ncase = \"case.toml\"\n[study.vary]\n{force}\n{grids}\n");
     fs::write(folder.path("many.toml"), study).unwrap();
     let (ran, _) = interrupted(&folder, &["study", "many.toml"], "-TERM", || true);
     assert_eq!(ran.code, Some(130), "{}", ran.stderr);

@@ -31,6 +31,7 @@ mod pictures;
 mod read_back;
 mod runner;
 mod sensitivities;
+mod solve;
 mod stress_command;
 mod stress_files;
 mod stress_pictures;

@@ -262,3 +262,123 @@ fn the_template_of_a_study_is_one() {
     let listed = folder.run(&["study", "study.toml", "--list"]);
     assert_eq!((listed.code, listed.stdout.lines().count()), (Some(0), 12));
 }
+
+#[test]
+fn samples_of_a_file_give_the_table_of_the_same_values_zipped() {
+    let folder = folder();
+    let zipped = "[study]\ncase = \"case.toml\"\ncombine = \"zip\"\n[study.vary]\n\
+                  load.force = [\"1 uN\", \"3 uN\", \"2 uN\"]\nsurface.radius = [\"10 nm\", \"20 nm\", \"15 nm\"]\n";
+    fs::write(folder.path("many.toml"), zipped).unwrap();
+    assert_eq!(study(&folder, &[]).code, Some(0));
+    let expected = table(&folder, "results.csv");
+    let sampled = "[study]\ncase = \"case.toml\"\n[study.vary]\nfrom = \"samples.csv\"\n";
+    fs::write(folder.path("many.toml"), sampled).unwrap();
+    let samples = "load.force [uN],surface.radius\n1,10 nm\n3,20 nm\n2,15 nm\n";
+    fs::write(folder.path("samples.csv"), samples).unwrap();
+    assert_eq!(study(&folder, &["--fresh"]).code, Some(0));
+    assert_eq!(table(&folder, "results.csv"), expected);
+    // Other samples are another study.
+    fs::write(folder.path("samples.csv"), samples.replace("3,", "4,")).unwrap();
+    let refused = study(&folder, &[]);
+    assert_eq!(refused.code, Some(2), "{}", refused.stderr);
+    fs::write(folder.path("samples.csv"), samples.replace("3,", "x,")).unwrap();
+    let wrong = study(&folder, &[]);
+    assert_eq!(wrong.code, Some(2));
+    let wanted = "line 3, key `load.force`: found \"x\", wanted a number, whose unit is uN";
+    assert!(wrong.stderr.contains(wanted), "{}", wrong.stderr);
+}
+
+#[test]
+fn an_invalid_value_is_told_before_the_cases_and_recorded() {
+    let folder = folder();
+    let text = "[study]\ncase = \"case.toml\"\n[study.vary]\nload.force = [\"1 uN\", \"-1 uN\"]\n";
+    fs::write(folder.path("many.toml"), text).unwrap();
+    let ran = folder.run(&["study", "many.toml"]);
+    assert_eq!(ran.code, Some(1), "{}", ran.stderr);
+    let first = ran.stderr.lines().next().unwrap();
+    assert!(
+        first.starts_with("warning: case 2 is invalid and will be recorded as failed"),
+        "{first}"
+    );
+    assert!(first.contains("load.force"), "{first}");
+    let table = table(&folder, "results.csv");
+    assert!(table.lines().nth(2).unwrap().starts_with("2,failed,"));
+}
+
+#[test]
+fn the_status_counts_the_cases_of_all_parts_while_they_are_solved() {
+    let folder = folder();
+    let status = || -> Value {
+        let ran = study(&folder, &["--status", "--json"]);
+        assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+        serde_json::from_str(&ran.stdout).unwrap()
+    };
+    assert_eq!(status()["certified"], 0);
+    assert!(!folder.path("results").exists());
+    let task = [
+        ("SLURM_ARRAY_TASK_ID", "1"),
+        ("SLURM_ARRAY_TASK_COUNT", "2"),
+        ("SLURM_ARRAY_TASK_MIN", "1"),
+    ];
+    let line = [
+        "study",
+        "many.toml",
+        "--quiet",
+        "--shard",
+        "auto",
+        "--tolerate-failures",
+    ];
+    let ran = TestFolder::ran(folder.command(&line).envs(task));
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    let found = status();
+    let done = found["certified"].as_u64().unwrap() + found["failed"].as_u64().unwrap();
+    assert_eq!((done, &found["cases"]), (20, &CASES.into()));
+    assert_eq!(found["parts_at_work"], 0);
+    // The other part's cases take longer than anybody waits, but for the first.
+    let text = "[study]\ncase = \"case.toml\"\n[study.vary]\ngrid.elements = [32, 2048]\n";
+    fs::write(folder.path("many.toml"), text).unwrap();
+    let long = ["--threads", "1", "--set", "solver.tolerance=1e-13"];
+    let line = [
+        &["study", "many.toml", "--quiet", "--out", "long"],
+        &long[..],
+    ]
+    .concat();
+    let mut child = folder.command(&line).spawn().unwrap();
+    let start = Instant::now();
+    let found = loop {
+        let more = ["--status", "--json", "--out", "long"];
+        let ran = study(&folder, &[&more[..], &long].concat());
+        let found: Value = serde_json::from_str(&ran.stdout).unwrap();
+        if found["certified"] == 1 || found["not_converged"] == 1 {
+            break found;
+        }
+        assert!(start.elapsed() < Duration::from_mins(1), "{found}");
+    };
+    assert_eq!(found["parts_at_work"], 1);
+    assert!(found["cases_per_second"].as_f64().unwrap() > 0.0, "{found}");
+    assert!(found["seconds_left"].as_f64().unwrap() > 0.0, "{found}");
+    let people = study(
+        &folder,
+        &[&["--status", "--out", "long"][..], &long].concat(),
+    );
+    assert!(
+        people.stdout.contains("1 to do; 1 part at work, "),
+        "{}",
+        people.stdout
+    );
+    child.kill().unwrap();
+    child.wait().unwrap();
+}
+
+#[test]
+fn a_part_is_taken_from_a_task_only_if_there_is_one() {
+    let folder = folder();
+    let mut command = folder.command(&["study", "many.toml", "--shard", "auto"]);
+    for name in ["SLURM_ARRAY_TASK_ID", "SLURM_PROCID"] {
+        command.env_remove(name);
+    }
+    let ran = TestFolder::ran(&mut command);
+    assert_eq!(ran.code, Some(2));
+    assert!(ran.stderr.contains("SLURM_ARRAY_TASK_ID"), "{}", ran.stderr);
+    assert_eq!(folder.names(), ["case.toml", "many.toml"]);
+}

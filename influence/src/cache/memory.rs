@@ -1,62 +1,94 @@
 //! Values kept in memory, up to a limit.
 
-use std::sync::{Arc, Mutex, PoisonError};
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use blake3::Hash;
 
-/// Values of one type by key, those used last at the end.
+/// Values of one type by key; finding one takes no longer for a hundred thousand than for ten.
 #[derive(Debug)]
 pub(super) struct Memory<T> {
     /// Bytes that the values may take together.
     limit: usize,
-    entries: Mutex<Vec<KeptEntry<T>>>,
+    entries: Mutex<Entries<T>>,
+}
+
+#[derive(Debug)]
+struct Entries<T> {
+    by_key: BTreeMap<[u8; 32], KeptEntry<T>>,
+    /// Keys by the time of their last use.
+    by_use: BTreeMap<u64, [u8; 32]>,
+    /// The time: number of uses so far.
+    uses: u64,
+    bytes: usize,
 }
 
 #[derive(Debug)]
 struct KeptEntry<T> {
-    key: Hash,
     value: Arc<T>,
     bytes: usize,
+    /// Time of its last use.
+    used: u64,
 }
 
 impl<T> Memory<T> {
     pub(super) fn new(limit: usize) -> Self {
+        let entries = Entries {
+            by_key: BTreeMap::new(),
+            by_use: BTreeMap::new(),
+            uses: 0,
+            bytes: 0,
+        };
         Self {
             limit,
-            entries: Mutex::default(),
+            entries: Mutex::new(entries),
         }
     }
 
     /// The value of a key, if it is there.
     pub(super) fn get(&self, key: &Hash) -> Option<Arc<T>> {
-        let mut entries = self.entries.lock().unwrap_or_else(PoisonError::into_inner);
-        let place = entries.iter().position(|entry| entry.key == *key)?;
-        let entry = entries.remove(place);
-        let value = entry.value.clone();
-        entries.push(entry);
+        let mut entries = self.lock();
+        let KeptEntry { value, bytes, .. } = entries.remove(key.as_bytes())?;
+        entries.put(*key.as_bytes(), value.clone(), bytes);
         Some(value)
     }
 
-    /// Keeps a value of about so many bytes; the one that was not used for longest makes room.
+    /// Keeps a value of about so many bytes; those that were not used for longest make room.
     pub(super) fn insert(&self, key: Hash, value: &Arc<T>, bytes: usize) {
         if bytes > self.limit {
             return;
         }
-        let mut entries = self.entries.lock().unwrap_or_else(PoisonError::into_inner);
-        entries.retain(|entry| entry.key != key);
-        entries.push(KeptEntry {
-            key,
-            value: value.clone(),
-            bytes,
-        });
-        let mut kept = 0;
-        let fits = |entry: &&KeptEntry<T>| {
-            kept += entry.bytes;
-            kept <= self.limit
-        };
-        let count = entries.iter().rev().take_while(fits).count();
-        let surplus = entries.len() - count;
-        entries.drain(..surplus);
+        let mut entries = self.lock();
+        entries.remove(key.as_bytes());
+        entries.put(*key.as_bytes(), value.clone(), bytes);
+        while entries.bytes > self.limit {
+            let Some((_, oldest)) = entries.by_use.pop_first() else {
+                return;
+            };
+            entries.remove(&oldest);
+        }
+    }
+
+    fn lock(&self) -> MutexGuard<'_, Entries<T>> {
+        self.entries.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl<T> Entries<T> {
+    fn remove(&mut self, key: &[u8; 32]) -> Option<KeptEntry<T>> {
+        let entry = self.by_key.remove(key)?;
+        self.by_use.remove(&entry.used);
+        self.bytes -= entry.bytes;
+        Some(entry)
+    }
+
+    /// Adds an entry that is not there, as the one used last.
+    fn put(&mut self, key: [u8; 32], value: Arc<T>, bytes: usize) {
+        self.uses += 1;
+        let used = self.uses;
+        self.bytes += bytes;
+        self.by_use.insert(used, key);
+        self.by_key.insert(key, KeptEntry { value, bytes, used });
     }
 }
 
@@ -80,6 +112,19 @@ mod tests {
         memory.insert(key(3), &Arc::new(3), 10);
         let found: Vec<_> = (0..4).map(|n| memory.get(&key(n)).is_some()).collect();
         assert_eq!(found, [true, false, true, true]);
+    }
+
+    #[test]
+    fn a_value_kept_again_counts_once() {
+        let memory = Memory::new(30);
+        for _ in 0..5 {
+            memory.insert(key(0), &Arc::new(0), 10);
+        }
+        memory.insert(key(1), &Arc::new(1), 20);
+        assert!(memory.get(&key(0)).is_some() && memory.get(&key(1)).is_some());
+        let entries = memory.lock();
+        assert_eq!((entries.by_key.len(), entries.by_use.len()), (2, 2));
+        assert_eq!(entries.bytes, 30);
     }
 
     #[test]

@@ -1,0 +1,183 @@
+//! The blocks of rows of a table of results, one per case, read without keeping the rows in memory.
+
+use std::fs::File;
+use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom};
+use std::path::Path;
+
+use super::case_status::CaseStatus;
+use super::identity::StudyIdentity;
+use crate::failure::Failure;
+
+/// The rows of one case in a table.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct CaseBlock {
+    /// The case, counted from 0.
+    pub case: usize,
+    /// Its status.
+    pub status: CaseStatus,
+    /// Byte at which they begin.
+    pub start: u64,
+    /// Their bytes, line ends included.
+    pub length: usize,
+}
+
+/// The complete blocks of a table.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct CaseBlocks {
+    /// In the order of the file.
+    pub blocks: Vec<CaseBlock>,
+    /// Bytes up to the end of the last block; 0 if not even the first line is complete.
+    pub end: u64,
+}
+
+impl CaseBlocks {
+    /// The complete blocks of the table at `path`.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Damaged`] if it cannot be read, or its first line is not that of this study.
+    pub fn read(path: &Path, identity: &StudyIdentity) -> Result<Self, Failure> {
+        let failed = |cause: io::Error| Failure::damaged(path, &cause);
+        let file = File::open(path).map_err(failed)?;
+        Self::of(BufReader::new(file), identity)
+            .map_err(failed)?
+            .ok_or_else(|| Failure::damaged(path, &"its first line is not that of this study"))
+    }
+
+    /// The complete blocks of a text; none if the first line is not that of this study.
+    ///
+    /// # Errors
+    ///
+    /// That of the reader.
+    pub fn of(text: impl BufRead, identity: &StudyIdentity) -> io::Result<Option<Self>> {
+        let header = identity.header.as_bytes();
+        let mut rows = RowReader::new(text);
+        if !rows.next()? {
+            return Ok(header.starts_with(&rows.row).then(Self::default));
+        }
+        if rows.row != header {
+            return Ok(None);
+        }
+        let mut found = Self {
+            blocks: Vec::new(),
+            end: rows.at,
+        };
+        let columns = fields(header).map_or(0, |fields| fields.len());
+        while let Some((case, status)) = rows.block(columns, identity)? {
+            let start = found.end;
+            found.end = rows.at;
+            // The rows of a case are in memory when they are written: their number of bytes is a usize.
+            let length = usize::try_from(rows.at - start).map_err(io::Error::other)?;
+            found.blocks.push(CaseBlock {
+                case,
+                status,
+                start,
+                length,
+            });
+        }
+        Ok(Some(found))
+    }
+
+    /// Whether the blocks are in the order of their cases, each case once.
+    #[must_use]
+    pub fn are_in_order(&self) -> bool {
+        self.blocks.is_sorted_by(|a, b| a.case < b.case)
+    }
+}
+
+/// The bytes of a block, from the file it is in.
+///
+/// # Errors
+///
+/// The system's.
+pub fn copy(block: &CaseBlock, mut file: &File, bytes: &mut Vec<u8>) -> io::Result<()> {
+    bytes.resize(block.length, 0);
+    file.seek(SeekFrom::Start(block.start))?;
+    file.read_exact(bytes)
+}
+
+/// Reads the complete rows of a text one by one.
+struct RowReader<R> {
+    text: R,
+    /// Byte after the last complete row.
+    at: u64,
+    /// The row, without its end.
+    row: Vec<u8>,
+}
+
+impl<R: BufRead> RowReader<R> {
+    fn new(text: R) -> Self {
+        Self {
+            text,
+            at: 0,
+            row: Vec::new(),
+        }
+    }
+
+    /// Reads the next row; false if it has no end. A line end between quotes does not end a row.
+    fn next(&mut self) -> io::Result<bool> {
+        self.row.clear();
+        let (mut is_quoted, mut seen) = (false, 0);
+        loop {
+            let read = self.text.read_until(b'\n', &mut self.row)?;
+            if read == 0 || self.row.last() != Some(&b'\n') {
+                return Ok(false);
+            }
+            for byte in &self.row[seen..] {
+                is_quoted ^= *byte == b'"';
+            }
+            seen = self.row.len();
+            if !is_quoted {
+                self.at += seen as u64;
+                self.row.pop();
+                return Ok(true);
+            }
+        }
+    }
+
+    /// The next block, if it is complete: all lines of one case of this part.
+    fn block(
+        &mut self,
+        columns: usize,
+        identity: &StudyIdentity,
+    ) -> io::Result<Option<(usize, CaseStatus)>> {
+        let Some((case, status)) = self.case(columns)? else {
+            return Ok(None);
+        };
+        let Some(rows) = identity.rows_of(case) else {
+            return Ok(None);
+        };
+        let rows = if status == CaseStatus::Failed {
+            1
+        } else {
+            rows
+        };
+        for _ in 1..rows {
+            if self.case(columns)? != Some((case, status)) {
+                return Ok(None);
+            }
+        }
+        Ok(Some((case, status)))
+    }
+
+    /// Case and status of the next row.
+    fn case(&mut self, columns: usize) -> io::Result<Option<(usize, CaseStatus)>> {
+        if !self.next()? {
+            return Ok(None);
+        }
+        let fields = fields(&self.row).filter(|fields| fields.len() == columns);
+        Ok(fields.and_then(|fields| {
+            let case = fields.get(0)?.parse::<usize>().ok()?.checked_sub(1)?;
+            Some((case, CaseStatus::of(fields.get(1)?)?))
+        }))
+    }
+}
+
+/// The cells of one row; none if it is not text.
+fn fields(line: &[u8]) -> Option<csv::StringRecord> {
+    let mut reader = csv::ReaderBuilder::new()
+        .has_headers(false)
+        .buffer_capacity(line.len().max(1))
+        .from_reader(line);
+    reader.records().next()?.ok()
+}

@@ -1,0 +1,132 @@
+//! The hash that tells one study from another: of the base case, and of every value of every key, each once.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
+
+use super::Study;
+use crate::case::dimension::Dimension;
+use crate::case::document::{TomlNode, TomlTable, TomlValue};
+use crate::case::units::{PROSE, Units};
+use crate::case::{overrides, quantity};
+
+/// The key that names a file.
+const FILE: &str = "file";
+
+/// The table that has no part in it: the choice of files does not change the solution.
+const OUTPUT: &str = "output";
+
+/// The hash of all that the results of a study depend on: version of the program, base case, keys, values, contents of
+/// the maps, system of units, and first line of the table.
+///
+/// A quantity counts with its value and not with its spelling, and neither comments nor the order of keys count.
+#[must_use]
+pub fn of(study: &Study, units: Units, header: &str) -> String {
+    let mut parts = Parts::default();
+    parts.add(b'v', env!("CARGO_PKG_VERSION").as_bytes());
+    parts.add(b'h', header.as_bytes());
+    parts.add(b'u', &[u8::from(units == Units::Si)]);
+    parts.add(b'c', study.case_name.as_bytes());
+    let numbering = study.numbering();
+    parts.add(b'z', format!("{numbering:?}").as_bytes());
+    // Values of the base case that every case replaces have no part in it.
+    if let Ok(first) = study.tree(0) {
+        parts.node("", &without_output(first));
+    }
+    for varied in study.varied_keys() {
+        let path = overrides::key_path(&varied.key).unwrap_or_default();
+        parts.add(b'k', path.join(".").as_bytes());
+        let key = path.last().map_or("", String::as_str);
+        for i in 0..varied.len() {
+            if varied
+                .dimension
+                .is_some_and(|dimension| dimension != Dimension::Angle)
+            {
+                parts.add(b'n', varied.cell(i).as_bytes());
+            } else {
+                parts.node(key, &varied.value(i));
+            }
+        }
+    }
+    parts.finish(&study.folder)
+}
+
+fn without_output(mut root: TomlNode) -> TomlNode {
+    if let TomlValue::Table(table) = &mut root.value {
+        table.entries.retain(|entry| entry.key != OUTPUT);
+    }
+    root
+}
+
+/// What is hashed so far, and the files whose contents are to be.
+#[derive(Default)]
+struct Parts {
+    hasher: blake3::Hasher,
+    files: BTreeSet<String>,
+}
+
+impl Parts {
+    /// Adds bytes of one kind; their number comes first, so that no two sequences of parts look alike.
+    fn add(&mut self, kind: u8, bytes: &[u8]) {
+        self.hasher.update(&[kind]);
+        self.hasher.update(&(bytes.len() as u64).to_le_bytes());
+        self.hasher.update(bytes);
+    }
+
+    fn number(&mut self, number: f64) {
+        self.add(b'n', format!("{number:e}").as_bytes());
+    }
+
+    /// Adds the value of a key.
+    fn node(&mut self, key: &str, node: &TomlNode) {
+        match &node.value {
+            TomlValue::Text(text) => self.text(key, text),
+            TomlValue::Integer(number) => self.number(*number as f64),
+            TomlValue::Float(number) => self.number(*number),
+            TomlValue::Boolean(value) => self.add(b'b', &[u8::from(*value)]),
+            TomlValue::Datetime => self.add(b'd', b""),
+            TomlValue::List(items) => {
+                self.add(b'l', &(items.len() as u64).to_le_bytes());
+                items.iter().for_each(|item| self.node(key, item));
+            }
+            TomlValue::Table(table) => self.table(table),
+        }
+    }
+
+    fn table(&mut self, table: &TomlTable) {
+        let mut entries: Vec<_> = table.entries.iter().collect();
+        entries.sort_by(|a, b| a.key.cmp(&b.key));
+        self.add(b't', &(entries.len() as u64).to_le_bytes());
+        for entry in entries {
+            self.add(b'k', entry.key.as_bytes());
+            self.node(&entry.key, &entry.node);
+        }
+    }
+
+    fn text(&mut self, key: &str, text: &str) {
+        if key == FILE {
+            self.files.insert(text.to_owned());
+        }
+        let dimension = quantity::dimension_of(text).filter(|_| !PROSE.contains(&key));
+        match dimension {
+            // A bare angle has another unit.
+            Some(Dimension::Angle) | None => self.add(b's', text.as_bytes()),
+            Some(dimension) => match quantity::parse(text, dimension) {
+                Ok(number) => self.number(number),
+                Err(_) => self.add(b's', text.as_bytes()),
+            },
+        }
+    }
+
+    /// The hash, with the contents of the files that were named.
+    fn finish(mut self, folder: &Path) -> String {
+        for name in std::mem::take(&mut self.files) {
+            self.add(b'f', name.as_bytes());
+            match fs::read(folder.join(&name)) {
+                Ok(bytes) => self.add(b'm', &bytes),
+                Err(_) => self.add(b'x', b""),
+            }
+        }
+        self.hasher.finalize().to_hex().to_string()
+    }
+}

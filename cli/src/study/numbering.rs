@@ -1,0 +1,123 @@
+//! The numbers of a study's cases: which value of every axis a case has.
+
+use serde::{Deserialize, Serialize};
+
+use super::Combine;
+
+/// The axes of a study, each a key with its values or several keys that change together, and the way they combine.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct CaseNumbering {
+    /// How the axes combine.
+    pub combine: Combine,
+    /// Number of values of every axis.
+    pub lengths: Vec<usize>,
+}
+
+impl CaseNumbering {
+    /// Number of cases.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        match self.combine {
+            Combine::Product => self.lengths.iter().fold(1, |a, b| a.saturating_mul(*b)),
+            Combine::Zip => self.lengths.first().copied().unwrap_or(0),
+        }
+    }
+
+    /// The number of the value that each axis has in a case, all counted from 0.
+    #[must_use]
+    pub fn choice(&self, case: usize) -> Vec<usize> {
+        let mut rest = case;
+        let digit = |count: &usize| {
+            let digit = rest % count;
+            if self.combine == Combine::Product {
+                rest /= count;
+            }
+            digit
+        };
+        // The last axis is the last digit.
+        let mut choice: Vec<_> = self.lengths.iter().rev().map(digit).collect();
+        choice.reverse();
+        choice
+    }
+
+    /// The cases that have any values of these axes and those of the case `reference` of the others; all of them if the
+    /// axes are zipped, since none changes alone then.
+    pub fn around(&self, reference: usize, axes: &[usize]) -> impl Iterator<Item = usize> + use<> {
+        let (lengths, strides, base) = match self.combine {
+            Combine::Zip if axes.is_empty() => (Vec::new(), Vec::new(), reference),
+            Combine::Zip => (vec![self.len()], vec![1], 0),
+            Combine::Product => {
+                let strides: Vec<_> = axes.iter().map(|axis| self.stride(*axis)).collect();
+                let choice = self.choice(reference);
+                let own = axes.iter().zip(&strides);
+                let own: usize = own.map(|(axis, stride)| choice[*axis] * stride).sum();
+                let lengths = axes.iter().map(|axis| self.lengths[*axis]);
+                (lengths.collect(), strides, reference - own)
+            }
+        };
+        let inner = Self {
+            combine: Combine::Product,
+            lengths,
+        };
+        (0..inner.len()).map(move |i| {
+            let choice = inner.choice(i);
+            let offsets = choice
+                .iter()
+                .zip(&strides)
+                .map(|(digit, stride)| digit * stride);
+            base + offsets.sum::<usize>()
+        })
+    }
+
+    /// The place of a case among those that differ in these axes alone: [`Self::around`] gives them in this order.
+    #[must_use]
+    pub fn place(&self, case: usize, axes: &[usize]) -> usize {
+        if self.combine == Combine::Zip && !axes.is_empty() {
+            return case;
+        }
+        let choice = self.choice(case);
+        let next = |place: usize, axis: &usize| place * self.lengths[*axis] + choice[*axis];
+        axes.iter().fold(0, next)
+    }
+
+    /// Distance of the cases of two neighbouring values of an axis of a product.
+    fn stride(&self, axis: usize) -> usize {
+        self.lengths[axis + 1..].iter().product()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn numbering(combine: Combine, lengths: &[usize]) -> CaseNumbering {
+        let lengths = lengths.to_vec();
+        CaseNumbering { combine, lengths }
+    }
+
+    #[test]
+    fn the_cases_around_one_differ_in_the_axes_named_and_come_in_the_order_of_their_places() {
+        let product = numbering(Combine::Product, &[2, 3, 4]);
+        for reference in 0..product.len() {
+            for axes in [&[][..], &[0], &[1], &[2], &[0, 2], &[0, 1, 2]] {
+                let around: Vec<_> = product.around(reference, axes).collect();
+                let places = around.iter().map(|case| product.place(*case, axes));
+                assert!(places.eq(0..around.len()), "{reference} {axes:?}");
+                let differs = |case: &usize| {
+                    let (a, b) = (product.choice(*case), product.choice(reference));
+                    (0..3).all(|axis| axes.contains(&axis) || a[axis] == b[axis])
+                };
+                assert!(around.iter().all(differs), "{reference} {axes:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn zipped_axes_change_together() {
+        let zip = numbering(Combine::Zip, &[5, 5]);
+        assert_eq!((zip.len(), zip.choice(3)), (5, vec![3, 3]));
+        assert!(zip.around(2, &[1]).eq(0..5));
+        assert!(zip.around(2, &[]).eq(2..3));
+        assert_eq!((zip.place(4, &[0]), zip.place(4, &[])), (4, 0));
+    }
+}

@@ -1,0 +1,111 @@
+//! `solve --stream`: values in, summaries out, line by line.
+
+use std::io::{BufRead, BufReader, Write};
+use std::process::Stdio;
+
+use serde_json::Value;
+
+use crate::runner::{CASE, ProgramOutput, TestFolder};
+
+/// Writes a line at a time and reads its answer before the next: the exit code and the answers.
+fn answers(folder: &TestFolder, lines: &[&str]) -> (Option<i32>, Vec<Value>) {
+    let mut command = folder.command(&["solve", "case.toml", "--stream"]);
+    let command = command.stdin(Stdio::piped()).stdout(Stdio::piped());
+    let mut child = command.spawn().unwrap();
+    let mut input = child.stdin.take().unwrap();
+    let mut output = BufReader::new(child.stdout.take().unwrap()).lines();
+    let answer = |line: &&str| {
+        writeln!(input, "{line}").unwrap();
+        serde_json::from_str(&output.next().unwrap().unwrap()).unwrap()
+    };
+    let answers = lines.iter().map(answer).collect();
+    drop(input);
+    assert!(output.next().is_none());
+    (child.wait().unwrap().code(), answers)
+}
+
+/// The summary without its times.
+fn numbers(mut summary: Value) -> Value {
+    summary["timing"].take();
+    for step in summary["steps"].as_array_mut().unwrap() {
+        step["work"]["seconds"].take();
+    }
+    summary
+}
+
+#[test]
+fn every_line_is_answered_before_the_next_with_the_summary_of_a_run() {
+    let folder = TestFolder::with_case(CASE);
+    let lines = [
+        "{\"load.force\": \"2 uN\", \"grid.elements\": 48}",
+        "{\"foundation.layer[0].thickness\": \"20 nm\", \"load\": {\"forces\": [\"1 uN\", \"2 uN\"]}}",
+        "{}",
+    ];
+    let (code, answers) = answers(&folder, &lines);
+    assert_eq!(code, Some(0));
+    for (answer, sets) in answers.into_iter().zip([
+        &["load.force=2 uN", "grid.elements=48"][..],
+        &[
+            "foundation.layer[0].thickness=20 nm",
+            "load={forces = [\"1 uN\", \"2 uN\"]}",
+        ],
+        &[],
+    ]) {
+        let sets = sets.iter().flat_map(|set| ["--set", set]);
+        let line: Vec<_> = ["run", "case.toml", "--json"]
+            .into_iter()
+            .chain(sets)
+            .collect();
+        let ran: ProgramOutput = folder.run(&line);
+        let run = serde_json::from_str(&ran.stdout).unwrap();
+        assert_eq!(numbers(answer), numbers(run), "{line:?}");
+    }
+}
+
+#[test]
+fn a_fault_is_an_answer_with_its_line_and_the_next_line_is_solved() {
+    let folder = TestFolder::with_case(CASE);
+    let lines = [
+        "{\"load.froce\": \"2 uN\"}",
+        "{\"load.force\": null}",
+        "[1]",
+        "{\"load.force\": ",
+        "{\"surface.radius\": \"26 nm\"}",
+        "{}",
+    ];
+    let (code, answers) = answers(&folder, &lines);
+    assert_eq!(code, Some(1));
+    let wanted = [
+        "standard input, line 1, key `load.froce`: found an unknown key",
+        "standard input, line 2, key `load.force`: found null",
+        "standard input, line 3: found other JSON, wanted an object of keys and values",
+        "standard input, line 4: found EOF while parsing",
+        "overlap",
+    ];
+    for (i, wanted) in wanted.into_iter().enumerate() {
+        assert_eq!(
+            (&answers[i]["line"], &answers[i]["status"]),
+            (&(i + 1).into(), &"failed".into())
+        );
+        let error = answers[i]["error"].as_str().unwrap();
+        assert!(error.contains(wanted), "{wanted} in {error}");
+    }
+    assert_eq!(answers[5]["status"], "certified");
+}
+
+#[test]
+fn a_warning_quotes_the_value_and_its_line() {
+    let folder = TestFolder::with_case(CASE);
+    let (_, answers) = answers(&folder, &["{\"load.force\": 2e-6, \"title\": \"x\"}"]);
+    let message = answers[0]["warnings"][0]["message"].as_str().unwrap();
+    let wanted = "standard input, line 1, key `load.force`: 2e-6 among values with units";
+    assert!(message.starts_with(wanted), "{message}");
+}
+
+#[test]
+fn without_a_stream_nothing_is_solved() {
+    let folder = TestFolder::with_case(CASE);
+    let ran = folder.run(&["solve", "case.toml"]);
+    assert_eq!(ran.code, Some(2));
+    assert!(ran.stderr.contains("--stream"), "{}", ran.stderr);
+}
