@@ -26,9 +26,12 @@ pub fn fit(
     if let SurfaceCase::Cylinders(cylinders) = surface {
         let count = side / cylinders.period;
         let fits = (count - count.round()).abs() <= LEEWAY * count && count > 0.5;
-        if cylinders.lattice != LatticeCase::Square || !fits {
-            let wanted = "a square lattice whose period divides the side of the cell";
-            return Err(unusable(root, "surface", &["lattice", "period"], wanted));
+        if cylinders.lattice != LatticeCase::Square {
+            return Err(unusable(root, "surface", &["lattice"], "\"square\""));
+        }
+        if !fits {
+            let wanted = "a period that divides the side of the cell";
+            return Err(unusable(root, "surface", &["period"], wanted));
         }
     }
     let maps = [

@@ -121,6 +121,10 @@ fn the_period_of_cylinders_divides_the_cell() {
     };
     let ran = TestFolder::with_case(cell("400 nm")).run(&["run", "case.toml", "--json"]);
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    let hexagonal = cell("400 nm").replace("period =", "lattice = \"hexagonal\"\nperiod =");
+    let ran = TestFolder::with_case(hexagonal).run(&["run", "case.toml"]);
+    assert_eq!(ran.code, Some(2));
+    assert!(ran.stderr.contains("surface.lattice"), "{}", ran.stderr);
     let ran = TestFolder::with_case(cell("410 nm")).run(&["run", "case.toml"]);
     assert_eq!(ran.code, Some(2));
     assert!(ran.stderr.contains("surface.period"), "{}", ran.stderr);

@@ -91,7 +91,7 @@ impl Level {
         model: &Model,
         side: f64,
         size: usize,
-        (sector, boundary): (Sector, Boundary),
+        around: (Sector, Boundary),
         keeps: bool,
     ) -> Result<Self, ContactError> {
         let grid = Grid::new(side, size)?;
@@ -99,16 +99,11 @@ impl Level {
             mask,
             compliance,
             initial_gap,
-        } = model.sample_sector(grid, sector);
+        } = model.sample_sector(grid, around.0);
         let elasticity = model.elasticity(&grid)?;
         let (known, area) = (elasticity.value.clone(), grid.element_area());
-        let problem = match boundary {
-            Boundary::Free => {
-                DiscreteProblem::of_sector(known, sector, compliance, initial_gap, area)
-            }
-            Boundary::Periodic => DiscreteProblem::periodic(known, compliance, initial_gap, area),
-        };
-        let problem = problem?.with_spring_law(model.relief.spring_law());
+        let problem = DiscreteProblem::of_sector(known, around, compliance, initial_gap, area)?
+            .with_spring_law(model.relief.spring_law());
         let everywhere = problem.everywhere();
         Ok(Self {
             keeps,

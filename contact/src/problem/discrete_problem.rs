@@ -5,23 +5,18 @@
 //! force, or of that energy less `D Σ p` where the penetration is given. Springs of another [law](SpringLaw) have their
 //! `w*(p)` in place of `η p`, and `∫ w* dp` in place of `½ η p²`: convex as well.
 
+mod fields;
+
 use std::sync::Arc;
 
 use pellicle_influence::{ElasticOperator, Sector, SurfaceElasticity};
 use pellicle_texture::SpringLaw;
-use rayon::prelude::*;
 
+use self::fields::{check_length, check_values, is_rough};
 use crate::{
     Boundary, ContactError, grid::window::Window, problem::body::Body, problem::scale::Scale,
     problem::tangents::Tangents, vector::update_with,
 };
-
-/// Values looked at together: to ask after each whether another thread has found a wrong one took a ninth of a Hertz
-/// contact's time at N = 2048.
-const VALUES_AT_ONCE: usize = 4096;
-
-/// Part of the elements that are crests from which on a surface is rough.
-const CRESTS: f64 = 0.3;
 
 /// Tells one problem from all others, however alike; clones are equal.
 #[derive(Debug, Clone, Default)]
@@ -112,17 +107,17 @@ impl DiscreteProblem {
         Self::checked(whole, relief_compliance, initial_gap, element_area)
     }
 
-    /// The problem of a sector of the largest grid that the elasticity allows; the fields are the sector's, the area
-    /// that of one element.
+    /// The problem of a sector of the largest grid that the elasticity allows, or of a periodic cell; the fields are
+    /// the sector's, the area that of one element.
     pub(crate) fn of_sector(
         elasticity: Arc<SurfaceElasticity>,
-        sector: Sector,
+        (sector, boundary): (Sector, Boundary),
         relief_compliance: Vec<f64>,
         initial_gap: Vec<f64>,
         element_area: f64,
     ) -> Result<Self, ContactError> {
         let size = elasticity.size() / sector.parts();
-        let part = (Body::of(elasticity, Boundary::Free), sector, size);
+        let part = (Body::of(elasticity, boundary), sector, size);
         Self::checked(part, relief_compliance, initial_gap, element_area)
     }
 
@@ -290,21 +285,9 @@ impl DiscreteProblem {
         &self.initial_gap
     }
 
-    /// Whether the surface is rough: a smooth indenter's gap is convex but beside the outlines of a relief, and above a
-    /// rough surface every other element is a crest.
+    /// Whether the surface is [rough](is_rough).
     pub(crate) fn is_rough(&self) -> bool {
-        let (size, g0) = (self.size, &self.initial_gap);
-        let inner = 1..size.saturating_sub(1);
-        let is_crest = |element: usize| {
-            let around = [element - size, element - 1, element + 1, element + size];
-            around.map(|other| g0[other]).iter().sum::<f64>() < 4.0 * g0[element]
-        };
-        let in_row = |row: usize| {
-            let elements = inner.clone().map(|column| row * size + column);
-            elements.filter(|element| is_crest(*element)).count()
-        };
-        let crests: Vec<usize> = inner.clone().into_par_iter().map(in_row).collect();
-        crests.iter().sum::<usize>() as f64 > CRESTS * (inner.len() * inner.len()) as f64
+        is_rough(self.size, &self.initial_gap)
     }
 
     /// The area `4a²` of an element, in m².
@@ -392,41 +375,6 @@ impl DiscreteProblem {
         update_with(deformation, compliance, pressure, |v, eta, p| {
             *v = (*v + eta * p) * per_unit;
         });
-    }
-}
-
-/// Refuses a field that has not one value per element.
-fn check_length(field: &'static str, found: usize, wanted: usize) -> Result<(), ContactError> {
-    if found == wanted {
-        Ok(())
-    } else {
-        Err(ContactError::FieldLength {
-            field,
-            found,
-            wanted,
-        })
-    }
-}
-
-/// Refuses a field with a value that is not `legal`.
-fn check_values(
-    field: &'static str,
-    values: &[f64],
-    wanted: &'static str,
-    legal: impl Fn(f64) -> bool + Sync,
-) -> Result<(), ContactError> {
-    let is_legal = |values: &[f64]| values.iter().fold(true, |all, value| all & legal(*value));
-    if values.par_chunks(VALUES_AT_ONCE).all(is_legal) {
-        return Ok(());
-    }
-    match values.iter().position(|value| !legal(*value)) {
-        None => Ok(()),
-        Some(element) => Err(ContactError::FieldValue {
-            field,
-            element,
-            wanted,
-            found: values[element],
-        }),
     }
 }
 

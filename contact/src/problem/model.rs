@@ -6,7 +6,7 @@ use pellicle_influence::{Cache, Cached, RadialTables, Sector, SurfaceElasticity}
 use pellicle_texture::{Grid, Relief, SampledRelief};
 use rayon::prelude::*;
 
-use crate::{ContactError, DiscreteProblem, Indenter, Profile};
+use crate::{Boundary, ContactError, DiscreteProblem, Indenter, Profile};
 
 /// An indenter above a relief on an elastic foundation, with no grid and no load yet.
 #[derive(Debug, Clone)]
@@ -83,14 +83,7 @@ impl Model {
         &self,
         sampled: &SampledModel,
     ) -> Result<Cached<DiscreteProblem>, ContactError> {
-        let Cached { value, origin } = self.elasticity(&sampled.grid)?;
-        let initial_gap = initial_gap(&sampled.indenter_profile, sampled.relief.profile());
-        let (compliance, area) = (sampled.relief.compliance(), sampled.grid.element_area());
-        let sector = Sector::Whole;
-        let value =
-            DiscreteProblem::of_sector(value, sector, compliance.to_vec(), initial_gap, area)?;
-        let value = value.with_spring_law(sampled.relief.spring_law());
-        Ok(Cached { value, origin })
+        self.discretize_within(sampled, Boundary::Free)
     }
 
     /// The same of a periodic cell, which the grid fills.
@@ -101,10 +94,20 @@ impl Model {
         &self,
         sampled: &SampledModel,
     ) -> Result<Cached<DiscreteProblem>, ContactError> {
+        self.discretize_within(sampled, Boundary::Periodic)
+    }
+
+    fn discretize_within(
+        &self,
+        sampled: &SampledModel,
+        boundary: Boundary,
+    ) -> Result<Cached<DiscreteProblem>, ContactError> {
         let Cached { value, origin } = self.elasticity(&sampled.grid)?;
         let initial_gap = initial_gap(&sampled.indenter_profile, sampled.relief.profile());
         let (compliance, area) = (sampled.relief.compliance(), sampled.grid.element_area());
-        let value = DiscreteProblem::periodic(value, compliance.to_vec(), initial_gap, area)?;
+        let around = (Sector::Whole, boundary);
+        let value =
+            DiscreteProblem::of_sector(value, around, compliance.to_vec(), initial_gap, area)?;
         let value = value.with_spring_law(sampled.relief.spring_law());
         Ok(Cached { value, origin })
     }

@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 use crate::bodies::ElasticBodies;
 use crate::element::direct::sinc;
+use crate::numerics::lagrange;
 
 /// Aliases counted to each side. Their terms alternate and fall like `n⁻³`: the rest is a hundredth of the sum.
 const REACH: i32 = 4;
@@ -61,7 +62,7 @@ impl Aliases {
     /// Samples the sum at the nodes.
     pub fn new(body: &GriddedBodies<'_>) -> Self {
         let largest = PI / (2.0 * body.half_side);
-        let wavenumbers = nodes().map(|node| node.sqrt() * largest);
+        let wavenumbers = lagrange::nodes::<NODES>().map(|node| node.sqrt() * largest);
         Self {
             values: wavenumbers.map(|kx| wavenumbers.map(|ky| body.aliases([kx, ky]))),
         }
@@ -89,23 +90,9 @@ impl AliasRow {
     }
 }
 
-/// The roots of the Chebyshev polynomial on [0, 1].
-fn nodes() -> [f64; NODES] {
-    std::array::from_fn(|i| {
-        let angle = PI * (i as f64 + 0.5) / NODES as f64;
-        0.5 + 0.5 * angle.cos()
-    })
-}
-
 /// Lagrange's weights of the nodes at the wavenumber that is `part` of the grid's largest, `π/2a`.
 pub fn weights(part: f64) -> Weights {
-    let (nodes, place) = (nodes(), part * part);
-    std::array::from_fn(|i| {
-        let others = nodes.iter().enumerate().filter(|(other, _)| *other != i);
-        others
-            .map(|(_, node)| (place - node) / (nodes[i] - node))
-            .product()
-    })
+    lagrange::weights(part * part)
 }
 
 #[cfg(test)]

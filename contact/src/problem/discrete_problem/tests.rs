@@ -2,7 +2,8 @@
 
 use pellicle_influence::ElasticOperator;
 
-use super::{DiscreteProblem, VALUES_AT_ONCE, check_values};
+use super::DiscreteProblem;
+use super::fields::{VALUES_AT_ONCE, check_values};
 use crate::ContactError;
 
 /// `u = 2 p`.

@@ -193,7 +193,14 @@ fn pressed_layer(sector: Sector, poisson_ratio: f64) -> DiscreteProblem {
         f64::midpoint(x * x, y * y)
     });
     let eta = vec![0.0; SIZE * SIZE];
-    DiscreteProblem::of_sector(elasticity, sector, eta, gap.collect(), side * side).unwrap()
+    DiscreteProblem::of_sector(
+        elasticity,
+        (sector, crate::Boundary::Free),
+        eta,
+        gap.collect(),
+        side * side,
+    )
+    .unwrap()
 }
 
 /// The contact's part of a grid is judged as the whole is, and what is not looked at does not overlap.

@@ -18,6 +18,7 @@ use rayon::prelude::*;
 
 use crate::bodies::ElasticBodies;
 use crate::element::direct::sinc;
+use crate::numerics::lagrange;
 
 /// Aliases to each side.
 const REACH: i32 = 40;
@@ -136,7 +137,7 @@ fn sum([alpha, beta]: [f64; 2], response: impl Fn(f64) -> f64) -> f64 {
 
 /// `α` at the nodes.
 fn wave_nodes() -> [f64; NODES] {
-    nodes().map(|node| FRAC_PI_2 * node.sqrt())
+    lagrange::nodes::<NODES>().map(|node| FRAC_PI_2 * node.sqrt())
 }
 
 /// 1 for the first aliases, 0 for the last, and smooth between.
@@ -145,23 +146,9 @@ fn fade(m: i32) -> f64 {
     erfc(STEEPNESS * (part - MIDDLE)) / 2.0
 }
 
-/// The roots of the Chebyshev polynomial on [0, 1].
-fn nodes() -> [f64; NODES] {
-    std::array::from_fn(|i| {
-        let angle = PI * (i as f64 + 0.5) / NODES as f64;
-        0.5 + 0.5 * angle.cos()
-    })
-}
-
 /// Lagrange's weights of the nodes at `x`, from 0 to π/2.
 fn weights(x: f64) -> [f64; NODES] {
-    let (nodes, place) = (nodes(), (x / FRAC_PI_2).powi(2));
-    std::array::from_fn(|i| {
-        let others = nodes.iter().enumerate().filter(|(other, _)| *other != i);
-        others
-            .map(|(_, node)| (place - node) / (nodes[i] - node))
-            .product()
-    })
+    lagrange::weights((x / FRAC_PI_2).powi(2))
 }
 
 #[cfg(test)]

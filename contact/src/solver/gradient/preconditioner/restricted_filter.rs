@@ -224,8 +224,13 @@ mod tests {
         let mut field = mirrored(&|x, y| (0.3 * x).cos() + (0.9 * y).sin());
         let zeros = vec![0.0; pillars.len()];
         let gap = vec![1.0; pillars.len()];
-        let problem =
-            DiscreteProblem::of_sector(surface.clone(), sector, zeros.clone(), gap, 1e-12);
+        let problem = DiscreteProblem::of_sector(
+            surface.clone(),
+            (sector, crate::Boundary::Free),
+            zeros.clone(),
+            gap,
+            1e-12,
+        );
         let set = begun(&mut problem.unwrap(), Control::Penetration(0.0), &pillars).1;
         let mut filter = RestrictedFilter::new(surface.symbol(SIZE), sector);
         filter.update(&set, &zeros);
