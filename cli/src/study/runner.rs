@@ -57,10 +57,8 @@ pub fn run(
                 }
                 // All threads take their memory before the first case asks how much is left.
                 begun.wait();
-                let worked = pool
-                    .map_err(Failure::from)
-                    .and_then(|pool| work(kit, shared, &pool, lines));
-                shared.end(worked);
+                let work = |pool: rayon::ThreadPool| pool.install(|| work(kit, shared, lines));
+                shared.end(pool.map_err(Failure::from).and_then(work));
                 drop(working);
             });
         }
@@ -109,20 +107,13 @@ impl<'a> Shared<'a> {
     }
 }
 
-fn work(
-    kit: &CaseSolver<'_>,
-    shared: &Shared<'_>,
-    pool: &rayon::ThreadPool,
-    lines: &StudyProgress,
-) -> Result<(), Failure> {
+fn work(kit: &CaseSolver<'_>, shared: &Shared<'_>, lines: &StudyProgress) -> Result<(), Failure> {
     while let Some(case) = shared.take() {
-        let solve = || {
-            let mut line = lines.case(kit.study, case);
-            kit.solve(case, &mut line)
-        };
-        let Some(done) = pool.install(solve)? else {
+        let mut line = lines.case(kit.study, case);
+        let Some(done) = kit.solve(case, &mut line)? else {
             return Ok(());
         };
+        drop(line);
         shared.table().add(case, done.status, &done.rows)?;
         lines.ended(kit.study, case, &done);
     }
