@@ -29,8 +29,9 @@ pub use indenter::{
 pub use path::{
     LoadingPath,
     domain::{
-        Boundary, Domain, choice::choose_side, default_side, estimated_force,
-        estimated_force_at_radius,
+        Boundary, Domain,
+        choice::{choose_side, choose_side_at},
+        default_side, estimated_force, estimated_force_at_radius,
     },
     loads_at_once, solve_path,
     warnings::{

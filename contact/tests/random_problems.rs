@@ -11,7 +11,10 @@
 #[path = "random_cases/random.rs"]
 mod random;
 
-use std::sync::Arc;
+use std::sync::{
+    Arc,
+    atomic::{AtomicU64, Ordering},
+};
 
 use pellicle_contact::{
     ContactError, DiscreteProblem, Domain, FlatPunch, GradientSolver, Indenter, Load, Model,
@@ -252,6 +255,52 @@ fn every_random_problem_in_a_periodic_cell_is_certified() {
 #[test]
 fn every_random_problem_on_springs_that_stiffen_is_certified() {
     assert_certified(stiffening_problem);
+}
+
+#[test]
+fn every_random_problem_with_a_hardness_is_certified_or_refused_with_a_reason() {
+    assert_certified_or_beyond_hardness(|random, tables| Some(problem(random, tables)));
+}
+
+#[test]
+fn every_random_problem_with_a_hardness_in_a_periodic_cell_is_certified_or_refused() {
+    assert_certified_or_beyond_hardness(periodic_problem);
+}
+
+#[test]
+fn every_random_problem_with_a_hardness_on_springs_that_stiffen_is_certified_or_refused() {
+    assert_certified_or_beyond_hardness(stiffening_problem);
+}
+
+/// The same with a hardness of up to two decades below the elastic peak: most are certified, and the others refused
+/// for a force that the hardness does not carry.
+fn assert_certified_or_beyond_hardness(
+    problem: impl Fn(&mut Random, &RadialTables) -> Option<(DiscreteProblem, Load)> + Sync,
+) {
+    let (at_limit, beyond) = (AtomicU64::new(0), AtomicU64::new(0));
+    assert_certified(|random, tables| {
+        let (mut problem, load) = problem(random, tables)?;
+        let elastic = outcome(&mut problem, load).ok()?;
+        let peak = elastic.pressure.iter().copied().fold(0.0, f64::max);
+        let hardness = peak * random.decades(1e-2, 1.0);
+        let problem = problem.with_hardness(hardness).ok()?;
+        let touchable = problem.initial_gap().iter().filter(|gap| gap.is_finite());
+        let most = hardness * problem.element_area() * touchable.count() as f64;
+        if matches!(load, Load::Force(force) if force > most) {
+            beyond.fetch_add(1, Ordering::Relaxed);
+            let mut problem = problem;
+            let refused = outcome(&mut problem, load);
+            assert!(matches!(refused, Err(ContactError::BeyondHardness { .. })));
+            return None;
+        }
+        at_limit.fetch_add(1, Ordering::Relaxed);
+        Some((problem, load))
+    });
+    let (at_limit, beyond) = (at_limit.into_inner(), beyond.into_inner());
+    assert!(
+        at_limit > beyond,
+        "{at_limit} at the limit, {beyond} beyond"
+    );
 }
 
 /// Solves a problem of each seed, where there is one.

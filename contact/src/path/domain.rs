@@ -88,6 +88,16 @@ pub fn default_side(model: &Model, loads: &[Load]) -> f64 {
     }
 }
 
+/// The same where a hardness (Pa) cuts the pressure, so that a force needs an area of `Q/p_max` at least.
+pub(crate) fn default_side_at(model: &Model, loads: &[Load], hardness: f64) -> f64 {
+    let plastic = loads.iter().map(|load| match load {
+        Load::Force(force) => (force / hardness / PI).sqrt(),
+        Load::Penetration(_) => 0.0,
+    });
+    let radius = plastic.fold(0.0, f64::max);
+    default_side(model, loads).max(2.0 * MARGIN * radius)
+}
+
 /// The force (N) that presses the indenter to a penetration (m), by the closed forms of the first guess: good to some
 /// half of it. 0 without contact.
 #[must_use]

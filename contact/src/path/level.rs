@@ -89,9 +89,9 @@ pub struct LevelResult {
 impl Level {
     pub fn new(
         model: &Model,
-        side: f64,
-        size: usize,
+        (side, size): (f64, usize),
         around: (Sector, Boundary),
+        hardness: f64,
         keeps: bool,
     ) -> Result<Self, ContactError> {
         let grid = Grid::new(side, size)?;
@@ -104,6 +104,11 @@ impl Level {
         let (known, area) = (elasticity.value.clone(), grid.element_area());
         let problem = DiscreteProblem::of_sector(known, around, compliance, initial_gap, area)?
             .with_spring_law(model.relief.spring_law());
+        let problem = if hardness.is_finite() {
+            problem.with_hardness(hardness)?
+        } else {
+            problem
+        };
         let everywhere = problem.everywhere();
         Ok(Self {
             keeps,
@@ -165,6 +170,7 @@ impl Level {
             boundary: self.whole.problem.boundary(),
             window: &window,
             pressure: &solution.pressure,
+            hardness: self.whole.problem.hardness(),
             judged: &self.judged,
             mask: &self.outline,
             compliance: self.whole.problem.relief_compliance(),

@@ -211,8 +211,11 @@ fn shortening(model: &Model, index: usize, step: &Step) -> Option<Warning> {
     (times > LARGEST_SHORTENING).then_some(Warning::FilmShortening { step: index, times })
 }
 
-/// Nothing is said of a single grid.
+/// Nothing is said of a single grid, nor where the peak is the hardness.
 fn peak(index: usize, step: &Step) -> Option<Warning> {
+    if step.summary.area_at_limit > 0.0 {
+        return None;
+    }
     let error = &step.grid_error;
     let [.., before, last] = error.levels.as_slice() else {
         return None;

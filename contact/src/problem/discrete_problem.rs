@@ -3,7 +3,8 @@
 //! Find `p ≥ 0` and `D` with `g = K p + η p + g0 − D ≥ 0` and `p g = 0`: the conditions (2.1)–(2.2) of the
 //! paper in our signs. It is the minimum of the energy `½ p·(K + η) p + g0·p` over the pressures of the given
 //! force, or of that energy less `D Σ p` where the penetration is given. Springs of another [law](SpringLaw) have their
-//! `w*(p)` in place of `η p`, and `∫ w* dp` in place of `½ η p²`: convex as well.
+//! `w*(p)` in place of `η p`, and `∫ w* dp` in place of `½ η p²`: convex as well. With a hardness `p_max` the minimum is
+//! sought among `0 ≤ p ≤ p_max`: where `p = p_max` the gap may be negative, and what it lacks is the plastic depth.
 
 mod fields;
 
@@ -12,10 +13,11 @@ use std::sync::Arc;
 use pellicle_influence::{ElasticOperator, Sector, SurfaceElasticity};
 use pellicle_texture::SpringLaw;
 
-use self::fields::{check_length, check_values, is_rough};
+use self::fields::{check_hardness, check_length, check_values, is_rough};
 use crate::{
-    Boundary, ContactError, grid::window::Window, problem::body::Body, problem::scale::Scale,
-    problem::tangents::Tangents, vector::update_with,
+    Boundary, ContactError, Load, grid::window::Window, problem::body::Body,
+    problem::held_pressure::HeldPressure, problem::scale::Scale, problem::tangents::Tangents,
+    vector::update_with,
 };
 
 /// Tells one problem from all others, however alike; clones are equal.
@@ -39,6 +41,10 @@ pub struct DiscreteProblem {
     tangents: Option<Tangents>,
     initial_gap: Vec<f64>,
     element_area: f64,
+    /// `p_max`, in Pa; infinite without a limit.
+    hardness: f64,
+    /// The elements at the limit, while they are a part of the load.
+    held: Option<HeldPressure>,
     scale: Scale,
     /// Elements per side of the sector of the grid that this one is a window of, or its own.
     grid_size: usize,
@@ -158,9 +164,76 @@ impl DiscreteProblem {
             tangents: None,
             initial_gap,
             element_area,
+            hardness: f64::INFINITY,
+            held: None,
             grid_size: size,
             identity: Identity::default(),
         })
+    }
+
+    /// The same problem with the pressure cut at a hardness `p_max` (Pa): `0 ≤ p ≤ p_max`, and `g ≤ 0` allowed where
+    /// `p = p_max`.
+    ///
+    /// # Errors
+    /// [`ContactError::Hardness`] unless it is positive and finite.
+    pub fn with_hardness(self, hardness: f64) -> Result<Self, ContactError> {
+        check_hardness(hardness)?;
+        Ok(Self {
+            hardness,
+            identity: Identity::default(),
+            ..self
+        })
+    }
+
+    /// The hardness `p_max`, in Pa; infinite where nothing limits the pressure.
+    #[must_use]
+    pub fn hardness(&self) -> f64 {
+        self.hardness
+    }
+
+    /// Whether the hardness limits the pressure.
+    pub(crate) fn has_hardness(&self) -> bool {
+        self.hardness.is_finite()
+    }
+
+    /// Refuses a force that the elements which can touch do not carry.
+    pub(crate) fn check_capacity(&self, load: Load) -> Result<(), ContactError> {
+        let Load::Force(force) = load else {
+            return Ok(());
+        };
+        if !self.has_hardness() {
+            return Ok(());
+        }
+        let touchable = self.initial_gap.iter().filter(|gap| gap.is_finite());
+        let area = self.loaded_area() * touchable.count() as f64;
+        let (hardness, most) = (self.hardness, self.hardness * area);
+        if force <= most {
+            Ok(())
+        } else {
+            Err(ContactError::BeyondHardness {
+                force,
+                hardness,
+                area,
+                most,
+            })
+        }
+    }
+
+    /// Solves with some elements held at a pressure, as a part of the load.
+    pub(crate) fn under<T>(
+        &mut self,
+        held: &mut HeldPressure,
+        solve: impl FnOnce(&mut Self) -> T,
+    ) -> T {
+        self.held = Some(std::mem::take(held));
+        let found = solve(self);
+        *held = self.held.take().unwrap_or_default();
+        found
+    }
+
+    /// `Σ p` (Pa) of the elements that are held at the limit.
+    pub(crate) fn held_total(&self) -> f64 {
+        self.held.as_ref().map_or(0.0, |held| held.total)
     }
 
     /// The same problem on springs of another law than the linear one; the relief's compliance is theirs at rest.
@@ -198,6 +271,8 @@ impl DiscreteProblem {
             tangents: None,
             initial_gap: window.cut(&self.initial_gap),
             element_area: self.element_area,
+            hardness: self.hardness,
+            held: None,
             scale: self.scale,
             grid_size: self.grid_size,
             identity: Identity::default(),
@@ -282,7 +357,7 @@ impl DiscreteProblem {
     /// The initial gap `g0 = f − f*`, in m.
     #[must_use]
     pub fn initial_gap(&self) -> &[f64] {
-        &self.initial_gap
+        (self.held.as_ref()).map_or(&self.initial_gap, |held| &held.gap)
     }
 
     /// Whether the surface is [rough](is_rough).

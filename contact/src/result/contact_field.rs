@@ -17,6 +17,8 @@ pub struct ContactField<'a> {
     pub window: &'a Window,
     /// Pressure on the window, in Pa.
     pub pressure: &'a [f64],
+    /// Hardness at which it is cut, in Pa; infinite without one.
+    pub hardness: f64,
     /// Gaps on the window and beyond.
     pub judged: &'a JudgedFields,
     /// Whether an element lies on the relief, on the window's sector.
@@ -59,6 +61,11 @@ impl ContactField<'_> {
         let size = self.window.size();
         let [above, left] = self.window.origin();
         [above + element / size, left + element % size]
+    }
+
+    /// Whether the pressure of an element of the window is cut.
+    pub fn is_at_limit(&self, element: usize) -> bool {
+        self.pressure[element] >= self.hardness
     }
 
     /// Whether an element of the window lies on the relief.

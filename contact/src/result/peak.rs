@@ -2,7 +2,7 @@
 //!
 //! Inside smooth contact the paraboloid through the largest element and its eight neighbours has its vertex at the
 //! peak, `p = p₀ − ½ gᵀ H⁻¹ g` with the central differences `g` and `H`, to third order in the element's side. At an
-//! edge the element's own value is all there is.
+//! edge the element's own value is all there is, and where a hardness cuts the pressure the peak is the hardness.
 
 use pellicle_texture::Relief;
 
@@ -43,6 +43,13 @@ impl Peak {
     /// The peak of a field whose largest pressure is that of an element of the window.
     pub fn of(field: &ContactField<'_>, largest: Place) -> Self {
         let (model, side) = (field.model, field.grid.element_side());
+        if let Some(element) = field.element(largest).filter(|e| field.is_at_limit(*e)) {
+            return Self {
+                pressure: field.pressure[element],
+                at: field.centre(largest),
+                place: PeakPlace::Inside,
+            };
+        }
         let place = place_near(&model.relief, &model.indenter, side, field.centre(largest));
         let around = |[i, j]: Place| field.pressure_at([largest[0] + i, largest[1] + j]);
         let own = around([0, 0]);
@@ -51,7 +58,7 @@ impl Peak {
             .flatten();
         let (rise, [u, v]) = vertex.unwrap_or((0.0, [0.0; 2]));
         Self {
-            pressure: own + rise,
+            pressure: (own + rise).min(field.hardness),
             at: field
                 .point([largest[0] as f64 + u, largest[1] as f64 + v])
                 .map(|x| if x.abs() < AT_AXIS * side { 0.0 } else { x }),

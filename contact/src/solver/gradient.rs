@@ -41,6 +41,9 @@
 //! **Springs.** Where their law is not linear they are straightened at a pressure, and anew as soon as their law has
 //! more to say than the linear problem: Newton's method around the loop above, at no product of its own.
 //!
+//! **Hardness.** Where the pressure is cut, the elements at the limit are held and the loop solves for the others; see
+//! `solver/hardness.rs`.
+//!
 //! **Why it ends.** No accepted fast step raises the energy above the largest of the last few; a step that does not
 //! start downhill is replaced by a projection of the plain gradient, which always does. After sixteen exchanges without
 //! gain Newton gives way to the descent, which visits no face twice. The number of products is bounded besides, and the
@@ -64,7 +67,10 @@ use self::{
     ongoing_solution::{Judgement, OngoingSolution, Workspace},
     strategy::{Phase, Strategy},
 };
-use super::{Iterate, Solver, SolverOptions, Watch};
+use super::{
+    Iterate, Solver, SolverOptions, Watch,
+    hardness::{self, ElasticSolver},
+};
 use crate::{ContactError, DiscreteProblem, Identity, Load, vector::sum};
 
 /// The iteration stops at this part of the tolerance, so that rounding between its running residual and the
@@ -82,6 +88,26 @@ pub struct GradientSolver {
 
 impl Solver for GradientSolver {
     fn solve(
+        &mut self,
+        problem: &mut DiscreteProblem,
+        load: Load,
+        start: &[f64],
+        watch: &mut Watch<'_>,
+    ) -> Result<Iterate, ContactError> {
+        if problem.has_hardness() {
+            hardness::solve(self, problem, load, start, watch)
+        } else {
+            self.solve_elastic(problem, load, start, watch)
+        }
+    }
+}
+
+impl ElasticSolver for GradientSolver {
+    fn options(&mut self) -> &mut SolverOptions {
+        &mut self.options
+    }
+
+    fn solve_elastic(
         &mut self,
         problem: &mut DiscreteProblem,
         load: Load,

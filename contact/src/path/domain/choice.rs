@@ -6,9 +6,10 @@
 
 use std::ops::ControlFlow;
 
-use super::{default_side, largest, radius_at};
+use super::{default_side_at, largest, radius_at};
 use crate::{
     Boundary, ContactError, Indenter, Load, Model, SolverOptions, Step,
+    path::capacity,
     path::hierarchy::Hierarchy,
     path::levels::COARSE_TOLERANCE,
     path::warnings::EDGE_MARGIN,
@@ -42,16 +43,24 @@ const MOST_TRIALS: usize = 100;
 /// A load that makes no sense; coefficients that miss their accuracy; a contact that reaches the edge of every square
 /// tried.
 pub fn choose_side(model: &Model, loads: &[Load]) -> Result<f64, ContactError> {
+    choose_side_at(model, loads, f64::INFINITY)
+}
+
+/// The same where a hardness (Pa) cuts the pressure; infinite where nothing does.
+///
+/// # Errors
+/// As [`choose_side`]; [`ContactError::BeyondHardness`] where the indenter ends before its hardness carries a force.
+pub fn choose_side_at(model: &Model, loads: &[Load], hardness: f64) -> Result<f64, ContactError> {
     for load in loads {
         load.checked()?;
     }
     let mut search = Search {
-        first: default_side(model, loads),
+        first: default_side_at(model, loads, hardness),
         power: 0,
         small: None,
         large: None,
     };
-    if is_known_beforehand(model) {
+    if hardness.is_infinite() && is_known_beforehand(model) {
         return Ok(search.side());
     }
     let presses = |load: &Load| !matches!(load, Load::Penetration(depth) if *depth <= 0.0);
@@ -61,7 +70,7 @@ pub fn choose_side(model: &Model, loads: &[Load]) -> Result<f64, ContactError> {
         // What one load wants larger no other can want smaller.
         let mut verdict = None;
         for load in &loads {
-            let found = judge(model, side, *load)?;
+            let found = judge(model, side, *load, hardness)?;
             verdict = Some(verdict.map_or(found, |other: SquareVerdict| other.max(found)));
         }
         let verdict = verdict.unwrap_or(SquareVerdict::Fits);
@@ -138,18 +147,31 @@ impl Search {
 }
 
 /// Solves for one load on a square and judges the square by it.
-fn judge(model: &Model, side: f64, load: Load) -> Result<SquareVerdict, ContactError> {
+fn judge(
+    model: &Model,
+    side: f64,
+    load: Load,
+    hardness: f64,
+) -> Result<SquareVerdict, ContactError> {
     for size in FIRST_TRIALS {
         let grid = Grid::new(side, size)?;
-        if is_seen_by(model, &grid) && fits_clearly(model, grid, load)? {
+        let is_carried = capacity::check(model, &grid, &[load], hardness).is_ok();
+        if is_carried && is_seen_by(model, &grid) && fits_clearly(model, grid, load, hardness)? {
             return Ok(SquareVerdict::Fits);
         }
     }
     let grid = Grid::new(side, TRIAL)?;
+    if let Err(refused) = capacity::check(model, &grid, &[load], hardness) {
+        return if capacity::goes_on(model, &grid) {
+            Ok(SquareVerdict::TooSmall(1))
+        } else {
+            Err(refused)
+        };
+    }
     if !cut_off::can_touch(model, &grid) {
         return Ok(shrunk_to_fit(1));
     }
-    let step = solve(model, grid, load, COARSE_TOLERANCE)?;
+    let step = solve(model, grid, load, [COARSE_TOLERANCE, hardness])?;
     let Some(to_edge) = step.summary.elements_to_edge else {
         return Ok(if sees_the_tip(model, &grid, step.solution.penetration) {
             SquareVerdict::Fits
@@ -182,8 +204,13 @@ fn is_seen_by(model: &Model, grid: &Grid) -> bool {
 }
 
 /// Whether a square fits even if a grid of it errs by half an element.
-fn fits_clearly(model: &Model, grid: Grid, load: Load) -> Result<bool, ContactError> {
-    let step = solve(model, grid, load, FIRST_TOLERANCE)?;
+fn fits_clearly(
+    model: &Model,
+    grid: Grid,
+    load: Load,
+    hardness: f64,
+) -> Result<bool, ContactError> {
+    let step = solve(model, grid, load, [FIRST_TOLERANCE, hardness])?;
     let Some(to_edge) = step.summary.elements_to_edge else {
         return Ok(false);
     };
@@ -195,9 +222,15 @@ fn fits_clearly(model: &Model, grid: Grid, load: Load) -> Result<bool, ContactEr
     Ok(is_clear && !Surroundings::of(model, grid).cut_off(&step.solution))
 }
 
-fn solve(model: &Model, grid: Grid, load: Load, tolerance: f64) -> Result<Step, ContactError> {
+fn solve(
+    model: &Model,
+    grid: Grid,
+    load: Load,
+    [tolerance, hardness]: [f64; 2],
+) -> Result<Step, ContactError> {
     let options = SolverOptions {
         tolerance,
+        hardness,
         max_applications: MOST_PRODUCTS,
         contact_stiffness: false,
         ..SolverOptions::default()
@@ -206,7 +239,7 @@ fn solve(model: &Model, grid: Grid, load: Load, tolerance: f64) -> Result<Step, 
         model,
         (grid.side(), Boundary::Free),
         grid.size(),
-        1,
+        &[load],
         &options,
     );
     grids.solve(load, options, &mut Watch::alone(&mut ()))

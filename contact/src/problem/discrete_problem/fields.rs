@@ -27,6 +27,15 @@ pub fn is_rough(size: usize, g0: &[f64]) -> bool {
     crests.iter().sum::<usize>() as f64 > CRESTS * (inner.len() * inner.len()) as f64
 }
 
+/// Refuses a hardness (Pa) that is not positive and finite.
+pub fn check_hardness(hardness: f64) -> Result<(), ContactError> {
+    if hardness > 0.0 && hardness.is_finite() {
+        Ok(())
+    } else {
+        Err(ContactError::Hardness { hardness })
+    }
+}
+
 /// Refuses a field that has not one value per element.
 pub fn check_length(field: &'static str, found: usize, wanted: usize) -> Result<(), ContactError> {
     if found == wanted {

@@ -115,7 +115,9 @@ fn one_bad_line_is_enough_to_fail() {
         gap_in_contact: 0.0,
         overlap: 0.0,
         load: 0.0,
+        gap_at_limit: 0.0,
         min_pressure: 0.0,
+        over_limit: 0.0,
         tolerance: 1e-8,
     };
     assert!(perfect.is_satisfied());
@@ -137,6 +139,10 @@ fn one_bad_line_is_enough_to_fail() {
                 load: bad,
                 ..perfect
             },
+            Certificate {
+                gap_at_limit: bad,
+                ..perfect
+            },
         ];
         for certificate in spoilt {
             assert!(!certificate.is_satisfied(), "{certificate:?}");
@@ -147,6 +153,15 @@ fn one_bad_line_is_enough_to_fail() {
         assert!(
             !Certificate {
                 min_pressure,
+                ..perfect
+            }
+            .is_satisfied()
+        );
+    }
+    for over_limit in [1e-300, f64::INFINITY, f64::NAN] {
+        assert!(
+            !Certificate {
+                over_limit,
                 ..perfect
             }
             .is_satisfied()
