@@ -83,6 +83,7 @@ fn shape(
         boundary,
         window: &window,
         pressure: &pressure,
+        hardness: f64::INFINITY,
         judged: &judged,
         mask: &mask,
         compliance: &compliance,

@@ -71,6 +71,8 @@ fn a_surface_farther_away_moves_as_under_the_force_alone() {
             gap_in_contact: 0.0,
             overlap: 0.0,
             load: 0.0,
+            gap_at_limit: 0.0,
+            over_limit: 0.0,
             min_pressure: 0.0,
             tolerance: 1e-8,
         },
