@@ -465,3 +465,37 @@ fn a_cell_under_nine_tenths_of_its_hardness_is_all_but_closed() {
     );
     assert!(matches!(refused, Err(ContactError::BeyondHardness { .. })));
 }
+
+#[test]
+fn tamaas_finds_the_same_contact() {
+    // Tamaas 2.9.0, KatoSaturated on the non-periodic operator "dcfft" to 1e-13, E* = 1/0.91, 64² elements of a square
+    // of side 1: elements in contact and at the limit, penetration and plastic depth from its pressure and operator,
+    // whose gaps in contact are below 1e-11 of the penetration.
+    for (part, in_contact, at_limit, penetration, plastic_depth) in [
+        (
+            0.6,
+            616,
+            532,
+            0.042_722_155_480_277,
+            0.010_487_780_110_249_5,
+        ),
+        (
+            0.3,
+            1160,
+            1124,
+            0.058_916_055_470_818_8,
+            0.036_089_176_988_518_5,
+        ),
+    ] {
+        let step = step(part, 64);
+        let summary = step.summary;
+        let elements = summary.area_at_limit * 64.0 * 64.0;
+        assert_eq!(
+            (summary.contact_elements, elements),
+            (in_contact, f64::from(at_limit))
+        );
+        // our certificate's 1e-8
+        assert!((step.solution.penetration / penetration - 1.0).abs() < 1e-8);
+        assert!((summary.plastic_depth / plastic_depth - 1.0).abs() < 1e-7);
+    }
+}

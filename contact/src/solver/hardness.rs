@@ -206,7 +206,7 @@ impl Exchange {
         found.reached_border
     }
 
-    /// Exchanges elements or asks for a closer solution; false where neither is needed. One product where any is held.
+    /// Exchanges elements or asks for a closer solution; false where neither is needed.
     fn advance(&mut self, problem: &mut DiscreteProblem, load: Load, tolerance: f64) -> bool {
         let wrong = self.wrong(problem, load);
         if wrong.above.is_empty() && wrong.open.is_empty() {
@@ -224,7 +224,8 @@ impl Exchange {
         true
     }
 
-    /// The elements on the wrong side of the solution beside the held ones.
+    /// The elements on the wrong side of the solution beside the held ones: those above the limit, or if there are none,
+    /// those with a gap, for which it takes a product where any is held.
     fn wrong(&mut self, problem: &mut DiscreteProblem, load: Load) -> Wrong {
         let limit = problem.hardness();
         let mut wrong = Wrong::default();
@@ -232,7 +233,7 @@ impl Exchange {
             wrong.above.push(element);
             wrong.by = wrong.by.max(p / limit - 1.0);
         }
-        if self.held.count() == 0 {
+        if self.held.count() == 0 || !wrong.above.is_empty() {
             return wrong;
         }
         let pressure = self.pressure(limit);
