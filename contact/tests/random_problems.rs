@@ -1,6 +1,6 @@
 //! Random problems, from the soft extreme to the stiff: each is certified or refused with a reason.
 //!
-//! 1000 of each kind by default;
+//! 1000 of each kind by default, 100 with a hardness, which take many times as long;
 //! `PELLICLE_RANDOM_PROBLEMS=10000 cargo test --release -p pellicle-contact --test random_problems` for more.
 
 #![expect(
@@ -42,7 +42,12 @@ fn all_tables() -> Vec<Arc<RadialTables>> {
 
 /// How many problems of each kind.
 fn problems() -> u64 {
-    std::env::var("PELLICLE_RANDOM_PROBLEMS").map_or(1000, |count| count.parse().unwrap())
+    problems_or(1000)
+}
+
+/// The same where so many are enough for the suite.
+fn problems_or(usual: u64) -> u64 {
+    std::env::var("PELLICLE_RANDOM_PROBLEMS").map_or(usual, |count| count.parse().unwrap())
 }
 
 /// Up to three layers, some sliding, moduli over twelve decades, on a half-space or a rigid base.
@@ -244,17 +249,17 @@ fn every_random_mirrored_model_is_certified_on_the_whole_grid_by_its_quadrant() 
 
 #[test]
 fn every_random_problem_is_certified_or_refused_with_a_reason() {
-    assert_certified(|random, tables| Some(problem(random, tables)));
+    assert_certified(problems(), |random, tables| Some(problem(random, tables)));
 }
 
 #[test]
 fn every_random_problem_in_a_periodic_cell_is_certified() {
-    assert_certified(periodic_problem);
+    assert_certified(problems(), periodic_problem);
 }
 
 #[test]
 fn every_random_problem_on_springs_that_stiffen_is_certified() {
-    assert_certified(stiffening_problem);
+    assert_certified(problems(), stiffening_problem);
 }
 
 #[test]
@@ -278,7 +283,7 @@ fn assert_certified_or_beyond_hardness(
     problem: impl Fn(&mut Random, &RadialTables) -> Option<(DiscreteProblem, Load)> + Sync,
 ) {
     let (at_limit, beyond) = (AtomicU64::new(0), AtomicU64::new(0));
-    assert_certified(|random, tables| {
+    assert_certified(problems_or(100), |random, tables| {
         let (mut problem, load) = problem(random, tables)?;
         let elastic = outcome(&mut problem, load).ok()?;
         let peak = elastic.pressure.iter().copied().fold(0.0, f64::max);
@@ -305,10 +310,11 @@ fn assert_certified_or_beyond_hardness(
 
 /// Solves a problem of each seed, where there is one.
 fn assert_certified(
+    problems: u64,
     problem: impl Fn(&mut Random, &RadialTables) -> Option<(DiscreteProblem, Load)> + Sync,
 ) {
     let all_tables = all_tables();
-    let failures: Vec<String> = (0..problems())
+    let failures: Vec<String> = (0..problems)
         .into_par_iter()
         .filter_map(|seed| {
             let mut random = Random(seed.wrapping_mul(0x2545_f491_4f6c_dd1d));
@@ -326,6 +332,6 @@ fn assert_certified(
             }
         })
         .collect();
-    let count = format!("{} of {}", failures.len(), problems());
+    let count = format!("{} of {}", failures.len(), problems);
     assert!(failures.is_empty(), "{count}\n{}", failures.join("\n"));
 }

@@ -3,8 +3,8 @@
 //! Find `p ≥ 0` and `D` with `g = K p + η p + g0 − D ≥ 0` and `p g = 0`: the conditions (2.1)–(2.2) of the
 //! paper in our signs. It is the minimum of the energy `½ p·(K + η) p + g0·p` over the pressures of the given
 //! force, or of that energy less `D Σ p` where the penetration is given. Springs of another [law](SpringLaw) have their
-//! `w*(p)` in place of `η p`, and `∫ w* dp` in place of `½ η p²`: convex as well. With a hardness `p_max` the minimum is
-//! sought among `0 ≤ p ≤ p_max`: where `p = p_max` the gap may be negative, and what it lacks is the plastic depth.
+//! `w*(p)` in place of `η p`, and `∫ w* dp` in place of `½ η p²`: convex as well. With a hardness `p_max` the minimum
+//! is sought among `0 ≤ p ≤ p_max`: where `p = p_max` the gap may be negative, and what it lacks is the plastic depth.
 
 mod fields;
 

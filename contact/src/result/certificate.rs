@@ -8,8 +8,8 @@
 //! overlap = max(0, −min g) / D               load = |4a² Σ p − Q| / Q
 //! ```
 //!
-//! and the smallest pressure, which must not be negative. Where a hardness `p_max` cuts the pressure, elements at it may
-//! lack a gap but not have one:
+//! and the smallest pressure, which must not be negative. Where a hardness `p_max` cuts the pressure, elements at it
+//! may lack a gap but not have one:
 //!
 //! ```text
 //! D = Σ p v / Σ p over p < p_max                 gap_in_contact, overlap: over p < p_max

@@ -13,8 +13,8 @@
 //! as far as the exchange before was wrong.
 //!
 //! **Start.** Of a coarser grid's pressure the elements at the limit are held, of a guess those above it; if they carry
-//! all of a prescribed force, only those that overlap most. From no element held, a fully plastic contact took ten times
-//! the products, a ring of elements an exchange.
+//! all of a prescribed force, only those that overlap most. From no element held, a fully plastic contact took five to
+//! seven times the products, a ring of elements an exchange.
 //!
 //! **Why it ends.** Holding ends, since no element is let go meanwhile. If the number of elements with a gap at its end
 //! has not fallen, fewer are let go at once, down to the one with the widest gap. That is no proof: the number of
@@ -224,8 +224,8 @@ impl Exchange {
         true
     }
 
-    /// The elements on the wrong side of the solution beside the held ones: those above the limit, or if there are none,
-    /// those with a gap, for which it takes a product where any is held.
+    /// The elements on the wrong side of the solution beside the held ones: those above the limit, or if there are
+    /// none, those with a gap, for which it takes a product where any is held.
     fn wrong(&mut self, problem: &mut DiscreteProblem, load: Load) -> Wrong {
         let limit = problem.hardness();
         let mut wrong = Wrong::default();

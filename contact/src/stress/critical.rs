@@ -49,7 +49,8 @@ struct Asked {
 /// comes near, loads around the largest are tried.
 ///
 /// # Errors
-/// [`ContactError::WithHardness`] where the pressure is cut; as [`solve_path`](crate::solve_path) and [`stress_extremes`](super::extremes::stress_extremes);
+/// [`ContactError::WithHardness`] where the pressure is cut; as [`solve_path`](crate::solve_path) and
+/// [`stress_extremes`](super::extremes::stress_extremes);
 /// [`ContactError::Cancelled`] by the
 /// observer.
 ///
