@@ -90,6 +90,11 @@ impl JudgedFields {
         place.is_some_and(|place| self.gap[place] < 0.0)
     }
 
+    /// The gaps of a row of a window within the part that was looked at, in m.
+    pub fn gaps_of_line(&self, window: &Window, line: usize) -> &[f64] {
+        window.within(&self.reach).line(&self.gap, line)
+    }
+
     /// The gap of an element of the grid that was looked at, in m.
     pub fn gap_of(&self, element: [usize; 2]) -> f64 {
         self.reach
