@@ -1,7 +1,7 @@
 //! The processor time of a study over that of the bare solves of its cases, which one process does one after the other
 //! on one thread. Both are measured in pairs; the resolved cases of the bare solves are made beforehand.
 //!
-//! `cargo bench -p pellicle-cli --bench study_rate -- 20000 3`: cases, and pairs. Linux alone tells the time of a child.
+//! `cargo bench -p pellicle-cli --bench study_rate -- 20000 3`: cases, and pairs. Linux only.
 
 #![expect(
     clippy::unwrap_used,

@@ -1,10 +1,10 @@
 //! A study: one case solved for many values of its keys, on all cores and on many machines, resumed after kills.
 //!
 //! [`study_file`] reads it, [`numbering`] numbers its cases, [`plan`] checks what can be checked before any of them is
-//! solved, [`results_table`] keeps the results, one block of rows per case, [`kept_file`] the fields that are wanted of all,
-//! [`runner`] solves the remaining cases, [`gather`](mod@gather) merges the tables of several machines, and
-//! [`report`](mod@report) shows them. A case is read when it is its turn: neither the start
-//! of a study nor its memory depends on the number of its cases, but for some bytes each.
+//! solved, [`results_table`] keeps the results, one block of rows per case, [`kept_file`] the fields that are wanted of
+//! all, [`runner`] solves the remaining cases, [`gather`](mod@gather) merges the tables of several machines, and
+//! [`report`](mod@report) shows them. A case is read when it is its turn: neither the start of a study nor its memory
+//! depends on the number of its cases, but for some bytes each.
 
 pub mod case_blocks;
 pub mod case_counts;

@@ -22,8 +22,8 @@ const OUTPUT: &str = "output";
 /// The hash of all that the results of a study depend on: version of the program, base case, keys, values, contents of
 /// the maps, system of units, and first line of the table.
 ///
-/// A quantity counts with its value and not with its spelling, and neither comments nor the order of keys count. `valid`
-/// is a valid case and its number: what the base case leaves open counts as its default.
+/// A quantity counts with its value and not with its spelling, and neither comments nor the order of keys count.
+/// `valid` is a valid case and its number: what the base case leaves open counts as its default.
 ///
 /// # Errors
 ///

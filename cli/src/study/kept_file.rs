@@ -49,8 +49,8 @@ struct KeptFile {
 }
 
 impl KeptFields {
-    /// Opens the files of a part of whose cases so many are done, and creates those that are missing; none if nothing is
-    /// kept.
+    /// Opens the files of a part of whose cases so many are done, and creates those that are missing; none if nothing
+    /// is kept.
     ///
     /// # Errors
     ///

@@ -73,8 +73,8 @@ pub struct KeptLayout {
 }
 
 impl KeptLayout {
-    /// The layout of a study, of which `case` is a valid case; none if nothing is to be kept. All loading steps are kept
-    /// if `output.fields` of this case is `all`, the last otherwise.
+    /// The layout of a study, of which `case` is a valid case; none if nothing is to be kept. All loading steps are
+    /// kept if `output.fields` of this case is `all`, the last otherwise.
     ///
     /// # Errors
     ///

@@ -1,5 +1,5 @@
-//! What goes wrong around a study: the disk is full half way, a part is started twice, the clocks of two machines differ.
-//! Nothing is lost, nothing is there twice, and one sentence says what to do.
+//! What goes wrong around a study: the disk is full half way, a part is started twice, the clocks of two machines
+//! differ. Nothing is lost, nothing is there twice, and one sentence says what to do.
 
 use std::fs;
 use std::io::Write;
