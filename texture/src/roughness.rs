@@ -79,8 +79,8 @@ impl Roughness {
 }
 
 /// The sum over the rows of a field of a number of each, in their order.
-fn sum_of_lines(field: &[f64], shape: [usize; 2], of: impl Fn(&[f64]) -> f64 + Sync) -> f64 {
-    let rows = field.par_chunks(shape[1]).map(|row| of(row));
+fn sum_of_lines(field: &[f64], shape: [usize; 2], of: impl Fn(&[f64]) -> f64 + Send + Sync) -> f64 {
+    let rows = field.par_chunks(shape[1]).map(of);
     rows.collect::<Vec<_>>().into_iter().sum()
 }
 

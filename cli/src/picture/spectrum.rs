@@ -8,7 +8,7 @@ use super::svg::{Anchor, Rect, Stroke};
 use crate::case::units::Units;
 use crate::display::{Unit, quantity, significant};
 use crate::output::summary::Summary;
-use crate::output::summary::roughness::MapRoughness;
+use crate::output::summary::roughness::{MapRoughness, RoughnessSummary};
 
 /// Name of the picture, without ending.
 pub const NAME: &str = "spectrum";
@@ -32,7 +32,7 @@ const ROUNDING: f64 = 1e-16;
 #[must_use]
 pub fn is_drawn(summary: &Summary) -> bool {
     (summary.roughness.iter())
-        .flat_map(|roughness| roughness.maps())
+        .flat_map(RoughnessSummary::maps)
         .any(|(_, map)| !points(map).is_empty())
 }
 

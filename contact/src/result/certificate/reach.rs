@@ -95,6 +95,12 @@ impl JudgedFields {
         window.within(&self.reach).line(&self.gap, line)
     }
 
+    /// `K p` of an element that was looked at, in m; NaN of another.
+    pub fn displacement_of(&self, element: [usize; 2]) -> f64 {
+        let place = self.reach.place(element);
+        place.map_or(f64::NAN, |place| self.displacement[place])
+    }
+
     /// The gap of an element of the grid that was looked at, in m.
     pub fn gap_of(&self, element: [usize; 2]) -> f64 {
         self.reach

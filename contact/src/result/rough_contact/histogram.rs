@@ -25,7 +25,7 @@ impl Histogram {
     ) -> Self {
         let row = |line: usize| of_line(line, &pressure[line * window.size()..][..window.size()]);
         let ranges = window.by_lines(pressure, |line, _| {
-            row(line).fold((0.0, 0.0, 0), |(largest, sum, count), x| {
+            row(line).fold((0.0, 0.0, 0_usize), |(largest, sum, count), x| {
                 (f64::max(largest, x), sum + x, count + 1)
             })
         });
