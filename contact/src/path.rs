@@ -5,6 +5,7 @@
 //! grids too small to keep all threads busy as many loads are solved at the same time as there are threads.
 
 mod capacity;
+mod dilute;
 pub mod domain;
 mod hierarchy;
 mod level;
