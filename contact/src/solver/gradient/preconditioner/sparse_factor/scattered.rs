@@ -14,6 +14,9 @@ use super::{
 use crate::grid::candidates::Candidates;
 use crate::solver::gradient::working_set::WorkingSet;
 
+/// Places where an element's neighbours are looked for, nearest first: with all of the other factor's, products are 12
+/// instead of 13 on 0.1 % of 1024 × 1024 elements, and take a fifth more time with all else.
+const SEARCHED: usize = 300;
 /// Rows that one thread looks at together.
 const PART: usize = 256;
 
@@ -142,7 +145,7 @@ impl ScatteredFactor {
         let place = self.candidates.place(candidate).map(index);
         let size = self.candidates.size();
         let mut found = (Vec::new(), Vec::new());
-        for offset in &EARLIER[colour as usize] {
+        for offset in EARLIER[colour as usize].iter().take(SEARCHED) {
             let along = |axis: usize| {
                 let i = usize::try_from(place[axis] + (offset[axis] << level)).ok()?;
                 (i < size).then_some(i)
