@@ -79,6 +79,7 @@ pub mod studied {
     pub use crate::study::folder::StudyFolder;
     pub use crate::study::identity::StudyIdentity;
     pub use crate::study::plan::StudyPlan;
+    pub use crate::study::report::write as write_report;
     pub use crate::study::results_table::ResultsTable;
     pub use crate::study::shard::Shard;
     pub use crate::study::study_file::read;

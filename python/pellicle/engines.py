@@ -56,7 +56,8 @@ def outcomes(engine: Any, function: Callable[[Task], Outcome], tasks: Sequence[T
             return iter(getattr(engine, name)(function, tasks))
     if callable(engine):
         return iter(engine((function, (task,), {}) for task in tasks))
-    raise ArgumentError(f"executor: found {type(engine).__name__}, wanted an object with submit or map, or a joblib.Parallel")
+    wanted = "an object with submit or map, or a joblib.Parallel"
+    raise ArgumentError(f"executor: found {type(engine).__name__}, wanted {wanted}")
 
 
 def _submitted(engine: Submits, function: Callable[[Task], Outcome], tasks: Sequence[Task]) -> Iterator[Outcome]:

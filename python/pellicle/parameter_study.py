@@ -82,6 +82,9 @@ class Study:
         A chunk that is lost with its worker is solved again by engines that see to it, such as Dask and Ray. Others
         break: what was finished is kept, the exception is raised, and the study can be mapped on a new executor.
         """
+        if self._study.keeps_fields:
+            wanted = "a study without `keep`: no engine hands fields back, but `pellicle study` keeps them"
+            raise ArgumentError(f"{self.path}: found fields to keep, wanted {wanted}")
         table = self._study.table(os.path.join("results", self.name) if out is None else out, fresh)
         try:
             if self._study.refused is not None:
@@ -211,5 +214,6 @@ def _restored(path: str, fingerprint: str) -> Study:
     """The study of a file that another process has read; read once, since every chunk brings it along."""
     found = Study(path)
     if found._study.fingerprint != fingerprint:
-        raise RunError(f"{path}: found another study, other maps or another version of pellicle here than where it was mapped")
+        found_here = "another study, other maps or another version of pellicle"
+        raise RunError(f"{path}: found {found_here}, wanted what there is where it was mapped")
     return found

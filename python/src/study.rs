@@ -5,7 +5,8 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use pellicle_cli::Failure;
 use pellicle_cli::studied::{
-    CaseSolver, CaseStatus, ResultsTable, Shard, StudyFolder, StudyIdentity, StudyPlan, Tally, read,
+    CaseSolver, CaseStatus, ResultsTable, Shard, StudyFolder, StudyIdentity, StudyPlan, Tally,
+    read, write_report,
 };
 use pellicle_contact::{Observer, Progress, Signal};
 use pyo3::prelude::*;
@@ -66,6 +67,12 @@ impl Study {
     #[getter]
     fn refused(&self) -> Option<String> {
         self.0.plan.refused.words()
+    }
+
+    /// Whether the fields of its cases are to be kept.
+    #[getter]
+    fn keeps_fields(&self) -> bool {
+        self.0.plan.identity.kept.is_some()
     }
 
     /// Starts to solve some cases, counted from 0, one after the other on so many threads.
@@ -133,6 +140,7 @@ fn solve(
         cache: shared.study_cache.clone(),
         memory: &shared.memory,
         folders: None,
+        kept: None,
     };
     let mut rows = Vec::new();
     for case in cases {
@@ -260,12 +268,16 @@ impl Table {
         self.with(py, |table| Ok(table.path().to_owned()))
     }
 
-    /// Closes it, sorted if every case is done, and lets others have the folder.
+    /// Closes it, sorted and with its page beside it if every case is done, and lets others have the folder.
     fn close(&self, py: Python<'_>) -> Result<(), Refusal> {
         let table = self.lock().take();
         let cases = self.identity.len();
         let close = |table: ResultsTable| match table.tally().done() {
-            done if done == cases => table.finish(&self.identity),
+            done if done == cases => {
+                let folder = table.place().folder.clone();
+                table.finish(&self.identity)?;
+                write_report(&folder, std::slice::from_ref(&self.identity)).map(drop)
+            }
             _ => Ok(()),
         };
         Ok(py.detach(|| table.map_or(Ok(()), close))?)

@@ -93,8 +93,8 @@ def test_an_executor_gives_the_table_of_one_machine(
         table = pl.study(file).map(engine, out=tmp_path, chunk=chunk)
     assert (tmp_path / "results.csv").read_bytes() == wanted
     assert (table.cases, table.certified, table.failed) == (40, 30, 10)
-    # As the program leaves it: nothing but the table and what it is of.
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["results.csv", "study.json"]
+    # As the program leaves it: nothing but the table, its page and what it is of.
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["report.html", "results.csv", "study.json"]
 
 
 def test_an_engine_that_only_maps_gives_it_too(file: Path, wanted: bytes, tmp_path: Path) -> None:
@@ -189,6 +189,10 @@ def test_what_cannot_be_is_refused_in_one_sentence(file: Path, tmp_path: Path) -
         with pytest.raises(pl.RunError, match="another study"):
             pl.study(other).map(pool, out=tmp_path)
         pl.study(other).map(pool, out=tmp_path, fresh=True)
+    keeping = tmp_path / "keeping.toml"
+    keeping.write_text(STUDY.replace("[study.vary]", '[study]\nkeep = ["pressure"]\n\n[study.vary]'))
+    with ThreadPoolExecutor(1) as pool, pytest.raises(pl.ArgumentError, match="keeping.toml: found fields to keep"):
+        pl.study(keeping).map(pool, out=tmp_path / "keeping")
     with pytest.raises(pl.CaseError, match="study"):
         pl.study(EXAMPLES.parents[1] / "cases" / "hertz.toml")
 
