@@ -59,13 +59,14 @@ pub fn study(arguments: &StudyArguments) -> Result<Outcome, Failure> {
     let cases = plan.identity.len();
     let to_do = table.remaining(&plan.identity);
     let lines = StudyProgress::new(cases, cases - to_do.count_left(), is_watched(arguments));
+    let memory = MemoryBudget::default();
     let done = table.tally().done();
     let kept = KeptFields::open(&folder, &plan.identity, done)?;
     let kit = CaseSolver {
         study: &study,
         columns: &plan.columns,
         cache: cache::open_for_many(),
-        memory: MemoryBudget::default(),
+        memory: &memory,
         folders: arguments.folders.then(|| table.place().cases()),
         kept: kept.as_ref(),
     };

@@ -4,7 +4,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
 use std::time::Instant;
 
-use pellicle_contact::Observer;
+use pellicle_contact::{Observer, Signal};
 use pellicle_influence::Cache;
 use serde_json::Value;
 
@@ -14,13 +14,13 @@ use super::kept_file::KeptFields;
 use super::table_columns::{TableColumns, status};
 use crate::case::Case;
 use crate::failure::Failure;
-use crate::interrupt;
 use crate::memory::MemoryBudget;
 use crate::output::file::Existing;
 use crate::output::folder::{Completeness, ResultsFolder};
 use crate::output::summary::Summary;
 use crate::output::{results, run_files};
 use crate::solving::{self, Resources, SolvedCase};
+use crate::stresses::Search;
 
 /// Solves the cases of a study.
 #[derive(Debug)]
@@ -32,7 +32,7 @@ pub struct CaseSolver<'a> {
     /// The cache, shared by all cases.
     pub cache: Cache,
     /// The memory, shared by all cases.
-    pub memory: MemoryBudget,
+    pub memory: &'a MemoryBudget,
     /// The parent of the cases' results folders, if these are wanted.
     pub folders: Option<PathBuf>,
     /// The fields that are kept of all cases, if any are.
@@ -51,7 +51,8 @@ pub struct CaseResult {
 }
 
 impl CaseSolver<'_> {
-    /// Solves a case; none if the user stops it, and its unfinished results are discarded.
+    /// Solves a case; none if it is stopped by `observer`, or by `search` before a search for stresses, and its
+    /// unfinished results are discarded.
     ///
     /// # Errors
     ///
@@ -61,8 +62,9 @@ impl CaseSolver<'_> {
         &self,
         case: usize,
         observer: &mut dyn Observer,
+        search: &dyn Fn(Search) -> Signal,
     ) -> Result<Option<CaseResult>, Failure> {
-        let solved = catch_unwind(AssertUnwindSafe(|| self.attempt(case, observer)));
+        let solved = catch_unwind(AssertUnwindSafe(|| self.attempt(case, observer, search)));
         match solved {
             Ok(Ok(done)) => Ok(done),
             Ok(Err(
@@ -110,17 +112,17 @@ impl CaseSolver<'_> {
         &self,
         number: usize,
         observer: &mut dyn Observer,
+        search: &dyn Fn(Search) -> Signal,
     ) -> Result<Option<CaseResult>, Failure> {
         let start = Instant::now();
         let case = self.study.case(number)?;
         let folder = self.claim(number, &case)?;
         let resources = Resources {
             cache: &self.cache,
-            memory: &self.memory,
+            memory: self.memory,
             writers: self.writers(folder.as_ref()),
         };
-        let search = |_| interrupt::signal();
-        let Some(solved) = solving::solve(&case, resources, start, observer, &search)? else {
+        let Some(solved) = solving::solve(&case, resources, start, observer, search)? else {
             return Ok(None);
         };
         if solved.completeness == Completeness::Part {

@@ -117,7 +117,7 @@ impl<'a> Shared<'a> {
 fn work(kit: &CaseSolver<'_>, shared: &Shared<'_>, lines: &StudyProgress) -> Result<(), Failure> {
     while let Some(case) = shared.take() {
         let mut line = lines.case(kit.study, case);
-        let Some(done) = kit.solve(case, &mut line)? else {
+        let Some(done) = kit.solve(case, &mut line, &|_| interrupt::signal())? else {
             return Ok(());
         };
         drop(line);
