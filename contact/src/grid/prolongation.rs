@@ -115,6 +115,20 @@ mod tests {
     }
 
     #[test]
+    fn a_coarse_window_counts_lines_from_its_own_first() {
+        let belongs = |[i, j]: [usize; 2]| (20..24).contains(&i) && (30..34).contains(&j);
+        let from = Window::whole(64).around(belongs);
+        let prolongation = Prolongation::new(&from, &Window::whole(128));
+        let both = [prolongation.rows(), prolongation.columns()];
+        for (lines, origin) in both.into_iter().zip(from.origin()) {
+            assert!(origin > 0);
+            for (i, line) in lines.iter().enumerate() {
+                assert_eq!(line.within, (i / 2).cast_signed() - origin.cast_signed());
+            }
+        }
+    }
+
+    #[test]
     fn the_coarse_line_that_holds_a_fine_one_is_the_nearest() {
         let prolongation = Prolongation::new(&Window::whole(8), &Window::whole(16));
         let within: Vec<_> = prolongation
