@@ -1,4 +1,4 @@
-//! The product `K p`: by convolution on the whole grid or a quadrant of it, on a periodic cell, or summed directly.
+//! The product `K p`: by convolution on the whole grid, a half or a quadrant of it, on a periodic cell, or summed directly.
 
 mod convolution;
 mod dense;
@@ -6,7 +6,7 @@ mod elastic;
 mod periodic;
 mod spectrum;
 
-pub use convolution::{ConvolutionOperator, QuadrantOperator, WindowOperator};
+pub use convolution::{ConvolutionOperator, HalfOperator, QuadrantOperator, WindowOperator};
 pub use dense::DenseOperator;
 pub use elastic::ElasticOperator;
 pub use periodic::PeriodicOperator;

@@ -75,7 +75,7 @@ struct Even {
 impl Preconditioner {
     pub fn new(problem: &DiscreteProblem) -> Self {
         let symbol = (problem.elasticity())
-            .map(|elasticity| elasticity.symbol(problem.sector().parts() * problem.size()));
+            .map(|elasticity| elasticity.symbol(problem.sector().whole(problem.size())));
         let contrast = symbol.as_ref().map_or(1.0, stiffness_contrast);
         let is_stiff = contrast > STIFF || (contrast > STIFF_IF_ROUGH && problem.is_rough());
         let neighbours = if contrast > VERY_STIFF {
