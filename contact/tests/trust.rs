@@ -9,8 +9,8 @@
 use std::sync::Arc;
 
 use pellicle_contact::{
-    Domain, Indenter, Load, LoadingPath, Model, Paraboloid, SolverOptions, Step, Warning,
-    model_warnings, solve_path,
+    Cone, Domain, Indenter, Load, LoadingPath, Model, Paraboloid, PeakPlace, SolverOptions, Step,
+    Warning, model_warnings, solve_path,
 };
 use pellicle_influence::{Cache, RadialTables};
 use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
@@ -103,6 +103,20 @@ fn the_summary_is_what_the_pressure_says() {
     assert_eq!(found.elements_to_edge, nearest);
     assert_eq!(found.max_pressure.to_bits(), peak.to_bits());
     assert_eq!(found.max_pressure_at, place(peak_at));
+    assert_eq!(found.peak_place, PeakPlace::Outline);
+}
+
+#[test]
+fn the_largest_pressure_lies_inside_under_a_ball_and_at_the_tip_of_a_cone() {
+    let bare = model(&[], Relief::Bare);
+    let cone = Model {
+        indenter: Cone::new(1.4, 0.0).unwrap().into(),
+        ..bare.clone()
+    };
+    for (model, wanted) in [(bare, PeakPlace::Inside), (cone, PeakPlace::IndenterEdge)] {
+        let path = solve(&model, 0.4, 32, Load::Force(1e-3));
+        assert_eq!(last(&path).summary.peak_place, wanted);
+    }
 }
 
 #[test]

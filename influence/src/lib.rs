@@ -95,7 +95,7 @@ pub use error::InfluenceError;
 pub use filter::{PeriodicFilter, PeriodicSymbol};
 pub use operator::{
     ConvolutionOperator, DenseOperator, ElasticOperator, HalfOperator, PeriodicOperator,
-    QuadrantOperator, WindowOperator,
+    QuadrantOperator, ScatteredOperator, WindowOperator, scattered_work,
 };
 pub use radial::{CoefficientDerivative, RadialTables};
 pub use sector::Sector;

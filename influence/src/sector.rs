@@ -77,9 +77,12 @@ impl Sector {
     /// The first, by index, of the elements that an element stands for on a grid of `size` elements per side.
     #[must_use]
     pub fn first_image(self, element: [usize; 2], size: usize) -> [usize; 2] {
-        let image = |axis: usize| match self.mirrored()[axis] {
-            true => size / 2 - 1 - element[axis],
-            false => element[axis],
+        let image = |axis: usize| {
+            if self.mirrored()[axis] {
+                size / 2 - 1 - element[axis]
+            } else {
+                element[axis]
+            }
         };
         [image(0), image(1)]
     }
@@ -87,9 +90,12 @@ impl Sector {
     /// The first of the points that a point of the sector stands for.
     #[must_use]
     pub fn first_image_of_point(self, point: [f64; 2]) -> [f64; 2] {
-        let image = |axis: usize| match self.mirrored()[axis] {
-            true => 0.0 - point[axis],
-            false => point[axis],
+        let image = |axis: usize| {
+            if self.mirrored()[axis] {
+                0.0 - point[axis]
+            } else {
+                point[axis]
+            }
         };
         [image(0), image(1)]
     }

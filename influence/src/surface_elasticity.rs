@@ -7,7 +7,7 @@ use crate::coefficient_table::CoefficientTable;
 use crate::filter::PeriodicSymbol;
 use crate::operator::{
     ConvolutionOperator, ElasticOperator, HalfOperator, PeriodicOperator, QuadrantOperator,
-    WindowOperator,
+    ScatteredOperator, WindowOperator,
 };
 use crate::sector::Sector;
 use crate::transform::half_length;
@@ -129,6 +129,16 @@ impl SurfaceElasticity {
         size: usize,
     ) -> WindowOperator {
         WindowOperator::new(&self.table, (sector, shown), origin, size)
+    }
+
+    /// `K p` among some elements, by their ascending indices, of a window of `size` × `size`; none where the window is too
+    /// small to be worth it.
+    ///
+    /// # Panics
+    /// As [`ScatteredOperator::new`].
+    #[must_use]
+    pub fn among(&self, size: usize, elements: &[u32]) -> Option<ScatteredOperator> {
+        ScatteredOperator::new(&self.table, size, elements)
     }
 
     /// The analytic symbol on a periodic grid of `size` × `size` elements, for preconditioners.

@@ -116,9 +116,12 @@ impl Window {
         let rows = rows.with_min_len(ELEMENTS_PER_THREAD / self.size + 1);
         let extents: Vec<IndexRange> = rows.filter_map(of_row).collect();
         let extent = extents.into_iter().reduce(IndexRange::and)?;
-        let first = |axis: usize| match self.sector.mirrored()[axis] {
-            true => 0,
-            false => extent.first[axis],
+        let first = |axis: usize| {
+            if self.sector.mirrored()[axis] {
+                0
+            } else {
+                extent.first[axis]
+            }
         };
         Some(IndexRange {
             first: [0, 1].map(first),
@@ -227,9 +230,10 @@ impl Window {
     pub fn element(&self, place: Place) -> Option<usize> {
         let along = |axis: usize| {
             let i = place[axis];
-            let image = match self.sector.mirrored()[axis] {
-                true if i < 0 => -1 - i,
-                _ => i,
+            let image = if i < 0 && self.sector.mirrored()[axis] {
+                -1 - i
+            } else {
+                i
             };
             let lines = self.lengths()[axis];
             usize::try_from(image).ok().filter(|image| *image < lines)

@@ -65,3 +65,27 @@ pub trait Profile: Debug + Send + Sync {
         grid.centres().map(|[x, y]| self.height(x, y)).collect()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Profile;
+
+    /// `1 + y + x⁴`.
+    #[derive(Debug)]
+    struct Shape;
+
+    impl Profile for Shape {
+        fn height(&self, x: f64, y: f64) -> f64 {
+            1.0 + y + x.powi(4)
+        }
+    }
+
+    #[test]
+    fn a_mean_profile_is_the_mean_over_the_circle() {
+        for radius in [0.0, 0.5, 2.0_f64] {
+            // The mean of cos⁴ is 3/8, and the midpoint rule is exact for it.
+            let wanted = 1.0 + 0.375 * radius.powi(4);
+            assert!((Shape.mean_profile(radius) / wanted - 1.0).abs() < 1e-14);
+        }
+    }
+}

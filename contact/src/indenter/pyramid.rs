@@ -237,9 +237,12 @@ impl Pyramid {
             ..
         } = self.slopes;
         let sector = PI / self.faces() as f64;
-        let angle_of = |across: f64| match across < sine * radius {
-            true => (across / radius).asin(),
-            false => sector,
+        let angle_of = |across: f64| {
+            if across < sine * radius {
+                (across / radius).asin()
+            } else {
+                sector
+            }
         };
         let round = angle_of(rounded);
         // The sphere ends at q u = c w: v² = q² ρ² − c² R².

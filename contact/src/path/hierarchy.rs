@@ -306,6 +306,7 @@ impl Ascent {
                 iterations: result.work.iterations,
                 operator_applications: result.work.operator_applications,
                 stiffness_applications: result.work.stiffness_applications,
+                candidate_applications: result.work.candidate_applications,
                 seconds,
                 levels: self.levels,
             },

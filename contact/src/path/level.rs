@@ -7,6 +7,7 @@ use crate::{
     ActiveSetSolver, Boundary, ContactError, DiscreteProblem, GradientSolver, Iterate, LevelValues,
     LevelWork, Load, Method, Model, Solution, Solver, SolverOptions, Summary,
     grid::window::Window,
+    path::dilute::Dilute,
     path::domain::Guess,
     path::start::{CoarserSolution, FineGrid},
     problem::model::SampledSector,
@@ -179,6 +180,7 @@ impl Level {
                 iterations: effort.iterations,
                 operator_applications: effort.operator_applications,
                 stiffness_applications: effort.stiffness_applications,
+                candidate_applications: effort.candidate_applications,
             },
             residuals: effort.residuals,
             contact_stiffness: effort.contact_stiffness,
@@ -215,7 +217,8 @@ impl Level {
         self.elasticity
     }
 
-    /// Solves on a window that holds the contact, enlarged as long as it does not; returns it too.
+    /// Solves on a window that holds the contact, enlarged as long as it does not, of a dilute contact on candidates in
+    /// the window alone; returns the window too.
     fn solve_from(
         &mut self,
         start: (Window, Vec<f64>),
@@ -226,8 +229,12 @@ impl Level {
         let everywhere = self.whole.problem.everywhere();
         let (mut window, mut pressure) = start;
         let mut effort = Effort::default();
+        let mut dilute = Dilute::around(&self.whole.problem, &window, &pressure, &options);
         loop {
-            let iterate = self.solve_in(&mut window, &pressure, load, options, watch)?;
+            let iterate = match &mut dilute {
+                Some(dilute) => effort.among(dilute.solve(&pressure, load, options, watch)?),
+                None => self.solve_in(&mut window, &pressure, load, options, watch)?,
+            };
             let (reached_border, expected) = (iterate.reached_border, iterate.penetration);
             pressure = effort.take(iterate);
             if reached_border {
@@ -249,6 +256,15 @@ impl Level {
             let (problem, judged) = (&mut self.whole.problem, &mut self.judged);
             let solution = Solution::judge_within(problem, trial, pressure, judged);
             effort.operator_applications += judged.take_products();
+            if let Some(candidates) = &mut dilute {
+                if candidates.is_done(&solution, &options) {
+                    return Ok((solution, window, effort));
+                }
+                let goes_on = candidates.learn(problem, judged, &solution.pressure);
+                dilute = dilute.filter(|_| goes_on);
+                pressure = solution.pressure;
+                continue;
+            }
             if window.is_whole() || solution.certificate.overlap <= tolerance {
                 return Ok((solution, window, effort));
             }
@@ -314,11 +330,23 @@ struct Effort {
     iterations: usize,
     operator_applications: usize,
     stiffness_applications: usize,
+    candidate_applications: usize,
     residuals: Vec<f64>,
     contact_stiffness: Option<f64>,
 }
 
 impl Effort {
+    /// The iterate with its products counted as those among candidates.
+    fn among(&mut self, iterate: Iterate) -> Iterate {
+        self.candidate_applications +=
+            iterate.operator_applications + iterate.stiffness_applications;
+        Iterate {
+            operator_applications: 0,
+            stiffness_applications: 0,
+            ..iterate
+        }
+    }
+
     /// Adds an iterate's, and returns its pressure.
     fn take(&mut self, iterate: Iterate) -> Vec<f64> {
         self.iterations += iterate.iterations;

@@ -14,8 +14,10 @@ use pellicle_texture::SpringLaw;
 
 use self::fields::{check_length, check_values, is_rough};
 use crate::{
-    Boundary, ContactError, grid::window::Window, problem::body::Body, problem::scale::Scale,
-    problem::tangents::Tangents, vector::update_with,
+    Boundary, ContactError,
+    grid::{candidates::Candidates, window::Window},
+    problem::{body::Body, scale::Scale, tangents::Tangents},
+    vector::update_with,
 };
 
 /// Tells one problem from all others, however alike; clones are equal.
@@ -42,6 +44,8 @@ pub struct DiscreteProblem {
     scale: Scale,
     /// Elements of a row of the sector of the grid that this one is a window of, or its own.
     grid_size: usize,
+    /// The elements that the fields are of, if not of all.
+    candidates: Option<Arc<Candidates>>,
     identity: Identity,
 }
 
@@ -159,6 +163,7 @@ impl DiscreteProblem {
             initial_gap,
             element_area,
             grid_size: size,
+            candidates: None,
             identity: Identity::default(),
         })
     }
@@ -200,7 +205,57 @@ impl DiscreteProblem {
             element_area: self.element_area,
             scale: self.scale,
             grid_size: self.grid_size,
+            candidates: None,
             identity: Identity::default(),
+        })
+    }
+
+    /// The same problem on the candidates of a window alone, whose products are right to 1e-6; all fields are theirs.
+    /// None where the elasticity is not known, or the window too small.
+    pub(crate) fn among(&self, window: &Window, candidates: &Arc<Candidates>) -> Option<Self> {
+        let elasticity = self.elasticity()?;
+        let operator = elasticity.among(window.size(), candidates.elements())?;
+        let [above, left] = window.origin();
+        let on_grid = |candidate: usize| {
+            let [row, column] = candidates.place(candidate);
+            (above + row) * self.size + left + column
+        };
+        let gather = |field: &[f64]| (0..candidates.len()).map(|c| field[on_grid(c)]).collect();
+        Some(Self {
+            body: Body::among(elasticity.clone(), operator),
+            sector: self.sector,
+            size: window.size(),
+            relief_compliance: gather(&self.relief_compliance),
+            spring_law: self.spring_law,
+            tangents: None,
+            initial_gap: gather(&self.initial_gap),
+            element_area: self.element_area,
+            scale: self.scale,
+            grid_size: self.grid_size,
+            candidates: Some(candidates.clone()),
+            identity: Identity::default(),
+        })
+    }
+
+    /// The elements that the fields are of; none where they are of all.
+    pub(crate) fn candidates(&self) -> Option<&Arc<Candidates>> {
+        self.candidates.as_ref()
+    }
+
+    /// Takes another initial gap, in m.
+    pub(crate) fn take_initial_gap(&mut self, initial_gap: Vec<f64>) {
+        debug_assert_eq!(initial_gap.len(), self.elements());
+        (self.initial_gap, self.identity) = (initial_gap, Identity::default());
+    }
+
+    /// By how much more the body yields to waves as long as the grid than to the shortest, beyond what a homogeneous one
+    /// does; 1 where nothing is known of it.
+    pub(crate) fn stiffness_contrast(&self) -> f64 {
+        let per_wavelength = |elasticity: &Arc<SurfaceElasticity>, elements: usize| {
+            elasticity.cell_response(elements) / elements as f64
+        };
+        self.elasticity().map_or(1.0, |elasticity| {
+            per_wavelength(elasticity, elasticity.size()) / per_wavelength(elasticity, 2)
         })
     }
 
@@ -252,7 +307,7 @@ impl DiscreteProblem {
 
     /// Whether the grid is a window of a larger one, so that contact on its border means that the window is too small.
     pub(crate) fn is_window(&self) -> bool {
-        self.size < self.grid_size
+        self.size < self.grid_size && self.candidates.is_none()
     }
 
     /// Elements of a row, N.
@@ -313,6 +368,12 @@ impl DiscreteProblem {
         self.body.release();
     }
 
+    /// Writes `K p` (m) of a pressure (Pa) on the problem's elements.
+    pub(crate) fn displace(&mut self, pressure: &[f64], displacement: &mut [f64]) {
+        let everywhere = self.everywhere();
+        self.body.displace(&everywhere, pressure, displacement);
+    }
+
     /// Writes `K p` (m) of a pressure on a window, nought outside, on a `reach` around it.
     pub(crate) fn displace_into(
         &mut self,
@@ -356,7 +417,7 @@ impl DiscreteProblem {
     /// Writes `K p + w*(p)` (m) of the pressure `p` (Pa) into `deformation`, `(K + η) p` on linear springs: one product
     /// with `K`.
     pub fn deform_into(&mut self, pressure: &[f64], deformation: &mut [f64]) {
-        self.operator_mut().apply_into(pressure, deformation);
+        self.displace(pressure, deformation);
         let law = self.spring_law;
         update_with(
             deformation,
@@ -370,7 +431,7 @@ impl DiscreteProblem {
     /// [scale](Self::scale).
     pub(crate) fn deform_to_scale(&mut self, pressure: &[f64], deformation: &mut [f64]) {
         let per_unit = 1.0 / self.scale.compliance;
-        self.operator_mut().apply_into(pressure, deformation);
+        self.displace(pressure, deformation);
         let compliance = self.tangent_compliance();
         update_with(deformation, compliance, pressure, |v, eta, p| {
             *v = (*v + eta * p) * per_unit;

@@ -305,3 +305,6 @@ fn between([first, second]: [f64; 2]) -> f64 {
         0.5
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -156,3 +156,32 @@ fn larger(one: (f64, usize), other: (f64, usize)) -> (f64, usize) {
 fn nearer(one: Option<usize>, other: Option<usize>) -> Option<usize> {
     one.into_iter().chain(other).min()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Contact;
+
+    #[test]
+    fn parts_of_a_contact_make_the_whole_in_any_order() {
+        let part = |elements: &[(usize, f64)], to_edge: Option<[usize; 2]>| {
+            let mut part = Contact::default();
+            for (element, pressure) in elements {
+                part.add(*element, *pressure);
+            }
+            if let Some(place) = to_edge {
+                part.reach_to(place, 10);
+            }
+            part
+        };
+        let one = part(&[(5, 2.0), (3, 4.0), (8, 4.0)], Some([2, 6]));
+        let other = part(&[(4, 4.0), (1, 3.0)], Some([8, 5]));
+        for both in [one.and(other), other.and(one)] {
+            // Of equal pressures the first element's.
+            assert_eq!((both.largest, both.elements), ((4.0, 3), 5));
+            assert_eq!(both.to_edge, Some(1));
+        }
+        assert_eq!(one.to_edge, Some(2));
+        assert_eq!(part(&[], None).and(one).to_edge, Some(2));
+        assert_eq!(part(&[], Some([9, 4])).to_edge, Some(0));
+    }
+}

@@ -246,3 +246,80 @@ fn whole(powers: f64) -> i32 {
     let powers = powers.floor() as i32;
     powers.max(1)
 }
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use pellicle_influence::{Cache, RadialTables};
+    use pellicle_kernel::{Foundation, Material};
+
+    use super::*;
+    use crate::Paraboloid;
+
+    fn search() -> Search {
+        Search {
+            first: 2.0,
+            power: 0,
+            small: None,
+            large: None,
+        }
+    }
+
+    #[test]
+    fn a_search_ends_with_the_smallest_square_that_holds_the_contact() {
+        for needed in [-7, 0, 1, 9] {
+            for stride in [1, 3, 8] {
+                let mut search = search();
+                let mut trials = 0;
+                let side = loop {
+                    trials += 1;
+                    assert!(trials < 12, "{needed} {stride}");
+                    let verdict = if search.power < needed {
+                        SquareVerdict::TooSmall(stride)
+                    } else {
+                        SquareVerdict::TooLarge(-stride)
+                    };
+                    if let ControlFlow::Break(side) = search.go_on(verdict) {
+                        break side;
+                    }
+                };
+                assert_eq!(side, 2.0 * FACTOR.powi(needed));
+            }
+        }
+        assert_eq!(search().go_on(SquareVerdict::Fits), ControlFlow::Break(2.0));
+    }
+
+    #[test]
+    fn a_small_contact_is_brought_to_its_usual_extent() {
+        for extent in 1..SMALLEST_EXTENT {
+            let SquareVerdict::TooLarge(powers) = shrunk_to_fit(extent) else {
+                panic!("too large")
+            };
+            let grown = extent as f64 * FACTOR.powi(-powers);
+            assert!(
+                grown <= USUAL_EXTENT && FACTOR * grown > USUAL_EXTENT,
+                "{extent}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_square_that_cuts_off_grows_half_of_the_way_to_where_the_indenter_is_as_high() {
+        let body = Foundation::half_space(Material::new(1.0, 0.3).unwrap());
+        let model = Model {
+            tables: Arc::new(RadialTables::build(&body).unwrap()),
+            relief: Relief::Bare,
+            indenter: Paraboloid::new(2.0).unwrap().into(),
+            cache: Cache::none(),
+        };
+        // ρ² = 2 R D is 1.5^6.2 half sides away.
+        let side = 0.02;
+        let depth = (0.5 * side * FACTOR.powf(6.2)).powi(2) / 4.0;
+        assert_eq!(enlarged(&model, side, depth), 3);
+        assert_eq!(
+            [0.0, -1.0, 1e-9].map(|depth| enlarged(&model, side, depth)),
+            [1; 3]
+        );
+    }
+}

@@ -90,6 +90,12 @@ impl JudgedFields {
         place.is_some_and(|place| self.gap[place] < 0.0)
     }
 
+    /// `K p` of an element that was looked at, in m; NaN of another.
+    pub fn displacement_of(&self, element: [usize; 2]) -> f64 {
+        let place = self.reach.place(element);
+        place.map_or(f64::NAN, |place| self.displacement[place])
+    }
+
     /// The gap of an element of the grid that was looked at, in m.
     pub fn gap_of(&self, element: [usize; 2]) -> f64 {
         self.reach

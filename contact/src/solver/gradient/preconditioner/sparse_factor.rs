@@ -17,6 +17,7 @@
 mod direct;
 mod order;
 mod row;
+mod scattered;
 
 use std::{
     collections::HashMap,
@@ -26,6 +27,7 @@ use std::{
 use pellicle_influence::{Sector, SurfaceElasticity};
 use rayon::prelude::*;
 
+pub use self::scattered::ScatteredFactor;
 use self::{
     direct::DirectFactor,
     order::{COLOURS, Rank, TOP, earlier_offsets},

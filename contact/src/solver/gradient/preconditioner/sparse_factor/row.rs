@@ -254,7 +254,11 @@ impl LocalSystem<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::{class, compliance_of};
+    use pellicle_influence::{CoefficientTable, RadialTables};
+    use pellicle_kernel::{Foundation, Material};
+    use std::sync::Arc;
+
+    use super::*;
 
     #[test]
     fn a_class_keeps_a_compliance_to_three_percent() {
@@ -264,5 +268,69 @@ mod tests {
             assert!((found - 1.0).abs() < 0.023, "{relative}: {found}");
         }
         assert!(class(1e-4) == 0 && compliance_of(0) < f64::MIN_POSITIVE);
+    }
+
+    #[test]
+    fn a_row_solves_the_system_of_its_element_with_mirror_images_and_springs() {
+        let [coat, base] = [10.0, 1.0].map(|modulus| Material::new(modulus, 0.3).unwrap());
+        let body = Foundation::coated(0.05, coat, base).unwrap();
+        let tables = RadialTables::build(&body).unwrap();
+        let table = CoefficientTable::assemble(&tables, 1.0 / 32.0, 32).unwrap();
+        let elasticity = SurfaceElasticity::new(Arc::new(table), body);
+        let near = NearCoefficients::of(&elasticity, 1);
+        // An element two and three from the axes, and neighbours of every second one.
+        let (own, places, classes) = ([2, 3], [[2, 1], [-1, 0], [0, -1], [1, 1]], [0, 150, 60, 3]);
+        for to_axis in [
+            [None, None],
+            [Some(2), None],
+            [None, Some(3)],
+            [Some(2), Some(3)],
+        ] {
+            let system = |count: usize| LocalSystem {
+                elasticity: &elasticity,
+                near: &near,
+                level: 1,
+                places: &places[..count],
+                classes: &classes[..count],
+                own_class: 100,
+                to_axis,
+            };
+            let systems = [4, 0, 2].map(system);
+            for (system, g) in systems.iter().zip(SystemBatch::new(4).rows(&systems)) {
+                let last = system.places.len();
+                let from_axis = |k: usize, axis: usize| {
+                    own[axis] + 2 * system.places.get(k).map_or(0, |place| place[axis])
+                };
+                // On the whole grid, whose axes lie between its elements 15 and 16.
+                let images = |k: usize, axis: usize| {
+                    let i = from_axis(k, axis);
+                    let mirrored = to_axis[axis].map(|_| 15 - i);
+                    std::iter::once(16 + i).chain(mirrored)
+                };
+                let coefficient = |a: usize, [x, y]: [i32; 2]| {
+                    let offset = [(0, x), (1, y)].map(|(axis, along): (usize, i32)| {
+                        (16 + from_axis(a, axis)).abs_diff(along) as usize
+                    });
+                    elasticity.coefficient(offset)
+                };
+                for a in 0..=last {
+                    // A g = e/g_last, with A = L Lᵀ and Lᵀ g = e
+                    let mut sum = 0.0;
+                    for (b, g) in g.iter().enumerate() {
+                        for x in images(b, 0) {
+                            for y in images(b, 1) {
+                                sum += coefficient(a, [x, y]) * g;
+                            }
+                        }
+                        if a == b {
+                            let class = system.classes.get(a).unwrap_or(&100);
+                            sum += elasticity.coefficient([0, 0]) * compliance_of(*class) * g;
+                        }
+                    }
+                    let wanted = f64::from(u8::from(a == last));
+                    assert!((sum * g[last] - wanted).abs() < 1e-13, "{to_axis:?} {a}");
+                }
+            }
+        }
     }
 }
