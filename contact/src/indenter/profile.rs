@@ -37,6 +37,12 @@ pub trait Profile: Debug + Send + Sync {
         self.heights(&points).iter().sum::<f64>() / f64::from(ANGLES)
     }
 
+    /// Slope of the [mean profile](Self::mean_profile); by a central difference if not known better.
+    fn mean_slope(&self, radius: f64) -> f64 {
+        let step = 1e-3 * radius;
+        (self.mean_profile(radius + step) - self.mean_profile(radius - step)) / (2.0 * step)
+    }
+
     /// Whether `f(x, y) = f(−x, y) = f(x, −y)`, so that a quadrant is enough where relief and grid allow it.
     fn is_mirrored(&self) -> bool {
         false

@@ -20,7 +20,7 @@ use std::sync::LazyLock;
 
 use pellicle_texture::Relief;
 
-use crate::{Indenter, Load, Model};
+use crate::{Load, Model, Profile as _};
 use root::where_zero;
 
 /// The square on which the problem is solved.
@@ -216,7 +216,7 @@ fn elastic_force(model: &Model, a: f64) -> f64 {
     let step = FRAC_PI_2 / POINTS as f64;
     let integral: f64 = SINES
         .iter()
-        .map(|sine| slope(&model.indenter, a * sine) * sine * sine * step)
+        .map(|sine| model.indenter.mean_slope(a * sine) * sine * sine * step)
         .sum();
     2.0 * modulus * a * a * integral
 }
@@ -273,12 +273,6 @@ fn relief_volume(model: &Model, a: f64) -> f64 {
         })
         .sum();
     model.relief.area_fraction() * volume
-}
-
-/// `f′(ρ)` of the averaged profile, by a central difference.
-pub(crate) fn slope(indenter: &Indenter, rho: f64) -> f64 {
-    let step = 1e-3 * rho;
-    (indenter.mean_profile(rho + step) - indenter.mean_profile(rho - step)) / (2.0 * step)
 }
 
 #[cfg(test)]

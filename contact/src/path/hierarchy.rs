@@ -60,11 +60,10 @@ impl<'a> Hierarchy<'a> {
             })
         });
         sizes.push(elements);
-        let has_quadrants = sizes.iter().all(|size| size.is_multiple_of(2));
-        let is_for_quadrants = options.method == Method::Gradient && options.mirror_symmetry;
-        let is_free = boundary == Boundary::Free;
-        let sector = if is_free && has_quadrants && is_for_quadrants && model.is_mirrored() {
-            Sector::Quadrant
+        let has_sectors = sizes.iter().all(|size| size.is_multiple_of(2));
+        let is_for_sectors = options.method == Method::Gradient && options.mirror_symmetry;
+        let sector = if boundary == Boundary::Free && has_sectors && is_for_sectors {
+            model.sector()
         } else {
             Sector::Whole
         };
@@ -364,7 +363,7 @@ mod tests {
     }
 
     #[test]
-    fn a_quadrant_is_solved_where_everything_is_mirrored_on_every_grid() {
+    fn a_sector_is_solved_where_everything_is_mirrored_on_every_grid() {
         let paraboloid = model(Paraboloid::new(1.0).unwrap().into());
         let berkovich = model(Pyramid::berkovich(0.1).unwrap().into());
         let usual = SolverOptions::default();
@@ -382,7 +381,9 @@ mod tests {
             (&paraboloid, 65, usual, Sector::Whole),
             (&paraboloid, 64, active_set, Sector::Whole),
             (&paraboloid, 64, whole, Sector::Whole),
-            (&berkovich, 64, usual, Sector::Whole),
+            (&berkovich, 64, usual, Sector::Half),
+            (&berkovich, 65, usual, Sector::Whole),
+            (&berkovich, 64, whole, Sector::Whole),
         ] {
             let (square, load) = ((1.0, Boundary::Free), [Load::Force(1.0)]);
             let hierarchy = Hierarchy::new(model, square, elements, &load, &options);

@@ -110,7 +110,7 @@ impl Start<'_> {
         let mut pressure = vec![0.0; rows.len() * size];
         let lines = pressure.chunks_mut(size).zip(rows.clone());
         lines.for_each(|(pressure, row)| self.on_row(row, pressure));
-        let Some(coarse_row) = self.coarse_line(self.prolongation.rows()[rows.start]) else {
+        let Some(coarse_row) = self.coarse_line(0, self.prolongation.rows()[rows.start]) else {
             return pressure;
         };
         let coarse = |column: usize| coarse_row * from.size() + column;
@@ -119,7 +119,7 @@ impl Start<'_> {
         for (pressure, row) in pressure.chunks(size).zip(rows.clone()) {
             let sides = self.onto.line(self.fine.outline, row);
             for ((p, side), line) in pressure.iter().zip(sides).zip(columns()) {
-                if let Some(column) = self.coarse_line(*line) {
+                if let Some(column) = self.coarse_line(1, *line) {
                     let is_same_side = self.side(coarse(column)) == *side;
                     shares[column].pressure += p;
                     shares[column].elements += f64::from(u8::from(is_same_side));
@@ -128,7 +128,7 @@ impl Start<'_> {
         }
         for pressure in pressure.chunks_mut(size) {
             for (p, line) in pressure.iter_mut().zip(columns()) {
-                let Some(column) = self.coarse_line(*line) else {
+                let Some(column) = self.coarse_line(1, *line) else {
                     continue;
                 };
                 let (wanted, share) = (self.coarser.pressure[coarse(column)], shares[column]);
@@ -140,11 +140,12 @@ impl Start<'_> {
         pressure
     }
 
-    /// The line of the coarse window that holds a fine one.
-    fn coarse_line(&self, line: FineLine) -> Option<usize> {
+    /// The line of the coarse window, a row or a column, that holds a fine one.
+    fn coarse_line(&self, axis: usize, line: FineLine) -> Option<usize> {
+        let lines = self.coarser.window.lengths()[axis];
         usize::try_from(line.within)
             .ok()
-            .filter(|line| *line < self.coarser.window.size())
+            .filter(|line| *line < lines)
     }
 
     /// Whether a coarse element lies on the relief.

@@ -4,7 +4,7 @@ use pellicle_influence::RadialTables;
 use pellicle_texture::{Grid, Relief};
 
 use crate::{
-    Boundary, ContactError, Domain, Load, Model, Step, Warning, default_side, path::domain::slope,
+    Boundary, ContactError, Domain, Load, Model, Profile as _, Step, Warning, default_side,
     result::cut_off,
 };
 
@@ -88,7 +88,7 @@ pub(crate) fn warnings(
     let is_seen = |warning: &Warning| match (&much_larger, warning) {
         (Some(_), Warning::PeakNotResolved { .. }) => false,
         (Some(Warning::DomainMuchLarger { radius, .. }), Warning::SteepIndenter { .. }) => {
-            slope(&model.indenter, *radius) > LARGEST_SLOPE
+            model.indenter.mean_slope(*radius) > LARGEST_SLOPE
         }
         _ => true,
     };
@@ -233,7 +233,7 @@ fn peak(index: usize, step: &Step) -> Option<Warning> {
 #[must_use]
 pub fn edge_slope(model: &Model, step: &Step) -> Option<f64> {
     let radius = step.summary.contact_radius;
-    let slope = slope(&model.indenter, radius);
+    let slope = model.indenter.mean_slope(radius);
     (radius > 0.0 && slope.is_finite()).then_some(slope)
 }
 

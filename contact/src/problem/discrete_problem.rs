@@ -47,7 +47,7 @@ pub struct DiscreteProblem {
     /// The elements at the limit, while they are a part of the load.
     held: Option<HeldPressure>,
     scale: Scale,
-    /// Elements per side of the sector of the grid that this one is a window of, or its own.
+    /// Elements of a row of the sector of the grid that this one is a window of, or its own.
     grid_size: usize,
     /// The elements that the fields are of, if not of all.
     candidates: Option<Arc<Candidates>>,
@@ -125,7 +125,7 @@ impl DiscreteProblem {
         initial_gap: Vec<f64>,
         element_area: f64,
     ) -> Result<Self, ContactError> {
-        let size = elasticity.size() / sector.parts();
+        let size = sector.size_for(elasticity.size());
         let part = (Body::of(elasticity, boundary), sector, size);
         Self::checked(part, relief_compliance, initial_gap, element_area)
     }
@@ -136,7 +136,7 @@ impl DiscreteProblem {
         initial_gap: Vec<f64>,
         element_area: f64,
     ) -> Result<Self, ContactError> {
-        let elements = size * size;
+        let elements = sector.lengths(size).iter().product();
         check_length("relief compliance", relief_compliance.len(), elements)?;
         check_length("initial gap", initial_gap.len(), elements)?;
         check_values(
@@ -156,7 +156,7 @@ impl DiscreteProblem {
         }
         Ok(Self {
             scale: Scale::new(
-                element_area.sqrt() * sector.parts() as f64,
+                (element_area * sector.images() as f64).sqrt(),
                 body.own_coefficient(size),
             ),
             body,
@@ -378,7 +378,7 @@ impl DiscreteProblem {
 
     /// Elements per side of the whole grid that this one is a part of, or its own.
     pub(crate) fn grid_size(&self) -> usize {
-        self.sector.parts() * self.grid_size
+        self.sector.whole(self.grid_size)
     }
 
     /// Whether the grid is a window of a larger one, so that contact on its border means that the window is too small.
@@ -386,13 +386,13 @@ impl DiscreteProblem {
         self.size < self.grid_size && self.candidates.is_none()
     }
 
-    /// Elements per side, N.
+    /// Elements of a row, N.
     #[must_use]
     pub fn size(&self) -> usize {
         self.size
     }
 
-    /// Number of elements, N².
+    /// Number of elements, N² of a square.
     #[must_use]
     pub fn elements(&self) -> usize {
         self.initial_gap.len()

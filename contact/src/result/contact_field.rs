@@ -94,9 +94,9 @@ impl ContactField<'_> {
 
     /// How many of the four elements from a place on are in contact.
     pub fn in_contact_around(&self, [i, j]: Place) -> usize {
-        let size = self.window.size();
-        let inside = |i: isize| usize::try_from(i).ok().filter(|i| i + 1 < size);
-        if let (Some(i), Some(j)) = (inside(i), inside(j)) {
+        let [rows, size] = self.window.lengths();
+        let inside = |i: isize, lines| usize::try_from(i).ok().filter(|i| i + 1 < lines);
+        if let (Some(i), Some(j)) = (inside(i, rows), inside(j, size)) {
             let pair = |line: usize| &self.pressure[line * size + j..][..2];
             let count = |pair: &[f64]| pair.iter().map(|p| usize::from(*p > 0.0)).sum::<usize>();
             return count(pair(i)) + count(pair(i + 1));

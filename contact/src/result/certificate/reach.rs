@@ -66,7 +66,7 @@ impl JudgedFields {
     /// Makes room for a reach, with the initial gap in place of the gap.
     pub(super) fn take(&mut self, problem: &DiscreteProblem, reach: Window) {
         self.reach = reach;
-        let elements = reach.size() * reach.size();
+        let elements = reach.elements();
         if self.displacement.len() != elements {
             // Memory that is first touched where it is written, by all threads.
             self.displacement = vec![0.0; elements];

@@ -81,7 +81,7 @@ impl Preconditioner {
             .elasticity()
             .filter(|_| problem.candidates().is_none());
         let symbol =
-            of_all.map(|elasticity| elasticity.symbol(problem.sector().parts() * problem.size()));
+            of_all.map(|elasticity| elasticity.symbol(problem.sector().whole(problem.size())));
         let contrast = symbol.as_ref().map_or(1.0, stiffness_contrast);
         let is_stiff = contrast > STIFF || (contrast > STIFF_IF_ROUGH && problem.is_rough());
         let neighbours = if contrast > VERY_STIFF {

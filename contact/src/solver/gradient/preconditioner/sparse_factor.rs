@@ -44,7 +44,7 @@ const MOST_DIRECT: usize = 500;
 /// Places where an element's neighbours are looked for, nearest first. In a contact of a few summits most are empty:
 /// with 160 places it takes twice the products.
 const PLACES: usize = 4000;
-/// Elements, in units of the spacing of an element's level, from the axis of a quadrant within which mirror images
+/// Elements, in units of the spacing of an element's level, from the axis of a sector within which mirror images
 /// count in a row.
 const NEAR_AXIS: u32 = 8;
 /// Numbers in a pattern before the neighbours.
@@ -58,7 +58,8 @@ const BATCHES: usize = 8;
 
 /// The factor `G` on one grid's working set.
 pub struct SparseFactor {
-    size: usize,
+    /// Rows, and elements of each.
+    lengths: [usize; 2],
     sector: Sector,
     neighbours: usize,
     elasticity: Arc<SurfaceElasticity>,
@@ -146,9 +147,9 @@ impl SparseFactor {
         relief_compliance: &[f64],
         neighbours: usize,
     ) -> Self {
-        let size = grid.size();
+        let elements = grid.elements();
         Self {
-            size,
+            lengths: grid.lengths(),
             sector: grid.sector(),
             neighbours,
             classes: classes(&elasticity, relief_compliance),
@@ -159,8 +160,8 @@ impl SparseFactor {
             near: (0..=TOP)
                 .map(|level| NearCoefficients::of(&elasticity, level))
                 .collect(),
-            row_of: vec![OUTSIDE; size * size],
-            product: vec![0.0; size * size],
+            row_of: vec![OUTSIDE; elements],
+            product: vec![0.0; elements],
             elasticity,
         }
     }
@@ -175,7 +176,7 @@ impl SparseFactor {
     pub fn update(&mut self, set: &WorkingSet) {
         self.direct = None;
         if set.len() <= MOST_DIRECT {
-            let (grid, eta) = ((self.size, self.sector), &self.compliance);
+            let (grid, eta) = ((self.row(), self.sector), &self.compliance);
             self.direct = DirectFactor::new(&self.elasticity, grid, eta, set.mask());
             if self.direct.is_some() {
                 return;
@@ -227,19 +228,20 @@ impl SparseFactor {
     }
 
     fn pattern_into(&self, element: usize, mask: &[bool], pattern: &mut Vec<u32>) {
-        let (i, j) = (index(element / self.size), index(element % self.size));
+        let size = self.row();
+        let (i, j) = (index(element / size), index(element % size));
         let Rank { level, colour } = Rank::of(i, j);
         pattern.clear();
         pattern.push(COLOURS * level + colour);
         pattern.push(u32::from(self.classes[element]));
         let near = self.near_axis(level);
-        pattern.extend([i, j].map(|along| along.unsigned_abs().min(near)));
+        pattern.extend([0, 1].map(|axis: usize| [i, j][axis].unsigned_abs().min(near[axis])));
         for (place, [x, y]) in (0..).zip(&EARLIER[colour as usize]) {
-            let (Some(i), Some(j)) = (self.within(i, x << level), self.within(j, y << level))
-            else {
+            let [row, column] = [i + (x << level), j + (y << level)];
+            let (Some(i), Some(j)) = (self.within(0, row), self.within(1, column)) else {
                 continue;
             };
-            let neighbour = i * self.size + j;
+            let neighbour = i * size + j;
             if mask[neighbour] {
                 pattern.push(place << 16 | u32::from(self.classes[neighbour]));
                 if pattern.len() == self.neighbours + HEAD {
@@ -249,15 +251,22 @@ impl SparseFactor {
         }
     }
 
-    /// Elements from an axis within which mirror images count in a row of this level; none but on a quadrant.
-    fn near_axis(&self, level: u32) -> u32 {
-        index(self.sector.mirrored_lines((NEAR_AXIS << level) as usize)).unsigned_abs()
+    /// Elements from each axis within which mirror images count in a row of this level; none but at those of a sector.
+    fn near_axis(&self, level: u32) -> [u32; 2] {
+        let lines = self.sector.mirrored_lines((NEAR_AXIS << level) as usize);
+        lines.map(|lines| index(lines).unsigned_abs())
     }
 
-    /// The index `offset` from `index`, if it lies on the grid.
-    fn within(&self, index: i32, offset: i32) -> Option<usize> {
-        let place = usize::try_from(index + offset).ok()?;
-        (place < self.size).then_some(place)
+    /// Elements of a row.
+    fn row(&self) -> usize {
+        let [_, size] = self.lengths;
+        size
+    }
+
+    /// The index of a row or a column, if it lies on the grid.
+    fn within(&self, axis: usize, index: i32) -> Option<usize> {
+        let place = usize::try_from(index).ok()?;
+        (place < self.lengths[axis]).then_some(place)
     }
 
     /// Computes the rows of some patterns.
@@ -275,7 +284,10 @@ impl SparseFactor {
                 places,
                 classes,
                 own_class: class_in(pattern[1]),
-                to_axis: [pattern[2], pattern[3]].map(|along| (along < near).then_some(along)),
+                to_axis: [0, 1].map(|axis: usize| {
+                    let along = pattern[2 + axis];
+                    (along < near[axis]).then_some(along)
+                }),
             }
         });
         let systems: Vec<LocalSystem<'_>> = systems.collect();
@@ -285,7 +297,7 @@ impl SparseFactor {
             let distances = system
                 .places
                 .iter()
-                .map(|[x, y]| (x * index(self.size) + y) << system.level);
+                .map(|[x, y]| (x * index(self.row()) + y) << system.level);
             #[expect(
                 clippy::cast_possible_truncation,
                 reason = "a preconditioner needs no more"
