@@ -50,6 +50,7 @@ pub use result::{
     grid_error::{Estimate, GridError, LevelValues},
     null::nan_from_null,
     peak::PeakPlace,
+    rough_contact::{Histogram, Islands, RoughContact},
     step::{CoarsePressure, Status, Step},
     summary::Summary,
     warning::Warning,

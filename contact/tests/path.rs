@@ -361,3 +361,27 @@ fn a_path_can_be_cancelled_while_its_finest_grid_is_made() {
     });
     assert!(path.interrupted && path.steps.is_empty());
 }
+
+/// A shape that has no height far from its axis.
+#[derive(Debug)]
+struct Torn;
+
+impl Profile for Torn {
+    fn height(&self, x: f64, y: f64) -> f64 {
+        if x > 0.3 { f64::NAN } else { x * x + y * y }
+    }
+}
+
+#[test]
+fn a_height_that_is_no_number_is_an_error_of_the_path() {
+    let model = Model {
+        indenter: Indenter::custom(Torn),
+        ..model(Relief::Bare)
+    };
+    let (loads, options) = ([Load::Penetration(0.01)], SolverOptions::default());
+    let found = solve_path(&model, Domain::Side(1.0), 32, &loads, &options, &mut ());
+    assert!(
+        matches!(found, Err(ContactError::FieldValue { .. })),
+        "{found:?}"
+    );
+}

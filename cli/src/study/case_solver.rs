@@ -10,6 +10,7 @@ use serde_json::Value;
 
 use super::Study;
 use super::case_status::CaseStatus;
+use super::kept_file::KeptFields;
 use super::table_columns::{TableColumns, status};
 use crate::case::Case;
 use crate::failure::Failure;
@@ -34,6 +35,8 @@ pub struct CaseSolver<'a> {
     pub memory: MemoryBudget,
     /// The parent of the cases' results folders, if these are wanted.
     pub folders: Option<PathBuf>,
+    /// The fields that are kept of all cases, if any are.
+    pub kept: Option<&'a KeptFields>,
 }
 
 /// The result of a case.
@@ -69,8 +72,10 @@ impl CaseSolver<'_> {
                 | Failure::OtherCase { .. }
                 | Failure::Busy { .. }),
             )) => Err(failure),
-            Ok(Err(failure)) => Ok(Some(self.failed(case, &failure.to_string()))),
-            Err(_) => Ok(Some(self.failed(case, "an error of the program itself"))),
+            Ok(Err(failure)) => self.failed(case, &failure.to_string()).map(Some),
+            Err(_) => self
+                .failed(case, "an error of the program itself")
+                .map(Some),
         }
     }
 
@@ -86,12 +91,19 @@ impl CaseSolver<'_> {
         ResultsFolder::claim(&path, Existing::Replace).map(Some)
     }
 
-    fn failed(&self, case: usize, message: &str) -> CaseResult {
-        CaseResult {
+    fn failed(&self, case: usize, message: &str) -> Result<CaseResult, Failure> {
+        self.kept.map_or(Ok(()), |kept| kept.add_failed(case))?;
+        Ok(CaseResult {
             status: CaseStatus::Failed,
             rows: self.columns.failed(self.study, case, message),
             words: message.to_owned(),
-        }
+        })
+    }
+
+    /// Threads that need memory for the fields of a case.
+    fn writers(&self, folder: Option<&ResultsFolder>) -> usize {
+        let is_kept = self.kept.is_some_and(KeptFields::need_the_surface);
+        folder.map_or(usize::from(is_kept), |_| rayon::current_num_threads())
     }
 
     fn attempt(
@@ -105,7 +117,7 @@ impl CaseSolver<'_> {
         let resources = Resources {
             cache: &self.cache,
             memory: &self.memory,
-            writers: folder.as_ref().map_or(0, |_| rayon::current_num_threads()),
+            writers: self.writers(folder.as_ref()),
         };
         let search = |_| interrupt::signal();
         let Some(solved) = solving::solve(&case, resources, start, observer, &search)? else {
@@ -118,6 +130,9 @@ impl CaseSolver<'_> {
         let SolvedCase {
             path, mut summary, ..
         } = solved;
+        if let Some(kept) = self.kept {
+            kept.add(number, status(&summary), &path)?;
+        }
         if let Some(folder) = folder {
             let mut completeness = Completeness::Whole;
             folder.write(|folder| {

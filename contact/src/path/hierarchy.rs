@@ -242,6 +242,7 @@ impl<'a> Hierarchy<'a> {
         let coarser = match &mut result {
             Ok(result) if is_finest => {
                 let pressure = std::mem::take(&mut result.solution.pressure);
+                result.rough = level.rough_contact(self.model, &result.window, &pressure);
                 result.solution.pressure = result.window.spread(pressure);
                 None
             }
@@ -316,6 +317,7 @@ impl Ascent {
             grid_error: GridError::new(self.values, accuracy),
             residuals: result.residuals,
             contact_stiffness: result.contact_stiffness,
+            rough: result.rough,
             cut_off: None,
             coarser: self.coarser,
         }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::{
     ActiveSetSolver, Boundary, ContactError, DiscreteProblem, GradientSolver, Iterate, LevelValues,
-    LevelWork, Load, Method, Model, Solution, Solver, SolverOptions, Summary,
+    LevelWork, Load, Method, Model, RoughContact, Solution, Solver, SolverOptions, Summary,
     grid::window::Window,
     path::dilute::Dilute,
     path::domain::Guess,
@@ -82,6 +82,8 @@ pub struct LevelResult {
     /// Where its pressures lie.
     pub window: Window,
     pub summary: Summary,
+    /// Of the finest grid alone.
+    pub rough: Option<RoughContact>,
     pub work: LevelWork,
     pub residuals: Vec<f64>,
     pub contact_stiffness: Option<f64>,
@@ -160,19 +162,10 @@ impl Level {
         };
         let start = start.unwrap_or_else(nothing);
         let (solution, window, effort) = self.solve_from(start, load, options, watch)?;
-        let field = ContactField {
-            model,
-            grid: &self.grid,
-            boundary: self.whole.problem.boundary(),
-            window: &window,
-            pressure: &solution.pressure,
-            judged: &self.judged,
-            mask: &self.outline,
-            compliance: self.whole.problem.relief_compliance(),
-            coefficient: self.elasticity.coefficient([0, 0]),
-        };
+        let field = self.field(model, &window, &solution.pressure);
         Ok(LevelResult {
             summary: Summary::of(&field, solution.force),
+            rough: None,
             solution,
             window,
             work: LevelWork {
@@ -185,6 +178,36 @@ impl Level {
             residuals: effort.residuals,
             contact_stiffness: effort.contact_stiffness,
         })
+    }
+
+    /// What is told of the last load's contact where a measured map takes part.
+    pub fn rough_contact(
+        &self,
+        model: &Model,
+        window: &Window,
+        pressure: &[f64],
+    ) -> Option<RoughContact> {
+        RoughContact::of(&self.field(model, window, pressure))
+    }
+
+    /// The last load's solution, by the pressure on a window that holds it.
+    fn field<'a>(
+        &'a self,
+        model: &'a Model,
+        window: &'a Window,
+        pressure: &'a [f64],
+    ) -> ContactField<'a> {
+        ContactField {
+            model,
+            grid: &self.grid,
+            boundary: self.whole.problem.boundary(),
+            window,
+            pressure,
+            judged: &self.judged,
+            mask: &self.outline,
+            compliance: self.whole.problem.relief_compliance(),
+            coefficient: self.elasticity.coefficient([0, 0]),
+        }
     }
 
     /// A guessed pressure on a window around it; none where it presses on no element.

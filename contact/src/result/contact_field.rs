@@ -80,6 +80,11 @@ impl ContactField<'_> {
         self.judged.gap_of(self.on_sector(element))
     }
 
+    /// The gaps of a row of the window, in m.
+    pub fn gaps_of_line(&self, line: usize) -> &[f64] {
+        self.judged.gaps_of_line(self.window, line)
+    }
+
     /// How many of the four elements from a place on are in contact.
     pub fn in_contact_around(&self, [i, j]: Place) -> usize {
         let size = self.window.size();

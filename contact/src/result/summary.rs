@@ -48,7 +48,6 @@ impl Summary {
         let (window, grid) = (field.window, field.grid);
         let size = grid.size();
         let law = field.model.relief.spring_law();
-        let place = |e: usize| [grid.centre(e / size), grid.centre(e % size)];
         let of_line = |line: usize, pressure: &[f64]| {
             let compliance = window.line(field.compliance, line);
             let mut found = Contact::default();
@@ -74,7 +73,7 @@ impl Summary {
         } = lines.into_iter().fold(Contact::default(), Contact::and);
         let nothing = Self {
             max_pressure,
-            max_pressure_at: place(largest),
+            max_pressure_at: [grid.centre(0); 2],
             peak_place: PeakPlace::Inside,
             mean_pressure: 0.0,
             contact_area: 0.0,

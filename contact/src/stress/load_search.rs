@@ -365,6 +365,7 @@ mod tests {
         assert!((exponent - 0.5).abs() < 1e-15);
         assert_eq!(search.exponent(&nine, &solved(16.0, 5.0)), None);
         assert_eq!(search.exponent(&none, &one), None);
+        assert_eq!(search.exponent(&one, &solved(4.0, 2.0)), None);
         assert_eq!(search.nearer(one, nine).force, 9.0);
         assert_eq!(search.nearer(four, nine).force, 4.0);
         // A side that is given stays; one that is chosen holds the contact of the load.

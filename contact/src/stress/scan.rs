@@ -287,6 +287,12 @@ mod tests {
             for (gap, next) in gaps.iter().zip(&gaps[1..]) {
                 assert!(gap / next < 2.6 && next / gap < 2.6, "{found:?}");
             }
+            let [first, last] = [gaps[0], gaps[gaps.len() - 1]];
+            if bottom.is_finite() {
+                assert!((first / last - 1.0).abs() < 1e-9, "{found:?}");
+            } else {
+                assert!(last > 2.0 * first, "{found:?}");
+            }
         }
     }
 

@@ -271,3 +271,18 @@ fn a_pyramid_needs_three_faces_and_an_acute_angle() {
     );
     assert!(Pyramid::berkovich(f64::NAN).is_err());
 }
+
+#[test]
+fn the_edge_of_a_sharp_pyramid_is_its_nearest_ridge() {
+    for (sharp, blunt) in pyramids(0.0).into_iter().zip(pyramids(10.0)) {
+        let sector = PI / sharp.faces() as f64;
+        for part in [-0.9, -0.3, 0.0, 0.5, 1.0] {
+            // A ridge lies along x.
+            let angle = part * sector;
+            let [x, y] = [0.7 * angle.cos(), 0.7 * angle.sin()];
+            let found = sharp.distance_to_edge(x, y, 0.01);
+            assert!((found - 0.7 * angle.sin().abs()).abs() < 1e-14, "{found}");
+            assert_eq!(blunt.distance_to_edge(x, y, 0.01), f64::INFINITY);
+        }
+    }
+}

@@ -90,6 +90,11 @@ impl JudgedFields {
         place.is_some_and(|place| self.gap[place] < 0.0)
     }
 
+    /// The gaps of a row of a window within the part that was looked at, in m.
+    pub fn gaps_of_line(&self, window: &Window, line: usize) -> &[f64] {
+        window.within(&self.reach).line(&self.gap, line)
+    }
+
     /// `K p` of an element that was looked at, in m; NaN of another.
     pub fn displacement_of(&self, element: [usize; 2]) -> f64 {
         let place = self.reach.place(element);

@@ -112,3 +112,15 @@ fn within_an_element_of_the_surface_the_centres_alone_count() {
     // The pressure of the middle element.
     assert!((found.value - 1.0).abs() < 1e-9 && found.at[0].hypot(found.at[1]) < 1e-12);
 }
+
+#[test]
+fn an_element_is_the_nearest_to_its_own_centre() {
+    let field = hertz(0.0);
+    let search = Search::new(&field, Quantity::VonMises, [0.0, 1.0]);
+    for place in [[0, 0], [3, -2], [-7, 20]] {
+        let [x, y, z] = search.point(place, 0.3);
+        assert_eq!((search.place([x + 0.09, y - 0.09]), z), (place, 0.3));
+    }
+    // The first loaded element's row and the middle of its column's five before the axis.
+    assert!((search.point([0, 5], 0.0)[0] + 0.8).abs() < 1e-12);
+}
