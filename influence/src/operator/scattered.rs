@@ -329,12 +329,13 @@ impl<'a> Smooth<'a> {
     /// `P(r²)`, by Lagrange's formula.
     fn polynomial(&self, offset: [usize; 2]) -> f64 {
         let s = scaled(offset);
-        let term = |[own, value]: &[f64; 2]| {
-            let others = self.meetings.iter().filter(|[other, _]| other != own);
-            let factors = others.map(|[other, _]| (s - other) / (own - other));
+        let term = |(which, [own, value]): (usize, &[f64; 2])| {
+            let others = self.meetings.iter().enumerate();
+            let others = others.filter(|(other, _)| *other != which);
+            let factors = others.map(|(_, [other, _])| (s - other) / (own - other));
             value * factors.product::<f64>()
         };
-        self.meetings.iter().map(term).sum()
+        self.meetings.iter().enumerate().map(term).sum()
     }
 
     fn coefficient(&self, offset: [usize; 2]) -> f64 {
