@@ -209,18 +209,19 @@ fn parts_on_machines_whose_clocks_are_an_hour_apart_give_the_table_of_one() {
         command.spawn().unwrap()
     };
     let mut parts = [("1/2", "+1h"), ("2/2", "-1h")].map(|(part, hour)| start(part, hour));
+    // Until cases of both are on the disk; on a busy machine they may be done by then.
     let asked = Instant::now();
-    let status = loop {
+    let mut most_at_work = 0;
+    loop {
         let ran = study(&folder, &["--status", "--json"]);
         let status: Value = serde_json::from_str(&ran.stdout).unwrap();
-        if status["parts_at_work"] == 2 && status["certified"] != 0
-            || asked.elapsed().as_secs() > 60
-        {
-            break status;
+        most_at_work = most_at_work.max(status["parts_at_work"].as_u64().unwrap());
+        if status["certified"] != 0 && most_at_work == 2 || asked.elapsed().as_secs() > 60 {
+            break;
         }
         sleep(Duration::from_millis(20));
-    };
-    assert_eq!(status["parts_at_work"], 2, "{status}");
+    }
+    assert_eq!(most_at_work, 2, "parts at work at the same time");
     for part in &mut parts {
         part.kill().unwrap();
         part.wait().unwrap();
