@@ -82,7 +82,7 @@ impl Study {
 
     /// Number of cases.
     #[must_use]
-    pub fn len(&self) -> usize {
+    pub fn case_count(&self) -> usize {
         self.numbering.len()
     }
 

@@ -93,7 +93,7 @@ fn cut_gauss_seidel(
             return pressure;
         }
     }
-    panic!("Gauss–Seidel does not converge")
+    unreachable!("Gauss–Seidel does not converge")
 }
 
 #[test]
@@ -110,7 +110,7 @@ fn an_independent_method_finds_the_same_pressures_under_either_load() {
             let eta = sample(size, |x, _| if x < 0.1 { softness * own } else { 0.0 });
             let gap = sample(size, grooved);
             let wanted = cut_gauss_seidel(&elasticity, &eta, &gap, [0.03, limit]);
-            let at_limit = wanted.iter().filter(|p| **p == limit).count();
+            let at_limit = wanted.iter().filter(|p| **p >= limit).count();
             let free = wanted.iter().filter(|p| **p > 0.0 && **p < limit).count();
             assert!(
                 at_limit >= 3 && free >= 3,
@@ -212,7 +212,7 @@ fn a_punch_sinks_by_no_more_than_it_must_where_every_element_is_at_the_limit() {
         let solution = solve(&mut solver, &mut problem, Load::Force(part * most));
         assert!(solution.penetration > before, "{part}");
         before = solution.penetration;
-        if part == 1.0 {
+        if part >= 1.0 {
             let pressed: Vec<f64> = solution
                 .pressure
                 .iter()

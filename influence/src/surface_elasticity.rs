@@ -131,8 +131,8 @@ impl SurfaceElasticity {
         WindowOperator::new(&self.table, (sector, shown), origin, size)
     }
 
-    /// `K p` among some elements, by their ascending indices, of a window of `size` × `size`; none where the window is too
-    /// small to be worth it.
+    /// `K p` among some elements, by their ascending indices, of a window of `size` × `size`; none where the window is
+    /// too small to be worth it.
     ///
     /// # Panics
     /// As [`ScatteredOperator::new`].

@@ -49,7 +49,7 @@ impl Study {
 
     /// Number of cases.
     fn __len__(&self) -> usize {
-        self.0.study.len()
+        self.0.study.case_count()
     }
 
     #[getter]
@@ -99,7 +99,7 @@ impl Study {
         Ok(Table {
             identity,
             process: std::process::id(),
-            table,
+            open: table,
         })
     }
 }
@@ -195,12 +195,12 @@ impl StudyRun {
 pub struct Table {
     identity: StudyIdentity,
     process: u32,
-    table: Mutex<Option<ResultsTable>>,
+    open: Mutex<Option<ResultsTable>>,
 }
 
 impl Table {
     fn lock(&self) -> MutexGuard<'_, Option<ResultsTable>> {
-        self.table.lock().unwrap_or_else(PoisonError::into_inner)
+        self.open.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Does something with the table, which must be open, while Python's other threads go on.
@@ -219,7 +219,7 @@ impl Drop for Table {
     /// A forked child leaves the table, and the lock of its folder, to the parent.
     fn drop(&mut self) {
         if self.process != std::process::id() {
-            let table = self.table.get_mut();
+            let table = self.open.get_mut();
             std::mem::forget(table.unwrap_or_else(PoisonError::into_inner).take());
         }
     }
@@ -234,13 +234,14 @@ impl Table {
 
     /// Appends the rows of cases, each with the word of its status.
     fn add(&self, py: Python<'_>, solved: Vec<(usize, String, String)>) -> PyResult<()> {
-        let statuses = solved.iter().map(|(_, word, _)| CaseStatus::of(word));
-        let statuses: Option<Vec<_>> = statuses.collect();
         let unknown = || InternalError::new_err("a case has no status");
-        let statuses = statuses.ok_or_else(unknown)?;
+        let with_status = solved.into_iter().map(|(case, word, rows)| {
+            let status = CaseStatus::of(&word).ok_or_else(unknown)?;
+            Ok((case, status, rows))
+        });
+        let mut solved = with_status.collect::<PyResult<Vec<_>>>()?.into_iter();
         self.with(py, |table| {
-            let mut both = solved.iter().zip(statuses);
-            both.try_for_each(|((case, _, rows), status)| table.add(*case, status, rows))
+            solved.try_for_each(|(case, status, rows)| table.add(case, status, &rows))
         })
     }
 
@@ -271,7 +272,7 @@ impl Table {
     /// Closes it, sorted and with its page beside it if every case is done, and lets others have the folder.
     fn close(&self, py: Python<'_>) -> Result<(), Refusal> {
         let table = self.lock().take();
-        let cases = self.identity.len();
+        let cases = self.identity.case_count();
         let close = |table: ResultsTable| match table.tally().done() {
             done if done == cases => {
                 let folder = table.place().folder.clone();

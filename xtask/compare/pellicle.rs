@@ -4,8 +4,8 @@
 //! compare-pellicle CASE N THREADS TOLERANCE PRESSURE_FILE [--whole-grid]
 //! ```
 //!
-//! The problems are those of `problem.py`; the gap of `rough` and of `periodic` is read from the file that `GAP_FILE` names. The
-//! certificate, which is computed from `problem.py` alone, holds the two definitions together.
+//! The problems are those of `problem.py`; the gap of `rough` and of `periodic` is read from the file that `GAP_FILE`
+//! names. The certificate, which is computed from `problem.py` alone, holds the two definitions together.
 
 #![expect(clippy::print_stdout, reason = "its one line of JSON is its result")]
 

@@ -56,7 +56,7 @@ pub fn study(arguments: &StudyArguments) -> Result<Outcome, Failure> {
         ));
     }
     let mut table = ResultsTable::open(place, &plan.identity)?;
-    let cases = plan.identity.len();
+    let cases = plan.identity.case_count();
     let to_do = table.remaining(&plan.identity);
     let lines = StudyProgress::new(cases, cases - to_do.count_left(), is_watched(arguments));
     let memory = MemoryBudget::default();

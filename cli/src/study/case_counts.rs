@@ -8,6 +8,7 @@ use crate::case::diagnosis::Diagnosis;
 use crate::case::grid::GridCase;
 use crate::case::load::LoadCase;
 use crate::case::table_reader::TableReader;
+use crate::case::value_reader::ValueReader;
 
 /// A number of every case. It takes no more room for a million cases than for one, unless the keys that change it vary.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -80,15 +81,15 @@ impl Study {
 
     /// The elements per side of a case; 0 if they are invalid. Nothing else of the case is read.
     fn elements(&self, case: usize) -> usize {
-        let read = || {
+        let read = || -> Result<usize, Diagnosis> {
             let root = self.tree(case)?;
             let table = TableReader::root(&root)?.optional("grid");
-            let table = table.map(|field| field.table()).transpose()?;
+            let table = table.map(ValueReader::table).transpose()?;
             table.map_or(Ok(GridCase::default().elements), |table| {
                 GridCase::read_elements(&table)
             })
         };
-        read().unwrap_or_else(|_: Diagnosis| 0)
+        read().unwrap_or(0)
     }
 }
 

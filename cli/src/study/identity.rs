@@ -66,7 +66,7 @@ impl StudyIdentity {
 
     /// Number of cases of this part.
     #[must_use]
-    pub fn len(&self) -> usize {
+    pub fn case_count(&self) -> usize {
         self.shard.count_of(self.numbering.len())
     }
 

@@ -349,10 +349,8 @@ pub fn gather(
     let Some(layout) = &whole.kept else {
         return Ok(());
     };
-    let grids = layout.grids().into_iter();
-    grids
-        .map(|elements| gather_grid(folder, whole, layout, parts, elements))
-        .collect()
+    let mut grids = layout.grids().into_iter();
+    grids.try_for_each(|elements| gather_grid(folder, whole, layout, parts, elements))
 }
 
 fn gather_grid(

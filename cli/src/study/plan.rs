@@ -93,7 +93,7 @@ impl RefusedCases {
 /// The first valid case, with its number.
 fn first_valid(study: &Study) -> Result<(usize, Case), Failure> {
     let mut refused = None;
-    for case in 0..study.len() {
+    for case in 0..study.case_count() {
         match study.case(case) {
             Ok(found) => return Ok((case, found)),
             Err(diagnosis) => {

@@ -20,7 +20,7 @@ impl RemainingCases {
         let count_done = done.iter().filter(|done| **done).count();
         Self {
             shard: identity.shard,
-            count: identity.len() - count_done,
+            count: identity.case_count() - count_done,
             done,
             next: 0,
         }

@@ -71,7 +71,7 @@ grid.elements = { from = 32, to = 128, count = 3, spacing = "log" }
 #[test]
 fn a_product_changes_the_last_key_fastest_and_integers_stay_integers() {
     let study = study(TWO_KEYS).unwrap();
-    assert_eq!(study.len(), 9);
+    assert_eq!(study.case_count(), 9);
     assert_eq!(
         study.words(0),
         "foundation.layer[0].thickness = 10 nm, grid.elements = 32"
@@ -90,7 +90,7 @@ fn a_product_changes_the_last_key_fastest_and_integers_stay_integers() {
 #[test]
 fn a_zip_takes_the_values_together() {
     let zipped = study(&TWO_KEYS.replace("[study]", "[study]\ncombine = \"zip\"")).unwrap();
-    assert_eq!(zipped.len(), 3);
+    assert_eq!(zipped.case_count(), 3);
     assert_eq!(
         zipped.words(1),
         "foundation.layer[0].thickness = 20 nm, grid.elements = 64"
@@ -101,7 +101,7 @@ fn a_zip_takes_the_values_together() {
 fn the_columns_of_a_file_change_together_and_combine_with_other_keys() {
     let text = "[study]\ncase = \"base.toml\"\n[study.vary]\ngrid.elements = [32, 64]\nfrom = \"samples.csv\"\n";
     let product = study(text).unwrap();
-    assert_eq!((product.len(), product.varied_keys().len()), (6, 4));
+    assert_eq!((product.case_count(), product.varied_keys().len()), (6, 4));
     assert_eq!(
         product.words(4),
         "grid.elements = 64, indenter.radius = 4.0000 µm, foundation.layer[0].thickness = 12.000 nm, title = b"
@@ -127,7 +127,10 @@ fn the_columns_of_a_file_change_together_and_combine_with_other_keys() {
         "{message}"
     );
     let zip = study(&zip.replace("[32, 64]", "[32, 48, 64]")).unwrap();
-    assert_eq!((zip.len(), zip.case(2).unwrap().grid.elements), (3, 64));
+    assert_eq!(
+        (zip.case_count(), zip.case(2).unwrap().grid.elements),
+        (3, 64)
+    );
     let missing = study(&text.replace("samples", "sample")).unwrap_err();
     assert!(missing.contains("sample.csv: found"), "{missing}");
     let number = study(&text.replace("\"samples.csv\"", "3")).unwrap_err();

@@ -1,4 +1,4 @@
-//! A reader of NetCDF files of the classic format with 64-bit offsets, which knows the format and not the program.
+//! A reader of `NetCDF` files of the classic format with 64-bit offsets, which knows the format and not the program.
 
 use std::collections::BTreeMap;
 

@@ -2,7 +2,6 @@
 //! differ. Nothing is lost, nothing is there twice, and one sentence says what to do.
 
 use std::fs;
-use std::io::Write;
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::thread::sleep;
@@ -10,6 +9,7 @@ use std::time::{Duration, Instant, SystemTime};
 
 use serde_json::Value;
 
+use crate::read_back::say_skipped;
 use crate::runner::{CASE, ProgramOutput, TestFolder};
 
 /// 40 cases, of which the ten with the widest cylinders overlap.
@@ -41,11 +41,6 @@ fn undisturbed(text: &str, names: &[&str]) -> Vec<Vec<u8>> {
     assert_eq!(study(&folder, &[]).code, Some(1));
     let path = |name: &&str| read(&folder, &format!("results/many/{name}"));
     names.iter().map(path).collect()
-}
-
-/// Written past the test harness, which keeps to itself what a test that passes prints.
-fn skip(reason: &str) {
-    writeln!(std::io::stderr(), "SKIPPED: {reason}").unwrap();
 }
 
 /// Runs the study on a file system of so many kB, again once there is room, and copies its files; none where no file
@@ -88,7 +83,7 @@ fn on_a_full_disk_a_study_says_so_and_goes_on_where_it_stopped_once_there_is_roo
     ] {
         let folder = folder(text);
         let Some([code, told, again]) = ran_on_a_small_disk(&folder, size) else {
-            skip("no small file system can be mounted");
+            say_skipped("no small file system can be mounted");
             return;
         };
         assert_eq!(code, "2\n", "{told}");
@@ -194,7 +189,7 @@ fn parts_on_machines_whose_clocks_are_an_hour_apart_give_the_table_of_one() {
     let folder = folder(&text);
     let clock = other_clock();
     if clock.is_none() {
-        skip("libfaketime is not installed: only the times of files differ");
+        say_skipped("libfaketime is not installed: only the times of files differ");
     }
     let start = |part: &str, hour: &str| -> Child {
         let line = [

@@ -8,9 +8,9 @@
 //! g0 ← g0 + (K − K̃) p on the candidates;    candidates ← candidates ∪ {g < 0 anywhere}, and those around
 //! ```
 //!
-//! where `K̃` is the product among candidates. A solution of the next pass is exact to 1e-6 of the change since the last,
-//! and ends where the certificate of the whole grid is satisfied. Should some passes not bring that about, the whole
-//! grid is solved as any other.
+//! where `K̃` is the product among candidates. A solution of the next pass is exact to 1e-6 of the change since the
+//! last, and ends where the certificate of the whole grid is satisfied. Should some passes not bring that about, the
+//! whole grid is solved as any other.
 
 use std::sync::Arc;
 

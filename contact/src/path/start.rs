@@ -281,7 +281,7 @@ mod tests {
         for (e, p) in found.iter().enumerate() {
             let [i, j] = [e / FINE, e % FINE];
             // Beyond the outermost centres their lines stand for those outside.
-            let row = (2.0 * i as f64 - 1.0).max(0.0) / 4.0;
+            let row = (i as f64 / 2.0 - 0.25).max(0.0);
             let is_within = [i, j].iter().all(|i| *i >= 13);
             assert_eq!(*p > 0.0, row < 4.0 || is_within, "{i} {j}: {p}");
         }

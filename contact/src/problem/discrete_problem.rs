@@ -324,8 +324,8 @@ impl DiscreteProblem {
         (self.initial_gap, self.identity) = (initial_gap, Identity::default());
     }
 
-    /// By how much more the body yields to waves as long as the grid than to the shortest, beyond what a homogeneous one
-    /// does; 1 where nothing is known of it.
+    /// By how much more the body yields to waves as long as the grid than to the shortest, beyond what a homogeneous
+    /// one does; 1 where nothing is known of it.
     pub(crate) fn stiffness_contrast(&self) -> f64 {
         let per_wavelength = |elasticity: &Arc<SurfaceElasticity>, elements: usize| {
             elasticity.cell_response(elements) / elements as f64

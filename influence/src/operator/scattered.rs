@@ -132,8 +132,8 @@ pub fn scattered_work(size: usize, elements: &[u32]) -> usize {
 
 /// `u = K p` among listed elements of a grid.
 ///
-/// Its cost is that of the near pairs of elements and of a product on a grid of a quarter of the elements per side. It is
-/// right to 5e-8 of the largest displacement, and near the border of the table's own grid, where nodes lie on one side
+/// Its cost is that of the near pairs of elements and of a product on a grid of a quarter of the elements per side. It
+/// is right to 5e-8 of the largest displacement, and near the border of the table's own grid, where nodes lie on one side
 /// alone, to 2e-6 (test `scattered_elements_move_as_the_whole_grid_does`): a solution by it is one step of iterative
 /// refinement from exact. The bits are the same for every number of threads.
 pub struct ScatteredOperator {
@@ -329,12 +329,13 @@ impl<'a> Smooth<'a> {
     /// `P(r²)`, by Lagrange's formula.
     fn polynomial(&self, offset: [usize; 2]) -> f64 {
         let s = scaled(offset);
-        let term = |[own, value]: &[f64; 2]| {
-            let others = self.meetings.iter().filter(|[other, _]| other != own);
-            let factors = others.map(|[other, _]| (s - other) / (own - other));
+        let term = |(which, [own, value]): (usize, &[f64; 2])| {
+            let others = self.meetings.iter().enumerate();
+            let others = others.filter(|(other, _)| *other != which);
+            let factors = others.map(|(_, [other, _])| (s - other) / (own - other));
             value * factors.product::<f64>()
         };
-        self.meetings.iter().map(term).sum()
+        self.meetings.iter().enumerate().map(term).sum()
     }
 
     fn coefficient(&self, offset: [usize; 2]) -> f64 {

@@ -1,3 +1,5 @@
+//! Roughness of waves and of self-affine surfaces, whose numbers are known.
+
 use std::f64::consts::TAU;
 
 use approx::assert_relative_eq;
@@ -121,8 +123,8 @@ fn a_plane_is_not_rough_where_a_map_ends() {
     }
 }
 
-/// A crest in the middle, so that the mean plane takes nothing off: differences see `2/w sin(qw/2)` in place of `q`, its
-/// square in place of `q²`, and the sums over the squares of sines and cosines lack the terms at the rim.
+/// A crest in the middle, so that the mean plane takes nothing off: differences see `2/w sin(qw/2)` in place of `q`,
+/// its square in place of `q²`, and the sums over the squares of sines and cosines lack the terms at the rim.
 #[test]
 fn differences_of_a_wave_are_those_of_its_samples() {
     let (n, waves) = (64, 5.0);

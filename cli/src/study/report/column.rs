@@ -97,7 +97,9 @@ impl Column {
             cells: self.cells,
             values: match &self.values {
                 Values::Unknown => String::new(),
-                Values::Numbers([low, high]) if low == high => significant(*low, 5),
+                Values::Numbers([low, high]) if low.to_bits() == high.to_bits() => {
+                    significant(*low, 5)
+                }
                 Values::Numbers([low, high]) => {
                     format!("{} to {}", significant(*low, 5), significant(*high, 5))
                 }

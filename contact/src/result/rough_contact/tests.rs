@@ -1,3 +1,5 @@
+//! Rough contacts whose islands, areas and gaps are known.
+
 use std::sync::Arc;
 
 use approx::assert_relative_eq;

@@ -1,3 +1,5 @@
+//! Islands of patterns drawn by hand.
+
 use super::*;
 
 /// A pattern of lines, in which # is contact.
