@@ -21,7 +21,10 @@ pub fn check(
         return Ok(());
     };
     let field = |table: &str, key: &str| root.required(table, "")?.table()?.required(key, "");
-    if let Some(other) = foundation.hardness().filter(|other| *other != hardness) {
+    if let Some(other) = foundation
+        .hardness()
+        .filter(|other| other.total_cmp(&hardness).is_ne())
+    {
         let body = if foundation.layer.is_empty() {
             "foundation.substrate.hardness"
         } else {
