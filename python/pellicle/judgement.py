@@ -17,7 +17,7 @@ def number(value: float | None) -> float:
 class Certificate:
     """How well a pressure satisfies the contact conditions, computed afresh from it. True if it does.
 
-    All lines but the smallest pressure (Pa) are dimensionless.
+    All lines but `min_pressure` and `over_limit` (Pa) are dimensionless.
     """
 
     complementarity: float
