@@ -6,6 +6,7 @@ pub mod document;
 pub mod foundation;
 pub mod grid;
 pub mod handed_over;
+mod hardness;
 pub mod height_limits;
 pub mod indenter;
 pub mod load;
@@ -32,7 +33,7 @@ pub mod warnings;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use pellicle_contact::{ContactError, Domain, Model, SolverOptions, choose_side};
+use pellicle_contact::{ContactError, Domain, Model, SolverOptions, choose_side_at};
 use pellicle_influence::{Cache, Cached, ElasticBodies, InfluenceError};
 use serde::Serialize;
 
@@ -232,14 +233,17 @@ impl Case {
         let given = [surface.map(), indenter.map()];
         let units = given.into_iter().flatten().map(|map| map.units);
         let units = units.fold(Units::of(root), Units::or);
+        let solver = optional("solver")?.map_or(Ok(SolverCase::default()), read_solver)?;
+        let load = LoadCase::read(&required("load")?)?;
+        hardness::check(&table, (&foundation, &solver), &load, stress.is_some())?;
         Ok(Self {
             title,
             foundation,
             surface,
             indenter,
-            load: LoadCase::read(&required("load")?)?,
+            load,
             grid,
-            solver: optional("solver")?.map_or(Ok(SolverCase::default()), read_solver)?,
+            solver,
             output: output.transpose()?.unwrap_or_default(),
             stress,
             units,
@@ -252,6 +256,7 @@ impl Case {
     pub fn blame(&self, error: ContactError) -> Failure {
         let keys: &[&str] = match &error {
             ContactError::ElementsTooLarge { .. } => &["grid.side"],
+            ContactError::BeyondHardness { .. } => &["load.force", "load.forces"],
             ContactError::NothingCanTouch { .. } => {
                 &["indenter.radius", "indenter.file", "indenter.kind"]
             }
@@ -309,8 +314,14 @@ impl Case {
     pub fn side(&self, model: &Model) -> Result<f64, ContactError> {
         match self.grid.side {
             Some(side) => Ok(side),
-            None => choose_side(model, &self.load.loads()),
+            None => choose_side_at(model, &self.load.loads(), self.solver_options().hardness),
         }
+    }
+
+    /// The hardness at which the pressure is cut, Pa.
+    #[must_use]
+    pub fn hardness(&self) -> Option<f64> {
+        self.solver.hardness.or(self.foundation.hardness())
     }
 
     /// The options of the solver: coarse pressures are kept where stresses are asked for, whose errors they tell.
@@ -318,6 +329,7 @@ impl Case {
     pub fn solver_options(&self) -> SolverOptions {
         SolverOptions {
             coarse_pressures: self.stress.is_some(),
+            hardness: self.hardness().unwrap_or(f64::INFINITY),
             ..self.solver.options()
         }
     }

@@ -213,7 +213,8 @@ fn solve(
     let options = SolverOptions {
         method: Method::Gradient,
         max_applications: MOST_PRODUCTS,
-        ..case.solver.options()
+        coarse_pressures: false,
+        ..case.solver_options()
     };
     let loads = extremes(&case.load.loads());
     solve_path(model, domain, elements, &loads, &options, &mut ())

@@ -31,13 +31,14 @@ class Material(Table):
     """An isotropic elastic material: Young's modulus in Pa, Poisson's ratio in [0, 0.5], and the strengths it bears.
 
     `yield_strength` is of von Mises' stress, `tensile_strength` of the largest principal stress, both in Pa; critical
-    loads are found for those that are given.
+    loads are found for those that are given. The `hardness` of the topmost body cuts the contact pressure, in Pa.
     """
 
     young_modulus: Quantity | Grading
     poisson_ratio: float
     yield_strength: Quantity | None = None
     tensile_strength: Quantity | None = None
+    hardness: Quantity | None = None
 
 
 @dataclass(frozen=True)

@@ -57,6 +57,7 @@ class Case:
         boundary: Literal["free", "periodic"] | None = None,
         tolerance: float | None = None,
         method: Literal["gradient", "active-set"] | None = None,
+        hardness: Quantity | None = None,
         stress: Stress | None = None,
         output: Output | None = None,
         title: str | None = None,
@@ -70,7 +71,7 @@ class Case:
             "indenter": _table(indenter, Indenter, "indenter"),
             "load": _given(load) | ({"sensitivities": True} if sensitivities else {}),
             "grid": _given({"side": side, "elements": elements, "boundary": boundary}) or None,
-            "solver": _given({"tolerance": tolerance, "method": method}) or None,
+            "solver": _given({"tolerance": tolerance, "method": method, "hardness": hardness}) or None,
             "stress": None if stress is None else _table(stress, Stress, "stress"),
             "output": None if output is None else _table(output, Output, "output"),
         }

@@ -17,7 +17,7 @@ def number(value: float | None) -> float:
 class Certificate:
     """How well a pressure satisfies the contact conditions, computed afresh from it. True if it does.
 
-    All lines but the smallest pressure (Pa) are dimensionless.
+    All lines but `min_pressure` and `over_limit` (Pa) are dimensionless.
     """
 
     complementarity: float
@@ -33,7 +33,11 @@ class Certificate:
     worst: float
     """The largest of the dimensionless lines."""
     satisfied: bool
-    """Whether every line keeps to the tolerance and no pressure is negative."""
+    """Whether every line keeps to the tolerance and no pressure is negative or above the hardness."""
+    gap_at_limit: float = 0.0
+    """max(0, g) / D where the pressure is at the hardness; 0 without one."""
+    over_limit: float = 0.0
+    """By how much the largest pressure exceeds the hardness, Pa."""
 
     def __bool__(self) -> bool:
         return self.satisfied

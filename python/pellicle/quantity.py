@@ -25,6 +25,7 @@ SI_UNITS = {
     "poisson_ratio": "dimensionless",
     "yield_strength": "Pa",
     "tensile_strength": "Pa",
+    "hardness": "Pa",
     "interface_shear_strength": "Pa",
     "interface_tensile_strength": "Pa",
     "normal_compliance": "m/Pa",

@@ -87,6 +87,16 @@ class Step:
         return int(self._summary["contact_elements"])
 
     @property
+    def area_at_limit(self) -> float:
+        """Area of the elements whose pressure is cut at the hardness, m²; 0 without one."""
+        return number(self._summary.get("area_at_limit", 0.0))
+
+    @property
+    def fraction_at_limit(self) -> float:
+        """The same over the contact area."""
+        return number(self._summary.get("fraction_at_limit", 0.0))
+
+    @property
     def contact_radius(self) -> float:
         """Distance of the farthest element in contact from the axis, m."""
         return number(self._summary["contact_radius"])
@@ -148,6 +158,15 @@ class Step:
     def shortening(self) -> Field:
         """Shortening w* of the relief, m."""
         return self._surface[2]
+
+    @property
+    def plastic_depth(self) -> Field:
+        """Plastic depth −g where the pressure is cut at the hardness, m, 0 elsewhere."""
+        if self.area_at_limit == 0.0:
+            return np.zeros_like(self.pressure)
+        # An element is cut where it has the largest pressure, to the bit.
+        is_cut = self.pressure >= self.pressure.max()
+        return np.where(is_cut, np.maximum(-self.gap, 0.0), 0.0)
 
     @property
     def profile(self) -> Field:

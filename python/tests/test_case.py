@@ -42,7 +42,7 @@ EVERYTHING = pl.Case(
                 interface_shear_strength="0.4 GPa",
                 interface_tensile_strength="0.3 GPa",
             ),
-            pl.Layer("20 nm", pl.Material("30 GPa", 0.2), "frictionless"),
+            pl.Layer("20 nm", pl.Material("30 GPa", 0.2, hardness="5 GPa"), "frictionless"),
         ],
     ),
     pl.Cone("70 deg", "400 nm", young_modulus="1141 GPa", poisson_ratio=0.07),
@@ -76,6 +76,18 @@ def test_every_key_can_be_said_and_is_read_again() -> None:
     assert resolved["load"] == {"forces": [1e-6, 1e-5, 1e-4, 1e-3], "sensitivities": True}
     assert resolved["stress"]["depths"] == [0.0, 5e-9]
     assert resolved["output"] == {"fields": "all", "pictures": "none", "formats": ["npz"]}
+
+
+def test_a_hardness_cuts_the_pressure() -> None:
+    body = pl.Foundation(pl.Material(1.0, 0.3))
+    case = pl.Case(body, pl.Paraboloid(1.0), force=1e-2, elements=32, hardness=0.1)
+    assert pl.Case.from_string(case.to_toml()) == case and case.resolved["solver"]["hardness"] == 0.1
+    step = case.solve()[0]
+    assert step.certificate and step.certificate.over_limit == 0.0 and step.pressure.max() == 0.1
+    assert 0.0 < step.fraction_at_limit < 1.0
+    depth = step.plastic_depth
+    assert depth.max() > 0.0 and np.array_equal(depth > 0.0, step.gap < -1e-8 * step.penetration)
+    assert step.summary["plastic_depth"] == pytest.approx(depth.max(), rel=1e-9)
 
 
 @pytest.mark.parametrize(

@@ -143,6 +143,16 @@ impl FoundationCase {
         }
     }
 
+    /// Hardness of the surface, Pa: of the topmost layer, or of a substrate without layers.
+    #[must_use]
+    pub fn hardness(&self) -> Option<f64> {
+        match (self.layer.first(), self.substrate) {
+            (Some(layer), _) => layer.strength.hardness,
+            (None, SubstrateCase::Elastic(material)) => material.strength.hardness,
+            (None, SubstrateCase::Rigid) => None,
+        }
+    }
+
     /// Whether a body or an interface has a strength.
     #[must_use]
     pub fn has_strengths(&self) -> bool {

@@ -1,10 +1,12 @@
-//! `[solver]`: tolerance and method.
+//! `[solver]`: tolerance, method, and the hardness that cuts the pressure.
 
 use pellicle_contact::{Method, SolverOptions};
 use serde::Serialize;
 
 use super::diagnosis::Diagnosis;
+use super::dimension::Dimension;
 use super::table_reader::TableReader;
+use super::value_reader::Sign;
 
 /// Below the lower end rounding errors dominate; above the upper one the answer is useless.
 const TOLERANCES: std::ops::RangeInclusive<f64> = 1e-13..=1e-2;
@@ -16,6 +18,9 @@ pub struct SolverCase {
     pub tolerance: f64,
     /// The solver.
     pub method: MethodCase,
+    /// Hardness of the surface, Pa, at which the pressure is cut.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hardness: Option<f64>,
 }
 
 /// A solver.
@@ -33,6 +38,7 @@ impl Default for SolverCase {
         Self {
             tolerance: SolverOptions::default().tolerance,
             method: MethodCase::Gradient,
+            hardness: None,
         }
     }
 }
@@ -44,7 +50,7 @@ impl SolverCase {
     ///
     /// A [`Diagnosis`] of the first invalid key, or of a method that is too expensive for this grid.
     pub fn read(table: &TableReader<'_>, elements: usize) -> Result<Self, Diagnosis> {
-        table.only(&["tolerance", "method"])?;
+        table.only(&["tolerance", "method", "hardness"])?;
         let mut solver = Self::default();
         if let Some(field) = table.optional("tolerance") {
             let wanted = format!(
@@ -64,6 +70,9 @@ impl SolverCase {
             ])?;
             let checked = solver.options().checked_for(elements);
             checked.map_err(|error| field.refused(&error))?;
+        }
+        if let Some(field) = table.optional("hardness") {
+            solver.hardness = Some(field.quantity(Dimension::Pressure, Sign::Positive)?);
         }
         Ok(solver)
     }
@@ -112,6 +121,10 @@ mod tests {
             "tolerance = nan",
             "tolerance = 1",
             "method = \"gradeint\"",
+            "hardness = 0",
+            "hardness = -1",
+            "hardness = \"6 um\"",
+            "hardness = nan",
         ] {
             assert!(read(text).is_err(), "{text}");
         }

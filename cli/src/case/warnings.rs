@@ -18,7 +18,7 @@ pub struct CaseWarning {
 }
 
 /// Keys of lengths, pressures, forces and compliances, with the unit of a bare number in a case that has units.
-const QUANTITIES: [(&str, &str); 22] = [
+const QUANTITIES: [(&str, &str); 23] = [
     ("thickness", "m"),
     ("young_modulus", "Pa"),
     ("radius", "m"),
@@ -37,6 +37,7 @@ const QUANTITIES: [(&str, &str); 22] = [
     ("shear_compliance", "m/Pa"),
     ("yield_strength", "Pa"),
     ("tensile_strength", "Pa"),
+    ("hardness", "Pa"),
     ("interface_shear_strength", "Pa"),
     ("interface_tensile_strength", "Pa"),
     ("depths", "m"),

@@ -179,6 +179,10 @@ impl Estimates {
             of(solution.penetration, Unit::Metre),
             of(summary.max_pressure, Unit::Pascal),
         ));
+        if summary.plastic_depth > 0.0 {
+            let depth = of(summary.plastic_depth, Unit::Metre);
+            self.add("plastic depth, about", &depth);
+        }
     }
 }
 

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use pellicle_contact::Model;
+use pellicle_contact::{ContactError, Model};
 use pellicle_influence::Cache;
 
 use crate::case::Case;
@@ -79,6 +79,9 @@ impl FitModel {
             overrides::replace(&mut root, key, key_span, node.clone())?;
         }
         let case = Case::resolve_with(&root, &self.name, &self.maps)?;
+        if case.hardness().is_some() {
+            return Err(case.blame(ContactError::WithHardness { what: "a fit" }));
+        }
         let model = case.model(&self.cache)?.value;
         let parameters = case.parameters(&model)?;
         Ok(ModelParameters { model, parameters })

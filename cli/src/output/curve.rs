@@ -56,6 +56,19 @@ const COLUMNS: [Column; 13] = [
     }),
 ];
 
+/// Those of steps whose pressure is cut at a hardness.
+const HARDNESS_COLUMNS: [Column; 3] = [
+    ("area at hardness", Some("m^2"), |step| {
+        step.area_at_limit.map_or_else(String::new, number)
+    }),
+    ("area fraction at hardness", None, |step| {
+        step.fraction_at_limit.map_or_else(String::new, number)
+    }),
+    ("plastic depth", Some("m"), |step| {
+        step.plastic_depth.map_or_else(String::new, number)
+    }),
+];
+
 /// The curve as comma-separated values.
 #[must_use]
 pub fn csv(summary: &Summary) -> String {
@@ -65,6 +78,7 @@ pub fn csv(summary: &Summary) -> String {
     let row = |(i, step): (usize, &StepSummary)| {
         let cells = [
             row(i, step),
+            hardness_row(step),
             stress.row(step, &[]),
             sensitivities.row(step),
             rough.row(step),
@@ -73,8 +87,14 @@ pub fn csv(summary: &Summary) -> String {
     };
     let rows: String = summary.steps.iter().enumerate().map(row).collect();
     let units = summary.units;
+    let is_cut = summary
+        .steps
+        .iter()
+        .any(|step| step.area_at_limit.is_some());
+    let hardness = HARDNESS_COLUMNS.into_iter().filter(|_| is_cut);
     let names = [
         header(units),
+        hardness.map(|column| name(column, units)).collect(),
         stress.header(units),
         sensitivities.header(units),
         rough.header(units),
@@ -86,12 +106,23 @@ pub fn csv(summary: &Summary) -> String {
 /// Names of the columns, with units.
 #[must_use]
 pub fn header(units: Units) -> Vec<String> {
-    let name = |(name, unit, _): Column| match unit {
+    let names = COLUMNS.into_iter().map(|column| name(column, units));
+    std::iter::once("step".to_owned()).chain(names).collect()
+}
+
+/// The name of a column, with its unit.
+fn name((name, unit, _): Column, units: Units) -> String {
+    match unit {
         Some(unit) => format!("{name} [{}]", units.name(unit)),
         None => name.to_owned(),
-    };
-    let names = COLUMNS.into_iter().map(name);
-    std::iter::once("step".to_owned()).chain(names).collect()
+    }
+}
+
+/// The values of one step at a hardness; none without one.
+fn hardness_row(step: &StepSummary) -> Vec<String> {
+    let columns = HARDNESS_COLUMNS.into_iter();
+    let columns = columns.filter(|_| step.area_at_limit.is_some());
+    columns.map(|(_, _, value)| value(step)).collect()
 }
 
 /// The values of one step, without commas.

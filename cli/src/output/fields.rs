@@ -19,6 +19,8 @@ pub struct Fields<'a> {
     pub gap: &'a [f64],
     /// Shortening `w*` of the relief, m.
     pub shortening: &'a [f64],
+    /// Plastic depth where the pressure is cut at a hardness, m; empty without one.
+    pub plastic_depth: &'a [f64],
     /// Profile `f*` of the relief, m: 0 on the tops, negative between them.
     pub profile: &'a [f64],
     /// Whether an element belongs to the relief.
@@ -58,6 +60,7 @@ impl Fields<'_> {
         displacement: &[],
         gap: &[],
         shortening: &[],
+        plastic_depth: &[],
         profile: &[],
         mask: &[],
     };
@@ -79,21 +82,23 @@ impl<'a> Fields<'a> {
             displacement: &surface.displacement,
             gap: &surface.gap,
             shortening: &surface.shortening,
+            plastic_depth: &surface.plastic_depth,
             profile: geometry.relief.profile(),
             mask: geometry.relief.mask(),
         }
     }
 
-    /// The fields of numbers, in the order in which files hold them.
+    /// The fields of numbers, in the order in which files hold them: five, and the plastic depth where there is a
+    /// hardness.
     #[must_use]
-    pub fn numbers(&self) -> [NumberField<'a>; 5] {
+    pub fn numbers(&self) -> Vec<NumberField<'a>> {
         let named = |name, unit, meaning, values| NumberField {
             name,
             unit,
             meaning,
             values,
         };
-        [
+        let mut fields = vec![
             named(
                 "pressure",
                 "Pa",
@@ -124,7 +129,16 @@ impl<'a> Fields<'a> {
                 "profile f* of the relief: 0 on the tops, negative between them",
                 self.profile,
             ),
-        ]
+        ];
+        if !self.plastic_depth.is_empty() {
+            fields.push(named(
+                "plastic_depth",
+                "m",
+                "plastic depth where the pressure is cut at the hardness",
+                self.plastic_depth,
+            ));
+        }
+        fields
     }
 
     /// The fields of truth values, in the order in which files hold them: every format has both, with these names and

@@ -133,6 +133,7 @@ mod tests {
                 displacement: &[0.0],
                 gap: &[0.0],
                 shortening: &[0.0],
+                plastic_depth: &[],
                 profile: &[0.0],
                 mask: &[false],
             };

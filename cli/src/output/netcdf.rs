@@ -75,7 +75,7 @@ fn variables<'a>(fields: &Fields<'a>, summary: &Summary) -> Vec<FilledVariable<'
         values: VariableValues::Centres(dimension),
     };
     let mut variables = vec![coordinate("x", 0), coordinate("y", 1)];
-    variables.extend(fields.numbers().map(|field| FilledVariable {
+    variables.extend(fields.numbers().into_iter().map(|field| FilledVariable {
         name: field.name,
         attributes: described(field.unit, field.meaning),
         values: VariableValues::Numbers(field.values),

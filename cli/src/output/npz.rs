@@ -31,7 +31,7 @@ pub fn file(step: usize) -> String {
 }
 
 /// Writes `x`, `y` (N values each), and `pressure`, `displacement`, `gap`, `shortening`, `profile`, `mask`,
-/// `contact` (N × N, the first index along x).
+/// `contact` (N × N, the first index along x), and `plastic_depth` where there is a hardness.
 ///
 /// # Errors
 ///
@@ -127,6 +127,8 @@ pub(super) fn check(path: &Path) -> Result<(), String> {
 #[derive(Debug, Clone, PartialEq)]
 pub struct StoredFields {
     size: usize,
+    /// Empty without a hardness.
+    plastic_depth: Vec<f64>,
     /// Pressure, displacement, gap, shortening, profile.
     numbers: [Vec<f64>; 5],
     mask: Vec<bool>,
@@ -146,6 +148,7 @@ impl StoredFields {
         if count > 0
             && is_square(fields.mask.len())
             && fields.numbers.iter().all(|field| is_square(field.len()))
+            && (fields.plastic_depth.is_empty() || is_square(fields.plastic_depth.len()))
         {
             return Ok(fields);
         }
@@ -161,6 +164,7 @@ impl StoredFields {
         };
         Ok(Self {
             size: mask.nrows(),
+            plastic_depth: numbers("plastic_depth").unwrap_or_default(),
             numbers: [
                 numbers("pressure")?,
                 numbers("displacement")?,
@@ -183,6 +187,7 @@ impl StoredFields {
             displacement,
             gap,
             shortening,
+            plastic_depth: &self.plastic_depth,
             profile,
             mask: &self.mask,
         }

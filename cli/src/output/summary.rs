@@ -119,6 +119,15 @@ pub struct StepSummary {
     /// Distance of the farthest element in contact from the axis, m.
     #[serde(deserialize_with = "nan_from_null")]
     pub contact_radius: f64,
+    /// Area of the elements whose pressure is cut, m²; none without a hardness, like the next two.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub area_at_limit: Option<f64>,
+    /// The same over the contact area; 0 without contact.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub fraction_at_limit: Option<f64>,
+    /// Largest plastic depth, m.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub plastic_depth: Option<f64>,
     /// Contact stiffness `dQ/dD`, N/m; none without contact.
     #[serde(default)]
     pub contact_stiffness: Option<f64>,
@@ -155,6 +164,11 @@ pub struct CertificateSummary {
     pub load: f64,
     #[serde(deserialize_with = "nan_from_null")]
     pub min_pressure: f64,
+    /// None without a hardness, like the next one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub gap_at_limit: Option<f64>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub over_limit: Option<f64>,
     #[serde(deserialize_with = "nan_from_null")]
     pub worst: f64,
     pub satisfied: bool,
@@ -226,7 +240,9 @@ impl Summary {
             },
             roughness: RoughnessSummary::of(&case),
             steps: (path.steps.iter())
-                .map(|step| StepSummary::new(step, path.grid.element_area()))
+                .map(|step| {
+                    StepSummary::new(step, path.grid.element_area(), path.hardness.is_finite())
+                })
                 .collect(),
             critical: None,
             timing: Timing {
@@ -326,8 +342,14 @@ fn read_text(path: &Path) -> Result<String, Failure> {
 
 impl StepSummary {
     /// Of a step with elements of this area, m².
-    fn new(step: &Step, element_area: f64) -> Self {
+    fn new(step: &Step, element_area: f64, has_hardness: bool) -> Self {
         let (solution, summary) = (&step.solution, &step.summary);
+        let with_hardness = |value: f64| has_hardness.then_some(value);
+        let part = summary.area_at_limit / summary.contact_area;
+        let mut certificate = CertificateSummary::from(&solution.certificate);
+        if !has_hardness {
+            (certificate.gap_at_limit, certificate.over_limit) = (None, None);
+        }
         Self {
             force: solution.force,
             penetration: solution.penetration,
@@ -339,10 +361,13 @@ impl StepSummary {
             contact_area_on_relief: summary.contact_area_on_relief,
             contact_area_between: summary.contact_area_between,
             contact_radius: summary.contact_radius,
+            area_at_limit: with_hardness(summary.area_at_limit),
+            fraction_at_limit: with_hardness(if part.is_finite() { part.min(1.0) } else { 0.0 }),
+            plastic_depth: with_hardness(summary.plastic_depth),
             contact_stiffness: step.contact_stiffness,
             rough_contact: RoughContactSummary::of(step, element_area),
             status: step.status(),
-            certificate: (&solution.certificate).into(),
+            certificate,
             work: step.work.clone(),
             grid_error: step.grid_error.clone(),
             sensitivities: None,
@@ -359,6 +384,8 @@ impl From<&Certificate> for CertificateSummary {
             overlap: certificate.overlap,
             load: certificate.load,
             min_pressure: certificate.min_pressure,
+            gap_at_limit: Some(certificate.gap_at_limit),
+            over_limit: Some(certificate.over_limit),
             worst: certificate.worst(),
             satisfied: certificate.is_satisfied(),
         }

@@ -132,6 +132,11 @@ fn single(step: &StepSummary, has_relief: bool, units: Units) -> String {
         lines.quantity("  between", step.contact_area_between, Unit::SquareMetre);
     }
     lines.quantity("contact radius", step.contact_radius, Unit::Metre);
+    if let (Some(fraction), Some(depth)) = (step.fraction_at_limit, step.plastic_depth) {
+        let percent = format!("{:.1} % of the contact area", 100.0 * fraction);
+        lines.push("at the hardness", &percent, "");
+        lines.quantity("plastic depth", depth, Unit::Metre);
+    }
     let stiffness = step.contact_stiffness.unwrap_or(0.0);
     lines.quantity("contact stiffness", stiffness, Unit::NewtonPerMetre);
     let worst = format!("worst line {:.1e}", step.certificate.worst);

@@ -94,6 +94,7 @@ mod tests {
             displacement: &zeros,
             gap: &zeros,
             shortening: &zeros,
+            plastic_depth: &[],
             profile: &zeros,
             mask: &[true; 100],
         };

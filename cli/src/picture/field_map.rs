@@ -187,6 +187,7 @@ mod tests {
             displacement: &zeros,
             gap: &gap,
             shortening: &zeros,
+            plastic_depth: &[],
             profile: &zeros,
             mask: &mask,
         };

@@ -129,21 +129,40 @@ impl Depths<'_> {
         }
     }
 
-    /// The surface that the indenter meets: `u + w* − f*`.
-    fn top(&self, i: usize) -> f64 {
+    /// The elastic surface of relief or body: `u + w* − f*`.
+    fn elastic_top(&self, i: usize) -> f64 {
         let (fields, e) = (&self.subject.fields, self.element(i));
         fields.displacement[e] + fields.shortening[e] - fields.profile[e]
     }
 
-    /// The indenter: `D − f = u + w* − f* − g`; not finite where it ends.
-    fn indenter(&self, i: usize) -> f64 {
-        self.top(i) - self.subject.fields.gap[self.element(i)]
+    fn plastic_depth(&self, i: usize) -> f64 {
+        let depths = self.subject.fields.plastic_depth;
+        depths.get(self.element(i)).copied().unwrap_or(0.0)
     }
 
-    /// The surface of the body, `u + h`; what the indenter meets where the relief has no one height.
+    /// The surface that the indenter meets, by the plastic depth under the elastic one.
+    fn top(&self, i: usize) -> f64 {
+        self.elastic_top(i) + self.plastic_depth(i)
+    }
+
+    /// The indenter: `D − f = u + w* − f* − g`; not finite where it ends.
+    fn indenter(&self, i: usize) -> f64 {
+        self.elastic_top(i) - self.subject.fields.gap[self.element(i)]
+    }
+
+    /// The surface of the body, `u + h`, by its plastic depth deeper where no relief stands on it; what the indenter
+    /// meets where the relief has no one height.
     fn body(&self, i: usize) -> f64 {
-        let displacement = self.subject.fields.displacement[self.element(i)];
-        (self.subject.relief_height).map_or_else(|| self.top(i), |height| displacement + height)
+        let Some(height) = self.subject.relief_height else {
+            return self.top(i);
+        };
+        let (fields, e) = (&self.subject.fields, self.element(i));
+        let plastic_depth = if fields.mask[e] {
+            0.0
+        } else {
+            self.plastic_depth(i)
+        };
+        fields.displacement[e] + height + plastic_depth
     }
 
     /// Whether relief and body are drawn apart.

@@ -103,6 +103,7 @@ mod tests {
                 displacement: &zeros,
                 gap: &zeros,
                 shortening: &zeros,
+                plastic_depth: &[],
                 profile: &zeros,
                 mask: &[false; 16],
             },

@@ -109,6 +109,7 @@ fn every_finite_solution_can_be_drawn() {
                 displacement: &u,
                 gap: &gap,
                 shortening: &profile,
+                plastic_depth: &[],
                 profile: &profile,
                 mask: &[true; SIZE * SIZE],
             },
@@ -136,4 +137,41 @@ fn every_finite_solution_can_be_drawn() {
         Ok(())
     });
     ran.unwrap();
+}
+
+#[test]
+fn a_surface_that_yields_is_drawn_by_its_plastic_depth_deeper() {
+    let pressure: Vec<f64> = (0..SIZE * SIZE)
+        .map(|e| f64::from(u8::from(e % SIZE > 2)))
+        .collect();
+    let elastic: Vec<f64> = (0..SIZE * SIZE)
+        .map(|e| 0.1 + 0.01 * (e / SIZE) as f64)
+        .collect();
+    let plastic_depth: Vec<f64> = pressure.iter().map(|p| 0.5 * p).collect();
+    let lacking: Vec<f64> = plastic_depth.iter().map(|depth| -depth).collect();
+    let (pairs, zeros) = (elastic.iter().zip(&plastic_depth), [0.0; SIZE * SIZE]);
+    let sum: Vec<f64> = pairs.map(|(u, depth)| u + depth).collect();
+    let section = |displacement, gap, plastic_depth| {
+        section::draw(&Subject {
+            title: "a ball",
+            units: Units::Si,
+            relief_height: Some(0.0),
+            step: &step(1.0),
+            fields: Fields {
+                side: 1.0,
+                size: SIZE,
+                pressure: &pressure,
+                displacement,
+                gap,
+                shortening: &zeros,
+                plastic_depth,
+                profile: &zeros,
+                mask: &[false; SIZE * SIZE],
+            },
+            style: Style::default(),
+        })
+    };
+    let drawn = section(&elastic, &lacking, &plastic_depth);
+    assert_eq!(drawn, section(&sum, &zeros, &[]));
+    assert_ne!(drawn, section(&elastic, &zeros, &[]));
 }

@@ -66,8 +66,8 @@ fn the_first_case_of_the_guide_is_that_of_the_template() {
 }
 
 #[test]
-fn the_recipes_for_coatings_are_the_cases_of_that_name() {
-    for name in ["dlc-on-steel.toml", "crn-sliding.toml"] {
+fn recipes_are_the_cases_of_that_name() {
+    for name in ["dlc-on-steel.toml", "crn-sliding.toml", "soft-metal.toml"] {
         let path = Path::new(env!("CARGO_MANIFEST_DIR"))
             .join("../cases")
             .join(name);

@@ -99,8 +99,12 @@ impl InterfaceCase {
 impl LayerCase {
     pub(super) fn read(field: ValueReader<'_>) -> Result<Self, Diagnosis> {
         let table = field.table()?;
-        let strengths = [BodyStrengthCase::KEYS, InterfaceStrengthCase::KEYS].concat();
-        table.only(&[&KEYS[..], &strengths].concat())?;
+        let strengths = [
+            &KEYS[..],
+            &BodyStrengthCase::KEYS,
+            &InterfaceStrengthCase::KEYS,
+        ];
+        table.only(&strengths.concat())?;
         let interface = match table.optional("interface") {
             Some(field) => InterfaceCase::read(&field)?,
             None => InterfaceCase::Named(NamedInterface::Bonded),

@@ -16,6 +16,9 @@ pub struct BodyStrengthCase {
     /// The largest principal stress that it bears, Pa.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tensile_strength: Option<f64>,
+    /// The contact pressure at which its surface yields, Pa.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hardness: Option<f64>,
 }
 
 /// What the interface below a layer bears; none where nothing is said.
@@ -30,13 +33,15 @@ pub struct InterfaceStrengthCase {
 }
 
 impl BodyStrengthCase {
-    pub(super) const KEYS: [&str; 2] = ["yield_strength", "tensile_strength"];
+    pub(super) const KEYS: [&str; 3] = ["yield_strength", "tensile_strength", "hardness"];
 
     pub(super) fn read(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
-        let [yield_strength, tensile_strength] = Self::KEYS.map(|key| strength(table, key));
+        let [yield_strength, tensile_strength, hardness] =
+            Self::KEYS.map(|key| strength(table, key));
         Ok(Self {
             yield_strength: yield_strength?,
             tensile_strength: tensile_strength?,
+            hardness: hardness?,
         })
     }
 }

@@ -48,7 +48,7 @@ impl SubstrateCase {
             };
         }
         let table = field.table()?;
-        table.only(&[KEYS, BodyStrengthCase::KEYS].concat())?;
+        table.only(&[&KEYS[..], &BodyStrengthCase::KEYS].concat())?;
         Ok(Self::Elastic(MaterialCase::read(&table)?))
     }
 

@@ -117,6 +117,10 @@ fn rows(summary: &Summary, step: &StepSummary) -> Vec<NumberRow> {
         number("contact stiffness", stiffness, Unit::NewtonPerMetre),
         plain("elements in contact", step.contact_elements.to_string()),
     ];
+    if let (Some(fraction), Some(depth)) = (step.fraction_at_limit, step.plastic_depth) {
+        rows.push(plain("part at the hardness", significant(fraction, 4)));
+        rows.push(number("plastic depth", depth, Unit::Metre));
+    }
     if summary.has_relief() {
         let (on, between) = (step.contact_area_on_relief, step.contact_area_between);
         rows.push(number("contact on the relief", on, Unit::SquareMetre));
@@ -190,6 +194,8 @@ mod tests {
         overlap: 3e-9,
         load: 0.0,
         min_pressure: 0.0,
+        gap_at_limit: None,
+        over_limit: None,
         worst: 3e-9,
         satisfied: true,
     };

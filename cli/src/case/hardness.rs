@@ -1,0 +1,104 @@
+//! What a hardness asks of the other tables.
+
+use super::diagnosis::Diagnosis;
+use super::foundation::FoundationCase;
+use super::load::LoadCase;
+use super::solver::SolverCase;
+use super::table_reader::TableReader;
+
+/// Refuses a hardness given twice and differently, and what is not computed with one.
+///
+/// # Errors
+///
+/// A [`Diagnosis`] of the key that does not go with it.
+pub fn check(
+    root: &TableReader<'_>,
+    (foundation, solver): (&FoundationCase, &SolverCase),
+    load: &LoadCase,
+    has_stress: bool,
+) -> Result<(), Diagnosis> {
+    let Some(hardness) = solver.hardness.or(foundation.hardness()) else {
+        return Ok(());
+    };
+    let field = |table: &str, key: &str| root.required(table, "")?.table()?.required(key, "");
+    if let Some(other) = foundation
+        .hardness()
+        .filter(|other| other.total_cmp(&hardness).is_ne())
+    {
+        let body = if foundation.layer.is_empty() {
+            "foundation.substrate.hardness"
+        } else {
+            "foundation.layer[0].hardness"
+        };
+        let reason = format!("while {body} is {other:e}");
+        let wanted = "one hardness of the surface, here or there";
+        return Err(field("solver", "hardness")?.unusable(&reason, wanted));
+    }
+    let because = "with a hardness";
+    if load.sensitivities {
+        let wanted = "false: derivatives are those of elastic contact";
+        return Err(field("load", "sensitivities")?.unusable(&because, wanted));
+    }
+    if has_stress && foundation.has_strengths() {
+        let wanted = "stresses without strengths: critical loads are those of elastic contact";
+        return Err(root.required("stress", "")?.unusable(&because, wanted));
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+    use std::sync::Arc;
+
+    use crate::case::{Case, source::Source};
+
+    fn read(layer: &str, more: &str) -> Result<Case, String> {
+        let text = format!(
+            "[foundation]\nsubstrate = {{ young_modulus = 1, poisson_ratio = 0.3{layer} }}\n\
+             [indenter]\nkind = \"paraboloid\"\nradius = 1\n[load]\nforce = 1e-3\n{more}"
+        );
+        let source = Arc::new(Source::new("case.toml", text));
+        Case::parse(&source, "case", Path::new(""), &[]).map_err(|error| error.to_string())
+    }
+
+    #[test]
+    fn it_is_the_solvers_or_that_of_the_topmost_body() {
+        let hardness = |layer, more| read(layer, more).unwrap().hardness();
+        assert_eq!(hardness("", ""), None);
+        assert_eq!(hardness("", "[solver]\nhardness = 0.1"), Some(0.1));
+        assert_eq!(hardness(", hardness = 0.2", ""), Some(0.2));
+        assert_eq!(
+            hardness(", hardness = 0.2", "[solver]\nhardness = 0.2"),
+            Some(0.2)
+        );
+        let coat = "[[foundation.layer]]\nthickness = 1\nyoung_modulus = 1\npoisson_ratio = 0.3\n";
+        assert_eq!(hardness(", hardness = 0.2", coat), None);
+        assert_eq!(hardness("", &format!("{coat}hardness = 0.3")), Some(0.3));
+    }
+
+    #[test]
+    fn two_that_differ_and_what_is_not_computed_with_one_are_refused() {
+        for (layer, more, words) in [
+            (
+                ", hardness = 0.2",
+                "[solver]\nhardness = 0.1",
+                "foundation.substrate.hardness is 2e-1",
+            ),
+            (
+                ", hardness = 0.2",
+                "sensitivities = true",
+                "derivatives are those of elastic contact",
+            ),
+            (
+                ", hardness = 0.2, yield_strength = 1",
+                "[stress]",
+                "critical loads are those of elastic contact",
+            ),
+        ] {
+            let message = read(layer, more).unwrap_err();
+            assert!(message.contains(words), "{message}");
+        }
+        assert!(read(", hardness = 0.2", "[stress]").is_ok());
+    }
+}
