@@ -133,9 +133,9 @@ pub fn scattered_work(size: usize, elements: &[u32]) -> usize {
 /// `u = K p` among listed elements of a grid.
 ///
 /// Its cost is that of the near pairs of elements and of a product on a grid of a quarter of the elements per side. It
-/// is right to 5e-8 of the largest displacement, and near the border of the table's own grid, where nodes lie on one side
-/// alone, to 2e-6 (test `scattered_elements_move_as_the_whole_grid_does`): a solution by it is one step of iterative
-/// refinement from exact. The bits are the same for every number of threads.
+/// is right to 5e-8 of the largest displacement, and near the border of the table's own grid, where nodes lie on one
+/// side alone, to 2e-6 (test `scattered_elements_move_as_the_whole_grid_does`): a solution by it is one step of
+/// iterative refinement from exact. The bits are the same for every number of threads.
 pub struct ScatteredOperator {
     runs: Runs,
     /// Of each row or column of elements: the first of its nodes, and their weights.

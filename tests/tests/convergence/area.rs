@@ -45,7 +45,8 @@ fn error(found: f64, exact: f64) -> f64 {
 }
 
 /// Hertz: `Q = 4/3 E* a³/R`. On the circle's own `S_d` the counted area is too large by 0.089 `S_d h` on these
-/// elements, where Yastrebov, Anciaux and Molinari take off 0.118: both areas tend to the circle's with the first order.
+/// elements, where Yastrebov, Anciaux and Molinari take off 0.118: both areas tend to the circle's with the first
+/// order.
 #[test]
 fn of_circles_the_counted_area_is_too_large_by_a_part_of_the_perimeter() {
     for elements in [64, 256] {
