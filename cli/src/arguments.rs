@@ -211,6 +211,9 @@ pub struct StudyArguments {
     /// Print how far the study is, over all its parts, with the rate and the time left, and solve nothing
     #[arg(long, conflicts_with_all = ["list", "fresh", "folders"])]
     pub status: bool,
+    /// Write report.html of the cases done so far, over all parts, and solve nothing
+    #[arg(long, conflicts_with_all = ["list", "status", "fresh", "folders"])]
+    pub report: bool,
     /// Also write a results folder for every case, in cases/
     #[arg(long)]
     pub folders: bool,

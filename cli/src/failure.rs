@@ -143,6 +143,22 @@ pub enum Failure {
         /// The folder.
         path: PathBuf,
     },
+    /// Something else stands in the place of the kept fields of a study.
+    #[error("{} does not hold the fields that this study keeps: give --fresh to begin again, or move it away", path.display())]
+    NotKept {
+        /// The file.
+        path: PathBuf,
+    },
+    /// A field of one case is larger than the format has room for.
+    #[error(
+        "study.keep: found {steps} loading steps of {elements} x {elements} elements, wanted at most 4 GiB of a field in a case: set output.fields = \"last\" to keep the last step alone"
+    )]
+    KeptTooLarge {
+        /// Elements per side.
+        elements: usize,
+        /// Loading steps kept.
+        steps: usize,
+    },
     /// Another process is writing to a table or folder.
     #[error("{}: another process is writing to it", path.display())]
     Busy {

@@ -7,6 +7,7 @@ use pellicle_contact::{
     ContactError, Domain, Load, LoadingPath, Method, Model, SolverOptions, Step, Warning,
     default_side, domain_much_larger, loads_at_once, model_warnings, solve_path,
 };
+use pellicle_influence::Sector;
 use pellicle_texture::Grid;
 
 use crate::case::Case;
@@ -86,7 +87,8 @@ impl Need {
     fn of(case: &Case, model: &Model, writers: usize, share: f64) -> Self {
         let (elements, steps) = (case.grid.elements, case.load.loads().len());
         let is_gradient = case.solver.options().method == Method::Gradient;
-        let is_quadrant = elements.is_multiple_of(2) && is_gradient && model.is_mirrored();
+        let is_quadrant =
+            elements.is_multiple_of(2) && is_gradient && model.sector() == Sector::Quadrant;
         let of_sector = |bytes: [[f64; 2]; 2]| bytes[usize::from(!is_quadrant)];
         let [any, in_contact] = of_sector(BYTES_PER_ELEMENT_SOLVED);
         let solved = (any + in_contact * share) * loads_at_once(elements, steps) as f64;

@@ -70,6 +70,21 @@ pub mod solved {
     pub use crate::stresses::Search;
 }
 
+/// Studies planned, solved case by case, and kept in a table, as the program does.
+pub mod studied {
+    pub use crate::cache::open_for_many as open_cache;
+    pub use crate::study::Study;
+    pub use crate::study::case_solver::{CaseResult, CaseSolver};
+    pub use crate::study::case_status::{CaseStatus, Tally};
+    pub use crate::study::folder::StudyFolder;
+    pub use crate::study::identity::StudyIdentity;
+    pub use crate::study::plan::StudyPlan;
+    pub use crate::study::report::write as write_report;
+    pub use crate::study::results_table::ResultsTable;
+    pub use crate::study::shard::Shard;
+    pub use crate::study::study_file::read;
+}
+
 /// Fits made as the program makes them.
 pub mod fitted {
     pub use crate::fit_file::{FitFile, FitSources, Measurements};

@@ -17,9 +17,9 @@ use crate::interrupt;
 const PAUSE: Duration = Duration::from_millis(100);
 
 /// Time for which a known amount stays valid for a case that needs a small part of it.
-const KNOWN: Duration = Duration::from_millis(100);
+const KNOWN: Duration = Duration::from_secs(1);
 /// The inverse of a small part.
-const SMALL_PART: u64 = 8;
+const SMALL_PART: u64 = 64;
 
 /// Address space, bytes, that the C library reserves for one more thread.
 const ADDRESSES: u64 = 64 << 20;

@@ -90,6 +90,8 @@ fn transposed(field: &[Complex<f64>], size: usize) -> Vec<Complex<f64>> {
 
 #[cfg(test)]
 mod tests {
+    use pellicle_texture::{HeightMap, MapRim, Roughness};
+
     use super::*;
 
     const SURFACE: SelfAffine = SelfAffine {
@@ -143,6 +145,51 @@ mod tests {
         let exponent = (at(16) / at(5)).ln() / (16.0_f64 / 5.0).ln();
         // The mean of 200 squares is known to a tenth.
         assert!((exponent + 3.4).abs() < 0.25, "{exponent}");
+    }
+
+    /// `C ~ q^−2(1 + H)` of the spectrum that a summary holds, between the band's ends.
+    #[test]
+    fn the_spectrum_of_the_map_has_the_slope_of_the_hurst_exponent() {
+        for (seed, hurst) in [(1, 0.8), (2, 0.3), (3, 1.0)] {
+            let size = 512;
+            let surface = SelfAffine {
+                size,
+                waves: [4.0, 200.0],
+                hurst,
+                rms: 1.0,
+                seed,
+            };
+            let map = HeightMap::new(surface.heights().unwrap(), [size; 2], [1.0, 1.0]).unwrap();
+            let bands = Roughness::of(&map, MapRim::Repeats).spectrum.bands;
+            let ends = [8.0, 180.0].map(|waves| std::f64::consts::TAU * waves);
+            let inside = bands
+                .iter()
+                .filter(|band| band.wavenumber > ends[0] && band.wavenumber < ends[1]);
+            // The least squares of ln C over ln q, each band by its number of waves.
+            let points =
+                inside.map(|band| (band.wavenumber.ln(), band.power.ln(), band.waves as f64));
+            let mut sums = [0.0; 5];
+            for (x, y, weight) in points {
+                for (sum, term) in sums.iter_mut().zip([1.0, x, y, x * x, x * y]) {
+                    *sum += weight * term;
+                }
+            }
+            let [n, x, y, xx, xy] = sums;
+            let exponent = (n * xy - x * y) / (n * xx - x * x);
+            // |z + z̄'|² scatters as much as it is large, over some 60,000 pairs of waves spread over ln q by 0.5: 0.01.
+            assert!(
+                (exponent + 2.0 * (1.0 + hurst)).abs() < 0.04,
+                "{hurst}: {exponent}"
+            );
+            let beyond = bands
+                .iter()
+                .filter(|band| band.wavenumber > 1.1 * ends[1] * 200.0 / 180.0);
+            let largest = bands.iter().map(|band| band.power).fold(0.0, f64::max);
+            assert!(
+                beyond.clone().count() > 3
+                    && beyond.clone().all(|band| band.power < 1e-24 * largest)
+            );
+        }
     }
 
     #[test]

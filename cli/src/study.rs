@@ -1,23 +1,27 @@
 //! A study: one case solved for many values of its keys, on all cores and on many machines, resumed after kills.
 //!
 //! [`study_file`] reads it, [`numbering`] numbers its cases, [`plan`] checks what can be checked before any of them is
-//! solved, [`results_table`] keeps the results, one block of rows per case, [`runner`] solves the remaining cases, and
-//! [`gather`](mod@gather) merges the tables of several machines. A case is read when it is its turn: neither the start
-//! of a study nor its memory depends on the number of its cases, but for some bytes each.
+//! solved, [`results_table`] keeps the results, one block of rows per case, [`kept_file`] the fields that are wanted of
+//! all, [`runner`] solves the remaining cases, [`gather`](mod@gather) merges the tables of several machines, and
+//! [`report`](mod@report) shows them. A case is read when it is its turn: neither the start of a study nor its memory
+//! depends on the number of its cases, but for some bytes each.
 
 pub mod case_blocks;
+pub mod case_counts;
 pub mod case_solver;
 pub mod case_status;
 pub mod fingerprint;
 pub mod folder;
 pub mod gather;
 pub mod identity;
+pub mod kept_file;
+pub mod kept_layout;
 pub mod numbering;
 pub mod plan;
 pub mod progress;
 pub mod remaining;
+pub mod report;
 pub mod results_table;
-pub mod row_counts;
 pub mod runner;
 pub mod samples;
 pub mod shard;
@@ -30,12 +34,11 @@ use std::path::PathBuf;
 
 use serde::{Deserialize, Serialize};
 
+use self::kept_layout::KeptField;
 use self::numbering::CaseNumbering;
 use self::varied_key::VariedKey;
 use crate::case::diagnosis::Diagnosis;
 use crate::case::document::TomlNode;
-use crate::case::load::LoadCase;
-use crate::case::table_reader::TableReader;
 use crate::case::{Case, overrides};
 
 /// The combination of the values of several keys.
@@ -60,6 +63,8 @@ pub struct Study {
     base: TomlNode,
     numbering: CaseNumbering,
     varied_keys: Vec<VariedKey>,
+    /// The fields of all cases that are wanted in one file.
+    pub keep: Vec<KeptField>,
 }
 
 impl Study {
@@ -119,16 +124,6 @@ impl Study {
     /// A [`Diagnosis`] if these values make an invalid case.
     pub fn case(&self, case: usize) -> Result<Case, Diagnosis> {
         Case::resolve(&self.tree(case)?, &self.case_name, &self.folder)
-    }
-
-    /// The number of loading steps of a case; 1 if its load is invalid. Nothing else of the case is read.
-    fn steps(&self, case: usize) -> usize {
-        let read = || {
-            let root = self.tree(case)?;
-            let load = TableReader::root(&root)?.required("load", "a table [load]")?;
-            LoadCase::read(&load.table()?)
-        };
-        read().map_or(1, |load: LoadCase| load.loads().len())
     }
 
     /// The values of a case in words: `load.force = 1 mN, grid.elements = 64`.

@@ -28,6 +28,33 @@ pub enum ContactError {
         /// Value found.
         tolerance: f64,
     },
+    /// A hardness that is not positive and finite.
+    #[error("found {hardness} for the hardness, wanted a positive finite number")]
+    Hardness {
+        /// Value found, in Pa.
+        hardness: f64,
+    },
+    /// A force that the hardness of all elements that can touch does not carry.
+    #[error(
+        "found a force of {force:.6e}, which a hardness of {hardness:e} does not carry on the {area:.6e} of surface that can touch, \
+         wanted at most {most:.6e}, or a larger domain where the indenter goes on"
+    )]
+    BeyondHardness {
+        /// The force, in N.
+        force: f64,
+        /// Hardness, in Pa.
+        hardness: f64,
+        /// Area of the elements that can touch, in m².
+        area: f64,
+        /// Their product, in N.
+        most: f64,
+    },
+    /// Something that is not computed where the pressure is cut at a hardness.
+    #[error("found a hardness with {what}, which is computed for elastic contact alone")]
+    WithHardness {
+        /// What was asked for.
+        what: &'static str,
+    },
     /// Something that a periodic cell does not have, or that is not computed for one.
     #[error(
         "found {what} with a periodic cell, wanted a force, and neither stresses nor derivatives"

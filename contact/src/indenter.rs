@@ -130,6 +130,12 @@ impl Indenter {
         }
     }
 
+    /// Whether `f(x, y) = f(x, −y)`: of every pyramid too, one ridge of which runs along x.
+    #[must_use]
+    pub fn is_mirrored_in_y(&self) -> bool {
+        self.is_mirrored() || matches!(self, Self::Pyramid(_))
+    }
+
     /// Height f(x, y), m; see [`Profile::height`].
     #[must_use]
     pub fn height(&self, x: f64, y: f64) -> f64 {
@@ -154,6 +160,10 @@ impl Profile for Indenter {
 
     fn mean_profile(&self, radius: f64) -> f64 {
         self.shape().mean_profile(radius)
+    }
+
+    fn mean_slope(&self, radius: f64) -> f64 {
+        self.shape().mean_slope(radius)
     }
 
     fn is_mirrored(&self) -> bool {

@@ -29,8 +29,9 @@ pub use indenter::{
 pub use path::{
     LoadingPath,
     domain::{
-        Boundary, Domain, choice::choose_side, default_side, estimated_force,
-        estimated_force_at_radius,
+        Boundary, Domain,
+        choice::{choose_side, choose_side_at},
+        default_side, estimated_force, estimated_force_at_radius,
     },
     loads_at_once, solve_path,
     warnings::{
@@ -50,6 +51,7 @@ pub use result::{
     grid_error::{Estimate, GridError, LevelValues},
     null::nan_from_null,
     peak::PeakPlace,
+    rough_contact::{Histogram, Islands, RoughContact},
     step::{CoarsePressure, Status, Step},
     summary::Summary,
     warning::Warning,

@@ -4,6 +4,8 @@
 //! a start from the previous load, used directly or as a correction. So no load depends on another, bit for bit, and on
 //! grids too small to keep all threads busy as many loads are solved at the same time as there are threads.
 
+mod capacity;
+mod dilute;
 pub mod domain;
 mod hierarchy;
 mod level;
@@ -23,7 +25,7 @@ use rayon::prelude::*;
 
 use crate::{
     Boundary, ContactError, DeformedSurface, Domain, Indenter, Load, Model, Observer, Progress,
-    SampledModel, Signal, Solution, SolverOptions, Step, Warning, choose_side,
+    SampledModel, Signal, Solution, SolverOptions, Step, Warning, choose_side_at,
     grid::window::Window,
     path::hierarchy::Hierarchy,
     problem::model::initial_gap,
@@ -61,6 +63,8 @@ pub struct LoadingPath {
     pub tables: Arc<RadialTables>,
     /// What lies around the square.
     pub boundary: Boundary,
+    /// Hardness at which the pressures are cut, in Pa; infinite without one.
+    pub hardness: f64,
     /// None where no load reached the finest grid.
     elasticity: Option<Arc<SurfaceElasticity>>,
     pub(crate) relief: Relief,
@@ -94,7 +98,7 @@ impl LoadingPath {
         let displacement = displacement(elasticity, self.boundary, size, pressure);
         let mut surface = DeformedSurface::new(
             displacement,
-            pressure,
+            (pressure, self.hardness),
             (geometry.relief.spring_law(), geometry.relief.compliance()),
             &initial_gap(&geometry.indenter_profile, geometry.relief.profile()),
             *penetration,
@@ -187,12 +191,24 @@ fn solve_on_domains(
     let (mut side, mut enlargements) = match domain {
         Domain::Side(side) | Domain::Periodic(side) => (side, 0),
         Domain::Chosen(side) => (side, ENLARGEMENTS),
-        Domain::Automatic => (choose_side(model, loads)?, ENLARGEMENTS),
+        Domain::Automatic => (
+            choose_side_at(model, loads, options.hardness)?,
+            ENLARGEMENTS,
+        ),
     };
     loop {
         warnings::check_elements(model, side, elements, loads)?;
+        let grid = Grid::new(side, elements)?;
+        if let Err(refused) = capacity::check(model, &grid, loads, options.hardness) {
+            if enlargements == 0 || !capacity::goes_on(model, &grid) {
+                return Err(refused);
+            }
+            enlargements -= 1;
+            side *= ENLARGEMENT;
+            continue;
+        }
         let square = (side, domain.boundary());
-        let hierarchy = Hierarchy::new(model, square, elements, loads.len(), &options);
+        let hierarchy = Hierarchy::new(model, square, elements, loads, &options);
         let mut run = PathRun {
             lanes: hierarchy.lanes(loads_at_once(elements, loads.len()))?,
             steps: Vec::new(),
@@ -200,7 +216,7 @@ fn solve_on_domains(
             interrupted: false,
         };
         run.solve_all(loads, options, observer)?;
-        let path = run.finish(model, domain, loads)?;
+        let path = run.finish(model, domain, loads, options.hardness)?;
         let by_domain = |step: &Step| step.cut_off == Some(CutOff::Domain);
         if path.interrupted || enlargements == 0 || !path.steps.iter().any(by_domain) {
             return Ok(path);
@@ -275,6 +291,7 @@ impl PathRun<'_> {
         model: &Model,
         domain: Domain,
         loads: &[Load],
+        hardness: f64,
     ) -> Result<LoadingPath, ContactError> {
         let coefficients_seconds = self.coefficients_seconds();
         let hierarchy = self.lanes.swap_remove(0);
@@ -297,6 +314,7 @@ impl PathRun<'_> {
             steps: self.steps,
             interrupted: self.interrupted,
             boundary: domain.boundary(),
+            hardness,
             tables: model.tables.clone(),
             elasticity,
             relief: model.relief.clone(),

@@ -2,6 +2,7 @@
 
 mod body;
 pub mod discrete_problem;
+pub mod held_pressure;
 pub mod load;
 pub mod model;
 pub mod scale;

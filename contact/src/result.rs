@@ -8,6 +8,7 @@ pub mod deformed_surface;
 pub mod grid_error;
 pub mod null;
 pub mod peak;
+pub mod rough_contact;
 pub mod step;
 pub mod summary;
 pub mod warning;

@@ -2,6 +2,7 @@
 
 pub mod active_set;
 pub mod gradient;
+mod hardness;
 pub mod observer;
 
 use crate::{ContactError, DiscreteProblem, Load, Observer, Progress, Signal};
@@ -27,13 +28,16 @@ pub struct SolverOptions {
     pub max_applications: usize,
     /// Whether to find the contact stiffness `dQ/dD` of each solution, by one more linear system.
     pub contact_stiffness: bool,
-    /// Whether a path solves on a quadrant where indenter and relief are their own mirror images in both axes and the
-    /// elements per side are even. The gradient method only; the solution is the same to rounding, in a third of the
-    /// time.
+    /// Whether a path solves on a quadrant or a half where indenter and relief are their own mirror images and the
+    /// elements per side are even. The gradient method only; the solution is the same to rounding, in a third
+    /// to two thirds of the time.
     pub mirror_symmetry: bool,
     /// Whether the steps of a path keep the pressures of its coarser grids, from which
     /// [`stress_extremes`](crate::stress_extremes) tells how far its numbers can be trusted.
     pub coarse_pressures: bool,
+    /// Hardness of the surface, in Pa, at which a path cuts the pressure; infinite if nothing does. A solver of one
+    /// grid's problem reads that of the [problem](DiscreteProblem::hardness).
+    pub hardness: f64,
 }
 
 impl Default for SolverOptions {
@@ -45,19 +49,27 @@ impl Default for SolverOptions {
             contact_stiffness: true,
             mirror_symmetry: true,
             coarse_pressures: false,
+            hardness: f64::INFINITY,
         }
     }
 }
 
 impl SolverOptions {
-    /// Checks the tolerance, and that the method can solve a grid of `elements` per side.
+    /// Checks the tolerance and the hardness, and that the method can solve a grid of `elements` per side.
     ///
     /// # Errors
-    /// [`ContactError::Tolerance`] unless it lies in (0, 0.1]; [`ContactError::TooLargeForActiveSet`].
+    /// [`ContactError::Tolerance`] unless it lies in (0, 0.1]; [`ContactError::Hardness`] unless it is positive;
+    /// [`ContactError::TooLargeForActiveSet`].
     pub fn checked_for(self, elements: usize) -> Result<Self, ContactError> {
         let tolerance = self.tolerance;
         if !(tolerance > 0.0 && tolerance <= 0.1) {
             return Err(ContactError::Tolerance { tolerance });
+        }
+        let hardness = self.hardness;
+        // False where it is NaN.
+        let is_positive = hardness > 0.0;
+        if !is_positive {
+            return Err(ContactError::Hardness { hardness });
         }
         if self.method == Method::ActiveSet {
             active_set::check_size(elements)?;

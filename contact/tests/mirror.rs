@@ -1,5 +1,5 @@
-//! A quadrant stands for the whole surface: the same solution, by another operator, another preconditioner and a
-//! quarter of the elements.
+//! A quadrant or a half stands for the whole surface: the same solution, by another operator, another preconditioner
+//! and a quarter or half of the elements.
 
 #![expect(
     clippy::unwrap_used,
@@ -12,7 +12,7 @@ use pellicle_contact::{
     Domain, FlatPunch, Indenter, Load, LoadingPath, Model, Observer, Paraboloid, Progress, Pyramid,
     Signal, Solution, SolverOptions, Step, solve_path,
 };
-use pellicle_influence::{Cache, RadialTables};
+use pellicle_influence::{Cache, RadialTables, Sector};
 use pellicle_kernel::{Foundation, Material};
 use pellicle_texture::{CylinderSpec, Cylinders, Film, Grid, Lattice, Relief};
 
@@ -194,13 +194,51 @@ fn progress_is_told_of_the_whole_grid() {
 }
 
 #[test]
+fn a_half_solves_what_the_whole_grid_does() {
+    let film = Relief::Film(Film::new(1e-3, 0.1).unwrap());
+    let pillars = || cylinders(Lattice::Square, [0.0, 0.0]);
+    let berkovich = || Pyramid::berkovich(0.01).unwrap();
+    let sharp = Pyramid::modified_berkovich(0.0).unwrap();
+    let five_faces = Pyramid::new(5, 1.2, 0.02).unwrap();
+    for (modulus, relief, indenter, load) in [
+        (1.0, Relief::Bare, berkovich(), Load::Force(1e-3)),
+        (0.1, pillars(), berkovich(), Load::Force(1e-3)),
+        (10.0, pillars(), five_faces, Load::Penetration(8e-3)),
+        (1.0, film, sharp, Load::Penetration(5e-3)),
+    ] {
+        let model = model(modulus, relief, indenter.into());
+        assert_eq!(model.sector(), Sector::Half);
+        for elements in [64, 90] {
+            compare(&model, elements, load);
+        }
+    }
+}
+
+#[test]
+fn so_does_a_half_under_stiff_coats_and_of_contacts_from_one_element_to_all() {
+    let berkovich = || Indenter::from(Pyramid::berkovich(0.01).unwrap());
+    for modulus in [100.0, 1000.0] {
+        compare(
+            &model(modulus, Relief::Bare, berkovich()),
+            64,
+            Load::Force(1e-2),
+        );
+    }
+    let half_space = model(1.0, Relief::Bare, berkovich());
+    for force in [1e-1, 1e-9] {
+        compare(&half_space, 64, Load::Force(force));
+    }
+}
+
+#[test]
 fn what_is_not_its_own_image_is_solved_as_a_whole() {
     let berkovich: Indenter = Pyramid::berkovich(0.01).unwrap().into();
+    let aside = || cylinders(Lattice::Square, [0.01, 0.0]);
     for model in [
-        model(1.0, Relief::Bare, berkovich),
-        model(1.0, cylinders(Lattice::Square, [0.01, 0.0]), paraboloid()),
+        model(1.0, aside(), berkovich),
+        model(1.0, aside(), paraboloid()),
     ] {
-        assert!(!model.is_mirrored());
+        assert_eq!(model.sector(), Sector::Whole);
         let [one, other] = [true, false].map(|mirror| solve(&model, 64, Load::Force(1e-4), mirror));
         assert_eq!(one.steps[0].solution, other.steps[0].solution);
     }

@@ -11,7 +11,7 @@ use pellicle_contact::{
     ContactError, Domain, Indenter, Load, LoadingPath, Method, Model, Observer, Paraboloid,
     Profile, Progress, Signal, SolverOptions, Status, default_side, solve_path,
 };
-use pellicle_influence::{Cache, RadialTables};
+use pellicle_influence::{Cache, RadialTables, Sector};
 use pellicle_kernel::{Foundation, Material};
 use pellicle_texture::{CylinderSpec, Cylinders, Film, Lattice, Relief};
 
@@ -258,7 +258,8 @@ fn an_own_shape_is_solved_on_an_automatic_domain_as_its_closed_form_says() {
         error <= step.grid_error.penetration.unwrap().estimate,
         "{error:e}"
     );
-    assert!(model.is_mirrored() && model.indenter == model.indenter.clone());
+    assert_eq!(model.sector(), Sector::Quadrant);
+    assert!(model.indenter == model.indenter.clone());
     assert!(model.indenter != Indenter::custom(Quartic));
 }
 
@@ -360,4 +361,28 @@ fn a_path_can_be_cancelled_while_its_finest_grid_is_made() {
         .unwrap()
     });
     assert!(path.interrupted && path.steps.is_empty());
+}
+
+/// A shape that has no height far from its axis.
+#[derive(Debug)]
+struct Torn;
+
+impl Profile for Torn {
+    fn height(&self, x: f64, y: f64) -> f64 {
+        if x > 0.3 { f64::NAN } else { x * x + y * y }
+    }
+}
+
+#[test]
+fn a_height_that_is_no_number_is_an_error_of_the_path() {
+    let model = Model {
+        indenter: Indenter::custom(Torn),
+        ..model(Relief::Bare)
+    };
+    let (loads, options) = ([Load::Penetration(0.01)], SolverOptions::default());
+    let found = solve_path(&model, Domain::Side(1.0), 32, &loads, &options, &mut ());
+    assert!(
+        matches!(found, Err(ContactError::FieldValue { .. })),
+        "{found:?}"
+    );
 }

@@ -1,6 +1,6 @@
 //! Random problems, from the soft extreme to the stiff: each is certified or refused with a reason.
 //!
-//! 1000 of each kind by default;
+//! 1000 of each kind by default, 100 with a hardness, which take many times as long;
 //! `PELLICLE_RANDOM_PROBLEMS=10000 cargo test --release -p pellicle-contact --test random_problems` for more.
 
 #![expect(
@@ -11,13 +11,16 @@
 #[path = "random_cases/random.rs"]
 mod random;
 
-use std::sync::Arc;
+use std::sync::{
+    Arc,
+    atomic::{AtomicU64, Ordering},
+};
 
 use pellicle_contact::{
     ContactError, DiscreteProblem, Domain, FlatPunch, GradientSolver, Indenter, Load, Model,
     Paraboloid, Pyramid, SampledModel, Solution, Solver, SolverOptions, Watch, solve_path,
 };
-use pellicle_influence::{Cache, CoefficientTable, RadialTables, SurfaceElasticity};
+use pellicle_influence::{Cache, CoefficientTable, RadialTables, Sector, SurfaceElasticity};
 use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
 use pellicle_texture::{CylinderSpec, Cylinders, Film, Lattice, Relief, SpringLaw};
 use rayon::prelude::*;
@@ -39,7 +42,12 @@ fn all_tables() -> Vec<Arc<RadialTables>> {
 
 /// How many problems of each kind.
 fn problems() -> u64 {
-    std::env::var("PELLICLE_RANDOM_PROBLEMS").map_or(1000, |count| count.parse().unwrap())
+    problems_or(1000)
+}
+
+/// The same where so many are enough for the suite.
+fn problems_or(usual: u64) -> u64 {
+    std::env::var("PELLICLE_RANDOM_PROBLEMS").map_or(usual, |count| count.parse().unwrap())
 }
 
 /// Up to three layers, some sliding, moduli over twelve decades, on a half-space or a rigid base.
@@ -156,7 +164,7 @@ fn stiffening(relief: Relief) -> Relief {
     }
 }
 
-/// One model that is its own mirror image in both axes, on a grid of an even number of elements per side, under a force
+/// One model that is its own mirror image in y, mostly in x too, on a grid of an even number of elements per side, under a force
 /// of one of five decades.
 fn mirrored_model(random: &mut Random, tables: &Arc<RadialTables>) -> (SampledModel, Model, Load) {
     let (side, elements) = (random.decades(1e-2, 10.0), 2 * (4 + random.below(29)));
@@ -182,8 +190,10 @@ fn mirrored_model(random: &mut Random, tables: &Arc<RadialTables>) -> (SampledMo
         }
     };
     let length = side * random.decades(0.1, 10.0);
-    let indenter: Indenter = match random.below(4) {
+    let indenter: Indenter = match random.below(6) {
         0 | 1 => Paraboloid::new(length).unwrap().into(),
+        4 => Pyramid::berkovich(length).unwrap().into(),
+        5 => Pyramid::new(5, 1.2, 0.01 * length).unwrap().into(),
         2 => FlatPunch::new(side * (0.1 + 0.3 * random.unit()))
             .unwrap()
             .into(),
@@ -206,7 +216,7 @@ fn mirrored_model(random: &mut Random, tables: &Arc<RadialTables>) -> (SampledMo
 }
 
 #[test]
-fn every_random_mirrored_model_is_certified_on_the_whole_grid_by_its_quadrant() {
+fn every_random_mirrored_model_is_certified_on_the_whole_grid_by_its_sector() {
     let all_tables = all_tables();
     let failures: Vec<String> = (0..problems())
         .into_par_iter()
@@ -215,7 +225,7 @@ fn every_random_mirrored_model_is_certified_on_the_whole_grid_by_its_quadrant() 
             let tables = &all_tables[random.below(all_tables.len())];
             let (sampled, model, load) = mirrored_model(&mut random, tables);
             let (side, elements) = (sampled.grid.side(), sampled.grid.size());
-            assert!(model.is_mirrored());
+            assert_ne!(model.sector(), Sector::Whole);
             let (domain, options) = (Domain::Side(side), SolverOptions::default());
             let path = solve_path(&model, domain, elements, &[load], &options, &mut ());
             let mut problem = model.discretize(&sampled).unwrap().value;
@@ -241,25 +251,72 @@ fn every_random_mirrored_model_is_certified_on_the_whole_grid_by_its_quadrant() 
 
 #[test]
 fn every_random_problem_is_certified_or_refused_with_a_reason() {
-    assert_certified(|random, tables| Some(problem(random, tables)));
+    assert_certified(problems(), |random, tables| Some(problem(random, tables)));
 }
 
 #[test]
 fn every_random_problem_in_a_periodic_cell_is_certified() {
-    assert_certified(periodic_problem);
+    assert_certified(problems(), periodic_problem);
 }
 
 #[test]
 fn every_random_problem_on_springs_that_stiffen_is_certified() {
-    assert_certified(stiffening_problem);
+    assert_certified(problems(), stiffening_problem);
+}
+
+#[test]
+fn every_random_problem_with_a_hardness_is_certified_or_refused_with_a_reason() {
+    assert_certified_or_beyond_hardness(|random, tables| Some(problem(random, tables)));
+}
+
+#[test]
+fn every_random_problem_with_a_hardness_in_a_periodic_cell_is_certified_or_refused() {
+    assert_certified_or_beyond_hardness(periodic_problem);
+}
+
+#[test]
+fn every_random_problem_with_a_hardness_on_springs_that_stiffen_is_certified_or_refused() {
+    assert_certified_or_beyond_hardness(stiffening_problem);
+}
+
+/// The same with a hardness of up to two decades below the elastic peak: most are certified, and the others refused
+/// for a force that the hardness does not carry.
+fn assert_certified_or_beyond_hardness(
+    problem: impl Fn(&mut Random, &RadialTables) -> Option<(DiscreteProblem, Load)> + Sync,
+) {
+    let (at_limit, beyond) = (AtomicU64::new(0), AtomicU64::new(0));
+    assert_certified(problems_or(100), |random, tables| {
+        let (mut problem, load) = problem(random, tables)?;
+        let elastic = outcome(&mut problem, load).ok()?;
+        let peak = elastic.pressure.iter().copied().fold(0.0, f64::max);
+        let hardness = peak * random.decades(1e-2, 1.0);
+        let problem = problem.with_hardness(hardness).ok()?;
+        let touchable = problem.initial_gap().iter().filter(|gap| gap.is_finite());
+        let most = hardness * problem.element_area() * touchable.count() as f64;
+        if matches!(load, Load::Force(force) if force > most) {
+            beyond.fetch_add(1, Ordering::Relaxed);
+            let mut problem = problem;
+            let refused = outcome(&mut problem, load);
+            assert!(matches!(refused, Err(ContactError::BeyondHardness { .. })));
+            return None;
+        }
+        at_limit.fetch_add(1, Ordering::Relaxed);
+        Some((problem, load))
+    });
+    let (at_limit, beyond) = (at_limit.into_inner(), beyond.into_inner());
+    assert!(
+        at_limit > beyond,
+        "{at_limit} at the limit, {beyond} beyond"
+    );
 }
 
 /// Solves a problem of each seed, where there is one.
 fn assert_certified(
+    problems: u64,
     problem: impl Fn(&mut Random, &RadialTables) -> Option<(DiscreteProblem, Load)> + Sync,
 ) {
     let all_tables = all_tables();
-    let failures: Vec<String> = (0..problems())
+    let failures: Vec<String> = (0..problems)
         .into_par_iter()
         .filter_map(|seed| {
             let mut random = Random(seed.wrapping_mul(0x2545_f491_4f6c_dd1d));
@@ -277,6 +334,6 @@ fn assert_certified(
             }
         })
         .collect();
-    let count = format!("{} of {}", failures.len(), problems());
+    let count = format!("{} of {}", failures.len(), problems);
     assert!(failures.is_empty(), "{count}\n{}", failures.join("\n"));
 }

@@ -282,7 +282,16 @@ fn along_null_directions_the_penetration_stands_still() {
         for direction in directions {
             let parameters: Vec<ModelParameter> = direction.iter().map(|(of, _)| *of).collect();
             let derivatives = model.derivatives(&parameters).unwrap();
-            let found = derivatives.of_path(&path).unwrap().at(0);
+            let sensitivities = derivatives.of_path(&path).unwrap();
+            let found = sensitivities.at(0);
+            // The energies alone are the same numbers.
+            let energies = sensitivities.energies(0);
+            assert!(
+                energies
+                    .iter()
+                    .zip(&found)
+                    .all(|(energy, found)| energy.to_bits() == found.energy.to_bits())
+            );
             let changes = direction.iter().zip(&found);
             let changes: Vec<f64> = changes
                 .map(|((_, change), found)| change * found.penetration.unwrap())

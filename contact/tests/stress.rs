@@ -7,7 +7,7 @@ use std::sync::Arc;
 use approx::assert_relative_eq;
 use pellicle_contact::{
     BodyPart, BodyStrengths, Criterion, CriticalLoad, Domain, FlatPunch, Indenter, InterfacePart,
-    InterfaceStrengths, Load, LoadingPath, Model, Paraboloid, Sliding, SolverOptions,
+    InterfaceStrengths, Load, LoadingPath, Model, Paraboloid, Profile, Sliding, SolverOptions,
     StressExtremes, StressField, StressModel, critical_loads, reference::hertz, solve_path,
     stress_extremes,
 };
@@ -278,6 +278,40 @@ fn the_stress_at_the_rim_of_a_punch_is_not_resolved() {
         extreme.at[2] < path.grid.element_side() && !extreme.resolved,
         "{extreme:?}"
     );
+}
+
+/// Two paraboloids side by side, of these radii.
+#[derive(Debug)]
+struct Pair([f64; 2]);
+
+impl Profile for Pair {
+    fn height(&self, x: f64, y: f64) -> f64 {
+        let [left, right] = self.0;
+        let over = |x: f64, radius: f64| (x * x + y * y) / (2.0 * radius);
+        over(x + 0.3, left).min(over(x - 0.3, right))
+    }
+}
+
+#[test]
+fn of_two_contacts_almost_alike_the_one_under_more_stress_is_found() {
+    for (radii, side) in [([1.0, 1.005], -1.0), ([1.005, 1.0], 1.0)] {
+        let model = model(&half_space(), Indenter::custom(Pair(radii)));
+        let loads = [Load::Penetration(5e-3), Load::Penetration(-1e-3)];
+        let options = SolverOptions::default();
+        let domain = Domain::Side(1.0);
+        let path = solve_path(&model, domain, 64, &loads, &options, &mut ()).unwrap();
+        let stress = whole(BodyStrengths::default());
+        let body = &stress_extremes(&path, 0, &stress).unwrap().bodies[0];
+        for extreme in [body.max_von_mises, body.max_shear, body.min_principal] {
+            assert!((extreme.at[0] - 0.3 * side).abs() < 0.02, "{extreme:?}");
+        }
+        // Without contact there is no stress.
+        let body = &stress_extremes(&path, 1, &stress).unwrap().bodies[0];
+        for extreme in [body.max_von_mises, body.max_principal] {
+            assert_eq!((extreme.value, extreme.estimate), (0.0, Some(0.0)));
+            assert!(extreme.resolved);
+        }
+    }
 }
 
 fn critical(model: &Model, elements: usize, force: f64, stress: &StressModel) -> Vec<CriticalLoad> {

@@ -9,8 +9,8 @@
 use std::sync::Arc;
 
 use pellicle_contact::{
-    Domain, Indenter, Load, LoadingPath, Model, Paraboloid, SolverOptions, Step, Warning,
-    model_warnings, solve_path,
+    Cone, Domain, Indenter, Load, LoadingPath, Model, Paraboloid, PeakPlace, SolverOptions, Step,
+    Warning, model_warnings, solve_path,
 };
 use pellicle_influence::{Cache, RadialTables};
 use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
@@ -103,6 +103,20 @@ fn the_summary_is_what_the_pressure_says() {
     assert_eq!(found.elements_to_edge, nearest);
     assert_eq!(found.max_pressure.to_bits(), peak.to_bits());
     assert_eq!(found.max_pressure_at, place(peak_at));
+    assert_eq!(found.peak_place, PeakPlace::Outline);
+}
+
+#[test]
+fn the_largest_pressure_lies_inside_under_a_ball_and_at_the_tip_of_a_cone() {
+    let bare = model(&[], Relief::Bare);
+    let cone = Model {
+        indenter: Cone::new(1.4, 0.0).unwrap().into(),
+        ..bare.clone()
+    };
+    for (model, wanted) in [(bare, PeakPlace::Inside), (cone, PeakPlace::IndenterEdge)] {
+        let path = solve(&model, 0.4, 32, Load::Force(1e-3));
+        assert_eq!(last(&path).summary.peak_place, wanted);
+    }
 }
 
 #[test]
@@ -264,7 +278,8 @@ fn a_peak_that_changes_with_the_grid_is_doubted_by_how_much() {
 
 #[test]
 fn a_contact_near_the_edge_is_doubted_by_the_elements_between() {
-    for radius in [0.1_f64, 0.16, 0.18, 0.25] {
+    let mut seen = Vec::new();
+    for radius in [0.1_f64, 0.16, 0.17, 0.18, 0.25] {
         let force = Load::Force(4.0 / 3.0 * radius.powi(3));
         let path = solve(&model(&[], Relief::Bare), 0.4, 40, force);
         let pressure = &last(&path).solution.pressure;
@@ -273,6 +288,7 @@ fn a_contact_near_the_edge_is_doubted_by_the_elements_between() {
             .flat_map(|e| [e / 40, e % 40, 39 - e / 40, 39 - e % 40])
             .min();
         let nearest = nearest.unwrap();
+        seen.push(nearest);
         if nearest == 0 {
             assert_said_of_the_last_step(&path, "cut-off", 0.0);
             assert!(numbers(&path, "domain-edge").is_empty());
@@ -282,4 +298,8 @@ fn a_contact_near_the_edge_is_doubted_by_the_elements_between() {
             assert!(numbers(&path, "domain-edge").is_empty());
         }
     }
+    assert!(
+        [0, 2, 3].iter().all(|nearest| seen.contains(nearest)),
+        "{seen:?}"
+    );
 }

@@ -10,7 +10,7 @@ use pellicle_contact::{
 use pellicle_identify::{
     ContactCurve, ContactCurves, CurveOptions, ForceScale, ForwardModel, Observable, Prediction,
 };
-use pellicle_influence::{Cache, ElasticBodies, ElasticParameter};
+use pellicle_influence::{Cache, ElasticBodies, ElasticParameter, Sector};
 use pellicle_kernel::{Foundation, FoundationParameter, Material};
 use pellicle_texture::{Film, Relief, ReliefParameter};
 
@@ -163,6 +163,30 @@ fn hertz_is_met_with_slope_and_derivatives() {
             // Extrapolated from 64 and 32 elements a side; 1.8e-4 by the radius.
             assert!(error.abs() < 2.5e-4, "{quantity} at {force}: {error:e}");
         }
+    }
+}
+
+/// What a load costs is products, and elements of the sector that they are of.
+#[test]
+fn a_berkovich_curve_takes_hardly_more_products_than_a_paraboloids_and_those_on_half_a_grid() {
+    let paraboloid = || Indenter::from(Paraboloid::new(RADIUS).unwrap());
+    let berkovich = || Indenter::from(Pyramid::berkovich(0.2e-6).unwrap());
+    let bare = ElasticBodies::from(Foundation::half_space(material(10e9, 0.3)));
+    for bodies in [bare, coat(0.5e-6)] {
+        let [quadrant, half] = [paraboloid(), berkovich()].map(|indenter| {
+            let model = model(&bodies, Relief::Bare, indenter);
+            let curves = curves(&model, Observable::DepthAtForce, forces(), &[]);
+            curves.predict(&[]).unwrap();
+            (
+                model.sector(),
+                curves.loads_solved(),
+                curves.operator_applications(),
+            )
+        });
+        assert_eq!((quadrant.0, half.0), (Sector::Quadrant, Sector::Half));
+        assert_eq!(quadrant.1, half.1);
+        // 112 and 125 for 105 and 104.
+        assert!(4 * half.2 <= 5 * quadrant.2, "{half:?} {quadrant:?}");
     }
 }
 

@@ -94,8 +94,8 @@ pub use element::{direct, love};
 pub use error::InfluenceError;
 pub use filter::{PeriodicFilter, PeriodicSymbol};
 pub use operator::{
-    ConvolutionOperator, DenseOperator, ElasticOperator, PeriodicOperator, QuadrantOperator,
-    WindowOperator,
+    ConvolutionOperator, DenseOperator, ElasticOperator, HalfOperator, PeriodicOperator,
+    QuadrantOperator, ScatteredOperator, WindowOperator, scattered_work,
 };
 pub use radial::{CoefficientDerivative, RadialTables};
 pub use sector::Sector;

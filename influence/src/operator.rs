@@ -1,13 +1,16 @@
-//! The product `K p`: by convolution on the whole grid or a quadrant of it, on a periodic cell, or summed directly.
+//! The product `K p`: by convolution on the whole grid, a half or a quadrant of it, on a periodic cell, among scattered
+//! elements, or summed directly.
 
 mod convolution;
 mod dense;
 mod elastic;
 mod periodic;
+mod scattered;
 mod spectrum;
 
-pub use convolution::{ConvolutionOperator, QuadrantOperator, WindowOperator};
+pub use convolution::{ConvolutionOperator, HalfOperator, QuadrantOperator, WindowOperator};
 pub use dense::DenseOperator;
 pub use elastic::ElasticOperator;
 pub use periodic::PeriodicOperator;
+pub use scattered::{ScatteredOperator, scattered_work};
 pub(crate) use spectrum::{QuarterTransform, Spectrum};

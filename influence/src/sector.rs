@@ -1,77 +1,114 @@
-//! The part of a grid that stands for all of it: a quadrant, where everything is symmetric in x and y.
+//! The part of a grid that stands for all of it, where everything is symmetric: in y a half, in x and y a quadrant.
 
 use rayon::prelude::*;
 
 /// The part of a grid whose elements a problem is solved on.
+///
+/// Its size is the number of elements of a row; a half of a grid has twice as many rows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Sector {
     /// The whole grid.
     Whole,
+    /// The elements at y > 0 of a grid of an even number per side, each of which stands for its mirror image too. The
+    /// first of every row lies at the axis.
+    Half,
     /// The elements at x, y > 0 of a grid of an even number per side, each of which stands for its three mirror images
     /// too. Element (0, 0) lies at the axis.
     Quadrant,
 }
 
 impl Sector {
+    /// Whether elements have mirror images along x, and along y.
+    #[must_use]
+    pub fn mirrored(self) -> [bool; 2] {
+        match self {
+            Self::Whole => [false, false],
+            Self::Half => [false, true],
+            Self::Quadrant => [true, true],
+        }
+    }
+
+    /// Number of such parts along each axis of the grid.
+    #[must_use]
+    pub fn parts(self) -> [usize; 2] {
+        self.mirrored().map(|mirrored| 1 + usize::from(mirrored))
+    }
+
     /// Elements of the whole grid that one element stands for, itself included.
     #[must_use]
     pub fn images(self) -> usize {
-        match self {
-            Self::Whole => 1,
-            Self::Quadrant => 4,
-        }
+        self.parts().iter().product()
     }
 
-    /// Number of such parts along one axis of the grid.
+    /// Elements per side of a square of the whole grid, of which `size` elements of each row are the sector's.
     #[must_use]
-    pub fn parts(self) -> usize {
-        match self {
-            Self::Whole => 1,
-            Self::Quadrant => 2,
-        }
+    pub fn whole(self, size: usize) -> usize {
+        let [_, parts] = self.parts();
+        parts * size
     }
 
-    /// Index along an axis, on a grid of `size` elements per side, of the first element.
+    /// The size that holds its part of a square of so many elements per side.
     #[must_use]
-    pub fn first_index(self, size: usize) -> usize {
-        size - size / self.parts()
+    pub fn size_for(self, side: usize) -> usize {
+        let [_, parts] = self.parts();
+        side.div_ceil(parts)
     }
 
-    /// Lines of elements beyond the first, of `reach` looked at, that are mirror images of those on this side.
+    /// Rows of the sector, and elements of each, the `size`.
     #[must_use]
-    pub fn mirrored_lines(self, reach: usize) -> usize {
-        match self {
-            Self::Whole => 0,
-            Self::Quadrant => reach,
-        }
+    pub fn lengths(self, size: usize) -> [usize; 2] {
+        self.parts().map(|parts| self.whole(size) / parts)
+    }
+
+    /// Index along each axis, on a grid of `size` elements per side, of the first element.
+    #[must_use]
+    pub fn first_index(self, size: usize) -> [usize; 2] {
+        self.parts().map(|parts| size - size / parts)
+    }
+
+    /// Lines of elements before the first along each axis, of `reach` looked at, that are mirror images of those on
+    /// this side.
+    #[must_use]
+    pub fn mirrored_lines(self, reach: usize) -> [usize; 2] {
+        self.mirrored()
+            .map(|mirrored| if mirrored { reach } else { 0 })
     }
 
     /// The first, by index, of the elements that an element stands for on a grid of `size` elements per side.
     #[must_use]
     pub fn first_image(self, element: [usize; 2], size: usize) -> [usize; 2] {
-        match self {
-            Self::Whole => element,
-            Self::Quadrant => element.map(|i| size / 2 - 1 - i),
-        }
+        let image = |axis: usize| {
+            if self.mirrored()[axis] {
+                size / 2 - 1 - element[axis]
+            } else {
+                element[axis]
+            }
+        };
+        [image(0), image(1)]
     }
 
     /// The first of the points that a point of the sector stands for.
     #[must_use]
     pub fn first_image_of_point(self, point: [f64; 2]) -> [f64; 2] {
-        match self {
-            Self::Whole => point,
-            Self::Quadrant => point.map(|x| 0.0 - x),
-        }
+        let image = |axis: usize| {
+            if self.mirrored()[axis] {
+                0.0 - point[axis]
+            } else {
+                point[axis]
+            }
+        };
+        [image(0), image(1)]
     }
 
     /// The sector's part of a field on a grid of `size` elements per side.
     #[must_use]
     pub fn cut<T: Copy + Default + Send + Sync>(self, field: &[T], size: usize) -> Vec<T> {
-        let (part, first) = (size / self.parts(), self.first_index(size));
-        let mut values = vec![T::default(); part * part];
-        let rows = field.par_chunks_exact(size).skip(first);
+        let [above, left] = self.first_index(size);
+        let [rows, part] = [size - above, size - left];
+        let mut values = vec![T::default(); rows * part];
+        let rows = field.par_chunks_exact(size).skip(above);
         let rows = values.par_chunks_exact_mut(part).zip(rows);
-        rows.for_each(|(values, row)| values.copy_from_slice(&row[first..]));
+        rows.for_each(|(values, row)| values.copy_from_slice(&row[left..]));
         values
     }
 }
@@ -87,6 +124,21 @@ mod tests {
         assert_eq!(Sector::Quadrant.cut(&whole, 4), [1.0, 2.0, 3.0, 4.0]);
         let images = [[0, 0], [0, 1], [1, 0], [1, 1]].map(|at| Sector::Quadrant.first_image(at, 4));
         assert_eq!(images, [[1, 1], [1, 0], [0, 1], [0, 0]]);
+    }
+
+    #[test]
+    fn a_half_is_cut_from_its_two_images() {
+        let whole = [[2.0, 1.0, 1.0, 2.0], [4.0, 3.0, 3.0, 4.0]].concat();
+        let whole = [whole.clone(), whole].concat();
+        let half = Sector::Half;
+        assert_eq!(
+            half.cut(&whole, 4),
+            [1.0, 2.0, 3.0, 4.0, 1.0, 2.0, 3.0, 4.0]
+        );
+        assert_eq!((half.lengths(2), half.images()), ([4, 2], 2));
+        let images = [[0, 0], [3, 1]].map(|at| half.first_image(at, 4));
+        assert_eq!(images, [[0, 1], [3, 0]]);
+        assert_eq!(half.first_image_of_point([1.0, 2.0]), [1.0, -2.0]);
     }
 
     #[test]

@@ -6,7 +6,8 @@ use crate::bodies::ElasticBodies;
 use crate::coefficient_table::CoefficientTable;
 use crate::filter::PeriodicSymbol;
 use crate::operator::{
-    ConvolutionOperator, ElasticOperator, PeriodicOperator, QuadrantOperator, WindowOperator,
+    ConvolutionOperator, ElasticOperator, HalfOperator, PeriodicOperator, QuadrantOperator,
+    ScatteredOperator, WindowOperator,
 };
 use crate::sector::Sector;
 use crate::transform::half_length;
@@ -88,7 +89,7 @@ impl SurfaceElasticity {
         ConvolutionOperator::windowed(&self.table, size)
     }
 
-    /// `K p` on a sector of `size` × `size` elements.
+    /// `K p` on a sector of `size` elements a row.
     ///
     /// # Panics
     /// As [`Self::operator`], or [`QuadrantOperator::new`].
@@ -96,6 +97,7 @@ impl SurfaceElasticity {
     pub fn operator_on(&self, sector: Sector, size: usize) -> Box<dyn ElasticOperator> {
         match sector {
             Sector::Whole => Box::new(self.operator(size)),
+            Sector::Half => Box::new(HalfOperator::new(&self.table, size)),
             Sector::Quadrant => Box::new(QuadrantOperator::new(&self.table, size)),
         }
     }
@@ -114,8 +116,8 @@ impl SurfaceElasticity {
         PeriodicOperator::new(&self.bodies, self.table.element_side(), size)
     }
 
-    /// `K p` on a sector of `shown` × `shown` elements for pressures on a window of `size` × `size`, the first of which
-    /// is the element `origin`.
+    /// `K p` on a sector of `shown` elements a row for pressures on a window of `size`, the first of which is the
+    /// element `origin`.
     ///
     /// # Panics
     /// As [`WindowOperator::new`].
@@ -127,6 +129,16 @@ impl SurfaceElasticity {
         size: usize,
     ) -> WindowOperator {
         WindowOperator::new(&self.table, (sector, shown), origin, size)
+    }
+
+    /// `K p` among some elements, by their ascending indices, of a window of `size` × `size`; none where the window is too
+    /// small to be worth it.
+    ///
+    /// # Panics
+    /// As [`ScatteredOperator::new`].
+    #[must_use]
+    pub fn among(&self, size: usize, elements: &[u32]) -> Option<ScatteredOperator> {
+        ScatteredOperator::new(&self.table, size, elements)
     }
 
     /// The analytic symbol on a periodic grid of `size` × `size` elements, for preconditioners.

@@ -4,6 +4,7 @@
 pub(crate) mod cosine;
 mod even;
 mod fourier;
+mod half;
 mod lines;
 mod mirror;
 mod padding;
@@ -11,6 +12,7 @@ mod plane;
 
 pub(crate) use even::EvenLines;
 pub(crate) use fourier::FourierLines;
+pub(crate) use half::HalfLines;
 pub(crate) use lines::Lines;
 pub(crate) use mirror::{LINES, MirrorTransform};
 pub(crate) use padding::half_length;

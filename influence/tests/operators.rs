@@ -3,8 +3,8 @@
 use std::iter::successors;
 
 use pellicle_influence::{
-    CoefficientTable, ConvolutionOperator, DenseOperator, ElasticOperator, QuadrantOperator,
-    Sector, WindowOperator, love,
+    CoefficientTable, ConvolutionOperator, DenseOperator, ElasticOperator, HalfOperator,
+    QuadrantOperator, Sector, WindowOperator, love,
 };
 use pellicle_kernel::Material;
 
@@ -95,6 +95,50 @@ fn a_quadrant_moves_as_the_whole_surface_does() {
                 // Rounding of two transforms.
                 let bound = 1e-14 * largest(&expected);
                 assert!(largest(&difference) < bound, "{loaded} of {size}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_half_moves_as_the_whole_surface_does() {
+    let unfolded = |half: &[f64], size: usize| -> Vec<f64> {
+        let along = |j: usize| if j < size { size - 1 - j } else { j - size };
+        let elements = 0..4 * size * size;
+        elements
+            .map(|e| half[e / (2 * size) * size + along(e % (2 * size))])
+            .collect()
+    };
+    for size in [1, 2, 3, 5, 8, 9, 31, 64] {
+        let table = steel_table(2 * size);
+        let mut operator = HalfOperator::new(&table, size);
+        for loaded in [1, size.div_ceil(3), size.div_ceil(2), size] {
+            let loads = scattered(2 * loaded * loaded);
+            for above in [0, (size - loaded).div_ceil(2), 2 * (size - loaded)] {
+                let mut pressure = vec![0.0; 2 * size * size];
+                let rows = pressure.chunks_exact_mut(size).skip(above);
+                for (row, loads) in rows.zip(loads.chunks_exact(loaded)) {
+                    row[..loaded].copy_from_slice(loads);
+                }
+                let expected = apply(
+                    &mut ConvolutionOperator::new(&table),
+                    &unfolded(&pressure, size),
+                );
+                let mut under_window =
+                    WindowOperator::new(&table, (Sector::Half, size), [above, 0], loaded);
+                let mut found = [vec![f64::NAN; 2 * size * size], pressure.clone()];
+                for _ in 0..2 {
+                    under_window.apply_into(&loads, &mut found[0]);
+                }
+                operator.apply_into(&pressure, &mut found[1]);
+                for found in found {
+                    let found = unfolded(&found, size);
+                    let difference: Vec<f64> =
+                        found.iter().zip(&expected).map(|(a, b)| a - b).collect();
+                    // Rounding of two transforms.
+                    let bound = 1e-14 * largest(&expected);
+                    assert!(largest(&difference) < bound, "{loaded} of {size}, {above}");
+                }
             }
         }
     }

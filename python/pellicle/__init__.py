@@ -27,6 +27,7 @@ from .errors import (
     KernelError,
     NotCertifiedWarning,
     RunError,
+    StudyWarning,
     TextureError,
 )
 from .fit import Design, Fit, Nuisances, Report, Unknown
@@ -58,9 +59,10 @@ from .judgement import Certificate, Estimate, GridError, ResultWarning, Sensitiv
 from .measurement import Data, Noise, Segment, SpringConstant, Text
 from .operator import ElasticOperator, compliance, influence_coefficients
 from .options import Output, Range, Stress
+from .parameter_study import Study, StudyTable, study
 from .path import Path
 from .problem import DiscreteProblem, Judgement
-from .progress import FitProgress, Progress
+from .progress import FitProgress, Progress, StudyProgress
 from .quantity import Quantity
 from .step import Step
 from .stresses import StressFields
@@ -135,6 +137,10 @@ __all__ = [
     "Step",
     "Stress",
     "StressFields",
+    "Study",
+    "StudyProgress",
+    "StudyTable",
+    "StudyWarning",
     "Surface",
     "Text",
     "TextureError",
@@ -145,4 +151,5 @@ __all__ = [
     "identify",
     "influence_coefficients",
     "plan",
+    "study",
 ]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import io
 from collections.abc import Sequence
 from typing import Any
 
@@ -25,7 +26,7 @@ class Curve(dict[str, npt.NDArray[Any]]):
     @classmethod
     def of_csv(cls, text: str) -> Curve:
         """The columns of the text of a table."""
-        header, *rows = csv.reader(text.splitlines())
+        header, *rows = csv.reader(io.StringIO(text, newline=""))
         cells = zip(*rows, strict=True) if rows else ((),) * len(header)
         return cls(zip(header, map(_column, cells), strict=True))
 

@@ -36,6 +36,7 @@ __all__ = [
     "KernelError",
     "NotCertifiedWarning",
     "RunError",
+    "StudyWarning",
     "TextureError",
 ]
 
@@ -46,6 +47,10 @@ class ArgumentError(Error, ValueError):
 
 class FitWarning(UserWarning):
     """A fit is not to be used: its model does not follow the measurements, or it has not converged."""
+
+
+class StudyWarning(UserWarning):
+    """Cases of a study are invalid, have failed, or are not certified."""
 
 
 class NotCertifiedWarning(UserWarning):

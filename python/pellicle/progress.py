@@ -63,12 +63,40 @@ class FitProgress:
         return f"{self.solved} curves solved" if self.planned is None else f"{self.planned} curves planned"
 
 
+@dataclass(frozen=True, slots=True)
+class StudyProgress:
+    """Where a study stands."""
+
+    finished: int
+    """Cases in its table."""
+    cases: int
+    """Cases in all."""
+
+    @classmethod
+    def of(cls, raw: tuple[int, int]) -> StudyProgress:
+        """The progress of these numbers."""
+        return cls(*raw)
+
+    @property
+    def done(self) -> tuple[int, int | None, str]:
+        """Parts of the work that are finished, parts in all, and what a part is."""
+        return self.finished, self.cases, "case"
+
+    def __str__(self) -> str:
+        return f"{self.finished} of {self.cases} cases"
+
+
 Report: TypeAlias = Callable[[Progress], object]
+StudyReport: TypeAlias = Callable[[StudyProgress], object]
 FitReport: TypeAlias = Callable[[FitProgress], object]
 
 
+Kind: TypeAlias = type[Progress] | type[FitProgress] | type[StudyProgress]
+"""What progress is told as."""
+
+
 class Titled(Protocol):
-    """A case or a fit."""
+    """A case, a fit or a study."""
 
     @property
     def title(self) -> str:
@@ -78,7 +106,7 @@ class Titled(Protocol):
 
 @contextmanager
 def reporting(
-    progress: bool | Callable[[Any], object], of: Titled, kind: type[Progress] | type[FitProgress]
+    progress: bool | Callable[[Any], object], of: Titled, kind: Kind
 ) -> Iterator[Callable[[Any], None]]:
     """A function that passes progress on: to a bar if `progress` is true, or to `progress` itself."""
     if not progress:
@@ -91,7 +119,7 @@ def reporting(
 
 
 def _telling(
-    report: Callable[[Any], object], kind: type[Progress] | type[FitProgress]
+    report: Callable[[Any], object], kind: Kind
 ) -> Callable[[Any], None]:
     """Tells what is new, and nothing twice."""
     last: Any = None
@@ -119,14 +147,14 @@ def _bar(title: str) -> Iterator[Callable[[Any], object]]:
         bar.update((bar.total or 0) - bar.n)
 
 
-def _advance(bar: Any, progress: Progress | FitProgress) -> None:
+def _advance(bar: Any, progress: Progress | FitProgress | StudyProgress) -> None:
     done, bar.total, bar.unit = progress.done
     bar.set_postfix_str(str(progress), refresh=False)
     bar.update(done - bar.n)
     bar.refresh()
 
 
-def _write_line(progress: Progress | FitProgress) -> None:
+def _write_line(progress: Progress | FitProgress | StudyProgress) -> None:
     done, parts, part = progress.done
-    line = f"\r{progress}" if parts is None else f"\r{part} {done + 1}/{parts}, {progress}"
+    line = f"\r{progress}" if not isinstance(progress, Progress) else f"\r{part} {done + 1}/{parts}, {progress}"
     print(line, end="", file=sys.stderr, flush=True)

@@ -98,6 +98,12 @@ class Step:
         return stiffness
 
     @property
+    def rough_contact(self) -> Mapping[str, Any] | None:
+        """Islands, mean gap, and histograms of pressures and gaps, as `summary.json` has them; None without a map."""
+        rough: Mapping[str, Any] | None = self._summary.get("rough_contact")
+        return rough
+
+    @property
     def status(self) -> Literal["certified", "cut-off", "not-converged"]:
         """What the step may be used for; only `"certified"` is good."""
         status: Literal["certified", "cut-off", "not-converged"] = self._summary["status"]

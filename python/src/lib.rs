@@ -16,6 +16,7 @@ mod problem;
 mod process;
 mod run;
 mod solution;
+mod study;
 mod work;
 
 use pyo3::pymodule;
@@ -45,4 +46,6 @@ mod _pellicle {
     use crate::run::Run;
     #[pymodule_export]
     use crate::solution::Solution;
+    #[pymodule_export]
+    use crate::study::{Study, StudyRun, Table};
 }

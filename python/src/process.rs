@@ -14,6 +14,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use pellicle_cli::Failure;
 use pellicle_cli::solved::{MemoryBudget, open_cache};
+use pellicle_cli::studied;
 use pellicle_influence::Cache;
 use pyo3::{PyResult, Python};
 use rayon::{ThreadPool, ThreadPoolBuilder};
@@ -28,6 +29,8 @@ const MOST_IDLE: usize = 8;
 pub struct Shared {
     /// Radial tables and coefficients found so far.
     pub cache: Cache,
+    /// The same for the cases of studies, which leave fewer tables on disk.
+    pub study_cache: Cache,
     /// The memory of all cases.
     pub memory: MemoryBudget,
 }
@@ -47,6 +50,7 @@ impl Process {
             id,
             shared: Arc::new(Shared {
                 cache: open_cache(),
+                study_cache: studied::open_cache(),
                 memory: MemoryBudget::default(),
             }),
             idle: Vec::new(),

@@ -125,7 +125,7 @@ mod tests {
             [-1.0, -1.0, -1.0, 0.0, 0.0, 0.0, -1.0, -1.0, -1.0]
         );
         assert_eq!(
-            relief.sample_quadrant(&grid).compliance(),
+            relief.sample_from(&grid, [1, 1]).compliance(),
             [1.0, 2.0, 1.0, 2.0]
         );
     }

@@ -105,17 +105,20 @@ impl Grid {
         field
     }
 
-    /// A function of the point at the centres of the elements with x, y > 0, row after row, each element's row and
-    /// column counted from the axis; of an odd N those on the axes are among them.
-    pub fn sample_quadrant<T: Copy + Default + Send + Sync>(
+    /// A function of the point at the centres of the elements from a row and a column on, row after row.
+    ///
+    /// # Panics
+    /// If the grid has no such row or column.
+    pub fn sample_from<T: Copy + Default + Send + Sync>(
         &self,
+        [above, left]: [usize; 2],
         function: impl Fn([f64; 2]) -> T + Sync,
     ) -> Vec<T> {
-        let (first, size) = (self.size / 2, self.size.div_ceil(2));
-        let mut field = vec![T::default(); size * size];
-        let rows = field.par_chunks_exact_mut(size).zip(first..self.size);
+        let [rows, columns] = [self.size - above, self.size - left];
+        let mut field = vec![T::default(); rows * columns];
+        let rows = field.par_chunks_exact_mut(columns).zip(above..self.size);
         rows.for_each(|(row, i)| {
-            for (value, j) in row.iter_mut().zip(first..self.size) {
+            for (value, j) in row.iter_mut().zip(left..self.size) {
                 *value = function([self.centre(i), self.centre(j)]);
             }
         });
@@ -164,11 +167,9 @@ mod tests {
                 assert_eq!(grid.sample(is_mirrored, mirrored), expected);
             }
             let other = |[x, y]: [f64; 2]| x - 3.0 * y;
-            let quadrant = grid
-                .centres()
-                .filter(|centre| centre.iter().all(|x| *x >= 0.0));
-            let quadrant: Vec<f64> = quadrant.map(other).collect();
-            assert_eq!(grid.sample_quadrant(other), quadrant);
+            let half = grid.centres().filter(|[_, y]| *y >= 0.0);
+            let half: Vec<f64> = half.map(other).collect();
+            assert_eq!(grid.sample_from([0, size / 2], other), half);
             let expected: Vec<f64> = grid.centres().map(other).collect();
             assert_eq!(grid.sample(false, other), expected);
         }

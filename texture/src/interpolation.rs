@@ -46,11 +46,17 @@ pub(crate) struct Stencil {
 impl Stencil {
     /// The cubic's, at the fraction `t` of the way from sample `before` to the next of so many.
     pub(crate) fn cubic(before: usize, t: f64, samples: usize) -> Self {
-        let mut stencil = Self::empty(before, samples);
         if t == 0.0 {
-            stencil.add(before, 1.0);
-            return stencil;
+            // All points of a grid whose elements are the map's samples.
+            let mut weights = [0.0; MOST];
+            weights[0] = 1.0;
+            return Self {
+                first: before,
+                count: 1,
+                weights,
+            };
         }
+        let mut stencil = Self::empty(before, samples);
         // f = f0 + t² (3 − 2t) (f1 − f0) + t (1 − t)² f0′ − t² (1 − t) f1′
         let rest = 1.0 - t;
         stencil.add(before, 1.0);

@@ -61,14 +61,17 @@ impl Relief {
         )
     }
 
-    /// The same at the elements with x, y > 0 only, in the order of [`Grid::sample_quadrant`].
+    /// The same at the elements from a row and a column on, in the order of [`Grid::sample_from`].
+    ///
+    /// # Panics
+    /// As [`Grid::sample_from`].
     #[must_use]
-    pub fn sample_quadrant(&self, grid: &Grid) -> SampledRelief {
+    pub fn sample_from(&self, grid: &Grid, first: [usize; 2]) -> SampledRelief {
         self.sampled(
-            grid.size().div_ceil(2).pow(2),
-            |cylinders| grid.sample_quadrant(|point| cylinders.contains(point)),
-            |value| grid.sample_quadrant(value),
-            || grid.sample_quadrant(|point| point),
+            first.map(|first| grid.size() - first).iter().product(),
+            |cylinders| grid.sample_from(first, |point| cylinders.contains(point)),
+            |value| grid.sample_from(first, value),
+            || grid.sample_from(first, |point| point),
         )
     }
 
@@ -199,7 +202,7 @@ mod tests {
     use crate::{CylinderSpec, HeightMap, Lattice, MapCompliance};
 
     #[test]
-    fn a_quadrant_is_sampled_as_the_whole_is() {
+    fn a_part_is_sampled_as_the_whole_is() {
         let spec = CylinderSpec {
             lattice: Lattice::Square,
             radius: 0.2,
@@ -218,15 +221,15 @@ mod tests {
         ];
         for (relief, size) in reliefs.iter().flat_map(|relief| [(relief, 8), (relief, 9)]) {
             let grid = Grid::new(3.0, size).unwrap();
-            let (whole, quadrant) = (relief.sample(&grid), relief.sample_quadrant(&grid));
-            let elements = (0..grid.len()).filter(|e| (e / size).min(e % size) >= size / 2);
+            let (whole, found) = (relief.sample(&grid), relief.sample_from(&grid, [2, 4]));
+            let elements = (0..grid.len()).filter(|e| e / size >= 2 && e % size >= 4);
             for (part, e) in elements.enumerate() {
                 let at = |sampled: &SampledRelief, e: usize| {
                     (sampled.mask[e], sampled.profile[e], sampled.compliance[e])
                 };
-                assert_eq!(at(&quadrant, part), at(&whole, e));
+                assert_eq!(at(&found, part), at(&whole, e));
             }
-            assert_eq!(quadrant.mask.len(), size.div_ceil(2).pow(2));
+            assert_eq!(found.mask.len(), (size - 2) * (size - 4));
         }
     }
 

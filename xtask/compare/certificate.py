@@ -1,6 +1,6 @@
 """The same certificate for everyone, from nothing but a saved pressure.
 
-    python certificate.py CASE N PRESSURE_FILE [REFERENCE_FILE]
+    python certificate.py CASE N OPERATOR PRESSURE_FILE [REFERENCE_FILE]
 
 One product with Love's coefficients (1929; uniform pressure on a square), computed here with numpy and scipy and shared
 with no program that is judged. With v = K p + g0, D = sum(p v) / sum(p), g = v - D and L the length of the problem:
@@ -8,18 +8,29 @@ with no program that is judged. With v = K p + g0, D = sum(p v) / sum(p), g = v 
     complementarity = sum(p |g|) / (L sum(p))        gap_in_contact = max over p > 0 of |g| / L
     overlap = max(0, -min g) / L                     load = |h^2 sum(p) - F| / F
 
+`contact` is the part of the elements in contact, `mean_gap` that of g over all elements, relative to L.
+
+Of `periodic` the product is one by the symbol of the cell, without a displacement of the mean. OPERATOR says by which:
+`elements`, pressures constant on each element and displacements at the centres, as of the other problems; or
+`continuum`, the half-space's own 2 / (E* |q|) at the waves that the grid has, as if pressures were waves themselves. A
+program solves one of the two, and is judged by its own.
+
 With a second pressure, `difference` is the largest difference of the two over the largest of the second.
 
 The coefficients of far elements carry rounding errors of about 1e-16 r each: 1e-12 of d_H in g for all of them.
 """
 
 import json
+import math
 import sys
 
 import numpy as np
 import scipy.fft
 
-from problem import MODULUS, Problem
+from problem import MODULUS, SIDE, Problem
+
+# Aliases on either side that the symbol of elements in a cell sums over.
+ALIASES = 32
 
 
 def corner(x, y):
@@ -47,9 +58,45 @@ def displacement(pressure, side):
     return scipy.fft.irfft2(spectrum, s=(2 * n, 2 * n))[:n, :n]
 
 
-def certificate(problem, pressure):
+def alternating_weights(count):
+    """Weights of the terms -count ... count of an alternating series, whose sum then errs by about 2^-count."""
+    tail = np.cumsum([math.comb(count, k) for k in range(count + 1)])[:-1] / 2.0**count
+    return np.concatenate([tail, [1.0], tail[::-1]])
+
+
+def symbol(n, operator):
+    """The displacement of a wave of unit pressure in a cell of n x n elements, the half of it that a real FFT has."""
+    m, k = np.fft.fftfreq(n, 1.0 / n)[:, None], np.arange(n // 2 + 1)[None, :]
+
+    def continuum(m, k):
+        wavenumber = 2.0 * np.pi * np.hypot(m, k) / SIDE
+        return 2.0 / (MODULUS * np.where(wavenumber == 0.0, np.inf, wavenumber))
+
+    if operator == "continuum":
+        return continuum(m, k)
+    # Pressures constant on elements hold each wave and its aliases; the sines of these alternate.
+    total = 0.0
+    weights = alternating_weights(ALIASES)
+    for one, across in zip(weights, range(-ALIASES, ALIASES + 1)):
+        for other, along in zip(weights, range(-ALIASES, ALIASES + 1)):
+            x, y = m + across * n, k + along * n
+            total = total + one * other * continuum(x, y) * np.sinc(x / n) * np.sinc(y / n)
+    total[0, 0] = 0.0
+    return total
+
+
+def displacement_of_cell(pressure, operator):
+    """The displacement from its mean in a periodic cell."""
+    spectrum = scipy.fft.rfft2(pressure) * symbol(len(pressure), operator)
+    return scipy.fft.irfft2(spectrum, s=pressure.shape)
+
+
+def certificate(problem, pressure, operator):
     """The four lines, the smallest pressure, and the penetration that they belong to."""
-    v = displacement(pressure, problem.element_side) + problem.gap
+    if problem.is_periodic:
+        v = displacement_of_cell(pressure, operator) + problem.gap
+    else:
+        v = displacement(pressure, problem.element_side) + problem.gap
     total = pressure.sum()
     penetration = (pressure * v).sum() / total
     gap = v - penetration
@@ -60,19 +107,20 @@ def certificate(problem, pressure):
         "load": abs(total * problem.element_side**2 - problem.force) / problem.force,
         "min_pressure": pressure.min(),
         "penetration": penetration,
-        "contact_elements": int(np.count_nonzero(pressure > 0.0)),
+        "contact": np.count_nonzero(pressure > 0.0) / pressure.size,
+        "mean_gap": gap.mean() / problem.length,
     }
 
 
 def main():
-    case, n, pressure_file, *reference_file = sys.argv[1:]
+    case, n, operator, pressure_file, *reference_file = sys.argv[1:]
     problem = Problem(case, int(n))
     pressure = np.load(pressure_file)
-    lines = certificate(problem, pressure)
+    lines = certificate(problem, pressure, operator)
     for file in reference_file:
         reference = np.load(file)
         lines["difference"] = np.abs(pressure - reference).max() / reference.max()
-    print(json.dumps({name: value if isinstance(value, int) else float(value) for name, value in lines.items()}))
+    print(json.dumps({name: float(value) for name, value in lines.items()}))
 
 
 if __name__ == "__main__":

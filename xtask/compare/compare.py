@@ -22,8 +22,12 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 TOLERANCE = 1e-8
-CASES = ("hertz", "pillars", "rough-0.1", "rough-2.5", "rough-20")
-SMALLEST_ROUGH = 1024
+CASES = ("hertz", "pillars", "rough-0.1", "rough-2.5", "rough-20", "periodic")
+# Elements per side from which a surface is resolved.
+SMALLEST = {"rough": 1024, "periodic": 256}
+# The programs whose periodic cell has the symbol of the continuum, not of constant elements.
+CONTINUUM = ("aspher", "tamaas", "contactmechanics")
+NOT_PERIODIC = ("slippy",)
 THREAD_VARIABLES = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS")
 INSTALLATION_SECONDS = 1800
 # For Pellicle, which is run as often as its rivals are.
@@ -56,7 +60,8 @@ VARIANTS = {
 
 COLUMNS = (
     "case", "n", "threads", "program", "version", "tolerance", "time, s", "fastest, s", "CPU, s", "products",
-    "memory, MiB", "complementarity", "gap in contact", "overlap", "load", "difference", "CPU / Pellicle's",
+    "memory, MiB", "complementarity", "gap in contact", "overlap", "load", "difference", "contact, %", "mean gap",
+    "CPU / Pellicle's",
 )
 TEXTS = ("case", "program", "version")
 
@@ -146,6 +151,8 @@ def contest(problem, workshop, arguments):
         command, missing = workshop[key]
         if problem["threads"] > 1 and key not in THREADED:
             missing = "serial"
+        if problem["case"] == "periodic" and (key in NOT_PERIODIC or "active-set" in options):
+            missing = "no periodic cell"
         return Lane(key, name, tolerance, options, command, missing)
 
     pellicle = lane("pellicle", "Pellicle", TOLERANCE, [])
@@ -179,10 +186,13 @@ def row(lane, problem, pellicle, workshop):
         cells["CPU / Pellicle's"] = f"{statistics.median(lane.pairs or [1.0]):.1f}"
     python, _ = workshop["the-certificate"]
     if python:
-        command = [*python, HERE / "certificate.py", problem["case"], problem["n"], lane.pressure, pellicle.pressure]
+        operator = "continuum" if lane.key in CONTINUUM else "elements"
+        posed = [problem["case"], problem["n"], operator]
+        command = [*python, HERE / "certificate.py", *posed, lane.pressure, pellicle.pressure]
         lines = json.loads(subprocess.run(list(map(str, command)), capture_output=True, text=True, check=True).stdout)
         for name in ("complementarity", "gap_in_contact", "overlap", "load", "difference"):
             cells[name.replace("_", " ")] = f"{lines[name]:.1e}"
+        cells["contact, %"], cells["mean gap"] = f"{100.0 * lines['contact']:.4g}", f"{lines['mean_gap']:.5g}"
     return cells
 
 
@@ -214,7 +224,7 @@ def write(rows, missing, folder):
 
 def posed(case, n, threads, python, scratch):
     """A problem with what Pellicle's driver must be told of it: the rough gap as a file, and its mean pressure."""
-    problem = {"case": case, "n": n, "threads": threads, "settings": {}, "mirrored": not case.startswith("rough")}
+    problem = {"case": case, "n": n, "threads": threads, "settings": {}, "mirrored": kind(case) not in SMALLEST}
     if not problem["mirrored"]:
         gap = scratch / f"{case}-{n}.gap.npy"
         script = "import sys, numpy; from problem import Problem; p = Problem(sys.argv[1], int(sys.argv[2]));"
@@ -225,8 +235,12 @@ def posed(case, n, threads, python, scratch):
     return problem
 
 
-def listed(kind):
-    return lambda text: [kind(item) for item in text.split(",")]
+def kind(case):
+    return case.split("-")[0]
+
+
+def listed(of):
+    return lambda text: [of(item) for item in text.split(",")]
 
 
 def main():
@@ -263,7 +277,7 @@ def main():
     rows = []
     for case in arguments.cases:
         for n in arguments.sizes:
-            if case.startswith("rough") and n < SMALLEST_ROUGH:
+            if n < SMALLEST.get(kind(case), 0):
                 continue
             for threads in arguments.threads:
                 tell(f"{case}, n = {n}, {threads} threads")

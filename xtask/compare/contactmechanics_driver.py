@@ -1,4 +1,4 @@
-"""ContactMechanics: its constrained conjugate gradients on its free (non-periodic) half-space.
+"""ContactMechanics: its constrained conjugate gradients on its free (non-periodic) half-space, or its periodic one.
 
 Its tolerances are absolute: a gap, a force on an element and a relative change of the total force. One relative
 tolerance is turned into all three by the problem's length and peak pressure. The package of PyPI is serial.
@@ -18,8 +18,10 @@ LONGEST = 20000
 
 def setup(problem, tolerance, threads):
     sides = (SIDE, SIDE)
-    half_space = ContactMechanics.FreeFFTElasticHalfSpace((problem.n, problem.n), MODULUS, sides)
-    surface = Topography(-problem.gap, physical_sizes=sides)
+    is_periodic = problem.is_periodic
+    body = ContactMechanics.PeriodicFFTElasticHalfSpace if is_periodic else ContactMechanics.FreeFFTElasticHalfSpace
+    half_space = body((problem.n, problem.n), MODULUS, sides)
+    surface = Topography(-problem.gap, physical_sizes=sides, periodic=is_periodic)
     return problem, tolerance, ContactMechanics.make_system(substrate=half_space, surface=surface)
 
 

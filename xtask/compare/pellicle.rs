@@ -4,7 +4,7 @@
 //! compare-pellicle CASE N THREADS TOLERANCE PRESSURE_FILE [--whole-grid]
 //! ```
 //!
-//! The problems are those of `problem.py`; the gap of `rough` is read from the file that `GAP_FILE` names. The
+//! The problems are those of `problem.py`; the gap of `rough` and of `periodic` is read from the file that `GAP_FILE` names. The
 //! certificate, which is computed from `problem.py` alone, holds the two definitions together.
 
 #![expect(clippy::print_stdout, reason = "its one line of JSON is its result")]
@@ -59,7 +59,8 @@ fn main() -> Result<(), DriverError> {
         .build()?;
     pool.install(|| solve("hertz", WARM_UP_ELEMENTS, None, &options))?;
 
-    let gap = case.starts_with("rough").then(read_gap).transpose()?;
+    let is_measured = case.starts_with("rough") || case == "periodic";
+    let gap = is_measured.then(read_gap).transpose()?;
     let (clock, cpu) = (Instant::now(), cpu_seconds());
     let path = pool.install(|| solve(case, elements, gap, &options))?;
     let (total_seconds, cpu) = (
@@ -120,7 +121,11 @@ fn solve(
         indenter,
         cache: Cache::none(),
     };
-    let domain = Domain::Side(SIDE);
+    let domain = if case == "periodic" {
+        Domain::Periodic(SIDE)
+    } else {
+        Domain::Side(SIDE)
+    };
     let loads = [Load::Force(force)];
     Ok(solve_path(
         &model,

@@ -1,8 +1,8 @@
 """The problems on which the programs are compared, defined exactly; the fields need numpy.
 
 Everything is dimensionless: a rigid body on a homogeneous half-space of plane-strain modulus E* = 1. The pressure acts
-inside the square [-1/2, 1/2]^2 only, on n x n square elements, constant on each; the half-space is infinite, nothing is
-periodic.
+inside the square [-1/2, 1/2]^2 only, on n x n square elements, constant on each; the half-space is infinite, and only
+`periodic` repeats itself.
 
     hertz    a paraboloid of radius R = 1, g0 = r^2 / (2 R), under the force F = 4 E* a^3 / (3 R) of the Hertzian contact
              radius a = 0.15
@@ -12,6 +12,8 @@ periodic.
     rough-P  a self-affine surface: waves of whole numbers (m, n) a side with 12 <= k = |(m, n)| <= 338, amplitude as
              k^-(1 + H), H = 0.8, phases drawn from a fixed seed, rms height 0.02 of the side, under the mean pressure
              that brings P percent of the square into contact; for n >= 1024
+    periodic the same with 4 <= k <= 64 under the mean pressure 0.05, and the square is one cell of many in both
+             directions; for n >= 256
 
 Errors are relative to `length`: the Hertzian approach d_H = a^2 / R, or the rms height. pellicle.rs is the same
 definition of hertz and pillars for Pellicle, which reads the gap of rough.
@@ -29,12 +31,13 @@ ELEMENTS_PER_PERIOD = 16
 RADIUS_OVER_PERIOD = 0.4
 
 SEED = 18
-LONGEST_WAVE, SHORTEST_WAVE = 12, 338
 HURST = 0.8
 RMS_HEIGHT = 0.02 * SIDE
 # The mean pressure over the square for each percentage in contact, found with Pellicle at n = 1024.
-MEAN_PRESSURE = {"rough-0.1": 1.85e-3, "rough-2.5": 0.05, "rough-20": 0.49}
-SMALLEST_ROUGH = 1024
+MEAN_PRESSURE = {"rough-0.1": 1.85e-3, "rough-2.5": 0.05, "rough-20": 0.49, "periodic": 0.05}
+# The longest and the shortest wave in waves a side, and the elements per side that resolve them.
+WAVES = {"rough": (12, 338), "periodic": (4, 64)}
+SMALLEST = {"rough": 1024, "periodic": 256}
 
 CASES = ("hertz", "pillars", *MEAN_PRESSURE)
 
@@ -46,13 +49,14 @@ class Problem:
         self.case, self.n = case, n
         self.element_side = SIDE / n
         if case in MEAN_PRESSURE:
-            self.gap, self.length = rough(n), RMS_HEIGHT
+            self.gap, self.length = rough(case.split("-")[0], n), RMS_HEIGHT
             self.force, self.peak_pressure = MEAN_PRESSURE[case] * SIDE**2, MODULUS
         else:
             self.gap = paraboloid(n) + (valleys(n) if case == "pillars" else 0.0)
             self.length = HERTZ_APPROACH
             self.force = 4.0 * MODULUS * CONTACT_RADIUS**3 / (3.0 * INDENTER_RADIUS)
             self.peak_pressure = 2.0 * MODULUS * CONTACT_RADIUS / (np.pi * INDENTER_RADIUS)
+        self.is_periodic = case == "periodic"
         # the force spread over the whole square, the load that some programs ask for
         self.mean_pressure = self.force / SIDE**2
 
@@ -70,14 +74,15 @@ def valleys(n):
     return np.where(squared > (RADIUS_OVER_PERIOD * period) ** 2, PILLAR_HEIGHT, 0.0)
 
 
-def rough(n):
-    if n < SMALLEST_ROUGH:
-        raise ValueError(f"rough needs n >= {SMALLEST_ROUGH}, got {n}")
-    # Waves -338 ... 338 in both directions: the same surface whatever n is.
-    wave = np.arange(-SHORTEST_WAVE, SHORTEST_WAVE + 1)
+def rough(kind, n):
+    if n < SMALLEST[kind]:
+        raise ValueError(f"{kind} needs n >= {SMALLEST[kind]}, got {n}")
+    longest, shortest = WAVES[kind]
+    # Waves -shortest ... shortest in both directions: the same surface whatever n is.
+    wave = np.arange(-shortest, shortest + 1)
     k = np.hypot(wave[:, None], wave[None, :])
     phase = np.random.default_rng(SEED).uniform(0.0, 2.0 * np.pi, k.shape)
-    inside = (k >= LONGEST_WAVE) & (k <= SHORTEST_WAVE)
+    inside = (k >= longest) & (k <= shortest)
     amplitude = np.where(inside, np.maximum(k, 1.0) ** -(1.0 + HURST), 0.0)
     spectrum = np.zeros((n, n), dtype=complex)
     spectrum[np.ix_(wave, wave)] = amplitude * np.exp(1j * phase)

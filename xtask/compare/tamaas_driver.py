@@ -1,4 +1,4 @@
-"""Tamaas: Polonsky-Keer with pressure as unknown on its non-periodic operator.
+"""Tamaas: Polonsky-Keer with pressure as unknown, on its non-periodic operator or, in a cell, on its own periodic one.
 
 The operator must be registered and also set: with the first call alone it solves the periodic problem. Its tolerance
 bounds its own relative complementarity error; not reaching it is not raised. It does not count products: two an
@@ -43,9 +43,10 @@ def setup(problem, tolerance, threads):
     tamaas.set_log_level(tamaas.LogLevel.warning)
     model = tamaas.Model(tamaas.model_type.basic_2d, [SIDE, SIDE], [problem.n, problem.n])
     model.E, model.nu = MODULUS, 0.0
-    tamaas.ModelFactory.registerNonPeriodic(model, OPERATOR)
     solver = tamaas.PolonskyKeerRey(model, -problem.gap, tolerance)
-    solver.setIntegralOperator(OPERATOR)
+    if not problem.is_periodic:
+        tamaas.ModelFactory.registerNonPeriodic(model, OPERATOR)
+        solver.setIntegralOperator(OPERATOR)
     solver.max_iter, solver.dump_freq = LONGEST, 1
     return problem, tolerance, model, solver
 

@@ -65,9 +65,7 @@ impl GridCase {
         let side = (table.optional("side"))
             .map(|field| field.quantity(Dimension::Length, Sign::Positive))
             .transpose()?;
-        let why = " per side (more do not fit in the memory of a workstation)";
-        let elements = (table.optional("elements"))
-            .map_or(Ok(DEFAULT_ELEMENTS), |field| field.count(ELEMENTS, why))?;
+        let elements = Self::read_elements(table)?;
         let choices = [
             ("free", BoundaryCase::Free),
             ("periodic", BoundaryCase::Periodic),
@@ -82,6 +80,17 @@ impl GridCase {
             elements,
             boundary,
         })
+    }
+
+    /// Reads the elements per side alone.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] if there may not be so many.
+    pub fn read_elements(table: &TableReader<'_>) -> Result<usize, Diagnosis> {
+        let why = " per side (more do not fit in the memory of a workstation)";
+        let elements = table.optional("elements");
+        elements.map_or(Ok(DEFAULT_ELEMENTS), |field| field.count(ELEMENTS, why))
     }
 }
 

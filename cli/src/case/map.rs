@@ -148,6 +148,12 @@ impl MapCase {
         rimmed.unwrap_or_else(|| own.clone())
     }
 
+    /// The map itself.
+    #[must_use]
+    pub fn own(&self) -> &HeightMap {
+        &self.heights
+    }
+
     /// The samples, m, as [`HeightMap::heights`].
     #[must_use]
     pub fn samples(&self) -> &[f64] {

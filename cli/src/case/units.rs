@@ -1,11 +1,14 @@
 //! The system of units of a case.
 
+use serde::{Deserialize, Serialize};
+
 use super::dimension::Dimension;
 use super::document::{TomlNode, TomlValue};
 use super::quantity::dimension_of;
 
 /// The system of units of a case.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Units {
     /// Metres, pascals and newtons: at least one length, pressure or force has a unit.
     Si,

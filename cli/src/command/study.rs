@@ -12,11 +12,14 @@ use crate::progress::in_words;
 use crate::study::Study;
 use crate::study::case_solver::CaseSolver;
 use crate::study::case_status::Tally;
-use crate::study::folder::StudyFolder;
+use crate::study::folder::{self as study_folder, StudyFolder};
 use crate::study::identity::StudyIdentity;
+use crate::study::kept_file::KeptFields;
 use crate::study::plan::StudyPlan;
 use crate::study::progress::{StudyProgress, rate_in_words};
+use crate::study::report as study_report;
 use crate::study::results_table::ResultsTable;
+use crate::study::shard::Shard;
 use crate::study::status::StudyStatus;
 use crate::study::{runner, study_file};
 use crate::{cache, interrupt, output, terminal};
@@ -42,6 +45,9 @@ pub fn study(arguments: &StudyArguments) -> Result<Outcome, Failure> {
     if arguments.status {
         return tell_status(arguments, &folder, &plan.identity);
     }
+    if arguments.report {
+        return write_report(&folder, &plan.identity);
+    }
     let place = StudyFolder::claim(&folder, &plan.identity, arguments.fresh)?;
     if let Some(before) = place.before.as_ref().filter(|_| is_watched(arguments)) {
         terminal::tell(&format!(
@@ -53,12 +59,16 @@ pub fn study(arguments: &StudyArguments) -> Result<Outcome, Failure> {
     let cases = plan.identity.len();
     let to_do = table.remaining(&plan.identity);
     let lines = StudyProgress::new(cases, cases - to_do.count_left(), is_watched(arguments));
+    let memory = MemoryBudget::default();
+    let done = table.tally().done();
+    let kept = KeptFields::open(&folder, &plan.identity, done)?;
     let kit = CaseSolver {
         study: &study,
         columns: &plan.columns,
         cache: cache::open_for_many(),
-        memory: MemoryBudget::default(),
+        memory: &memory,
         folders: arguments.folders.then(|| table.place().cases()),
+        kept: kept.as_ref(),
     };
     let threads = arguments
         .threads
@@ -68,7 +78,11 @@ pub fn study(arguments: &StudyArguments) -> Result<Outcome, Failure> {
     cache::tell_warnings(&kit.cache);
     let (tally, path) = (table.tally(), table.path().to_owned());
     if tally.done() == cases {
+        kept.as_ref().map_or(Ok(()), KeptFields::finish)?;
         table.finish(&plan.identity)?;
+        if plan.identity.shard == Shard::WHOLE {
+            study_report::write(&folder, std::slice::from_ref(&plan.identity))?;
+        }
     }
     report(arguments, tally, &path, cases)
 }
@@ -119,6 +133,30 @@ fn tell_status(
         "{}{parts}{rest}\n",
         words(status.tally, status.cases)
     ))?;
+    Ok(Outcome::Done)
+}
+
+/// Writes the page of the cases done so far, in all parts of the study, and prints where it is.
+fn write_report(folder: &Path, identity: &StudyIdentity) -> Result<Outcome, Failure> {
+    let mut parts = study_folder::identities(folder)?;
+    parts.retain(|part| part.fingerprint == identity.fingerprint);
+    // A merged table has the cases of all parts once more.
+    if let Some(whole) = parts.iter().position(|part| part.shard == Shard::WHOLE) {
+        parts.swap(0, whole);
+        if StudyStatus::read(folder, identity)?.to_do() == 0 {
+            parts.truncate(1);
+        }
+    }
+    let path = folder.join(study_report::FILE);
+    if parts.is_empty() {
+        return Err(Failure::NoParts {
+            path: folder.to_owned(),
+        });
+    }
+    if !study_report::write(folder, &parts)? {
+        return Err(Failure::NotWritten { path });
+    }
+    terminal::print(&format!("{}\n", path.display()))?;
     Ok(Outcome::Done)
 }
 

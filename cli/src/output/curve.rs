@@ -1,8 +1,10 @@
 //! `curve.csv`: one row per loading step, units in the header.
 
+pub mod rough;
 pub mod sensitivity;
 pub mod stress;
 
+use self::rough::RoughColumns;
 use self::sensitivity::SensitivityColumns;
 use self::stress::StressColumns;
 use super::summary::{StepSummary, Summary};
@@ -59,9 +61,15 @@ const COLUMNS: [Column; 13] = [
 pub fn csv(summary: &Summary) -> String {
     let stress = StressColumns::of_steps(summary);
     let sensitivities = SensitivityColumns::of_steps(summary);
+    let rough = RoughColumns::of_steps(summary);
     let row = |(i, step): (usize, &StepSummary)| {
-        let cells = [row(i, step), stress.row(step, &[]), sensitivities.row(step)].concat();
-        cells.join(",") + "\n"
+        let cells = [
+            row(i, step),
+            stress.row(step, &[]),
+            sensitivities.row(step),
+            rough.row(step),
+        ];
+        cells.concat().join(",") + "\n"
     };
     let rows: String = summary.steps.iter().enumerate().map(row).collect();
     let units = summary.units;
@@ -69,6 +77,7 @@ pub fn csv(summary: &Summary) -> String {
         header(units),
         stress.header(units),
         sensitivities.header(units),
+        rough.header(units),
     ]
     .concat();
     names.join(",") + "\n" + &rows

@@ -49,6 +49,20 @@ pub struct NumberField<'a> {
     pub values: &'a [f64],
 }
 
+impl Fields<'_> {
+    /// The fields of no element: their names, units and meanings.
+    pub const EMPTY: Fields<'static> = Fields {
+        side: 0.0,
+        size: 0,
+        pressure: &[],
+        displacement: &[],
+        gap: &[],
+        shortening: &[],
+        profile: &[],
+        mask: &[],
+    };
+}
+
 impl<'a> Fields<'a> {
     /// The fields of a step of a path, the surface that it deforms among them.
     #[must_use]

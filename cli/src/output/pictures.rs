@@ -16,7 +16,8 @@ use crate::picture::field_map::FieldMap;
 use crate::picture::style::Style;
 use crate::picture::subject::Subject;
 use crate::picture::{
-    convergence, curve, pressure_map, pressure_view, section, stress_interfaces, stress_section,
+    convergence, curve, histograms, pressure_map, pressure_view, section, spectrum,
+    stress_interfaces, stress_section,
 };
 
 /// A picture of a loading step.
@@ -28,6 +29,8 @@ pub enum StepPicture {
     Section,
     /// The pressure in three dimensions.
     PressureView,
+    /// The distribution of pressures and gaps.
+    Histograms,
     /// Another field from above.
     Field(FieldMap),
 }
@@ -46,6 +49,9 @@ pub fn of_a_step(summary: &Summary) -> Vec<StepPicture> {
         [false, false] => &[],
     };
     pictures.extend(fields.iter().map(|field| StepPicture::Field(*field)));
+    if summary.has_rough_contact() {
+        pictures.push(StepPicture::Histograms);
+    }
     pictures
 }
 
@@ -55,6 +61,7 @@ impl StepPicture {
             Self::PressureMap => pressure_map::name(step),
             Self::Section => section::name(step),
             Self::PressureView => pressure_view::name(step),
+            Self::Histograms => histograms::name(step),
             Self::Field(field) => field.name(step),
         }
     }
@@ -64,6 +71,7 @@ impl StepPicture {
             Self::PressureMap => pressure_map::draw(subject),
             Self::Section => section::draw(subject),
             Self::PressureView => pressure_view::draw(subject),
+            Self::Histograms => histograms::draw(subject),
             Self::Field(field) => field.draw(subject),
         }
     }
@@ -215,10 +223,21 @@ pub fn run(
     };
     let curve = writer.drawn(curve::NAME, || Ok(curve::draw(summary, style)));
     let convergence = writer.drawn(convergence::NAME, || Ok(convergence::draw(summary, style)));
+    let spectrum = writer.drawn(spectrum::NAME, || Ok(spectrum::draw(summary, style)));
     Ok(RunDrawings {
         curve: one(curve::NAME, curve.flatten())?,
         convergence: one(convergence::NAME, convergence.flatten())?,
+        spectrum: one(spectrum::NAME, spectrum.flatten())?,
     })
+}
+
+/// The pictures of a run as a whole, and whether there is something to draw.
+fn of_a_run(summary: &Summary) -> [(&'static str, bool); 3] {
+    [
+        (curve::NAME, curve::is_drawn(summary)),
+        (convergence::NAME, convergence::is_drawn(summary)),
+        (spectrum::NAME, spectrum::is_drawn(summary)),
+    ]
 }
 
 /// Names of the pictures of some steps, and of the run unless none of it are wanted, without endings.
@@ -227,11 +246,7 @@ pub fn names(summary: &Summary, steps: &[usize], of_run: Steps) -> Vec<String> {
     let pictures = of_a_step(summary);
     let name =
         |step: &usize| -> Vec<_> { pictures.iter().map(|picture| picture.name(*step)).collect() };
-    let run = [
-        (curve::NAME, curve::is_drawn(summary)),
-        (convergence::NAME, convergence::is_drawn(summary)),
-    ];
-    let run = run
+    let run = of_a_run(summary)
         .into_iter()
         .filter(|(_, is)| *is && of_run != Steps::None);
     let run = run.map(|(name, _)| name.to_owned());
@@ -241,7 +256,6 @@ pub fn names(summary: &Summary, steps: &[usize], of_run: Steps) -> Vec<String> {
 /// The number of pictures of the run as a whole.
 #[must_use]
 pub fn count_of_run(summary: &Summary, pictures: Steps) -> usize {
-    let there_are = [curve::is_drawn(summary), convergence::is_drawn(summary)];
-    let count = there_are.into_iter().filter(|is| *is).count();
+    let count = of_a_run(summary).into_iter().filter(|(_, is)| *is).count();
     if pictures == Steps::None { 0 } else { count }
 }

@@ -39,6 +39,8 @@ pub struct RunDrawings {
     pub curve: Option<String>,
     /// Values from grid to grid.
     pub convergence: Option<String>,
+    /// Power over the wavenumber of the maps.
+    pub spectrum: Option<String>,
 }
 
 /// The page, its numbers in words.

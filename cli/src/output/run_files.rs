@@ -13,11 +13,14 @@ use crate::identification::{files, result};
 use crate::planning;
 
 /// Files written once per run, and their endings.
-const OF_A_RUN: [(&str, &[&str]); 2] =
-    [("curve", &["svg", "png"]), ("convergence", &["svg", "png"])];
+const OF_A_RUN: [(&str, &[&str]); 3] = [
+    ("curve", &["svg", "png"]),
+    ("convergence", &["svg", "png"]),
+    ("spectrum", &["svg", "png"]),
+];
 
 /// Files written once per step, by the word before the number of the step, and their endings.
-const OF_A_STEP: [(&str, &[&str]); 12] = [
+const OF_A_STEP: [(&str, &[&str]); 13] = [
     ("fields", &["npz", "vti", "nc"]),
     ("stress", &["npz", "nc", "vtr"]),
     ("stress-section", &["svg", "png"]),
@@ -30,6 +33,7 @@ const OF_A_STEP: [(&str, &[&str]); 12] = [
     ("heights", &["svg", "png"]),
     ("gap", &["svg", "png"]),
     ("displacement", &["svg", "png"]),
+    ("histograms", &["svg", "png"]),
 ];
 
 /// Whether a run writes a file of this name.
@@ -191,6 +195,8 @@ mod tests {
             "curve.svg",
             "report.html",
             "convergence.png",
+            "spectrum.svg",
+            "histograms-003.png",
             "fields-000.npz",
             "pressure-3d-1234.svg",
             "section-007.png",

@@ -1,5 +1,6 @@
 //! `summary.json`: the numbers of a run, also the output of `run --json`.
 
+pub mod roughness;
 pub mod sensitivity;
 pub mod stress;
 mod warning;
@@ -16,6 +17,7 @@ use serde::{Deserialize, Deserializer, Serialize};
 
 use serde_json::Value;
 
+use self::roughness::{RoughContactSummary, RoughnessSummary};
 use self::sensitivity::SensitivitySummary;
 use self::stress::StressSummary;
 pub use self::warning::WarningSummary;
@@ -55,6 +57,9 @@ pub struct Summary {
     pub status: Status,
     /// The grid it was solved on.
     pub grid: GridSummary,
+    /// The roughness of its maps, where it has any.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub roughness: Option<RoughnessSummary>,
     /// The loading steps.
     pub steps: Vec<StepSummary>,
     /// The critical loads, where strengths are given and stresses asked for.
@@ -117,6 +122,9 @@ pub struct StepSummary {
     /// Contact stiffness `dQ/dD`, N/m; none without contact.
     #[serde(default)]
     pub contact_stiffness: Option<f64>,
+    /// Islands, gaps and pressures, where a map takes part and there is contact.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rough_contact: Option<RoughContactSummary>,
     /// Status; `certified` in a file from before there was one.
     #[serde(default)]
     pub status: Status,
@@ -216,7 +224,10 @@ impl Summary {
                 element_side: path.grid.element_side(),
                 boundary: case.grid.boundary,
             },
-            steps: path.steps.iter().map(StepSummary::new).collect(),
+            roughness: RoughnessSummary::of(&case),
+            steps: (path.steps.iter())
+                .map(|step| StepSummary::new(step, path.grid.element_area()))
+                .collect(),
             critical: None,
             timing: Timing {
                 coefficients_seconds: clock.tables_seconds + path.coefficients_seconds,
@@ -270,6 +281,12 @@ impl Summary {
         ["surface", "indenter"].map(|table| self.case[table]["file"].is_string())
     }
 
+    /// Whether it tells of rough contact.
+    #[must_use]
+    pub fn has_rough_contact(&self) -> bool {
+        self.steps.iter().any(|step| step.rough_contact.is_some())
+    }
+
     /// Whether the foundation carries a relief.
     #[must_use]
     pub fn has_relief(&self) -> bool {
@@ -308,7 +325,8 @@ fn read_text(path: &Path) -> Result<String, Failure> {
 }
 
 impl StepSummary {
-    fn new(step: &Step) -> Self {
+    /// Of a step with elements of this area, m².
+    fn new(step: &Step, element_area: f64) -> Self {
         let (solution, summary) = (&step.solution, &step.summary);
         Self {
             force: solution.force,
@@ -322,6 +340,7 @@ impl StepSummary {
             contact_area_between: summary.contact_area_between,
             contact_radius: summary.contact_radius,
             contact_stiffness: step.contact_stiffness,
+            rough_contact: RoughContactSummary::of(step, element_area),
             status: step.status(),
             certificate: (&solution.certificate).into(),
             work: step.work.clone(),

@@ -4,6 +4,7 @@ pub mod stress;
 
 use pellicle_contact::{Estimate, Status};
 
+use super::summary::roughness::RoughContactSummary;
 use super::summary::{StepSummary, Summary};
 use crate::case::grid::BoundaryCase;
 use crate::case::units::Units;
@@ -82,6 +83,18 @@ impl TextColumns {
     }
 }
 
+impl TextColumns {
+    fn rough(&mut self, rough: &RoughContactSummary) {
+        let nominal = quantity(rough.nominal_area, Unit::SquareMetre, self.units);
+        let fraction = significant(rough.contact_fraction, 4);
+        self.push("contact fraction", &fraction, &format!("of {nominal}"));
+        let largest = quantity(rough.islands.largest_area, Unit::SquareMetre, self.units);
+        let islands = rough.islands.count.to_string();
+        self.push("islands", &islands, &format!("largest {largest}"));
+        self.quantity("mean gap", rough.mean_gap, Unit::Metre);
+    }
+}
+
 fn single(step: &StepSummary, has_relief: bool, units: Units) -> String {
     let text = String::new();
     let mut lines = TextColumns { units, text };
@@ -122,6 +135,9 @@ fn single(step: &StepSummary, has_relief: bool, units: Units) -> String {
     let stiffness = step.contact_stiffness.unwrap_or(0.0);
     lines.quantity("contact stiffness", stiffness, Unit::NewtonPerMetre);
     let worst = format!("worst line {:.1e}", step.certificate.worst);
+    if let Some(rough) = &step.rough_contact {
+        lines.rough(rough);
+    }
     lines.push("certificate", &certificate(step), &worst);
     lines.push("work", &work(step), "");
     if let Some(stress) = &step.stress {

@@ -8,7 +8,9 @@ use serde_json::json;
 use super::field_map::FieldMap;
 use super::style::{Cut, Heading, Style};
 use super::subject::Subject;
-use super::{curve, png, pressure_map, pressure_view, section, stress_interfaces, stress_section};
+use super::{
+    curve, histograms, png, pressure_map, pressure_view, section, stress_interfaces, stress_section,
+};
 use crate::case::units::Units;
 use crate::output::fields::Fields;
 use crate::output::stress::view::{InterfaceTractions, StressSection, StressView, SurfaceLine};
@@ -18,10 +20,18 @@ const SIZE: usize = 9;
 
 fn step(value: f64) -> StepSummary {
     let number = |value: f64| value.is_finite().then_some(value);
+    let histogram = json!({"largest": number(value.abs()), "mean": number(0.3 * value.abs()), "counts": [3, 2, 0, 1]});
+    let rough = json!({
+        "nominal_area": 1.0, "contact_fraction": 1.0, "counted_area": 1.0, "corrected_area": 1.0, "perimeter": 1.0,
+        "mean_gap": number(value),
+        "islands": {"count": 1, "largest_area": 1.0, "mean_area": 1.0, "counts_by_octave": [1]},
+        "pressures": histogram, "gaps": histogram,
+    });
     let step = json!({
         "force": number(value), "penetration": number(value), "max_pressure": number(value),
         "max_pressure_at": [0.0, 0.0], "mean_pressure": 1.0, "contact_area": 1.0, "contact_elements": 1,
         "contact_area_on_relief": 0.0, "contact_area_between": 1.0, "contact_radius": 1.0,
+        "rough_contact": rough,
         "certificate": {"complementarity": 0.0, "gap_in_contact": 0.0, "overlap": 0.0, "load": 0.0, "min_pressure": 0.0,
                         "worst": 0.0, "satisfied": true},
         "work": {"iterations": 1, "operator_applications": 1, "seconds": 0.0, "levels": []},
@@ -116,6 +126,7 @@ fn every_finite_solution_can_be_drawn() {
             pressure_map::draw(&subject),
             section::draw(&subject),
             pressure_view::draw(&subject),
+            histograms::draw(&subject),
             FieldMap::Gap.draw(&subject),
             FieldMap::Heights.draw(&subject),
             curve::draw_several(vec![curve], Units::Si, &style),

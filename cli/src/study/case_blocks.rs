@@ -62,7 +62,7 @@ impl CaseBlocks {
             blocks: Vec::new(),
             end: rows.at,
         };
-        let columns = fields(header).map_or(0, |fields| fields.len());
+        let columns = count_cells(header);
         while let Some((case, status)) = rows.block(columns, identity)? {
             let start = found.end;
             found.end = rows.at;
@@ -165,19 +165,23 @@ impl<R: BufRead> RowReader<R> {
         if !self.next()? {
             return Ok(None);
         }
-        let fields = fields(&self.row).filter(|fields| fields.len() == columns);
-        Ok(fields.and_then(|fields| {
-            let case = fields.get(0)?.parse::<usize>().ok()?.checked_sub(1)?;
-            Some((case, CaseStatus::of(fields.get(1)?)?))
-        }))
+        if count_cells(&self.row) != columns {
+            return Ok(None);
+        }
+        // Neither of them is ever quoted.
+        let mut cells = self.row.splitn(3, |byte| *byte == b',');
+        let mut cell = || str::from_utf8(cells.next()?).ok();
+        let case = cell().and_then(|case| case.parse::<usize>().ok()?.checked_sub(1));
+        Ok(case.zip(cell().and_then(CaseStatus::of)))
     }
 }
 
-/// The cells of one row; none if it is not text.
-fn fields(line: &[u8]) -> Option<csv::StringRecord> {
-    let mut reader = csv::ReaderBuilder::new()
-        .has_headers(false)
-        .buffer_capacity(line.len().max(1))
-        .from_reader(line);
-    reader.records().next()?.ok()
+/// The number of cells of one row; a comma between quotes does not end one.
+fn count_cells(row: &[u8]) -> usize {
+    let mut is_quoted = false;
+    let ends = row.iter().filter(|byte| {
+        is_quoted ^= **byte == b'"';
+        !is_quoted && **byte == b','
+    });
+    ends.count() + 1
 }

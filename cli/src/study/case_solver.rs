@@ -4,22 +4,23 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
 use std::time::Instant;
 
-use pellicle_contact::Observer;
+use pellicle_contact::{Observer, Signal};
 use pellicle_influence::Cache;
 use serde_json::Value;
 
 use super::Study;
 use super::case_status::CaseStatus;
+use super::kept_file::KeptFields;
 use super::table_columns::{TableColumns, status};
 use crate::case::Case;
 use crate::failure::Failure;
-use crate::interrupt;
 use crate::memory::MemoryBudget;
 use crate::output::file::Existing;
 use crate::output::folder::{Completeness, ResultsFolder};
 use crate::output::summary::Summary;
 use crate::output::{results, run_files};
 use crate::solving::{self, Resources, SolvedCase};
+use crate::stresses::Search;
 
 /// Solves the cases of a study.
 #[derive(Debug)]
@@ -31,9 +32,11 @@ pub struct CaseSolver<'a> {
     /// The cache, shared by all cases.
     pub cache: Cache,
     /// The memory, shared by all cases.
-    pub memory: MemoryBudget,
+    pub memory: &'a MemoryBudget,
     /// The parent of the cases' results folders, if these are wanted.
     pub folders: Option<PathBuf>,
+    /// The fields that are kept of all cases, if any are.
+    pub kept: Option<&'a KeptFields>,
 }
 
 /// The result of a case.
@@ -48,7 +51,8 @@ pub struct CaseResult {
 }
 
 impl CaseSolver<'_> {
-    /// Solves a case; none if the user stops it, and its unfinished results are discarded.
+    /// Solves a case; none if it is stopped by `observer`, or by `search` before a search for stresses, and its
+    /// unfinished results are discarded.
     ///
     /// # Errors
     ///
@@ -58,8 +62,9 @@ impl CaseSolver<'_> {
         &self,
         case: usize,
         observer: &mut dyn Observer,
+        search: &dyn Fn(Search) -> Signal,
     ) -> Result<Option<CaseResult>, Failure> {
-        let solved = catch_unwind(AssertUnwindSafe(|| self.attempt(case, observer)));
+        let solved = catch_unwind(AssertUnwindSafe(|| self.attempt(case, observer, search)));
         match solved {
             Ok(Ok(done)) => Ok(done),
             Ok(Err(
@@ -69,8 +74,10 @@ impl CaseSolver<'_> {
                 | Failure::OtherCase { .. }
                 | Failure::Busy { .. }),
             )) => Err(failure),
-            Ok(Err(failure)) => Ok(Some(self.failed(case, &failure.to_string()))),
-            Err(_) => Ok(Some(self.failed(case, "an error of the program itself"))),
+            Ok(Err(failure)) => self.failed(case, &failure.to_string()).map(Some),
+            Err(_) => self
+                .failed(case, "an error of the program itself")
+                .map(Some),
         }
     }
 
@@ -86,29 +93,36 @@ impl CaseSolver<'_> {
         ResultsFolder::claim(&path, Existing::Replace).map(Some)
     }
 
-    fn failed(&self, case: usize, message: &str) -> CaseResult {
-        CaseResult {
+    fn failed(&self, case: usize, message: &str) -> Result<CaseResult, Failure> {
+        self.kept.map_or(Ok(()), |kept| kept.add_failed(case))?;
+        Ok(CaseResult {
             status: CaseStatus::Failed,
             rows: self.columns.failed(self.study, case, message),
             words: message.to_owned(),
-        }
+        })
+    }
+
+    /// Threads that need memory for the fields of a case.
+    fn writers(&self, folder: Option<&ResultsFolder>) -> usize {
+        let is_kept = self.kept.is_some_and(KeptFields::need_the_surface);
+        folder.map_or(usize::from(is_kept), |_| rayon::current_num_threads())
     }
 
     fn attempt(
         &self,
         number: usize,
         observer: &mut dyn Observer,
+        search: &dyn Fn(Search) -> Signal,
     ) -> Result<Option<CaseResult>, Failure> {
         let start = Instant::now();
         let case = self.study.case(number)?;
         let folder = self.claim(number, &case)?;
         let resources = Resources {
             cache: &self.cache,
-            memory: &self.memory,
-            writers: folder.as_ref().map_or(0, |_| rayon::current_num_threads()),
+            memory: self.memory,
+            writers: self.writers(folder.as_ref()),
         };
-        let search = |_| interrupt::signal();
-        let Some(solved) = solving::solve(&case, resources, start, observer, &search)? else {
+        let Some(solved) = solving::solve(&case, resources, start, observer, search)? else {
             return Ok(None);
         };
         if solved.completeness == Completeness::Part {
@@ -118,6 +132,9 @@ impl CaseSolver<'_> {
         let SolvedCase {
             path, mut summary, ..
         } = solved;
+        if let Some(kept) = self.kept {
+            kept.add(number, status(&summary), &path)?;
+        }
         if let Some(folder) = folder {
             let mut completeness = Completeness::Whole;
             folder.write(|folder| {

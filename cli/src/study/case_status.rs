@@ -14,7 +14,8 @@ pub enum CaseStatus {
 }
 
 impl CaseStatus {
-    const ALL: [Self; 4] = [
+    /// All of them; a file of fields has the number of one in this list.
+    pub const ALL: [Self; 4] = [
         Self::Certified,
         Self::NotConverged,
         Self::CutOff,

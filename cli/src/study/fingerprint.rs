@@ -1,14 +1,17 @@
-//! The hash that tells one study from another: of the base case, and of every value of every key, each once.
+//! The hash that tells one study from another: of the base case, its defaults filled in, and of every value
+//! of every key, each once.
 
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
 use super::Study;
+use crate::case::Case;
 use crate::case::dimension::Dimension;
 use crate::case::document::{TomlNode, TomlTable, TomlValue};
 use crate::case::units::{PROSE, Units};
 use crate::case::{overrides, quantity};
+use crate::failure::Failure;
 
 /// The key that names a file.
 const FILE: &str = "file";
@@ -20,8 +23,14 @@ const OUTPUT: &str = "output";
 /// the maps, system of units, and first line of the table.
 ///
 /// A quantity counts with its value and not with its spelling, and neither comments nor the order of keys count.
-#[must_use]
-pub fn of(study: &Study, units: Units, header: &str) -> String {
+/// `valid` is a valid case and its number: what the base case leaves open counts as its default.
+///
+/// # Errors
+///
+/// [`Failure::Json`] if the case has no JSON form.
+pub fn of(study: &Study, valid: (usize, &Case), header: &str) -> Result<String, Failure> {
+    let (number, case) = valid;
+    let units = case.units;
     let mut parts = Parts::default();
     parts.add(b'v', env!("CARGO_PKG_VERSION").as_bytes());
     parts.add(b'h', header.as_bytes());
@@ -29,9 +38,15 @@ pub fn of(study: &Study, units: Units, header: &str) -> String {
     parts.add(b'c', study.case_name.as_bytes());
     let numbering = study.numbering();
     parts.add(b'z', format!("{numbering:?}").as_bytes());
-    // Values of the base case that every case replaces have no part in it.
-    if let Ok(first) = study.tree(0) {
-        parts.node("", &without_output(first));
+    // Values of the base case that every case replaces have no part in it. All others are in every case: none may have
+    // a key that it does not use.
+    parts.add(b'r', &resolved(case)?);
+    if let Ok(tree) = study.tree(number) {
+        parts.files_in("", &tree);
+    }
+    // The fields of a study that kept none cannot be had without its solutions.
+    for field in &study.keep {
+        parts.add(b'K', format!("{field:?}").as_bytes());
     }
     for varied in study.varied_keys() {
         let path = overrides::key_path(&varied.key).unwrap_or_default();
@@ -48,14 +63,16 @@ pub fn of(study: &Study, units: Units, header: &str) -> String {
             }
         }
     }
-    parts.finish(&study.folder)
+    Ok(parts.finish(&study.folder))
 }
 
-fn without_output(mut root: TomlNode) -> TomlNode {
-    if let TomlValue::Table(table) = &mut root.value {
-        table.entries.retain(|entry| entry.key != OUTPUT);
+/// The case with every default filled in, but for the choice of files.
+fn resolved(case: &Case) -> Result<Vec<u8>, Failure> {
+    let mut case = serde_json::to_value(case)?;
+    if let Some(table) = case.as_object_mut() {
+        table.remove(OUTPUT);
     }
-    root
+    Ok(serde_json::to_vec(&case)?)
 }
 
 /// What is hashed so far, and the files whose contents are to be.
@@ -75,6 +92,21 @@ impl Parts {
 
     fn number(&mut self, number: f64) {
         self.add(b'n', format!("{number:e}").as_bytes());
+    }
+
+    /// The files that a tree names: of a map read from one, the resolved case has no heights.
+    fn files_in(&mut self, key: &str, node: &TomlNode) {
+        match &node.value {
+            TomlValue::Text(text) if key == FILE => {
+                self.files.insert(text.clone());
+            }
+            TomlValue::List(items) => items.iter().for_each(|item| self.files_in(key, item)),
+            TomlValue::Table(table) => {
+                let entries = table.entries.iter();
+                entries.for_each(|entry| self.files_in(&entry.key, &entry.node));
+            }
+            _ => {}
+        }
     }
 
     /// Adds the value of a key.

@@ -7,6 +7,7 @@ use std::thread;
 use std::time::Duration;
 
 use super::identity::StudyIdentity;
+use super::report;
 use super::shard::Shard;
 use crate::failure::Failure;
 use crate::output::lock::Lock;
@@ -79,7 +80,8 @@ impl StudyFolder {
             forget_cases(&folder.join(CASES)).map_err(failed)?;
         }
         if fresh {
-            set_aside(&identity.table(folder))?;
+            set_aside(folder, identity)?;
+            report::forget(folder)?;
         }
         let before = before(&identity.table(folder)).filter(|path| is_file(path));
         let is_empty = fs::metadata(identity.table(folder)).map_or(true, |data| data.len() == 0);
@@ -221,7 +223,7 @@ fn forget(folder: &Path, other: &StudyIdentity, locked: Shard) -> Result<(), Fai
             path: other.table(folder),
         })?)
     };
-    set_aside(&other.table(folder))?;
+    set_aside(folder, other)?;
     remove(&StudyIdentity::path(folder, other.shard))
 }
 
@@ -231,30 +233,38 @@ fn before(table: &Path) -> Option<PathBuf> {
     Some(table.with_file_name(format!("{BEFORE}{name}")))
 }
 
-/// Keeps a table until the one that replaces it is complete. If one is kept already, this is its replacement, not
-/// complete, and goes.
-fn set_aside(table: &Path) -> Result<(), Failure> {
-    let is_empty = fs::symlink_metadata(table).map_or(true, |data| data.len() == 0);
-    match before(table) {
-        Some(before) if !is_empty && fs::symlink_metadata(&before).is_err() => {
-            fs::rename(table, before).map_err(|cause| Failure::write(table, cause))
+/// Keeps a table and its fields until those that replace them are complete. If a table is kept already, this is its
+/// replacement, not complete, and goes.
+fn set_aside(folder: &Path, identity: &StudyIdentity) -> Result<(), Failure> {
+    let table = identity.table(folder);
+    let is_there = |path: &Path| fs::symlink_metadata(path).is_ok();
+    let is_empty = fs::symlink_metadata(&table).map_or(true, |data| data.len() == 0);
+    let is_replacement = before(&table).is_none_or(|before| is_there(&before));
+    for path in [vec![table], identity.kept_files(folder)].concat() {
+        match before(&path) {
+            Some(before) if !is_empty && !is_replacement && is_there(&path) => {
+                fs::rename(&path, before).map_err(|cause| Failure::write(&path, cause))?;
+            }
+            _ => remove(&path)?,
         }
-        _ => remove(table),
     }
+    Ok(())
 }
 
-/// Removes the table that one which is complete now has replaced, and with that of a whole study those of all parts.
+/// Removes the table and the fields that those which are complete now have replaced, and with those of a whole study
+/// those of all parts.
 ///
 /// # Errors
 ///
 /// [`Failure::Write`] if one cannot be removed.
 pub fn forget_before(folder: &Path, identity: &StudyIdentity) -> Result<(), Failure> {
-    let own = before(&identity.table(folder));
-    let is_replaced = |path: &PathBuf| identity.shard == Shard::WHOLE || Some(path) == own.as_ref();
-    let kept = names(folder).into_iter();
-    let kept = kept.filter(|name| name.starts_with(BEFORE));
-    let mut kept = kept.map(|name| folder.join(name)).filter(is_replaced);
-    kept.try_for_each(|path| remove(&path))
+    let own = identity.shard.suffix();
+    let is_replaced = |name: &String| {
+        let stem = name.split('.').nth(1).unwrap_or_default();
+        name.starts_with(BEFORE) && stem.ends_with(&own)
+    };
+    let mut replaced = names(folder).into_iter().filter(is_replaced);
+    replaced.try_for_each(|name| remove(&folder.join(name)))
 }
 
 fn remove(path: &Path) -> Result<(), Failure> {

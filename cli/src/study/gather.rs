@@ -7,6 +7,8 @@ use super::case_blocks::CaseBlocks;
 use super::case_status::Tally;
 use super::folder;
 use super::identity::StudyIdentity;
+use super::kept_file;
+use super::report;
 use super::results_table;
 use super::shard::Shard;
 use crate::failure::Failure;
@@ -51,13 +53,19 @@ pub fn gather(folder: &Path, other: OtherTable) -> Result<Gathered, Failure> {
         let reason = format!("the parts {a} and {b} are of different studies");
         return Err(Failure::damaged(folder, &reason));
     }
+    if !first.is_of_this_layout() {
+        let path = StudyIdentity::path(folder, first.shard);
+        return Err(Failure::damaged(&path, &"it is of another version"));
+    }
     let whole = StudyIdentity {
         shard: Shard::WHOLE,
         ..first.clone()
     };
     let _lock = folder::wait_for_lock(folder, Shard::WHOLE)?;
     file::sweep(folder);
-    check_whole(folder, &whole, other)?;
+    let before = StudyIdentity::read(&StudyIdentity::path(folder, Shard::WHOLE))?;
+    check_whole(folder, &whole, before.as_ref(), other)?;
+    kept_file::check_whole(folder, &whole, before.as_ref(), other)?;
     let mut tables = Vec::new();
     let mut statuses = vec![None; first.numbering.len()];
     for part in &parts {
@@ -79,8 +87,10 @@ pub fn gather(folder: &Path, other: OtherTable) -> Result<Gathered, Failure> {
     if let Some(path) = &table {
         // A kill between the two leaves a study that has not begun, and not a table of an unknown study.
         whole.write(folder)?;
+        kept_file::gather(folder, &whole, &parts)?;
         results_table::write_in_order(path, &whole.header, tables)?;
         folder::forget_before(folder, &whole)?;
+        report::write(folder, std::slice::from_ref(&whole))?;
     }
     Ok(Gathered {
         tally: Tally::of(statuses.into_iter().flatten()),
@@ -90,13 +100,17 @@ pub fn gather(folder: &Path, other: OtherTable) -> Result<Gathered, Failure> {
 }
 
 /// Refuses a table of another study in the place of the merged one.
-fn check_whole(folder: &Path, whole: &StudyIdentity, other: OtherTable) -> Result<(), Failure> {
+fn check_whole(
+    folder: &Path,
+    whole: &StudyIdentity,
+    remembered: Option<&StudyIdentity>,
+    other: OtherTable,
+) -> Result<(), Failure> {
     let path = whole.table(folder);
     if fs::symlink_metadata(&path).is_err() {
         return Ok(());
     }
-    let remembered = StudyIdentity::read(&StudyIdentity::path(folder, Shard::WHOLE))?;
-    let is_known = match &remembered {
+    let is_known = match remembered {
         Some(remembered) => folder::is_table_of(folder, remembered)?,
         None => false,
     };

@@ -1,19 +1,22 @@
 //! `study.json`, beside the table of results: it tells one study from another.
 
+use std::fmt::Display;
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
-use super::Study;
+use super::case_counts::CaseCounts;
+use super::kept_layout::KeptLayout;
 use super::numbering::CaseNumbering;
-use super::row_counts::RowCounts;
 use super::shard::Shard;
+use super::{Combine, Study};
 use crate::failure::Failure;
 use crate::output::{file, json};
 
-/// Name and version of the layout.
+/// Name of the layout, and with its version.
+const LAYOUT: &str = "pellicle-study/";
 const SCHEMA: &str = "pellicle-study/2";
 
 /// A study and its part, as stored in its folder.
@@ -34,10 +37,13 @@ pub struct StudyIdentity {
     /// The cases of the whole study.
     pub numbering: CaseNumbering,
     /// Rows of every case, in this part or not, unless it fails.
-    pub rows: RowCounts,
+    pub rows: CaseCounts,
     /// Number of cases that the table held when this part was last started.
     #[serde(default)]
     pub done_before: usize,
+    /// The fields of its cases that are kept; none without.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub kept: Option<KeptLayout>,
 }
 
 impl StudyIdentity {
@@ -52,8 +58,9 @@ impl StudyIdentity {
             fingerprint,
             header,
             numbering: study.numbering().clone(),
-            rows: RowCounts::new(study),
+            rows: CaseCounts::rows(study),
             done_before: 0,
+            kept: None,
         }
     }
 
@@ -82,6 +89,14 @@ impl StudyIdentity {
         folder.join(self.shard.file("results", "csv"))
     }
 
+    /// The paths of the files of kept fields.
+    #[must_use]
+    pub fn kept_files(&self, folder: &Path) -> Vec<PathBuf> {
+        let grids = self.kept.iter().flat_map(KeptLayout::grids);
+        let file = |elements| folder.join(KeptLayout::file(elements, self.shard));
+        grids.map(file).collect()
+    }
+
     /// The cases of this part, counted from 0.
     pub fn cases(&self) -> impl Iterator<Item = usize> + use<> {
         let shard = self.shard;
@@ -99,7 +114,8 @@ impl StudyIdentity {
         file::write_whole(&path, |file| file.write_all(text.as_bytes()))
     }
 
-    /// Reads one; none if there is no such file.
+    /// Reads one; none if there is no such file. Of one that an older program has written no more is known than what
+    /// tells it from others.
     ///
     /// # Errors
     ///
@@ -108,12 +124,54 @@ impl StudyIdentity {
         if !path.exists() {
             return Ok(None);
         }
-        let text = fs::read_to_string(path).map_err(|cause| Failure::damaged(path, &cause))?;
-        let read: Self =
-            serde_json::from_str(&text).map_err(|cause| Failure::damaged(path, &cause))?;
-        if read.schema != SCHEMA || read.shard.index == 0 || read.shard.index > read.shard.count {
-            return Err(Failure::damaged(path, &"it is of another version"));
+        let damaged = |cause: &dyn Display| Failure::damaged(path, cause);
+        let text = fs::read_to_string(path).map_err(|cause| damaged(&cause))?;
+        let head: Head = serde_json::from_str(&text).map_err(|cause| damaged(&cause))?;
+        if !head.schema.starts_with(LAYOUT) || !(1..=head.shard.count).contains(&head.shard.index) {
+            return Err(damaged(&"it is not of a study"));
         }
-        Ok(Some(read))
+        if head.schema != SCHEMA {
+            return Ok(Some(head.into()));
+        }
+        let read = serde_json::from_str(&text);
+        read.map(Some).map_err(|cause| damaged(&cause))
+    }
+
+    /// Whether it is of this layout, and tells the cases of the study.
+    #[must_use]
+    pub fn is_of_this_layout(&self) -> bool {
+        self.schema == SCHEMA
+    }
+}
+
+/// What every layout has.
+#[derive(Deserialize)]
+struct Head {
+    schema: String,
+    version: String,
+    study: String,
+    shard: Shard,
+    fingerprint: String,
+    header: String,
+}
+
+impl From<Head> for StudyIdentity {
+    fn from(head: Head) -> Self {
+        Self {
+            // No hash of this layout is equal to it.
+            fingerprint: format!("{}: {}", head.schema, head.fingerprint),
+            schema: head.schema,
+            version: head.version,
+            study: head.study,
+            shard: head.shard,
+            header: head.header,
+            numbering: CaseNumbering {
+                combine: Combine::Zip,
+                lengths: Vec::new(),
+            },
+            rows: CaseCounts::default(),
+            done_before: 0,
+            kept: None,
+        }
     }
 }

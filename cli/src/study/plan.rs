@@ -3,9 +3,11 @@
 use super::Study;
 use super::fingerprint;
 use super::identity::StudyIdentity;
+use super::kept_layout::KeptLayout;
 use super::shard::Shard;
 use super::table_columns::TableColumns;
 use super::varied_key::VariedKey;
+use crate::case::Case;
 use crate::case::diagnosis::Diagnosis;
 use crate::failure::Failure;
 use crate::output::curve::stress::StressColumns;
@@ -44,7 +46,8 @@ impl StudyPlan {
     ///
     /// The [`Diagnosis`] of the first case if no case is valid; if others are, an invalid case is recorded in its turn.
     pub fn new(study: &Study, shard: Shard) -> Result<Self, Failure> {
-        let (reference, units) = first_valid(study)?;
+        let (reference, valid) = first_valid(study)?;
+        let units = valid.units;
         let mut refused = RefusedCases::default();
         let mut stress = StressColumns::default();
         for case in cases_to_try(study, reference) {
@@ -55,8 +58,9 @@ impl StudyPlan {
             }
         }
         let columns = TableColumns::new(study, units, stress);
-        let fingerprint = fingerprint::of(study, units, &columns.header());
-        let identity = StudyIdentity::new(study, fingerprint, columns.header(), shard);
+        let fingerprint = fingerprint::of(study, (reference, &valid), &columns.header())?;
+        let mut identity = StudyIdentity::new(study, fingerprint, columns.header(), shard);
+        identity.kept = KeptLayout::new(study, &valid, &identity.rows)?;
         Ok(Self {
             columns,
             identity,
@@ -86,12 +90,12 @@ impl RefusedCases {
     }
 }
 
-/// The first valid case, and its units.
-fn first_valid(study: &Study) -> Result<(usize, crate::case::units::Units), Failure> {
+/// The first valid case, with its number.
+fn first_valid(study: &Study) -> Result<(usize, Case), Failure> {
     let mut refused = None;
     for case in 0..study.len() {
         match study.case(case) {
-            Ok(found) => return Ok((case, found.units)),
+            Ok(found) => return Ok((case, found)),
             Err(diagnosis) => {
                 refused.get_or_insert(diagnosis);
             }

@@ -7,7 +7,7 @@ use std::sync::{Barrier, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::Duration;
 
-use super::case_solver::CaseSolver;
+use super::case_solver::{CaseResult, CaseSolver};
 use super::progress::StudyProgress;
 use super::remaining::RemainingCases;
 use super::results_table::ResultsTable;
@@ -41,6 +41,7 @@ pub fn run(
         queue: Mutex::new(cases),
         is_closed: AtomicBool::new(false),
         table: Mutex::new(table),
+        waiting: Mutex::new(Vec::new()),
         failure: Mutex::new(None),
     };
     let begun = Barrier::new(workers);
@@ -63,7 +64,7 @@ pub fn run(
             });
         }
         drop(working);
-        force_until(&shared, &all_done);
+        force_until(kit, &shared, &all_done);
     });
     let failure = shared.failure.into_inner();
     let failure = failure.unwrap_or_else(PoisonError::into_inner);
@@ -81,6 +82,8 @@ struct Shared<'a> {
     queue: Mutex<RemainingCases>,
     is_closed: AtomicBool,
     table: Mutex<&'a mut ResultsTable>,
+    /// Cases whose kept fields may not be on the disk yet: their rows come after these.
+    waiting: Mutex<Vec<(usize, CaseResult)>>,
     failure: Mutex<Option<Failure>>,
 }
 
@@ -97,6 +100,10 @@ impl<'a> Shared<'a> {
         self.table.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
+    fn waiting(&self) -> MutexGuard<'_, Vec<(usize, CaseResult)>> {
+        self.waiting.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
     /// Keeps the first failure; nobody takes another case after it.
     fn end(&self, worked: Result<(), Failure>) {
         if let Err(first) = worked {
@@ -110,28 +117,44 @@ impl<'a> Shared<'a> {
 fn work(kit: &CaseSolver<'_>, shared: &Shared<'_>, lines: &StudyProgress) -> Result<(), Failure> {
     while let Some(case) = shared.take() {
         let mut line = lines.case(kit.study, case);
-        let Some(done) = kit.solve(case, &mut line)? else {
+        let Some(done) = kit.solve(case, &mut line, &|_| interrupt::signal())? else {
             return Ok(());
         };
         drop(line);
-        shared.table().add(case, done.status, &done.rows)?;
+        if kit.kept.is_some() {
+            shared.waiting().push((case, done.clone()));
+        } else {
+            shared.table().add(case, done.status, &done.rows)?;
+        }
         lines.ended(kit.study, case, &done);
     }
     Ok(())
 }
 
 /// Forces the results to the disk every now and then, and at the end, while the workers write on.
-fn force_until(shared: &Shared<'_>, all_done: &mpsc::Receiver<()>) {
+fn force_until(kit: &CaseSolver<'_>, shared: &Shared<'_>, all_done: &mpsc::Receiver<()>) {
     loop {
         // Nothing is ever sent: the channel is closed when the last worker is done.
         let is_last = all_done.recv_timeout(FORCE_EVERY) == Err(RecvTimeoutError::Disconnected);
-        // The table is free meanwhile.
-        let unforced = shared.table().unforced();
-        let forced = unforced.and_then(|unforced| unforced.map_or(Ok(()), |file| file.force()));
+        let forced = force(kit, shared);
         let failed = forced.is_err();
         shared.end(forced);
         if is_last || failed {
             return;
         }
     }
+}
+
+/// Forces the kept fields to the disk, adds the rows of their cases to the table, and forces that.
+fn force(kit: &CaseSolver<'_>, shared: &Shared<'_>) -> Result<(), Failure> {
+    let waiting = std::mem::take(&mut *shared.waiting());
+    if let Some(kept) = kit.kept {
+        kept.force()?;
+    }
+    for (case, done) in waiting {
+        shared.table().add(case, done.status, &done.rows)?;
+    }
+    // The table is free meanwhile.
+    let unforced = shared.table().unforced()?;
+    unforced.map_or(Ok(()), |file| file.force())
 }

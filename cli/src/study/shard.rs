@@ -27,8 +27,15 @@ impl Shard {
     /// so that no part gets all the cases of one value, such as the large grids.
     #[must_use]
     pub fn holds(self, case: usize) -> bool {
-        let (round, place) = (case / self.count, case % self.count);
-        (place + mixed(round) % self.count) % self.count == self.index - 1
+        Self::of(case, self.count) == self
+    }
+
+    /// The part of `count` to which a case, counted from 0, belongs.
+    #[must_use]
+    pub fn of(case: usize, count: usize) -> Self {
+        let (round, place) = (case / count, case % count);
+        let index = (place + mixed(round) % count) % count + 1;
+        Self { index, count }
     }
 
     /// Number of cases of this part in a study of `len` cases.
@@ -42,16 +49,22 @@ impl Shard {
     /// Name of a file of this part: `results.csv`, or `results-2-of-8.csv`.
     #[must_use]
     pub fn file(self, stem: &str, ending: &str) -> String {
+        format!("{stem}{}.{ending}", self.suffix())
+    }
+
+    /// End of the names of its files, `-2-of-8`; nothing of the whole.
+    #[must_use]
+    pub fn suffix(self) -> String {
         match self {
-            Self::WHOLE => format!("{stem}.{ending}"),
-            Self { index, count } => format!("{stem}-{index}-of-{count}.{ending}"),
+            Self::WHOLE => String::new(),
+            Self { index, count } => format!("-{index}-of-{count}"),
         }
     }
 }
 
-/// A pseudorandom number: the finalizer of `SplitMix64` (Steele, Lea, Flood 2014).
+/// A pseudorandom number of 32 bits: the finalizer of `SplitMix64` (Steele, Lea, Flood 2014).
 #[expect(clippy::cast_possible_truncation, reason = "any 32 bits will do")]
-fn mixed(number: usize) -> usize {
+pub(super) fn mixed(number: usize) -> usize {
     let mut z = (number as u64).wrapping_add(0x9e37_79b9_7f4a_7c15);
     z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);

@@ -5,6 +5,8 @@
 //! case = "coating.toml"        # from the folder of this file; without it the rest of this file is the base case
 //! combine = "product"          # every value with every other, the last key fastest; or "zip": the first of all, the second of all, …
 //!
+//! keep = ["pressure"]          # fields of all cases in one file
+//!
 //! [study.vary]                 # any key of the case: a list, or a range; a key with brackets in quotes
 //! "foundation.layer[0].thickness" = ["1 um", "2 um"]
 //! load.force = { from = "1 mN", to = "10 mN", count = 5, spacing = "log" }
@@ -14,6 +16,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
+use super::kept_layout::KeptField;
 use super::numbering::CaseNumbering;
 use super::samples;
 use super::varied_key::VariedKey;
@@ -61,6 +64,7 @@ pub fn read(path: &Path, sets: &[String]) -> Result<Study, Failure> {
         base,
         numbering: parts.numbering,
         varied_keys: parts.varied_keys,
+        keep: parts.keep,
     })
 }
 
@@ -82,13 +86,14 @@ struct StudyTable<'a> {
     case: Option<&'a str>,
     numbering: CaseNumbering,
     varied_keys: Vec<VariedKey>,
+    keep: Vec<KeptField>,
 }
 
 impl<'a> StudyTable<'a> {
     fn of(root: &'a TomlNode, here: &Path) -> Result<Self, Failure> {
         let root = TableReader::root(root)?;
         let study = root.required("study", "a table [study]")?.table()?;
-        study.only(&["case", "combine", "vary"])?;
+        study.only(&["case", "combine", "keep", "vary"])?;
         let case = study
             .optional("case")
             .map(|field| field.text())
@@ -100,6 +105,8 @@ impl<'a> StudyTable<'a> {
             Some(field) => field.choice(&[("product", Combine::Product), ("zip", Combine::Zip)])?,
             None => Combine::Product,
         };
+        let keep = study.optional("keep");
+        let keep = keep.map_or(Ok(Vec::new()), |field| kept(&field))?;
         let vary = study.required("vary", "a table of keys, each with a list or a range")?;
         let TomlValue::Table(table) = vary.value() else {
             let wanted = "a table of keys, each with a list or a range";
@@ -121,8 +128,22 @@ impl<'a> StudyTable<'a> {
             case,
             numbering,
             varied_keys,
+            keep,
         })
     }
+}
+
+/// The fields that are kept, each once.
+fn kept(field: &ValueReader<'_>) -> Result<Vec<KeptField>, Diagnosis> {
+    let words = KeptField::CHOICES.map(|(word, _)| word);
+    let wanted = format!("a list of \"{}\"", words.join("\", \""));
+    let items = field.list(&wanted)?.into_iter();
+    let mut kept = items
+        .map(|item| item.choice(&KeptField::CHOICES))
+        .collect::<Result<Vec<_>, _>>()?;
+    kept.sort_unstable();
+    kept.dedup();
+    Ok(kept)
 }
 
 /// Gives every key an axis, and those of a file one together; the number of values of every axis.

@@ -10,6 +10,7 @@ use super::case_status::CaseStatus;
 use super::folder::StudyFolder;
 use super::gather::{OtherTable, gather};
 use super::identity::StudyIdentity;
+use super::kept_file::KeptFields;
 use super::plan::StudyPlan;
 use super::results_table::ResultsTable;
 use super::shard::Shard;
@@ -266,6 +267,96 @@ fn heights_of_a_map_count_and_values_that_every_case_replaces_do_not() {
     assert_ne!(of(BASE, keys), of(&other, keys));
     let output = format!("{BASE}\n[output]\nfields = \"none\"\n");
     assert_eq!(of(BASE, keys), of(&output, keys));
+}
+
+#[test]
+fn a_default_written_out_leaves_the_study_the_same_and_another_value_does_not() {
+    let of = |base: &str| fingerprint_of(base, "indenter.radius = [\"3 um\", \"4 um\"]", "");
+    let first = of(BASE);
+    let elements = crate::case::grid::GridCase::default().elements;
+    let base = format!("{BASE}\n[grid]\nelements = {elements}\nboundary = \"free\"\n");
+    assert_eq!(first, of(&base));
+    assert_eq!(first, of(&format!("{base}\n[solver]\ntolerance = 1e-8\n")));
+    assert_ne!(first, of(&format!("{base}\n[solver]\ntolerance = 1e-7\n")));
+}
+
+#[test]
+fn results_of_an_older_layout_are_those_of_another_study() {
+    let folder = tempfile::tempdir().unwrap();
+    let identity = plan(TWO_KEYS, Shard::WHOLE).identity;
+    let old = format!(
+        "{{\"schema\": \"pellicle-study/1\", \"version\": \"0.1.0\", \"study\": \"a\", \
+         \"shard\": {{\"index\": 1, \"count\": 1}}, \"fingerprint\": {:?}, \"header\": \"case,status\", \
+         \"rows\": [1, 1, 1]}}",
+        identity.fingerprint
+    );
+    fs::write(folder.path().join("study.json"), old).unwrap();
+    fs::write(identity.table(folder.path()), "case,status\n1,failed\n").unwrap();
+    let refused = StudyFolder::claim(folder.path(), &identity, false);
+    assert!(matches!(refused, Err(Failure::OtherStudy { .. })));
+    let place = StudyFolder::claim(folder.path(), &identity, true).unwrap();
+    assert_eq!(
+        ResultsTable::open(place, &identity).unwrap().tally().done(),
+        0
+    );
+    fs::write(folder.path().join("study.json"), "{\"mine\": 1}").unwrap();
+    assert!(StudyFolder::claim(folder.path(), &identity, true).is_err());
+}
+
+#[cfg(unix)]
+#[test]
+fn the_fields_of_a_million_cases_have_their_places_beyond_four_gigabytes() {
+    use std::os::unix::fs::FileExt;
+    let folder = tempfile::tempdir().unwrap();
+    let keeps = MILLION.replace("[study]", "[study]\nkeep = [\"pressure\"]");
+    let keeps = format!("{keeps}grid.elements = [32]\n");
+    let identity = plan(&keeps, Shard::WHOLE).identity;
+    let kept = KeptFields::open(folder.path(), &identity, 0)
+        .unwrap()
+        .unwrap();
+    kept.add_failed(999_999).unwrap();
+    kept.finish().unwrap();
+    let file = fs::File::open(folder.path().join("fields-n32.nc")).unwrap();
+    let length = file.metadata().unwrap().len();
+    assert!(length > 8_208_000_000 && length < 8_208_010_000, "{length}");
+    // Number, status and side of the last case, whose fields are NaN, at the end of the file.
+    let mut record = vec![0; 16 + 8192];
+    file.read_exact_at(&mut record, length - 8208).unwrap();
+    assert_eq!(record[..8], [0, 15, 66, 64, 0, 0, 0, 3]);
+    assert!(
+        record[8..]
+            .chunks(8)
+            .all(|bytes| bytes == f64::NAN.to_be_bytes())
+    );
+    let mut cases = [0; 4];
+    file.read_exact_at(&mut cases, 4).unwrap();
+    assert_eq!(u32::from_be_bytes(cases), 1_000_000);
+}
+
+#[test]
+fn a_field_of_one_case_that_the_format_cannot_hold_is_refused_before_anything_is_solved() {
+    let base = format!("{BASE}\n[output]\nfields = \"all\"\n");
+    let text = TWO_KEYS.replace("[study]", "[study]\nkeep = [\"pressure\"]");
+    let loads: Vec<_> = (1..9).map(|i| format!("\"{i} uN\"")).collect();
+    let text = text.replace(
+        "grid.elements = { from = 32, to = 128, count = 3, spacing = \"log\" }",
+        "",
+    );
+    let text = format!(
+        "{text}load.forces = [[{}]]\ngrid.elements = [8192]\n",
+        loads.join(", ")
+    );
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("study.toml");
+    fs::write(folder.path().join("base.toml"), base).unwrap();
+    fs::write(&path, text).unwrap();
+    let study = study_file::read(&path, &[]).unwrap();
+    let refused = StudyPlan::new(&study, Shard::WHOLE).unwrap_err();
+    let (elements, steps) = (8192, 8);
+    assert!(
+        matches!(refused, Failure::KeptTooLarge { elements: e, steps: s } if (e, s) == (elements, steps)),
+        "{refused}"
+    );
 }
 
 /// A million cases.

@@ -35,8 +35,9 @@ fn every_command_of_the_guide_does_what_it_says() {
         }
     }
     let studies = ["results/thickness", "results/study"].map(|study| names(&folder.path(study)));
-    assert_eq!(studies[0], ["results.csv", "study.json"]);
-    assert_eq!(studies[1].len(), 6);
+    assert_eq!(studies[0], ["report.html", "results.csv", "study.json"]);
+    // Tables and identities of the whole and its parts, a page, and fields on two grids of each.
+    assert_eq!(studies[1].len(), 13);
 }
 
 fn run(folder: &TestFolder, path: &str, line: &str) {

@@ -275,7 +275,7 @@ fn gathers_at_once_all_end_well() {
         assert_eq!(child.wait().unwrap().code(), Some(0));
     }
     assert_eq!(read(&folder, "results/many/results.csv").lines().count(), 4);
-    assert_eq!(names(&folder.path("results/many")).len(), 6);
+    assert_eq!(names(&folder.path("results/many")).len(), 7);
 }
 
 #[test]

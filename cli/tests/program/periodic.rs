@@ -70,6 +70,27 @@ fn a_cell_may_be_cut_anywhere() {
         approx::assert_relative_eq!(once, wanted, max_relative = 1e-6);
         approx::assert_relative_eq!(twice, wanted, max_relative = 1e-6);
     }
+    let rough = found
+        .each_ref()
+        .map(|summary| &summary["steps"][0]["rough_contact"]);
+    assert_eq!(rough[0]["nominal_area"], 1.0);
+    // Islands go on over the border.
+    let islands = rough.map(|rough| &rough["islands"]);
+    assert!(islands[0]["count"].as_u64().unwrap() > 1);
+    assert_eq!([islands[1], islands[2]], [islands[0]; 2]);
+    for key in ["perimeter", "mean_gap", "corrected_area"] {
+        let [wanted, once, twice] = rough.map(|rough| rough[key].as_f64().unwrap());
+        approx::assert_relative_eq!(once, wanted, max_relative = 1e-6);
+        approx::assert_relative_eq!(twice, wanted, max_relative = 1e-6);
+    }
+    let slopes = found.each_ref().map(|summary| {
+        assert_eq!(summary["roughness"]["indenter"]["derivatives"], "spectrum");
+        summary["roughness"]["indenter"]["rms_slope"]
+            .as_f64()
+            .unwrap()
+    });
+    approx::assert_relative_eq!(slopes[1], slopes[0], max_relative = 1e-12);
+    approx::assert_relative_eq!(slopes[2], slopes[0], max_relative = 1e-12);
 }
 
 #[test]

@@ -140,4 +140,18 @@ fn a_measured_surface_has_maps_of_its_heights_the_gap_and_the_displacement() {
     }
     let page = fs::read_to_string(folder.path("a/report.html")).unwrap();
     assert!(page.contains("<h3>The gap g</h3>"));
+    let spectrum = svg(&folder.path("a/spectrum.svg"));
+    assert!(spectrum.contains("surface: rms height") && page.contains("<h2>Roughness</h2>"));
+    let histograms = svg(&folder.path("a/histograms-000.svg"));
+    assert!(histograms.contains("mean gap out of contact") && page.contains("Pressures and gaps"));
+    let curve = fs::read_to_string(folder.path("a/curve.csv")).unwrap();
+    let header = curve.lines().next().unwrap();
+    assert!(
+        header.ends_with("contact fraction,mean gap [m],islands"),
+        "{header}"
+    );
+    // From the files alone.
+    fs::remove_file(folder.path("a/spectrum.svg")).unwrap();
+    plot(&folder, "plot a");
+    assert_eq!(svg(&folder.path("a/spectrum.svg")), spectrum);
 }

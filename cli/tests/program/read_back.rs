@@ -197,6 +197,17 @@ fn vtk_reads_the_stresses_on_their_uneven_planes() {
 }
 
 #[test]
+fn xarray_reads_the_fields_of_a_study_with_the_case_as_a_dimension() {
+    let folder = TestFolder::with_case(CASE.replace("side = \"400 nm\"\n", ""));
+    let text = "[study]\ncase = \"case.toml\"\nkeep = [\"pressure\"]\n[study.vary]\n\
+                grid.elements = [32, 48]\nsurface.radius = [\"10 nm\", \"20 nm\", \"26 nm\"]\n";
+    fs::write(folder.path("many.toml"), text).unwrap();
+    let ran = folder.run(&["study", "many.toml", "--quiet"]);
+    assert_eq!(ran.code, Some(1), "{}", ran.stderr);
+    read_back("xarray_study.py", &[folder.path("results/many")]);
+}
+
+#[test]
 fn every_summary_keeps_to_its_schema() {
     let folder = TestFolder::with_case(CASE);
     let runs = [

@@ -6,100 +6,8 @@ use std::fs;
 use ndarray::Array2;
 use ndarray_npy::NpzReader;
 
+use crate::netcdf_reader;
 use crate::runner::{CASE, TestFolder, names};
-
-/// Dimensions and variables of a `NetCDF` file of the classic format with 64-bit offsets.
-struct NetcdfReader {
-    bytes: Vec<u8>,
-    at: usize,
-}
-
-/// A variable over the record dimension: the values of each record.
-type Records = Vec<Vec<f64>>;
-
-impl NetcdfReader {
-    fn integer(&mut self) -> usize {
-        self.at += 4;
-        u32::from_be_bytes(self.bytes[self.at - 4..self.at].try_into().unwrap()) as usize
-    }
-
-    fn text(&mut self) -> String {
-        let length = self.integer();
-        let text = String::from_utf8(self.bytes[self.at..self.at + length].to_vec()).unwrap();
-        self.at += length.next_multiple_of(4);
-        text
-    }
-
-    fn skip_attributes(&mut self) {
-        self.integer();
-        for _ in 0..self.integer() {
-            self.text();
-            let size = [0, 1, 1, 2, 4, 4, 8][self.integer()];
-            let length = self.integer();
-            self.at += (length * size).next_multiple_of(4);
-        }
-    }
-
-    /// Every variable by its name, those without records as a single one.
-    fn variables(mut self) -> BTreeMap<String, Records> {
-        assert_eq!(self.bytes[..4], *b"CDF\x02");
-        self.at = 4;
-        let records = self.integer();
-        assert_eq!(self.integer(), 10);
-        let dimensions = self.integer();
-        let lengths: Vec<_> = (0..dimensions)
-            .map(|_| {
-                self.text();
-                self.integer()
-            })
-            .collect();
-        self.skip_attributes();
-        assert_eq!(self.integer(), 11);
-        let mut found = Vec::new();
-        for _ in 0..self.integer() {
-            let name = self.text();
-            let dimensions: Vec<_> = (0..self.integer()).map(|_| self.integer()).collect();
-            self.skip_attributes();
-            let (kind, size) = (self.integer(), self.integer());
-            let begin = (self.integer() << 32) + self.integer();
-            let has_records = dimensions.first().is_some_and(|i| lengths[*i] == 0);
-            found.push((name, kind, size, begin, has_records));
-        }
-        let of_record: usize = found.iter().filter(|v| v.4).map(|v| v.2).sum();
-        let values = |kind, bytes: &[u8]| -> Vec<f64> {
-            match kind {
-                4 => bytes
-                    .chunks(4)
-                    .map(|b| f64::from(i32::from_be_bytes(b.try_into().unwrap())))
-                    .collect(),
-                _ => bytes
-                    .chunks(8)
-                    .map(|b| f64::from_be_bytes(b.try_into().unwrap()))
-                    .collect(),
-            }
-        };
-        let bytes = &self.bytes;
-        let end = found
-            .iter()
-            .filter(|v| !v.4)
-            .map(|v| v.3 + v.2)
-            .max()
-            .unwrap();
-        assert_eq!(
-            bytes.len(),
-            end + records * of_record,
-            "nothing more in the file"
-        );
-        let variables = found
-            .into_iter()
-            .map(|(name, kind, size, begin, has_records)| {
-                let records = if has_records { records } else { 1 };
-                let record = |i| values(kind, &bytes[begin + i * of_record..][..size]);
-                (name, (0..records).map(record).collect())
-            });
-        variables.collect()
-    }
-}
 
 /// The arrays of a VTK file by name, all as numbers.
 fn vtk_arrays(bytes: &[u8]) -> BTreeMap<String, Vec<f64>> {
@@ -165,7 +73,7 @@ fn both_files_hold_the_same_fields_and_the_surface_bears_the_pressure() {
     let ran = folder.run(&["run", "case.toml", "--out", "a", "--pictures", "none"]);
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
     let bytes = fs::read(folder.path("a/stress-000.nc")).unwrap();
-    let netcdf = NetcdfReader { bytes, at: 0 }.variables();
+    let netcdf = netcdf_reader::variables(bytes);
     let vtk = vtk_arrays(&fs::read(folder.path("a/stress-000.vtr")).unwrap());
     // The centres within 300 nm of a grid of 32 elements of 12.5 nm.
     let x: Vec<f64> = (0..24).map(|i| 12.5e-9 * (f64::from(i) - 11.5)).collect();
@@ -279,7 +187,7 @@ fn displacements_that_friction_leaves_unbounded_are_no_numbers_and_stresses_are_
         ran.stderr
     );
     let bytes = fs::read(folder.path("a/stress-000.nc")).unwrap();
-    let netcdf = NetcdfReader { bytes, at: 0 }.variables();
+    let netcdf = netcdf_reader::variables(bytes);
     for name in FIELDS {
         for (plane, values) in netcdf[name].iter().enumerate() {
             let is_unbounded = ["ux", "uy"].contains(&name) && plane < 3;
@@ -308,7 +216,7 @@ fn a_step_without_contact_has_stresses_of_zero() {
     let ran = folder.run(&line);
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
     let bytes = fs::read(folder.path("a/stress-000.nc")).unwrap();
-    let netcdf = NetcdfReader { bytes, at: 0 }.variables();
+    let netcdf = netcdf_reader::variables(bytes);
     assert!(
         FIELDS
             .iter()

@@ -84,7 +84,7 @@ fn a_study_killed_at_ten_moments_ends_with_the_table_of_one_left_alone() {
     assert_eq!(table(&folder, "results.csv"), expected);
     assert_eq!(
         names(&folder.path("results/many")),
-        ["results.csv", "study.json"]
+        ["report.html", "results.csv", "study.json"]
     );
 }
 
@@ -200,7 +200,7 @@ fn a_fresh_study_that_is_killed_leaves_the_table_that_was_there() {
     assert_eq!(study(&folder, &["--fresh"]).code, Some(0));
     assert_eq!(
         names(&folder.path("results/many")),
-        ["results.csv", "study.json"]
+        ["report.html", "results.csv", "study.json"]
     );
 }
 

@@ -1,7 +1,5 @@
 //! Where the elements of a fine window lie among those of a coarser grid over the same square.
 
-use pellicle_influence::Sector;
-
 use crate::grid::window::Window;
 
 /// The lines of a fine window among those of a coarse one, along both axes.
@@ -16,7 +14,7 @@ pub struct FineLine {
     pub within: isize,
     /// The two lines around it, none outside the window, and their weights: linear.
     pub around: [(Option<usize>, f64); 2],
-    /// The four lines around it, and the weights of the cubic through their values. Across the axis of a quadrant they
+    /// The four lines around it, and the weights of the cubic through their values. Across an axis of a sector they
     /// are mirror images; elsewhere the outermost line stands for those beyond.
     pub among: [(usize, f64); 4],
 }
@@ -28,7 +26,7 @@ impl Prolongation {
         Self {
             lines: [0, 1].map(|axis: usize| {
                 let first = onto.origin()[axis];
-                let fine = first..first + onto.size();
+                let fine = first..first + onto.lengths()[axis];
                 fine.map(|i| FineLine::of(i, onto.grid(), from, axis))
                     .collect()
             }),
@@ -52,21 +50,22 @@ impl FineLine {
     /// The `i`-th of `fine` lines of a grid.
     fn of(i: usize, fine: usize, from: &Window, axis: usize) -> Self {
         let (first, coarse) = (from.origin()[axis].cast_signed(), from.grid());
-        let last = from.size().cast_signed() - 1;
+        let last = from.lengths()[axis].cast_signed() - 1;
+        let lines = from.everywhere().lengths()[axis].cast_signed();
         let within = ((2 * i + 1) * coarse / (2 * fine)).cast_signed() - first;
         // Centres lie at half-integers.
         let position = (i as f64 + 0.5) * coarse as f64 / fine as f64 - 0.5;
         #[expect(clippy::cast_possible_truncation, reason = "an index of a grid, or −1")]
         let low = position.floor() as isize;
         let t = position - position.floor();
-        let is_mirrored = from.sector() == Sector::Quadrant;
+        let is_mirrored = from.sector().mirrored()[axis];
         let line = |index: isize| {
             let image = if index < 0 && is_mirrored {
                 -1 - index
             } else {
                 index
             };
-            image.clamp(0, coarse.cast_signed() - 1) - first
+            image.clamp(0, lines - 1) - first
         };
         let inside = |line: isize| usize::try_from(line).ok().filter(|_| line <= last);
         let nearest = |line: isize| line.clamp(0, last).cast_unsigned();
@@ -85,6 +84,8 @@ impl FineLine {
 
 #[cfg(test)]
 mod tests {
+    use pellicle_influence::Sector;
+
     use super::*;
 
     /// The value that the weights give a field of the coarse line's position, in coarse elements.
@@ -115,6 +116,20 @@ mod tests {
     }
 
     #[test]
+    fn a_coarse_window_counts_lines_from_its_own_first() {
+        let belongs = |[i, j]: [usize; 2]| (20..24).contains(&i) && (30..34).contains(&j);
+        let from = Window::whole(64).around(belongs);
+        let prolongation = Prolongation::new(&from, &Window::whole(128));
+        let both = [prolongation.rows(), prolongation.columns()];
+        for (lines, origin) in both.into_iter().zip(from.origin()) {
+            assert!(origin > 0);
+            for (i, line) in lines.iter().enumerate() {
+                assert_eq!(line.within, (i / 2).cast_signed() - origin.cast_signed());
+            }
+        }
+    }
+
+    #[test]
     fn the_coarse_line_that_holds_a_fine_one_is_the_nearest() {
         let prolongation = Prolongation::new(&Window::whole(8), &Window::whole(16));
         let within: Vec<_> = prolongation
@@ -127,14 +142,22 @@ mod tests {
     }
 
     #[test]
-    fn across_the_axis_of_a_quadrant_lies_the_mirror_image() {
-        let (from, to) = (
-            Window::all_of(Sector::Quadrant, 8),
-            Window::all_of(Sector::Quadrant, 16),
-        );
+    fn across_an_axis_of_a_sector_lies_the_mirror_image() {
         let even = |x: f64| (x + 0.5).powi(2);
-        let line = Prolongation::new(&from, &to).rows()[0];
-        // The parabola about the axis at −½.
-        approx::assert_relative_eq!(cubic(&line, even), even(-0.25), epsilon = 1e-13);
+        for sector in [Sector::Half, Sector::Quadrant] {
+            let [from, to] = [8, 16].map(|size| Window::all_of(sector, size));
+            let prolongation = Prolongation::new(&from, &to);
+            let [rows, _] = to.lengths();
+            assert_eq!(
+                (prolongation.rows().len(), prolongation.columns().len()),
+                (rows, 16)
+            );
+            let lines = [prolongation.rows()[0], prolongation.columns()[0]];
+            for (line, _) in (lines.iter().zip(sector.mirrored())).filter(|(_, mirrored)| *mirrored)
+            {
+                // The parabola about the axis at −½.
+                approx::assert_relative_eq!(cubic(line, even), even(-0.25), epsilon = 1e-13);
+            }
+        }
     }
 }

@@ -20,11 +20,13 @@ const ELEMENTS_PER_THREAD: usize = 1 << 14;
 /// Row and column among the elements of a window, which may lie before it: there is a mirror image, or nothing.
 pub type Place = [isize; 2];
 
-/// A window of a grid of N × N elements, or of a sector of one; on a quadrant it begins at the axis.
+/// A square window of a grid of N × N elements, or the part of one in a sector, which begins at the sector's axes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Window {
     origin: [usize; 2],
+    /// Elements of a row.
     size: usize,
+    /// Those of the sector.
     grid: usize,
     sector: Sector,
 }
@@ -42,7 +44,7 @@ impl Window {
         Self::all_of(Sector::Whole, grid)
     }
 
-    /// The window that is all of a sector of `grid` elements per side.
+    /// The window that is all of a sector of `grid` elements a row.
     pub fn all_of(sector: Sector, grid: usize) -> Self {
         Self {
             origin: [0, 0],
@@ -64,11 +66,9 @@ impl Window {
         let Some(extent) = self.extent(belongs) else {
             return self.everywhere();
         };
-        let longest = extent.longest();
-        let margin = MARGIN.max(self.sector.parts() * longest / MARGIN_PART);
-        // A quadrant has none at the axis.
-        let margins = 2 * margin / self.sector.parts();
-        let size = SurfaceElasticity::fast_size(longest + margins);
+        let side = extent.side_of_square(self.sector);
+        let margin = MARGIN.max(side / MARGIN_PART);
+        let size = SurfaceElasticity::fast_size(self.sector.size_for(side + 2 * margin));
         if size as f64 > LARGEST_PART * grid as f64 {
             return self.everywhere();
         }
@@ -83,20 +83,26 @@ impl Window {
         finer: usize,
     ) -> Option<Self> {
         let IndexRange { first, last } = self.extent(belongs)?;
+        let everywhere = Self::all_of(self.sector, finer);
+        let lines = everywhere.lengths();
         let low = |i: usize| i.saturating_sub(1) * finer / self.grid;
-        let high = |i: usize| ((i + 2) * finer).div_ceil(self.grid).min(finer) - 1;
+        let high = |axis: usize| {
+            let end = ((last[axis] + 2) * finer).div_ceil(self.grid);
+            end.min(lines[axis]) - 1
+        };
         let extent = IndexRange {
             first: first.map(low),
-            last: last.map(high),
+            last: [0, 1].map(high),
         };
-        let everywhere = Self::all_of(self.sector, finer);
-        Some(extent.centred(extent.longest(), &everywhere))
+        let size = self.sector.size_for(extent.side_of_square(self.sector));
+        Some(extent.centred(size, &everywhere))
     }
 
-    /// First and last of this window's elements that belong, or lie between the axis and those on a quadrant.
+    /// First and last of this window's elements that belong, or lie between those and an axis of the sector.
     fn extent(&self, belongs: impl Fn([usize; 2]) -> bool + Sync) -> Option<IndexRange> {
         let [above, left] = self.origin;
-        let columns = left..left + self.size;
+        let [rows, columns] = self.lengths();
+        let columns = left..left + columns;
         let of_row = |i: usize| {
             let belongs = |j: &usize| belongs([i, *j]);
             let first = columns.clone().find(belongs)?;
@@ -106,16 +112,20 @@ impl Window {
                 last: [i, last],
             })
         };
-        let rows = (above..above + self.size).into_par_iter();
+        let rows = (above..above + rows).into_par_iter();
         let rows = rows.with_min_len(ELEMENTS_PER_THREAD / self.size + 1);
         let extents: Vec<IndexRange> = rows.filter_map(of_row).collect();
         let extent = extents.into_iter().reduce(IndexRange::and)?;
-        Some(match self.sector {
-            Sector::Whole => extent,
-            Sector::Quadrant => IndexRange {
-                first: [0, 0],
-                ..extent
-            },
+        let first = |axis: usize| {
+            if self.sector.mirrored()[axis] {
+                0
+            } else {
+                extent.first[axis]
+            }
+        };
+        Some(IndexRange {
+            first: [0, 1].map(first),
+            ..extent
         })
     }
 
@@ -135,12 +145,15 @@ impl Window {
 
     /// The window of another, larger size around the same centre, moved into the grid.
     fn resized(&self, size: usize) -> Self {
-        let more = (size - self.size) / 2;
-        let last = self.grid - size;
+        let (before, after) = (self.lengths(), self.sector.lengths(size));
+        let all = self.sector.lengths(self.grid);
+        let first = |axis: usize| {
+            let more = (after[axis] - before[axis]) / 2;
+            let last = all[axis] - after[axis];
+            self.origin[axis].saturating_sub(more).min(last)
+        };
         Self {
-            origin: self
-                .origin
-                .map(|first| first.saturating_sub(more).min(last)),
+            origin: [0, 1].map(first),
             size,
             ..*self
         }
@@ -168,12 +181,22 @@ impl Window {
         self.size == self.grid
     }
 
-    /// Elements per side.
+    /// Elements of a row.
     pub fn size(&self) -> usize {
         self.size
     }
 
-    /// Elements per side of the grid.
+    /// Rows, and elements of each.
+    pub fn lengths(&self) -> [usize; 2] {
+        self.sector.lengths(self.size)
+    }
+
+    /// Number of elements.
+    pub fn elements(&self) -> usize {
+        self.lengths().iter().product()
+    }
+
+    /// Elements of a row of the sector.
     pub fn grid(&self) -> usize {
         self.grid
     }
@@ -190,28 +213,32 @@ impl Window {
 
     /// Elements per side of the whole grid, of which the window's grid is a sector.
     pub fn whole_grid(&self) -> usize {
-        self.sector.parts() * self.grid
+        self.sector.whole(self.grid)
     }
 
     /// Indices on the whole grid of the element at a place in the window.
     pub fn index_on_whole(&self, [i, j]: Place) -> [isize; 2] {
-        let first = self.sector.first_index(self.whole_grid());
-        let [above, left] = self.origin.map(|origin| (first + origin).cast_signed());
-        [above + i, left + j]
+        let [above, left] = self.sector.first_index(self.whole_grid());
+        let [row, column] = self.origin;
+        [
+            (above + row).cast_signed() + i,
+            (left + column).cast_signed() + j,
+        ]
     }
 
     /// The element of the window at a place, itself or as the mirror image; none outside the window.
     pub fn element(&self, place: Place) -> Option<usize> {
-        let along = |i: isize| {
-            let lines = if i < 0 {
-                self.sector.mirrored_lines(self.size)
+        let along = |axis: usize| {
+            let i = place[axis];
+            let image = if i < 0 && self.sector.mirrored()[axis] {
+                -1 - i
             } else {
-                self.size
+                i
             };
-            let image = if i < 0 { -1 - i } else { i };
+            let lines = self.lengths()[axis];
             usize::try_from(image).ok().filter(|image| *image < lines)
         };
-        Some(along(place[0])? * self.size + along(place[1])?)
+        Some(along(0)? * self.size + along(1)?)
     }
 
     /// The first, by index, of the elements of the whole grid that the element in a row and column stands for.
@@ -231,24 +258,21 @@ impl Window {
     /// The part of the cell between four places from this one on that belongs to the sector: one across an axis of
     /// symmetry belongs to several quadrants.
     pub fn share_of_cell(&self, place: Place) -> f64 {
-        let part = |i: isize| if i < 0 { self.sector.parts() } else { 1 };
-        1.0 / place.map(part).iter().product::<usize>() as f64
+        let parts = self.sector.parts().into_iter().zip(place);
+        let across = parts.filter(|(_, i)| *i < 0).map(|(parts, _)| parts);
+        1.0 / across.product::<usize>() as f64
     }
 
-    /// The elements on the window's border, which the axes of a quadrant are not.
+    /// The elements on the window's border, which the axes of a sector are not.
     pub fn border(&self) -> impl Iterator<Item = usize> + use<> {
-        let size = self.size;
-        let last = size * (size - 1);
-        let sides = match self.sector {
-            Sector::Whole => 4,
-            Sector::Quadrant => 2,
+        let [rows, size] = self.lengths();
+        let ends = |axis: usize, last: usize| {
+            let first = (!self.sector.mirrored()[axis]).then_some(0);
+            first.into_iter().chain([last])
         };
-        let of_line = move |i: usize| {
-            [last + i, i * size + size - 1, i, i * size]
-                .into_iter()
-                .take(sides)
-        };
-        (0..size).flat_map(of_line)
+        let of_rows = ends(0, rows - 1).flat_map(move |i| (0..size).map(move |j| i * size + j));
+        let of_columns = ends(1, size - 1).flat_map(move |j| (0..rows).map(move |i| i * size + j));
+        of_rows.chain(of_columns)
     }
 
     /// The place within the window of the element in a row and column of the grid; none of one outside.
@@ -257,7 +281,8 @@ impl Window {
             row.checked_sub(self.origin[0])?,
             column.checked_sub(self.origin[1])?,
         ];
-        (line < self.size && column < self.size).then(|| line * self.size + column)
+        let [rows, columns] = self.lengths();
+        (line < rows && column < columns).then(|| line * self.size + column)
     }
 
     /// The part of a field of the grid that lies in the window's `line`-th row.
@@ -303,19 +328,29 @@ impl Window {
         match self.sector {
             Sector::Whole if self.is_whole() => part,
             Sector::Whole => self.everywhere().take_over(self, &part),
-            Sector::Quadrant => self.unfold(&part),
+            Sector::Half | Sector::Quadrant => self.unfold(&part),
         }
     }
 
-    /// The same of a window of a quadrant, which begins at the axis.
+    /// The same of a window whose rows begin at an axis.
     fn unfold(&self, part: &[f64]) -> Vec<f64> {
         let (axis, width) = (self.grid, 2 * self.grid);
+        let [lines, _] = self.lengths();
+        let [above, _] = self.origin;
         let mut field = vec![0.0; width * width];
         let rows = field.par_chunks_exact_mut(width).enumerate();
-        let rows = rows.skip(axis - self.size).take(2 * self.size);
+        let [first, count] = match self.sector.mirrored() {
+            [true, _] => [axis - lines, 2 * lines],
+            [false, _] => [above, lines],
+        };
+        let rows = rows.skip(first).take(count);
         let rows = rows.with_min_len(ELEMENTS_PER_THREAD / self.size + 1);
         rows.for_each(|(i, row)| {
-            let line = if i < axis { axis - 1 - i } else { i - axis };
+            let line = match self.sector.mirrored() {
+                [true, _] if i < axis => axis - 1 - i,
+                [true, _] => i - axis,
+                [false, _] => i - above,
+            };
             let values = &part[line * self.size..(line + 1) * self.size];
             let (left, right) = row.split_at_mut(axis);
             right[..self.size].copy_from_slice(values);
@@ -327,10 +362,11 @@ impl Window {
 
     /// The field on this window that is `part` where the other lies in it and 0 elsewhere.
     pub fn take_over<T: Copy + Default + Send + Sync>(&self, other: &Self, part: &[T]) -> Vec<T> {
-        let mut field = vec![T::default(); self.size * self.size];
+        let mut field = vec![T::default(); self.elements()];
+        let (own, others) = (self.lengths(), other.lengths());
         let [rows, columns] = [0, 1].map(|axis: usize| {
             let first = self.origin[axis].max(other.origin[axis]);
-            let end = (self.origin[axis] + self.size).min(other.origin[axis] + other.size);
+            let end = (self.origin[axis] + own[axis]).min(other.origin[axis] + others[axis]);
             first..end.max(first)
         });
         let lines = field.par_chunks_mut(self.size).enumerate();
@@ -348,18 +384,21 @@ impl Window {
 }
 
 impl IndexRange {
-    /// Elements along the longer side.
-    fn longest(&self) -> usize {
-        let lengths = [0, 1].map(|axis: usize| self.last[axis] + 1 - self.first[axis]);
+    /// Elements along the side of the smallest square that holds them and their mirror images.
+    fn side_of_square(&self, sector: Sector) -> usize {
+        let parts = sector.parts();
+        let lengths =
+            [0, 1].map(|axis: usize| parts[axis] * (self.last[axis] + 1 - self.first[axis]));
         lengths[0].max(lengths[1])
     }
 
-    /// The window of `size` elements per side around the centre, moved into the grid; from the axis on where the extent
+    /// The window of `size` elements a row around the centre, moved into the grid; from the axis on where the extent
     /// reaches from there.
     fn centred(&self, size: usize, everywhere: &Window) -> Window {
+        let (lengths, all) = (everywhere.sector.lengths(size), everywhere.lengths());
         let origin = [0, 1].map(|axis: usize| {
             let twice_centre = self.first[axis] + self.last[axis] + 1;
-            (twice_centre.saturating_sub(size) / 2).min(everywhere.grid - size)
+            (twice_centre.saturating_sub(lengths[axis]) / 2).min(all[axis] - lengths[axis])
         });
         Window {
             origin,

@@ -37,6 +37,12 @@ pub trait Profile: Debug + Send + Sync {
         self.heights(&points).iter().sum::<f64>() / f64::from(ANGLES)
     }
 
+    /// Slope of the [mean profile](Self::mean_profile); by a central difference if not known better.
+    fn mean_slope(&self, radius: f64) -> f64 {
+        let step = 1e-3 * radius;
+        (self.mean_profile(radius + step) - self.mean_profile(radius - step)) / (2.0 * step)
+    }
+
     /// Whether `f(x, y) = f(−x, y) = f(x, −y)`, so that a quadrant is enough where relief and grid allow it.
     fn is_mirrored(&self) -> bool {
         false
@@ -57,5 +63,29 @@ pub trait Profile: Debug + Send + Sync {
     /// Heights at the element centres of a grid, m: N² values, index `i * N + j`, first index along x.
     fn sample(&self, grid: &Grid) -> Vec<f64> {
         grid.centres().map(|[x, y]| self.height(x, y)).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Profile;
+
+    /// `1 + y + x⁴`.
+    #[derive(Debug)]
+    struct Shape;
+
+    impl Profile for Shape {
+        fn height(&self, x: f64, y: f64) -> f64 {
+            1.0 + y + x.powi(4)
+        }
+    }
+
+    #[test]
+    fn a_mean_profile_is_the_mean_over_the_circle() {
+        for radius in [0.0, 0.5, 2.0_f64] {
+            // The mean of cos⁴ is 3/8, and the midpoint rule is exact for it.
+            let wanted = 1.0 + 0.375 * radius.powi(4);
+            assert!((Shape.mean_profile(radius) / wanted - 1.0).abs() < 1e-14);
+        }
     }
 }

@@ -79,8 +79,12 @@ impl Slopes {
     }
 }
 
-/// Midpoints between a ridge and a face for the average over a circle.
-const ROUND_POINTS: u32 = 12;
+/// Places in the interval from 0 to 1 and weights of Gauss's rule of three points.
+const GAUSS: [[f64; 2]; 3] = [
+    [0.112_701_665_379_258_31, 5.0 / 18.0],
+    [0.5, 8.0 / 18.0],
+    [0.887_298_334_620_741_7, 5.0 / 18.0],
+];
 
 impl Pyramid {
     /// Face angle of the Berkovich pyramid, 65.03°: three faces with the Vickers ratio of true surface area to depth².
@@ -223,17 +227,67 @@ impl Pyramid {
         ridge * along - of_ridge + stretch * cap_height(radius, across)
     }
 
-    /// Mean height over the arc of a circle from a ridge to the distance `end` across it.
-    fn mean_near_ridge(&self, radius: f64, end: f64) -> f64 {
-        let (mut sum, mut angle) = (0.0, 0.0);
-        for k in 0..ROUND_POINTS {
-            let across = (f64::from(k) + 0.5) / f64::from(ROUND_POINTS) * end;
-            // dθ = dv/u
-            let along = half_chord(radius, across);
-            sum += self.height_at((along, across)) / along;
-            angle += 1.0 / along;
+    /// The arcs of a circle between a ridge and the middle of a face.
+    fn arcs(&self, radius: f64) -> Arcs {
+        let Slopes {
+            half_sector: [sine, _],
+            ridge,
+            stretch,
+            rounded,
+            ..
+        } = self.slopes;
+        let sector = PI / self.faces() as f64;
+        let angle_of = |across: f64| {
+            if across < sine * radius {
+                (across / radius).asin()
+            } else {
+                sector
+            }
+        };
+        let round = angle_of(rounded);
+        // The sphere ends at q u = c w: v² = q² ρ² − c² R².
+        let [far, near] = [stretch * radius, ridge * self.tip_radius];
+        let ridge = if far > near {
+            angle_of(((far - near) * (far + near)).sqrt()).min(round)
+        } else {
+            0.0
+        };
+        Arcs {
+            ridge,
+            sphere: round - ridge,
+            face: sector - round,
+            sector,
         }
-        sum / angle
+    }
+}
+
+/// Angles that parts of the surface take of a circle, from a ridge on.
+struct Arcs {
+    ridge: f64,
+    sphere: f64,
+    face: f64,
+    /// All of them.
+    sector: f64,
+}
+
+impl Arcs {
+    /// `∫ f(sin θ) dθ` over the ridge: Gauss's rule, of three points.
+    fn over_ridge(&self, function: impl Fn(f64) -> f64) -> f64 {
+        if self.ridge == 0.0 {
+            return 0.0;
+        }
+        let terms = GAUSS.map(|[place, weight]| weight * function((place * self.ridge).sin()));
+        self.ridge * terms.iter().sum::<f64>()
+    }
+
+    /// The mean of parts of an integral over the angle, each 0 where its arc is.
+    fn mean(&self, of_ridge: f64, of_sphere: impl Fn() -> f64, of_face: f64) -> f64 {
+        let of_sphere = if self.sphere > 0.0 {
+            self.sphere * of_sphere()
+        } else {
+            0.0
+        };
+        (of_ridge + of_sphere + of_face) / self.sector
     }
 }
 
@@ -247,23 +301,35 @@ impl Profile for Pyramid {
             return 0.0;
         }
         let Slopes {
-            half_sector: [sine, _],
             face,
-            rounded,
-            drops: [of_face, _],
+            ridge,
+            stretch,
+            drops: [below_face, below_ridge],
             ..
         } = self.slopes;
-        let sector = PI / self.faces() as f64;
-        // The round part of the sector ends at the angle θ₀, where v = v₁.
-        let (end, round) = if rounded < sine * radius {
-            (rounded, (rounded / radius).asin())
-        } else {
-            (sine * radius, sector)
-        };
-        // ∫ (m ρ cos(π/n − θ) − R (√(1 + m²) − 1)) dθ over θ₀ … π/n
-        let flat = sector - round;
-        let of_faces = face * radius * flat.sin() - of_face * flat;
-        (of_faces + round * self.mean_near_ridge(radius, end)) / sector
+        let arcs = self.arcs(radius);
+        let caps = arcs.over_ridge(|sine| cap_height(self.tip_radius, radius * sine));
+        // ∫ (c ρ cos θ − R (q − 1) + q (R − w)) dθ
+        let of_ridge =
+            ridge * radius * arcs.ridge.sin() - below_ridge * arcs.ridge + stretch * caps;
+        // ∫ (m ρ cos(π/n − θ) − R (√(1 + m²) − 1)) dθ
+        let of_face = face * radius * arcs.face.sin() - below_face * arcs.face;
+        arcs.mean(of_ridge, || cap_height(self.tip_radius, radius), of_face)
+    }
+
+    fn mean_slope(&self, radius: f64) -> f64 {
+        let Slopes {
+            face,
+            ridge,
+            stretch,
+            ..
+        } = self.slopes;
+        let (tip, arcs) = (self.tip_radius, self.arcs(radius));
+        // ∫ (c cos θ + q ρ sin² θ/w) dθ
+        let caps = arcs.over_ridge(|sine| sine * sine / half_chord(tip, radius * sine));
+        let of_ridge = ridge * arcs.ridge.sin() + stretch * radius * caps;
+        let of_face = face * arcs.face.sin();
+        arcs.mean(of_ridge, || radius / half_chord(tip, radius), of_face)
     }
 
     fn distance_to_edge(&self, x: f64, y: f64, scale: f64) -> f64 {

@@ -98,3 +98,41 @@ fn the_samples_lie_on_the_grid_x_first() {
     let grid = Grid::new(2.0, 2).unwrap();
     assert_eq!(indenter.sample(&grid), [0.0, 0.0, 0.5, 0.5]);
 }
+
+#[test]
+fn each_number_of_a_shape_can_be_replaced_by_another() {
+    use IndenterQuantity::{FaceAngle, HalfAngle, Radius, TipRadius};
+    let wanted: [&[IndenterQuantity]; 6] = [
+        &[Radius],
+        &[Radius],
+        &[HalfAngle, TipRadius],
+        &[Radius],
+        &[FaceAngle, TipRadius],
+        &[],
+    ];
+    for (indenter, wanted) in all().iter().zip(wanted) {
+        for quantity in [Radius, HalfAngle, FaceAngle, TipRadius] {
+            let Some(own) = indenter.parameter(quantity) else {
+                assert!(!wanted.contains(&quantity), "{indenter:?} {quantity:?}");
+                assert_eq!(indenter.with_parameter(quantity, 0.9).unwrap(), *indenter);
+                continue;
+            };
+            assert!(wanted.contains(&quantity), "{indenter:?} {quantity:?}");
+            let other = indenter.with_parameter(quantity, 0.9).unwrap();
+            assert_eq!(other.parameter(quantity), Some(0.9));
+            assert_eq!(other.with_parameter(quantity, own).unwrap(), *indenter);
+        }
+    }
+    // A punch's height does not depend on its radius smoothly.
+    let smooth = all().map(|indenter| indenter.parameters().len());
+    assert_eq!(smooth, [1, 1, 2, 0, 2, 0]);
+}
+
+#[test]
+fn a_tip_is_sharp_where_it_is_rounded_over_less_than_two_elements() {
+    // The round part of a cone ends at R cos α.
+    let blunt: Indenter = Cone::new(1.2, 0.3).unwrap().into();
+    let end = 0.3 * 1.2_f64.cos();
+    assert_eq!(blunt.distance_to_edge(0.3, 0.4, 0.501 * end), 0.5);
+    assert_eq!(blunt.distance_to_edge(0.3, 0.4, 0.499 * end), f64::INFINITY);
+}

@@ -20,7 +20,7 @@ use std::sync::LazyLock;
 
 use pellicle_texture::Relief;
 
-use crate::{Indenter, Load, Model};
+use crate::{Load, Model, Profile as _};
 use root::where_zero;
 
 /// The square on which the problem is solved.
@@ -86,6 +86,16 @@ pub fn default_side(model: &Model, loads: &[Load]) -> f64 {
     } else {
         2.0 * unloaded_radius(model, loads)
     }
+}
+
+/// The same where a hardness (Pa) cuts the pressure, so that a force needs an area of `Q/p_max` at least.
+pub(crate) fn default_side_at(model: &Model, loads: &[Load], hardness: f64) -> f64 {
+    let plastic = loads.iter().map(|load| match load {
+        Load::Force(force) => (force / hardness / PI).sqrt(),
+        Load::Penetration(_) => 0.0,
+    });
+    let radius = plastic.fold(0.0, f64::max);
+    default_side(model, loads).max(2.0 * MARGIN * radius)
 }
 
 /// The force (N) that presses the indenter to a penetration (m), by the closed forms of the first guess: good to some
@@ -206,7 +216,7 @@ fn elastic_force(model: &Model, a: f64) -> f64 {
     let step = FRAC_PI_2 / POINTS as f64;
     let integral: f64 = SINES
         .iter()
-        .map(|sine| slope(&model.indenter, a * sine) * sine * sine * step)
+        .map(|sine| model.indenter.mean_slope(a * sine) * sine * sine * step)
         .sum();
     2.0 * modulus * a * a * integral
 }
@@ -263,12 +273,6 @@ fn relief_volume(model: &Model, a: f64) -> f64 {
         })
         .sum();
     model.relief.area_fraction() * volume
-}
-
-/// `f′(ρ)` of the averaged profile, by a central difference.
-pub(crate) fn slope(indenter: &Indenter, rho: f64) -> f64 {
-    let step = 1e-3 * rho;
-    (indenter.mean_profile(rho + step) - indenter.mean_profile(rho - step)) / (2.0 * step)
 }
 
 #[cfg(test)]

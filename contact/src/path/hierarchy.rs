@@ -10,6 +10,7 @@ use pellicle_texture::Grid;
 use crate::{
     Boundary, CoarsePressure, ContactError, GridError, LevelValues, LevelWork, Load, Method, Model,
     SolverOptions, Step, Work,
+    path::capacity,
     path::domain::Guess,
     path::level::{Level, LevelResult, Start},
     path::levels::{COARSE_TOLERANCE, coarser_sizes},
@@ -29,6 +30,8 @@ pub struct Hierarchy<'a> {
     side: f64,
     sector: Sector,
     boundary: Boundary,
+    /// In Pa.
+    hardness: f64,
     /// Elements per side, coarsest first.
     sizes: Vec<usize>,
     /// The grids at hand; where only one load is to come, none but the one in use and the finest, whose memory is most
@@ -40,25 +43,27 @@ pub struct Hierarchy<'a> {
 }
 
 impl<'a> Hierarchy<'a> {
-    /// The grids for `loads` loads on a square of side `side` (m), the finest of `elements` elements per side.
+    /// The grids for some loads on a square of side `side` (m), the finest of `elements` elements per side.
     pub fn new(
         model: &'a Model,
         (side, boundary): (f64, Boundary),
         elements: usize,
-        loads: usize,
+        loads: &[Load],
         options: &SolverOptions,
     ) -> Self {
         let mut sizes = coarser_sizes(elements);
         // Of a domain far larger than the indenter a coarse grid may have no element under it.
         sizes.retain(|size| {
-            Grid::new(side, *size).is_ok_and(|grid| cut_off::can_touch(model, &grid))
+            Grid::new(side, *size).is_ok_and(|grid| {
+                cut_off::can_touch(model, &grid)
+                    && capacity::check(model, &grid, loads, options.hardness).is_ok()
+            })
         });
         sizes.push(elements);
-        let has_quadrants = sizes.iter().all(|size| size.is_multiple_of(2));
-        let is_for_quadrants = options.method == Method::Gradient && options.mirror_symmetry;
-        let is_free = boundary == Boundary::Free;
-        let sector = if is_free && has_quadrants && is_for_quadrants && model.is_mirrored() {
-            Sector::Quadrant
+        let has_sectors = sizes.iter().all(|size| size.is_multiple_of(2));
+        let is_for_sectors = options.method == Method::Gradient && options.mirror_symmetry;
+        let sector = if boundary == Boundary::Free && has_sectors && is_for_sectors {
+            model.sector()
         } else {
             Sector::Whole
         };
@@ -69,7 +74,8 @@ impl<'a> Hierarchy<'a> {
             boundary,
             levels: sizes.iter().map(|_| None).collect(),
             sizes,
-            keep: loads > 1,
+            hardness: options.hardness,
+            keep: loads.len() > 1,
             coefficients_seconds: 0.0,
             coefficients_origin: None,
         }
@@ -99,6 +105,7 @@ impl<'a> Hierarchy<'a> {
             side: self.side,
             sector: self.sector,
             boundary: self.boundary,
+            hardness: self.hardness,
             sizes: self.sizes.clone(),
             levels: twins?.into_iter().map(Some).collect(),
             keep: self.keep,
@@ -202,12 +209,12 @@ impl<'a> Hierarchy<'a> {
     ) -> Result<(), ContactError> {
         let finest = self.sizes.len() - 1;
         let (model, side, size) = (self.model, self.side, self.sizes[finest]);
-        let around = (self.sector, self.boundary);
+        let (around, hardness) = ((self.sector, self.boundary), self.hardness);
         let keeps = self.keep;
         let clock = Instant::now();
         let ((coarser, ascended), level) = rayon::join(
             || (self.ascend(ascent, finest, watch), clock.elapsed()),
-            || Level::new(model, side, size, around, keeps),
+            || Level::new(model, (side, size), around, hardness, keeps),
         );
         // What passed beside the solution costs no time of its own.
         let waited = clock.elapsed().saturating_sub(ascended);
@@ -242,6 +249,7 @@ impl<'a> Hierarchy<'a> {
         let coarser = match &mut result {
             Ok(result) if is_finest => {
                 let pressure = std::mem::take(&mut result.solution.pressure);
+                result.rough = level.rough_contact(self.model, &result.window, &pressure);
                 result.solution.pressure = result.window.spread(pressure);
                 None
             }
@@ -258,7 +266,8 @@ impl<'a> Hierarchy<'a> {
     fn make(&mut self, index: usize) -> Result<Level, ContactError> {
         let clock = Instant::now();
         let (size, around) = (self.sizes[index], (self.sector, self.boundary));
-        let level = Level::new(self.model, self.side, size, around, self.keep)?;
+        let square = (self.side, size);
+        let level = Level::new(self.model, square, around, self.hardness, self.keep)?;
         self.coefficients_seconds += clock.elapsed().as_secs_f64();
         self.note_origin(&level);
         Ok(level)
@@ -307,6 +316,7 @@ impl Ascent {
                 iterations: result.work.iterations,
                 operator_applications: result.work.operator_applications,
                 stiffness_applications: result.work.stiffness_applications,
+                candidate_applications: result.work.candidate_applications,
                 seconds,
                 levels: self.levels,
             },
@@ -315,6 +325,7 @@ impl Ascent {
             grid_error: GridError::new(self.values, accuracy),
             residuals: result.residuals,
             contact_stiffness: result.contact_stiffness,
+            rough: result.rough,
             cut_off: None,
             coarser: self.coarser,
         }
@@ -339,7 +350,7 @@ mod tests {
     use pellicle_texture::Relief;
 
     use super::Hierarchy;
-    use crate::{Boundary, Indenter, Method, Model, Paraboloid, Pyramid, SolverOptions};
+    use crate::{Boundary, Indenter, Load, Method, Model, Paraboloid, Pyramid, SolverOptions};
 
     fn model(indenter: Indenter) -> Model {
         let body = Foundation::half_space(Material::new(1.0, 0.0).unwrap());
@@ -352,7 +363,7 @@ mod tests {
     }
 
     #[test]
-    fn a_quadrant_is_solved_where_everything_is_mirrored_on_every_grid() {
+    fn a_sector_is_solved_where_everything_is_mirrored_on_every_grid() {
         let paraboloid = model(Paraboloid::new(1.0).unwrap().into());
         let berkovich = model(Pyramid::berkovich(0.1).unwrap().into());
         let usual = SolverOptions::default();
@@ -370,9 +381,12 @@ mod tests {
             (&paraboloid, 65, usual, Sector::Whole),
             (&paraboloid, 64, active_set, Sector::Whole),
             (&paraboloid, 64, whole, Sector::Whole),
-            (&berkovich, 64, usual, Sector::Whole),
+            (&berkovich, 64, usual, Sector::Half),
+            (&berkovich, 65, usual, Sector::Whole),
+            (&berkovich, 64, whole, Sector::Whole),
         ] {
-            let hierarchy = Hierarchy::new(model, (1.0, Boundary::Free), elements, 1, &options);
+            let (square, load) = ((1.0, Boundary::Free), [Load::Force(1.0)]);
+            let hierarchy = Hierarchy::new(model, square, elements, &load, &options);
             assert_eq!(hierarchy.sector, sector, "{elements} {options:?}");
         }
     }

@@ -5,8 +5,9 @@ use std::sync::Arc;
 
 use crate::{
     ActiveSetSolver, Boundary, ContactError, DiscreteProblem, GradientSolver, Iterate, LevelValues,
-    LevelWork, Load, Method, Model, Solution, Solver, SolverOptions, Summary,
+    LevelWork, Load, Method, Model, RoughContact, Solution, Solver, SolverOptions, Summary,
     grid::window::Window,
+    path::dilute::Dilute,
     path::domain::Guess,
     path::start::{CoarserSolution, FineGrid},
     problem::model::SampledSector,
@@ -81,6 +82,8 @@ pub struct LevelResult {
     /// Where its pressures lie.
     pub window: Window,
     pub summary: Summary,
+    /// Of the finest grid alone.
+    pub rough: Option<RoughContact>,
     pub work: LevelWork,
     pub residuals: Vec<f64>,
     pub contact_stiffness: Option<f64>,
@@ -89,9 +92,9 @@ pub struct LevelResult {
 impl Level {
     pub fn new(
         model: &Model,
-        side: f64,
-        size: usize,
+        (side, size): (f64, usize),
         around: (Sector, Boundary),
+        hardness: f64,
         keeps: bool,
     ) -> Result<Self, ContactError> {
         let grid = Grid::new(side, size)?;
@@ -104,6 +107,11 @@ impl Level {
         let (known, area) = (elasticity.value.clone(), grid.element_area());
         let problem = DiscreteProblem::of_sector(known, around, compliance, initial_gap, area)?
             .with_spring_law(model.relief.spring_law());
+        let problem = if hardness.is_finite() {
+            problem.with_hardness(hardness)?
+        } else {
+            problem
+        };
         let everywhere = problem.everywhere();
         Ok(Self {
             keeps,
@@ -159,19 +167,10 @@ impl Level {
         };
         let start = start.unwrap_or_else(nothing);
         let (solution, window, effort) = self.solve_from(start, load, options, watch)?;
-        let field = ContactField {
-            model,
-            grid: &self.grid,
-            boundary: self.whole.problem.boundary(),
-            window: &window,
-            pressure: &solution.pressure,
-            judged: &self.judged,
-            mask: &self.outline,
-            compliance: self.whole.problem.relief_compliance(),
-            coefficient: self.elasticity.coefficient([0, 0]),
-        };
+        let field = self.field(model, &window, &solution.pressure);
         Ok(LevelResult {
             summary: Summary::of(&field, solution.force),
+            rough: None,
             solution,
             window,
             work: LevelWork {
@@ -179,10 +178,42 @@ impl Level {
                 iterations: effort.iterations,
                 operator_applications: effort.operator_applications,
                 stiffness_applications: effort.stiffness_applications,
+                candidate_applications: effort.candidate_applications,
             },
             residuals: effort.residuals,
             contact_stiffness: effort.contact_stiffness,
         })
+    }
+
+    /// What is told of the last load's contact where a measured map takes part.
+    pub fn rough_contact(
+        &self,
+        model: &Model,
+        window: &Window,
+        pressure: &[f64],
+    ) -> Option<RoughContact> {
+        RoughContact::of(&self.field(model, window, pressure))
+    }
+
+    /// The last load's solution, by the pressure on a window that holds it.
+    fn field<'a>(
+        &'a self,
+        model: &'a Model,
+        window: &'a Window,
+        pressure: &'a [f64],
+    ) -> ContactField<'a> {
+        ContactField {
+            model,
+            grid: &self.grid,
+            boundary: self.whole.problem.boundary(),
+            window,
+            pressure,
+            hardness: self.whole.problem.hardness(),
+            judged: &self.judged,
+            mask: &self.outline,
+            compliance: self.whole.problem.relief_compliance(),
+            coefficient: self.elasticity.coefficient([0, 0]),
+        }
     }
 
     /// A guessed pressure on a window around it; none where it presses on no element.
@@ -215,7 +246,8 @@ impl Level {
         self.elasticity
     }
 
-    /// Solves on a window that holds the contact, enlarged as long as it does not; returns it too.
+    /// Solves on a window that holds the contact, enlarged as long as it does not, of a dilute contact on candidates in
+    /// the window alone; returns the window too.
     fn solve_from(
         &mut self,
         start: (Window, Vec<f64>),
@@ -226,8 +258,12 @@ impl Level {
         let everywhere = self.whole.problem.everywhere();
         let (mut window, mut pressure) = start;
         let mut effort = Effort::default();
+        let mut dilute = Dilute::around(&self.whole.problem, &window, &pressure, &options);
         loop {
-            let iterate = self.solve_in(&mut window, &pressure, load, options, watch)?;
+            let iterate = match &mut dilute {
+                Some(dilute) => effort.among(dilute.solve(&pressure, load, options, watch)?),
+                None => self.solve_in(&mut window, &pressure, load, options, watch)?,
+            };
             let (reached_border, expected) = (iterate.reached_border, iterate.penetration);
             pressure = effort.take(iterate);
             if reached_border {
@@ -249,6 +285,15 @@ impl Level {
             let (problem, judged) = (&mut self.whole.problem, &mut self.judged);
             let solution = Solution::judge_within(problem, trial, pressure, judged);
             effort.operator_applications += judged.take_products();
+            if let Some(candidates) = &mut dilute {
+                if candidates.is_done(&solution, &options) {
+                    return Ok((solution, window, effort));
+                }
+                let goes_on = candidates.learn(problem, judged, &solution.pressure);
+                dilute = dilute.filter(|_| goes_on);
+                pressure = solution.pressure;
+                continue;
+            }
             if window.is_whole() || solution.certificate.overlap <= tolerance {
                 return Ok((solution, window, effort));
             }
@@ -314,11 +359,23 @@ struct Effort {
     iterations: usize,
     operator_applications: usize,
     stiffness_applications: usize,
+    candidate_applications: usize,
     residuals: Vec<f64>,
     contact_stiffness: Option<f64>,
 }
 
 impl Effort {
+    /// The iterate with its products counted as those among candidates.
+    fn among(&mut self, iterate: Iterate) -> Iterate {
+        self.candidate_applications +=
+            iterate.operator_applications + iterate.stiffness_applications;
+        Iterate {
+            operator_applications: 0,
+            stiffness_applications: 0,
+            ..iterate
+        }
+    }
+
     /// Adds an iterate's, and returns its pressure.
     fn take(&mut self, iterate: Iterate) -> Vec<f64> {
         self.iterations += iterate.iterations;

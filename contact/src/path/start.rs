@@ -110,7 +110,7 @@ impl Start<'_> {
         let mut pressure = vec![0.0; rows.len() * size];
         let lines = pressure.chunks_mut(size).zip(rows.clone());
         lines.for_each(|(pressure, row)| self.on_row(row, pressure));
-        let Some(coarse_row) = self.coarse_line(self.prolongation.rows()[rows.start]) else {
+        let Some(coarse_row) = self.coarse_line(0, self.prolongation.rows()[rows.start]) else {
             return pressure;
         };
         let coarse = |column: usize| coarse_row * from.size() + column;
@@ -119,7 +119,7 @@ impl Start<'_> {
         for (pressure, row) in pressure.chunks(size).zip(rows.clone()) {
             let sides = self.onto.line(self.fine.outline, row);
             for ((p, side), line) in pressure.iter().zip(sides).zip(columns()) {
-                if let Some(column) = self.coarse_line(*line) {
+                if let Some(column) = self.coarse_line(1, *line) {
                     let is_same_side = self.side(coarse(column)) == *side;
                     shares[column].pressure += p;
                     shares[column].elements += f64::from(u8::from(is_same_side));
@@ -128,7 +128,7 @@ impl Start<'_> {
         }
         for pressure in pressure.chunks_mut(size) {
             for (p, line) in pressure.iter_mut().zip(columns()) {
-                let Some(column) = self.coarse_line(*line) else {
+                let Some(column) = self.coarse_line(1, *line) else {
                     continue;
                 };
                 let (wanted, share) = (self.coarser.pressure[coarse(column)], shares[column]);
@@ -140,11 +140,12 @@ impl Start<'_> {
         pressure
     }
 
-    /// The line of the coarse window that holds a fine one.
-    fn coarse_line(&self, line: FineLine) -> Option<usize> {
+    /// The line of the coarse window, a row or a column, that holds a fine one.
+    fn coarse_line(&self, axis: usize, line: FineLine) -> Option<usize> {
+        let lines = self.coarser.window.lengths()[axis];
         usize::try_from(line.within)
             .ok()
-            .filter(|line| *line < self.coarser.window.size())
+            .filter(|line| *line < lines)
     }
 
     /// Whether a coarse element lies on the relief.
@@ -205,5 +206,102 @@ impl Start<'_> {
         }
         let mean = if weights > 0.0 { sum / weights } else { 0.0 };
         (mean, pressing == 4)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const COARSE: usize = 8;
+    const FINE: usize = 16;
+
+    /// Fields of a grid by row and column, in its own elements.
+    fn field<T>(size: usize, of: impl Fn([usize; 2]) -> T) -> Vec<T> {
+        (0..size * size).map(|e| of([e / size, e % size])).collect()
+    }
+
+    /// A solution of this pressure and displacement under a penetration of 1, on this side of an outline.
+    fn coarser(
+        pressure: impl Fn([usize; 2]) -> f64,
+        displacement: impl Fn([usize; 2]) -> f64,
+        outline: impl Fn([usize; 2]) -> bool,
+    ) -> CoarserSolution {
+        CoarserSolution {
+            window: Window::whole(COARSE),
+            pressure: field(COARSE, pressure),
+            displacement: field(COARSE, displacement),
+            penetration: 1.0,
+            outline: Arc::new(field(COARSE, outline)),
+        }
+    }
+
+    fn start(from: &CoarserSolution, gap: f64, outline: impl Fn([usize; 2]) -> bool) -> Vec<f64> {
+        let fine = FineGrid {
+            initial_gap: &vec![gap; FINE * FINE],
+            outline: &field(FINE, outline),
+        };
+        from.start_on(&Window::whole(FINE), &fine)
+    }
+
+    /// The sum over the fine elements of a coarse one.
+    fn together(start: &[f64], [i, j]: [usize; 2]) -> f64 {
+        let of = |a: usize, b: usize| start[(2 * i + a) * FINE + 2 * j + b];
+        of(0, 0) + of(0, 1) + of(1, 0) + of(1, 1)
+    }
+
+    fn bump([i, j]: [usize; 2]) -> f64 {
+        let [x, y] = [i, j].map(|i| i as f64 - 3.2);
+        (9.0 - x * x - y * y).max(0.0)
+    }
+
+    #[test]
+    fn a_coarse_element_keeps_its_force() {
+        let from = coarser(bump, |_| 0.0, |_| false);
+        let found = start(&from, 0.5, |_| false);
+        for e in 0..COARSE * COARSE {
+            let place = [e / COARSE, e % COARSE];
+            if from.pressure[e] > 0.0 {
+                let error = together(&found, place) / 4.0 - from.pressure[e];
+                assert!(error.abs() < 1e-14, "{place:?}: {error}");
+            }
+        }
+        // Beside the contact what overlaps presses a little, and what is too far away not at all.
+        let highest = from.pressure.iter().copied().fold(0.0, f64::max);
+        assert_eq!(found[FINE * FINE - 1], SMALLEST_PRESSURE * highest);
+        assert_eq!(start(&from, 1.0, |_| false), vec![0.0; FINE * FINE]);
+    }
+
+    #[test]
+    fn what_overlaps_or_lies_within_the_contact_presses() {
+        // u = 0.1 of a coarse element's row, which a cubic holds: overlap where u < 0.4 under a gap of 0.6.
+        let corner = |[i, j]: [usize; 2]| f64::from(u8::from(i >= 6 && j >= 6));
+        let from = coarser(corner, |[i, _]| 0.1 * i as f64, |_| false);
+        let found = start(&from, 0.6, |_| false);
+        for (e, p) in found.iter().enumerate() {
+            let [i, j] = [e / FINE, e % FINE];
+            // Beyond the outermost centres their lines stand for those outside.
+            let row = (2.0 * i as f64 - 1.0).max(0.0) / 4.0;
+            let is_within = [i, j].iter().all(|i| *i >= 13);
+            assert_eq!(*p > 0.0, row < 4.0 || is_within, "{i} {j}: {p}");
+        }
+    }
+
+    #[test]
+    fn no_pressure_crosses_an_outline() {
+        // The relief's outline runs through the middle of the coarse column 3, which is on it.
+        let pressure = |[_, j]: [usize; 2]| if j < 4 { 2.0 } else { 1.0 };
+        let from = coarser(pressure, |_| 0.0, |[_, j]| j < 4);
+        let found = start(&from, 0.5, |[_, j]| j < 7);
+        for (e, p) in found.iter().enumerate() {
+            let j = e % FINE;
+            if j < 6 {
+                assert!((p - 2.0).abs() < 1e-14, "{j}: {p}");
+            } else if j > 7 {
+                assert!((p - 1.0).abs() < 1e-14, "{j}: {p}");
+            }
+        }
+        // Two of its elements are on its side.
+        assert!((together(&found, [4, 3]) - 2.0 * 2.0).abs() < 1e-14);
     }
 }

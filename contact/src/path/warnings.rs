@@ -4,7 +4,7 @@ use pellicle_influence::RadialTables;
 use pellicle_texture::{Grid, Relief};
 
 use crate::{
-    Boundary, ContactError, Domain, Load, Model, Step, Warning, default_side, path::domain::slope,
+    Boundary, ContactError, Domain, Load, Model, Profile as _, Step, Warning, default_side,
     result::cut_off,
 };
 
@@ -88,7 +88,7 @@ pub(crate) fn warnings(
     let is_seen = |warning: &Warning| match (&much_larger, warning) {
         (Some(_), Warning::PeakNotResolved { .. }) => false,
         (Some(Warning::DomainMuchLarger { radius, .. }), Warning::SteepIndenter { .. }) => {
-            slope(&model.indenter, *radius) > LARGEST_SLOPE
+            model.indenter.mean_slope(*radius) > LARGEST_SLOPE
         }
         _ => true,
     };
@@ -211,8 +211,11 @@ fn shortening(model: &Model, index: usize, step: &Step) -> Option<Warning> {
     (times > LARGEST_SHORTENING).then_some(Warning::FilmShortening { step: index, times })
 }
 
-/// Nothing is said of a single grid.
+/// Nothing is said of a single grid, nor where the peak is the hardness.
 fn peak(index: usize, step: &Step) -> Option<Warning> {
+    if step.summary.area_at_limit > 0.0 {
+        return None;
+    }
     let error = &step.grid_error;
     let [.., before, last] = error.levels.as_slice() else {
         return None;
@@ -230,11 +233,67 @@ fn peak(index: usize, step: &Step) -> Option<Warning> {
 #[must_use]
 pub fn edge_slope(model: &Model, step: &Step) -> Option<f64> {
     let radius = step.summary.contact_radius;
-    let slope = slope(&model.indenter, radius);
+    let slope = model.indenter.mean_slope(radius);
     (radius > 0.0 && slope.is_finite()).then_some(slope)
 }
 
 fn steepness(model: &Model, index: usize, step: &Step) -> Option<Warning> {
     let slope = edge_slope(model, step)?;
     (slope > LARGEST_SLOPE).then_some(Warning::SteepIndenter { step: index, slope })
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use pellicle_influence::Cache;
+    use pellicle_kernel::{Foundation, Material};
+
+    use super::*;
+    use crate::Paraboloid;
+
+    #[test]
+    fn a_domain_is_much_larger_than_a_contact_of_few_elements_or_of_a_small_part_of_it() {
+        let body = Foundation::half_space(Material::new(1.0, 0.0).unwrap());
+        let model = Model {
+            tables: Arc::new(RadialTables::build(&body).unwrap()),
+            relief: Relief::Bare,
+            indenter: Paraboloid::new(2.0).unwrap().into(),
+            cache: Cache::none(),
+        };
+        // Of so many elements per side, the middles of so many in contact.
+        let doubt = |size: usize, across: usize| {
+            let grid = Grid::new(1.0, size).unwrap();
+            let radius = (across - 1) as f64 / (2 * size) as f64;
+            domain_much_larger(&model, &grid, &[Load::Penetration(1e-6)], radius)
+        };
+        for (size, across, is_doubted) in [
+            (1000, 19, true),
+            (1000, 20, false),
+            (64, 7, true),
+            (64, 8, false),
+            (28, 7, false),
+            (64, 1, false),
+        ] {
+            assert_eq!(doubt(size, across).is_some(), is_doubted, "{size} {across}");
+        }
+        let Some(Warning::DomainMuchLarger {
+            elements,
+            radius,
+            side,
+            wanted,
+        }) = doubt(1000, 19)
+        else {
+            panic!("a doubt")
+        };
+        assert_eq!(
+            (elements, radius, side, wanted),
+            (19, 0.009, 1.0, SIDE_PER_RADIUS * 0.009)
+        );
+        // Of fewer than eight elements the radius is estimated: a² = 2 R D.
+        let Some(Warning::DomainMuchLarger { radius, wanted, .. }) = doubt(64, 7) else {
+            panic!("a doubt")
+        };
+        assert!((radius / 2e-3 - 1.0).abs() < 0.02 && (wanted / 6e-3 - 1.0).abs() < 0.02);
+    }
 }

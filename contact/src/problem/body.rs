@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use pellicle_influence::{ElasticOperator, SurfaceElasticity, WindowOperator};
+use pellicle_influence::{ElasticOperator, ScatteredOperator, SurfaceElasticity, WindowOperator};
 
 use crate::{Boundary, grid::window::Window};
 
@@ -21,6 +21,8 @@ pub struct KnownBody {
     operator: Option<Box<dyn ElasticOperator>>,
     /// From pressures on one window to displacements on another around it.
     spread: Option<([Window; 2], Box<WindowOperator>)>,
+    /// Where the problem is one of scattered elements alone.
+    among: Option<Box<ScatteredOperator>>,
 }
 
 impl Body {
@@ -30,6 +32,18 @@ impl Body {
             boundary,
             operator: None,
             spread: None,
+            among: None,
+        })
+    }
+
+    /// A free surface of which scattered elements alone are looked at.
+    pub fn among(elasticity: Arc<SurfaceElasticity>, operator: ScatteredOperator) -> Self {
+        Self::Known(KnownBody {
+            elasticity,
+            boundary: Boundary::Free,
+            operator: None,
+            spread: None,
+            among: Some(Box::new(operator)),
         })
     }
 
@@ -69,6 +83,18 @@ impl Body {
         match self {
             Self::Operator(operator) => operator.as_mut(),
             Self::Known(surface) => surface.operator_on(everywhere),
+        }
+    }
+
+    /// Writes the displacement by a pressure on all elements, or on the scattered ones.
+    pub fn displace(&mut self, everywhere: &Window, pressure: &[f64], displacement: &mut [f64]) {
+        match self {
+            Self::Known(KnownBody {
+                among: Some(among), ..
+            }) => among.apply_into(pressure, displacement),
+            _ => self
+                .operator_on(everywhere)
+                .apply_into(pressure, displacement),
         }
     }
 

@@ -3,7 +3,8 @@
 //! Find `p ≥ 0` and `D` with `g = K p + η p + g0 − D ≥ 0` and `p g = 0`: the conditions (2.1)–(2.2) of the
 //! paper in our signs. It is the minimum of the energy `½ p·(K + η) p + g0·p` over the pressures of the given
 //! force, or of that energy less `D Σ p` where the penetration is given. Springs of another [law](SpringLaw) have their
-//! `w*(p)` in place of `η p`, and `∫ w* dp` in place of `½ η p²`: convex as well.
+//! `w*(p)` in place of `η p`, and `∫ w* dp` in place of `½ η p²`: convex as well. With a hardness `p_max` the minimum
+//! is sought among `0 ≤ p ≤ p_max`: where `p = p_max` the gap may be negative, and what it lacks is the plastic depth.
 
 mod fields;
 
@@ -12,10 +13,12 @@ use std::sync::Arc;
 use pellicle_influence::{ElasticOperator, Sector, SurfaceElasticity};
 use pellicle_texture::SpringLaw;
 
-use self::fields::{check_length, check_values, is_rough};
+use self::fields::{check_hardness, check_length, check_values, is_rough};
 use crate::{
-    Boundary, ContactError, grid::window::Window, problem::body::Body, problem::scale::Scale,
-    problem::tangents::Tangents, vector::update_with,
+    Boundary, ContactError, Load,
+    grid::{candidates::Candidates, window::Window},
+    problem::{body::Body, held_pressure::HeldPressure, scale::Scale, tangents::Tangents},
+    vector::update_with,
 };
 
 /// Tells one problem from all others, however alike; clones are equal.
@@ -39,9 +42,15 @@ pub struct DiscreteProblem {
     tangents: Option<Tangents>,
     initial_gap: Vec<f64>,
     element_area: f64,
+    /// `p_max`, in Pa; infinite without a limit.
+    hardness: f64,
+    /// The elements at the limit, while they are a part of the load.
+    held: Option<HeldPressure>,
     scale: Scale,
-    /// Elements per side of the sector of the grid that this one is a window of, or its own.
+    /// Elements of a row of the sector of the grid that this one is a window of, or its own.
     grid_size: usize,
+    /// The elements that the fields are of, if not of all.
+    candidates: Option<Arc<Candidates>>,
     identity: Identity,
 }
 
@@ -116,7 +125,7 @@ impl DiscreteProblem {
         initial_gap: Vec<f64>,
         element_area: f64,
     ) -> Result<Self, ContactError> {
-        let size = elasticity.size() / sector.parts();
+        let size = sector.size_for(elasticity.size());
         let part = (Body::of(elasticity, boundary), sector, size);
         Self::checked(part, relief_compliance, initial_gap, element_area)
     }
@@ -127,7 +136,7 @@ impl DiscreteProblem {
         initial_gap: Vec<f64>,
         element_area: f64,
     ) -> Result<Self, ContactError> {
-        let elements = size * size;
+        let elements = sector.lengths(size).iter().product();
         check_length("relief compliance", relief_compliance.len(), elements)?;
         check_length("initial gap", initial_gap.len(), elements)?;
         check_values(
@@ -147,7 +156,7 @@ impl DiscreteProblem {
         }
         Ok(Self {
             scale: Scale::new(
-                element_area.sqrt() * sector.parts() as f64,
+                (element_area * sector.images() as f64).sqrt(),
                 body.own_coefficient(size),
             ),
             body,
@@ -158,9 +167,77 @@ impl DiscreteProblem {
             tangents: None,
             initial_gap,
             element_area,
+            hardness: f64::INFINITY,
+            held: None,
             grid_size: size,
+            candidates: None,
             identity: Identity::default(),
         })
+    }
+
+    /// The same problem with the pressure cut at a hardness `p_max` (Pa): `0 ≤ p ≤ p_max`, and `g ≤ 0` allowed where
+    /// `p = p_max`.
+    ///
+    /// # Errors
+    /// [`ContactError::Hardness`] unless it is positive and finite.
+    pub fn with_hardness(self, hardness: f64) -> Result<Self, ContactError> {
+        check_hardness(hardness)?;
+        Ok(Self {
+            hardness,
+            identity: Identity::default(),
+            ..self
+        })
+    }
+
+    /// The hardness `p_max`, in Pa; infinite where nothing limits the pressure.
+    #[must_use]
+    pub fn hardness(&self) -> f64 {
+        self.hardness
+    }
+
+    /// Whether the hardness limits the pressure.
+    pub(crate) fn has_hardness(&self) -> bool {
+        self.hardness.is_finite()
+    }
+
+    /// Refuses a force that the elements which can touch do not carry.
+    pub(crate) fn check_capacity(&self, load: Load) -> Result<(), ContactError> {
+        let Load::Force(force) = load else {
+            return Ok(());
+        };
+        if !self.has_hardness() {
+            return Ok(());
+        }
+        let touchable = self.initial_gap.iter().filter(|gap| gap.is_finite());
+        let area = self.loaded_area() * touchable.count() as f64;
+        let (hardness, most) = (self.hardness, self.hardness * area);
+        if force <= most {
+            Ok(())
+        } else {
+            Err(ContactError::BeyondHardness {
+                force,
+                hardness,
+                area,
+                most,
+            })
+        }
+    }
+
+    /// Solves with some elements held at a pressure, as a part of the load.
+    pub(crate) fn under<T>(
+        &mut self,
+        held: &mut HeldPressure,
+        solve: impl FnOnce(&mut Self) -> T,
+    ) -> T {
+        self.held = Some(std::mem::take(held));
+        let found = solve(self);
+        *held = self.held.take().unwrap_or_default();
+        found
+    }
+
+    /// `Σ p` (Pa) of the elements that are held at the limit.
+    pub(crate) fn held_total(&self) -> f64 {
+        self.held.as_ref().map_or(0.0, |held| held.total)
     }
 
     /// The same problem on springs of another law than the linear one; the relief's compliance is theirs at rest.
@@ -198,9 +275,63 @@ impl DiscreteProblem {
             tangents: None,
             initial_gap: window.cut(&self.initial_gap),
             element_area: self.element_area,
+            hardness: self.hardness,
+            held: None,
             scale: self.scale,
             grid_size: self.grid_size,
+            candidates: None,
             identity: Identity::default(),
+        })
+    }
+
+    /// The same problem on the candidates of a window alone, whose products are right to 1e-6; all fields are theirs.
+    /// None where the elasticity is not known, or the window too small.
+    pub(crate) fn among(&self, window: &Window, candidates: &Arc<Candidates>) -> Option<Self> {
+        let elasticity = self.elasticity()?;
+        let operator = elasticity.among(window.size(), candidates.elements())?;
+        let [above, left] = window.origin();
+        let on_grid = |candidate: usize| {
+            let [row, column] = candidates.place(candidate);
+            (above + row) * self.size + left + column
+        };
+        let gather = |field: &[f64]| (0..candidates.len()).map(|c| field[on_grid(c)]).collect();
+        Some(Self {
+            body: Body::among(elasticity.clone(), operator),
+            sector: self.sector,
+            size: window.size(),
+            relief_compliance: gather(&self.relief_compliance),
+            spring_law: self.spring_law,
+            tangents: None,
+            initial_gap: gather(&self.initial_gap),
+            element_area: self.element_area,
+            scale: self.scale,
+            grid_size: self.grid_size,
+            hardness: self.hardness,
+            held: None,
+            candidates: Some(candidates.clone()),
+            identity: Identity::default(),
+        })
+    }
+
+    /// The elements that the fields are of; none where they are of all.
+    pub(crate) fn candidates(&self) -> Option<&Arc<Candidates>> {
+        self.candidates.as_ref()
+    }
+
+    /// Takes another initial gap, in m.
+    pub(crate) fn take_initial_gap(&mut self, initial_gap: Vec<f64>) {
+        debug_assert_eq!(initial_gap.len(), self.elements());
+        (self.initial_gap, self.identity) = (initial_gap, Identity::default());
+    }
+
+    /// By how much more the body yields to waves as long as the grid than to the shortest, beyond what a homogeneous one
+    /// does; 1 where nothing is known of it.
+    pub(crate) fn stiffness_contrast(&self) -> f64 {
+        let per_wavelength = |elasticity: &Arc<SurfaceElasticity>, elements: usize| {
+            elasticity.cell_response(elements) / elements as f64
+        };
+        self.elasticity().map_or(1.0, |elasticity| {
+            per_wavelength(elasticity, elasticity.size()) / per_wavelength(elasticity, 2)
         })
     }
 
@@ -247,21 +378,21 @@ impl DiscreteProblem {
 
     /// Elements per side of the whole grid that this one is a part of, or its own.
     pub(crate) fn grid_size(&self) -> usize {
-        self.sector.parts() * self.grid_size
+        self.sector.whole(self.grid_size)
     }
 
     /// Whether the grid is a window of a larger one, so that contact on its border means that the window is too small.
     pub(crate) fn is_window(&self) -> bool {
-        self.size < self.grid_size
+        self.size < self.grid_size && self.candidates.is_none()
     }
 
-    /// Elements per side, N.
+    /// Elements of a row, N.
     #[must_use]
     pub fn size(&self) -> usize {
         self.size
     }
 
-    /// Number of elements, N².
+    /// Number of elements, N² of a square.
     #[must_use]
     pub fn elements(&self) -> usize {
         self.initial_gap.len()
@@ -282,7 +413,7 @@ impl DiscreteProblem {
     /// The initial gap `g0 = f − f*`, in m.
     #[must_use]
     pub fn initial_gap(&self) -> &[f64] {
-        &self.initial_gap
+        (self.held.as_ref()).map_or(&self.initial_gap, |held| &held.gap)
     }
 
     /// Whether the surface is [rough](is_rough).
@@ -311,6 +442,12 @@ impl DiscreteProblem {
     /// Gives back the memory of operators that can be made again.
     pub(crate) fn release_operator(&mut self) {
         self.body.release();
+    }
+
+    /// Writes `K p` (m) of a pressure (Pa) on the problem's elements.
+    pub(crate) fn displace(&mut self, pressure: &[f64], displacement: &mut [f64]) {
+        let everywhere = self.everywhere();
+        self.body.displace(&everywhere, pressure, displacement);
     }
 
     /// Writes `K p` (m) of a pressure on a window, nought outside, on a `reach` around it.
@@ -356,7 +493,7 @@ impl DiscreteProblem {
     /// Writes `K p + w*(p)` (m) of the pressure `p` (Pa) into `deformation`, `(K + η) p` on linear springs: one product
     /// with `K`.
     pub fn deform_into(&mut self, pressure: &[f64], deformation: &mut [f64]) {
-        self.operator_mut().apply_into(pressure, deformation);
+        self.displace(pressure, deformation);
         let law = self.spring_law;
         update_with(
             deformation,
@@ -370,7 +507,7 @@ impl DiscreteProblem {
     /// [scale](Self::scale).
     pub(crate) fn deform_to_scale(&mut self, pressure: &[f64], deformation: &mut [f64]) {
         let per_unit = 1.0 / self.scale.compliance;
-        self.operator_mut().apply_into(pressure, deformation);
+        self.displace(pressure, deformation);
         let compliance = self.tangent_compliance();
         update_with(deformation, compliance, pressure, |v, eta, p| {
             *v = (*v + eta * p) * per_unit;

@@ -54,17 +54,21 @@ impl Model {
         Ok(SampledModel::on(grid, &self.relief, &self.indenter))
     }
 
-    /// The geometry on a sector of a grid, an even one for a quadrant.
+    /// The geometry on a sector of a grid, of the whole of any, of another of an even one.
     pub(crate) fn sample_sector(&self, grid: Grid, sector: Sector) -> SampledSector {
         let (indenter_profile, relief) = match sector {
             Sector::Whole => {
                 let sampled = SampledModel::on(grid, &self.relief, &self.indenter);
                 (sampled.indenter_profile, sampled.relief)
             }
-            Sector::Quadrant => (
-                self.indenter.heights(&grid.sample_quadrant(|point| point)),
-                self.relief.sample_quadrant(&grid),
-            ),
+            Sector::Half | Sector::Quadrant => {
+                let first = sector.first_index(grid.size());
+                (
+                    self.indenter
+                        .heights(&grid.sample_from(first, |point| point)),
+                    self.relief.sample_from(&grid, first),
+                )
+            }
         };
         let (mask, profile, compliance) = relief.into_parts();
         SampledSector {
@@ -112,10 +116,15 @@ impl Model {
         Ok(Cached { value, origin })
     }
 
-    /// Whether indenter and relief are their own mirror images in both axes, and the solution with them.
+    /// The smallest sector that stands for all of an even grid: in its axes indenter and relief are their own mirror
+    /// images, and the solution with them.
     #[must_use]
-    pub fn is_mirrored(&self) -> bool {
-        self.indenter.is_mirrored() && self.relief.is_mirrored()
+    pub fn sector(&self) -> Sector {
+        match (self.indenter.is_mirrored(), self.relief.is_mirrored()) {
+            (true, true) => Sector::Quadrant,
+            (_, true) if self.indenter.is_mirrored_in_y() => Sector::Half,
+            _ => Sector::Whole,
+        }
     }
 
     /// The elasticity of a grid's elements, and where its coefficients came from.

@@ -129,3 +129,63 @@ impl Tangents {
         parts.into_iter().fold([0.0; 2], add)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const REST: [f64; 4] = [0.5, 0.0, 1.0, 2.0];
+    const AT: [f64; 4] = [1.0, 3.0, 2.5, 0.0];
+
+    fn law() -> SpringLaw {
+        SpringLaw::logarithmic(2.0).unwrap()
+    }
+
+    fn tangents() -> Tangents {
+        let mut tangents = Tangents::at_rest(law(), Scale::SI, &REST).unwrap();
+        tangents.take(&REST, &AT);
+        tangents
+    }
+
+    #[test]
+    fn tangent_offset_and_what_lies_beyond_are_the_law() {
+        let (tangents, pressure) = (tangents(), [4.0, 1.0, 0.0, 0.3]);
+        let (mut offset, mut beyond, mut found) = ([0.0; 4], [0.0; 4], [0.0; 4]);
+        tangents.add_offset(&REST, &mut offset);
+        for e in 0..4 {
+            found[e] = tangents.compliance()[e] * pressure[e] + offset[e];
+        }
+        tangents.add_beyond(&REST, &pressure, &mut beyond, &mut found);
+        for e in 0..4 {
+            let wanted = law().shortening(REST[e], pressure[e]);
+            assert!((found[e] - wanted).abs() < 1e-15, "{e}");
+        }
+    }
+
+    #[test]
+    fn on_the_way_the_slope_is_that_of_the_energy() {
+        let (tangents, pressure) = (tangents(), [4.0, 1.0, 0.0, 0.3]);
+        let along = |t: f64| tangents.beyond_along(&REST, &pressure, t);
+        assert_eq!(along(0.0), [0.0; 2]);
+        for t in [0.1, 0.5, 1.0] {
+            let step = 1e-4;
+            let difference = (along(t + step)[0] - along(t - step)[0]) / (2.0 * step);
+            assert!((difference / along(t)[1] - 1.0).abs() < 1e-6);
+        }
+    }
+
+    #[test]
+    fn a_way_uphill_is_gone_to_its_lowest_place_and_one_downhill_to_its_end() {
+        let (tangents, pressure) = (tangents(), [0.0, 1.0, 0.0, 0.0]);
+        let part = |derivatives| tangents.part_downhill(&REST, &pressure, derivatives);
+        let [beyond, _] = tangents.beyond_along(&REST, &pressure, 1.0);
+        assert!(beyond > 0.0);
+        // The law takes all of the linear problem's decrease, and a little more.
+        let curvature = 2.0 * (1.0 - 0.999 * beyond);
+        let t = part([-1.0, curvature]);
+        let slope = -1.0 + t * curvature + tangents.beyond_along(&REST, &pressure, t)[1];
+        assert!(t > 0.1 && t < 0.9 && slope.abs() < 5e-3, "{t} {slope}");
+        assert_eq!(part([-1.0, 2.0 * (0.99 - beyond)]), 1.0);
+        assert_eq!(part([1.0, 1.0]), 1.0);
+    }
+}

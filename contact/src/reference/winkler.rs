@@ -84,3 +84,31 @@ impl WinklerContact {
         self.force * self.penetration / 3.0
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::PI;
+
+    use super::force_on_stiffening;
+
+    #[test]
+    fn the_force_on_stiffening_springs_is_the_integral_of_their_pressure() {
+        let [radius, height, modulus] = [2.0, 0.3, 5.0];
+        for penetration in [0.03, 0.2, 0.29] {
+            // Q = 2π R ∫₀^D p df with p = −E ln(1 − (D − f)/h), by the midpoints of equal parts
+            let parts = 1000;
+            let step = penetration / f64::from(parts);
+            let pressure = |i: i32| -modulus * (1.0 - (f64::from(i) + 0.5) * step / height).ln();
+            let sum: f64 = (0..parts).map(pressure).sum();
+            let wanted = 2.0 * PI * radius * sum * step;
+            let found = force_on_stiffening(radius, height, modulus, penetration);
+            assert!(
+                (found / wanted - 1.0).abs() < 1e-4,
+                "{penetration}: {found} {wanted}"
+            );
+        }
+        // A spring pressed flat takes any pressure, and the integral stays finite.
+        let found = force_on_stiffening(radius, height, modulus, height);
+        assert!((found - 2.0 * PI * radius * height * modulus).abs() < 1e-14);
+    }
+}

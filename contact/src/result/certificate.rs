@@ -8,7 +8,16 @@
 //! overlap = max(0, −min g) / D               load = |4a² Σ p − Q| / Q
 //! ```
 //!
-//! and the smallest pressure, which must not be negative. In a periodic cell, whose penetration is told from the mean
+//! and the smallest pressure, which must not be negative. Where a hardness `p_max` cuts the pressure, elements at it
+//! may lack a gap but not have one:
+//!
+//! ```text
+//! D = Σ p v / Σ p over p < p_max                 gap_in_contact, overlap: over p < p_max
+//! gap_at_limit = max over p = p_max of g⁺ / D    over_limit = max(0, max p − p_max) = 0
+//! ```
+//!
+//! and of them complementarity counts `p g⁺`. Where all pressures are 0 or `p_max`, `D` is the largest `v` of those at
+//! the limit: the least penetration that carries the force. In a periodic cell, whose penetration is told from the mean
 //! plane and may vanish, gaps are small beside `C(2π/L) p̄` if that is larger than `D`: how far the mean pressure would
 //! press a single cell in. Nothing is taken from an iteration's own residual. No gap is
 //! computed where the initial one alone is too wide for an overlap.
@@ -34,8 +43,12 @@ pub struct Certificate {
     pub overlap: f64,
     /// `|4a² Σ p − Q| / Q`; 0 where the penetration is prescribed, since `g` is then taken from it.
     pub load: f64,
+    /// `max(0, g) / D` over the elements at the hardness; 0 without one.
+    pub gap_at_limit: f64,
     /// Smallest pressure of all elements, in Pa; must be ≥ 0.
     pub min_pressure: f64,
+    /// By how much the largest pressure exceeds the hardness, in Pa; must be 0.
+    pub over_limit: f64,
     /// The bound on every line.
     pub tolerance: f64,
 }
@@ -49,14 +62,19 @@ impl Certificate {
             self.gap_in_contact,
             self.overlap,
             self.load,
+            self.gap_at_limit,
         ];
         lines.into_iter().fold(0.0, largest)
     }
 
-    /// Whether every line keeps to the tolerance and the pressure is finite and nowhere negative.
+    /// Whether every line keeps to the tolerance and the pressure is finite, nowhere negative and nowhere above the
+    /// hardness.
     #[must_use]
     pub fn is_satisfied(&self) -> bool {
-        self.worst() <= self.tolerance && self.min_pressure >= 0.0 && self.min_pressure.is_finite()
+        self.worst() <= self.tolerance
+            && self.min_pressure >= 0.0
+            && self.min_pressure.is_finite()
+            && self.over_limit <= 0.0
     }
 }
 
@@ -105,7 +123,7 @@ impl Solution {
         let solution = Self::judge_within(problem, on_all, pressure, &mut fields);
         let surface = DeformedSurface::new(
             fields.displacement,
-            &solution.pressure,
+            (&solution.pressure, problem.hardness()),
             (problem.spring_law(), problem.relief_compliance()),
             problem.initial_gap(),
             solution.penetration,
@@ -151,15 +169,13 @@ impl Solution {
         });
         let penetration = match load {
             Load::Penetration(penetration) => penetration,
-            // D = Σ p v / Σ p
-            Load::Force(_) => {
-                weighted(
-                    &window_of_reach,
-                    &pressure,
-                    &shortening,
-                    [displacement, gap],
-                ) / total
-            }
+            Load::Force(_) => multiplier(
+                &window_of_reach,
+                (&pressure, problem.hardness()),
+                &shortening,
+                [displacement, gap],
+                total,
+            ),
         };
         // False where it is NaN.
         let is_as_expected = penetration <= highest;
@@ -185,7 +201,13 @@ impl Solution {
                 smallest(&[smallest(&pressure), 0.0])
             },
             tolerance,
-            ..residuals(&window_of_reach, &pressure, gap, length, total)
+            ..residuals(
+                &window_of_reach,
+                (&pressure, problem.hardness()),
+                gap,
+                length,
+                total,
+            )
         };
         Self {
             penetration,
@@ -207,39 +229,64 @@ pub struct Trial<'a> {
     pub tolerance: f64,
 }
 
-/// `Σ p v` with `v = K p + η p + g0`, over the elements with pressure (`g0` is infinite where the indenter ends).
-fn weighted(
+/// `D = Σ p v / Σ p` with `v = K p + η p + g0`, over the elements with pressure below the limit (`g0` is infinite where
+/// the indenter ends); where there is none, the largest `v` of those at the limit. `total` is the sum of all pressures.
+fn multiplier(
     window: &Window,
-    pressure: &[f64],
+    (pressure, limit): (&[f64], f64),
     shortening: &[f64],
     [displacement, initial_gap]: [&[f64]; 2],
+    total: f64,
 ) -> f64 {
     let parts = window.by_lines(pressure, |line, pressure| {
         let fields = [displacement, initial_gap].map(|field| window.line(field, line));
         let shortening = &shortening[line * window.size()..][..window.size()];
-        let mut sum = 0.0;
+        let (mut sum, mut at_limit, mut highest) = (0.0, 0.0, f64::NEG_INFINITY);
         for (j, p) in pressure.iter().enumerate().filter(|(_, p)| **p != 0.0) {
             let [u, g0] = fields.map(|field| field[j]);
-            sum += p * (u + shortening[j] + g0);
+            let v = u + shortening[j] + g0;
+            if *p < limit {
+                sum += p * v;
+            } else {
+                at_limit += p;
+                highest = largest(highest, v);
+            }
         }
-        sum
+        (sum, at_limit, highest)
     });
-    parts.into_iter().sum()
+    let (mut sum, mut at_limit, mut highest) = (0.0, 0.0, f64::NEG_INFINITY);
+    for part in parts {
+        sum += part.0;
+        at_limit += part.1;
+        highest = largest(highest, part.2);
+    }
+    if at_limit == 0.0 {
+        return sum / total;
+    }
+    let free = window.by_lines(pressure, |_, pressure| {
+        pressure.iter().filter(|p| **p < limit).sum::<f64>()
+    });
+    let free: f64 = free.into_iter().sum();
+    if free > 0.0 { sum / free } else { highest }
 }
 
 /// The lines that need no load, and none of the pressures alone.
 fn residuals(
     window: &Window,
-    pressure: &[f64],
+    (pressure, limit): (&[f64], f64),
     gap: &[f64],
     reference: f64,
     total: f64,
 ) -> Certificate {
     let parts = window.by_lines(pressure, |line, pressure| {
-        InContact::of(pressure, window.line(gap, line))
+        InContact::of(pressure, limit, window.line(gap, line))
     });
     let found = parts.into_iter().fold(InContact::default(), InContact::and);
-    let overlap = largest(0.0, -smallest(gap));
+    let overlap = if found.is_at_limit {
+        overlap_below_limit(window, (pressure, limit), gap)
+    } else {
+        largest(0.0, -smallest(gap))
+    };
     // Without pressure nothing is weighed; without penetration nothing sets a scale, and only zeros pass.
     let relative = |length: f64| {
         if length == 0.0 {
@@ -257,7 +304,9 @@ fn residuals(
         gap_in_contact: relative(found.largest_gap),
         overlap: relative(overlap),
         load: 0.0,
+        gap_at_limit: relative(found.gap_at_limit),
         min_pressure: 0.0,
+        over_limit: found.over_limit,
         tolerance: 0.0,
     }
 }
@@ -267,14 +316,35 @@ fn residuals(
 struct InContact {
     weighted_gap: f64,
     largest_gap: f64,
+    is_at_limit: bool,
+    gap_at_limit: f64,
+    over_limit: f64,
+}
+
+/// The largest overlap where the pressure is below the limit.
+fn overlap_below_limit(window: &Window, (pressure, limit): (&[f64], f64), gap: &[f64]) -> f64 {
+    let mut without = gap.to_vec();
+    let mut at_limit = vec![0.0; pressure.len()];
+    update(&mut at_limit, pressure, |more, p| {
+        *more = if *p >= limit { f64::INFINITY } else { 0.0 };
+    });
+    window.add(&mut without, &at_limit);
+    largest(0.0, -smallest(&without))
 }
 
 impl InContact {
-    fn of(pressure: &[f64], gap: &[f64]) -> Self {
+    fn of(pressure: &[f64], limit: f64, gap: &[f64]) -> Self {
         let mut found = Self::default();
         for (p, g) in pressure.iter().zip(gap).filter(|(p, _)| **p != 0.0) {
-            found.weighted_gap += p * g.abs();
-            found.largest_gap = largest(found.largest_gap, g.abs());
+            if *p < limit {
+                found.weighted_gap += p * g.abs();
+                found.largest_gap = largest(found.largest_gap, g.abs());
+            } else {
+                found.is_at_limit = true;
+                found.weighted_gap += p * largest(0.0, *g);
+                found.gap_at_limit = largest(found.gap_at_limit, *g);
+                found.over_limit = largest(found.over_limit, p - limit);
+            }
         }
         found
     }
@@ -283,6 +353,9 @@ impl InContact {
         Self {
             weighted_gap: self.weighted_gap + other.weighted_gap,
             largest_gap: largest(self.largest_gap, other.largest_gap),
+            is_at_limit: self.is_at_limit || other.is_at_limit,
+            gap_at_limit: largest(self.gap_at_limit, other.gap_at_limit),
+            over_limit: largest(self.over_limit, other.over_limit),
         }
     }
 }

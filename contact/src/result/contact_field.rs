@@ -17,6 +17,8 @@ pub struct ContactField<'a> {
     pub window: &'a Window,
     /// Pressure on the window, in Pa.
     pub pressure: &'a [f64],
+    /// Hardness at which it is cut, in Pa; infinite without one.
+    pub hardness: f64,
     /// Gaps on the window and beyond.
     pub judged: &'a JudgedFields,
     /// Whether an element lies on the relief, on the window's sector.
@@ -61,6 +63,11 @@ impl ContactField<'_> {
         [above + element / size, left + element % size]
     }
 
+    /// Whether the pressure of an element of the window is cut.
+    pub fn is_at_limit(&self, element: usize) -> bool {
+        self.pressure[element] >= self.hardness
+    }
+
     /// Whether an element of the window lies on the relief.
     pub fn is_on_relief(&self, element: usize) -> bool {
         let [i, j] = self.on_sector(element);
@@ -80,11 +87,16 @@ impl ContactField<'_> {
         self.judged.gap_of(self.on_sector(element))
     }
 
+    /// The gaps of a row of the window, in m.
+    pub fn gaps_of_line(&self, line: usize) -> &[f64] {
+        self.judged.gaps_of_line(self.window, line)
+    }
+
     /// How many of the four elements from a place on are in contact.
     pub fn in_contact_around(&self, [i, j]: Place) -> usize {
-        let size = self.window.size();
-        let inside = |i: isize| usize::try_from(i).ok().filter(|i| i + 1 < size);
-        if let (Some(i), Some(j)) = (inside(i), inside(j)) {
+        let [rows, size] = self.window.lengths();
+        let inside = |i: isize, lines| usize::try_from(i).ok().filter(|i| i + 1 < lines);
+        if let (Some(i), Some(j)) = (inside(i, rows), inside(j, size)) {
             let pair = |line: usize| &self.pressure[line * size + j..][..2];
             let count = |pair: &[f64]| pair.iter().map(|p| usize::from(*p > 0.0)).sum::<usize>();
             return count(pair(i)) + count(pair(i + 1));

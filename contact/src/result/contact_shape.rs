@@ -12,6 +12,9 @@
 //! κ, and over a circle by 0.0005. Springs that are soft beside an element's own elasticity make the field linear
 //! across the edge, and `δ` vanishes.
 //!
+//! An element whose pressure is cut at a hardness says nothing of the edge beside it, which is taken to be halfway, as
+//! between single elements.
+//!
 //! The zero line is drawn by marching squares over the centres. Where the contact ends with the indenter or at the
 //! outline of a relief, geometry says where. Checked against closed forms in `tests/tests/convergence`.
 
@@ -36,7 +39,7 @@ pub struct ContactShape {
     pub uncertainty: f64,
     /// Distance from the axis to the farthest point of the edge, in m.
     pub radius: f64,
-    /// Whether the contact meets an outline of the relief or the indenter's rim.
+    /// Whether the contact meets an outline of the relief or the indenter's rim, or ends at a pressure that is cut.
     pub meets_outline: bool,
 }
 
@@ -58,7 +61,7 @@ struct Crossing {
     from_first: f64,
     /// Distance by which the edge lies inside, in elements.
     offset: f64,
-    /// Whether it ends at an outline or a rim.
+    /// Whether it ends at an outline or a rim, or steeply at an element whose pressure is cut.
     is_outline: bool,
 }
 
@@ -273,6 +276,9 @@ fn crossing(field: &ContactField<'_>, inside: &CellCorner, outside: &CellCorner)
                 .unwrap_or(f64::NAN)
         })));
     }
+    if field.is_at_limit(element) {
+        return at(0.5);
+    }
     let gap = field.gap_of(other).max(0.0);
     if gap.is_infinite() {
         return at(between(points.map(|[x, y]| {
@@ -305,3 +311,6 @@ fn between([first, second]: [f64; 2]) -> f64 {
         0.5
     }
 }
+
+#[cfg(test)]
+mod tests;

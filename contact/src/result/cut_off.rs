@@ -386,3 +386,6 @@ fn map_reached(model: &Model, grid: &Grid, pressure: &[f64]) -> Option<CutOff> {
     let is_map = matches!(model.indenter, Indenter::Map(_));
     (is_map && presses(&|place| around(place).into_iter().any(ends))).then_some(CutOff::IndenterMap)
 }
+
+#[cfg(test)]
+mod tests;

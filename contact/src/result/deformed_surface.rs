@@ -2,7 +2,7 @@
 
 use pellicle_texture::SpringLaw;
 
-use crate::vector::{add_scaled, update_with};
+use crate::vector::{add_scaled, update, update_with};
 
 /// The surface that a pressure deforms, and the gap that is left; N² values each.
 #[derive(Debug, Clone, PartialEq)]
@@ -11,8 +11,12 @@ pub struct DeformedSurface {
     pub displacement: Vec<f64>,
     /// Shortening `w*` of the relief, in m: `η p` (3.3) of linear springs.
     pub shortening: Vec<f64>,
-    /// Gap `g = u + w* + g0 − D`, in m; +∞ where the indenter has no surface.
+    /// Gap `g = u + w* + g0 − D`, in m; +∞ where the indenter has no surface. Negative where the pressure is cut at a
+    /// hardness.
     pub gap: Vec<f64>,
+    /// Plastic depth `max(0, −g)` where the pressure is at the hardness, in m, 0 elsewhere: what the elastic surface
+    /// lacks to lie under the indenter. Empty without a hardness.
+    pub plastic_depth: Vec<f64>,
 }
 
 impl DeformedSurface {
@@ -20,7 +24,7 @@ impl DeformedSurface {
     /// initial gap `g0`.
     pub(crate) fn new(
         displacement: Vec<f64>,
-        pressure: &[f64],
+        (pressure, hardness): (&[f64], f64),
         (law, compliance): (SpringLaw, &[f64]),
         initial_gap: &[f64],
         penetration: f64,
@@ -34,10 +38,22 @@ impl DeformedSurface {
             *g = u + g0 - penetration;
         });
         add_scaled(&mut gap, 1.0, &shortening);
+        let mut plastic_depth = Vec::new();
+        if hardness.is_finite() {
+            plastic_depth.clone_from(&gap);
+            update(&mut plastic_depth, pressure, |depth, p| {
+                *depth = if *p < hardness {
+                    0.0
+                } else {
+                    (-*depth).max(0.0)
+                };
+            });
+        }
         Self {
             displacement,
             shortening,
             gap,
+            plastic_depth,
         }
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! Inside smooth contact the paraboloid through the largest element and its eight neighbours has its vertex at the
 //! peak, `p = p₀ − ½ gᵀ H⁻¹ g` with the central differences `g` and `H`, to third order in the element's side. At an
-//! edge the element's own value is all there is.
+//! edge the element's own value is all there is, and where a hardness cuts the pressure the peak is the hardness.
 
 use pellicle_texture::Relief;
 
@@ -43,6 +43,13 @@ impl Peak {
     /// The peak of a field whose largest pressure is that of an element of the window.
     pub fn of(field: &ContactField<'_>, largest: Place) -> Self {
         let (model, side) = (field.model, field.grid.element_side());
+        if let Some(element) = field.element(largest).filter(|e| field.is_at_limit(*e)) {
+            return Self {
+                pressure: field.pressure[element],
+                at: field.centre(largest),
+                place: PeakPlace::Inside,
+            };
+        }
         let place = place_near(&model.relief, &model.indenter, side, field.centre(largest));
         let around = |[i, j]: Place| field.pressure_at([largest[0] + i, largest[1] + j]);
         let own = around([0, 0]);
@@ -51,7 +58,7 @@ impl Peak {
             .flatten();
         let (rise, [u, v]) = vertex.unwrap_or((0.0, [0.0; 2]));
         Self {
-            pressure: own + rise,
+            pressure: (own + rise).min(field.hardness),
             at: field
                 .point([largest[0] as f64 + u, largest[1] as f64 + v])
                 .map(|x| if x.abs() < AT_AXIS * side { 0.0 } else { x }),
@@ -106,7 +113,10 @@ fn vertex(around: &impl Fn(Place) -> f64) -> Option<(f64, [f64; 2])> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Place, vertex};
+    use pellicle_texture::{CylinderSpec, Cylinders, Lattice};
+
+    use super::*;
+    use crate::{FlatPunch, Paraboloid};
 
     #[test]
     fn a_paraboloid_returns_its_vertex() {
@@ -124,13 +134,46 @@ mod tests {
     #[test]
     fn neither_a_saddle_nor_a_contact_of_single_elements_has_a_vertex() {
         assert!(vertex(&|[i, j]: Place| 9.0 - (i * i) as f64 + 0.5 * (j * j) as f64).is_none());
-        assert!(
-            vertex(&|[i, j]: Place| if i < 1 {
-                9.0 - (i * i + j * j) as f64
-            } else {
-                0.0
-            })
-            .is_none()
-        );
+        let peak = |[i, j]: Place| 9.0 - (i * i + j * j) as f64;
+        assert!(vertex(&peak).is_some());
+        for neighbour in (-1..=1).flat_map(|i| [-1, 0, 1].map(|j| [i, j])) {
+            let lacks = |place: Place| if place == neighbour { 0.0 } else { peak(place) };
+            assert!(vertex(&lacks).is_none(), "{neighbour:?}");
+        }
+    }
+
+    #[test]
+    fn a_place_is_at_what_is_sharp_within_two_elements() {
+        let spec = CylinderSpec {
+            lattice: Lattice::Square,
+            radius: 0.2,
+            height: 0.1,
+            period: 1.0,
+            offset: [0.0, 0.0],
+            young_modulus: 1.0,
+        };
+        let cylinders = Relief::Cylinders(Cylinders::new(spec).unwrap());
+        let punch: Indenter = FlatPunch::new(0.3).unwrap().into();
+        let ball: Indenter = Paraboloid::new(1.0).unwrap().into();
+        let near = |relief: &Relief, indenter: &Indenter, x: f64| {
+            place_near(relief, indenter, 0.02, [0.0, x])
+        };
+        for (x, wanted) in [
+            (0.25, PeakPlace::Inside),
+            (0.27, PeakPlace::IndenterEdge),
+            (0.33, PeakPlace::IndenterEdge),
+            (0.35, PeakPlace::Inside),
+        ] {
+            assert_eq!(near(&Relief::Bare, &punch, x), wanted, "{x}");
+            assert_eq!(near(&Relief::Bare, &ball, x), PeakPlace::Inside);
+        }
+        for (x, wanted) in [
+            (0.15, PeakPlace::Inside),
+            (0.17, PeakPlace::Outline),
+            (0.23, PeakPlace::Outline),
+            (0.27, PeakPlace::IndenterEdge),
+        ] {
+            assert_eq!(near(&cylinders, &punch, x), wanted, "{x}");
+        }
     }
 }

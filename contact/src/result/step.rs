@@ -3,7 +3,7 @@
 use pellicle_texture::Grid;
 use serde::{Deserialize, Serialize};
 
-use crate::{GridError, Solution, Summary, Work, result::cut_off::CutOff};
+use crate::{GridError, RoughContact, Solution, Summary, Work, result::cut_off::CutOff};
 
 /// One load's solution. It is converged if its certificate is satisfied.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,6 +20,8 @@ pub struct Step {
     pub residuals: Vec<f64>,
     /// Contact stiffness `dQ/dD`, in N/m; none without contact, or where it was not asked for or not found.
     pub contact_stiffness: Option<f64>,
+    /// Islands, gaps and pressures where a measured map takes part; none of others and without contact.
+    pub rough: Option<RoughContact>,
     /// The limit that cuts the contact off, if any: then the step solves another problem than the one posed.
     pub cut_off: Option<CutOff>,
     /// The pressures of the next coarser grids, coarsest first; empty unless

@@ -26,7 +26,8 @@ pub struct Summary {
     pub contact_area: f64,
     /// By how much the area is uncertain because its edge is placed within an element, in m².
     pub edge_uncertainty: f64,
-    /// Whether the contact meets an outline of the relief or the indenter's rim, which elements follow as a staircase.
+    /// Whether the contact meets an outline of the relief or the indenter's rim, which elements follow as a staircase;
+    /// or ends at a pressure that is cut at the hardness.
     pub meets_outline: bool,
     /// Elements in contact.
     pub contact_elements: usize,
@@ -34,6 +35,10 @@ pub struct Summary {
     pub contact_area_on_relief: f64,
     /// Contact area between the cylinders, in m².
     pub contact_area_between: f64,
+    /// Area of the elements whose pressure is cut at the hardness, in m²; 0 without one.
+    pub area_at_limit: f64,
+    /// Largest [plastic depth](crate::DeformedSurface::plastic_depth), in m; 0 without a hardness.
+    pub plastic_depth: f64,
     /// Largest shortening `w*` of the relief, in m.
     pub largest_shortening: f64,
     /// Distance from the axis to the farthest point of the contact's edge, in m; 0 without contact.
@@ -48,7 +53,6 @@ impl Summary {
         let (window, grid) = (field.window, field.grid);
         let size = grid.size();
         let law = field.model.relief.spring_law();
-        let place = |e: usize| [grid.centre(e / size), grid.centre(e % size)];
         let of_line = |line: usize, pressure: &[f64]| {
             let compliance = window.line(field.compliance, line);
             let mut found = Contact::default();
@@ -57,6 +61,11 @@ impl Summary {
             for (column, p) in columns.clone() {
                 let [i, j] = image(column);
                 found.add(i * size + j, *p);
+                let element = line * window.size() + column;
+                if field.is_at_limit(element) {
+                    found.at_limit += 1;
+                    found.depth = found.depth.max(-field.gap_of(element));
+                }
                 found.shortening = found.shortening.max(law.shortening(compliance[column], *p));
             }
             // Of one row, no element is nearer to an edge than the outermost two.
@@ -70,11 +79,13 @@ impl Summary {
             largest: (max_pressure, largest),
             elements,
             shortening: largest_shortening,
+            at_limit,
+            depth: plastic_depth,
             to_edge: elements_to_edge,
         } = lines.into_iter().fold(Contact::default(), Contact::and);
         let nothing = Self {
             max_pressure,
-            max_pressure_at: place(largest),
+            max_pressure_at: [grid.centre(0); 2],
             peak_place: PeakPlace::Inside,
             mean_pressure: 0.0,
             contact_area: 0.0,
@@ -83,6 +94,8 @@ impl Summary {
             contact_elements: 0,
             contact_area_on_relief: 0.0,
             contact_area_between: 0.0,
+            area_at_limit: 0.0,
+            plastic_depth,
             largest_shortening,
             contact_radius: 0.0,
             elements_to_edge,
@@ -104,6 +117,7 @@ impl Summary {
             contact_elements: elements * sector.images(),
             contact_area_on_relief: shape.area_on_relief,
             contact_area_between: (shape.area - shape.area_on_relief).max(0.0),
+            area_at_limit: (at_limit * sector.images()) as f64 * grid.element_area(),
             contact_radius: shape.radius,
             ..nothing
         }
@@ -117,6 +131,9 @@ struct Contact {
     largest: (f64, usize),
     elements: usize,
     shortening: f64,
+    /// Elements whose pressure is cut.
+    at_limit: usize,
+    depth: f64,
     to_edge: Option<usize>,
 }
 
@@ -139,6 +156,8 @@ impl Contact {
             largest: larger(self.largest, other.largest),
             elements: self.elements + other.elements,
             shortening: self.shortening.max(other.shortening),
+            at_limit: self.at_limit + other.at_limit,
+            depth: self.depth.max(other.depth),
             to_edge: nearer(self.to_edge, other.to_edge),
         }
     }
@@ -155,4 +174,33 @@ fn larger(one: (f64, usize), other: (f64, usize)) -> (f64, usize) {
 /// The smaller of two numbers that there may not be.
 fn nearer(one: Option<usize>, other: Option<usize>) -> Option<usize> {
     one.into_iter().chain(other).min()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Contact;
+
+    #[test]
+    fn parts_of_a_contact_make_the_whole_in_any_order() {
+        let part = |elements: &[(usize, f64)], to_edge: Option<[usize; 2]>| {
+            let mut part = Contact::default();
+            for (element, pressure) in elements {
+                part.add(*element, *pressure);
+            }
+            if let Some(place) = to_edge {
+                part.reach_to(place, 10);
+            }
+            part
+        };
+        let one = part(&[(5, 2.0), (3, 4.0), (8, 4.0)], Some([2, 6]));
+        let other = part(&[(4, 4.0), (1, 3.0)], Some([8, 5]));
+        for both in [one.and(other), other.and(one)] {
+            // Of equal pressures the first element's.
+            assert_eq!((both.largest, both.elements), ((4.0, 3), 5));
+            assert_eq!(both.to_edge, Some(1));
+        }
+        assert_eq!(one.to_edge, Some(2));
+        assert_eq!(part(&[], None).and(one).to_edge, Some(2));
+        assert_eq!(part(&[], Some([9, 4])).to_edge, Some(0));
+    }
 }

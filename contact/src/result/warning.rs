@@ -257,5 +257,9 @@ mod tests {
         };
         assert!(texture(0.004).to_string().starts_with("4.0e-3 elements"));
         assert!(texture(2.5).to_string().starts_with("2.5 elements"));
+        assert_eq!(
+            [0, 1, 2].map(counted),
+            ["0 elements", "1 element", "2 elements"]
+        );
     }
 }

@@ -16,6 +16,9 @@ pub struct Work {
     /// Products on the finest grid for the contact stiffness, beside those for the solution; not stored.
     #[serde(skip)]
     pub stiffness_applications: usize,
+    /// Products among the candidates of a dilute contact on the finest grid, a small part of one each; not stored.
+    #[serde(skip)]
+    pub candidate_applications: usize,
     /// Wall-clock time of the step on all its grids, in s.
     #[serde(deserialize_with = "nan_from_null")]
     pub seconds: f64,
@@ -35,4 +38,7 @@ pub struct LevelWork {
     /// Products with `K` for the contact stiffness; not stored.
     #[serde(skip)]
     pub stiffness_applications: usize,
+    /// Products among the candidates of a dilute contact; not stored.
+    #[serde(skip)]
+    pub candidate_applications: usize,
 }

@@ -175,3 +175,15 @@ pub(super) fn difference(more: &[f64], less: &[f64], step: f64) -> Vec<f64> {
     };
     pairs.map(slope).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::difference;
+
+    #[test]
+    fn a_difference_is_central_and_nothing_beyond_the_end_of_an_indenter() {
+        let end = f64::INFINITY;
+        let found = difference(&[3.0, end, end, -1.0], &[1.0, end, 2.0, end], 0.25);
+        assert_eq!(found, [4.0, 0.0, 0.0, 0.0]);
+    }
+}

@@ -64,11 +64,17 @@ impl ModelDerivatives {
     /// The derivatives of the steps of `path`, which solved this model: their coefficients on its grid.
     ///
     /// # Errors
-    /// [`ContactError::Periodic`] of a periodic cell; coefficients that are not finite; as
+    /// [`ContactError::Periodic`] of a periodic cell, [`ContactError::WithHardness`] of a pressure that is cut;
+    /// coefficients that are not finite; as
     /// [`Model::with_parameter`](crate::Model::with_parameter).
     pub fn of_path<'a>(&self, path: &'a LoadingPath) -> Result<Sensitivities<'a>, ContactError> {
         if path.boundary == Boundary::Periodic {
             return Err(ContactError::Periodic {
+                what: "derivatives",
+            });
+        }
+        if path.hardness.is_finite() {
+            return Err(ContactError::WithHardness {
                 what: "derivatives",
             });
         }

@@ -21,7 +21,10 @@ use self::{
     exchange::Exchange,
     springs::DenseSprings,
 };
-use super::{Iterate, Solver, SolverOptions, Watch};
+use super::{
+    Iterate, Solver, SolverOptions, Watch,
+    hardness::{self, ElasticSolver},
+};
 use crate::{ContactError, DiscreteProblem, Load};
 
 /// Most elements per side: the matrix of all 80⁴ pairs takes 0.33 GB.
@@ -46,6 +49,26 @@ pub struct ActiveSetSolver {
 
 impl Solver for ActiveSetSolver {
     fn solve(
+        &mut self,
+        problem: &mut DiscreteProblem,
+        load: Load,
+        start: &[f64],
+        watch: &mut Watch<'_>,
+    ) -> Result<Iterate, ContactError> {
+        if problem.has_hardness() {
+            hardness::solve(self, problem, load, start, watch)
+        } else {
+            self.solve_elastic(problem, load, start, watch)
+        }
+    }
+}
+
+impl ElasticSolver for ActiveSetSolver {
+    fn options(&mut self) -> &mut SolverOptions {
+        &mut self.options
+    }
+
+    fn solve_elastic(
         &mut self,
         problem: &mut DiscreteProblem,
         load: Load,

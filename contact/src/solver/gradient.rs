@@ -22,10 +22,11 @@
 //! where the energy asks for it; starts that respect the outline of the relief; products on the smallest square that
 //! holds the contact.
 //!
-//! **Quadrants.** Where indenter and relief are symmetric in x and y, so is the one solution, and a path solves on the
+//! **Sectors.** Where indenter and relief are symmetric in x and y, so is the one solution, and a path solves on the
 //! quadrant x, y > 0 alone: `K` is the sum over an element's four images, applied by cosine transforms of half the
-//! length. All sums are a quarter of those on the whole grid. Only what looks across the axes knows of it: filter, band
-//! and sparse factor see the images beyond, and an axis is no border of a window.
+//! length. All sums are a quarter of those on the whole grid. Where they are symmetric in y alone, as under a pyramid of
+//! three faces, it solves on the half y > 0. Only what looks across the axes knows of it: filter, band and sparse factor
+//! see the images beyond, and an axis is no border of a window.
 //!
 //! **Both kinds of load.** Every step keeps the total of the pressure. Under a prescribed penetration the pressure is
 //! then scaled until the mean of `v` over it is `D`, which takes no product, and the conjugate directions are conjugate
@@ -40,6 +41,9 @@
 //!
 //! **Springs.** Where their law is not linear they are straightened at a pressure, and anew as soon as their law has
 //! more to say than the linear problem: Newton's method around the loop above, at no product of its own.
+//!
+//! **Hardness.** Where the pressure is cut, the elements at the limit are held and the loop solves for the others; see
+//! `solver/hardness.rs`.
 //!
 //! **Why it ends.** No accepted fast step raises the energy above the largest of the last few; a step that does not
 //! start downhill is replaced by a projection of the plain gradient, which always does. After sixteen exchanges without
@@ -64,7 +68,10 @@ use self::{
     ongoing_solution::{Judgement, OngoingSolution, Workspace},
     strategy::{Phase, Strategy},
 };
-use super::{Iterate, Solver, SolverOptions, Watch};
+use super::{
+    Iterate, Solver, SolverOptions, Watch,
+    hardness::{self, ElasticSolver},
+};
 use crate::{ContactError, DiscreteProblem, Identity, Load, vector::sum};
 
 /// The iteration stops at this part of the tolerance, so that rounding between its running residual and the
@@ -82,6 +89,26 @@ pub struct GradientSolver {
 
 impl Solver for GradientSolver {
     fn solve(
+        &mut self,
+        problem: &mut DiscreteProblem,
+        load: Load,
+        start: &[f64],
+        watch: &mut Watch<'_>,
+    ) -> Result<Iterate, ContactError> {
+        if problem.has_hardness() {
+            hardness::solve(self, problem, load, start, watch)
+        } else {
+            self.solve_elastic(problem, load, start, watch)
+        }
+    }
+}
+
+impl ElasticSolver for GradientSolver {
+    fn options(&mut self) -> &mut SolverOptions {
+        &mut self.options
+    }
+
+    fn solve_elastic(
         &mut self,
         problem: &mut DiscreteProblem,
         load: Load,

@@ -390,3 +390,20 @@ fn a_solver_that_gives_up_returns_the_best_pressure_met() {
         worst_before = worst;
     }
 }
+
+#[test]
+fn tolerances_from_nothing_to_a_tenth_are_taken_and_no_other() {
+    let checked = |tolerance| {
+        let options = SolverOptions {
+            tolerance,
+            ..SolverOptions::default()
+        };
+        options.checked_for(SIZE).is_ok()
+    };
+    assert!([1e-300, 1e-8, 0.1].into_iter().all(checked));
+    assert!(
+        ![0.0, -1e-8, 0.11, f64::NAN, f64::INFINITY]
+            .into_iter()
+            .any(checked)
+    );
+}

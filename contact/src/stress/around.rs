@@ -189,4 +189,59 @@ mod tests {
         let saddle: Vec<_> = all.iter().map(|(at, _)| (*at, at[0] * at[1])).collect();
         assert!(quadratic(&saddle).is_none());
     }
+
+    /// The stresses `σ_zz` around a centre at some depths.
+    fn around(depths: &[f64], stress: impl Fn([f64; 3]) -> f64) -> Around {
+        let mut around = Around::new(depths.to_vec());
+        for z in depths {
+            let states = Around::places([0, 0]).map(|[i, j]| {
+                let mut state = SubsurfaceState::default();
+                state.stress[2] = stress([i as f64, j as f64, *z]);
+                state
+            });
+            around.take(&states);
+        }
+        around
+    }
+
+    #[track_caller]
+    fn assert_near(found: [f64; 3], wanted: [f64; 3]) {
+        // The last stencil is a hundredth wide, and what is no quadratic moves its vertex by less than a tenth of it.
+        let is_near = (0..3).all(|i| (found[i] - wanted[i]).abs() < 1e-3);
+        assert!(is_near, "{found:?} {wanted:?}");
+    }
+
+    #[test]
+    fn the_peak_of_a_polynomial_is_found_between_centres_and_depths() {
+        // Of fourth degree along the plane and second in depth, which the interpolation holds exactly.
+        let wanted = [0.37, -0.81, 1.56];
+        let stress = |at: [f64; 3]| {
+            let [u, v, z] = std::array::from_fn(|axis| at[axis] - wanted[axis]);
+            4.0 - u.powi(4) - u * u - v.powi(4) - 0.5 * v * v - 2.0 * z * z - 0.3 * u * v
+        };
+        let found = around(&[1.0, 1.5, 2.0], stress);
+        for start in [[0.0, 0.0, 1.5], [0.0, 0.0, 1.0], [-1.0, 1.0, 2.0]] {
+            assert_near(found.largest(start, |state| state.stress[2]), wanted);
+        }
+        // At one depth it is that of the plane.
+        let found = around(&[1.56], stress).largest([0.0, 0.0, 1.56], |state| state.stress[2]);
+        assert_near(found, wanted);
+    }
+
+    #[test]
+    fn a_peak_beyond_an_element_or_the_depths_is_looked_for_up_to_their_ends() {
+        let stress = |[u, v, z]: [f64; 3]| 4.0 - (u - 1.6).powi(2) - (v + 0.4).powi(2) - z * z;
+        let found = around(&[1.0, 1.5, 2.0], stress);
+        let found = found.largest([0.0, 0.0, 1.5], |state| state.stress[2]);
+        assert_near(found, [1.0, -0.4, 1.0]);
+    }
+
+    #[test]
+    fn the_centres_around_one_are_those_of_a_square_row_after_row() {
+        let places = Around::places([3, -1]);
+        assert_eq!(
+            [places[0], places[1], places[12], places[24]],
+            [[1, -3], [1, -2], [3, -1], [5, 1]]
+        );
+    }
 }

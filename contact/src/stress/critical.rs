@@ -49,7 +49,8 @@ struct Asked {
 /// comes near, loads around the largest are tried.
 ///
 /// # Errors
-/// As [`solve_path`](crate::solve_path) and [`stress_extremes`](super::extremes::stress_extremes);
+/// [`ContactError::WithHardness`] where the pressure is cut; as [`solve_path`](crate::solve_path) and
+/// [`stress_extremes`](super::extremes::stress_extremes);
 /// [`ContactError::Cancelled`] by the
 /// observer.
 ///
@@ -65,6 +66,11 @@ pub fn critical_loads(
     observer: &mut dyn Observer,
 ) -> Result<Vec<CriticalLoad>, ContactError> {
     assert_eq!(extremes.len(), path.steps.len(), "extremes of each step");
+    if options.hardness.is_finite() {
+        return Err(ContactError::WithHardness {
+            what: "critical loads",
+        });
+    }
     let mut found = Vec::new();
     for asked in criteria(stress, extremes) {
         let solutions = path.steps.iter().map(|step| &step.solution);

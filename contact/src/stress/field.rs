@@ -243,3 +243,71 @@ impl StressPlanes {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use pellicle_kernel::{Foundation, Material};
+
+    use super::*;
+
+    /// A unit square of 5 × 5 elements, pressed on these.
+    fn pressed(on: &[([usize; 2], f64)]) -> StressField {
+        let body = Foundation::half_space(Material::new(1.0, 0.3).unwrap());
+        let mut pressure = vec![0.0; 25];
+        for ([i, j], p) in on {
+            pressure[i * 5 + j] = *p;
+        }
+        let tables = Arc::new(RadialTables::build(&body).unwrap());
+        let grid = Grid::new(1.0, 5).unwrap();
+        StressField::of(tables, grid, &pressure, Sliding::default())
+    }
+
+    #[test]
+    fn the_loaded_square_is_the_smallest_within_the_grid_that_holds_all_pressures() {
+        let field = pressed(&[([3, 1], 2.0), ([4, 3], 3.0)]);
+        let LoadedSquare {
+            origin,
+            size,
+            pressure,
+        } = field.loaded();
+        assert_eq!((*origin, *size), ([2, 1], 3));
+        assert_eq!(pressure[..], [0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 0.0, 3.0]);
+        let elements = field.loaded().elements(field.grid());
+        assert_eq!(elements.len(), 2);
+        for ((found, p), (wanted, q)) in
+            elements.iter().zip([([0.2, -0.2], 2.0), ([0.4, 0.2], 3.0)])
+        {
+            assert!(*p == q && (0..2).all(|axis| (found[axis] - wanted[axis]).abs() < 1e-15));
+        }
+        assert_eq!(pressed(&[]).loaded().size, 0);
+    }
+
+    #[test]
+    fn planes_hold_the_states_at_their_centres_wherever_the_pressure_is() {
+        let depth = Depth::below(0.3);
+        for on in [[1, 2], [4, 4], [0, 3]] {
+            let field = pressed(&[(on, 1.0)]);
+            for (extent, shown) in [(0.1, 1), (0.7, 3), (2.0, 5)] {
+                let mut planes = field.planes(extent);
+                assert_eq!(planes.centres().len(), shown);
+                assert!((planes.centres()[0] + 0.1 * (shown - 1) as f64).abs() < 1e-15);
+                let points: Vec<_> = planes
+                    .centres()
+                    .iter()
+                    .flat_map(|x| planes.centres().iter().map(|y| [*x, *y]))
+                    .collect();
+                let states = field.at_points(&points, depth).unwrap();
+                let check = |index: usize, values: &[f64]| {
+                    for (state, value) in states.iter().zip(values) {
+                        let all = [&state.displacement[..], &state.stress[..]].concat();
+                        assert!((value - all[index]).abs() < 1e-10, "{index} {on:?}");
+                    }
+                };
+                planes.fields_on(depth, check).unwrap();
+            }
+        }
+        let mut unloaded = pressed(&[]).planes(1.0);
+        let zero = |_: usize, values: &[f64]| assert!(values.iter().all(|value| *value == 0.0));
+        unloaded.fields_on(depth, zero).unwrap();
+    }
+}

@@ -203,3 +203,38 @@ fn distinct(candidates: &[Candidate], depths: &[f64], element: f64) -> Vec<Candi
     }
     kept
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn candidates_of_one_peak_are_followed_once_and_none_far_below_the_largest() {
+        let depths = [0.0, 0.1, 0.4, 1.0];
+        let kept = |candidates: &[(f64, [f64; 2], usize)]| {
+            let candidates: Vec<_> = candidates
+                .iter()
+                .map(|(value, at, depth)| Candidate {
+                    target: 0,
+                    quantity: Quantity::VonMises,
+                    value: *value,
+                    at: *at,
+                    depth: *depth,
+                })
+                .collect();
+            let kept = distinct(&candidates, &depths, 0.1);
+            kept.iter().map(|kept| kept.value).collect::<Vec<_>>()
+        };
+        let first = (10.0, [0.0; 2], 1);
+        // At the depth beside it within an element, and within half the depth; farther; at its own depth; two away.
+        assert_eq!(kept(&[first, (9.9, [0.06, 0.06], 0)]), [10.0]);
+        assert_eq!(kept(&[first, (9.9, [0.1, 0.15], 2)]), [10.0]);
+        assert_eq!(kept(&[first, (9.9, [0.08, 0.08], 0)]), [10.0, 9.9]);
+        assert_eq!(kept(&[first, (9.9, [0.15, 0.15], 2)]), [10.0, 9.9]);
+        assert_eq!(kept(&[first, (9.9, [0.01, 0.0], 1)]), [10.0, 9.9]);
+        assert_eq!(kept(&[first, (9.9, [0.01, 0.0], 3)]), [10.0, 9.9]);
+        assert_eq!(kept(&[first, (9.7, [0.9, 0.0], 1)]), [10.0]);
+        let apart = [0, 1, 2, 3, 4].map(|i| (10.0, [f64::from(i), 0.0], 1));
+        assert_eq!(kept(&apart).len(), 4);
+    }
+}

@@ -87,3 +87,20 @@ pub enum Criterion {
     /// The tension reaches an interface's strength.
     InterfaceTension,
 }
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::FRAC_PI_6;
+
+    use super::Sliding;
+
+    #[test]
+    fn a_traction_has_the_size_of_friction_and_the_direction_of_sliding() {
+        let sliding = Sliding {
+            friction: 0.4,
+            direction: FRAC_PI_6,
+        };
+        let [x, y] = sliding.tractions();
+        assert!((x - 0.2 * 3.0_f64.sqrt()).abs() < 1e-15 && (y - 0.2).abs() < 1e-15);
+    }
+}

@@ -352,14 +352,4 @@ fn vertex([[a, fa], [b, fb], [c, fc]]: [[f64; 2]; 3]) -> Option<f64> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_parabola_returns_its_vertex() {
-        let value = |z: f64| 3.0 - 2.0 * (z - 0.7).powi(2);
-        let found = vertex([0.1, 0.5, 2.0].map(|z| [z, value(z)])).unwrap();
-        assert!((found - 0.7).abs() < 1e-14, "{found}");
-        assert!(vertex([0.1, 0.5, 2.0].map(|z| [z, -value(z)])).is_none());
-    }
-}
+mod tests;

@@ -1,4 +1,4 @@
-//! Multiplication of a field's Fourier series by a function of the symbol, on the periodic grid or the quadrant of one.
+//! Multiplication of a field's Fourier series by a function of the symbol, on the periodic grid or a sector of one.
 //!
 //! In single precision: the result only preconditions, and seven digits of a direction are more than it needs. The
 //! field is scaled to a largest value of 1 first, so that no unit can overflow.
@@ -9,7 +9,7 @@ use rayon::prelude::*;
 
 use super::symbol::PeriodicSymbol;
 use crate::sector::Sector;
-use crate::transform::{EvenLines, FourierLines, Lines, PlaneTransform};
+use crate::transform::{EvenLines, FourierLines, HalfLines, Lines, PlaneTransform};
 
 /// Numbers of a field looked through at once.
 const PART: usize = 1 << 14;
@@ -26,6 +26,7 @@ pub struct PeriodicFilter {
 
 enum SectorTransform {
     Whole(PlaneTransform<FourierLines<f32>>),
+    Half(PlaneTransform<HalfLines<f32>>),
     Quadrant(PlaneTransform<EvenLines<f32>>),
 }
 
@@ -33,16 +34,18 @@ impl PeriodicFilter {
     /// For fields on a sector of the symbol's grid; multiplies by 0 until [`Self::multiply_by`] is called.
     #[must_use]
     pub fn new(symbol: PeriodicSymbol, sector: Sector) -> Self {
-        let size = symbol.size() / sector.parts();
+        let [_, parts] = sector.parts();
+        let size = symbol.size() / parts;
         let transform = match sector {
             Sector::Whole => {
                 SectorTransform::Whole(PlaneTransform::new(FourierLines::periodic(size)))
             }
+            Sector::Half => SectorTransform::Half(PlaneTransform::new(HalfLines::periodic(size))),
             Sector::Quadrant => {
                 SectorTransform::Quadrant(PlaneTransform::new(EvenLines::periodic(size)))
             }
         };
-        let multipliers = vec![0.0; transform.frequencies().pow(2)];
+        let multipliers = vec![0.0; transform.frequencies().iter().product()];
         Self {
             symbol,
             transform,
@@ -60,9 +63,8 @@ impl PeriodicFilter {
         let (symbol, size) = (&self.symbol, self.symbol.size());
         // There and back the transforms multiply by the elements of the period.
         let scale = 1.0 / narrow((size * size) as f64);
-        let rows = self
-            .multipliers
-            .par_chunks_exact_mut(self.transform.frequencies());
+        let [_, width] = self.transform.frequencies();
+        let rows = self.multipliers.par_chunks_exact_mut(width);
         rows.enumerate().for_each(|(i, factors)| {
             for (j, factor) in factors.iter_mut().enumerate() {
                 *factor = scale * narrow(multiplier(symbol.value([i, j])) / largest);
@@ -85,13 +87,12 @@ impl PeriodicFilter {
             return;
         }
         let scales = [1.0 / largest, largest * self.largest_multiplier];
+        let [_, width] = self.transform.frequencies();
+        let multipliers = (&self.multipliers[..], width);
         match &mut self.transform {
-            SectorTransform::Whole(transform) => {
-                filter(transform, &self.multipliers, field, scales);
-            }
-            SectorTransform::Quadrant(transform) => {
-                filter(transform, &self.multipliers, field, scales);
-            }
+            SectorTransform::Whole(transform) => filter(transform, multipliers, field, scales),
+            SectorTransform::Half(transform) => filter(transform, multipliers, field, scales),
+            SectorTransform::Quadrant(transform) => filter(transform, multipliers, field, scales),
         }
     }
 
@@ -132,11 +133,15 @@ impl PeriodicFilter {
 }
 
 impl SectorTransform {
-    /// Frequencies along one axis.
-    fn frequencies(&self) -> usize {
+    /// Frequencies along the rows, and along the columns.
+    fn frequencies(&self) -> [usize; 2] {
         match self {
-            Self::Whole(transform) => transform.lines().width(),
-            Self::Quadrant(transform) => transform.lines().length(),
+            Self::Whole(transform) => [transform.lines().width(); 2],
+            Self::Half(transform) => {
+                let half = transform.lines().length() / 2;
+                [half, half + 1]
+            }
+            Self::Quadrant(transform) => [transform.lines().length(); 2],
         }
     }
 }
@@ -144,11 +149,10 @@ impl SectorTransform {
 /// Transforms a field, times the first scale, multiplies it, and transforms it back, times the second.
 fn filter<L: Lines<Real = f32>>(
     transform: &mut PlaneTransform<L>,
-    multipliers: &[f32],
+    (multipliers, width): (&[f32], usize),
     field: &mut [f64],
     [scale, scale_back]: [f64; 2],
 ) {
-    let width = multipliers.len().isqrt();
     transform.load(field, scale);
     transform.multiply(|frequency| [&multipliers[frequency * width..][..width], &[]]);
     transform.restore(field, scale_back);
@@ -205,25 +209,33 @@ mod tests {
     }
 
     #[test]
-    fn a_quadrant_is_filtered_as_the_whole_field_is() {
-        for half in [4, 9, 32] {
-            let part: Vec<f64> = (0..half * half).map(|e| (0.7 * e as f64).sin()).collect();
-            let along = |i: usize| if i < half { half - 1 - i } else { i - half };
+    fn a_sector_is_filtered_as_the_whole_field_is() {
+        for (sector, half) in [Sector::Half, Sector::Quadrant]
+            .into_iter()
+            .flat_map(|sector| [4, 9, 32].map(|half| (sector, half)))
+        {
+            let [rows, columns] = sector.lengths(half);
+            let part: Vec<f64> = (0..rows * columns)
+                .map(|e| (0.7 * e as f64).sin())
+                .collect();
+            let [first, _] = sector.first_index(2 * half);
+            let along = |i: usize, first: usize| if i < first { first - 1 - i } else { i - first };
             let unfolded = |part: &[f64]| -> Vec<f64> {
                 let elements = 0..4 * half * half;
-                let image = |e: usize| along(e / (2 * half)) * half + along(e % (2 * half));
+                let image =
+                    |e: usize| along(e / (2 * half), first) * half + along(e % (2 * half), half);
                 elements.map(|e| part[image(e)]).collect()
             };
-            let (mut whole, mut quadrant) = (unfolded(&part), part);
+            let (mut whole, mut solved) = (unfolded(&part), part);
             let mut filter = PeriodicFilter::new(symbol(2 * half), Sector::Whole);
             filter.multiply_by(reciprocal);
             filter.apply(&mut whole);
-            let mut filter = PeriodicFilter::new(symbol(2 * half), Sector::Quadrant);
+            let mut filter = PeriodicFilter::new(symbol(2 * half), sector);
             filter.multiply_by(reciprocal);
-            filter.apply(&mut quadrant);
-            for (one, other) in whole.iter().zip(&unfolded(&quadrant)) {
+            filter.apply(&mut solved);
+            for (one, other) in whole.iter().zip(&unfolded(&solved)) {
                 // Single precision of answers of order 1.
-                assert!((one - other).abs() < 2e-6, "{half}");
+                assert!((one - other).abs() < 2e-6, "{sector:?} {half}");
             }
         }
     }

@@ -25,7 +25,7 @@
 /// assert_eq!(u, [1.0; 4]); // exact in binary
 /// ```
 pub trait ElasticOperator: Send {
-    /// Number of elements N along one side of the grid.
+    /// Number of elements N of a row: along one side of the grid.
     fn size(&self) -> usize;
 
     /// Writes `u = K p`; both fields have N² entries.

@@ -85,12 +85,12 @@ impl<T: Real> EvenLines<T> {
 impl<T: Real> Lines for EvenLines<T> {
     type Real = T;
 
-    fn loaded(&self) -> usize {
-        self.loaded
+    fn loaded(&self) -> [usize; 2] {
+        [self.loaded; 2]
     }
 
-    fn shown(&self) -> usize {
-        self.shown
+    fn shown(&self) -> [usize; 2] {
+        [self.shown; 2]
     }
 
     fn width(&self) -> usize {

@@ -23,16 +23,110 @@ use super::lines::{Factors, Lines, Real, Space};
 pub(crate) struct FourierLines<T: Real> {
     loaded: usize,
     shown: usize,
-    /// Numbers along x and y that are wanted before the first that is given. They stand at the end of the padded lines.
-    before: [usize; 2],
-    /// Of a row with its padding.
-    period: usize,
+    /// Numbers of a row that are wanted before the first that is given. They stand at the end of the padded row.
+    before: usize,
     rows: Arc<dyn RealToComplex<T>>,
     rows_back: Arc<dyn ComplexToReal<T>>,
-    columns: Arc<dyn Fft<T>>,
-    columns_back: Arc<dyn Fft<T>>,
+    columns: FourierColumns<T>,
+}
+
+/// Plans for the columns alone.
+pub(crate) struct FourierColumns<T: Real> {
+    loaded: usize,
+    shown: usize,
+    /// Numbers that are wanted before the first that is given, as of rows.
+    before: usize,
+    /// L, of a column with its padding.
+    period: usize,
+    forward: Arc<dyn Fft<T>>,
+    back: Arc<dyn Fft<T>>,
     /// `exp(−2πi n/L)` for n < M; none of a periodic field.
     turns: Vec<Complex<T>>,
+}
+
+impl<T: Real> FourierColumns<T> {
+    /// For columns of period `length`, all of which is given and wanted.
+    pub(crate) fn periodic(length: usize) -> Self {
+        Self::new([length; 2], 0, [length; 2])
+    }
+
+    /// For columns padded to 2 · `length`: `loaded` numbers are given, `shown` wanted from `before` of them on.
+    pub(crate) fn padded(loaded: usize, shown: usize, before: usize, length: usize) -> Self {
+        Self::new([loaded, shown], before, [2 * length, length])
+    }
+
+    fn new([loaded, shown]: [usize; 2], before: usize, [period, length]: [usize; 2]) -> Self {
+        let mut planner = FftPlanner::new();
+        let turn = |n: usize| {
+            let turned = Complex::cis(-PI * n as f64 / length as f64);
+            Complex::new(T::narrowed(turned.re), T::narrowed(turned.im))
+        };
+        let turned = if period == length { 0 } else { length };
+        Self {
+            loaded,
+            shown,
+            before,
+            period,
+            forward: planner.plan_fft_forward(length),
+            back: planner.plan_fft_inverse(length),
+            turns: (0..turned).map(turn).collect(),
+        }
+    }
+
+    pub(crate) fn loaded(&self) -> usize {
+        self.loaded
+    }
+
+    pub(crate) fn shown(&self) -> usize {
+        self.shown
+    }
+
+    /// As [`Lines::length`].
+    pub(crate) fn length(&self) -> usize {
+        self.forward.len()
+    }
+
+    /// As [`Lines::parts`].
+    pub(crate) fn parts(&self) -> usize {
+        self.period / self.length()
+    }
+
+    /// Numbers of space that the transforms ask for.
+    pub(crate) fn scratch_length(&self) -> usize {
+        let forward = self.forward.get_inplace_scratch_len();
+        forward.max(self.back.get_inplace_scratch_len())
+    }
+
+    /// As [`Lines::padding`].
+    pub(crate) fn padding(&self) -> Range<usize> {
+        self.loaded..self.length()
+    }
+
+    /// As [`Lines::turn`].
+    pub(crate) fn turn(&self, n: usize) -> Complex<T> {
+        self.turns[n]
+    }
+
+    /// As [`Lines::folded`].
+    pub(crate) fn folded(&self, n: usize) -> (usize, T) {
+        let place = (n + self.period - self.before) % self.period;
+        if place < self.length() {
+            (place, T::one())
+        } else {
+            (place - self.length(), -T::one())
+        }
+    }
+
+    /// The transform of one part of a column.
+    pub(crate) fn transform(&self, column: &mut [Complex<T>], space: &mut Space<T>) {
+        self.forward
+            .process_with_scratch(column, &mut space.transform);
+    }
+
+    /// The transform back.
+    pub(crate) fn restore(&self, column: &mut [Complex<T>], space: &mut Space<T>) {
+        self.back.process_with_scratch(column, &mut space.transform);
+    }
 }
 
 impl<T: Real> FourierLines<T> {
@@ -47,48 +141,46 @@ impl<T: Real> FourierLines<T> {
         Self::new([loaded, shown], before, [2 * length, length])
     }
 
-    fn new([loaded, shown]: [usize; 2], before: [usize; 2], [period, length]: [usize; 2]) -> Self {
-        let (mut real, mut complex) = (RealFftPlanner::new(), FftPlanner::new());
-        let turn = |n: usize| {
-            let turned = Complex::cis(-PI * n as f64 / length as f64);
-            Complex::new(T::narrowed(turned.re), T::narrowed(turned.im))
-        };
-        let turned = if period == length { 0 } else { length };
+    fn new(numbers: [usize; 2], [above, before]: [usize; 2], lengths: [usize; 2]) -> Self {
+        let mut planner = RealFftPlanner::new();
+        let ([loaded, shown], [period, _]) = (numbers, lengths);
         Self {
             loaded,
             shown,
             before,
-            period,
-            rows: real.plan_fft_forward(period),
-            rows_back: real.plan_fft_inverse(period),
-            columns: complex.plan_fft_forward(length),
-            columns_back: complex.plan_fft_inverse(length),
-            turns: (0..turned).map(turn).collect(),
+            rows: planner.plan_fft_forward(period),
+            rows_back: planner.plan_fft_inverse(period),
+            columns: FourierColumns::new(numbers, above, lengths),
         }
+    }
+
+    /// Of a row with its padding.
+    fn period(&self) -> usize {
+        self.rows.len()
     }
 }
 
 impl<T: Real> Lines for FourierLines<T> {
     type Real = T;
 
-    fn loaded(&self) -> usize {
-        self.loaded
+    fn loaded(&self) -> [usize; 2] {
+        [self.columns.loaded(), self.loaded]
     }
 
-    fn shown(&self) -> usize {
-        self.shown
+    fn shown(&self) -> [usize; 2] {
+        [self.columns.shown(), self.shown]
     }
 
     fn width(&self) -> usize {
-        self.period / 2 + 1
+        self.period() / 2 + 1
     }
 
     fn length(&self) -> usize {
-        self.columns.len()
+        self.columns.length()
     }
 
     fn parts(&self) -> usize {
-        self.period / self.length()
+        self.columns.parts()
     }
 
     fn space(&self) -> Space<T> {
@@ -96,12 +188,11 @@ impl<T: Real> Lines for FourierLines<T> {
             .rows
             .get_scratch_len()
             .max(self.rows_back.get_scratch_len());
-        let along_columns = self.columns.get_inplace_scratch_len();
-        let along_columns = along_columns.max(self.columns_back.get_inplace_scratch_len());
+        let longest = along_rows.max(self.columns.scratch_length());
         Space {
-            reals: vec![T::default(); self.period],
+            reals: vec![T::default(); self.period()],
             pair: Vec::new(),
-            transform: vec![Complex::default(); along_rows.max(along_columns)],
+            transform: vec![Complex::default(); longest],
         }
     }
 
@@ -140,17 +231,17 @@ impl<T: Real> Lines for FourierLines<T> {
             reals, transform, ..
         } = space;
         let transform = &mut transform[..self.rows_back.get_scratch_len()];
-        let [_, before] = self.before;
+        let (before, period) = (self.before, self.period());
         let rows = rows.chunks_exact_mut(self.width());
         for (values, row) in field.chunks_exact_mut(self.shown).zip(rows) {
             // Real up to rounding; the plan wants it exact.
             row[0].im = T::default();
-            if self.period.is_multiple_of(2) {
-                row[self.period / 2].im = T::default();
+            if period.is_multiple_of(2) {
+                row[period / 2].im = T::default();
             }
             let outcome = self.rows_back.process_with_scratch(row, reals, transform);
             debug_assert!(outcome.is_ok(), "the lengths are the plan's");
-            let numbers = reals[self.period - before..].iter().chain(&*reals);
+            let numbers = reals[period - before..].iter().chain(&*reals);
             for (value, number) in values.iter_mut().zip(numbers) {
                 *value = number.widened() * scale;
             }
@@ -162,31 +253,23 @@ impl<T: Real> Lines for FourierLines<T> {
     }
 
     fn padding(&self) -> Range<usize> {
-        self.loaded..self.length()
+        self.columns.padding()
     }
 
     fn turn(&self, n: usize) -> Complex<T> {
-        self.turns[n]
+        self.columns.turn(n)
     }
 
     fn folded(&self, n: usize) -> (usize, T) {
-        let [before, _] = self.before;
-        let place = (n + self.period - before) % self.period;
-        if place < self.length() {
-            (place, T::one())
-        } else {
-            (place - self.length(), -T::one())
-        }
+        self.columns.folded(n)
     }
 
     fn transform_column(&self, _: usize, column: &mut [Complex<T>], space: &mut Space<T>) {
-        self.columns
-            .process_with_scratch(column, &mut space.transform);
+        self.columns.transform(column, space);
     }
 
     fn restore_column(&self, _: usize, _: Parity, column: &mut [Complex<T>], space: &mut Space<T>) {
-        self.columns_back
-            .process_with_scratch(column, &mut space.transform);
+        self.columns.restore(column, space);
     }
 
     fn filter<'a>(
@@ -199,8 +282,7 @@ impl<T: Real> Lines for FourierLines<T> {
         T: 'a,
     {
         let factors = factors(index)[part];
-        self.columns
-            .process_with_scratch(column, &mut space.transform);
+        self.columns.transform(column, space);
         let (rising, falling) = column.split_at_mut(factors.len());
         for (entry, factor) in rising.iter_mut().zip(factors) {
             *entry = *entry * factor;
@@ -210,7 +292,6 @@ impl<T: Real> Lines for FourierLines<T> {
         for (entry, factor) in falling.iter_mut().zip(mirrored.rev()) {
             *entry = *entry * factor;
         }
-        self.columns_back
-            .process_with_scratch(column, &mut space.transform);
+        self.columns.restore(column, space);
     }
 }

@@ -41,7 +41,7 @@ impl Real for f32 {
 /// The factors of a column by frequency: those of its first part, and those of the second if there is one.
 pub(crate) type Factors<'a, T> = [&'a [T]; 2];
 
-/// The rows and columns of a square field, which is given and wanted from its first corner on.
+/// The rows and columns of a field, which is given and wanted from its first corner on.
 ///
 /// A column is transformed in one part where the field is periodic. In two where it is padded to twice its length:
 /// at the even frequencies of the padded column, which are those of the column itself, and at the odd ones, which
@@ -49,11 +49,11 @@ pub(crate) type Factors<'a, T> = [&'a [T]; 2];
 pub(crate) trait Lines: Sync {
     type Real: Real;
 
-    /// Numbers along a side that are given.
-    fn loaded(&self) -> usize;
+    /// Rows that are given, and numbers of each.
+    fn loaded(&self) -> [usize; 2];
 
-    /// Numbers along a side that are wanted, no fewer.
-    fn shown(&self) -> usize;
+    /// Rows that are wanted, and numbers of each, no fewer.
+    fn shown(&self) -> [usize; 2];
 
     /// Complex numbers of a transformed row. Each belongs to one column or, as its real and imaginary part, to two.
     fn width(&self) -> usize;

@@ -1,4 +1,4 @@
-//! Multiplication of the Fourier series of a square field, a block of columns at a time so that each block stays in
+//! Multiplication of the Fourier series of a field, a block of columns at a time so that each block stays in
 //! the cache.
 //!
 //! Three passes, none of which touches a number that is known to be zero or not wanted:
@@ -58,7 +58,8 @@ impl<L: Lines> PlaneTransform<L> {
         let scratch = (0..rayon::current_num_threads()).map(|_| Mutex::new(scratch()));
         let width = |index: usize| WIDTH.min(lines.width() - index * WIDTH);
         let blocks = (0..lines.width().div_ceil(WIDTH)).into_par_iter();
-        let block = |index: usize| RwLock::new(zeros(lines.shown() * width(index)));
+        let [rows, _] = lines.shown();
+        let block = |index: usize| RwLock::new(zeros(rows * width(index)));
         Self {
             blocks: blocks.map(block).collect(),
             scratch: scratch.collect(),
@@ -75,8 +76,8 @@ impl<L: Lines> PlaneTransform<L> {
     /// # Panics
     /// If the field has not as many numbers as the lines say.
     pub(crate) fn load(&mut self, field: &[f64], scale: f64) {
-        let loaded = self.lines.loaded();
-        assert_eq!(field.len(), loaded.pow(2), "as many numbers are given");
+        let [rows, loaded] = self.lines.loaded();
+        assert_eq!(field.len(), rows * loaded, "as many numbers are given");
         let groups = field.par_chunks(ROWS * loaded).enumerate();
         groups.for_each(|(group, rows)| self.transform_rows(group * ROWS, rows, scale));
     }
@@ -109,8 +110,8 @@ impl<L: Lines> PlaneTransform<L> {
     /// # Panics
     /// As [`Self::restore`].
     pub(crate) fn restore_with(&mut self, parity: Parity, field: &mut [f64], scale: f64) {
-        let shown = self.lines.shown();
-        assert_eq!(field.len(), shown.pow(2), "as many numbers are wanted");
+        let [rows, shown] = self.lines.shown();
+        assert_eq!(field.len(), rows * shown, "as many numbers are wanted");
         let groups = field.par_chunks_mut(ROWS * shown).enumerate();
         groups.for_each(|(group, rows)| self.restore_rows(group * ROWS, parity, rows, scale));
     }
@@ -126,12 +127,12 @@ impl<L: Lines> PlaneTransform<L> {
     fn transform_rows(&self, first: usize, field: &[f64], scale: f64) {
         let mut scratch = self.scratch();
         let Scratch { rows, space, .. } = &mut *scratch;
-        let count = field.len() / self.lines.loaded();
+        let count = field.len() / self.lines.loaded()[1];
         let rows = &mut rows[..count * self.lines.width()];
         self.lines.transform_rows(field, scale, rows, space);
         for (index, block) in self.blocks.iter().enumerate() {
             let mut block = block.write().unwrap_or_else(PoisonError::into_inner);
-            let width = block.len() / self.lines.shown();
+            let width = self.width_of(block.len());
             let stretches = block[first * width..].chunks_exact_mut(width);
             for (stretch, row) in stretches.zip(rows.chunks_exact(self.lines.width())) {
                 stretch.copy_from_slice(&row[index * WIDTH..index * WIDTH + width]);
@@ -143,11 +144,11 @@ impl<L: Lines> PlaneTransform<L> {
     fn restore_rows(&self, first: usize, parity: Parity, field: &mut [f64], scale: f64) {
         let mut scratch = self.scratch();
         let Scratch { rows, space, .. } = &mut *scratch;
-        let count = field.len() / self.lines.shown();
+        let count = field.len() / self.lines.shown()[1];
         let rows = &mut rows[..count * self.lines.width()];
         for (index, block) in self.blocks.iter().enumerate() {
             let block = block.read().unwrap_or_else(PoisonError::into_inner);
-            let width = block.len() / self.lines.shown();
+            let width = self.width_of(block.len());
             let stretches = block[first * width..].chunks_exact(width);
             for (stretch, row) in stretches.zip(rows.chunks_exact_mut(self.lines.width())) {
                 row[index * WIDTH..index * WIDTH + width].copy_from_slice(stretch);
@@ -167,7 +168,7 @@ impl<L: Lines> PlaneTransform<L> {
     {
         let mut scratch = self.scratch();
         let Scratch { columns, space, .. } = &mut *scratch;
-        let width = block.len() / self.lines.shown();
+        let width = self.width_of(block.len());
         let columns = &mut columns[..width * self.stride()];
         self.gather(block, columns);
         for (index, parts) in columns.chunks_exact_mut(self.stride()).enumerate() {
@@ -187,7 +188,7 @@ impl<L: Lines> PlaneTransform<L> {
             part[self.lines.padding()].fill(Complex::default());
         }
         let rows = block.chunks_exact(columns.len() / stride);
-        for (n, row) in rows.take(self.lines.loaded()).enumerate() {
+        for (n, row) in rows.take(self.lines.loaded()[0]).enumerate() {
             let place = self.lines.place(n);
             for (column, x) in columns[place..].iter_mut().step_by(stride).zip(row) {
                 *column = *x;
@@ -222,6 +223,11 @@ impl<L: Lines> PlaneTransform<L> {
         }
     }
 
+    /// Numbers of a row in a block of so many.
+    fn width_of(&self, numbers: usize) -> usize {
+        numbers / self.lines.shown()[0]
+    }
+
     /// Numbers from one part of a column to the next.
     fn pitch(&self) -> usize {
         self.lines.length() + SKEW
@@ -238,7 +244,7 @@ impl<L: Lines<Real = f64>> PlaneTransform<L> {
     pub(crate) fn spectrum(&self) -> PlaneSpectrum {
         let of_block = |block: &RwLock<Vec<Complex<f64>>>| {
             let block = block.read().unwrap_or_else(PoisonError::into_inner);
-            let width = block.len() / self.lines.shown();
+            let width = self.width_of(block.len());
             let mut columns = vec![Complex::default(); width * self.stride()];
             self.gather(&block, &mut columns);
             let mut scratch = self.scratch();

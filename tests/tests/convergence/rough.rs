@@ -15,26 +15,34 @@ use pellicle_tests::scene::unit_half_space;
 use pellicle_texture::{HeightMap, MapCompliance, Relief, ReliefMap};
 
 /// Samples per side of the map, and samples of its neighbours around it.
-const SAMPLES: usize = 128;
+pub const SAMPLES: usize = 128;
 const RIM: usize = 8;
 
-/// A self-affine map of side 1 with waves of 8 samples and more, with a rim of itself.
-fn rough() -> Relief {
+/// Heights of a self-affine surface of side 1, its shortest waves of 8 samples.
+pub fn samples(seed: u64) -> Vec<f64> {
     let surface = SelfAffine {
         size: SAMPLES,
         waves: [2.0, 16.0],
         hurst: 0.8,
         rms: 0.01,
-        seed: 11,
+        seed,
     };
-    let own = surface.heights().unwrap();
+    surface.heights().unwrap()
+}
+
+/// A map of such heights with a rim of itself.
+pub fn repeated(own: &[f64]) -> HeightMap {
     let width = SAMPLES + 2 * RIM;
     let around = |i: usize| (i + SAMPLES - RIM) % SAMPLES;
     let places = (0..width).flat_map(|i| (0..width).map(move |j| [i, j]));
     let heights = places.map(|[i, j]| own[around(i) * SAMPLES + around(j)]);
     let side = width as f64 / SAMPLES as f64;
-    let map = HeightMap::new(heights.collect(), [width; 2], [side; 2]).unwrap();
-    Relief::Map(ReliefMap::new(map, MapCompliance::Uniform(0.0)).unwrap())
+    HeightMap::new(heights.collect(), [width; 2], [side; 2]).unwrap()
+}
+
+fn rough() -> Relief {
+    let map = ReliefMap::new(repeated(&samples(11)), MapCompliance::Uniform(0.0));
+    Relief::Map(map.unwrap())
 }
 
 /// Contact area, stiffness and mean gap.

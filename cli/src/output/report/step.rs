@@ -122,6 +122,30 @@ fn rows(summary: &Summary, step: &StepSummary) -> Vec<NumberRow> {
         rows.push(number("contact on the relief", on, Unit::SquareMetre));
         rows.push(number("contact beside it", between, Unit::SquareMetre));
     }
+    if let Some(rough) = &step.rough_contact {
+        let islands = rough.islands.count.to_string();
+        rows.extend([
+            number("nominal area", rough.nominal_area, Unit::SquareMetre),
+            plain("contact fraction", significant(rough.contact_fraction, 4)),
+            number(
+                "contact area by counting",
+                rough.counted_area,
+                Unit::SquareMetre,
+            ),
+            number(
+                "… corrected by the perimeter",
+                rough.corrected_area,
+                Unit::SquareMetre,
+            ),
+            number("mean gap", rough.mean_gap, Unit::Metre),
+            plain("islands", islands),
+            number(
+                "largest island",
+                rough.islands.largest_area,
+                Unit::SquareMetre,
+            ),
+        ]);
+    }
     rows
 }
 

@@ -56,6 +56,40 @@ fn a_quadrants_window_begins_at_the_axis_and_spreads_to_four_images() {
 }
 
 #[test]
+fn a_halfs_window_begins_at_its_axis_and_spreads_to_two_images() {
+    let everywhere = Window::all_of(Sector::Half, 100);
+    let window = everywhere.around(|[i, j]| (150..161).contains(&i) && j == 7);
+    let [above, left] = window.origin();
+    let [rows, columns] = window.lengths();
+    // Eight columns and three beside them; the rows of the same square, around those that belong.
+    assert!(left == 0 && (11..=12).contains(&columns) && rows == 2 * columns);
+    assert!(above.abs_diff(150 - (rows - 11) / 2) <= 1);
+    assert_eq!(window.grown().origin()[1], 0);
+    let part: Vec<f64> = (0..window.elements()).map(|e| 1.0 + e as f64).collect();
+    let whole = window.spread(part.clone());
+    for (e, found) in whole.iter().enumerate() {
+        let (i, j) = (e / 200, e % 200);
+        let j = if j < 100 { 99 - j } else { j - 100 };
+        let expected = window.place([i, j]).map_or(0.0, |place| part[place]);
+        assert_eq!(*found, expected);
+    }
+    assert_eq!(window.cut(&Sector::Half.cut(&whole, 200)), part);
+    let last = columns - 1;
+    let is_border = |e: &usize| [0, rows - 1].contains(&(e / columns)) || e % columns == last;
+    let border: BTreeSet<usize> = window.border().collect();
+    assert!(
+        border
+            .into_iter()
+            .eq((0..window.elements()).filter(is_border))
+    );
+    let finer = window.on_finer(|_| true, 200).unwrap();
+    assert_eq!(
+        (finer.origin(), finer.lengths()),
+        ([2 * above - 2, 0], [2 * rows + 4, 2 * columns + 2])
+    );
+}
+
+#[test]
 fn a_window_grows_until_it_is_the_whole_grid() {
     let mut window = Window::whole(500).around(|place| place == [250, 3]);
     for _ in 0..8 {

@@ -230,6 +230,7 @@ fn the_mean_over_a_circle_of_a_sharp_pyramid_is_known() {
     // m ρ (n/π) sin(π/n)
     let exact = 2.0 / pyramid.face_angle().tan() * 3.0 / PI * (PI / 3.0).sin();
     assert!((pyramid.mean_profile(2.0) / exact - 1.0).abs() < 1e-15);
+    assert!((pyramid.mean_slope(2.0) / (0.5 * exact) - 1.0).abs() < 1e-15);
 }
 
 #[test]
@@ -244,9 +245,14 @@ fn the_mean_over_a_circle_of_a_rounded_pyramid_is_that_of_its_heights() {
             pyramid.height(radius * cosine, radius * sine)
         };
         let mean = (0..points).map(height).sum::<f64>() / f64::from(points);
-        // The midpoint rule with 12 points between ridge and face.
+        // Three points of Gauss's rule over the ridge.
         let error = pyramid.mean_profile(radius) / mean - 1.0;
-        assert!(error.abs() < 2e-3, "{radius}: {error}");
+        assert!(error.abs() < 2e-6, "{radius}: {error}");
+        let step = 1e-4 * radius;
+        let [more, less] = [step, -step].map(|step| pyramid.mean_profile(radius + step));
+        let error = pyramid.mean_slope(radius) / ((more - less) / (2.0 * step)) - 1.0;
+        // The difference, where the curvature jumps.
+        assert!(error.abs() < 1e-4, "{radius}: {error}");
     }
 }
 
@@ -270,4 +276,19 @@ fn a_pyramid_needs_three_faces_and_an_acute_angle() {
         })
     );
     assert!(Pyramid::berkovich(f64::NAN).is_err());
+}
+
+#[test]
+fn the_edge_of_a_sharp_pyramid_is_its_nearest_ridge() {
+    for (sharp, blunt) in pyramids(0.0).into_iter().zip(pyramids(10.0)) {
+        let sector = PI / sharp.faces() as f64;
+        for part in [-0.9, -0.3, 0.0, 0.5, 1.0] {
+            // A ridge lies along x.
+            let angle = part * sector;
+            let [x, y] = [0.7 * angle.cos(), 0.7 * angle.sin()];
+            let found = sharp.distance_to_edge(x, y, 0.01);
+            assert!((found - 0.7 * angle.sin().abs()).abs() < 1e-14, "{found}");
+            assert_eq!(blunt.distance_to_edge(x, y, 0.01), f64::INFINITY);
+        }
+    }
 }

@@ -6,9 +6,10 @@
 
 use std::ops::ControlFlow;
 
-use super::{default_side, largest, radius_at};
+use super::{default_side_at, largest, radius_at};
 use crate::{
     Boundary, ContactError, Indenter, Load, Model, SolverOptions, Step,
+    path::capacity,
     path::hierarchy::Hierarchy,
     path::levels::COARSE_TOLERANCE,
     path::warnings::EDGE_MARGIN,
@@ -42,16 +43,24 @@ const MOST_TRIALS: usize = 100;
 /// A load that makes no sense; coefficients that miss their accuracy; a contact that reaches the edge of every square
 /// tried.
 pub fn choose_side(model: &Model, loads: &[Load]) -> Result<f64, ContactError> {
+    choose_side_at(model, loads, f64::INFINITY)
+}
+
+/// The same where a hardness (Pa) cuts the pressure; infinite where nothing does.
+///
+/// # Errors
+/// As [`choose_side`]; [`ContactError::BeyondHardness`] where the indenter ends before its hardness carries a force.
+pub fn choose_side_at(model: &Model, loads: &[Load], hardness: f64) -> Result<f64, ContactError> {
     for load in loads {
         load.checked()?;
     }
     let mut search = Search {
-        first: default_side(model, loads),
+        first: default_side_at(model, loads, hardness),
         power: 0,
         small: None,
         large: None,
     };
-    if is_known_beforehand(model) {
+    if hardness.is_infinite() && is_known_beforehand(model) {
         return Ok(search.side());
     }
     let presses = |load: &Load| !matches!(load, Load::Penetration(depth) if *depth <= 0.0);
@@ -61,7 +70,7 @@ pub fn choose_side(model: &Model, loads: &[Load]) -> Result<f64, ContactError> {
         // What one load wants larger no other can want smaller.
         let mut verdict = None;
         for load in &loads {
-            let found = judge(model, side, *load)?;
+            let found = judge(model, side, *load, hardness)?;
             verdict = Some(verdict.map_or(found, |other: SquareVerdict| other.max(found)));
         }
         let verdict = verdict.unwrap_or(SquareVerdict::Fits);
@@ -138,18 +147,31 @@ impl Search {
 }
 
 /// Solves for one load on a square and judges the square by it.
-fn judge(model: &Model, side: f64, load: Load) -> Result<SquareVerdict, ContactError> {
+fn judge(
+    model: &Model,
+    side: f64,
+    load: Load,
+    hardness: f64,
+) -> Result<SquareVerdict, ContactError> {
     for size in FIRST_TRIALS {
         let grid = Grid::new(side, size)?;
-        if is_seen_by(model, &grid) && fits_clearly(model, grid, load)? {
+        let is_carried = capacity::check(model, &grid, &[load], hardness).is_ok();
+        if is_carried && is_seen_by(model, &grid) && fits_clearly(model, grid, load, hardness)? {
             return Ok(SquareVerdict::Fits);
         }
     }
     let grid = Grid::new(side, TRIAL)?;
+    if let Err(refused) = capacity::check(model, &grid, &[load], hardness) {
+        return if capacity::goes_on(model, &grid) {
+            Ok(SquareVerdict::TooSmall(1))
+        } else {
+            Err(refused)
+        };
+    }
     if !cut_off::can_touch(model, &grid) {
         return Ok(shrunk_to_fit(1));
     }
-    let step = solve(model, grid, load, COARSE_TOLERANCE)?;
+    let step = solve(model, grid, load, [COARSE_TOLERANCE, hardness])?;
     let Some(to_edge) = step.summary.elements_to_edge else {
         return Ok(if sees_the_tip(model, &grid, step.solution.penetration) {
             SquareVerdict::Fits
@@ -182,8 +204,13 @@ fn is_seen_by(model: &Model, grid: &Grid) -> bool {
 }
 
 /// Whether a square fits even if a grid of it errs by half an element.
-fn fits_clearly(model: &Model, grid: Grid, load: Load) -> Result<bool, ContactError> {
-    let step = solve(model, grid, load, FIRST_TOLERANCE)?;
+fn fits_clearly(
+    model: &Model,
+    grid: Grid,
+    load: Load,
+    hardness: f64,
+) -> Result<bool, ContactError> {
+    let step = solve(model, grid, load, [FIRST_TOLERANCE, hardness])?;
     let Some(to_edge) = step.summary.elements_to_edge else {
         return Ok(false);
     };
@@ -195,9 +222,15 @@ fn fits_clearly(model: &Model, grid: Grid, load: Load) -> Result<bool, ContactEr
     Ok(is_clear && !Surroundings::of(model, grid).cut_off(&step.solution))
 }
 
-fn solve(model: &Model, grid: Grid, load: Load, tolerance: f64) -> Result<Step, ContactError> {
+fn solve(
+    model: &Model,
+    grid: Grid,
+    load: Load,
+    [tolerance, hardness]: [f64; 2],
+) -> Result<Step, ContactError> {
     let options = SolverOptions {
         tolerance,
+        hardness,
         max_applications: MOST_PRODUCTS,
         contact_stiffness: false,
         ..SolverOptions::default()
@@ -206,7 +239,7 @@ fn solve(model: &Model, grid: Grid, load: Load, tolerance: f64) -> Result<Step, 
         model,
         (grid.side(), Boundary::Free),
         grid.size(),
-        1,
+        &[load],
         &options,
     );
     grids.solve(load, options, &mut Watch::alone(&mut ()))
@@ -245,4 +278,81 @@ fn whole(powers: f64) -> i32 {
     )]
     let powers = powers.floor() as i32;
     powers.max(1)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use pellicle_influence::{Cache, RadialTables};
+    use pellicle_kernel::{Foundation, Material};
+
+    use super::*;
+    use crate::Paraboloid;
+
+    fn search() -> Search {
+        Search {
+            first: 2.0,
+            power: 0,
+            small: None,
+            large: None,
+        }
+    }
+
+    #[test]
+    fn a_search_ends_with_the_smallest_square_that_holds_the_contact() {
+        for needed in [-7, 0, 1, 9] {
+            for stride in [1, 3, 8] {
+                let mut search = search();
+                let mut trials = 0;
+                let side = loop {
+                    trials += 1;
+                    assert!(trials < 12, "{needed} {stride}");
+                    let verdict = if search.power < needed {
+                        SquareVerdict::TooSmall(stride)
+                    } else {
+                        SquareVerdict::TooLarge(-stride)
+                    };
+                    if let ControlFlow::Break(side) = search.go_on(verdict) {
+                        break side;
+                    }
+                };
+                assert_eq!(side, 2.0 * FACTOR.powi(needed));
+            }
+        }
+        assert_eq!(search().go_on(SquareVerdict::Fits), ControlFlow::Break(2.0));
+    }
+
+    #[test]
+    fn a_small_contact_is_brought_to_its_usual_extent() {
+        for extent in 1..SMALLEST_EXTENT {
+            let SquareVerdict::TooLarge(powers) = shrunk_to_fit(extent) else {
+                panic!("too large")
+            };
+            let grown = extent as f64 * FACTOR.powi(-powers);
+            assert!(
+                grown <= USUAL_EXTENT && FACTOR * grown > USUAL_EXTENT,
+                "{extent}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_square_that_cuts_off_grows_half_of_the_way_to_where_the_indenter_is_as_high() {
+        let body = Foundation::half_space(Material::new(1.0, 0.3).unwrap());
+        let model = Model {
+            tables: Arc::new(RadialTables::build(&body).unwrap()),
+            relief: Relief::Bare,
+            indenter: Paraboloid::new(2.0).unwrap().into(),
+            cache: Cache::none(),
+        };
+        // ρ² = 2 R D is 1.5^6.2 half sides away.
+        let side = 0.02;
+        let depth = (0.5 * side * FACTOR.powf(6.2)).powi(2) / 4.0;
+        assert_eq!(enlarged(&model, side, depth), 3);
+        assert_eq!(
+            [0.0, -1.0, 1e-9].map(|depth| enlarged(&model, side, depth)),
+            [1; 3]
+        );
+    }
 }

@@ -7,8 +7,8 @@ use pellicle_influence::{Cache, RadialTables};
 use pellicle_kernel::{Foundation, Material};
 use pellicle_texture::{CylinderSpec, Cylinders, Film, Lattice, Relief};
 
-use super::{Guess, default_side, slope};
-use crate::{FlatPunch, Indenter, Load, Model, Paraboloid};
+use super::{Guess, default_side, elastic_force, relief_volume};
+use crate::{FlatPunch, Indenter, Load, Model, Paraboloid, Profile as _};
 
 fn model(foundation: &Foundation, relief: Relief, indenter: impl Into<Indenter>) -> Model {
     Model {
@@ -158,6 +158,18 @@ fn the_slope_of_a_paraboloid_is_its_distance_over_its_radius() {
     let indenter = Indenter::from(paraboloid(2.0));
     for rho in [1e-6, 0.3, 5.0] {
         // The central difference of a square is exact; its rounding is 1e-16 over the step of 1e-3.
-        assert!((slope(&indenter, rho) / (rho / 2.0) - 1.0).abs() < 1e-12);
+        assert!((indenter.mean_slope(rho) / (rho / 2.0) - 1.0).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn forces_and_volumes_of_a_paraboloid_are_the_closed_forms() {
+    let film = Relief::Film(Film::new(0.02, 0.3).unwrap());
+    let model = model(&half_space(5.0), film, paraboloid(2.0));
+    for a in [1e-3_f64, 0.2] {
+        // Midpoints of 64 parts: 1/64² and less.
+        let elastic = 4.0 / 3.0 * 5.0 * a.powi(3) / 2.0;
+        assert!((elastic_force(&model, a) / elastic - 1.0).abs() < 3e-4);
+        assert!((relief_volume(&model, a) / volume(a, 2.0) - 1.0).abs() < 3e-4);
     }
 }

@@ -11,20 +11,31 @@ pub const VALUES_AT_ONCE: usize = 4096;
 /// Part of the elements that are crests from which on a surface is rough.
 const CRESTS: f64 = 0.3;
 
-/// Whether the surface under an initial gap of `size` × `size` elements is rough: a smooth indenter's gap is convex but
+/// Whether the surface under an initial gap of `size` elements a row is rough: a smooth indenter's gap is convex but
 /// beside the outlines of a relief, and above a rough surface every other element is a crest.
 pub fn is_rough(size: usize, g0: &[f64]) -> bool {
-    let inner = 1..size.saturating_sub(1);
+    let inner = |lines: usize| 1..lines.saturating_sub(1);
+    let (rows, columns) = (inner(g0.len() / size), inner(size));
     let is_crest = |element: usize| {
         let around = [element - size, element - 1, element + 1, element + size];
         around.map(|other| g0[other]).iter().sum::<f64>() < 4.0 * g0[element]
     };
     let in_row = |row: usize| {
-        let elements = inner.clone().map(|column| row * size + column);
+        let elements = columns.clone().map(|column| row * size + column);
         elements.filter(|element| is_crest(*element)).count()
     };
-    let crests: Vec<usize> = inner.clone().into_par_iter().map(in_row).collect();
-    crests.iter().sum::<usize>() as f64 > CRESTS * (inner.len() * inner.len()) as f64
+    let elements = rows.len() * columns.len();
+    let crests: Vec<usize> = rows.into_par_iter().map(in_row).collect();
+    crests.iter().sum::<usize>() as f64 > CRESTS * elements as f64
+}
+
+/// Refuses a hardness (Pa) that is not positive and finite.
+pub fn check_hardness(hardness: f64) -> Result<(), ContactError> {
+    if hardness > 0.0 && hardness.is_finite() {
+        Ok(())
+    } else {
+        Err(ContactError::Hardness { hardness })
+    }
 }
 
 /// Refuses a field that has not one value per element.

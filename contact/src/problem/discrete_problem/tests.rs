@@ -3,7 +3,7 @@
 use pellicle_influence::ElasticOperator;
 
 use super::DiscreteProblem;
-use super::fields::{VALUES_AT_ONCE, check_values};
+use super::fields::{VALUES_AT_ONCE, check_values, is_rough};
 use crate::ContactError;
 
 /// `u = 2 p`.
@@ -92,4 +92,19 @@ fn areas_must_be_positive_and_something_must_be_able_to_touch() {
         refused,
         Err(ContactError::NothingCanTouch { elements: 4 })
     ));
+}
+
+#[test]
+fn a_surface_is_rough_where_three_elements_of_ten_are_crests() {
+    let size = 20;
+    let gap = |of: fn(usize, usize) -> f64| -> Vec<f64> {
+        (0..size * size).map(|e| of(e / size, e % size)).collect()
+    };
+    let smooth = gap(|i, j| (i as f64 - 9.5).powi(2) + (j as f64 - 9.5).powi(2));
+    let every_other = gap(|i, j| ((i + j) % 2) as f64);
+    let every_fourth = gap(|i, j| ((i % 2) * (j % 2)) as f64);
+    let third = gap(|i, j| f64::from(u8::from((i + j) % 3 == 0)));
+    let saddle = gap(|i, j| (i * i) as f64 - 1.01 * (j * j) as f64);
+    let found = [smooth, every_other, every_fourth, third, saddle].map(|gap| is_rough(size, &gap));
+    assert_eq!(found, [false, true, false, true, true]);
 }

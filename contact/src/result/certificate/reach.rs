@@ -66,7 +66,7 @@ impl JudgedFields {
     /// Makes room for a reach, with the initial gap in place of the gap.
     pub(super) fn take(&mut self, problem: &DiscreteProblem, reach: Window) {
         self.reach = reach;
-        let elements = reach.size() * reach.size();
+        let elements = reach.elements();
         if self.displacement.len() != elements {
             // Memory that is first touched where it is written, by all threads.
             self.displacement = vec![0.0; elements];
@@ -88,6 +88,17 @@ impl JudgedFields {
     pub fn overlaps(&self, element: [usize; 2]) -> bool {
         let place = self.reach.place(element);
         place.is_some_and(|place| self.gap[place] < 0.0)
+    }
+
+    /// The gaps of a row of a window within the part that was looked at, in m.
+    pub fn gaps_of_line(&self, window: &Window, line: usize) -> &[f64] {
+        window.within(&self.reach).line(&self.gap, line)
+    }
+
+    /// `K p` of an element that was looked at, in m; NaN of another.
+    pub fn displacement_of(&self, element: [usize; 2]) -> f64 {
+        let place = self.reach.place(element);
+        place.map_or(f64::NAN, |place| self.displacement[place])
     }
 
     /// The gap of an element of the grid that was looked at, in m.

@@ -115,7 +115,9 @@ fn one_bad_line_is_enough_to_fail() {
         gap_in_contact: 0.0,
         overlap: 0.0,
         load: 0.0,
+        gap_at_limit: 0.0,
         min_pressure: 0.0,
+        over_limit: 0.0,
         tolerance: 1e-8,
     };
     assert!(perfect.is_satisfied());
@@ -137,6 +139,10 @@ fn one_bad_line_is_enough_to_fail() {
                 load: bad,
                 ..perfect
             },
+            Certificate {
+                gap_at_limit: bad,
+                ..perfect
+            },
         ];
         for certificate in spoilt {
             assert!(!certificate.is_satisfied(), "{certificate:?}");
@@ -147,6 +153,15 @@ fn one_bad_line_is_enough_to_fail() {
         assert!(
             !Certificate {
                 min_pressure,
+                ..perfect
+            }
+            .is_satisfied()
+        );
+    }
+    for over_limit in [1e-300, f64::INFINITY, f64::NAN] {
+        assert!(
+            !Certificate {
+                over_limit,
                 ..perfect
             }
             .is_satisfied()
@@ -177,22 +192,23 @@ fn a_number_that_is_none_fails_wherever_it_stands() {
 
 const SIZE: usize = 48;
 
-/// A paraboloid above a sector of `SIZE` elements per side on a layer of this Poisson's ratio, ten times softer than
-/// its base; element (0, 0) of a quadrant lies at the axis.
+/// A paraboloid above a sector of `SIZE` elements a row on a layer of this Poisson's ratio, ten times softer than its
+/// base.
 fn pressed_layer(sector: Sector, poisson_ratio: f64) -> DiscreteProblem {
     let layer = Material::new(0.1, poisson_ratio).unwrap();
     let foundation = Foundation::coated(0.05, layer, Material::new(1.0, 0.3).unwrap()).unwrap();
-    let (whole, side) = (sector.parts() * SIZE, 1.0 / SIZE as f64);
+    let (whole, side) = (sector.whole(SIZE), 1.0 / SIZE as f64);
     let tables = RadialTables::build(&foundation).unwrap();
     let table = CoefficientTable::assemble(&tables, side, whole).unwrap();
     let elasticity = Arc::new(SurfaceElasticity::new(Arc::new(table), foundation));
-    let axis = if sector == Sector::Quadrant { 0.0 } else { 0.5 };
-    let along = |i: usize| (i as f64 + 0.5) * side - axis;
-    let gap = (0..SIZE * SIZE).map(|e| {
-        let [x, y] = [along(e / SIZE), along(e % SIZE)];
+    let first = sector.first_index(whole);
+    let along = |i: usize| (i as f64 + 0.5 - 0.5 * whole as f64) * side;
+    let elements = sector.lengths(SIZE).iter().product();
+    let gap = (0..elements).map(|e| {
+        let [x, y] = [along(first[0] + e / SIZE), along(first[1] + e % SIZE)];
         f64::midpoint(x * x, y * y)
     });
-    let eta = vec![0.0; SIZE * SIZE];
+    let eta = vec![0.0; elements];
     DiscreteProblem::of_sector(
         elasticity,
         (sector, crate::Boundary::Free),
@@ -206,7 +222,7 @@ fn pressed_layer(sector: Sector, poisson_ratio: f64) -> DiscreteProblem {
 /// The contact's part of a grid is judged as the whole is, and what is not looked at does not overlap.
 #[test]
 fn where_nothing_can_overlap_nothing_is_missed() {
-    for sector in [Sector::Whole, Sector::Quadrant] {
+    for sector in [Sector::Whole, Sector::Half, Sector::Quadrant] {
         for poisson_ratio in [0.3, 0.5] {
             let mut problem = pressed_layer(sector, poisson_ratio);
             let everywhere = problem.everywhere();
@@ -261,8 +277,12 @@ fn where_nothing_can_overlap_nothing_is_missed() {
             // The layer bulges, but not far from the load.
             let least = problem.elasticity().unwrap().least_coefficient_from(1);
             assert_eq!(least < 0.0, poisson_ratio == 0.5);
-            // Under one element of a quadrant and its images.
-            let images = [1.0, 4.0][usize::from(sector == Sector::Quadrant)];
+            // Under one element of a sector and its images.
+            let images = match sector {
+                Sector::Whole => 1.0,
+                Sector::Half => 2.0,
+                Sector::Quadrant => 4.0,
+            };
             let sunk_least = problem.least_displacement(2.0, 1);
             assert_eq!(sunk_least, 2.0 * images * least.min(0.0));
             assert!(!fields.reach.is_whole());

@@ -5,7 +5,8 @@
 //! sparse approximate inverse](self::sparse_factor) of the restricted system itself. The latter also where springs
 //! stiffen, by orders of
 //! magnitude from the edge of the contact to its middle: under the load of the paper's Fig. 5 the filter takes three
-//! times the products, in the same time.
+//! times the products, in the same time. And among the [candidates](crate::grid::candidates) of a dilute contact, where
+//! an FFT on the whole grid would cost more than everything else.
 
 mod edge_band;
 mod restricted_filter;
@@ -14,7 +15,7 @@ mod sparse_factor;
 use pellicle_influence::PeriodicSymbol;
 
 use crate::solver::gradient::preconditioner::restricted_filter::RestrictedFilter;
-use crate::solver::gradient::preconditioner::sparse_factor::SparseFactor;
+use crate::solver::gradient::preconditioner::sparse_factor::{ScatteredFactor, SparseFactor};
 use crate::solver::gradient::state::State;
 use crate::solver::gradient::working_set::WorkingSet;
 use crate::{
@@ -67,6 +68,8 @@ enum Inverse {
     Identity,
     Filter(Box<RestrictedFilter>),
     Factor(Box<SparseFactor>),
+    /// The factor among candidates.
+    Scattered(Box<ScatteredFactor>),
 }
 
 /// `w = M⁻¹_I 1`, cut to the sets met since it was made: that spares an application of the inverse for each and costs
@@ -80,13 +83,16 @@ struct Even {
 
 impl Preconditioner {
     pub fn new(problem: &DiscreteProblem) -> Self {
-        let symbol = (problem.elasticity())
-            .map(|elasticity| elasticity.symbol(problem.sector().parts() * problem.size()));
+        let of_all = problem
+            .elasticity()
+            .filter(|_| problem.candidates().is_none());
+        let symbol =
+            of_all.map(|elasticity| elasticity.symbol(problem.sector().whole(problem.size())));
         let contrast = symbol.as_ref().map_or(1.0, stiffness_contrast);
         let is_stiff = contrast > STIFF || (contrast > STIFF_IF_ROUGH && problem.is_rough());
         let neighbours = neighbours(problem.grid_size(), contrast);
         let inverse = match symbol {
-            None => Inverse::Identity,
+            None => factor(problem, neighbours).unwrap_or(Inverse::Identity),
             Some(_) if is_stiff || !problem.spring_law().is_linear() => {
                 factor(problem, neighbours).unwrap_or(Inverse::Identity)
             }
@@ -131,7 +137,9 @@ impl Preconditioner {
             (Inverse::Identity, _) => false,
             (Inverse::Filter(_), 0) => true,
             (Inverse::Filter(_), _) => self.turn_to_factor(problem, failures),
-            (Inverse::Factor(_), _) => self.turn_to_factor(problem, 1 + failures),
+            (Inverse::Factor(_) | Inverse::Scattered(_), _) => {
+                self.turn_to_factor(problem, 1 + failures)
+            }
         }
     }
 
@@ -141,7 +149,8 @@ impl Preconditioner {
         match factor(problem, times * self.neighbours) {
             None => false,
             Some(inverse) => {
-                if times > 1 || !matches!(self.inverse, Inverse::Factor(_)) {
+                let is_one = matches!(self.inverse, Inverse::Factor(_) | Inverse::Scattered(_));
+                if times > 1 || !is_one {
                     let before = std::mem::replace(&mut self.inverse, inverse);
                     self.usual.get_or_insert(before);
                     self.adapted_to = None;
@@ -174,6 +183,9 @@ impl Preconditioner {
                 Inverse::Identity => (),
                 Inverse::Filter(filter) => filter.forget_compliance(),
                 Inverse::Factor(factor) => factor.take_compliance(problem.tangent_compliance()),
+                Inverse::Scattered(factor) => {
+                    factor.take_compliance(problem.tangent_compliance());
+                }
             }
         }
         self.restart();
@@ -188,6 +200,7 @@ impl Preconditioner {
             Inverse::Identity => (),
             Inverse::Filter(filter) => filter.update(set, problem.tangent_compliance()),
             Inverse::Factor(factor) => factor.update(set),
+            Inverse::Scattered(factor) => factor.update(set),
         }
         self.adapted_to = Some(set.revision());
         set.clear_outside(&mut self.even.values);
@@ -218,6 +231,7 @@ impl Preconditioner {
             Inverse::Identity => (),
             Inverse::Filter(filter) => filter.apply(set, residual),
             Inverse::Factor(factor) => factor.apply(residual),
+            Inverse::Scattered(factor) => factor.apply(residual),
         }
     }
 
@@ -260,6 +274,10 @@ fn neighbours(size: usize, contrast: f64) -> usize {
 fn factor(problem: &DiscreteProblem, neighbours: usize) -> Option<Inverse> {
     let elasticity = problem.elasticity()?.clone();
     let (grid, compliance) = (problem.everywhere(), problem.tangent_compliance());
+    if let Some(candidates) = problem.candidates() {
+        let factor = ScatteredFactor::new(elasticity, candidates.clone(), compliance, neighbours);
+        return Some(Inverse::Scattered(Box::new(factor)));
+    }
     let factor = SparseFactor::new(elasticity, &grid, compliance, neighbours);
     Some(Inverse::Factor(Box::new(factor)))
 }

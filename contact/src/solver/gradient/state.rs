@@ -39,6 +39,8 @@ pub struct State {
     keeps_total: bool,
     /// How far a unit mean pressure would press a periodic cell in alone; 0 of a free surface.
     cell_response: f64,
+    /// `Σ p` of the elements held at a hardness, which are none of the problem while they are.
+    held_total: f64,
     applications: usize,
 }
 
@@ -56,31 +58,45 @@ impl State {
     /// Zero pressure, in the units of the problem's scale.
     pub fn new(problem: &DiscreteProblem) -> Self {
         let elements = problem.elements();
-        let per_length = 1.0 / problem.scale().length;
-        let mut initial_gap = vec![0.0; elements];
-        update(&mut initial_gap, problem.initial_gap(), |to, g0| {
-            *to = if g0.is_finite() { g0 * per_length } else { 0.0 };
-        });
-        Self {
+        let mut state = Self {
             control: Control::Penetration(0.0),
             pressure: vec![0.0; elements],
             v: vec![0.0; elements],
             penetration: 0.0,
-            initial_gap,
-            can_touch: problem
-                .initial_gap()
-                .iter()
-                .map(|g0| g0.is_finite())
-                .collect(),
+            initial_gap: vec![0.0; elements],
+            can_touch: vec![false; elements],
             keeps_total: false,
             cell_response: problem.cell_response() / problem.scale().compliance,
+            held_total: 0.0,
             applications: 0,
-        }
+        };
+        state.look_at(problem);
+        state
+    }
+
+    /// Takes the problem's gap, and which of its elements can touch.
+    fn look_at(&mut self, problem: &DiscreteProblem) {
+        self.read_gap(problem);
+        let gaps = self.can_touch.iter_mut().zip(problem.initial_gap());
+        gaps.for_each(|(can_touch, g0)| *can_touch = g0.is_finite());
+        self.held_total = problem.held_total() / problem.scale().pressure();
+    }
+
+    /// The problem's own initial gap.
+    fn read_gap(&mut self, problem: &DiscreteProblem) {
+        let per_length = 1.0 / problem.scale().length;
+        update(&mut self.initial_gap, problem.initial_gap(), |to, g0| {
+            *to = if g0.is_finite() { g0 * per_length } else { 0.0 };
+        });
     }
 
     /// Starts from a pressure (Pa), or evenly over all that can touch where that is zero: one product.
     pub fn start(&mut self, problem: &mut DiscreteProblem, control: Control, start: &[f64]) {
         (self.control, self.applications) = (control, 0);
+        if problem.has_hardness() {
+            // Elements held at it come and go.
+            self.look_at(problem);
+        }
         let per_pressure = 1.0 / problem.scale().pressure();
         let (pressure, can_touch) = (&mut self.pressure, &self.can_touch);
         update_with(pressure, start, can_touch, |to, p, can_touch| {
@@ -106,10 +122,7 @@ impl State {
         let Some(tangents) = problem.tangents() else {
             return;
         };
-        let per_length = 1.0 / problem.scale().length;
-        update(&mut self.initial_gap, problem.initial_gap(), |to, g0| {
-            *to = if g0.is_finite() { g0 * per_length } else { 0.0 };
-        });
+        self.read_gap(problem);
         tangents.add_offset(problem.relief_compliance(), &mut self.initial_gap);
     }
 
@@ -296,7 +309,7 @@ impl State {
     /// The length that gaps are small beside.
     pub fn reference_length(&self, penetration: f64) -> f64 {
         let mean = match self.control {
-            Control::Total(total) => total / self.elements() as f64,
+            Control::Total(total) => (total + self.held_total) / self.elements() as f64,
             Control::Penetration(_) => 0.0,
         };
         penetration.abs().max(self.cell_response * mean)

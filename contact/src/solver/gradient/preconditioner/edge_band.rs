@@ -44,7 +44,7 @@ pub struct EdgeBand {
     elements: Vec<usize>,
     /// Where they lie in the field that the stencil is laid over.
     places: Vec<usize>,
-    /// Mirror images across a quadrant's axes: their place, and which of the band's elements they mirror.
+    /// Mirror images across a sector's axes: their place, and which of the band's elements they mirror.
     images: Vec<(usize, usize)>,
     residual: Vec<f64>,
     direction: Vec<f64>,
@@ -55,9 +55,12 @@ pub struct EdgeBand {
 }
 
 impl EdgeBand {
-    /// An empty band on a sector of `size` elements per side.
-    pub fn new(size: usize, sector: Sector) -> Self {
-        let layout = Layout::new(size, sector);
+    /// An empty band on a sector of so many rows and columns.
+    pub fn new(lengths: [usize; 2], sector: Sector) -> Self {
+        let layout = Layout {
+            lengths,
+            beyond: sector.mirrored_lines(REACH),
+        };
         Self {
             layout,
             coefficients: [[0.0; ANSWERS]; ANSWERS],
@@ -68,7 +71,7 @@ impl EdgeBand {
             direction: Vec::new(),
             solution: Vec::new(),
             image: Vec::new(),
-            spread: vec![0.0; layout.width().pow(2)],
+            spread: vec![0.0; layout.places()],
         }
     }
 
@@ -81,8 +84,9 @@ impl EdgeBand {
     pub fn surround(&mut self, set: &WorkingSet) {
         self.direction.fill(0.0);
         self.lay_direction();
-        let (layout, size) = (self.layout, self.layout.size);
-        let rows = layout.lines().into_par_iter();
+        let layout = self.layout;
+        let [_, size] = layout.lengths;
+        let rows = layout.lines(0).into_par_iter();
         let rows = rows.with_min_len(ELEMENTS / size + 1);
         let rows = rows.map_init(
             || vec![false; size + 2 * WIDTH],
@@ -194,51 +198,51 @@ fn stencil(field: &[f64], width: usize, coefficients: &Answers) -> f64 {
 }
 
 /// Where the band's elements lie, on the grid and in the field that its stencil is laid over, which has the elements
-/// beyond a quadrant's axes besides.
+/// beyond a sector's axes besides.
 #[derive(Clone, Copy)]
 struct Layout {
-    /// Elements per side.
-    size: usize,
+    /// Rows, and elements of each.
+    lengths: [usize; 2],
     /// Rows and columns before the first.
-    beyond: usize,
+    beyond: [usize; 2],
 }
 
 impl Layout {
-    fn new(size: usize, sector: Sector) -> Self {
-        let beyond = sector.mirrored_lines(REACH);
-        Self { size, beyond }
-    }
-
     /// Places in a row.
     fn width(self) -> usize {
-        self.size + self.beyond
+        self.lengths[1] + self.beyond[1]
+    }
+
+    fn places(self) -> usize {
+        (self.lengths[0] + self.beyond[0]) * self.width()
     }
 
     fn place(self, [i, j]: [usize; 2]) -> usize {
-        (i + self.beyond) * self.width() + j + self.beyond
+        let [above, left] = self.beyond;
+        (i + above) * self.width() + j + left
     }
 
     /// Where the mirror images of an element lie that the stencil reaches beyond the axes.
     fn images(self, [i, j]: [usize; 2]) -> impl Iterator<Item = usize> {
         // The image of the element k from the axis lies as far on the other side.
-        let along = move |k: usize| {
-            let other = self.beyond.checked_sub(k + 1);
-            std::iter::once(k + self.beyond).chain(other)
+        let along = move |axis: usize, k: usize| {
+            let beyond = self.beyond[axis];
+            std::iter::once(k + beyond).chain(beyond.checked_sub(k + 1))
         };
-        let places = along(i).flat_map(move |i| along(j).map(move |j| i * self.width() + j));
+        let places = along(0, i).flat_map(move |i| along(1, j).map(move |j| i * self.width() + j));
         places.skip(1)
     }
 
-    /// Rows, and columns, that the band may lie in: neither it nor the stencil leaves the grid.
-    fn lines(self) -> std::ops::Range<usize> {
+    /// Rows, or columns, that the band may lie in: neither it nor the stencil leaves the grid.
+    fn lines(self, axis: usize) -> std::ops::Range<usize> {
         let margin = WIDTH.max(REACH);
-        let first = if self.beyond > 0 { 0 } else { margin };
-        first..self.size.saturating_sub(margin).max(first)
+        let first = if self.beyond[axis] > 0 { 0 } else { margin };
+        first..self.lengths[axis].saturating_sub(margin).max(first)
     }
 
     /// The band's elements in row `i`, ascending; `near` has room for a row with the width of the band on both sides.
     fn band_in_row(self, i: usize, mask: &[bool], near: &mut [bool]) -> Vec<usize> {
-        let size = self.size;
+        let [_, size] = self.lengths;
         near.fill(false);
         // What lies beyond an axis is mirrored by what lies on this side, and nearer.
         let first = i.saturating_sub(WIDTH);
@@ -251,7 +255,7 @@ impl Layout {
         }
         let is_of_band =
             |j: &usize| !mask[i * size + j] && near[*j..=j + 2 * WIDTH].contains(&true);
-        let columns = self.lines().filter(is_of_band);
+        let columns = self.lines(1).filter(is_of_band);
         columns.map(|j| i * size + j).collect()
     }
 }
@@ -296,12 +300,15 @@ mod tests {
         begun(&mut problem.unwrap(), Control::Penetration(0.0), &pressure).1
     }
 
-    /// Whether an element lies beside the set, three elements away at most, and three from the border at least.
-    fn is_of_band([i, j]: [usize; 2], first: usize) -> bool {
+    /// Whether an element lies beside the set, three elements away at most, and three from the border at least, which
+    /// the axes of a sector are not.
+    fn is_of_band([i, j]: [usize; 2], sector: Sector) -> bool {
         let around = |k: usize| k.saturating_sub(3)..=k + 3;
         let near = around(i).any(|i| around(j).any(|j| inside([i, j])));
-        let lines = first..SIZE - 3;
-        near && !inside([i, j]) && lines.contains(&i) && lines.contains(&j)
+        let lines = sector
+            .mirrored()
+            .map(|is| if is { 0..SIZE - 3 } else { 3..SIZE - 3 });
+        near && !inside([i, j]) && lines[0].contains(&i) && lines[1].contains(&j)
     }
 
     #[test]
@@ -315,8 +322,8 @@ mod tests {
         let waves =
             |e: usize| 1.0 + 0.5 * (0.2 * (e / SIZE) as f64 + 0.3 * (e % SIZE) as f64).sin();
         let answer: Vec<f64> = (0..SIZE * SIZE).map(waves).collect();
-        for (sector, first) in [(Sector::Whole, 3), (Sector::Quadrant, 0)] {
-            let mut band = EdgeBand::new(SIZE, sector);
+        for sector in [Sector::Whole, Sector::Half, Sector::Quadrant] {
+            let mut band = EdgeBand::new([SIZE; 2], sector);
             band.take_coefficients(&answers);
             band.surround(&set(0));
             let mut written = vec![0.0; SIZE * SIZE];
@@ -333,7 +340,7 @@ mod tests {
             let (mut missed, mut whole) = ([0.0; 2], [0.0; 2]);
             for e in 0..SIZE * SIZE {
                 let place = [e / SIZE, e % SIZE];
-                if !is_of_band(place, first) {
+                if !is_of_band(place, sector) {
                     assert!(written[e] == 0.0, "{place:?}");
                     continue;
                 }

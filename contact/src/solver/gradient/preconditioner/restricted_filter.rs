@@ -57,15 +57,16 @@ pub struct RestrictedFilter {
 impl RestrictedFilter {
     /// For a sector of the symbol's grid.
     pub fn new(symbol: PeriodicSymbol, sector: Sector) -> Self {
-        let size = symbol.size() / sector.parts();
+        let lengths = sector.lengths(sector.size_for(symbol.size()));
+        let elements = lengths.iter().product();
         Self {
             shortest: symbol.value([symbol.size() / 2; 2]),
             filter: PeriodicFilter::new(symbol, sector),
             mean_compliance: f64::NAN,
-            flank: vec![0.0; size * size],
-            band: EdgeBand::new(size, sector),
+            flank: vec![0.0; elements],
+            band: EdgeBand::new(lengths, sector),
             is_plate: false,
-            answer: vec![0.0; size * size],
+            answer: vec![0.0; elements],
         }
     }
 
@@ -290,7 +291,7 @@ mod tests {
         let set = set_of_pillars(&surface, 9.0, 3.5);
         let mut filter = filter_on(&surface, &set);
         let with_band = miss(&mut filter, &surface, &set);
-        filter.band = EdgeBand::new(SIZE, Sector::Whole);
+        filter.band = EdgeBand::new([SIZE; 2], Sector::Whole);
         let without = miss(&mut filter, &surface, &set);
         assert!(
             with_band < 0.03 && without > 0.08,

@@ -21,6 +21,7 @@
 mod block;
 mod direct;
 mod order;
+mod scattered;
 
 use std::{
     collections::HashMap,
@@ -30,6 +31,7 @@ use std::{
 use pellicle_influence::{Sector, SurfaceElasticity};
 use rayon::prelude::*;
 
+pub use self::scattered::ScatteredFactor;
 use self::{
     block::{LocalSystem, NearCoefficients, class},
     direct::DirectFactor,
@@ -44,7 +46,7 @@ const MOST_DIRECT: usize = 500;
 /// Places where a tile's neighbours are looked for, nearest first. In a contact of a few summits most are empty:
 /// with 160 places it takes twice the products.
 const PLACES: usize = 4000;
-/// Elements, in units of the spacing of a tile's level, from the axis of a quadrant within which mirror images count in
+/// Elements, in units of the spacing of a tile's level, from the axis of a sector within which mirror images count in
 /// a block.
 const NEAR_AXIS: u32 = 8;
 /// Numbers in a pattern before its elements.
@@ -64,7 +66,8 @@ type Lane = [f32; LANES];
 
 /// The factor `G` on one grid's working set.
 pub struct SparseFactor {
-    size: usize,
+    /// Rows, and elements of each.
+    lengths: [usize; 2],
     sector: Sector,
     /// The coarsest level, whose spacing leaves one element.
     top: u32,
@@ -215,9 +218,11 @@ impl SparseFactor {
         relief_compliance: &[f64],
         neighbours: usize,
     ) -> Self {
-        let top = grid.size().next_power_of_two().trailing_zeros();
+        let lengths = grid.lengths();
+        let side = lengths.into_iter().max().unwrap_or(0);
+        let top = side.next_power_of_two().trailing_zeros();
         Self {
-            size: grid.size(),
+            lengths,
             sector: grid.sector(),
             top,
             neighbours,
@@ -245,7 +250,7 @@ impl SparseFactor {
     pub fn update(&mut self, set: &WorkingSet) {
         self.direct = None;
         if set.len() <= MOST_DIRECT {
-            let (grid, eta) = ((self.size, self.sector), &self.compliance);
+            let (grid, eta) = ((self.row(), self.sector), &self.compliance);
             self.direct = DirectFactor::new(&self.elasticity, grid, eta, set.mask());
             if self.direct.is_some() {
                 return;
@@ -282,11 +287,12 @@ impl SparseFactor {
 
     /// The tiles of a level that hold elements, with their blocks or the patterns of unknown ones.
     fn look_up(&self, level: u32, mask: &[bool]) -> Vec<(Tile, Option<Pattern>)> {
-        let along = index(self.size.div_ceil((TILE as usize) << level));
-        let tiles = (0..along * along).into_par_iter().with_min_len(PART);
+        let [rows, columns] =
+            (self.lengths).map(|along| index(along.div_ceil((TILE as usize) << level)));
+        let tiles = (0..rows * columns).into_par_iter().with_min_len(PART);
         let found: Vec<Vec<(Tile, Option<Pattern>)>> = tiles
             .fold(Vec::new, |mut found, tile| {
-                found.extend(self.look_up_tile(level, [tile / along, tile % along], mask));
+                found.extend(self.look_up_tile(level, [tile / columns, tile % columns], mask));
                 found
             })
             .collect();
@@ -308,13 +314,13 @@ impl SparseFactor {
         let (near, colour) = (self.near_axis(level), colour(tile[0], tile[1]));
         let mut pattern = Vec::with_capacity(HEAD + own.len() + self.neighbours);
         pattern.push(COLOURS * level + colour);
-        pattern.extend(first.map(|along| along.unsigned_abs().min(near)));
+        pattern.extend([0, 1].map(|axis: usize| first[axis].unsigned_abs().min(near[axis])));
         pattern.push(index(own.len()).unsigned_abs());
         pattern.extend(own);
-        pattern.extend(members(&EARLIER[colour as usize]).take(self.neighbours));
+        pattern.extend(members(self.earlier(level, colour)).take(self.neighbours));
         let known = self.known.get(pattern.as_slice()).copied();
         let tile = Tile {
-            first: first[0] * index(self.size) + first[1],
+            first: first[0] * index(self.row()) + first[1],
             block: known.unwrap_or(u32::MAX),
         };
         Some((tile, known.is_none().then(|| pattern.into_boxed_slice())))
@@ -329,8 +335,11 @@ impl SparseFactor {
         mask: &[bool],
     ) -> impl Iterator<Item = u32> {
         (0..).zip(offsets).filter_map(move |(place, [x, y])| {
-            let (i, j) = (self.within(i, x << level)?, self.within(j, y << level)?);
-            let element = i * self.size + j;
+            let (i, j) = (
+                self.within(0, i + (x << level))?,
+                self.within(1, j + (y << level))?,
+            );
+            let element = i * self.row() + j;
             mask[element].then(|| place << 16 | u32::from(self.classes[element]))
         })
     }
@@ -340,15 +349,31 @@ impl SparseFactor {
         if level == self.top { &FIRST } else { &OWN }
     }
 
-    /// Elements from an axis within which mirror images count in a block of this level; none but on a quadrant.
-    fn near_axis(&self, level: u32) -> u32 {
-        index(self.sector.mirrored_lines((NEAR_AXIS << level) as usize)).unsigned_abs()
+    /// Where earlier elements lie: none before the one of the coarsest level.
+    fn earlier(&self, level: u32, colour: u32) -> &'static [[i32; 2]] {
+        if level == self.top {
+            &[]
+        } else {
+            &EARLIER[colour as usize]
+        }
     }
 
-    /// The index `offset` from `index`, if it lies on the grid.
-    fn within(&self, index: i32, offset: i32) -> Option<usize> {
-        let place = usize::try_from(index + offset).ok()?;
-        (place < self.size).then_some(place)
+    /// Elements from each axis within which mirror images count in a block of this level; none but at those of a sector.
+    fn near_axis(&self, level: u32) -> [u32; 2] {
+        let lines = self.sector.mirrored_lines((NEAR_AXIS << level) as usize);
+        lines.map(|lines| index(lines).unsigned_abs())
+    }
+
+    /// Elements of a row.
+    fn row(&self) -> usize {
+        let [_, size] = self.lengths;
+        size
+    }
+
+    /// The index of a row or a column, if it lies on the grid.
+    fn within(&self, axis: usize, index: i32) -> Option<usize> {
+        let place = usize::try_from(index).ok()?;
+        (place < self.lengths[axis]).then_some(place)
     }
 
     /// Computes the block of a pattern.
@@ -358,7 +383,7 @@ impl SparseFactor {
         let place = |offsets: &[[i32; 2]], entry: &u32| offsets[(entry >> 16) as usize];
         let earlier = neighbours
             .iter()
-            .map(|entry| place(&EARLIER[colour as usize], entry));
+            .map(|entry| place(self.earlier(level, colour), entry));
         let places: Vec<[i32; 2]> = earlier
             .chain(own.iter().map(|entry| place(self.own(level), entry)))
             .collect();
@@ -375,12 +400,15 @@ impl SparseFactor {
             places: &places,
             classes: &classes,
             own: own.len(),
-            to_axis: [pattern[1], pattern[2]].map(|along| (along < near).then_some(along)),
+            to_axis: [0, 1].map(|axis: usize| {
+                let along = pattern[1 + axis];
+                (along < near[axis]).then_some(along)
+            }),
         };
         let columns = system.columns();
         let lanes = own.len().div_ceil(LANES);
         for (unknown, [x, y]) in places.iter().enumerate() {
-            blocks.distances.push((x * index(self.size) + y) << level);
+            blocks.distances.push((x * index(self.row()) + y) << level);
             for lane in 0..lanes {
                 #[expect(
                     clippy::cast_possible_truncation,

@@ -26,7 +26,7 @@ pub fn class(relative_compliance: f64) -> u16 {
 }
 
 /// The `η/K₀₀` that stands for a class.
-fn compliance_of(class: u16) -> f64 {
+pub fn compliance_of(class: u16) -> f64 {
     if class == 0 {
         return 0.0;
     }
@@ -58,7 +58,8 @@ impl NearCoefficients {
         Self(offsets.map(value).collect())
     }
 
-    fn coefficient(&self, [x, y]: [usize; 2]) -> Option<f64> {
+    /// The coefficient at so many places, if it is near enough to be kept.
+    pub fn coefficient(&self, [x, y]: [usize; 2]) -> Option<f64> {
         let is_near = x < NEAR && y < NEAR;
         is_near.then(|| self.0.get(x * NEAR + y).copied()).flatten()
     }
@@ -146,7 +147,12 @@ impl LocalSystem<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::{class, compliance_of};
+    use std::sync::Arc;
+
+    use pellicle_influence::{CoefficientTable, RadialTables};
+    use pellicle_kernel::{Foundation, Material};
+
+    use super::*;
 
     #[test]
     fn a_class_keeps_a_compliance_to_three_percent() {
@@ -156,5 +162,74 @@ mod tests {
             assert!((found - 1.0).abs() < 0.023, "{relative}: {found}");
         }
         assert!(class(1e-4) == 0 && compliance_of(0) < f64::MIN_POSITIVE);
+    }
+
+    #[test]
+    fn a_block_solves_the_system_of_its_elements_with_mirror_images_and_springs() {
+        let [coat, base] = [10.0, 1.0].map(|modulus| Material::new(modulus, 0.3).unwrap());
+        let body = Foundation::coated(0.05, coat, base).unwrap();
+        let tables = RadialTables::build(&body).unwrap();
+        let table = CoefficientTable::assemble(&tables, 1.0 / 64.0, 64).unwrap();
+        let elasticity = SurfaceElasticity::new(Arc::new(table), body);
+        let near = NearCoefficients::of(&elasticity, 1);
+        // A tile of every second element, eight from the axes; four neighbours and three elements of its own.
+        let first = 8;
+        let places = [[5, 1], [-4, 0], [0, -3], [6, 6], [0, 1], [1, 1], [3, 2]];
+        let (classes, own) = ([0, 150, 60, 3, 100, 0, 30], 3);
+        for to_axis in [
+            [None, None],
+            [Some(8), None],
+            [None, Some(8)],
+            [Some(8), Some(8)],
+        ] {
+            let system = LocalSystem {
+                elasticity: &elasticity,
+                near: &near,
+                level: 1,
+                places: &places,
+                classes: &classes,
+                own,
+                to_axis,
+            };
+            // On the whole grid, whose axes lie between its elements 31 and 32.
+            let along = |k: usize, axis: usize| first + 2 * places[k][axis];
+            let images = |k: usize, axis: usize| {
+                let i = along(k, axis);
+                std::iter::once(32 + i).chain(to_axis[axis].map(|_| 31 - i))
+            };
+            let matrix = |a: usize, b: usize| {
+                let mut sum = 0.0;
+                for x in images(b, 0) {
+                    for y in images(b, 1) {
+                        let offset = [(0, x), (1, y)].map(|(axis, image): (usize, i32)| {
+                            (32 + along(a, axis)).abs_diff(image) as usize
+                        });
+                        sum += elasticity.coefficient(offset);
+                    }
+                }
+                if a == b {
+                    sum += elasticity.coefficient([0, 0]) * compliance_of(classes[a]);
+                }
+                sum
+            };
+            let g = system.columns();
+            // A G = (0, L_own)ᵀ of a lower triangle: A = L Lᵀ, Lᵀ G = (0, 1)ᵀ. And Gᵀ A G = 1.
+            let order = places.len();
+            for column in 0..own {
+                let image = |a: usize| (0..order).map(|b| matrix(a, b) * g[(b, column)]).sum();
+                let image: Vec<f64> = (0..order).map(image).collect();
+                assert!(
+                    image[..order - own + column]
+                        .iter()
+                        .all(|x| x.abs() < 1e-13),
+                    "{to_axis:?} {column}"
+                );
+                for other in 0..own {
+                    let energy: f64 = (0..order).map(|a| g[(a, other)] * image[a]).sum();
+                    let wanted = f64::from(u8::from(other == column));
+                    assert!((energy - wanted).abs() < 1e-13, "{to_axis:?} {column}");
+                }
+            }
+        }
     }
 }

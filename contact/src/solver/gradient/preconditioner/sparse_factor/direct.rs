@@ -14,7 +14,7 @@ pub struct DirectFactor {
 }
 
 impl DirectFactor {
-    /// Of the elements of `mask` on a grid of `size` elements per side; none if rounding leaves the system indefinite.
+    /// Of the elements of `mask` on a sector of `size` elements a row; none if rounding leaves the system indefinite.
     pub fn new(
         elasticity: &SurfaceElasticity,
         (size, sector): (usize, Sector),
@@ -30,7 +30,7 @@ impl DirectFactor {
             }
             let (p, q) = (place(a), place(b));
             let along = |axis: usize| {
-                let mirrored = (sector == Sector::Quadrant).then_some(p[axis] + q[axis] + 1);
+                let mirrored = sector.mirrored()[axis].then_some(p[axis] + q[axis] + 1);
                 std::iter::once(p[axis].abs_diff(q[axis])).chain(mirrored)
             };
             let offsets = along(0).flat_map(|x| along(1).map(move |y| [x, y]));

@@ -1,0 +1,58 @@
+//! The columns of rough contact in a curve.
+
+use super::number;
+use crate::case::units::Units;
+use crate::output::summary::roughness::RoughContactSummary;
+use crate::output::summary::{StepSummary, Summary};
+
+/// A column: its name, its SI unit if it has one, and its value.
+type RoughColumn = (
+    &'static str,
+    Option<&'static str>,
+    fn(&RoughContactSummary) -> String,
+);
+
+const COLUMNS: [RoughColumn; 3] = [
+    ("contact fraction", None, |rough| {
+        number(rough.contact_fraction)
+    }),
+    ("mean gap", Some("m"), |rough| number(rough.mean_gap)),
+    ("islands", None, |rough| rough.islands.count.to_string()),
+];
+
+/// The columns, where a map takes part.
+#[derive(Debug, Clone, Copy)]
+pub struct RoughColumns {
+    columns: &'static [RoughColumn],
+}
+
+impl RoughColumns {
+    /// The columns of the steps of a summary.
+    #[must_use]
+    pub fn of_steps(summary: &Summary) -> Self {
+        let columns: &[_] = if summary.has_rough_contact() {
+            &COLUMNS
+        } else {
+            &[]
+        };
+        Self { columns }
+    }
+
+    /// Names of the columns.
+    #[must_use]
+    pub fn header(&self, units: Units) -> Vec<String> {
+        let name = |(name, unit, _): &RoughColumn| match unit {
+            Some(unit) => format!("{name} [{}]", units.name(unit)),
+            None => (*name).to_owned(),
+        };
+        self.columns.iter().map(name).collect()
+    }
+
+    /// The values of a step; empty without contact.
+    #[must_use]
+    pub fn row(&self, step: &StepSummary) -> Vec<String> {
+        let rough = step.rough_contact.as_ref();
+        let cell = |(_, _, value): &RoughColumn| rough.map_or_else(String::new, value);
+        self.columns.iter().map(cell).collect()
+    }
+}

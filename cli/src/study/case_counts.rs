@@ -1,0 +1,108 @@
+//! A number that every case has before it is solved: its rows, one per loading step, or the elements of its grid.
+
+use serde::{Deserialize, Serialize};
+
+use super::Study;
+use super::numbering::CaseNumbering;
+use crate::case::diagnosis::Diagnosis;
+use crate::case::grid::GridCase;
+use crate::case::load::LoadCase;
+use crate::case::table_reader::TableReader;
+
+/// A number of every case. It takes no more room for a million cases than for one, unless the keys that change it vary.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct CaseCounts {
+    /// The axes on which it depends.
+    axes: Vec<usize>,
+    /// The counts, for every combination of values of these axes.
+    counts: Vec<usize>,
+}
+
+impl CaseCounts {
+    /// The rows of every case of a study, unless it fails.
+    #[must_use]
+    pub fn rows(study: &Study) -> Self {
+        Self::new(study, changes_the_number_of_loads, Study::steps)
+    }
+
+    /// The elements per side of every case; 0 where they are invalid.
+    #[must_use]
+    pub fn elements(study: &Study) -> Self {
+        Self::new(study, changes_the_elements, Study::elements)
+    }
+
+    fn new(
+        study: &Study,
+        changes: impl Fn(&[String]) -> bool,
+        count: impl Fn(&Study, usize) -> usize,
+    ) -> Self {
+        let axes = study.axes_of(changes);
+        let cases = study.numbering().around(0, &axes);
+        let mut counts: Vec<_> = cases.map(|case| count(study, case)).collect();
+        let are_equal = counts.windows(2).all(|pair| pair[0] == pair[1]);
+        if are_equal {
+            counts.truncate(1);
+        }
+        let axes = if are_equal { Vec::new() } else { axes };
+        Self { axes, counts }
+    }
+
+    /// The count of a case; none if there is no such case.
+    #[must_use]
+    pub fn of(&self, numbering: &CaseNumbering, case: usize) -> Option<usize> {
+        if case >= numbering.len() {
+            return None;
+        }
+        let place = numbering.place(case, &self.axes);
+        self.counts.get(place).copied()
+    }
+
+    /// The different counts, in order.
+    #[must_use]
+    pub fn different(&self) -> Vec<usize> {
+        let mut different = self.counts.clone();
+        different.sort_unstable();
+        different.dedup();
+        different
+    }
+}
+
+impl Study {
+    /// The number of loading steps of a case; 1 if its load is invalid. Nothing else of the case is read.
+    fn steps(&self, case: usize) -> usize {
+        let read = || {
+            let root = self.tree(case)?;
+            let load = TableReader::root(&root)?.required("load", "a table [load]")?;
+            LoadCase::read(&load.table()?)
+        };
+        read().map_or(1, |load: LoadCase| load.loads().len())
+    }
+
+    /// The elements per side of a case; 0 if they are invalid. Nothing else of the case is read.
+    fn elements(&self, case: usize) -> usize {
+        let read = || {
+            let root = self.tree(case)?;
+            let table = TableReader::root(&root)?.optional("grid");
+            let table = table.map(|field| field.table()).transpose()?;
+            table.map_or(Ok(GridCase::default().elements), |table| {
+                GridCase::read_elements(&table)
+            })
+        };
+        read().unwrap_or_else(|_: Diagnosis| 0)
+    }
+}
+
+/// Whether another value of this key may be another number of loads.
+fn changes_the_number_of_loads(path: &[String]) -> bool {
+    let mut path = path.iter().map(String::as_str);
+    path.next() == Some("load")
+        && path
+            .next()
+            .is_none_or(|key| matches!(key, "forces" | "penetrations"))
+}
+
+/// Whether another value of this key may be another grid.
+fn changes_the_elements(path: &[String]) -> bool {
+    let mut path = path.iter().map(String::as_str);
+    path.next() == Some("grid") && path.next().is_none_or(|key| key == "elements")
+}

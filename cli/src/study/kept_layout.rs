@@ -1,0 +1,229 @@
+//! The layout of `fields-nN.nc`: the kept fields of all cases of a study that have N × N elements, as NetCDF-3.
+//!
+//! The case is the record dimension: variables `case`, its number in the table, `status` and `side` of its domain, and
+//! the fields over `(case, x, y)`, or `(case, step, x, y)` where all loading steps are kept. Each case has a domain of
+//! its own, so `x` and `y` are in sides of it. A case of fewer steps, or a failed one, is filled with NaN.
+
+use std::io;
+
+use serde::{Deserialize, Serialize};
+
+use super::Study;
+use super::case_counts::CaseCounts;
+use super::case_status::CaseStatus;
+use super::numbering::CaseNumbering;
+use super::shard::Shard;
+use crate::case::Case;
+use crate::case::output::Steps;
+use crate::case::units::Units;
+use crate::failure::Failure;
+use crate::output::fields::Fields;
+use crate::output::netcdf::header::{Attribute, Header, Kind, RECORDS, Variable};
+
+/// The most bytes of a variable in one case: the format has 32 bits for it.
+const MOST_BYTES: usize = u32::MAX as usize - 3;
+
+/// Bytes of a case before its fields: its number, its status and its side.
+pub const HEAD: usize = 4 + 4 + 8;
+
+/// A field that can be kept.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum KeptField {
+    /// Pressure `p`.
+    Pressure,
+    /// Displacement `u` of the surface.
+    Displacement,
+    /// Gap `g`.
+    Gap,
+    /// Shortening `w*` of the relief.
+    Shortening,
+    /// Profile `f*` of the relief.
+    Profile,
+}
+
+impl KeptField {
+    /// The words of `study.keep`, in the order of [`Fields::numbers`].
+    pub const CHOICES: [(&'static str, Self); 5] = [
+        ("pressure", Self::Pressure),
+        ("displacement", Self::Displacement),
+        ("gap", Self::Gap),
+        ("shortening", Self::Shortening),
+        ("profile", Self::Profile),
+    ];
+
+    /// Whether it is computed from the pressure, by a product with `K`.
+    #[must_use]
+    pub fn is_of_the_surface(self) -> bool {
+        matches!(self, Self::Displacement | Self::Gap | Self::Shortening)
+    }
+}
+
+/// What the files hold.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct KeptLayout {
+    /// The fields, each once, in the order of the files.
+    pub fields: Vec<KeptField>,
+    /// Most loading steps of a case if all are kept; none if the last alone is.
+    pub steps: Option<usize>,
+    /// The units of the numbers.
+    units: Units,
+    /// Elements per side of every case.
+    pub elements: CaseCounts,
+}
+
+impl KeptLayout {
+    /// The layout of a study, of which `case` is a valid case; none if nothing is to be kept. All loading steps are
+    /// kept if `output.fields` of this case is `all`, the last otherwise.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::KeptTooLarge`] if a field of one case does not fit into the format.
+    pub fn new(study: &Study, case: &Case, rows: &CaseCounts) -> Result<Option<Self>, Failure> {
+        if study.keep.is_empty() {
+            return Ok(None);
+        }
+        let most_steps = rows.different().into_iter().max().unwrap_or(1);
+        let layout = Self {
+            fields: study.keep.clone(),
+            steps: (case.output.fields == Steps::All).then_some(most_steps),
+            units: case.units,
+            elements: CaseCounts::elements(study),
+        };
+        let elements = layout.grids().into_iter().max().unwrap_or(0);
+        if layout.field_bytes(elements) > MOST_BYTES {
+            let steps = layout.steps.unwrap_or(1);
+            return Err(Failure::KeptTooLarge { elements, steps });
+        }
+        Ok(Some(layout))
+    }
+
+    /// The elements per side that cases have, in order: one file for each.
+    #[must_use]
+    pub fn grids(&self) -> Vec<usize> {
+        let mut grids = self.elements.different();
+        grids.retain(|elements| *elements > 0);
+        grids
+    }
+
+    /// Name of the file of a part of the study.
+    #[must_use]
+    pub fn file(elements: usize, shard: Shard) -> String {
+        shard.file(&format!("fields-n{elements}"), "nc")
+    }
+
+    /// Elements per side of a case; none if they are invalid.
+    #[must_use]
+    pub fn grid_of(&self, numbering: &CaseNumbering, case: usize) -> Option<usize> {
+        let elements = self.elements.of(numbering, case);
+        elements.filter(|elements| *elements > 0)
+    }
+
+    /// Bytes of a field in a case.
+    #[must_use]
+    pub fn field_bytes(&self, elements: usize) -> usize {
+        self.steps.unwrap_or(1) * elements * elements * size_of::<f64>()
+    }
+
+    /// Bytes of a case.
+    #[must_use]
+    pub fn record_bytes(&self, elements: usize) -> usize {
+        HEAD + self.fields.len() * self.field_bytes(elements)
+    }
+
+    /// Everything before the first case of a file that says it holds so many cases.
+    ///
+    /// # Errors
+    ///
+    /// If a number does not fit into the format.
+    pub fn beginning(&self, name: &str, elements: usize, cases: usize) -> io::Result<Vec<u8>> {
+        let mut bytes = self.header(name, elements, cases).bytes()?;
+        // x_i = (2i + 1 − N)/(2N)
+        let centre = |i| ((2 * i + 1) as f64 - elements as f64) / (2 * elements) as f64;
+        for _axis in ["x", "y"] {
+            bytes.extend((0..elements).flat_map(|i| centre(i).to_be_bytes()));
+        }
+        Ok(bytes)
+    }
+
+    fn header(&self, name: &str, elements: usize, cases: usize) -> Header {
+        let (x, y, case) = (0, 1, 2);
+        let mut dimensions = vec![("x", elements), ("y", elements), ("case", RECORDS)];
+        let mut over = vec![case];
+        if let Some(steps) = self.steps {
+            over.push(dimensions.len());
+            dimensions.push(("step", steps));
+        }
+        over.extend([x, y]);
+        let centre = "centre of the element, in sides of the case's domain";
+        let statuses = CaseStatus::ALL.iter().enumerate();
+        let statuses: Vec<_> = statuses
+            .map(|(i, status)| format!("{i} {}", status.word()))
+            .collect();
+        let mut variables = vec![
+            variable("x", vec![x], Kind::Double, "1", centre),
+            variable("y", vec![y], Kind::Double, "1", centre),
+            variable(
+                "case",
+                vec![case],
+                Kind::Integer,
+                "1",
+                "number of the case, as in the table of results",
+            ),
+            variable(
+                "status",
+                vec![case],
+                Kind::Integer,
+                "1",
+                &statuses.join(", "),
+            ),
+            variable(
+                "side",
+                vec![case],
+                Kind::Double,
+                self.units.name("m"),
+                "side of the square domain",
+            ),
+        ];
+        let known = Fields::EMPTY.numbers();
+        for field in &self.fields {
+            let field = known[*field as usize];
+            let unit = self.units.name(field.unit);
+            let over = over.clone();
+            variables.push(variable(
+                field.name,
+                over,
+                Kind::Double,
+                unit,
+                field.meaning,
+            ));
+        }
+        Header {
+            records: cases,
+            dimensions,
+            attributes: vec![
+                Attribute::Text("title", name.to_owned()),
+                Attribute::Text("source", format!("pellicle {}", env!("CARGO_PKG_VERSION"))),
+            ],
+            variables,
+        }
+    }
+}
+
+fn variable(
+    name: &'static str,
+    dimensions: Vec<usize>,
+    kind: Kind,
+    unit: &str,
+    meaning: &str,
+) -> Variable {
+    Variable {
+        name,
+        dimensions,
+        attributes: vec![
+            Attribute::Text("units", unit.to_owned()),
+            Attribute::Text("long_name", meaning.to_owned()),
+        ],
+        kind,
+    }
+}

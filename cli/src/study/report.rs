@@ -1,0 +1,245 @@
+//! `report.html` of a study, on one page that needs no network: every column against every other, and the cases that
+//! failed with their reasons. The page itself is `cli/templates/study_report.html`.
+//!
+//! Of a long study the page shows a sample, chosen by the numbers of the cases as if by chance, so that no value of a
+//! key is left out; the ranges of the columns and the reasons are those of all cases.
+
+mod column;
+mod reasons;
+
+use std::fs::File;
+use std::io::{BufReader, Read};
+use std::path::{Path, PathBuf};
+
+use askama::Template;
+use serde::Serialize;
+
+use self::column::{Column, ColumnRow};
+use self::reasons::{Reason, Reasons};
+use super::case_blocks::CaseBlocks;
+use super::case_status::{CaseStatus, Tally};
+use super::identity::StudyIdentity;
+use super::shard;
+use crate::failure::Failure;
+use crate::output::file;
+
+/// Name of the file in the folder of a study.
+pub const FILE: &str = "report.html";
+
+/// Text near the beginning of the page, by which it is known.
+const MARK: &str = "<meta name=\"generator\" content=\"pellicle study\">";
+
+/// Bytes in which [`MARK`] is found.
+const MARK_WITHIN: u64 = 1000;
+
+/// About as many rows are on the page of a longer study: some MB, and drawn in a tenth of a second.
+const SAMPLE: usize = 5000;
+
+/// Columns that are not for drawing.
+const NOT_DRAWN: [&str; 2] = ["case", "message"];
+
+/// What the page shows of the tables of a study.
+struct StudyTables {
+    columns: Vec<Column>,
+    /// Rows of the sample; a number in the place of a word.
+    rows: Vec<SampledRow>,
+    rows_read: usize,
+    tally: Tally,
+    reasons: Reasons,
+    /// A case is in the sample if its pseudorandom number is not above this.
+    share: usize,
+}
+
+/// A row in the page's data: the case, and a number for each column, none where the cell is empty.
+#[derive(Serialize)]
+struct SampledRow(usize, Vec<Option<f64>>);
+
+/// The data of the page's script.
+#[derive(Serialize)]
+struct Data<'a> {
+    columns: Vec<&'a Column>,
+    rows: Vec<SampledRow>,
+}
+
+/// The page, its numbers in words.
+#[derive(Template)]
+#[template(path = "study_report.html")]
+struct Page<'a> {
+    study: &'a str,
+    version: &'a str,
+    counts: String,
+    /// What is on the page if not every row is.
+    sample: Option<String>,
+    columns: Vec<ColumnRow>,
+    reasons: Vec<&'a Reason>,
+    /// Failed cases whose reasons are not listed.
+    others: usize,
+    /// JSON in which no `<` can end the script.
+    data: String,
+}
+
+/// Writes the page of the cases done so far, in all these tables of one study; false if something else stands in its
+/// place, which is left alone.
+///
+/// # Errors
+///
+/// [`Failure`] if a table cannot be read or the page cannot be written.
+pub fn write(folder: &Path, parts: &[StudyIdentity]) -> Result<bool, Failure> {
+    let path = folder.join(FILE);
+    let Some(first) = parts.first().filter(|_| is_free(&path)) else {
+        return Ok(false);
+    };
+    let mut tables = StudyTables::new(first);
+    for part in parts {
+        tables.read(&part.table(folder), part)?;
+    }
+    file::write_bytes(&path, tables.page(first)?.as_bytes())?;
+    Ok(true)
+}
+
+/// Removes the page of a study that begins again.
+///
+/// # Errors
+///
+/// [`Failure::Write`] if it cannot be removed.
+pub fn forget(folder: &Path) -> Result<(), Failure> {
+    let path = folder.join(FILE);
+    if !path.is_file() || !is_free(&path) {
+        return Ok(());
+    }
+    std::fs::remove_file(&path).map_err(|cause| Failure::write(&path, cause))
+}
+
+/// Whether nothing stands at a path, or a page of a study.
+fn is_free(path: &PathBuf) -> bool {
+    if std::fs::symlink_metadata(path).is_err() {
+        return true;
+    }
+    let mut start = Vec::new();
+    let read = File::open(path).and_then(|file| file.take(MARK_WITHIN).read_to_end(&mut start));
+    read.is_ok() && String::from_utf8_lossy(&start).contains(MARK)
+}
+
+impl StudyTables {
+    fn new(identity: &StudyIdentity) -> Self {
+        let header = identity.header.as_bytes();
+        let mut reader = csv::ReaderBuilder::new().from_reader(header);
+        let names = reader.headers().map(|names| {
+            let names = names.iter();
+            names.map(str::to_owned).collect()
+        });
+        let names: Vec<String> = names.unwrap_or_default();
+        // case, status, the keys, then the columns of a curve, which begin with the step.
+        let keys = names.iter().position(|name| name == "step").unwrap_or(2);
+        let columns = names.into_iter().enumerate();
+        let columns = columns.map(|(i, name)| Column::new(name, (2..keys).contains(&i)));
+        let most_rows = identity.rows.different().into_iter().max().unwrap_or(1);
+        let rows = identity.numbering.len().saturating_mul(most_rows);
+        Self {
+            columns: columns.collect(),
+            rows: Vec::new(),
+            rows_read: 0,
+            tally: Tally::default(),
+            reasons: Reasons::default(),
+            share: share_of_numbers(SAMPLE, rows),
+        }
+    }
+
+    /// Reads the complete cases of a table; none of one that is not there yet.
+    fn read(&mut self, path: &Path, identity: &StudyIdentity) -> Result<(), Failure> {
+        if !path.exists() {
+            return Ok(());
+        }
+        let blocks = CaseBlocks::read(path, identity)?;
+        for block in &blocks.blocks {
+            self.tally.add(block.status);
+        }
+        let failed = |cause: &dyn std::fmt::Display| Failure::damaged(path, cause);
+        let file = File::open(path).map_err(|cause| failed(&cause))?;
+        let text = BufReader::new(file).take(blocks.end);
+        let mut reader = csv::ReaderBuilder::new().from_reader(text);
+        let mut cells = csv::StringRecord::new();
+        while (reader.read_record(&mut cells)).map_err(|cause| failed(&cause))? {
+            self.row(&cells);
+        }
+        Ok(())
+    }
+
+    fn row(&mut self, cells: &csv::StringRecord) {
+        self.rows_read += 1;
+        let case = cells.get(0).and_then(|case| case.parse().ok()).unwrap_or(0);
+        if cells.get(1).and_then(CaseStatus::of) == Some(CaseStatus::Failed) {
+            let message = cells.iter().next_back().unwrap_or_default();
+            self.reasons.add(case, message);
+        }
+        let columns = self.columns.iter_mut().zip(cells);
+        let values = columns.map(|(column, cell)| column.add(cell));
+        // Every cell is looked at, for the ranges.
+        let values: Vec<_> = values.collect();
+        if shard::mixed(case) <= self.share {
+            self.rows.push(SampledRow(case, values));
+        }
+    }
+
+    fn page(self, identity: &StudyIdentity) -> Result<String, Failure> {
+        let is_drawn = |column: &Column| !NOT_DRAWN.contains(&&*column.name) && !column.is_empty();
+        let drawn: Vec<_> = self.columns.iter().map(is_drawn).collect();
+        let of_drawn = |SampledRow(case, values)| {
+            let values = values.into_iter().zip(&drawn);
+            let values = values.filter_map(|(value, is_drawn)| is_drawn.then_some(value));
+            SampledRow(case, values.collect())
+        };
+        let shown = self.rows.len();
+        let data = Data {
+            columns: self.columns.iter().filter(|c| is_drawn(c)).collect(),
+            rows: self.rows.into_iter().map(of_drawn).collect(),
+        };
+        let data_text = serde_json::to_string(&data)?.replace('<', "\\u003c");
+        let cases = identity.numbering.len();
+        let reasons = self.reasons.sorted();
+        let listed: usize = reasons.iter().map(|reason| reason.cases).sum();
+        let page = Page {
+            study: &identity.study,
+            version: &identity.version,
+            counts: crate::command::study::words(self.tally, cases),
+            sample: (shown < self.rows_read).then(|| {
+                format!(
+                    "{shown} of {} rows are drawn, a random sample of the cases; ranges and reasons are those of all.",
+                    self.rows_read
+                )
+            }),
+            columns: data.columns.iter().map(|column| column.row()).collect(),
+            others: self.tally.failed - listed.min(self.tally.failed),
+            reasons,
+            data: data_text,
+        };
+        Ok(page.to_string())
+    }
+}
+
+/// The pseudorandom number that a share `wanted / all` of all cases does not exceed.
+fn share_of_numbers(wanted: usize, all: usize) -> usize {
+    let largest = u32::MAX as usize;
+    if wanted >= all {
+        return largest;
+    }
+    largest / all * wanted
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sample_is_about_as_large_as_wanted_and_takes_every_value_of_a_key() {
+        let share = share_of_numbers(5000, 1_000_000);
+        let is_in = |case: &usize| shard::mixed(*case) <= share;
+        let sample: Vec<_> = (1..=1_000_000).filter(is_in).collect();
+        // Three deviations of chance.
+        assert!((4780..5220).contains(&sample.len()), "{}", sample.len());
+        for last in 0..100 {
+            assert!(sample.iter().any(|case| case % 100 == last), "{last}");
+        }
+        assert_eq!(share_of_numbers(5000, 5000), u32::MAX as usize);
+    }
+}

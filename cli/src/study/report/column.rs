@@ -1,0 +1,157 @@
+//! A column of a study's table: numbers with their range, or words.
+
+use serde::Serialize;
+
+use crate::display::significant;
+
+/// The most different words of a column; all others are drawn as one.
+const MOST_WORDS: usize = 40;
+
+/// The word for all others.
+const OTHERS: &str = "others";
+
+/// A column, and what is known of all its cells.
+#[derive(Debug, Serialize)]
+pub struct Column {
+    /// Its name, with the unit.
+    pub name: String,
+    /// Whether it is a key that varies.
+    is_key: bool,
+    values: Values,
+    /// Cells that are not empty.
+    cells: usize,
+}
+
+/// The values of a column, as its first cell tells.
+#[derive(Debug, Serialize)]
+#[serde(rename_all = "lowercase")]
+enum Values {
+    /// Nothing is known yet.
+    Unknown,
+    /// The smallest and the largest number.
+    Numbers([f64; 2]),
+    /// Different words, in the order in which they were found.
+    Words(Vec<String>),
+}
+
+/// A column in the page's list.
+pub struct ColumnRow {
+    /// Its name.
+    pub name: String,
+    /// Whether it is a key that varies.
+    pub is_key: bool,
+    /// Number of cells that are not empty.
+    pub cells: usize,
+    /// Its range, or its words.
+    pub values: String,
+}
+
+impl Column {
+    /// A column without cells.
+    #[must_use]
+    pub fn new(name: String, is_key: bool) -> Self {
+        Self {
+            name,
+            is_key,
+            values: Values::Unknown,
+            cells: 0,
+        }
+    }
+
+    /// Whether all its cells are empty.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.cells == 0
+    }
+
+    /// Adds a cell; returns its number, or the place of its word; none if it is empty, or no number among numbers.
+    pub fn add(&mut self, cell: &str) -> Option<f64> {
+        if cell.is_empty() {
+            return None;
+        }
+        self.cells += 1;
+        let number = cell.parse().ok().filter(|number: &f64| number.is_finite());
+        if let Values::Unknown = self.values {
+            self.values = match number {
+                Some(number) => Values::Numbers([number; 2]),
+                None => Values::Words(Vec::new()),
+            };
+        }
+        match &mut self.values {
+            Values::Numbers([low, high]) => {
+                let number = number?;
+                (*low, *high) = (low.min(number), high.max(number));
+                Some(rounded(number))
+            }
+            Values::Words(words) => Some(place(words, cell) as f64),
+            Values::Unknown => None,
+        }
+    }
+
+    /// Its line of the page's list.
+    #[must_use]
+    pub fn row(&self) -> ColumnRow {
+        ColumnRow {
+            name: self.name.clone(),
+            is_key: self.is_key,
+            cells: self.cells,
+            values: match &self.values {
+                Values::Unknown => String::new(),
+                Values::Numbers([low, high]) if low == high => significant(*low, 5),
+                Values::Numbers([low, high]) => {
+                    format!("{} to {}", significant(*low, 5), significant(*high, 5))
+                }
+                Values::Words(words) => words.join(", "),
+            },
+        }
+    }
+}
+
+/// The place of a word, which is added if it is new.
+fn place(words: &mut Vec<String>, word: &str) -> usize {
+    if let Some(place) = words.iter().position(|known| known == word) {
+        return place;
+    }
+    if words.len() > MOST_WORDS {
+        return MOST_WORDS;
+    }
+    let word = if words.len() == MOST_WORDS {
+        OTHERS
+    } else {
+        word
+    };
+    words.push(word.to_owned());
+    words.len() - 1
+}
+
+/// Six digits are more than a page can show, and take half the room.
+fn rounded(number: f64) -> f64 {
+    format!("{number:.5e}").parse().unwrap_or(number)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_column_is_of_numbers_or_of_words_as_its_first_cell_tells() {
+        let mut numbers = Column::new("force [N]".into(), true);
+        let found = ["", "2e-6", "1.23456789", "oops", "inf"].map(|cell| numbers.add(cell));
+        assert_eq!(found, [None, Some(2e-6), Some(1.23457), None, None]);
+        assert!(
+            numbers.row().values.contains("to 1.2346"),
+            "{}",
+            numbers.row().values
+        );
+        let mut words = Column::new("kind".into(), false);
+        let found = ["film", "bare", "film", "3"].map(|cell| words.add(cell));
+        assert_eq!(found, [Some(0.0), Some(1.0), Some(0.0), Some(2.0)]);
+        for i in 0..100 {
+            words.add(&format!("w{i}"));
+        }
+        let Values::Words(all) = &words.values else {
+            panic!("words")
+        };
+        assert_eq!((all.len(), &*all[MOST_WORDS]), (MOST_WORDS + 1, OTHERS));
+    }
+}

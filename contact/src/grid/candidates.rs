@@ -1,0 +1,166 @@
+//! Candidates: the few elements of a grid that may come into contact, on which alone a dilute contact is solved.
+
+use rayon::prelude::*;
+
+/// Elements along a side of the tiles in which candidates are looked up.
+const TILE: usize = 16;
+/// Rings of elements around those that press or overlap that are candidates too.
+const RINGS: usize = 1;
+/// Stands for an element that is no candidate.
+const NONE: u32 = u32::MAX;
+
+/// Some elements of a square of `size` × `size`, by ascending index.
+#[derive(Debug, Clone)]
+pub struct Candidates {
+    size: usize,
+    elements: Vec<u32>,
+    /// Of every tile, which of `places` is its own.
+    tiles: Vec<u32>,
+    /// Of every element of the tiles that hold candidates, its place in the list.
+    places: Vec<[u32; TILE * TILE]>,
+}
+
+impl Candidates {
+    /// The elements of a mask, and those around them.
+    pub fn around(size: usize, belongs: impl Fn(usize) -> bool + Sync) -> Self {
+        let of_row = |row: usize| {
+            let row = row * size..(row + 1) * size;
+            row.filter(|element| belongs(*element))
+                .collect::<Vec<usize>>()
+        };
+        let members: Vec<Vec<usize>> = (0..size).into_par_iter().map(of_row).collect();
+        let mut elements = Vec::new();
+        for member in members.into_iter().flatten() {
+            let [rows, columns] = [member / size, member % size]
+                .map(|i| i.saturating_sub(RINGS)..(i + RINGS + 1).min(size));
+            let around = rows.flat_map(|i| columns.clone().map(move |j| i * size + j));
+            elements.extend(around.map(short));
+        }
+        elements.sort_unstable();
+        elements.dedup();
+        Self::of(size, elements)
+    }
+
+    fn of(size: usize, elements: Vec<u32>) -> Self {
+        let width = size.div_ceil(TILE);
+        let mut tiles = vec![NONE; width * width];
+        let mut places: Vec<[u32; TILE * TILE]> = Vec::new();
+        for (at, element) in elements.iter().enumerate() {
+            let (tile, within) =
+                tile_of([*element as usize / size, *element as usize % size], width);
+            if tiles[tile] == NONE {
+                tiles[tile] = short(places.len());
+                places.push([NONE; TILE * TILE]);
+            }
+            places[tiles[tile] as usize][within] = short(at);
+        }
+        Self {
+            size,
+            elements,
+            tiles,
+            places,
+        }
+    }
+
+    /// These and the elements of a mask with those around them.
+    pub fn with(&self, belongs: impl Fn(usize) -> bool + Sync) -> Self {
+        let mut elements = Self::around(self.size, belongs).elements;
+        elements.extend(&self.elements);
+        elements.sort_unstable();
+        elements.dedup();
+        Self::of(self.size, elements)
+    }
+
+    pub fn len(&self) -> usize {
+        self.elements.len()
+    }
+
+    /// Elements along a side of the square.
+    pub fn size(&self) -> usize {
+        self.size
+    }
+
+    /// The indices `i N + j` in the square, ascending.
+    pub fn elements(&self) -> &[u32] {
+        &self.elements
+    }
+
+    /// Row and column of a candidate.
+    pub fn place(&self, candidate: usize) -> [usize; 2] {
+        let element = self.elements[candidate] as usize;
+        [element / self.size, element % self.size]
+    }
+
+    /// The candidate in a row and column of the square, if there is one.
+    pub fn at(&self, place: [usize; 2]) -> Option<usize> {
+        let (tile, within) = tile_of(place, self.size.div_ceil(TILE));
+        let places = self.places.get(self.tiles[tile] as usize)?;
+        let candidate = places[within];
+        (candidate != NONE).then_some(candidate as usize)
+    }
+
+    /// Their values of a field on the square.
+    pub fn gather(&self, field: &[f64]) -> Vec<f64> {
+        self.elements
+            .iter()
+            .map(|element| field[*element as usize])
+            .collect()
+    }
+
+    /// The field on the square that has their values, and 0 elsewhere.
+    pub fn spread(&self, values: &[f64]) -> Vec<f64> {
+        let mut field = vec![0.0; self.size * self.size];
+        for (element, value) in self.elements.iter().zip(values) {
+            field[*element as usize] = *value;
+        }
+        field
+    }
+}
+
+/// The tile of an element, and where it lies within.
+fn tile_of([row, column]: [usize; 2], width: usize) -> (usize, usize) {
+    let tile = row / TILE * width + column / TILE;
+    (tile, row % TILE * TILE + column % TILE)
+}
+
+/// An index of a grid of at most 16,384² elements.
+#[expect(clippy::cast_possible_truncation, reason = "at most 2²⁸")]
+fn short(index: usize) -> u32 {
+    index as u32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Candidates;
+
+    const SIZE: usize = 40;
+
+    #[test]
+    fn candidates_are_the_members_and_one_ring_around_and_are_found_again() {
+        let members = [0, 21 * SIZE + 15, 39 * SIZE + 20];
+        let candidates = Candidates::around(SIZE, |element| members.contains(&element));
+        assert_eq!(candidates.len(), 4 + 9 + 6);
+        assert!(candidates.elements().is_sorted());
+        for element in 0..SIZE * SIZE {
+            let place = [element / SIZE, element % SIZE];
+            let near = |member: &usize| {
+                (member / SIZE).abs_diff(place[0]) <= 1 && (member % SIZE).abs_diff(place[1]) <= 1
+            };
+            let found = candidates.at(place);
+            assert_eq!(found.is_some(), members.iter().any(near));
+            assert!(found.is_none_or(|candidate| candidates.place(candidate) == place));
+        }
+    }
+
+    #[test]
+    fn more_candidates_keep_those_there_were() {
+        let one = Candidates::around(SIZE, |element| element == 500);
+        let both = one.with(|element| element == 502);
+        assert_eq!(both.len(), 15);
+        let field: Vec<f64> = (0..SIZE * SIZE).map(|e| e as f64).collect();
+        assert_eq!(
+            both.gather(&both.spread(&both.gather(&field))),
+            both.gather(&field)
+        );
+    }
+}

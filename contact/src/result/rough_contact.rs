@@ -1,0 +1,94 @@
+//! What is told of the contact of a rough surface beside its area: islands, perimeter, mean gap, and how pressures and
+//! gaps are distributed.
+//!
+//! **Nominal area.** A periodic cell is in nominal contact all over. Where the surface ends, the nominal area is the
+//! convex hull of the elements in contact.
+//!
+//! **Area by the perimeter.** Elements of a boundary-element method are in contact wherever a part of them would be, so
+//! their number tells too large an area, by a part of the perimeter. Yastrebov, Anciaux and Molinari (2017) take off
+//!
+//! ```text
+//! A = A_counted − (π − 1 + ln 2)/24 · S_d h,
+//! ```
+//!
+//! with `S_d` the length of all sides of elements in contact beside ones that are not, `h` the side of an element. The
+//! contact area of a [`Summary`](crate::Summary) places the edge within its element instead, by pressure and gap beside
+//! it; both are compared with refined grids in `tests/tests/convergence/rough.rs`.
+
+mod histogram;
+mod islands;
+mod nominal;
+
+pub use histogram::Histogram;
+pub use islands::Islands;
+
+use islands::ContactPattern;
+use nominal::Nominal;
+
+use crate::{Boundary, Indenter, Model, result::contact_field::ContactField};
+use pellicle_texture::Relief;
+
+/// `(π − 1 + ln 2)/24`.
+const PERIMETER_PART: f64 = (std::f64::consts::PI - 1.0 + std::f64::consts::LN_2) / 24.0;
+
+/// The contact of a rough surface.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RoughContact {
+    /// Area of the periodic cell, or of the convex hull of the contact, in m².
+    pub nominal_area: f64,
+    /// Area of the elements in contact, in m².
+    pub counted_area: f64,
+    /// Length `S_d` of the sides between elements in contact and others, in m.
+    pub perimeter: f64,
+    /// Counted area without the part of the perimeter, in m².
+    pub corrected_area: f64,
+    /// Gap averaged over the nominal area, 0 where there is contact, in m.
+    pub mean_gap: f64,
+    /// The islands of contact.
+    pub islands: Islands,
+    /// Pressures in contact, in Pa.
+    pub pressures: Histogram,
+    /// Gaps out of contact on the nominal area, in m.
+    pub gaps: Histogram,
+}
+
+impl RoughContact {
+    /// Of a contact between measured surfaces; none of others and without contact.
+    pub(crate) fn of(field: &ContactField<'_>) -> Option<Self> {
+        if !is_rough(field.model) {
+            return None;
+        }
+        let pattern = ContactPattern::of(field);
+        let nominal = Nominal::of(field, &pattern)?;
+        let (side, area) = (field.grid.element_side(), field.grid.element_area());
+        let islands = pattern.islands();
+        let counted_area = islands.elements() as f64 * area;
+        let perimeter = pattern.sides() as f64 * side;
+        let gaps = nominal.gaps(field);
+        Some(Self {
+            nominal_area: nominal.elements * area,
+            counted_area,
+            perimeter,
+            corrected_area: counted_area - PERIMETER_PART * perimeter * side,
+            mean_gap: gaps.mean,
+            islands,
+            pressures: Histogram::of(field.window, field.pressure, |_, pressures| {
+                pressures.iter().copied().filter(|p| *p > 0.0)
+            }),
+            gaps: gaps.histogram,
+        })
+    }
+}
+
+/// Whether a measured map takes part in the contact.
+fn is_rough(model: &Model) -> bool {
+    matches!(model.relief, Relief::Map(_)) || matches!(model.indenter, Indenter::Map(_))
+}
+
+/// Whether the grid is one cell of many.
+fn repeats(field: &ContactField<'_>) -> bool {
+    field.boundary == Boundary::Periodic
+}
+
+#[cfg(test)]
+mod tests;

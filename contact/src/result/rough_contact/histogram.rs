@@ -1,0 +1,65 @@
+//! How often a positive number lies where.
+
+use crate::grid::window::Window;
+
+/// Classes of a histogram: the tail of some hundred islands' pressures is still smooth.
+const CLASSES: usize = 64;
+
+/// Numbers counted in equal classes from 0 to the largest.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Histogram {
+    /// The largest, where the last class ends; 0 of no numbers.
+    pub largest: f64,
+    /// Mean of the numbers.
+    pub mean: f64,
+    /// Numbers in each class.
+    pub counts: Vec<usize>,
+}
+
+impl Histogram {
+    /// Of the numbers that `of_line` gives for each row of the pressure on a window; none may be negative or infinite.
+    pub(super) fn of<'a, I: Iterator<Item = f64>>(
+        window: &Window,
+        pressure: &'a [f64],
+        of_line: impl Fn(usize, &'a [f64]) -> I + Sync,
+    ) -> Self {
+        let row = |line: usize| of_line(line, &pressure[line * window.size()..][..window.size()]);
+        let ranges = window.by_lines(pressure, |line, _| {
+            row(line).fold((0.0, 0.0, 0_usize), |(largest, sum, count), x| {
+                (f64::max(largest, x), sum + x, count + 1)
+            })
+        });
+        let (largest, sum, count) = ranges.into_iter().fold((0.0, 0.0, 0), |all, of| {
+            (f64::max(all.0, of.0), all.1 + of.1, all.2 + of.2)
+        });
+        if count == 0 {
+            return Self::default();
+        }
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "from 0 to the number of classes"
+        )]
+        let class = |x: f64| (((x / largest) * CLASSES as f64) as usize).min(CLASSES - 1);
+        let lines = window.by_lines(pressure, |line, _| {
+            let mut counts = [0_usize; CLASSES];
+            row(line).for_each(|x| counts[class(x)] += 1);
+            counts
+        });
+        let mut counts = vec![0; CLASSES];
+        for line in lines {
+            counts.iter_mut().zip(line).for_each(|(all, of)| *all += of);
+        }
+        Self {
+            largest,
+            mean: sum / count as f64,
+            counts,
+        }
+    }
+
+    /// How many numbers there are.
+    #[must_use]
+    pub fn total(&self) -> usize {
+        self.counts.iter().sum()
+    }
+}

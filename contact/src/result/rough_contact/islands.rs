@@ -1,0 +1,200 @@
+//! The pattern of a contact: rows of elements in contact, the sides around them, and the islands that they make.
+//!
+//! An island is what hangs together by sides of elements. Two elements with a corner in common alone are two islands:
+//! the two elements beside that corner are open and have it in common as well, and no pressure acts across a point. In
+//! a periodic cell islands go on at the opposite rim.
+
+use std::ops::Range;
+
+use super::repeats;
+use crate::result::contact_field::ContactField;
+
+/// Elements in contact as runs along the rows.
+pub(super) struct ContactPattern {
+    rows: Vec<Vec<Range<usize>>>,
+    size: usize,
+    repeats: bool,
+}
+
+/// The islands of a contact.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Islands {
+    /// Elements of each island, the largest first.
+    pub sizes: Vec<usize>,
+}
+
+impl Islands {
+    /// Number of islands.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.sizes.len()
+    }
+
+    /// Elements of all together.
+    #[must_use]
+    pub fn elements(&self) -> usize {
+        self.sizes.iter().sum()
+    }
+
+    /// Elements of the largest; 0 of none.
+    #[must_use]
+    pub fn largest(&self) -> usize {
+        self.sizes.first().copied().unwrap_or_default()
+    }
+
+    /// How many have 1 element, 2 or 3, 4 to 7, and so on to the largest.
+    #[must_use]
+    pub fn counts_by_octave(&self) -> Vec<usize> {
+        let octave = |size: usize| size.ilog2() as usize;
+        let mut counts = vec![0; self.sizes.first().map_or(0, |size| octave(*size) + 1)];
+        self.sizes
+            .iter()
+            .for_each(|size| counts[octave(*size)] += 1);
+        counts
+    }
+}
+
+impl ContactPattern {
+    pub fn of(field: &ContactField<'_>) -> Self {
+        Self {
+            rows: field.window.by_lines(field.pressure, |_, row| runs(row)),
+            size: field.window.size(),
+            repeats: repeats(field),
+        }
+    }
+
+    /// First and last element in contact of each row that has any.
+    pub fn extents(&self) -> impl Iterator<Item = (usize, Range<usize>)> {
+        let rows = self.rows.iter().enumerate();
+        rows.filter_map(|(i, row)| Some((i, row.first()?.start..row.last()?.end)))
+    }
+
+    /// Pairs of rows side by side, the last and the first of a cell among them.
+    fn neighbours(&self) -> impl Iterator<Item = [usize; 2]> {
+        let last = self.rows.len() - 1;
+        let around = (self.repeats && last > 0).then_some([last, 0]);
+        (0..last).map(|i| [i, i + 1]).chain(around)
+    }
+
+    /// Whether a row's last run goes on with its first in the next cell.
+    fn is_joined(&self, row: &[Range<usize>]) -> bool {
+        let touches =
+            |run: &Range<usize>, next: &Range<usize>| run.end == self.size && next.start == 0;
+        self.repeats && (row.last().zip(row.first())).is_some_and(|(run, next)| touches(run, next))
+    }
+
+    /// Sides of elements in contact beside one that is not, or beside the rim of a domain.
+    pub fn sides(&self) -> usize {
+        let ends = self
+            .rows
+            .iter()
+            .map(|row| 2 * row.len() - 2 * usize::from(self.is_joined(row)));
+        let length = |row: &[Range<usize>]| row.iter().map(Range::len).sum::<usize>();
+        let between = self.neighbours().map(|[i, k]| {
+            let common: usize = overlaps(&self.rows[i], &self.rows[k])
+                .map(|[_, _, n]| n)
+                .sum();
+            length(&self.rows[i]) + length(&self.rows[k]) - 2 * common
+        });
+        let rim = match (&self.rows[..], self.repeats) {
+            (_, true) | ([], _) => 0,
+            ([first, .., last], false) => length(first) + length(last),
+            ([only], false) => 2 * length(only),
+        };
+        ends.sum::<usize>() + between.sum::<usize>() + rim
+    }
+
+    /// The islands.
+    pub fn islands(&self) -> Islands {
+        let firsts: Vec<usize> = (self.rows.iter())
+            .scan(0, |first, row| {
+                Some(std::mem::replace(first, *first + row.len()))
+            })
+            .collect();
+        let runs: Vec<usize> = self.rows.iter().flatten().map(Range::len).collect();
+        let mut sets = DisjointSets::new(runs.len());
+        for (row, first) in self.rows.iter().zip(&firsts) {
+            if self.is_joined(row) {
+                sets.join(*first, first + row.len() - 1);
+            }
+        }
+        for [i, k] in self.neighbours() {
+            for [one, other, _] in overlaps(&self.rows[i], &self.rows[k]) {
+                sets.join(firsts[i] + one, firsts[k] + other);
+            }
+        }
+        let mut sizes = vec![0; runs.len()];
+        for (run, length) in runs.into_iter().enumerate() {
+            sizes[sets.root(run)] += length;
+        }
+        sizes.retain(|size| *size > 0);
+        sizes.sort_unstable_by(|one, other| other.cmp(one));
+        Islands { sizes }
+    }
+}
+
+/// The runs of a row.
+fn runs(row: &[f64]) -> Vec<Range<usize>> {
+    let mut runs: Vec<Range<usize>> = Vec::new();
+    for (j, _) in row.iter().enumerate().filter(|(_, p)| **p > 0.0) {
+        match runs.last_mut() {
+            Some(run) if run.end == j => run.end = j + 1,
+            _ => runs.push(j..j + 1),
+        }
+    }
+    runs
+}
+
+/// The runs of two rows that have columns in common: the one's number, the other's, and how many columns.
+fn overlaps<'a>(
+    one: &'a [Range<usize>],
+    other: &'a [Range<usize>],
+) -> impl Iterator<Item = [usize; 3]> + 'a {
+    let (mut i, mut k) = (0, 0);
+    std::iter::from_fn(move || {
+        while let (Some(a), Some(b)) = (one.get(i), other.get(k)) {
+            let common = a.end.min(b.end).saturating_sub(a.start.max(b.start));
+            let pair = [i, k, common];
+            if a.end <= b.end {
+                i += 1;
+            } else {
+                k += 1;
+            }
+            if common > 0 {
+                return Some(pair);
+            }
+        }
+        None
+    })
+}
+
+/// Sets that are joined one pair after the other; each is named by one of its members.
+struct DisjointSets {
+    parents: Vec<usize>,
+}
+
+impl DisjointSets {
+    fn new(members: usize) -> Self {
+        Self {
+            parents: (0..members).collect(),
+        }
+    }
+
+    fn root(&mut self, mut member: usize) -> usize {
+        while self.parents[member] != member {
+            // Halves the path for whoever comes next.
+            self.parents[member] = self.parents[self.parents[member]];
+            member = self.parents[member];
+        }
+        member
+    }
+
+    fn join(&mut self, one: usize, other: usize) {
+        let [one, other] = [one, other].map(|member| self.root(member));
+        let (low, high) = (one.min(other), one.max(other));
+        self.parents[high] = low;
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,120 @@
+//! The nominal area of a contact, and the gaps on it.
+
+use std::ops::Range;
+
+use super::histogram::Histogram;
+use super::islands::ContactPattern;
+use super::repeats;
+use crate::result::contact_field::ContactField;
+
+/// The elements in nominal contact.
+pub(super) struct Nominal {
+    /// Columns of each row of the window.
+    spans: Vec<Range<usize>>,
+    /// Its area in elements, which need not be whole.
+    pub elements: f64,
+}
+
+/// The gaps on the nominal area.
+pub(super) struct Gaps {
+    /// Over all elements, those in contact with 0.
+    pub mean: f64,
+    /// Of the elements that are not in contact.
+    pub histogram: Histogram,
+}
+
+impl Nominal {
+    /// The whole cell, or the convex hull of the contact; none without contact.
+    pub fn of(field: &ContactField<'_>, pattern: &ContactPattern) -> Option<Self> {
+        let size = field.window.size();
+        let (first, _) = pattern.extents().next()?;
+        if repeats(field) {
+            return Some(Self {
+                spans: vec![0..size; size],
+                elements: (size * size) as f64,
+            });
+        }
+        // The corners of the outermost elements, by the line between rows that they lie on.
+        let corners = |end: fn(&Range<usize>) -> f64| {
+            let rows = pattern.extents();
+            rows.flat_map(move |(i, extent)| [i, i + 1].map(|x| [x as f64, end(&extent)]))
+        };
+        let left = convex(corners(|extent| extent.start as f64));
+        let right = convex(corners(|extent| -(extent.end as f64)));
+        let rows = first..pattern.extents().last()?.0 + 1;
+        let span = |i: usize| {
+            let middle = i as f64 + 0.5;
+            // Of an element the centre counts.
+            columns(at(&left, middle), -at(&right, middle))
+        };
+        Some(Self {
+            spans: (0..size)
+                .map(|i| if rows.contains(&i) { span(i) } else { 0..0 })
+                .collect(),
+            elements: -under(&left) - under(&right),
+        })
+    }
+
+    pub fn gaps(&self, field: &ContactField<'_>) -> Gaps {
+        let histogram = Histogram::of(field.window, field.pressure, |line, pressures| {
+            let columns = self.spans[line].clone();
+            let open = columns.filter(move |j| pressures[*j] <= 0.0);
+            let gaps = field.gaps_of_line(line);
+            let gaps = open.map(move |j| gaps[j].max(0.0));
+            gaps.filter(|gap| gap.is_finite())
+        });
+        let elements: usize = self.spans.iter().map(Range::len).sum();
+        let sum = histogram.mean * histogram.total() as f64;
+        Gaps {
+            mean: sum / elements.max(1) as f64,
+            histogram,
+        }
+    }
+}
+
+/// The columns whose centres lie between two places.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "from 0 to the size of the grid"
+)]
+fn columns(left: f64, right: f64) -> Range<usize> {
+    (left - 0.5).ceil() as usize..(right + 0.5).floor() as usize
+}
+
+/// The convex chain below some points in the order of their first coordinate.
+fn convex(points: impl Iterator<Item = [f64; 2]>) -> Vec<[f64; 2]> {
+    let mut chain: Vec<[f64; 2]> = Vec::new();
+    for point in points {
+        // Of two points on one line the lower.
+        match chain.last() {
+            Some(last) if last[0] >= point[0] && last[1] <= point[1] => continue,
+            Some(last) if last[0] >= point[0] => _ = chain.pop(),
+            _ => {}
+        }
+        while let [.., a, b] = chain[..] {
+            let turn = (b[0] - a[0]) * (point[1] - a[1]) - (b[1] - a[1]) * (point[0] - a[0]);
+            if turn > 0.0 {
+                break;
+            }
+            chain.pop();
+        }
+        chain.push(point);
+    }
+    chain
+}
+
+/// The height of a chain at a place between its ends.
+fn at(chain: &[[f64; 2]], x: f64) -> f64 {
+    let next = chain.partition_point(|point| point[0] < x).max(1);
+    let [a, b] = [chain[next - 1], chain[next]];
+    a[1] + (x - a[0]) / (b[0] - a[0]) * (b[1] - a[1])
+}
+
+/// The area between the axis and a chain.
+fn under(chain: &[[f64; 2]]) -> f64 {
+    let parts = chain.windows(2);
+    parts
+        .map(|ends| 0.5 * (ends[0][1] + ends[1][1]) * (ends[1][0] - ends[0][0]))
+        .sum()
+}

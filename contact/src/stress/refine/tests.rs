@@ -1,0 +1,126 @@
+//! Peaks that are known by a closed form or by looking all around them.
+
+use std::sync::Arc;
+
+use pellicle_influence::RadialTables;
+use pellicle_kernel::{Foundation, Material};
+use pellicle_texture::Grid;
+
+use super::*;
+use crate::stress::model::Sliding;
+
+#[test]
+fn a_parabola_returns_its_vertex() {
+    let value = |z: f64| 3.0 - 2.0 * (z - 0.7).powi(2);
+    let found = vertex([0.1, 0.5, 2.0].map(|z| [z, value(z)])).unwrap();
+    assert!((found - 0.7).abs() < 1e-14, "{found}");
+    assert!(vertex([0.1, 0.5, 2.0].map(|z| [z, -value(z)])).is_none());
+}
+
+#[test]
+fn a_bracket_narrows_on_a_peak_in_a_few_trials() {
+    let peaks: [fn(f64) -> f64; 3] = [
+        |z| z * (1.0 - z).exp(),
+        |z| 1.0 - (z - 1.0).abs(),
+        |z| if z < 1.0 { z } else { 2.0 - z * z },
+    ];
+    for value in peaks {
+        for start in [0.2, 1.7] {
+            let tried = |z: f64| Trial {
+                z,
+                value: value(z),
+                place: [0, 0],
+            };
+            let mut bracket = Bracket::around(tried(start), [0.1, 4.1]);
+            for end in [0.1, 4.1] {
+                bracket.take(tried(end));
+            }
+            let mut trials = 0;
+            while !bracket.is_narrow() {
+                let z = bracket.next();
+                assert!(z > bracket.low && z < bracket.high);
+                bracket.take(tried(z));
+                trials += 1;
+            }
+            assert!(trials <= 5, "{trials}");
+            let [first, second, third] = bracket.best.map(|tried| tried.value);
+            assert!(first >= second && second >= third);
+            assert!(bracket.low <= 1.0 && bracket.high >= 1.0);
+            assert!(
+                bracket.high - bracket.low <= 1.0,
+                "a quarter of the first width"
+            );
+            assert!((bracket.best[0].z - 1.0).abs() <= 0.5);
+        }
+    }
+}
+
+/// Hertz's pressure of radius and peak 1 on 15 × 15 elements of a square of side 3, under sliding.
+fn hertz(friction: f64) -> StressField {
+    let body = Foundation::half_space(Material::new(1.0, 0.3).unwrap());
+    let grid = Grid::new(3.0, 15).unwrap();
+    let pressure = (0..grid.len()).map(|e| {
+        let [x, y] = [e / 15, e % 15].map(|i| grid.centre(i));
+        (1.0 - x * x - y * y).max(0.0).sqrt()
+    });
+    let sliding = Sliding {
+        friction,
+        direction: 0.0,
+    };
+    let tables = Arc::new(RadialTables::build(&body).unwrap());
+    StressField::of(tables, grid, &pressure.collect::<Vec<_>>(), sliding)
+}
+
+#[test]
+fn a_climb_ends_under_the_middle_from_near_and_far() {
+    let field = hertz(0.0);
+    let middle = field.at([0.0; 2], Depth::below(0.4)).unwrap();
+    for start in [[0.0, 0.0], [1.3, -0.9], [-0.45, 5.0], [30.0, -30.0]] {
+        let mut search = Search::new(&field, Quantity::Compression, [0.0, f64::INFINITY]);
+        let found = search.climb(start, 0.4).unwrap();
+        assert!(found.at[0].hypot(found.at[1]) < 1e-12 && found.at[2] == 0.4);
+        assert!((found.value + middle.stress[2]).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn no_point_around_a_peak_has_more_than_it_and_the_peak_is_where_it_is_said_to_be() {
+    for (friction, range) in [(0.0, [0.0, f64::INFINITY]), (0.3, [0.25, 0.9])] {
+        let field = hertz(friction);
+        let mut search = Search::new(&field, Quantity::VonMises, range);
+        let found = search.peak([0.4, 0.2], [0.25, 0.35, 0.9]).unwrap();
+        let [x, y, z] = found.at;
+        let there = field.at([x, y], Depth::below(z)).unwrap();
+        assert!((there.von_mises() - found.value).abs() < 1e-9);
+        let offsets = [-0.1, -0.02, 0.0, 0.02, 0.1];
+        let points = offsets.map(|u| offsets.map(|v| [x + u, y + v])).concat();
+        for depth in offsets.map(|w| Depth::below((z + w).max(0.25))) {
+            for state in field.at_points(&points, depth).unwrap() {
+                // The peak is flat: a place right to a hundredth of the radius.
+                assert!(state.von_mises() < (1.0 + 1e-5) * found.value, "{found:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn within_an_element_of_the_surface_the_centres_alone_count() {
+    let field = hertz(0.0);
+    let mut search = Search::new(&field, Quantity::Compression, [0.0, f64::INFINITY]);
+    let found = search.peak([0.3, 0.1], [0.0, 0.0, 0.1]).unwrap();
+    assert_eq!(found.at[2], 0.0);
+    // The pressure of the middle element.
+    assert!((found.value - 1.0).abs() < 1e-9 && found.at[0].hypot(found.at[1]) < 1e-12);
+}
+
+#[test]
+fn an_element_is_the_nearest_to_its_own_centre() {
+    let field = hertz(0.0);
+    let search = Search::new(&field, Quantity::VonMises, [0.0, 1.0]);
+    for place in [[0, 0], [3, -2], [-7, 20]] {
+        let [x, y, z] = search.point(place, 0.3);
+        assert_eq!((search.place([x + 0.09, y - 0.09]), z), (place, 0.3));
+    }
+    // The first loaded element's row and the middle of its column's five before the axis.
+    assert!((search.point([0, 5], 0.0)[0] + 0.8).abs() < 1e-12);
+}

@@ -1,0 +1,12 @@
+"""A study on joblib's workers: python on_joblib.py study.toml results/study"""
+
+import sys
+
+import joblib
+
+import pellicle as pl
+
+if __name__ == "__main__":
+    # Without `return_as` results come, and are written, when the last case has ended.
+    parallel = joblib.Parallel(n_jobs=-1, return_as="generator_unordered")
+    print(pl.study(sys.argv[1]).map(parallel, out=sys.argv[2], progress=True))

@@ -1,0 +1,25 @@
+"""A study on a cluster of Ray, whose workers may die and come back: python on_ray.py study.toml results/study"""
+
+import sys
+from concurrent.futures import Future
+
+import ray
+
+import pellicle as pl
+
+
+@ray.remote
+def call(function, *arguments):
+    return function(*arguments)
+
+
+class Ray:
+    """Tasks of Ray as futures."""
+
+    def submit(self, function, /, *arguments) -> Future:
+        return call.remote(function, *arguments).future()
+
+
+if __name__ == "__main__":
+    ray.init()
+    print(pl.study(sys.argv[1]).map(Ray(), out=sys.argv[2], progress=True))

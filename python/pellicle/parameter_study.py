@@ -1,0 +1,219 @@
+"""A study: one case solved for many values of its keys, on any engine that runs functions."""
+
+from __future__ import annotations
+
+import functools
+import os
+import threading
+import time
+import warnings
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+from . import _pellicle
+from .case import checked_threads
+from .curve import Curve
+from .engines import Engine, outcomes
+from .errors import ArgumentError, RunError, StudyWarning
+from .progress import StudyProgress, StudyReport, reporting
+from .waiting import TURN
+
+FORCE_EVERY = 1.0
+"""Seconds after which results are forced to the disk."""
+
+MOST_CHUNKS = 1000
+"""Chunks of a study of up to 100,000 cases: enough for some hundred workers, few enough for any scheduler."""
+
+LARGEST_CHUNK = 100
+"""Cases of a chunk: as many are solved again if their worker dies."""
+
+
+def study(path: str | os.PathLike[str]) -> Study:
+    """The study of a file, as `pellicle study` reads it."""
+    return Study(os.path.abspath(path))
+
+
+class Study:
+    """A base case and the keys that vary in it, read from a file.
+
+    Its pickle names the file, which must be there under the same path wherever cases are solved. That it is the same
+    study, with the same maps and the same version of the package, is checked there.
+    """
+
+    def __init__(self, path: str) -> None:
+        self.path = path
+        """Its file."""
+        self._study = _pellicle.Study(path, [])
+
+    @property
+    def name(self) -> str:
+        """The name of its file, without the ending."""
+        return self._study.name
+
+    @property
+    def title(self) -> str:
+        """What its bar is called: its name."""
+        return self.name
+
+    def __len__(self) -> int:
+        """Number of cases."""
+        return len(self._study)
+
+    def map(
+        self,
+        executor: Engine,
+        *,
+        out: str | os.PathLike[str] | None = None,
+        fresh: bool = False,
+        chunk: int | None = None,
+        threads: int = 1,
+        progress: bool | StudyReport = False,
+    ) -> StudyTable:
+        """Solves the cases on the workers of an engine, and writes the table that `pellicle study` would have written.
+
+        `executor` is anything with `submit` or `map`, or a `joblib.Parallel`. Its workers solve `chunk` cases at a
+        time, on so many `threads` each; rows are added to `results.csv` in the folder `out`, or else `results/NAME`,
+        as soon as a chunk is done. Cases of which the table has rows are not solved again, unless it is to be `fresh`:
+        after Ctrl-C or a failure of the engine the same call goes on. `progress` shows a bar, or is a function that is
+        told a `StudyProgress`.
+
+        A chunk that is lost with its worker is solved again by engines that see to it, such as Dask and Ray. Others
+        break: what was finished is kept, the exception is raised, and the study can be mapped on a new executor.
+        """
+        if self._study.keeps_fields:
+            wanted = "a study without `keep`: no engine hands fields back, but `pellicle study` keeps them"
+            raise ArgumentError(f"{self.path}: found fields to keep, wanted {wanted}")
+        table = self._study.table(os.path.join("results", self.name) if out is None else out, fresh)
+        try:
+            if self._study.refused is not None:
+                warnings.warn(self._study.refused, StudyWarning, stacklevel=2)
+            chunks = _chunks(table.remaining(), chunk)
+            solve = _Solver(self, self.path, self._study.fingerprint, checked_threads(threads) or 1)
+            with reporting(progress, self, StudyProgress) as report:
+                said = self._gather(table, outcomes(executor, solve, chunks), solve, report)
+            for message in sorted(said):
+                warnings.warn(message, StudyWarning, stacklevel=2)
+            found = StudyTable(os.fspath(table.path()), len(self), *table.tally())
+        finally:
+            table.close()
+        if found.certified < found.cases:
+            warnings.warn(f"not every case is certified: {found}; see the column message", StudyWarning, stacklevel=2)
+        return found
+
+    def _gather(self, table: _pellicle.Table, ended: Any, solve: _Solver, report: Any) -> set[str]:
+        """Adds to the table what the engine hands out; the warnings heard meanwhile."""
+        said: set[str] = set()
+        forced = time.monotonic()
+        try:
+            for rows, messages in ended:
+                table.add(rows)
+                said.update(messages)
+                report((sum(table.tally()), len(self)))
+                if time.monotonic() - forced > FORCE_EVERY:
+                    table.force()
+                    forced = time.monotonic()
+        except BaseException as error:
+            error.add_note(f"{sum(table.tally())} of {len(self)} cases are in {table.path()}: map goes on with them")
+            raise
+        finally:
+            solve.stopped.set()
+            if hasattr(ended, "close"):
+                ended.close()
+            table.force()
+        return said
+
+    def __reduce__(self) -> tuple[Any, tuple[str, str]]:
+        return _restored, (self.path, self._study.fingerprint)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Study):
+            return NotImplemented
+        return self._study.fingerprint == other._study.fingerprint
+
+    def __hash__(self) -> int:
+        return hash(self._study.fingerprint)
+
+    def __repr__(self) -> str:
+        return f"<Study {self.name!r}: {len(self)} cases>"
+
+
+@dataclass(frozen=True)
+class StudyTable:
+    """The table of a study whose cases have all ended."""
+
+    path: str
+    """Its file, `results.csv`."""
+    cases: int
+    """Number of cases."""
+    certified: int
+    """Cases of which every step is certified."""
+    not_converged: int
+    """Cases with a result that is not certified."""
+    cut_off: int
+    """Cases whose contact is cut off by the edge of the domain or a map."""
+    failed: int
+    """Cases without a result; the column `message` has the reasons."""
+
+    @cached_property
+    def columns(self) -> Curve:
+        """The columns as arrays; `pandas.DataFrame(table.columns)` is a table of them."""
+        with open(self.path, encoding="utf-8", newline="") as file:
+            return Curve.of_csv(file.read())
+
+    def __str__(self) -> str:
+        words = {
+            "certified": self.certified,
+            "not converged": self.not_converged,
+            "cut off": self.cut_off,
+            "failed": self.failed,
+        }
+        return f"{self.cases} cases, " + ", ".join(f"{count} {word}" for word, count in words.items() if count)
+
+
+class _Solver:
+    """Solves chunks of cases, in whatever process it finds itself."""
+
+    def __init__(self, study: Study | None, path: str, fingerprint: str, threads: int) -> None:
+        self.study = study
+        """None elsewhere: an engine may break if it is read, and perhaps refused, where a task is unpickled."""
+        self.path = path
+        self.fingerprint = fingerprint
+        self.threads = threads
+        self.stopped = threading.Event()
+        """Set where nobody waits any more; seen by threads of the same process alone."""
+
+    def __call__(self, cases: list[int]) -> tuple[list[tuple[int, str, str]], list[str]]:
+        """The rows of these cases, and warnings."""
+        study = self.study or _restored(self.path, self.fingerprint)
+        run = study._study.start(cases, self.threads)
+        try:
+            while not run.wait(TURN):
+                if self.stopped.is_set():
+                    run.cancel()
+        except BaseException:
+            run.cancel()
+            raise
+        return run.result()
+
+    def __reduce__(self) -> tuple[type[_Solver], tuple[None, str, str, int]]:
+        return _Solver, (None, self.path, self.fingerprint, self.threads)
+
+
+def _chunks(cases: list[int], size: int | None) -> list[list[int]]:
+    if size is None:
+        size = min(max(1, -(-len(cases) // MOST_CHUNKS)), LARGEST_CHUNK)
+    if isinstance(size, bool) or not size >= 1:
+        raise ArgumentError(f"chunk: found {size}, wanted a number of cases, at least 1")
+    return [cases[start : start + size] for start in range(0, len(cases), size)]
+
+
+@functools.lru_cache(maxsize=4)
+def _restored(path: str, fingerprint: str) -> Study:
+    """The study of a file that another process has read; read once, since every chunk brings it along."""
+    found = Study(path)
+    if found._study.fingerprint != fingerprint:
+        found_here = "another study, other maps or another version of pellicle"
+        raise RunError(f"{path}: found {found_here}, wanted what there is where it was mapped")
+    return found

@@ -1,0 +1,168 @@
+//! Roughness of a height map: height, slope and curvature in the root mean square, and the power spectrum.
+//!
+//! With `h` the height above the mean plane, `q = 2π (m/L_x, n/L_y)` a wave that fits in the map and `ĥ` its Fourier
+//! coefficient, `h = Σ ĥ exp(i q·x)`:
+//!
+//! ```text
+//! rms height² = ⟨h²⟩ = Σ |ĥ|²     rms slope² = ⟨|∇h|²⟩ = Σ |q|² |ĥ|²     rms curvature² = ⟨(∇²h/2)²⟩ = Σ |q|⁴ |ĥ|²/4
+//! ```
+//!
+//! The sums over waves are those of a map that repeats itself. Of one that ends they would count the jump from rim to
+//! rim, so slopes and curvatures are differences between neighbouring samples there, which see a wave of wavelength
+//! `ℓ` as if it were lower by `sinc(w/ℓ)`, `w` a pixel.
+
+mod spectrum;
+
+pub use spectrum::{Band, PowerSpectrum};
+
+use rayon::prelude::*;
+
+use crate::HeightMap;
+use spectrum::Moments;
+
+/// What lies beyond the rim of a map.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MapRim {
+    /// Nothing that is known: the mean plane is taken off the heights, and the spectrum is that of the heights under
+    /// Hann's window.
+    Ends,
+    /// The map again: the mean is taken off.
+    Repeats,
+}
+
+/// The roughness of a map.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Roughness {
+    /// Root mean square of the heights above their mean plane, m.
+    pub rms_height: f64,
+    /// Root mean square of the length of the gradient.
+    pub rms_slope: f64,
+    /// Root mean square of the mean curvature, 1/m.
+    pub rms_curvature: f64,
+    /// How the power is distributed over the wavenumbers.
+    pub spectrum: PowerSpectrum,
+}
+
+impl Roughness {
+    /// The roughness of the samples of a map.
+    ///
+    /// ```
+    /// use pellicle_texture::{HeightMap, MapRim, Roughness};
+    ///
+    /// // A wave of height 0.1 and length 1/2, 64 samples on a side of 1.
+    /// let wave = |k: u32| 0.1 * (std::f64::consts::TAU * f64::from(k / 64) / 32.0).cos();
+    /// let map = HeightMap::new((0..64 * 64).map(wave).collect(), [64, 64], [1.0, 1.0])?;
+    /// let rough = Roughness::of(&map, MapRim::Repeats);
+    /// // 0.1/√2 in height, times 4π in slope, up to the rounding of a few thousand sums.
+    /// assert!((rough.rms_height - 0.1 / 2.0_f64.sqrt()).abs() < 1e-14);
+    /// assert!((rough.rms_slope / rough.rms_height - 4.0 * std::f64::consts::PI).abs() < 1e-11);
+    /// # Ok::<(), pellicle_texture::TextureError>(())
+    /// ```
+    #[must_use]
+    pub fn of(map: &HeightMap, rim: MapRim) -> Self {
+        let samples = levelled(map, rim);
+        let squares = sum_of_lines(&samples, map.shape(), |row| row.iter().map(|h| h * h).sum());
+        let differences = match rim {
+            MapRim::Ends => Some(difference_moments(&samples, map)),
+            MapRim::Repeats => None,
+        };
+        let count = samples.len() as f64;
+        let (spectrum, sums) = PowerSpectrum::of(samples, map, rim);
+        let Moments { slope, curvature } = differences.unwrap_or(sums);
+        Self {
+            rms_height: (squares / count).sqrt(),
+            rms_slope: slope.sqrt(),
+            rms_curvature: curvature.sqrt(),
+            spectrum,
+        }
+    }
+}
+
+/// The sum over the rows of a field of a number of each, in their order.
+fn sum_of_lines(field: &[f64], shape: [usize; 2], of: impl Fn(&[f64]) -> f64 + Send + Sync) -> f64 {
+    let rows = field.par_chunks(shape[1]).map(of);
+    rows.collect::<Vec<_>>().into_iter().sum()
+}
+
+/// The heights above their mean, or their mean plane.
+fn levelled(map: &HeightMap, rim: MapRim) -> Vec<f64> {
+    let ([rows, columns], heights) = (map.shape(), map.heights());
+    let count = heights.len() as f64;
+    // Above one of them first: a map may be far from its plane of reference.
+    let reference = heights[0];
+    let mean = |field: &[f64]| sum_of_lines(field, [rows, columns], |row| row.iter().sum()) / count;
+    let mut samples: Vec<f64> = heights.par_iter().map(|h| h - reference).collect();
+    let above = mean(&samples);
+    samples.par_iter_mut().for_each(|h| *h -= above);
+    if rim == MapRim::Repeats {
+        return samples;
+    }
+    // Places about the middle, in samples: b = Σ t h / Σ t² along each axis, Σ t² = N (n² − 1)/12.
+    let place = |i: usize, n: usize| i as f64 - 0.5 * (n as f64 - 1.0);
+    let tilt = |products: f64, n: usize| {
+        let squares = count * ((n * n) as f64 - 1.0) / 12.0;
+        if n > 1 { products / squares } else { 0.0 }
+    };
+    let lines: Vec<[f64; 2]> = (samples.par_chunks(columns).enumerate())
+        .map(|(i, row)| {
+            let along = row
+                .iter()
+                .enumerate()
+                .map(|(j, h)| place(j, columns) * h)
+                .sum();
+            [place(i, rows) * row.iter().sum::<f64>(), along]
+        })
+        .collect();
+    let [across, along] = [0, 1].map(|axis: usize| lines.iter().map(|line| line[axis]).sum());
+    let [across, along] = [tilt(across, rows), tilt(along, columns)];
+    samples
+        .par_chunks_mut(columns)
+        .enumerate()
+        .for_each(|(i, row)| {
+            let line = across * place(i, rows);
+            for (j, h) in row.iter_mut().enumerate() {
+                *h -= line + along * place(j, columns);
+            }
+        });
+    samples
+}
+
+/// `⟨|∇h|²⟩` and `⟨(∇²h/2)²⟩` by differences between neighbouring samples.
+fn difference_moments(samples: &[f64], map: &HeightMap) -> Moments {
+    let ([rows, columns], pixel) = (map.shape(), map.pixel());
+    let row = |i: usize| &samples[i * columns..(i + 1) * columns];
+    let sums: Vec<[f64; 3]> = (0..rows)
+        .into_par_iter()
+        .map(|i| {
+            let here = row(i);
+            let square = |pair: &[f64]| ((pair[1] - pair[0]) / pixel[1]).powi(2);
+            let along = here.windows(2).map(square).sum();
+            let (mut across, mut bends) = (0.0, 0.0);
+            if i + 1 < rows {
+                let pairs = here.iter().zip(row(i + 1));
+                across = pairs.map(|(a, b)| ((b - a) / pixel[0]).powi(2)).sum();
+            }
+            if (1..rows.saturating_sub(1)).contains(&i) {
+                let (before, after) = (row(i - 1), row(i + 1));
+                for j in 1..columns.saturating_sub(1) {
+                    let bend = (before[j] + after[j] - 2.0 * here[j]) / pixel[0].powi(2)
+                        + (here[j - 1] + here[j + 1] - 2.0 * here[j]) / pixel[1].powi(2);
+                    bends += (0.5 * bend).powi(2);
+                }
+            }
+            [across, along, bends]
+        })
+        .collect();
+    let mean = |which: usize, terms: usize| {
+        let sum: f64 = sums.iter().map(|sums| sums[which]).sum();
+        sum / terms.max(1) as f64
+    };
+    let within = |n: usize, rim: usize| n.saturating_sub(rim);
+    Moments {
+        slope: mean(0, within(rows, 1) * columns) + mean(1, rows * within(columns, 1)),
+        curvature: mean(2, within(rows, 2) * within(columns, 2)),
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,214 @@
+//! The power spectrum of a map, averaged over directions.
+//!
+//! `C(q) = L_x L_y |ĥ(q)|²`, so that `∫ C d²q/(2π)² = Σ C/(L_x L_y) = ⟨h²⟩` (Jacobs, Junge, Pastewka 2017). Waves are
+//! gathered in bands that are equally wide in the logarithm of the wavenumber.
+
+use std::f64::consts::TAU;
+
+use rayon::prelude::*;
+use realfft::RealFftPlanner;
+use rustfft::{FftPlanner, num_complex::Complex};
+
+use super::MapRim;
+use crate::HeightMap;
+
+/// Bands to a doubling of the wavenumber.
+const BANDS_PER_OCTAVE: f64 = 8.0;
+/// Columns that are transformed together, as many as fill a line of the memory four times.
+const BLOCK: usize = 16;
+/// Fewest samples along an axis that Hann's window is laid on: of fewer its square has another mean.
+const FEWEST_UNDER_WINDOW: usize = 3;
+
+/// The power spectral density in bands of the wavenumber.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct PowerSpectrum {
+    /// From long waves to short ones, those with a wave that fits in the map.
+    pub bands: Vec<Band>,
+}
+
+/// The waves of a band.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Band {
+    /// Mean of their wavenumbers `|q|`, 1/m.
+    pub wavenumber: f64,
+    /// Mean of their power spectral density `C`, m⁴.
+    pub power: f64,
+    /// How many there are, of all directions: `q` and `−q` are two.
+    pub waves: usize,
+}
+
+/// `⟨|∇h|²⟩` and `⟨(∇²h/2)²⟩`.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Moments {
+    pub slope: f64,
+    pub curvature: f64,
+}
+
+/// Sums over waves.
+#[derive(Clone)]
+struct WaveSums {
+    moments: Moments,
+    bands: Vec<Band>,
+}
+
+impl PowerSpectrum {
+    /// The spectrum of levelled samples, with the sums over its waves of slopes and curvatures.
+    pub(super) fn of(mut samples: Vec<f64>, map: &HeightMap, rim: MapRim) -> (Self, Moments) {
+        let (shape, extent) = (map.shape(), map.extent());
+        if rim == MapRim::Ends {
+            lay_window(&mut samples, shape);
+        }
+        let waves = transform_rows(samples, shape);
+        let sums = sums_over_columns(&waves, shape, extent);
+        let area = extent[0] * extent[1];
+        let mean = |band: Band| Band {
+            wavenumber: band.wavenumber / band.waves as f64,
+            power: area * band.power / band.waves as f64,
+            ..band
+        };
+        let bands = sums.bands.into_iter().filter(|band| band.waves > 0);
+        let bands = bands.map(mean).collect();
+        (Self { bands }, sums.moments)
+    }
+}
+
+/// Multiplies by Hann's window along both axes, `√(8/3) sin²`, whose square has the mean 1.
+fn lay_window(samples: &mut [f64], [rows, columns]: [usize; 2]) {
+    let window = |n: usize| -> Vec<f64> {
+        let at = |i: usize| {
+            let sine = (std::f64::consts::PI * (i as f64 + 0.5) / n as f64).sin();
+            (8.0_f64 / 3.0).sqrt() * sine * sine
+        };
+        (0..n)
+            .map(|i| if n < FEWEST_UNDER_WINDOW { 1.0 } else { at(i) })
+            .collect()
+    };
+    let [across, along] = [window(rows), window(columns)];
+    let rows = samples.par_chunks_mut(columns).zip(across);
+    rows.for_each(|(row, factor)| {
+        let row = row.iter_mut().zip(&along);
+        row.for_each(|(h, other)| *h *= factor * other);
+    });
+}
+
+/// The Fourier coefficients of each row up to its shortest wave; the others are their conjugates.
+fn transform_rows(mut samples: Vec<f64>, [_, columns]: [usize; 2]) -> Vec<Complex<f64>> {
+    let transform = RealFftPlanner::<f64>::new().plan_fft_forward(columns);
+    let width = columns / 2 + 1;
+    let mut waves = vec![Complex::default(); samples.len() / columns * width];
+    let rows = samples.par_chunks_mut(columns);
+    rows.zip(waves.par_chunks_mut(width))
+        .for_each(|(row, waves)| {
+            let done = transform.process(row, waves);
+            debug_assert!(done.is_ok(), "lengths are those of the plan");
+        });
+    waves
+}
+
+/// Transforms the columns, a block of them at a time, and sums over the waves.
+fn sums_over_columns(
+    waves: &[Complex<f64>],
+    [rows, columns]: [usize; 2],
+    extent: [f64; 2],
+) -> WaveSums {
+    let transform = FftPlanner::<f64>::new().plan_fft_forward(rows);
+    let width = columns / 2 + 1;
+    let bands = Bands::new([rows, columns], extent);
+    let of_block = |block: usize| {
+        let mut sums = bands.nothing();
+        let mut lines = vec![Complex::default(); BLOCK * rows];
+        let first = block * BLOCK;
+        let count = BLOCK.min(width - first);
+        for (i, row) in waves.chunks(width).enumerate() {
+            for (k, wave) in row[first..first + count].iter().enumerate() {
+                lines[k * rows + i] = *wave;
+            }
+        }
+        for (k, line) in lines.chunks_mut(rows).take(count).enumerate() {
+            transform.process(line);
+            bands.add(&mut sums, first + k, line);
+        }
+        sums
+    };
+    let blocks = (0..width.div_ceil(BLOCK)).into_par_iter().map(of_block);
+    let blocks: Vec<WaveSums> = blocks.collect();
+    blocks.into_iter().fold(bands.nothing(), WaveSums::and)
+}
+
+/// The bands of the waves that fit in a map.
+struct Bands {
+    shape: [usize; 2],
+    /// `2π/L` along both axes, 1/m.
+    step: [f64; 2],
+    longest: f64,
+    count: usize,
+}
+
+impl Bands {
+    fn new(shape: [usize; 2], extent: [f64; 2]) -> Self {
+        let step = extent.map(|side| TAU / side);
+        let shortest = step[0].hypot(step[1]) * (shape[0].max(shape[1]) / 2) as f64;
+        let mut bands = Self {
+            shape,
+            step,
+            longest: step[0].min(step[1]),
+            count: 0,
+        };
+        bands.count = bands.band(shortest.max(bands.longest)) + 1;
+        bands
+    }
+
+    /// The band of a wavenumber, the longest wave's in the middle of the first.
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "not negative, and far below the largest index"
+    )]
+    fn band(&self, wavenumber: f64) -> usize {
+        (BANDS_PER_OCTAVE * (wavenumber / self.longest).log2() + 0.5) as usize
+    }
+
+    fn nothing(&self) -> WaveSums {
+        WaveSums {
+            moments: Moments::default(),
+            bands: vec![Band::default(); self.count],
+        }
+    }
+
+    /// Adds the waves of a column of the half that is computed; all but the first and the shortest stand for two.
+    fn add(&self, sums: &mut WaveSums, n: usize, waves: &[Complex<f64>]) {
+        let [rows, columns] = self.shape;
+        let images = if n == 0 || 2 * n == columns { 1 } else { 2 };
+        let samples = (rows * columns) as f64;
+        let along = n as f64 * self.step[1];
+        for (m, wave) in waves.iter().enumerate() {
+            if m == 0 && n == 0 {
+                continue;
+            }
+            let across = m.min(rows - m) as f64 * self.step[0];
+            let square = across * across + along * along;
+            // |ĥ|²
+            let power = f64::from(images) * wave.norm_sqr() / (samples * samples);
+            sums.moments.slope += square * power;
+            sums.moments.curvature += 0.25 * square * square * power;
+            let wavenumber = square.sqrt();
+            let band = &mut sums.bands[self.band(wavenumber)];
+            band.wavenumber += f64::from(images) * wavenumber;
+            band.power += power;
+            band.waves += if images == 1 { 1 } else { 2 };
+        }
+    }
+}
+
+impl WaveSums {
+    fn and(mut self, other: Self) -> Self {
+        self.moments.slope += other.moments.slope;
+        self.moments.curvature += other.moments.curvature;
+        for (band, more) in self.bands.iter_mut().zip(other.bands) {
+            band.wavenumber += more.wavenumber;
+            band.power += more.power;
+            band.waves += more.waves;
+        }
+        self
+    }
+}

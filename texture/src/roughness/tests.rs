@@ -1,0 +1,151 @@
+use std::f64::consts::TAU;
+
+use approx::assert_relative_eq;
+
+use super::*;
+
+fn map(shape: [usize; 2], extent: [f64; 2], height: impl Fn([f64; 2]) -> f64) -> HeightMap {
+    let [rows, columns] = shape;
+    let at = |i: usize, n: usize, side: f64| (i as f64 + 0.5) * side / n as f64;
+    let heights = (0..rows * columns).map(|k| {
+        let (i, j) = (k / columns, k % columns);
+        height([at(i, rows, extent[0]), at(j, columns, extent[1])])
+    });
+    HeightMap::new(heights.collect(), shape, extent).unwrap()
+}
+
+/// Numbers from 0 to 1 without any order.
+fn noise(shape: [usize; 2], extent: [f64; 2]) -> HeightMap {
+    let mut state = 12_345_u64;
+    let heights = (0..shape[0] * shape[1]).map(|_| {
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1);
+        (state >> 11) as f64 / (1_u64 << 53) as f64
+    });
+    HeightMap::new(heights.collect(), shape, extent).unwrap()
+}
+
+#[test]
+fn a_wave_has_its_height_slope_and_curvature_and_one_band() {
+    let (a, extent) = (0.3, [2.0, 3.0]);
+    // Two waves along x and three along y, on an odd number of samples along one side.
+    let q = [TAU * 2.0 / extent[0], TAU * 3.0 / extent[1]];
+    let square = q[0] * q[0] + q[1] * q[1];
+    let wave = map([40, 51], extent, |[x, y]| {
+        7.0 + a * (q[0] * x + q[1] * y).cos()
+    });
+    let rough = Roughness::of(&wave, MapRim::Repeats);
+    let rms = a / 2.0_f64.sqrt();
+    assert_relative_eq!(rough.rms_height, rms, max_relative = 1e-12);
+    assert_relative_eq!(rough.rms_slope, rms * square.sqrt(), max_relative = 1e-12);
+    assert_relative_eq!(
+        rough.rms_curvature,
+        rms * square / 2.0,
+        max_relative = 1e-12
+    );
+    // C = L_x L_y (a/2)² of q and −q, nothing of the others.
+    let total = |band: &Band| band.power * band.waves as f64;
+    let bands = &rough.spectrum.bands;
+    let largest = bands
+        .iter()
+        .map(total)
+        .fold(0.0, |one: f64, other| one.max(other));
+    assert_relative_eq!(largest, 6.0 * a * a / 2.0, max_relative = 1e-12);
+    let all: f64 = bands.iter().map(total).sum();
+    assert_relative_eq!(all, largest, max_relative = 1e-12);
+}
+
+/// Parseval, and every wave once: the sum of `C/(L_x L_y)` is `⟨h²⟩`.
+#[test]
+fn the_power_of_all_bands_is_the_mean_square_height() {
+    for shape in [
+        [32, 32],
+        [31, 32],
+        [32, 31],
+        [7, 90],
+        [1, 5],
+        [5, 1],
+        [2, 2],
+        [1, 2],
+    ] {
+        let extent = [0.7, 1.9];
+        let rough = Roughness::of(&noise(shape, extent), MapRim::Repeats);
+        let bands = &rough.spectrum.bands;
+        let power: f64 = bands
+            .iter()
+            .map(|band| band.power * band.waves as f64)
+            .sum();
+        let square = rough.rms_height.powi(2);
+        assert_relative_eq!(power / (0.7 * 1.9), square, max_relative = 1e-12);
+        let waves: usize = bands.iter().map(|band| band.waves).sum();
+        assert_eq!(waves, shape[0] * shape[1] - 1, "{shape:?}");
+        assert!(bands.is_sorted_by(|one, other| one.wavenumber < other.wavenumber));
+    }
+}
+
+/// Of white noise `C = ⟨h²⟩ w_x w_y` at all wavenumbers, under Hann's window too.
+#[test]
+fn noise_has_the_same_power_everywhere_whether_the_map_ends_or_not() {
+    let shape = [256, 256];
+    for rim in [MapRim::Repeats, MapRim::Ends] {
+        let rough = Roughness::of(&noise(shape, [1.0, 1.0]), rim);
+        let level = rough.rms_height.powi(2) / 65536.0;
+        // The power of so many waves is known to one over the root of their number; under the window neighbours share.
+        let many = rough
+            .spectrum
+            .bands
+            .iter()
+            .filter(|band| band.waves >= 1000);
+        assert!(many.clone().count() >= 10);
+        for band in many {
+            let scatter = 6.0 / (band.waves as f64).sqrt();
+            assert!(
+                (band.power / level - 1.0).abs() < scatter,
+                "{rim:?} {band:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_plane_is_not_rough_where_a_map_ends() {
+    let plane = |[x, y]: [f64; 2]| 1e3 + 0.2 * x - 0.3 * y;
+    for shape in [[20, 30], [1, 9], [9, 1], [1, 1], [2, 2]] {
+        let rough = Roughness::of(&map(shape, [2.0, 1.0], plane), MapRim::Ends);
+        // Rounding of heights of 1000.
+        assert!(
+            rough.rms_height < 1e-11 && rough.rms_slope < 1e-10,
+            "{shape:?} {rough:?}"
+        );
+    }
+}
+
+/// A crest in the middle, so that the mean plane takes nothing off: differences see `2/w sin(qw/2)` in place of `q`, its
+/// square in place of `q²`, and the sums over the squares of sines and cosines lack the terms at the rim.
+#[test]
+fn differences_of_a_wave_are_those_of_its_samples() {
+    let (n, waves) = (64, 5.0);
+    let q = TAU * waves;
+    let wave = map([n, 20], [1.0, 1.0], |[x, y]| {
+        (q * (x - 0.5)).cos() + 5.0 * (y - x)
+    });
+    let rough = Roughness::of(&wave, MapRim::Ends);
+    let (n, half) = (n as f64, 0.5 * q / n as f64);
+    let seen = 2.0 * n * half.sin();
+    let slope = seen * (0.5 * n / (n - 1.0)).sqrt();
+    let rim = 2.0 * half.cos().powi(2);
+    let curvature = 0.5 * seen * seen * ((0.5 * n - rim) / (n - 2.0)).sqrt();
+    assert_relative_eq!(rough.rms_slope, slope, max_relative = 1e-10);
+    assert_relative_eq!(rough.rms_curvature, curvature, max_relative = 1e-10);
+}
+
+#[test]
+fn the_same_bits_whatever_the_number_of_threads() {
+    let rough = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
+        let noise = noise([120, 75], [1.0, 1.0]);
+        (pool.build().unwrap()).install(|| Roughness::of(&noise, MapRim::Ends))
+    };
+    assert_eq!(rough(1), rough(5));
+}
