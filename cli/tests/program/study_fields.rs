@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::process::Child;
 use std::thread::sleep;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use ndarray::Array2;
 use ndarray_npy::NpzReader;
@@ -126,18 +126,23 @@ fn kept_fields_survive_kills_and_read_empty_until_all_are_there() {
         let line = ["study", "many.toml", "--quiet", "--threads", "2"];
         folder.command(&line).spawn().unwrap()
     };
+    let path = folder.path("results/many/fields-n32.nc");
     let mut interrupted = 0;
     for i in 0..6 {
         let mut child = start();
+        let began = Instant::now();
+        while !path.exists() {
+            assert!(began.elapsed() < Duration::from_mins(1), "no field");
+            sleep(Duration::from_millis(2));
+        }
         // Rows wait for their fields, which are forced to the disk once a second.
-        sleep(Duration::from_millis(700 + 150 * i));
+        sleep(Duration::from_millis(150 * i));
         child.kill().unwrap();
         child.wait().unwrap();
-        let path = folder.path("results/many/fields-n32.nc");
         let rows = fs::read_to_string(folder.path("results/many/results.csv"));
         let rows = rows.map_or(0, |text| text.lines().count());
-        if path.exists() && rows < 241 {
-            let read = fs::read(path).unwrap();
+        if rows < 241 {
+            let read = fs::read(&path).unwrap();
             assert_eq!(read[4..8], [0; 4], "no record is promised");
             interrupted += 1;
         }
