@@ -7,15 +7,17 @@
 //! is sought among `0 ≤ p ≤ p_max`: where `p = p_max` the gap may be negative, and what it lacks is the plastic depth.
 
 mod fields;
+mod hardness;
+mod part;
 
 use std::sync::Arc;
 
 use pellicle_influence::{ElasticOperator, Sector, SurfaceElasticity};
 use pellicle_texture::SpringLaw;
 
-use self::fields::{check_hardness, check_length, check_values, is_rough};
+use self::fields::{check_length, check_values, is_rough};
 use crate::{
-    Boundary, ContactError, Load,
+    Boundary, ContactError,
     grid::{candidates::Candidates, window::Window},
     problem::{body::Body, held_pressure::HeldPressure, scale::Scale, tangents::Tangents},
     vector::update_with,
@@ -175,71 +177,6 @@ impl DiscreteProblem {
         })
     }
 
-    /// The same problem with the pressure cut at a hardness `p_max` (Pa): `0 ≤ p ≤ p_max`, and `g ≤ 0` allowed where
-    /// `p = p_max`.
-    ///
-    /// # Errors
-    /// [`ContactError::Hardness`] unless it is positive and finite.
-    pub fn with_hardness(self, hardness: f64) -> Result<Self, ContactError> {
-        check_hardness(hardness)?;
-        Ok(Self {
-            hardness,
-            identity: Identity::default(),
-            ..self
-        })
-    }
-
-    /// The hardness `p_max`, in Pa; infinite where nothing limits the pressure.
-    #[must_use]
-    pub fn hardness(&self) -> f64 {
-        self.hardness
-    }
-
-    /// Whether the hardness limits the pressure.
-    pub(crate) fn has_hardness(&self) -> bool {
-        self.hardness.is_finite()
-    }
-
-    /// Refuses a force that the elements which can touch do not carry.
-    pub(crate) fn check_capacity(&self, load: Load) -> Result<(), ContactError> {
-        let Load::Force(force) = load else {
-            return Ok(());
-        };
-        if !self.has_hardness() {
-            return Ok(());
-        }
-        let touchable = self.initial_gap.iter().filter(|gap| gap.is_finite());
-        let area = self.loaded_area() * touchable.count() as f64;
-        let (hardness, most) = (self.hardness, self.hardness * area);
-        if force <= most {
-            Ok(())
-        } else {
-            Err(ContactError::BeyondHardness {
-                force,
-                hardness,
-                area,
-                most,
-            })
-        }
-    }
-
-    /// Solves with some elements held at a pressure, as a part of the load.
-    pub(crate) fn under<T>(
-        &mut self,
-        held: &mut HeldPressure,
-        solve: impl FnOnce(&mut Self) -> T,
-    ) -> T {
-        self.held = Some(std::mem::take(held));
-        let found = solve(self);
-        *held = self.held.take().unwrap_or_default();
-        found
-    }
-
-    /// `Σ p` (Pa) of the elements that are held at the limit.
-    pub(crate) fn held_total(&self) -> f64 {
-        self.held.as_ref().map_or(0.0, |held| held.total)
-    }
-
     /// The same problem on springs of another law than the linear one; the relief's compliance is theirs at rest.
     #[must_use]
     pub fn with_spring_law(self, spring_law: SpringLaw) -> Self {
@@ -255,67 +192,6 @@ impl DiscreteProblem {
     #[must_use]
     pub fn elasticity(&self) -> Option<&Arc<SurfaceElasticity>> {
         self.body.elasticity()
-    }
-
-    /// The same problem on a window of the grid, with an operator of the window's own size; none where the elasticity
-    /// is not known, or of a part of a periodic cell.
-    ///
-    /// The pressure outside is zero.
-    pub(crate) fn window(&self, window: &Window) -> Option<Self> {
-        let boundary = self.body.boundary();
-        if boundary == Boundary::Periodic && !window.is_whole() {
-            return None;
-        }
-        Some(Self {
-            body: Body::of(self.elasticity()?.clone(), boundary),
-            sector: self.sector,
-            size: window.size(),
-            relief_compliance: window.cut(&self.relief_compliance),
-            spring_law: self.spring_law,
-            tangents: None,
-            initial_gap: window.cut(&self.initial_gap),
-            element_area: self.element_area,
-            hardness: self.hardness,
-            held: None,
-            scale: self.scale,
-            grid_size: self.grid_size,
-            candidates: None,
-            identity: Identity::default(),
-        })
-    }
-
-    /// The same problem on the candidates of a window alone, whose products are right to 1e-6; all fields are theirs.
-    /// None where the elasticity is not known, or the window too small.
-    pub(crate) fn among(&self, window: &Window, candidates: &Arc<Candidates>) -> Option<Self> {
-        let elasticity = self.elasticity()?;
-        let operator = elasticity.among(window.size(), candidates.elements())?;
-        let [above, left] = window.origin();
-        let on_grid = |candidate: usize| {
-            let [row, column] = candidates.place(candidate);
-            (above + row) * self.size + left + column
-        };
-        let gather = |field: &[f64]| (0..candidates.len()).map(|c| field[on_grid(c)]).collect();
-        Some(Self {
-            body: Body::among(elasticity.clone(), operator),
-            sector: self.sector,
-            size: window.size(),
-            relief_compliance: gather(&self.relief_compliance),
-            spring_law: self.spring_law,
-            tangents: None,
-            initial_gap: gather(&self.initial_gap),
-            element_area: self.element_area,
-            scale: self.scale,
-            grid_size: self.grid_size,
-            hardness: self.hardness,
-            held: None,
-            candidates: Some(candidates.clone()),
-            identity: Identity::default(),
-        })
-    }
-
-    /// The elements that the fields are of; none where they are of all.
-    pub(crate) fn candidates(&self) -> Option<&Arc<Candidates>> {
-        self.candidates.as_ref()
     }
 
     /// Takes another initial gap, in m.
@@ -364,26 +240,6 @@ impl DiscreteProblem {
     pub(crate) fn reference_length(&self, penetration: f64, total: f64) -> f64 {
         let mean = total / self.elements() as f64;
         penetration.abs().max(self.cell_response() * mean)
-    }
-
-    /// The part of the surface that the elements cover.
-    pub(crate) fn sector(&self) -> Sector {
-        self.sector
-    }
-
-    /// All of the problem's elements.
-    pub(crate) fn everywhere(&self) -> Window {
-        Window::all_of(self.sector, self.size)
-    }
-
-    /// Elements per side of the whole grid that this one is a part of, or its own.
-    pub(crate) fn grid_size(&self) -> usize {
-        self.sector.whole(self.grid_size)
-    }
-
-    /// Whether the grid is a window of a larger one, so that contact on its border means that the window is too small.
-    pub(crate) fn is_window(&self) -> bool {
-        self.size < self.grid_size && self.candidates.is_none()
     }
 
     /// Elements of a row, N.

@@ -55,11 +55,7 @@ impl Solver for ActiveSetSolver {
         start: &[f64],
         watch: &mut Watch<'_>,
     ) -> Result<Iterate, ContactError> {
-        if problem.has_hardness() {
-            hardness::solve(self, problem, load, start, watch)
-        } else {
-            self.solve_elastic(problem, load, start, watch)
-        }
+        hardness::solve(self, problem, load, start, watch)
     }
 }
 

@@ -58,7 +58,7 @@ pub trait ElasticSolver: Solver {
     ) -> Result<Iterate, ContactError>;
 }
 
-/// Solves a problem with a hardness.
+/// Solves a problem, by exchanges where it has a hardness.
 pub fn solve(
     solver: &mut impl ElasticSolver,
     problem: &mut DiscreteProblem,
@@ -66,6 +66,9 @@ pub fn solve(
     start: &[f64],
     watch: &mut Watch<'_>,
 ) -> Result<Iterate, ContactError> {
+    if !problem.has_hardness() {
+        return solver.solve_elastic(problem, load, start, watch);
+    }
     problem.check_capacity(load)?;
     let wanted = *solver.options();
     let mut exchange = Exchange::start(problem, load, start, wanted.tolerance);

@@ -1,0 +1,95 @@
+//! The part of a grid that a problem's elements are: a sector, a window, or the candidates in one.
+
+use std::sync::Arc;
+
+use pellicle_influence::Sector;
+
+use super::{DiscreteProblem, Identity};
+use crate::{
+    Boundary,
+    grid::{candidates::Candidates, window::Window},
+    problem::body::Body,
+};
+
+impl DiscreteProblem {
+    /// The same problem on a window of the grid, with an operator of the window's own size; none where the elasticity
+    /// is not known, or of a part of a periodic cell.
+    ///
+    /// The pressure outside is zero.
+    pub(crate) fn window(&self, window: &Window) -> Option<Self> {
+        let boundary = self.body.boundary();
+        if boundary == Boundary::Periodic && !window.is_whole() {
+            return None;
+        }
+        Some(Self {
+            body: Body::of(self.elasticity()?.clone(), boundary),
+            sector: self.sector,
+            size: window.size(),
+            relief_compliance: window.cut(&self.relief_compliance),
+            spring_law: self.spring_law,
+            tangents: None,
+            initial_gap: window.cut(&self.initial_gap),
+            element_area: self.element_area,
+            hardness: self.hardness,
+            held: None,
+            scale: self.scale,
+            grid_size: self.grid_size,
+            candidates: None,
+            identity: Identity::default(),
+        })
+    }
+
+    /// The same problem on the candidates of a window alone, whose products are right to 1e-6; all fields are theirs.
+    /// None where the elasticity is not known, or the window too small.
+    pub(crate) fn among(&self, window: &Window, candidates: &Arc<Candidates>) -> Option<Self> {
+        let elasticity = self.elasticity()?;
+        let operator = elasticity.among(window.size(), candidates.elements())?;
+        let [above, left] = window.origin();
+        let on_grid = |candidate: usize| {
+            let [row, column] = candidates.place(candidate);
+            (above + row) * self.size + left + column
+        };
+        let gather = |field: &[f64]| (0..candidates.len()).map(|c| field[on_grid(c)]).collect();
+        Some(Self {
+            body: Body::among(elasticity.clone(), operator),
+            sector: self.sector,
+            size: window.size(),
+            relief_compliance: gather(&self.relief_compliance),
+            spring_law: self.spring_law,
+            tangents: None,
+            initial_gap: gather(&self.initial_gap),
+            element_area: self.element_area,
+            scale: self.scale,
+            grid_size: self.grid_size,
+            hardness: self.hardness,
+            held: None,
+            candidates: Some(candidates.clone()),
+            identity: Identity::default(),
+        })
+    }
+
+    /// The elements that the fields are of; none where they are of all.
+    pub(crate) fn candidates(&self) -> Option<&Arc<Candidates>> {
+        self.candidates.as_ref()
+    }
+
+    /// The part of the surface that the elements cover.
+    pub(crate) fn sector(&self) -> Sector {
+        self.sector
+    }
+
+    /// All of the problem's elements.
+    pub(crate) fn everywhere(&self) -> Window {
+        Window::all_of(self.sector, self.size)
+    }
+
+    /// Elements per side of the whole grid that this one is a part of, or its own.
+    pub(crate) fn grid_size(&self) -> usize {
+        self.sector.whole(self.grid_size)
+    }
+
+    /// Whether the grid is a window of a larger one, so that contact on its border means that the window is too small.
+    pub(crate) fn is_window(&self) -> bool {
+        self.size < self.grid_size && self.candidates.is_none()
+    }
+}
