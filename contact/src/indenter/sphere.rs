@@ -88,4 +88,17 @@ mod tests {
             );
         }
     }
+
+    #[test]
+    fn the_rim_is_as_far_as_the_radius_reaches() {
+        let sphere = Sphere::new(2.0).unwrap();
+        // Inside, and beyond.
+        assert_eq!(
+            [
+                sphere.distance_to_rim(0.3, 0.4),
+                sphere.distance_to_rim(3.0, 4.0)
+            ],
+            [1.5, -3.0]
+        );
+    }
 }

@@ -329,6 +329,14 @@ mod tests {
     }
 
     #[test]
+    fn the_accuracy_of_the_solution_is_added_to_the_estimate() {
+        let values = [2.0, 1.25, 1.0625];
+        let found = GridError::new(levels(&values), 0.01).penetration.unwrap();
+        let wanted = penetration(&values).estimate + 0.01 * 1.0625;
+        assert_relative_eq!(found.estimate, wanted, max_relative = 1e-12);
+    }
+
+    #[test]
     fn a_change_that_vanishes_by_luck_is_not_taken_for_an_error_that_vanishes() {
         // The change before, at second order: 3 · 0.6 · 0.4/3/4.
         let found = penetration(&[1.0, 1.4, 1.4]);

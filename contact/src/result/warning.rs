@@ -262,4 +262,13 @@ mod tests {
             ["0 elements", "1 element", "2 elements"]
         );
     }
+
+    #[test]
+    fn a_warning_of_a_load_tells_which() {
+        let warning = Warning::DomainEdge {
+            step: 3,
+            elements: 1,
+        };
+        assert_eq!(warning.step(), Some(3));
+    }
 }

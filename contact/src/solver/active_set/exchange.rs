@@ -164,6 +164,24 @@ mod tests {
     }
 
     #[test]
+    fn the_residual_of_a_set_is_the_larger_of_overlap_and_pull() {
+        let residual = |gap: f64, pressure: f64| {
+            let set = super::SetSolution {
+                pressure: vec![4.0, pressure],
+                gap: vec![0.5, gap],
+                infeasible: Vec::new(),
+                stiffness: 0.0,
+                penetration: 0.1,
+            };
+            set.residual()
+        };
+        // Powers of two over 4, and a part of the penetration.
+        assert_eq!(residual(-0.0, -1.0), 0.25);
+        assert!((residual(-0.03, -1.0) - 0.3).abs() < 1e-15);
+        assert_eq!(residual(0.0, 0.0), 0.0);
+    }
+
+    #[test]
     fn the_descending_phase_alone_finds_what_exchanges_find() {
         for load in [Load::Force(1e-3), Load::Penetration(0.01)] {
             let mut problem = problem([10.0, 0.05], |x, y| pillars(x, y, 0.002), RIGID);
