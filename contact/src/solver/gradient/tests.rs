@@ -404,27 +404,3 @@ fn a_pressure_far_too_small_is_scaled_up_by_what_its_balance_returns() {
         }
     }
 }
-
-#[test]
-fn the_filter_is_symmetric_whatever_the_springs() {
-    let springs = |x: f64, y: f64| 0.01 * (2.0 + (9.0 * x).sin() + (7.0 * y).cos());
-    let mut problem = problem([0.5, 0.1], paraboloid, springs);
-    let control = Control::of(&problem, Load::Penetration(1.0));
-    let (state, set) = begun(&mut problem, control, &[1.0; ELEMENTS]);
-    let mut preconditioner = Preconditioner::new(&problem);
-    let mut z = vec![0.0; ELEMENTS];
-    preconditioner.direction_into(&problem, &state, &set, &mut z);
-    let fields = [0.3, 1.1].map(|k| {
-        (0..ELEMENTS)
-            .map(|e| (k * e as f64).sin())
-            .collect::<Vec<_>>()
-    });
-    let [by_first, by_second] = fields.clone().map(|mut field| {
-        preconditioner.apply(&set, &mut field);
-        field
-    });
-    // x·M⁻¹y = y·M⁻¹x, in single precision.
-    let [one, other] = [dot(&fields[0], &by_second), dot(&fields[1], &by_first)];
-    let size = dot(&fields[0], &by_first);
-    assert!((one - other).abs() < 1e-5 * size, "{one} {other} {size}");
-}
