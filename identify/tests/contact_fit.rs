@@ -151,7 +151,8 @@ fn moduli_and_thickness_follow_a_radius_that_is_taken_as_exact_as_the_gauge_says
     };
     let fit = identify(&curves, &problem, &options).unwrap();
     let values: Vec<f64> = fit.estimates.iter().map(|of| of.value).collect();
-    let (at_fit, fixed) = curves.predict_with_fixed(&values).unwrap();
+    let numbers = curves.curves()[0].model.parameters();
+    let (at_fit, fixed) = curves.predict_with_fixed(&values, &[numbers]).unwrap();
     let kinds: Vec<_> = fixed.iter().map(|of| of.parameter).collect();
     let radius = ModelParameter::Indenter(IndenterQuantity::Radius);
     // Two ratios and the radius.

@@ -8,6 +8,7 @@ use super::result::{EstimateResult, WarningResult};
 use super::{Identification, names, own};
 use crate::display::significant;
 use crate::failure::Failure;
+use crate::fit_file::model::ModelParameters;
 
 /// A number that a fit takes as exact.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -79,22 +80,26 @@ impl Identification {
 
     fn exponents(&self, fit: &Fit) -> Result<Vec<ExactNumber>, Failure> {
         let values: Vec<f64> = fit.estimates.iter().map(|of| of.value).collect();
-        let (at_fit, fixed) = self.model.predict_with_fixed(&values)?;
+        // Those with keys: not the sublayers of a graded layer.
+        let tables = self.file.data.iter();
+        let tables = tables.map(|table| self.file.model.with(&table.set));
+        let tables = tables.collect::<Result<Vec<_>, Failure>>()?;
+        let numbers =
+            |table: &ModelParameters| table.parameters.iter().map(|of| of.parameter).collect();
+        let keyed: Vec<_> = tables.iter().map(numbers).collect();
+        let (at_fit, fixed) = self.model.predict_with_fixed(&values, &keyed)?;
         let mut numbers: Vec<ExactNumber> = Vec::new();
         let mut changes: Vec<Vec<f64>> = Vec::new();
-        for table in 0..self.file.data.len() {
-            let named = self.named(table, fixed.iter().filter(|of| of.curve == table))?;
-            for (number, change) in named {
+        for (table, parameters) in tables.iter().enumerate() {
+            let of_table = fixed.iter().filter(|of| of.curve == table);
+            for (number, change) in self.named((table, parameters), of_table) {
                 // Tables share what is not their own.
-                match numbers.iter().position(|known| known.key == number.key) {
-                    Some(known) => {
-                        let pairs = changes[known].iter_mut().zip(change);
-                        pairs.for_each(|(sum, of_table)| *sum += of_table);
-                    }
-                    None => {
-                        numbers.push(number);
-                        changes.push(change);
-                    }
+                if let Some(known) = numbers.iter().position(|known| known.key == number.key) {
+                    let pairs = changes[known].iter_mut().zip(change);
+                    pairs.for_each(|(sum, of_table)| *sum += of_table);
+                } else {
+                    numbers.push(number);
+                    changes.push(change);
                 }
             }
         }
@@ -107,15 +112,13 @@ impl Identification {
         Ok(numbers)
     }
 
-    /// The fixed numbers of a table by their keys, each with `∂y/∂ln f`; not those without a key, of graded layers.
+    /// The fixed numbers of a table by their keys, each with `∂y/∂ln f`.
     fn named<'n>(
         &self,
-        table: usize,
+        (table, parameters): (usize, &ModelParameters),
         fixed: impl Iterator<Item = &'n FixedNumber>,
-    ) -> Result<Vec<(ExactNumber, Vec<f64>)>, Failure> {
-        let data = &self.file.data[table];
-        let parameters = self.file.model.with(&data.set)?;
-        let own = own(data, &parameters);
+    ) -> Vec<(ExactNumber, Vec<f64>)> {
+        let own = own(&self.file.data[table], parameters);
         let named = fixed.filter_map(|of| {
             let mut all = parameters.parameters.iter();
             let found = all.find(|known| known.parameter == of.parameter)?;
@@ -133,6 +136,6 @@ impl Identification {
             let change = of.derivative.iter().map(|d| d * of.value).collect();
             Some((number, change))
         });
-        Ok(named.collect())
+        named.collect()
     }
 }

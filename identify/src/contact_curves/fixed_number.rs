@@ -22,9 +22,8 @@ pub struct FixedNumber {
 }
 
 impl ContactCurves {
-    /// The curves at these parameters, and the derivatives by every number that a model holds fixed, in the order of
-    /// the curves and of [`Model::parameters`](pellicle_contact::Model::parameters). Numbers that are zero are left
-    /// out: a part of nothing is nothing.
+    /// The curves at these parameters, and the derivatives by those of `numbers`, one list for each curve, that its
+    /// model holds fixed, in their order. Numbers that are zero are left out: a part of nothing is nothing.
     ///
     /// # Errors
     ///
@@ -33,10 +32,11 @@ impl ContactCurves {
     pub fn predict_with_fixed(
         &self,
         parameters: &[f64],
+        numbers: &[Vec<ModelParameter>],
     ) -> Result<(Prediction, Vec<FixedNumber>), ContactError> {
         let curves = (0..self.curves.len()).into_par_iter();
         let predicted = curves.map(|curve| {
-            let fixed = self.fixed(curve);
+            let fixed = self.fixed(curve, numbers.get(curve).map_or(&[], Vec::as_slice));
             let prediction = self.predicted(curve, parameters, &fixed)?;
             Ok((fixed, prediction))
         });
@@ -65,15 +65,17 @@ impl ContactCurves {
         Ok((all, numbers))
     }
 
-    /// The numbers of a curve's model that are not sought, or that the curve has a value of its own of.
-    fn fixed(&self, curve: usize) -> Vec<ModelParameter> {
+    /// Those of some numbers of a curve's model that are not sought, or that the curve has a value of its own of.
+    fn fixed(&self, curve: usize, numbers: &[ModelParameter]) -> Vec<ModelParameter> {
         let own: Vec<usize> = self.own(curve).collect();
         let parameters = self.parameters.iter().enumerate();
         let sought = parameters.filter(|(index, _)| !own.contains(index));
         let sought: Vec<&ModelParameter> = sought.map(|(_, parameter)| parameter).collect();
-        let model = &self.curves[curve].model;
-        let mut found = model.parameters();
-        found.retain(|of| !sought.contains(&of) && model.parameter(*of) != Some(0.0));
-        found
+        let value = |of: &ModelParameter| self.curves[curve].model.parameter(*of);
+        let fixed = numbers.iter().copied();
+        let fixed = fixed.filter(|of| !sought.contains(&of));
+        fixed
+            .filter(|of| value(of).is_some_and(|value| value != 0.0))
+            .collect()
     }
 }

@@ -82,8 +82,8 @@ impl ContactCurves {
         parameters.get(self.parameters.len()..).unwrap_or_default()
     }
 
-    /// One curve at these parameters: its points as they are read, their slopes, and their derivatives: by the parameters
-    /// of the model, the constants of scales, and the numbers `fixed` of its model.
+    /// One curve at these parameters: its points as they are read, their slopes, and their derivatives, by the
+    /// parameters of the model, the constants of scales, and the numbers `fixed` of its model.
     pub(super) fn predicted(
         &self,
         curve: usize,

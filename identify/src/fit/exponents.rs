@@ -1,8 +1,8 @@
 //! What a number that is taken as exact does to the answer.
 //!
-//! Intervals are about the noise alone. If a number `f` of the model is really `f (1 + ε)`, the best fit moves too. With
-//! the whitened derivatives `J = ∂y/∂x` by the unknowns' coordinates and `F = ∂y/∂ln f`, nuisances eliminated and priors
-//! among the rows, the least misfit of the linearised problem moves by
+//! Intervals are about the noise alone. If a number `f` of the model is really `f (1 + ε)`, the best fit moves too.
+//! With the whitened derivatives `J = ∂y/∂x` by the unknowns' coordinates and `F = ∂y/∂ln f`, nuisances eliminated and
+//! priors among the rows, the least misfit of the linearised problem moves by
 //!
 //! ```text
 //! dx/d ln f = −(JᵀJ)⁻¹ Jᵀ F
@@ -25,7 +25,8 @@ use crate::{
 ///
 /// # Errors
 ///
-/// [`IdentifyError::Length`] where a list has not one number for each point; [`IdentifyError::Decomposition`] as [`identify`](super::identify).
+/// [`IdentifyError::Length`] where a list has not one number for each point; [`IdentifyError::Decomposition`] as
+/// [`identify`](super::identify).
 pub fn exponents(
     problem: &Problem,
     fit: &Fit,
