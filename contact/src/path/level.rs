@@ -237,7 +237,11 @@ impl Level {
         };
         let pressure = coarser.start_on(&reach, &fine);
         let window = reach.around(pressed(&reach, &pressure));
-        let start = window.take_over(&reach, &pressure);
+        let start = if window == reach {
+            pressure
+        } else {
+            window.take_over(&reach, &pressure)
+        };
         start.iter().any(|p| *p > 0.0).then_some((window, start))
     }
 
