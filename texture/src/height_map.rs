@@ -150,17 +150,24 @@ impl HeightMap {
     }
 
     fn bicubic(&self, point: [f64; 2]) -> f64 {
-        let [along_x, along_y] = [0, 1].map(|axis| {
+        let places = [0, 1].map(|axis| {
             let (before, after, t) = self.bracket(axis, point[axis]);
-            let samples = self.shape[axis];
             // A point that is a sample's up to rounding has the height of the sample.
-            if t > 1.0 - ON_A_SAMPLE * samples as f64 {
-                Stencil::cubic(after, 0.0, samples)
-            } else if t < ON_A_SAMPLE * samples as f64 {
-                Stencil::cubic(before, 0.0, samples)
+            let rounding = ON_A_SAMPLE * self.shape[axis] as f64;
+            if t > 1.0 - rounding {
+                (after, 0.0)
+            } else if t < rounding {
+                (before, 0.0)
             } else {
-                Stencil::cubic(before, t, samples)
+                (before, t)
             }
+        });
+        if let [(i, 0.0), (j, 0.0)] = places {
+            return self.heights[i * self.shape[1] + j];
+        }
+        let [along_x, along_y] = [0, 1].map(|axis| {
+            let (before, t) = places[axis];
+            Stencil::cubic(before, t, self.shape[axis])
         });
         self.weighed([&along_x, &along_y], 0.0)
     }

@@ -6,7 +6,7 @@ use crate::custom_relief::{CustomRelief, ReliefShape};
 use crate::cylinders::Cylinders;
 use crate::film::Film;
 use crate::grid::Grid;
-use crate::relief_map::ReliefMap;
+use crate::relief_map::{MapCompliance, ReliefMap};
 use crate::sampled::SampledRelief;
 use crate::spring_law::SpringLaw;
 
@@ -116,7 +116,10 @@ impl Relief {
             Self::Map(map) => SampledRelief {
                 mask: vec![true; count],
                 profile: field(&|point| map.profile_at(point)),
-                compliance: field(&|point| map.compliance_at(point)),
+                compliance: match map.compliance() {
+                    MapCompliance::Uniform(compliance) => everywhere(compliance),
+                    MapCompliance::YoungModulus(_) => field(&|point| map.compliance_at(point)),
+                },
                 law,
             },
             Self::Custom(custom) => {

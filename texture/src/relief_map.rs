@@ -23,7 +23,8 @@ pub struct ReliefMap {
     map: HeightMap,
     compliance: MapCompliance,
     law: SpringLaw,
-    lowest: f64,
+    /// Height that springs stand on; nothing stands on it where all are equally soft.
+    ground: f64,
     highest: f64,
 }
 
@@ -35,16 +36,22 @@ impl ReliefMap {
     /// [`TextureError::Negative`] if a uniform compliance is negative or not finite, [`TextureError::NotPositive`] if
     /// Young's modulus is not positive and finite.
     pub fn new(map: HeightMap, compliance: MapCompliance) -> Result<Self, TextureError> {
-        match compliance {
-            MapCompliance::Uniform(found) => not_negative(Quantity::Compliance, found)?,
-            MapCompliance::YoungModulus(found) => positive(Quantity::YoungModulus, found)?,
+        let ground = match compliance {
+            MapCompliance::Uniform(found) => {
+                not_negative(Quantity::Compliance, found)?;
+                0.0
+            }
+            MapCompliance::YoungModulus(found) => {
+                positive(Quantity::YoungModulus, found)?;
+                map.lowest()
+            }
         };
-        let (lowest, highest) = (map.lowest(), map.highest());
+        let highest = map.highest();
         Ok(Self {
             map,
             compliance,
             law: SpringLaw::LINEAR,
-            lowest,
+            ground,
             highest,
         })
     }
@@ -84,7 +91,7 @@ impl ReliefMap {
     /// Distance from the deepest to the highest point, m.
     #[must_use]
     pub fn peak_to_valley(&self) -> f64 {
-        self.highest - self.lowest
+        self.highest - self.map.lowest()
     }
 
     /// Mean of the compliance η over the samples, m/Pa.
@@ -94,7 +101,7 @@ impl ReliefMap {
             MapCompliance::Uniform(compliance) => compliance,
             MapCompliance::YoungModulus(modulus) => {
                 let heights = self.map.heights();
-                let above: f64 = heights.iter().map(|height| height - self.lowest).sum();
+                let above: f64 = heights.iter().map(|height| height - self.ground).sum();
                 above / heights.len() as f64 / modulus
             }
         }
@@ -120,7 +127,7 @@ impl ReliefMap {
             MapCompliance::Uniform(compliance) => compliance,
             // η = (height above the deepest point) / E
             MapCompliance::YoungModulus(modulus) => {
-                (self.map.height(point) - self.lowest).max(0.0) / modulus
+                (self.map.height(point) - self.ground).max(0.0) / modulus
             }
         }
     }

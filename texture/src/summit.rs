@@ -99,7 +99,7 @@ impl Crest {
 /// The highest point of `sign` times the surface; of several equally high the one nearest to the middle of the map.
 pub(crate) fn summit(map: &HeightMap, sign: f64) -> Summit {
     let equal = EQUAL * (map.greatest() - map.least());
-    let crests = near_the_top(map, || crests(map, sign, equal));
+    let crests = near_the_top(map, crests(map, sign, equal));
     let summits: Vec<_> = crests.iter().map(|crest| climb(map, sign, crest)).collect();
     let top = summits.iter().map(|summit| summit.height);
     let enough = top.fold(f64::NEG_INFINITY, f64::max) - equal;
@@ -114,9 +114,8 @@ pub(crate) fn summit(map: &HeightMap, sign: f64) -> Summit {
 
 /// Those that may be the highest: of equals the nearest to the middle first. Of a plateau every sample is a crest, so
 /// no more are kept than are looked at, and as many again until they are sorted.
-fn near_the_top<C: Iterator<Item = Crest>>(map: &HeightMap, crests: impl Fn() -> C) -> Vec<Crest> {
-    let least = crests().map(|crest| crest.least());
-    let least = least.fold(f64::NEG_INFINITY, f64::max);
+fn near_the_top(map: &HeightMap, crests: impl Iterator<Item = Crest>) -> Vec<Crest> {
+    let mut least = f64::NEG_INFINITY;
     let distance = |crest: &Crest| norm(map.point(crest.sample));
     let cut = |kept: &mut Vec<Crest>| {
         kept.sort_by(|a, b| {
@@ -126,12 +125,17 @@ fn near_the_top<C: Iterator<Item = Crest>>(map: &HeightMap, crests: impl Fn() ->
         kept.truncate(MOST_CRESTS);
     };
     let mut kept = Vec::new();
-    for crest in crests().filter(|crest| crest.most() >= least) {
+    for crest in crests {
+        least = crest.least().max(least);
+        if crest.most() < least {
+            continue;
+        }
         kept.push(crest);
         if kept.len() == 2 * MOST_CRESTS {
             cut(&mut kept);
         }
     }
+    kept.retain(|crest| crest.most() >= least);
     cut(&mut kept);
     kept
 }

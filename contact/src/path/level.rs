@@ -236,7 +236,12 @@ impl Level {
         };
         let pressure = coarser.start_on(&reach, &fine);
         let window = reach.around_pressing(&pressure)?;
-        Some((window, window.take_over(&reach, &pressure)))
+        let start = if window == reach {
+            pressure
+        } else {
+            window.take_over(&reach, &pressure)
+        };
+        Some((window, start))
     }
 
     /// The elasticity of the elements.

@@ -24,7 +24,7 @@
 //! has not fallen, fewer are let go at once, down to the one with the widest gap. That is no proof: the number of
 //! products is bounded besides, and the certificate tells. Of 3000 random problems two are not certified after 2000
 //! products, both on a coat four million times as stiff as what is under it (`tests/random_problems.rs`), and of 2000
-//! rough ones perhaps one (`tests/random_rough.rs`).
+//! rough ones one (`tests/random_rough.rs`).
 //!
 //! **Penetration under a force.** `D` is the multiplier of the elements between the limits, `Σ p v / Σ p` over
 //! `0 < p < p_max`. Where there is none, because the elements held carry the force to the last digits, every `D` from
