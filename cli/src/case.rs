@@ -257,6 +257,11 @@ impl Case {
         let keys: &[&str] = match &error {
             ContactError::ElementsTooLarge { .. } => &["grid.side"],
             ContactError::BeyondHardness { .. } => &["load.force", "load.forces"],
+            ContactError::WithHardness { .. } => &[
+                "solver.hardness",
+                "foundation.layer[0].hardness",
+                "foundation.substrate.hardness",
+            ],
             ContactError::NothingCanTouch { .. } => {
                 &["indenter.radius", "indenter.file", "indenter.kind"]
             }
