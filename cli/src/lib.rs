@@ -78,6 +78,8 @@ pub mod studied {
     pub use crate::study::case_status::{CaseStatus, Tally};
     pub use crate::study::folder::StudyFolder;
     pub use crate::study::identity::StudyIdentity;
+    pub use crate::study::kept_file::KeptFields;
+    pub use crate::study::kept_record::{FieldKeeper, RecordInMemory};
     pub use crate::study::plan::StudyPlan;
     pub use crate::study::report::write as write_report;
     pub use crate::study::results_table::ResultsTable;

@@ -11,7 +11,8 @@ use crate::stresses::Search;
 /// Shows the progress of a solution on standard error if it is a terminal, and passes Ctrl-C on.
 #[derive(Debug)]
 pub struct ProgressLine {
-    line: ProgressBar,
+    /// None if nothing is shown.
+    line: Option<ProgressBar>,
     /// The texts before and after the progress.
     around: [String; 2],
     clock: TimeLeft,
@@ -29,7 +30,7 @@ impl ProgressLine {
     #[must_use]
     pub fn hidden() -> Self {
         Self {
-            line: ProgressBar::hidden(),
+            line: None,
             around: Default::default(),
             clock: TimeLeft::start(1.0),
             keeps_steps: false,
@@ -46,7 +47,11 @@ impl ProgressLine {
     /// A function that shows how many files of the results are written.
     pub fn writing(&self) -> impl Fn(usize, usize) + Sync {
         let line = self.line.clone();
-        move |done, total| line.set_message(writing(done, total))
+        move |done, total| {
+            if let Some(line) = &line {
+                line.set_message(writing(done, total));
+            }
+        }
     }
 
     /// The same line while stresses are looked for.
@@ -66,7 +71,7 @@ impl ProgressLine {
         }
         line.enable_steady_tick(Duration::from_millis(100));
         Self {
-            line,
+            line: Some(line),
             around,
             clock: TimeLeft::start(tolerance),
             keeps_steps: false,
@@ -76,21 +81,23 @@ impl ProgressLine {
 
 /// A progress line while stresses are looked for.
 #[derive(Debug, Clone)]
-pub struct SearchLine(ProgressBar);
+pub struct SearchLine(Option<ProgressBar>);
 
 impl SearchLine {
     /// Shows what is being looked for.
     pub fn tell(&self, search: Search) {
-        self.0.set_message(searching(search));
+        if let Some(line) = &self.0 {
+            line.set_message(searching(search));
+        }
     }
 }
 
 impl Observer for SearchLine {
     fn progress(&mut self, progress: &Progress) -> Signal {
-        if !self.0.is_hidden() {
+        if let Some(line) = shown(self.0.as_ref()) {
             let message = message(progress, None);
             let what = searching(Search::Critical);
-            self.0.set_message(format!("{what}: {message}"));
+            line.set_message(format!("{what}: {message}"));
         }
         interrupt::signal()
     }
@@ -98,7 +105,9 @@ impl Observer for SearchLine {
 
 impl Drop for ProgressLine {
     fn drop(&mut self) {
-        self.line.finish_and_clear();
+        if let Some(line) = &self.line {
+            line.finish_and_clear();
+        }
     }
 }
 
@@ -107,13 +116,18 @@ impl Observer for ProgressLine {
         if self.keeps_steps && progress.finished > 0 {
             interrupt::hold();
         }
-        if !self.line.is_hidden() {
+        if let Some(line) = shown(self.line.as_ref()) {
             let left = self.clock.remaining(progress, Instant::now());
             let ([before, behind], message) = (&self.around, message(progress, left));
-            self.line.set_message(format!("{before}{message}{behind}"));
+            line.set_message(format!("{before}{message}{behind}"));
         }
         interrupt::signal()
     }
+}
+
+/// The line, if somebody can see it.
+fn shown(line: Option<&ProgressBar>) -> Option<&ProgressBar> {
+    line.filter(|line| !line.is_hidden())
 }
 
 fn message(progress: &Progress, left: Option<Duration>) -> String {

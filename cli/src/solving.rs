@@ -30,7 +30,7 @@ pub struct Resources<'a> {
 pub struct SolvedCase {
     /// The path of its loads.
     pub path: LoadingPath,
-    /// Its numbers, without the warnings of the cache.
+    /// Its numbers, without the case itself and the warnings of the cache.
     pub summary: Summary,
     /// Whether all that the case asks for is there: otherwise the observer has stopped it, and a warning says so.
     pub completeness: Completeness,
@@ -73,7 +73,7 @@ pub fn solve(
         ))?
     };
     // Warnings of the cache concern all cases.
-    let mut summary = Summary::new(case, &path, clock, &[])?;
+    let mut summary = Summary::of_results(case, &path, clock, &[]);
     let completeness = complete(case, &model, &path, stresses, &mut summary)?;
     Ok(Some(SolvedCase {
         path,

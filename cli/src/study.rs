@@ -16,6 +16,7 @@ pub mod gather;
 pub mod identity;
 pub mod kept_file;
 pub mod kept_layout;
+pub mod kept_record;
 pub mod numbering;
 pub mod plan;
 pub mod progress;

@@ -29,6 +29,9 @@ MOST_CHUNKS = 1000
 LARGEST_CHUNK = 100
 """Cases of a chunk: as many are solved again if their worker dies."""
 
+MOST_BYTES = 1 << 24
+"""Bytes of kept fields of a chunk, which travel together."""
+
 
 def study(path: str | os.PathLike[str]) -> Study:
     """The study of a file, as `pellicle study` reads it."""
@@ -75,21 +78,19 @@ class Study:
 
         `executor` is anything with `submit` or `map`, or a `joblib.Parallel`. Its workers solve `chunk` cases at a
         time, on so many `threads` each; rows are added to `results.csv` in the folder `out`, or else `results/NAME`,
-        as soon as a chunk is done. Cases of which the table has rows are not solved again, unless it is to be `fresh`:
+        as soon as a chunk is done. Fields that the study keeps travel with them, into the files that the program would
+        have written. Cases of which the table has rows are not solved again, unless it is to be `fresh`:
         after Ctrl-C or a failure of the engine the same call goes on. `progress` shows a bar, or is a function that is
         told a `StudyProgress`.
 
         A chunk that is lost with its worker is solved again by engines that see to it, such as Dask and Ray. Others
         break: what was finished is kept, the exception is raised, and the study can be mapped on a new executor.
         """
-        if self._study.keeps_fields:
-            wanted = "a study without `keep`: no engine hands fields back, but `pellicle study` keeps them"
-            raise ArgumentError(f"{self.path}: found fields to keep, wanted {wanted}")
         table = self._study.table(os.path.join("results", self.name) if out is None else out, fresh)
         try:
             if self._study.refused is not None:
                 warnings.warn(self._study.refused, StudyWarning, stacklevel=2)
-            chunks = _chunks(table.remaining(), chunk)
+            chunks = _chunks(table.remaining(), chunk, self._study.record_bytes)
             solve = _Solver(self, self.path, self._study.fingerprint, checked_threads(threads) or 1)
             with reporting(progress, self, StudyProgress) as report:
                 said = self._gather(table, outcomes(executor, solve, chunks), solve, report)
@@ -184,8 +185,8 @@ class _Solver:
         self.stopped = threading.Event()
         """Set where nobody waits any more; seen by threads of the same process alone."""
 
-    def __call__(self, cases: list[int]) -> tuple[list[tuple[int, str, str]], list[str]]:
-        """The rows of these cases, and warnings."""
+    def __call__(self, cases: list[int]) -> tuple[list[tuple[int, str, str, bytes]], list[str]]:
+        """The rows of these cases with their kept fields, and warnings."""
         study = self.study or _restored(self.path, self.fingerprint)
         run = study._study.start(cases, self.threads)
         try:
@@ -201,9 +202,10 @@ class _Solver:
         return _Solver, (None, self.path, self.fingerprint, self.threads)
 
 
-def _chunks(cases: list[int], size: int | None) -> list[list[int]]:
+def _chunks(cases: list[int], size: int | None, record_bytes: int) -> list[list[int]]:
     if size is None:
-        size = min(max(1, -(-len(cases) // MOST_CHUNKS)), LARGEST_CHUNK)
+        most = min(LARGEST_CHUNK, MOST_BYTES // max(1, record_bytes))
+        size = max(1, min(-(-len(cases) // MOST_CHUNKS), most))
     if isinstance(size, bool) or not size >= 1:
         raise ArgumentError(f"chunk: found {size}, wanted a number of cases, at least 1")
     return [cases[start : start + size] for start in range(0, len(cases), size)]

@@ -5,18 +5,22 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use pellicle_cli::Failure;
 use pellicle_cli::studied::{
-    CaseSolver, CaseStatus, ResultsTable, Shard, StudyFolder, StudyIdentity, StudyPlan, Tally,
-    read, write_report,
+    CaseSolver, CaseStatus, FieldKeeper, KeptFields, RecordInMemory, ResultsTable, Shard,
+    StudyFolder, StudyIdentity, StudyPlan, Tally, read, write_report,
 };
 use pellicle_contact::{Observer, Progress, Signal};
 use pyo3::prelude::*;
+use pyo3::types::PyBytes;
 
 use crate::error::{InternalError, Refusal};
 use crate::process::{self, Shared, Threads};
 use crate::work::{Watched, Work};
 
-/// A case by its number from 0, the word of its status, and its rows of the table.
-type SolvedRows = (usize, &'static str, String);
+/// A case by its number from 0, the word of its status, its rows of the table, and the record of its kept fields.
+type SolvedRows = (usize, &'static str, String, Vec<u8>);
+
+/// The same, as Python has it.
+type HandedRows<'py> = (usize, &'static str, String, Bound<'py, PyBytes>);
 
 /// The cases solved so far are told.
 type Solving = Watched<usize, SolvedChunk>;
@@ -69,10 +73,15 @@ impl Study {
         self.0.plan.refused.words()
     }
 
-    /// Whether the fields of its cases are to be kept.
+    /// The most bytes of fields that are kept of a case; 0 if none are.
     #[getter]
-    fn keeps_fields(&self) -> bool {
-        self.0.plan.identity.kept.is_some()
+    fn record_bytes(&self) -> usize {
+        let kept = self.0.plan.identity.kept.as_ref();
+        kept.map_or(0, |layout| {
+            let grids = layout.grids().into_iter();
+            let bytes = grids.map(|elements| layout.record_bytes(elements));
+            bytes.max().unwrap_or(0)
+        })
     }
 
     /// Starts to solve some cases, counted from 0, one after the other on so many threads.
@@ -93,7 +102,13 @@ impl Study {
         let identity = self.0.plan.identity.clone();
         let open = |folder: &Path| {
             let place = StudyFolder::claim(folder, &identity, fresh)?;
-            ResultsTable::open(place, &identity)
+            let table = ResultsTable::open(place, &identity)?;
+            let kept = KeptFields::open(folder, &identity, table.tally().done())?;
+            Ok::<_, Failure>(OpenTable {
+                table,
+                kept,
+                waiting: Vec::new(),
+            })
         };
         let table = Mutex::new(Some(py.detach(|| open(&folder))?));
         Ok(Table {
@@ -134,13 +149,14 @@ fn solve(
     cases: Vec<usize>,
     watched: &Solving,
 ) -> Result<SolvedChunk, Failure> {
+    let record = RecordInMemory::of(&planned.plan.identity);
     let kit = CaseSolver {
         study: &planned.study,
         columns: &planned.plan.columns,
         cache: shared.study_cache.clone(),
         memory: &shared.memory,
         folders: None,
-        kept: None,
+        kept: record.as_ref().map(|record| record as &dyn FieldKeeper),
     };
     let mut rows = Vec::new();
     for case in cases {
@@ -152,7 +168,9 @@ fn solve(
             kit.solve(case, &mut Watcher(watched), &search)?
         };
         let Some(done) = done else { break };
-        rows.push((case, done.status.word(), done.rows));
+        let kept = record.as_ref().map(RecordInMemory::take);
+        let kept = kept.unwrap_or_default();
+        rows.push((case, done.status.word(), done.rows, kept));
         watched.tell(rows.len());
     }
     let warnings = kit.cache.take_warnings();
@@ -183,10 +201,64 @@ impl StudyRun {
         self.0.progress()
     }
 
-    /// The cases solved, each with the word of its status and its rows, and warnings; handed out once.
-    fn result(&self) -> PyResult<(Vec<SolvedRows>, Vec<String>)> {
+    /// The cases solved, each with the word of its status, its rows and its kept fields, and warnings; handed out once.
+    fn result<'py>(&self, py: Python<'py>) -> PyResult<(Vec<HandedRows<'py>>, Vec<String>)> {
         let SolvedChunk { rows, warnings } = self.0.result()?;
-        Ok((rows, warnings))
+        let rows = rows.into_iter();
+        let hand_over =
+            |(case, word, rows, kept): SolvedRows| (case, word, rows, PyBytes::new(py, &kept));
+        Ok((rows.map(hand_over).collect(), warnings))
+    }
+}
+
+/// A table, the fields kept beside it, and the rows of cases whose fields may not be on the disk yet.
+struct OpenTable {
+    table: ResultsTable,
+    kept: Option<KeptFields>,
+    waiting: Vec<(usize, CaseStatus, String)>,
+}
+
+impl OpenTable {
+    /// Adds the rows of a case, or lets them wait if its fields go before them.
+    fn add(
+        &mut self,
+        (case, status, rows, record): (usize, CaseStatus, String, &[u8]),
+    ) -> Result<(), Failure> {
+        let Some(kept) = &self.kept else {
+            return self.table.add(case, status, &rows);
+        };
+        kept.write(case, 0, record)?;
+        self.waiting.push((case, status, rows));
+        Ok(())
+    }
+
+    /// Forces the fields to the disk, adds the rows of their cases, and forces these.
+    fn force(&mut self) -> Result<(), Failure> {
+        self.kept.as_ref().map_or(Ok(()), FieldKeeper::force)?;
+        for (case, status, rows) in self.waiting.drain(..) {
+            self.table.add(case, status, &rows)?;
+        }
+        let unforced = self.table.unforced()?;
+        unforced.map_or(Ok(()), |file| file.force())
+    }
+
+    fn tally(&self) -> Tally {
+        let mut tally = self.table.tally();
+        let waiting = self.waiting.iter();
+        waiting.for_each(|(_, status, _)| tally.add(*status));
+        tally
+    }
+
+    /// Puts it in order, with its page beside it, if every case is done.
+    fn close(mut self, identity: &StudyIdentity) -> Result<(), Failure> {
+        self.force()?;
+        if self.table.tally().done() < identity.case_count() {
+            return Ok(());
+        }
+        self.kept.as_ref().map_or(Ok(()), KeptFields::finish)?;
+        let folder = self.table.place().folder.clone();
+        self.table.finish(identity)?;
+        write_report(&folder, std::slice::from_ref(identity)).map(drop)
     }
 }
 
@@ -195,11 +267,11 @@ impl StudyRun {
 pub struct Table {
     identity: StudyIdentity,
     process: u32,
-    open: Mutex<Option<ResultsTable>>,
+    open: Mutex<Option<OpenTable>>,
 }
 
 impl Table {
-    fn lock(&self) -> MutexGuard<'_, Option<ResultsTable>> {
+    fn lock(&self) -> MutexGuard<'_, Option<OpenTable>> {
         self.open.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
@@ -207,7 +279,7 @@ impl Table {
     fn with<T: Send>(
         &self,
         py: Python<'_>,
-        action: impl FnOnce(&mut ResultsTable) -> Result<T, Failure> + Send,
+        action: impl FnOnce(&mut OpenTable) -> Result<T, Failure> + Send,
     ) -> PyResult<T> {
         let done = py.detach(|| self.lock().as_mut().map(action));
         let closed = || InternalError::new_err("the table is closed");
@@ -229,28 +301,33 @@ impl Drop for Table {
 impl Table {
     /// The cases that it has no rows of, counted from 0.
     fn remaining(&self, py: Python<'_>) -> PyResult<Vec<usize>> {
-        self.with(py, |table| Ok(table.remaining(&self.identity).collect()))
+        self.with(py, |table| {
+            Ok(table.table.remaining(&self.identity).collect())
+        })
     }
 
-    /// Appends the rows of cases, each with the word of its status.
-    fn add(&self, py: Python<'_>, solved: Vec<(usize, String, String)>) -> PyResult<()> {
+    /// Appends the rows of cases, each with the word of its status and its kept fields.
+    #[expect(
+        clippy::needless_pass_by_value,
+        reason = "Python hands over a list of its own"
+    )]
+    fn add(
+        &self,
+        py: Python<'_>,
+        solved: Vec<(usize, String, String, Bound<'_, PyBytes>)>,
+    ) -> PyResult<()> {
         let unknown = || InternalError::new_err("a case has no status");
-        let with_status = solved.into_iter().map(|(case, word, rows)| {
-            let status = CaseStatus::of(&word).ok_or_else(unknown)?;
-            Ok((case, status, rows))
+        let with_status = solved.iter().map(|(case, word, rows, record)| {
+            let status = CaseStatus::of(word).ok_or_else(unknown)?;
+            Ok((*case, status, rows.clone(), record.as_bytes()))
         });
         let mut solved = with_status.collect::<PyResult<Vec<_>>>()?.into_iter();
-        self.with(py, |table| {
-            solved.try_for_each(|(case, status, rows)| table.add(case, status, &rows))
-        })
+        self.with(py, |table| solved.try_for_each(|case| table.add(case)))
     }
 
     /// Forces what was added to the disk.
     fn force(&self, py: Python<'_>) -> PyResult<()> {
-        self.with(py, |table| {
-            let unforced = table.unforced()?;
-            unforced.map_or(Ok(()), |file| file.force())
-        })
+        self.with(py, OpenTable::force)
     }
 
     /// The numbers of cases that are certified, not converged, cut off, and failed.
@@ -266,21 +343,13 @@ impl Table {
 
     /// Its file.
     fn path(&self, py: Python<'_>) -> PyResult<PathBuf> {
-        self.with(py, |table| Ok(table.path().to_owned()))
+        self.with(py, |table| Ok(table.table.path().to_owned()))
     }
 
     /// Closes it, sorted and with its page beside it if every case is done, and lets others have the folder.
     fn close(&self, py: Python<'_>) -> Result<(), Refusal> {
         let table = self.lock().take();
-        let cases = self.identity.case_count();
-        let close = |table: ResultsTable| match table.tally().done() {
-            done if done == cases => {
-                let folder = table.place().folder.clone();
-                table.finish(&self.identity)?;
-                write_report(&folder, std::slice::from_ref(&self.identity)).map(drop)
-            }
-            _ => Ok(()),
-        };
+        let close = |table: OpenTable| table.close(&self.identity);
         Ok(py.detach(|| table.map_or(Ok(()), close))?)
     }
 }

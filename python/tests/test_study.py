@@ -111,6 +111,53 @@ def test_the_columns_of_the_table(file: Path, tmp_path: Path) -> None:
     assert (table.columns["penetration [m]"][~failed] > 0).all()
 
 
+# Two grids, all loading steps, a field of the surface; where the ratio is 0.6 the fields are NaN.
+KEEPING = STUDY.replace("[study.vary]", '[study]\nkeep = ["pressure", "gap"]\n\n[study.vary]\ngrid.elements = [16, 32]')
+KEEPING = KEEPING.replace("[grid]\nelements = 32", '[output]\nfields = "all"').replace("count = 10", "count = 3")
+
+
+@pytest.fixture(scope="module")
+def keeping(tmp_path_factory: pytest.TempPathFactory, program: Program) -> Path:
+    """A study of 24 cases whose fields are kept, solved by one machine in the folder `program`."""
+    file = tmp_path_factory.mktemp("keeping") / "keeping.toml"
+    file.write_text(KEEPING)
+    program("study", file, "--out", file.parent / "program", "--quiet", "--tolerate-failures")
+    return file
+
+
+def are_those_of_one_machine(out: Path, keeping: Path) -> None:
+    for name in ("results.csv", "fields-n16.nc", "fields-n32.nc"):
+        assert (out / name).read_bytes() == (keeping.parent / "program" / name).read_bytes(), name
+
+
+@pytest.mark.parametrize("chunk", [None, 7])
+@pytest.mark.parametrize("executor", [lambda: ThreadPoolExecutor(3), processes("spawn")], ids=["threads", "spawn"])
+def test_kept_fields_are_those_of_one_machine(
+    executor: Callable[[], Any], chunk: int | None, keeping: Path, tmp_path: Path
+) -> None:
+    with executor() as engine:
+        table = pl.study(keeping).map(engine, out=tmp_path, chunk=chunk)
+    assert (table.cases, table.failed) == (24, 6)
+    are_those_of_one_machine(tmp_path, keeping)
+
+
+def test_kept_fields_are_gone_on_with_by_engines_and_the_program(
+    keeping: Path, program: Program, tmp_path: Path
+) -> None:
+    def stop(progress: pl.StudyProgress) -> None:
+        if progress.finished >= 5:
+            raise KeyboardInterrupt
+
+    study = pl.study(keeping)
+    with ThreadPoolExecutor(2) as pool, pytest.raises(KeyboardInterrupt) as stopped:
+        study.map(pool, out=tmp_path, chunk=1, progress=stop)
+    assert "5 of 24 cases are in" in stopped.value.__notes__[0]
+    # Until all are there, the file says that it holds no case.
+    assert (tmp_path / "fields-n32.nc").read_bytes()[4:8] == bytes(4)
+    program("study", keeping, "--out", tmp_path, "--quiet", "--tolerate-failures")
+    are_those_of_one_machine(tmp_path, keeping)
+
+
 def test_progress_is_told_and_what_is_done_is_not_done_again(
     file: Path, wanted: bytes, program: Program, tmp_path: Path
 ) -> None:
@@ -189,10 +236,6 @@ def test_what_cannot_be_is_refused_in_one_sentence(file: Path, tmp_path: Path) -
         with pytest.raises(pl.RunError, match="another study"):
             pl.study(other).map(pool, out=tmp_path)
         pl.study(other).map(pool, out=tmp_path, fresh=True)
-    keeping = tmp_path / "keeping.toml"
-    keeping.write_text(STUDY.replace("[study.vary]", '[study]\nkeep = ["pressure"]\n\n[study.vary]'))
-    with ThreadPoolExecutor(1) as pool, pytest.raises(pl.ArgumentError, match="keeping.toml: found fields to keep"):
-        pl.study(keeping).map(pool, out=tmp_path / "keeping")
     with pytest.raises(pl.CaseError, match="study"):
         pl.study(EXAMPLES.parents[1] / "cases" / "hertz.toml")
 

@@ -22,7 +22,7 @@ use crate::output::folder::Completeness;
 use crate::output::summary::Summary;
 use crate::program::Outcome;
 use crate::progress::ProgressLine;
-use crate::solving::{self, Resources};
+use crate::solving::{self, Resources, SolvedCase};
 use crate::{cache, interrupt, terminal, threads};
 
 /// Reads objects of keys and values from standard input, one a line, and prints the summary of the case with each, or
@@ -116,7 +116,11 @@ impl Stream {
         let mut line = ProgressLine::hidden();
         let solved = solving::solve(&case, resources, start, &mut line, &search)?;
         let whole = solved.filter(|solved| solved.completeness == Completeness::Whole);
-        Ok(whole.map(|solved| solved.summary))
+        let Some(SolvedCase { mut summary, .. }) = whole else {
+            return Ok(None);
+        };
+        summary.add_case(&case)?;
+        Ok(Some(summary))
     }
 }
 

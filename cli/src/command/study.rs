@@ -15,6 +15,7 @@ use crate::study::case_status::Tally;
 use crate::study::folder::{self as study_folder, StudyFolder};
 use crate::study::identity::StudyIdentity;
 use crate::study::kept_file::KeptFields;
+use crate::study::kept_record::FieldKeeper;
 use crate::study::plan::StudyPlan;
 use crate::study::progress::{StudyProgress, rate_in_words};
 use crate::study::report as study_report;
@@ -68,7 +69,7 @@ pub fn study(arguments: &StudyArguments) -> Result<Outcome, Failure> {
         cache: cache::open_for_many(),
         memory: &memory,
         folders: arguments.folders.then(|| table.place().cases()),
-        kept: kept.as_ref(),
+        kept: kept.as_ref().map(|kept| kept as &dyn FieldKeeper),
     };
     let threads = arguments
         .threads

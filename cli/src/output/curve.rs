@@ -1,9 +1,11 @@
 //! `curve.csv`: one row per loading step, units in the header.
 
+pub mod hardness;
 pub mod rough;
 pub mod sensitivity;
 pub mod stress;
 
+use self::hardness::HardnessColumns;
 use self::rough::RoughColumns;
 use self::sensitivity::SensitivityColumns;
 use self::stress::StressColumns;
@@ -56,29 +58,17 @@ const COLUMNS: [Column; 13] = [
     }),
 ];
 
-/// Those of steps whose pressure is cut at a hardness.
-const HARDNESS_COLUMNS: [Column; 3] = [
-    ("area at hardness", Some("m^2"), |step| {
-        step.area_at_limit.map_or_else(String::new, number)
-    }),
-    ("area fraction at hardness", None, |step| {
-        step.fraction_at_limit.map_or_else(String::new, number)
-    }),
-    ("plastic depth", Some("m"), |step| {
-        step.plastic_depth.map_or_else(String::new, number)
-    }),
-];
-
 /// The curve as comma-separated values.
 #[must_use]
 pub fn csv(summary: &Summary) -> String {
+    let hardness = HardnessColumns::of_steps(summary);
     let stress = StressColumns::of_steps(summary);
     let sensitivities = SensitivityColumns::of_steps(summary);
     let rough = RoughColumns::of_steps(summary);
     let row = |(i, step): (usize, &StepSummary)| {
         let cells = [
             row(i, step),
-            hardness_row(step),
+            hardness.row(step),
             stress.row(step, &[]),
             sensitivities.row(step),
             rough.row(step),
@@ -87,14 +77,9 @@ pub fn csv(summary: &Summary) -> String {
     };
     let rows: String = summary.steps.iter().enumerate().map(row).collect();
     let units = summary.units;
-    let is_cut = summary
-        .steps
-        .iter()
-        .any(|step| step.area_at_limit.is_some());
-    let hardness = HARDNESS_COLUMNS.into_iter().filter(|_| is_cut);
     let names = [
         header(units),
-        hardness.map(|column| name(column, units)).collect(),
+        hardness.header(units),
         stress.header(units),
         sensitivities.header(units),
         rough.header(units),
@@ -116,13 +101,6 @@ fn name((name, unit, _): Column, units: Units) -> String {
         Some(unit) => format!("{name} [{}]", units.name(unit)),
         None => name.to_owned(),
     }
-}
-
-/// The values of one step at a hardness; none without one.
-fn hardness_row(step: &StepSummary) -> Vec<String> {
-    let columns = HARDNESS_COLUMNS.into_iter();
-    let columns = columns.filter(|_| step.area_at_limit.is_some());
-    columns.map(|(_, _, value)| value(step)).collect()
 }
 
 /// The values of one step, without commas.

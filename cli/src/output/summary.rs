@@ -216,20 +216,45 @@ impl Summary {
         clock: Clock,
         cache_warnings: &[CacheWarning],
     ) -> Result<Self, Failure> {
-        let mut case = case.clone();
-        case.grid.side.get_or_insert(path.grid.side());
+        let mut summary = Self::of_results(case, path, clock, cache_warnings);
+        summary.add_case(case)?;
+        Ok(summary)
+    }
+
+    /// Adds the case as resolved and the roughness of its maps to a summary of its results.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Json`] if the case has no JSON form.
+    pub fn add_case(&mut self, case: &Case) -> Result<(), Failure> {
+        let mut resolved = case.clone();
+        resolved.grid.side.get_or_insert(self.grid.side);
+        self.case = serde_json::to_value(&resolved)?;
+        self.roughness = RoughnessSummary::of(case);
+        Ok(())
+    }
+
+    /// The summary of a case's results, without what is known before it is solved: a row of a study's table needs no
+    /// more.
+    #[must_use]
+    pub fn of_results(
+        case: &Case,
+        path: &LoadingPath,
+        clock: Clock,
+        cache_warnings: &[CacheWarning],
+    ) -> Self {
         let origin = clock.tables_origin.max(path.coefficients_origin);
         let warnings = case.warnings(path.grid.side()).into_iter();
         let warnings = warnings.map(WarningSummary::from);
         let warnings = warnings.chain(path.warnings.iter().map(WarningSummary::from));
         let cache_warnings = cache_warnings.iter().map(WarningSummary::from);
         let statuses = path.steps.iter().map(Step::status);
-        Ok(Self {
+        Self {
             schema: SCHEMA.into(),
             program: PROGRAM.into(),
             version: env!("CARGO_PKG_VERSION").into(),
             title: case.title.clone(),
-            case: serde_json::to_value(&case)?,
+            case: Value::Null,
             units: case.units,
             status: statuses.max().unwrap_or_default(),
             grid: GridSummary {
@@ -238,7 +263,7 @@ impl Summary {
                 element_side: path.grid.element_side(),
                 boundary: case.grid.boundary,
             },
-            roughness: RoughnessSummary::of(&case),
+            roughness: None,
             steps: (path.steps.iter())
                 .map(|step| {
                     StepSummary::new(step, path.grid.element_area(), path.hardness.is_finite())
@@ -253,7 +278,7 @@ impl Summary {
                 threads: rayon::current_num_threads(),
             },
             warnings: warnings.chain(cache_warnings).collect(),
-        })
+        }
     }
 
     /// Adds the derivatives that were found.

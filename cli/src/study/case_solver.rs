@@ -10,14 +10,14 @@ use serde_json::Value;
 
 use super::Study;
 use super::case_status::CaseStatus;
-use super::kept_file::KeptFields;
+use super::kept_record::{self, FieldKeeper, KeptRecords};
 use super::table_columns::{TableColumns, status};
 use crate::case::Case;
+use crate::case::units::Units;
 use crate::failure::Failure;
 use crate::memory::MemoryBudget;
 use crate::output::file::Existing;
 use crate::output::folder::{Completeness, ResultsFolder};
-use crate::output::summary::Summary;
 use crate::output::{results, run_files};
 use crate::solving::{self, Resources, SolvedCase};
 use crate::stresses::Search;
@@ -35,8 +35,8 @@ pub struct CaseSolver<'a> {
     pub memory: &'a MemoryBudget,
     /// The parent of the cases' results folders, if these are wanted.
     pub folders: Option<PathBuf>,
-    /// The fields that are kept of all cases, if any are.
-    pub kept: Option<&'a KeptFields>,
+    /// Who keeps fields of all cases, if any are wanted.
+    pub kept: Option<&'a dyn FieldKeeper>,
 }
 
 /// The result of a case.
@@ -46,8 +46,34 @@ pub struct CaseResult {
     pub status: CaseStatus,
     /// Its rows of the table.
     pub rows: String,
-    /// A summary for the terminal.
-    pub words: String,
+    outcome: CaseOutcome,
+}
+
+/// The outcome of a case, for people.
+#[derive(Debug, Clone, PartialEq)]
+enum CaseOutcome {
+    /// Force and penetration of the last step, in these units.
+    Solved(Units, Option<[f64; 2]>),
+    /// What went wrong.
+    Failed(String),
+}
+
+impl CaseResult {
+    /// The outcome in words, for the terminal: `certified, Q = 1 mN, D = 20 nm`.
+    #[must_use]
+    pub fn words(&self) -> String {
+        use crate::display::{Unit, quantity};
+        match &self.outcome {
+            CaseOutcome::Failed(message) => message.clone(),
+            CaseOutcome::Solved(_, None) => String::new(),
+            CaseOutcome::Solved(units, Some([force, penetration])) => {
+                let force = quantity(*force, Unit::Newton, *units);
+                let penetration = quantity(*penetration, Unit::Metre, *units);
+                let word = self.status.word();
+                format!("{word}, Q = {force}, D = {penetration}")
+            }
+        }
+    }
 }
 
 impl CaseSolver<'_> {
@@ -94,17 +120,19 @@ impl CaseSolver<'_> {
     }
 
     fn failed(&self, case: usize, message: &str) -> Result<CaseResult, Failure> {
-        self.kept.map_or(Ok(()), |kept| kept.add_failed(case))?;
+        self.kept
+            .map_or(Ok(()), |kept| kept_record::add_failed(kept, case))?;
         Ok(CaseResult {
             status: CaseStatus::Failed,
             rows: self.columns.failed(self.study, case, message),
-            words: message.to_owned(),
+            outcome: CaseOutcome::Failed(message.to_owned()),
         })
     }
 
     /// Threads that need memory for the fields of a case.
     fn writers(&self, folder: Option<&ResultsFolder>) -> usize {
-        let is_kept = self.kept.is_some_and(KeptFields::need_the_surface);
+        let kept = self.kept.map(FieldKeeper::records);
+        let is_kept = kept.is_some_and(KeptRecords::need_the_surface);
         folder.map_or(usize::from(is_kept), |_| rayon::current_num_threads())
     }
 
@@ -133,9 +161,10 @@ impl CaseSolver<'_> {
             path, mut summary, ..
         } = solved;
         if let Some(kept) = self.kept {
-            kept.add(number, status(&summary), &path)?;
+            kept_record::add(kept, number, status(&summary), &path)?;
         }
         if let Some(folder) = folder {
+            summary.add_case(&case)?;
             let mut completeness = Completeness::Whole;
             folder.write(|folder| {
                 completeness =
@@ -146,10 +175,12 @@ impl CaseSolver<'_> {
                 return Ok(None);
             }
         }
+        let last = summary.steps.last();
+        let last = last.map(|step| [step.force, step.penetration]);
         Ok(Some(CaseResult {
             status: status(&summary),
             rows: self.columns.solved(self.study, number, &summary),
-            words: words(&case, &summary),
+            outcome: CaseOutcome::Solved(case.units, last),
         }))
     }
 }
@@ -168,15 +199,4 @@ fn is_of(written: &Value, case: &Case) -> bool {
     };
     let case = serde_json::to_value(case).map(without_output);
     case.is_ok_and(|case| case == without_output(written.clone()))
-}
-
-fn words(case: &Case, summary: &Summary) -> String {
-    use crate::display::{Unit, quantity};
-    let word = status(summary).word();
-    let last = summary.steps.last();
-    last.map_or_else(String::new, |step| {
-        let force = quantity(step.force, Unit::Newton, case.units);
-        let penetration = quantity(step.penetration, Unit::Metre, case.units);
-        format!("{word}, Q = {force}, D = {penetration}")
-    })
 }

@@ -10,13 +10,10 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-use pellicle_contact::{DeformedSurface, LoadingPath, SampledModel};
-
-use super::case_status::CaseStatus;
 use super::gather::OtherTable;
 use super::identity::StudyIdentity;
-use super::kept_layout::{HEAD, KeptField, KeptLayout};
-use super::numbering::CaseNumbering;
+use super::kept_layout::KeptLayout;
+use super::kept_record::{FieldKeeper, KeptRecords};
 use super::shard::Shard;
 use crate::failure::Failure;
 use crate::output::file;
@@ -28,11 +25,10 @@ const CASES_END: usize = CASES_AT + 4;
 /// The kept fields of a part of a study, one file for each number of elements.
 #[derive(Debug)]
 pub struct KeptFields {
-    layout: KeptLayout,
-    numbering: CaseNumbering,
+    records: KeptRecords,
     files: Vec<KeptFile>,
     /// The place of each case in its file.
-    records: Vec<u32>,
+    places: Vec<u32>,
 }
 
 /// One file under way.
@@ -40,6 +36,8 @@ pub struct KeptFields {
 struct KeptFile {
     elements: usize,
     cases: u32,
+    /// Bytes of a case.
+    record: u64,
     path: PathBuf,
     file: Mutex<File>,
     /// Byte of the first case.
@@ -60,99 +58,31 @@ impl KeptFields {
         identity: &StudyIdentity,
         done: usize,
     ) -> Result<Option<Self>, Failure> {
-        let Some(layout) = identity.kept.clone() else {
+        let Some(records) = KeptRecords::of(identity) else {
             return Ok(None);
         };
-        let numbering = identity.numbering.clone();
+        let layout = records.layout();
         let grids = layout.grids();
         let mut counts = vec![0; grids.len()];
-        let mut records = vec![0; numbering.len()];
+        let mut places = vec![0; identity.numbering.len()];
         for case in identity.cases() {
-            let grid = layout.grid_of(&numbering, case);
-            let place = grid.and_then(|grid| grids.binary_search(&grid).ok());
-            if let Some(place) = place {
-                records[case] = counts[place];
-                counts[place] += 1;
+            let grid = records.elements_of(case);
+            let grid = grid.and_then(|grid| grids.binary_search(&grid).ok());
+            if let Some(grid) = grid {
+                places[case] = counts[grid];
+                counts[grid] += 1;
             }
         }
         let open = |(elements, cases): (&usize, &u32)| {
-            KeptFile::open(folder, identity, &layout, (*elements, *cases), done)
+            KeptFile::open(folder, identity, layout, (*elements, *cases), done)
         };
         let files = grids.iter().zip(&counts).filter(|(_, cases)| **cases > 0);
         let files = files.map(open).collect::<Result<_, _>>()?;
         Ok(Some(Self {
-            layout,
-            numbering,
-            files,
             records,
+            files,
+            places,
         }))
-    }
-
-    /// Whether a case needs more than its pressure.
-    #[must_use]
-    pub fn need_the_surface(&self) -> bool {
-        let mut fields = self.layout.fields.iter();
-        fields.any(|field| field.is_of_the_surface())
-    }
-
-    /// Writes the fields of a case that is solved.
-    ///
-    /// # Errors
-    ///
-    /// [`Failure::Write`] if they cannot be written.
-    pub fn add(&self, case: usize, status: CaseStatus, path: &LoadingPath) -> Result<(), Failure> {
-        let Some((file, at)) = self.place(case) else {
-            return Ok(());
-        };
-        file.write(at, &head(case, status, path.grid.side()))?;
-        let kept = self.layout.steps.unwrap_or(1);
-        let first = match self.layout.steps {
-            Some(_) => 0,
-            None => path.steps.len().saturating_sub(1),
-        };
-        let is_wanted = |field: KeptField| self.layout.fields.contains(&field);
-        let needs_surface = self.need_the_surface();
-        let geometry = (needs_surface || is_wanted(KeptField::Profile)).then(|| path.geometry());
-        for place in 0..kept {
-            let step = first + place;
-            let geometry = geometry.as_ref();
-            let surface = geometry.filter(|_| needs_surface);
-            let surface = surface.and_then(|geometry| path.surface(geometry, step));
-            for (i, field) in self.layout.fields.iter().enumerate() {
-                let values = values(*field, path, step, geometry, surface.as_ref());
-                let at = at + self.offset(file, i, place);
-                match values {
-                    Some(values) => file.write(at, &big_endian(values))?,
-                    None => file.write(at, &missing(file.elements))?,
-                }
-            }
-        }
-        Ok(())
-    }
-
-    /// Fills the fields of a case without a result with NaN.
-    ///
-    /// # Errors
-    ///
-    /// [`Failure::Write`] if they cannot be written.
-    pub fn add_failed(&self, case: usize) -> Result<(), Failure> {
-        let Some((file, at)) = self.place(case) else {
-            return Ok(());
-        };
-        file.write(at, &head(case, CaseStatus::Failed, f64::NAN))?;
-        let missing = missing(file.elements);
-        let planes = self.layout.fields.len() * self.layout.steps.unwrap_or(1);
-        let mut at = (0..planes).map(|i| at + (HEAD + i * missing.len()) as u64);
-        at.try_for_each(|at| file.write(at, &missing))
-    }
-
-    /// Forces what was written to the disk.
-    ///
-    /// # Errors
-    ///
-    /// [`Failure::Write`] if the system cannot.
-    pub fn force(&self) -> Result<(), Failure> {
-        self.files.iter().try_for_each(KeptFile::force)
     }
 
     /// Says in the files that all cases are there.
@@ -170,17 +100,25 @@ impl KeptFields {
 
     /// File and first byte of a case; none if its grid is invalid.
     fn place(&self, case: usize) -> Option<(&KeptFile, u64)> {
-        let elements = self.layout.grid_of(&self.numbering, case)?;
+        let elements = self.records.elements_of(case)?;
         let file = self.files.iter().find(|file| file.elements == elements)?;
-        let record = u64::from(*self.records.get(case)?);
-        let length = self.layout.record_bytes(elements) as u64;
-        Some((file, file.start + record * length))
+        let place = u64::from(*self.places.get(case)?);
+        Some((file, file.start + place * file.record))
+    }
+}
+
+impl FieldKeeper for KeptFields {
+    fn records(&self) -> &KeptRecords {
+        &self.records
     }
 
-    /// Bytes from the beginning of a case to a step of a field.
-    fn offset(&self, file: &KeptFile, field: usize, step: usize) -> u64 {
-        let plane = file.elements * file.elements * size_of::<f64>();
-        (HEAD + field * self.layout.field_bytes(file.elements) + step * plane) as u64
+    fn write(&self, case: usize, at: u64, bytes: &[u8]) -> Result<(), Failure> {
+        let place = self.place(case);
+        place.map_or(Ok(()), |(file, start)| file.write(start + at, bytes))
+    }
+
+    fn force(&self) -> Result<(), Failure> {
+        self.files.iter().try_for_each(KeptFile::force)
     }
 }
 
@@ -197,7 +135,8 @@ impl KeptFile {
         let beginning = layout.beginning(&identity.study, elements, 0);
         let beginning = beginning.map_err(failed)?;
         let start = beginning.len() as u64;
-        let length = start + u64::from(cases) * layout.record_bytes(elements) as u64;
+        let record = layout.record_bytes(elements) as u64;
+        let length = start + u64::from(cases) * record;
         if fs::symlink_metadata(&path).is_err() {
             if done > 0 {
                 let reason = "it is missing, and the table has cases: give --fresh to begin again";
@@ -215,6 +154,7 @@ impl KeptFile {
         Ok(Self {
             elements,
             cases,
+            record,
             file: Mutex::new(file.map_err(failed)?),
             path,
             start,
@@ -261,48 +201,6 @@ fn begins_with(path: &Path, beginning: &[u8], length: Option<u64>) -> bool {
     }
     found[CASES_AT..CASES_END].copy_from_slice(&beginning[CASES_AT..CASES_END]);
     found == beginning
-}
-
-fn head(case: usize, status: CaseStatus, side: f64) -> Vec<u8> {
-    // At most a million cases, and a few statuses.
-    let number = |number: usize| u32::try_from(number).unwrap_or(u32::MAX).to_be_bytes();
-    let status = CaseStatus::ALL.iter().position(|known| *known == status);
-    let side = side.to_be_bytes();
-    [
-        &number(case + 1)[..],
-        &number(status.unwrap_or_default()),
-        &side,
-    ]
-    .concat()
-}
-
-fn big_endian(values: &[f64]) -> Vec<u8> {
-    values
-        .iter()
-        .flat_map(|value| value.to_be_bytes())
-        .collect()
-}
-
-fn missing(elements: usize) -> Vec<u8> {
-    f64::NAN.to_be_bytes().repeat(elements * elements)
-}
-
-/// The values of a field in a step; none if there is no such step.
-fn values<'a>(
-    field: KeptField,
-    path: &'a LoadingPath,
-    step: usize,
-    geometry: Option<&'a SampledModel>,
-    surface: Option<&'a DeformedSurface>,
-) -> Option<&'a [f64]> {
-    let solved = path.steps.get(step)?;
-    match field {
-        KeptField::Pressure => Some(&solved.solution.pressure),
-        KeptField::Displacement => surface.map(|surface| &surface.displacement[..]),
-        KeptField::Gap => surface.map(|surface| &surface.gap[..]),
-        KeptField::Shortening => surface.map(|surface| &surface.shortening[..]),
-        KeptField::Profile => geometry.map(|geometry| geometry.relief.profile()),
-    }
 }
 
 /// Refuses files of something else in the places of the gathered ones: those of the study that was gathered here before

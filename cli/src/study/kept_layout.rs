@@ -131,6 +131,13 @@ impl KeptLayout {
         HEAD + self.fields.len() * self.field_bytes(elements)
     }
 
+    /// Bytes from the beginning of a case to a step of a field.
+    #[must_use]
+    pub fn offset(&self, elements: usize, field: usize, step: usize) -> u64 {
+        let plane = elements * elements * size_of::<f64>();
+        (HEAD + field * self.field_bytes(elements) + step * plane) as u64
+    }
+
     /// Everything before the first case of a file that says it holds so many cases.
     ///
     /// # Errors

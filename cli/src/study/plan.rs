@@ -5,12 +5,11 @@ use super::fingerprint;
 use super::identity::StudyIdentity;
 use super::kept_layout::KeptLayout;
 use super::shard::Shard;
-use super::table_columns::TableColumns;
+use super::table_columns::{FurtherColumns, TableColumns};
 use super::varied_key::VariedKey;
 use crate::case::Case;
 use crate::case::diagnosis::Diagnosis;
 use crate::failure::Failure;
-use crate::output::curve::stress::StressColumns;
 
 /// The most values of one axis that are tried before anything is solved; the others are read in their turn.
 const MOST_TRIED: usize = 10_000;
@@ -49,15 +48,15 @@ impl StudyPlan {
         let (reference, valid) = first_valid(study)?;
         let units = valid.units;
         let mut refused = RefusedCases::default();
-        let mut stress = StressColumns::default();
+        let mut further = FurtherColumns::default();
         for case in cases_to_try(study, reference) {
             refused.tried += 1;
             match study.case(case) {
-                Ok(case) => stress.add(&case),
+                Ok(case) => further.add(&case),
                 Err(diagnosis) => refused.add(case, diagnosis),
             }
         }
-        let columns = TableColumns::new(study, units, stress);
+        let columns = TableColumns::new(study, units, further);
         let fingerprint = fingerprint::of(study, (reference, &valid), &columns.header())?;
         let mut identity = StudyIdentity::new(study, fingerprint, columns.header(), shard);
         identity.kept = KeptLayout::new(study, &valid, &identity.rows)?;

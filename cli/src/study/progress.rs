@@ -60,7 +60,7 @@ impl StudyProgress {
         let (total, case_number, words) = (self.total, case + 1, study.words(case));
         let line = format!(
             "{count}/{total}  case {case_number}: {words}: {}{left}",
-            done.words
+            done.words()
         );
         if lines.is_hidden() {
             terminal::tell(&line);

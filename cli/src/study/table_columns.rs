@@ -1,26 +1,61 @@
 //! The columns of a study's table: case, status, the keys that vary, and those of a curve.
+//!
+//! They are the same for all cases. Those of a hardness, of stresses and of rough contact are there if any of the cases
+//! tried before the study begins has them, and empty in the rows of the others.
+
+use pellicle_contact::CriticalLoad;
 
 use super::Study;
 use super::case_status::CaseStatus;
+use crate::case::Case;
 use crate::case::units::Units;
 use crate::output::curve;
+use crate::output::curve::hardness::HardnessColumns;
+use crate::output::curve::rough::RoughColumns;
 use crate::output::curve::stress::StressColumns;
-use crate::output::summary::Summary;
+use crate::output::summary::{StepSummary, Summary};
 
 /// The columns, with units.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TableColumns {
     names: Vec<String>,
-    /// The number of columns of a curve and of stresses.
+    /// The number of columns of a curve, with those that not every case has.
     curve: usize,
+    further: FurtherColumns,
+}
+
+/// The columns that not every case has.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct FurtherColumns {
+    hardness: HardnessColumns,
     stress: StressColumns,
+    rough: RoughColumns,
+}
+
+impl FurtherColumns {
+    /// Adds the columns of a case, each once.
+    pub fn add(&mut self, case: &Case) {
+        self.hardness.add(case);
+        self.stress.add(case);
+        self.rough.add(case);
+    }
+
+    fn header(&self, units: Units) -> Vec<String> {
+        let (hardness, rough) = (self.hardness.header(units), self.rough.header(units));
+        [hardness, self.stress.header(units), rough].concat()
+    }
+
+    fn row(&self, step: &StepSummary, critical: &[CriticalLoad]) -> Vec<String> {
+        let (hardness, rough) = (self.hardness.row(step), self.rough.row(step));
+        [hardness, self.stress.row(step, critical), rough].concat()
+    }
 }
 
 impl TableColumns {
-    /// The columns of a study whose cases have these units and ask for these stresses.
+    /// The columns of a study whose cases have these units and these further columns.
     #[must_use]
-    pub fn new(study: &Study, units: Units, stress: StressColumns) -> Self {
-        let curve = [curve::header(units), stress.header(units)].concat();
+    pub fn new(study: &Study, units: Units, further: FurtherColumns) -> Self {
+        let curve = [curve::header(units), further.header(units)].concat();
         let keys = study
             .varied_keys()
             .iter()
@@ -36,7 +71,7 @@ impl TableColumns {
                 .chain(last)
                 .collect(),
             curve: curve.len(),
-            stress,
+            further,
         }
     }
 
@@ -55,19 +90,15 @@ impl TableColumns {
         let mut codes: Vec<_> = codes.filter(|code| !code.starts_with("cache")).collect();
         codes.sort_unstable();
         codes.dedup();
+        let first = first(study, case, status);
         let last = [side, codes.join(" "), String::new()];
-        let steps = summary.steps.iter().enumerate();
         let critical = summary.critical.as_deref().unwrap_or_default();
         let row = |(i, step)| {
-            let cells = [
-                first(study, case, status),
-                curve::row(i, step),
-                self.stress.row(step, critical),
-                last.to_vec(),
-            ];
+            let (curve, further) = (curve::row(i, step), self.further.row(step, critical));
+            let cells = [&first[..], &curve, &further, &last];
             line(&cells.concat())
         };
-        steps.map(row).collect()
+        summary.steps.iter().enumerate().map(row).collect()
     }
 
     /// The one row of a case without a result.
@@ -103,7 +134,9 @@ fn first(study: &Study, case: usize, status: CaseStatus) -> Vec<String> {
 
 /// The cells as one row with its line end. Line ends within a cell are quoted.
 fn line(cells: &[String]) -> String {
-    let mut writer = csv::Writer::from_writer(Vec::new());
+    let bytes = cells.iter().map(|cell| cell.len() + 1).sum();
+    let mut writer = csv::WriterBuilder::new();
+    let mut writer = writer.buffer_capacity(bytes).from_writer(Vec::new());
     // Writing to memory cannot fail, and the text stays UTF-8.
     drop(writer.write_record(cells));
     let bytes = writer.into_inner().unwrap_or_default();

@@ -317,7 +317,7 @@ fn the_fields_of_a_million_cases_have_their_places_beyond_four_gigabytes() {
     let kept = KeptFields::open(folder.path(), &identity, 0)
         .unwrap()
         .unwrap();
-    kept.add_failed(999_999).unwrap();
+    super::kept_record::add_failed(&kept, 999_999).unwrap();
     kept.finish().unwrap();
     let file = fs::File::open(folder.path().join("fields-n32.nc")).unwrap();
     let length = file.metadata().unwrap().len();

@@ -39,6 +39,7 @@ mod stress_files;
 mod stress_pictures;
 mod stress_summary;
 mod study;
+mod study_columns;
 mod study_faults;
 mod study_fields;
 mod study_report;

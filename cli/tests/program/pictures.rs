@@ -147,7 +147,7 @@ fn a_measured_surface_has_maps_of_its_heights_the_gap_and_the_displacement() {
     let curve = fs::read_to_string(folder.path("a/curve.csv")).unwrap();
     let header = curve.lines().next().unwrap();
     assert!(
-        header.ends_with("contact fraction,mean gap [m],islands"),
+        header.ends_with("contact fraction,mean gap [m],islands,corrected contact area [m^2]"),
         "{header}"
     );
     // From the files alone.

@@ -1,6 +1,7 @@
 //! The columns of rough contact in a curve.
 
 use super::number;
+use crate::case::Case;
 use crate::case::units::Units;
 use crate::output::summary::roughness::RoughContactSummary;
 use crate::output::summary::{StepSummary, Summary};
@@ -12,47 +13,55 @@ type RoughColumn = (
     fn(&RoughContactSummary) -> String,
 );
 
-const COLUMNS: [RoughColumn; 3] = [
+const COLUMNS: [RoughColumn; 4] = [
     ("contact fraction", None, |rough| {
         number(rough.contact_fraction)
     }),
     ("mean gap", Some("m"), |rough| number(rough.mean_gap)),
     ("islands", None, |rough| rough.islands.count.to_string()),
+    ("corrected contact area", Some("m^2"), |rough| {
+        number(rough.corrected_area)
+    }),
 ];
 
 /// The columns, where a map takes part.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct RoughColumns {
-    columns: &'static [RoughColumn],
+    are_there: bool,
 }
 
 impl RoughColumns {
     /// The columns of the steps of a summary.
     #[must_use]
     pub fn of_steps(summary: &Summary) -> Self {
-        let columns: &[_] = if summary.has_rough_contact() {
-            &COLUMNS
-        } else {
-            &[]
-        };
-        Self { columns }
+        let are_there = summary.has_rough_contact();
+        Self { are_there }
     }
 
-    /// Names of the columns.
+    /// Adds those of a case.
+    pub fn add(&mut self, case: &Case) {
+        self.are_there |= case.surface.map().is_some() || case.indenter.map().is_some();
+    }
+
+    fn columns(self) -> impl Iterator<Item = &'static RoughColumn> {
+        COLUMNS.iter().filter(move |_| self.are_there)
+    }
+
+    /// Names of the columns, with units.
     #[must_use]
-    pub fn header(&self, units: Units) -> Vec<String> {
+    pub fn header(self, units: Units) -> Vec<String> {
         let name = |(name, unit, _): &RoughColumn| match unit {
             Some(unit) => format!("{name} [{}]", units.name(unit)),
             None => (*name).to_owned(),
         };
-        self.columns.iter().map(name).collect()
+        self.columns().map(name).collect()
     }
 
     /// The values of a step; empty without contact.
     #[must_use]
-    pub fn row(&self, step: &StepSummary) -> Vec<String> {
+    pub fn row(self, step: &StepSummary) -> Vec<String> {
         let rough = step.rough_contact.as_ref();
         let cell = |(_, _, value): &RoughColumn| rough.map_or_else(String::new, value);
-        self.columns.iter().map(cell).collect()
+        self.columns().map(cell).collect()
     }
 }

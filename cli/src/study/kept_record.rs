@@ -1,0 +1,215 @@
+//! The record of a case in a file of kept fields: its number, its status, its side, and the fields one after the other.
+//!
+//! The program writes it at its place in the file, field by field. An engine's worker, which may be on another machine,
+//! makes the same bytes in memory, and whoever gathers the rows writes them.
+
+use std::fmt::Debug;
+use std::sync::{Mutex, PoisonError};
+
+use pellicle_contact::{DeformedSurface, LoadingPath, SampledModel};
+
+use super::case_status::CaseStatus;
+use super::identity::StudyIdentity;
+use super::kept_layout::{HEAD, KeptField, KeptLayout};
+use super::numbering::CaseNumbering;
+use crate::failure::Failure;
+
+/// What the records of a study's cases hold.
+#[derive(Debug, Clone)]
+pub struct KeptRecords {
+    layout: KeptLayout,
+    numbering: CaseNumbering,
+}
+
+impl KeptRecords {
+    /// Those of a study; none if it keeps nothing.
+    #[must_use]
+    pub fn of(identity: &StudyIdentity) -> Option<Self> {
+        Some(Self {
+            layout: identity.kept.clone()?,
+            numbering: identity.numbering.clone(),
+        })
+    }
+
+    /// The fields and their order.
+    #[must_use]
+    pub fn layout(&self) -> &KeptLayout {
+        &self.layout
+    }
+
+    /// Elements per side of a case; none if they are invalid.
+    #[must_use]
+    pub fn elements_of(&self, case: usize) -> Option<usize> {
+        self.layout.grid_of(&self.numbering, case)
+    }
+
+    /// Whether a case needs more than its pressure.
+    #[must_use]
+    pub fn need_the_surface(&self) -> bool {
+        let mut fields = self.layout.fields.iter();
+        fields.any(|field| field.is_of_the_surface())
+    }
+}
+
+/// Keeps the fields of cases.
+pub trait FieldKeeper: Debug + Sync {
+    /// What is kept.
+    fn records(&self) -> &KeptRecords;
+
+    /// Writes some bytes of a case, the first of them at byte `at` of its record.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Write`] if they cannot be written.
+    fn write(&self, case: usize, at: u64, bytes: &[u8]) -> Result<(), Failure>;
+
+    /// Forces what was written to the disk, if it is on one.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Write`] if the system cannot.
+    fn force(&self) -> Result<(), Failure>;
+}
+
+/// Keeps the fields of a case that is solved.
+///
+/// # Errors
+///
+/// That of the keeper.
+pub fn add(
+    keeper: &dyn FieldKeeper,
+    case: usize,
+    status: CaseStatus,
+    path: &LoadingPath,
+) -> Result<(), Failure> {
+    let records = keeper.records();
+    let Some(elements) = records.elements_of(case) else {
+        return Ok(());
+    };
+    keeper.write(case, 0, &head(case, status, path.grid.side()))?;
+    let layout = &records.layout;
+    let kept = layout.steps.unwrap_or(1);
+    let first = match layout.steps {
+        Some(_) => 0,
+        None => path.steps.len().saturating_sub(1),
+    };
+    let needs_surface = records.need_the_surface();
+    let needs_geometry = needs_surface || layout.fields.contains(&KeptField::Profile);
+    let geometry = needs_geometry.then(|| path.geometry());
+    for place in 0..kept {
+        let step = first + place;
+        let geometry = geometry.as_ref();
+        let surface = geometry.filter(|_| needs_surface);
+        let surface = surface.and_then(|geometry| path.surface(geometry, step));
+        for (i, field) in layout.fields.iter().enumerate() {
+            let values = values(*field, path, step, geometry, surface.as_ref());
+            let bytes = values.map_or_else(|| missing(elements), big_endian);
+            keeper.write(case, layout.offset(elements, i, place), &bytes)?;
+        }
+    }
+    Ok(())
+}
+
+/// Keeps NaN for the fields of a case without a result.
+///
+/// # Errors
+///
+/// That of the keeper.
+pub fn add_failed(keeper: &dyn FieldKeeper, case: usize) -> Result<(), Failure> {
+    let records = keeper.records();
+    let Some(elements) = records.elements_of(case) else {
+        return Ok(());
+    };
+    keeper.write(case, 0, &head(case, CaseStatus::Failed, f64::NAN))?;
+    let missing = missing(elements);
+    let planes = records.layout.fields.len() * records.layout.steps.unwrap_or(1);
+    let mut places = (0..planes).map(|i| (HEAD + i * missing.len()) as u64);
+    places.try_for_each(|at| keeper.write(case, at, &missing))
+}
+
+/// The record of one case at a time, in memory.
+#[derive(Debug)]
+pub struct RecordInMemory {
+    records: KeptRecords,
+    bytes: Mutex<Vec<u8>>,
+}
+
+impl RecordInMemory {
+    /// None if the study keeps nothing.
+    #[must_use]
+    pub fn of(identity: &StudyIdentity) -> Option<Self> {
+        let records = KeptRecords::of(identity)?;
+        let bytes = Mutex::default();
+        Some(Self { records, bytes })
+    }
+
+    /// Hands out what was kept since this was last asked: empty of a case whose grid is invalid.
+    #[must_use]
+    pub fn take(&self) -> Vec<u8> {
+        std::mem::take(&mut self.bytes.lock().unwrap_or_else(PoisonError::into_inner))
+    }
+}
+
+impl FieldKeeper for RecordInMemory {
+    fn records(&self) -> &KeptRecords {
+        &self.records
+    }
+
+    fn write(&self, case: usize, at: u64, bytes: &[u8]) -> Result<(), Failure> {
+        let mut record = self.bytes.lock().unwrap_or_else(PoisonError::into_inner);
+        let elements = self.records.elements_of(case).unwrap_or(0);
+        record.resize(self.records.layout.record_bytes(elements), 0);
+        let start = usize::try_from(at).unwrap_or(usize::MAX);
+        // Every field is within its record.
+        if let Some(place) = record.get_mut(start..start.saturating_add(bytes.len())) {
+            place.copy_from_slice(bytes);
+        }
+        Ok(())
+    }
+
+    fn force(&self) -> Result<(), Failure> {
+        Ok(())
+    }
+}
+
+fn head(case: usize, status: CaseStatus, side: f64) -> Vec<u8> {
+    // At most a million cases, and a few statuses.
+    let number = |number: usize| u32::try_from(number).unwrap_or(u32::MAX).to_be_bytes();
+    let status = CaseStatus::ALL.iter().position(|known| *known == status);
+    let side = side.to_be_bytes();
+    [
+        &number(case + 1)[..],
+        &number(status.unwrap_or_default()),
+        &side,
+    ]
+    .concat()
+}
+
+fn big_endian(values: &[f64]) -> Vec<u8> {
+    values
+        .iter()
+        .flat_map(|value| value.to_be_bytes())
+        .collect()
+}
+
+fn missing(elements: usize) -> Vec<u8> {
+    f64::NAN.to_be_bytes().repeat(elements * elements)
+}
+
+/// The values of a field in a step; none if there is no such step.
+fn values<'a>(
+    field: KeptField,
+    path: &'a LoadingPath,
+    step: usize,
+    geometry: Option<&'a SampledModel>,
+    surface: Option<&'a DeformedSurface>,
+) -> Option<&'a [f64]> {
+    let solved = path.steps.get(step)?;
+    match field {
+        KeptField::Pressure => Some(&solved.solution.pressure),
+        KeptField::Displacement => surface.map(|surface| &surface.displacement[..]),
+        KeptField::Gap => surface.map(|surface| &surface.gap[..]),
+        KeptField::Shortening => surface.map(|surface| &surface.shortening[..]),
+        KeptField::Profile => geometry.map(|geometry| geometry.relief.profile()),
+    }
+}
