@@ -13,6 +13,7 @@ pub mod sampling;
 pub mod simulation;
 pub mod spring_constants;
 pub mod tables;
+pub mod taken_as_exact;
 pub mod text;
 pub mod units;
 pub mod validity;

@@ -133,8 +133,8 @@ fn displacement(
     let mut displacement = vec![0.0; pressure.len()];
     match boundary {
         Boundary::Free => {
-            let presses = |[i, j]: [usize; 2]| pressure[i * size + j] > 0.0;
-            let window = Window::whole(size).around(presses);
+            let whole = Window::whole(size);
+            let window = whole.around_pressing(pressure).unwrap_or(whole);
             let shown = (Sector::Whole, size);
             let mut operator = elasticity.under_window(shown, window.origin(), window.size());
             operator.apply_into(&window.cut(pressure), &mut displacement);

@@ -5,6 +5,7 @@
 //! `D = dE/dQ`, `dD/dQ` and `∂D/∂θ` at every point. As the parameters change, each load's domain follows its contact,
 //! so that the same elements press and no step comes from one that enters.
 
+mod fixed_number;
 mod force_scale;
 mod observable;
 mod solved_curve;
@@ -16,6 +17,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use pellicle_contact::{ContactError, Model, ModelParameter};
 use rayon::prelude::*;
 
+pub use fixed_number::FixedNumber;
 pub use force_scale::ForceScale;
 pub use observable::Observable;
 use solved_curve::{Nodes, SolvedCurve};
@@ -159,12 +161,13 @@ impl ContactCurves {
     }
 
     /// One curve at these parameters, at its abscissae or, where they are forces, at so many times them: its points,
-    /// their slopes, and their derivatives by the parameters of the model.
+    /// their slopes, and their derivatives by the parameters of the model, then by the numbers `fixed` of it.
     fn true_curve(
         &self,
         curve: usize,
         parameters: &[f64],
         factor: f64,
+        fixed: &[ModelParameter],
     ) -> Result<Prediction, ContactError> {
         if self.options.stop.is_raised() {
             return Err(ContactError::Cancelled { step: 0 });
@@ -173,7 +176,8 @@ impl ContactCurves {
         let own: BTreeSet<usize> = self.own(curve).collect();
         let all = self.parameters.iter().enumerate();
         let sought = all.filter(|(index, _)| !own.contains(index));
-        let sought: Vec<ModelParameter> = sought.map(|(_, parameter)| *parameter).collect();
+        let sought = sought.map(|(_, parameter)| parameter).chain(fixed);
+        let sought: Vec<ModelParameter> = sought.copied().collect();
         let ContactCurve {
             observable,
             abscissae,
@@ -241,26 +245,21 @@ impl ContactCurves {
 impl ForwardModel for ContactCurves {
     fn predict(&self, parameters: &[f64]) -> Result<Prediction, ForwardError> {
         let curves = (0..self.curves.len()).into_par_iter();
-        let predicted = curves.map(|curve| self.predicted(curve, parameters));
+        let predicted = curves.map(|curve| self.predicted(curve, parameters, &[]));
         let predicted: Vec<Result<Prediction, ContactError>> = predicted.collect();
-        let mut all = Prediction {
-            value: Vec::new(),
-            slope: Vec::new(),
-            derivatives: vec![Vec::new(); parameters.len().max(self.parameters.len())],
-        };
-        for one in predicted {
-            let one = one.map_err(|source| match source {
-                ContactError::Cancelled { .. } => ForwardError::Stopped,
-                source => ForwardError::OutOfRange {
-                    source: Box::new(source),
-                },
-            })?;
-            all.value.extend(one.value);
-            all.slope.extend(one.slope);
-            for (to, from) in all.derivatives.iter_mut().zip(one.derivatives) {
-                to.extend(from);
-            }
+        let predicted = predicted.into_iter().collect::<Result<Vec<_>, _>>()?;
+        let columns = parameters.len().max(self.parameters.len());
+        Ok(Prediction::joined(predicted, columns))
+    }
+}
+
+impl From<ContactError> for ForwardError {
+    fn from(source: ContactError) -> Self {
+        match source {
+            ContactError::Cancelled { .. } => Self::Stopped,
+            source => Self::OutOfRange {
+                source: Box::new(source),
+            },
         }
-        Ok(all)
     }
 }

@@ -17,9 +17,11 @@ use crate::{
 
 mod covariance;
 mod estimates;
+mod exponents;
 mod intervals;
 mod stopped;
 
+pub use exponents::exponents;
 use intervals::{Interval, Scanned, Sought};
 
 /// Finds the unknowns of a problem, their intervals, and what the data cannot tell.

@@ -28,6 +28,23 @@ pub struct Prediction {
 }
 
 impl Prediction {
+    /// The points of some curves after each other, with derivatives by so many unknowns.
+    pub(crate) fn joined(curves: Vec<Self>, unknowns: usize) -> Self {
+        let mut all = Self {
+            value: Vec::new(),
+            slope: Vec::new(),
+            derivatives: vec![Vec::new(); unknowns],
+        };
+        for one in curves {
+            all.value.extend(one.value);
+            all.slope.extend(one.slope);
+            for (to, from) in all.derivatives.iter_mut().zip(one.derivatives) {
+                to.extend(from);
+            }
+        }
+        all
+    }
+
     /// Whether there is a finite number for each of the points and unknowns.
     pub(crate) fn is_complete(&self, points: usize, unknowns: usize) -> bool {
         let complete =

@@ -45,11 +45,11 @@ mod unknown;
 mod verdict;
 
 pub use contact_curves::{
-    ContactCurve, ContactCurves, CurveOptions, ForceScale, Invalidity, Observable,
+    ContactCurve, ContactCurves, CurveOptions, FixedNumber, ForceScale, Invalidity, Observable,
 };
 pub use curve::Curve;
 pub use error::IdentifyError;
-pub use fit::identify;
+pub use fit::{exponents, identify};
 pub use forward_error::ForwardError;
 pub use forward_model::{ForwardModel, Prediction};
 pub use goodness::{Goodness, REFUSAL};

@@ -49,7 +49,7 @@ impl Problem {
         for nuisance in nuisances {
             columns.extend(nuisance.columns(&curves)?);
         }
-        let spans = spans(&curves);
+        let spans = spans(curves.iter().map(Curve::points));
         let observed: Vec<f64> = curves.iter().flat_map(Curve::observed).copied().collect();
         let free = columns.iter().filter(|c| c.prior.is_none()).count()
             + unknowns.iter().filter(|u| u.prior().is_none()).count();
@@ -124,7 +124,7 @@ impl Problem {
         let own = |column: &&NuisanceColumn| column.curve == Some(index);
         let curves = vec![self.curves[index].clone()];
         Self {
-            spans: spans(&curves),
+            spans: spans(curves.iter().map(Curve::points)),
             curves,
             unknowns: self.unknowns.iter().map(Unknown::without_prior).collect(),
             noise: self.noise,
@@ -170,12 +170,12 @@ impl Problem {
     }
 }
 
-fn spans(curves: &[Curve]) -> Vec<Range<usize>> {
+/// Where the points of each curve are among those of all, for so many points a curve.
+pub(crate) fn spans(points: impl Iterator<Item = usize>) -> Vec<Range<usize>> {
     let mut first = 0;
-    curves
-        .iter()
-        .map(|curve| {
-            let span = first..first + curve.points();
+    points
+        .map(|count| {
+            let span = first..first + count;
             first = span.end;
             span
         })

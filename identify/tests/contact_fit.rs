@@ -2,10 +2,11 @@
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
-use pellicle_contact::{Model, ModelParameter, Paraboloid};
+use pellicle_contact::{IndenterQuantity, Model, ModelParameter, Paraboloid};
 use pellicle_identify::{
     Amount, ContactCurve, ContactCurves, Curve, CurveOptions, Fit, FitOptions, FitVerdict,
-    ForwardModel as _, LinearNuisance, Noise, Observable, Problem, Unknown, Verdict, identify,
+    ForwardModel as _, Intervals, LinearNuisance, Noise, Observable, Problem, Unknown, Verdict,
+    exponents, identify,
 };
 use pellicle_influence::{Cache, ElasticBodies, ElasticParameter};
 use pellicle_kernel::{Foundation, FoundationParameter, Material};
@@ -129,4 +130,41 @@ fn with_the_thickness_unknown_the_modulus_of_the_coat_is_weak() {
         "{:?}",
         fit.work
     );
+}
+
+#[test]
+fn moduli_and_thickness_follow_a_radius_that_is_taken_as_exact_as_the_gauge_says() {
+    let (curves, forces) = coat(3);
+    let observed = curves.predict(&TRUTH).unwrap().value;
+    let curve = Curve::new(forces, observed).unwrap();
+    let unknown = |name: &str, value: f64| {
+        let range = [value / 10.0, value * 10.0];
+        Unknown::positive(name, range).unwrap()
+    };
+    let unknowns = ["E1", "E2", "H"].into_iter().zip(TRUTH);
+    let unknowns = unknowns.map(|(name, value)| unknown(name, value)).collect();
+    let noise = Noise::white(1e-10);
+    let problem = Problem::new(vec![curve], unknowns, &[], noise).unwrap();
+    let options = FitOptions {
+        intervals: Intervals::Wald,
+        ..FitOptions::default()
+    };
+    let fit = identify(&curves, &problem, &options).unwrap();
+    let values: Vec<f64> = fit.estimates.iter().map(|of| of.value).collect();
+    let numbers = curves.curves()[0].model.parameters();
+    let (at_fit, fixed) = curves.predict_with_fixed(&values, &[numbers]).unwrap();
+    let kinds: Vec<_> = fixed.iter().map(|of| of.parameter).collect();
+    let radius = ModelParameter::Indenter(IndenterQuantity::Radius);
+    // Two ratios and the radius.
+    assert_eq!((kinds.len(), kinds[2]), (3, radius));
+    assert_eq!(fixed[2].value.to_bits(), 10e-6_f64.to_bits());
+    let changes: Vec<Vec<f64>> = fixed
+        .iter()
+        .map(|of| of.derivative.iter().map(|d| d * of.value).collect())
+        .collect();
+    let found = exponents(&problem, &fit, at_fit, &changes).unwrap();
+    // (R, H, E) and (b² R, b H, E/b) give the same curve; the derivatives are those of two grids.
+    for (exponent, gauge) in found[2].iter().zip([-0.5, -0.5, 0.5]) {
+        assert!((exponent.unwrap() - gauge).abs() < 2e-3, "{:?}", found[2]);
+    }
 }

@@ -184,6 +184,13 @@ class Identification(Result):
         return {key: np.array(values, dtype=np.float64) for key, values in self._samples.items()}
 
     @property
+    def taken_as_exact(self) -> list[dict[str, Any]]:
+        """What the model holds fixed: `key`, `unit`, `value`, and `exponents`, the percent by which 1 % more of it changes
+        each unknown."""
+        numbers: list[dict[str, Any]] = self._found["taken_as_exact"]
+        return numbers
+
+    @property
     def goodness(self) -> dict[str, Any]:
         """How well the model follows the data: `chi_squared_per_degree`, `misfit_p`, `noise`, `excluded`, …"""
         goodness: dict[str, Any] = self._found["fit"]

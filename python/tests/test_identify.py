@@ -82,6 +82,8 @@ def test_results_are_arrays_and_numbers(result: pl.Identification, measured: tup
     deviations = np.sqrt(np.diag(result.covariance))
     correlation = result.covariance[0, 1] / deviations.prod()
     assert correlation == pytest.approx(result.correlation[0, 1], abs=1e-12)
+    exact = {number["key"]: number["exponents"] for number in result.taken_as_exact}
+    assert all(len(exponents) == 2 for exponents in exact.values()) and "indenter.radius" in exact
     assert set(result.profiles["parameter"]) == {COAT, BASE}
     assert result.excluded is None and result.posterior == {} and result.goodness["points"] == 40
 

@@ -19,6 +19,20 @@ pub struct CaseParameter {
     pub dimension: Option<Dimension>,
 }
 
+impl CaseParameter {
+    /// Its SI unit.
+    #[must_use]
+    pub fn unit(&self) -> &'static str {
+        unit(self.dimension)
+    }
+}
+
+/// The SI unit of a number of this dimension; `1` without one.
+#[must_use]
+pub fn unit(dimension: Option<Dimension>) -> &'static str {
+    dimension.map_or("1", Dimension::si_unit)
+}
+
 impl Case {
     /// All numbers of the case's model that a solution depends on smoothly: not those of graded layers, which stand for
     /// many layers of the model.

@@ -8,7 +8,7 @@ use super::prior;
 use crate::case::diagnosis::Diagnosis;
 use crate::case::dimension::Dimension;
 use crate::case::document::{TomlEntry, TomlTable, TomlValue};
-use crate::case::parameter::CaseParameter;
+use crate::case::parameter::{self, CaseParameter};
 use crate::case::table_reader::{TableReader, dotted};
 use crate::case::value_reader::{Sign, ValueReader};
 
@@ -53,7 +53,7 @@ impl UnknownCase {
     /// Its SI unit.
     #[must_use]
     pub fn unit(&self) -> &'static str {
-        self.dimension.map_or("1", Dimension::si_unit)
+        parameter::unit(self.dimension)
     }
 }
 

@@ -6,6 +6,7 @@ use pellicle_identify::{Fit, FitVerdict, Observable, REFUSAL};
 
 use super::pictures::{FitDrawings, FitPicture};
 use super::result::{CombinationResult, EstimateResult, FitResult};
+use super::taken_as_exact::ExactNumber;
 use super::{Identification, names, units};
 use crate::display::significant;
 use crate::planning::page::DesignTable;
@@ -22,6 +23,8 @@ struct Page<'a> {
     refusal: String,
     level: String,
     tables: [(&'static str, Vec<EstimateRow>); 2],
+    /// Names of the unknowns, and the numbers taken as exact.
+    exact: (Vec<String>, Vec<ExactRow>),
     drawings: &'a FitDrawings,
     /// Names, values and what they mean.
     tests: Vec<(&'static str, String, &'static str)>,
@@ -46,6 +49,17 @@ struct EstimateRow {
     known: Option<String>,
 }
 
+/// A number taken as exact, in words.
+struct ExactRow {
+    name: String,
+    key: String,
+    value: String,
+    /// What 1 % more of it does to each unknown.
+    changes: Vec<String>,
+    /// The error that moves an unknown as far as its interval reaches.
+    tolerance: String,
+}
+
 /// The page as HTML.
 #[must_use]
 pub fn html(of: &Identification, fit: &Fit, found: &FitResult, drawings: &FitDrawings) -> String {
@@ -61,6 +75,7 @@ pub fn html(of: &Identification, fit: &Fit, found: &FitResult, drawings: &FitDra
             ("Unknowns", rows(&found.unknowns)),
             ("Nuisances", rows(&found.nuisances)),
         ],
+        exact: exact(found),
         drawings,
         tests: noise(found).into_iter().chain(tests(fit)).collect(),
         curves: curves(of, found),
@@ -118,6 +133,35 @@ fn row(of: &EstimateResult) -> EstimateRow {
         scatter: of.scatter.map(|scatter| with_unit(number(scatter))),
         known: of.known_combination.as_ref().map(known),
     }
+}
+
+/// The numbers taken as exact, in words.
+fn exact(found: &FitResult) -> (Vec<String>, Vec<ExactRow>) {
+    let row = |of: &ExactNumber| {
+        let scale = units::scale(of.value, &of.unit);
+        let value = significant(of.value / scale.divisor, 4);
+        let change = |exponent: &Option<f64>| match exponent {
+            Some(exponent) => format!("{exponent:+.2} %").replace('-', "−"),
+            None => "open".into(),
+        };
+        let tolerance = of.tolerance(&found.unknowns);
+        ExactRow {
+            name: names::of_key(&of.key),
+            key: of.key.clone(),
+            value: format!("{value} {}", scale.label).trim_end().to_owned(),
+            changes: of.exponents.iter().map(change).collect(),
+            tolerance: match tolerance {
+                Some((part, unknown)) if part < 1.0 => {
+                    let percent = significant(100.0 * part, 2);
+                    format!("{percent} %, for {}", names::symbol(unknown))
+                }
+                _ => "above 100 %".into(),
+            },
+        }
+    };
+    let unknowns = found.unknowns.iter().map(|of| names::symbol(&of.key));
+    let rows = found.taken_as_exact.iter().map(row);
+    (unknowns.collect(), rows.collect())
 }
 
 /// An interval in words; one end or both may be open.

@@ -11,6 +11,7 @@ use pellicle_identify::{
 use serde::{Deserialize, Serialize};
 
 use super::Identification;
+use super::taken_as_exact::ExactNumber;
 use crate::output::summary::PROGRAM;
 use crate::planning::after_fit::Next;
 use crate::planning::result::DesignResult;
@@ -54,6 +55,8 @@ pub struct FitResult {
     pub nuisances: Vec<EstimateResult>,
     /// Correlation of the unknowns, in their order.
     pub correlation: Vec<Vec<f64>>,
+    /// What the models hold fixed, and what an error in it does to the unknowns; empty unless the verdict is `fitted`.
+    pub taken_as_exact: Vec<ExactNumber>,
     /// How well the model follows the data.
     pub fit: Quality,
     /// What it has cost.
@@ -197,6 +200,9 @@ impl FitResult {
         let common = coefficients.map(|one| of.coefficient(&one.name, one.value, one.interval));
         let mut warnings = of.warnings(fit);
         warnings.extend(of.outside_warnings());
+        let (taken_as_exact, failure) = of.taken_as_exact(fit);
+        warnings.extend(failure);
+        let is_differentiated = !taken_as_exact.is_empty();
         let sampling = of.sample(fit);
         warnings.extend(sampling.warnings);
         warnings.extend(next.warnings);
@@ -209,9 +215,12 @@ impl FitResult {
             unknowns: with_role(Role::Sought).collect(),
             nuisances: with_role(Role::Nuisance).chain(common).collect(),
             correlation: fit.correlation.clone(),
+            taken_as_exact,
             fit: of.quality(fit),
             work: WorkResult {
-                curves_solved: of.spent.curves + fit.work.curves_solved,
+                curves_solved: of.spent.curves
+                    + fit.work.curves_solved
+                    + usize::from(is_differentiated),
                 loads_solved: of.spent.loads + of.model.loads_solved(),
                 operator_applications: of.spent.products + of.model.operator_applications(),
                 seconds,

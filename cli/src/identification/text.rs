@@ -1,6 +1,7 @@
 //! The result of a fit on the terminal.
 
 use super::result::{EstimateResult, FitResult};
+use super::taken_as_exact::most_critical;
 use crate::display::significant;
 use crate::planning;
 
@@ -22,10 +23,13 @@ pub fn text(result: &FitResult) -> String {
         result.work.loads_solved,
         significant(result.work.seconds, 3)
     );
+    let exact = most_critical(&result.taken_as_exact, &result.unknowns);
+    let exact = exact.map(|sentence| format!("  {sentence}\n"));
     format!(
-        "{}\n{}{quality}{work}{}",
+        "{}\n{}{}{quality}{work}{}",
         result.title,
         estimates.collect::<String>(),
+        exact.unwrap_or_default(),
         next(result)
     )
 }

@@ -101,6 +101,7 @@ fn moduli_of_a_coat_and_its_base_are_found_with_intervals_that_hold_them() {
             "unknowns",
             "nuisances",
             "correlation",
+            "taken_as_exact",
             "fit",
             "work",
             "curves",

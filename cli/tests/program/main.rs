@@ -15,6 +15,7 @@ mod damage;
 mod files;
 mod guide;
 mod identify;
+mod identify_exact;
 mod identify_next;
 mod identify_plan;
 mod identify_plan_files;

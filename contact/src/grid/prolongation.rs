@@ -130,6 +130,29 @@ mod tests {
     }
 
     #[test]
+    fn lines_beyond_a_window_count_for_nothing_or_are_its_outermost() {
+        let belongs = |[i, j]: [usize; 2]| (20..24).contains(&i) && (30..34).contains(&j);
+        let from = Window::whole(64).around(belongs);
+        let last = from.size() - 1;
+        let prolongation = Prolongation::new(&from, &Window::whole(128));
+        for (i, line) in prolongation.rows().iter().enumerate() {
+            // Centres of a coarse line's fine ones lie a quarter before its own and a quarter behind it.
+            let place = (i as f64 - 0.5) / 2.0 - from.origin()[0] as f64;
+            let low = place.floor();
+            let held = |k: f64| k >= 0.0 && k <= last as f64;
+            for ((found, weight), k) in line.around.into_iter().zip([low, low + 1.0]) {
+                let inside = held(k).then_some(k);
+                assert_eq!(found.map(|found| found as f64), inside, "{i}");
+                assert!((weight - (1.0 - (place - k).abs())).abs() < 1e-13);
+            }
+            for ((found, _), k) in line.among.into_iter().zip([-1.0, 0.0, 1.0, 2.0]) {
+                let nearest = (low + k).clamp(0.0, last as f64);
+                assert!((found as f64 - nearest).abs() < 0.5, "{i}: {found}");
+            }
+        }
+    }
+
+    #[test]
     fn the_coarse_line_that_holds_a_fine_one_is_the_nearest() {
         let prolongation = Prolongation::new(&Window::whole(8), &Window::whole(16));
         let within: Vec<_> = prolongation

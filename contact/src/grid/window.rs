@@ -75,6 +75,17 @@ impl Window {
         extent.centred(size, &self.everywhere())
     }
 
+    /// The same of the elements that press, by the pressure on this window; none where nothing presses.
+    pub fn around_pressing(&self, pressure: &[f64]) -> Option<Self> {
+        let is_pressed = pressure.iter().any(|p| *p > 0.0);
+        is_pressed.then(|| self.around(|element| self.presses(pressure, element)))
+    }
+
+    /// Whether an element of the grid presses, by the pressure on this window, which holds all that do.
+    pub fn presses(&self, pressure: &[f64], element: [usize; 2]) -> bool {
+        self.place(element).is_some_and(|at| pressure[at] > 0.0)
+    }
+
     /// The smallest window of a finer grid over the same square that holds what lies within one element of those of
     /// this window that belong; none where none does.
     pub fn on_finer(
@@ -113,7 +124,7 @@ impl Window {
             })
         };
         let rows = (above..above + rows).into_par_iter();
-        let rows = rows.with_min_len(ELEMENTS_PER_THREAD / self.size + 1);
+        let rows = rows.with_min_len(self.rows_per_thread());
         let extents: Vec<IndexRange> = rows.filter_map(of_row).collect();
         let extent = extents.into_iter().reduce(IndexRange::and)?;
         let first = |axis: usize| {
@@ -189,6 +200,11 @@ impl Window {
     /// Rows, and elements of each.
     pub fn lengths(&self) -> [usize; 2] {
         self.sector.lengths(self.size)
+    }
+
+    /// As few rows as are worth a thread of their own.
+    fn rows_per_thread(&self) -> usize {
+        ELEMENTS_PER_THREAD / self.size + 1
     }
 
     /// Number of elements.
@@ -299,7 +315,7 @@ impl Window {
         of_line: impl Fn(usize, &[f64]) -> T + Sync,
     ) -> Vec<T> {
         let lines = part.par_chunks(self.size).enumerate();
-        let lines = lines.with_min_len(ELEMENTS_PER_THREAD / self.size + 1);
+        let lines = lines.with_min_len(self.rows_per_thread());
         lines.map(|(line, values)| of_line(line, values)).collect()
     }
 
@@ -310,7 +326,7 @@ impl Window {
             .par_chunks_mut(self.grid)
             .skip(above)
             .zip(part.par_chunks(self.size));
-        let lines = lines.with_min_len(ELEMENTS_PER_THREAD / self.size + 1);
+        let lines = lines.with_min_len(self.rows_per_thread());
         lines.for_each(|(line, part)| {
             let line = line[left..left + self.size].iter_mut();
             line.zip(part).for_each(|(to, value)| *to += value);
@@ -344,7 +360,7 @@ impl Window {
             [false, _] => [above, lines],
         };
         let rows = rows.skip(first).take(count);
-        let rows = rows.with_min_len(ELEMENTS_PER_THREAD / self.size + 1);
+        let rows = rows.with_min_len(self.rows_per_thread());
         rows.for_each(|(i, row)| {
             let line = match self.sector.mirrored() {
                 [true, _] if i < axis => axis - 1 - i,
@@ -370,7 +386,7 @@ impl Window {
             first..end.max(first)
         });
         let lines = field.par_chunks_mut(self.size).enumerate();
-        let lines = lines.with_min_len(ELEMENTS_PER_THREAD / self.size + 1);
+        let lines = lines.with_min_len(self.rows_per_thread());
         lines.for_each(|(line, values)| {
             let i = self.origin[0] + line;
             if rows.contains(&i) {

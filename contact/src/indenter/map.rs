@@ -148,6 +148,33 @@ mod tests {
     }
 
     #[test]
+    fn mean_heights_are_known_from_within_the_finest_spacing_on_along_either_axis() {
+        // A ridge of the slope 1 along the axis of few samples; it rises by 1 a sample along the other.
+        let ridge = |many: usize, along_x: bool| {
+            let rise = |i: usize| (i as f64 - (many / 2) as f64).abs() * 0.01;
+            let (heights, shape, extent) = if along_x {
+                let heights = (0..many * 3).map(|k| rise(k / 3));
+                (heights.collect(), [many, 3], [0.01 * many as f64, 3.0])
+            } else {
+                let heights = (0..many * 3).map(|k| rise(k % many));
+                (heights.collect(), [3, many], [3.0, 0.01 * many as f64])
+            };
+            let map = HeightMap::new(heights, shape, extent).unwrap();
+            IndenterMap::new(map.with_interpolation(Interpolation::Linear))
+        };
+        for along_x in [true, false] {
+            // The height |x| is 2/π of the radius in the mean over a circle within the ridge, and rises less than that
+            // where the circle is wider than the map.
+            let (indenter, radius) = (ridge(101, along_x), 0.02);
+            let mean = indenter.mean_profile(radius);
+            assert!(
+                (mean / (radius * std::f64::consts::FRAC_2_PI) - 1.0).abs() < 0.01,
+                "{mean}"
+            );
+        }
+    }
+
+    #[test]
     fn a_linear_map_of_a_paraboloid_returns_to_second_order() {
         let error = |n: u32| {
             let indenter = sampled(n, Interpolation::Linear);

@@ -390,4 +390,21 @@ mod tests {
             assert_eq!(hierarchy.sector, sector, "{elements} {options:?}");
         }
     }
+
+    #[test]
+    fn lanes_are_as_many_as_are_asked_for_and_share_their_grids() {
+        let model = model(Paraboloid::new(1.0).unwrap().into());
+        for lanes in [1, 3] {
+            let (square, load) = ((1.0, Boundary::Free), [Load::Force(1e-3); 3]);
+            let hierarchy = Hierarchy::new(&model, square, 32, &load, &SolverOptions::default());
+            let lanes_made = hierarchy.lanes(lanes).unwrap();
+            assert_eq!(lanes_made.len(), lanes);
+            let surface = |lane: Hierarchy<'_>| lane.into_finest().unwrap().1;
+            let mut surfaces = lanes_made.into_iter().filter_map(surface);
+            let first = surfaces.next();
+            // One alone makes its grids when a load comes.
+            assert_eq!(first.is_some(), lanes > 1);
+            assert!(surfaces.all(|surface| Arc::ptr_eq(&surface, first.as_ref().unwrap())));
+        }
+    }
 }

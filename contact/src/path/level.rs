@@ -221,9 +221,8 @@ impl Level {
         let (grid, everywhere) = (&self.grid, self.whole.problem.everywhere());
         let pressure: Vec<f64> = grid.centres().map(|place| guess.pressure(place)).collect();
         let pressure = everywhere.sector().cut(&pressure, self.size());
-        let window = everywhere.around(pressed(&everywhere, &pressure));
-        let start = window.cut(&pressure);
-        start.iter().any(|p| *p > 0.0).then_some((window, start))
+        let window = everywhere.around_pressing(&pressure)?;
+        Some((window, window.cut(&pressure)))
     }
 
     /// A coarser level's pressure on a window around it; none where it presses nowhere.
@@ -236,9 +235,8 @@ impl Level {
             outline: &self.outline,
         };
         let pressure = coarser.start_on(&reach, &fine);
-        let window = reach.around(pressed(&reach, &pressure));
-        let start = window.take_over(&reach, &pressure);
-        start.iter().any(|p| *p > 0.0).then_some((window, start))
+        let window = reach.around_pressing(&pressure)?;
+        Some((window, window.take_over(&reach, &pressure)))
     }
 
     /// The elasticity of the elements.
@@ -298,7 +296,7 @@ impl Level {
                 return Ok((solution, window, effort));
             }
             let wider = {
-                let presses = pressed(&window, &solution.pressure);
+                let presses = |element| window.presses(&solution.pressure, element);
                 window.wider(everywhere.around(|e| presses(e) || self.judged.overlaps(e)))
             };
             pressure = wider.take_over(&window, &solution.pressure);
@@ -402,14 +400,5 @@ impl LevelResult {
             peak_place: self.summary.peak_place,
             meets_outline: self.summary.meets_outline,
         }
-    }
-}
-
-/// Whether an element presses, by the pressure on a window that holds all that do.
-fn pressed<'a>(window: &'a Window, pressure: &'a [f64]) -> impl Fn([usize; 2]) -> bool + use<'a> {
-    |element| {
-        window
-            .place(element)
-            .is_some_and(|place| pressure[place] > 0.0)
     }
 }

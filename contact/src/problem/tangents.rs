@@ -117,7 +117,7 @@ impl Tangents {
             let mut sums = [0.0; 2];
             for ((at, p), eta) in fields.zip(&rest[part]) {
                 let (step, eta) = (p - at, self.per_compliance * eta);
-                if step != 0.0 && eta != 0.0 {
+                if step != 0.0 {
                     let to = at + t * step;
                     sums[0] += self.law.energy_beyond_tangent(eta, *at, to);
                     sums[1] += step * self.law.beyond_tangent(eta, *at, to);

@@ -309,6 +309,17 @@ mod tests {
     }
 
     #[test]
+    fn what_a_file_does_not_hold_of_a_level_is_no_number() {
+        let written = serde_json::to_string(&levels(&[2.0])[0]).unwrap();
+        let read: LevelValues = serde_json::from_str(&written).unwrap();
+        assert_eq!(
+            (read.elements, read.penetration, read.max_pressure),
+            (32, 2.0, 2.0)
+        );
+        assert!(read.force.is_nan() && read.edge_uncertainty.is_nan());
+    }
+
+    #[test]
     fn second_order_has_the_safety_factor_times_its_error_for_an_interval() {
         // 1 + 4⁻ˡ: the error of the last is its distance from 1
         let found = penetration(&[2.0, 1.25, 1.0625]);

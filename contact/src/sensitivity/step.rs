@@ -156,8 +156,8 @@ impl Sensitivities<'_> {
     /// The window that holds a step's pressure, and the pressure on it.
     fn pressed(&self, step: usize) -> (Window, Vec<f64>) {
         let Solution { pressure, .. } = &self.path.steps[step].solution;
-        let size = self.path.grid.size();
-        let window = Window::whole(size).around(|[i, j]| pressure[i * size + j] > 0.0);
+        let whole = Window::whole(self.path.grid.size());
+        let window = whole.around_pressing(pressure).unwrap_or(whole);
         let part = window.cut(pressure);
         (window, part)
     }

@@ -12,14 +12,19 @@
 //! loop: so springs, windows, quadrants, cells and every preconditioner are as they were. Each problem is solved only
 //! as far as the exchange before was wrong.
 //!
+//! Until elements are first let go, those above the limit are held together with as many others as carry at the limit
+//! what the former lose: those that press most, then those with the narrowest gap. Held ring by ring, random problems
+//! without a start took 2.5 to 4 times the products.
+//!
 //! **Start.** Of a coarser grid's pressure the elements at the limit are held, of a guess those above it; if they carry
 //! all of a prescribed force, only those that overlap most. From no element held, a fully plastic contact took five to
 //! seven times the products, a ring of elements an exchange.
 //!
 //! **Why it ends.** Holding ends, since no element is let go meanwhile. If the number of elements with a gap at its end
 //! has not fallen, fewer are let go at once, down to the one with the widest gap. That is no proof: the number of
-//! products is bounded besides, and the certificate tells. No random problem has been seen to cycle
-//! (`tests/random_problems.rs`).
+//! products is bounded besides, and the certificate tells. Of 3000 random problems two are not certified after 2000
+//! products, both on a coat four million times as stiff as what is under it (`tests/random_problems.rs`), and of 2000
+//! rough ones perhaps one (`tests/random_rough.rs`).
 //!
 //! **Penetration under a force.** `D` is the multiplier of the elements between the limits, `Σ p v / Σ p` over
 //! `0 < p < p_max`. Where there is none, because the elements held carry the force to the last digits, every `D` from
@@ -42,6 +47,14 @@ const NEAR: f64 = 0.95;
 const LARGEST_SHARE: f64 = 0.97;
 /// Part of a force that is rounding of what the held elements carry.
 const ROUNDING: f64 = 1e-13;
+
+/// By how much, as a part of the limit, a pressure may exceed it that is then cut to it: rounding, by which an element
+/// was held and let go by turns.
+const ABOVE: f64 = 1e-13;
+
+/// Part of the tolerance to which the problems are solved: should one of two elements that differ by twice a residual
+/// come to the limit by a rounding, the other alone says how deep the indenter is.
+const CLOSER: f64 = 0.5;
 
 /// A solver of the problem without a limit.
 pub trait ElasticSolver: Solver {
@@ -66,9 +79,19 @@ pub fn solve(
     start: &[f64],
     watch: &mut Watch<'_>,
 ) -> Result<Iterate, ContactError> {
-    problem.check_capacity(load)?;
+    match problem.check_capacity(load) {
+        // A larger window may carry it.
+        Err(_) if problem.is_window() => {
+            return Ok(Iterate {
+                reached_border: true,
+                ..Iterate::of(start.to_vec())
+            });
+        }
+        carried => carried?,
+    }
     let wanted = *solver.options();
-    let mut exchange = Exchange::start(problem, load, start, wanted.tolerance);
+    let tolerance = CLOSER * wanted.tolerance;
+    let mut exchange = Exchange::start(problem, load, start, tolerance);
     let iterate = loop {
         exchange.press(problem);
         *solver.options() = exchange.options(wanted);
@@ -76,7 +99,7 @@ pub fn solve(
         *solver.options() = wanted;
         let reached_border = exchange.take(found?);
         let is_spent = exchange.total.operator_applications >= wanted.max_applications;
-        if reached_border || is_spent || !exchange.advance(problem, load, wanted.tolerance) {
+        if reached_border || is_spent || !exchange.advance(problem, load, tolerance) {
             break exchange.into_iterate(problem.hardness());
         }
     };
@@ -218,7 +241,9 @@ impl Exchange {
         if wrong.above.is_empty() {
             self.let_go(problem.hardness(), &wrong.open);
         } else {
+            let next = self.next(problem, &wrong.above);
             self.hold(&wrong.above);
+            self.hold(&next);
         }
         self.is_pressed = false;
         true
@@ -228,8 +253,9 @@ impl Exchange {
     /// none, those with a gap, for which it takes a product where any is held.
     fn wrong(&mut self, problem: &mut DiscreteProblem, load: Load) -> Wrong {
         let limit = problem.hardness();
+        let highest = limit * (1.0 + ABOVE);
         let mut wrong = Wrong::default();
-        for (element, p) in self.free.iter().enumerate().filter(|(_, p)| **p > limit) {
+        for (element, p) in self.free.iter().enumerate().filter(|(_, p)| **p > highest) {
             wrong.above.push(element);
             wrong.by = wrong.by.max(p / limit - 1.0);
         }
@@ -237,11 +263,7 @@ impl Exchange {
             return wrong;
         }
         let pressure = self.pressure(limit);
-        let mut v = vec![0.0; pressure.len()];
-        problem.deform_into(&pressure, &mut v);
-        self.total.operator_applications += 1;
-        let gaps = v.iter_mut().zip(problem.initial_gap());
-        gaps.for_each(|(v, g0)| *v += g0);
+        let v = self.deformed(problem, &pressure);
         let penetration = self.penetration(load, &v);
         self.total.penetration = penetration;
         let reference = problem.reference_length(penetration, pressure.iter().sum());
@@ -257,6 +279,39 @@ impl Exchange {
             wrong.by = wrong.by.max(gap(*widest) / reference);
         }
         wrong
+    }
+
+    /// As many elements as carry at the limit what those above it carry beyond it: those that press most, then those
+    /// with the narrowest gap, for which it takes a product.
+    fn next(&mut self, problem: &mut DiscreteProblem, above: &[usize]) -> Vec<usize> {
+        let limit = problem.hardness();
+        let above = above.iter().map(|element| self.free[*element]);
+        let beyond: f64 = above.map(|p| p / limit - 1.0).sum();
+        // Elements that have been let go in vain must not all come back.
+        if beyond < 1.0 || self.fewest_open < usize::MAX {
+            return Vec::new();
+        }
+        let v = self.deformed(problem, &self.pressure(limit));
+        let is_below = |e: &usize| self.free[*e] <= limit && !self.held.mask[*e];
+        let touchable = (0..v.len()).filter(|e| is_below(e) && v[*e].is_finite());
+        let mut next: Vec<usize> = touchable.collect();
+        next.sort_by(|e, f| {
+            let by_pressure = self.free[*f].total_cmp(&self.free[*e]);
+            by_pressure.then(v[*e].total_cmp(&v[*f]))
+        });
+        let counted = next.into_iter().zip(1_u32..);
+        let next = counted.take_while(|(_, count)| f64::from(*count) <= beyond);
+        next.map(|(element, _)| element).collect()
+    }
+
+    /// `v = K p + w* + g0` (m): one product.
+    fn deformed(&mut self, problem: &mut DiscreteProblem, pressure: &[f64]) -> Vec<f64> {
+        let mut v = vec![0.0; pressure.len()];
+        problem.deform_into(pressure, &mut v);
+        self.total.operator_applications += 1;
+        let gaps = v.iter_mut().zip(problem.initial_gap());
+        gaps.for_each(|(v, g0)| *v += g0);
+        v
     }
 
     /// `D` for `v = K p + w* + g0` (m).

@@ -9,7 +9,7 @@
 //! force at depth:    y = Q(D)/κ        ∂y/∂D  = Q′(D)/κ          ∂y/∂k = −y/k
 //! ```
 
-use pellicle_contact::ContactError;
+use pellicle_contact::{ContactError, ModelParameter};
 
 use super::{ContactCurve, ContactCurves, Observable};
 use crate::Prediction;
@@ -82,31 +82,32 @@ impl ContactCurves {
         parameters.get(self.parameters.len()..).unwrap_or_default()
     }
 
-    /// One curve at these parameters: its points as they are read, their slopes, and their derivatives.
+    /// One curve at these parameters: its points as they are read, their slopes, and their derivatives, by the
+    /// parameters of the model, the constants of scales, and the numbers `fixed` of its model.
     pub(super) fn predicted(
         &self,
         curve: usize,
         parameters: &[f64],
+        fixed: &[ModelParameter],
     ) -> Result<Prediction, ContactError> {
         let constants = self.constants(parameters);
-        let Some(scale) = self.scales[curve] else {
-            let mut prediction = self.true_curve(curve, parameters, 1.0)?;
-            prediction.extend_by_constants(constants.len());
-            return Ok(prediction);
-        };
-        let factor = scale.factor(constants);
-        let mut prediction = self.true_curve(curve, parameters, factor)?;
+        let scale = self.scales[curve];
+        let factor = scale.map_or(1.0, |scale| scale.factor(constants));
+        let mut prediction = self.true_curve(curve, parameters, factor, fixed)?;
         let ContactCurve {
             observable,
             abscissae,
             ..
         } = &self.curves[curve];
-        let change = scale.apply(*observable, factor, abscissae, &mut prediction);
-        let first = prediction.derivatives.len();
+        let change = scale.map(|of| of.apply(*observable, factor, abscissae, &mut prediction));
+        let by_fixed = prediction.derivatives.split_off(self.parameters.len());
         prediction.extend_by_constants(constants.len());
-        if let Some(column) = prediction.derivatives.get_mut(first + scale.constant) {
-            *column = change;
+        if let (Some(scale), Some(change)) = (scale, change)
+            && scale.constant < constants.len()
+        {
+            prediction.derivatives[self.parameters.len() + scale.constant] = change;
         }
+        prediction.derivatives.extend(by_fixed);
         Ok(prediction)
     }
 }

@@ -123,7 +123,7 @@ impl ContactCurves {
             derivatives: Vec::new(),
         };
         for index in 0..all.curves.len() {
-            let one = all.predicted(index, self.constants(values))?;
+            let one = all.predicted(index, self.constants(values), &[])?;
             together.value.extend(one.value);
             together.slope.extend(one.slope);
         }

@@ -7,6 +7,7 @@
 
 mod analytic;
 mod coverage;
+mod exponents;
 mod misfit;
 mod noise;
 mod profile_ends;

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::Window;
+use super::{ELEMENTS_PER_THREAD, Window};
 use pellicle_influence::Sector;
 
 /// A window of a grid of 20 × 20 elements.
@@ -162,4 +162,31 @@ fn many_loads_share_windows_of_few_sizes() {
         sizes.insert(size);
     }
     assert!(sizes.len() <= 25, "{sizes:?}");
+}
+
+#[test]
+fn the_window_around_what_presses_holds_it_with_a_margin_and_is_none_where_nothing_does() {
+    let whole = Window::whole(200);
+    let mut pressure = vec![0.0; whole.elements()];
+    assert!(whole.around_pressing(&pressure).is_none());
+    pressure[70 * 200 + 90] = 1.0;
+    let window = whole.around_pressing(&pressure).unwrap();
+    assert!((7..=12).contains(&window.size()), "{}", window.size());
+    assert!(
+        [67, 73]
+            .into_iter()
+            .all(|i| window.place([i, i + 20]).is_some())
+    );
+    let part = window.cut(&pressure);
+    assert!(window.presses(&part, [70, 90]));
+    // One that does not press, and one outside the window.
+    assert!(!window.presses(&part, [71, 90]) && !window.presses(&part, [0, 0]));
+}
+
+#[test]
+fn a_threads_rows_hold_as_many_elements_as_are_worth_it_and_hardly_more() {
+    for size in [1, 100, 5000, 4 * ELEMENTS_PER_THREAD] {
+        let rows = Window::whole(size).rows_per_thread();
+        assert!(rows * size > ELEMENTS_PER_THREAD && (rows - 1) * size <= ELEMENTS_PER_THREAD);
+    }
 }

@@ -7,7 +7,7 @@ use pellicle_influence::{Cache, RadialTables};
 use pellicle_kernel::{Foundation, Material};
 use pellicle_texture::{CylinderSpec, Cylinders, Film, Lattice, Relief};
 
-use super::{Guess, default_side, elastic_force, relief_volume};
+use super::{Guess, default_side, elastic_force, force_at, relief_volume};
 use crate::{FlatPunch, Indenter, Load, Model, Paraboloid, Profile as _};
 
 fn model(foundation: &Foundation, relief: Relief, indenter: impl Into<Indenter>) -> Model {
@@ -118,6 +118,22 @@ fn a_film_and_the_body_under_it_are_springs_in_series() {
         let force = 1.0 / (1.0 / springs + 1.0 / elastic);
         assert_side(&model, &[Load::Force(force)], a);
     }
+}
+
+#[test]
+fn a_film_that_stiffens_is_a_spring_of_the_secant_at_the_mean_pressure() {
+    let (a, height, young) = (0.2_f64, 0.02, 0.3);
+    let film = Film::new(height, young).unwrap().stiffening();
+    let law = film.spring_law();
+    let model = model(&half_space(1e9), Relief::Film(film), paraboloid(2.0));
+    let found = force_at(&model, a);
+    // On a body that hardly yields: F = V/η of the secant w(p)/p = η at p = F/π a².
+    let pressure = found / (PI * a * a);
+    let secant = law.shortening(height / young, pressure) / pressure;
+    assert!(
+        (found / (volume(a, 2.0) / secant) - 1.0).abs() < 1e-3,
+        "{found}"
+    );
 }
 
 #[test]

@@ -147,6 +147,23 @@ mod tests {
     type Next = fn(&mut Exchange, &DenseSystem, &super::SetSolution);
 
     #[test]
+    fn the_gap_of_a_set_on_springs_is_that_of_one_product_and_closed_where_it_presses() {
+        let springs = |x: f64, y: f64| 0.01 * (2.0 + (9.0 * x).sin() + (7.0 * y).cos());
+        let mut problem = problem([10.0, 0.05], paraboloid, springs);
+        let system = DenseSystem::new(&mut problem, Load::Penetration(0.01));
+        let members: Vec<usize> = (480..544).collect();
+        let trial = system.solve_on(&members).unwrap();
+        let mut deformation = vec![0.0; system.elements()];
+        problem.deform_into(&trial.pressure, &mut deformation);
+        for (e, gap) in trial.gap.iter().enumerate() {
+            let wanted = deformation[e] + problem.initial_gap()[e] - 0.01;
+            assert!((gap - wanted).abs() < 1e-14, "{e}: {gap} {wanted}");
+        }
+        assert!(members.iter().all(|e| trial.gap[*e].abs() < 1e-14));
+        assert!(trial.pressure.iter().any(|p| *p > 0.0));
+    }
+
+    #[test]
     fn the_descending_phase_alone_finds_what_exchanges_find() {
         for load in [Load::Force(1e-3), Load::Penetration(0.01)] {
             let mut problem = problem([10.0, 0.05], |x, y| pillars(x, y, 0.002), RIGID);

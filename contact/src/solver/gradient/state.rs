@@ -192,7 +192,7 @@ impl State {
 
     /// Brings `D` and the mean of `v` together, by `D` or by the scale of the pressure; returns the part `μ` that it
     /// has grown by. One product where that is much, else none.
-    fn balance(&mut self, problem: &mut DiscreteProblem) -> f64 {
+    pub fn balance(&mut self, problem: &mut DiscreteProblem) -> f64 {
         let gap_sum = dot(&self.pressure, &self.initial_gap);
         let growth = self.growth(dot(&self.pressure, &self.v) - gap_sum);
         if growth != 0.0 {

@@ -382,3 +382,65 @@ fn a_set_touches_the_border_with_any_element_of_it() {
         assert_eq!(found, touches, "{i} {j}");
     }
 }
+
+#[test]
+fn a_window_is_one_and_the_whole_grid_is_none() {
+    let problem = problem([1.0, 0.1], paraboloid, RIGID);
+    assert!(!problem.is_window());
+    let whole = Window::whole(SIZE);
+    let window = whole.around(|place| place == [16, 16]);
+    assert!(problem.window(&window).unwrap().is_window());
+    assert!(!problem.window(&whole).unwrap().is_window());
+}
+
+#[test]
+fn a_pressure_far_too_small_is_scaled_up_by_what_its_balance_returns() {
+    let depth = 0.02;
+    let mut problem = problem([1.0, 0.1], paraboloid, RIGID);
+    let control = Control::of(&problem, Load::Penetration(depth));
+    let touches = |g0: &f64| f64::from(u8::from(*g0 < depth / 2.0));
+    let one: Vec<f64> = problem.initial_gap().iter().map(touches).collect();
+    let (mut state, _) = begun(&mut problem, control, &one);
+    let balanced = state.pressure.clone();
+    for factor in [1e-3, 0.5, 2.0] {
+        // v goes with the pressure, as after a step.
+        state.pressure = balanced.iter().map(|p| factor * p).collect();
+        problem.deform_to_scale(&state.pressure, &mut state.v);
+        add_scaled(&mut state.v, 1.0, &state.initial_gap);
+        let products = state.applications();
+        let growth = state.balance(&mut problem);
+        assert!(
+            ((1.0 + growth) * factor - 1.0).abs() < 1e-10,
+            "{factor}: {growth}"
+        );
+        // More than tenfold takes a product.
+        assert_eq!(state.applications() - products, usize::from(factor < 0.1));
+        for (found, wanted) in state.pressure.iter().zip(&balanced) {
+            assert!((found - wanted).abs() <= 1e-10 * wanted);
+        }
+    }
+}
+
+#[test]
+fn the_filter_is_symmetric_whatever_the_springs() {
+    let springs = |x: f64, y: f64| 0.01 * (2.0 + (9.0 * x).sin() + (7.0 * y).cos());
+    let mut problem = problem([0.5, 0.1], paraboloid, springs);
+    let control = Control::of(&problem, Load::Penetration(1.0));
+    let (state, set) = begun(&mut problem, control, &[1.0; ELEMENTS]);
+    let mut preconditioner = Preconditioner::new(&problem);
+    let mut z = vec![0.0; ELEMENTS];
+    preconditioner.direction_into(&problem, &state, &set, &mut z);
+    let fields = [0.3, 1.1].map(|k| {
+        (0..ELEMENTS)
+            .map(|e| (k * e as f64).sin())
+            .collect::<Vec<_>>()
+    });
+    let [by_first, by_second] = fields.clone().map(|mut field| {
+        preconditioner.apply(&set, &mut field);
+        field
+    });
+    // x·M⁻¹y = y·M⁻¹x, in single precision.
+    let [one, other] = [dot(&fields[0], &by_second), dot(&fields[1], &by_first)];
+    let size = dot(&fields[0], &by_first);
+    assert!((one - other).abs() < 1e-5 * size, "{one} {other} {size}");
+}

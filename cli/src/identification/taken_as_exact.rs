@@ -1,0 +1,141 @@
+//! The numbers that a fit takes as exact, and what an error in one does to the answer.
+
+use pellicle_contact::ContactError;
+use pellicle_identify::{Fit, FitVerdict, FixedNumber, Role, exponents};
+use serde::Serialize;
+
+use super::result::{EstimateResult, WarningResult};
+use super::{Identification, names, own};
+use crate::display::significant;
+use crate::failure::Failure;
+use crate::fit_file::model::ModelParameters;
+
+/// A number that a fit takes as exact.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ExactNumber {
+    /// Its key; `data[0] KEY` for a value that a table of measurements has of its own.
+    pub key: String,
+    /// Its SI unit.
+    pub unit: String,
+    /// Its value.
+    pub value: f64,
+    /// `d ln θ/d ln f` of each unknown θ by this number f, in the order of the unknowns: 1 % more of it changes them by
+    /// so many percent. Null for what no data tell, and at a bound.
+    pub exponents: Vec<Option<f64>>,
+}
+
+impl ExactNumber {
+    /// The relative error of this number that moves an unknown as far as its interval reaches, and which: of the
+    /// unknown that stands the least; nothing where none moves.
+    #[must_use]
+    pub fn tolerance<'u>(&self, unknowns: &'u [EstimateResult]) -> Option<(f64, &'u str)> {
+        let pairs = unknowns.iter().zip(&self.exponents);
+        let tolerances = pairs.filter_map(|(unknown, exponent)| {
+            let [Some(low), Some(high)] = unknown.interval else {
+                return None;
+            };
+            let half = (high / low).ln() / 2.0;
+            let tolerance = half / (*exponent)?.abs();
+            tolerance.is_finite().then_some((tolerance, &*unknown.key))
+        });
+        tolerances.min_by(|(one, _), (other, _)| one.total_cmp(other))
+    }
+}
+
+/// The number of which the smallest error matters, in a sentence; nothing where none moves an unknown.
+#[must_use]
+pub fn most_critical(numbers: &[ExactNumber], unknowns: &[EstimateResult]) -> Option<String> {
+    let of = |number: &ExactNumber| {
+        let (tolerance, unknown) = number.tolerance(unknowns)?;
+        Some((tolerance, number.key.clone(), unknown.to_owned()))
+    };
+    let found = numbers.iter().filter_map(of);
+    let (tolerance, key, unknown) = found.min_by(|one, other| one.0.total_cmp(&other.0))?;
+    let (percent, unknown) = (significant(100.0 * tolerance, 2), names::of_key(&unknown));
+    Some(format!(
+        "taken as exact: an error of {percent} % in {key} moves the {unknown} as far as its interval reaches"
+    ))
+}
+
+impl Identification {
+    /// The numbers that the models hold fixed, in the order of the case, with what each does to the unknowns of a
+    /// finished fit that is none of a misfit; or why that cannot be told.
+    #[must_use]
+    pub fn taken_as_exact(&self, fit: &Fit) -> (Vec<ExactNumber>, Option<WarningResult>) {
+        if fit.stopped.is_some() || fit.verdict != FitVerdict::Fitted {
+            return Default::default();
+        }
+        match self.exponents(fit) {
+            Ok(numbers) => (numbers, None),
+            Err(Failure::Contact(ContactError::Cancelled { .. })) => Default::default(),
+            Err(failure) => {
+                let message = format!(
+                    "what the numbers taken as exact do to the answer could not be found: {failure}"
+                );
+                let code = "taken-as-exact".into();
+                (Vec::new(), Some(WarningResult { code, message }))
+            }
+        }
+    }
+
+    fn exponents(&self, fit: &Fit) -> Result<Vec<ExactNumber>, Failure> {
+        let values: Vec<f64> = fit.estimates.iter().map(|of| of.value).collect();
+        // Those with keys: not the sublayers of a graded layer.
+        let tables = self.file.data.iter();
+        let tables = tables.map(|table| self.file.model.with(&table.set));
+        let tables = tables.collect::<Result<Vec<_>, Failure>>()?;
+        let numbers =
+            |table: &ModelParameters| table.parameters.iter().map(|of| of.parameter).collect();
+        let keyed: Vec<_> = tables.iter().map(numbers).collect();
+        let (at_fit, fixed) = self.model.predict_with_fixed(&values, &keyed)?;
+        let mut numbers: Vec<ExactNumber> = Vec::new();
+        let mut changes: Vec<Vec<f64>> = Vec::new();
+        for (table, parameters) in tables.iter().enumerate() {
+            let of_table = fixed.iter().filter(|of| of.curve == table);
+            for (number, change) in self.named((table, parameters), of_table) {
+                // Tables share what is not their own.
+                if let Some(known) = numbers.iter().position(|known| known.key == number.key) {
+                    let pairs = changes[known].iter_mut().zip(change);
+                    pairs.for_each(|(sum, of_table)| *sum += of_table);
+                } else {
+                    numbers.push(number);
+                    changes.push(change);
+                }
+            }
+        }
+        let all = exponents(&self.problem, fit, at_fit, &changes)?;
+        for (number, of_all) in numbers.iter_mut().zip(all) {
+            let pairs = of_all.into_iter().zip(&fit.estimates);
+            let sought = pairs.filter(|(_, estimate)| estimate.role == Role::Sought);
+            number.exponents = sought.map(|(exponent, _)| exponent).collect();
+        }
+        Ok(numbers)
+    }
+
+    /// The fixed numbers of a table by their keys, each with `∂y/∂ln f`.
+    fn named<'n>(
+        &self,
+        (table, parameters): (usize, &ModelParameters),
+        fixed: impl Iterator<Item = &'n FixedNumber>,
+    ) -> Vec<(ExactNumber, Vec<f64>)> {
+        let own = own(&self.file.data[table], parameters);
+        let named = fixed.filter_map(|of| {
+            let mut all = parameters.parameters.iter();
+            let found = all.find(|known| known.parameter == of.parameter)?;
+            let key = if own.contains(&of.parameter) {
+                format!("data[{table}] {}", found.key)
+            } else {
+                found.key.clone()
+            };
+            let number = ExactNumber {
+                key,
+                unit: found.unit().into(),
+                value: of.value,
+                exponents: Vec::new(),
+            };
+            let change = of.derivative.iter().map(|d| d * of.value).collect();
+            Some((number, change))
+        });
+        named.collect()
+    }
+}

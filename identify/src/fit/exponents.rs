@@ -1,0 +1,66 @@
+//! What a number that is taken as exact does to the answer.
+//!
+//! Intervals are about the noise alone. If a number `f` of the model is really `f (1 + ε)`, the best fit moves too.
+//! With the whitened derivatives `J = ∂y/∂x` by the unknowns' coordinates and `F = ∂y/∂ln f`, nuisances eliminated and
+//! priors among the rows, the least misfit of the linearised problem moves by
+//!
+//! ```text
+//! dx/d ln f = −(JᵀJ)⁻¹ Jᵀ F
+//! ```
+//!
+//! which in logarithms of the unknowns is an exponent: `θ ∝ f^a` near the fit.
+
+use super::Fitting;
+use crate::{
+    Fit, FitOptions, IdentifyError, Prediction, Problem, Warning, curve::check_length,
+    metric::Metric, predictor::Evaluation, projection::Projection,
+};
+
+/// The exponents `a_j = d ln θ_j/d ln f` of each unknown of a fit, for each of some numbers `f` that its model takes as
+/// exact: one list for each number, in their order; nothing for an unknown that no data tell, that lies at a bound of
+/// its range, or that is zero.
+///
+/// `at_fit` is the prediction at the fit's values, and `changes` are the derivatives `∂y/∂ln f` at all points. Repeats
+/// are taken together, as if they did not scatter.
+///
+/// # Errors
+///
+/// [`IdentifyError::Length`] where a list has not one number for each point; [`IdentifyError::Decomposition`] as
+/// [`identify`](super::identify).
+pub fn exponents(
+    problem: &Problem,
+    fit: &Fit,
+    at_fit: Prediction,
+    changes: &[Vec<f64>],
+) -> Result<Vec<Vec<Option<f64>>>, IdentifyError> {
+    for change in changes {
+        check_length("derivative by a fixed number", change, problem.points())?;
+    }
+    check_length("prediction", &at_fit.value, problem.points())?;
+    let unknowns = problem.unknowns();
+    let parameters: Vec<f64> = fit.estimates.iter().map(|of| of.value).collect();
+    let at = Evaluation::of(unknowns, &parameters, at_fit);
+    let metric = Metric::at(problem, &fit.noise, &at);
+    let options = FitOptions::default();
+    let Fitting {
+        mut told,
+        null_space,
+        ..
+    } = Fitting::new(problem, &options, Vec::new())?;
+    told.retain(|&j| !fit.warnings.contains(&Warning::AtBound(j)));
+    let jacobian = metric.system(&at).jacobian;
+    let projection = Projection::of(told.iter().map(|&j| jacobian[j].clone()));
+    let of_change = |change: &Vec<f64>| {
+        let mut rows = metric.reduce(change.clone());
+        let components = projection.remove_from(&mut rows);
+        let mut exponents = vec![None; unknowns.len()];
+        for (&j, moved) in told.iter().zip(projection.coefficients(&components)) {
+            // d ln θ = (dθ/dx) dx/θ
+            let exponent = -moved * unknowns[j].value_slope(parameters[j]) / parameters[j];
+            let is_told = exponent.is_finite() && !null_space.moves(j);
+            exponents[j] = is_told.then_some(exponent);
+        }
+        exponents
+    };
+    Ok(changes.iter().map(of_change).collect())
+}
