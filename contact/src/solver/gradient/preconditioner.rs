@@ -1,12 +1,16 @@
 //! The preconditioner: an approximate inverse of the system on the working set.
 //!
-//! Two of them, for two kinds of problem: the [restricted filter](self::restricted_filter), by FFT, and under a coat
-//! so stiff that the contact breaks up into rings and edges, or into the summits of a rough surface, the [factorised
-//! sparse approximate inverse](self::sparse_factor) of the restricted system itself. The latter also where springs
-//! stiffen, by orders of
-//! magnitude from the edge of the contact to its middle: under the load of the paper's Fig. 5 the filter takes three
-//! times the products, in the same time. And among the [candidates](crate::grid::candidates) of a dilute contact, where
-//! an FFT on the whole grid would cost more than everything else.
+//! Two of them, chosen by these rules:
+//!
+//! - The [restricted filter](self::restricted_filter), by FFT, where the body answers short waves much as it does long
+//!   ones.
+//! - The [factorised sparse approximate inverse](self::sparse_factor) of the restricted system itself under a coat so
+//!   stiff that the contact breaks up into rings and edges ([`STIFF`]), or into the summits of a rough surface
+//!   ([`STIFF_IF_ROUGH`]). Its neighbours grow with the stiffness and the grid ([`neighbours`]).
+//! - The factor too where springs stiffen, by orders of magnitude from the edge of the contact to its middle: under the
+//!   load of the paper's Fig. 5 the filter takes three times the products, in the same time.
+//! - The factor among the [candidates](crate::grid::candidates) of a dilute contact, where an FFT on the whole grid
+//!   would cost more than everything else.
 
 mod edge_band;
 mod restricted_filter;
@@ -33,11 +37,19 @@ const VERY_STIFF: f64 = 400.0;
 /// `k` times the symbol at the shortest wave along one side, in units of that at the longest, on a homogeneous body:
 /// `2/π` and its aliases.
 const SHORTEST_RESPONSE: f64 = 1.166;
-/// Neighbours of an element in the sparse factor: with 20 a third more products, with 40 a sixth fewer at twice the
-/// cost.
-const NEIGHBOURS: usize = 30;
+/// Neighbours of a tile in the sparse factor up to [`COARSE`] elements a side: with 30 an eighth more products in the
+/// same time, with 60 a tenth fewer in a third more.
+const NEIGHBOURS: usize = 42;
 /// The same under a very stiff coat.
-const MORE_NEIGHBOURS: usize = 42;
+const MORE_NEIGHBOURS: usize = 60;
+/// Elements per side from which on neighbours grow with the grid: a factor of fixed neighbours loses accuracy with every
+/// halving of the element.
+const COARSE: usize = 512;
+/// Most neighbours of a tile, beyond which time grows faster than products fall.
+const MOST_NEIGHBOURS: usize = 96;
+/// Neighbours of a candidate in the factor among candidates: with 20 a third more products, with 40 a sixth fewer at
+/// twice the cost.
+const NEIGHBOURS_OF_CANDIDATE: usize = 30;
 /// Sides below which no spectrum tells stiff from soft.
 const SMALLEST_SPECTRUM: usize = 8;
 
@@ -51,7 +63,7 @@ pub struct Preconditioner {
     even: Even,
     /// The revision of the set that it is adapted to.
     adapted_to: Option<u64>,
-    /// Neighbours of an element, should it be the sparse factor.
+    /// Neighbours of a tile or candidate, should it be the sparse factor.
     neighbours: usize,
     /// Whether the coat is so stiff that Newton's method comes first.
     is_for_newton: bool,
@@ -84,10 +96,9 @@ impl Preconditioner {
             of_all.map(|elasticity| elasticity.symbol(problem.sector().whole(problem.size())));
         let contrast = symbol.as_ref().map_or(1.0, stiffness_contrast);
         let is_stiff = contrast > STIFF || (contrast > STIFF_IF_ROUGH && problem.is_rough());
-        let neighbours = if contrast > VERY_STIFF {
-            MORE_NEIGHBOURS
-        } else {
-            NEIGHBOURS
+        let neighbours = match symbol {
+            Some(_) => neighbours(problem.grid_size(), contrast),
+            None => NEIGHBOURS_OF_CANDIDATE,
         };
         let inverse = match symbol {
             None => factor(problem, neighbours).unwrap_or(Inverse::Identity),
@@ -257,6 +268,16 @@ impl Preconditioner {
     pub fn even(&self) -> &[f64] {
         &self.even.values
     }
+}
+
+/// Neighbours of a tile in the sparse factor on a grid of `size` elements per side.
+fn neighbours(size: usize, contrast: f64) -> usize {
+    let on_coarse = if contrast > VERY_STIFF {
+        MORE_NEIGHBOURS
+    } else {
+        NEIGHBOURS
+    };
+    (on_coarse * size.max(COARSE) / COARSE).min(MOST_NEIGHBOURS)
 }
 
 fn factor(problem: &DiscreteProblem, neighbours: usize) -> Option<Inverse> {

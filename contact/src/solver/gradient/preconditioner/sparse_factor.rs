@@ -1,22 +1,27 @@
 //! A factorised sparse approximate inverse of the system on the working set, `(K + η)_II⁻¹ ≈ Gᵀ G`.
 //!
-//! The elements are ordered from coarse to fine. Each is given its nearest *earlier* elements, and its row of `G` is
-//! the last row of the inverse Cholesky factor of the small dense system of these and itself (Kaporin 1994; Vecchia's
-//! approximation, optimal in the Kullback–Leibler sense: Schäfer, Katzfuss and Owhadi 2021):
+//! The elements are [ordered](self::order) from coarse to fine and shared out among small tiles. The elements of a tile
+//! are given the nearest *earlier* elements in common, and their rows of `G` are the last rows of the inverse Cholesky
+//! factor of the small dense system of these and themselves (Kaporin 1994; Vecchia's approximation, optimal in the
+//! Kullback–Leibler sense, and its aggregation: Schäfer, Katzfuss and Owhadi 2021):
 //!
 //! ```text
-//! (K + η)_nn = L Lᵀ,    Lᵀ g = e_last
+//! (K + η)_nn = L Lᵀ,    Lᵀ g = e
 //! ```
 //!
-//! Coefficients depend on the offset alone, so elements with neighbours in the same places and of the same compliances
-//! share one row; inside a smooth contact nearly all of them do, on a rough surface few. Rows once computed are kept
-//! while the set changes, so an exchange costs the rows whose neighbours it touches.
+//! A tile spares the work that its elements have in common: one dense factor, one search for neighbours and one
+//! gathering of values where a row of its own for each element took a dozen.
+//!
+//! Coefficients depend on the offset alone, so tiles with elements and neighbours in the same places and of the same
+//! compliances share one block; inside a smooth contact nearly all of them do, on a rough surface few. Blocks once
+//! computed are kept while the set changes, so an exchange costs the blocks whose elements it touches.
 //!
 //! A small set is solved directly instead.
 
+mod blocks;
 mod direct;
+mod local_system;
 mod order;
-mod row;
 mod scattered;
 
 use std::{
@@ -29,150 +34,113 @@ use rayon::prelude::*;
 
 pub use self::scattered::ScatteredFactor;
 use self::{
+    blocks::{Blocks, Product},
     direct::DirectFactor,
-    order::{COLOURS, Rank, TOP, earlier_offsets},
-    row::{AT_ONCE, LocalSystem, NearCoefficients, SystemBatch, class},
+    local_system::{LocalSystem, NearCoefficients, class},
+    order::{COLOURS, TILE, colour, earlier_offsets, own_offsets},
 };
 use crate::grid::window::Window;
 use crate::solver::gradient::working_set::WorkingSet;
 
-/// Stands for the row of an element outside the set.
-const OUTSIDE: u32 = u32::MAX;
 /// Elements of a set that is solved directly, at most: with 140 elements on 65,536 it takes 11 products instead of 40,
 /// and up to here the dense factor costs no more than they do.
 const MOST_DIRECT: usize = 500;
-/// Places where an element's neighbours are looked for, nearest first. In a contact of a few summits most are empty:
+/// Places where a tile's neighbours are looked for, nearest first. In a contact of a few summits most are empty:
 /// with 160 places it takes twice the products.
 const PLACES: usize = 4000;
-/// Elements, in units of the spacing of an element's level, from the axis of a sector within which mirror images
-/// count in a row.
-const NEAR_AXIS: u32 = 8;
-/// Numbers in a pattern before the neighbours.
+/// Elements, in units of the spacing of a tile's level, from the axis of a sector within which mirror images count in
+/// a block: with 8 a bare coat 1000 times as stiff takes a third more products at N = 512.
+const NEAR_AXIS: u32 = 24;
+/// Numbers in a pattern before its elements.
 const HEAD: usize = 4;
-/// Rows beyond which all are forgotten, some 0.5 GB with 30 neighbours: a path of many loads meets ever new ones.
-const MOST_ROWS: usize = 1 << 20;
-/// Elements that look for their rows together: one part of a fixed length, for every number of threads.
-const PART: usize = 1 << 12;
-/// Batches of rows that one thread takes at least.
-const BATCHES: usize = 8;
-
+/// Numbers in all blocks together beyond which all are forgotten, some 0.5 GB: a path of many loads meets ever new
+/// ones.
+const MOST_ENTRIES: usize = 1 << 27;
+/// Tiles that look for their blocks together: one part of a fixed length, for every number of threads.
+const PART: usize = 1 << 9;
 /// The factor `G` on one grid's working set.
 pub struct SparseFactor {
     /// Rows, and elements of each.
     lengths: [usize; 2],
     sector: Sector,
+    /// The coarsest level, whose spacing leaves one element.
+    top: u32,
     neighbours: usize,
     elasticity: Arc<SurfaceElasticity>,
     /// Class of `η/K₀₀` of every element.
     classes: Vec<u16>,
-    /// The row of each pattern met so far.
+    /// The block of each pattern met so far.
     known: HashMap<Pattern, u32>,
-    rows: Rows,
+    blocks: Blocks,
     /// Coefficients between elements of each level.
     near: Vec<NearCoefficients>,
     /// Compliance `η` of the relief (m/Pa).
     compliance: Vec<f64>,
-    /// The factor of a small set, in place of the rows.
+    /// The factor of a small set, in place of the blocks.
     direct: Option<DirectFactor>,
-    /// Row of each element.
-    row_of: Vec<u32>,
-    product: Vec<f64>,
+    /// The tiles that hold elements of the set.
+    tiles: Vec<Tile>,
+    /// `G r` on each of them.
+    product: Vec<Product>,
+}
+
+/// A tile that holds elements of the set.
+#[derive(Clone, Copy)]
+struct Tile {
+    /// Index of its first place.
+    first: i32,
+    block: u32,
 }
 
 /// Of each colour: where earlier elements lie.
-static EARLIER: LazyLock<[Vec<[i32; 2]>; 3]> =
-    LazyLock::new(|| [0, 1, 2].map(|colour| earlier_offsets(colour, PLACES)));
+static EARLIER: LazyLock<[Vec<[i32; 2]>; 4]> =
+    LazyLock::new(|| [0, 1, 2, 3].map(|colour| earlier_offsets(colour, PLACES)));
+/// Where a tile's own elements lie.
+static OWN: LazyLock<Vec<[i32; 2]>> = LazyLock::new(own_offsets);
+/// The same of the one tile of the coarsest level.
+const FIRST: [[i32; 2]; 1] = [[0, 0]];
 
-/// A row depends on this alone: level and colour, the element's class, its distance from the axes of a quadrant if they
-/// are near, and of each neighbour the index of its offset and its class.
+/// A block depends on this alone: level and colour, the tile's distance from the axes of a quadrant if they are near,
+/// the number of its own elements, and of each of them and of each neighbour the index of its offset and its class.
 type Pattern = Box<[u32]>;
 
-/// Rows of `G`, one after the other.
-#[derive(Default)]
-struct Rows {
-    heads: Vec<RowHead>,
-    /// Entries beside the diagonal by distance in the field's index; single precision is enough for a preconditioner.
-    entries: Vec<(i32, f32)>,
-}
-
-/// A row of `G`.
-struct RowHead {
-    diagonal: f64,
-    /// Where its entries end; they begin where those of the row before end.
-    end: usize,
-}
-
-impl Rows {
-    fn len(&self) -> usize {
-        self.heads.len()
-    }
-
-    fn clear(&mut self) {
-        self.heads.clear();
-        self.entries.clear();
-    }
-
-    fn append(&mut self, others: Self) {
-        let first = self.entries.len();
-        self.entries.extend(others.entries);
-        let heads = others.heads.into_iter();
-        self.heads.extend(heads.map(|head| RowHead {
-            end: first + head.end,
-            ..head
-        }));
-    }
-
-    fn push(&mut self, diagonal: f64, entries: impl Iterator<Item = (i32, f32)>) {
-        self.entries.extend(entries);
-        let end = self.entries.len();
-        self.heads.push(RowHead { diagonal, end });
-    }
-
-    /// Diagonal and other entries of a row.
-    fn row(&self, row: u32) -> (f64, &[(i32, f32)]) {
-        let row = row as usize;
-        let first = row
-            .checked_sub(1)
-            .map_or(0, |before| self.heads[before].end);
-        let RowHead { diagonal, end } = self.heads[row];
-        (diagonal, &self.entries[first..end])
-    }
-}
-
 impl SparseFactor {
-    /// A factor with `neighbours` entries a row beside the diagonal, for a grid.
+    /// A factor with `neighbours` entries a block beside the tile's own elements, for a grid.
     pub fn new(
         elasticity: Arc<SurfaceElasticity>,
         grid: &Window,
         relief_compliance: &[f64],
         neighbours: usize,
     ) -> Self {
-        let elements = grid.elements();
+        let lengths = grid.lengths();
+        let side = lengths.into_iter().max().unwrap_or(0);
+        let top = side.next_power_of_two().trailing_zeros();
         Self {
-            lengths: grid.lengths(),
+            lengths,
             sector: grid.sector(),
+            top,
             neighbours,
             classes: classes(&elasticity, relief_compliance),
             compliance: relief_compliance.to_vec(),
             direct: None,
             known: HashMap::new(),
-            rows: Rows::default(),
-            near: (0..=TOP)
+            blocks: Blocks::default(),
+            near: (0..=top)
                 .map(|level| NearCoefficients::of(&elasticity, level))
                 .collect(),
-            row_of: vec![OUTSIDE; elements],
-            product: vec![0.0; elements],
+            tiles: Vec::new(),
+            product: Vec::new(),
             elasticity,
         }
     }
 
-    /// Takes other compliances of the relief, in m/Pa: rows are of patterns of compliances, so those known stay right.
+    /// Takes other compliances of the relief, in m/Pa: blocks are of patterns of compliances, so those known stay right.
     pub fn take_compliance(&mut self, relief_compliance: &[f64]) {
         self.classes = classes(&self.elasticity, relief_compliance);
         self.compliance.copy_from_slice(relief_compliance);
     }
 
-    /// Finds the row of every element of the set, and computes those not met before.
+    /// Finds the block of every tile that holds elements of the set, and computes those not met before.
     pub fn update(&mut self, set: &WorkingSet) {
         self.direct = None;
         if set.len() <= MOST_DIRECT {
@@ -182,76 +150,109 @@ impl SparseFactor {
                 return;
             }
         }
-        if self.rows.len() > MOST_ROWS {
+        if self.blocks.entries() > MOST_ENTRIES {
             self.known.clear();
-            self.rows.clear();
+            self.blocks = Blocks::default();
         }
-        let mut row_of = std::mem::take(&mut self.row_of);
-        let parts = row_of.par_chunks_mut(PART).enumerate();
-        let unknown: Vec<Vec<(usize, Pattern)>> = parts
-            .map(|(part, rows)| self.look_up(part * PART, rows, set.mask()))
+        let found: Vec<(Tile, Option<Pattern>)> = (0..=self.top)
+            .flat_map(|level| self.look_up(level, set.mask()))
             .collect();
+        self.tiles.clear();
         let mut fresh: Vec<Pattern> = Vec::new();
-        for (element, pattern) in unknown.into_iter().flatten() {
-            let next = u32::try_from(self.rows.len() + fresh.len()).unwrap_or(OUTSIDE);
-            row_of[element] = *self.known.entry(pattern).or_insert_with_key(|pattern| {
-                fresh.push(pattern.clone());
-                next
-            });
+        for (mut tile, unknown) in found {
+            if let Some(pattern) = unknown {
+                let next = self.blocks.len() + fresh.len();
+                tile.block = *self.known.entry(pattern).or_insert_with_key(|pattern| {
+                    fresh.push(pattern.clone());
+                    u32::try_from(next).expect("fewer blocks than elements")
+                });
+            }
+            self.tiles.push(tile);
         }
-        let batches = fresh.par_chunks(AT_ONCE).with_min_len(BATCHES);
-        let rows: Vec<Rows> = batches
-            .map_init(
-                || SystemBatch::new(self.neighbours),
-                |batch, patterns| self.rows(batch, patterns),
-            )
+        let fresh = fresh.par_iter().with_min_len(8);
+        let blocks: Vec<Blocks> = fresh
+            .fold(Blocks::default, |mut blocks, pattern| {
+                self.compute(pattern, &mut blocks);
+                blocks
+            })
             .collect();
-        rows.into_iter().for_each(|rows| self.rows.append(rows));
-        self.row_of = row_of;
+        (blocks.into_iter()).for_each(|blocks| self.blocks.append(blocks));
     }
 
-    /// Writes the rows of the elements from `first` on; returns those of unknown patterns.
-    fn look_up(&self, first: usize, rows: &mut [u32], mask: &[bool]) -> Vec<(usize, Pattern)> {
-        let mut unknown = Vec::new();
-        let mut pattern = Vec::new();
-        for (element, row) in (first..).zip(rows) {
-            *row = OUTSIDE;
-            if mask[element] {
-                self.pattern_into(element, mask, &mut pattern);
-                match self.known.get(pattern.as_slice()) {
-                    Some(known) => *row = *known,
-                    None => unknown.push((element, pattern.clone().into_boxed_slice())),
-                }
-            }
+    /// The tiles of a level that hold elements, with their blocks or the patterns of unknown ones.
+    fn look_up(&self, level: u32, mask: &[bool]) -> Vec<(Tile, Option<Pattern>)> {
+        let [rows, columns] =
+            (self.lengths).map(|along| index(along.div_ceil((TILE as usize) << level)));
+        let tiles = (0..rows * columns).into_par_iter().with_min_len(PART);
+        let found: Vec<Vec<(Tile, Option<Pattern>)>> = tiles
+            .fold(Vec::new, |mut found, tile| {
+                found.extend(self.look_up_tile(level, [tile / columns, tile % columns], mask));
+                found
+            })
+            .collect();
+        found.into_iter().flatten().collect()
+    }
+
+    fn look_up_tile(
+        &self,
+        level: u32,
+        tile: [i32; 2],
+        mask: &[bool],
+    ) -> Option<(Tile, Option<Pattern>)> {
+        let first = tile.map(|along| (along * TILE) << level);
+        let members = |offsets| self.members(first, level, offsets, mask);
+        let own: Vec<u32> = members(self.own(level)).collect();
+        if own.is_empty() {
+            return None;
         }
-        unknown
-    }
-
-    fn pattern_into(&self, element: usize, mask: &[bool], pattern: &mut Vec<u32>) {
-        let size = self.row();
-        let (i, j) = (index(element / size), index(element % size));
-        let Rank { level, colour } = Rank::of(i, j);
-        pattern.clear();
+        let (near, colour) = (self.near_axis(level), colour(tile[0], tile[1]));
+        let mut pattern = Vec::with_capacity(HEAD + own.len() + self.neighbours);
         pattern.push(COLOURS * level + colour);
-        pattern.push(u32::from(self.classes[element]));
-        let near = self.near_axis(level);
-        pattern.extend([0, 1].map(|axis: usize| [i, j][axis].unsigned_abs().min(near[axis])));
-        for (place, [x, y]) in (0..).zip(&EARLIER[colour as usize]) {
-            let [row, column] = [i + (x << level), j + (y << level)];
-            let (Some(i), Some(j)) = (self.within(0, row), self.within(1, column)) else {
-                continue;
-            };
-            let neighbour = i * size + j;
-            if mask[neighbour] {
-                pattern.push(place << 16 | u32::from(self.classes[neighbour]));
-                if pattern.len() == self.neighbours + HEAD {
-                    return;
-                }
-            }
+        pattern.extend([0, 1].map(|axis: usize| first[axis].unsigned_abs().min(near[axis])));
+        pattern.push(index(own.len()).unsigned_abs());
+        pattern.extend(own);
+        pattern.extend(members(self.earlier(level, colour)).take(self.neighbours));
+        let known = self.known.get(pattern.as_slice()).copied();
+        let tile = Tile {
+            first: first[0] * index(self.row()) + first[1],
+            block: known.unwrap_or(u32::MAX),
+        };
+        Some((tile, known.is_none().then(|| pattern.into_boxed_slice())))
+    }
+
+    /// The elements of the set at these offsets, as a pattern has them.
+    fn members(
+        &self,
+        [i, j]: [i32; 2],
+        level: u32,
+        offsets: &'static [[i32; 2]],
+        mask: &[bool],
+    ) -> impl Iterator<Item = u32> {
+        (0..).zip(offsets).filter_map(move |(place, [x, y])| {
+            let (i, j) = (
+                self.within(0, i + (x << level))?,
+                self.within(1, j + (y << level))?,
+            );
+            let element = i * self.row() + j;
+            mask[element].then(|| place << 16 | u32::from(self.classes[element]))
+        })
+    }
+
+    /// Where the own elements of a level's tiles lie.
+    fn own(&self, level: u32) -> &'static [[i32; 2]] {
+        if level == self.top { &FIRST } else { &OWN }
+    }
+
+    /// Where earlier elements lie: none before the one of the coarsest level.
+    fn earlier(&self, level: u32, colour: u32) -> &'static [[i32; 2]] {
+        if level == self.top {
+            &[]
+        } else {
+            &EARLIER[colour as usize]
         }
     }
 
-    /// Elements from each axis within which mirror images count in a row of this level; none but at those of a sector.
+    /// Elements from each axis within which mirror images count in a block of this level; none but at those of a sector.
     fn near_axis(&self, level: u32) -> [u32; 2] {
         let lines = self.sector.mirrored_lines((NEAR_AXIS << level) as usize);
         lines.map(|lines| index(lines).unsigned_abs())
@@ -269,43 +270,38 @@ impl SparseFactor {
         (place < self.lengths[axis]).then_some(place)
     }
 
-    /// Computes the rows of some patterns.
-    fn rows(&self, batch: &mut SystemBatch, patterns: &[Pattern]) -> Rows {
-        let neighbours = patterns.iter().map(|pattern| neighbours_of(pattern));
-        let neighbours: Vec<(Vec<[i32; 2]>, Vec<u16>)> = neighbours.collect();
-        let systems = patterns.iter().zip(&neighbours);
-        let systems = systems.map(|(pattern, (places, classes))| {
-            let level = pattern[0] / COLOURS;
-            let near = self.near_axis(level);
-            LocalSystem {
-                elasticity: &self.elasticity,
-                near: &self.near[level as usize],
-                level,
-                places,
-                classes,
-                own_class: class_in(pattern[1]),
-                to_axis: [0, 1].map(|axis: usize| {
-                    let along = pattern[2 + axis];
-                    (along < near[axis]).then_some(along)
-                }),
-            }
-        });
-        let systems: Vec<LocalSystem<'_>> = systems.collect();
-        let mut rows = Rows::default();
-        for (values, system) in batch.rows(&systems).into_iter().zip(&systems) {
-            let (diagonal, values) = values.split_last().expect("the element itself");
-            let distances = system
-                .places
-                .iter()
-                .map(|[x, y]| (x * index(self.row()) + y) << system.level);
-            #[expect(
-                clippy::cast_possible_truncation,
-                reason = "a preconditioner needs no more"
-            )]
-            let values = values.iter().map(|g| *g as f32);
-            rows.push(*diagonal, distances.zip(values));
-        }
-        rows
+    /// Computes the block of a pattern.
+    fn compute(&self, pattern: &Pattern, blocks: &mut Blocks) {
+        let (level, colour) = (pattern[0] / COLOURS, pattern[0] % COLOURS);
+        let (own, neighbours) = pattern[HEAD..].split_at(pattern[HEAD - 1] as usize);
+        let place = |offsets: &[[i32; 2]], entry: &u32| offsets[(entry >> 16) as usize];
+        let earlier = neighbours
+            .iter()
+            .map(|entry| place(self.earlier(level, colour), entry));
+        let places: Vec<[i32; 2]> = earlier
+            .chain(own.iter().map(|entry| place(self.own(level), entry)))
+            .collect();
+        let classes: Vec<u16> = neighbours
+            .iter()
+            .chain(own)
+            .map(|entry| class_in(*entry))
+            .collect();
+        let near = self.near_axis(level);
+        let system = LocalSystem {
+            elasticity: &self.elasticity,
+            near: &self.near[level as usize],
+            level,
+            places: &places,
+            classes: &classes,
+            own: own.len(),
+            to_axis: [0, 1].map(|axis: usize| {
+                let along = pattern[1 + axis];
+                (along < near[axis]).then_some(along)
+            }),
+        };
+        let row = index(self.row());
+        let distances = places.iter().map(|[x, y]| (x * row + y) << level);
+        blocks.push(distances, &system.columns());
     }
 
     /// `r ← Gᵀ G r`; values outside the set become 0.
@@ -313,47 +309,19 @@ impl SparseFactor {
         if let Some(direct) = &mut self.direct {
             return direct.apply(field);
         }
-        self.multiply(field);
+        let blocks = &self.blocks;
+        let from: &[f64] = field;
+        let products = self.tiles.par_iter().with_min_len(PART).map(|tile| {
+            let block = blocks.block(tile.block);
+            block.multiply(tile.first, from)
+        });
+        products.collect_into_vec(&mut self.product);
         field.fill(0.0);
-        for (element, (row, value)) in self.row_of.iter().zip(&self.product).enumerate() {
-            if *row != OUTSIDE {
-                let (diagonal, entries) = self.rows.row(*row);
-                field[element] += diagonal * value;
-                for (distance, g) in entries {
-                    field[at(element, *distance)] += f64::from(*g) * value;
-                }
-            }
+        for (tile, y) in self.tiles.iter().zip(&self.product) {
+            let block = blocks.block(tile.block);
+            block.add_transposed(tile.first, y, field);
         }
     }
-
-    /// `G r`, into the buffer.
-    fn multiply(&mut self, field: &[f64]) {
-        let rows = &self.rows;
-        let parts = self.product.par_chunks_mut(PART);
-        let parts = parts.zip(self.row_of.par_chunks(PART)).enumerate();
-        parts.for_each(|(part, (product, row_of))| {
-            for (element, (product, row)) in (part * PART..).zip(product.iter_mut().zip(row_of)) {
-                if *row != OUTSIDE {
-                    let (diagonal, entries) = rows.row(*row);
-                    let terms = entries
-                        .iter()
-                        .map(|(d, g)| f64::from(*g) * field[at(element, *d)]);
-                    *product = diagonal * field[element] + terms.sum::<f64>();
-                }
-            }
-        });
-    }
-}
-
-/// Places (in the spacing of the level) and classes of the neighbours in a pattern.
-fn neighbours_of(pattern: &[u32]) -> (Vec<[i32; 2]>, Vec<u16>) {
-    let colour = pattern[0] % COLOURS;
-    let neighbours = &pattern[HEAD..];
-    let offset = |entry: &u32| EARLIER[colour as usize][(entry >> 16) as usize];
-    (
-        neighbours.iter().map(offset).collect(),
-        neighbours.iter().map(|entry| class_in(*entry)).collect(),
-    )
 }
 
 /// The class of every element's compliance (m/Pa).
@@ -377,15 +345,4 @@ fn class_in(entry: u32) -> u16 {
 )]
 fn index(index: usize) -> i32 {
     index as i32
-}
-
-/// The element at a distance in the field's index, which lies on the grid.
-#[expect(
-    clippy::cast_sign_loss,
-    clippy::cast_possible_truncation,
-    clippy::cast_possible_wrap,
-    reason = "a place on the grid, below 2²⁸"
-)]
-fn at(element: usize, distance: i32) -> usize {
-    (element as i32 + distance) as usize
 }

@@ -1,99 +1,111 @@
-//! The order from coarse to fine, and where the nearest earlier elements of an element lie.
+//! The order from coarse to fine, by tiles, and where the nearest earlier elements of a tile lie.
 //!
-//! An element of indices (i, j) is of the level `l` for which 2ˡ is the largest power of two that divides both, and of
-//! one of three colours by the parities of (i, j)/2ˡ. Higher levels come first; within a level first the elements with
-//! both odd, then those with the first odd, then the rest; within a colour by index. Which offsets lead to earlier
-//! elements then depends on the colour alone, in units of 2ˡ.
+//! An element of indices (i, j) is of the level `l` for which 2ˡ is the largest power of two that divides both. Higher
+//! levels come first. The elements of a level are shared out among tiles of [`TILE`] × [`TILE`] places of spacing 2ˡ,
+//! whose colour is that of a board of four colours; within a level the colours come one after the other, and tiles of
+//! one colour by index. So which offsets from a tile lead to earlier elements depends on its colour alone, in units of
+//! 2ˡ.
 
+/// Places along the side of a tile, an even number.
+pub const TILE: i32 = 4;
 /// Number of colours.
-pub const COLOURS: u32 = 3;
+pub const COLOURS: u32 = 4;
 
-/// Where an element stands in the order.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Rank {
-    /// `l`: the spacing of elements of this level and above is 2ˡ.
-    pub level: u32,
-    /// Parities (odd, odd), (odd, even), (even, odd).
-    pub colour: u32,
-}
-
-/// A level above all of any grid, for the element (0, 0).
-pub const TOP: u32 = 20;
-
-impl Rank {
-    pub fn of(i: i32, j: i32) -> Self {
-        let level = (i | j | 1 << TOP).trailing_zeros();
-        let colour = match ((i >> level) & 1, (j >> level) & 1) {
-            (1, 0) => 1,
-            (0, 1) => 2,
-            _ => 0,
-        };
-        Self { level, colour }
+/// The colour of a tile by its indices: earlier ones touch at corners alone.
+pub fn colour(x: i32, y: i32) -> u32 {
+    match (x & 1, y & 1) {
+        (0, 0) => 0,
+        (1, 1) => 1,
+        (0, _) => 2,
+        _ => 3,
     }
 }
 
-/// The `count` offsets, nearest first and in units of the level's spacing, that lead from an element of `colour` to
-/// earlier elements.
-pub fn earlier_offsets(colour: u32, count: usize) -> Vec<[i32; 2]> {
+/// The places of a tile's own elements, from its first place and in units of the level's spacing: those that no
+/// coarser level has.
+pub fn own_offsets() -> Vec<[i32; 2]> {
+    let places = (0..TILE).flat_map(|x| (0..TILE).map(move |y| [x, y]));
+    places.filter(|[x, y]| (x | y) & 1 == 1).collect()
+}
+
+/// The `count` offsets from the first place of a tile of `colour` to earlier elements, nearest to the tile first, in
+/// units of the level's spacing.
+pub fn earlier_offsets(of: u32, count: usize) -> Vec<[i32; 2]> {
     let mut offsets = Vec::new();
     let mut reach = 4;
     while offsets.len() < count {
         reach *= 2;
-        offsets = within(colour, reach);
+        offsets = within(of, reach);
     }
-    offsets.sort_by_key(|[x, y]| (x * x + y * y, *x, *y));
+    offsets.sort_by_key(|offset| (distance_squared(*offset), *offset));
     offsets.truncate(count);
     offsets
 }
 
-/// The offsets to earlier elements within a circle.
-fn within(colour: u32, reach: i32) -> Vec<[i32; 2]> {
-    let places = (-reach..=reach).flat_map(|x| (-reach..=reach).map(move |y| [x, y]));
+/// The offsets to earlier elements within a distance from the tile.
+fn within(of: u32, reach: i32) -> Vec<[i32; 2]> {
+    let along = -reach..reach + TILE;
+    let places = along
+        .clone()
+        .flat_map(|x| along.clone().map(move |y| [x, y]));
     places
-        .filter(|[x, y]| x * x + y * y <= reach * reach && is_earlier(colour, [*x, *y]))
+        .filter(|offset| distance_squared(*offset) <= reach * reach && is_earlier(of, *offset))
         .collect()
 }
 
-fn is_earlier(colour: u32, [x, y]: [i32; 2]) -> bool {
-    match (colour, x & 1, y & 1) {
-        // The same colour: by index.
-        (_, 0, 0) => x < 0 || (x == 0 && y < 0),
-        // To the coarser levels, and from the second colour to the first; from the third to everything else.
-        (0, 1, 1) | (1, 1, 0) | (1, 0, 1) | (2, _, _) => true,
-        _ => false,
-    }
+/// The square of the distance from the tile.
+fn distance_squared(offset: [i32; 2]) -> i32 {
+    let along = offset.map(|along| (-along).max(along + 1 - TILE).max(0));
+    along.iter().map(|along| along * along).sum()
+}
+
+fn is_earlier(of: u32, [x, y]: [i32; 2]) -> bool {
+    let is_coarser = (x | y) & 1 == 0;
+    // A tile whose first indices have the parities of the colour.
+    let first = [[0, 0], [1, 1], [0, 1], [1, 0]][of as usize];
+    let away = [x, y].map(|along| along.div_euclid(TILE));
+    let other = colour(first[0] + away[0], first[1] + away[1]);
+    is_coarser || (other, away) < (of, [0, 0])
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Rank, earlier_offsets};
+    use super::{TILE, colour, earlier_offsets, own_offsets};
 
-    /// The whole order as one number, smallest first.
-    fn place(i: i32, j: i32) -> (u32, u32, i32, i32) {
-        let Rank { level, colour } = Rank::of(i, j);
-        (20 - level, colour, i, j)
+    /// The level of an element.
+    fn level(i: i32, j: i32) -> u32 {
+        (i | j | 1 << 20).trailing_zeros()
+    }
+
+    /// The order of tiles, smallest first.
+    fn place([i, j]: [i32; 2]) -> (u32, u32, [i32; 2]) {
+        let level = level(i, j);
+        let tile = [i, j].map(|along| (along >> level).div_euclid(TILE));
+        (20 - level, colour(tile[0], tile[1]), tile)
     }
 
     #[test]
     fn every_offset_leads_to_an_earlier_element() {
-        for (i, j) in [(17, 23), (17, 22), (18, 23), (24, 40), (20, 36), (16, 24)] {
-            let Rank { level, colour } = Rank::of(i, j);
-            for [x, y] in earlier_offsets(colour, 60) {
-                let (other_i, other_j) = (i + (x << level), j + (y << level));
-                assert!(
-                    place(other_i, other_j) < place(i, j),
-                    "{i} {j} to {other_i} {other_j}"
-                );
+        for (first, level) in [([64, 64], 0), ([68, 68], 0), ([64, 72], 1), ([136, 128], 1)] {
+            let tile: [i32; 2] = first.map(|i| (i >> level) / TILE);
+            for own in own_offsets() {
+                let own = place([0, 1].map(|axis| first[axis] + (own[axis] << level)));
+                for offset in earlier_offsets(colour(tile[0], tile[1]), 60) {
+                    let other = [0, 1].map(|axis| first[axis] + (offset[axis] << level));
+                    assert!(place(other) < own, "{first:?} to {other:?}");
+                }
             }
         }
     }
 
     #[test]
     fn no_earlier_neighbour_of_the_finest_level_is_left_out() {
-        for (i, j) in [(101, 101), (101, 100), (100, 101)] {
-            let near = (-3..=3).flat_map(|x| (-3..=3).map(move |y| [x, y]));
-            let earlier = near.filter(|[x, y]| place(i + x, j + y) < place(i, j));
-            let listed = earlier_offsets(Rank::of(i, j).colour, 100);
+        for first in [[64, 64], [68, 68], [64, 68], [68, 64]] {
+            let colour = colour(first[0] / TILE, first[1] / TILE);
+            let own = place([first[0], first[1] + 1]);
+            let near = (-3..TILE + 3).flat_map(|x| (-3..TILE + 3).map(move |y| [x, y]));
+            let earlier = near.filter(|[x, y]| place([first[0] + x, first[1] + y]) < own);
+            let listed = earlier_offsets(colour, 150);
             assert!(earlier.into_iter().all(|offset| listed.contains(&offset)));
         }
     }

@@ -1,22 +1,28 @@
 //! The same factor among candidates, whose rows are their own: in a contact of scattered summits few elements have
 //! neighbours in the same places.
 
-use std::sync::Arc;
+mod order;
+mod row;
+
+use std::sync::{Arc, LazyLock};
 
 use pellicle_influence::SurfaceElasticity;
 use rayon::prelude::*;
 
-use super::{
-    EARLIER, classes, index,
-    order::{Rank, TOP},
-    row::{AT_ONCE, LocalSystem, NearCoefficients, SystemBatch},
+use self::{
+    order::{Rank, TOP, earlier_offsets},
+    row::{AT_ONCE, LocalSystem, SystemBatch},
 };
+use super::{classes, index, local_system::NearCoefficients};
 use crate::grid::candidates::Candidates;
 use crate::solver::gradient::working_set::WorkingSet;
 
 /// Places where an element's neighbours are looked for, nearest first: with all of the other factor's, products are 12
 /// instead of 13 on 0.1 % of 1024 × 1024 elements, and take a fifth more time with all else.
 const SEARCHED: usize = 300;
+/// Of each colour: where earlier elements lie.
+static EARLIER: LazyLock<[Vec<[i32; 2]>; 3]> =
+    LazyLock::new(|| [0, 1, 2].map(|colour| earlier_offsets(colour, SEARCHED)));
 /// Rows that one thread looks at together.
 const PART: usize = 256;
 
@@ -116,7 +122,6 @@ impl ScatteredFactor {
                         places,
                         classes,
                         own_class: self.classes[first + place],
-                        to_axis: [None; 2],
                     }
                 })
                 .collect();
@@ -145,7 +150,7 @@ impl ScatteredFactor {
         let place = self.candidates.place(candidate).map(index);
         let size = self.candidates.size();
         let mut found = (Vec::new(), Vec::new());
-        for offset in EARLIER[colour as usize].iter().take(SEARCHED) {
+        for offset in &EARLIER[colour as usize] {
             let along = |axis: usize| {
                 let i = usize::try_from(place[axis] + (offset[axis] << level)).ok()?;
                 (i < size).then_some(i)
