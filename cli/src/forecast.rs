@@ -31,11 +31,11 @@ const FEWEST_PER_CONTACT: f64 = 5.0;
 const BYTES: f64 = 40e6;
 
 /// Memory of a solution per element, in bytes, on a quadrant, on a half and on the whole grid: of any element, and of
-/// one in the square around the contact. *Measured* as the largest resident set at N = 2048 on Hertz' contact, pillars, films,
-/// punches and pyramids, the contact filling 16 to 100 % of the domain's side squared: 14 to 54 on a quadrant, where
-/// these give 30 to 80; 61 to 220, where these give 61 to 220, on the whole grid. Hertz' contact at N = 8192 takes 2.93
-/// GB, forecast 3.17; pillars 2.12, forecast 2.22. A Berkovich pyramid on a half at N = 2048, its contact 18 and 72 % of
-/// the domain: 28 and 78, where these give 36 and 85.
+/// one in the square around the contact. *Measured* as the largest resident set at N = 2048 on Hertz' contact, pillars,
+/// films, punches and pyramids, the contact filling 16 to 100 % of the domain's side squared: 14 to 54 on a quadrant,
+/// where these give 30 to 80; 61 to 220, where these give 61 to 220, on the whole grid. Hertz' contact at N = 8192
+/// takes 2.93 GB, forecast 3.17; pillars 2.12, forecast 2.22. A Berkovich pyramid on a half at N = 2048, its contact 18
+/// and 72 % of the domain: 28 and 78, where these give 36 and 85.
 const BYTES_PER_ELEMENT_SOLVED: [[f64; 2]; 3] = [[20.0, 60.0], [20.0, 90.0], [20.0, 200.0]];
 
 /// Memory of a loading step per element, in bytes: its pressure.

@@ -42,8 +42,8 @@ const SHORTEST_RESPONSE: f64 = 1.166;
 const NEIGHBOURS: usize = 42;
 /// The same under a very stiff coat.
 const MORE_NEIGHBOURS: usize = 60;
-/// Elements per side from which on neighbours grow with the grid: a factor of fixed neighbours loses accuracy with every
-/// halving of the element.
+/// Elements per side from which on neighbours grow with the grid: a factor of fixed neighbours loses accuracy with
+/// every halving of the element.
 const COARSE: usize = 512;
 /// Most neighbours of a tile, beyond which time grows faster than products fall.
 const MOST_NEIGHBOURS: usize = 96;

@@ -134,7 +134,8 @@ impl SparseFactor {
         }
     }
 
-    /// Takes other compliances of the relief, in m/Pa: blocks are of patterns of compliances, so those known stay right.
+    /// Takes other compliances of the relief, in m/Pa: blocks are of patterns of compliances, so those known stay
+    /// right.
     pub fn take_compliance(&mut self, relief_compliance: &[f64]) {
         self.classes = classes(&self.elasticity, relief_compliance);
         self.compliance.copy_from_slice(relief_compliance);
@@ -252,7 +253,8 @@ impl SparseFactor {
         }
     }
 
-    /// Elements from each axis within which mirror images count in a block of this level; none but at those of a sector.
+    /// Elements from each axis within which mirror images count in a block of this level; none but at those of a
+    /// sector.
     fn near_axis(&self, level: u32) -> [u32; 2] {
         let lines = self.sector.mirrored_lines((NEAR_AXIS << level) as usize);
         lines.map(|lines| index(lines).unsigned_abs())
