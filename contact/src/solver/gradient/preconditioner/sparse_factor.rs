@@ -58,6 +58,7 @@ const HEAD: usize = 4;
 const MOST_ENTRIES: usize = 1 << 27;
 /// Tiles that look for their blocks together: one part of a fixed length, for every number of threads.
 const PART: usize = 1 << 9;
+
 /// The factor `G` on one grid's working set.
 pub struct SparseFactor {
     /// Rows, and elements of each.

@@ -2,18 +2,17 @@
 //! neighbours in the same places.
 
 mod order;
-mod row;
 
 use std::sync::{Arc, LazyLock};
 
 use pellicle_influence::SurfaceElasticity;
 use rayon::prelude::*;
 
-use self::{
-    order::{Rank, TOP, earlier_offsets},
-    row::{AT_ONCE, LocalSystem, SystemBatch},
+use self::order::{Rank, TOP, earlier_offsets};
+use super::{
+    classes, index,
+    local_system::{LocalSystem, NearCoefficients},
 };
-use super::{classes, index, local_system::NearCoefficients};
 use crate::grid::candidates::Candidates;
 use crate::solver::gradient::working_set::WorkingSet;
 
@@ -81,62 +80,46 @@ impl ScatteredFactor {
     pub fn update(&mut self, set: &WorkingSet) {
         let mut rows = std::mem::take(&mut self.rows);
         let parts = rows.par_chunks_mut(PART).enumerate();
-        parts.for_each_init(
-            || SystemBatch::new(self.neighbours),
-            |batch, (part, rows)| self.update_part(batch, part * PART, rows, set.mask()),
-        );
+        parts.for_each(|(part, rows)| {
+            for (place, row) in rows.iter_mut().enumerate() {
+                self.update_row(part * PART + place, row, set.mask());
+            }
+        });
         self.rows = rows;
     }
 
-    fn update_part(&self, batch: &mut SystemBatch, first: usize, rows: &mut [Row], mask: &[bool]) {
-        let mut changed: Vec<(usize, Vec<[i32; 2]>)> = Vec::new();
-        for (place, row) in rows.iter_mut().enumerate() {
-            if !mask[first + place] {
-                *row = Row::default();
-                continue;
-            }
-            let (offsets, neighbours) = self.neighbours_of(first + place, mask);
-            if row.diagonal == 0.0 || row.neighbours != neighbours {
-                row.neighbours = neighbours;
-                changed.push((place, offsets));
-            }
+    fn update_row(&self, candidate: usize, row: &mut Row, mask: &[bool]) {
+        if !mask[candidate] {
+            *row = Row::default();
+            return;
         }
-        for changed in changed.chunks(AT_ONCE) {
-            let classes: Vec<Vec<u16>> = changed
-                .iter()
-                .map(|(place, _)| {
-                    let neighbours = rows[*place].neighbours.iter();
-                    neighbours
-                        .map(|other| self.classes[*other as usize])
-                        .collect()
-                })
-                .collect();
-            let systems = changed.iter().zip(&classes);
-            let systems: Vec<LocalSystem<'_>> = systems
-                .map(|((place, places), classes)| {
-                    let level = self.rank(first + place).level;
-                    LocalSystem {
-                        elasticity: &self.elasticity,
-                        near: &self.near[level as usize],
-                        level,
-                        places,
-                        classes,
-                        own_class: self.classes[first + place],
-                    }
-                })
-                .collect();
-            for (values, (place, _)) in batch.rows(&systems).into_iter().zip(changed) {
-                let (diagonal, values) = values.split_last().expect("the element itself");
-                let row = &mut rows[*place];
-                row.diagonal = *diagonal;
-                #[expect(
-                    clippy::cast_possible_truncation,
-                    reason = "a preconditioner needs no more"
-                )]
-                let entries = values.iter().map(|g| *g as f32).collect();
-                row.entries = entries;
-            }
+        let (mut places, neighbours) = self.neighbours_of(candidate, mask);
+        if row.diagonal != 0.0 && row.neighbours == neighbours {
+            return;
         }
+        places.push([0, 0]);
+        let level = self.rank(candidate).level;
+        let members = neighbours.iter().map(|other| *other as usize);
+        let classes = members.chain([candidate]).map(|of| self.classes[of]);
+        let column = LocalSystem {
+            elasticity: &self.elasticity,
+            near: &self.near[level as usize],
+            level,
+            places: &places,
+            classes: &classes.collect::<Vec<_>>(),
+            own: 1,
+            to_axis: [None, None],
+        }
+        .columns();
+        let (diagonal, values) = (column.col_as_slice(0).split_last()).expect("the element itself");
+        row.diagonal = *diagonal;
+        #[expect(
+            clippy::cast_possible_truncation,
+            reason = "a preconditioner needs no more"
+        )]
+        let entries = values.iter().map(|g| *g as f32).collect();
+        row.entries = entries;
+        row.neighbours = neighbours;
     }
 
     fn rank(&self, candidate: usize) -> Rank {
