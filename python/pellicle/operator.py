@@ -44,8 +44,8 @@ class ElasticOperator:
     """
 
     def __init__(self, foundation: Foundation, element_side: float, elements: int) -> None:
-        if not (isinstance(elements, (int, np.integer)) and 1 <= elements <= 8192):
-            raise ArgumentError(f"elements: found {elements}, wanted an integer from 1 to 8192")
+        if not (isinstance(elements, (int, np.integer)) and 1 <= elements <= 16384):
+            raise ArgumentError(f"elements: found {elements}, wanted an integer from 1 to 16384")
         self.foundation = foundation
         self.element_side: float = float(element_side)
         self.elements: int = int(elements)

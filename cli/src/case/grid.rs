@@ -10,8 +10,9 @@ use super::value_reader::Sign;
 /// Elements per side unless given.
 const DEFAULT_ELEMENTS: usize = 256;
 
-/// More than 8192² elements are beyond the memory of a workstation: at some 240 bytes each, these take 16 GB.
-const ELEMENTS: std::ops::RangeInclusive<usize> = 1..=8192;
+/// More than 16,384² elements are beyond the memory of a workstation: where symmetry leaves a quadrant to be solved, at
+/// some 50 bytes each, these take 14 GB. What there is decides before anything is solved (`forecast.rs`).
+const ELEMENTS: std::ops::RangeInclusive<usize> = 1..=16_384;
 
 /// The grid of a case.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -121,10 +122,10 @@ mod tests {
 
     #[test]
     fn grids_without_elements_or_beyond_memory_are_refused() {
-        for elements in ["0", "8193", "-4", "1_000_000_000", "1e9", "nan"] {
+        for elements in ["0", "16385", "-4", "1_000_000_000", "1e9", "nan"] {
             let message = read(&format!("side = 1\nelements = {elements}")).unwrap_err();
             let start = format!(
-                "case.toml, line 2, key `elements`: found {elements}, wanted an integer from 1 to 8192"
+                "case.toml, line 2, key `elements`: found {elements}, wanted an integer from 1 to 16384"
             );
             assert!(message.starts_with(&start), "{message}");
         }

@@ -17,8 +17,8 @@ use super::stoppable::StoppableWriter;
 use crate::failure::Failure;
 use crate::map::npy_header::NpyHeader;
 
-/// Most bytes of an array: 8192² numbers, the largest grid of a case, and a header.
-const LARGEST_ARRAY: u64 = (8 << 26) + (1 << 16);
+/// Most bytes of an array: 16,384² numbers, the largest grid of a case, and a header.
+const LARGEST_ARRAY: u64 = (8 << 28) + (1 << 16);
 
 /// Level of compression, from 1 to 9. The usual 6 makes files 13 % smaller in three times the time, and compression
 /// took 13 % of a curve's run.

@@ -149,7 +149,7 @@ fn a_grid_of_no_elements_or_of_a_thousand_million_is_refused() {
             key: "`grid.elements`",
             line: 26,
             found: elements,
-            wanted: "wanted an integer from 1 to 8192 per side",
+            wanted: "wanted an integer from 1 to 16384 per side",
         };
         refuses(
             "elements = 32",
