@@ -13,7 +13,7 @@ mod plane;
 pub(crate) use even::EvenLines;
 pub(crate) use fourier::FourierLines;
 pub(crate) use half::HalfLines;
-pub(crate) use lines::Lines;
+pub(crate) use lines::{Columns, Lines};
 pub(crate) use mirror::{LINES, MirrorTransform};
 pub(crate) use padding::half_length;
 pub(crate) use plane::{PlaneSpectrum, PlaneTransform};

@@ -9,7 +9,7 @@ use rayon::prelude::*;
 
 use super::symbol::PeriodicSymbol;
 use crate::sector::Sector;
-use crate::transform::{EvenLines, FourierLines, HalfLines, Lines, PlaneTransform};
+use crate::transform::{Columns, EvenLines, FourierLines, HalfLines, Lines, PlaneTransform};
 
 /// Numbers of a field looked through at once.
 const PART: usize = 1 << 14;
@@ -138,10 +138,10 @@ impl SectorTransform {
         match self {
             Self::Whole(transform) => [transform.lines().width(); 2],
             Self::Half(transform) => {
-                let half = transform.lines().length() / 2;
+                let half = transform.lines().columns().length() / 2;
                 [half, half + 1]
             }
-            Self::Quadrant(transform) => [transform.lines().length(); 2],
+            Self::Quadrant(transform) => [transform.lines().columns().length(); 2],
         }
     }
 }

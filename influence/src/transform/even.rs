@@ -13,7 +13,7 @@ use rustfft::num_complex::Complex;
 
 use super::Parity;
 use super::cosine::{CosineTransform, Frequencies, place};
-use super::lines::{Factors, Lines, Real, Space};
+use super::lines::{Columns, Factors, Lines, Real, Space};
 
 /// Plans for fields of one size.
 pub(crate) struct EvenLines<T: Real> {
@@ -51,7 +51,7 @@ impl<T: Real> EvenLines<T> {
     }
 
     /// The real frequencies of a row: those of every transform, one after the other.
-    fn columns(&self) -> usize {
+    fn frequencies_of_a_row(&self) -> usize {
         self.parts() * self.length
     }
 
@@ -68,7 +68,7 @@ impl<T: Real> EvenLines<T> {
     pub(crate) fn frequencies(&self, index: usize) -> [usize; 2] {
         let one = 2 * index;
         // The last column may have none beside it.
-        [one, (one + 1).min(self.columns() - 1)].map(|column| self.frequency(column))
+        [one, (one + 1).min(self.frequencies_of_a_row() - 1)].map(|column| self.frequency(column))
     }
 
     /// The `n`-th number that is wanted of a pair of rows.
@@ -84,6 +84,11 @@ impl<T: Real> EvenLines<T> {
 
 impl<T: Real> Lines for EvenLines<T> {
     type Real = T;
+    type Columns = Self;
+
+    fn columns(&self) -> &Self {
+        self
+    }
 
     fn loaded(&self) -> [usize; 2] {
         [self.loaded; 2]
@@ -94,22 +99,14 @@ impl<T: Real> Lines for EvenLines<T> {
     }
 
     fn width(&self) -> usize {
-        self.columns().div_ceil(2)
-    }
-
-    fn length(&self) -> usize {
-        self.length
-    }
-
-    fn parts(&self) -> usize {
-        self.transforms.len()
+        self.frequencies_of_a_row().div_ceil(2)
     }
 
     fn space(&self) -> Space<T> {
         let longest = self.transforms.iter().map(CosineTransform::scratch_length);
         Space {
             reals: Vec::new(),
-            pair: vec![Complex::default(); self.columns()],
+            pair: vec![Complex::default(); self.frequencies_of_a_row()],
             transform: vec![Complex::default(); longest.max().unwrap_or(0)],
         }
     }
@@ -195,6 +192,33 @@ impl<T: Real> Lines for EvenLines<T> {
         }
     }
 
+    fn filter<'a>(
+        &self,
+        [index, part]: [usize; 2],
+        column: &mut [Complex<T>],
+        factors: &impl Fn(usize) -> Factors<'a, T>,
+        space: &mut Space<T>,
+    ) where
+        T: 'a,
+    {
+        let factors = self
+            .frequencies(index)
+            .map(|frequency| factors(frequency)[part]);
+        self.transforms[part].filter(column, factors, &mut space.transform);
+    }
+}
+
+impl<T: Real> Columns for EvenLines<T> {
+    type Real = T;
+
+    fn length(&self) -> usize {
+        self.length
+    }
+
+    fn parts(&self) -> usize {
+        self.transforms.len()
+    }
+
     fn place(&self, n: usize) -> usize {
         place(n, self.length)
     }
@@ -215,11 +239,11 @@ impl<T: Real> Lines for EvenLines<T> {
         }
     }
 
-    fn transform_column(&self, part: usize, column: &mut [Complex<T>], space: &mut Space<T>) {
+    fn transform(&self, part: usize, column: &mut [Complex<T>], space: &mut Space<T>) {
         self.transforms[part].analyse(column, &mut space.transform);
     }
 
-    fn restore_column(
+    fn restore(
         &self,
         part: usize,
         parity: Parity,
@@ -227,21 +251,6 @@ impl<T: Real> Lines for EvenLines<T> {
         space: &mut Space<T>,
     ) {
         self.transforms[part].synthesise_with(parity, column, &mut space.transform);
-    }
-
-    fn filter<'a>(
-        &self,
-        [index, part]: [usize; 2],
-        column: &mut [Complex<T>],
-        factors: &impl Fn(usize) -> Factors<'a, T>,
-        space: &mut Space<T>,
-    ) where
-        T: 'a,
-    {
-        let factors = self
-            .frequencies(index)
-            .map(|frequency| factors(frequency)[part]);
-        self.transforms[part].filter(column, factors, &mut space.transform);
     }
 }
 

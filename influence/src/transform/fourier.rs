@@ -17,7 +17,7 @@ use rustfft::num_complex::Complex;
 use rustfft::{Fft, FftPlanner};
 
 use super::Parity;
-use super::lines::{Factors, Lines, Real, Space};
+use super::lines::{Columns, Factors, Lines, Real, Space};
 
 /// Plans for fields of one size.
 pub(crate) struct FourierLines<T: Real> {
@@ -81,34 +81,44 @@ impl<T: Real> FourierColumns<T> {
         self.shown
     }
 
-    /// As [`Lines::length`].
-    pub(crate) fn length(&self) -> usize {
-        self.forward.len()
-    }
-
-    /// As [`Lines::parts`].
-    pub(crate) fn parts(&self) -> usize {
-        self.period / self.length()
-    }
-
     /// Numbers of space that the transforms ask for.
     pub(crate) fn scratch_length(&self) -> usize {
         let forward = self.forward.get_inplace_scratch_len();
         forward.max(self.back.get_inplace_scratch_len())
     }
 
-    /// As [`Lines::padding`].
-    pub(crate) fn padding(&self) -> Range<usize> {
+    /// The transform of one part of a column.
+    pub(crate) fn analyse(&self, column: &mut [Complex<T>], space: &mut Space<T>) {
+        self.forward
+            .process_with_scratch(column, &mut space.transform);
+    }
+
+    /// The transform back.
+    pub(crate) fn synthesise(&self, column: &mut [Complex<T>], space: &mut Space<T>) {
+        self.back.process_with_scratch(column, &mut space.transform);
+    }
+}
+
+impl<T: Real> Columns for FourierColumns<T> {
+    type Real = T;
+
+    fn length(&self) -> usize {
+        self.forward.len()
+    }
+
+    fn parts(&self) -> usize {
+        self.period / self.length()
+    }
+
+    fn padding(&self) -> Range<usize> {
         self.loaded..self.length()
     }
 
-    /// As [`Lines::turn`].
-    pub(crate) fn turn(&self, n: usize) -> Complex<T> {
+    fn turn(&self, n: usize) -> Complex<T> {
         self.turns[n]
     }
 
-    /// As [`Lines::folded`].
-    pub(crate) fn folded(&self, n: usize) -> (usize, T) {
+    fn folded(&self, n: usize) -> (usize, T) {
         let place = (n + self.period - self.before) % self.period;
         if place < self.length() {
             (place, T::one())
@@ -117,15 +127,12 @@ impl<T: Real> FourierColumns<T> {
         }
     }
 
-    /// The transform of one part of a column.
-    pub(crate) fn transform(&self, column: &mut [Complex<T>], space: &mut Space<T>) {
-        self.forward
-            .process_with_scratch(column, &mut space.transform);
+    fn transform(&self, _: usize, column: &mut [Complex<T>], space: &mut Space<T>) {
+        self.analyse(column, space);
     }
 
-    /// The transform back.
-    pub(crate) fn restore(&self, column: &mut [Complex<T>], space: &mut Space<T>) {
-        self.back.process_with_scratch(column, &mut space.transform);
+    fn restore(&self, _: usize, _: Parity, column: &mut [Complex<T>], space: &mut Space<T>) {
+        self.synthesise(column, space);
     }
 }
 
@@ -162,6 +169,11 @@ impl<T: Real> FourierLines<T> {
 
 impl<T: Real> Lines for FourierLines<T> {
     type Real = T;
+    type Columns = FourierColumns<T>;
+
+    fn columns(&self) -> &FourierColumns<T> {
+        &self.columns
+    }
 
     fn loaded(&self) -> [usize; 2] {
         [self.columns.loaded(), self.loaded]
@@ -173,14 +185,6 @@ impl<T: Real> Lines for FourierLines<T> {
 
     fn width(&self) -> usize {
         self.period() / 2 + 1
-    }
-
-    fn length(&self) -> usize {
-        self.columns.length()
-    }
-
-    fn parts(&self) -> usize {
-        self.columns.parts()
     }
 
     fn space(&self) -> Space<T> {
@@ -248,30 +252,6 @@ impl<T: Real> Lines for FourierLines<T> {
         }
     }
 
-    fn place(&self, n: usize) -> usize {
-        n
-    }
-
-    fn padding(&self) -> Range<usize> {
-        self.columns.padding()
-    }
-
-    fn turn(&self, n: usize) -> Complex<T> {
-        self.columns.turn(n)
-    }
-
-    fn folded(&self, n: usize) -> (usize, T) {
-        self.columns.folded(n)
-    }
-
-    fn transform_column(&self, _: usize, column: &mut [Complex<T>], space: &mut Space<T>) {
-        self.columns.transform(column, space);
-    }
-
-    fn restore_column(&self, _: usize, _: Parity, column: &mut [Complex<T>], space: &mut Space<T>) {
-        self.columns.restore(column, space);
-    }
-
     fn filter<'a>(
         &self,
         [index, part]: [usize; 2],
@@ -282,7 +262,7 @@ impl<T: Real> Lines for FourierLines<T> {
         T: 'a,
     {
         let factors = factors(index)[part];
-        self.columns.transform(column, space);
+        self.columns.analyse(column, space);
         let (rising, falling) = column.split_at_mut(factors.len());
         for (entry, factor) in rising.iter_mut().zip(factors) {
             *entry = *entry * factor;
@@ -292,6 +272,6 @@ impl<T: Real> Lines for FourierLines<T> {
         for (entry, factor) in falling.iter_mut().zip(mirrored.rev()) {
             *entry = *entry * factor;
         }
-        self.columns.restore(column, space);
+        self.columns.synthesise(column, space);
     }
 }

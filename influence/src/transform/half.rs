@@ -8,8 +8,6 @@
 //! A = ½ (V_k + V̄_k'),   i B = ½ (V_k − V̄_k');     f A + i g B = ½ (f + g) V_k + ½ (f − g) V̄_k'
 //! ```
 
-use std::ops::Range;
-
 use rustfft::num_complex::Complex;
 
 use super::Parity;
@@ -49,6 +47,11 @@ impl<T: Real> HalfLines<T> {
 
 impl<T: Real> Lines for HalfLines<T> {
     type Real = T;
+    type Columns = FourierColumns<T>;
+
+    fn columns(&self) -> &FourierColumns<T> {
+        &self.columns
+    }
 
     fn loaded(&self) -> [usize; 2] {
         let [_, of_row] = self.rows.loaded();
@@ -62,14 +65,6 @@ impl<T: Real> Lines for HalfLines<T> {
 
     fn width(&self) -> usize {
         self.rows.width()
-    }
-
-    fn length(&self) -> usize {
-        self.columns.length()
-    }
-
-    fn parts(&self) -> usize {
-        self.columns.parts()
     }
 
     fn space(&self) -> Space<T> {
@@ -100,30 +95,6 @@ impl<T: Real> Lines for HalfLines<T> {
         self.rows.restore_rows(rows, parity, field, scale, space);
     }
 
-    fn place(&self, n: usize) -> usize {
-        n
-    }
-
-    fn padding(&self) -> Range<usize> {
-        self.columns.padding()
-    }
-
-    fn turn(&self, n: usize) -> Complex<T> {
-        self.columns.turn(n)
-    }
-
-    fn folded(&self, n: usize) -> (usize, T) {
-        self.columns.folded(n)
-    }
-
-    fn transform_column(&self, _: usize, column: &mut [Complex<T>], space: &mut Space<T>) {
-        self.columns.transform(column, space);
-    }
-
-    fn restore_column(&self, _: usize, _: Parity, column: &mut [Complex<T>], space: &mut Space<T>) {
-        self.columns.restore(column, space);
-    }
-
     fn filter<'a>(
         &self,
         [index, part]: [usize; 2],
@@ -134,7 +105,7 @@ impl<T: Real> Lines for HalfLines<T> {
         T: 'a,
     {
         let [f, g] = self.rows.frequencies(index).map(|of| factors(of)[part]);
-        self.columns.transform(column, space);
+        self.columns.analyse(column, space);
         let half = T::narrowed(0.5);
         let length = column.len();
         for (k, (f, g)) in f.iter().zip(g).enumerate() {
@@ -145,7 +116,7 @@ impl<T: Real> Lines for HalfLines<T> {
             column[k] = v * sum + w.conj() * difference;
             column[partner] = w * sum + v.conj() * difference;
         }
-        self.columns.restore(column, space);
+        self.columns.synthesise(column, space);
     }
 }
 

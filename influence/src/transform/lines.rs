@@ -42,12 +42,11 @@ impl Real for f32 {
 pub(crate) type Factors<'a, T> = [&'a [T]; 2];
 
 /// The rows and columns of a field, which is given and wanted from its first corner on.
-///
-/// A column is transformed in one part where the field is periodic. In two where it is padded to twice its length:
-/// at the even frequencies of the padded column, which are those of the column itself, and at the odd ones, which
-/// are those of the column turned by a phase. The padding is neither stored nor transformed.
 pub(crate) trait Lines: Sync {
     type Real: Real;
+    type Columns: Columns<Real = Self::Real>;
+
+    fn columns(&self) -> &Self::Columns;
 
     /// Rows that are given, and numbers of each.
     fn loaded(&self) -> [usize; 2];
@@ -57,12 +56,6 @@ pub(crate) trait Lines: Sync {
 
     /// Complex numbers of a transformed row. Each belongs to one column or, as its real and imaginary part, to two.
     fn width(&self) -> usize;
-
-    /// Complex numbers of one part of a column.
-    fn length(&self) -> usize;
-
-    /// Parts of a column, 1 or 2.
-    fn parts(&self) -> usize;
 
     /// Buffers for the other functions.
     fn space(&self) -> Space<Self::Real>;
@@ -79,43 +72,13 @@ pub(crate) trait Lines: Sync {
     /// Transforms up to [`ROWS`] rows back and keeps the numbers that are wanted, times `scale`.
     ///
     /// Where mirror images continue the rows, they do so with this parity. The number n of an odd row comes out with
-    /// the sign
-    /// `(−1)ⁿ`.
+    /// the sign `(−1)ⁿ`.
     fn restore_rows(
         &self,
         rows: &mut [Complex<Self::Real>],
         parity: Parity,
         field: &mut [f64],
         scale: f64,
-        space: &mut Space<Self::Real>,
-    );
-
-    /// The place of the `n`-th number of a column in each part.
-    fn place(&self, n: usize) -> usize;
-
-    /// The places that no given number takes.
-    fn padding(&self) -> Range<usize>;
-
-    /// The phase of the `n`-th number in the second part.
-    fn turn(&self, n: usize) -> Complex<Self::Real>;
-
-    /// The number below [`Self::length`] that stands for the `n`-th wanted one, and the sign of the second part there.
-    fn folded(&self, n: usize) -> (usize, Self::Real);
-
-    /// Transforms one part of a column.
-    fn transform_column(
-        &self,
-        part: usize,
-        column: &mut [Complex<Self::Real>],
-        space: &mut Space<Self::Real>,
-    );
-
-    /// Transforms one part of a column of this parity back, as [`Self::restore_rows`].
-    fn restore_column(
-        &self,
-        part: usize,
-        parity: Parity,
-        column: &mut [Complex<Self::Real>],
         space: &mut Space<Self::Real>,
     );
 
@@ -128,6 +91,52 @@ pub(crate) trait Lines: Sync {
         space: &mut Space<Self::Real>,
     ) where
         Self::Real: 'a;
+}
+
+/// The columns of a field.
+///
+/// A column is transformed in one part where the field is periodic. In two where it is padded to twice its length:
+/// at the even frequencies of the padded column, which are those of the column itself, and at the odd ones, which
+/// are those of the column turned by a phase. The padding is neither stored nor transformed.
+pub(crate) trait Columns: Sync {
+    type Real: Real;
+
+    /// Complex numbers of one part of a column.
+    fn length(&self) -> usize;
+
+    /// Parts of a column, 1 or 2.
+    fn parts(&self) -> usize;
+
+    /// The place of the `n`-th number in each part.
+    fn place(&self, n: usize) -> usize {
+        n
+    }
+
+    /// The places that no given number takes.
+    fn padding(&self) -> Range<usize>;
+
+    /// The phase of the `n`-th number in the second part.
+    fn turn(&self, n: usize) -> Complex<Self::Real>;
+
+    /// The number below [`Self::length`] that stands for the `n`-th wanted one, and the sign of the second part there.
+    fn folded(&self, n: usize) -> (usize, Self::Real);
+
+    /// Transforms one part of a column.
+    fn transform(
+        &self,
+        part: usize,
+        column: &mut [Complex<Self::Real>],
+        space: &mut Space<Self::Real>,
+    );
+
+    /// Transforms one part of a column of this parity back, as [`Lines::restore_rows`].
+    fn restore(
+        &self,
+        part: usize,
+        parity: Parity,
+        column: &mut [Complex<Self::Real>],
+        space: &mut Space<Self::Real>,
+    );
 }
 
 /// Rows transformed at once: long enough stretches of each block for the memory, few enough for the cache; even.

@@ -15,7 +15,7 @@ use rayon::prelude::*;
 use rustfft::num_complex::Complex;
 
 use super::Parity;
-use super::lines::{Factors, Lines, ROWS, Space};
+use super::lines::{Columns, Factors, Lines, ROWS, Space};
 
 /// Complex numbers of a row in a block: four cache lines in double precision.
 const WIDTH: usize = 16;
@@ -52,7 +52,7 @@ impl<L: Lines> PlaneTransform<L> {
         let zeros = |count: usize| vec![Complex::default(); count];
         let scratch = || Scratch {
             rows: zeros(ROWS * lines.width()),
-            columns: zeros(WIDTH * lines.parts() * (lines.length() + SKEW)),
+            columns: zeros(WIDTH * lines.columns().parts() * (lines.columns().length() + SKEW)),
             space: lines.space(),
         };
         let scratch = (0..rayon::current_num_threads()).map(|_| Mutex::new(scratch()));
@@ -173,7 +173,7 @@ impl<L: Lines> PlaneTransform<L> {
         self.gather(block, columns);
         for (index, parts) in columns.chunks_exact_mut(self.stride()).enumerate() {
             for (part, column) in parts.chunks_exact_mut(self.pitch()).enumerate() {
-                let column = &mut column[..self.lines.length()];
+                let column = &mut column[..self.lines.columns().length()];
                 let which = [first + index, part];
                 self.lines.filter(which, column, factors, space);
             }
@@ -185,16 +185,16 @@ impl<L: Lines> PlaneTransform<L> {
     fn gather(&self, block: &[Complex<L::Real>], columns: &mut [Complex<L::Real>]) {
         let (pitch, stride) = (self.pitch(), self.stride());
         for part in columns.chunks_exact_mut(pitch) {
-            part[self.lines.padding()].fill(Complex::default());
+            part[self.lines.columns().padding()].fill(Complex::default());
         }
         let rows = block.chunks_exact(columns.len() / stride);
         for (n, row) in rows.take(self.lines.loaded()[0]).enumerate() {
-            let place = self.lines.place(n);
+            let place = self.lines.columns().place(n);
             for (column, x) in columns[place..].iter_mut().step_by(stride).zip(row) {
                 *column = *x;
             }
-            if self.lines.parts() == 2 {
-                let turn = self.lines.turn(n);
+            if self.lines.columns().parts() == 2 {
+                let turn = self.lines.columns().turn(n);
                 let turned = columns[pitch + place..].iter_mut().step_by(stride);
                 turned.zip(row).for_each(|(column, x)| *column = turn * x);
             }
@@ -206,10 +206,10 @@ impl<L: Lines> PlaneTransform<L> {
         let (pitch, stride) = (self.pitch(), self.stride());
         let rows = block.chunks_exact_mut(columns.len() / stride);
         for (row, entries) in rows.enumerate() {
-            let (n, sign) = self.lines.folded(row);
-            let columns = &columns[self.lines.place(n)..];
-            if self.lines.parts() == 2 {
-                let back = self.lines.turn(n).conj() * sign;
+            let (n, sign) = self.lines.columns().folded(row);
+            let columns = &columns[self.lines.columns().place(n)..];
+            if self.lines.columns().parts() == 2 {
+                let back = self.lines.columns().turn(n).conj() * sign;
                 for (index, entry) in entries.iter_mut().enumerate() {
                     *entry = columns[index * stride] + back * columns[index * stride + pitch];
                 }
@@ -230,12 +230,12 @@ impl<L: Lines> PlaneTransform<L> {
 
     /// Numbers from one part of a column to the next.
     fn pitch(&self) -> usize {
-        self.lines.length() + SKEW
+        self.lines.columns().length() + SKEW
     }
 
     /// Numbers from one column to the next.
     fn stride(&self) -> usize {
-        self.lines.parts() * self.pitch()
+        self.lines.columns().parts() * self.pitch()
     }
 }
 
@@ -249,10 +249,11 @@ impl<L: Lines<Real = f64>> PlaneTransform<L> {
             self.gather(&block, &mut columns);
             let mut scratch = self.scratch();
             for (number, column) in columns.chunks_exact_mut(self.pitch()).enumerate() {
-                let column = &mut column[..self.lines.length()];
-                let part = number % self.lines.parts();
+                let column = &mut column[..self.lines.columns().length()];
+                let part = number % self.lines.columns().parts();
                 self.lines
-                    .transform_column(part, column, &mut scratch.space);
+                    .columns()
+                    .transform(part, column, &mut scratch.space);
             }
             columns
         };
@@ -279,11 +280,16 @@ impl<L: Lines<Real = f64>> PlaneTransform<L> {
             let both = columns.chunks_exact_mut(self.pitch());
             let both = both.zip(transformed.chunks_exact(self.pitch()));
             for (number, (column, from)) in both.enumerate() {
-                let column = &mut column[..self.lines.length()];
-                let part = number % self.lines.parts();
-                let which = [index * WIDTH + number / self.lines.parts(), part];
-                weigh(&self.lines, which, &from[..self.lines.length()], column);
-                self.lines.restore_column(part, parity, column, space);
+                let column = &mut column[..self.lines.columns().length()];
+                let part = number % self.lines.columns().parts();
+                let which = [index * WIDTH + number / self.lines.columns().parts(), part];
+                weigh(
+                    &self.lines,
+                    which,
+                    &from[..self.lines.columns().length()],
+                    column,
+                );
+                self.lines.columns().restore(part, parity, column, space);
             }
             self.scatter(columns, block);
         });
