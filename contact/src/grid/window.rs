@@ -3,11 +3,16 @@
 //! Only elements with pressure or overlap take part in an iteration; as much of the rest as may overlap is looked at
 //! once, by the certificate.
 
+mod extent;
+mod fields;
+
 use pellicle_influence::{Sector, SurfaceElasticity};
-use rayon::prelude::*;
+
+use self::extent::IndexRange;
 
 /// Elements between the contact expected and the window's border, at least.
 const MARGIN: usize = 3;
+
 /// A window of more than this part of the grid's side saves less than it costs.
 const LARGEST_PART: f64 = 0.9;
 
@@ -29,13 +34,6 @@ pub struct Window {
     /// Those of the sector.
     grid: usize,
     sector: Sector,
-}
-
-/// First and last index of some elements along both axes.
-#[derive(Debug, Clone, Copy)]
-struct IndexRange {
-    first: [usize; 2],
-    last: [usize; 2],
 }
 
 impl Window {
@@ -107,37 +105,6 @@ impl Window {
         };
         let size = self.sector.size_for(extent.side_of_square(self.sector));
         Some(extent.centred(size, &everywhere))
-    }
-
-    /// First and last of this window's elements that belong, or lie between those and an axis of the sector.
-    fn extent(&self, belongs: impl Fn([usize; 2]) -> bool + Sync) -> Option<IndexRange> {
-        let [above, left] = self.origin;
-        let [rows, columns] = self.lengths();
-        let columns = left..left + columns;
-        let of_row = |i: usize| {
-            let belongs = |j: &usize| belongs([i, *j]);
-            let first = columns.clone().find(belongs)?;
-            let last = (first..columns.end).rfind(belongs)?;
-            Some(IndexRange {
-                first: [i, first],
-                last: [i, last],
-            })
-        };
-        let rows = (above..above + rows).into_par_iter();
-        let rows = rows.with_min_len(self.rows_per_thread());
-        let extents: Vec<IndexRange> = rows.filter_map(of_row).collect();
-        let extent = extents.into_iter().reduce(IndexRange::and)?;
-        let first = |axis: usize| {
-            if self.sector.mirrored()[axis] {
-                0
-            } else {
-                extent.first[axis]
-            }
-        };
-        Some(IndexRange {
-            first: [0, 1].map(first),
-            ..extent
-        })
     }
 
     /// The window of twice the side around the same centre.
@@ -299,136 +266,6 @@ impl Window {
         ];
         let [rows, columns] = self.lengths();
         (line < rows && column < columns).then(|| line * self.size + column)
-    }
-
-    /// The part of a field of the grid that lies in the window's `line`-th row.
-    pub fn line<'a, T>(&self, field: &'a [T], line: usize) -> &'a [T] {
-        let [above, left] = self.origin;
-        let first = (above + line) * self.grid + left;
-        &field[first..first + self.size]
-    }
-
-    /// The results of `of_line` for each row of a field on the window, in order.
-    pub fn by_lines<T: Send>(
-        &self,
-        part: &[f64],
-        of_line: impl Fn(usize, &[f64]) -> T + Sync,
-    ) -> Vec<T> {
-        let lines = part.par_chunks(self.size).enumerate();
-        let lines = lines.with_min_len(self.rows_per_thread());
-        lines.map(|(line, values)| of_line(line, values)).collect()
-    }
-
-    /// Adds a field on the window to the grid's.
-    pub fn add(&self, field: &mut [f64], part: &[f64]) {
-        let [above, left] = self.origin;
-        let lines = field
-            .par_chunks_mut(self.grid)
-            .skip(above)
-            .zip(part.par_chunks(self.size));
-        let lines = lines.with_min_len(self.rows_per_thread());
-        lines.for_each(|(line, part)| {
-            let line = line[left..left + self.size].iter_mut();
-            line.zip(part).for_each(|(to, value)| *to += value);
-        });
-    }
-
-    /// The part of a field of the grid that lies in the window.
-    pub fn cut<T: Copy + Default + Send + Sync>(&self, field: &[T]) -> Vec<T> {
-        self.take_over(&self.everywhere(), field)
-    }
-
-    /// The field of the whole grid that is `part` in the window and its mirror images, and 0 outside, where no memory
-    /// is touched.
-    pub fn spread(&self, part: Vec<f64>) -> Vec<f64> {
-        match self.sector {
-            Sector::Whole if self.is_whole() => part,
-            Sector::Whole => self.everywhere().take_over(self, &part),
-            Sector::Half | Sector::Quadrant => self.unfold(&part),
-        }
-    }
-
-    /// The same of a window whose rows begin at an axis.
-    fn unfold(&self, part: &[f64]) -> Vec<f64> {
-        let (axis, width) = (self.grid, 2 * self.grid);
-        let [lines, _] = self.lengths();
-        let [above, _] = self.origin;
-        let mut field = vec![0.0; width * width];
-        let rows = field.par_chunks_exact_mut(width).enumerate();
-        let [first, count] = match self.sector.mirrored() {
-            [true, _] => [axis - lines, 2 * lines],
-            [false, _] => [above, lines],
-        };
-        let rows = rows.skip(first).take(count);
-        let rows = rows.with_min_len(self.rows_per_thread());
-        rows.for_each(|(i, row)| {
-            let line = match self.sector.mirrored() {
-                [true, _] if i < axis => axis - 1 - i,
-                [true, _] => i - axis,
-                [false, _] => i - above,
-            };
-            let values = &part[line * self.size..(line + 1) * self.size];
-            let (left, right) = row.split_at_mut(axis);
-            right[..self.size].copy_from_slice(values);
-            let left = left.iter_mut().rev();
-            left.zip(values).for_each(|(left, value)| *left = *value);
-        });
-        field
-    }
-
-    /// The field on this window that is `part` where the other lies in it and 0 elsewhere.
-    pub fn take_over<T: Copy + Default + Send + Sync>(&self, other: &Self, part: &[T]) -> Vec<T> {
-        let mut field = vec![T::default(); self.elements()];
-        let (own, others) = (self.lengths(), other.lengths());
-        let [rows, columns] = [0, 1].map(|axis: usize| {
-            let first = self.origin[axis].max(other.origin[axis]);
-            let end = (self.origin[axis] + own[axis]).min(other.origin[axis] + others[axis]);
-            first..end.max(first)
-        });
-        let lines = field.par_chunks_mut(self.size).enumerate();
-        let lines = lines.with_min_len(self.rows_per_thread());
-        lines.for_each(|(line, values)| {
-            let i = self.origin[0] + line;
-            if rows.contains(&i) {
-                let to = columns.start - self.origin[1];
-                let from = (i - other.origin[0]) * other.size + columns.start - other.origin[1];
-                values[to..to + columns.len()].copy_from_slice(&part[from..from + columns.len()]);
-            }
-        });
-        field
-    }
-}
-
-impl IndexRange {
-    /// Elements along the side of the smallest square that holds them and their mirror images.
-    fn side_of_square(&self, sector: Sector) -> usize {
-        let parts = sector.parts();
-        let lengths =
-            [0, 1].map(|axis: usize| parts[axis] * (self.last[axis] + 1 - self.first[axis]));
-        lengths[0].max(lengths[1])
-    }
-
-    /// The window of `size` elements a row around the centre, moved into the grid; from the axis on where the extent
-    /// reaches from there.
-    fn centred(&self, size: usize, everywhere: &Window) -> Window {
-        let (lengths, all) = (everywhere.sector.lengths(size), everywhere.lengths());
-        let origin = [0, 1].map(|axis: usize| {
-            let twice_centre = self.first[axis] + self.last[axis] + 1;
-            (twice_centre.saturating_sub(lengths[axis]) / 2).min(all[axis] - lengths[axis])
-        });
-        Window {
-            origin,
-            size,
-            ..*everywhere
-        }
-    }
-
-    /// The smallest extent that holds both.
-    fn and(self, other: Self) -> Self {
-        Self {
-            first: [0, 1].map(|axis: usize| self.first[axis].min(other.first[axis])),
-            last: [0, 1].map(|axis: usize| self.last[axis].max(other.last[axis])),
-        }
     }
 }
 
