@@ -10,9 +10,9 @@
 //! of the short waves of the pressure: solved to a tenth of it, a system exchanges noise. The preconditioner's
 //! estimate of the pressure's remaining error does show them. So the elements on the wrong side are predicted one step
 //! ahead, and the system is solved until two successive predictions agree but for a third of the elements. If only a
-//! few remain they are exchanged when two predictions agree altogether and the estimated error is small: single
-//! elements would keep switching. Many that keep changing are noise, however small the error: exchanged when it was a
-//! hundredth of the first, they took rough surfaces 130 products instead of 25.
+//! few remain the estimated error must be small besides: single elements would keep switching. Many that keep changing
+//! are noise, however small the error: exchanged when it was a hundredth of the first, they took rough surfaces 130
+//! products instead of 25.
 
 use crate::solver::gradient::context::Context;
 use crate::solver::gradient::steps::conjugate::ConjugateDirections;
@@ -78,10 +78,10 @@ impl Newton {
         let Context { state, set, .. } = context;
         let ahead = set.look_ahead(state, self.conjugate.missing(), SLACK * tolerance);
         let are_many = ahead.wrong as f64 > (FEW * set.len() as f64).max(2.0);
-        let are_clear = are_many && ahead.news as f64 <= UNSETTLED * ahead.wrong as f64;
-        let are_few_and_stay = !are_many && ahead.news == 0 && missing <= SETTLED * first;
+        let stay = ahead.news as f64 <= UNSETTLED * ahead.wrong as f64;
+        let are_clear = stay && (are_many || missing <= SETTLED * first);
         let is_solved = missing <= SOLVED * first;
-        if ahead.wrong > 0 && (are_clear || are_few_and_stay || is_solved) {
+        if ahead.wrong > 0 && (are_clear || is_solved) {
             return self.exchange(context);
         }
         self.steps += 1;
