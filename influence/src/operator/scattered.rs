@@ -31,10 +31,10 @@ use super::elastic::ElasticOperator;
 use crate::coefficient_table::CoefficientTable;
 
 /// `R`, in elements.
-const RADIUS: usize = 64;
+const RADIUS: usize = 96;
 /// `h`, in elements.
-const SPACING: usize = 4;
-/// `q`: with 10 the error is ten times as large.
+const SPACING: usize = 6;
+/// `q`: with 10 the error is five times as large.
 const ORDER: usize = 12;
 /// Least elements along a side.
 const SMALLEST: usize = 2 * RADIUS;
@@ -43,7 +43,7 @@ const RUNS: usize = 64;
 
 /// `u = K p` among listed elements of a grid.
 ///
-/// Its cost is that of the near pairs of elements and of a product on a grid of a quarter of the elements per side. It
+/// Its cost is that of the near pairs of elements and of a product on a grid of a sixth of the elements per side. It
 /// is right to 2e-9 of the largest displacement (test `scattered_elements_move_as_the_whole_grid_does`): a solution by it
 /// is exact, or one step of iterative refinement from exact. The bits are the same for every number of threads.
 pub struct ScatteredOperator {

@@ -4,9 +4,9 @@ use super::{ORDER, RADIUS, SPACING};
 use crate::coefficient_table::CoefficientTable;
 use crate::error::InfluenceError;
 
-/// Distances from `R`, in elements, at which the polynomial meets the coefficient: with seven, four elements apart, the
-/// kink at `R` alone is an error twenty times as large.
-const MEETINGS: [isize; 11] = [-15, -12, -9, -6, -3, 0, 3, 6, 9, 12, 15];
+/// Distances from `R`, in elements, at which the polynomial meets the coefficient: with seven, six elements apart,
+/// the kink at `R` alone is an error twenty times as large.
+const MEETINGS: [isize; 11] = [-20, -16, -12, -8, -4, 0, 4, 8, 12, 16, 20];
 
 /// Columns of the table of near coefficients.
 pub(super) const NEAR_WIDTH: usize = 2 * RADIUS - 1;
