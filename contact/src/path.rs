@@ -4,6 +4,7 @@
 //! a start from the previous load, used directly or as a correction. So no load depends on another, bit for bit, and on
 //! grids too small to keep all threads busy as many loads are solved at the same time as there are threads.
 
+mod ascent;
 mod capacity;
 mod dilute;
 pub mod domain;

@@ -161,28 +161,21 @@ fn round_off(exponent: f64) -> f64 {
 
 /// An orthonormal basis of the vectors `x` with `A x = 0`.
 fn kernel(matrix: &Mat<f64>) -> Result<Vec<Vec<f64>>, IdentifyError> {
-    let columns = matrix.ncols();
-    let gram = Mat::from_fn(columns, columns, |i, j| {
-        (0..matrix.nrows())
-            .map(|r| matrix[(r, i)] * matrix[(r, j)])
-            .sum::<f64>()
-    });
-    eigenvectors(&gram, |value, largest| {
+    eigenvectors(&gram(matrix), |value, largest| {
         value <= ZERO * largest.max(f64::MIN_POSITIVE)
     })
 }
 
 /// An orthonormal basis of the rows of a matrix.
 fn row_space(matrix: &Mat<f64>) -> Result<Vec<Vec<f64>>, IdentifyError> {
-    let columns = matrix.ncols();
-    let gram = Mat::from_fn(columns, columns, |i, j| {
-        (0..matrix.nrows())
-            .map(|r| matrix[(r, i)] * matrix[(r, j)])
-            .sum::<f64>()
-    });
-    eigenvectors(&gram, |value, largest| {
+    eigenvectors(&gram(matrix), |value, largest| {
         value > ZERO * largest.max(f64::MIN_POSITIVE)
     })
+}
+
+/// `Aᵀ A`.
+fn gram(matrix: &Mat<f64>) -> Mat<f64> {
+    matrix.transpose() * matrix
 }
 
 fn eigenvectors(

@@ -2,13 +2,11 @@
 
 mod notes;
 
-use std::fs;
-use std::path::Path;
-
 use pellicle_identify::{
-    Correlation, Estimate, Fit, FitVerdict, NoiseLevels, Observable, Role, Verdict,
+    Correlation, Estimate, Fit, FitVerdict, KnownCombination, NoiseLevels, Observable, Role,
+    Verdict,
 };
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 use super::Identification;
 use super::taken_as_exact::ExactNumber;
@@ -20,21 +18,7 @@ use crate::planning::result::DesignResult;
 pub const FILE: &str = "fit.json";
 
 /// Name and version of the layout.
-const SCHEMA: &str = "pellicle-fit/1";
-
-/// Whether a folder holds the results of a fit.
-#[must_use]
-pub fn is_in(folder: &Path) -> bool {
-    #[derive(Deserialize)]
-    struct Head {
-        schema: String,
-    }
-    let text = fs::read_to_string(folder.join(FILE));
-    let head = text
-        .ok()
-        .and_then(|text| serde_json::from_str::<Head>(&text).ok());
-    head.is_some_and(|head| head.schema.starts_with("pellicle-fit/"))
-}
+pub const SCHEMA: &str = "pellicle-fit/1";
 
 /// What a fit found.
 #[derive(Debug, Clone, Serialize)]
@@ -111,6 +95,16 @@ pub struct CombinationResult {
     pub value: f64,
     /// Its interval; null on a side that is open.
     pub interval: [Option<f64>; 2],
+}
+
+impl From<&KnownCombination> for CombinationResult {
+    fn from(known: &KnownCombination) -> Self {
+        Self {
+            expression: known.expression.clone(),
+            value: known.value,
+            interval: known.interval,
+        }
+    }
 }
 
 /// How well the model follows the data.
@@ -260,11 +254,7 @@ impl Identification {
             known_combination: estimate
                 .known_combination
                 .as_ref()
-                .map(|known| CombinationResult {
-                    expression: known.expression.clone(),
-                    value: known.value,
-                    interval: known.interval,
-                }),
+                .map(CombinationResult::from),
         }
     }
 

@@ -141,15 +141,7 @@ pub fn remove_files(folder: &Path) -> io::Result<()> {
         fs::remove_file(summary)?;
     }
     // A table of somebody else may lie in the folder of a run.
-    let marks = [
-        (result::is_in(folder), result::FILE),
-        (planning::result::is_in(folder), planning::result::FILE),
-    ];
-    let marks: Vec<&str> = marks
-        .iter()
-        .filter(|(is_in, _)| *is_in)
-        .map(|(_, name)| *name)
-        .collect();
+    let marks: Vec<&str> = marks_in(folder).collect();
     for entry in fs::read_dir(folder)? {
         let entry = entry?;
         let name = entry.file_name();
@@ -168,7 +160,33 @@ pub fn remove_files(folder: &Path) -> io::Result<()> {
 /// Whether a folder holds the results of a fit, or a plan of one.
 #[must_use]
 pub fn is_fit(folder: &Path) -> bool {
-    result::is_in(folder) || planning::result::is_in(folder)
+    marks_in(folder).next().is_some()
+}
+
+/// The files by which a folder is known to hold the results of a fit, or a plan.
+fn marks_in(folder: &Path) -> impl Iterator<Item = &'static str> {
+    #[derive(Deserialize)]
+    struct Head {
+        schema: String,
+    }
+    let has_layout = |file: &str, schema: &str| {
+        let text = fs::read_to_string(folder.join(file)).ok();
+        let head = text.and_then(|text| serde_json::from_str::<Head>(&text).ok());
+        head.is_some_and(|head| layout(&head.schema) == layout(schema))
+    };
+    let marks = [
+        (result::FILE, result::SCHEMA),
+        (planning::result::FILE, planning::result::SCHEMA),
+    ];
+    let marks = marks
+        .into_iter()
+        .filter(move |(file, schema)| has_layout(file, schema));
+    marks.map(|(file, _)| file)
+}
+
+/// The name of a layout without its version.
+fn layout(schema: &str) -> &str {
+    schema.split('/').next().unwrap_or(schema)
 }
 
 /// Whether an entry of a folder is a file, or a link in the place of one, with a name that a fit or a plan

@@ -293,7 +293,7 @@ impl Depths<'_> {
         runs
     }
 
-    /// A line through the centres of a run, to its ends.
+    /// A line through the centres of a run, straight on to its ends.
     fn line(
         &self,
         run: Range<usize>,
@@ -302,8 +302,14 @@ impl Depths<'_> {
         divisor: f64,
     ) -> Vec<(f64, f64)> {
         let fields = &self.subject.fields;
-        let first = (fields.edge(run.start), depth(run.start));
-        let last = (fields.edge(run.end), depth(run.end - 1));
+        let inner = run.len().min(2) - 1;
+        // Half an element beyond the outermost centre.
+        let beyond = |outer: usize, inner: usize| 1.5 * depth(outer) - 0.5 * depth(inner);
+        let first = (fields.edge(run.start), beyond(run.start, run.start + inner));
+        let last = (
+            fields.edge(run.end),
+            beyond(run.end - 1, run.end - 1 - inner),
+        );
         let centres = run.map(|i| (fields.centre(i), depth(i)));
         let line = std::iter::once(first).chain(centres).chain([last]);
         line.map(|(x, z)| (x / metres, z / divisor)).collect()

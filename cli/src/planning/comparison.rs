@@ -120,14 +120,7 @@ impl Planning<'_> {
             factor: finite(of.half_width.exp()),
             interval: of.interval,
             verdict: of.verdict.to_string(),
-            known_combination: of
-                .known_combination
-                .as_ref()
-                .map(|known| CombinationResult {
-                    expression: known.expression.clone(),
-                    value: known.value,
-                    interval: known.interval,
-                }),
+            known_combination: of.known_combination.as_ref().map(CombinationResult::from),
         }
     }
 }

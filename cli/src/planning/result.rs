@@ -1,9 +1,6 @@
 //! `plan.json`, and the key `design` of `fit.json`: what designs are expected to tell, in SI units.
 
-use std::fs;
-use std::path::Path;
-
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 use super::Planning;
 use super::advice::{self, Advice};
@@ -19,21 +16,7 @@ use crate::output::summary::PROGRAM;
 pub const FILE: &str = "plan.json";
 
 /// Name and version of the layout.
-const SCHEMA: &str = "pellicle-plan/1";
-
-/// Whether a folder holds a plan.
-#[must_use]
-pub fn is_in(folder: &Path) -> bool {
-    #[derive(Deserialize)]
-    struct Head {
-        schema: String,
-    }
-    let text = fs::read_to_string(folder.join(FILE));
-    let head = text
-        .ok()
-        .and_then(|text| serde_json::from_str::<Head>(&text).ok());
-    head.is_some_and(|head| head.schema.starts_with("pellicle-plan/"))
-}
+pub const SCHEMA: &str = "pellicle-plan/1";
 
 /// What designs are expected to tell.
 #[derive(Debug, Clone, Serialize)]

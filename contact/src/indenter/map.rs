@@ -188,4 +188,22 @@ mod tests {
         let order = (error(5) / error(15)).log(3.0);
         assert!((order - 2.0).abs() < 0.05, "order {order}");
     }
+
+    #[test]
+    fn rim_and_edges_are_as_far_as_those_of_the_moved_map() {
+        // The tip is the sample at x = 1 of a map that ends at ±1.5 and ±0.5.
+        let map = HeightMap::new(vec![9.0, 7.0, 5.0], [3, 1], [3.0, 1.0]).unwrap();
+        let indenter = IndenterMap::new(map.with_interpolation(Interpolation::Linear));
+        let rim = |x, y| indenter.distance_to_rim(x, y);
+        for (place, wanted) in [
+            ([0.0, 0.0], 0.5),
+            ([0.4, 0.0], 0.1),
+            ([-1.0, 0.3], 0.2),
+            ([0.7, 0.0], -0.2),
+        ] {
+            approx::assert_relative_eq!(rim(place[0], place[1]), wanted, epsilon = 1e-15);
+        }
+        // A rim is an edge as well, seen from either side.
+        assert!(indenter.distance_to_edge(0.7, 0.0, 1.0) <= 0.2 + 1e-15);
+    }
 }

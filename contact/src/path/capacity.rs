@@ -39,3 +39,62 @@ pub fn goes_on(model: &Model, grid: &Grid) -> bool {
     let corner = [grid.centre(0), grid.centre(0)];
     model.indenter.heights(&[corner])[0].is_finite()
 }
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use pellicle_influence::{Cache, RadialTables};
+    use pellicle_kernel::{Foundation, Material};
+    use pellicle_texture::Relief;
+
+    use super::*;
+    use crate::{FlatPunch, Indenter, Paraboloid};
+
+    fn model(indenter: Indenter) -> Model {
+        let body = Foundation::half_space(Material::new(1.0, 0.3).unwrap());
+        Model {
+            tables: Arc::new(RadialTables::build(&body).unwrap()),
+            relief: Relief::Bare,
+            indenter,
+            cache: Cache::none(),
+        }
+    }
+
+    #[test]
+    fn the_elements_under_an_indenter_carry_their_area_times_the_hardness() {
+        // Four elements of side 1 have their centres within the punch.
+        let (punch, grid) = (
+            model(FlatPunch::new(1.0).unwrap().into()),
+            Grid::new(4.0, 4).unwrap(),
+        );
+        let check = |loads: &[Load], hardness| check(&punch, &grid, loads, hardness);
+        assert!(check(&[Load::Force(12.0)], 3.0).is_ok());
+        let loads = [1.0, 12.1, 3.0].map(Load::Force);
+        let refused = check(&loads, 3.0).unwrap_err();
+        let ContactError::BeyondHardness {
+            force,
+            hardness,
+            area,
+            most,
+        } = refused
+        else {
+            panic!("{refused}")
+        };
+        assert_eq!([force, hardness, area, most], [12.1, 3.0, 4.0, 12.0]);
+        // Nothing is asked of a penetration, and nothing bounds what has no hardness.
+        assert!(check(&[Load::Penetration(9.0)], 3.0).is_ok());
+        assert!(check(&[Load::Force(0.0)], 3.0).is_ok());
+        assert!(check(&[Load::Force(1e9)], f64::INFINITY).is_ok());
+    }
+
+    #[test]
+    fn only_an_indenter_that_goes_on_wants_a_larger_grid() {
+        let paraboloid = model(Paraboloid::new(1.0).unwrap().into());
+        let grid = Grid::new(4.0, 4).unwrap();
+        assert!(goes_on(&paraboloid, &grid));
+        // The corner's centre lies 1.5 √2 = 2.12 from the axis.
+        let ends = |radius: f64| !goes_on(&model(FlatPunch::new(radius).unwrap().into()), &grid);
+        assert!(ends(2.1) && !ends(2.13));
+    }
+}

@@ -8,8 +8,8 @@ use pellicle_influence::{Origin, Sector, SurfaceElasticity};
 use pellicle_texture::Grid;
 
 use crate::{
-    Boundary, CoarsePressure, ContactError, GridError, LevelValues, LevelWork, Load, Method, Model,
-    SolverOptions, Step, Work,
+    Boundary, CoarsePressure, ContactError, Load, Method, Model, SolverOptions, Step,
+    path::ascent::Ascent,
     path::capacity,
     path::domain::Guess,
     path::level::{Level, LevelResult, Start},
@@ -21,6 +21,7 @@ use crate::{
 
 /// Elements per side from which on the finest grid is made while the coarser ones are solved.
 const MADE_AHEAD: usize = 512;
+
 /// Coarser grids whose pressures are kept, where they are asked for: as many as an estimate of an error needs.
 const COARSE_PRESSURES: usize = 3;
 
@@ -279,56 +280,6 @@ impl<'a> Hierarchy<'a> {
             Some(others) => others.max(origin),
             None => origin,
         });
-    }
-}
-
-/// One load on its way from the coarsest grid to the finest.
-struct Ascent {
-    load: Load,
-    options: SolverOptions,
-    /// Of each grid solved so far.
-    levels: Vec<LevelWork>,
-    values: Vec<LevelValues>,
-    /// The pressures of the finest of them, where they are kept.
-    coarser: Vec<CoarsePressure>,
-    /// The start of the next level.
-    coarser_solution: Option<CoarserSolution>,
-}
-
-impl Ascent {
-    fn of(load: Load, options: SolverOptions) -> Self {
-        Self {
-            load,
-            options,
-            levels: Vec::new(),
-            values: Vec::new(),
-            coarser: Vec::new(),
-            coarser_solution: None,
-        }
-    }
-
-    /// The step that has been solved in so many seconds, with this result on the finest grid and coefficients of this
-    /// relative error.
-    fn into_step(self, result: LevelResult, seconds: f64, coefficient_error: f64) -> Step {
-        let accuracy = result.solution.certificate.worst() + coefficient_error;
-        Step {
-            work: Work {
-                iterations: result.work.iterations,
-                operator_applications: result.work.operator_applications,
-                stiffness_applications: result.work.stiffness_applications,
-                candidate_applications: result.work.candidate_applications,
-                seconds,
-                levels: self.levels,
-            },
-            solution: result.solution,
-            summary: result.summary,
-            grid_error: GridError::new(self.values, accuracy),
-            residuals: result.residuals,
-            contact_stiffness: result.contact_stiffness,
-            rough: result.rough,
-            cut_off: None,
-            coarser: self.coarser,
-        }
     }
 }
 

@@ -149,3 +149,29 @@ impl KnownBody {
         operator
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Elements of 3 × 3 on springs of their own, softer with each.
+    struct Springs;
+
+    impl ElasticOperator for Springs {
+        fn size(&self) -> usize {
+            3
+        }
+
+        fn apply_into(&mut self, pressure: &[f64], displacement: &mut [f64]) {
+            for (e, (u, p)) in displacement.iter_mut().zip(pressure).enumerate() {
+                *u = (e + 1) as f64 * p;
+            }
+        }
+    }
+
+    #[test]
+    fn an_operators_own_coefficient_is_that_of_the_element_in_the_middle() {
+        let mut body = Body::Operator(Box::new(Springs));
+        assert_eq!(body.own_coefficient(3), 5.0);
+    }
+}

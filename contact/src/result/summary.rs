@@ -202,5 +202,8 @@ mod tests {
         assert_eq!(one.to_edge, Some(2));
         assert_eq!(part(&[], None).and(one).to_edge, Some(2));
         assert_eq!(part(&[], Some([9, 4])).to_edge, Some(0));
+        for beside_an_edge in [[1, 4], [4, 1], [8, 4], [4, 8]] {
+            assert_eq!(part(&[], Some(beside_an_edge)).to_edge, Some(1));
+        }
     }
 }

@@ -206,6 +206,12 @@ fn distinct(candidates: &[Candidate], depths: &[f64], element: f64) -> Vec<Candi
 
 #[cfg(test)]
 mod tests {
+    use std::sync::Arc;
+
+    use pellicle_influence::{Depth, RadialTables};
+    use pellicle_kernel::{Foundation, Material};
+    use pellicle_texture::Grid;
+
     use super::*;
 
     #[test]
@@ -236,5 +242,52 @@ mod tests {
         assert_eq!(kept(&[first, (9.7, [0.9, 0.0], 1)]), [10.0]);
         let apart = [0, 1, 2, 3, 4].map(|i| (10.0, [f64::from(i), 0.0], 1));
         assert_eq!(kept(&apart).len(), 4);
+    }
+
+    /// Hertz's pressure of radius and peak 1 on a square of side 3.
+    fn hertz(size: usize) -> StressField {
+        let body = Foundation::half_space(Material::new(1.0, 0.3).unwrap());
+        let grid = Grid::new(3.0, size).unwrap();
+        let pressure = (0..grid.len()).map(|e| {
+            let [x, y] = [e / size, e % size].map(|i| grid.centre(i));
+            (1.0 - x * x - y * y).max(0.0).sqrt()
+        });
+        let tables = Arc::new(RadialTables::build(&body).unwrap());
+        StressField::of(
+            tables,
+            grid,
+            &pressure.collect::<Vec<_>>(),
+            Sliding::default(),
+        )
+    }
+
+    #[test]
+    fn a_peak_is_found_again_on_a_coarser_grid_at_its_depth_or_near_it() {
+        let field = hertz(15);
+        let value = |range, z| {
+            let peak = Peak {
+                value: 1.0,
+                at: [0.1, 0.0, z],
+            };
+            coarse_value(&field, Quantity::Compression, range, peak).unwrap()
+        };
+        let there = |z| {
+            let state = field.at([0.0; 2], Depth::below(z)).unwrap();
+            -state.stress[2]
+        };
+        // The compression falls with depth. At an end of the range it is that of the end; within, a bracket of a factor
+        // of 1.4 around the depth holds a larger one.
+        for end in [0.8, 2.0] {
+            assert!((value([0.8, 2.0], end) / there(end) - 1.0).abs() < 1e-9);
+        }
+        // The peak is interpolated up to an eighth of the bracket beyond it.
+        let top = 0.8 / DEPTH_RATIO;
+        let beyond = top - 0.125 * (0.8 * DEPTH_RATIO - top);
+        let found = value([0.3, 2.0], 0.8);
+        assert!(
+            found > 0.999 * there(top) && found < 1.001 * there(beyond),
+            "{found}"
+        );
+        assert!((value([0.7, 2.0], 0.8) / there(0.7) - 1.0).abs() < 1e-9);
     }
 }

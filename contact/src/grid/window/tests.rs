@@ -190,3 +190,23 @@ fn a_threads_rows_hold_as_many_elements_as_are_worth_it_and_hardly_more() {
         assert!(rows * size > ELEMENTS_PER_THREAD && (rows - 1) * size <= ELEMENTS_PER_THREAD);
     }
 }
+
+#[test]
+fn an_index_on_the_whole_grid_counts_from_the_axes_of_a_sector() {
+    // A sector of a grid of 20 × 20 elements begins at element 10 along each axis that it ends at.
+    for (sector, grid, axes) in [
+        (Sector::Whole, 20, [0, 0]),
+        (Sector::Half, 10, [0, 10]),
+        (Sector::Quadrant, 10, [10, 10]),
+    ] {
+        let window = Window {
+            origin: [2, 3],
+            size: 5,
+            ..Window::all_of(sector, grid)
+        };
+        for place in [[0, 0], [4, 1], [-1, 2], [1, -6]] {
+            let wanted = [axes[0] + 2 + place[0], axes[1] + 3 + place[1]];
+            assert_eq!(window.index_on_whole(place), wanted, "{sector:?}");
+        }
+    }
+}

@@ -112,4 +112,20 @@ mod tests {
         // A power through both ends of a straight line with an offset.
         assert!((mean.at(3.0) - 2.0).abs() < 2e-3, "{}", mean.at(3.0));
     }
+
+    #[test]
+    fn from_a_flat_tip_the_mean_rises_along_straight_lines() {
+        // The mean is 0 up to a radius of 1, and ρ − 1 beyond: a power of the radius would be infinite or none.
+        let mean = MeanProfile::new(|x, y| (x.hypot(y) - 1.0).max(0.0), [0.5, 4.0]);
+        // The radii around 1: 0.5 · 1.1⁷ and 0.5 · 1.1⁸.
+        let [low, high] = [7, 8].map(|k| 0.5 * 1.1_f64.powi(k));
+        for part in [0.25, 0.5, 0.75] {
+            let found = mean.at(low + part * (high - low));
+            assert!(
+                (found - part * (high - 1.0)).abs() < 1e-12,
+                "{part}: {found}"
+            );
+        }
+        assert_eq!([mean.at(0.1), mean.at(0.7)], [0.0; 2]);
+    }
 }

@@ -7,7 +7,7 @@ use pellicle_influence::{Cache, RadialTables};
 use pellicle_kernel::{Foundation, Material};
 use pellicle_texture::{CylinderSpec, Cylinders, Film, Lattice, Relief};
 
-use super::{Guess, default_side, elastic_force, force_at, relief_volume};
+use super::{Guess, default_side, elastic_force, estimated_force, force_at, relief_volume};
 use crate::{FlatPunch, Indenter, Load, Model, Paraboloid, Profile as _};
 
 fn model(foundation: &Foundation, relief: Relief, indenter: impl Into<Indenter>) -> Model {
@@ -188,4 +188,22 @@ fn forces_and_volumes_of_a_paraboloid_are_the_closed_forms() {
         assert!((elastic_force(&model, a) / elastic - 1.0).abs() < 3e-4);
         assert!((relief_volume(&model, a) / volume(a, 2.0) - 1.0).abs() < 3e-4);
     }
+}
+
+#[test]
+fn an_estimated_force_is_that_of_a_contact_as_wide_as_the_indenter_is_high() {
+    let model = model(&half_space(3.0), Relief::Bare, paraboloid(2.0));
+    for depth in [1e-6_f64, 0.01] {
+        // Hertz: Q = 4/3 E* a³/R = 4/3 E* √R D^1.5, of the radius √(R D) instead of √(2 R D)
+        let hertz = 4.0 / 3.0 * 3.0 * 2.0_f64.sqrt() * depth.powf(1.5);
+        let ratio = estimated_force(&model, depth) / hertz;
+        assert!((ratio / 8.0_f64.sqrt() - 1.0).abs() < 0.01, "{ratio}");
+        let radius = (2.0 * 2.0 * depth).sqrt();
+        let at_radius = super::estimated_force_at_radius(&model, radius);
+        assert!((estimated_force(&model, depth) / at_radius - 1.0).abs() < 1e-9);
+    }
+    assert_eq!(
+        [0.0, -0.1].map(|depth| estimated_force(&model, depth)),
+        [0.0; 2]
+    );
 }

@@ -1,6 +1,9 @@
 //! Fields and areas that a discrete problem refuses.
 
-use pellicle_influence::ElasticOperator;
+use std::sync::Arc;
+
+use pellicle_influence::{CoefficientTable, ElasticOperator, RadialTables, SurfaceElasticity};
+use pellicle_kernel::{Foundation, Material};
 
 use super::DiscreteProblem;
 use super::fields::{VALUES_AT_ONCE, check_values, is_rough};
@@ -107,4 +110,44 @@ fn a_surface_is_rough_where_three_elements_of_ten_are_crests() {
     let saddle = gap(|i, j| (i * i) as f64 - 1.01 * (j * j) as f64);
     let found = [smooth, every_other, every_fourth, third, saddle].map(|gap| is_rough(size, &gap));
     assert_eq!(found, [false, true, false, true, true]);
+}
+
+/// The problem of a flat surface on a half-space of 4 × 4 elements of side 1/4, or of a cell of it.
+fn on_half_space(is_cell: bool, gap: &[f64]) -> DiscreteProblem {
+    let body = Foundation::half_space(Material::new(1.0, 0.0).unwrap());
+    let tables = RadialTables::build(&body).unwrap();
+    let table = CoefficientTable::assemble(&tables, 0.25, 4).unwrap();
+    let elasticity = Arc::new(SurfaceElasticity::new(Arc::new(table), body));
+    let (eta, gap, area) = (vec![0.0; 16], gap.to_vec(), 0.0625);
+    let problem = if is_cell {
+        DiscreteProblem::periodic(elasticity, eta, gap, area)
+    } else {
+        DiscreteProblem::elastic(elasticity, 4, eta, gap, area)
+    };
+    problem.unwrap()
+}
+
+#[test]
+fn gaps_of_a_cell_are_small_beside_what_its_mean_pressure_presses_it_in_by() {
+    let [free, cell] = [false, true].map(|is_cell| on_half_space(is_cell, &[0.0; 16]));
+    // C = 2/(E* k) at k = 2π, of a cell of side 1
+    let response = 1.0 / std::f64::consts::PI;
+    assert!((cell.cell_response() / response - 1.0).abs() < 1e-9);
+    assert_eq!(free.cell_response(), 0.0);
+    // Of a total of 32, 2 on each of 16 elements.
+    let length = cell.reference_length(-0.1, 32.0);
+    assert!((length / (2.0 * response) - 1.0).abs() < 1e-9, "{length}");
+    assert_eq!(cell.reference_length(-7.0, 32.0), 7.0);
+    assert_eq!(free.reference_length(-0.1, 32.0), 0.1);
+}
+
+#[test]
+fn a_problem_with_another_gap_is_another_problem() {
+    let flat = vec![0.0; 16];
+    let board: Vec<f64> = (0..16).map(|e| f64::from((e / 4 + e % 4) % 2)).collect();
+    let mut problem = on_half_space(false, &flat);
+    assert!(!problem.is_rough());
+    problem.take_initial_gap(board.clone());
+    assert_eq!(problem.initial_gap(), board);
+    assert!(problem.is_rough());
 }

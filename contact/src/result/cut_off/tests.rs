@@ -2,9 +2,10 @@
 
 use pellicle_influence::{Cache, RadialTables};
 use pellicle_kernel::{Foundation, Material};
+use pellicle_texture::{HeightMap, MapCompliance, ReliefMap};
 
 use super::*;
-use crate::{Certificate, Paraboloid};
+use crate::{Certificate, FlatPunch, IndenterMap, Paraboloid};
 
 #[test]
 fn blocks_surround_a_square_of_half_their_side() {
@@ -82,4 +83,109 @@ fn a_surface_farther_away_moves_as_under_the_force_alone() {
     let is_closer = |limit: f64| blocks.is_closer_than(limit, &model, &grid, &solution);
     assert!(!is_closer(moved - 3e-4) && is_closer(moved + 3e-4));
     assert!(!is_closer(blocks.smallest_gap));
+}
+
+/// A half-space under an indenter.
+fn model(indenter: Indenter, relief: Relief) -> Model {
+    let body = Foundation::half_space(Material::new(1.0, 0.0).unwrap());
+    Model {
+        tables: Arc::new(RadialTables::build(&body).unwrap()),
+        relief,
+        indenter,
+        cache: Cache::none(),
+    }
+}
+
+/// Samples of a paraboloid of radius 1 at the centres of a map's squares of side 0.1.
+fn bowl([rows, columns]: [usize; 2]) -> HeightMap {
+    let at = |i: usize, count: usize| 0.1 * (i as f64 + 0.5 - count as f64 / 2.0);
+    let heights = (0..rows * columns).map(|k| {
+        let [x, y] = [at(k / columns, rows), at(k % columns, columns)];
+        (x * x + y * y) / 2.0
+    });
+    let extent = [rows, columns].map(|count| 0.1 * count as f64);
+    HeightMap::new(heights.collect(), [rows, columns], extent).unwrap()
+}
+
+#[test]
+fn a_map_is_reached_by_an_element_within_one_of_its_end_on_any_side() {
+    // Elements of side 1/20: the middle of the 16th beside the axis lies 0.775 from it.
+    let (grid, size) = (Grid::new(2.0, 40).unwrap(), 40);
+    let pressed = |place: [usize; 2]| {
+        let mut pressure = vec![0.0; size * size];
+        pressure[place[0] * size + place[1]] = 1.0;
+        pressure
+    };
+    for (shape, along) in [([15, 25], 0), ([25, 15], 1)] {
+        let indenter = IndenterMap::new(bowl(shape)).into();
+        let compliance = MapCompliance::Uniform(0.0);
+        let relief = Relief::Map(ReliefMap::new(bowl(shape), compliance).unwrap());
+        let punch = FlatPunch::new(9.0).unwrap().into();
+        let of_indenter = model(indenter, Relief::Bare);
+        let of_relief = model(punch, relief);
+        for (model, wanted) in [
+            (&of_indenter, CutOff::IndenterMap),
+            (&of_relief, CutOff::ReliefMap),
+        ] {
+            // The map ends at ±0.75 along one axis: the 15th element beside the axis, at 0.725, reaches beyond it with
+            // the next, the 14th, at 0.675, does not.
+            for [near, far] in [[20 + 13, 20 + 14], [19 - 13, 19 - 14]] {
+                let place = |i: usize| if along == 0 { [i, 18] } else { [18, i] };
+                let found = [near, far].map(|i| map_reached(model, &grid, &pressed(place(i))));
+                assert_eq!(found, [None, Some(wanted)], "{wanted:?} along {along}");
+            }
+        }
+    }
+}
+
+#[test]
+fn an_indenters_height_at_its_axis_is_that_of_the_four_elements_around_it() {
+    let ball = model(Paraboloid::new(1.0).unwrap().into(), Relief::Bare);
+    // Centres at 1/8 along both axes; of an odd number the middle one lies on the axis.
+    let lowest = |size| lowest_height(&ball, &Grid::new(1.0, size).unwrap());
+    assert_eq!([lowest(4), lowest(5)], [1.0 / 64.0, 0.0]);
+    let pin = model(FlatPunch::new(0.1).unwrap().into(), Relief::Bare);
+    let touches = |size| can_touch(&pin, &Grid::new(1.0, size).unwrap());
+    assert!(!touches(4) && touches(8) && touches(5));
+}
+
+#[test]
+fn every_square_around_has_twice_the_side_of_the_one_before() {
+    let ball = model(Paraboloid::new(1.0).unwrap().into(), Relief::Bare);
+    let around = Surroundings::of(&ball, Grid::new(3.0, 8).unwrap());
+    assert_eq!(
+        [0, 1, 4].map(|doublings| around.side(doublings)),
+        [3.0, 6.0, 48.0]
+    );
+}
+
+#[test]
+fn a_first_look_is_clear_where_the_gap_is_a_tenth_wider_than_the_penetration() {
+    let ball = model(Paraboloid::new(1.0).unwrap().into(), Relief::Bare);
+    let grid = Grid::new(1.0, 32).unwrap();
+    let mut outlook = Outlook::of(&ball, 1.0);
+    let mut is_clear = |penetration: f64, force: f64| {
+        let mut pressure = vec![0.0; 1024];
+        pressure[15 * 32 + 15] = force * 1024.0;
+        let solution = Solution {
+            penetration,
+            force,
+            pressure,
+            certificate: Certificate {
+                complementarity: 0.0,
+                gap_in_contact: 0.0,
+                overlap: 0.0,
+                load: 0.0,
+                gap_at_limit: 0.0,
+                over_limit: 0.0,
+                min_pressure: 0.0,
+                tolerance: 1e-8,
+            },
+        };
+        outlook.is_clear(&ball, 1.0, &grid, &solution)
+    };
+    // The height at the edge, 0.125, alone settles it; beyond that the gap at the nearest blocks, 0.1416, and what a
+    // force moves them by, Q/(π E* r) or 0.036 here, must be more than 1.1 times the penetration.
+    assert!(is_clear(0.125, 0.0) && is_clear(0.128, 0.0) && !is_clear(0.13, 0.0));
+    assert!(is_clear(0.157, 0.06) && !is_clear(0.166, 0.06));
 }

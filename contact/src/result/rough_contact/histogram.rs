@@ -63,3 +63,34 @@ impl Histogram {
         self.counts.iter().sum()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_counted_in_equal_classes_up_to_the_largest() {
+        // Of the largest, 64: its class and its own number are alike, but for the largest itself.
+        let field = [0.5, 64.0, 7.9, 8.0, 63.5, 32.0, 32.9, 0.0, 16.0];
+        let window = Window::whole(3);
+        let found = Histogram::of(&window, &field, |_, row| {
+            row.iter().copied().filter(|x| *x > 0.0)
+        });
+        let mut counts = vec![0; CLASSES];
+        for class in [0, 63, 7, 8, 63, 32, 32, 16] {
+            counts[class] += 1;
+        }
+        assert_eq!((found.largest, found.total()), (64.0, 8));
+        assert!(
+            (found.mean - (0.5 + 64.0 + 7.9 + 8.0 + 63.5 + 32.0 + 32.9 + 16.0) / 8.0).abs() < 1e-13
+        );
+        assert_eq!(found.counts, counts);
+        let other = field.map(|x| x / 1e3);
+        let same = Histogram::of(&window, &other, |_, row| {
+            row.iter().copied().filter(|x| *x > 0.0)
+        });
+        assert_eq!(same.counts, counts);
+        let none = Histogram::of(&window, &field, |_, _| std::iter::empty());
+        assert_eq!((none.total(), none.largest), (0, 0.0));
+    }
+}

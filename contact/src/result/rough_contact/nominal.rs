@@ -118,3 +118,44 @@ fn under(chain: &[[f64; 2]]) -> f64 {
         .map(|ends| 0.5 * (ends[0][1] + ends[1][1]) * (ends[1][0] - ends[0][0]))
         .sum()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{at, columns, convex, under};
+
+    #[test]
+    fn a_chain_below_points_turns_up_at_each_of_its_own() {
+        let points = [
+            [0.0, 2.0],
+            [0.0, 1.0],
+            [1.0, 0.0],
+            [2.0, 0.0],
+            [2.0, 3.0],
+            [3.0, 0.0],
+            [4.0, 2.0],
+            [5.0, 2.0],
+            [5.0, 5.0],
+        ];
+        let chain = convex(points.into_iter());
+        // Points on a straight line between others are none of its own.
+        assert_eq!(chain, [[0.0, 1.0], [1.0, 0.0], [3.0, 0.0], [5.0, 2.0]]);
+        let heights = [0.0, 0.25, 1.0, 2.5, 4.5, 5.0].map(|x| at(&chain, x));
+        assert_eq!(heights, [1.0, 0.75, 0.0, 0.0, 1.5, 2.0]);
+        // Half of 1, nothing, and half of 2 × 2
+        assert!((under(&chain) - 2.5).abs() < 1e-15);
+        assert!(points.iter().all(|[x, y]| at(&chain, *x) <= *y));
+    }
+
+    #[test]
+    fn the_columns_between_two_places_are_those_whose_centres_lie_there() {
+        // The centre of a column lies half an element beyond its index.
+        for (left, right, wanted) in [
+            (0.0, 3.0, 0..3),
+            (0.4, 3.4, 0..3),
+            (0.5, 2.5, 0..3),
+            (0.6, 2.4, 1..2),
+        ] {
+            assert_eq!(columns(left, right), wanted, "{left} {right}");
+        }
+    }
+}

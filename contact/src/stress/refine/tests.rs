@@ -124,3 +124,67 @@ fn an_element_is_the_nearest_to_its_own_centre() {
     // The first loaded element's row and the middle of its column's five before the axis.
     assert!((search.point([0, 5], 0.0)[0] + 0.8).abs() < 1e-12);
 }
+
+#[test]
+fn a_bracket_is_divided_at_the_vertex_of_its_parabola_or_in_the_golden_section() {
+    let trial = |z: f64, value: f64| Trial {
+        z,
+        value,
+        place: [0, 0],
+    };
+    let next = |best: [(f64, f64); 3]| {
+        let bracket = Bracket {
+            low: 0.0,
+            high: 4.0,
+            width: 4.0,
+            best: best.map(|(z, value)| trial(z, value)),
+        };
+        bracket.next()
+    };
+    // A vertex is taken that lies a sixteenth of the width, 0.25, from the best and from either end.
+    let parabola = |vertex: f64, at: [f64; 3]| at.map(|z| (z, 9.0 - (z - vertex).powi(2)));
+    let vertices = [
+        (1.3, [1.0, 2.0, 0.5]),
+        (0.3, [1.0, 2.0, 3.0]),
+        (3.7, [3.0, 2.0, 1.0]),
+    ];
+    for (vertex, at) in vertices {
+        assert!(
+            (next(parabola(vertex, at)) - vertex).abs() < 1e-13,
+            "{vertex}"
+        );
+    }
+    // Otherwise the wider side of the best is divided.
+    let golden = [
+        (1.2, [1.0, 2.0, 0.5], 1.0 + GOLDEN * 3.0),
+        (0.2, [1.0, 2.0, 3.0], 1.0 + GOLDEN * 3.0),
+        (3.8, [3.0, 2.0, 1.0], 3.0 - GOLDEN * 3.0),
+        (3.2, [3.0, 2.0, 1.0], 3.0 - GOLDEN * 3.0),
+    ];
+    for (vertex, at, wanted) in golden {
+        assert!(
+            (next(parabola(vertex, at)) - wanted).abs() < 1e-13,
+            "{vertex}"
+        );
+    }
+}
+
+#[test]
+fn a_depth_lies_in_the_body_of_the_range_at_either_end() {
+    let field = hertz(0.0);
+    let search = Search::new(&field, Quantity::VonMises, [0.2, 0.5]);
+    let found = [0.2, 0.3, 0.5].map(|z| search.depth(z));
+    assert!(found == [Depth::below(0.2), Depth::below(0.3), Depth::above(0.5)]);
+}
+
+#[test]
+fn a_climb_that_never_ends_stops_a_few_depths_beside_the_loaded_square() {
+    // Eleven elements of side 0.2 press, from −1.1 on; nothing that fades away is a peak before the limit.
+    let field = hertz(0.0);
+    let mut search = Search::new(&field, Quantity::Tension, [0.0, f64::INFINITY]);
+    for depth in [0.2, 0.6] {
+        let found = search.climb([90.0, 0.0], depth).unwrap();
+        let limit = field.loaded().size as f64 * 0.2 + FARTHEST_DEPTHS * depth;
+        assert!(found.at[0].abs() <= 1.1 + limit + 1e-9, "{found:?}");
+    }
+}

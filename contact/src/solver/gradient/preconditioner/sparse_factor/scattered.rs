@@ -179,3 +179,6 @@ impl ScatteredFactor {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

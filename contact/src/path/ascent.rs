@@ -1,0 +1,56 @@
+//! One load on its way from the coarsest grid to the finest.
+
+use crate::{
+    CoarsePressure, GridError, LevelValues, LevelWork, Load, SolverOptions, Step, Work,
+    path::level::LevelResult, path::start::CoarserSolution,
+};
+
+/// A load, and what is known of its solution so far.
+pub struct Ascent {
+    pub load: Load,
+    pub options: SolverOptions,
+    /// Of each grid solved so far.
+    pub levels: Vec<LevelWork>,
+    pub values: Vec<LevelValues>,
+    /// The pressures of the finest of them, where they are kept.
+    pub coarser: Vec<CoarsePressure>,
+    /// The start of the next level.
+    pub coarser_solution: Option<CoarserSolution>,
+}
+
+impl Ascent {
+    pub fn of(load: Load, options: SolverOptions) -> Self {
+        Self {
+            load,
+            options,
+            levels: Vec::new(),
+            values: Vec::new(),
+            coarser: Vec::new(),
+            coarser_solution: None,
+        }
+    }
+
+    /// The step that has been solved in so many seconds, with this result on the finest grid and coefficients of this
+    /// relative error.
+    pub fn into_step(self, result: LevelResult, seconds: f64, coefficient_error: f64) -> Step {
+        let accuracy = result.solution.certificate.worst() + coefficient_error;
+        Step {
+            work: Work {
+                iterations: result.work.iterations,
+                operator_applications: result.work.operator_applications,
+                stiffness_applications: result.work.stiffness_applications,
+                candidate_applications: result.work.candidate_applications,
+                seconds,
+                levels: self.levels,
+            },
+            solution: result.solution,
+            summary: result.summary,
+            grid_error: GridError::new(self.values, accuracy),
+            residuals: result.residuals,
+            contact_stiffness: result.contact_stiffness,
+            rough: result.rough,
+            cut_off: None,
+            coarser: self.coarser,
+        }
+    }
+}
