@@ -7,6 +7,10 @@
     clippy::unwrap_used,
     reason = "a scene that cannot be built fails its test"
 )]
+#![expect(
+    clippy::print_stderr,
+    reason = "what a long run took is told with `--nocapture`"
+)]
 
 #[path = "random_cases/random.rs"]
 mod random;
@@ -134,10 +138,19 @@ fn periodic_problem(random: &mut Random, tables: &RadialTables) -> Option<(Discr
 
 /// The outcome of a problem.
 fn outcome(problem: &mut DiscreteProblem, load: Load) -> Result<Solution, ContactError> {
+    counted_outcome(problem, load).map(|(solution, _)| solution)
+}
+
+/// The same, and the products that it took.
+fn counted_outcome(
+    problem: &mut DiscreteProblem,
+    load: Load,
+) -> Result<(Solution, usize), ContactError> {
     let mut solver = GradientSolver::default();
     let start = vec![0.0; problem.elements()];
     let iterate = solver.solve(problem, load, &start, &mut Watch::alone(&mut ()))?;
-    Ok(Solution::judge(problem, load, iterate.pressure, 1e-8))
+    let solution = Solution::judge(problem, load, iterate.pressure, 1e-8);
+    Ok((solution, iterate.operator_applications))
 }
 
 /// A problem whose springs stiffen, of a height of one of six decades; none without springs.
@@ -304,36 +317,49 @@ fn assert_certified_or_beyond_hardness(
         Some((problem, load))
     });
     let (at_limit, beyond) = (at_limit.into_inner(), beyond.into_inner());
+    eprintln!("{at_limit} with a hardness that carries the load, {beyond} refused");
     assert!(
         at_limit > beyond,
         "{at_limit} at the limit, {beyond} beyond"
     );
 }
 
-/// Solves a problem of each seed, where there is one.
+/// Solves a problem of each seed, where there is one, and tells the products that they took.
 fn assert_certified(
     problems: u64,
     problem: impl Fn(&mut Random, &RadialTables) -> Option<(DiscreteProblem, Load)> + Sync,
 ) {
     let all_tables = all_tables();
-    let failures: Vec<String> = (0..problems)
+    let outcomes: Vec<(usize, Option<String>)> = (0..problems)
         .into_par_iter()
         .filter_map(|seed| {
             let mut random = Random(seed.wrapping_mul(0x2545_f491_4f6c_dd1d));
             let tables = &all_tables[random.below(all_tables.len())];
             let (mut problem, load) = problem(&mut random, tables)?;
-            match outcome(&mut problem, load) {
-                Ok(solution) if solution.certificate.is_satisfied() => None,
-                Ok(solution) => Some(format!(
-                    "{seed}: {load:?}, N = {}, {:?}, {:?}",
-                    problem.size(),
-                    solution.certificate,
-                    tables.foundation()
-                )),
-                Err(reason) => Some(format!("{seed}: {reason}")),
-            }
+            Some(match counted_outcome(&mut problem, load) {
+                Ok((solution, products)) if solution.certificate.is_satisfied() => (products, None),
+                Ok((solution, products)) => {
+                    let (size, certificate) = (problem.size(), solution.certificate);
+                    let foundation = tables.foundation();
+                    let told = format!("{load:?}, N = {size}, {certificate:?}, {foundation:?}");
+                    (products, Some(format!("{seed}: {told}")))
+                }
+                Err(reason) => (0, Some(format!("{seed}: {reason}"))),
+            })
         })
         .collect();
-    let count = format!("{} of {}", failures.len(), problems);
-    assert!(failures.is_empty(), "{count}\n{}", failures.join("\n"));
+    let mut products: Vec<usize> = outcomes.iter().map(|(products, _)| *products).collect();
+    products.sort_unstable();
+    let failures: Vec<String> = outcomes.into_iter().filter_map(|(_, told)| told).collect();
+    let (count, failed) = (products.len(), failures.len());
+    let [median, ninth, most] = [count / 2, count * 9 / 10, count.max(1) - 1]
+        .map(|place| products.get(place).copied().unwrap_or(0));
+    eprintln!(
+        "{count} solved, {failed} of them failed; products: median {median}, nine tenths {ninth}, most {most}"
+    );
+    assert!(
+        failures.is_empty(),
+        "{failed} of {problems}\n{}",
+        failures.join("\n")
+    );
 }

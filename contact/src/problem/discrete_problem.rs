@@ -350,6 +350,11 @@ impl DiscreteProblem {
     /// with `K`.
     pub fn deform_into(&mut self, pressure: &[f64], deformation: &mut [f64]) {
         self.displace(pressure, deformation);
+        self.shorten_into(pressure, deformation);
+    }
+
+    /// Adds `w*(p)` (m) of the pressure `p` (Pa) to a deformation.
+    pub(crate) fn shorten_into(&self, pressure: &[f64], deformation: &mut [f64]) {
         let law = self.spring_law;
         update_with(
             deformation,

@@ -15,6 +15,8 @@ pub struct HeldPressure {
     pub mask: Vec<bool>,
     /// `g0′`, in m.
     pub gap: Vec<f64>,
+    /// `K p_H`, in m.
+    pub displacement: Vec<f64>,
     /// `Σ p_H`, in Pa.
     pub total: f64,
 }
@@ -25,6 +27,7 @@ impl HeldPressure {
         Self {
             mask: vec![false; problem.elements()],
             gap: problem.initial_gap().to_vec(),
+            displacement: vec![0.0; problem.elements()],
             total: 0.0,
         }
     }
@@ -36,15 +39,14 @@ impl HeldPressure {
         self.total = limit * self.count() as f64;
         self.gap.copy_from_slice(problem.initial_gap());
         if self.total == 0.0 {
+            self.displacement.fill(0.0);
             return 0;
         }
         let mut pressure = vec![0.0; self.mask.len()];
         self.add_to(&mut pressure, limit);
-        let mut displacement = vec![0.0; self.mask.len()];
-        problem
-            .operator_mut()
-            .apply_into(&pressure, &mut displacement);
-        for ((gap, held), u) in self.gap.iter_mut().zip(&self.mask).zip(&displacement) {
+        problem.displace(&pressure, &mut self.displacement);
+        let fields = self.gap.iter_mut().zip(&self.mask);
+        for ((gap, held), u) in fields.zip(&self.displacement) {
             *gap = if *held { f64::INFINITY } else { *gap + u };
         }
         1

@@ -70,13 +70,13 @@ impl ElasticSolver for ActiveSetSolver {
         load: Load,
         start: &[f64],
         watch: &mut Watch<'_>,
-    ) -> Result<Iterate, ContactError> {
+    ) -> Result<(Iterate, Option<Vec<f64>>), ContactError> {
         check_size(problem.size())?;
         let mut system = DenseSystem::new(problem, load);
         let mut residuals = Vec::new();
         let mut solution = self.solve_linear(&system, start, &mut residuals, watch)?;
         let Some(mut springs) = DenseSprings::of(problem) else {
-            return Ok(solution.into_iterate(residuals));
+            return Ok((solution.into_iterate(residuals), None));
         };
         while springs.straighten(&mut system, &solution) {
             let start = springs.pressure().to_vec();
@@ -85,7 +85,7 @@ impl ElasticSolver for ActiveSetSolver {
                 break;
             }
         }
-        Ok(solution.into_iterate(residuals))
+        Ok((solution.into_iterate(residuals), None))
     }
 }
 

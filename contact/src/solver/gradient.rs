@@ -110,7 +110,7 @@ impl ElasticSolver for GradientSolver {
         load: Load,
         start: &[f64],
         watch: &mut Watch<'_>,
-    ) -> Result<Iterate, ContactError> {
+    ) -> Result<(Iterate, Option<Vec<f64>>), ContactError> {
         let workspace = self.workspace_for(problem);
         let mut solution = OngoingSolution::begin(problem, workspace, load, start);
         let mut strategy = Strategy::new(solution.begins_with_newton());
@@ -146,6 +146,7 @@ impl ElasticSolver for GradientSolver {
                 solution.begin_phase(&mut strategy);
             }
         };
+        let displacement = solution.displacement();
         let stiffness = (ending == Ending::Solved && self.options.contact_stiffness)
             .then(|| solution.contact_stiffness());
         let (contact_stiffness, stiffness_applications) = stiffness.unwrap_or((None, 0));
@@ -161,7 +162,7 @@ impl ElasticSolver for GradientSolver {
         };
         let workspace = solution.into_workspace();
         self.memory = Some((problem.identity().clone(), workspace));
-        Ok(iterate)
+        Ok((iterate, displacement))
     }
 }
 

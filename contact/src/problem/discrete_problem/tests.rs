@@ -7,7 +7,10 @@ use pellicle_kernel::{Foundation, Material};
 
 use super::DiscreteProblem;
 use super::fields::{VALUES_AT_ONCE, check_values, is_rough};
-use crate::{ContactError, grid::candidates::Candidates};
+use crate::{
+    ContactError,
+    grid::candidates::{Candidates, elements_where},
+};
 
 /// `u = 2 p`.
 struct Springs;
@@ -168,9 +171,10 @@ fn among_candidates_the_fields_are_those_of_their_elements_on_the_grid() {
         .around(|[i, j]| (20..160).contains(&i) && (30..170).contains(&j));
     let [above, left] = window.origin();
     assert!(above != left && above > 0);
-    let candidates = Candidates::around(window.size(), |element| {
-        [[20, 31], [70, 12]].contains(&[element / window.size(), element % window.size()])
+    let members = elements_where(window.size(), |element| {
+        [[20, 31], [70, 12]].contains(&element)
     });
+    let candidates = Candidates::around(window.size(), &members);
     let candidates = Arc::new(candidates);
     let part = problem.among(&window, &candidates).unwrap();
     assert_eq!(

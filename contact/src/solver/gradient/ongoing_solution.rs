@@ -23,7 +23,7 @@ use crate::{
             working_set::WorkingSet,
         },
     },
-    vector::each,
+    vector::{add_scaled, each, update_with},
 };
 
 /// All fields of a solution, allocated once for all loads on one problem.
@@ -363,6 +363,30 @@ impl<'a> OngoingSolution<'a> {
         let unit = self.problem.scale().pressure();
         each(&mut pressure, |p| *p *= unit);
         pressure
+    }
+
+    /// `K p` of the [best pressure](Self::best_pressure), in m, of a problem with a hardness, where it is known without
+    /// a product: `v − g0 − η p`, everywhere.
+    pub fn displacement(&self) -> Option<Vec<f64>> {
+        let Workspace { state, best, .. } = &*self.workspace;
+        let is_at_best = std::ptr::eq(best.or(state, self.residual), state.pressure.as_slice());
+        (self.problem.has_hardness() && is_at_best).then(|| {
+            let scale = self.problem.scale();
+            let mut displacement = state.v.clone();
+            add_scaled(&mut displacement, -1.0, &state.initial_gap);
+            each(&mut displacement, |u| *u *= scale.length);
+            let unit = scale.pressure();
+            let compliance = self.problem.tangent_compliance();
+            update_with(
+                &mut displacement,
+                &state.pressure,
+                compliance,
+                |u, p, eta| {
+                    *u -= eta * (unit * p);
+                },
+            );
+            displacement
+        })
     }
 
     /// The fields, for the next load on the same problem.

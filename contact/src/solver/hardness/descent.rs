@@ -1,0 +1,166 @@
+//! Descent of a contact whose pressure is cut at a hardness: the floor under its exchanges.
+//!
+//! From an admissible pressure, `0 ≤ p ≤ p_max`, with some elements held at the limit, the problem of the others leads
+//! to a pressure `p*`; then
+//!
+//! - nothing is above the limit: that is the least energy with these elements held, and some of those with a gap are let
+//!   go;
+//! - something is above that was at the limit before: it is held again, and the problem solved once more;
+//! - something else is above: `p*` is cut at the limit, if the energy falls on the whole way there, else the way to `p*`
+//!   ends where the first element comes to the limit; what is at the limit is held.
+//!
+//! The energy falls from one admissible pressure to the next, so no set is let go twice. It is convex, so it falls on
+//! the whole way of a step `s` if it falls at the end, `s·∂E ≤ 0`, whatever the law of the springs.
+//!
+//! **How many are let go.** Under a stiff coat those left free take up most of what is let go, and it takes as many
+//! problems to hold them again. So those with the widest gap are let go, half as many after it took more than
+//! [`FEW_RETURNS`] problems, else twice as many. With all let go at once, a coat four million times as stiff as what is
+//! under it was not certified after 2000 products; so it is after 1600 to 1800.
+
+use crate::{
+    DiscreteProblem, Load,
+    vector::{add_scaled, each, sum},
+};
+
+/// Problems from one least energy to the next up to which elements return to the limit quickly.
+const FEW_RETURNS: usize = 3;
+/// Halvings of the number of elements that are let go at first.
+const FIRST_CAUTION: u32 = 3;
+/// Halvings after which single elements are let go, on any grid.
+const MOST_CAUTION: u32 = 31;
+/// Part of the limit by which a pressure that comes to it may be short of it, and of a force that is rounding.
+const ROUNDING: f64 = 1e-14;
+
+/// An admissible pressure, and how to go on from it.
+pub struct Descent {
+    /// In Pa.
+    pressure: Vec<f64>,
+    /// `K p`, in m.
+    displacement: Vec<f64>,
+    /// Problems solved since elements were let go.
+    problems: usize,
+    /// Halvings of the number of elements that are let go at once.
+    caution: u32,
+}
+
+impl Descent {
+    /// Begins from a pressure, cut at the limit: one product.
+    pub fn begin(problem: &mut DiscreteProblem, load: Load, pressure: &[f64]) -> Self {
+        let pressure = cut(problem, load, pressure);
+        let mut displacement = vec![0.0; pressure.len()];
+        problem.displace(&pressure, &mut displacement);
+        Self {
+            pressure,
+            displacement,
+            problems: 0,
+            caution: FIRST_CAUTION,
+        }
+    }
+
+    /// The admissible pressure, in Pa.
+    pub fn pressure(&self) -> &[f64] {
+        &self.pressure
+    }
+
+    /// Counts a problem that has been solved.
+    pub fn count_problem(&mut self) {
+        self.problems += 1;
+    }
+
+    /// Takes a pressure (Pa) that is nowhere above the limit, with its `K p` (m); returns of the elements with a gap,
+    /// those with the widest first, how many are to be let go.
+    pub fn settle(&mut self, pressure: &[f64], displacement: &[f64], open: usize) -> usize {
+        self.pressure.copy_from_slice(pressure);
+        self.displacement.copy_from_slice(displacement);
+        self.caution = if self.problems > FEW_RETURNS {
+            self.caution + 1
+        } else {
+            self.caution.saturating_sub(1)
+        };
+        self.problems = 0;
+        (open >> self.caution.min(MOST_CAUTION)).max(1)
+    }
+
+    /// Goes towards a pressure (Pa) with its `K p` (m) that is above the limit in elements which are not at it yet: one
+    /// product.
+    pub fn step(
+        &mut self,
+        problem: &mut DiscreteProblem,
+        load: Load,
+        pressure: &[f64],
+        displacement: &[f64],
+    ) {
+        let cut = Self::begin(problem, load, pressure);
+        if cut.slope_from(problem, load, &self.pressure) <= 0.0 {
+            (self.pressure, self.displacement) = (cut.pressure, cut.displacement);
+            return;
+        }
+        let limit = problem.hardness();
+        let both = self.pressure.iter().zip(pressure);
+        let above = both.filter(|(_, to)| **to > limit);
+        let part = above.fold(1.0_f64, |part, (from, to)| {
+            part.min((limit - from) / (to - from))
+        });
+        for (from, to) in [
+            (&mut self.pressure, pressure),
+            (&mut self.displacement, displacement),
+        ] {
+            each(from, |value| *value *= 1.0 - part);
+            add_scaled(from, part, to);
+        }
+        // What comes to the limit is at it, whatever is rounded.
+        each(&mut self.pressure, |p| {
+            if *p >= limit * (1.0 - ROUNDING) {
+                *p = limit;
+            }
+        });
+    }
+
+    /// `s·∂E` of the step from a pressure to its own: the slope of the energy at its end.
+    fn slope_from(&self, problem: &DiscreteProblem, load: Load, pressure: &[f64]) -> f64 {
+        let mut v = self.displacement.clone();
+        problem.shorten_into(&self.pressure, &mut v);
+        let penetration = match load {
+            // The step keeps the force.
+            Load::Force(_) => 0.0,
+            Load::Penetration(penetration) => penetration,
+        };
+        let fields = self.pressure.iter().zip(pressure);
+        let fields = fields.zip(v.iter().zip(problem.initial_gap()));
+        let touchable = fields.filter(|(_, (_, g0))| g0.is_finite());
+        touchable
+            .map(|((to, from), (v, g0))| (to - from) * (v + g0 - penetration))
+            .sum()
+    }
+}
+
+/// A pressure cut at the limit; under a force, what it loses is added to the elements that press less, in proportion to
+/// their pressures, and where those come to the limit too, to those that can touch.
+fn cut(problem: &DiscreteProblem, load: Load, pressure: &[f64]) -> Vec<f64> {
+    let limit = problem.hardness();
+    let mut cut: Vec<f64> = pressure.iter().map(|p| p.min(limit)).collect();
+    let Load::Force(force) = load else {
+        return cut;
+    };
+    let total = force / problem.loaded_area();
+    loop {
+        let missing = total - sum(&cut);
+        let below: f64 = cut.iter().filter(|p| **p < limit).sum();
+        if missing <= ROUNDING * total {
+            return cut;
+        }
+        if below <= ROUNDING * total {
+            // The force itself is within what can touch, so these do not fill up.
+            let touchable = problem.initial_gap().iter().map(|g0| g0.is_finite());
+            let free = cut.iter_mut().zip(touchable);
+            let free = free.filter(|(p, can_touch)| *can_touch && **p < limit);
+            let free: Vec<&mut f64> = free.map(|(p, _)| p).collect();
+            let share = missing / free.len() as f64;
+            free.into_iter().for_each(|p| *p = (*p + share).min(limit));
+            return cut;
+        }
+        let growth = 1.0 + missing / below;
+        let free = cut.iter_mut().filter(|p| **p < limit);
+        free.for_each(|p| *p = (*p * growth).min(limit));
+    }
+}
