@@ -34,8 +34,7 @@ use self::random::Random;
 /// Foundations that the problems share: their tables take longer than a solution.
 const FOUNDATIONS: u64 = 24;
 
-/// Problems with a hardness whose exchanges stall, so that it takes the descent to solve them: free, and on springs that
-/// stiffen.
+/// Problems with a hardness, free and on springs that stiffen, that a descent by single elements did not solve.
 const STALLING: [u64; 2] = [144, 721];
 
 /// The tables of all foundations; most of them have some.

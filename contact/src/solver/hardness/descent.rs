@@ -88,8 +88,8 @@ impl Descent {
     }
 
     /// Goes towards a pressure (Pa) with its `K p` (m) that is above the limit in elements which are not at it yet,
-    /// until a part of them have come to it, as large as has lately been downhill all the way, else the first; returns the
-    /// products that it took.
+    /// until a part of them have come to it, as large as has lately been downhill all the way, else the first; returns
+    /// the products that it took.
     pub fn step(
         &mut self,
         problem: &mut DiscreteProblem,
