@@ -36,3 +36,6 @@ pub use force_curve::ForceCurve;
 pub use null_directions::ModelDirection;
 pub use parameter::ModelParameter;
 pub use step::{Sensitivities, Sensitivity};
+
+#[cfg(test)]
+mod tests;

@@ -122,7 +122,17 @@ fn the_answer_is_that_of_the_whole_grid_and_takes_few_of_its_products() {
             assert!((5e-4..0.02).contains(&share), "{share}");
             let work = &step.work;
             assert!(
-                work.operator_applications <= 5 && work.candidate_applications > 5,
+                work.operator_applications == 1 && work.candidate_applications > 5,
+                "{work:?}"
+            );
+            // So of every coarser grid that is solved on candidates.
+            let levels = work.levels.iter();
+            let dilute: Vec<_> = levels
+                .filter(|level| level.candidate_applications > 0)
+                .collect();
+            assert!(!dilute.is_empty());
+            assert!(
+                dilute.iter().all(|level| level.operator_applications == 1),
                 "{work:?}"
             );
             let whole = on_the_whole_grid(&path, load);

@@ -76,6 +76,11 @@ impl Grid {
         ((2 * i + 1) as f64 - self.size as f64) * (0.5 * self.element_side())
     }
 
+    /// Coordinates `x_i` of the centres of elements from one on, m.
+    pub(crate) fn centres_from(&self, first: usize) -> Vec<f64> {
+        (first..self.size).map(|i| self.centre(i)).collect()
+    }
+
     /// A function of the point at the centres of all elements; of one that is its own mirror image in both axes at
     /// those of a quadrant, from which the others are copied to the last bit.
     pub fn sample<T: Copy + Default + Send + Sync>(

@@ -1,5 +1,7 @@
 //! A measured height map and the surface between its samples.
 
+use rayon::prelude::*;
+
 use crate::error::{Quantity, TextureError, positive};
 use crate::interpolation::{Interpolation, Stencil};
 
@@ -150,26 +152,58 @@ impl HeightMap {
     }
 
     fn bicubic(&self, point: [f64; 2]) -> f64 {
-        let places = [0, 1].map(|axis| {
-            let (before, after, t) = self.bracket(axis, point[axis]);
-            // A point that is a sample's up to rounding has the height of the sample.
-            let rounding = ON_A_SAMPLE * self.shape[axis] as f64;
-            if t > 1.0 - rounding {
-                (after, 0.0)
-            } else if t < rounding {
-                (before, 0.0)
-            } else {
-                (before, t)
+        let [along_x, along_y] = [0, 1].map(|axis| self.stencil(axis, point[axis]));
+        self.weighed([&along_x, &along_y], 0.0)
+    }
+
+    /// The samples that heights at a coordinate depend on along an axis: one where it is a sample's up to rounding.
+    fn stencil(&self, axis: usize, coordinate: f64) -> Stencil {
+        let samples = self.shape[axis];
+        let (before, after, t) = self.bracket(axis, coordinate);
+        let rounding = ON_A_SAMPLE * samples as f64;
+        if t > 1.0 - rounding {
+            Stencil::cubic(after, 0.0, samples)
+        } else if t < rounding {
+            Stencil::cubic(before, 0.0, samples)
+        } else {
+            Stencil::cubic(before, t, samples)
+        }
+    }
+
+    /// Heights (m) where lines of constant x cross lines of constant y, given their coordinates (m): row after row, to
+    /// the last bit those at the points.
+    pub(crate) fn at_crossings(&self, [x, y]: [&[f64]; 2]) -> Vec<f64> {
+        let mut heights = vec![0.0; x.len() * y.len()];
+        let rows = heights.par_chunks_exact_mut(y.len()).zip(x);
+        if self.interpolation == Interpolation::Linear {
+            rows.for_each(|(row, x)| {
+                let places = row.iter_mut().zip(y);
+                places.for_each(|(height, y)| *height = self.bilinear([*x, *y]));
+            });
+            return heights;
+        }
+        let along_y: Vec<Stencil> = y.iter().map(|y| self.stencil(1, *y)).collect();
+        rows.for_each_init(Vec::new, |line, (row, x)| {
+            self.line_into(&self.stencil(0, *x), line);
+            for (height, stencil) in row.iter_mut().zip(&along_y) {
+                let terms = stencil.terms().map(|(j, weight)| weight * line[j]);
+                *height = terms.sum();
             }
         });
-        if let [(i, 0.0), (j, 0.0)] = places {
-            return self.heights[i * self.shape[1] + j];
+        heights
+    }
+
+    /// The heights of a line across the samples along y, weighed along x.
+    fn line_into(&self, along_x: &Stencil, line: &mut Vec<f64>) {
+        let columns = self.shape[1];
+        line.clear();
+        // As an empty sum, so that the bits are those of a sum.
+        line.resize(columns, -0.0);
+        for (i, weight) in along_x.terms() {
+            let samples = &self.heights[i * columns..][..columns];
+            let sums = line.iter_mut().zip(samples);
+            sums.for_each(|(sum, sample)| *sum += weight * sample);
         }
-        let [along_x, along_y] = [0, 1].map(|axis| {
-            let (before, t) = places[axis];
-            Stencil::cubic(before, t, self.shape[axis])
-        });
-        self.weighed([&along_x, &along_y], 0.0)
     }
 
     /// Slopes along x and y and second derivatives along x, both and y of the bicubic surface at a point (m), in
@@ -196,14 +230,13 @@ impl HeightMap {
 
     /// The sum of the heights above a reference, weighed along both axes.
     fn weighed(&self, [along_x, along_y]: [&Stencil; 2], reference: f64) -> f64 {
-        let row = |i: usize| {
-            let row = &self.heights[i * self.shape[1]..];
-            along_y
+        let column = |j: usize| {
+            along_x
                 .terms()
-                .map(|(j, weight)| weight * (row[j] - reference))
+                .map(|(i, weight)| weight * (self.heights[i * self.shape[1] + j] - reference))
                 .sum::<f64>()
         };
-        along_x.terms().map(|(i, weight)| weight * row(i)).sum()
+        along_y.terms().map(|(j, weight)| weight * column(j)).sum()
     }
 
     fn bilinear(&self, point: [f64; 2]) -> f64 {

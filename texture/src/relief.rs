@@ -56,7 +56,7 @@ impl Relief {
         self.sampled(
             grid.len(),
             |cylinders| grid.sample(self.is_mirrored(), |point| cylinders.contains(point)),
-            |value| grid.sample(false, value),
+            [0; 2].map(|first| grid.centres_from(first)),
             || grid.sample(false, |point| point),
         )
     }
@@ -70,17 +70,18 @@ impl Relief {
         self.sampled(
             first.map(|first| grid.size() - first).iter().product(),
             |cylinders| grid.sample_from(first, |point| cylinders.contains(point)),
-            |value| grid.sample_from(first, value),
+            first.map(|first| grid.centres_from(first)),
             || grid.sample_from(first, |point| point),
         )
     }
 
-    /// The relief at `count` elements, by what samples cylinders and functions of the point there, or their centres.
+    /// The relief at `count` elements, by what samples cylinders there, the coordinates of their rows and columns, and
+    /// their centres.
     fn sampled(
         &self,
         count: usize,
         outline: impl Fn(&Cylinders) -> Vec<bool>,
-        field: impl Fn(&(dyn Fn([f64; 2]) -> f64 + Sync)) -> Vec<f64>,
+        [x, y]: [Vec<f64>; 2],
         centres: impl Fn() -> Vec<[f64; 2]>,
     ) -> SampledRelief {
         let everywhere = |value: f64| vec![value; count];
@@ -113,15 +114,21 @@ impl Relief {
                 compliance: everywhere(film.compliance()),
                 law,
             },
-            Self::Map(map) => SampledRelief {
-                mask: vec![true; count],
-                profile: field(&|point| map.profile_at(point)),
-                compliance: match map.compliance() {
-                    MapCompliance::Uniform(compliance) => everywhere(compliance),
-                    MapCompliance::YoungModulus(_) => field(&|point| map.compliance_at(point)),
-                },
-                law,
-            },
+            Self::Map(map) => {
+                let heights = map.map().at_crossings([&x, &y]);
+                SampledRelief {
+                    mask: vec![true; count],
+                    compliance: match map.compliance() {
+                        MapCompliance::Uniform(compliance) => everywhere(compliance),
+                        MapCompliance::YoungModulus(_) => {
+                            let heights = heights.par_iter();
+                            heights.map(|height| map.compliance_of(*height)).collect()
+                        }
+                    },
+                    profile: map.profile_of(heights),
+                    law,
+                }
+            }
             Self::Custom(custom) => {
                 let centres = centres();
                 SampledRelief {

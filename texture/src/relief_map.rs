@@ -1,5 +1,7 @@
 //! A relief given by a measured height map.
 
+use rayon::prelude::*;
+
 use crate::error::{Quantity, TextureError, not_negative, positive};
 use crate::grid::Grid;
 use crate::height_map::HeightMap;
@@ -120,15 +122,26 @@ impl ReliefMap {
         self.map.height(point) - self.highest
     }
 
+    /// The profile of heights of the map, in their memory.
+    pub(crate) fn profile_of(&self, mut heights: Vec<f64>) -> Vec<f64> {
+        heights
+            .par_iter_mut()
+            .for_each(|height| *height -= self.highest);
+        heights
+    }
+
     /// Compliance η at a point, m/Pa.
     #[must_use]
     pub fn compliance_at(&self, point: [f64; 2]) -> f64 {
+        self.compliance_of(self.map.height(point))
+    }
+
+    /// Compliance η where the map has this height, m/Pa.
+    pub(crate) fn compliance_of(&self, height: f64) -> f64 {
         match self.compliance {
             MapCompliance::Uniform(compliance) => compliance,
             // η = (height above the deepest point) / E
-            MapCompliance::YoungModulus(modulus) => {
-                (self.map.height(point) - self.ground).max(0.0) / modulus
-            }
+            MapCompliance::YoungModulus(modulus) => (height - self.ground).max(0.0) / modulus,
         }
     }
 }

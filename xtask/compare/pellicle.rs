@@ -115,7 +115,7 @@ fn solve(
             Indenter::Paraboloid(Paraboloid::new(1.0)?),
         ),
         (_, Some((gap, _))) => (
-            rough(&gap)?,
+            rough(gap)?,
             Indenter::FlatPunch(FlatPunch::new(2.0 * SIDE)?),
         ),
         _ => return Err(format!("no case {case}").into()),
@@ -145,9 +145,11 @@ fn solve(
 }
 
 /// The rough body itself, which yields by its elastic displacement alone, under a plane that covers the square.
-fn rough(gap: &Array2<f64>) -> Result<Relief, DriverError> {
-    let heights = gap.iter().map(|gap| -gap).collect();
-    let map = HeightMap::new(heights, [gap.nrows(), gap.ncols()], [SIDE; 2])?;
+fn rough(gap: Array2<f64>) -> Result<Relief, DriverError> {
+    let shape = [gap.nrows(), gap.ncols()];
+    let mut heights = gap.into_raw_vec_and_offset().0;
+    heights.iter_mut().for_each(|height| *height = -*height);
+    let map = HeightMap::new(heights, shape, [SIDE; 2])?;
     let compliance = MapCompliance::Uniform(0.0);
     Ok(Relief::Map(ReliefMap::new(map, compliance)?))
 }

@@ -21,24 +21,18 @@ pub struct Candidates {
 }
 
 impl Candidates {
-    /// The elements of a mask, and those around them.
-    pub fn around(size: usize, belongs: impl Fn(usize) -> bool + Sync) -> Self {
-        let of_row = |row: usize| {
-            let row = row * size..(row + 1) * size;
-            row.filter(|element| belongs(*element))
-                .collect::<Vec<usize>>()
-        };
-        let members: Vec<Vec<usize>> = (0..size).into_par_iter().map(of_row).collect();
-        let mut elements = Vec::new();
-        for member in members.into_iter().flatten() {
-            let [rows, columns] = [member / size, member % size]
-                .map(|i| i.saturating_sub(RINGS)..(i + RINGS + 1).min(size));
-            let around = rows.flat_map(|i| columns.clone().map(move |j| i * size + j));
-            elements.extend(around.map(short));
-        }
+    /// Some elements, and those around them.
+    pub fn around(size: usize, members: &[u32]) -> Self {
+        Self::of(size, with_rings(size, members))
+    }
+
+    /// These, and some elements with those around them.
+    pub fn with(&self, members: &[u32]) -> Self {
+        let mut elements = with_rings(self.size, members);
+        elements.extend(&self.elements);
         elements.sort_unstable();
         elements.dedup();
-        Self::of(size, elements)
+        Self::of(self.size, elements)
     }
 
     fn of(size: usize, elements: Vec<u32>) -> Self {
@@ -60,15 +54,6 @@ impl Candidates {
             tiles,
             places,
         }
-    }
-
-    /// These and the elements of a mask with those around them.
-    pub fn with(&self, belongs: impl Fn(usize) -> bool + Sync) -> Self {
-        let mut elements = Self::around(self.size, belongs).elements;
-        elements.extend(&self.elements);
-        elements.sort_unstable();
-        elements.dedup();
-        Self::of(self.size, elements)
     }
 
     pub fn len(&self) -> usize {
@@ -117,6 +102,31 @@ impl Candidates {
     }
 }
 
+/// The elements of a square of `size` × `size` that belong, ascending.
+pub fn elements_where(size: usize, belongs: impl Fn([usize; 2]) -> bool + Sync) -> Vec<u32> {
+    let of_row = |row: usize| {
+        let columns = (0..size).filter(|column| belongs([row, *column]));
+        columns.map(|column| short(row * size + column)).collect()
+    };
+    let rows: Vec<Vec<u32>> = (0..size).into_par_iter().map(of_row).collect();
+    rows.concat()
+}
+
+/// Some elements and the [`RINGS`] around each, ascending.
+fn with_rings(size: usize, members: &[u32]) -> Vec<u32> {
+    let mut elements = Vec::new();
+    for member in members {
+        let member = *member as usize;
+        let [rows, columns] = [member / size, member % size]
+            .map(|i| i.saturating_sub(RINGS)..(i + RINGS + 1).min(size));
+        let around = rows.flat_map(|i| columns.clone().map(move |j| i * size + j));
+        elements.extend(around.map(short));
+    }
+    elements.sort_unstable();
+    elements.dedup();
+    elements
+}
+
 /// The tile of an element, and where it lies within.
 fn tile_of([row, column]: [usize; 2], width: usize) -> (usize, usize) {
     let tile = row / TILE * width + column / TILE;
@@ -131,14 +141,15 @@ fn short(index: usize) -> u32 {
 
 #[cfg(test)]
 mod tests {
-    use super::Candidates;
+    use super::{Candidates, elements_where};
 
     const SIZE: usize = 40;
 
     #[test]
     fn candidates_are_the_members_and_one_ring_around_and_are_found_again() {
         let members = [0, 21 * SIZE + 15, 39 * SIZE + 20];
-        let candidates = Candidates::around(SIZE, |element| members.contains(&element));
+        let found = elements_where(SIZE, |[i, j]| members.contains(&(i * SIZE + j)));
+        let candidates = Candidates::around(SIZE, &found);
         assert_eq!(candidates.len(), 4 + 9 + 6);
         assert!(candidates.elements().is_sorted());
         for element in 0..SIZE * SIZE {
@@ -154,8 +165,8 @@ mod tests {
 
     #[test]
     fn more_candidates_keep_those_there_were() {
-        let one = Candidates::around(SIZE, |element| element == 500);
-        let both = one.with(|element| element == 502);
+        let one = Candidates::around(SIZE, &[500]);
+        let both = one.with(&[502]);
         assert_eq!(both.len(), 15);
         let field: Vec<f64> = (0..SIZE * SIZE).map(|e| e as f64).collect();
         assert_eq!(

@@ -1,16 +1,23 @@
 //! Dilute contact: where few elements of a level may touch, the level is solved on these candidates alone.
 //!
-//! Their products are [right to 1e-6](pellicle_influence::ScatteredOperator) and cost a small part of one on the whole
-//! grid. What they lack is computed, not neglected: after each pass one product on the whole grid judges the pressure,
-//! as the certificate does everywhere, and
+//! Their products are [right to some 1e-9](pellicle_influence::ScatteredOperator) and cost a small part of one on the
+//! whole grid. Elements beside them can overlap only where the initial gap is less than the penetration; one such
+//! product tells which of these few do, and they are taken in:
+//!
+//! ```text
+//! candidates ← candidates ∪ {K̃ p + g0 < D}, and those around
+//! ```
+//!
+//! where `K̃` is the product among scattered elements. What this lacks is computed, not neglected: one product on the
+//! whole grid judges the pressure, as the certificate does everywhere, and is the only one where it is satisfied.
+//! Otherwise
 //!
 //! ```text
 //! g0 ← g0 + (K − K̃) p on the candidates;    candidates ← candidates ∪ {g < 0 anywhere}, and those around
 //! ```
 //!
-//! where `K̃` is the product among candidates. A solution of the next pass is exact to 1e-6 of the change since the
-//! last, and ends where the certificate of the whole grid is satisfied. Should some passes not bring that about, the
-//! whole grid is solved as any other.
+//! and a solution of the next pass is exact to 1e-9 of the change since the last. Should some passes not bring that
+//! about, the whole grid is solved as any other.
 
 use std::sync::Arc;
 
@@ -19,7 +26,10 @@ use pellicle_influence::{Sector, scattered_work};
 use crate::{
     Boundary, ContactError, DiscreteProblem, GradientSolver, Iterate, Load, Method, Solution,
     Solver, SolverOptions,
-    grid::{candidates::Candidates, window::Window},
+    grid::{
+        candidates::{Candidates, elements_where},
+        window::Window,
+    },
     result::certificate::JudgedFields,
     solver::Watch,
 };
@@ -65,8 +75,10 @@ impl Dilute {
         if !is_for_candidates {
             return None;
         }
-        let candidates = Candidates::around(window.size(), |element| start[element] > 0.0);
-        if candidates.len() == 0 || !is_worth_it(&candidates) {
+        let size = window.size();
+        let pressing = elements_where(size, |[row, column]| start[row * size + column] > 0.0);
+        let candidates = Candidates::around(size, &pressing);
+        if candidates.len() == 0 || !is_worth_it(size, candidates.elements()) {
             return None;
         }
         let candidates = Arc::new(candidates);
@@ -78,33 +90,119 @@ impl Dilute {
         })
     }
 
-    /// Solves among the candidates from a pressure on the window; the iterate's pressure is that on the window, its
-    /// products are those among candidates.
+    /// Solves among the candidates from a pressure on the window, with more of them until none overlaps beside them by
+    /// the products among scattered elements; the iterate's pressure is that on the window, its products are those
+    /// among scattered elements.
     pub fn solve(
         &mut self,
+        whole: &DiscreteProblem,
         pressure: &[f64],
         load: Load,
         options: SolverOptions,
         watch: &mut Watch<'_>,
     ) -> Result<Iterate, ContactError> {
-        self.passes += 1;
-        let is_first = self.passes == 1;
-        let tolerance = if is_first {
-            options.tolerance.max(FIRST_TOLERANCE)
-        } else {
-            options.tolerance
-        };
-        let mut solver = GradientSolver::new(SolverOptions {
-            tolerance,
-            contact_stiffness: options.contact_stiffness && !is_first,
-            ..options
+        let mut iterate = Iterate::of(self.candidates.gather(pressure));
+        loop {
+            self.passes += 1;
+            let is_first = self.passes == 1;
+            let tolerance = if is_first {
+                options.tolerance.max(FIRST_TOLERANCE)
+            } else {
+                options.tolerance
+            };
+            let mut solver = GradientSolver::new(SolverOptions {
+                tolerance,
+                contact_stiffness: options.contact_stiffness && !is_first,
+                ..options
+            });
+            let next = solver.solve(&mut self.problem, load, &iterate.pressure, watch)?;
+            iterate = after(iterate, next);
+            let found = self.overlapping(whole, &mut iterate, options.tolerance);
+            let goes_on = is_first || !found.is_empty();
+            let known = self.candidates.clone();
+            if !goes_on || self.passes >= MOST_PASSES || !self.take_in(whole, &found) {
+                iterate.pressure = known.spread(&iterate.pressure);
+                return Ok(iterate);
+            }
+            let places =
+                (0..self.candidates.len()).map(|candidate| self.candidates.place(candidate));
+            let pressures =
+                places.map(|place| known.at(place).map_or(0.0, |c| iterate.pressure[c]));
+            iterate.pressure = pressures.collect();
+        }
+    }
+
+    /// Elements of the window that overlap by more than half the tolerance, though no candidates, by a product among
+    /// all whose initial gap is less than the penetration; none where these are too many.
+    fn overlapping(
+        &mut self,
+        whole: &DiscreteProblem,
+        iterate: &mut Iterate,
+        tolerance: f64,
+    ) -> Vec<u32> {
+        let (size, penetration) = (self.window.size(), iterate.penetration);
+        let (window, known) = (self.window, self.candidates.clone());
+        let initial_gap = initial_gaps(whole, &window);
+        let suspects = elements_where(size, |place| {
+            initial_gap(place) < penetration && known.at(place).is_none()
         });
-        let start = self.candidates.gather(pressure);
-        let iterate = solver.solve(&mut self.problem, load, &start, watch)?;
-        Ok(Iterate {
-            pressure: self.candidates.spread(&iterate.pressure),
-            ..iterate
-        })
+        let mut elements = [&suspects, known.elements()].concat();
+        elements.sort_unstable();
+        if suspects.is_empty() || !is_worth_it(size, &elements) {
+            return Vec::new();
+        }
+        let place = |element: &u32| [*element as usize / size, *element as usize % size];
+        let pressure = |element| {
+            known
+                .at(place(element))
+                .map_or(0.0, |c| iterate.pressure[c])
+        };
+        let pressures: Vec<f64> = elements.iter().map(pressure).collect();
+        let mut displacements = vec![0.0; elements.len()];
+        let Some(mut operator) = self.problem.take_scattered() else {
+            return Vec::new();
+        };
+        operator.list(&elements);
+        operator.apply_into(&pressures, &mut displacements);
+        iterate.operator_applications += 1;
+        operator.list(known.elements());
+        self.problem.give_scattered(operator);
+        let overlap = |element, displacement| {
+            let gap = displacement + initial_gap(place(element)) - penetration;
+            known.at(place(element)).is_none() && gap < -0.5 * tolerance * penetration
+        };
+        let displaced = elements.iter().zip(displacements);
+        let overlapping = displaced.filter(|(element, u)| overlap(element, *u));
+        overlapping.map(|(element, _)| *element).collect()
+    }
+
+    /// Takes in some elements and those around them, with what products lack as far as it is known; false where that is
+    /// not worth it.
+    fn take_in(&mut self, whole: &DiscreteProblem, elements: &[u32]) -> bool {
+        if elements.is_empty() {
+            return true;
+        }
+        let (window, known) = (self.window, self.candidates.clone());
+        let candidates = Arc::new(known.with(elements));
+        if !is_worth_it(candidates.size(), candidates.elements()) {
+            return false;
+        }
+        let Some(mut operator) = self.problem.take_scattered() else {
+            return false;
+        };
+        operator.list(candidates.elements());
+        let Some(mut problem) = whole.among_by(operator, &window, &candidates) else {
+            return false;
+        };
+        let (gaps, initial_gap) = (self.problem.initial_gap(), initial_gaps(whole, &window));
+        let places = (0..candidates.len()).map(|candidate| candidates.place(candidate));
+        let gap = |place| match known.at(place) {
+            Some(candidate) => gaps[candidate],
+            None => initial_gap(place),
+        };
+        problem.take_initial_gap(places.map(gap).collect());
+        (self.problem, self.candidates) = (problem, candidates);
+        true
     }
 
     /// Whether a judged solution is the last word.
@@ -121,40 +219,61 @@ impl Dilute {
         judged: &JudgedFields,
         pressure: &[f64],
     ) -> bool {
-        let (window, size) = (self.window, self.window.size());
-        let [above, left] = window.origin();
-        let on_grid = |element: usize| [above + element / size, left + element % size];
-        let known = self.candidates.clone();
-        let candidates = known.with(|element| {
-            let is_known = known.at([element / size, element % size]).is_some();
-            !is_known && judged.overlaps(on_grid(element))
+        let (window, known) = (self.window, self.candidates.clone());
+        let initial_gap = initial_gaps(whole, &window);
+        let overlapping = elements_where(window.size(), |place| {
+            judged.gap_of(on_grid(&window, place), initial_gap(place)) < 0.0
+                && known.at(place).is_none()
         });
-        if self.passes >= MOST_PASSES || !is_worth_it(&candidates) {
+        if self.passes >= MOST_PASSES || !self.take_in(whole, &overlapping) {
             return false;
-        }
-        if candidates.len() > known.len() {
-            let candidates = Arc::new(candidates);
-            let Some(problem) = whole.among(&window, &candidates) else {
-                return false;
-            };
-            (self.problem, self.candidates) = (problem, candidates);
         }
         // g0 + (K − K̃) p
         let mut gaps = vec![0.0; self.candidates.len()];
         let pressure = self.candidates.gather(pressure);
         self.problem.displace(&pressure, &mut gaps);
-        for (gap, element) in gaps.iter_mut().zip(self.candidates.elements()) {
-            let [i, j] = on_grid(*element as usize);
-            *gap =
-                whole.initial_gap()[i * whole.size() + j] + (judged.displacement_of([i, j]) - *gap);
+        for (candidate, gap) in gaps.iter_mut().enumerate() {
+            let place = self.candidates.place(candidate);
+            let displacement = judged.displacement_of(on_grid(&window, place));
+            *gap = initial_gap(place) + (displacement - *gap);
         }
         self.problem.take_initial_gap(gaps);
         true
     }
 }
 
-/// Whether a step among candidates costs so much less than one on the whole grid.
-fn is_worth_it(candidates: &Candidates) -> bool {
-    let size = candidates.size();
-    LEAST_GAIN * scattered_work(size, candidates.elements()) <= WHOLE_STEP * size * size
+/// The element of the grid at a place of the window.
+fn on_grid(window: &Window, [row, column]: [usize; 2]) -> [usize; 2] {
+    let [above, left] = window.origin();
+    [above + row, left + column]
+}
+
+/// `g0` (m) at the places of a window.
+fn initial_gaps<'a>(
+    whole: &'a DiscreteProblem,
+    window: &Window,
+) -> impl Fn([usize; 2]) -> f64 + use<'a> {
+    let (gaps, size, window) = (whole.initial_gap(), whole.size(), *window);
+    move |place| {
+        let [row, column] = on_grid(&window, place);
+        gaps[row * size + column]
+    }
+}
+
+/// An iterate with the work of the one that it started from.
+fn after(before: Iterate, iterate: Iterate) -> Iterate {
+    let mut residuals = before.residuals;
+    residuals.extend(iterate.residuals);
+    Iterate {
+        iterations: before.iterations + iterate.iterations,
+        operator_applications: before.operator_applications + iterate.operator_applications,
+        stiffness_applications: before.stiffness_applications + iterate.stiffness_applications,
+        residuals,
+        ..iterate
+    }
+}
+
+/// Whether a step among some elements of a square of `size` × `size` costs so much less than one on the whole grid.
+fn is_worth_it(size: usize, elements: &[u32]) -> bool {
+    LEAST_GAIN * scattered_work(size, elements) <= WHOLE_STEP * size * size
 }

@@ -209,6 +209,7 @@ impl Level {
             window,
             pressure,
             hardness: self.whole.problem.hardness(),
+            initial_gap: self.whole.problem.initial_gap(),
             judged: &self.judged,
             mask: &self.outline,
             compliance: self.whole.problem.relief_compliance(),
@@ -264,7 +265,10 @@ impl Level {
         let mut dilute = Dilute::around(&self.whole.problem, &window, &pressure, &options);
         loop {
             let iterate = match &mut dilute {
-                Some(dilute) => effort.among(dilute.solve(&pressure, load, options, watch)?),
+                Some(dilute) => {
+                    let whole = &self.whole.problem;
+                    effort.among(dilute.solve(whole, &pressure, load, options, watch)?)
+                }
                 None => self.solve_in(&mut window, &pressure, load, options, watch)?,
             };
             let (reached_border, expected) = (iterate.reached_border, iterate.penetration);
@@ -302,7 +306,11 @@ impl Level {
             }
             let wider = {
                 let presses = |element| window.presses(&solution.pressure, element);
-                window.wider(everywhere.around(|e| presses(e) || self.judged.overlaps(e)))
+                let (initial_gap, size) = (problem.initial_gap(), problem.size());
+                let judged = &self.judged;
+                let overlaps =
+                    |[i, j]: [usize; 2]| judged.gap_of([i, j], initial_gap[i * size + j]) < 0.0;
+                window.wider(everywhere.around(|e| presses(e) || overlaps(e)))
             };
             pressure = wider.take_over(&window, &solution.pressure);
             window = wider;
@@ -344,12 +352,16 @@ impl Level {
     }
 
     /// What the next finer level starts from.
-    pub fn as_coarser(&self, result: &LevelResult) -> CoarserSolution {
+    pub fn as_coarser(&mut self, result: &LevelResult) -> CoarserSolution {
         let window = *self.judged.reach();
         CoarserSolution {
             window,
             pressure: window.take_over(&result.window, &result.solution.pressure),
-            displacement: self.judged.displacement().to_vec(),
+            displacement: if self.keeps {
+                self.judged.displacement().to_vec()
+            } else {
+                self.judged.take_displacement()
+            },
             penetration: result.solution.penetration,
             outline: self.outline.clone(),
         }
@@ -405,5 +417,40 @@ impl LevelResult {
             peak_place: self.summary.peak_place,
             meets_outline: self.summary.meets_outline,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn iterate(products: usize) -> Iterate {
+        Iterate {
+            pressure: vec![1.0],
+            iterations: 2,
+            operator_applications: products,
+            stiffness_applications: 3,
+            residuals: vec![0.5, 0.25],
+            contact_stiffness: Some(7.0),
+            penetration: 0.0,
+            reached_border: false,
+        }
+    }
+
+    #[test]
+    fn products_among_candidates_are_counted_apart_from_those_of_the_grid() {
+        let mut effort = Effort::default();
+        let among = effort.among(iterate(10));
+        assert_eq!(effort.take(among), [1.0]);
+        let among = effort.among(iterate(20));
+        effort.take(among);
+        effort.take(iterate(40));
+        assert_eq!(effort.candidate_applications, 13 + 23);
+        assert_eq!(
+            (effort.operator_applications, effort.stiffness_applications),
+            (40, 3)
+        );
+        assert_eq!((effort.iterations, effort.residuals.len()), (6, 6));
+        assert_eq!(effort.contact_stiffness, Some(7.0));
     }
 }

@@ -55,20 +55,26 @@ impl CoarserSolution {
         let prolongation = Prolongation::new(&self.window, onto);
         let highest = self.pressure.iter().copied().fold(0.0, f64::max);
         let lowest = smallest(&self.displacement);
-        let block = |rows: Range<usize>| {
-            let start = Start {
-                coarser: self,
-                onto,
-                fine,
-                prolongation: &prolongation,
-                smallest: SMALLEST_PRESSURE * highest,
-                widest: self.penetration - lowest,
-            };
-            start.on_rows(rows)
+        let start = Start {
+            coarser: self,
+            onto,
+            fine,
+            prolongation: &prolongation,
+            smallest: SMALLEST_PRESSURE * highest,
+            widest: self.penetration - lowest,
         };
-        let blocks = blocks(prolongation.rows()).into_par_iter();
-        let blocks: Vec<Vec<f64>> = blocks.map(block).collect();
-        blocks.concat()
+        // Memory that is touched only where something presses.
+        let mut pressure = vec![0.0; onto.elements()];
+        let mut rest = &mut pressure[..];
+        let mut blocks_of_rows = Vec::new();
+        for rows in blocks(prolongation.rows()) {
+            let (block, others) = rest.split_at_mut(rows.len() * onto.size());
+            blocks_of_rows.push((rows, block));
+            rest = others;
+        }
+        let blocks = blocks_of_rows.into_par_iter();
+        blocks.for_each(|(rows, block)| start.on_rows(rows, block));
+        pressure
     }
 }
 
@@ -105,13 +111,15 @@ struct Share {
 
 impl Start<'_> {
     /// The pressures on the fine rows of one coarse row.
-    fn on_rows(&self, rows: Range<usize>) -> Vec<f64> {
+    fn on_rows(&self, rows: Range<usize>, pressure: &mut [f64]) {
         let (size, from) = (self.onto.size(), &self.coarser.window);
-        let mut pressure = vec![0.0; rows.len() * size];
         let lines = pressure.chunks_mut(size).zip(rows.clone());
-        lines.for_each(|(pressure, row)| self.on_row(row, pressure));
+        let presses = lines.fold(false, |any, (line, row)| self.on_row(row, line) || any);
+        if !presses {
+            return;
+        }
         let Some(coarse_row) = self.coarse_line(0, self.prolongation.rows()[rows.start]) else {
-            return pressure;
+            return;
         };
         let coarse = |column: usize| coarse_row * from.size() + column;
         let columns = || self.prolongation.columns().iter();
@@ -137,7 +145,6 @@ impl Start<'_> {
                 }
             }
         }
-        pressure
     }
 
     /// The line of the coarse window, a row or a column, that holds a fine one.
@@ -155,11 +162,11 @@ impl Start<'_> {
         window.line(&self.coarser.outline, row)[column]
     }
 
-    /// Interpolates on one row.
-    fn on_row(&self, row: usize, pressure: &mut [f64]) {
+    /// Interpolates on one row; whether anything presses there.
+    fn on_row(&self, row: usize, pressure: &mut [f64]) -> bool {
         let gaps = self.onto.line(self.fine.initial_gap, row);
         if gaps.iter().all(|g0| *g0 >= self.widest) {
-            return;
+            return false;
         }
         let sides = self.onto.line(self.fine.outline, row);
         let (across, size) = (self.prolongation.rows()[row], self.coarser.window.size());
@@ -169,6 +176,7 @@ impl Start<'_> {
             let sum = displacement.iter_mut().zip(values);
             sum.for_each(|(sum, value)| *sum += weight * value);
         }
+        let mut presses = false;
         let columns = self.prolongation.columns().iter();
         let elements = pressure.iter_mut().zip(gaps).zip(sides).zip(columns);
         for (((p, g0), side), along) in elements {
@@ -182,8 +190,10 @@ impl Start<'_> {
             let (mean, is_full) = self.pressure_around([&across, along], *side);
             if is_full || u + g0 < self.coarser.penetration {
                 *p = mean.max(self.smallest);
+                presses = true;
             }
         }
+        presses
     }
 
     /// The mean pressure of the four coarse centres around a place, as far as they lie on its side of the outline, by

@@ -246,11 +246,12 @@ fn steepness(model: &Model, index: usize, step: &Step) -> Option<Warning> {
 mod tests {
     use std::sync::Arc;
 
-    use pellicle_influence::Cache;
+    use pellicle_influence::{Cache, RadialTables};
     use pellicle_kernel::{Foundation, Material};
+    use pellicle_texture::Film;
 
     use super::*;
-    use crate::Paraboloid;
+    use crate::{Domain, Paraboloid, SolverOptions, solve_path};
 
     #[test]
     fn a_domain_is_much_larger_than_a_contact_of_few_elements_or_of_a_small_part_of_it() {
@@ -295,5 +296,73 @@ mod tests {
             panic!("a doubt")
         };
         assert!((radius / 2e-3 - 1.0).abs() < 0.02 && (wanted / 6e-3 - 1.0).abs() < 0.02);
+    }
+
+    /// A ball on a film of a height of 0.01 on a half-space, and its one step on two grids.
+    fn on_film() -> (Model, Step) {
+        let body = Foundation::half_space(Material::new(1.0, 0.0).unwrap());
+        let model = Model {
+            tables: Arc::new(RadialTables::build(&body).unwrap()),
+            relief: Relief::Film(Film::new(0.01, 1.0).unwrap()),
+            indenter: Paraboloid::new(2.0).unwrap().into(),
+            cache: Cache::none(),
+        };
+        let (domain, loads) = (Domain::Side(1.0), [Load::Force(1e-2)]);
+        let options = SolverOptions::default();
+        let path = solve_path(&model, domain, 64, &loads, &options, &mut ()).unwrap();
+        let step = path.steps[0].clone();
+        (model, step)
+    }
+
+    /// The codes of the doubts about a step.
+    fn codes(model: &Model, step: &Step) -> Vec<&'static str> {
+        let warnings = step_warnings(model, 0, step);
+        warnings.iter().map(Warning::code).collect()
+    }
+
+    #[test]
+    fn a_step_is_doubted_by_its_certificate_its_springs_its_peak_and_its_slope() {
+        let (model, mut step) = on_film();
+        assert_eq!(codes(&model, &step), [""; 0]);
+        step.summary.largest_shortening = 0.0075;
+        assert_eq!(relative_shortening(&model, &step), Some(0.75));
+        step.summary.largest_shortening = 0.015;
+        let found = step_warnings(&model, 5, &step);
+        let [Warning::FilmShortening { step: 5, times }] = found[..] else {
+            panic!("{found:?}")
+        };
+        assert_eq!(times, 1.5);
+        // f = ρ²/4: a slope of ρ/2
+        step.summary.largest_shortening = 0.0;
+        step.summary.contact_radius = 0.5;
+        assert!((edge_slope(&model, &step).unwrap() - 0.25).abs() < 1e-6);
+        assert_eq!(codes(&model, &step), [""; 0]);
+        step.summary.contact_radius = 0.7;
+        assert_eq!(codes(&model, &step), ["steep-indenter"]);
+        step.summary.contact_radius = 0.0;
+        assert_eq!(edge_slope(&model, &step), None);
+        step.solution.certificate.overlap = 2.0 * step.solution.certificate.tolerance;
+        assert_eq!(codes(&model, &step), ["not-converged"]);
+    }
+
+    #[test]
+    fn a_peak_that_changes_is_doubted_unless_it_is_the_hardness() {
+        let (model, mut step) = on_film();
+        let last = step.grid_error.levels.len() - 1;
+        let largest = step.grid_error.levels[last].max_pressure;
+        step.grid_error.levels[last - 1].max_pressure = 0.8 * largest;
+        assert_eq!(codes(&model, &step), [""; 0]);
+        step.grid_error.max_pressure.as_mut().unwrap().resolved = false;
+        let found = step_warnings(&model, 0, &step);
+        let [Warning::PeakNotResolved { change, .. }] = found[..] else {
+            panic!("{found:?}")
+        };
+        assert!((change - 0.2).abs() < 1e-12);
+        step.summary.area_at_limit = 1e-6;
+        assert_eq!(codes(&model, &step), [""; 0]);
+        // Nothing is said of a single grid.
+        step.summary.area_at_limit = 0.0;
+        step.grid_error.levels.truncate(1);
+        assert_eq!(codes(&model, &step), [""; 0]);
     }
 }

@@ -47,6 +47,21 @@ impl Body {
         })
     }
 
+    /// The operator among scattered elements, where there is one; then the body has none.
+    pub fn take_scattered(&mut self) -> Option<ScatteredOperator> {
+        match self {
+            Self::Operator(_) => None,
+            Self::Known(surface) => surface.among.take().map(|among| *among),
+        }
+    }
+
+    /// Gives it back.
+    pub fn give_scattered(&mut self, operator: ScatteredOperator) {
+        if let Self::Known(surface) = self {
+            surface.among = Some(Box::new(operator));
+        }
+    }
+
     /// The source of the operators, where it is known.
     pub fn elasticity(&self) -> Option<&Arc<SurfaceElasticity>> {
         match self {

@@ -6,7 +6,7 @@ use pellicle_influence::{Cache, Cached, RadialTables, Sector, SurfaceElasticity}
 use pellicle_texture::{Grid, Relief, SampledRelief};
 use rayon::prelude::*;
 
-use crate::{Boundary, ContactError, DiscreteProblem, Indenter, Profile};
+use crate::{Boundary, ContactError, DiscreteProblem, Indenter, Profile, vector::update};
 
 /// An indenter above a relief on an elastic foundation, with no grid and no load yet.
 #[derive(Debug, Clone)]
@@ -56,25 +56,51 @@ impl Model {
 
     /// The geometry on a sector of a grid, of the whole of any, of another of an even one.
     pub(crate) fn sample_sector(&self, grid: Grid, sector: Sector) -> SampledSector {
-        let (indenter_profile, relief) = match sector {
+        let relief = match sector {
+            Sector::Whole => self.relief.sample(&grid),
+            Sector::Half | Sector::Quadrant => {
+                let first = sector.first_index(grid.size());
+                self.relief.sample_from(&grid, first)
+            }
+        };
+        let (mask, mut gap, compliance) = relief.into_parts();
+        // g0 = f − f*, in the profile's own memory
+        let rule = |gap: &mut f64, f: &f64| *gap = f - *gap;
+        match sector {
+            Sector::Whole if self.indenter.is_mirrored() => {
+                let first = grid.size() / 2;
+                let quadrant = grid.sample_from([first; 2], |[x, y]| self.indenter.height(x, y));
+                let image = |i: usize| (2 * i).abs_diff(grid.size() - 1) / 2;
+                let rows = gap.par_chunks_exact_mut(grid.size()).enumerate();
+                rows.for_each(|(i, row)| {
+                    let width = grid.size() - first;
+                    let heights = &quadrant[image(i) * width..][..width];
+                    let (left, right) = row.split_at_mut(first);
+                    let mirrored = heights.iter().skip(grid.size() % 2);
+                    left.iter_mut()
+                        .rev()
+                        .zip(mirrored)
+                        .for_each(|(gap, f)| rule(gap, f));
+                    right
+                        .iter_mut()
+                        .zip(heights)
+                        .for_each(|(gap, f)| rule(gap, f));
+                });
+            }
             Sector::Whole => {
-                let sampled = SampledModel::on(grid, &self.relief, &self.indenter);
-                (sampled.indenter_profile, sampled.relief)
+                let points = grid.sample(false, |point| point);
+                update(&mut gap, &self.indenter.heights(&points), rule);
             }
             Sector::Half | Sector::Quadrant => {
                 let first = sector.first_index(grid.size());
-                (
-                    self.indenter
-                        .heights(&grid.sample_from(first, |point| point)),
-                    self.relief.sample_from(&grid, first),
-                )
+                let points = grid.sample_from(first, |point| point);
+                update(&mut gap, &self.indenter.heights(&points), rule);
             }
-        };
-        let (mask, profile, compliance) = relief.into_parts();
+        }
         SampledSector {
             mask,
             compliance,
-            initial_gap: initial_gap(&indenter_profile, &profile),
+            initial_gap: gap,
         }
     }
 
@@ -160,4 +186,33 @@ impl SampledModel {
 pub(crate) fn initial_gap(indenter_profile: &[f64], relief_profile: &[f64]) -> Vec<f64> {
     let profiles = indenter_profile.par_iter().zip(relief_profile);
     profiles.map(|(f, relief)| f - relief).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Paraboloid;
+    use pellicle_kernel::{Foundation, Material};
+    use pellicle_texture::{HeightMap, MapCompliance, ReliefMap};
+
+    #[test]
+    fn the_initial_gap_is_the_difference_of_the_sampled_profiles() {
+        let heights: Vec<f64> = (0..12).map(|k| f64::from(k * k % 7)).collect();
+        let map = HeightMap::new(heights, [3, 4], [1.0; 2]).unwrap();
+        let foundation = Foundation::half_space(Material::new(1.0, 0.3).unwrap());
+        let model = Model {
+            tables: Arc::new(RadialTables::build(&foundation).unwrap()),
+            relief: Relief::Map(ReliefMap::new(map, MapCompliance::YoungModulus(2.0)).unwrap()),
+            indenter: Indenter::Paraboloid(Paraboloid::new(0.7).unwrap()),
+            cache: Cache::none(),
+        };
+        for size in [1, 2, 7, 8] {
+            let grid = Grid::new(1.2, size).unwrap();
+            let sampled = SampledModel::on(grid, &model.relief, &model.indenter);
+            let expected = initial_gap(&sampled.indenter_profile, sampled.relief.profile());
+            let found = model.sample_sector(grid, Sector::Whole);
+            assert_eq!(found.initial_gap, expected);
+            assert_eq!(found.compliance, sampled.relief.compliance());
+        }
+    }
 }

@@ -67,3 +67,18 @@ impl FlatPunchContact {
         0.5 * self.force * self.penetration
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::from_force;
+
+    #[test]
+    fn a_contact_under_a_force_has_that_force_to_the_last_bit() {
+        for k in 1..100 {
+            let force = f64::from(k) / 7.0;
+            let found = from_force(0.3, 7.1, force);
+            assert_eq!(found.force, force);
+            assert!((found.penetration / (force / (2.0 * 7.1 * 0.3)) - 1.0).abs() < 1e-15);
+        }
+    }
+}

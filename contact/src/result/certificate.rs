@@ -23,13 +23,15 @@
 //! computed where the initial one alone is too wide for an overlap.
 
 mod reach;
+mod surface;
 
 pub use reach::JudgedFields;
+use surface::Surface;
 
 use crate::{
     DeformedSurface, DiscreteProblem, Load,
     grid::window::Window,
-    vector::{smallest, sum, update},
+    vector::{smallest, sum},
 };
 
 /// Residuals of the complementarity problem at a pressure; all dimensionless but the smallest pressure.
@@ -151,31 +153,22 @@ impl Solution {
         let total = sum(&pressure);
         let highest = reach::highest(expected);
         let reach = reach::around(problem, window, highest, total);
-        fields.take(problem, reach);
-        let JudgedFields {
-            displacement,
-            gap,
-            products,
-            ..
-        } = &mut *fields;
-        problem.displace_into([window, &reach], &pressure, displacement);
-        *products += 1;
-        let window_of_reach = window.within(&reach);
-        // w*(p), of linear springs η p
-        let law = problem.spring_law();
-        let mut shortening = window.cut(problem.relief_compliance());
-        update(&mut shortening, &pressure, |eta, p| {
-            *eta = law.shortening(*eta, *p);
-        });
+        fields.take(reach);
+        problem.displace_into([window, &reach], &pressure, &mut fields.displacement);
+        fields.products += 1;
+        let surface = Surface {
+            initial_gap: problem.initial_gap(),
+            compliance: problem.relief_compliance(),
+            spring_law: problem.spring_law(),
+            limit: problem.hardness(),
+            window: window.within(&reach),
+            reach,
+            pressure: &pressure,
+            displacement: &fields.displacement,
+        };
         let penetration = match load {
             Load::Penetration(penetration) => penetration,
-            Load::Force(_) => multiplier(
-                &window_of_reach,
-                (&pressure, problem.hardness()),
-                &shortening,
-                [displacement, gap],
-                total,
-            ),
+            Load::Force(_) => surface.multiplier(total),
         };
         // False where it is NaN.
         let is_as_expected = penetration <= highest;
@@ -183,9 +176,7 @@ impl Solution {
             let expected = f64::INFINITY;
             return Self::judge_within(problem, Trial { expected, ..trial }, pressure, fields);
         }
-        // g = K p + η p + g0 − D
-        update(gap, displacement, |g, u| *g = u + *g - penetration);
-        window_of_reach.add(gap, &shortening);
+        fields.penetration = penetration;
         let length = problem.reference_length(penetration, total);
         // 4a² Σ p
         let carried = total * problem.loaded_area();
@@ -201,13 +192,7 @@ impl Solution {
                 smallest(&[smallest(&pressure), 0.0])
             },
             tolerance,
-            ..residuals(
-                &window_of_reach,
-                (&pressure, problem.hardness()),
-                gap,
-                length,
-                total,
-            )
+            ..surface.residuals(penetration, length, total)
         };
         Self {
             penetration,
@@ -227,137 +212,6 @@ pub struct Trial<'a> {
     /// The penetration by the solver's own account, in m; infinite where it gives none.
     pub expected: f64,
     pub tolerance: f64,
-}
-
-/// `D = Σ p v / Σ p` with `v = K p + η p + g0`, over the elements with pressure below the limit (`g0` is infinite where
-/// the indenter ends); where there is none, the largest `v` of those at the limit. `total` is the sum of all pressures.
-fn multiplier(
-    window: &Window,
-    (pressure, limit): (&[f64], f64),
-    shortening: &[f64],
-    [displacement, initial_gap]: [&[f64]; 2],
-    total: f64,
-) -> f64 {
-    let parts = window.by_lines(pressure, |line, pressure| {
-        let fields = [displacement, initial_gap].map(|field| window.line(field, line));
-        let shortening = &shortening[line * window.size()..][..window.size()];
-        let (mut sum, mut at_limit, mut highest) = (0.0, 0.0, f64::NEG_INFINITY);
-        for (j, p) in pressure.iter().enumerate().filter(|(_, p)| **p != 0.0) {
-            let [u, g0] = fields.map(|field| field[j]);
-            let v = u + shortening[j] + g0;
-            if *p < limit {
-                sum += p * v;
-            } else {
-                at_limit += p;
-                highest = largest(highest, v);
-            }
-        }
-        (sum, at_limit, highest)
-    });
-    let (mut sum, mut at_limit, mut highest) = (0.0, 0.0, f64::NEG_INFINITY);
-    for part in parts {
-        sum += part.0;
-        at_limit += part.1;
-        highest = largest(highest, part.2);
-    }
-    if at_limit == 0.0 {
-        return sum / total;
-    }
-    let free = window.by_lines(pressure, |_, pressure| {
-        pressure.iter().filter(|p| **p < limit).sum::<f64>()
-    });
-    let free: f64 = free.into_iter().sum();
-    if free > 0.0 { sum / free } else { highest }
-}
-
-/// The lines that need no load, and none of the pressures alone.
-fn residuals(
-    window: &Window,
-    (pressure, limit): (&[f64], f64),
-    gap: &[f64],
-    reference: f64,
-    total: f64,
-) -> Certificate {
-    let parts = window.by_lines(pressure, |line, pressure| {
-        InContact::of(pressure, limit, window.line(gap, line))
-    });
-    let found = parts.into_iter().fold(InContact::default(), InContact::and);
-    let overlap = if found.is_at_limit {
-        overlap_below_limit(window, (pressure, limit), gap)
-    } else {
-        largest(0.0, -smallest(gap))
-    };
-    // Without pressure nothing is weighed; without penetration nothing sets a scale, and only zeros pass.
-    let relative = |length: f64| {
-        if length == 0.0 {
-            0.0
-        } else {
-            length / reference
-        }
-    };
-    Certificate {
-        complementarity: if total == 0.0 {
-            0.0
-        } else {
-            relative(found.weighted_gap / total)
-        },
-        gap_in_contact: relative(found.largest_gap),
-        overlap: relative(overlap),
-        load: 0.0,
-        gap_at_limit: relative(found.gap_at_limit),
-        min_pressure: 0.0,
-        over_limit: found.over_limit,
-        tolerance: 0.0,
-    }
-}
-
-/// The gap where there is pressure; NaN if one of the gaps is.
-#[derive(Clone, Copy, Default)]
-struct InContact {
-    weighted_gap: f64,
-    largest_gap: f64,
-    is_at_limit: bool,
-    gap_at_limit: f64,
-    over_limit: f64,
-}
-
-/// The largest overlap where the pressure is below the limit.
-fn overlap_below_limit(window: &Window, (pressure, limit): (&[f64], f64), gap: &[f64]) -> f64 {
-    let mut without = gap.to_vec();
-    let mut at_limit = vec![0.0; pressure.len()];
-    update(&mut at_limit, pressure, |more, p| {
-        *more = if *p >= limit { f64::INFINITY } else { 0.0 };
-    });
-    window.add(&mut without, &at_limit);
-    largest(0.0, -smallest(&without))
-}
-
-impl InContact {
-    fn of(pressure: &[f64], limit: f64, gap: &[f64]) -> Self {
-        let mut found = Self::default();
-        for (p, g) in pressure.iter().zip(gap).filter(|(p, _)| **p != 0.0) {
-            if *p < limit {
-                found.weighted_gap += p * g.abs();
-                found.largest_gap = largest(found.largest_gap, g.abs());
-            } else {
-                found.is_at_limit = true;
-                found.weighted_gap += p * largest(0.0, *g);
-                found.gap_at_limit = largest(found.gap_at_limit, *g);
-                found.over_limit = largest(found.over_limit, p - limit);
-            }
-        }
-        found
-    }
-
-    fn and(self, other: Self) -> Self {
-        Self {
-            weighted_gap: self.weighted_gap + other.weighted_gap,
-            largest_gap: largest(self.largest_gap, other.largest_gap),
-            is_at_limit: self.is_at_limit || other.is_at_limit,
-            gap_at_limit: largest(self.gap_at_limit, other.gap_at_limit),
-            over_limit: largest(self.over_limit, other.over_limit),
-        }
-    }
 }
 
 /// The larger of two, NaN if either is: `f64::max` drops NaN, which must not pass for a small number here.

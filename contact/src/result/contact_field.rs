@@ -19,7 +19,9 @@ pub struct ContactField<'a> {
     pub pressure: &'a [f64],
     /// Hardness at which it is cut, in Pa; infinite without one.
     pub hardness: f64,
-    /// Gaps on the window and beyond.
+    /// `g0` on the window's sector, in m.
+    pub initial_gap: &'a [f64],
+    /// Displacements on the window and beyond.
     pub judged: &'a JudgedFields,
     /// Whether an element lies on the relief, on the window's sector.
     pub mask: &'a [bool],
@@ -84,12 +86,16 @@ impl ContactField<'_> {
 
     /// The gap of an element of the window, in m; infinite where the indenter has no surface.
     pub fn gap_of(&self, element: usize) -> f64 {
-        self.judged.gap_of(self.on_sector(element))
+        let [i, j] = self.on_sector(element);
+        let initial_gap = self.initial_gap[i * self.window.grid() + j];
+        let shortening = self.secant_of(element) * self.pressure[element];
+        self.judged.gap_of([i, j], initial_gap) + shortening
     }
 
-    /// The gaps of a row of the window, in m.
-    pub fn gaps_of_line(&self, line: usize) -> &[f64] {
-        self.judged.gaps_of_line(self.window, line)
+    /// The gaps of those elements of a row of the window that do not press, in m, by column.
+    pub fn gaps_of_line(&self, line: usize) -> impl Fn(usize) -> f64 {
+        let initial_gap = self.window.line(self.initial_gap, line);
+        self.judged.gaps_of_line(self.window, line, initial_gap)
     }
 
     /// How many of the four elements from a place on are in contact.

@@ -379,4 +379,35 @@ mod tests {
         let radius = (0.75e-3 * 0.91_f64).cbrt();
         assert!((side / radius - 3.0).abs() < 0.05, "{side}");
     }
+
+    #[test]
+    fn a_strength_hardly_missed_is_looked_for_between_the_loads_on_either_side() {
+        let (model, target) = (model(), target());
+        let strength = 0.03;
+        let exact = (std::f64::consts::PI * strength / 0.6205).powi(3) * 0.91_f64.powi(2) / 6.0;
+        // Loads whose stresses are said to be too low, but between the second and the third it is reached.
+        let loads = [(0.3, 0.2), (0.9, 0.95), (2.0, 0.3)];
+        let known = |factor: f64| {
+            let of = |(part, value): (f64, f64)| solved(part * exact, factor * value * strength);
+            loads.map(of).to_vec()
+        };
+        let observer = &mut ();
+        let mut one = search((&model, &target), strength, known(1.0), observer);
+        let found = one.reached_between().unwrap().unwrap();
+        // First halfway to the load before, √(0.3 · 0.9), where it is not; then halfway to the one after.
+        let places: Vec<f64> = one.solved.iter().map(|at| at.force / exact).collect();
+        let wanted = [0.3, 0.27_f64.sqrt(), 0.9, 2.0];
+        assert_eq!(places.len(), 5, "{places:?}");
+        assert!(
+            wanted
+                .iter()
+                .all(|wanted| places.iter().any(|found| (found - wanted).abs() < 1e-9))
+        );
+        assert!(found.force > 0.9 * exact && found.force < 2.0 * exact);
+        assert!(found.extreme.value >= strength);
+        // Where less than seven tenths of it is seen nothing is looked for.
+        let observer = &mut ();
+        let mut far = search((&model, &target), strength, known(0.7), observer);
+        assert!(far.reached_between().unwrap().is_none() && far.solved.len() == 3);
+    }
 }

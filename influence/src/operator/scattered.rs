@@ -7,7 +7,7 @@
 //! k = near + smooth,    smooth = P(r²) for r < R, k beyond,
 //! ```
 //!
-//! where the polynomial `P` goes through `k` at seven distances around `R`. So `near` is exact by definition and
+//! where the polynomial `P` goes through `k` at eleven distances around `R`. So `near` is exact by definition and
 //! vanishes beyond `R`, and `smooth` changes little over the spacing `h` of a coarser grid of nodes, from which it is
 //! interpolated among `q` × `q` of them at both ends:
 //!
@@ -18,124 +18,34 @@
 //! The sum over nodes is a convolution on a grid of 1/h² as many elements. (Brandt and Lubrecht 1990; the split as in
 //! Skeel, Tezcan and Hardy 2002.)
 
+mod runs;
+mod smooth;
+
 use rayon::prelude::*;
 
+pub use self::runs::scattered_work;
+use self::runs::{Run, Runs};
+use self::smooth::{NEAR_WIDTH, Smooth, weights};
 use super::convolution::ConvolutionOperator;
 use super::elastic::ElasticOperator;
 use crate::coefficient_table::CoefficientTable;
-use crate::error::InfluenceError;
 
 /// `R`, in elements.
-const RADIUS: usize = 64;
+const RADIUS: usize = 96;
 /// `h`, in elements.
-const SPACING: usize = 4;
-/// `q`: with 6 the error is ten times as large.
-const ORDER: usize = 8;
-/// Distances from `R`, in elements, at which the polynomial meets the coefficient.
-const MEETINGS: [isize; 7] = [-12, -8, -4, 0, 4, 8, 12];
+const SPACING: usize = 6;
+/// `q`: with 10 the error is five times as large.
+const ORDER: usize = 12;
 /// Least elements along a side.
 const SMALLEST: usize = 2 * RADIUS;
 /// Runs worth a thread of their own.
 const RUNS: usize = 64;
 
-/// Elements side by side in one row.
-#[derive(Clone, Copy, Debug)]
-struct Run {
-    row: usize,
-    /// The first column.
-    first: usize,
-    /// Where its elements stand in the list.
-    start: usize,
-    end: usize,
-}
-
-/// Some elements of a grid, row after row.
-#[derive(Clone, Debug)]
-struct Runs {
-    runs: Vec<Run>,
-    /// The first run of every row, and the end of the last.
-    of_row: Vec<usize>,
-}
-
-impl Runs {
-    /// Of ascending indices `i N + j`.
-    fn of(size: usize, elements: &[u32]) -> Self {
-        let mut runs: Vec<Run> = Vec::new();
-        for (at, element) in elements.iter().enumerate() {
-            let [row, column] = [*element as usize / size, *element as usize % size];
-            match runs.last_mut() {
-                Some(run) if run.row == row && run.first + run.end - run.start == column => {
-                    run.end += 1;
-                }
-                _ => runs.push(Run {
-                    row,
-                    first: column,
-                    start: at,
-                    end: at + 1,
-                }),
-            }
-        }
-        let of_row = (0..=size).map(|row| runs.partition_point(|run| run.row < row));
-        Self {
-            of_row: of_row.collect(),
-            runs,
-        }
-    }
-
-    /// The indices of the runs that reach within `RADIUS` of one, along both axes.
-    fn near(&self, of: Run) -> impl Iterator<Item = usize> {
-        let rows = of.row.saturating_sub(RADIUS - 1)..(of.row + RADIUS).min(self.of_row.len() - 1);
-        let (left, right) = (of.first, of.first + of.len() + RADIUS - 1);
-        rows.flat_map(move |row| {
-            let runs = self.of_row[row]..self.of_row[row + 1];
-            let before = self.runs[runs.clone()]
-                .partition_point(|run| run.end_column() + RADIUS <= left + 1);
-            (runs.start + before..runs.end).take_while(move |run| self.runs[*run].first < right)
-        })
-    }
-}
-
-impl Run {
-    fn len(&self) -> usize {
-        self.end - self.start
-    }
-
-    /// The column after the last.
-    fn end_column(&self) -> usize {
-        self.first + self.len()
-    }
-}
-
-/// Multiplications of a product among these elements (ascending indices `i N + j` of N × N elements), at most, beside
-/// those on the coarser grid: near coefficients, and interpolations at both ends.
-#[must_use]
-pub fn scattered_work(size: usize, elements: &[u32]) -> usize {
-    let tiles = size.div_ceil(RADIUS);
-    // With an empty tile on either side.
-    let width = tiles + 2;
-    let mut counts = vec![0_usize; width * width];
-    for element in elements {
-        let place = [*element as usize / size, *element as usize % size];
-        let [row, column] = place.map(|along| along / RADIUS + 1);
-        counts[row * width + column] += 1;
-    }
-    let around = |tile: usize| {
-        let rows = [tile - width, tile, tile + width];
-        rows.iter()
-            .map(|middle| counts[middle - 1..=middle + 1].iter().sum::<usize>())
-            .sum::<usize>()
-    };
-    let used = (0..counts.len()).filter(|tile| counts[*tile] > 0);
-    let pairs: usize = used.map(|tile| counts[tile] * around(tile)).sum();
-    pairs + 2 * ORDER * ORDER * elements.len()
-}
-
 /// `u = K p` among listed elements of a grid.
 ///
-/// Its cost is that of the near pairs of elements and of a product on a grid of a quarter of the elements per side. It
-/// is right to 5e-8 of the largest displacement, and near the border of the table's own grid, where nodes lie on one
-/// side alone, to 2e-6 (test `scattered_elements_move_as_the_whole_grid_does`): a solution by it is one step of
-/// iterative refinement from exact. The bits are the same for every number of threads.
+/// Its cost is that of the near pairs of elements and of a product on a grid of a sixth of the elements per side. It
+/// is right to 2e-9 of the largest displacement (test `scattered_elements_move_as_the_whole_grid_does`): a solution by it
+/// is exact, or one step of iterative refinement from exact. The bits are the same for every number of threads.
 pub struct ScatteredOperator {
     runs: Runs,
     /// Of each row or column of elements: the first of its nodes, and their weights.
@@ -149,9 +59,6 @@ pub struct ScatteredOperator {
     pressing: Vec<[usize; 2]>,
 }
 
-/// Columns of the table of near coefficients.
-const NEAR_WIDTH: usize = 2 * RADIUS - 1;
-
 impl ScatteredOperator {
     /// For elements, by ascending indices `i N + j`, of a window of `size` × `size` elements; none where that is too
     /// small to be worth it.
@@ -161,28 +68,36 @@ impl ScatteredOperator {
     #[must_use]
     pub fn new(table: &CoefficientTable, size: usize, elements: &[u32]) -> Option<Self> {
         assert!(size <= table.size(), "a window within the coefficients");
-        assert!(
-            elements
-                .iter()
-                .all(|element| (*element as usize) < size * size)
-        );
         if size < SMALLEST {
             return None;
         }
         let rest = Smooth::new(table);
-        // As many nodes as the coefficients reach across, up to half a stencil beyond the elements.
-        let nodes = (size.div_ceil(SPACING) + ORDER).min((table.size() - 1) / SPACING + 1);
+        // Half a stencil beyond the elements on either side.
+        let nodes = size.div_ceil(SPACING) + ORDER;
         let origin = ((size - 1).cast_signed() - (SPACING * (nodes - 1)).cast_signed()) / 2;
         let coarse = rest.on_nodes(nodes).ok()?;
-        let runs = Runs::of(size, elements);
-        Some(Self {
+        let mut operator = Self {
             lines: (0..size).map(|line| weights(line, origin, nodes)).collect(),
             near: rest.near(),
             coarse: ConvolutionOperator::new(&coarse),
             nodes: [vec![0.0; nodes * nodes], vec![0.0; nodes * nodes]],
-            pressing: vec![[0, 0]; runs.runs.len()],
-            runs,
-        })
+            runs: Runs::default(),
+            pressing: Vec::new(),
+        };
+        operator.list(elements);
+        Some(operator)
+    }
+
+    /// Goes over to other elements of the same window.
+    ///
+    /// # Panics
+    /// If an index is not of the window.
+    pub fn list(&mut self, elements: &[u32]) {
+        let size = self.lines.len();
+        let is_within = |element: &u32| (*element as usize) < size * size;
+        assert!(elements.iter().all(is_within), "elements of the window");
+        self.runs = Runs::of(size, elements);
+        self.pressing = vec![[0, 0]; self.runs.runs.len()];
     }
 
     /// Writes the displacements (m, positive into the body) of the elements under their pressures (Pa, compressive
@@ -292,92 +207,6 @@ fn dot_near(near: &[f64], column: usize, first: usize, pressure: &[f64]) -> f64 
     sums.iter().sum::<f64>() + rest
 }
 
-/// The first node of a line of elements and Lagrange's weights of its nodes, which start at the element `origin`.
-fn weights(line: usize, origin: isize, nodes: usize) -> (usize, [f64; ORDER]) {
-    let from_origin = (line.cast_signed() - origin) as f64 / SPACING as f64;
-    #[expect(clippy::cast_possible_truncation, reason = "a line of a grid")]
-    let cell = from_origin.floor() as isize;
-    let first = cell - (ORDER / 2 - 1).cast_signed();
-    let first = first
-        .clamp(0, (nodes - ORDER).cast_signed())
-        .cast_unsigned();
-    let place = from_origin - first as f64;
-    let weight = |node: usize| {
-        let others = (0..ORDER).filter(|other| *other != node);
-        let factors = others.map(|other| (place - other as f64) / (node as f64 - other as f64));
-        factors.product()
-    };
-    (first, std::array::from_fn(weight))
-}
-
-/// The smooth part of the coefficients.
-struct Smooth<'a> {
-    table: &'a CoefficientTable,
-    /// `(r/R)²` and `k` where the polynomial meets the coefficient.
-    meetings: [[f64; 2]; MEETINGS.len()],
-}
-
-impl<'a> Smooth<'a> {
-    fn new(table: &'a CoefficientTable) -> Self {
-        let meetings = MEETINGS.map(|more| {
-            let distance = RADIUS.saturating_add_signed(more);
-            [scaled([distance, 0]), table.coefficient([distance, 0])]
-        });
-        Self { table, meetings }
-    }
-
-    /// `P(r²)`, by Lagrange's formula.
-    fn polynomial(&self, offset: [usize; 2]) -> f64 {
-        let s = scaled(offset);
-        let term = |(which, [own, value]): (usize, &[f64; 2])| {
-            let others = self.meetings.iter().enumerate();
-            let others = others.filter(|(other, _)| *other != which);
-            let factors = others.map(|(_, [other, _])| (s - other) / (own - other));
-            value * factors.product::<f64>()
-        };
-        self.meetings.iter().enumerate().map(term).sum()
-    }
-
-    fn coefficient(&self, offset: [usize; 2]) -> f64 {
-        if is_within(offset) {
-            self.polynomial(offset)
-        } else {
-            self.table.coefficient(offset)
-        }
-    }
-
-    /// The coefficients among nodes.
-    fn on_nodes(&self, nodes: usize) -> Result<CoefficientTable, InfluenceError> {
-        let side = SPACING as f64 * self.table.element_side();
-        CoefficientTable::from_fn(side, nodes, |offset| {
-            self.coefficient(offset.map(|along| SPACING * along))
-        })
-    }
-
-    /// What it lacks of the coefficients.
-    fn near(&self) -> Vec<f64> {
-        let mut near = vec![0.0; RADIUS * NEAR_WIDTH];
-        for (m, row) in near.chunks_exact_mut(NEAR_WIDTH).enumerate() {
-            for (place, value) in row.iter_mut().enumerate() {
-                let offset = [m, place.abs_diff(RADIUS - 1)];
-                if is_within(offset) {
-                    *value = self.table.coefficient(offset) - self.polynomial(offset);
-                }
-            }
-        }
-        near
-    }
-}
-
-/// `(r/R)²` of an offset.
-fn scaled([m, n]: [usize; 2]) -> f64 {
-    (m * m + n * n) as f64 / (RADIUS * RADIUS) as f64
-}
-
-fn is_within([m, n]: [usize; 2]) -> bool {
-    m * m + n * n < RADIUS * RADIUS
-}
-
 impl std::fmt::Debug for ScatteredOperator {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let mut shown = formatter.debug_struct("ScatteredOperator");
@@ -388,117 +217,4 @@ impl std::fmt::Debug for ScatteredOperator {
 }
 
 #[cfg(test)]
-mod tests {
-    use rayon::ThreadPoolBuilder;
-
-    use super::{RADIUS, ScatteredOperator, scattered_work};
-    use crate::operator::{ConvolutionOperator, ElasticOperator};
-    use crate::{CoefficientTable, RadialTables};
-    use pellicle_kernel::{Foundation, Material};
-
-    const SIZE: usize = 300;
-
-    fn table(foundation: &Foundation) -> CoefficientTable {
-        let tables = RadialTables::build(foundation).unwrap();
-        CoefficientTable::assemble(&tables, 1e-6, SIZE).unwrap()
-    }
-
-    fn steel() -> Material {
-        Material::new(210e9, 0.3).unwrap()
-    }
-
-    /// Discs of different sizes, some on the border.
-    fn islands(size: usize) -> Vec<u32> {
-        let discs = [
-            (0.0, 5.0, 9.0),
-            (77.0, 140.0, 17.0),
-            (120.0, 160.0, 5.0),
-            (299.0, 299.0, 22.0),
-            (210.0, 3.0, 1.0),
-        ];
-        let within = |e: &usize| {
-            let [x, y] = [e / size, e % size].map(|i| i as f64);
-            discs.iter().any(|(a, b, r)| (x - a).hypot(y - b) <= *r)
-        };
-        (0..size * size)
-            .filter(within)
-            .map(|e| u32::try_from(e).unwrap())
-            .collect()
-    }
-
-    /// Displacements of the elements by the restricted and by the whole product under pressures on two of three.
-    fn both(table: &CoefficientTable, size: usize) -> [Vec<f64>; 2] {
-        let elements = islands(size);
-        let pressure: Vec<f64> = (0..elements.len())
-            .map(|at| {
-                if at % 3 == 0 {
-                    0.0
-                } else {
-                    1.0 + (at as f64).sin()
-                }
-            })
-            .collect();
-        let mut found = vec![0.0; elements.len()];
-        let mut operator = ScatteredOperator::new(table, size, &elements).unwrap();
-        operator.apply_into(&pressure, &mut found);
-        let mut field = vec![0.0; size * size];
-        for (element, p) in elements.iter().zip(&pressure) {
-            field[*element as usize] = *p;
-        }
-        let mut whole = vec![0.0; size * size];
-        ConvolutionOperator::windowed(table, size).apply_into(&field, &mut whole);
-        [
-            found,
-            elements
-                .iter()
-                .map(|element| whole[*element as usize])
-                .collect(),
-        ]
-    }
-
-    /// The largest difference, relative to the largest displacement.
-    fn difference([found, whole]: &[Vec<f64>; 2]) -> f64 {
-        let largest = |values: &mut dyn Iterator<Item = f64>| {
-            values.fold(0.0, |most: f64, u| most.max(u.abs()))
-        };
-        let off = largest(&mut found.iter().zip(whole).map(|(a, b)| a - b));
-        off / largest(&mut whole.iter().copied())
-    }
-
-    #[test]
-    fn scattered_elements_move_as_the_whole_grid_does() {
-        let soft = Material::new(2e9, 0.49).unwrap();
-        let coats = [1e-6, 1e-5, 1e-4].map(|h| Foundation::coated(h, soft, steel()).unwrap());
-        for foundation in [Foundation::half_space(steel())].iter().chain(&coats) {
-            let table = table(foundation);
-            // On all of the table's grid nodes end with the elements.
-            for (size, bound) in [(SIZE, 2e-6), (213, 5e-8)] {
-                let off = difference(&both(&table, size));
-                assert!(off < bound, "{size}: {off}");
-            }
-        }
-    }
-
-    #[test]
-    fn every_number_of_threads_gives_the_same_bits() {
-        let table = table(&Foundation::half_space(steel()));
-        let with = |threads| {
-            let pool = ThreadPoolBuilder::new().num_threads(threads).build();
-            pool.unwrap().install(|| both(&table, SIZE)[0].clone())
-        };
-        let bits = |field: Vec<f64>| field.into_iter().map(f64::to_bits).collect::<Vec<_>>();
-        assert_eq!(bits(with(1)), bits(with(3)));
-    }
-
-    #[test]
-    fn near_pairs_are_counted_and_far_ones_are_not() {
-        let far = [0, u32::try_from(SIZE * SIZE - 1).unwrap()];
-        let interpolated = 2 * 64 * 2;
-        assert_eq!(scattered_work(SIZE, &far), 2 + interpolated);
-        assert_eq!(scattered_work(SIZE, &[0, 1]), 4 + interpolated);
-        assert!(
-            ScatteredOperator::new(&table(&Foundation::half_space(steel())), RADIUS, &[0])
-                .is_none()
-        );
-    }
-}
+mod tests;

@@ -129,7 +129,11 @@ impl<L: Lines> PlaneTransform<L> {
         let Scratch { rows, space, .. } = &mut *scratch;
         let count = field.len() / self.lines.loaded()[1];
         let rows = &mut rows[..count * self.lines.width()];
-        self.lines.transform_rows(field, scale, rows, space);
+        if field.iter().all(|value| *value == 0.0) {
+            rows.fill(Complex::default());
+        } else {
+            self.lines.transform_rows(field, scale, rows, space);
+        }
         for (index, block) in self.blocks.iter().enumerate() {
             let mut block = block.write().unwrap_or_else(PoisonError::into_inner);
             let width = self.width_of(block.len());

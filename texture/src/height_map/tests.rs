@@ -149,3 +149,18 @@ fn maps_that_do_not_fit_their_shape_or_hold_no_numbers_are_refused() {
         })
     );
 }
+
+#[test]
+fn heights_at_crossings_are_those_at_the_points_to_the_last_bit() {
+    let map = sampled(9, |x, y| (7.0 * x + y).sin() + (5.0 * x * y).cos());
+    // Samples, places between them, and places beyond the rim.
+    let (x, y) = ([-0.7, -0.25, 0.0, 0.1, 0.31], [-0.6, 0.0, 1.0 / 9.0, 0.2]);
+    for map in [map.clone(), map.with_interpolation(Interpolation::Linear)] {
+        let heights = map.at_crossings([&x, &y]);
+        assert_eq!(heights.len(), x.len() * y.len());
+        for (k, height) in heights.into_iter().enumerate() {
+            let point = [x[k / y.len()], y[k % y.len()]];
+            assert_eq!(height.to_bits(), map.height(point).to_bits(), "{point:?}");
+        }
+    }
+}

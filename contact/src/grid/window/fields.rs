@@ -24,20 +24,6 @@ impl Window {
         lines.map(|(line, values)| of_line(line, values)).collect()
     }
 
-    /// Adds a field on the window to the grid's.
-    pub fn add(&self, field: &mut [f64], part: &[f64]) {
-        let [above, left] = self.origin;
-        let lines = field
-            .par_chunks_mut(self.grid)
-            .skip(above)
-            .zip(part.par_chunks(self.size));
-        let lines = lines.with_min_len(self.rows_per_thread());
-        lines.for_each(|(line, part)| {
-            let line = line[left..left + self.size].iter_mut();
-            line.zip(part).for_each(|(to, value)| *to += value);
-        });
-    }
-
     /// The part of a field of the grid that lies in the window.
     pub fn cut<T: Copy + Default + Send + Sync>(&self, field: &[T]) -> Vec<T> {
         self.take_over(&self.everywhere(), field)

@@ -103,6 +103,8 @@ mod tests {
         let mean = MeanProfile::new(height, [0.01, 3.0]);
         assert!((mean.at(1.5) - 2.25).abs() < 1e-12);
         assert_eq!([mean.at(2.6), mean.at(1e9)], [f64::INFINITY; 2]);
+        let beyond = (0..60).map(|k| 2.6 + 0.05 * f64::from(k));
+        assert!(beyond.map(|radius| mean.at(radius)).all(f64::is_infinite));
     }
 
     #[test]
@@ -127,5 +129,19 @@ mod tests {
             );
         }
         assert_eq!([mean.at(0.1), mean.at(0.7)], [0.0; 2]);
+    }
+
+    #[test]
+    fn to_a_flat_ring_the_mean_falls_along_straight_lines() {
+        // 1 − ρ down to 0 from a radius of 1 on.
+        let mean = MeanProfile::new(|x, y| (1.0 - x.hypot(y)).max(0.0), [0.5, 4.0]);
+        let [low, high] = [7, 8].map(|k| 0.5 * 1.1_f64.powi(k));
+        for part in [0.25, 0.5, 0.75] {
+            let found = mean.at(low + part * (high - low));
+            assert!(
+                (found - (1.0 - part) * (1.0 - low)).abs() < 1e-12,
+                "{part}: {found}"
+            );
+        }
     }
 }

@@ -97,6 +97,30 @@ mod tests {
     }
 
     #[test]
+    fn halving_the_end_that_stays_makes_a_bent_function_take_few_evaluations() {
+        // ln of a sum of powers, the sinh of a logarithm and one that is flat on one side
+        let functions: [fn(f64) -> f64; 3] = [
+            |rho| (0.5 * rho.powi(2) + 5e5 * rho.powi(9)).ln(),
+            |rho| rho.ln().sinh() + 2.0,
+            |rho| (rho / 3e4).ln().exp() - 1.0,
+        ];
+        let counts = functions.map(|of| {
+            let evaluations = Cell::new(0);
+            where_zero(|length| {
+                evaluations.set(evaluations.get() + 1);
+                of(length)
+            });
+            evaluations.get()
+        });
+        // As many as they take, and two that rounding may add.
+        let most = [25, 16, 18];
+        assert!(
+            counts.iter().zip(most).all(|(count, most)| *count <= most),
+            "{counts:?}"
+        );
+    }
+
+    #[test]
     fn a_step_and_a_bend_are_found() {
         let step = |length: f64| {
             if length <= 3e-6 {

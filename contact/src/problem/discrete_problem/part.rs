@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use pellicle_influence::Sector;
+use pellicle_influence::{ScatteredOperator, Sector};
 
 use super::{DiscreteProblem, Identity};
 use crate::{
@@ -39,11 +39,22 @@ impl DiscreteProblem {
         })
     }
 
-    /// The same problem on the candidates of a window alone, whose products are right to 1e-6; all fields are theirs.
+    /// The same problem on the candidates of a window alone, whose products are right to some 1e-9; all fields are theirs.
     /// None where the elasticity is not known, or the window too small.
     pub(crate) fn among(&self, window: &Window, candidates: &Arc<Candidates>) -> Option<Self> {
         let elasticity = self.elasticity()?;
         let operator = elasticity.among(window.size(), candidates.elements())?;
+        self.among_by(operator, window, candidates)
+    }
+
+    /// The same by an operator among these candidates.
+    pub(crate) fn among_by(
+        &self,
+        operator: ScatteredOperator,
+        window: &Window,
+        candidates: &Arc<Candidates>,
+    ) -> Option<Self> {
+        let elasticity = self.elasticity()?;
         let [above, left] = window.origin();
         let on_grid = |candidate: usize| {
             let [row, column] = candidates.place(candidate);
@@ -66,6 +77,16 @@ impl DiscreteProblem {
             candidates: Some(candidates.clone()),
             identity: Identity::default(),
         })
+    }
+
+    /// The operator among candidates, where there is one; then the problem has none.
+    pub(crate) fn take_scattered(&mut self) -> Option<ScatteredOperator> {
+        self.body.take_scattered()
+    }
+
+    /// Gives it back.
+    pub(crate) fn give_scattered(&mut self, operator: ScatteredOperator) {
+        self.body.give_scattered(operator);
     }
 
     /// The elements that the fields are of; none where they are of all.

@@ -7,7 +7,10 @@ use pellicle_kernel::{Foundation, Material};
 
 use super::DiscreteProblem;
 use super::fields::{VALUES_AT_ONCE, check_values, is_rough};
-use crate::ContactError;
+use crate::{
+    ContactError,
+    grid::candidates::{Candidates, elements_where},
+};
 
 /// `u = 2 p`.
 struct Springs;
@@ -150,4 +153,38 @@ fn a_problem_with_another_gap_is_another_problem() {
     problem.take_initial_gap(board.clone());
     assert_eq!(problem.initial_gap(), board);
     assert!(problem.is_rough());
+}
+
+#[test]
+fn among_candidates_the_fields_are_those_of_their_elements_on_the_grid() {
+    let size = 192;
+    let body = Foundation::half_space(Material::new(1.0, 0.3).unwrap());
+    let tables = RadialTables::build(&body).unwrap();
+    let table = CoefficientTable::assemble(&tables, 1.0 / size as f64, size).unwrap();
+    let elasticity = Arc::new(SurfaceElasticity::new(Arc::new(table), body));
+    let eta: Vec<f64> = (0..size * size).map(|e| e as f64).collect();
+    let gap: Vec<f64> = eta.iter().map(|e| 1.0 + 3.0 * e).collect();
+    let problem = DiscreteProblem::elastic(elasticity, size, eta, gap, 1.0).unwrap();
+    // Rows 20 and 70 of a window at (7, 9), one element and those around it each.
+    let window = problem
+        .everywhere()
+        .around(|[i, j]| (20..160).contains(&i) && (30..170).contains(&j));
+    let [above, left] = window.origin();
+    assert!(above != left && above > 0);
+    let members = elements_where(window.size(), |element| {
+        [[20, 31], [70, 12]].contains(&element)
+    });
+    let candidates = Candidates::around(window.size(), &members);
+    let candidates = Arc::new(candidates);
+    let part = problem.among(&window, &candidates).unwrap();
+    assert_eq!(
+        (part.elements(), part.candidates().unwrap().len()),
+        (18, 18)
+    );
+    for candidate in 0..18 {
+        let [row, column] = candidates.place(candidate);
+        let element = ((above + row) * size + left + column) as f64;
+        assert_eq!(part.relief_compliance()[candidate], element);
+        assert_eq!(part.initial_gap()[candidate], 1.0 + 3.0 * element);
+    }
 }

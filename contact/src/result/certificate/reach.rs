@@ -39,11 +39,12 @@ pub fn around(problem: &DiscreteProblem, window: &Window, highest: f64, total: f
     everywhere.around(|[i, j]| gap[i * size + j] < width || around.place([i, j]).is_some())
 }
 
-/// The fields that a pressure is judged by, on the part of the grid that is looked at.
+/// The displacement that a pressure is judged by, on the part of the grid that is looked at.
 pub struct JudgedFields {
     pub(super) reach: Window,
     pub(super) displacement: Vec<f64>,
-    pub(super) gap: Vec<f64>,
+    /// `D`, in m.
+    pub(super) penetration: f64,
     pub(super) products: usize,
 }
 
@@ -53,7 +54,7 @@ impl JudgedFields {
         Self {
             reach: everywhere,
             displacement: Vec::new(),
-            gap: Vec::new(),
+            penetration: 0.0,
             products: 0,
         }
     }
@@ -63,15 +64,14 @@ impl JudgedFields {
         std::mem::take(&mut self.products)
     }
 
-    /// Makes room for a reach, with the initial gap in place of the gap.
-    pub(super) fn take(&mut self, problem: &DiscreteProblem, reach: Window) {
+    /// Makes room for a reach.
+    pub(super) fn take(&mut self, reach: Window) {
         self.reach = reach;
         let elements = reach.elements();
         if self.displacement.len() != elements {
             // Memory that is first touched where it is written, by all threads.
             self.displacement = vec![0.0; elements];
         }
-        self.gap = reach.cut(problem.initial_gap());
     }
 
     /// The part of the grid that was looked at.
@@ -84,27 +84,33 @@ impl JudgedFields {
         &self.displacement
     }
 
-    /// Whether an element of the grid overlaps.
-    pub fn overlaps(&self, element: [usize; 2]) -> bool {
-        let place = self.reach.place(element);
-        place.is_some_and(|place| self.gap[place] < 0.0)
+    /// The same with its memory, after which nothing is known here.
+    pub fn take_displacement(&mut self) -> Vec<f64> {
+        std::mem::take(&mut self.displacement)
     }
 
-    /// The gaps of a row of a window within the part that was looked at, in m.
-    pub fn gaps_of_line(&self, window: &Window, line: usize) -> &[f64] {
-        window.within(&self.reach).line(&self.gap, line)
+    /// The gap (m) of an element that does not press, given its initial gap; infinite of one that was not looked at.
+    pub fn gap_of(&self, element: [usize; 2], initial_gap: f64) -> f64 {
+        self.reach.place(element).map_or(f64::INFINITY, |place| {
+            self.displacement[place] + initial_gap - self.penetration
+        })
+    }
+
+    /// The same of the columns of a row of a window within the part that was looked at, given their initial gaps.
+    pub fn gaps_of_line<'a>(
+        &'a self,
+        window: &Window,
+        line: usize,
+        initial_gap: &'a [f64],
+    ) -> impl Fn(usize) -> f64 + use<'a> {
+        let displacement = window.within(&self.reach).line(&self.displacement, line);
+        let penetration = self.penetration;
+        move |column| displacement[column] + initial_gap[column] - penetration
     }
 
     /// `K p` of an element that was looked at, in m; NaN of another.
     pub fn displacement_of(&self, element: [usize; 2]) -> f64 {
         let place = self.reach.place(element);
         place.map_or(f64::NAN, |place| self.displacement[place])
-    }
-
-    /// The gap of an element of the grid that was looked at, in m.
-    pub fn gap_of(&self, element: [usize; 2]) -> f64 {
-        self.reach
-            .place(element)
-            .map_or(f64::INFINITY, |place| self.gap[place])
     }
 }

@@ -6,9 +6,10 @@ use pellicle_influence::{
     CoefficientTable, ElasticOperator, RadialTables, Sector, SurfaceElasticity,
 };
 use pellicle_kernel::{Foundation, Material};
+use pellicle_texture::SpringLaw;
 
-use super::{Certificate, JudgedFields, Solution, Trial};
-use crate::{DeformedSurface, DiscreteProblem, Load};
+use super::{Certificate, JudgedFields, Solution, Surface, Trial};
+use crate::{DeformedSurface, DiscreteProblem, Load, grid::window::Window};
 
 /// Independent springs of 0.5 m/Pa.
 struct Springs(usize);
@@ -286,10 +287,39 @@ fn where_nothing_can_overlap_nothing_is_missed() {
             let sunk_least = problem.least_displacement(2.0, 1);
             assert_eq!(sunk_least, 2.0 * images * least.min(0.0));
             assert!(!fields.reach.is_whole());
-            for (e, gap) in of_whole.gap.iter().enumerate() {
-                let is_looked_at = fields.reach.place([e / SIZE, e % SIZE]).is_some();
-                assert!(is_looked_at || *gap >= 0.0);
+            for (e, initial_gap) in problem.initial_gap().iter().enumerate() {
+                let element = [e / SIZE, e % SIZE];
+                let is_looked_at = fields.reach.place(element).is_some();
+                assert!(is_looked_at || of_whole.gap_of(element, *initial_gap) >= 0.0);
             }
         }
     }
+}
+
+#[test]
+fn the_penetration_under_a_force_is_the_mean_of_v_weighted_by_the_pressure_below_the_limit() {
+    let window = Window::whole(2);
+    let of = |pressure: [f64; 4], limit: f64| {
+        let surface = Surface {
+            initial_gap: &[0.5, 0.25, 0.5, f64::INFINITY],
+            compliance: &[0.5, 0.25, 0.0, 0.0],
+            spring_law: SpringLaw::LINEAR,
+            limit,
+            window,
+            reach: window,
+            pressure: &pressure,
+            displacement: &[1.0, 2.0, 3.0, 4.0],
+        };
+        surface.multiplier(pressure.iter().sum())
+    };
+    // v = 1.5 + p/2, 2.25 + p/4, 3.5 and what nothing touches; no weight where nothing presses.
+    assert_eq!(of([1.0, 3.0, 0.0, 0.0], f64::INFINITY), (2.0 + 9.0) / 4.0);
+    assert_eq!(
+        of([1.0, 1.0, 2.0, 0.0], f64::INFINITY),
+        (2.0 + 2.5 + 7.0) / 4.0
+    );
+    // What is at the limit counts for nothing where anything lies below it, and alone by its largest.
+    assert_eq!(of([1.0, 3.0, 2.0, 0.0], 3.0), (2.0 + 7.0) / 3.0);
+    assert_eq!(of([3.0, 3.0, 0.0, 0.0], 3.0), 3.0);
+    assert_eq!(of([3.0, 0.0, 3.0, 0.0], 3.0), 3.5);
 }

@@ -62,10 +62,11 @@ fn shape(
         .map(|e| (fields.is_on_relief)(e / SIZE))
         .collect();
     let window = Window::whole(SIZE);
+    let initial_gap = sample(fields.gap);
     let problem = DiscreteProblem::new(
         Box::new(Rigid),
         compliance.clone(),
-        sample(fields.gap),
+        initial_gap.clone(),
         SIDE * SIDE,
     );
     let trial = Trial {
@@ -84,6 +85,7 @@ fn shape(
         window: &window,
         pressure: &pressure,
         hardness: f64::INFINITY,
+        initial_gap: &initial_gap,
         judged: &judged,
         mask: &mask,
         compliance: &compliance,

@@ -101,7 +101,7 @@ fn bowl([rows, columns]: [usize; 2]) -> HeightMap {
     let at = |i: usize, count: usize| 0.1 * (i as f64 + 0.5 - count as f64 / 2.0);
     let heights = (0..rows * columns).map(|k| {
         let [x, y] = [at(k / columns, rows), at(k % columns, columns)];
-        (x * x + y * y) / 2.0
+        f64::midpoint(x * x, y * y)
     });
     let extent = [rows, columns].map(|count| 0.1 * count as f64);
     HeightMap::new(heights.collect(), [rows, columns], extent).unwrap()

@@ -60,7 +60,7 @@ impl Nominal {
             let columns = self.spans[line].clone();
             let open = columns.filter(move |j| pressures[*j] <= 0.0);
             let gaps = field.gaps_of_line(line);
-            let gaps = open.map(move |j| gaps[j].max(0.0));
+            let gaps = open.map(move |j| gaps(j).max(0.0));
             gaps.filter(|gap| gap.is_finite())
         });
         let elements: usize = self.spans.iter().map(Range::len).sum();

@@ -306,3 +306,6 @@ pub fn residual_into(state: &State, set: &WorkingSet, residual: &mut [f64]) {
         *r = if *member { state.penetration - v } else { 0.0 };
     });
 }
+
+#[cfg(test)]
+mod tests;

@@ -196,3 +196,42 @@ impl WorkingSet {
         grid.border().any(|element| self.mask[element])
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::{
+        Load,
+        solver::{
+            gradient::{control::Control, tests::begun},
+            tests::{RIGID, SIZE, paraboloid, problem},
+        },
+    };
+
+    #[test]
+    fn every_move_into_and_out_of_the_set_is_counted_once() {
+        let mut problem = problem([1.0, 0.1], paraboloid, RIGID);
+        let control = Control::of(&problem, Load::Penetration(0.0));
+        let pressure: Vec<f64> = (0..SIZE * SIZE)
+            .map(|e| f64::from(u8::from(e < 7)))
+            .collect();
+        let (mut state, mut set) = begun(&mut problem, control, &pressure);
+        set.keep_pressing(&state);
+        assert_eq!(set.len(), 7);
+        set.take_moves();
+        let revision = set.revision();
+        // Three leave, two others enter.
+        state.pressure[..3].fill(0.0);
+        state.pressure[7..9].fill(1.0);
+        set.keep_pressing(&state);
+        assert!(!set.stands_still() && set.revision() != revision);
+        assert_eq!((set.len(), set.take_moves(), set.take_moves()), (6, 5, 0));
+        assert!((0..SIZE * SIZE).all(|e| set.mask()[e] == (3..9).contains(&e)));
+        // Nothing changes.
+        let revision = set.revision();
+        set.keep_pressing(&state);
+        assert!(set.stands_still() && set.revision() == revision && set.take_moves() == 0);
+        let mut field = vec![2.0; SIZE * SIZE];
+        set.scale_within(&mut field, 3.0);
+        assert!((0..SIZE * SIZE).all(|e| field[e] == if set.mask()[e] { 6.0 } else { 0.0 }));
+    }
+}

@@ -188,3 +188,43 @@ fn a_climb_that_never_ends_stops_a_few_depths_beside_the_loaded_square() {
         assert!(found.at[0].abs() <= 1.1 + limit + 1e-9, "{found:?}");
     }
 }
+
+#[test]
+fn a_peak_between_depths_is_interpolated_within_the_range_however_narrow() {
+    let field = hertz(0.0);
+    // Von Mises stress is largest near 0.48; the depths of an interpolation are an eighth of the width apart.
+    for (range, start, inside) in [
+        ([0.4, 0.45], 0.4, false),
+        ([0.3, 2.0], 0.35, true),
+        ([0.2, 0.5], 0.45, true),
+        ([0.55, 0.56], 0.56, false),
+    ] {
+        let mut search = Search::new(&field, Quantity::VonMises, range);
+        let first = search.climb([0.0; 2], start).unwrap();
+        let found = search
+            .between_centres(first, search.place([0.0; 2]), 1.0)
+            .unwrap();
+        let depth = found.at[2];
+        assert!(
+            depth >= range[0] && depth <= range[1],
+            "{range:?}: {found:?}"
+        );
+        assert!(found.value > first.value, "{range:?}: {found:?}");
+        // No depth around has more than a thousandth more.
+        let around = [-0.02, 0.02].map(|z| depth + z);
+        for z in around
+            .into_iter()
+            .filter(|z| *z > range[0] && *z < range[1])
+        {
+            let state = field
+                .at([found.at[0], found.at[1]], Depth::below(z))
+                .unwrap();
+            assert!(state.von_mises() < 1.001 * found.value);
+        }
+        assert_eq!(
+            depth > range[0] && depth < range[1],
+            inside,
+            "{range:?}: {found:?}"
+        );
+    }
+}

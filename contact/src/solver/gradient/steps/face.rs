@@ -167,7 +167,14 @@ impl FaceDescent {
 
 #[cfg(test)]
 mod tests {
-    use super::cut_off;
+    use super::*;
+    use crate::{
+        Load,
+        solver::{
+            gradient::{control::Control, tests::begun},
+            tests::{RIGID, SIZE, paraboloid, problem},
+        },
+    };
 
     #[test]
     fn what_a_step_takes_to_nought_up_to_rounding_is_nought() {
@@ -176,5 +183,25 @@ mod tests {
         let mut pressure = [-0.25, 1e-16 * third, 0.5, 0.0];
         cut_off(&mut pressure, &[-1.0, -third, -1.0, 0.0]);
         assert_eq!(pressure, [0.0, 0.0, 0.5, 0.0]);
+    }
+
+    #[test]
+    fn a_face_is_entered_where_the_state_is_and_left_by_going_back_there() {
+        let mut problem = problem([1.0, 0.1], paraboloid, RIGID);
+        let control = Control::of(&problem, Load::Penetration(0.02));
+        let start: Vec<f64> = (0..SIZE * SIZE).map(|e| 1.0 + (e as f64).sin()).collect();
+        let (mut state, _) = begun(&mut problem, control, &start);
+        let mut faces = FaceDescent::new(SIZE * SIZE);
+        faces.begin(&state);
+        let (pressure, v, energy) = (state.pressure.clone(), state.v.clone(), state.energy());
+        assert_eq!(faces.energy, energy);
+        state.pressure.fill(0.5);
+        state.v.fill(0.1);
+        faces.go_back(&mut state);
+        assert_eq!((&state.pressure, &state.v), (&pressure, &v));
+        assert!((state.energy() - energy).abs() <= 1e-12 * energy.abs());
+        // Elements pull after these parts of the way to a pressure: 1/(1 + 1), and 2/(2 + 6) of another.
+        faces.pressure = vec![1.0, 2.0, 3.0, 0.0];
+        assert_eq!(faces.ends(&[-1.0, -6.0, 4.0, 0.0]), [0.25, 0.5]);
     }
 }

@@ -83,3 +83,36 @@ impl Segment {
         });
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        Load,
+        solver::{
+            gradient::{control::Control, tests::begun},
+            tests::{RIGID, SIZE, paraboloid, problem},
+        },
+    };
+
+    #[test]
+    fn a_step_is_whole_up_to_the_ceiling_and_cut_where_it_ends_above() {
+        let mut problem = problem([1.0, 0.1], paraboloid, RIGID);
+        let direction: Vec<f64> = (0..SIZE * SIZE).map(|e| (e as f64).cos()).collect();
+        for load in [Load::Force(1e-2), Load::Penetration(0.02)] {
+            for (above, wanted) in [(1e-9, Part::Whole), (-1e-9, Part::Cut)] {
+                let control = Control::of(&problem, load);
+                let start: Vec<f64> = direction.iter().map(|d| 1.0 + d).collect();
+                let (mut state, _) = begun(&mut problem, control, &start);
+                let mut segment = Segment::new(SIZE * SIZE);
+                segment.clip(&state, 0.5, &direction);
+                state.image_into(&mut problem, &segment.step, &mut segment.image);
+                // E + s·∂E + ½ s·y
+                let end = state.energy() + segment.slope(&state) + segment.curvature() / 2.0;
+                let ceiling = end + above * end.abs();
+                let taken = segment.take(&mut problem, &mut state, ceiling);
+                assert_eq!(taken, wanted, "{load:?}");
+            }
+        }
+    }
+}

@@ -167,6 +167,19 @@ mod tests {
     use super::*;
 
     #[test]
+    fn a_block_has_as_many_numbers_as_fill_its_lanes() {
+        let mut blocks = Blocks::default();
+        for (own, entries) in [(1, 5 * 4), (4, 5 * 4), (5, 5 * 8), (9, 5 * 12)] {
+            let before = (blocks.len(), blocks.entries());
+            blocks.push(0..5, &Mat::zeros(5, own));
+            assert_eq!(
+                (blocks.len(), blocks.entries()),
+                (before.0 + 1, before.1 + entries)
+            );
+        }
+    }
+
+    #[test]
     fn blocks_of_every_width_multiply_as_their_columns_do() {
         let distances = [-3, 0, 2, 7, 8, 11, 12, 15, 16, 20, 21, 25, 30, 31];
         let field: Vec<f64> = (0..64).map(|i| f64::from(i * i % 17) - 8.0).collect();

@@ -232,4 +232,62 @@ mod tests {
             }
         }
     }
+
+    fn of_half_space(size: usize) -> SurfaceElasticity {
+        let body = Foundation::half_space(Material::new(1.0, 0.3).unwrap());
+        let tables = RadialTables::build(&body).unwrap();
+        let table = CoefficientTable::assemble(&tables, 1.0 / size as f64, size).unwrap();
+        SurfaceElasticity::new(Arc::new(table), body)
+    }
+
+    #[test]
+    fn near_coefficients_are_those_of_the_table_in_the_spacing_of_their_level() {
+        let elasticity = of_half_space(64);
+        for level in [0, 1, 5] {
+            let near = NearCoefficients::of(&elasticity, level);
+            for apart in [[0, 0], [1, 0], [0, 1], [3, 7], [31, 31], [31, 2]] {
+                let offset = apart.map(|along: usize| along << level);
+                let is_there = offset.iter().all(|along| *along < 64);
+                let wanted = if is_there {
+                    elasticity.coefficient(offset)
+                } else {
+                    0.0
+                };
+                assert_eq!(near.coefficient(apart), Some(wanted), "{level} {apart:?}");
+            }
+            let far = [[32, 0], [0, 32], [2, 40], [40, 2], [40, 40]];
+            assert!(far.iter().all(|apart| near.coefficient(*apart).is_none()));
+        }
+        // No two elements of a grid are so far apart as the spacing of its highest levels.
+        assert_eq!(
+            NearCoefficients::of(&elasticity, 6).coefficient([0, 0]),
+            None
+        );
+    }
+
+    #[test]
+    fn of_a_system_that_is_not_positive_definite_each_element_stands_alone() {
+        let elasticity = of_half_space(16);
+        let system = LocalSystem {
+            elasticity: &elasticity,
+            near: &NearCoefficients::of(&elasticity, 0),
+            level: 0,
+            // The same element twice.
+            places: &[[3, 3], [5, 5], [5, 5]],
+            classes: &[0, 0, 0],
+            own: 2,
+            to_axis: [None, None],
+        };
+        let (found, own) = (system.columns(), elasticity.coefficient([0, 0]));
+        for column in 0..2 {
+            for row in 0..3 {
+                let wanted = if row == 1 + column {
+                    1.0 / own.sqrt()
+                } else {
+                    0.0
+                };
+                assert!((found[(row, column)] - wanted).abs() < 1e-14 * wanted.max(1.0));
+            }
+        }
+    }
 }

@@ -6,6 +6,7 @@ use pellicle_kernel::{Foundation, Material};
 use super::*;
 use crate::{
     DiscreteProblem, Load,
+    grid::candidates::elements_where,
     solver::gradient::{control::Control, state::State},
 };
 
@@ -25,9 +26,10 @@ fn elasticity() -> Arc<SurfaceElasticity> {
 /// The candidates, more than one thread looks at together.
 fn candidates() -> Arc<Candidates> {
     let rows = ROWS[0] + 1..ROWS[1];
-    let candidates = Candidates::around(SIZE, |element| {
-        rows.contains(&(element / SIZE)) || element == 3 * SIZE + 5
+    let members = elements_where(SIZE, |[row, column]| {
+        rows.contains(&row) || [row, column] == [3, 5]
     });
+    let candidates = Candidates::around(SIZE, &members);
     assert!(candidates.len() > PART);
     Arc::new(candidates)
 }

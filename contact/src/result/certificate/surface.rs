@@ -1,0 +1,185 @@
+//! The surface under a pressure, row by row: gaps are computed where they are asked for and never kept.
+
+use super::{Certificate, largest};
+use crate::{grid::window::Window, vector::smallest};
+use pellicle_texture::SpringLaw;
+
+/// The surface under a pressure, on the part of the grid that is looked at.
+pub struct Surface<'a> {
+    /// `g0` and `η` of the grid's elements, in m and m/Pa.
+    pub initial_gap: &'a [f64],
+    pub compliance: &'a [f64],
+    pub spring_law: SpringLaw,
+    /// Hardness, in Pa; infinite without one.
+    pub limit: f64,
+    /// Where it presses, in the part that is looked at.
+    pub window: Window,
+    /// The part that is looked at.
+    pub reach: Window,
+    /// On the window, in Pa.
+    pub pressure: &'a [f64],
+    /// `K p` on the reach, in m.
+    pub displacement: &'a [f64],
+}
+
+impl Surface<'_> {
+    /// `D = Σ p v / Σ p` with `v = K p + w* + g0`, over the elements with pressure below the limit (`g0` is infinite
+    /// where the indenter ends); where there is none, the largest `v` of those at the limit. `total` is the sum of all
+    /// pressures.
+    pub fn multiplier(&self, total: f64) -> f64 {
+        let limit = self.limit;
+        let parts = self
+            .reach
+            .by_lines(self.displacement, |line, displacement| {
+                let initial_gap = self.reach.line(self.initial_gap, line);
+                let (mut sum, mut at_limit, mut highest) = (0.0, 0.0, f64::NEG_INFINITY);
+                for Pressed {
+                    column,
+                    p,
+                    shortening,
+                } in self.pressed(line)
+                {
+                    let v = displacement[column] + shortening + initial_gap[column];
+                    if p < limit {
+                        sum += p * v;
+                    } else {
+                        at_limit += p;
+                        highest = largest(highest, v);
+                    }
+                }
+                (sum, at_limit, highest)
+            });
+        let (mut sum, mut at_limit, mut highest) = (0.0, 0.0, f64::NEG_INFINITY);
+        for part in parts {
+            sum += part.0;
+            at_limit += part.1;
+            highest = largest(highest, part.2);
+        }
+        if at_limit == 0.0 {
+            return sum / total;
+        }
+        let free = self.window.by_lines(self.pressure, |_, pressure| {
+            pressure.iter().filter(|p| **p < limit).sum::<f64>()
+        });
+        let free: f64 = free.into_iter().sum();
+        if free > 0.0 { sum / free } else { highest }
+    }
+
+    /// The lines that need no load, and none of the pressures alone; gaps are relative to the length `reference` (m).
+    pub fn residuals(&self, penetration: f64, reference: f64, total: f64) -> Certificate {
+        let parts = self
+            .reach
+            .by_lines(self.displacement, |line, displacement| {
+                self.residuals_of_line(line, displacement, penetration)
+            });
+        let found = parts.into_iter().fold(Residuals::default(), Residuals::and);
+        // Without pressure nothing is weighed; without penetration nothing sets a scale, and only zeros pass.
+        let relative = |length: f64| {
+            if length == 0.0 {
+                0.0
+            } else {
+                length / reference
+            }
+        };
+        Certificate {
+            complementarity: if total == 0.0 {
+                0.0
+            } else {
+                relative(found.weighted_gap / total)
+            },
+            gap_in_contact: relative(found.largest_gap),
+            overlap: relative(found.overlap),
+            load: 0.0,
+            gap_at_limit: relative(found.gap_at_limit),
+            min_pressure: 0.0,
+            over_limit: found.over_limit,
+            tolerance: 0.0,
+        }
+    }
+
+    fn residuals_of_line(&self, line: usize, displacement: &[f64], penetration: f64) -> Residuals {
+        let limit = self.limit;
+        // g = K p + w* + g0 − D
+        let gaps = displacement
+            .iter()
+            .zip(self.reach.line(self.initial_gap, line));
+        let mut gaps: Vec<f64> = gaps.map(|(u, g0)| u + g0 - penetration).collect();
+        let mut found = Residuals::default();
+        for Pressed {
+            column,
+            p,
+            shortening,
+        } in self.pressed(line)
+        {
+            gaps[column] += shortening;
+            found.add(p, limit, gaps[column]);
+            if p >= limit {
+                // No overlap, but the plastic depth.
+                gaps[column] = f64::INFINITY;
+            }
+        }
+        found.overlap = largest(0.0, -smallest(&gaps));
+        found
+    }
+
+    /// The elements of a row of the reach that press, with `w*(p)` of their springs, `η p` of linear ones.
+    fn pressed(&self, line: usize) -> impl Iterator<Item = Pressed> {
+        let [above, left] = self.window.origin();
+        let [rows, size] = self.window.lengths();
+        let row = line.checked_sub(above).filter(|row| *row < rows);
+        let pressure = row.map_or(&[][..], |row| &self.pressure[row * size..][..size]);
+        let compliance = self.reach.line(self.compliance, line);
+        let law = self.spring_law;
+        let pressed = (left..).zip(pressure).filter(|(_, p)| **p != 0.0);
+        pressed.map(move |(column, p)| Pressed {
+            column,
+            p: *p,
+            shortening: law.shortening(compliance[column], *p),
+        })
+    }
+}
+
+/// An element with pressure.
+struct Pressed {
+    /// In the reach.
+    column: usize,
+    /// In Pa.
+    p: f64,
+    /// `w*(p)`, in m.
+    shortening: f64,
+}
+
+/// What is told of the gaps; NaN if one of them is.
+#[derive(Clone, Copy, Default)]
+struct Residuals {
+    weighted_gap: f64,
+    largest_gap: f64,
+    gap_at_limit: f64,
+    over_limit: f64,
+    /// Of elements below the limit.
+    overlap: f64,
+}
+
+impl Residuals {
+    /// Counts an element with pressure in.
+    fn add(&mut self, p: f64, limit: f64, gap: f64) {
+        if p < limit {
+            self.weighted_gap += p * gap.abs();
+            self.largest_gap = largest(self.largest_gap, gap.abs());
+        } else {
+            self.weighted_gap += p * largest(0.0, gap);
+            self.gap_at_limit = largest(self.gap_at_limit, gap);
+            self.over_limit = largest(self.over_limit, p - limit);
+        }
+    }
+
+    fn and(self, other: Self) -> Self {
+        Self {
+            weighted_gap: self.weighted_gap + other.weighted_gap,
+            largest_gap: largest(self.largest_gap, other.largest_gap),
+            gap_at_limit: largest(self.gap_at_limit, other.gap_at_limit),
+            over_limit: largest(self.over_limit, other.over_limit),
+            overlap: largest(self.overlap, other.overlap),
+        }
+    }
+}
