@@ -9,9 +9,9 @@
 //! The elements of the third kind are held at the limit as a [part of the load](HeldPressure), and the others solve a
 //! contact problem without a limit, by any method. Those above the limit then are held as well, and those held that
 //! have a gap are let go. It is the semismooth Newton method around the whole solver instead of in its loop: so
-//! springs, windows, quadrants, cells and every preconditioner are as they were. Each problem is solved only as far as the
-//! exchange before was wrong. An exchange takes two products beside those of the problem: `K p` of the elements held,
-//! and of the others as they begin.
+//! springs, windows, quadrants, cells and every preconditioner are as they were. Each problem is solved only as far as
+//! the exchange before was wrong. An exchange takes two products beside those of the problem: `K p` of the elements
+//! held, and of the others as they begin.
 //!
 //! Until elements are first let go, those above the limit are held together with as many others as carry at the limit
 //! what the former lose: those that press most, then those with the narrowest gap. Held ring by ring, random problems
