@@ -34,6 +34,9 @@ use self::random::Random;
 /// Foundations that the problems share: their tables take longer than a solution.
 const FOUNDATIONS: u64 = 24;
 
+/// Problems with a hardness, free and on springs that stiffen, that a descent by single elements did not solve.
+const STALLING: [u64; 2] = [144, 721];
+
 /// The tables of all foundations; most of them have some.
 fn all_tables() -> Vec<Arc<RadialTables>> {
     let tables: Vec<_> = (0..FOUNDATIONS)
@@ -264,17 +267,19 @@ fn every_random_mirrored_model_is_certified_on_the_whole_grid_by_its_sector() {
 
 #[test]
 fn every_random_problem_is_certified_or_refused_with_a_reason() {
-    assert_certified(problems(), |random, tables| Some(problem(random, tables)));
+    assert_certified((0..problems()).collect(), |random, tables| {
+        Some(problem(random, tables))
+    });
 }
 
 #[test]
 fn every_random_problem_in_a_periodic_cell_is_certified() {
-    assert_certified(problems(), periodic_problem);
+    assert_certified((0..problems()).collect(), periodic_problem);
 }
 
 #[test]
 fn every_random_problem_on_springs_that_stiffen_is_certified() {
-    assert_certified(problems(), stiffening_problem);
+    assert_certified((0..problems()).collect(), stiffening_problem);
 }
 
 #[test]
@@ -298,7 +303,8 @@ fn assert_certified_or_beyond_hardness(
     problem: impl Fn(&mut Random, &RadialTables) -> Option<(DiscreteProblem, Load)> + Sync,
 ) {
     let (at_limit, beyond) = (AtomicU64::new(0), AtomicU64::new(0));
-    assert_certified(problems_or(100), |random, tables| {
+    let seeds = (0..problems_or(100)).chain(STALLING).collect();
+    assert_certified(seeds, |random, tables| {
         let (mut problem, load) = problem(random, tables)?;
         let elastic = outcome(&mut problem, load).ok()?;
         let peak = elastic.pressure.iter().copied().fold(0.0, f64::max);
@@ -326,11 +332,12 @@ fn assert_certified_or_beyond_hardness(
 
 /// Solves a problem of each seed, where there is one, and tells the products that they took.
 fn assert_certified(
-    problems: u64,
+    seeds: Vec<u64>,
     problem: impl Fn(&mut Random, &RadialTables) -> Option<(DiscreteProblem, Load)> + Sync,
 ) {
     let all_tables = all_tables();
-    let outcomes: Vec<(usize, Option<String>)> = (0..problems)
+    let problems = seeds.len();
+    let outcomes: Vec<(usize, Option<String>)> = seeds
         .into_par_iter()
         .filter_map(|seed| {
             let mut random = Random(seed.wrapping_mul(0x2545_f491_4f6c_dd1d));

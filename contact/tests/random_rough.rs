@@ -37,6 +37,8 @@ use self::random::Random;
 const FOUNDATIONS: u64 = 16;
 /// A problem whose first window does not carry the force at the hardness.
 const TOO_SMALL_A_WINDOW: u64 = 99;
+/// A problem whose elements at the hardness must be held and let go at once: one after the other they came and went.
+const BY_TURNS: u64 = 814;
 /// Waves of a surface.
 const WAVES: usize = 40;
 
@@ -197,11 +199,14 @@ impl Problem {
     }
 }
 
-/// Solves a problem of every seed and tells the products; every one must be certified, or with a hardness that is too low be refused.
+/// Solves a problem of every seed and tells the products; every one must be certified, or with a hardness that is too
+/// low be refused.
 fn assert_each_is_certified(is_periodic: bool, has_hardness: bool) {
     let (tables, beyond) = (all_tables(), AtomicU64::new(0));
     let products = Mutex::new(Vec::new());
-    let seeds: Vec<u64> = (0..problems()).chain([TOO_SMALL_A_WINDOW]).collect();
+    let seeds: Vec<u64> = (0..problems())
+        .chain([TOO_SMALL_A_WINDOW, BY_TURNS])
+        .collect();
     let failures: Vec<String> = seeds
         .into_par_iter()
         .filter_map(|seed| {

@@ -8,9 +8,15 @@ with no program that is judged. With v = K p + g0, D = sum(p v) / sum(p), g = v 
     complementarity = sum(p |g|) / (L sum(p))        gap_in_contact = max over p > 0 of |g| / L
     overlap = max(0, -min g) / L                     load = |h^2 sum(p) - F| / F
 
+Where a hardness p_max cuts the pressure, D and these lines but the load are those of the elements below it, and
+
+    gap_at_limit = max over p = p_max of g / L       over_limit = max(0, max p / p_max - 1)
+
+`at_limit` is the part of the elements there; a pressure counts as p_max if it differs by 1e-9 of it at most.
+
 `contact` is the part of the elements in contact, `mean_gap` that of g over all elements, relative to L.
 
-Of `periodic` the product is one by the symbol of the cell, without a displacement of the mean. OPERATOR says by which:
+Of `periodic` and `saturated` the product is one by the symbol of the cell, without a displacement of the mean. OPERATOR says by which:
 `elements`, pressures constant on each element and displacements at the centres, as of the other problems; or
 `continuum`, the half-space's own 2 / (E* |q|) at the waves that the grid has, as if pressures were waves themselves. A
 program solves one of the two, and is judged by its own.
@@ -31,6 +37,8 @@ from problem import MODULUS, SIDE, Problem
 
 # Aliases on either side that the symbol of elements in a cell sums over.
 ALIASES = 32
+# Part of the hardness by which a pressure that is at it may be short of it.
+NEAR = 1e-9
 
 
 def corner(x, y):
@@ -92,18 +100,23 @@ def displacement_of_cell(pressure, operator):
 
 
 def certificate(problem, pressure, operator):
-    """The four lines, the smallest pressure, and the penetration that they belong to."""
+    """The lines, the smallest pressure, and the penetration that they belong to."""
     if problem.is_periodic:
         v = displacement_of_cell(pressure, operator) + problem.gap
     else:
         v = displacement(pressure, problem.element_side) + problem.gap
     total = pressure.sum()
-    penetration = (pressure * v).sum() / total
+    is_cut = pressure >= problem.hardness * (1.0 - NEAR)
+    below = np.where(is_cut, 0.0, pressure)
+    penetration = (below * v).sum() / below.sum()
     gap = v - penetration
     return {
-        "complementarity": (pressure * np.abs(gap)).sum() / total / problem.length,
-        "gap_in_contact": np.abs(gap[pressure > 0.0]).max() / problem.length,
-        "overlap": max(0.0, -gap.min()) / problem.length,
+        "complementarity": (below * np.abs(gap)).sum() / total / problem.length,
+        "gap_in_contact": np.abs(gap[below > 0.0]).max() / problem.length,
+        "overlap": max(0.0, -gap[~is_cut].min()) / problem.length,
+        "gap_at_limit": max(0.0, gap[is_cut].max(initial=0.0)) / problem.length,
+        "over_limit": max(0.0, pressure.max() / problem.hardness - 1.0),
+        "at_limit": np.count_nonzero(is_cut) / pressure.size,
         "load": abs(total * problem.element_side**2 - problem.force) / problem.force,
         "min_pressure": pressure.min(),
         "penetration": penetration,

@@ -22,12 +22,15 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 TOLERANCE = 1e-8
-CASES = ("hertz", "pillars", "rough-0.1", "rough-2.5", "rough-20", "periodic")
+CASES = ("hertz", "pillars", "rough-0.1", "rough-2.5", "rough-20", "periodic", "saturated")
 # Elements per side from which a surface is resolved.
-SMALLEST = {"rough": 1024, "periodic": 256}
+SMALLEST = {"rough": 1024, "periodic": 256, "saturated": 256}
+CELLS = ("periodic", "saturated")
 # The programs whose periodic cell has the symbol of the continuum, not of constant elements.
 CONTINUUM = ("aspher", "tamaas", "contactmechanics")
 NOT_PERIODIC = ("slippy",)
+# The programs that cut the pressure at a hardness in a cell.
+SATURATED = ("pellicle", "tamaas")
 THREAD_VARIABLES = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS")
 INSTALLATION_SECONDS = 1800
 # For Pellicle, which is run as often as its rivals are.
@@ -60,7 +63,8 @@ VARIANTS = {
 
 COLUMNS = (
     "case", "n", "threads", "program", "version", "tolerance", "time, s", "fastest, s", "CPU, s", "products",
-    "memory, MiB", "complementarity", "gap in contact", "overlap", "load", "difference", "contact, %", "mean gap",
+    "memory, MiB", "complementarity", "gap in contact", "overlap", "load", "gap at limit", "over limit", "difference", "contact, %",
+    "at limit, %", "mean gap",
     "CPU / Pellicle's",
 )
 TEXTS = ("case", "program", "version")
@@ -151,8 +155,10 @@ def contest(problem, workshop, arguments):
         command, missing = workshop[key]
         if problem["threads"] > 1 and key not in THREADED:
             missing = "serial"
-        if problem["case"] == "periodic" and (key in NOT_PERIODIC or "active-set" in options):
+        if problem["case"] in CELLS and (key in NOT_PERIODIC or "active-set" in options):
             missing = "no periodic cell"
+        if problem["case"] == "saturated" and key not in SATURATED:
+            missing = "no hardness"
         return Lane(key, name, tolerance, options, command, missing)
 
     pellicle = lane("pellicle", "Pellicle", TOLERANCE, [])
@@ -190,8 +196,11 @@ def row(lane, problem, pellicle, workshop):
         posed = [problem["case"], problem["n"], operator]
         command = [*python, HERE / "certificate.py", *posed, lane.pressure, pellicle.pressure]
         lines = json.loads(subprocess.run(list(map(str, command)), capture_output=True, text=True, check=True).stdout)
-        for name in ("complementarity", "gap_in_contact", "overlap", "load", "difference"):
+        of_hardness = ("gap_at_limit", "over_limit") if problem["case"] == "saturated" else ()
+        for name in ("complementarity", "gap_in_contact", "overlap", "load", "difference", *of_hardness):
             cells[name.replace("_", " ")] = f"{lines[name]:.1e}"
+        if of_hardness:
+            cells["at limit, %"] = f"{100.0 * lines['at_limit']:.4g}"
         cells["contact, %"], cells["mean gap"] = f"{100.0 * lines['contact']:.4g}", f"{lines['mean_gap']:.5g}"
     return cells
 
@@ -223,15 +232,15 @@ def write(rows, missing, folder):
 
 
 def posed(case, n, threads, python, scratch):
-    """A problem with what Pellicle's driver must be told of it: the rough gap as a file, and its mean pressure."""
+    """A problem with what Pellicle's driver must be told of it: the rough gap as a file, mean pressure, hardness."""
     problem = {"case": case, "n": n, "threads": threads, "settings": {}, "mirrored": kind(case) not in SMALLEST}
     if not problem["mirrored"]:
         gap = scratch / f"{case}-{n}.gap.npy"
         script = "import sys, numpy; from problem import Problem; p = Problem(sys.argv[1], int(sys.argv[2]));"
-        script += "numpy.save(sys.argv[3], p.gap); print(repr(float(p.mean_pressure)))"
+        script += "numpy.save(sys.argv[3], p.gap); print(float(p.mean_pressure), float(p.hardness))"
         command = [*python, "-c", script, case, str(n), str(gap)]
-        mean = subprocess.run(command, capture_output=True, text=True, check=True, cwd=HERE).stdout.strip()
-        problem["settings"] = {"GAP_FILE": str(gap), "MEAN_PRESSURE": mean}
+        numbers = subprocess.run(command, capture_output=True, text=True, check=True, cwd=HERE).stdout.split()
+        problem["settings"] = {"GAP_FILE": str(gap), "MEAN_PRESSURE": numbers[0], "HARDNESS": numbers[1]}
     return problem
 
 

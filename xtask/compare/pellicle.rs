@@ -4,8 +4,8 @@
 //! compare-pellicle CASE N THREADS TOLERANCE PRESSURE_FILE [--whole-grid]
 //! ```
 //!
-//! The problems are those of `problem.py`; the gap of `rough` and of `periodic` is read from the file that `GAP_FILE`
-//! names. The certificate, which is computed from `problem.py` alone, holds the two definitions together.
+//! The problems are those of `problem.py`; the gap of a rough surface is read from the file that `GAP_FILE` names, and
+//! its mean pressure and hardness from `MEAN_PRESSURE` and `HARDNESS`. The certificate, which is computed from `problem.py` alone, holds the two definitions together.
 
 #![expect(clippy::print_stdout, reason = "its one line of JSON is its result")]
 
@@ -34,6 +34,8 @@ const ELEMENTS_PER_PERIOD: usize = 16;
 const RADIUS_OVER_PERIOD: f64 = 0.4;
 /// Modulus of the pillars: their shortening is below 1e-33 and changes no bit of a displacement of 1e-2.
 const PILLAR_MODULUS: f64 = 1e30;
+/// The problems whose square is one cell of many.
+const CELLS: [&str; 2] = ["periodic", "saturated"];
 /// Elements per side of the problem solved before the clock starts, so that code is loaded and threads run.
 const WARM_UP_ELEMENTS: usize = 64;
 
@@ -59,8 +61,13 @@ fn main() -> Result<(), DriverError> {
         .build()?;
     pool.install(|| solve("hertz", WARM_UP_ELEMENTS, None, &options))?;
 
-    let is_measured = case.starts_with("rough") || case == "periodic";
+    let is_measured = case.starts_with("rough") || CELLS.contains(&case.as_str());
     let gap = is_measured.then(read_gap).transpose()?;
+    let options = SolverOptions {
+        hardness: std::env::var("HARDNESS")
+            .map_or(Ok(f64::INFINITY), |hardness| hardness.parse())?,
+        ..options
+    };
     let (clock, cpu) = (Instant::now(), cpu_seconds());
     let path = pool.install(|| solve(case, elements, gap, &options))?;
     let (total_seconds, cpu) = (
@@ -121,7 +128,7 @@ fn solve(
         indenter,
         cache: Cache::none(),
     };
-    let domain = if case == "periodic" {
+    let domain = if CELLS.contains(&case) {
         Domain::Periodic(SIDE)
     } else {
         Domain::Side(SIDE)

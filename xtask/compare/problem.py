@@ -2,7 +2,7 @@
 
 Everything is dimensionless: a rigid body on a homogeneous half-space of plane-strain modulus E* = 1. The pressure acts
 inside the square [-1/2, 1/2]^2 only, on n x n square elements, constant on each; the half-space is infinite, and only
-`periodic` repeats itself.
+`periodic` and `saturated` repeat themselves.
 
     hertz    a paraboloid of radius R = 1, g0 = r^2 / (2 R), under the force F = 4 E* a^3 / (3 R) of the Hertzian contact
              radius a = 0.15
@@ -14,6 +14,8 @@ inside the square [-1/2, 1/2]^2 only, on n x n square elements, constant on each
              that brings P percent of the square into contact; for n >= 1024
     periodic the same with 4 <= k <= 64 under the mean pressure 0.05, and the square is one cell of many in both
              directions; for n >= 256
+    saturated
+             the same with the pressure cut at the hardness 0.4, where gaps may be negative
 
 Errors are relative to `length`: the Hertzian approach d_H = a^2 / R, or the rms height. pellicle.rs is the same
 definition of hertz and pillars for Pellicle, which reads the gap of rough.
@@ -34,10 +36,12 @@ SEED = 18
 HURST = 0.8
 RMS_HEIGHT = 0.02 * SIDE
 # The mean pressure over the square for each percentage in contact, found with Pellicle at n = 1024.
-MEAN_PRESSURE = {"rough-0.1": 1.85e-3, "rough-2.5": 0.05, "rough-20": 0.49, "periodic": 0.05}
+MEAN_PRESSURE = {"rough-0.1": 1.85e-3, "rough-2.5": 0.05, "rough-20": 0.49, "periodic": 0.05, "saturated": 0.05}
+HARDNESS = {"saturated": 0.6}
 # The longest and the shortest wave in waves a side, and the elements per side that resolve them.
-WAVES = {"rough": (12, 338), "periodic": (4, 64)}
-SMALLEST = {"rough": 1024, "periodic": 256}
+WAVES = {"rough": (12, 338), "periodic": (4, 64), "saturated": (4, 64)}
+SMALLEST = {"rough": 1024, "periodic": 256, "saturated": 256}
+CELLS = ("periodic", "saturated")
 
 CASES = ("hertz", "pillars", *MEAN_PRESSURE)
 
@@ -56,7 +60,8 @@ class Problem:
             self.length = HERTZ_APPROACH
             self.force = 4.0 * MODULUS * CONTACT_RADIUS**3 / (3.0 * INDENTER_RADIUS)
             self.peak_pressure = 2.0 * MODULUS * CONTACT_RADIUS / (np.pi * INDENTER_RADIUS)
-        self.is_periodic = case == "periodic"
+        self.is_periodic = case in CELLS
+        self.hardness = HARDNESS.get(case, np.inf)
         # the force spread over the whole square, the load that some programs ask for
         self.mean_pressure = self.force / SIDE**2
 

@@ -1,4 +1,5 @@
-"""Tamaas: Polonsky-Keer with pressure as unknown, on its non-periodic operator or, in a cell, on its own periodic one.
+"""Tamaas: Polonsky-Keer with pressure as unknown, on its non-periodic operator or, in a cell, on its own periodic one;
+its saturated solver where a hardness cuts the pressure.
 
 The operator must be registered and also set: with the first call alone it solves the periodic problem. Its tolerance
 bounds its own relative complementarity error; not reaching it is not raised. It does not count products: two an
@@ -43,7 +44,10 @@ def setup(problem, tolerance, threads):
     tamaas.set_log_level(tamaas.LogLevel.warning)
     model = tamaas.Model(tamaas.model_type.basic_2d, [SIDE, SIDE], [problem.n, problem.n])
     model.E, model.nu = MODULUS, 0.0
-    solver = tamaas.PolonskyKeerRey(model, -problem.gap, tolerance)
+    if np.isfinite(problem.hardness):
+        solver = tamaas.KatoSaturated(model, -problem.gap, tolerance, problem.hardness)
+    else:
+        solver = tamaas.PolonskyKeerRey(model, -problem.gap, tolerance)
     if not problem.is_periodic:
         tamaas.ModelFactory.registerNonPeriodic(model, OPERATOR)
         solver.setIntegralOperator(OPERATOR)

@@ -7,11 +7,11 @@
 //! ```
 //!
 //! The elements of the third kind are held at the limit as a [part of the load](HeldPressure), and the others solve a
-//! contact problem without a limit, by any method. Those above the limit then are held as well, and those held that have
-//! a gap are let go. It is the semismooth Newton method around the whole solver instead of in its loop: so springs,
-//! windows, quadrants, cells and every preconditioner are as they were. Each problem is solved only as far as the
-//! exchange before was wrong. An exchange takes two products beside those of the problem: `K p` of the elements held,
-//! and of the others as they begin.
+//! contact problem without a limit, by any method. Those above the limit then are held as well, and those held that
+//! have a gap are let go. It is the semismooth Newton method around the whole solver instead of in its loop: so
+//! springs, windows, quadrants, cells and every preconditioner are as they were. Each problem is solved only as far as
+//! the exchange before was wrong. An exchange takes two products beside those of the problem: `K p` of the elements
+//! held, and of the others as they begin.
 //!
 //! Until elements are first let go, those above the limit are held together with as many others as carry at the limit
 //! what the former lose: those that press most, then those with the narrowest gap. Held ring by ring, random problems
@@ -21,7 +21,7 @@
 //! all of a prescribed force, only those that overlap most. From no element held, a fully plastic contact took five to
 //! seven times the products, a ring of elements an exchange.
 //!
-//! **Why it ends.** After three exchanges without gain they give way to a [descent](Descent), whose energy falls from
+//! **Why it ends.** After four exchanges without gain they give way to a [descent](Descent), whose energy falls from
 //! one admissible pressure to the next. The number of products is bounded besides, and the certificate tells.
 //!
 //! **What it costs.** Random problems without a start take some 30 products, of which some 14 are for the problem
@@ -47,7 +47,7 @@ const REFINEMENT: f64 = 0.03;
 const SLACK: f64 = 0.5;
 /// Exchanges without a halving of what they are wrong by after which they give way to the descent; with 5 or 8 random
 /// problems take as many products.
-const PATIENCE: usize = 3;
+const PATIENCE: usize = 4;
 /// Part of the limit from which on an element of a start is held.
 const NEAR: f64 = 0.95;
 /// Part of a force that the elements held at a start may carry.
@@ -295,7 +295,7 @@ impl Exchange {
                 [&pressure, displacement, &v],
                 accuracy,
             );
-        } else if self.has_stalled(wrong.by) {
+        } else if self.has_stalled(&wrong) {
             self.descent = Some(Descent::begin(problem, load, &pressure));
             self.total.operator_applications += 1;
             self.hold_descended(limit);
@@ -307,11 +307,11 @@ impl Exchange {
         true
     }
 
-    /// Whether what exchanges are wrong by has not been halved for long.
-    fn has_stalled(&mut self, by: f64) -> bool {
-        if by < self.milestone / 2.0 {
-            (self.milestone, self.since) = (by, 0);
-        } else {
+    /// Whether what exchanges are wrong by has not been halved for long. Those that let nothing go end by themselves.
+    fn has_stalled(&mut self, wrong: &Wrong) -> bool {
+        if wrong.by < self.milestone / 2.0 {
+            (self.milestone, self.since) = (wrong.by, 0);
+        } else if !wrong.open.is_empty() {
             self.since += 1;
         }
         self.since >= PATIENCE
@@ -351,17 +351,18 @@ impl Exchange {
             return;
         };
         descent.count_problem();
+        self.accuracy = accuracy.min(descent.accuracy);
         let was_at_limit = |element: &&usize| descent.pressure()[**element] >= limit;
         let returned: Vec<usize> = wrong.above.iter().filter(was_at_limit).copied().collect();
         if wrong.above.is_empty() {
             let mut open = wrong.open.clone();
             open.sort_by(|e, f| v[*f].total_cmp(&v[*e]));
             open.truncate(descent.settle(pressure, displacement, open.len()));
+            (descent.accuracy, self.accuracy) = (accuracy, accuracy);
             self.let_go(limit, &open);
-            self.accuracy = accuracy;
         } else if returned.is_empty() {
-            descent.step(problem, load, pressure, displacement);
-            self.total.operator_applications += 1;
+            let products = descent.step(problem, load, pressure, displacement);
+            self.total.operator_applications += products;
             self.hold_descended(limit);
         } else {
             self.hold(&returned);

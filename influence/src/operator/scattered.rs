@@ -44,8 +44,8 @@ const RUNS: usize = 64;
 /// `u = K p` among listed elements of a grid.
 ///
 /// Its cost is that of the near pairs of elements and of a product on a grid of a sixth of the elements per side. It
-/// is right to 2e-9 of the largest displacement (test `scattered_elements_move_as_the_whole_grid_does`): a solution by it
-/// is exact, or one step of iterative refinement from exact. The bits are the same for every number of threads.
+/// is right to 2e-9 of the largest displacement (test `scattered_elements_move_as_the_whole_grid_does`): a solution by
+/// it is exact, or one step of iterative refinement from exact. The bits are the same for every number of threads.
 pub struct ScatteredOperator {
     runs: Runs,
     /// Of each row or column of elements: the first of its nodes, and their weights.
