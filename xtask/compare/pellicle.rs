@@ -5,7 +5,8 @@
 //! ```
 //!
 //! The problems are those of `problem.py`; the gap of a rough surface is read from the file that `GAP_FILE` names, and
-//! its mean pressure and hardness from `MEAN_PRESSURE` and `HARDNESS`. The certificate, which is computed from `problem.py` alone, holds the two definitions together.
+//! its mean pressure and hardness from `MEAN_PRESSURE` and `HARDNESS`. The certificate, which is computed from
+//! `problem.py` alone, holds the two definitions together.
 
 #![expect(clippy::print_stdout, reason = "its one line of JSON is its result")]
 

@@ -98,9 +98,9 @@ pub(crate) fn default_side_at(model: &Model, loads: &[Load], hardness: f64) -> f
     default_side(model, loads).max(2.0 * MARGIN * radius)
 }
 
-/// The force (N) that presses the indenter to a penetration (m), by the closed forms of the first guess: right on springs
-/// alone, and 2√2 times that of Hertz, since it reckons the contact as wide as the indenter is that high. 0 without
-/// contact.
+/// The force (N) that presses the indenter to a penetration (m), by the closed forms of the first guess: right on
+/// springs alone, and 2√2 times that of Hertz, since it reckons the contact as wide as the indenter is that high. 0
+/// without contact.
 #[must_use]
 pub fn estimated_force(model: &Model, penetration: f64) -> f64 {
     if penetration > 0.0 {

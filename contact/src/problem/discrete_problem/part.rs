@@ -39,8 +39,8 @@ impl DiscreteProblem {
         })
     }
 
-    /// The same problem on the candidates of a window alone, whose products are right to some 1e-9; all fields are theirs.
-    /// None where the elasticity is not known, or the window too small.
+    /// The same problem on the candidates of a window alone, whose products are right to some 1e-9; all fields are
+    /// theirs. None where the elasticity is not known, or the window too small.
     pub(crate) fn among(&self, window: &Window, candidates: &Arc<Candidates>) -> Option<Self> {
         let elasticity = self.elasticity()?;
         let operator = elasticity.among(window.size(), candidates.elements())?;

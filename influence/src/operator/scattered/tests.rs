@@ -1,3 +1,5 @@
+//! Products among scattered elements against those on the whole window.
+
 use rayon::ThreadPoolBuilder;
 
 use super::{ORDER, RADIUS, ScatteredOperator, scattered_work};
