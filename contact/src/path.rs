@@ -8,6 +8,7 @@ mod ascent;
 mod capacity;
 mod dilute;
 pub mod domain;
+mod effort;
 mod hierarchy;
 mod level;
 mod levels;

@@ -63,8 +63,8 @@ VARIANTS = {
 
 COLUMNS = (
     "case", "n", "threads", "program", "version", "tolerance", "time, s", "fastest, s", "CPU, s", "products",
-    "memory, MiB", "complementarity", "gap in contact", "overlap", "load", "gap at limit", "over limit", "difference", "contact, %",
-    "at limit, %", "mean gap",
+    "memory, MiB", "complementarity", "gap in contact", "overlap", "load", "gap at limit",
+    "over limit", "difference", "contact, %", "at limit, %", "mean gap",
     "CPU / Pellicle's",
 )
 TEXTS = ("case", "program", "version")

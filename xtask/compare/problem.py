@@ -15,7 +15,7 @@ inside the square [-1/2, 1/2]^2 only, on n x n square elements, constant on each
     periodic the same with 4 <= k <= 64 under the mean pressure 0.05, and the square is one cell of many in both
              directions; for n >= 256
     saturated
-             the same with the pressure cut at the hardness 0.4, where gaps may be negative
+             the same with the pressure cut at the hardness 0.6, where gaps may be negative
 
 Errors are relative to `length`: the Hertzian approach d_H = a^2 / R, or the rms height. pellicle.rs is the same
 definition of hertz and pillars for Pellicle, which reads the gap of rough.

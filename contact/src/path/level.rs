@@ -9,6 +9,7 @@ use crate::{
     grid::window::Window,
     path::dilute::Dilute,
     path::domain::Guess,
+    path::effort::Effort,
     path::start::{CoarserSolution, FineGrid},
     problem::model::SampledSector,
     result::certificate::{JudgedFields, Trial},
@@ -368,40 +369,6 @@ impl Level {
     }
 }
 
-/// The work of several windows together.
-#[derive(Default)]
-struct Effort {
-    iterations: usize,
-    operator_applications: usize,
-    stiffness_applications: usize,
-    candidate_applications: usize,
-    residuals: Vec<f64>,
-    contact_stiffness: Option<f64>,
-}
-
-impl Effort {
-    /// The iterate with its products counted as those among candidates.
-    fn among(&mut self, iterate: Iterate) -> Iterate {
-        self.candidate_applications +=
-            iterate.operator_applications + iterate.stiffness_applications;
-        Iterate {
-            operator_applications: 0,
-            stiffness_applications: 0,
-            ..iterate
-        }
-    }
-
-    /// Adds an iterate's, and returns its pressure.
-    fn take(&mut self, iterate: Iterate) -> Vec<f64> {
-        self.iterations += iterate.iterations;
-        self.operator_applications += iterate.operator_applications;
-        self.stiffness_applications += iterate.stiffness_applications;
-        self.residuals.extend(iterate.residuals);
-        self.contact_stiffness = iterate.contact_stiffness;
-        iterate.pressure
-    }
-}
-
 impl LevelResult {
     pub fn values(&self, load: Load) -> LevelValues {
         LevelValues {
@@ -417,40 +384,5 @@ impl LevelResult {
             peak_place: self.summary.peak_place,
             meets_outline: self.summary.meets_outline,
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn iterate(products: usize) -> Iterate {
-        Iterate {
-            pressure: vec![1.0],
-            iterations: 2,
-            operator_applications: products,
-            stiffness_applications: 3,
-            residuals: vec![0.5, 0.25],
-            contact_stiffness: Some(7.0),
-            penetration: 0.0,
-            reached_border: false,
-        }
-    }
-
-    #[test]
-    fn products_among_candidates_are_counted_apart_from_those_of_the_grid() {
-        let mut effort = Effort::default();
-        let among = effort.among(iterate(10));
-        assert_eq!(effort.take(among), [1.0]);
-        let among = effort.among(iterate(20));
-        effort.take(among);
-        effort.take(iterate(40));
-        assert_eq!(effort.candidate_applications, 13 + 23);
-        assert_eq!(
-            (effort.operator_applications, effort.stiffness_applications),
-            (40, 3)
-        );
-        assert_eq!((effort.iterations, effort.residuals.len()), (6, 6));
-        assert_eq!(effort.contact_stiffness, Some(7.0));
     }
 }

@@ -7,6 +7,25 @@ use pellicle_texture::{HeightMap, MapCompliance, ReliefMap};
 use super::*;
 use crate::{Certificate, FlatPunch, IndenterMap, Paraboloid};
 
+/// A solution without residuals.
+fn solution(penetration: f64, force: f64, pressure: Vec<f64>) -> Solution {
+    Solution {
+        penetration,
+        force,
+        pressure,
+        certificate: Certificate {
+            complementarity: 0.0,
+            gap_in_contact: 0.0,
+            overlap: 0.0,
+            load: 0.0,
+            gap_at_limit: 0.0,
+            over_limit: 0.0,
+            min_pressure: 0.0,
+            tolerance: 1e-8,
+        },
+    }
+}
+
 #[test]
 fn blocks_surround_a_square_of_half_their_side() {
     let around = Around::new(1.0, 4);
@@ -63,21 +82,7 @@ fn a_surface_farther_away_moves_as_under_the_force_alone() {
     for e in [15 * 32 + 15, 15 * 32 + 16, 16 * 32 + 15, 16 * 32 + 16] {
         pressure[e] = 0.03 * 256.0;
     }
-    let solution = Solution {
-        penetration: 0.15,
-        force: 0.03,
-        pressure,
-        certificate: Certificate {
-            complementarity: 0.0,
-            gap_in_contact: 0.0,
-            overlap: 0.0,
-            load: 0.0,
-            gap_at_limit: 0.0,
-            over_limit: 0.0,
-            min_pressure: 0.0,
-            tolerance: 1e-8,
-        },
-    };
+    let solution = solution(0.15, 0.03, pressure);
     // u = Q/(π E* r), which the blocks hold to a hundredth; the gap is least at the nearest block.
     let moved = blocks.smallest_gap + 0.03 / (std::f64::consts::PI * nearest);
     let is_closer = |limit: f64| blocks.is_closer_than(limit, &model, &grid, &solution);
@@ -167,21 +172,7 @@ fn a_first_look_is_clear_where_the_gap_is_a_tenth_wider_than_the_penetration() {
     let mut is_clear = |penetration: f64, force: f64| {
         let mut pressure = vec![0.0; 1024];
         pressure[15 * 32 + 15] = force * 1024.0;
-        let solution = Solution {
-            penetration,
-            force,
-            pressure,
-            certificate: Certificate {
-                complementarity: 0.0,
-                gap_in_contact: 0.0,
-                overlap: 0.0,
-                load: 0.0,
-                gap_at_limit: 0.0,
-                over_limit: 0.0,
-                min_pressure: 0.0,
-                tolerance: 1e-8,
-            },
-        };
+        let solution = solution(penetration, force, pressure);
         outlook.is_clear(&ball, 1.0, &grid, &solution)
     };
     // The height at the edge, 0.125, alone settles it; beyond that the gap at the nearest blocks, 0.1416, and what a

@@ -1,0 +1,379 @@
+//! One exchange of elements after the other: which are held at the limit, and how far the others' problem is solved.
+
+use super::ElasticSolver;
+use super::descent::Descent;
+use crate::{
+    ContactError, DiscreteProblem, Iterate, Load, SolverOptions,
+    problem::held_pressure::HeldPressure, solver::Watch, vector::add_scaled,
+};
+
+/// Largest residual to which a problem between exchanges is solved.
+const COARSEST: f64 = 1e-2;
+/// Residual of the next problem, as a part of what the last exchange was wrong by.
+const REFINEMENT: f64 = 0.03;
+/// Gap of a held element that does not count, as a part of the residual solved to.
+const SLACK: f64 = 0.5;
+/// Exchanges without a halving of what they are wrong by after which they give way to the descent.
+const PATIENCE: usize = 4;
+/// Part of the limit from which on an element of a start is held.
+const NEAR: f64 = 0.95;
+/// Part of a force that the elements held at a start may carry.
+const LARGEST_SHARE: f64 = 0.97;
+/// Part of a force that is rounding of what the held elements carry.
+const ROUNDING: f64 = 1e-13;
+/// By how much, as a part of the limit, a pressure may exceed it that is then cut to it: rounding, by which an element
+/// was held and let go by turns.
+const ABOVE: f64 = 1e-13;
+
+/// Which elements are held, and the pressure of the others.
+pub struct Exchange {
+    held: HeldPressure,
+    /// Whether `held` is pressed as it stands.
+    is_pressed: bool,
+    /// Pressure of the elements that are not held, in Pa.
+    free: Vec<f64>,
+    /// Residual to solve to.
+    accuracy: f64,
+    /// The work of all problems together, and the last one's result.
+    pub total: Iterate,
+    /// Whether elements have been let go.
+    has_let_go: bool,
+    /// What is to be halved next of what an exchange is wrong by, and the exchanges since.
+    milestone: f64,
+    since: usize,
+    descent: Option<Descent>,
+}
+
+/// The elements on the wrong side.
+#[derive(Default)]
+struct Wrong {
+    /// Free elements above the limit.
+    above: Vec<usize>,
+    /// Held elements with a gap.
+    open: Vec<usize>,
+    /// By how much, relative to limit and penetration.
+    by: f64,
+}
+
+impl Exchange {
+    /// Starts from the elements near the limit of a pressure, of a prescribed force those that overlap most: one
+    /// product where there are any.
+    pub fn start(problem: &mut DiscreteProblem, load: Load, start: &[f64], tolerance: f64) -> Self {
+        let limit = problem.hardness();
+        let mut total = Iterate::of(Vec::new());
+        let mut held = HeldPressure::none(problem);
+        let gaps = problem.initial_gap().iter();
+        held.mask = (start.iter().zip(gaps))
+            .map(|(p, g0)| *p >= NEAR * limit && g0.is_finite())
+            .collect();
+        let most = match load {
+            Load::Force(force) => LARGEST_SHARE * force / (problem.loaded_area() * limit),
+            Load::Penetration(_) => f64::INFINITY,
+        };
+        if held.count() as f64 > most {
+            let pressure: Vec<f64> = start.iter().map(|p| p.min(limit)).collect();
+            let mut v = vec![0.0; pressure.len()];
+            problem.deform_into(&pressure, &mut v);
+            total.operator_applications += 1;
+            let gaps = v.iter_mut().zip(problem.initial_gap());
+            gaps.for_each(|(v, g0)| *v += g0);
+            let mut near: Vec<usize> = (0..v.len()).filter(|e| held.mask[*e]).collect();
+            near.sort_by(|e, f| v[*e].total_cmp(&v[*f]));
+            let beyond = near.iter().enumerate().filter(|(i, _)| *i as f64 >= most);
+            beyond.for_each(|(_, e)| held.mask[*e] = false);
+        }
+        let mut free = start.to_vec();
+        held.take_from(&mut free);
+        Self {
+            held,
+            is_pressed: false,
+            free,
+            accuracy: tolerance.max(COARSEST),
+            total,
+            has_let_go: false,
+            milestone: f64::INFINITY,
+            since: 0,
+            descent: None,
+        }
+    }
+
+    /// Makes the held elements a part of the load: one product where they are others than before.
+    pub fn press(&mut self, problem: &mut DiscreteProblem) {
+        if !self.is_pressed {
+            self.total.operator_applications += self.held.press(problem);
+            self.is_pressed = true;
+        }
+    }
+
+    /// How far to solve the problem of the free elements.
+    pub fn options(&self, wanted: SolverOptions) -> SolverOptions {
+        let spent = self.total.operator_applications;
+        SolverOptions {
+            tolerance: self.accuracy,
+            max_applications: wanted.max_applications.saturating_sub(spent),
+            contact_stiffness: wanted.contact_stiffness && self.accuracy <= wanted.tolerance,
+            ..wanted
+        }
+    }
+
+    /// Solves the problem of the free elements; nothing where those held carry the whole force.
+    pub fn solve(
+        &mut self,
+        solver: &mut impl ElasticSolver,
+        problem: &mut DiscreteProblem,
+        load: Load,
+        watch: &mut Watch<'_>,
+    ) -> Result<(Iterate, Option<Vec<f64>>), ContactError> {
+        let (rest, free) = (
+            self.held.rest_of(load, problem.loaded_area()),
+            std::mem::take(&mut self.free),
+        );
+        match (rest, load) {
+            (Load::Force(rest), Load::Force(force)) if rest <= ROUNDING * force => {
+                let nothing = vec![0.0; free.len()];
+                Ok((Iterate::of(nothing.clone()), Some(nothing)))
+            }
+            _ => problem.under(&mut self.held, |problem| {
+                solver.solve_elastic(problem, rest, &free, watch)
+            }),
+        }
+    }
+
+    /// Adds up the work and takes the result; returns whether the contact reached the border of a window.
+    pub fn take(&mut self, found: Iterate) -> bool {
+        let total = &mut self.total;
+        total.iterations += found.iterations;
+        total.operator_applications += found.operator_applications;
+        total.stiffness_applications += found.stiffness_applications;
+        total.residuals.extend(found.residuals);
+        total.contact_stiffness = found.contact_stiffness;
+        total.penetration = found.penetration;
+        total.reached_border = found.reached_border;
+        self.free = found.pressure;
+        found.reached_border
+    }
+
+    /// `K p` (m) of the whole pressure: a product where that of the free elements' is not known.
+    pub fn displacement(
+        &mut self,
+        problem: &mut DiscreteProblem,
+        of_free: Option<Vec<f64>>,
+    ) -> Vec<f64> {
+        let mut displacement = of_free.unwrap_or_else(|| {
+            let mut displacement = vec![0.0; self.free.len()];
+            problem.displace(&self.free, &mut displacement);
+            self.total.operator_applications += 1;
+            displacement
+        });
+        add_scaled(&mut displacement, 1.0, &self.held.displacement);
+        displacement
+    }
+
+    /// Exchanges elements or asks for a closer solution; false where neither is needed.
+    pub fn advance(
+        &mut self,
+        problem: &mut DiscreteProblem,
+        load: Load,
+        tolerance: f64,
+        displacement: &[f64],
+    ) -> bool {
+        let limit = problem.hardness();
+        let pressure = self.pressure(limit);
+        // v = K p + w* + g0
+        let mut v = displacement.to_vec();
+        problem.shorten_into(&pressure, &mut v);
+        add_scaled(&mut v, 1.0, problem.initial_gap());
+        let wrong = self.wrong(problem, load, &v);
+        if wrong.above.is_empty() && wrong.open.is_empty() {
+            let is_done = self.accuracy <= tolerance;
+            self.accuracy = tolerance;
+            return !is_done;
+        }
+        let accuracy = (REFINEMENT * wrong.by).clamp(tolerance, COARSEST.max(tolerance));
+        self.is_pressed = false;
+        if self.descent.is_some() {
+            self.descend(
+                problem,
+                load,
+                &wrong,
+                [&pressure, displacement, &v],
+                accuracy,
+            );
+        } else if self.has_stalled(&wrong) {
+            self.descent = Some(Descent::begin(problem, load, &pressure));
+            self.total.operator_applications += 1;
+            self.hold_descended(limit);
+            self.accuracy = accuracy;
+        } else {
+            self.exchange(limit, &wrong, &v);
+            self.accuracy = accuracy;
+        }
+        true
+    }
+
+    /// Whether what exchanges are wrong by has not been halved for long. Those that let nothing go end by themselves.
+    fn has_stalled(&mut self, wrong: &Wrong) -> bool {
+        if wrong.by < self.milestone / 2.0 {
+            (self.milestone, self.since) = (wrong.by, 0);
+        } else if !wrong.open.is_empty() {
+            self.since += 1;
+        }
+        self.since >= PATIENCE
+    }
+
+    /// Holds what is at the limit of the pressure descended to, and goes on from there.
+    fn hold_descended(&mut self, limit: f64) {
+        let Some(descent) = &self.descent else {
+            return;
+        };
+        self.free.copy_from_slice(descent.pressure());
+        for (held, p) in self.held.mask.iter_mut().zip(descent.pressure()) {
+            *held = *p >= limit;
+        }
+        self.held.take_from(&mut self.free);
+    }
+
+    /// Holds what is above the limit and lets go what has a gap.
+    fn exchange(&mut self, limit: f64, wrong: &Wrong, v: &[f64]) {
+        let next = self.next(limit, &wrong.above, v);
+        self.let_go(limit, &wrong.open);
+        self.hold(&next);
+        self.hold(&wrong.above);
+    }
+
+    /// One step of the descent from the solution beside the held elements: its pressure (Pa), `K p` and `v` (m).
+    fn descend(
+        &mut self,
+        problem: &mut DiscreteProblem,
+        load: Load,
+        wrong: &Wrong,
+        [pressure, displacement, v]: [&[f64]; 3],
+        accuracy: f64,
+    ) {
+        let limit = problem.hardness();
+        let Some(descent) = &mut self.descent else {
+            return;
+        };
+        descent.count_problem();
+        self.accuracy = accuracy.min(descent.accuracy);
+        let was_at_limit = |element: &&usize| descent.pressure()[**element] >= limit;
+        let returned: Vec<usize> = wrong.above.iter().filter(was_at_limit).copied().collect();
+        if wrong.above.is_empty() {
+            let mut open = wrong.open.clone();
+            open.sort_by(|e, f| v[*f].total_cmp(&v[*e]));
+            open.truncate(descent.settle(pressure, displacement, open.len()));
+            (descent.accuracy, self.accuracy) = (accuracy, accuracy);
+            self.let_go(limit, &open);
+        } else if returned.is_empty() {
+            let products = descent.step(problem, load, pressure, displacement);
+            self.total.operator_applications += products;
+            self.hold_descended(limit);
+        } else {
+            self.hold(&returned);
+        }
+    }
+
+    /// The elements on the wrong side of the solution beside the held ones, by its `v = K p + w* + g0` (m).
+    fn wrong(&mut self, problem: &DiscreteProblem, load: Load, v: &[f64]) -> Wrong {
+        let limit = problem.hardness();
+        let highest = limit * (1.0 + ABOVE);
+        let mut wrong = Wrong::default();
+        for (element, p) in self.free.iter().enumerate().filter(|(_, p)| **p > highest) {
+            wrong.above.push(element);
+            wrong.by = wrong.by.max(p / limit - 1.0);
+        }
+        if self.held.count() == 0 {
+            return wrong;
+        }
+        let penetration = self.penetration(load, v);
+        self.total.penetration = penetration;
+        let total = self.free.iter().sum::<f64>() + self.held.total;
+        let reference = problem.reference_length(penetration, total);
+        let lowest = penetration + SLACK * self.accuracy * reference;
+        let held = self.held.mask.iter().enumerate();
+        let open = held.filter(|(element, held)| **held && v[*element] > lowest);
+        wrong.open = open.map(|(element, _)| element).collect();
+        for element in &wrong.open {
+            wrong.by = wrong.by.max((v[*element] - penetration) / reference);
+        }
+        wrong
+    }
+
+    /// As many elements as carry at the limit what those above it carry beyond it: those that press most, then those
+    /// with the narrowest gap.
+    fn next(&self, limit: f64, above: &[usize], v: &[f64]) -> Vec<usize> {
+        let above = above.iter().map(|element| self.free[*element]);
+        let beyond: f64 = above.map(|p| p / limit - 1.0).sum();
+        // Elements that have been let go in vain must not all come back.
+        if beyond < 1.0 || self.has_let_go {
+            return Vec::new();
+        }
+        let is_below = |e: &usize| self.free[*e] <= limit && !self.held.mask[*e];
+        let touchable = (0..v.len()).filter(|e| is_below(e) && v[*e].is_finite());
+        let mut next: Vec<usize> = touchable.collect();
+        next.sort_by(|e, f| {
+            let by_pressure = self.free[*f].total_cmp(&self.free[*e]);
+            by_pressure.then(v[*e].total_cmp(&v[*f]))
+        });
+        let counted = next.into_iter().zip(1_u32..);
+        let next = counted.take_while(|(_, count)| f64::from(*count) <= beyond);
+        next.map(|(element, _)| element).collect()
+    }
+
+    /// `D` for `v = K p + w* + g0` (m).
+    fn penetration(&self, load: Load, v: &[f64]) -> f64 {
+        if let Load::Penetration(penetration) = load {
+            return penetration;
+        }
+        let (mut total, mut weighted) = (0.0, 0.0);
+        let (mut highest, mut lowest) = (f64::NEG_INFINITY, f64::INFINITY);
+        for ((p, v), held) in self.free.iter().zip(v).zip(&self.held.mask) {
+            if *held {
+                highest = highest.max(*v);
+            } else if *p > 0.0 {
+                (total, weighted) = (total + p, weighted + p * v);
+            } else {
+                lowest = lowest.min(*v);
+            }
+        }
+        if total > 0.0 {
+            weighted / total
+        } else {
+            highest.min(lowest)
+        }
+    }
+
+    /// Holds elements that are above the limit.
+    fn hold(&mut self, above: &[usize]) {
+        for element in above {
+            self.held.mask[*element] = true;
+        }
+        self.held.take_from(&mut self.free);
+    }
+
+    /// Lets go elements that have a gap.
+    fn let_go(&mut self, limit: f64, open: &[usize]) {
+        self.has_let_go |= !open.is_empty();
+        for element in open {
+            self.held.mask[*element] = false;
+            self.free[*element] = limit;
+        }
+    }
+
+    /// The whole pressure, in Pa.
+    fn pressure(&self, limit: f64) -> Vec<f64> {
+        let mut pressure = self.free.clone();
+        self.held.add_to(&mut pressure, limit);
+        pressure
+    }
+
+    /// What the exchanges end with: nowhere above the limit.
+    pub fn into_iterate(self, limit: f64) -> Iterate {
+        let mut pressure = self.pressure(limit);
+        pressure.iter_mut().for_each(|p| *p = p.min(limit));
+        Iterate {
+            pressure,
+            ..self.total
+        }
+    }
+}
