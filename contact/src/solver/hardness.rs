@@ -21,8 +21,8 @@
 //! all of a prescribed force, only those that overlap most. From no element held, a fully plastic contact took five to
 //! seven times the products, a ring of elements an exchange.
 //!
-//! **Why it ends.** After four exchanges without gain they give way to a [descent](self::descent), whose energy falls from
-//! one admissible pressure to the next. The number of products is bounded besides, and the certificate tells.
+//! **Why it ends.** After four exchanges without gain they give way to a [descent](self::descent), whose energy falls
+//! from one admissible pressure to the next. The number of products is bounded besides, and the certificate tells.
 //!
 //! **What it costs.** Random problems without a start take some 30 products, of which some 14 are for the problem
 //! without a limit.

@@ -14,8 +14,8 @@
 //!
 //! **How many are let go.** Under a stiff coat those left free take up most of what is let go, and it takes as many
 //! problems to hold them again. So those with the widest gap are let go, half as many after it took more than
-//! [`FEW_RETURNS`] problems, else twice as many. On a coat four million times as stiff as what is under it that may still
-//! take more than 2000 products.
+//! [`FEW_RETURNS`] problems, else twice as many. On a coat four million times as stiff as what is under it that may
+//! still take more than 2000 products.
 
 use crate::{
     DiscreteProblem, Load,
