@@ -68,9 +68,10 @@ pub use solver::{
 };
 pub use stress::{
     critical::{CriticalLoad, critical_loads},
+    extreme::Extreme,
     extremes::{
-        BodyStress, BodyUtilisation, Extreme, InterfaceStress, InterfaceUtilisation,
-        StressExtremes, stress_extremes,
+        BodyStress, BodyUtilisation, InterfaceStress, InterfaceUtilisation, StressExtremes,
+        stress_extremes,
     },
     field::{StressField, StressPlanes},
     model::{

@@ -3,6 +3,7 @@
 
 mod around;
 pub mod critical;
+pub mod extreme;
 pub mod extremes;
 pub mod field;
 mod finder;

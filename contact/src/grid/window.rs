@@ -7,6 +7,7 @@ mod extent;
 mod fields;
 
 use pellicle_influence::{Sector, SurfaceElasticity};
+use rayon::prelude::*;
 
 use self::extent::IndexRange;
 
@@ -70,7 +71,7 @@ impl Window {
         if size as f64 > LARGEST_PART * grid as f64 {
             return self.everywhere();
         }
-        extent.centred(size, &self.everywhere())
+        self.everywhere().centred(&extent, size)
     }
 
     /// The same of the elements that press, by the pressure on this window; none where nothing presses.
@@ -104,7 +105,53 @@ impl Window {
             last: [0, 1].map(high),
         };
         let size = self.sector.size_for(extent.side_of_square(self.sector));
-        Some(extent.centred(size, &everywhere))
+        Some(everywhere.centred(&extent, size))
+    }
+
+    /// First and last of this window's elements that belong, or lie between those and an axis of the sector.
+    fn extent(&self, belongs: impl Fn([usize; 2]) -> bool + Sync) -> Option<IndexRange> {
+        let [above, left] = self.origin;
+        let [rows, columns] = self.lengths();
+        let columns = left..left + columns;
+        let of_row = |i: usize| {
+            let belongs = |j: &usize| belongs([i, *j]);
+            let first = columns.clone().find(belongs)?;
+            let last = (first..columns.end).rfind(belongs)?;
+            Some(IndexRange {
+                first: [i, first],
+                last: [i, last],
+            })
+        };
+        let rows = (above..above + rows).into_par_iter();
+        let rows = rows.with_min_len(self.rows_per_thread());
+        let extents: Vec<IndexRange> = rows.filter_map(of_row).collect();
+        let extent = extents.into_iter().reduce(IndexRange::and)?;
+        let first = |axis: usize| {
+            if self.sector.mirrored()[axis] {
+                0
+            } else {
+                extent.first[axis]
+            }
+        };
+        Some(IndexRange {
+            first: [0, 1].map(first),
+            ..extent
+        })
+    }
+
+    /// The window of `size` elements a row around the centre of an extent, moved into the grid; from the axis on where
+    /// the extent reaches from there.
+    fn centred(&self, extent: &IndexRange, size: usize) -> Self {
+        let (lengths, all) = (self.sector.lengths(size), self.lengths());
+        let origin = [0, 1].map(|axis: usize| {
+            let twice_centre = extent.first[axis] + extent.last[axis] + 1;
+            (twice_centre.saturating_sub(lengths[axis]) / 2).min(all[axis] - lengths[axis])
+        });
+        Self {
+            origin,
+            size,
+            ..*self
+        }
     }
 
     /// The window of twice the side around the same centre.

@@ -7,7 +7,10 @@ use pellicle_influence::{
 };
 use pellicle_texture::Grid;
 
-use super::{ModelParameter, springs::SpringChange};
+use super::{
+    ModelParameter,
+    springs::{SpringChange, difference},
+};
 use crate::{
     ContactError, Model, SampledModel, grid::window::Window, problem::model::initial_gap,
     vector::dot,
@@ -160,30 +163,5 @@ impl Change {
                 }
             }
         }
-    }
-}
-
-/// `(more − less)/(2 step)`; 0 where both are infinite, beyond the indenter's end.
-pub(super) fn difference(more: &[f64], less: &[f64], step: f64) -> Vec<f64> {
-    let pairs = more.iter().zip(less);
-    let slope = |(more, less): (&f64, &f64)| {
-        if more.is_finite() && less.is_finite() {
-            (more - less) / (2.0 * step)
-        } else {
-            0.0
-        }
-    };
-    pairs.map(slope).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::difference;
-
-    #[test]
-    fn a_difference_is_central_and_nothing_beyond_the_end_of_an_indenter() {
-        let end = f64::INFINITY;
-        let found = difference(&[3.0, end, end, -1.0], &[1.0, end, 2.0, end], 0.25);
-        assert_eq!(found, [4.0, 0.0, 0.0, 0.0]);
     }
 }

@@ -2,7 +2,6 @@
 
 use pellicle_texture::SpringLaw;
 
-use super::change::difference;
 use crate::{grid::window::Window, vector::dot};
 
 /// Derivatives of springs by one number θ, per unit of θ.
@@ -45,5 +44,30 @@ impl SpringChange {
                 (image, (more.1 - less.1) / (2.0 * step))
             }
         }
+    }
+}
+
+/// `(more − less)/(2 step)`; 0 where both are infinite, beyond the indenter's end.
+pub(super) fn difference(more: &[f64], less: &[f64], step: f64) -> Vec<f64> {
+    let pairs = more.iter().zip(less);
+    let slope = |(more, less): (&f64, &f64)| {
+        if more.is_finite() && less.is_finite() {
+            (more - less) / (2.0 * step)
+        } else {
+            0.0
+        }
+    };
+    pairs.map(slope).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::difference;
+
+    #[test]
+    fn a_difference_is_central_and_nothing_beyond_the_end_of_an_indenter() {
+        let end = f64::INFINITY;
+        let found = difference(&[3.0, end, end, -1.0], &[1.0, end, 2.0, end], 0.25);
+        assert_eq!(found, [4.0, 0.0, 0.0, 0.0]);
     }
 }

@@ -32,30 +32,17 @@
 //! the largest `v` of those held to the least of the others solves the problem: the least is taken.
 
 mod descent;
+mod elastic_solver;
 mod exchange;
 
+pub use self::elastic_solver::ElasticSolver;
 use self::exchange::Exchange;
-use super::{Iterate, Solver, SolverOptions, Watch};
+use super::{Iterate, Watch};
 use crate::{ContactError, DiscreteProblem, Load};
 
 /// Part of the tolerance to which the problems are solved: should one of two elements that differ by twice a residual
 /// come to the limit by a rounding, the other alone says how deep the indenter is.
 const CLOSER: f64 = 0.5;
-
-/// A solver of the problem without a limit.
-pub trait ElasticSolver: Solver {
-    /// How far it goes.
-    fn options(&mut self) -> &mut SolverOptions;
-
-    /// Solves as if nothing limited the pressure; `K p` (m) of it too, where it is known without a product.
-    fn solve_elastic(
-        &mut self,
-        problem: &mut DiscreteProblem,
-        load: Load,
-        start: &[f64],
-        watch: &mut Watch<'_>,
-    ) -> Result<(Iterate, Option<Vec<f64>>), ContactError>;
-}
 
 /// Solves a problem, by exchanges where it has a hardness.
 pub fn solve(

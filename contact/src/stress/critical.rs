@@ -2,7 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::extremes::{BodyStress, Extreme, InterfaceStress, StressExtremes};
+use super::extreme::Extreme;
+use super::extremes::{BodyStress, InterfaceStress, StressExtremes};
 use super::load_search::{LoadSearch, Outcome, Solved};
 use super::model::{Criterion, StressModel};
 use super::quantity::Quantity;

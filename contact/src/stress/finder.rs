@@ -1,6 +1,6 @@
 //! The largest values of quantities in depth ranges: planes first, then points, then the same peak on coarser grids.
 
-use super::extremes::Extreme;
+use super::extreme::Extreme;
 use super::field::StressField;
 use super::model::Sliding;
 use super::quantity::Quantity;

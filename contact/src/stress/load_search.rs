@@ -3,7 +3,7 @@
 //! A stress grows about as a power of the load, so that the secant between two solved loads in logarithms meets a
 //! strength in a few steps; each is a contact solved on its own grids, and its stresses searched.
 
-use super::extremes::Extreme;
+use super::extreme::Extreme;
 use super::finder::Finder;
 use super::model::Sliding;
 use super::scan::Target;

@@ -21,7 +21,9 @@ mod sparse_factor;
 use pellicle_influence::PeriodicSymbol;
 
 use crate::solver::gradient::preconditioner::restricted_filter::RestrictedFilter;
-use crate::solver::gradient::preconditioner::sparse_factor::{ScatteredFactor, SparseFactor};
+use crate::solver::gradient::preconditioner::sparse_factor::{
+    SparseFactor, scattered::ScatteredFactor,
+};
 use crate::solver::gradient::state::State;
 use crate::solver::gradient::working_set::WorkingSet;
 use crate::{

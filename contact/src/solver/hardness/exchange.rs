@@ -1,7 +1,7 @@
 //! One exchange of elements after the other: which are held at the limit, and how far the others' problem is solved.
 
-use super::ElasticSolver;
 use super::descent::Descent;
+use super::elastic_solver::ElasticSolver;
 use crate::{
     ContactError, DiscreteProblem, Iterate, Load, SolverOptions,
     problem::held_pressure::HeldPressure, solver::Watch, vector::add_scaled,

@@ -22,7 +22,7 @@ mod blocks;
 mod direct;
 mod local_system;
 mod order;
-mod scattered;
+pub mod scattered;
 
 use std::{
     collections::HashMap,
@@ -32,7 +32,6 @@ use std::{
 use pellicle_influence::{Sector, SurfaceElasticity};
 use rayon::prelude::*;
 
-pub use self::scattered::ScatteredFactor;
 use self::{
     blocks::{Blocks, Product},
     direct::DirectFactor,
