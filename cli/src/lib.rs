@@ -26,6 +26,7 @@ mod interrupt;
 mod map;
 mod measured;
 mod memory;
+mod outcome;
 mod output;
 mod picture;
 mod planning;

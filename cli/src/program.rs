@@ -7,22 +7,8 @@ use clap::Parser;
 
 use crate::arguments::{Arguments, Command};
 use crate::failure::Failure;
+use crate::outcome::Outcome;
 use crate::{command, interrupt, terminal};
-
-/// The outcome of a command that did not fail.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Outcome {
-    /// Everything is done, and every solution is certified.
-    Done,
-    /// The result is written, but marked as not converged or cut off; in a study, some case has no certified result.
-    NotConverged,
-    /// The program disagrees with a reference: a row of its validation fails.
-    Refuted,
-    /// The model does not follow the measurements: the best fit is written, but marked.
-    Misfit,
-    /// The user asked to stop; finished results are written.
-    Stopped,
-}
 
 /// Runs the program with these arguments, the first being its name.
 pub fn main(arguments: impl IntoIterator<Item = impl Into<OsString> + Clone>) -> ExitCode {

@@ -29,7 +29,7 @@ pub use indenter::{
 pub use path::{
     LoadingPath,
     domain::{
-        Boundary, Domain,
+        Domain,
         choice::{choose_side, choose_side_at},
         default_side, estimated_force, estimated_force_at_radius,
     },
@@ -40,6 +40,7 @@ pub use path::{
     },
 };
 pub use problem::{
+    boundary::Boundary,
     discrete_problem::{DiscreteProblem, Identity},
     load::Load,
     model::{Model, SampledModel},

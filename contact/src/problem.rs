@@ -1,6 +1,7 @@
 //! The problem: what is pressed into what, by which load, and its form on one grid.
 
 mod body;
+pub mod boundary;
 pub mod discrete_problem;
 pub mod held_pressure;
 pub mod load;

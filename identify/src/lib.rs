@@ -15,6 +15,7 @@ mod correlation;
 mod curve;
 mod distribution;
 mod error;
+mod exclusion;
 mod fit;
 mod forward_error;
 mod forward_model;
@@ -49,6 +50,7 @@ pub use contact_curves::{
 };
 pub use curve::Curve;
 pub use error::IdentifyError;
+pub use exclusion::Exclusion;
 pub use fit::{exponents, identify};
 pub use forward_error::ForwardError;
 pub use forward_model::{ForwardModel, Prediction};
@@ -63,7 +65,6 @@ pub use posterior::{Convergence, Posterior, PosteriorOptions, posterior};
 pub use prior::Prior;
 pub use problem::{Problem, Scatter};
 pub use profile::ProfilePoint;
-pub use repeats::Exclusion;
 pub use result::{
     BetweenCurves, Coefficient, Estimate, Fit, FitVerdict, FittedPoints, Stopped, Warning, Work,
 };

@@ -8,7 +8,7 @@ use serde::Serialize;
 use crate::arguments::CacheArguments;
 use crate::display::significant;
 use crate::failure::Failure;
-use crate::program::Outcome;
+use crate::outcome::Outcome;
 use crate::{cache, output, terminal};
 
 /// The contents of the cache, after clearing.

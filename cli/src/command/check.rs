@@ -11,8 +11,8 @@ use crate::display::{self, Unit, quantity, significant};
 use crate::failure::Failure;
 use crate::forecast::Forecast;
 use crate::map::shortest_wave;
+use crate::outcome::Outcome;
 use crate::output::disk_space;
-use crate::program::Outcome;
 use crate::{cache, terminal};
 
 /// Prints the case with every default filled in, the estimates below it, and the warnings to expect.

@@ -4,7 +4,7 @@ use clap::CommandFactory;
 
 use crate::arguments::{Arguments, CompletionsArguments};
 use crate::failure::Failure;
-use crate::program::Outcome;
+use crate::outcome::Outcome;
 use crate::terminal;
 
 /// Prints the completions for a shell.

@@ -3,7 +3,7 @@
 use crate::arguments::GatherArguments;
 use crate::command::study::words;
 use crate::failure::Failure;
-use crate::program::Outcome;
+use crate::outcome::Outcome;
 use crate::study::gather::{self, OtherTable};
 use crate::terminal;
 

@@ -13,10 +13,10 @@ use crate::failure::Failure;
 use crate::fit_file::{FitFile, Measurements};
 use crate::identification::{files, simulation, text};
 use crate::identifying::{self, FittedFile, Stage};
+use crate::outcome::Outcome;
 use crate::output::file::{self, Existing};
 use crate::output::folder::{Completeness, ResultsFolder};
 use crate::output::json;
-use crate::program::Outcome;
 use crate::{interrupt, terminal, threads};
 
 /// Fits the model, writes the results and tells them.

@@ -10,7 +10,7 @@ use crate::arguments::InfluenceArguments;
 use crate::case::Case;
 use crate::case::units::Units;
 use crate::failure::Failure;
-use crate::program::Outcome;
+use crate::outcome::Outcome;
 use crate::{cache, output, terminal};
 
 /// The coefficient at one offset.

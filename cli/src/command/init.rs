@@ -4,8 +4,8 @@ use std::path::Path;
 
 use crate::arguments::InitArguments;
 use crate::failure::Failure;
+use crate::outcome::Outcome;
 use crate::output::file;
-use crate::program::Outcome;
 use crate::templates::Template;
 use crate::terminal;
 

@@ -6,7 +6,7 @@ use crate::arguments::KernelArguments;
 use crate::case::Case;
 use crate::case::units::Units;
 use crate::failure::Failure;
-use crate::program::Outcome;
+use crate::outcome::Outcome;
 use crate::{output, terminal};
 
 /// Compliance and response at one wavenumber.

@@ -5,10 +5,10 @@ use std::path::Path;
 
 use crate::arguments::PlotArguments;
 use crate::failure::Failure;
+use crate::outcome::Outcome;
 use crate::output::redraw::{self, RedrawOptions};
 use crate::output::summary::WarningSummary;
 use crate::picture::style::{Heading, Style};
-use crate::program::Outcome;
 use crate::progress::ProgressLine;
 use crate::terminal;
 

@@ -12,8 +12,8 @@ use crate::case::units::Units;
 use crate::failure::Failure;
 use crate::forecast::Need;
 use crate::memory::MemoryBudget;
+use crate::outcome::Outcome;
 use crate::output::stress::FIELDS;
-use crate::program::Outcome;
 use crate::progress::ProgressLine;
 use crate::{cache, output, terminal, threads};
 

@@ -7,7 +7,7 @@ use serde::Serialize;
 use crate::arguments::StudyArguments;
 use crate::failure::Failure;
 use crate::memory::MemoryBudget;
-use crate::program::Outcome;
+use crate::outcome::Outcome;
 use crate::progress::in_words;
 use crate::study::Study;
 use crate::study::case_solver::CaseSolver;

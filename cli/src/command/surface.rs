@@ -7,8 +7,8 @@ use ndarray_npy::WriteNpyExt;
 
 use crate::arguments::SurfaceArguments;
 use crate::failure::Failure;
+use crate::outcome::Outcome;
 use crate::output::{file, gsf};
-use crate::program::Outcome;
 use crate::self_affine::SelfAffine;
 use crate::terminal;
 

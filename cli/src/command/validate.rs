@@ -6,7 +6,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::arguments::ValidateArguments;
 use crate::failure::Failure;
-use crate::program::Outcome;
+use crate::outcome::Outcome;
 use crate::validation::{
     SECTIONS, SectionResult, ValidationReport, ValidationRun, ValidationSection, heading,
     section_text,

@@ -20,7 +20,7 @@ use std::sync::LazyLock;
 
 use pellicle_texture::Relief;
 
-use crate::{Load, Model, Profile as _};
+use crate::{Boundary, Load, Model, Profile as _};
 use root::where_zero;
 
 /// The square on which the problem is solved.
@@ -38,16 +38,6 @@ pub enum Domain {
     /// forces on one cell. On a half-space the mean displacement of the surface is infinite, so penetrations are told
     /// from the mean plane of the deformed surface.
     Periodic(f64),
-}
-
-/// What lies around the square.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Boundary {
-    /// The surface goes on without load.
-    #[default]
-    Free,
-    /// The square repeats itself.
-    Periodic,
 }
 
 impl Domain {

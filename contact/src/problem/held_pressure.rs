@@ -6,7 +6,7 @@
 //! g0′ = g0 + K p_H outside H, +∞ on H,      Q′ = Q − 4a² Σ p_H
 //! ```
 
-use crate::{DiscreteProblem, Load};
+use crate::Load;
 
 /// Some elements held at the hardness; fields hold N² values.
 #[derive(Default)]
@@ -22,36 +22,6 @@ pub struct HeldPressure {
 }
 
 impl HeldPressure {
-    /// None of so many.
-    pub fn none(problem: &DiscreteProblem) -> Self {
-        Self {
-            mask: vec![false; problem.elements()],
-            gap: problem.initial_gap().to_vec(),
-            displacement: vec![0.0; problem.elements()],
-            total: 0.0,
-        }
-    }
-
-    /// Finds what is left for the others of the elements now in the mask; returns the products that it took: one, where
-    /// there are any.
-    pub fn press(&mut self, problem: &mut DiscreteProblem) -> usize {
-        let limit = problem.hardness();
-        self.total = limit * self.count() as f64;
-        self.gap.copy_from_slice(problem.initial_gap());
-        if self.total == 0.0 {
-            self.displacement.fill(0.0);
-            return 0;
-        }
-        let mut pressure = vec![0.0; self.mask.len()];
-        self.add_to(&mut pressure, limit);
-        problem.displace(&pressure, &mut self.displacement);
-        let fields = self.gap.iter_mut().zip(&self.mask);
-        for ((gap, held), u) in fields.zip(&self.displacement) {
-            *gap = if *held { f64::INFINITY } else { *gap + u };
-        }
-        1
-    }
-
     /// How many.
     pub fn count(&self) -> usize {
         self.mask.iter().filter(|held| **held).count()

@@ -25,17 +25,11 @@ use rayon::prelude::*;
 
 pub use self::runs::scattered_work;
 use self::runs::{Run, Runs};
-use self::smooth::{NEAR_WIDTH, Smooth, weights};
+use self::smooth::{NEAR_WIDTH, ORDER, RADIUS, SPACING, Smooth, weights};
 use super::convolution::ConvolutionOperator;
 use super::elastic::ElasticOperator;
 use crate::coefficient_table::CoefficientTable;
 
-/// `R`, in elements.
-const RADIUS: usize = 96;
-/// `h`, in elements.
-const SPACING: usize = 6;
-/// `q`: with 10 the error is five times as large.
-const ORDER: usize = 12;
 /// Least elements along a side.
 const SMALLEST: usize = 2 * RADIUS;
 /// Runs worth a thread of their own.

@@ -9,10 +9,10 @@ use crate::arguments::IdentifyArguments;
 use crate::failure::Failure;
 use crate::fit_file::{FitFile, Measurements};
 use crate::identifying::{self, Stage};
+use crate::outcome::Outcome;
 use crate::output::folder::{Completeness, ResultsFolder};
 use crate::output::json;
 use crate::planning::{files, text};
-use crate::program::Outcome;
 use crate::{interrupt, terminal, threads};
 
 /// Added to the name of the fit file for the folder of a plan, so that the fit keeps its own.

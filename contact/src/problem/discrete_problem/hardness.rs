@@ -52,6 +52,36 @@ impl DiscreteProblem {
         }
     }
 
+    /// No elements held.
+    pub(crate) fn none_held(&self) -> HeldPressure {
+        HeldPressure {
+            mask: vec![false; self.elements()],
+            gap: self.initial_gap().to_vec(),
+            displacement: vec![0.0; self.elements()],
+            total: 0.0,
+        }
+    }
+
+    /// Finds what is left for the others of the elements now in the mask; returns the products that it took: one, where
+    /// there are any.
+    pub(crate) fn press_held(&mut self, held: &mut HeldPressure) -> usize {
+        let limit = self.hardness();
+        held.total = limit * held.count() as f64;
+        held.gap.copy_from_slice(self.initial_gap());
+        if held.total == 0.0 {
+            held.displacement.fill(0.0);
+            return 0;
+        }
+        let mut pressure = vec![0.0; held.mask.len()];
+        held.add_to(&mut pressure, limit);
+        self.displace(&pressure, &mut held.displacement);
+        let fields = held.gap.iter_mut().zip(&held.mask);
+        for ((gap, held), u) in fields.zip(&held.displacement) {
+            *gap = if *held { f64::INFINITY } else { *gap + u };
+        }
+        1
+    }
+
     /// Solves with some elements held at a pressure, as a part of the load.
     pub(crate) fn under<T>(
         &mut self,

@@ -61,7 +61,7 @@ impl Exchange {
     pub fn start(problem: &mut DiscreteProblem, load: Load, start: &[f64], tolerance: f64) -> Self {
         let limit = problem.hardness();
         let mut total = Iterate::of(Vec::new());
-        let mut held = HeldPressure::none(problem);
+        let mut held = problem.none_held();
         let gaps = problem.initial_gap().iter();
         held.mask = (start.iter().zip(gaps))
             .map(|(p, g0)| *p >= NEAR * limit && g0.is_finite())
@@ -100,7 +100,7 @@ impl Exchange {
     /// Makes the held elements a part of the load: one product where they are others than before.
     pub fn press(&mut self, problem: &mut DiscreteProblem) {
         if !self.is_pressed {
-            self.total.operator_applications += self.held.press(problem);
+            self.total.operator_applications += problem.press_held(&mut self.held);
             self.is_pressed = true;
         }
     }

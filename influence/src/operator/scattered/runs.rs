@@ -1,6 +1,6 @@
 //! Listed elements as runs of neighbours, and how many pairs of them are near.
 
-use super::{ORDER, RADIUS};
+use super::smooth::{ORDER, RADIUS};
 
 /// Elements side by side in one row.
 #[derive(Clone, Copy, Debug)]

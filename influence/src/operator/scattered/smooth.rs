@@ -1,6 +1,5 @@
 //! The coefficients split into a near part and a smooth one, and the nodes that the smooth one is interpolated from.
 
-use super::{ORDER, RADIUS, SPACING};
 use crate::coefficient_table::CoefficientTable;
 use crate::error::InfluenceError;
 
@@ -8,6 +7,12 @@ use crate::error::InfluenceError;
 /// the kink at `R` alone is an error twenty times as large.
 const MEETINGS: [isize; 11] = [-20, -16, -12, -8, -4, 0, 4, 8, 12, 16, 20];
 
+/// `R`, in elements.
+pub(super) const RADIUS: usize = 96;
+/// `h`, in elements.
+pub(super) const SPACING: usize = 6;
+/// `q`: with 10 the error is five times as large.
+pub(super) const ORDER: usize = 12;
 /// Columns of the table of near coefficients.
 pub(super) const NEAR_WIDTH: usize = 2 * RADIUS - 1;
 

@@ -2,7 +2,8 @@
 
 use rayon::ThreadPoolBuilder;
 
-use super::{ORDER, RADIUS, ScatteredOperator, scattered_work};
+use super::smooth::{ORDER, RADIUS};
+use super::{ScatteredOperator, scattered_work};
 use crate::operator::{ConvolutionOperator, ElasticOperator};
 use crate::{CoefficientTable, RadialTables};
 use pellicle_kernel::{Foundation, Material};
