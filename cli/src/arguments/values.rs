@@ -1,7 +1,7 @@
 //! Parsers of option values: quantities, ranges, sections and offsets.
 
-use crate::case::dimension::Dimension;
-use crate::case::quantity;
+use crate::input::dimension::Dimension;
+use crate::input::quantity;
 use crate::picture::style::Cut;
 
 pub(super) fn positive(text: &str) -> Result<f64, String> {
