@@ -1,8 +1,5 @@
 //! The case file: one problem in TOML, read into numbers and checked, every default filled in.
 
-pub mod diagnosis;
-pub mod dimension;
-pub mod document;
 pub mod foundation;
 pub mod grid;
 pub mod handed_over;
@@ -13,21 +10,12 @@ pub mod load;
 pub mod map;
 pub mod map_sources;
 pub mod output;
-pub mod overrides;
 pub mod parameter;
 pub mod periodic;
-pub mod quantity;
-pub mod quantity_list;
 pub mod solver;
-pub mod source;
-pub mod spacing;
-pub mod span;
 pub mod spring_law;
 pub mod stress;
 pub mod surface;
-pub mod table_reader;
-pub mod units;
-pub mod value_reader;
 pub mod warnings;
 
 use std::path::{Path, PathBuf};
@@ -37,9 +25,6 @@ use pellicle_contact::{ContactError, Domain, Model, SolverOptions, choose_side_a
 use pellicle_influence::{Cache, Cached, ElasticBodies, InfluenceError};
 use serde::Serialize;
 
-use self::diagnosis::Diagnosis;
-use self::document::Document;
-use self::document::TomlNode;
 use self::foundation::FoundationCase;
 use self::grid::{BoundaryCase, GridCase};
 use self::indenter::IndenterCase;
@@ -47,13 +32,18 @@ use self::load::LoadCase;
 use self::map_sources::MapSources;
 use self::output::OutputCase;
 use self::solver::SolverCase;
-use self::source::Source;
 use self::stress::StressCase;
 use self::surface::SurfaceCase;
-use self::table_reader::TableReader;
-use self::units::Units;
-use self::value_reader::ValueReader;
 use crate::failure::Failure;
+use crate::input::diagnosis::Diagnosis;
+use crate::input::document::Document;
+use crate::input::overrides;
+use crate::input::source::Source;
+use crate::input::table_reader::TableReader;
+use crate::input::toml_tree::{self, TomlNode};
+use crate::input::units::Units;
+use crate::input::value_reader::ValueReader;
+use crate::source_file;
 
 /// A problem as resolved: every default filled in, every value in SI units or the case's own consistent ones.
 ///
@@ -105,7 +95,7 @@ impl BaseCase {
     ///
     /// [`Failure`] if the file cannot be read or is not TOML.
     pub fn read(path: &Path, sets: &[String]) -> Result<Self, Failure> {
-        let mut root = document::parse(&Arc::new(source::read(path)?))?;
+        let mut root = toml_tree::parse(&Arc::new(source_file::read(path)?))?;
         for argument in sets {
             overrides::set(&mut root, argument)?;
         }
@@ -137,7 +127,7 @@ impl Case {
     ///
     /// [`Failure::Unreadable`] if the file cannot be read, [`Failure::Case`] if it is not a valid case.
     pub fn read(path: &Path, sets: &[String]) -> Result<Self, Failure> {
-        let source = Arc::new(source::read(path)?);
+        let source = Arc::new(source_file::read(path)?);
         let stem = path.file_stem().unwrap_or_default().to_string_lossy();
         let folder = path.parent().unwrap_or(Path::new(""));
         Ok(Self::parse(&source, &stem, folder, sets)?)
@@ -154,7 +144,7 @@ impl Case {
         folder: &Path,
         sets: &[String],
     ) -> Result<Self, Diagnosis> {
-        let mut root = document::parse(source)?;
+        let mut root = toml_tree::parse(source)?;
         for argument in sets {
             overrides::set(&mut root, argument)?;
         }
@@ -180,7 +170,7 @@ impl Case {
         name: &str,
         maps: &MapSources,
     ) -> Result<Self, Diagnosis> {
-        Self::resolve_with(&document::parse(source)?, name, maps)
+        Self::resolve_with(&toml_tree::parse(source)?, name, maps)
     }
 
     /// Reads a case from the tree of its text, its maps from `maps`.

@@ -1,6 +1,6 @@
 //! Numbers for people: a few digits and an SI prefix.
 
-use crate::case::units::Units;
+use crate::input::units::Units;
 
 /// The prefixes of 10⁻¹⁸, 10⁻¹⁵ … 10¹².
 const PREFIXES: [&str; 11] = ["a", "f", "p", "n", "µ", "m", "", "k", "M", "G", "T"];

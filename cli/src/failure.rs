@@ -9,9 +9,9 @@ use pellicle_influence::InfluenceError;
 use pellicle_kernel::KernelError;
 use pellicle_texture::TextureError;
 
-use crate::case::diagnosis::Diagnosis;
 use crate::display::memory;
-use crate::forecast::Need;
+use crate::input::diagnosis::Diagnosis;
+use crate::terminal::{NoOutput, clean};
 
 /// The reason why a command ends early.
 #[derive(Debug, thiserror::Error)]
@@ -166,12 +166,14 @@ pub enum Failure {
         path: PathBuf,
     },
     /// There is too little memory for the case.
-    #[error("found {} for a case that needs {} of memory, wanted {}", memory(*available), memory(need.bytes), need.hint(*available))]
+    #[error("found {} for a case that needs {} of memory, wanted {}", memory(*available), memory(*needed), fitting_in_words(*fitting))]
     Memory {
-        /// Memory needed.
-        need: Need,
+        /// Memory needed, bytes.
+        needed: u64,
         /// Memory available, bytes.
         available: u64,
+        /// Elements per side with which the case would fit; 0 if none would.
+        fitting: usize,
     },
     /// The model of a fit file has no curve.
     #[error("the measurement cannot be simulated: {0}")]
@@ -223,11 +225,8 @@ pub enum Failure {
         wanted: &'static str,
     },
     /// Standard output cannot be written to.
-    #[error("standard output: cannot be written: {cause}")]
-    Output {
-        /// The system's error.
-        cause: io::Error,
-    },
+    #[error(transparent)]
+    Output(#[from] NoOutput),
     /// The threads cannot be started.
     #[error("the threads cannot be started: {0}")]
     Threads(#[from] rayon::ThreadPoolBuildError),
@@ -279,7 +278,39 @@ impl Failure {
     pub fn render(&self) -> String {
         match self {
             Self::Case(diagnosis) => diagnosis.render(),
-            other => crate::terminal::clean(&format!("Error: {other}")),
+            other => clean(&format!("Error: {other}")),
         }
+    }
+}
+
+/// The change that would make a case fit in the memory, in words.
+fn fitting_in_words(fitting: usize) -> String {
+    match fitting {
+        0 => "more memory".into(),
+        elements => format!("fewer elements, such as grid.elements = {elements}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn too_little_memory_comes_with_the_elements_that_fit() {
+        let message = |fitting| {
+            let (needed, available) = (2_000_000_000, 300_000_000);
+            let failure = Failure::Memory {
+                needed,
+                available,
+                fitting,
+            };
+            failure.to_string()
+        };
+        assert_eq!(
+            message(1024),
+            "found 300 MB for a case that needs 2.0 GB of memory, \
+             wanted fewer elements, such as grid.elements = 1024"
+        );
+        assert!(message(0).ends_with("wanted more memory"));
     }
 }

@@ -13,14 +13,16 @@ use self::model::FitModel;
 use self::nuisance::NuisanceTable;
 use self::report::ReportTable;
 use self::unknown::{UnknownCase, read_unknowns};
-use crate::case::document::{self, Document};
 use crate::case::map_sources::MapSources;
-use crate::case::source::{self, Source};
-use crate::case::table_reader::TableReader;
-use crate::case::value_reader::ValueReader;
 use crate::failure::Failure;
+use crate::input::document::Document;
+use crate::input::source::Source;
+use crate::input::table_reader::TableReader;
+use crate::input::toml_tree;
+use crate::input::value_reader::ValueReader;
 use crate::measured::data_table::DataTable;
 use crate::measured::sources::MeasurementSources;
+use crate::source_file;
 
 /// A fit file.
 #[derive(Debug)]
@@ -77,7 +79,7 @@ impl FitFile {
     ///
     /// [`Failure::Unreadable`] if the file or its case cannot be read, [`Failure::Case`] if one of them is not valid.
     pub fn read(path: &Path, measurements: Measurements) -> Result<Self, Failure> {
-        let source = Arc::new(source::read(path)?);
+        let source = Arc::new(source_file::read(path)?);
         let stem = path.file_stem().unwrap_or_default().to_string_lossy();
         let folder = path.parent().unwrap_or(Path::new(""));
         Self::parse(&source, &stem, &FitSources::in_folder(folder), measurements)
@@ -95,7 +97,7 @@ impl FitFile {
         measurements: Measurements,
     ) -> Result<Self, Failure> {
         const TABLES: [&str; 6] = ["title", "model", "data", "unknown", "nuisance", "report"];
-        let root = document::parse(source)?;
+        let root = toml_tree::parse(source)?;
         let table = TableReader::root(&root)?;
         table.only(&TABLES)?;
         let title = match table.optional("title") {

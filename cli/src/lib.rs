@@ -22,6 +22,7 @@ mod fit_file;
 mod forecast;
 mod identification;
 mod identifying;
+mod input;
 mod interrupt;
 mod map;
 mod measured;
@@ -35,6 +36,7 @@ mod progress;
 mod self_affine;
 mod sensitivities;
 mod solving;
+mod source_file;
 mod stresses;
 mod study;
 mod templates;
@@ -42,14 +44,14 @@ mod terminal;
 mod threads;
 mod validation;
 
-pub use case::{
-    Case,
+pub use case::Case;
+pub use display::{Scale, Unit, quantity};
+pub use failure::Failure;
+pub use input::{
     diagnosis::{Diagnosis, Fault},
     source::Source,
     units::Units,
 };
-pub use display::{Scale, Unit, quantity};
-pub use failure::Failure;
 pub use program::main;
 pub use templates::Template;
 
@@ -59,7 +61,6 @@ pub mod solved {
     pub use crate::case::foundation::FoundationCase;
     pub use crate::case::grid::BoundaryCase;
     pub use crate::case::map_sources::MapSources;
-    pub use crate::case::source::read as read_source;
     pub use crate::case::stress::StressCase;
     pub use crate::map::MapError;
     pub use crate::memory::MemoryBudget;
@@ -68,6 +69,7 @@ pub mod solved {
     pub use crate::output::json;
     pub use crate::output::stress::{FIELDS, FieldName, fields::StressFields};
     pub use crate::solving::{Resources, SolvedCase, solve};
+    pub use crate::source_file::read as read_source;
     pub use crate::stresses::Search;
 }
 

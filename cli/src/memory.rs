@@ -153,7 +153,11 @@ impl MemoryBudget {
             }
             let available = taken.available();
             if need.bytes > available {
-                return Err(Failure::Memory { need, available });
+                return Err(Failure::Memory {
+                    needed: need.bytes,
+                    available,
+                    fitting: need.fitting(available),
+                });
             }
             if need.bytes <= available - taken.bytes {
                 break;

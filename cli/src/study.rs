@@ -38,9 +38,11 @@ use serde::{Deserialize, Serialize};
 use self::kept_layout::KeptField;
 use self::numbering::CaseNumbering;
 use self::varied_key::VariedKey;
-use crate::case::diagnosis::Diagnosis;
-use crate::case::document::TomlNode;
-use crate::case::{Case, overrides};
+use crate::case::Case;
+use crate::input::diagnosis::Diagnosis;
+use crate::input::key_path;
+use crate::input::overrides;
+use crate::input::toml_tree::TomlNode;
 
 /// The combination of the values of several keys.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -99,7 +101,7 @@ impl Study {
     #[must_use]
     pub fn axes_of(&self, holds: impl Fn(&[String]) -> bool) -> Vec<usize> {
         let is_wanted = |varied: &&VariedKey| {
-            let path = overrides::key_path(&varied.key);
+            let path = key_path::parts(&varied.key);
             path.is_some_and(|path| holds(&path))
         };
         let keys = self.varied_keys.iter().filter(is_wanted);

@@ -73,8 +73,8 @@ mod tests {
 
     use super::*;
     use crate::case::Case;
-    use crate::case::source::Source;
-    use crate::case::units::Units;
+    use crate::input::source::Source;
+    use crate::input::units::Units;
 
     #[test]
     fn the_keys_of_stresses_in_the_template_are_those_of_a_case() {

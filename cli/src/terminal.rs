@@ -2,20 +2,23 @@
 
 use std::io::{self, Write};
 
-use crate::failure::Failure;
+/// Standard output cannot be written to.
+#[derive(Debug, thiserror::Error)]
+#[error("standard output: cannot be written: {0}")]
+pub struct NoOutput(pub io::Error);
 
 /// Writes a text to standard output, [cleaned](clean()). A reader that closes the pipe (`| head -1`) is no error.
 ///
 /// # Errors
 ///
-/// [`Failure::Output`] if standard output cannot be written to, as on a full disk.
-pub fn print(text: &str) -> Result<(), Failure> {
+/// [`NoOutput`] if standard output cannot be written to, as on a full disk.
+pub fn print(text: &str) -> Result<(), NoOutput> {
     let mut stdout = io::stdout().lock();
     match stdout
         .write_all(clean(text).as_bytes())
         .and_then(|()| stdout.flush())
     {
-        Err(cause) if cause.kind() != io::ErrorKind::BrokenPipe => Err(Failure::Output { cause }),
+        Err(cause) if cause.kind() != io::ErrorKind::BrokenPipe => Err(NoOutput(cause)),
         _ => Ok(()),
     }
 }

@@ -2,10 +2,10 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::diagnosis::Diagnosis;
-use super::dimension::Dimension;
-use super::table_reader::TableReader;
-use super::value_reader::Sign;
+use crate::input::diagnosis::Diagnosis;
+use crate::input::dimension::Dimension;
+use crate::input::table_reader::TableReader;
+use crate::input::value_reader::Sign;
 
 /// Elements per side unless given.
 const DEFAULT_ELEMENTS: usize = 256;
@@ -97,8 +97,8 @@ impl GridCase {
 
 #[cfg(test)]
 mod tests {
-    use super::super::table_reader::tests::read_table;
     use super::*;
+    use crate::input::table_reader::tests::read_table;
 
     fn read(text: &str) -> Result<GridCase, String> {
         read_table(text, |table| GridCase::read(&table))

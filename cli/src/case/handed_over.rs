@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-use super::document::TomlValue;
-use super::value_reader::ValueReader;
+use crate::input::toml_tree::TomlValue;
+use crate::input::value_reader::ValueReader;
 
 /// The word for it in a case.
 const KIND: &str = "function";
@@ -38,7 +38,7 @@ mod tests {
 
     use crate::case::Case;
     use crate::case::map_sources::MapSources;
-    use crate::case::source::Source;
+    use crate::input::source::Source;
 
     const CASE: &str = r#"
         [foundation.substrate]

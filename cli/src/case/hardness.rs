@@ -1,10 +1,10 @@
 //! What a hardness asks of the other tables.
 
-use super::diagnosis::Diagnosis;
 use super::foundation::FoundationCase;
 use super::load::LoadCase;
 use super::solver::SolverCase;
-use super::table_reader::TableReader;
+use crate::input::diagnosis::Diagnosis;
+use crate::input::table_reader::TableReader;
 
 /// Refuses a hardness given twice and differently, and what is not computed with one.
 ///
@@ -51,7 +51,8 @@ mod tests {
     use std::path::Path;
     use std::sync::Arc;
 
-    use crate::case::{Case, source::Source};
+    use crate::case::Case;
+    use crate::input::source::Source;
 
     fn read(layer: &str, more: &str) -> Result<Case, String> {
         let text = format!(

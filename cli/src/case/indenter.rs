@@ -8,15 +8,15 @@ use pellicle_contact::{
 use pellicle_kernel::{KernelError, Material};
 use serde::Serialize;
 
-use super::diagnosis::Diagnosis;
-use super::dimension::Dimension;
 use super::foundation::substrate::POISSON_RATIO;
 use super::handed_over::{self, HandedOver};
 use super::height_limits::HeightLimits;
 use super::map::MapCase;
 use super::map_sources::MapSources;
-use super::table_reader::TableReader;
-use super::value_reader::Sign;
+use crate::input::diagnosis::Diagnosis;
+use crate::input::dimension::Dimension;
+use crate::input::table_reader::TableReader;
+use crate::input::value_reader::{Sign, ValueReader};
 
 /// The indenter of a case, every value in SI units or the case's own.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -284,9 +284,7 @@ impl PyramidCase {
 }
 
 fn tip_radius(table: &TableReader<'_>) -> Result<f64, Diagnosis> {
-    let read = |field: super::value_reader::ValueReader<'_>| {
-        field.quantity(Dimension::Length, Sign::NotNegative)
-    };
+    let read = |field: ValueReader<'_>| field.quantity(Dimension::Length, Sign::NotNegative);
     table.optional("tip_radius").map_or(Ok(0.0), read)
 }
 
@@ -311,8 +309,8 @@ fn angle(table: &TableReader<'_>, key: &str, default: Option<f64>) -> Result<f64
 
 #[cfg(test)]
 mod tests {
-    use super::super::table_reader::tests::read_table;
     use super::*;
+    use crate::input::table_reader::tests::read_table;
 
     fn read(text: &str) -> Result<IndenterShape, String> {
         let read = |table: TableReader<'_>| IndenterCase::read(&table, &MapSources::default());

@@ -2,11 +2,11 @@
 
 use serde::Serialize;
 
-use super::diagnosis::{Diagnosis, Fault};
-use super::dimension::Dimension;
-use super::quantity_list::QuantityList;
-use super::table_reader::TableReader;
-use super::value_reader::Sign;
+use crate::input::diagnosis::{Diagnosis, Fault};
+use crate::input::dimension::Dimension;
+use crate::input::quantity_list::QuantityList;
+use crate::input::table_reader::TableReader;
+use crate::input::value_reader::Sign;
 
 /// The four keys of which exactly one is given.
 const KEYS: [&str; 4] = ["force", "forces", "penetration", "penetrations"];
@@ -126,8 +126,8 @@ const PENETRATION: QuantityList = QuantityList {
 
 #[cfg(test)]
 mod tests {
-    use super::super::table_reader::tests::read_table;
     use super::*;
+    use crate::input::table_reader::tests::read_table;
 
     fn read(text: &str) -> Result<LoadValues, String> {
         read_table(text, |table| LoadCase::read(&table)).map(|load| load.values)

@@ -10,15 +10,15 @@ use std::sync::Arc;
 use pellicle_texture::{HeightMap, Interpolation, TextureError};
 use serde::Serialize;
 
-use super::diagnosis::{Diagnosis, Fault};
-use super::dimension::Dimension;
-use super::document::TomlValue;
 use super::height_limits::HeightLimits;
 use super::map_sources::MapSources;
-use super::quantity;
-use super::table_reader::TableReader;
-use super::units::Units;
-use super::value_reader::{Sign, ValueReader};
+use crate::input::diagnosis::{Diagnosis, Fault};
+use crate::input::dimension::Dimension;
+use crate::input::quantity;
+use crate::input::table_reader::TableReader;
+use crate::input::toml_tree::TomlValue;
+use crate::input::units::Units;
+use crate::input::value_reader::{Sign, ValueReader};
 use crate::map::MapFile;
 
 const FILE: &str =
@@ -314,8 +314,8 @@ mod tests {
 
     use tempfile::TempDir;
 
-    use super::super::table_reader::tests::read_table;
     use super::*;
+    use crate::input::table_reader::tests::read_table;
 
     fn folder() -> TempDir {
         let folder = tempfile::tempdir().unwrap();

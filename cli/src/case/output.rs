@@ -3,9 +3,9 @@
 use clap::ValueEnum;
 use serde::Serialize;
 
-use super::diagnosis::Diagnosis;
-use super::table_reader::TableReader;
-use super::value_reader::ValueReader;
+use crate::input::diagnosis::Diagnosis;
+use crate::input::table_reader::TableReader;
+use crate::input::value_reader::ValueReader;
 
 /// The files that a run writes in addition to summary, curve and report.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
@@ -129,8 +129,8 @@ fn formats(field: &ValueReader<'_>) -> Result<Vec<Format>, Diagnosis> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::table_reader::tests::read_table;
     use super::*;
+    use crate::input::table_reader::tests::read_table;
 
     fn read(text: &str) -> Result<OutputCase, String> {
         read_table(text, |table| OutputCase::read(&table))

@@ -6,7 +6,7 @@ use pellicle_kernel::{FoundationParameter, KernelError};
 use pellicle_texture::{Relief, ReliefParameter};
 
 use super::Case;
-use super::dimension::Dimension;
+use crate::input::dimension::Dimension;
 
 /// A number of a case and of its model.
 #[derive(Debug, Clone, PartialEq)]
@@ -134,8 +134,8 @@ mod tests {
 
     use pellicle_influence::Cache;
 
-    use super::super::source::Source;
     use super::*;
+    use crate::input::source::Source;
 
     const CASE: &str = r#"
 [foundation]

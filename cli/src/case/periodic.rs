@@ -1,10 +1,10 @@
 //! What a periodic cell asks of the other tables.
 
-use super::diagnosis::Diagnosis;
 use super::indenter::IndenterCase;
 use super::map::Repetition;
 use super::surface::{LatticeCase, SurfaceCase};
-use super::table_reader::TableReader;
+use crate::input::diagnosis::Diagnosis;
+use crate::input::table_reader::TableReader;
 
 /// Why something is not there.
 const BECAUSE: &str = "with grid.boundary = \"periodic\"";

@@ -3,10 +3,10 @@
 use pellicle_contact::{Method, SolverOptions};
 use serde::Serialize;
 
-use super::diagnosis::Diagnosis;
-use super::dimension::Dimension;
-use super::table_reader::TableReader;
-use super::value_reader::Sign;
+use crate::input::diagnosis::Diagnosis;
+use crate::input::dimension::Dimension;
+use crate::input::table_reader::TableReader;
+use crate::input::value_reader::Sign;
 
 /// Below the lower end rounding errors dominate; above the upper one the answer is useless.
 const TOLERANCES: std::ops::RangeInclusive<f64> = 1e-13..=1e-2;
@@ -94,8 +94,8 @@ impl SolverCase {
 
 #[cfg(test)]
 mod tests {
-    use super::super::table_reader::tests::read_table;
     use super::*;
+    use crate::input::table_reader::tests::read_table;
 
     fn read(text: &str) -> Result<SolverCase, String> {
         read_table(text, |table| SolverCase::read(&table, 256))

@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-use super::diagnosis::Diagnosis;
-use super::table_reader::TableReader;
+use crate::input::diagnosis::Diagnosis;
+use crate::input::table_reader::TableReader;
 
 /// The law of the springs.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]

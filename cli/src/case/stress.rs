@@ -10,18 +10,18 @@ use pellicle_contact::{
 use pellicle_kernel::Foundation;
 use serde::Serialize;
 
-use super::diagnosis::Diagnosis;
-use super::dimension::Dimension;
-use super::document;
 use super::foundation::FoundationCase;
 use super::foundation::depths::BodyPlane;
 use super::foundation::strength::{BodyStrengthCase, InterfaceStrengthCase};
 use super::foundation::substrate::SubstrateCase;
-use super::quantity_list::QuantityList;
-use super::source::Source;
-use super::spacing::rounded;
-use super::table_reader::TableReader;
-use super::value_reader::{Sign, ValueReader};
+use crate::input::diagnosis::Diagnosis;
+use crate::input::dimension::Dimension;
+use crate::input::quantity_list::QuantityList;
+use crate::input::source::Source;
+use crate::input::spacing::rounded;
+use crate::input::table_reader::TableReader;
+use crate::input::toml_tree;
+use crate::input::value_reader::{Sign, ValueReader};
 
 /// The stresses asked for, every value in SI units or the case's own.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
@@ -86,7 +86,7 @@ impl StressCase {
         foundation: &FoundationCase,
         side: f64,
     ) -> Result<Self, Diagnosis> {
-        let root = document::parse(source)?;
+        let root = toml_tree::parse(source)?;
         let table = TableReader::root(&root)?;
         let stress = table.required("stress", "a table [stress]")?;
         Self::read(&stress.table()?, foundation, Some(side))

@@ -6,16 +6,16 @@ use pellicle_texture::{
 };
 use serde::Serialize;
 
-use super::diagnosis::{Diagnosis, Fault};
-use super::dimension::Dimension;
 use super::foundation::FoundationCase;
 use super::handed_over::{self, HandedOver};
 use super::height_limits::HeightLimits;
 use super::map::MapCase;
 use super::map_sources::MapSources;
 use super::spring_law::LawCase;
-use super::table_reader::TableReader;
-use super::value_reader::{Sign, ValueReader};
+use crate::input::diagnosis::{Diagnosis, Fault};
+use crate::input::dimension::Dimension;
+use crate::input::table_reader::TableReader;
+use crate::input::value_reader::{Sign, ValueReader};
 
 /// The surface of a case, every value in SI units or the case's own.
 #[derive(Debug, Clone, PartialEq, Serialize)]

@@ -1,12 +1,12 @@
 //! Warnings about a case that can be solved but may not be meant as it is written.
 
 use super::Case;
-use super::document::{TomlNode, TomlTable, TomlValue};
 use super::foundation::layer::LayerCase;
 use super::map::MapCase;
-use super::table_reader::dotted;
-use super::units::Units;
 use crate::display::{Unit, quantity};
+use crate::input::key_path::dotted;
+use crate::input::toml_tree::{TomlNode, TomlTable, TomlValue};
+use crate::input::units::Units;
 
 /// A warning about a case.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -184,12 +184,12 @@ fn warn_of(path: &str, at: &TomlNode, unit: &str) -> CaseWarning {
 mod tests {
     use std::sync::Arc;
 
-    use super::super::document;
-    use super::super::source::Source;
     use super::*;
+    use crate::input::source::Source;
+    use crate::input::toml_tree;
 
     fn found(text: &str) -> Vec<String> {
-        let root = document::parse(&Arc::new(Source::new("case.toml", text.into()))).unwrap();
+        let root = toml_tree::parse(&Arc::new(Source::new("case.toml", text.into()))).unwrap();
         let mut warnings = Vec::new();
         bare_numbers(&root, &mut warnings);
         warnings

@@ -5,7 +5,7 @@ use clap::CommandFactory;
 use crate::arguments::{Arguments, CompletionsArguments};
 use crate::failure::Failure;
 use crate::outcome::Outcome;
-use crate::terminal;
+use crate::terminal::{self, NoOutput};
 
 /// Prints the completions for a shell.
 ///
@@ -27,7 +27,7 @@ pub fn completions(arguments: &CompletionsArguments) -> Result<Outcome, Failure>
 pub fn man() -> Result<Outcome, Failure> {
     let command = Arguments::command().disable_help_subcommand(true);
     let mut text = Vec::new();
-    page(&command, &mut text).map_err(|cause| Failure::Output { cause })?;
+    page(&command, &mut text).map_err(NoOutput)?;
     print(&text)
 }
 

@@ -8,8 +8,8 @@ use serde::Serialize;
 
 use crate::arguments::InfluenceArguments;
 use crate::case::Case;
-use crate::case::units::Units;
 use crate::failure::Failure;
+use crate::input::units::Units;
 use crate::outcome::Outcome;
 use crate::{cache, output, terminal};
 

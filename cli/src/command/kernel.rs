@@ -4,8 +4,8 @@ use serde::Serialize;
 
 use crate::arguments::KernelArguments;
 use crate::case::Case;
-use crate::case::units::Units;
 use crate::failure::Failure;
+use crate::input::units::Units;
 use crate::outcome::Outcome;
 use crate::{output, terminal};
 

@@ -12,11 +12,12 @@ use serde::Serialize;
 use serde_json::Value;
 
 use crate::arguments::SolveArguments;
-use crate::case::document::{TomlEntry, TomlNode, TomlTable, TomlValue};
-use crate::case::source::{self, Source};
-use crate::case::span::Span;
-use crate::case::{BaseCase, overrides};
+use crate::case::BaseCase;
 use crate::failure::Failure;
+use crate::input::overrides;
+use crate::input::source::{self, Source};
+use crate::input::span::Span;
+use crate::input::toml_tree::{TomlEntry, TomlNode, TomlTable, TomlValue};
 use crate::memory::MemoryBudget;
 use crate::outcome::Outcome;
 use crate::output::folder::Completeness;

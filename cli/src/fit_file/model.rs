@@ -7,14 +7,15 @@ use pellicle_contact::{ContactError, Model};
 use pellicle_influence::Cache;
 
 use crate::case::Case;
-use crate::case::diagnosis::Diagnosis;
-use crate::case::document::{self, TomlEntry, TomlNode, TomlTable, TomlValue};
 use crate::case::map_sources::MapSources;
-use crate::case::overrides;
 use crate::case::parameter::CaseParameter;
-use crate::case::source;
-use crate::case::value_reader::ValueReader;
 use crate::failure::Failure;
+use crate::input::diagnosis::Diagnosis;
+use crate::input::key_path;
+use crate::input::overrides;
+use crate::input::toml_tree::{self, TomlEntry, TomlNode, TomlTable, TomlValue};
+use crate::input::value_reader::ValueReader;
+use crate::source_file;
 
 /// The model of a fit: the tree of a case, and its radial tables by shape.
 #[derive(Debug)]
@@ -47,7 +48,7 @@ impl FitModel {
         let (mut root, maps, name) = if let Some(case) = table.optional("case") {
             table.only(&["case"])?;
             let path = maps.folder().join(case.text()?);
-            let root = document::parse(&Arc::new(source::read(&path)?))?;
+            let root = toml_tree::parse(&Arc::new(source_file::read(&path)?))?;
             let stem = path.file_stem().unwrap_or_default().to_string_lossy();
             let folder = path.parent().unwrap_or(Path::new(""));
             (root, MapSources::in_folder(folder), stem.into_owned())
@@ -101,8 +102,8 @@ impl ModelParameters {
     /// The number of a key, in whatever spelling.
     #[must_use]
     pub fn find(&self, key: &str) -> Option<&CaseParameter> {
-        let path = overrides::key_path(key)?;
-        let is_wanted = |of: &&CaseParameter| overrides::key_path(&of.key).as_ref() == Some(&path);
+        let path = key_path::parts(key)?;
+        let is_wanted = |of: &&CaseParameter| key_path::parts(&of.key).as_ref() == Some(&path);
         self.parameters.iter().find(is_wanted)
     }
 

@@ -6,10 +6,10 @@ use pellicle_identify::{IdentifyError, LinearNuisance, Prior};
 use super::model::ModelParameters;
 use super::prior;
 use super::unknown::{UnknownCase, flattened, read_unknown};
-use crate::case::diagnosis::Diagnosis;
-use crate::case::dimension::Dimension;
-use crate::case::table_reader::TableReader;
-use crate::case::value_reader::ValueReader;
+use crate::input::diagnosis::Diagnosis;
+use crate::input::dimension::Dimension;
+use crate::input::table_reader::TableReader;
+use crate::input::value_reader::ValueReader;
 
 /// What acts on the measurements besides.
 #[derive(Debug, Clone, PartialEq)]

@@ -2,10 +2,10 @@
 
 use pellicle_identify::Prior;
 
-use crate::case::diagnosis::Diagnosis;
-use crate::case::dimension::Dimension;
-use crate::case::table_reader::TableReader;
-use crate::case::value_reader::Sign;
+use crate::input::diagnosis::Diagnosis;
+use crate::input::dimension::Dimension;
+use crate::input::table_reader::TableReader;
+use crate::input::value_reader::Sign;
 
 /// The keys of a prior.
 pub const KEYS: [&str; 5] = ["prior", "median", "factor", "mean", "sd"];

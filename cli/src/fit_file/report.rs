@@ -3,11 +3,11 @@
 use pellicle_identify::{FitOptions, Intervals};
 
 use super::model::ModelParameters;
-use crate::case::diagnosis::Diagnosis;
-use crate::case::dimension::Dimension;
-use crate::case::quantity_list::QuantityList;
-use crate::case::table_reader::TableReader;
-use crate::case::value_reader::{Sign, ValueReader};
+use crate::input::diagnosis::Diagnosis;
+use crate::input::dimension::Dimension;
+use crate::input::quantity_list::QuantityList;
+use crate::input::table_reader::TableReader;
+use crate::input::value_reader::{Sign, ValueReader};
 
 /// The most samples of a posterior.
 const MOST_SAMPLES: usize = 1_000_000;

@@ -5,12 +5,13 @@ use pellicle_identify::{IdentifyError, Prior, Unknown};
 
 use super::model::ModelParameters;
 use super::prior;
-use crate::case::diagnosis::Diagnosis;
-use crate::case::dimension::Dimension;
-use crate::case::document::{TomlEntry, TomlTable, TomlValue};
 use crate::case::parameter::{self, CaseParameter};
-use crate::case::table_reader::{TableReader, dotted};
-use crate::case::value_reader::{Sign, ValueReader};
+use crate::input::diagnosis::Diagnosis;
+use crate::input::dimension::Dimension;
+use crate::input::key_path::dotted;
+use crate::input::table_reader::TableReader;
+use crate::input::toml_tree::{TomlEntry, TomlTable, TomlValue};
+use crate::input::value_reader::{Sign, ValueReader};
 
 /// Without bounds a number is sought within so many standard deviations of its prior.
 const DEVIATIONS: f64 = 8.0;

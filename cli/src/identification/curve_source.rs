@@ -2,9 +2,9 @@
 
 use pellicle_identify::{Amount, Correlation, Curve, IdentifyError, Invalidity, Noise, Observable};
 
-use crate::case::diagnosis::Diagnosis;
 use crate::failure::Failure;
 use crate::fit_file::FitFile;
+use crate::input::diagnosis::Diagnosis;
 use crate::measured::channel::Channel;
 use crate::measured::curve::MeasuredCurve;
 use crate::measured::data_table::{DataTable, Observe};

@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use crate::case::units::Units;
 use crate::display::{Scale, Unit};
+use crate::input::units::Units;
 
 /// The scale for values up to `largest`, in SI units, of the unit that `fit.json` names.
 #[must_use]

@@ -1,6 +1,6 @@
 //! The quantities that a measured curve consists of, one column of its file each.
 
-use crate::case::dimension::Dimension;
+use crate::input::dimension::Dimension;
 
 /// A measured quantity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]

@@ -4,11 +4,11 @@ use super::channel::Channel;
 use super::error::CurveError;
 use super::header::{HeaderField, HeaderUnit};
 use super::text_table::TextTable;
-use crate::case::diagnosis::Diagnosis;
-use crate::case::document::TomlValue;
-use crate::case::quantity;
-use crate::case::table_reader::TableReader;
-use crate::case::value_reader::{Sign, ValueReader};
+use crate::input::diagnosis::Diagnosis;
+use crate::input::quantity;
+use crate::input::table_reader::TableReader;
+use crate::input::toml_tree::TomlValue;
+use crate::input::value_reader::{Sign, ValueReader};
 
 /// A column by its number from 1 or by its name in the header.
 #[derive(Debug, Clone, PartialEq)]

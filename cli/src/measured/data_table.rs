@@ -13,12 +13,13 @@ use super::segment::Segment;
 use super::sources::MeasurementSources;
 use super::spring::{HeightDirection, SpringConstant};
 use super::text_options::TextOptions;
-use crate::case::diagnosis::{Diagnosis, Fault};
-use crate::case::document::{self, Document, TomlNode, TomlTable, TomlValue};
-use crate::case::overrides;
-use crate::case::source::Source;
-use crate::case::table_reader::TableReader;
-use crate::case::value_reader::ValueReader;
+use crate::input::diagnosis::{Diagnosis, Fault};
+use crate::input::document::Document;
+use crate::input::key_path;
+use crate::input::source::Source;
+use crate::input::table_reader::TableReader;
+use crate::input::toml_tree::{self, TomlNode, TomlTable, TomlValue};
+use crate::input::value_reader::ValueReader;
 
 /// What is compared with a model.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -81,7 +82,7 @@ impl DataTable {
     /// A [`Diagnosis`] of the first fault.
     pub fn parse_all(source: &Arc<Source>, folder: &Path) -> Result<Vec<Self>, Diagnosis> {
         Self::read_all(
-            &document::parse(source)?,
+            &toml_tree::parse(source)?,
             &MeasurementSources::in_folder(folder),
         )
     }
@@ -229,7 +230,7 @@ fn set(table: &TableReader<'_>) -> Result<TomlTable, Diagnosis> {
             .wanted("a table of keys of the model, such as { \"indenter.radius\" = \"1 um\" }"));
     };
     for entry in &entries.entries {
-        if overrides::key_path(&entry.key).is_none() {
+        if key_path::parts(&entry.key).is_none() {
             let wanted = "the dotted path of a key of the model".into();
             let fault = Fault::Unknown { wanted };
             return Err(Diagnosis::of_key(

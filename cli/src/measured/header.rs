@@ -1,8 +1,8 @@
 //! The head of a column: its name, and the unit that the file states for it.
 
 use super::separator::Separator;
-use crate::case::dimension::Dimension;
-use crate::case::quantity;
+use crate::input::dimension::Dimension;
+use crate::input::quantity;
 
 /// Units of what is no quantity of a contact: a column in one of them needs a calibration.
 const ELECTRICAL: [&str; 7] = ["V", "mV", "uV", "µV", "A", "mA", "nA"];

@@ -1,9 +1,9 @@
 //! The table `noise` of a fit file: what is known of the noise of a measurement.
 
-use crate::case::diagnosis::Diagnosis;
-use crate::case::dimension::Dimension;
-use crate::case::table_reader::TableReader;
-use crate::case::value_reader::Sign;
+use crate::input::diagnosis::Diagnosis;
+use crate::input::dimension::Dimension;
+use crate::input::table_reader::TableReader;
+use crate::input::value_reader::Sign;
 
 /// What is known of the noise; what is not is estimated.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]

@@ -1,11 +1,11 @@
 //! The table `segment` of a fit file: the part of a measurement that is used.
 
-use crate::case::diagnosis::{Diagnosis, Fault};
-use crate::case::dimension::Dimension;
-use crate::case::document::TomlValue;
-use crate::case::quantity;
-use crate::case::table_reader::TableReader;
-use crate::case::value_reader::{Sign, ValueReader};
+use crate::input::diagnosis::{Diagnosis, Fault};
+use crate::input::dimension::Dimension;
+use crate::input::quantity;
+use crate::input::table_reader::TableReader;
+use crate::input::toml_tree::TomlValue;
+use crate::input::value_reader::{Sign, ValueReader};
 
 /// The part of a measurement that is used.
 #[derive(Debug, Clone, Default, PartialEq)]

@@ -8,10 +8,10 @@ use super::channel::Channel;
 use super::contact_slope::contact_slope;
 use super::error::CurveError;
 use super::raw_curve::RawCurve;
-use crate::case::diagnosis::Diagnosis;
-use crate::case::dimension::Dimension;
-use crate::case::table_reader::TableReader;
-use crate::case::value_reader::{Sign, ValueReader};
+use crate::input::diagnosis::Diagnosis;
+use crate::input::dimension::Dimension;
+use crate::input::table_reader::TableReader;
+use crate::input::value_reader::{Sign, ValueReader};
 
 /// The spring constant of a cantilever, N/m.
 #[derive(Debug, Clone, Copy, PartialEq)]

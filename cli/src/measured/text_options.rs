@@ -2,8 +2,8 @@
 
 use super::decode::TextEncoding;
 use super::separator::{DecimalMark, Separator};
-use crate::case::diagnosis::{Diagnosis, Fault};
-use crate::case::table_reader::TableReader;
+use crate::input::diagnosis::{Diagnosis, Fault};
+use crate::input::table_reader::TableReader;
 
 /// How the text of a measurement is written.
 #[derive(Debug, Clone, PartialEq)]

@@ -10,7 +10,7 @@ use self::rough::RoughColumns;
 use self::sensitivity::SensitivityColumns;
 use self::stress::StressColumns;
 use super::summary::{StepSummary, Summary};
-use crate::case::units::Units;
+use crate::input::units::Units;
 
 /// Name of the file in a results folder.
 pub const FILE: &str = "curve.csv";

@@ -10,8 +10,8 @@ use std::path::Path;
 
 use super::fields::Fields;
 use super::file::write_stoppable;
-use crate::case::units::Units;
 use crate::failure::Failure;
+use crate::input::units::Units;
 
 /// The field of a file.
 struct Channel<'a> {

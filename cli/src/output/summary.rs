@@ -22,8 +22,8 @@ pub use self::warning::WarningSummary;
 use super::curve;
 use crate::case::Case;
 use crate::case::grid::BoundaryCase;
-use crate::case::units::Units;
 use crate::failure::Failure;
+use crate::input::units::Units;
 
 /// Name of the file in a results folder.
 pub const FILE: &str = "summary.json";

@@ -7,8 +7,8 @@ use pellicle_contact::{Estimate, Status};
 use super::summary::roughness::RoughContactSummary;
 use super::summary::{StepSummary, Summary};
 use crate::case::grid::BoundaryCase;
-use crate::case::units::Units;
 use crate::display::{Unit, error_of, quantity, significant};
+use crate::input::units::Units;
 
 /// The summary of a run in a few lines; a curve as a table with one line per step.
 #[must_use]

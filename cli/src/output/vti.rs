@@ -9,8 +9,8 @@ use std::path::Path;
 use super::fields::Fields;
 use super::file::write_stoppable;
 use super::vtk::{LENGTH, byte_array, number_array, write_length};
-use crate::case::units::Units;
 use crate::failure::Failure;
+use crate::input::units::Units;
 
 /// Name of the file of a step in a results folder.
 #[must_use]

@@ -8,8 +8,8 @@ use super::heading;
 use super::panel::{Axis, Panel};
 use super::style::{Heading, Style};
 use super::svg::{Anchor, Rect, Stroke, Svg};
-use crate::case::units::Units;
 use crate::display::{Unit, error_of, quantity};
+use crate::input::units::Units;
 use crate::output::summary::{StepSummary, Summary};
 
 /// Name of the picture, without ending.

@@ -5,8 +5,8 @@ use super::panel::{Axis, Panel};
 use super::style::{Heading, Style};
 use super::svg::{Anchor, Dash, Rect, Stroke, Svg};
 use super::{heading, labels};
-use crate::case::units::Units;
 use crate::display::{Scale, Unit};
+use crate::input::units::Units;
 use crate::output::summary::{StepSummary, Summary};
 
 /// Name of the picture, without ending.

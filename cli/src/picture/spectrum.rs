@@ -5,8 +5,8 @@ use super::heading;
 use super::panel::{Axis, Panel};
 use super::style::{Heading, Style};
 use super::svg::{Anchor, Rect, Stroke};
-use crate::case::units::Units;
 use crate::display::{Unit, quantity, significant};
+use crate::input::units::Units;
 use crate::output::summary::Summary;
 use crate::output::summary::roughness::{MapRoughness, RoughnessSummary};
 

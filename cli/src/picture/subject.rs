@@ -5,8 +5,8 @@ use super::colour_map::ColourScale;
 use super::heading;
 use super::style::{Heading, Style};
 use super::svg::Svg;
-use crate::case::units::Units;
 use crate::display::{self, Scale, Unit};
+use crate::input::units::Units;
 use crate::output::fields::Fields;
 use crate::output::summary::StepSummary;
 

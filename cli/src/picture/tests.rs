@@ -11,7 +11,7 @@ use super::subject::Subject;
 use super::{
     curve, histograms, png, pressure_map, pressure_view, section, stress_interfaces, stress_section,
 };
-use crate::case::units::Units;
+use crate::input::units::Units;
 use crate::output::fields::Fields;
 use crate::output::stress::view::{InterfaceTractions, StressSection, StressView, SurfaceLine};
 use crate::output::summary::StepSummary;

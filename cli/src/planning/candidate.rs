@@ -3,11 +3,11 @@
 use serde::Serialize;
 
 use super::words::span;
-use crate::case::diagnosis::Diagnosis;
 use crate::failure::Failure;
 use crate::fit_file::FitFile;
 use crate::fit_file::model::ModelParameters;
 use crate::identification::units;
+use crate::input::diagnosis::Diagnosis;
 use crate::measured::segment::SegmentEnd;
 
 /// Points of a curve where neither the fit file nor measurements say how many.

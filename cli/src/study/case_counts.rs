@@ -4,11 +4,11 @@ use serde::{Deserialize, Serialize};
 
 use super::Study;
 use super::numbering::CaseNumbering;
-use crate::case::diagnosis::Diagnosis;
 use crate::case::grid::GridCase;
 use crate::case::load::LoadCase;
-use crate::case::table_reader::TableReader;
-use crate::case::value_reader::ValueReader;
+use crate::input::diagnosis::Diagnosis;
+use crate::input::table_reader::TableReader;
+use crate::input::value_reader::ValueReader;
 
 /// A number of every case. It takes no more room for a million cases than for one, unless the keys that change it vary.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]

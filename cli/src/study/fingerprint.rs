@@ -7,11 +7,12 @@ use std::path::Path;
 
 use super::Study;
 use crate::case::Case;
-use crate::case::dimension::Dimension;
-use crate::case::document::{TomlNode, TomlTable, TomlValue};
-use crate::case::units::{PROSE, Units};
-use crate::case::{overrides, quantity};
 use crate::failure::Failure;
+use crate::input::dimension::Dimension;
+use crate::input::key_path;
+use crate::input::quantity;
+use crate::input::toml_tree::{TomlNode, TomlTable, TomlValue};
+use crate::input::units::{PROSE, Units};
 
 /// The key that names a file.
 const FILE: &str = "file";
@@ -49,7 +50,7 @@ pub fn of(study: &Study, valid: (usize, &Case), header: &str) -> Result<String, 
         parts.add(b'K', format!("{field:?}").as_bytes());
     }
     for varied in study.varied_keys() {
-        let path = overrides::key_path(&varied.key).unwrap_or_default();
+        let path = key_path::parts(&varied.key).unwrap_or_default();
         parts.add(b'k', path.join(".").as_bytes());
         let key = path.last().map_or("", String::as_str);
         for i in 0..varied.len() {

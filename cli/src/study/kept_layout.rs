@@ -15,8 +15,8 @@ use super::numbering::CaseNumbering;
 use super::shard::Shard;
 use crate::case::Case;
 use crate::case::output::Steps;
-use crate::case::units::Units;
 use crate::failure::Failure;
+use crate::input::units::Units;
 use crate::output::fields::Fields;
 use crate::output::netcdf::header::{Attribute, Header, Kind, RECORDS, Variable};
 

@@ -8,8 +8,8 @@ use super::shard::Shard;
 use super::table_columns::{FurtherColumns, TableColumns};
 use super::varied_key::VariedKey;
 use crate::case::Case;
-use crate::case::diagnosis::Diagnosis;
 use crate::failure::Failure;
+use crate::input::diagnosis::Diagnosis;
 
 /// The most values of one axis that are tried before anything is solved; the others are read in their turn.
 const MOST_TRIED: usize = 10_000;

@@ -6,11 +6,11 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::case::dimension::Dimension;
-use crate::case::document::{TomlNode, TomlValue};
-use crate::case::quantity;
-use crate::case::span::Span;
 use crate::failure::Failure;
+use crate::input::dimension::Dimension;
+use crate::input::quantity;
+use crate::input::span::Span;
+use crate::input::toml_tree::{TomlNode, TomlValue};
 
 /// The values of one key, one for each row of the file.
 #[derive(Debug, Clone, PartialEq)]

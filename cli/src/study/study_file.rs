@@ -21,13 +21,15 @@ use super::numbering::CaseNumbering;
 use super::samples;
 use super::varied_key::VariedKey;
 use super::{Combine, Study};
-use crate::case::diagnosis::{Diagnosis, Fault};
-use crate::case::document::{self, TomlNode, TomlTable, TomlValue};
-use crate::case::source::Source;
-use crate::case::table_reader::{TableReader, dotted};
-use crate::case::value_reader::ValueReader;
-use crate::case::{overrides, source};
 use crate::failure::Failure;
+use crate::input::diagnosis::{Diagnosis, Fault};
+use crate::input::key_path::{self, dotted};
+use crate::input::overrides;
+use crate::input::source::Source;
+use crate::input::table_reader::TableReader;
+use crate::input::toml_tree::{self, TomlNode, TomlTable, TomlValue};
+use crate::input::value_reader::ValueReader;
+use crate::source_file;
 
 /// The most cases of a study; more are a mistake.
 const MOST_CASES: usize = 1_000_000;
@@ -69,8 +71,8 @@ pub fn read(path: &Path, sets: &[String]) -> Result<Study, Failure> {
 }
 
 fn parse(path: &Path) -> Result<TomlNode, Failure> {
-    let source: Arc<Source> = Arc::new(source::read(path)?);
-    Ok(document::parse(&source)?)
+    let source: Arc<Source> = Arc::new(source_file::read(path)?);
+    Ok(toml_tree::parse(&source)?)
 }
 
 fn without_study(root: &TomlNode) -> TomlNode {
@@ -206,10 +208,10 @@ fn check(varied_keys: &[VariedKey], numbering: &CaseNumbering) -> Result<(), Dia
         return Ok(());
     };
     let is_given_before = |(i, varied): &(usize, &VariedKey)| {
-        let path = overrides::key_path(&varied.key);
+        let path = key_path::parts(&varied.key);
         varied_keys[..*i]
             .iter()
-            .any(|other| overrides::key_path(&other.key) == path)
+            .any(|other| key_path::parts(&other.key) == path)
     };
     if let Some((_, varied)) = varied_keys.iter().enumerate().find(is_given_before) {
         return wrong(varied, "the same key twice".into(), "each key once".into());

@@ -8,7 +8,7 @@ use pellicle_contact::CriticalLoad;
 use super::Study;
 use super::case_status::CaseStatus;
 use crate::case::Case;
-use crate::case::units::Units;
+use crate::input::units::Units;
 use crate::output::curve;
 use crate::output::curve::hardness::HardnessColumns;
 use crate::output::curve::rough::RoughColumns;

@@ -4,16 +4,16 @@ use std::borrow::Cow;
 use std::sync::OnceLock;
 
 use super::samples::SampleColumn;
-use crate::case::diagnosis::{Diagnosis, Fault};
-use crate::case::dimension::Dimension;
-use crate::case::document::{TomlNode, TomlValue};
-use crate::case::quantity;
-use crate::case::spacing::{self, Spacing};
-use crate::case::span::Span;
-use crate::case::table_reader::TableReader;
-use crate::case::units::Units;
-use crate::case::value_reader::ValueReader;
 use crate::display::{self, Unit, significant};
+use crate::input::diagnosis::{Diagnosis, Fault};
+use crate::input::dimension::Dimension;
+use crate::input::quantity;
+use crate::input::spacing::{self, Spacing};
+use crate::input::span::Span;
+use crate::input::table_reader::TableReader;
+use crate::input::toml_tree::{TomlNode, TomlValue};
+use crate::input::units::Units;
+use crate::input::value_reader::ValueReader;
 
 /// The most values of one key; more are a mistake.
 const MOST_VALUES: usize = 100_000;
@@ -285,7 +285,7 @@ fn words(value: &TomlValue) -> String {
             format!("[{}]", list(items))
         }
         TomlValue::Table(table) => {
-            let entry = |entry: &crate::case::document::TomlEntry| {
+            let entry = |entry: &crate::input::toml_tree::TomlEntry| {
                 format!("{} = {}", entry.key, words(&entry.node.value))
             };
             format!("{{ {} }}", list(table.entries.iter().map(entry).collect()))

@@ -69,14 +69,11 @@ pub fn set(py: Python<'_>, value: &Bound<'_, PyAny>, failure: &Failure) -> PyRes
         Failure::Indenter(error) => of_indenter(py, value, error)?,
         Failure::Contact(error) => of_contact(py, value, error)?,
         Failure::Identify(error) => of_identify(py, value, error)?,
-        Failure::Memory { need, available } => {
-            value.setattr("needed", need.bytes)?;
-            value.setattr("available", available)?;
-        }
         other => fields!(py, value, other, Failure {
             Unreadable { path },
             InRigidBase { found, bottom },
             NoStep { found, last },
+            Memory { needed, available },
             Write { path },
             Damaged { path, reason },
         }),

@@ -84,17 +84,6 @@ impl FoundationCase {
         planes.flatten().collect()
     }
 
-    /// The names of the bodies, as results call them.
-    #[must_use]
-    pub fn body_names(&self) -> Vec<String> {
-        let layers = (0..self.layer.len()).map(|i| format!("layer[{i}]"));
-        let substrate = match self.substrate {
-            SubstrateCase::Rigid => None,
-            SubstrateCase::Elastic(_) => Some("substrate".to_owned()),
-        };
-        layers.chain(substrate).collect()
-    }
-
     fn is_rigid_below(&self, layer: usize) -> bool {
         self.substrate == SubstrateCase::Rigid && layer + 1 == self.layer.len()
     }
@@ -106,8 +95,8 @@ fn is_near(depth: f64, interface: f64) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::table_reader::tests::read_table;
     use super::*;
+    use crate::input::table_reader::tests::read_table;
 
     const LAYERS: &str = "[[layer]]\nthickness = 0.1\nyoung_modulus = 2\npoisson_ratio = 0.3\n\
         [[layer]]\nthickness = 0.2\nyoung_modulus = { from = 3, to = 1, profile = \"linear\" }\npoisson_ratio = 0.3\n";

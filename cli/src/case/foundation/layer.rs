@@ -3,12 +3,12 @@
 use pellicle_kernel::{Base, GradedLayer, GradingOptions, Interface, KernelError, Layer, Material};
 use serde::Serialize;
 
-use super::super::diagnosis::Diagnosis;
-use super::super::dimension::Dimension;
-use super::super::value_reader::{Sign, ValueReader};
 use super::modulus::ModulusCase;
 use super::strength::{BodyStrengthCase, InterfaceStrengthCase};
 use super::substrate::POISSON_RATIO;
+use crate::input::diagnosis::Diagnosis;
+use crate::input::dimension::Dimension;
+use crate::input::value_reader::{Sign, ValueReader};
 
 const MODULUS: &str = "a positive pressure such as \"70 GPa\", a bare number, or { from = .., to = .., profile = \"linear\" }";
 

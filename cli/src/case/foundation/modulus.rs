@@ -2,9 +2,9 @@
 
 use serde::Serialize;
 
-use super::super::diagnosis::Diagnosis;
-use super::super::dimension::Dimension;
-use super::super::value_reader::{Sign, ValueReader};
+use crate::input::diagnosis::Diagnosis;
+use crate::input::dimension::Dimension;
+use crate::input::value_reader::{Sign, ValueReader};
 
 /// Young's modulus of a layer, Pa.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]

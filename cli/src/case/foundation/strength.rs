@@ -2,10 +2,10 @@
 
 use serde::Serialize;
 
-use super::super::diagnosis::Diagnosis;
-use super::super::dimension::Dimension;
-use super::super::table_reader::TableReader;
-use super::super::value_reader::Sign;
+use crate::input::diagnosis::Diagnosis;
+use crate::input::dimension::Dimension;
+use crate::input::table_reader::TableReader;
+use crate::input::value_reader::Sign;
 
 /// What a body bears; none where nothing is said.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]

@@ -3,11 +3,11 @@
 use pellicle_kernel::{Base, KernelError, Material};
 use serde::Serialize;
 
-use super::super::diagnosis::Diagnosis;
-use super::super::dimension::Dimension;
-use super::super::table_reader::TableReader;
-use super::super::value_reader::ValueReader;
 use super::strength::BodyStrengthCase;
+use crate::input::diagnosis::Diagnosis;
+use crate::input::dimension::Dimension;
+use crate::input::table_reader::TableReader;
+use crate::input::value_reader::ValueReader;
 
 pub(super) const WANTED: &str = "{ young_modulus = .., poisson_ratio = .. } or \"rigid\"";
 

@@ -1,7 +1,7 @@
 //! What `[stress]` may say, and the model made of it.
 
-use super::super::table_reader::tests::read_table;
 use super::*;
+use crate::input::table_reader::tests::read_table;
 
 const LAYER: &str =
     "layer = [{ thickness = 2, young_modulus = 3, poisson_ratio = 0.3 }]\nsubstrate = ";

@@ -2,8 +2,8 @@
 
 use super::super::foundation::strength::BodyStrengthCase;
 use super::super::foundation::substrate::{MaterialCase, SubstrateCase};
-use super::super::table_reader::tests::read_table;
 use super::*;
+use crate::input::table_reader::tests::read_table;
 
 fn read(text: &str) -> Result<SurfaceCase, String> {
     let material = MaterialCase {

@@ -6,8 +6,8 @@ use serde::{Serialize, Serializer};
 
 use crate::arguments::InfluenceArguments;
 use crate::case::foundation::FoundationCase;
-use crate::case::units::Units;
 use crate::failure::Failure;
+use crate::input::units::Units;
 use crate::output::stress::FIELDS;
 
 /// The states at one offset and depth.

@@ -1,8 +1,8 @@
 //! The columns that a `[[data]]` table needs for what it observes and for the bounds of its segment.
 
 use super::{DataTable, Observe};
-use crate::case::diagnosis::{Diagnosis, Fault};
-use crate::case::table_reader::TableReader;
+use crate::input::diagnosis::{Diagnosis, Fault};
+use crate::input::table_reader::TableReader;
 use crate::measured::channel::Channel;
 use crate::measured::segment::{Part, SegmentEnd, Until};
 

@@ -2,7 +2,7 @@
 
 use super::number;
 use crate::case::Case;
-use crate::case::units::Units;
+use crate::input::units::Units;
 use crate::output::summary::roughness::RoughContactSummary;
 use crate::output::summary::{StepSummary, Summary};
 

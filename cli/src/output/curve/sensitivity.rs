@@ -1,7 +1,7 @@
 //! The columns of derivatives in a curve.
 
 use super::number;
-use crate::case::units::Units;
+use crate::input::units::Units;
 use crate::output::summary::{StepSummary, Summary};
 
 /// The numbers of the case whose derivatives are columns.

@@ -4,7 +4,7 @@ use pellicle_contact::{BodyStress, Criterion, CriticalLoad, InterfaceStress};
 
 use super::number;
 use crate::case::Case;
-use crate::case::units::Units;
+use crate::input::units::Units;
 use crate::output::summary::{StepSummary, Summary};
 
 /// The stresses in the columns of a table.

@@ -2,8 +2,8 @@
 
 use serde_json::Value;
 
-use crate::case::units::Units;
 use crate::display::{Unit, quantity, significant};
+use crate::input::units::Units;
 
 /// Keys and values of the case, in the order of their keys.
 pub fn rows(case: &Value, units: Units) -> Vec<(String, String)> {

@@ -5,8 +5,8 @@ use pellicle_contact::Estimate;
 use super::StepDrawings;
 use super::stress::StressTable;
 use super::surface::Surface;
-use crate::case::units::Units;
 use crate::display::{Unit, error_of, quantity, significant};
+use crate::input::units::Units;
 use crate::output::pictures::{StepPicture, StressPicture};
 use crate::output::summary::{CertificateSummary, StepSummary, Summary};
 

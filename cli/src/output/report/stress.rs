@@ -3,8 +3,8 @@
 use pellicle_contact::{BodyStress, Extreme, InterfaceStress};
 
 use super::step::GridErrorNote;
-use crate::case::units::Units;
 use crate::display::{Unit, error_of, quantity, significant};
+use crate::input::units::Units;
 use crate::output::summary::stress::StressSummary;
 
 /// The table of the extremes.

@@ -63,7 +63,7 @@ pub fn wanted(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::case::table_reader::tests::read_table;
+    use crate::input::table_reader::tests::read_table;
 
     const FOUNDATION: &str = "layer = [{ thickness = 0.5, young_modulus = 3, poisson_ratio = 0.3 }]\n\
         substrate = { young_modulus = 1, poisson_ratio = 0.3 }";

@@ -3,8 +3,8 @@
 use pellicle_contact::{Criterion, CriticalLoad, Extreme};
 
 use super::TextColumns;
-use crate::case::units::Units;
 use crate::display::{Unit, error_of, quantity, significant};
+use crate::input::units::Units;
 use crate::output::summary::Summary;
 use crate::output::summary::stress::StressSummary;
 

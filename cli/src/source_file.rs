@@ -1,21 +1,14 @@
-//! A text the user wrote: a case file, or one `--set` on the command line.
+//! The text of a file that the user wrote: a case, a study or a fit.
 
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 use std::sync::Arc;
 
-use miette::NamedSource;
-
-use super::diagnosis::{Diagnosis, Fault};
-use super::span::Span;
 use crate::failure::Failure;
-
-/// A text with the name it goes by in messages: the path of a case file, or `--set`.
-pub type Source = NamedSource<String>;
-
-/// The name of the text that `solve --stream` reads, followed by its line.
-pub const STREAM: &str = "standard input";
+use crate::input::diagnosis::{Diagnosis, Fault};
+use crate::input::source::Source;
+use crate::input::span::Span;
 
 /// A case file is some lines of text; a file of more bytes than this is not one.
 const LARGEST_FILE: u64 = 16 << 20;

@@ -1,4 +1,4 @@
-//! A case as a tree of TOML values, each with its place in the text.
+//! A text as a tree of TOML values, each with its place in the text.
 
 use std::sync::Arc;
 
@@ -6,10 +6,8 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::diagnosis::{Diagnosis, Fault};
-use super::overrides;
 use super::source::Source;
 use super::span::Span;
-use super::value_reader::ValueReader;
 
 /// A value and its place in the text.
 #[derive(Debug, Clone, PartialEq)]
@@ -83,75 +81,6 @@ impl TomlTable {
     /// The entry of `key`, to be changed.
     pub fn entry_mut(&mut self, key: &str) -> Option<&mut TomlEntry> {
         self.entries.iter_mut().find(|entry| entry.key == key)
-    }
-}
-
-/// The tree that a case was read from, for diagnoses and warnings after reading. It does not count when cases are
-/// compared: any two are equal.
-#[derive(Debug, Clone)]
-pub struct Document(Arc<TomlNode>);
-
-impl PartialEq for Document {
-    fn eq(&self, _: &Self) -> bool {
-        true
-    }
-}
-
-impl Document {
-    /// Keeps the tree.
-    #[must_use]
-    pub fn new(root: &TomlNode) -> Self {
-        Self(Arc::new(root.clone()))
-    }
-
-    /// The tree.
-    #[must_use]
-    pub fn root(&self) -> &TomlNode {
-        &self.0
-    }
-
-    /// The diagnosis that a value is refused for this reason: that of the first of these keys in the document.
-    #[must_use]
-    pub fn refused(&self, keys: &[&str], reason: &dyn std::error::Error) -> Diagnosis {
-        let found = keys.iter().find_map(|key| self.field(key));
-        found.map_or_else(
-            || {
-                let reason = reason.to_string();
-                Diagnosis::of_text(self.0.span.clone(), Fault::Refused { reason })
-            },
-            |field| field.refused(reason),
-        )
-    }
-
-    /// The diagnosis that another value of this key is wanted.
-    #[must_use]
-    pub fn wanted(&self, key: &str, wanted: &str) -> Diagnosis {
-        self.field(key).map_or_else(
-            || {
-                let wanted = format!("{key} of {wanted}");
-                let fault = Fault::Missing { wanted };
-                Diagnosis::of_text(self.0.span.clone(), fault)
-            },
-            |field| field.wanted(wanted),
-        )
-    }
-
-    /// Whether there is a value of this key.
-    #[must_use]
-    pub fn has(&self, key: &str) -> bool {
-        self.field(key).is_some()
-    }
-
-    fn field(&self, key: &str) -> Option<ValueReader<'_>> {
-        let mut node = self.root();
-        for part in overrides::key_path(key)? {
-            node = match &node.value {
-                TomlValue::Table(table) => &table.entry(&part)?.node,
-                TomlValue::List(items) => items.get(part.parse::<usize>().ok()?)?,
-                _ => return None,
-            };
-        }
-        Some(ValueReader::new(key.to_owned(), node))
     }
 }
 

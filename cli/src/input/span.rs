@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use super::source::Source;
+use super::source::{COMMAND_LINE, STREAM, Source};
 
 /// A range of bytes of a [`Source`].
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -41,7 +41,7 @@ impl Span {
     #[must_use]
     pub fn words(&self) -> String {
         let name = self.source.name();
-        if name == super::overrides::NAME || name.starts_with(super::source::STREAM) {
+        if name == COMMAND_LINE || name.starts_with(STREAM) {
             return name.to_owned();
         }
         format!("{name}, line {}", self.line())

@@ -5,12 +5,10 @@ use std::sync::Arc;
 use toml::de::DeValue;
 
 use super::diagnosis::{Diagnosis, Fault};
-use super::document::{self, TomlEntry, TomlNode, TomlTable, TomlValue};
-use super::source::Source;
+use super::key_path;
+use super::source::{COMMAND_LINE, Source};
 use super::span::Span;
-
-/// The name of the command line's text in messages.
-pub const NAME: &str = "--set";
+use super::toml_tree::{self, TomlEntry, TomlNode, TomlTable, TomlValue};
 
 /// Replaces the value of a key in the tree by that of `argument`, `key.of.table=value`.
 ///
@@ -21,7 +19,7 @@ pub const NAME: &str = "--set";
 ///
 /// A [`Diagnosis`] naming `--set` if the argument has no key or the key leads through a value that is not a table.
 pub fn set(root: &mut TomlNode, argument: &str) -> Result<(), Diagnosis> {
-    let source = Arc::new(Source::new(NAME, argument.to_owned()));
+    let source = Arc::new(Source::new(COMMAND_LINE, argument.to_owned()));
     let (key, value) = argument.split_once('=').ok_or_else(|| malformed(&source))?;
     let key_span = Span::new(&source, 0..key.len());
     let value = read(
@@ -29,7 +27,7 @@ pub fn set(root: &mut TomlNode, argument: &str) -> Result<(), Diagnosis> {
         argument.len() - value.trim_start().len(),
         value.trim(),
     );
-    match key_path(key) {
+    match key_path::parts(key) {
         Some(_) => replace(root, key, &key_span, value),
         None => Err(malformed(&source)),
     }
@@ -50,7 +48,7 @@ pub fn replace(
         let wanted = "a key of a case".into();
         Diagnosis::of_key(key.trim(), key_span.clone(), Fault::Wrong { found, wanted })
     };
-    let parts = key_path(key).ok_or_else(|| diagnosis(format!("`{key}`")))?;
+    let parts = key_path::parts(key).ok_or_else(|| diagnosis(format!("`{key}`")))?;
     put(root, &parts, value, key_span).map_err(|at| {
         diagnosis(format!(
             "`{at}`, which is neither a table nor an item of the list"
@@ -67,17 +65,9 @@ fn malformed(source: &Arc<Source>) -> Diagnosis {
     Diagnosis::of_text(span, fault)
 }
 
-/// `foundation.layer[0].thickness` and `foundation.layer.0.thickness` as their four parts.
-#[must_use]
-pub fn key_path(key: &str) -> Option<Vec<String>> {
-    let dotted = key.trim().replace('[', ".").replace(']', "");
-    let parts: Vec<_> = dotted.split('.').map(|s| s.trim().to_owned()).collect();
-    (parts.iter().all(|part| !part.is_empty())).then_some(parts)
-}
-
 fn read(source: &Arc<Source>, start: usize, text: &str) -> TomlNode {
     if let Ok(value) = DeValue::parse(text) {
-        return document::node(source, start, &value);
+        return toml_tree::node(source, start, &value);
     }
     TomlNode {
         value: TomlValue::Text(text.to_owned()),
@@ -126,7 +116,7 @@ mod tests {
 
     fn with(argument: &str) -> Result<TomlNode, Diagnosis> {
         let text = "[[foundation.layer]]\nthickness = 1\n[load]\nforce = 2\n";
-        let mut root = document::parse(&Arc::new(Source::new("case.toml", text.into()))).unwrap();
+        let mut root = toml_tree::parse(&Arc::new(Source::new("case.toml", text.into()))).unwrap();
         set(&mut root, argument).map(|()| root)
     }
 

@@ -6,12 +6,10 @@ use std::ops::RangeInclusive;
 
 pub use sign::Sign;
 
-use super::diagnosis::closest;
-use super::diagnosis::{Diagnosis, Fault};
+use super::diagnosis::{Diagnosis, Fault, closest};
 use super::dimension::Dimension;
-use super::document::{TomlNode, TomlValue};
 use super::quantity::{self, QuantityError};
-use super::table_reader::TableReader;
+use super::toml_tree::{TomlNode, TomlValue};
 
 /// The value of one key, and the dotted path that leads to it.
 #[derive(Debug, Clone)]
@@ -89,18 +87,6 @@ impl<'a> ValueReader<'a> {
             }
             _ => written.into(),
         }
-    }
-
-    /// The table that stands here.
-    ///
-    /// # Errors
-    ///
-    /// A [`Diagnosis`] if something else does.
-    pub fn table(self) -> Result<TableReader<'a>, Diagnosis> {
-        let TomlValue::Table(table) = &self.node.value else {
-            return Err(self.wanted("a table"));
-        };
-        Ok(TableReader::new(self.path, table, &self.node.span))
     }
 
     /// Whether a table stands here.
@@ -275,12 +261,13 @@ impl<'a> ValueReader<'a> {
 mod tests {
     use std::sync::Arc;
 
-    use super::super::document;
     use super::super::source::Source;
+    use super::super::table_reader::TableReader;
+    use super::super::toml_tree;
     use super::*;
 
     fn root(text: &str) -> TomlNode {
-        document::parse(&Arc::new(Source::new("case.toml", text.into()))).unwrap()
+        toml_tree::parse(&Arc::new(Source::new("case.toml", text.into()))).unwrap()
     }
 
     fn quantity(text: &str, dimension: Dimension) -> Result<f64, String> {

@@ -1,6 +1,6 @@
 //! The sign that a quantity must have.
 
-use crate::case::dimension::Dimension;
+use crate::input::dimension::Dimension;
 
 /// The sign a quantity must have.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

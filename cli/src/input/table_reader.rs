@@ -1,10 +1,10 @@
 //! Reads a table key by key and diagnoses its faults.
 
-use super::diagnosis::closest;
-use super::diagnosis::{Diagnosis, Fault};
+use super::diagnosis::{Diagnosis, Fault, closest};
 use super::dimension::Dimension;
-use super::document::{TomlEntry, TomlNode, TomlTable};
+use super::key_path::dotted;
 use super::span::Span;
+use super::toml_tree::{TomlEntry, TomlNode, TomlTable, TomlValue};
 use super::value_reader::{Sign, ValueReader};
 
 /// A table and the dotted path that leads to it.
@@ -16,12 +16,6 @@ pub struct TableReader<'a> {
 }
 
 impl<'a> TableReader<'a> {
-    /// A table, the dotted path that leads to it, and its place.
-    #[must_use]
-    pub fn new(path: String, table: &'a TomlTable, span: &'a Span) -> Self {
-        Self { path, table, span }
-    }
-
     /// The table at the root of a case.
     ///
     /// # Errors
@@ -102,12 +96,22 @@ impl<'a> TableReader<'a> {
     }
 }
 
-/// The dotted path of a key in the table at `path`; empty for the root.
-#[must_use]
-pub fn dotted(path: &str, key: &str) -> String {
-    match path {
-        "" => key.to_owned(),
-        path => format!("{path}.{key}"),
+impl<'a> ValueReader<'a> {
+    /// The table that stands here.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] if something else does.
+    pub fn table(self) -> Result<TableReader<'a>, Diagnosis> {
+        let node = self.node();
+        let TomlValue::Table(table) = &node.value else {
+            return Err(self.wanted("a table"));
+        };
+        Ok(TableReader {
+            path: self.path().to_owned(),
+            table,
+            span: &node.span,
+        })
     }
 }
 
@@ -115,8 +119,8 @@ pub fn dotted(path: &str, key: &str) -> String {
 pub(crate) mod tests {
     use std::sync::Arc;
 
-    use super::super::document::{self, TomlValue};
     use super::super::source::Source;
+    use super::super::toml_tree;
     use super::*;
 
     /// Reads the text as one table; a diagnosis comes back as its sentence.
@@ -126,7 +130,7 @@ pub(crate) mod tests {
     ) -> Result<T, String> {
         // A key of its own keeps a text without keys from being an empty file.
         let source = Arc::new(Source::new("case.toml", format!("{text}\n[unused]\n")));
-        let mut root = document::parse(&source).map_err(|diagnosis| diagnosis.to_string())?;
+        let mut root = toml_tree::parse(&source).map_err(|diagnosis| diagnosis.to_string())?;
         if let TomlValue::Table(table) = &mut root.value {
             table.entries.retain(|entry| entry.key != "unused");
         }
@@ -136,7 +140,7 @@ pub(crate) mod tests {
     }
 
     fn root(text: &str) -> TomlNode {
-        document::parse(&Arc::new(Source::new("case.toml", text.into()))).unwrap()
+        toml_tree::parse(&Arc::new(Source::new("case.toml", text.into()))).unwrap()
     }
 
     #[test]

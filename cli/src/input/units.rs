@@ -3,8 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::dimension::Dimension;
-use super::document::{TomlNode, TomlValue};
 use super::quantity::dimension_of;
+use super::toml_tree::{TomlNode, TomlValue};
 
 /// The system of units of a case.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -70,12 +70,12 @@ fn names_a_unit(value: &TomlValue) -> bool {
 mod tests {
     use std::sync::Arc;
 
-    use super::super::document;
     use super::super::source::Source;
+    use super::super::toml_tree;
     use super::*;
 
     fn units(text: &str) -> Units {
-        Units::of(&document::parse(&Arc::new(Source::new("", text.into()))).unwrap())
+        Units::of(&toml_tree::parse(&Arc::new(Source::new("", text.into()))).unwrap())
     }
 
     #[test]

@@ -1,0 +1,17 @@
+//! What a user writes as TOML, a case, a study or a fit: its text and the places in it, its tree, quantities with
+//! units, and the readers of tables and values, which diagnose the first fault.
+
+pub mod diagnosis;
+pub mod dimension;
+pub mod document;
+pub mod key_path;
+pub mod overrides;
+pub mod quantity;
+pub mod quantity_list;
+pub mod source;
+pub mod spacing;
+pub mod span;
+pub mod table_reader;
+pub mod toml_tree;
+pub mod units;
+pub mod value_reader;

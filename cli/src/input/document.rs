@@ -1,0 +1,77 @@
+//! The tree of a text, kept for what is found only after reading.
+
+use std::sync::Arc;
+
+use super::diagnosis::{Diagnosis, Fault};
+use super::key_path;
+use super::toml_tree::{TomlNode, TomlValue};
+use super::value_reader::ValueReader;
+
+/// The tree that a case was read from, for diagnoses and warnings after reading. It does not count when cases are
+/// compared: any two are equal.
+#[derive(Debug, Clone)]
+pub struct Document(Arc<TomlNode>);
+
+impl PartialEq for Document {
+    fn eq(&self, _: &Self) -> bool {
+        true
+    }
+}
+
+impl Document {
+    /// Keeps the tree.
+    #[must_use]
+    pub fn new(root: &TomlNode) -> Self {
+        Self(Arc::new(root.clone()))
+    }
+
+    /// The tree.
+    #[must_use]
+    pub fn root(&self) -> &TomlNode {
+        &self.0
+    }
+
+    /// The diagnosis that a value is refused for this reason: that of the first of these keys in the document.
+    #[must_use]
+    pub fn refused(&self, keys: &[&str], reason: &dyn std::error::Error) -> Diagnosis {
+        let found = keys.iter().find_map(|key| self.field(key));
+        found.map_or_else(
+            || {
+                let reason = reason.to_string();
+                Diagnosis::of_text(self.0.span.clone(), Fault::Refused { reason })
+            },
+            |field| field.refused(reason),
+        )
+    }
+
+    /// The diagnosis that another value of this key is wanted.
+    #[must_use]
+    pub fn wanted(&self, key: &str, wanted: &str) -> Diagnosis {
+        self.field(key).map_or_else(
+            || {
+                let wanted = format!("{key} of {wanted}");
+                let fault = Fault::Missing { wanted };
+                Diagnosis::of_text(self.0.span.clone(), fault)
+            },
+            |field| field.wanted(wanted),
+        )
+    }
+
+    /// Whether there is a value of this key.
+    #[must_use]
+    pub fn has(&self, key: &str) -> bool {
+        self.field(key).is_some()
+    }
+
+    fn field(&self, key: &str) -> Option<ValueReader<'_>> {
+        let mut node = self.root();
+        for part in key_path::parts(key)? {
+            node = match &node.value {
+                TomlValue::Table(table) => &table.entry(&part)?.node,
+                TomlValue::List(items) => items.get(part.parse::<usize>().ok()?)?,
+                _ => return None,
+            };
+        }
+        Some(ValueReader::new(key.to_owned(), node))
+    }
+}
