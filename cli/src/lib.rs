@@ -119,7 +119,8 @@ pub mod drawing {
     pub use crate::picture::subject::Subject;
     pub use crate::picture::svg::{Anchor, Dash, Rect, Stroke, Svg};
     pub use crate::picture::{
-        accuracy, colour_bar, colours, heading, labels, png, pressure_map, section, stress_section,
+        accuracy, colour_bar, colours, heading, labels, pressure_map, render, section,
+        stress_section,
     };
 }
 
