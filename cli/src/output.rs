@@ -10,6 +10,7 @@ pub mod gsf;
 pub mod lock;
 pub mod netcdf;
 pub mod npz;
+pub mod partial_file;
 pub mod pictures;
 pub mod redraw;
 pub mod report;
