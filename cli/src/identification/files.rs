@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
+use super::findings::WarningResult;
 use super::pictures::{self, FitPicture};
-use super::result::{self, WarningResult};
-use super::{report, tables};
+use super::{report, result, tables};
 use crate::failure::Failure;
 use crate::identifying::FittedFile;
 use crate::output::file;
