@@ -3,6 +3,7 @@
 pub mod curve_source;
 pub mod files;
 pub mod findings;
+pub mod fitted_file;
 pub mod fitting;
 pub mod names;
 pub mod null_directions;

@@ -40,6 +40,7 @@ mod study;
 mod templates;
 mod terminal;
 mod threads;
+mod unfinished;
 mod validation;
 
 pub use case::{
@@ -91,7 +92,8 @@ pub mod studied {
 /// Fits made as the program makes them.
 pub mod fitted {
     pub use crate::fit_file::{FitFile, FitSources, Measurements};
-    pub use crate::identifying::{FittedFile, Stage, fit, plan, plan_table};
+    pub use crate::identification::fitted_file::FittedFile;
+    pub use crate::identifying::{Stage, fit, plan, plan_table};
     pub use crate::measured::sources::MeasurementSources;
     pub use crate::planning::result::PlanResult;
 }

@@ -20,7 +20,6 @@ mod stoppable;
 pub mod stress;
 pub mod summary;
 pub mod summary_text;
-pub mod unfinished;
 pub mod vti;
 pub mod vtk;
 pub mod write_progress;

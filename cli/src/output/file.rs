@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 
 use super::partial_file::{self, PartialFile};
 use super::stoppable::StoppableFile;
-use super::unfinished::Unfinished;
 use crate::failure::Failure;
+use crate::unfinished::Unfinished;
 
 /// Bytes that are handed to the system at once: a curve's folder takes 4,000 calls instead of 30,000.
 const BUFFER: usize = 1 << 17;

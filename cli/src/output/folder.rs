@@ -12,9 +12,9 @@ use std::process;
 
 use super::file::Existing;
 use super::lock::Lock;
-use super::unfinished::{self, Unfinished};
 use super::{partial_file, run_files};
 use crate::failure::Failure;
+use crate::unfinished::{self, Unfinished};
 
 /// Name of the lock in a claimed folder.
 const LOCK: &str = ".pellicle-lock";

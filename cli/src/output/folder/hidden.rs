@@ -14,8 +14,8 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use crate::identification::result;
-use crate::output::unfinished::Unfinished;
 use crate::output::{partial_file, run_files, summary};
+use crate::unfinished::Unfinished;
 
 /// Beginnings of its names: being filled, complete, being emptied.
 pub(super) const FILLING: &str = ".pellicle-run-";
