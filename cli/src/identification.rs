@@ -2,9 +2,12 @@
 
 pub mod curve_source;
 pub mod files;
+pub mod findings;
+pub mod fitted_file;
 pub mod fitting;
 pub mod names;
 pub mod null_directions;
+pub mod outside;
 pub mod pictures;
 pub mod remembered;
 pub mod report;
@@ -20,19 +23,16 @@ pub mod validity;
 
 use std::sync::Arc;
 
-use pellicle_contact::ModelParameter;
 use pellicle_identify::{
     ContactCurve, ContactCurves, CurveOptions, IdentifyError, NullDirections, Problem, Scatter,
     StopFlag, Unknown,
 };
 
 use self::curve_source::CurveSource;
-use self::validity::Outside;
+use self::outside::Outside;
 use crate::failure::Failure;
 use crate::fit_file::FitFile;
-use crate::fit_file::model::ModelParameters;
 use crate::fit_file::unknown::UnknownCase;
-use crate::measured::data_table::DataTable;
 
 /// As many repeats as tell a scatter between them.
 const FEWEST_REPEATS: usize = 3;
@@ -99,7 +99,7 @@ impl Identification {
         let mut directions = Vec::new();
         for (index, table) in file.data.iter().enumerate() {
             let parameters = file.model.with(&table.set)?;
-            let own = own(table, &parameters);
+            let own = parameters.given_in(&table.set);
             directions.push(null_directions::of(&parameters, &own, index));
             let of_table = sources.iter().filter(|(table, _)| *table == index);
             curves.push(ContactCurve {
@@ -189,11 +189,4 @@ fn scatter(file: &FitFile) -> Scatter {
         [table] if table.files.len() >= FEWEST_REPEATS => Scatter::BetweenCurves,
         _ => Scatter::None,
     }
-}
-
-/// The numbers that a table gives a value of its own.
-pub fn own(table: &DataTable, parameters: &ModelParameters) -> Vec<ModelParameter> {
-    let keys = table.set.entries.iter();
-    let found = keys.filter_map(|entry| parameters.find(&entry.key));
-    found.map(|of| of.parameter).collect()
 }

@@ -2,12 +2,13 @@
 
 use std::time::Instant;
 
-use pellicle_identify::{Fit, StopFlag};
+use pellicle_identify::StopFlag;
 
 use crate::failure::Failure;
 use crate::fit_file::FitFile;
+use crate::identification::Identification;
+use crate::identification::fitted_file::FittedFile;
 use crate::identification::result::FitResult;
-use crate::identification::{Identification, tables};
 use crate::planning::after_fit::Next;
 use crate::planning::candidate::{POINTS, candidates};
 use crate::planning::premises::Premises;
@@ -21,47 +22,6 @@ pub enum Stage {
     Solved(usize),
     /// So many curves of the design are judged.
     Planned(usize),
-}
-
-/// A fit file fitted.
-#[derive(Debug)]
-pub struct FittedFile {
-    /// The problem.
-    pub identification: Identification,
-    /// The fit.
-    pub fit: Fit,
-    /// What it found.
-    pub found: FitResult,
-}
-
-impl FittedFile {
-    /// Whether the user has stopped the fit, so that a part of it is missing.
-    #[must_use]
-    pub fn is_stopped(&self) -> bool {
-        self.fit.stopped.is_some()
-    }
-
-    /// The tables of the fit with the names of their files: the points left out among them, if there are any.
-    #[must_use]
-    pub fn tables(&self) -> Vec<(&'static str, String)> {
-        let excluded = tables::excluded(&self.identification);
-        let excluded = excluded.map(|table| (tables::EXCLUDED, table));
-        let all = tables::all(&self.identification, &self.fit).into_iter();
-        all.chain(excluded).collect()
-    }
-
-    /// Samples of the posterior: each estimate with its name.
-    #[must_use]
-    pub fn samples(&self) -> Vec<(String, Vec<f64>)> {
-        if self.found.samples.is_empty() {
-            return Vec::new();
-        }
-        let estimates = self.fit.estimates.iter().enumerate();
-        let column = |index: usize| self.found.samples.iter().map(move |sample| sample[index]);
-        estimates
-            .map(|(index, of)| (of.name.clone(), column(index).collect()))
-            .collect()
-    }
 }
 
 /// Makes the fit of a file that was begun to be read at `start`, and plans its design.

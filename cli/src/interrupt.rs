@@ -15,8 +15,7 @@ use std::time::Duration;
 use pellicle_contact::Signal;
 use pellicle_identify::StopFlag;
 
-use crate::output::unfinished;
-use crate::terminal;
+use crate::{terminal, unfinished};
 
 /// The exit code that a shell reports for a program ended by SIGINT: 128 + 2.
 pub const EXIT_CODE: u8 = 130;

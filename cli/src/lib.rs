@@ -42,6 +42,7 @@ mod study;
 mod templates;
 mod terminal;
 mod threads;
+mod unfinished;
 mod validation;
 
 pub use case::Case;
@@ -93,7 +94,8 @@ pub mod studied {
 /// Fits made as the program makes them.
 pub mod fitted {
     pub use crate::fit_file::{FitFile, FitSources, Measurements};
-    pub use crate::identifying::{FittedFile, Stage, fit, plan, plan_table};
+    pub use crate::identification::fitted_file::FittedFile;
+    pub use crate::identifying::{Stage, fit, plan, plan_table};
     pub use crate::measured::sources::MeasurementSources;
     pub use crate::planning::result::PlanResult;
 }
@@ -121,7 +123,8 @@ pub mod drawing {
     pub use crate::picture::subject::Subject;
     pub use crate::picture::svg::{Anchor, Dash, Rect, Stroke, Svg};
     pub use crate::picture::{
-        accuracy, colour_bar, colours, heading, labels, png, pressure_map, section, stress_section,
+        accuracy, colour_bar, colours, heading, labels, pressure_map, render, section,
+        stress_section,
     };
 }
 

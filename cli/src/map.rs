@@ -8,6 +8,7 @@
 mod error;
 mod grid_points;
 mod gsf;
+mod map_file;
 mod npy;
 pub mod npy_header;
 pub mod shortest_wave;
@@ -17,27 +18,11 @@ use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::Path;
 
-pub use error::MapError;
+pub use self::error::MapError;
+pub use self::map_file::MapFile;
 
 /// The largest file that is read, bytes.
 const LARGEST_FILE: u64 = 512 << 20;
-
-/// The contents of a map's file, in its own units.
-#[derive(Debug, Clone, PartialEq)]
-pub struct MapFile {
-    /// Samples along x and along y.
-    pub shape: [usize; 2],
-    /// Height of sample `(i, j)` at `i * shape[1] + j`, in units of `height_unit`.
-    pub heights: Vec<f64>,
-    /// Sides along x and along y, in units of `lateral_unit`; none if the file does not say.
-    pub sides: Option<[f64; 2]>,
-    /// Unit of the sides; none if the file names none.
-    pub lateral_unit: Option<String>,
-    /// Unit of the heights; none if the file names none.
-    pub height_unit: Option<String>,
-    /// Whether the sides are in the unit of the heights, as for points x, y, z.
-    pub has_one_unit: bool,
-}
 
 /// Reads the bytes of a file of one format.
 type Parser = fn(&[u8]) -> Result<MapFile, MapError>;
@@ -62,33 +47,6 @@ impl MapFile {
         };
         parse(&bytes(path)?)
     }
-
-    /// The map of a NumPy array, value `(i, j)` at `i * shape[1] + j`: rows of heights, first index along x, or, three
-    /// to a row, the points x, y, z of a regular grid.
-    #[must_use]
-    pub fn of_array(shape: [usize; 2], values: Vec<f64>) -> Self {
-        let points = (shape[1] == 3).then(|| grid_points::map(&values)).flatten();
-        points.unwrap_or_else(|| Self::bare(shape, values))
-    }
-
-    /// A map without size and units, from the values of an array, first index along x.
-    fn bare(shape: [usize; 2], heights: Vec<f64>) -> Self {
-        Self {
-            shape,
-            heights,
-            sides: None,
-            lateral_unit: None,
-            height_unit: None,
-            has_one_unit: false,
-        }
-    }
-
-    /// The same from a picture, `columns` values per row, rows from the top down.
-    fn from_picture(columns: usize, picture: &[f64]) -> Self {
-        let rows = picture.len() / columns;
-        let column = |i: usize| (0..rows).rev().map(move |row| picture[row * columns + i]);
-        Self::bare([columns, rows], (0..columns).flat_map(column).collect())
-    }
 }
 
 fn bytes(path: &Path) -> Result<Vec<u8>, MapError> {
@@ -112,13 +70,6 @@ fn bytes(path: &Path) -> Result<Vec<u8>, MapError> {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn the_top_left_pixel_of_a_picture_lies_at_small_x_and_large_y() {
-        let map = MapFile::from_picture(3, &[1.0, 2.0, 3.0, 4.0, 5.0, 6.0]);
-        assert_eq!(map.shape, [3, 2]);
-        assert_eq!(map.heights, [4.0, 1.0, 5.0, 2.0, 6.0, 3.0]);
-    }
 
     /// Small valid files of the three formats.
     fn right() -> [(Parser, Vec<u8>); 3] {

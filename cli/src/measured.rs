@@ -20,6 +20,7 @@ pub mod files;
 pub mod header;
 pub mod noise;
 mod raw_curve;
+mod reading;
 pub mod segment;
 pub mod separator;
 pub mod sources;

@@ -28,6 +28,7 @@ pub mod pressure_map;
 pub mod pressure_view;
 pub mod projection;
 pub mod raster;
+pub mod render;
 pub mod section;
 pub mod section_field;
 pub mod spectrum;

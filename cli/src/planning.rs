@@ -4,6 +4,7 @@ pub mod advice;
 pub mod after_fit;
 pub mod candidate;
 pub mod comparison;
+pub mod design;
 pub mod doubts;
 pub mod files;
 pub mod page;
@@ -23,8 +24,8 @@ use pellicle_identify::{
 use self::candidate::Candidate;
 use self::premises::Premises;
 use crate::failure::Failure;
+use crate::identification::findings::WarningResult;
 use crate::identification::null_directions;
-use crate::identification::result::WarningResult;
 use crate::measured::data_table::Observe;
 
 /// Time between two points of a curve, s: of a drift only the shape counts.

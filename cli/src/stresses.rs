@@ -1,11 +1,5 @@
 //! The stresses that a summary tells: the extremes of each step, and the critical loads.
 
-use std::panic::resume_unwind;
-use std::sync::Arc;
-use std::sync::mpsc::{self, RecvTimeoutError};
-use std::thread;
-use std::time::Duration;
-
 use pellicle_contact::{
     ContactError, CriticalLoad, Domain, LoadingPath, Model, Observer, Signal, StressExtremes,
     critical_loads, stress_extremes,
@@ -13,11 +7,6 @@ use pellicle_contact::{
 
 use crate::case::Case;
 use crate::failure::Failure;
-use crate::interrupt;
-use crate::progress::SearchLine;
-
-/// Time between two looks at the user.
-const LOOK: Duration = Duration::from_millis(20);
 
 /// The extremes of the steps, and the critical loads.
 #[derive(Debug, Clone)]
@@ -79,43 +68,4 @@ pub fn find(
         steps,
         critical: Some(critical),
     }))
-}
-
-/// The same on threads of its own, which are left behind when the user asks to stop: the extremes of one step may take
-/// longer than anybody wants to wait then, and the results that are there are still to be written.
-///
-/// # Errors
-///
-/// As [`find`].
-pub fn find_beside(
-    case: &Case,
-    model: &Model,
-    domain: Domain,
-    path: &Arc<LoadingPath>,
-    line: SearchLine,
-) -> Result<Option<Stresses>, Failure> {
-    if case.stress.is_none() {
-        return Ok(None);
-    }
-    let threads = rayon::current_num_threads();
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
-    let pool = pool.build()?;
-    let (case, model, path) = (case.clone(), model.clone(), Arc::clone(path));
-    let (alive, watched) = mpsc::channel::<()>();
-    let search = thread::spawn(move || {
-        // Dropped when the search has ended, in whatever way.
-        let _alive = alive;
-        let mut observer = line.clone();
-        let tell = |search| {
-            line.tell(search);
-            interrupt::signal()
-        };
-        pool.install(|| find(&case, &model, domain, &path, &tell, &mut observer))
-    });
-    while watched.recv_timeout(LOOK) == Err(RecvTimeoutError::Timeout) {
-        if interrupt::is_requested() {
-            return Err(ContactError::Cancelled { step: 0 }.into());
-        }
-    }
-    search.join().unwrap_or_else(|panic| resume_unwind(panic))
 }

@@ -14,6 +14,7 @@ pub mod fingerprint;
 pub mod folder;
 pub mod gather;
 pub mod identity;
+pub mod kept_field;
 pub mod kept_file;
 pub mod kept_layout;
 pub mod kept_record;
@@ -33,9 +34,7 @@ pub mod varied_key;
 
 use std::path::PathBuf;
 
-use serde::{Deserialize, Serialize};
-
-use self::kept_layout::KeptField;
+use self::kept_field::KeptField;
 use self::numbering::CaseNumbering;
 use self::varied_key::VariedKey;
 use crate::case::Case;
@@ -43,16 +42,6 @@ use crate::input::diagnosis::Diagnosis;
 use crate::input::key_path;
 use crate::input::overrides;
 use crate::input::toml_tree::TomlNode;
-
-/// The combination of the values of several keys.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Combine {
-    /// Every value of each with every value of the others; the last key changes fastest.
-    Product,
-    /// The first values of all, the second values of all, and so on.
-    Zip,
-}
 
 /// A base case and the keys that vary in it.
 #[derive(Debug, Clone)]

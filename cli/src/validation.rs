@@ -1,7 +1,8 @@
 //! `pellicle validate`: the program's numbers compared with known ones.
 //!
 //! A [`ValidationSection`] is one kind of evidence, one file here, with the source of its references and the cause of
-//! its tolerances; each of its rows is a [`Comparison`]. Everything goes through the same crates as `pellicle run`.
+//! its tolerances; each of its rows is a [`Comparison`](comparison::Comparison). Everything goes through the same
+//! crates as `pellicle run`.
 
 mod anchors;
 mod axisymmetric;
@@ -19,34 +20,14 @@ mod limits;
 mod products;
 mod report;
 pub mod run;
+mod section;
 pub mod stress;
 mod table;
 
-pub use comparison::{ComparedValue, Comparison, Verdict};
-pub use report::ValidationReport;
-pub use run::{ValidationError, ValidationRun};
-pub use table::{heading, section_text};
-
-/// One kind of evidence.
-#[derive(Debug)]
-pub struct ValidationSection {
-    /// Its name.
-    pub name: &'static str,
-    /// Where the references come from.
-    pub source: &'static str,
-    /// The scale of the errors, and the cause of the tolerance.
-    pub because: &'static str,
-    rows: fn(ValidationRun) -> Result<Vec<Comparison>, ValidationError>,
-}
-
-/// The comparisons of a section.
-#[derive(Debug, Clone)]
-pub struct SectionResult {
-    /// The section.
-    pub section: &'static ValidationSection,
-    /// The comparisons.
-    pub rows: Vec<Comparison>,
-}
+pub use self::report::ValidationReport;
+pub use self::run::{ValidationError, ValidationRun};
+pub use self::section::{SectionResult, ValidationSection};
+pub use self::table::{heading, section_text};
 
 /// All sections, from the kernel up.
 pub static SECTIONS: [ValidationSection; 14] = [
@@ -65,15 +46,3 @@ pub static SECTIONS: [ValidationSection; 14] = [
     stress::limits::SECTION,
     stress::balance::SECTION,
 ];
-
-impl ValidationSection {
-    /// Computes the section. If that fails, its one row says why, and fails.
-    #[must_use]
-    pub fn compute(&'static self, run: ValidationRun) -> SectionResult {
-        let failed = |error| vec![Comparison::failed(self.name.into(), &error)];
-        SectionResult {
-            section: self,
-            rows: (self.rows)(run).unwrap_or_else(failed),
-        }
-    }
-}

@@ -11,7 +11,7 @@
 """
 
 from .body import Foundation, Grading, Layer, Material, Spring
-from .case import Case
+from .case import Case, Path
 from .curve import Curve
 from .errors import (
     ArgumentError,
@@ -23,26 +23,17 @@ from .errors import (
     IndenterError,
     InfluenceError,
     InternalError,
-    Interrupted,
     KernelError,
     NotCertifiedWarning,
     RunError,
     StudyWarning,
     TextureError,
 )
+from .estimates import Expected, ExpectedDesign, FitEstimate, KnownCombination
 from .fit import Design, Fit, Nuisances, Report, Unknown
 from .function import IndenterFunction, ReliefFunction
 from .height_map import HeightMap
-from .identification import (
-    Expected,
-    ExpectedDesign,
-    FitEstimate,
-    Identification,
-    KnownCombination,
-    Plan,
-    identify,
-    plan,
-)
+from .identification import Identification, Plan, identify, plan
 from .indenter import (
     Berkovich,
     Cone,
@@ -60,13 +51,13 @@ from .measurement import Data, Noise, Segment, SpringConstant, Text
 from .operator import ElasticOperator, compliance, influence_coefficients
 from .options import Output, Range, Stress
 from .parameter_study import Study, StudyTable, study
-from .path import Path
 from .problem import DiscreteProblem, Judgement
 from .progress import FitProgress, Progress, StudyProgress
 from .quantity import Quantity
 from .step import Step
 from .stresses import StressFields
 from .surface import Bare, Cylinders, Film, ReliefMap, Rough, Surface
+from .waiting import Interrupted
 
 __all__ = [
     "ArgumentError",

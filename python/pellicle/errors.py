@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
-
 from ._pellicle import (
     CaseError,
     ContactError,
@@ -18,10 +15,6 @@ from ._pellicle import (
     TextureError,
 )
 
-if TYPE_CHECKING:
-    from .path import Path
-    from .waiting import Run
-
 __all__ = [
     "ArgumentError",
     "CaseError",
@@ -32,7 +25,6 @@ __all__ = [
     "IndenterError",
     "InfluenceError",
     "InternalError",
-    "Interrupted",
     "KernelError",
     "NotCertifiedWarning",
     "RunError",
@@ -55,33 +47,3 @@ class StudyWarning(UserWarning):
 
 class NotCertifiedWarning(UserWarning):
     """A solution is not certified: not converged, or cut off by the domain or the end of a map."""
-
-
-class Interrupted(KeyboardInterrupt):
-    """The user has stopped a solution or a fit with Ctrl-C."""
-
-    def __init__(self, run: Run, made: Callable[[Any], Any]) -> None:
-        super().__init__("stopped by the user; `.result` holds what was finished")
-        self._made = made
-        self._run: Run | None = run
-        self._result: Any = None
-
-    @property
-    def result(self) -> Any:
-        """What was finished: the path of some loading steps, or a fit without some intervals; None if nothing was.
-
-        Waits for the iteration under way, which on large grids may take some tenths of a second.
-        """
-        if self._run is not None:
-            while not self._run.wait(20):
-                pass
-            result, self._run = self._run.result(), None
-            self._result = None if result is None else self._made(result)
-        return self._result
-
-    @property
-    def path(self) -> Path | None:
-        """The path of the loading steps that were finished; None if there are none."""
-        from .path import Path
-
-        return self.result if isinstance(self.result, Path) else None

@@ -3,15 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Protocol, TypeAlias
+from typing import Protocol, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
 
 from ._pellicle import Body, Planes, Solution
-
-if TYPE_CHECKING:
-    from .case import Case
 
 Field: TypeAlias = npt.NDArray[np.float64]
 """N × N numbers, first index along x."""
@@ -51,12 +48,8 @@ class SolvedFields:
     """The fields of a solution: the pressure in its own memory, the others computed from it."""
 
     solution: Solution
-    case: Case
-
-    @property
-    def foundation(self) -> str:
-        """The table of the body in the case."""
-        return self.case.foundation_table
+    foundation: str
+    """The table of the body in the case."""
 
     def pressure(self, step: int) -> Field:
         """Pressure, Pa; cannot be written to."""

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING, Any
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
+from .curve import Curve
 from .errors import ArgumentError
-
-if TYPE_CHECKING:
-    from .identification import FitEstimate, ExpectedDesign, Identification
+from .estimates import ExpectedDesign, FitEstimate
 
 
 def cells(estimate: FitEstimate) -> list[str]:
@@ -30,39 +31,38 @@ def design_cells(design: ExpectedDesign) -> list[str]:
     return [named or "the data", *(f"factor {factor:.3g}" if np.isfinite(factor) else "open" for factor in factors)]
 
 
-def curve(result: Identification) -> Any:
+def curve(table: Curve, title: str) -> Any:
     """Every point and the model through them, and below the residuals over their standard deviations."""
     import matplotlib.pyplot as plt
 
     heights = {"height_ratios": [3, 1]}
     figure, (above, below) = plt.subplots(2, 1, sharex=True, figsize=(6.4, 5.6), gridspec_kw=heights)
-    _, abscissa, observed, model, _, whitened = result.curve
-    files = list(dict.fromkeys(result.curve["file"]))
+    _, abscissa, observed, model, _, whitened = table
+    files = list(dict.fromkeys(table["file"]))
     for file in files:
-        at = result.curve["file"] == file
-        order = np.argsort(result.curve[abscissa][at], kind="stable")
-        x = result.curve[abscissa][at][order]
-        (points,) = above.plot(x, result.curve[observed][at][order], ".", ms=4, label=os.path.basename(str(file)))
-        above.plot(x, result.curve[model][at][order], "-", lw=1, color=points.get_color())
-        below.plot(x, result.curve[whitened][at][order], ".", ms=3, color=points.get_color())
+        at = table["file"] == file
+        order = np.argsort(table[abscissa][at], kind="stable")
+        x = table[abscissa][at][order]
+        (points,) = above.plot(x, table[observed][at][order], ".", ms=4, label=os.path.basename(str(file)))
+        above.plot(x, table[model][at][order], "-", lw=1, color=points.get_color())
+        below.plot(x, table[whitened][at][order], ".", ms=3, color=points.get_color())
     below.axhline(0, color="0.5", lw=1)
     below.set_ylabel("residual / σ")
     _quantity(below.xaxis, *_split(abscissa))
     _quantity(above.yaxis, *_split(observed))
-    above.set_title(f"{result.fit.title}: {result.verdict}")
+    above.set_title(title)
     if len(files) > 1:
         above.legend(fontsize="small")
     figure.tight_layout()
     return figure
 
 
-def profiles(result: Identification) -> Any:
+def profiles(estimates: Sequence[FitEstimate], table: Curve) -> Any:
     """The rise of χ² along each unknown, and its interval."""
     import matplotlib.pyplot as plt
 
-    table = result.profiles
     name, value, rise, *_ = table
-    unknowns = [estimate for estimate in result.unknowns if np.any(table[name] == estimate.key)]
+    unknowns = [estimate for estimate in estimates if np.any(table[name] == estimate.key)]
     if not unknowns:
         raise ArgumentError("profiles: found none, wanted a fit whose intervals come from profiles")
     count = len(unknowns)
@@ -86,11 +86,11 @@ def profiles(result: Identification) -> Any:
     return figure
 
 
-def corner(result: Identification) -> Any:
+def corner(estimates: Sequence[FitEstimate], samples: Mapping[str, npt.NDArray[np.float64]]) -> Any:
     """The samples of the posterior, each unknown against each."""
     import matplotlib.pyplot as plt
 
-    unknowns = [estimate for estimate in result.unknowns if estimate.key in result.posterior]
+    unknowns = [estimate for estimate in estimates if estimate.key in samples]
     if not unknowns:
         raise ArgumentError("posterior: found no samples, wanted a fit whose report asks for them")
     count = len(unknowns)
@@ -102,10 +102,10 @@ def corner(result: Identification) -> Any:
                 ax.set_axis_off()
                 continue
             if i == j:
-                ax.hist(result.posterior[down.key], bins=40, color="0.6")
+                ax.hist(samples[down.key], bins=40, color="0.6")
                 ax.set_yticks([])
             else:
-                ax.plot(result.posterior[across.key], result.posterior[down.key], ".", ms=2, alpha=0.3)
+                ax.plot(samples[across.key], samples[down.key], ".", ms=2, alpha=0.3)
                 _quantity(ax.yaxis, _short(down.key) if j == 0 else "", down.unit)
             _quantity(ax.xaxis, _short(across.key) if i == count - 1 else "", across.unit)
             ax.tick_params(axis="x", rotation=30)

@@ -1,4 +1,4 @@
-"""A fit made: the numbers found, with intervals, verdicts and what is known instead."""
+"""A fit made, and a plan of what to measure: what they found, and how they are asked for."""
 
 from __future__ import annotations
 
@@ -6,7 +6,6 @@ import json
 import os
 import warnings
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, ClassVar
 
@@ -17,69 +16,14 @@ from . import fit_views, show
 from .case import checked_threads
 from .curve import Curve
 from .errors import ArgumentError, FitWarning
+from .estimates import ExpectedDesign, FitEstimate, design_of, estimate_of
 from .fit import Fit
-from .judgement import ResultWarning, number
+from .judgement import ResultWarning
 from .progress import FitProgress, FitReport, reporting
 from .waiting import finished
 
-Interval = tuple[float, float]
-"""Two ends; infinite on a side that is open."""
-
 Files = tuple[str, list[tuple[str, str]], list[tuple[str, list[float]]], bool]
 """JSON, tables by the names of their files, samples of the posterior, and whether the work was finished."""
-
-
-@dataclass(frozen=True)
-class KnownCombination:
-    """A product of powers of what is sought that the data tell."""
-
-    expression: str
-    value: float
-    """In SI units."""
-    interval: Interval
-
-
-@dataclass(frozen=True)
-class FitEstimate:
-    """A number as found, in SI units."""
-
-    key: str
-    unit: str
-    value: float
-    interval: Interval
-    level: float
-    """Level of the interval."""
-    wald: Interval
-    """The interval from the covariance alone."""
-    verdict: str
-    """`"identified"`, `"weak"`, `"prior-driven"`, `"bounded-below"`, `"bounded-above"` or `"not-identifiable"`."""
-    why: str
-    """Why, in a sentence."""
-    scatter: float | None
-    """Standard deviation between repeats; None without repeats."""
-    known_combination: KnownCombination | None
-    """What is known instead."""
-
-    def __str__(self) -> str:
-        low, high = (f"{end:.4g}" if np.isfinite(end) else "open" for end in self.interval)
-        return f"{self.key} = {self.value:.4g} {self.unit}   [{low}, {high}]   {self.verdict}"
-
-
-@dataclass(frozen=True)
-class Expected:
-    """What is expected of a number, in SI units."""
-
-    key: str
-    unit: str
-    value: float
-    """The value that is taken for true."""
-    standard_error: float
-    """Of its logarithm, the relative one where it is small; NaN where nothing is told."""
-    factor: float
-    """The factor within which the interval lies, as if there were no bounds; infinite where nothing is told."""
-    interval: Interval
-    verdict: str
-    known_combination: KnownCombination | None
 
 
 class Result:
@@ -141,12 +85,12 @@ class Identification(Result):
     @cached_property
     def unknowns(self) -> list[FitEstimate]:
         """What was sought."""
-        return [_estimate(found) for found in self._found["unknowns"]]
+        return [estimate_of(found) for found in self._found["unknowns"]]
 
     @cached_property
     def nuisances(self) -> list[FitEstimate]:
         """What was not known exactly."""
-        return [_estimate(found) for found in self._found["nuisances"]]
+        return [estimate_of(found) for found in self._found["nuisances"]]
 
     def __getitem__(self, key: str) -> FitEstimate:
         for estimate in (*self.unknowns, *self.nuisances):
@@ -211,19 +155,19 @@ class Identification(Result):
     @cached_property
     def design(self) -> list[ExpectedDesign]:
         """What curves of the report's design would add, the best first."""
-        return [_design(found) for found in self._found.get("design", [])]
+        return [design_of(found) for found in self._found.get("design", [])]
 
     def plot(self) -> Any:
         """Data, model and residuals; returns the figure of matplotlib."""
-        return fit_views.curve(self)
+        return fit_views.curve(self.curve, f"{self.fit.title}: {self.verdict}")
 
     def plot_profiles(self) -> Any:
         """The likelihood along each unknown with its interval; returns the figure of matplotlib."""
-        return fit_views.profiles(self)
+        return fit_views.profiles(self.unknowns, self.profiles)
 
     def plot_corner(self) -> Any:
         """The posterior, each unknown against each; returns the figure of matplotlib."""
-        return fit_views.corner(self)
+        return fit_views.corner(self.unknowns, self.posterior)
 
     def __str__(self) -> str:
         return "\n".join([f"{self.fit.title}: {self.verdict}", *(f"  {estimate}" for estimate in self.unknowns)])
@@ -236,23 +180,13 @@ class Identification(Result):
         return show.table(header, [fit_views.cells(estimate) for estimate in self.unknowns])
 
 
-@dataclass(frozen=True)
-class ExpectedDesign:
-    """One curve or several, and what they would tell."""
-
-    curves: Sequence[Mapping[str, Any]]
-    """The curves to measure; none for what has been measured alone."""
-    unknowns: Sequence[Expected]
-    nuisances: Sequence[Expected]
-
-
 class Plan(Result):
     """What designs are expected to tell, before anything is measured."""
 
     @cached_property
     def designs(self) -> list[ExpectedDesign]:
         """The designs, the best first."""
-        return [_design(found) for found in self._found["designs"]]
+        return [design_of(found) for found in self._found["designs"]]
 
     @property
     def advice(self) -> str:
@@ -321,42 +255,6 @@ def _identification(fit: Fit, found: Files) -> Identification:
     elif made.verdict != "fitted":
         warnings.warn(f"{made.verdict}: do not use these numbers", FitWarning, stacklevel=4)
     return made
-
-
-def _interval(ends: Sequence[float | None]) -> Interval:
-    low, high = ends
-    return -np.inf if low is None else low, np.inf if high is None else high
-
-
-def _combination(found: Mapping[str, Any] | None) -> KnownCombination | None:
-    if found is None:
-        return None
-    return KnownCombination(found["expression"], found["value"], _interval(found["interval"]))
-
-
-def _estimate(found: Mapping[str, Any]) -> FitEstimate:
-    changed = {
-        "interval": _interval(found["interval"]),
-        "wald": _interval(found["wald"]),
-        "scatter": found.get("scatter"),
-        "known_combination": _combination(found["known_combination"]),
-    }
-    return FitEstimate(**{**found, **changed})
-
-
-def _design(found: Mapping[str, Any]) -> ExpectedDesign:
-    unknowns, nuisances = (list(map(_expected, found[name])) for name in ("unknowns", "nuisances"))
-    return ExpectedDesign(found["curves"], unknowns, nuisances)
-
-
-def _expected(found: Mapping[str, Any]) -> Expected:
-    changed = {
-        "interval": _interval(found["interval"]),
-        "standard_error": number(found["standard_error"]),
-        "factor": np.inf if found["factor"] is None else found["factor"],
-        "known_combination": _combination(found["known_combination"]),
-    }
-    return Expected(**{**found, **changed})
 
 
 def _timeless(found: Mapping[str, Any]) -> dict[str, Any]:

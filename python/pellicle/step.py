@@ -20,6 +20,17 @@ from .stresses import StressFields
 if TYPE_CHECKING:
     import xarray
 
+FIELDS = {
+    "pressure": ("Pa", "pressure p, compression positive"),
+    "displacement": ("m", "displacement u of the body's surface, positive into the body"),
+    "gap": ("m", "gap g between the indenter and the surface"),
+    "shortening": ("m", "shortening w* of the relief"),
+    "profile": ("m", "profile f* of the relief: 0 on the tops, negative between them"),
+    "mask": (None, "whether the element belongs to the relief"),
+    "contact": (None, "whether the element carries pressure"),
+}
+"""Unit and meaning of each field of a step."""
+
 
 class Step:
     """A loading step. Numbers are in SI units or the case's own, fields are N × N arrays, first index along x."""
@@ -228,11 +239,39 @@ class Step:
 
     def to_xarray(self) -> xarray.Dataset:
         """The fields as an `xarray.Dataset` over x and y, with units and meanings; needs xarray."""
-        return show.dataset(self)
+        import xarray
+
+        def attributes(unit: str | None, meaning: str) -> dict[str, str]:
+            return {"long_name": meaning} | ({} if unit is None else {"units": unit if self.is_si else "case units"})
+
+        fields = {name: (("x", "y"), getattr(self, name), attributes(*about)) for name, about in FIELDS.items()}
+        axes = {axis: (axis, self.x, attributes("m", f"{axis} of the element's centre")) for axis in ("x", "y")}
+        values = {"force": self.force, "penetration": self.penetration, "status": self.status}
+        return xarray.Dataset(fields, axes, values)
 
     def plot(self, ax: Any = None) -> Any:
         """Draws the pressure with matplotlib on `ax`, or on new axes, which it returns."""
-        return show.pressure_map(self, ax)
+        import matplotlib.pyplot as plt
+        from matplotlib.ticker import EngFormatter, MaxNLocator
+
+        ax = plt.subplots()[1] if ax is None else ax
+        half = 0.5 * self.x.size * (self.x[1] - self.x[0]) if self.x.size > 1 else 0.5
+        image = ax.imshow(self.pressure.T, origin="lower", extent=(-half, half, -half, half), cmap="viridis")
+        bar = ax.figure.colorbar(image, ax=ax, label="pressure")
+        force, penetration = self._quantity(self.force, "N"), self._quantity(self.penetration, "m")
+        ax.set(xlabel="x", ylabel="y", title=f"Q = {force}, D = {penetration}")
+        if self.is_si:
+            for axis, unit in ((ax.xaxis, "m"), (ax.yaxis, "m"), (bar.ax.yaxis, "Pa")):
+                axis.set_major_formatter(EngFormatter(unit))
+            # Numbers with units are wide.
+            ax.xaxis.set_major_locator(MaxNLocator(4))
+        return ax
+
+    def _quantity(self, value: float, unit: str) -> str:
+        """A number with a prefix and its unit, if the step is in SI units."""
+        from matplotlib.ticker import EngFormatter
+
+        return str(EngFormatter(unit, places=2).format_data(value)) if self.is_si else f"{value:.4g}"
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Step):
@@ -257,4 +296,16 @@ class Step:
         return f"<Step {self.index}: Q = {self.force:.6g}, D = {self.penetration:.6g}, {self.status}>"
 
     def _repr_html_(self) -> str:
-        return show.table([f"step {self.index}", ""], show.step_rows(self))
+        return show.table([f"step {self.index}", ""], main_numbers(self))
+
+
+def main_numbers(step: Step) -> list[tuple[str, str]]:
+    """The main numbers of a step, as rows of a table."""
+    return [
+        ("force", f"{step.force:.6g}"),
+        ("penetration", f"{step.penetration:.6g}"),
+        ("max pressure", f"{step.max_pressure:.6g}"),
+        ("contact area", f"{step.contact_area:.6g}"),
+        ("certificate", f"{step.certificate.worst:.1e}"),
+        ("status", step.status),
+    ]

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager
 from typing import Any, Protocol, TypeVar
 
 from ._pellicle import InternalError
-from .errors import Interrupted
 
 TURN = 20
 """Milliseconds between two looks at signals and progress."""
@@ -36,6 +35,34 @@ class Run(Protocol):
     def result(self) -> Any:
         """What was found; None if nothing was before the work was stopped."""
         ...
+
+
+class Interrupted(KeyboardInterrupt):
+    """The user has stopped a solution or a fit with Ctrl-C."""
+
+    def __init__(self, run: Run, made: Callable[[Any], Any]) -> None:
+        super().__init__("stopped by the user; `.result` holds what was finished")
+        self._made = made
+        self._run: Run | None = run
+        self._result: Any = None
+
+    @property
+    def result(self) -> Any:
+        """What was finished: the path of some loading steps, or a fit without some intervals; None if nothing was.
+
+        Waits for the iteration under way, which on large grids may take some tenths of a second.
+        """
+        if self._run is not None:
+            while not self._run.wait(20):
+                pass
+            result, self._run = self._run.result(), None
+            self._result = None if result is None else self._made(result)
+        return self._result
+
+    @property
+    def path(self) -> Any:
+        """The path of the loading steps that were finished; None if there are none."""
+        return self.result if isinstance(self.result, Sequence) else None
 
 
 def finished(

@@ -10,8 +10,6 @@ use pyo3::exceptions::PyException;
 use pyo3::prelude::*;
 use pyo3::{IntoPyObjectExt, create_exception};
 
-use crate::function;
-
 create_exception!(
     pellicle,
     Error,
@@ -148,7 +146,8 @@ fn describe(py: Python<'_>, error: &PyErr, diagnosis: &Diagnosis) -> PyResult<()
 
 /// The exception of one of the caller's functions that has unwound the work, or else one for a panic, with its message.
 pub fn of_panic(panic: Box<dyn Any + Send>) -> PyErr {
-    function::exception(panic).unwrap_or_else(|panic| of_mistake(&*panic))
+    let exception = panic.downcast::<PyErr>().map(|error| *error);
+    exception.unwrap_or_else(|panic| of_mistake(&*panic))
 }
 
 fn of_mistake(panic: &(dyn Any + Send)) -> PyErr {

@@ -4,7 +4,6 @@
 //! those threads has detached from it. A shape cannot fail, so an exception unwinds the work as a panic would, and is
 //! raised where the work is waited for.
 
-use std::any::Any;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::panic::resume_unwind;
@@ -70,11 +69,6 @@ impl Function {
         let values = values.unwrap_or_else(|| Err(InternalError::new_err("Python has ended")));
         values.unwrap_or_else(|error| resume_unwind(Box::new(error)))
     }
-}
-
-/// The exception that has unwound some work; the panic itself if it is none.
-pub fn exception(panic: Box<dyn Any + Send>) -> Result<PyErr, Box<dyn Any + Send>> {
-    panic.downcast::<PyErr>().map(|error| *error)
 }
 
 /// An indenter that is a function.

@@ -23,13 +23,6 @@ pub use runner::Runner;
 use crate::XtaskError;
 use sheet::Picture;
 
-/// The two coatings of figures 2 to 4.
-const MATERIALS: &str = "compliant coating: E₁/E₂ = 0.1, ν₁ = 0.4, ν₂ = 0.3; stiff coating: E₁/E₂ = 10, ν₁ = 0.3, ν₂ = 0.4";
-
-/// Body and indenter of figures 2 and 3.
-const TEXTURED: &str =
-    "paraboloid of radius R; coating H = 10⁻⁴ R; cylinders r = 5·10⁻³ R, h = 10⁻⁴ R, T = R/80";
-
 /// Draws figures and writes their pictures into the folder `out`, and small versions into `small` if there is one;
 /// returns how many pictures there are.
 ///

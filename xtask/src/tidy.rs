@@ -3,21 +3,10 @@
 mod dependencies;
 mod documents;
 mod sources;
+mod violation;
 
-use std::fmt;
-
+pub use self::violation::Violation;
 use crate::Tree;
-
-/// A house rule that is broken somewhere; it reads like a message of the compiler.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Violation {
-    /// Path of the file from the root of the workspace.
-    pub path: String,
-    /// Line in the file, from 1; none if the rule is about the whole file.
-    pub line: Option<usize>,
-    /// The finding and the rule.
-    pub message: String,
-}
 
 /// A house rule.
 type Rule = fn(&Tree) -> Vec<Violation>;
@@ -35,25 +24,6 @@ const RULES: [Rule; 6] = [
 #[must_use]
 pub fn tidy(tree: &Tree) -> Vec<Violation> {
     RULES.iter().flat_map(|rule| rule(tree)).collect()
-}
-
-impl Violation {
-    fn new(path: &str, line: Option<usize>, message: impl Into<String>) -> Self {
-        Self {
-            path: path.to_owned(),
-            line,
-            message: message.into(),
-        }
-    }
-}
-
-impl fmt::Display for Violation {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.line {
-            Some(line) => write!(f, "{}:{line}: {}", self.path, self.message),
-            None => write!(f, "{}: {}", self.path, self.message),
-        }
-    }
 }
 
 /// The violations of one rule on a tree of these files, as text.

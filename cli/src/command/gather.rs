@@ -1,7 +1,6 @@
 //! `pellicle gather`: merges the parts of a study.
 
 use crate::arguments::GatherArguments;
-use crate::command::study::words;
 use crate::failure::Failure;
 use crate::outcome::Outcome;
 use crate::study::gather::{self, OtherTable};
@@ -23,7 +22,7 @@ pub fn gather(arguments: &GatherArguments) -> Result<Outcome, Failure> {
     };
     let found = gather::gather(&arguments.folder, other)?;
     let cases = found.tally.done() + found.missing.len();
-    terminal::tell(&words(found.tally, cases));
+    terminal::tell(&found.tally.words(cases));
     let Some(table) = found.table else {
         let first = found.missing.iter().take(MOST_NAMED);
         let names: Vec<_> = first.map(|case| (case + 1).to_string()).collect();

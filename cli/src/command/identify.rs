@@ -1,6 +1,6 @@
 //! `pellicle identify`: fits a model to measured curves and tells what they say of it.
 
-mod plan;
+pub mod plan;
 
 use std::path::Path;
 use std::time::Instant;
@@ -11,8 +11,9 @@ use pellicle_identify::{Fit, FitVerdict, IdentifyError};
 use crate::arguments::IdentifyArguments;
 use crate::failure::Failure;
 use crate::fit_file::{FitFile, Measurements};
+use crate::identification::fitted_file::FittedFile;
 use crate::identification::{files, simulation, text};
-use crate::identifying::{self, FittedFile, Stage};
+use crate::identifying::{self, Stage};
 use crate::outcome::Outcome;
 use crate::output::file::{self, Existing};
 use crate::output::folder::{Completeness, ResultsFolder};
@@ -26,9 +27,6 @@ use crate::{interrupt, terminal, threads};
 /// [`Failure`] if the fit file or a measurement is wrong, the results cannot be written, or the model has no
 /// prediction at all.
 pub fn identify(arguments: &IdentifyArguments) -> Result<Outcome, Failure> {
-    if arguments.plan {
-        return plan::plan(arguments);
-    }
     let start = Instant::now();
     let file = FitFile::read(&arguments.path, Measurements::Required)?;
     if let (true, Some(out)) = (arguments.simulate, &arguments.out) {

@@ -1,10 +1,13 @@
 //! `pellicle run`: solves a case, certifies the solution and writes the results.
 
+use std::panic::resume_unwind;
 use std::path::Path;
 use std::sync::Arc;
-use std::time::Instant;
+use std::sync::mpsc::{self, RecvTimeoutError};
+use std::thread;
+use std::time::{Duration, Instant};
 
-use pellicle_contact::{Domain, LoadingPath, Model, Status};
+use pellicle_contact::{ContactError, Domain, LoadingPath, Model, Status};
 
 use crate::arguments::RunArguments;
 use crate::case::Case;
@@ -16,9 +19,12 @@ use crate::output::file::Existing;
 use crate::output::folder::{self, Completeness, ResultsFolder};
 use crate::output::summary::{Clock, Summary};
 use crate::output::{json, report, results, summary_text};
-use crate::progress::ProgressLine;
+use crate::progress::{ProgressLine, SearchLine};
 use crate::stresses::{self, Stresses};
 use crate::{cache, interrupt, solving, terminal, threads};
+
+/// Time between two looks at the user while stresses are looked for.
+const LOOK: Duration = Duration::from_millis(20);
 
 /// Solves the case, writes its results folder and reports the result.
 ///
@@ -86,8 +92,42 @@ fn find_stresses(
     if interrupt::is_requested() {
         return Ok(None);
     }
-    let found = stresses::find_beside(case, model, domain, path, line.searching());
-    solving::unless_stopped(found)
+    solving::unless_stopped(find_beside(case, model, domain, path, line.searching()))
+}
+
+/// The stresses, found on threads of their own, which are left behind when the user asks to stop: the extremes of one
+/// step may take longer than anybody wants to wait then, and the results that are there are still to be written.
+fn find_beside(
+    case: &Case,
+    model: &Model,
+    domain: Domain,
+    path: &Arc<LoadingPath>,
+    line: SearchLine,
+) -> Result<Option<Stresses>, Failure> {
+    if case.stress.is_none() {
+        return Ok(None);
+    }
+    let threads = rayon::current_num_threads();
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
+    let pool = pool.build()?;
+    let (case, model, path) = (case.clone(), model.clone(), Arc::clone(path));
+    let (alive, watched) = mpsc::channel::<()>();
+    let search = thread::spawn(move || {
+        // Dropped when the search has ended, in whatever way.
+        let _alive = alive;
+        let mut observer = line.clone();
+        let tell = |search| {
+            line.tell(search);
+            interrupt::signal()
+        };
+        pool.install(|| stresses::find(&case, &model, domain, &path, &tell, &mut observer))
+    });
+    while watched.recv_timeout(LOOK) == Err(RecvTimeoutError::Timeout) {
+        if interrupt::is_requested() {
+            return Err(ContactError::Cancelled { step: 0 }.into());
+        }
+    }
+    search.join().unwrap_or_else(|panic| resume_unwind(panic))
 }
 
 /// Claims the results folder; none with `--json` alone.

@@ -132,7 +132,7 @@ fn tell_status(
     let rest = rate.unwrap_or_default() + &left.unwrap_or_default();
     terminal::print(&format!(
         "{}{parts}{rest}\n",
-        words(status.tally, status.cases)
+        status.tally.words(status.cases)
     ))?;
     Ok(Outcome::Done)
 }
@@ -191,36 +191,13 @@ fn report(
         terminal::print(&output::json(&report)?)?;
     }
     if is_watched(arguments) {
-        terminal::tell(&format!("{}; {}", words(tally, cases), report.table));
+        terminal::tell(&format!("{}; {}", tally.words(cases), report.table));
     }
     Ok(match tally.done() {
         done if done < cases => Outcome::Stopped,
         _ if tally.is_certified() || arguments.tolerate_failures => Outcome::Done,
         _ => Outcome::NotConverged,
     })
-}
-
-/// The number of cases by status, in words.
-#[must_use]
-pub fn words(tally: Tally, cases: usize) -> String {
-    let Tally {
-        certified,
-        not_converged,
-        cut_off,
-        failed,
-    } = tally;
-    let others = [
-        (not_converged, "not converged"),
-        (cut_off, "cut off"),
-        (failed, "failed"),
-        (cases - tally.done(), "to do"),
-    ];
-    let others = others.into_iter().filter(|(count, _)| *count > 0);
-    let others = others.map(|(count, word)| format!(", {count} {word}"));
-    format!(
-        "{cases} cases: {certified} certified{}",
-        others.collect::<String>()
-    )
 }
 
 /// Prints the cases of a part, some at a time.

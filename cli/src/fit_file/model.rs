@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use pellicle_contact::{ContactError, Model};
+use pellicle_contact::{ContactError, Model, ModelParameter};
 use pellicle_influence::Cache;
 
 use crate::case::Case;
@@ -105,6 +105,13 @@ impl ModelParameters {
         let path = key_path::parts(key)?;
         let is_wanted = |of: &&CaseParameter| key_path::parts(&of.key).as_ref() == Some(&path);
         self.parameters.iter().find(is_wanted)
+    }
+
+    /// The numbers of these keys.
+    #[must_use]
+    pub fn given_in(&self, set: &TomlTable) -> Vec<ModelParameter> {
+        let found = set.entries.iter().filter_map(|entry| self.find(&entry.key));
+        found.map(|of| of.parameter).collect()
     }
 
     /// The number of a key that a fit file names.

@@ -51,7 +51,7 @@ impl CurveSource {
     ///
     /// [`Failure`] if a file gives no curve.
     pub fn of_table(table: &DataTable) -> Result<Vec<Self>, Failure> {
-        let sources = table.curves()?.into_iter();
+        let sources = MeasuredCurve::read_all(table)?.into_iter();
         sources
             .map(|measured| Ok(Self::of(measured, table)?))
             .collect()

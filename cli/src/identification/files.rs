@@ -2,11 +2,11 @@
 
 use std::path::Path;
 
+use super::findings::WarningResult;
+use super::fitted_file::FittedFile;
 use super::pictures::{self, FitPicture};
-use super::result::{self, WarningResult};
-use super::{report, tables};
+use super::{report, result, tables};
 use crate::failure::Failure;
-use crate::identifying::FittedFile;
 use crate::output::file;
 use crate::output::json;
 use crate::output::npz;

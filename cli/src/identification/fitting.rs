@@ -12,9 +12,9 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use pellicle_identify::{Fit, FitOptions, FitVerdict, IdentifyError, Intervals, identify};
 
 use super::curve_source::FEWEST_POINTS;
+use super::outside::{Handling, Outside};
 use super::remembered::Remembered;
-use super::validity::{Handling, Outside};
-use super::{Identification, Spent};
+use super::{Identification, Spent, validity};
 use crate::failure::Failure;
 use crate::fit_file::report::OutsidePoints;
 
@@ -40,7 +40,7 @@ impl Identification {
             if search.stopped.is_some() {
                 break (now.outside.clone(), search);
             }
-            let Some(mut outside) = Outside::of(&self, &search, (now, &model)) else {
+            let Some(mut outside) = validity::outside(&self, &search, (now, &model)) else {
                 break (now.outside.clone(), now.fit(&model, self.intervals())?);
             };
             let is_fit = search.verdict != FitVerdict::NotConverged;

@@ -4,8 +4,9 @@
 use askama::Template;
 use pellicle_identify::{Fit, FitVerdict, Observable, REFUSAL};
 
+use super::findings::{CombinationResult, EstimateResult};
 use super::pictures::{FitDrawings, FitPicture};
-use super::result::{CombinationResult, EstimateResult, FitResult};
+use super::result::FitResult;
 use super::taken_as_exact::ExactNumber;
 use super::{Identification, names, units};
 use crate::display::significant;

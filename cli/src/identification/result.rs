@@ -3,16 +3,18 @@
 mod notes;
 
 use pellicle_identify::{
-    Correlation, Estimate, Fit, FitVerdict, KnownCombination, NoiseLevels, Observable, Role,
-    Verdict,
+    Correlation, Estimate, Fit, FitVerdict, NoiseLevels, Observable, Role, Verdict,
 };
 use serde::Serialize;
 
 use super::Identification;
+use super::findings::{
+    CombinationResult, EstimateResult, ExcludedResult, NoiseResult, WarningResult,
+};
 use super::taken_as_exact::ExactNumber;
 use crate::output::summary::PROGRAM;
 use crate::planning::after_fit::Next;
-use crate::planning::result::DesignResult;
+use crate::planning::design::DesignResult;
 
 /// Name of the file in a folder of results.
 pub const FILE: &str = "fit.json";
@@ -60,53 +62,6 @@ pub struct FitResult {
     pub advice: String,
 }
 
-/// A number as found.
-#[derive(Debug, Clone, Serialize)]
-pub struct EstimateResult {
-    /// Its key.
-    pub key: String,
-    /// Its SI unit.
-    pub unit: String,
-    /// Its value in the best fit.
-    pub value: f64,
-    /// The interval; null on a side that is open.
-    pub interval: [Option<f64>; 2],
-    /// Level of the interval.
-    pub level: f64,
-    /// The interval from the covariance alone.
-    pub wald: [Option<f64>; 2],
-    /// What the data tell of it.
-    pub verdict: String,
-    /// Why, in a sentence.
-    pub why: String,
-    /// Its standard deviation between repeats; missing without repeats.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub scatter: Option<f64>,
-    /// What is known instead.
-    pub known_combination: Option<CombinationResult>,
-}
-
-/// A product of powers that the data tell.
-#[derive(Debug, Clone, Serialize)]
-pub struct CombinationResult {
-    /// Such as `foundation.substrate.young_modulus * indenter.radius^0.5`.
-    pub expression: String,
-    /// Its value in SI units.
-    pub value: f64,
-    /// Its interval; null on a side that is open.
-    pub interval: [Option<f64>; 2],
-}
-
-impl From<&KnownCombination> for CombinationResult {
-    fn from(known: &KnownCombination) -> Self {
-        Self {
-            expression: known.expression.clone(),
-            value: known.value,
-            interval: known.interval,
-        }
-    }
-}
-
 /// How well the model follows the data.
 #[derive(Debug, Clone, Serialize)]
 pub struct Quality {
@@ -124,28 +79,6 @@ pub struct Quality {
     pub runs_p: f64,
     /// Durbin and Watson's `d`, 2 without correlation.
     pub durbin_watson: f64,
-}
-
-/// Points left out for one reason.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub struct ExcludedResult {
-    /// The reason.
-    pub reason: String,
-    /// How many.
-    pub count: usize,
-}
-
-/// The noise.
-#[derive(Debug, Clone, Serialize)]
-pub struct NoiseResult {
-    /// Standard deviation of the depth, m; null where it is not among what was measured.
-    pub depth: Option<f64>,
-    /// Standard deviation of the force, N.
-    pub force: Option<f64>,
-    /// Standard deviation over the value of what was observed.
-    pub relative: f64,
-    /// Correlation from one point to the next.
-    pub correlation: f64,
 }
 
 /// What a fit has cost.
@@ -170,15 +103,6 @@ pub struct CurveResult {
     pub shift: Option<f64>,
     /// Points fitted.
     pub points: usize,
-}
-
-/// What a reader should know.
-#[derive(Debug, Clone, Serialize)]
-pub struct WarningResult {
-    /// A word for programs.
-    pub code: String,
-    /// A sentence for people.
-    pub message: String,
 }
 
 impl FitResult {

@@ -6,7 +6,7 @@ use pellicle_identify::{
 };
 
 use super::Identification;
-use super::result::WarningResult;
+use super::findings::WarningResult;
 
 /// Part of the samples at a face of the surrogate's box from which on that is told.
 const CUT_OFF: f64 = 0.01;

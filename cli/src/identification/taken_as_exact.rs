@@ -4,8 +4,8 @@ use pellicle_contact::ContactError;
 use pellicle_identify::{Fit, FitVerdict, FixedNumber, Role, exponents};
 use serde::Serialize;
 
-use super::result::{EstimateResult, WarningResult};
-use super::{Identification, names, own};
+use super::findings::{EstimateResult, WarningResult};
+use super::{Identification, names};
 use crate::display::significant;
 use crate::failure::Failure;
 use crate::fit_file::model::ModelParameters;
@@ -118,7 +118,7 @@ impl Identification {
         (table, parameters): (usize, &ModelParameters),
         fixed: impl Iterator<Item = &'n FixedNumber>,
     ) -> Vec<(ExactNumber, Vec<f64>)> {
-        let own = own(&self.file.data[table], parameters);
+        let own = parameters.given_in(&self.file.data[table].set);
         let named = fixed.filter_map(|of| {
             let mut all = parameters.parameters.iter();
             let found = all.find(|known| known.parameter == of.parameter)?;

@@ -1,6 +1,7 @@
 //! The result of a fit on the terminal.
 
-use super::result::{EstimateResult, FitResult};
+use super::findings::EstimateResult;
+use super::result::FitResult;
 use super::taken_as_exact::most_critical;
 use crate::display::significant;
 use crate::planning;

@@ -1,112 +1,59 @@
-//! Whether the model holds where a fit used it: the points outside of it, and what is said of them.
+//! Whether the model holds where a fit used it, and what is said of the points outside of it.
 
 use std::collections::BTreeMap;
 
 use pellicle_contact::ContactError;
-use pellicle_identify::{Fit, ForwardError, ForwardModel as _, Invalidity, Observable};
+use pellicle_identify::{Fit, ForwardError, ForwardModel as _, Observable};
 
 use super::Identification;
-use super::curve_source::OutsidePoint;
+use super::findings::WarningResult;
+use super::outside::{Handling, Outside};
 use super::remembered::Remembered;
-use super::result::{ExcludedResult, WarningResult};
 use super::units;
 use crate::display::significant;
 
-/// Points at which the model does not hold.
-#[derive(Debug, Clone, Default)]
-pub struct Outside {
-    /// Of each point that was measured in contact, why, if so; empty if there are none.
-    pub invalid: Vec<Option<Invalidity>>,
-    /// The points, for each curve; empty if there are none.
-    pub points: Vec<Vec<OutsidePoint>>,
-    /// What became of them.
-    pub handling: Handling,
-    /// Why they could not be looked for, if so.
-    pub failure: Option<String>,
-}
-
-/// What became of the points at which the model does not hold.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub enum Handling {
-    /// They are not in the fit.
-    #[default]
-    LeftOut,
-    /// They are in the fit, because the fit file says so.
-    Kept,
-    /// They are not in the fit, but by the fit without them they would be others.
-    Unsettled,
-    /// They are in the fit, because too few would be left without them.
-    TooFewLeft,
-    /// They are in the fit, which did not converge.
-    NotConverged,
-}
-
-impl Outside {
-    /// The points outside of the model at a fit of some of them, among all that were measured; those known before where
-    /// the contact cannot be solved to tell. Nothing if the user stopped.
-    #[must_use]
-    pub fn of(
-        whole: &Identification,
-        fit: &Fit,
-        (now, model): (&Identification, &Remembered<'_>),
-    ) -> Option<Self> {
-        let as_before = |failure: String| Self {
-            failure: Some(failure),
-            ..now.outside.clone()
-        };
-        let values: Vec<f64> = fit.estimates.iter().map(|of| of.value).collect();
-        // Where points were left out before, the fit's own prediction has not all of them.
-        let known = model.known(&values);
-        let known = known.filter(|known| known.value.len() == whole.problem.points());
-        let at_fit = match known.map_or_else(|| whole.model.predict(&values), Ok) {
-            Ok(prediction) => prediction,
-            Err(ForwardError::Stopped) => return None,
-            Err(error) => return Some(as_before(error.to_string())),
-        };
-        let pairs = at_fit.value.iter().zip(&at_fit.slope);
-        let noise = pairs.map(|(value, slope)| fit.noise.variance(*value, *slope).sqrt());
-        let noise: Vec<f64> = noise.collect();
-        let invalid = match whole.model.invalid_points(fit, &at_fit, &noise) {
-            Err(ContactError::Cancelled { .. }) => return None,
-            Err(error) => return Some(as_before(error.to_string())),
-            Ok(invalid) if invalid.iter().all(Option::is_none) => return Some(Self::default()),
-            Ok(invalid) => invalid,
-        };
-        let mut first = 0;
-        let points = whole.sources.iter().map(|source| {
-            let end = first + source.abscissa.len();
-            let points = source.outside(&invalid[first..end]);
-            first = end;
-            points
-        });
-        Some(Self {
-            points: points.collect(),
-            invalid,
-            ..Self::default()
-        })
-    }
-
-    /// Whether they are missing in the fit.
-    #[must_use]
-    pub fn are_left_out(&self) -> bool {
-        matches!(self.handling, Handling::LeftOut | Handling::Unsettled)
-    }
-
-    /// The points left out of the fit, by reason.
-    #[must_use]
-    pub fn excluded(&self) -> Vec<ExcludedResult> {
-        if !self.are_left_out() {
-            return Vec::new();
-        }
-        let mut counts: BTreeMap<String, usize> = BTreeMap::new();
-        for point in self.points.iter().flatten() {
-            *counts.entry(point.reason.to_string()).or_default() += 1;
-        }
-        let reasons = counts.into_iter();
-        reasons
-            .map(|(reason, count)| ExcludedResult { reason, count })
-            .collect()
-    }
+/// The points outside of the model at a fit of some of them, among all that were measured; those known before where
+/// the contact cannot be solved to tell. Nothing if the user stopped.
+#[must_use]
+pub fn outside(
+    whole: &Identification,
+    fit: &Fit,
+    (now, model): (&Identification, &Remembered<'_>),
+) -> Option<Outside> {
+    let as_before = |failure: String| Outside {
+        failure: Some(failure),
+        ..now.outside.clone()
+    };
+    let values: Vec<f64> = fit.estimates.iter().map(|of| of.value).collect();
+    // Where points were left out before, the fit's own prediction has not all of them.
+    let known = model.known(&values);
+    let known = known.filter(|known| known.value.len() == whole.problem.points());
+    let at_fit = match known.map_or_else(|| whole.model.predict(&values), Ok) {
+        Ok(prediction) => prediction,
+        Err(ForwardError::Stopped) => return None,
+        Err(error) => return Some(as_before(error.to_string())),
+    };
+    let pairs = at_fit.value.iter().zip(&at_fit.slope);
+    let noise = pairs.map(|(value, slope)| fit.noise.variance(*value, *slope).sqrt());
+    let noise: Vec<f64> = noise.collect();
+    let invalid = match whole.model.invalid_points(fit, &at_fit, &noise) {
+        Err(ContactError::Cancelled { .. }) => return None,
+        Err(error) => return Some(as_before(error.to_string())),
+        Ok(invalid) if invalid.iter().all(Option::is_none) => return Some(Outside::default()),
+        Ok(invalid) => invalid,
+    };
+    let mut first = 0;
+    let points = whole.sources.iter().map(|source| {
+        let end = first + source.abscissa.len();
+        let points = source.outside(&invalid[first..end]);
+        first = end;
+        points
+    });
+    Some(Outside {
+        points: points.collect(),
+        invalid,
+        ..Outside::default()
+    })
 }
 
 impl Identification {

@@ -1,6 +1,6 @@
 //! Lines of x, y, z: the points of a grid one by one, as instruments and other programs export a surface.
 
-use super::MapFile;
+use super::map_file::MapFile;
 
 /// The largest distance of a coordinate from its grid line, in grid spacings: coordinates are printed with few digits.
 const OFF_THE_LINE: f64 = 0.05;

@@ -4,7 +4,8 @@
 //! `XRes · YRes` floats with the smallest byte first, row by row from the top. Source: Gwyddion user guide, *Simple
 //! Field Files*, gwyddion.net/documentation/user-guide-en/gsf.html.
 
-use super::{MapError, MapFile};
+use super::error::MapError;
+use super::map_file::MapFile;
 
 const MAGIC: &[u8] = b"Gwyddion Simple Field 1.0\n";
 

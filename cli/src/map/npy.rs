@@ -1,7 +1,9 @@
 //! `.npy`: one array of NumPy in two dimensions, first index along x.
 
+use super::error::MapError;
+use super::grid_points;
+use super::map_file::MapFile;
 use super::npy_header::NpyHeader;
-use super::{MapError, MapFile};
 
 /// Reads the array, of floats or integers in either order of bytes and of axes.
 ///
@@ -35,6 +37,16 @@ pub fn parse(bytes: &[u8]) -> Result<MapFile, MapError> {
         (0..along_x * along_y).map(at).collect()
     };
     Ok(MapFile::of_array([along_x, along_y], heights))
+}
+
+impl MapFile {
+    /// The map of a NumPy array, value `(i, j)` at `i * shape[1] + j`: rows of heights, first index along x, or, three
+    /// to a row, the points x, y, z of a regular grid.
+    #[must_use]
+    pub fn of_array(shape: [usize; 2], values: Vec<f64>) -> Self {
+        let points = (shape[1] == 3).then(|| grid_points::map(&values)).flatten();
+        points.unwrap_or_else(|| Self::bare(shape, values))
+    }
 }
 
 fn npy(reason: String) -> MapError {

@@ -5,7 +5,7 @@
 //! forged. Source: NumPy's `lib/_format_impl`,
 //! numpy.org/doc/stable/reference/generated/numpy.lib.format.html.
 
-use super::MapError;
+use super::error::MapError;
 
 const MAGIC: &[u8] = b"\x93NUMPY";
 

@@ -3,7 +3,9 @@
 //! Numbers are separated by commas, semicolons, tabs or spaces; what follows a `#` is a comment. Where semicolons or
 //! blanks separate numbers, a comma is a decimal mark.
 
-use super::{MapError, MapFile, grid_points};
+use super::error::MapError;
+use super::grid_points;
+use super::map_file::MapFile;
 
 /// On fewer lines than this, two columns of integers are a small map.
 const FEWEST_OF_A_COLUMN: usize = 3;

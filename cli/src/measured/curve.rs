@@ -1,17 +1,11 @@
 //! A measured curve: the points of one file that are used, in SI units, and what became of the others.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use super::binary::refuse_binary;
 use super::channel::Channel;
-use super::checks;
-use super::cut::cut;
-use super::data_table::DataTable;
 use super::error::CurveError;
 use super::exclusion::Exclusion;
-use super::raw_curve::RawCurve;
-use super::spring::{self, penetration};
-use super::text_table::TextTable;
+use super::spring::penetration;
 use super::warning::CurveWarning;
 
 /// A measured curve: the points of one file that are used, in SI units.
@@ -29,83 +23,10 @@ pub struct MeasuredCurve {
     pub excluded: Vec<Exclusion>,
     /// What is worth knowing.
     pub warnings: Vec<CurveWarning>,
-    channels: Vec<(Channel, Vec<f64>)>,
+    pub(super) channels: Vec<(Channel, Vec<f64>)>,
 }
 
 impl MeasuredCurve {
-    /// Reads the file as a table says.
-    ///
-    /// # Errors
-    ///
-    /// [`CurveError`] if it gives no curve.
-    pub fn read(path: &Path, data: &DataTable) -> Result<Self, CurveError> {
-        let bytes = data
-            .sources
-            .read(path)
-            .map_err(|error| CurveError::Unreadable {
-                cause: error.to_string(),
-            })?;
-        Self::parse(path, &bytes, data)
-    }
-
-    /// Reads the bytes of a file.
-    ///
-    /// # Errors
-    ///
-    /// [`CurveError`] if they give no curve.
-    pub fn parse(path: &Path, bytes: &[u8], data: &DataTable) -> Result<Self, CurveError> {
-        let encoding = data.text.encoding;
-        if !encoding.has_zero_bytes(bytes) {
-            refuse_binary(path, bytes)?;
-        }
-        let decoded = encoding.decode(bytes)?;
-        if decoded.text.trim().is_empty() {
-            return Err(CurveError::Empty);
-        }
-        let table = TextTable::find(&decoded.text, &data.text)?;
-        let mut raw = RawCurve::read(&table, &data.columns, &data.text)?;
-        if let Some(spring) = data.spring_constant {
-            spring::add_penetration(&mut raw, data.height_direction, spring)?;
-        }
-        let mut warnings = of_text(decoded.guessed, &table, data);
-        let kept = cut(&raw, &data.segment, &mut warnings)?;
-        let mut curve = Self {
-            file: path.to_owned(),
-            header: table.header.iter().map(|head| head.text.clone()).collect(),
-            table_rows: raw.rows,
-            channels: points(&raw, &kept.rows),
-            rows: kept.rows.iter().map(|row| row + 1).collect(),
-            excluded: kept.excluded,
-            warnings,
-        };
-        curve.begin_at_zero(data);
-        checks::refuse(&curve)?;
-        let more = checks::warnings(&curve, &data.columns);
-        curve.warnings.extend(more);
-        Ok(curve)
-    }
-
-    /// The height counts from the first point, and the penetration from there too.
-    fn begin_at_zero(&mut self, data: &DataTable) {
-        let Some(spring) = data.spring_constant else {
-            return;
-        };
-        for (channel, heights) in &mut self.channels {
-            let first = heights.first().copied().unwrap_or(0.0);
-            if *channel == Channel::Height {
-                heights.iter_mut().for_each(|height| *height -= first);
-            }
-        }
-        let depth = self.depth_with(spring.mean).unwrap_or_default();
-        let found = self
-            .channels
-            .iter_mut()
-            .find(|(channel, _)| *channel == Channel::Depth);
-        if let Some((_, old)) = found {
-            *old = depth;
-        }
-    }
-
     /// The values of a quantity at every point, SI; none if it has no column.
     #[must_use]
     pub fn values(&self, channel: Channel) -> Option<&[f64]> {
@@ -196,36 +117,4 @@ impl MeasuredCurve {
         }
         Ok(())
     }
-}
-
-fn points(raw: &RawCurve<'_>, rows: &[usize]) -> Vec<(Channel, Vec<f64>)> {
-    let kept = |values: &[f64]| {
-        rows.iter()
-            .filter_map(|row| values.get(*row))
-            .copied()
-            .collect()
-    };
-    let channels = raw.channels.iter();
-    channels
-        .map(|(channel, values)| (*channel, kept(values)))
-        .collect()
-}
-
-/// What the text itself gives reason to say.
-fn of_text(guessed: Option<&str>, table: &TextTable<'_>, data: &DataTable) -> Vec<CurveWarning> {
-    let mut warnings = Vec::new();
-    if let Some(encoding) = guessed {
-        let message = format!(
-            "the file is not UTF-8 and is read as {encoding}: text.encoding = \"{encoding}\" says so"
-        );
-        warnings.push(CurveWarning::new("encoding-guessed", message));
-    }
-    if table.tables > 1 && data.text.table.is_none() {
-        let message = format!(
-            "the first of {} tables in the file is read: text.table = 1 says so",
-            table.tables
-        );
-        warnings.push(CurveWarning::new("several-tables", message));
-    }
-    warnings
 }

@@ -6,7 +6,6 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::columns::Columns;
-use super::curve::MeasuredCurve;
 use super::error::CurveError;
 use super::noise::Noise;
 use super::segment::Segment;
@@ -146,22 +145,6 @@ impl DataTable {
         };
         data.require_columns(&table, &columns)?;
         Ok(data)
-    }
-
-    /// The curves of all files.
-    ///
-    /// # Errors
-    ///
-    /// A [`Diagnosis`] of the first file that gives none, at the key to change.
-    pub fn curves(&self) -> Result<Vec<MeasuredCurve>, Diagnosis> {
-        if let Some(diagnosis) = self.without_files() {
-            return Err(diagnosis);
-        }
-        let curve = |path: &PathBuf| {
-            let curve = MeasuredCurve::read(path, self);
-            curve.map_err(|error| self.diagnosis(path, &error))
-        };
-        self.files.iter().map(curve).collect()
     }
 
     /// The diagnosis that its noise or what it observes is not that of the first table.

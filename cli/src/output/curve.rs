@@ -1,10 +1,12 @@
 //! `curve.csv`: one row per loading step, units in the header.
 
+mod column;
 pub mod hardness;
 pub mod rough;
 pub mod sensitivity;
 pub mod stress;
 
+use self::column::{Column, name, number};
 use self::hardness::HardnessColumns;
 use self::rough::RoughColumns;
 use self::sensitivity::SensitivityColumns;
@@ -15,14 +17,7 @@ use crate::input::units::Units;
 /// Name of the file in a results folder.
 pub const FILE: &str = "curve.csv";
 
-/// A column: its name, its SI unit if it has one, and its value in a step.
-type Column = (
-    &'static str,
-    Option<&'static str>,
-    fn(&StepSummary) -> String,
-);
-
-const COLUMNS: [Column; 13] = [
+const COLUMNS: [Column<StepSummary>; 13] = [
     ("force", Some("N"), |step| number(step.force)),
     ("penetration", Some("m"), |step| number(step.penetration)),
     ("max pressure", Some("Pa"), |step| number(step.max_pressure)),
@@ -91,16 +86,8 @@ pub fn csv(summary: &Summary) -> String {
 /// Names of the columns, with units.
 #[must_use]
 pub fn header(units: Units) -> Vec<String> {
-    let names = COLUMNS.into_iter().map(|column| name(column, units));
+    let names = COLUMNS.iter().map(|column| name(column, units));
     std::iter::once("step".to_owned()).chain(names).collect()
-}
-
-/// The name of a column, with its unit.
-fn name((name, unit, _): Column, units: Units) -> String {
-    match unit {
-        Some(unit) => format!("{name} [{}]", units.name(unit)),
-        None => name.to_owned(),
-    }
 }
 
 /// The values of one step, without commas.
@@ -132,9 +119,4 @@ pub fn units(csv: &str) -> Units {
     } else {
         Units::Consistent
     }
-}
-
-/// The shortest text that reads back as the same number.
-fn number(value: f64) -> String {
-    format!("{value:e}")
 }

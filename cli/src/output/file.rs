@@ -1,25 +1,16 @@
 //! Files that are there whole or not at all. A file has a random name of its own until it is complete; nobody else's
 //! file is opened.
 
-use std::fs::{self, OpenOptions};
 use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
-use tempfile::NamedTempFile;
-
-use super::lock;
+use super::partial_file::{self, PartialFile};
 use super::stoppable::StoppableFile;
-use super::unfinished::Unfinished;
 use crate::failure::Failure;
+use crate::unfinished::Unfinished;
 
 /// Bytes that are handed to the system at once: a curve's folder takes 4,000 calls instead of 30,000.
 const BUFFER: usize = 1 << 17;
-
-/// Beginning and end of the names of files that are not complete yet.
-const PARTIAL: [&str; 2] = [".pellicle-", ".partial"];
-
-/// A file under its temporary name.
-pub type PartialFile = BufWriter<NamedTempFile>;
 
 /// The answer to a file or folder that is there already.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -101,7 +92,7 @@ impl LongFile {
     ///
     /// [`Failure::Write`] if it cannot be created.
     pub fn begin(path: &Path) -> Result<Self, Failure> {
-        let file = partial(path).map_err(|cause| Failure::write(path, cause))?;
+        let file = partial_file::begin(path).map_err(|cause| Failure::write(path, cause))?;
         Ok(Self {
             _unfinished: Unfinished::file(file.path()),
             file: BufWriter::with_capacity(BUFFER, file),
@@ -143,32 +134,12 @@ impl LongFile {
     }
 }
 
-/// Removes the half-written files that dead processes have left in a folder.
-pub fn sweep(folder: &Path) {
-    let Ok(entries) = fs::read_dir(folder) else {
-        return;
-    };
-    for entry in entries.flatten() {
-        let is_file = entry.file_type().is_ok_and(|kind| kind.is_file());
-        if is_file && entry.file_name().to_str().is_some_and(is_partial) {
-            remove_if_left(&entry.path());
-        }
-    }
-}
-
-/// Whether this is the name of a file that is not complete yet.
-#[must_use]
-pub fn is_partial(name: &str) -> bool {
-    let [prefix, suffix] = PARTIAL;
-    name.starts_with(prefix) && name.ends_with(suffix)
-}
-
 fn put(
     path: &Path,
     existing: Existing,
     write: impl FnOnce(&mut PartialFile) -> io::Result<()>,
 ) -> io::Result<()> {
-    let file = partial(path)?;
+    let file = partial_file::begin(path)?;
     let _unfinished = Unfinished::file(file.path());
     let mut file = BufWriter::with_capacity(BUFFER, file);
     write(&mut file)?;
@@ -181,40 +152,9 @@ fn put(
     placed.map(drop).map_err(|failed| failed.error)
 }
 
-/// A new file beside the path, with the permissions that any new file has, locked as long as it is open.
-fn partial(path: &Path) -> io::Result<NamedTempFile> {
-    let folder = match path.parent() {
-        Some(folder) if !folder.as_os_str().is_empty() => folder,
-        _ => Path::new("."),
-    };
-    let [prefix, suffix] = PARTIAL;
-    loop {
-        let mut builder = tempfile::Builder::new();
-        builder.prefix(prefix).suffix(suffix).rand_bytes(12);
-        #[cfg(unix)]
-        builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-        let partial = builder.tempfile_in(folder)?;
-        // Where the file system knows no locks nothing is swept away either.
-        drop(partial.as_file().try_lock());
-        // Before it was locked it may have been taken for one that somebody left.
-        if lock::is_at(partial.as_file(), partial.path()) {
-            return Ok(partial);
-        }
-    }
-}
-
-/// Removes a file whose owner is dead: it has no lock on it any more.
-fn remove_if_left(path: &Path) {
-    let opened = OpenOptions::new().read(true).write(true).open(path);
-    let Ok(file) = opened else { return };
-    if file.try_lock().is_ok() && lock::is_at(&file, path) {
-        // Best effort: it is tried again by the next.
-        drop(fs::remove_file(path));
-    }
-}
-
 #[cfg(test)]
 mod tests {
+    use std::fs;
     use std::io::{Seek, SeekFrom};
 
     use super::*;
@@ -280,7 +220,7 @@ mod tests {
         fs::write(&left, "half").unwrap();
         fs::write(folder.path().join(".pellicle-notes"), "mine").unwrap();
         write_whole(&folder.path().join("a.txt"), |file| {
-            sweep(folder.path());
+            partial_file::sweep(folder.path());
             file.write_all(b"whole")
         })
         .unwrap();

@@ -10,11 +10,11 @@ use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 use std::process;
 
-use super::file::{self, Existing};
+use super::file::Existing;
 use super::lock::Lock;
-use super::run_files;
-use super::unfinished::{self, Unfinished};
+use super::{partial_file, run_files};
 use crate::failure::Failure;
+use crate::unfinished::{self, Unfinished};
 
 /// Name of the lock in a claimed folder.
 const LOCK: &str = ".pellicle-lock";
@@ -232,7 +232,7 @@ fn contents(path: &Path) -> FolderContents {
 fn is_hidden(entry: &DirEntry) -> bool {
     let name = entry.file_name();
     name.to_str().is_some_and(|name| {
-        name.starts_with(LOCK) || hidden::is_name(name) || file::is_partial(name)
+        name.starts_with(LOCK) || hidden::is_name(name) || partial_file::is_partial(name)
     })
 }
 

@@ -4,7 +4,7 @@ use std::fs::{self, File, Metadata, OpenOptions, TryLockError};
 use std::io::{self, ErrorKind, Read, Write};
 use std::path::Path;
 
-use super::unfinished::Unfinished;
+use crate::unfinished::Unfinished;
 
 /// Attempts to take a lock whose file another process removes meanwhile.
 const ATTEMPTS: usize = 1000;

@@ -6,7 +6,6 @@ use rayon::prelude::*;
 
 use super::fields::Fields;
 use super::report::surface::Surface;
-use super::report::{RunDrawings, StepDrawings};
 use super::stress::view::StressView;
 use super::summary::Summary;
 use super::write_progress::WriteProgress;
@@ -93,6 +92,30 @@ pub struct StressDrawings {
     pub step: usize,
     /// The pictures that were drawn.
     pub drawings: Vec<(StressPicture, String)>,
+}
+
+/// The pictures of one loading step.
+#[derive(Debug, Clone, Default)]
+pub struct StepDrawings {
+    /// Loading step, counted from 0.
+    pub step: usize,
+    /// The pictures that were drawn, as SVG.
+    pub drawings: Vec<(StepPicture, String)>,
+    /// The pictures of the stresses that were drawn, as SVG.
+    pub stresses: Vec<(StressPicture, String)>,
+    /// The pressure that can be turned; none if it cannot be drawn.
+    pub surface: Option<Surface>,
+}
+
+/// The pictures of the run as a whole, as SVG.
+#[derive(Debug, Clone, Default)]
+pub struct RunDrawings {
+    /// Force over penetration, pressure over force.
+    pub curve: Option<String>,
+    /// Values from grid to grid.
+    pub convergence: Option<String>,
+    /// Power over the wavenumber of the maps.
+    pub spectrum: Option<String>,
 }
 
 /// The pictures of the stresses of a step.

@@ -5,10 +5,11 @@ use std::path::{Path, PathBuf};
 use rayon::prelude::*;
 
 use super::npz::{self, StoredFields};
-use super::report::{self, StepDrawings};
+use super::pictures::{self, StepDrawings};
+use super::report;
 use super::summary::{Summary, WarningSummary};
 use super::write_progress::{OnProgress, WriteProgress};
-use super::{pictures, results, stress};
+use super::{results, stress};
 use crate::case::output::Steps;
 use crate::failure::Failure;
 use crate::picture::curve::{self, Curve};
@@ -47,7 +48,7 @@ pub fn draw(
     options: &RedrawOptions<'_>,
     on_progress: OnProgress<'_>,
 ) -> Result<Redrawn, Failure> {
-    let summary = Summary::read(folder)?;
+    let summary = results::read_summary(folder)?;
     let fields = |step: usize| folder.join(npz::file(step));
     let steps: Vec<_> = match options.step {
         Some(step) => vec![step],
@@ -133,7 +134,7 @@ pub fn draw_curves(
     if !replaces {
         keep(out, curve::NAME_OF_SEVERAL)?;
     }
-    let summaries = folders.iter().map(|folder| Summary::read(folder));
+    let summaries = folders.iter().map(|folder| results::read_summary(folder));
     let summaries = summaries.collect::<Result<Vec<_>, Failure>>()?;
     let units = summaries
         .first()

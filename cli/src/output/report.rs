@@ -2,6 +2,7 @@
 //! turned. The page itself is `cli/templates/report.html`; here is the text that stands in it.
 
 mod case_table;
+mod grid_error;
 mod step;
 mod stress;
 pub mod surface;
@@ -9,39 +10,15 @@ pub mod surface;
 use askama::Template;
 use pellicle_contact::Status;
 
-use self::step::{GridErrorNote, StepSection};
-use self::surface::Surface;
-use super::pictures::{StepPicture, StressPicture};
+use self::grid_error::GridErrorNote;
+use self::step::StepSection;
+use super::pictures::{RunDrawings, StepDrawings, StepPicture, StressPicture};
 use super::summary::{StepSummary, Summary};
 use super::summary_text;
 use crate::display::{Unit, quantity, significant};
 
 /// Name of the file in a results folder.
 pub const FILE: &str = "report.html";
-
-/// The pictures of one loading step.
-#[derive(Debug, Clone, Default)]
-pub struct StepDrawings {
-    /// Loading step, counted from 0.
-    pub step: usize,
-    /// The pictures that were drawn, as SVG.
-    pub drawings: Vec<(StepPicture, String)>,
-    /// The pictures of the stresses that were drawn, as SVG.
-    pub stresses: Vec<(StressPicture, String)>,
-    /// The pressure that can be turned; none if it cannot be drawn.
-    pub surface: Option<Surface>,
-}
-
-/// The pictures of the run as a whole, as SVG.
-#[derive(Debug, Clone, Default)]
-pub struct RunDrawings {
-    /// Force over penetration, pressure over force.
-    pub curve: Option<String>,
-    /// Values from grid to grid.
-    pub convergence: Option<String>,
-    /// Power over the wavenumber of the maps.
-    pub spectrum: Option<String>,
-}
 
 /// The page, its numbers in words.
 #[derive(Template)]

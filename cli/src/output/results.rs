@@ -1,5 +1,6 @@
-//! The files of a run, written into a results folder.
+//! The files of a run: written into a results folder, and its summary read back.
 
+use std::fs;
 use std::io::Write;
 use std::path::Path;
 use std::time::Instant;
@@ -9,10 +10,11 @@ use rayon::prelude::*;
 
 use super::fields::Fields;
 use super::folder::Completeness;
-use super::report::{self, StepDrawings};
+use super::pictures::{self, StepDrawings};
+use super::report;
 use super::summary::Summary;
 use super::write_progress::{OnProgress, WriteProgress};
-use super::{curve, file, formats, json, pictures, stress, summary};
+use super::{curve, file, formats, json, stress, summary};
 use crate::case::Case;
 use crate::case::output::OutputCase;
 use crate::failure::Failure;
@@ -59,6 +61,22 @@ pub fn write(
     } else {
         Completeness::Part
     })
+}
+
+/// The summary of a results folder; its units are those that the curve names.
+///
+/// # Errors
+///
+/// [`Failure::Damaged`] if its files are missing or not what a run writes.
+pub fn read_summary(folder: &Path) -> Result<Summary, Failure> {
+    let path = folder.join(summary::FILE);
+    let text = read_text(&path)?;
+    let units = curve::units(&read_text(&folder.join(curve::FILE))?);
+    Summary::parse(&text, units).map_err(|cause| Failure::damaged(&path, &cause))
+}
+
+fn read_text(path: &Path) -> Result<String, Failure> {
+    fs::read_to_string(path).map_err(|cause| Failure::damaged(path, &cause))
 }
 
 /// The number of files of fields and of pictures.

@@ -4,7 +4,7 @@ use std::error::Error;
 use std::io::{self, Seek, SeekFrom, Write};
 use std::path::Path;
 
-use super::file::PartialFile;
+use super::partial_file::PartialFile;
 use crate::failure::Failure;
 use crate::interrupt;
 

@@ -5,170 +5,36 @@
 pub mod fields;
 mod netcdf;
 pub mod npz;
+mod plane_file;
+mod plane_values;
 mod planes;
 pub mod view;
 mod vtr;
 
 use std::path::Path;
 
-use pellicle_contact::{LoadingPath, StressField, StressPlanes};
-use pellicle_influence::SubsurfaceState;
-use rayon::prelude::*;
+use pellicle_contact::{LoadingPath, StressField};
 
-use self::planes::Wishes;
+use self::plane_file::{StressFile, StressHead};
+use self::plane_values::PlaneValues;
+pub use self::plane_values::{FIELDS, FieldName};
+use self::planes::{Wishes, block_radius};
 use self::view::{Reach, StressView, SurfaceLine, ViewCollector};
 use super::fields::Fields;
 use super::pictures::{self, StressDrawings};
 use super::summary::{StepSummary, Summary};
 use super::write_progress::WriteProgress;
 use crate::case::Case;
-use crate::case::foundation::depths::BodyPlane;
 use crate::case::output::Format;
 use crate::case::stress::StressCase;
 use crate::failure::Failure;
 use crate::picture::style::Style;
-
-/// A field in the files.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct FieldName {
-    /// Its name.
-    pub name: &'static str,
-    /// Its unit in SI.
-    pub unit: &'static str,
-    /// Its meaning, in words.
-    pub meaning: &'static str,
-}
-
-/// Fields of a state of the body.
-const STATE: usize = 9;
-
-/// The fields: those of [`SubsurfaceState`] in its order, and two that follow from them.
-pub const FIELDS: [FieldName; 11] = [
-    named("ux", "m", "displacement along x"),
-    named("uy", "m", "displacement along y"),
-    named("uz", "m", "displacement along z, into the body"),
-    named("sxx", "Pa", "normal stress along x, tension positive"),
-    named("syy", "Pa", "normal stress along y, tension positive"),
-    named("szz", "Pa", "normal stress along z, tension positive"),
-    named("sxy", "Pa", "shear stress xy"),
-    named("sxz", "Pa", "shear stress xz"),
-    named("syz", "Pa", "shear stress yz"),
-    named("von_mises", "Pa", "von Mises' equivalent stress"),
-    named(
-        "max_principal",
-        "Pa",
-        "largest principal stress, tension positive",
-    ),
-];
-
-const fn named(name: &'static str, unit: &'static str, meaning: &'static str) -> FieldName {
-    FieldName {
-        name,
-        unit,
-        meaning,
-    }
-}
 
 /// The formats in which stresses are written.
 #[must_use]
 pub fn formats(formats: &[Format]) -> Vec<Format> {
     let is_one = |format: &Format| matches!(format, Format::Nc | Format::Vti | Format::Npz);
     formats.iter().copied().filter(is_one).collect()
-}
-
-/// What the files of a step say besides the values.
-#[derive(Debug)]
-struct StressHead<'a> {
-    summary: &'a Summary,
-    step: usize,
-    stress: &'a StressCase,
-    /// Names of the bodies, from the surface down.
-    bodies: Vec<String>,
-    /// The coordinates of the points along x, and along y, m.
-    centres: &'a [f64],
-    planes: &'a [BodyPlane],
-}
-
-/// A file that takes plane after plane.
-trait StressFile {
-    fn add(&mut self, plane: usize, values: &PlaneValues) -> Result<(), Failure>;
-    fn finish(self: Box<Self>) -> Result<(), Failure>;
-}
-
-/// The fields on one plane: a row for each coordinate along x.
-#[derive(Debug)]
-struct PlaneValues {
-    fields: [Vec<f64>; FIELDS.len()],
-    /// Points of a row.
-    size: usize,
-}
-
-impl PlaneValues {
-    fn new(size: usize) -> Self {
-        Self {
-            fields: std::array::from_fn(|_| vec![0.0; size * size]),
-            size,
-        }
-    }
-
-    fn compute(&mut self, planes: &mut StressPlanes, plane: BodyPlane) -> Result<(), Failure> {
-        let take = |field: usize, values: &[f64]| self.fields[field].copy_from_slice(values);
-        planes
-            .fields_on(plane.depth, take)
-            .map_err(Failure::Inside)?;
-        self.derive();
-        Ok(())
-    }
-
-    /// Planes of given values, for tests.
-    #[cfg(test)]
-    fn filled(size: usize, value: impl Fn(usize, usize, usize) -> f64) -> Self {
-        let value = &value;
-        let field = |field| {
-            let points = (0..size).flat_map(|i| (0..size).map(move |j| value(field, i, j)));
-            points.collect()
-        };
-        Self {
-            fields: std::array::from_fn(field),
-            size,
-        }
-    }
-
-    fn von_mises(&self) -> &[f64] {
-        &self.fields[STATE]
-    }
-
-    fn max_principal(&self) -> &[f64] {
-        &self.fields[STATE + 1]
-    }
-
-    /// `σ_zz`
-    fn normal_traction(&self) -> &[f64] {
-        &self.fields[5]
-    }
-
-    /// `τ = |(σ_xz, σ_yz)|`
-    fn shear_traction(&self) -> Vec<f64> {
-        let [sxz, syz] = [7, 8].map(|field| &self.fields[field]);
-        sxz.iter().zip(syz).map(|(x, y)| x.hypot(*y)).collect()
-    }
-
-    /// The fields that follow from the state.
-    fn derive(&mut self) {
-        let (state, derived) = self.fields.split_at_mut(STATE);
-        let [von_mises, principal] = derived else {
-            return;
-        };
-        let points = von_mises.par_iter_mut().zip(principal).enumerate();
-        points.for_each(|(i, (von_mises, principal))| {
-            let state = SubsurfaceState {
-                displacement: [0.0; 3],
-                stress: std::array::from_fn(|component| state[3 + component][i]),
-            };
-            *von_mises = state.von_mises();
-            *principal = state.principal()[0];
-        });
-    }
 }
 
 /// What is written of the stresses of a step.
@@ -330,15 +196,5 @@ fn section_line(step: &StepSummary, stress: &StressCase) -> SurfaceLine {
         } else {
             0.0
         },
-    }
-}
-
-/// The contact radius that the planes and their square are chosen by, m; of a step without contact a third of the
-/// domain, as if it filled it.
-fn block_radius(contact_radius: f64, side: f64) -> f64 {
-    if contact_radius > 0.0 {
-        contact_radius
-    } else {
-        side / 3.0
     }
 }

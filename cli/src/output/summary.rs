@@ -6,8 +6,6 @@ mod step;
 pub mod stress;
 mod warning;
 
-use std::fs;
-use std::path::Path;
 use std::time::Instant;
 
 use pellicle_contact::{CriticalLoad, LoadingPath, Status, Step, nan_from_null};
@@ -18,12 +16,14 @@ use serde_json::Value;
 use self::roughness::RoughnessSummary;
 use self::sensitivity::SensitivitySummary;
 pub use self::step::{CertificateSummary, StepSummary};
+use self::stress::StressSummary;
 pub use self::warning::WarningSummary;
-use super::curve;
 use crate::case::Case;
 use crate::case::grid::BoundaryCase;
+use crate::case::stress::StressCase;
 use crate::failure::Failure;
 use crate::input::units::Units;
+use crate::stresses::Stresses;
 
 /// Name of the file in a results folder.
 pub const FILE: &str = "summary.json";
@@ -192,6 +192,18 @@ impl Summary {
         }
     }
 
+    /// Adds the stresses that were found.
+    pub fn add_stresses(&mut self, stress: &StressCase, found: Stresses) {
+        for (step, extremes) in self.steps.iter_mut().zip(found.steps) {
+            step.stress = Some(StressSummary {
+                friction: stress.friction,
+                direction_degrees: stress.direction_degrees(),
+                extremes,
+            });
+        }
+        self.critical = found.critical;
+    }
+
     /// Adds the derivatives that were found.
     pub fn add_sensitivities(&mut self, found: Vec<Vec<SensitivitySummary>>) {
         for (step, found) in self.steps.iter_mut().zip(found) {
@@ -207,18 +219,6 @@ impl Summary {
     pub fn parse(text: &str, units: Units) -> Result<Self, serde_json::Error> {
         let summary = serde_json::from_str(text)?;
         Ok(Self { units, ..summary })
-    }
-
-    /// The summary of a results folder.
-    ///
-    /// # Errors
-    ///
-    /// [`Failure::Damaged`] if its files are missing or not what a run writes.
-    pub fn read(folder: &Path) -> Result<Self, Failure> {
-        let path = folder.join(FILE);
-        let text = read_text(&path)?;
-        let units = curve::units(&read_text(&folder.join(curve::FILE))?);
-        Self::parse(&text, units).map_err(|cause| Failure::damaged(&path, &cause))
     }
 
     /// Whether every step is certified.
@@ -264,8 +264,4 @@ impl Summary {
             _ => None,
         }
     }
-}
-
-fn read_text(path: &Path) -> Result<String, Failure> {
-    fs::read_to_string(path).map_err(|cause| Failure::damaged(path, &cause))
 }

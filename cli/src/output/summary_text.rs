@@ -1,13 +1,15 @@
 //! A summary in words, for the terminal.
 
+mod columns;
 pub mod stress;
 
-use pellicle_contact::{Estimate, Status};
+use pellicle_contact::Status;
 
+use self::columns::TextColumns;
 use super::summary::roughness::RoughContactSummary;
 use super::summary::{StepSummary, Summary};
 use crate::case::grid::BoundaryCase;
-use crate::display::{Unit, error_of, quantity, significant};
+use crate::display::{Unit, quantity, significant};
 use crate::input::units::Units;
 
 /// The summary of a run in a few lines; a curve as a table with one line per step.
@@ -46,40 +48,6 @@ fn grid(summary: &Summary) -> String {
         BoundaryCase::Periodic => {
             line + "force on one cell; on a half-space penetration from the mean plane of the deformed surface\n"
         }
-    }
-}
-
-/// Lines of name, value and note, in columns.
-struct TextColumns {
-    units: Units,
-    text: String,
-}
-
-impl TextColumns {
-    fn push(&mut self, name: &str, value: &str, note: &str) {
-        let line = format!("  {name:<18}{value:<28}{note}");
-        self.text.push_str(line.trim_end());
-        self.text.push('\n');
-    }
-
-    fn quantity(&mut self, name: &str, value: f64, unit: Unit) {
-        self.push(name, &quantity(value, unit, self.units), "");
-    }
-
-    fn estimated(&mut self, name: &str, value: f64, unit: Unit, error: Option<Estimate>) {
-        let note = match error {
-            // Prescribed.
-            Some(error) if error.estimate == 0.0 => String::new(),
-            Some(error) if error.resolved => {
-                format!(
-                    "{} (grid)",
-                    error_of(value, error.estimate, unit, self.units)
-                )
-            }
-            Some(_) => "not resolved by the grid".into(),
-            None => String::new(),
-        };
-        self.push(name, &quantity(value, unit, self.units), &note);
     }
 }
 

@@ -11,7 +11,7 @@ use super::stoppable;
 use super::summary::WarningSummary;
 use crate::failure::Failure;
 use crate::interrupt;
-use crate::picture::png;
+use crate::picture::render;
 
 /// Is called with the number of files written so far and in all.
 pub type OnProgress<'a> = &'a (dyn Fn(usize, usize) + Sync);
@@ -93,7 +93,7 @@ impl<'a> WriteProgress<'a> {
         let file = |ending| folder.join(format!("{name}.{ending}"));
         let written = self.file(|| {
             let render = |svg: String| {
-                let png = png::render(&svg).map_err(|cause| cause.to_string())?;
+                let png = render::png(&svg).map_err(|cause| cause.to_string())?;
                 Ok((svg, png))
             };
             let Some(svg) = self.drawn(name, || Ok(draw())) else {

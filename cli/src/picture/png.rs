@@ -1,16 +1,4 @@
-//! A drawing rendered to pixels, with the typeface that the program carries.
-
-use std::io;
-use std::sync::{Arc, LazyLock};
-
-use resvg::{tiny_skia, usvg};
-
-use super::palette;
-use super::svg::FAMILY;
-
-/// Pixels of a picture per unit of its drawing. Twice as many take twice as long; the drawing itself is sharp at any
-/// size.
-const ZOOM: f32 = 1.0;
+//! Pixels as a PNG file.
 
 /// Pixels per metre of paper: 150 per inch, so that the widest picture fits a page.
 const DENSITY: u32 = 5906;
@@ -22,55 +10,6 @@ pub enum PixelFormat {
     Rgb,
     /// Red, green, blue, opacity.
     Rgba,
-}
-
-static OPTIONS: LazyLock<usvg::Options<'static>> = LazyLock::new(|| {
-    let mut options = usvg::Options {
-        font_family: FAMILY.to_owned(),
-        ..usvg::Options::default()
-    };
-    Arc::make_mut(&mut options.fontdb).load_font_data(dejavu::sans::regular().to_vec());
-    options
-});
-
-/// The drawing as a PNG file.
-///
-/// # Errors
-///
-/// If the drawing is not SVG, or there is no memory for its pixels.
-pub fn render(svg: &str) -> io::Result<Vec<u8>> {
-    let (width, height, rgb) = pixels(svg, ZOOM)?;
-    Ok(encode(width, height, PixelFormat::Rgb, &rgb))
-}
-
-/// The drawing as a PNG file with `zoom` pixels per unit of it, in as few bytes as possible.
-///
-/// # Errors
-///
-/// Those of [`render`].
-pub fn render_small(svg: &str, zoom: f32) -> io::Result<Vec<u8>> {
-    let (width, height, rgb) = pixels(svg, zoom)?;
-    palette::encode(width, height, &rgb)
-}
-
-/// Width, height and the bytes of the pixels, three each.
-fn pixels(svg: &str, zoom: f32) -> io::Result<(usize, usize, Vec<u8>)> {
-    let tree = usvg::Tree::from_str(svg, &OPTIONS).map_err(io::Error::other)?;
-    let size = tree.size().to_int_size().scale_by(zoom);
-    let pixels = size.and_then(|size| tiny_skia::Pixmap::new(size.width(), size.height()));
-    let mut pixels = pixels.ok_or_else(|| io::Error::other("no memory for the picture"))?;
-    let zoom = tiny_skia::Transform::from_scale(zoom, zoom);
-    resvg::render(&tree, zoom, &mut pixels.as_mut());
-    let (width, height) = (pixels.width() as usize, pixels.height() as usize);
-    let mut rgb = vec![0; 3 * width * height];
-    // The last row and column may reach past the sheet, where paper is white.
-    for (rgb, pixel) in rgb.chunks_exact_mut(3).zip(pixels.data().chunks_exact(4)) {
-        let paper = 255 - pixel[3];
-        for (channel, value) in rgb.iter_mut().zip(pixel) {
-            *channel = value.saturating_add(paper);
-        }
-    }
-    Ok((width, height, rgb))
 }
 
 /// Pixels as a PNG file; an empty one if the sides do not fit the pixels.
@@ -115,42 +54,4 @@ pub(super) fn encoder(
         unit: png::Unit::Meter,
     }));
     encoder
-}
-
-#[cfg(test)]
-mod tests {
-    use super::super::colours::Colour;
-    use super::super::svg::{Anchor, Rect, Svg};
-    use super::*;
-
-    fn pixels(svg: Svg) -> (usize, Vec<u8>) {
-        let png = render(&svg.finish()).unwrap();
-        let mut reader = png::Decoder::new(io::Cursor::new(png)).read_info().unwrap();
-        let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
-        let info = reader.next_frame(&mut pixels).unwrap();
-        (info.width as usize, pixels)
-    }
-
-    #[test]
-    fn a_rectangle_has_its_colour_and_its_place() {
-        let mut svg = Svg::new(20.0, 10.0);
-        let place = Rect {
-            left: 10.0,
-            top: 0.0,
-            width: 10.0,
-            height: 10.0,
-        };
-        svg.rectangle(place, Colour(10, 20, 30));
-        let (width, pixels) = pixels(svg);
-        assert_eq!(width, 20);
-        assert_eq!(pixels[..3], [255, 255, 255]);
-        assert_eq!(pixels[3 * 19..3 * 20], [10, 20, 30]);
-    }
-
-    #[test]
-    fn letters_are_drawn_without_any_typeface_of_the_system() {
-        let mut svg = Svg::new(40.0, 20.0);
-        svg.text((20.0, 10.0), 16.0, Anchor::Middle, "pµ²");
-        assert!(pixels(svg).1.iter().any(|channel| *channel < 100));
-    }
 }

@@ -9,7 +9,8 @@ use super::field_map::FieldMap;
 use super::style::{Cut, Heading, Style};
 use super::subject::Subject;
 use super::{
-    curve, histograms, png, pressure_map, pressure_view, section, stress_interfaces, stress_section,
+    curve, histograms, pressure_map, pressure_view, render, section, stress_interfaces,
+    stress_section,
 };
 use crate::input::units::Units;
 use crate::output::fields::Fields;
@@ -132,7 +133,7 @@ fn every_finite_solution_can_be_drawn() {
             FieldMap::Heights.draw(&subject),
             curve::draw_several(vec![curve], Units::Si, &style),
         ] {
-            prop_assert!(png::render(&svg).is_ok());
+            prop_assert!(render::png(&svg).is_ok());
         }
         Ok(())
     });

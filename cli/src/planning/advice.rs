@@ -1,10 +1,9 @@
 //! What to measure, in a sentence or two.
 
-use pellicle_identify::{IDENTIFIED_WITHIN, Verdict};
+use pellicle_identify::IDENTIFIED_WITHIN;
 
-use super::comparison::better;
-use super::result::{DesignResult, ExpectedResult};
-use super::words::width;
+use super::candidate::Candidate;
+use super::design::{DesignResult, ExpectedResult, better};
 use crate::identification::names;
 
 /// A design of more curves is advised only if its worst standard error is below this part of that of fewer.
@@ -25,7 +24,7 @@ pub fn advice(designs: &[DesignResult], of: Advice) -> String {
     let Some(chosen) = chosen(designs) else {
         return String::new();
     };
-    let (never, rest): (Vec<_>, Vec<_>) = chosen.unknowns.iter().partition(|of| is_never(of));
+    let (never, rest): (Vec<_>, Vec<_>) = chosen.unknowns.iter().partition(|of| of.is_never());
     let mut sentences = Vec::new();
     let now = designs.iter().find(|design| design.curves.is_empty());
     if let Some(now) = now.filter(|now| now.is_told()) {
@@ -39,7 +38,7 @@ pub fn advice(designs: &[DesignResult], of: Advice) -> String {
     if !rest.is_empty() {
         sentences.push(format!("{verb} {}: {}.", curves(chosen), told(&rest)));
     }
-    let open: Vec<_> = rest.into_iter().filter(|of| !is_told(of)).collect();
+    let open: Vec<_> = rest.into_iter().filter(|of| !of.is_told()).collect();
     if !open.is_empty() {
         let within = 100.0 * (IDENTIFIED_WITHIN - 1.0);
         sentences.push(format!(
@@ -69,7 +68,7 @@ pub fn chosen(designs: &[DesignResult]) -> Option<&DesignResult> {
     let fewest_lost = designs.iter().map(DesignResult::lost).min()?;
     let is_told = |design: &&&DesignResult| {
         let mut unknowns = design.unknowns.iter();
-        design.lost() == fewest_lost && unknowns.all(|of| of.is_lost() || is_told(of))
+        design.lost() == fewest_lost && unknowns.all(|of| of.is_lost() || of.is_told())
     };
     if let Some(told) = by_count.iter().find(is_told) {
         return Some(told);
@@ -86,30 +85,10 @@ pub fn chosen(designs: &[DesignResult]) -> Option<&DesignResult> {
     })
 }
 
-impl DesignResult {
-    /// Whether every unknown is told within a factor of 1.2.
-    #[must_use]
-    pub fn is_told(&self) -> bool {
-        self.unknowns.iter().all(is_told)
-    }
-}
-
-fn is_told(of: &ExpectedResult) -> bool {
-    !of.is_lost() && of.factor.is_some_and(|factor| factor <= IDENTIFIED_WITHIN)
-}
-
-fn is_never(of: &ExpectedResult) -> bool {
-    of.verdict == Verdict::NotIdentifiable.to_string()
-}
-
 /// The curves of a design in words.
 #[must_use]
 pub fn curves(design: &DesignResult) -> String {
-    let all: Vec<_> = design
-        .curves
-        .iter()
-        .map(super::candidate::Candidate::words)
-        .collect();
+    let all: Vec<_> = design.curves.iter().map(Candidate::words).collect();
     match all.len() {
         0 => "nothing more".into(),
         1 | 2 => all.join(" and "),
@@ -119,7 +98,7 @@ pub fn curves(design: &DesignResult) -> String {
 
 /// Numbers with their widths: `thickness of layer 0 ± 3.4 %, Young's modulus of layer 0 lost`.
 fn told(all: &[&ExpectedResult]) -> String {
-    let one = |of: &&ExpectedResult| format!("{} {}", names::of_key(&of.key), width(of));
+    let one = |of: &&ExpectedResult| format!("{} {}", names::of_key(&of.key), of.width());
     let all: Vec<_> = all.iter().map(one).collect();
     all.join(", ")
 }
@@ -135,7 +114,8 @@ fn listed(all: &[&ExpectedResult], word: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::candidate::Candidate;
+    use pellicle_identify::Verdict;
+
     use super::*;
 
     /// A design of so many curves that tells one unknown to this standard error.

@@ -9,12 +9,13 @@ use pellicle_identify::{
 use super::advice::{self, Advice};
 use super::candidate::candidates;
 use super::comparison;
-use super::premises::{Indenter, Premises};
-use super::result::DesignResult;
+use super::design::DesignResult;
+use super::premises::Premises;
+use super::premises::indenter::Indenter;
 use super::{Judged, Planning, not_solved};
 use crate::failure::Failure;
 use crate::identification::Identification;
-use crate::identification::result::WarningResult;
+use crate::identification::findings::WarningResult;
 
 /// What the design of a fit file would add to its data.
 #[derive(Debug, Clone, Default)]

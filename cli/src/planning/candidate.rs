@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::words::span;
+use super::words::{short, span};
 use crate::failure::Failure;
 use crate::fit_file::FitFile;
 use crate::fit_file::model::ModelParameters;
@@ -52,7 +52,7 @@ impl Candidate {
 #[must_use]
 pub fn radius_words(radius: f64) -> String {
     let scale = units::scale(radius, "m");
-    let number = super::words::short(radius / scale.divisor);
+    let number = short(radius / scale.divisor);
     format!("R {number} {}", scale.label)
 }
 

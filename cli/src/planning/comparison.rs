@@ -1,14 +1,12 @@
 //! Curves alone, in pairs and all together, the best first.
 
-use std::cmp::Ordering;
-
-use pellicle_identify::{Expected, NullDirections, Role, Verdict};
+use pellicle_identify::{Expected, NullDirections, Role};
 
 use super::candidate::Candidate;
-use super::result::{DesignResult, ExpectedResult};
+use super::design::{DesignResult, ExpectedResult, better};
 use super::{Judged, Planning};
 use crate::failure::Failure;
-use crate::identification::result::CombinationResult;
+use crate::identification::findings::CombinationResult;
 
 /// Pairs that are told, the best ones.
 const PAIRS: usize = 10;
@@ -37,41 +35,6 @@ pub fn designs(of: &Planning<'_>) -> Result<Vec<DesignResult>, Failure> {
     }
     designs.sort_by(better);
     Ok(designs)
-}
-
-/// The better of two designs first: the one that loses fewer unknowns, then the one whose worst known unknown is known
-/// better.
-#[must_use]
-pub fn better(one: &DesignResult, other: &DesignResult) -> Ordering {
-    let lost = one.lost().cmp(&other.lost());
-    lost.then(one.worst().total_cmp(&other.worst()))
-}
-
-impl DesignResult {
-    /// Unknowns of which nothing is told.
-    #[must_use]
-    pub fn lost(&self) -> usize {
-        let unknowns = self.unknowns.iter();
-        unknowns.filter(|of| of.is_lost()).count()
-    }
-
-    /// The largest standard error of the unknowns that are told.
-    #[must_use]
-    pub fn worst(&self) -> f64 {
-        let told = self.unknowns.iter().filter(|of| !of.is_lost());
-        let errors = told.filter_map(|of| of.standard_error);
-        errors.fold(0.0, f64::max)
-    }
-}
-
-impl ExpectedResult {
-    /// Whether nothing is told of it.
-    #[must_use]
-    pub fn is_lost(&self) -> bool {
-        let lost = [Verdict::NotIdentified, Verdict::NotIdentifiable];
-        lost.iter()
-            .any(|verdict| self.verdict == verdict.to_string())
-    }
 }
 
 impl Planning<'_> {

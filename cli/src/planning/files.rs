@@ -5,7 +5,7 @@ use std::path::Path;
 use super::result::{self, PlanResult};
 use super::{page, picture, table, text};
 use crate::failure::Failure;
-use crate::identification::result::WarningResult;
+use crate::identification::findings::WarningResult;
 use crate::output::write_progress::WriteProgress;
 use crate::output::{file, json, report};
 use crate::picture::fit::designs;

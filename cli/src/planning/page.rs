@@ -2,9 +2,10 @@
 
 use askama::Template;
 
-use super::result::{DesignResult, PlanResult};
+use super::design::{DesignResult, ExpectedResult};
+use super::result::PlanResult;
 use super::text::{self, percent};
-use super::words::{count, instead, width};
+use super::words::count;
 use crate::display::significant;
 use crate::identification::names;
 
@@ -41,12 +42,12 @@ impl DesignTable {
             all.map(|of| names::of_key(&of.key)).collect()
         });
         let row = |design: &DesignResult| {
-            let widths = text::numbers(design).map(width);
+            let widths = text::numbers(design).map(ExpectedResult::width);
             (text::name(design), widths.collect())
         };
         let instead = designs.first().map(|first| {
             let all = text::numbers(first);
-            all.filter_map(|of| Some((names::of_key(&of.key), instead(of)?)))
+            all.filter_map(|of| Some((names::of_key(&of.key), of.instead()?)))
                 .collect()
         });
         Self {

@@ -1,7 +1,7 @@
 //! The picture of a plan: the expected interval of each unknown against the largest force.
 
 use super::candidate::{Candidate, radius_words};
-use super::result::{DesignResult, ExpectedResult};
+use super::design::{DesignResult, ExpectedResult};
 use super::text::percent;
 use crate::identification::{names, units};
 use crate::picture::fit::Head;

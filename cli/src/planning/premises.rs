@@ -1,12 +1,12 @@
 //! What a plan takes for true: the values of the model, or those of a fit; its noise, and the indenters.
 
+pub mod indenter;
 mod radius;
 
 use pellicle_contact::ModelParameter;
 use pellicle_identify::{Amount, Fit, NoiseLevels, Plan, Prediction, Unknown};
 
-pub use self::radius::Indenter;
-use self::radius::known_radii;
+use self::indenter::Indenter;
 use super::candidate::Candidate;
 use crate::failure::Failure;
 use crate::fit_file::FitFile;
@@ -186,4 +186,16 @@ fn noise(file: &FitFile) -> Result<(NoiseLevels, NoiseSource), Failure> {
         NoiseSource::Known
     };
     Ok((levels, source))
+}
+
+/// The radii that tables have of their own.
+fn known_radii(file: &FitFile) -> Result<Vec<f64>, Failure> {
+    let mut radii = Vec::new();
+    for table in &file.data {
+        let of = file.model.with(&table.set)?;
+        let own = of.given_in(&table.set);
+        let radius = of.radius().filter(|radius| own.contains(&radius.parameter));
+        radii.extend(radius.and_then(|radius| of.value(radius)));
+    }
+    Ok(radii)
 }

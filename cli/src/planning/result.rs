@@ -4,11 +4,11 @@ use serde::Serialize;
 
 use super::Planning;
 use super::advice::{self, Advice};
-use super::candidate::Candidate;
 use super::comparison;
-use super::premises::NoiseSource;
+use super::design::DesignResult;
+use super::premises::{NoiseSource, Premises};
 use crate::failure::Failure;
-use crate::identification::result::{CombinationResult, NoiseResult, WarningResult};
+use crate::identification::findings::{NoiseResult, WarningResult};
 use crate::measured::data_table::Observe;
 use crate::output::summary::PROGRAM;
 
@@ -41,38 +41,6 @@ pub struct PlanResult {
     pub work: PlanWork,
     /// What a reader should know.
     pub warnings: Vec<WarningResult>,
-}
-
-/// A design: one curve or several.
-#[derive(Debug, Clone, Serialize)]
-pub struct DesignResult {
-    /// The curves to measure; none for what has been measured alone.
-    pub curves: Vec<Candidate>,
-    /// What is sought.
-    pub unknowns: Vec<ExpectedResult>,
-    /// What is not known exactly.
-    pub nuisances: Vec<ExpectedResult>,
-}
-
-/// What is expected of a number.
-#[derive(Debug, Clone, Serialize)]
-pub struct ExpectedResult {
-    /// Its key.
-    pub key: String,
-    /// Its SI unit.
-    pub unit: String,
-    /// The value that is taken for true.
-    pub value: f64,
-    /// Standard error of its logarithm, the relative one where it is small; null where nothing is told.
-    pub standard_error: Option<f64>,
-    /// The factor within which the interval lies, as if there were no bounds.
-    pub factor: Option<f64>,
-    /// The interval; null on a side that is open.
-    pub interval: [Option<f64>; 2],
-    /// What the measurements will tell of it.
-    pub verdict: String,
-    /// What is known instead.
-    pub known_combination: Option<CombinationResult>,
 }
 
 /// What a plan has cost.
@@ -115,7 +83,7 @@ impl PlanResult {
     }
 }
 
-impl super::Premises<'_> {
+impl Premises<'_> {
     /// The noise by channel.
     #[must_use]
     pub fn noise_result(&self) -> NoiseResult {

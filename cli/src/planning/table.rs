@@ -1,6 +1,6 @@
 //! `plan.csv`: a row for each design and each of its numbers, the best design first.
 
-use super::result::DesignResult;
+use super::design::DesignResult;
 use super::text;
 
 /// The table.

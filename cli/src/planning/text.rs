@@ -1,11 +1,12 @@
 //! A plan on the terminal.
 
 use super::advice;
-use super::result::{DesignResult, ExpectedResult, PlanResult};
-use super::words::{count, instead, width};
+use super::design::{DesignResult, ExpectedResult};
+use super::result::PlanResult;
+use super::words::{count, short};
 use crate::display::significant;
+use crate::identification::findings::NoiseResult;
 use crate::identification::names;
-use crate::identification::result::NoiseResult;
 use crate::identification::units;
 
 /// Rows of the table that are shown.
@@ -38,7 +39,7 @@ pub fn conditions(plan: &PlanResult) -> String {
 fn noise(of: &NoiseResult) -> String {
     let with_unit = |value: f64, unit, what| {
         let scale = units::scale(value, unit);
-        let number = super::words::short(value / scale.divisor);
+        let number = short(value / scale.divisor);
         format!("{number} {} of {what}", scale.label)
     };
     let depth = of.depth.filter(|sigma| *sigma > 0.0);
@@ -56,7 +57,7 @@ fn noise(of: &NoiseResult) -> String {
 /// A part of one in percent.
 #[must_use]
 pub fn percent(part: f64) -> String {
-    format!("{} %", super::words::short(100.0 * part))
+    format!("{} %", short(100.0 * part))
 }
 
 /// The designs in rows, the best first, the unknowns in columns.
@@ -69,7 +70,8 @@ pub fn table(designs: &[DesignResult]) -> String {
     let head: Vec<String> = std::iter::once(String::new()).chain(heads).collect();
     let row = |design: &DesignResult| {
         let name = std::iter::once(name(design));
-        name.chain(numbers(design).map(width)).collect()
+        name.chain(numbers(design).map(ExpectedResult::width))
+            .collect()
     };
     let shown = designs.iter().take(ROWS).map(row);
     let rows: Vec<Vec<String>> = std::iter::once(head).chain(shown).collect();
@@ -87,7 +89,7 @@ pub fn table(designs: &[DesignResult]) -> String {
         cells.collect::<String>().trim_end().to_owned() + "\n"
     };
     let rows = rows.iter().map(line).collect::<String>();
-    let instead = numbers(first).filter_map(|of| Some((names::symbol(&of.key), instead(of)?)));
+    let instead = numbers(first).filter_map(|of| Some((names::symbol(&of.key), of.instead()?)));
     let instead = instead.map(|(symbol, known)| format!("  in place of {symbol}: {known}\n"));
     let more = match designs.len().saturating_sub(ROWS) {
         0 => String::new(),

@@ -78,6 +78,24 @@ impl Tally {
         self.certified + self.not_converged + self.cut_off + self.failed
     }
 
+    /// The counts in words, of so many cases in all.
+    #[must_use]
+    pub fn words(&self, cases: usize) -> String {
+        let others = [
+            (self.not_converged, "not converged"),
+            (self.cut_off, "cut off"),
+            (self.failed, "failed"),
+            (cases - self.done(), "to do"),
+        ];
+        let others = others.into_iter().filter(|(count, _)| *count > 0);
+        let others = others.map(|(count, word)| format!(", {count} {word}"));
+        format!(
+            "{cases} cases: {} certified{}",
+            self.certified,
+            others.collect::<String>()
+        )
+    }
+
     /// Whether every case has a certified result.
     #[must_use]
     pub fn is_certified(&self) -> bool {

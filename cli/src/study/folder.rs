@@ -11,7 +11,7 @@ use super::report;
 use super::shard::Shard;
 use crate::failure::Failure;
 use crate::output::lock::Lock;
-use crate::output::{file, run_files};
+use crate::output::{partial_file, run_files};
 
 /// Text of the lock's file.
 const AT_WORK: &str = "pellicle is at work on this study.\n";
@@ -61,7 +61,7 @@ impl StudyFolder {
         let lock = lock(folder, identity.shard)?.ok_or_else(|| Failure::Busy {
             path: identity.table(folder),
         })?;
-        file::sweep(folder);
+        partial_file::sweep(folder);
         let there = identities(folder)?;
         let is_other = |other: &&StudyIdentity| other.fingerprint != identity.fingerprint;
         for other in there.iter().filter(is_other) {

@@ -12,7 +12,7 @@ use super::report;
 use super::results_table;
 use super::shard::Shard;
 use crate::failure::Failure;
-use crate::output::file;
+use crate::output::partial_file;
 
 /// The result of merging.
 #[derive(Debug, Clone, PartialEq)]
@@ -62,10 +62,15 @@ pub fn gather(folder: &Path, other: OtherTable) -> Result<Gathered, Failure> {
         ..first.clone()
     };
     let _lock = folder::wait_for_lock(folder, Shard::WHOLE)?;
-    file::sweep(folder);
+    partial_file::sweep(folder);
     let before = StudyIdentity::read(&StudyIdentity::path(folder, Shard::WHOLE))?;
     check_whole(folder, &whole, before.as_ref(), other)?;
-    kept_file::check_whole(folder, &whole, before.as_ref(), other)?;
+    // The fields of the study that was gathered here before go with its table.
+    let given_way = match (&before, other) {
+        (Some(before), OtherTable::Replace) => before.kept_files(folder),
+        _ => Vec::new(),
+    };
+    kept_file::check_whole(folder, &whole, &given_way)?;
     let mut tables = Vec::new();
     let mut statuses = vec![None; first.numbering.len()];
     for part in &parts {

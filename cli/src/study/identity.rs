@@ -7,11 +7,11 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
+use super::Study;
 use super::case_counts::CaseCounts;
 use super::kept_layout::KeptLayout;
-use super::numbering::CaseNumbering;
+use super::numbering::{CaseNumbering, Combine};
 use super::shard::Shard;
-use super::{Combine, Study};
 use crate::failure::Failure;
 use crate::output::{file, json};
 

@@ -10,7 +10,6 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-use super::gather::OtherTable;
 use super::identity::StudyIdentity;
 use super::kept_layout::KeptLayout;
 use super::kept_record::{FieldKeeper, KeptRecords};
@@ -203,8 +202,7 @@ fn begins_with(path: &Path, beginning: &[u8], length: Option<u64>) -> bool {
     found == beginning
 }
 
-/// Refuses files of something else in the places of the gathered ones: those of the study that was gathered here before
-/// give way if `other` says so.
+/// Refuses files of something else in the places of the gathered ones, but for those in `given_way`.
 ///
 /// # Errors
 ///
@@ -212,15 +210,10 @@ fn begins_with(path: &Path, beginning: &[u8], length: Option<u64>) -> bool {
 pub fn check_whole(
     folder: &Path,
     whole: &StudyIdentity,
-    before: Option<&StudyIdentity>,
-    other: OtherTable,
+    given_way: &[PathBuf],
 ) -> Result<(), Failure> {
     let Some(layout) = &whole.kept else {
         return Ok(());
-    };
-    let given_way: Vec<_> = match (before, other) {
-        (Some(before), OtherTable::Replace) => before.kept_files(folder),
-        _ => Vec::new(),
     };
     for elements in layout.grids() {
         let path = folder.join(KeptLayout::file(elements, Shard::WHOLE));

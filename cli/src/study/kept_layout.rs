@@ -11,6 +11,7 @@ use serde::{Deserialize, Serialize};
 use super::Study;
 use super::case_counts::CaseCounts;
 use super::case_status::CaseStatus;
+use super::kept_field::KeptField;
 use super::numbering::CaseNumbering;
 use super::shard::Shard;
 use crate::case::Case;
@@ -25,39 +26,6 @@ const MOST_BYTES: usize = u32::MAX as usize - 3;
 
 /// Bytes of a case before its fields: its number, its status and its side.
 pub const HEAD: usize = 4 + 4 + 8;
-
-/// A field that can be kept.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum KeptField {
-    /// Pressure `p`.
-    Pressure,
-    /// Displacement `u` of the surface.
-    Displacement,
-    /// Gap `g`.
-    Gap,
-    /// Shortening `w*` of the relief.
-    Shortening,
-    /// Profile `f*` of the relief.
-    Profile,
-}
-
-impl KeptField {
-    /// The words of `study.keep`, in the order of [`Fields::numbers`].
-    pub const CHOICES: [(&'static str, Self); 5] = [
-        ("pressure", Self::Pressure),
-        ("displacement", Self::Displacement),
-        ("gap", Self::Gap),
-        ("shortening", Self::Shortening),
-        ("profile", Self::Profile),
-    ];
-
-    /// Whether it is computed from the pressure, by a product with `K`.
-    #[must_use]
-    pub fn is_of_the_surface(self) -> bool {
-        matches!(self, Self::Displacement | Self::Gap | Self::Shortening)
-    }
-}
 
 /// What the files hold.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]

@@ -10,7 +10,8 @@ use pellicle_contact::{DeformedSurface, LoadingPath, SampledModel};
 
 use super::case_status::CaseStatus;
 use super::identity::StudyIdentity;
-use super::kept_layout::{HEAD, KeptField, KeptLayout};
+use super::kept_field::KeptField;
+use super::kept_layout::{HEAD, KeptLayout};
 use super::numbering::CaseNumbering;
 use crate::failure::Failure;
 

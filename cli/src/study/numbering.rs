@@ -2,7 +2,15 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::Combine;
+/// The combination of the values of several keys.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Combine {
+    /// Every value of each with every value of the others; the last key changes fastest.
+    Product,
+    /// The first values of all, the second values of all, and so on.
+    Zip,
+}
 
 /// The axes of a study, each a key with its values or several keys that change together, and the way they combine.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]

@@ -201,7 +201,7 @@ impl StudyTables {
         let page = Page {
             study: &identity.study,
             version: &identity.version,
-            counts: crate::command::study::words(self.tally, cases),
+            counts: self.tally.words(cases),
             sample: (shown < self.rows_read).then(|| {
                 format!(
                     "{shown} of {} rows are drawn, a random sample of the cases; ranges and reasons are those of all.",

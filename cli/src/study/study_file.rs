@@ -16,11 +16,11 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use super::kept_layout::KeptField;
-use super::numbering::CaseNumbering;
+use super::Study;
+use super::kept_field::KeptField;
+use super::numbering::{CaseNumbering, Combine};
 use super::samples;
 use super::varied_key::VariedKey;
-use super::{Combine, Study};
 use crate::failure::Failure;
 use crate::input::diagnosis::{Diagnosis, Fault};
 use crate::input::key_path::{self, dotted};

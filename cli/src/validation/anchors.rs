@@ -4,9 +4,10 @@ use pellicle_contact::{FlatPunch, Indenter, Load, Profile};
 use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
 use pellicle_texture::Relief;
 
+use super::comparison::Comparison;
 use super::independent::fredholm::{self, AxisymmetricSolution};
-use super::run::{ContactSetup, unit_material};
-use super::{Comparison, ValidationError, ValidationRun, ValidationSection};
+use super::run::{ContactSetup, ValidationError, ValidationRun, unit_material};
+use super::section::ValidationSection;
 
 /// The section.
 pub const SECTION: ValidationSection = ValidationSection {

@@ -7,9 +7,10 @@ use pellicle_kernel::{Foundation, Material};
 use pellicle_texture::Relief;
 use rayon::prelude::*;
 
+use super::comparison::Comparison;
 use super::data::contact::{AxisymmetricContact, Shape, axisymmetric};
-use super::run::{ContactSetup, paraboloid};
-use super::{Comparison, ValidationError, ValidationRun, ValidationSection};
+use super::run::{ContactSetup, ValidationError, ValidationRun, paraboloid};
+use super::section::ValidationSection;
 
 /// The section.
 pub const SECTION: ValidationSection = ValidationSection {

@@ -7,8 +7,9 @@ use pellicle_contact::{Cone, FlatPunch, Indenter, Load, Sphere};
 use pellicle_kernel::{Foundation, Material};
 use pellicle_texture::{Film, Relief};
 
-use super::run::{ContactSetup, paraboloid, unit_material};
-use super::{Comparison, ValidationError, ValidationRun, ValidationSection};
+use super::comparison::Comparison;
+use super::run::{ContactSetup, ValidationError, ValidationRun, paraboloid, unit_material};
+use super::section::ValidationSection;
 
 /// The section.
 pub const SECTION: ValidationSection = ValidationSection {

@@ -3,8 +3,10 @@
 use pellicle_influence::direct;
 use pellicle_kernel::{Foundation, Material};
 
+use super::comparison::Comparison;
 use super::data::influence::{Coefficient, Coefficients, extreme, two_layer};
-use super::{Comparison, ValidationError, ValidationRun, ValidationSection};
+use super::run::{ValidationError, ValidationRun};
+use super::section::ValidationSection;
 
 /// The section.
 pub const SECTION: ValidationSection = ValidationSection {

@@ -3,8 +3,10 @@
 use pellicle_kernel::Interface::{Bonded, Frictionless};
 use pellicle_kernel::{Foundation, Interface};
 
+use super::comparison::Comparison;
 use super::data::compliance::{OneLayerResponse, one_layer, stacks};
-use super::{Comparison, ValidationError, ValidationRun, ValidationSection};
+use super::run::{ValidationError, ValidationRun};
+use super::section::ValidationSection;
 
 /// The section.
 pub const SECTION: ValidationSection = ValidationSection {

@@ -6,9 +6,9 @@ use std::f64::consts::{FRAC_2_PI, PI};
 
 use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
 
-use super::ValidationError;
 use super::independent::fredholm::{AxisymmetricSolution, Profile};
 use super::independent::{composite, graded};
+use super::run::ValidationError;
 
 /// Secants until a contact radius is found to rounding, and two more.
 const SECANTS: usize = 8;

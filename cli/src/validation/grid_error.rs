@@ -4,8 +4,9 @@ use pellicle_contact::{FlatPunch, Indenter, Load, Step};
 use pellicle_kernel::Foundation;
 use pellicle_texture::Relief;
 
-use super::run::{ContactSetup, paraboloid, unit_material};
-use super::{Comparison, ValidationError, ValidationRun, ValidationSection};
+use super::comparison::Comparison;
+use super::run::{ContactSetup, ValidationError, ValidationRun, paraboloid, unit_material};
+use super::section::ValidationSection;
 
 /// The section.
 pub const SECTION: ValidationSection = ValidationSection {

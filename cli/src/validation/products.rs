@@ -3,7 +3,9 @@
 use pellicle_influence::{CoefficientTable, ConvolutionOperator, DenseOperator, ElasticOperator};
 use pellicle_kernel::{Foundation, Material};
 
-use super::{Comparison, ValidationError, ValidationRun, ValidationSection};
+use super::comparison::Comparison;
+use super::run::{ValidationError, ValidationRun};
+use super::section::ValidationSection;
 
 /// The section.
 pub const SECTION: ValidationSection = ValidationSection {

@@ -2,7 +2,9 @@
 
 use serde::Serialize;
 
-use super::{Comparison, SectionResult, ValidationRun};
+use super::comparison::Comparison;
+use super::run::ValidationRun;
+use super::section::SectionResult;
 
 /// Everything that was compared.
 #[derive(Debug, Serialize)]

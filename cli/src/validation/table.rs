@@ -1,6 +1,7 @@
 //! The validation as a table for people.
 
-use super::{ComparedValue, Comparison, SectionResult, ValidationSection, Verdict};
+use super::comparison::{ComparedValue, Comparison, Verdict};
+use super::section::{SectionResult, ValidationSection};
 use crate::display::significant;
 
 /// Digits of a number in the table; JSON has all.

@@ -272,14 +272,16 @@ fn repeats_are_read_in_the_order_of_their_names() {
         fs::write(folder.path().join(name), text).unwrap();
     }
     let table = PLAIN.replace("a.txt", "*.txt");
-    let curves = tables(&table, folder.path()).unwrap()[0].curves().unwrap();
+    let curves = MeasuredCurve::read_all(&tables(&table, folder.path()).unwrap()[0]).unwrap();
     let first: Vec<_> = curves
         .iter()
         .map(|curve| curve.depth().unwrap()[0])
         .collect();
     assert_eq!(first, [1e-9, 2e-9]);
     let without = tables(&PLAIN.replace("a.txt", "t*.txt"), folder.path()).unwrap();
-    let fault = without[0].curves().unwrap_err().to_string();
+    let fault = MeasuredCurve::read_all(&without[0])
+        .unwrap_err()
+        .to_string();
     assert!(
         fault.contains("key `data[0].file`: found \"t*.txt\""),
         "{fault}"

@@ -23,7 +23,7 @@ fn read(table: &str) -> Result<Vec<MeasuredCurve>, Diagnosis> {
     let source = Arc::new(Source::new("fit.toml", text));
     let tables = DataTable::parse_all(&source, &folder)?;
     assert_eq!(tables.len(), 1);
-    tables[0].curves()
+    MeasuredCurve::read_all(&tables[0])
 }
 
 /// The only curve of a table.

@@ -10,8 +10,7 @@ use pellicle_cli::drawing::{colours, pressure_map, section};
 use super::chart;
 use super::pressures::{Pressures, Shown, reach, rounded_up};
 use super::runner::{Runner, SolvedStep};
-use super::sheet::{Caption, Picture};
-use super::{MATERIALS, TEXTURED};
+use super::sheet::{Caption, MATERIALS, Picture, TEXTURED};
 use crate::XtaskError;
 
 /// The panels and their cases.

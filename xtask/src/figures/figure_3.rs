@@ -8,8 +8,7 @@ use pellicle_cli::drawing::{Dash, Rect};
 
 use super::chart::{self, ChartLine, LEFT};
 use super::runner::{Runner, SolvedStep};
-use super::sheet::{Caption, Picture, Sheet};
-use super::{MATERIALS, TEXTURED};
+use super::sheet::{Caption, MATERIALS, Picture, Sheet, TEXTURED};
 use crate::XtaskError;
 
 /// In pixels.

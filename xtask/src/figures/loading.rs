@@ -9,9 +9,9 @@ use pellicle_cli::results::StepSummary;
 use pellicle_cli::results::Summary;
 
 use super::chart::{self, AXIS, ChartLine, LEFT};
+use super::pressures;
 use super::runner::Runner;
-use super::sheet::{Caption, Picture, Sheet};
-use super::{MATERIALS, pressures};
+use super::sheet::{Caption, MATERIALS, Picture, Sheet};
 use crate::XtaskError;
 
 /// In pixels.

@@ -5,10 +5,17 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use pellicle_cli::drawing::{Anchor, Svg};
-use pellicle_cli::drawing::{heading, png};
+use pellicle_cli::drawing::{heading, render};
 use pellicle_cli::results::{write_bytes, write_whole};
 
 use crate::XtaskError;
+
+/// The two coatings of figures 2 to 4.
+pub(super) const MATERIALS: &str = "compliant coating: E₁/E₂ = 0.1, ν₁ = 0.4, ν₂ = 0.3; stiff coating: E₁/E₂ = 10, ν₁ = 0.3, ν₂ = 0.4";
+
+/// Body and indenter of figures 2 and 3.
+pub(super) const TEXTURED: &str =
+    "paraboloid of radius R; coating H = 10⁻⁴ R; cylinders r = 5·10⁻³ R, h = 10⁻⁴ R, T = R/80";
 
 /// Left side of heading and notes, in pixels.
 const LEFT: f64 = 40.0;
@@ -90,7 +97,7 @@ impl Picture {
         write_bytes(&file("svg"), self.svg.as_bytes())?;
         write_bytes(&file("csv"), self.csv.as_bytes())?;
         write_whole(&file("png"), |file| {
-            file.write_all(&png::render(&self.svg)?)
+            file.write_all(&render::png(&self.svg)?)
         })?;
         Ok(())
     }
@@ -109,7 +116,7 @@ impl Picture {
         loop {
             #[expect(clippy::cast_possible_truncation, reason = "between 0 and 1")]
             let zoom = (width / self.width) as f32;
-            let bytes = png::render_small(&self.svg, zoom)?;
+            let bytes = render::small_png(&self.svg, zoom)?;
             if bytes.len() <= SMALL_BYTES || width < 0.5 * SMALL_WIDTH {
                 return Ok(bytes);
             }

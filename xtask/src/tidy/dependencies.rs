@@ -2,7 +2,7 @@
 
 use toml::{Table, Value};
 
-use super::Violation;
+use super::violation::Violation;
 use crate::Tree;
 
 /// The packages that each package may use. Its tests may also use what these may use.

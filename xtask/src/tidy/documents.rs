@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::Violation;
+use super::violation::Violation;
 use crate::Tree;
 
 /// Pages that name tests, in a table's last column headed `test` or on a line of their own.

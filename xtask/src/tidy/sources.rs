@@ -1,8 +1,8 @@
 //! Rules about text: a source begins with its one job, lines of prose fit, and no file keeps a trace of the machine it
 //! was written on.
 
-use super::Violation;
 use super::documents::{prose, unmarked};
+use super::violation::Violation;
 use crate::Tree;
 
 /// Most characters in a line of prose.

@@ -2,8 +2,8 @@
 
 use pellicle_identify::{Exclusion, Fit, Stopped, Warning};
 
-use super::{ExcludedResult, WarningResult};
 use crate::identification::Identification;
+use crate::identification::findings::{ExcludedResult, WarningResult};
 
 impl Identification {
     /// Points left out before the fit, and curves left out by it.

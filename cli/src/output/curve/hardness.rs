@@ -1,11 +1,11 @@
 //! The columns of a pressure that is cut at a hardness.
 
-use super::{Column, name, number};
+use super::column::{Column, name, number};
 use crate::case::Case;
 use crate::input::units::Units;
 use crate::output::summary::{StepSummary, Summary};
 
-const COLUMNS: [Column; 3] = [
+const COLUMNS: [Column<StepSummary>; 3] = [
     ("area at hardness", Some("m^2"), |step| {
         step.area_at_limit.map_or_else(String::new, number)
     }),
@@ -39,8 +39,8 @@ impl HardnessColumns {
         self.are_there |= case.hardness().is_some();
     }
 
-    fn columns(self) -> impl Iterator<Item = Column> {
-        COLUMNS.into_iter().filter(move |_| self.are_there)
+    fn columns(self) -> impl Iterator<Item = &'static Column<StepSummary>> {
+        COLUMNS.iter().filter(move |_| self.are_there)
     }
 
     /// Names of the columns, with units.

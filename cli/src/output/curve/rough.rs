@@ -1,19 +1,12 @@
 //! The columns of rough contact in a curve.
 
-use super::number;
+use super::column::{Column, name, number};
 use crate::case::Case;
 use crate::input::units::Units;
 use crate::output::summary::roughness::RoughContactSummary;
 use crate::output::summary::{StepSummary, Summary};
 
-/// A column: its name, its SI unit if it has one, and its value.
-type RoughColumn = (
-    &'static str,
-    Option<&'static str>,
-    fn(&RoughContactSummary) -> String,
-);
-
-const COLUMNS: [RoughColumn; 4] = [
+const COLUMNS: [Column<RoughContactSummary>; 4] = [
     ("contact fraction", None, |rough| {
         number(rough.contact_fraction)
     }),
@@ -43,25 +36,22 @@ impl RoughColumns {
         self.are_there |= case.surface.map().is_some() || case.indenter.map().is_some();
     }
 
-    fn columns(self) -> impl Iterator<Item = &'static RoughColumn> {
+    fn columns(self) -> impl Iterator<Item = &'static Column<RoughContactSummary>> {
         COLUMNS.iter().filter(move |_| self.are_there)
     }
 
     /// Names of the columns, with units.
     #[must_use]
     pub fn header(self, units: Units) -> Vec<String> {
-        let name = |(name, unit, _): &RoughColumn| match unit {
-            Some(unit) => format!("{name} [{}]", units.name(unit)),
-            None => (*name).to_owned(),
-        };
-        self.columns().map(name).collect()
+        self.columns().map(|column| name(column, units)).collect()
     }
 
     /// The values of a step; empty without contact.
     #[must_use]
     pub fn row(self, step: &StepSummary) -> Vec<String> {
         let rough = step.rough_contact.as_ref();
-        let cell = |(_, _, value): &RoughColumn| rough.map_or_else(String::new, value);
+        let cell =
+            |(_, _, value): &Column<RoughContactSummary>| rough.map_or_else(String::new, value);
         self.columns().map(cell).collect()
     }
 }

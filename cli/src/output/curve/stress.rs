@@ -2,7 +2,7 @@
 
 use pellicle_contact::{BodyStress, Criterion, CriticalLoad, InterfaceStress};
 
-use super::number;
+use super::column::number;
 use crate::case::Case;
 use crate::input::units::Units;
 use crate::output::summary::{StepSummary, Summary};

@@ -14,8 +14,8 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use crate::identification::result;
-use crate::output::unfinished::Unfinished;
-use crate::output::{file, run_files, summary};
+use crate::output::{partial_file, run_files, summary};
+use crate::unfinished::Unfinished;
 
 /// Beginnings of its names: being filled, complete, being emptied.
 pub(super) const FILLING: &str = ".pellicle-run-";
@@ -53,7 +53,7 @@ pub(super) fn settle(path: &Path) -> io::Result<()> {
     for left in named(path, EMPTYING)? {
         move_up(path, &left)?;
     }
-    file::sweep(path);
+    partial_file::sweep(path);
     Ok(())
 }
 
@@ -79,7 +79,10 @@ fn remove_half_written(folder: &Path) {
         return;
     };
     for entry in entries.flatten() {
-        let is_partial = entry.file_name().to_str().is_some_and(file::is_partial);
+        let is_partial = entry
+            .file_name()
+            .to_str()
+            .is_some_and(partial_file::is_partial);
         if run_files::is_file(&entry) || run_files::is_fit_file(&entry) || is_partial {
             // Best effort: the next run tries again.
             drop(fs::remove_file(entry.path()));

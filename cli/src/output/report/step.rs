@@ -1,13 +1,10 @@
 //! One loading step in the report: its numbers with their errors, and its certificate.
 
-use pellicle_contact::Estimate;
-
-use super::StepDrawings;
+use super::grid_error::GridErrorNote;
 use super::stress::StressTable;
 use super::surface::Surface;
-use crate::display::{Unit, error_of, quantity, significant};
-use crate::input::units::Units;
-use crate::output::pictures::{StepPicture, StressPicture};
+use crate::display::{Unit, quantity, significant};
+use crate::output::pictures::{StepDrawings, StepPicture, StressPicture};
 use crate::output::summary::{CertificateSummary, StepSummary, Summary};
 
 /// The section of a step.
@@ -29,19 +26,6 @@ pub struct NumberRow {
     pub name: &'static str,
     pub value: String,
     pub error: GridErrorNote,
-}
-
-/// How far the grid can be trusted with a number.
-#[derive(Debug, PartialEq, Eq)]
-pub enum GridErrorNote {
-    /// Nobody estimates it.
-    NotEstimated,
-    /// There is no coarser grid to compare with.
-    OneGrid,
-    /// The number still changes from grid to grid.
-    NotResolved,
-    /// The error and its order.
-    Estimated(String),
 }
 
 /// The lines of a certificate, as the page writes their numbers.
@@ -153,20 +137,6 @@ fn rows(summary: &Summary, step: &StepSummary) -> Vec<NumberRow> {
     rows
 }
 
-impl GridErrorNote {
-    fn new(value: f64, unit: Unit, error: Option<Estimate>, units: Units) -> Self {
-        let Some(error) = error else {
-            return Self::OneGrid;
-        };
-        if !error.resolved {
-            return Self::NotResolved;
-        }
-        let order = error.order.map(|order| format!(", order {order:.1}"));
-        let error = error_of(value, error.estimate, unit, units);
-        Self::Estimated(error + &order.unwrap_or_default())
-    }
-}
-
 impl CertificateText {
     fn new(certificate: &CertificateSummary, tolerance: f64) -> Self {
         let part = |value: f64| significant(value, 2);
@@ -210,22 +180,5 @@ mod tests {
             ..GOOD
         };
         assert!(CertificateText::new(&bad, 1e-8).pulls);
-    }
-
-    #[test]
-    fn an_error_that_is_not_resolved_is_not_given_as_an_error() {
-        let note = |resolved| {
-            let estimate = Estimate {
-                estimate: 0.02,
-                order: Some(2.0),
-                resolved,
-            };
-            GridErrorNote::new(1.0, Unit::Metre, Some(estimate), Units::Consistent)
-        };
-        assert_eq!(note(false), GridErrorNote::NotResolved);
-        let GridErrorNote::Estimated(text) = note(true) else {
-            unreachable!("it is resolved")
-        };
-        assert!(text.ends_with(", order 2.0"), "{text}");
     }
 }

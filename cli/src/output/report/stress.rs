@@ -2,7 +2,7 @@
 
 use pellicle_contact::{BodyStress, Extreme, InterfaceStress};
 
-use super::step::GridErrorNote;
+use super::grid_error::GridErrorNote;
 use crate::display::{Unit, error_of, quantity, significant};
 use crate::input::units::Units;
 use crate::output::summary::stress::StressSummary;

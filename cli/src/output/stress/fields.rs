@@ -3,7 +3,8 @@
 use pellicle_contact::{LoadingPath, StressField};
 use pellicle_kernel::Foundation;
 
-use super::{FIELDS, PlaneValues, block_radius};
+use super::plane_values::{FIELDS, PlaneValues};
+use super::planes::block_radius;
 use crate::case::Case;
 use crate::case::foundation::FoundationCase;
 use crate::case::foundation::depths::BodyPlane;

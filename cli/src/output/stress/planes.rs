@@ -60,6 +60,16 @@ pub fn wanted(
     planes
 }
 
+/// The contact radius that the planes and their square are chosen by, m; of a step without contact a third of the
+/// domain, as if it filled it.
+pub fn block_radius(contact_radius: f64, side: f64) -> f64 {
+    if contact_radius > 0.0 {
+        contact_radius
+    } else {
+        side / 3.0
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

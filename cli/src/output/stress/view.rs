@@ -1,6 +1,6 @@
 //! What the pictures of stresses show: a section below a line on the surface, and the tractions on the interfaces.
 
-use super::PlaneValues;
+use super::plane_values::PlaneValues;
 use crate::case::foundation::depths::BodyPlane;
 
 /// The stresses of one loading step that are drawn.

@@ -9,7 +9,8 @@ use std::path::Path;
 
 use super::super::file::LongFile;
 use super::super::vtk::{self, LENGTH};
-use super::{FIELDS, PlaneValues, StressFile, StressHead};
+use super::plane_file::{StressFile, StressHead};
+use super::plane_values::{FIELDS, PlaneValues};
 use crate::failure::Failure;
 
 /// Name of the file of a step in a results folder.

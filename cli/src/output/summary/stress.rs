@@ -3,10 +3,6 @@
 use pellicle_contact::StressExtremes;
 use serde::{Deserialize, Serialize};
 
-use super::Summary;
-use crate::case::stress::StressCase;
-use crate::stresses::Stresses;
-
 /// The largest stresses of a step, and the sliding that they come with.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct StressSummary {
@@ -17,18 +13,4 @@ pub struct StressSummary {
     /// The extremes in bodies and on interfaces.
     #[serde(flatten)]
     pub extremes: StressExtremes,
-}
-
-impl Summary {
-    /// Adds the stresses that were found.
-    pub fn add_stresses(&mut self, stress: &StressCase, found: Stresses) {
-        for (step, extremes) in self.steps.iter_mut().zip(found.steps) {
-            step.stress = Some(StressSummary {
-                friction: stress.friction,
-                direction_degrees: stress.direction_degrees(),
-                extremes,
-            });
-        }
-        self.critical = found.critical;
-    }
 }

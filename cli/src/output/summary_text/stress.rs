@@ -2,7 +2,7 @@
 
 use pellicle_contact::{Criterion, CriticalLoad, Extreme};
 
-use super::TextColumns;
+use super::columns::TextColumns;
 use crate::display::{Unit, error_of, quantity, significant};
 use crate::input::units::Units;
 use crate::output::summary::Summary;

@@ -7,7 +7,7 @@ use super::profiles::Profiles;
 use super::repeats::{Repeated, Repeats};
 use super::unknown::FittedUnknown;
 use crate::display::Scale;
-use crate::picture::png;
+use crate::picture::render;
 use crate::picture::style::Style;
 
 fn scale(divisor: f64) -> Scale {
@@ -104,7 +104,7 @@ fn every_fit_can_be_drawn() {
     for value in numbers {
         for other in numbers {
             for svg in pictures(value, other).into_iter().flatten() {
-                assert!(png::render(&svg).is_ok(), "{value} {other}: {svg}");
+                assert!(render::png(&svg).is_ok(), "{value} {other}: {svg}");
                 drawn += 1;
             }
         }

@@ -1,39 +1,17 @@
-//! The radii of the indenters of a plan: that of the model, known ones, and those that are sought as it is.
+//! The radii of the indenters of a plan: which are sought as that of the model is, and the model with another one.
 
 use pellicle_contact::ModelParameter;
 use pellicle_identify::{IdentifyError, Prior, Unknown};
 
 use super::Premises;
+use super::indenter::Indenter;
 use crate::failure::Failure;
-use crate::fit_file::FitFile;
 use crate::fit_file::model::ModelParameters;
 use crate::fit_file::unknown::UnknownCase;
 use crate::planning::candidate::{Candidate, radius_words};
 
 /// Radii that differ by less are one.
 const SAME: f64 = 1e-9;
-
-/// How a plan knows the radius of an indenter.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Indenter {
-    /// It is that of the model.
-    OfModel,
-    /// It is another one, and known exactly.
-    Known(String),
-    /// It is another one, and sought as that of the model is: its place among the unknowns, and its name.
-    Sought(usize, String),
-}
-
-impl Indenter {
-    /// The name of its radius, if that is not the key of the model's.
-    #[must_use]
-    pub fn name(&self) -> Option<String> {
-        match self {
-            Self::OfModel => None,
-            Self::Known(name) | Self::Sought(_, name) => Some(name.clone()),
-        }
-    }
-}
 
 impl Premises<'_> {
     /// The radius of each other indenter becomes an unknown, if that of the model is one.
@@ -143,18 +121,6 @@ impl Premises<'_> {
 
 fn is_same(one: f64, other: f64) -> bool {
     (one / other - 1.0).abs() < SAME
-}
-
-/// The radii that tables have of their own.
-pub(super) fn known_radii(file: &FitFile) -> Result<Vec<f64>, Failure> {
-    let mut radii = Vec::new();
-    for table in &file.data {
-        let of = file.model.with(&table.set)?;
-        let own = crate::identification::own(table, &of);
-        let radius = of.radius().filter(|radius| own.contains(&radius.parameter));
-        radii.extend(radius.and_then(|radius| of.value(radius)));
-    }
-    Ok(radii)
 }
 
 /// What is known of the radius of the model, for another indenter: the same over its radius.

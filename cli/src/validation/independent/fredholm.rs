@@ -16,7 +16,7 @@ use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI};
 use nalgebra::{DMatrix, DVector};
 use pellicle_kernel::Foundation;
 
-use super::super::ValidationError;
+use super::super::run::ValidationError;
 use super::hankel::RadialPressure;
 use super::{composite, graded};
 

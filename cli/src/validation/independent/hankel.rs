@@ -11,7 +11,7 @@ use libm::{j0, j1};
 use pellicle_influence::Depth;
 use pellicle_kernel::{Foundation, InPlane};
 
-use super::super::ValidationError;
+use super::super::run::ValidationError;
 use super::{composite, graded};
 
 /// A pressure around the axis, by its transform.

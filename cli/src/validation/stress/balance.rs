@@ -3,8 +3,10 @@
 use pellicle_influence::{Depth, ElementFields, SubsurfaceState};
 use pellicle_kernel::{Base, Foundation, Interface, KernelError, Layer, Material, Side};
 
+use super::super::comparison::Comparison;
 use super::super::independent::composite;
-use super::super::{Comparison, ValidationError, ValidationRun, ValidationSection};
+use super::super::run::{ValidationError, ValidationRun};
+use super::super::section::ValidationSection;
 
 /// The section.
 pub const SECTION: ValidationSection = ValidationSection {

@@ -9,8 +9,9 @@ use pellicle_influence::{Depth, SubsurfaceState};
 use pellicle_kernel::{Foundation, Side};
 use pellicle_texture::Relief;
 
-use super::super::run::{ContactSetup, paraboloid, unit_material};
-use super::super::{Comparison, ValidationError, ValidationRun, ValidationSection};
+use super::super::comparison::Comparison;
+use super::super::run::{ContactSetup, ValidationError, ValidationRun, paraboloid, unit_material};
+use super::super::section::ValidationSection;
 
 /// The section.
 pub const SECTION: ValidationSection = ValidationSection {

@@ -3,7 +3,9 @@
 use pellicle_influence::{Depth, ElementFields, SubsurfaceState};
 use pellicle_kernel::{Base, Foundation, Interface, Layer, Material, Side};
 
-use super::super::{Comparison, ValidationError, ValidationRun, ValidationSection};
+use super::super::comparison::Comparison;
+use super::super::run::{ValidationError, ValidationRun};
+use super::super::section::ValidationSection;
 use super::differences;
 
 /// The section.

@@ -3,8 +3,10 @@
 use pellicle_influence::{Depth, ElementFields, SurfaceLoad};
 use pellicle_kernel::{Base, Foundation, Interface, Layer, Material, Side};
 
+use super::super::comparison::Comparison;
 use super::super::independent::hankel::{RadialState, circle, fields};
-use super::super::{Comparison, ValidationError, ValidationRun, ValidationSection};
+use super::super::run::{ValidationError, ValidationRun};
+use super::super::section::ValidationSection;
 use super::squares::LoadedCircle;
 
 /// The section.

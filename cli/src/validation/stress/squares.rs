@@ -3,8 +3,8 @@
 use pellicle_influence::{Depth, ElementFields, SubsurfaceState, SurfaceLoad};
 use pellicle_kernel::Foundation;
 
-use super::super::ValidationError;
 use super::super::independent::composite;
+use super::super::run::ValidationError;
 
 /// A circle on the surface under a pressure.
 #[derive(Debug, Clone, Copy, PartialEq)]

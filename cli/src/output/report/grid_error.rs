@@ -1,0 +1,56 @@
+//! How far the grid can be trusted with a number of the report.
+
+use pellicle_contact::Estimate;
+
+use crate::display::{Unit, error_of};
+use crate::input::units::Units;
+
+/// How far the grid can be trusted with a number.
+#[derive(Debug, PartialEq, Eq)]
+pub enum GridErrorNote {
+    /// Nobody estimates it.
+    NotEstimated,
+    /// There is no coarser grid to compare with.
+    OneGrid,
+    /// The number still changes from grid to grid.
+    NotResolved,
+    /// The error and its order.
+    Estimated(String),
+}
+
+impl GridErrorNote {
+    /// Of a number with this error; none where there is no coarser grid.
+    pub fn new(value: f64, unit: Unit, error: Option<Estimate>, units: Units) -> Self {
+        let Some(error) = error else {
+            return Self::OneGrid;
+        };
+        if !error.resolved {
+            return Self::NotResolved;
+        }
+        let order = error.order.map(|order| format!(", order {order:.1}"));
+        let error = error_of(value, error.estimate, unit, units);
+        Self::Estimated(error + &order.unwrap_or_default())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_error_that_is_not_resolved_is_not_given_as_an_error() {
+        let note = |resolved| {
+            let estimate = Estimate {
+                estimate: 0.02,
+                order: Some(2.0),
+                resolved,
+            };
+            GridErrorNote::new(1.0, Unit::Metre, Some(estimate), Units::Consistent)
+        };
+        assert_eq!(note(false), GridErrorNote::NotResolved);
+        let GridErrorNote::Estimated(text) = note(true) else {
+            unreachable!("it is resolved")
+        };
+        assert!(text.ends_with(", order 2.0"), "{text}");
+    }
+}

@@ -1,0 +1,26 @@
+//! A file of stresses that takes plane after plane, whatever its format.
+
+use super::plane_values::PlaneValues;
+use crate::case::foundation::depths::BodyPlane;
+use crate::case::stress::StressCase;
+use crate::failure::Failure;
+use crate::output::summary::Summary;
+
+/// What the files of a step say besides the values.
+#[derive(Debug)]
+pub struct StressHead<'a> {
+    pub summary: &'a Summary,
+    pub step: usize,
+    pub stress: &'a StressCase,
+    /// Names of the bodies, from the surface down.
+    pub bodies: Vec<String>,
+    /// The coordinates of the points along x, and along y, m.
+    pub centres: &'a [f64],
+    pub planes: &'a [BodyPlane],
+}
+
+/// A file that takes plane after plane.
+pub trait StressFile {
+    fn add(&mut self, plane: usize, values: &PlaneValues) -> Result<(), Failure>;
+    fn finish(self: Box<Self>) -> Result<(), Failure>;
+}

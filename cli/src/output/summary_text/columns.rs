@@ -1,0 +1,40 @@
+//! Lines of a summary in words, in columns.
+
+use pellicle_contact::Estimate;
+
+use crate::display::{Unit, error_of, quantity};
+use crate::input::units::Units;
+
+/// Lines of name, value and note, in columns.
+pub struct TextColumns {
+    pub units: Units,
+    pub text: String,
+}
+
+impl TextColumns {
+    pub fn push(&mut self, name: &str, value: &str, note: &str) {
+        let line = format!("  {name:<18}{value:<28}{note}");
+        self.text.push_str(line.trim_end());
+        self.text.push('\n');
+    }
+
+    pub fn quantity(&mut self, name: &str, value: f64, unit: Unit) {
+        self.push(name, &quantity(value, unit, self.units), "");
+    }
+
+    pub fn estimated(&mut self, name: &str, value: f64, unit: Unit, error: Option<Estimate>) {
+        let note = match error {
+            // Prescribed.
+            Some(error) if error.estimate == 0.0 => String::new(),
+            Some(error) if error.resolved => {
+                format!(
+                    "{} (grid)",
+                    error_of(value, error.estimate, unit, self.units)
+                )
+            }
+            Some(_) => "not resolved by the grid".into(),
+            None => String::new(),
+        };
+        self.push(name, &quantity(value, unit, self.units), &note);
+    }
+}

@@ -1,0 +1,162 @@
+//! A design: the curves to measure, what they are expected to tell, and which of two designs is better.
+
+use std::cmp::Ordering;
+
+use pellicle_identify::{IDENTIFIED_WITHIN, Verdict};
+use serde::Serialize;
+
+use super::candidate::Candidate;
+use crate::display::significant;
+use crate::identification::findings::CombinationResult;
+use crate::identification::names;
+
+/// A factor from which on an interval counts as lost, even if the bounds are wider.
+const MANY: f64 = 1000.0;
+
+/// A design: one curve or several.
+#[derive(Debug, Clone, Serialize)]
+pub struct DesignResult {
+    /// The curves to measure; none for what has been measured alone.
+    pub curves: Vec<Candidate>,
+    /// What is sought.
+    pub unknowns: Vec<ExpectedResult>,
+    /// What is not known exactly.
+    pub nuisances: Vec<ExpectedResult>,
+}
+
+/// What is expected of a number.
+#[derive(Debug, Clone, Serialize)]
+pub struct ExpectedResult {
+    /// Its key.
+    pub key: String,
+    /// Its SI unit.
+    pub unit: String,
+    /// The value that is taken for true.
+    pub value: f64,
+    /// Standard error of its logarithm, the relative one where it is small; null where nothing is told.
+    pub standard_error: Option<f64>,
+    /// The factor within which the interval lies, as if there were no bounds.
+    pub factor: Option<f64>,
+    /// The interval; null on a side that is open.
+    pub interval: [Option<f64>; 2],
+    /// What the measurements will tell of it.
+    pub verdict: String,
+    /// What is known instead.
+    pub known_combination: Option<CombinationResult>,
+}
+
+/// The better of two designs first: the one that loses fewer unknowns, then the one whose worst known unknown is known
+/// better.
+#[must_use]
+pub fn better(one: &DesignResult, other: &DesignResult) -> Ordering {
+    let lost = one.lost().cmp(&other.lost());
+    lost.then(one.worst().total_cmp(&other.worst()))
+}
+
+impl DesignResult {
+    /// Unknowns of which nothing is told.
+    #[must_use]
+    pub fn lost(&self) -> usize {
+        let unknowns = self.unknowns.iter();
+        unknowns.filter(|of| of.is_lost()).count()
+    }
+
+    /// The largest standard error of the unknowns that are told.
+    #[must_use]
+    pub fn worst(&self) -> f64 {
+        let told = self.unknowns.iter().filter(|of| !of.is_lost());
+        let errors = told.filter_map(|of| of.standard_error);
+        errors.fold(0.0, f64::max)
+    }
+
+    /// Whether every unknown is told within a factor of 1.2.
+    #[must_use]
+    pub fn is_told(&self) -> bool {
+        self.unknowns.iter().all(ExpectedResult::is_told)
+    }
+}
+
+impl ExpectedResult {
+    /// Whether nothing is told of it.
+    #[must_use]
+    pub fn is_lost(&self) -> bool {
+        let lost = [Verdict::NotIdentified, Verdict::NotIdentifiable];
+        lost.iter()
+            .any(|verdict| self.verdict == verdict.to_string())
+    }
+
+    /// Whether it is told within a factor of 1.2.
+    #[must_use]
+    pub fn is_told(&self) -> bool {
+        !self.is_lost() && (self.factor).is_some_and(|factor| factor <= IDENTIFIED_WITHIN)
+    }
+
+    /// Whether no data can tell it.
+    #[must_use]
+    pub fn is_never(&self) -> bool {
+        self.verdict == Verdict::NotIdentifiable.to_string()
+    }
+
+    /// The interval over the value: `± 3.4 %`, `factor 2.1`, `lost` where every value between the bounds will
+    /// fit, `never` where no data can tell it.
+    #[must_use]
+    pub fn width(&self) -> String {
+        if self.is_never() {
+            return "never".into();
+        }
+        match self
+            .factor
+            .filter(|factor| *factor < MANY && !self.is_lost())
+        {
+            Some(factor) if factor <= IDENTIFIED_WITHIN => percents(factor),
+            Some(factor) => format!("factor {}", significant(factor, 2)),
+            None => "lost".into(),
+        }
+    }
+
+    /// What is told in place of numbers that no data can tell: `E (substrate) · R^0.5 ± 0.7 %`.
+    #[must_use]
+    pub fn instead(&self) -> Option<String> {
+        let known = self.known_combination.as_ref()?;
+        let product = names::combination(&known.expression);
+        let factor = known.interval[1].map(|end| end / known.value);
+        let width = match factor {
+            Some(factor) if factor <= IDENTIFIED_WITHIN => percents(factor),
+            Some(factor) => format!("within a factor {}", significant(factor, 2)),
+            None => return None,
+        };
+        Some(format!("{product} {width}"))
+    }
+}
+
+fn percents(factor: f64) -> String {
+    format!("± {} %", significant(100.0 * (factor - 1.0), 2))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn widths_are_percents_factors_or_a_word() {
+        let of = |factor: Option<f64>, verdict: Verdict| {
+            let of = ExpectedResult {
+                key: "E".into(),
+                unit: "Pa".into(),
+                value: 1.0,
+                standard_error: None,
+                factor,
+                interval: [None, None],
+                verdict: verdict.to_string(),
+                known_combination: None,
+            };
+            of.width()
+        };
+        assert_eq!(of(Some(1.0342), Verdict::Identified), "± 3.4 %");
+        assert_eq!(of(Some(2.13), Verdict::Weak), "factor 2.1");
+        // Between narrow bounds even a narrow interval says nothing.
+        assert_eq!(of(Some(1.1), Verdict::NotIdentified), "lost");
+        assert_eq!(of(None, Verdict::NotIdentified), "lost");
+        assert_eq!(of(None, Verdict::NotIdentifiable), "never");
+    }
+}
