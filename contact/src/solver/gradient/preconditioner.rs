@@ -16,11 +16,13 @@
 
 mod edge_band;
 mod restricted_filter;
+mod secants;
 mod sparse_factor;
 
 use pellicle_influence::PeriodicSymbol;
 
 use crate::solver::gradient::preconditioner::restricted_filter::RestrictedFilter;
+use crate::solver::gradient::preconditioner::secants::Secants;
 use crate::solver::gradient::preconditioner::sparse_factor::{
     SparseFactor, scattered::ScatteredFactor,
 };
@@ -78,6 +80,8 @@ pub struct Preconditioner {
     neighbours: usize,
     /// Whether the coat is so stiff that Newton's method comes first.
     is_for_newton: bool,
+    /// What Newton's method learned on earlier sets.
+    secants: Secants,
 }
 
 enum Inverse {
@@ -136,6 +140,7 @@ impl Preconditioner {
             adapted_to: None,
             neighbours,
             is_for_newton: contrast > STIFF_FOR_NEWTON,
+            secants: Secants::default(),
         }
     }
 
@@ -191,9 +196,21 @@ impl Preconditioner {
     /// Forgets the sets met so far.
     pub fn restart(&mut self) {
         self.adapted_to = None;
+        self.secants.clear();
+        self.forget_even();
+    }
+
+    /// Forgets the answer to an even residual: many elements change at once.
+    pub fn forget_even(&mut self) {
         if self.even.exact_total != 0.0 {
             self.even.values.fill(0.0);
+            self.even.total = 0.0;
         }
+    }
+
+    /// Notes a step on the set and its image under the system, of use once the set changes.
+    pub fn note(&mut self, set: &WorkingSet, step: &[f64], image: &[f64]) {
+        self.secants.push(set, step, image);
     }
 
     /// Adapts to springs that are straightened anew.
@@ -222,6 +239,7 @@ impl Preconditioner {
             Inverse::Factor(factor) => factor.update(set),
             Inverse::Scattered(factor) => factor.update(set),
         }
+        self.secants.follow(set);
         self.adapted_to = Some(set.revision());
         set.clear_outside(&mut self.even.values);
         self.even.total = sum(&self.even.values);
@@ -246,13 +264,16 @@ impl Preconditioner {
     /// `r ← M⁻¹_I r`, in place and in the units of the problem's scale; the values of `r` outside the set do not
     /// matter.
     pub fn apply(&mut self, set: &WorkingSet, residual: &mut [f64]) {
-        set.scale_within(residual, self.unit);
-        match &mut self.inverse {
-            Inverse::Identity => (),
-            Inverse::Filter(filter) => filter.apply(set, residual),
-            Inverse::Factor(factor) => factor.apply(residual),
-            Inverse::Scattered(factor) => factor.apply(residual),
-        }
+        let (inverse, unit) = (&mut self.inverse, self.unit);
+        self.secants.apply(set, residual, |residual| {
+            set.scale_within(residual, unit);
+            match inverse {
+                Inverse::Identity => (),
+                Inverse::Filter(filter) => filter.apply(set, residual),
+                Inverse::Factor(factor) => factor.apply(residual),
+                Inverse::Scattered(factor) => factor.apply(residual),
+            }
+        });
     }
 
     /// Writes into `z` the preconditioned residual `M⁻¹_I (λ − v)`, with `λ` such that `z` keeps the total: the

@@ -99,6 +99,11 @@ impl ConjugateDirections {
         alpha.is_finite()
     }
 
+    /// The direction last aimed at.
+    pub fn direction(&self) -> &[f64] {
+        &self.direction
+    }
+
     /// The preconditioned residual `z` that was last aimed with: by the preconditioner's account, what is missing from
     /// the pressure.
     pub fn missing(&self) -> &[f64] {

@@ -68,7 +68,7 @@ impl Newton {
     pub fn step(&mut self, context: &mut Context<'_>, tolerance: f64) -> Turn {
         if self.first.is_none() {
             // Many elements change at once: an even answer cut to what is left would cost every sixth product more.
-            context.preconditioner.restart();
+            context.preconditioner.forget_even();
             self.conjugate.restart();
             context.set.look_away();
             self.steps = 0;
@@ -86,6 +86,8 @@ impl Newton {
         }
         self.steps += 1;
         let moved = self.conjugate.step_freely(context);
+        let (step, image) = (self.conjugate.direction(), &context.segment.image);
+        context.preconditioner.note(context.set, step, image);
         if moved && self.steps <= MOST_STEPS {
             Turn::Inner
         } else {
