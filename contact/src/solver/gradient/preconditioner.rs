@@ -52,14 +52,19 @@ const VERY_STIFF: f64 = 400.0;
 const SHORTEST_RESPONSE: f64 = 1.166;
 /// Neighbours of a tile in the sparse factor up to [`COARSE`] elements a side: with 30 an eighth more products in the
 /// same time, with 60 a tenth fewer in a third more.
-const NEIGHBOURS: usize = 42;
+const NEIGHBOURS: u32 = 42;
 /// The same under a very stiff coat.
-const MORE_NEIGHBOURS: usize = 60;
+const MORE_NEIGHBOURS: u32 = 60;
 /// Elements per side from which on neighbours grow with the grid: a factor of fixed neighbours loses accuracy with
 /// every halving of the element.
 const COARSE: usize = 512;
+/// Power of the grid's size by which neighbours grow: growing in proportion, they take rough films up to 41 products at
+/// N = 1024 instead of 35, in a sixth less time.
+const GROWTH: f64 = 4.0 / 3.0;
+/// The same under a coat that is stiff on a rough surface alone, where proportion takes 31 products already.
+const SLOW_GROWTH: f64 = 1.0;
 /// Most neighbours of a tile, beyond which time grows faster than products fall.
-const MOST_NEIGHBOURS: usize = 96;
+const MOST_NEIGHBOURS: u32 = 108;
 /// Neighbours of a candidate in the factor among candidates: with 20 a third more products, with 40 a sixth fewer at
 /// twice the cost.
 const NEIGHBOURS_OF_CANDIDATE: usize = 30;
@@ -303,13 +308,25 @@ impl Preconditioner {
 }
 
 /// Neighbours of a tile in the sparse factor on a grid of `size` elements per side.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "between the least and the most"
+)]
 fn neighbours(size: usize, contrast: f64) -> usize {
     let on_coarse = if contrast > VERY_STIFF {
         MORE_NEIGHBOURS
     } else {
         NEIGHBOURS
     };
-    (on_coarse * size.max(COARSE) / COARSE).min(MOST_NEIGHBOURS)
+    let growth = if contrast > STIFF {
+        GROWTH
+    } else {
+        SLOW_GROWTH
+    };
+    let finer = size.max(COARSE) as f64 / COARSE as f64;
+    let wanted = f64::from(on_coarse) * finer.powf(growth);
+    wanted.min(f64::from(MOST_NEIGHBOURS)) as usize
 }
 
 /// Stiffness contrast from which on the factor serves a problem best.

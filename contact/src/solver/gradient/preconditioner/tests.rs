@@ -16,12 +16,12 @@ use crate::{
 
 #[test]
 fn neighbours_grow_with_the_grid_from_a_few_hundred_elements_up_to_a_bound() {
-    let of = |size| [1.0, 2.0 * VERY_STIFF].map(|contrast| neighbours(size, contrast));
-    assert_eq!(of(1), [NEIGHBOURS, MORE_NEIGHBOURS]);
-    assert_eq!(of(COARSE), [NEIGHBOURS, MORE_NEIGHBOURS]);
-    assert_eq!(of(3 * COARSE / 2), [63, 90]);
-    assert_eq!(of(2 * COARSE), [84, MOST_NEIGHBOURS]);
-    assert_eq!(of(16 * COARSE), [MOST_NEIGHBOURS; 2]);
+    let of = |size| [1.0, 2.0 * STIFF, 2.0 * VERY_STIFF].map(|contrast| neighbours(size, contrast));
+    assert_eq!(of(1), [42, 42, 60]);
+    assert_eq!(of(COARSE), [42, 42, 60]);
+    assert_eq!(of(3 * COARSE / 2), [63, 72, 103]);
+    assert_eq!(of(2 * COARSE), [84, 105, 108]);
+    assert_eq!(of(16 * COARSE), [108; 3]);
 }
 
 #[test]
