@@ -207,3 +207,141 @@ impl Asked {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::stress::{
+        extremes::{BodyUtilisation, InterfaceUtilisation},
+        model::{BodyPart, BodyStrengths, InterfacePart, InterfaceStrengths},
+    };
+
+    fn extreme<const AXES: usize>(value: f64) -> Extreme<AXES> {
+        Extreme {
+            value,
+            at: [0.5; AXES],
+            resolved: true,
+            estimate: Some(0.1),
+        }
+    }
+
+    /// A coat with all strengths on a substrate with one, and the interface between.
+    fn stress() -> StressModel {
+        let body = |name: &str, [top, bottom]: [f64; 2], strengths| BodyPart {
+            name: name.to_owned(),
+            top,
+            bottom,
+            strengths,
+        };
+        let all = BodyStrengths {
+            yield_strength: Some(3.0),
+            tensile_strength: Some(4.0),
+        };
+        let one = BodyStrengths {
+            tensile_strength: Some(5.0),
+            ..BodyStrengths::default()
+        };
+        StressModel {
+            bodies: vec![
+                body("layer[0]", [0.0, 0.2], all),
+                body("substrate", [0.2, f64::INFINITY], one),
+            ],
+            interfaces: vec![InterfacePart {
+                index: 0,
+                depth: 0.2,
+                strengths: InterfaceStrengths {
+                    shear_strength: Some(6.0),
+                    tensile_strength: Some(7.0),
+                },
+            }],
+            ..StressModel::default()
+        }
+    }
+
+    #[test]
+    fn every_strength_asks_for_its_own_stress_in_its_own_range() {
+        let body = |value: f64| BodyStress {
+            name: String::new(),
+            max_von_mises: extreme(value),
+            max_principal: extreme(value + 1.0),
+            min_principal: extreme(-9.0),
+            max_shear: extreme(9.0),
+            utilisation: BodyUtilisation::default(),
+        };
+        let step = StressExtremes {
+            bodies: vec![body(10.0), body(20.0)],
+            interfaces: vec![InterfaceStress {
+                index: 0,
+                depth: 0.2,
+                max_shear_traction: extreme(30.0),
+                max_tension: extreme(31.0),
+                max_compression: extreme(9.0),
+                utilisation: InterfaceUtilisation::default(),
+            }],
+        };
+        let asked = criteria(&stress(), &[step]);
+        let found = asked.iter().map(|asked| {
+            let Target {
+                top,
+                bottom,
+                quantities,
+            } = &asked.target;
+            assert_eq!(asked.known[0].at.len(), 3);
+            let known = asked.known[0].value;
+            (
+                asked.name.as_str(),
+                asked.strength,
+                [*top, *bottom],
+                quantities[0],
+                known,
+            )
+        });
+        let endless = [0.2, f64::INFINITY];
+        let wanted = [
+            ("layer[0]", 3.0, [0.0, 0.2], Quantity::VonMises, 10.0),
+            ("layer[0]", 4.0, [0.0, 0.2], Quantity::MaxPrincipal, 11.0),
+            ("substrate", 5.0, endless, Quantity::MaxPrincipal, 21.0),
+            ("interface[0]", 6.0, [0.2; 2], Quantity::ShearTraction, 30.0),
+            ("interface[0]", 7.0, [0.2; 2], Quantity::Tension, 31.0),
+        ];
+        assert_eq!(found.collect::<Vec<_>>(), wanted);
+        // On an interface the depth is its own.
+        assert_eq!(asked[3].known[0].at, [0.5, 0.5, 0.2]);
+    }
+
+    #[test]
+    fn the_error_of_a_critical_load_is_that_of_the_stress_over_how_steeply_it_grows() {
+        let asked = || Asked {
+            criterion: Criterion::Yield,
+            name: "substrate".to_owned(),
+            strength: 4.0,
+            target: Target {
+                top: 0.0,
+                bottom: 1.0,
+                quantities: vec![Quantity::VonMises],
+            },
+            known: Vec::new(),
+        };
+        let solved = |value: f64| Solved {
+            force: 6.0,
+            penetration: 0.3,
+            extreme: extreme(value),
+        };
+        let met = asked().answered(&Outcome::Met {
+            solved: solved(4.0),
+            exponent: 0.5,
+        });
+        // 6 · (0.1/4)/0.5
+        assert!((met.estimate.unwrap() - 0.3).abs() < 1e-15);
+        let numbers = (met.force, met.penetration, met.at, met.utilisation);
+        assert_eq!(numbers, (Some(6.0), Some(0.3), Some([0.5; 3]), 1.0));
+        let missed = asked().answered(&Outcome::Missed(Some(solved(1.0))));
+        let numbers = (missed.force, missed.penetration, missed.at, missed.estimate);
+        assert_eq!(numbers, (None, None, None, None));
+        assert_eq!((missed.utilisation, missed.resolved), (0.25, true));
+        let pulled = asked().answered(&Outcome::Missed(Some(solved(-1.0))));
+        assert_eq!(pulled.utilisation, 0.0);
+        let unloaded = asked().answered(&Outcome::Missed(None));
+        assert_eq!((unloaded.utilisation, unloaded.resolved), (0.0, false));
+    }
+}

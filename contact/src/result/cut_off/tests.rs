@@ -224,13 +224,13 @@ fn what_presses_at_the_rim_goes_on_where_the_gap_behind_it_is_less_than_the_pene
     assert!(!around.presses_at_the_rim(&pressed_by_ball(&inner, 1.0)));
 }
 
-/// A ball of radius 0.1, and beside it at 0.45 along x one of radius 1 whose tip is higher by 0.01.
+/// A ball of radius 0.1, and beside it at 0.15 along x one of radius 1 whose tip is higher by 0.01.
 #[derive(Debug)]
 struct Tips;
 
 impl Profile for Tips {
     fn height(&self, x: f64, y: f64) -> f64 {
-        let other = 0.01 + f64::midpoint((x - 0.45) * (x - 0.45), y * y);
+        let other = 0.01 + f64::midpoint((x - 0.15) * (x - 0.15), y * y);
         (5.0 * (x * x + y * y)).min(other)
     }
 }
@@ -246,8 +246,8 @@ fn what_would_touch_farther_away_cuts_a_contact_off() {
         assert!(found.is_none_or(|found| found == CutOff::Domain));
         found.is_some()
     };
-    // Far from the domain the surface hardly moves: the other tip touches from a depth of 0.01 on, up to the blocks'
-    // width of a sixteenth of their square.
+    // The surface hardly moves: the other tip, beyond the domain's edge, touches from a depth of 0.01 on, by the blocks
+    // that it is seen with and what counts as overlap.
     assert!(!cuts(&tips, 0.004) && !cuts(&tips, 0.009));
     assert!(cuts(&tips, 0.013) && cuts(&tips, 0.02));
     // Under one ball alone nothing but what is beside the domain's edge, from 0.005 on.
