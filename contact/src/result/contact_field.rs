@@ -214,7 +214,7 @@ mod tests {
                     let size = SIZE.cast_signed();
                     let wrapped = [i, j].map(|k| k.rem_euclid(size).unsigned_abs());
                     let is_here = boundary == Boundary::Periodic
-                        || wrapped == [i, j].map(|k| k.unsigned_abs());
+                        || wrapped == [i, j].map(isize::unsigned_abs);
                     is_here && pressure[wrapped[0] * SIZE + wrapped[1]] > 0.0
                 };
                 corners.into_iter().filter(|place| presses(*place)).count()

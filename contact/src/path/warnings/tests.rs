@@ -206,10 +206,10 @@ fn a_contact_near_the_edge_is_doubted_less_on_a_domain_that_was_chosen() {
             elements: to_edge,
         };
         let found = codes(Some(to_edge), Domain::Side(1.0));
-        assert_eq!(found, by_side.then(|| wanted.clone()), "{to_edge}");
+        assert_eq!(found, by_side.then_some(wanted), "{to_edge}");
         for domain in chosen {
             let found = codes(Some(to_edge), domain);
-            assert_eq!(found, by_choice.then(|| wanted.clone()), "{to_edge}");
+            assert_eq!(found, by_choice.then_some(wanted), "{to_edge}");
         }
         assert_eq!(codes(Some(to_edge), Domain::Periodic(1.0)), None);
     }

@@ -85,7 +85,7 @@ fn where_nothing_presses_all_of_the_set_is_pressed_and_else_nothing_changes() {
     let mask: Vec<bool> = (0..ELEMENTS).map(|e| e % 3 == 0).collect();
     state.pressure[5] = -1.0;
     state.press_somewhere(&mask);
-    let even = |e: usize| f64::from(u8::from(e % 3 == 0));
+    let even = |e: usize| f64::from(u8::from(e.is_multiple_of(3)));
     assert!((0..ELEMENTS).all(|e| state.pressure[e] == even(e)));
     state.pressure.fill(0.0);
     state.pressure[5] = 0.5;

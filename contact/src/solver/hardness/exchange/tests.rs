@@ -194,7 +194,7 @@ fn as_many_are_held_besides_as_carry_what_is_beyond_the_limit() {
     // Two limits too much on the second and one and a half on the third: three others, first those that press most,
     // then of those without pressure the one with the narrowest gap, but none that cannot touch.
     exchange.free = field(&[0.0, 3.0 * LIMIT, 2.5 * LIMIT, 0.3, 0.9]);
-    let mut v: Vec<f64> = (0..16).map(|e| 2.0 - 0.1 * e as f64).collect();
+    let mut v: Vec<f64> = (0..16).map(|e| 2.0 - 0.1 * f64::from(e)).collect();
     v[15] = f64::INFINITY;
     let above = [1, 2];
     assert_eq!(exchange.next(LIMIT, &above, &v), [4, 3, 14]);
