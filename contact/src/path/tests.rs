@@ -249,3 +249,83 @@ fn as_many_loads_are_solved_at_once_as_there_are_threads_for_on_grids_that_are_s
     // Half of two million elements: two at once at most.
     assert_eq!(loads_at_once(1024, 1000), threads.min(2));
 }
+
+/// A ball, and at the centre of an element of the finest grid a needle that no coarser grid sees.
+#[derive(Debug)]
+struct Needle;
+
+/// Row and column of the needle's element of 128.
+const NEEDLE: [usize; 2] = [21, 100];
+
+impl crate::Profile for Needle {
+    fn height(&self, x: f64, y: f64) -> f64 {
+        let [a, b] = NEEDLE.map(|i| (i as f64 + 0.5) / 128.0 - 0.5);
+        let needle = 1e-3 + (x - a).hypot(y - b).powi(2) / 1e-4;
+        f64::midpoint(x * x, y * y).min(needle)
+    }
+}
+
+#[test]
+fn what_the_window_of_a_contact_does_not_hold_is_found_and_taken_in() {
+    let model = model(Relief::Bare, Indenter::custom(Needle));
+    for load in [Load::Penetration(3e-3), Load::Force(1e-4)] {
+        let (domain, options) = (Domain::Side(1.0), SolverOptions::default());
+        let path = solve_path(&model, domain, 128, &[load], &options, &mut ()).unwrap();
+        let solution = &path.steps[0].solution;
+        assert!(solution.certificate.is_satisfied());
+        let needle = NEEDLE[0] * 128 + NEEDLE[1];
+        assert!(solution.pressure[needle] > 0.0, "{load:?}");
+        let beside = [needle - 1, needle + 1, needle - 128, needle + 128];
+        assert!(beside.iter().all(|e| solution.pressure[*e] == 0.0));
+    }
+}
+
+#[test]
+fn the_peak_is_told_between_elements_inside_a_contact_and_at_one_at_its_edge() {
+    let load = [Load::Force(0.02)];
+    let options = SolverOptions::default();
+    let smooth = solve(
+        &model(Relief::Bare, ball()),
+        Domain::Side(1.0),
+        &load,
+        options,
+    )
+    .unwrap();
+    let summary = smooth.steps[0].summary;
+    let largest = smooth.steps[0]
+        .solution
+        .pressure
+        .iter()
+        .copied()
+        .fold(0.0, f64::max);
+    assert_eq!(summary.peak_place, crate::PeakPlace::Inside);
+    // What is no paraboloid moves the vertex by a part of an element.
+    let [x, y] = summary.max_pressure_at;
+    assert!(x.hypot(y) < 5e-3 * smooth.grid.element_side());
+    // Of even N the axis is a corner of elements, where the paraboloid through them is higher.
+    assert!(summary.max_pressure > largest * (1.0 + 1e-4));
+    assert!(summary.edge_uncertainty > 0.0 && !summary.meets_outline);
+    let punch = crate::FlatPunch::new(0.3).unwrap();
+    let edged = solve(
+        &model(Relief::Bare, punch),
+        Domain::Side(1.0),
+        &load,
+        options,
+    )
+    .unwrap();
+    let summary = edged.steps[0].summary;
+    let pressure = &edged.steps[0].solution.pressure;
+    let largest = pressure.iter().copied().fold(0.0, f64::max);
+    assert_eq!(
+        (summary.max_pressure, summary.peak_place),
+        (largest, crate::PeakPlace::IndenterEdge)
+    );
+    let at = edged
+        .grid
+        .centres()
+        .zip(pressure)
+        .find(|(_, p)| **p == largest);
+    let [x, y] = at.unwrap().0;
+    assert!((summary.max_pressure_at[0] - x).hypot(summary.max_pressure_at[1] - y) < 1e-12);
+    assert!(summary.meets_outline && x.hypot(y) > 0.25);
+}

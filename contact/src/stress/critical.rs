@@ -210,10 +210,19 @@ impl Asked {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::Arc;
+
+    use pellicle_influence::{Cache, RadialTables};
+    use pellicle_kernel::{Foundation, Material};
+    use pellicle_texture::Relief;
+
     use super::*;
-    use crate::stress::{
-        extremes::{BodyUtilisation, InterfaceUtilisation},
-        model::{BodyPart, BodyStrengths, InterfacePart, InterfaceStrengths},
+    use crate::{
+        Load, Paraboloid, solve_path,
+        stress::{
+            extremes::{BodyUtilisation, InterfaceUtilisation, stress_extremes},
+            model::{BodyPart, BodyStrengths, InterfacePart, InterfaceStrengths},
+        },
     };
 
     fn extreme<const AXES: usize>(value: f64) -> Extreme<AXES> {
@@ -343,5 +352,60 @@ mod tests {
         assert_eq!(pulled.utilisation, 0.0);
         let unloaded = asked().answered(&Outcome::Missed(None));
         assert_eq!((unloaded.utilisation, unloaded.resolved), (0.0, false));
+    }
+
+    #[test]
+    fn a_body_yields_under_a_ball_at_the_force_of_hertz() {
+        let body = Foundation::half_space(Material::new(1.0, 0.3).unwrap());
+        let model = Model {
+            tables: Arc::new(RadialTables::build(&body).unwrap()),
+            relief: Relief::Bare,
+            indenter: Paraboloid::new(1.0).unwrap().into(),
+            cache: Cache::none(),
+        };
+        // 0.62 p0 with p0³ = 6 Q E*²/(π³ R²); 0.2 of it is more than any load reaches.
+        let strength = 0.05;
+        let modulus = 1.0 / 0.91;
+        let exact = (std::f64::consts::PI * strength / 0.62).powi(3) / (6.0 * modulus * modulus);
+        let stress = StressModel {
+            bodies: vec![BodyPart {
+                name: "substrate".to_owned(),
+                top: 0.0,
+                bottom: f64::INFINITY,
+                strengths: BodyStrengths {
+                    yield_strength: Some(strength),
+                    tensile_strength: Some(4.0 * strength),
+                },
+            }],
+            ..StressModel::default()
+        };
+        let loads = [2.0, 0.5].map(|part| Load::Force(part * exact));
+        let (domain, options) = (Domain::Automatic, SolverOptions::default());
+        let path = solve_path(&model, domain, 24, &loads, &options, &mut ()).unwrap();
+        let extremes = [0, 1].map(|step| stress_extremes(&path, step, &stress).unwrap());
+        let solve = |options: &SolverOptions| {
+            critical_loads(&model, &path, &extremes, domain, options, &stress, &mut ())
+        };
+        let found = solve(&options).unwrap();
+        let [yielding, tension] = &found[..] else {
+            panic!("{found:?}")
+        };
+        // Seven elements to the radius.
+        assert!(
+            (yielding.force.unwrap() / exact - 1.0).abs() < 0.1,
+            "{yielding:?}"
+        );
+        assert!((yielding.utilisation - 1.0).abs() < 1e-3);
+        // Three times the error of the stress, which coarser grids tell.
+        assert!(yielding.estimate.unwrap() > 0.0 && yielding.estimate.unwrap() < 0.5 * exact);
+        assert!(tension.force.is_none() && tension.utilisation < 0.7);
+        let cut = SolverOptions {
+            hardness: 1.0,
+            ..options
+        };
+        assert!(matches!(
+            solve(&cut),
+            Err(ContactError::WithHardness { .. })
+        ));
     }
 }

@@ -124,6 +124,47 @@ fn few_elements_give_the_answer_of_the_whole_grid_with_what_no_start_knew_of() {
 }
 
 #[test]
+fn what_products_among_candidates_lack_is_learnt_of_a_pressure_that_was_judged() {
+    let elasticity = elasticity();
+    let mut problem = whole(&elasticity);
+    let (window, options) = (window(&problem), SolverOptions::default());
+    // A pressure that is no solution, also where nothing was a candidate.
+    let mut pressure = start(&window);
+    let mut dilute = Dilute::around(&problem, &window, &pressure, &options).unwrap();
+    let [above, left] = window.origin();
+    let needle = [NEEDLE[0] - above, NEEDLE[1] - left];
+    pressure[needle[0] * window.size() + needle[1]] = 0.5;
+    pressure.iter_mut().for_each(|p| *p *= 1e-3);
+    let mut judged = JudgedFields::on(problem.everywhere());
+    let trial = Trial {
+        window: &window,
+        load: Load::Penetration(DEPTH),
+        expected: f64::INFINITY,
+        tolerance: options.tolerance,
+    };
+    let solution = Solution::judge_within(&mut problem, trial, pressure, &mut judged);
+    assert!(!dilute.is_done(&solution, &options));
+    assert!(dilute.learn(&problem, &judged, &solution.pressure));
+    // By their own products the candidates now have the gaps that the whole grid's product gives.
+    let mut displacement = vec![0.0; SIZE * SIZE];
+    problem.displace(&window.spread(solution.pressure.clone()), &mut displacement);
+    let among = dilute.candidates.gather(&solution.pressure);
+    let mut own = vec![0.0; among.len()];
+    dilute.problem.displace(&among, &mut own);
+    let gaps = dilute.problem.initial_gap();
+    for (candidate, (u, g0)) in own.iter().zip(gaps).enumerate() {
+        let [i, j] = on_grid(&window, dilute.candidates.place(candidate));
+        let wanted = displacement[i * SIZE + j] + gap([i, j]);
+        assert!((u + g0 - wanted).abs() < 1e-12, "{u} {g0} {wanted}");
+    }
+    // What would overlap has been taken in: this pressure is far too small.
+    let tip = dilute.candidates.at([60 - above, 70 - left]);
+    assert!(tip.is_some() && dilute.candidates.at(needle).is_some());
+    dilute.passes = MOST_PASSES;
+    assert!(!dilute.learn(&problem, &judged, &solution.pressure));
+}
+
+#[test]
 fn only_a_dilute_contact_on_a_large_free_grid_is_solved_among_candidates() {
     let elasticity = elasticity();
     let problem = whole(&elasticity);

@@ -234,6 +234,19 @@ fn of_a_contact_that_the_grid_hardly_sees_the_peak_is_not_doubted_besides() {
     // On a domain twenty times as large few elements are in contact.
     let large = Domain::Side(20.0);
     assert_eq!(codes(20.0, large, &step), ["domain-much-larger"]);
+    // A steep edge between few elements is none where the contact is estimated to be much smaller.
+    let radius = std::mem::replace(&mut step.summary.contact_radius, 0.7);
+    let found = codes(20.0, large, &step);
+    assert_eq!(found, ["domain-much-larger"]);
+    let steep = Model {
+        indenter: crate::Cone::new(1.1, 0.0).unwrap().into(),
+        ..model.clone()
+    };
+    let grid = Grid::new(20.0, 64).unwrap();
+    let found = warnings(&steep, &grid, large, &loads, std::slice::from_ref(&step));
+    let found: Vec<_> = found.iter().map(Warning::code).collect();
+    assert_eq!(found, ["domain-much-larger", "steep-indenter"]);
+    step.summary.contact_radius = radius;
     assert_eq!(
         codes(20.0, Domain::Periodic(20.0), &step),
         ["peak-not-resolved"]

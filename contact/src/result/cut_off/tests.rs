@@ -270,3 +270,31 @@ fn a_first_square_is_the_last_where_the_indenter_is_higher_around_it() {
     let frame = SquareFrame::of(&tips, 1.0);
     assert!(!frame.is_the_last(&tips, -1.0));
 }
+
+/// A plane that leans towards −x and, twice as much, towards −y.
+#[derive(Debug)]
+struct Slant;
+
+impl Profile for Slant {
+    fn height(&self, x: f64, y: f64) -> f64 {
+        1.0 + x + 2.0 * y
+    }
+}
+
+#[test]
+fn what_lies_behind_each_side_of_the_rim_is_looked_at_there() {
+    let slant = model(Indenter::custom(Slant), Relief::Bare);
+    let around = Surroundings::of(&slant, Grid::new(0.2, 10).unwrap());
+    for (rim, x, y) in [
+        ([0, 6], -0.11, 0.03),
+        ([9, 6], 0.11, 0.03),
+        ([6, 0], 0.03, -0.11),
+        ([6, 9], 0.03, 0.11),
+    ] {
+        let goes_on = |depth: f64| around.presses_at_the_rim(&pressed_by_ball(&[rim], depth));
+        let behind = Slant.height(x, y);
+        assert!(goes_on(behind + 1e-3) && !goes_on(behind - 1e-3), "{rim:?}");
+    }
+    // The lowest of the four elements around the axis, at ±0.01.
+    assert!((lowest_height(&slant, &Grid::new(0.2, 10).unwrap()) - 0.97).abs() < 1e-15);
+}

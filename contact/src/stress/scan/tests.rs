@@ -170,7 +170,7 @@ fn peaks_of_every_plane_are_the_stresses_there_under_elements_and_under_blocks()
                 let there = field.at(largest.at, *depth).unwrap();
                 let ratio = largest.value / quantity.of(&there);
                 assert!(
-                    (ratio - 1.0).abs() < 2e-3,
+                    (ratio - 1.0).abs() < 5e-3,
                     "{quantity:?} {}: {ratio}",
                     depth.z
                 );
