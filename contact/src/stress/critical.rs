@@ -380,7 +380,9 @@ mod tests {
             ..StressModel::default()
         };
         let loads = [2.0, 0.5].map(|part| Load::Force(part * exact));
-        let (domain, options) = (Domain::Automatic, SolverOptions::default());
+        // Three radii under the larger load, a³ = 3 Q R/(4 E*).
+        let side = 3.0 * (1.5 * exact / modulus).cbrt();
+        let (domain, options) = (Domain::Side(side), SolverOptions::default());
         let path = solve_path(&model, domain, 24, &loads, &options, &mut ()).unwrap();
         let extremes = [0, 1].map(|step| stress_extremes(&path, step, &stress).unwrap());
         let solve = |options: &SolverOptions| {
