@@ -385,3 +385,6 @@ impl Observer for InTurn<'_, '_, '_> {
         signal
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -141,7 +141,7 @@ fn short(index: usize) -> u32 {
 
 #[cfg(test)]
 mod tests {
-    use super::{Candidates, elements_where};
+    use super::{Candidates, elements_where, short};
 
     const SIZE: usize = 40;
 
@@ -169,6 +169,13 @@ mod tests {
         let both = one.with(&[502]);
         assert_eq!(both.len(), 15);
         let field: Vec<f64> = (0..SIZE * SIZE).map(|e| e as f64).collect();
+        let around = [459, 460, 461, 462, 463];
+        let own = [0, SIZE, 2 * SIZE].map(|down| around.map(|e| short(e + down)));
+        assert_eq!(both.elements(), own.as_flattened());
+        let values: Vec<f64> = both.elements().iter().map(|e| f64::from(*e)).collect();
+        assert_eq!(both.gather(&field), values);
+        let spread = both.spread(&values);
+        assert_eq!(spread.iter().sum::<f64>(), values.iter().sum::<f64>());
         assert_eq!(
             both.gather(&both.spread(&both.gather(&field))),
             both.gather(&field)

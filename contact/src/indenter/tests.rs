@@ -136,3 +136,40 @@ fn a_tip_is_sharp_where_it_is_rounded_over_less_than_two_elements() {
     assert_eq!(blunt.distance_to_edge(0.3, 0.4, 0.501 * end), 0.5);
     assert_eq!(blunt.distance_to_edge(0.3, 0.4, 0.499 * end), f64::INFINITY);
 }
+
+/// A shape of the user's own that says nothing of itself but its height.
+#[derive(Debug)]
+struct Ramp;
+
+impl Profile for Ramp {
+    fn height(&self, x: f64, _: f64) -> f64 {
+        x.abs()
+    }
+}
+
+#[test]
+fn a_shape_of_the_users_own_is_taken_for_one_without_symmetry_or_end_and_equals_its_copies() {
+    let (one, other) = (Indenter::custom(Ramp), Indenter::custom(Ramp));
+    assert!(one == one.clone() && one != other);
+    assert!(!one.is_mirrored() && !one.is_mirrored_in_y());
+    assert_eq!(Ramp.distance_to_rim(3.0, -4.0), f64::INFINITY);
+    // The mean of |ρ cos φ| is 2ρ/π.
+    let mean = one.mean_profile(0.5) / (1.0 / std::f64::consts::PI);
+    assert!((mean - 1.0).abs() < 0.01, "{mean}");
+}
+
+#[test]
+fn what_an_indenter_says_of_its_symmetry_holds_of_its_heights() {
+    for indenter in all() {
+        let [x, y] = [0.31, 0.17];
+        let heights = [[x, y], [-x, y], [x, -y]].map(|[x, y]| indenter.height(x, y));
+        let alike = |other: f64| (heights[0] - other).abs() < 1e-12 || heights[0] == other;
+        let is_map = matches!(indenter, Indenter::Map(_));
+        assert_eq!(Profile::is_mirrored(&indenter), indenter.is_mirrored());
+        assert_eq!(indenter.is_mirrored_in_y(), !is_map, "{indenter:?}");
+        assert!(!indenter.is_mirrored_in_y() || alike(heights[2]));
+        assert!(!indenter.is_mirrored() || (alike(heights[1]) && alike(heights[2])));
+    }
+    let berkovich: Indenter = Pyramid::berkovich(0.3).unwrap().into();
+    assert!(!berkovich.is_mirrored() && berkovich.is_mirrored_in_y());
+}

@@ -277,3 +277,6 @@ fn after(before: Iterate, iterate: Iterate) -> Iterate {
 fn is_worth_it(size: usize, elements: &[u32]) -> bool {
     LEAST_GAIN * scattered_work(size, elements) <= WHOLE_STEP * size * size
 }
+
+#[cfg(test)]
+mod tests;

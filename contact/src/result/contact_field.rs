@@ -134,3 +134,115 @@ impl ContactField<'_> {
         self.point([i as f64, j as f64])
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use pellicle_influence::{Cache, RadialTables};
+    use pellicle_kernel::{Foundation, Material};
+    use pellicle_texture::{Film, Relief};
+
+    use super::*;
+    use crate::Paraboloid;
+
+    const SIZE: usize = 6;
+
+    /// Asks a field on a square of side 6, on a film whose springs stiffen and whose relief covers x > 0.
+    fn with_field<T>(
+        boundary: Boundary,
+        pressure: &[f64],
+        ask: impl FnOnce(&ContactField<'_>) -> T,
+    ) -> T {
+        let body = Foundation::half_space(Material::new(1.0, 0.3).unwrap());
+        let model = Model {
+            tables: Arc::new(RadialTables::build(&body).unwrap()),
+            relief: Relief::Film(Film::new(0.5, 2.0).unwrap().stiffening()),
+            indenter: Paraboloid::new(1.0).unwrap().into(),
+            cache: Cache::none(),
+        };
+        let (grid, window) = (Grid::new(6.0, SIZE).unwrap(), Window::whole(SIZE));
+        let elements = 0..SIZE * SIZE;
+        let mask: Vec<bool> = elements.clone().map(|e| e / SIZE >= 3).collect();
+        let compliance: Vec<f64> = elements.map(|e| 0.25 + 0.01 * (e as f64)).collect();
+        let nothing = vec![0.0; SIZE * SIZE];
+        ask(&ContactField {
+            model: &model,
+            grid: &grid,
+            boundary,
+            window: &window,
+            pressure,
+            hardness: 3.0,
+            initial_gap: &nothing,
+            judged: &JudgedFields::on(window),
+            mask: &mask,
+            compliance: &compliance,
+            coefficient: 1.0,
+        })
+    }
+
+    #[test]
+    fn four_elements_lie_on_one_side_unless_the_outline_is_between_them() {
+        let pressure = [0.0; SIZE * SIZE];
+        with_field(Boundary::Free, &pressure, |field| {
+            for i in 0..5 {
+                for j in 0..5 {
+                    assert_eq!(field.is_one_side([i, j]), i != 2, "{i} {j}");
+                }
+            }
+            // Beyond the grid there is no relief.
+            let ends = [[5, 2], [4, 5], [0, 5], [-1, 2], [1, -1], [4, -1]];
+            let found = ends.map(|place| field.is_one_side(place));
+            assert_eq!(found, [false, false, true, true, true, false]);
+        });
+        with_field(Boundary::Periodic, &pressure, |field| {
+            // The next cell begins as this one does.
+            let ends = [[5, 2], [4, 5], [0, 5]].map(|place| field.is_one_side(place));
+            assert_eq!(ends, [false, true, true]);
+        });
+    }
+
+    #[test]
+    fn contact_around_a_place_counts_the_four_elements_of_this_cell_or_the_next() {
+        let pressure: Vec<f64> = (0..SIZE * SIZE)
+            .map(|e| f64::from(u8::from(e % 5 == 0 || e / SIZE == 4)))
+            .collect();
+        for boundary in [Boundary::Free, Boundary::Periodic] {
+            let count = |i: isize, j: isize| {
+                let corners = [[i, j], [i + 1, j], [i, j + 1], [i + 1, j + 1]];
+                let presses = |[i, j]: [isize; 2]| {
+                    let size = SIZE.cast_signed();
+                    let wrapped = [i, j].map(|k| k.rem_euclid(size).unsigned_abs());
+                    let is_here = boundary == Boundary::Periodic
+                        || wrapped == [i, j].map(isize::unsigned_abs);
+                    is_here && pressure[wrapped[0] * SIZE + wrapped[1]] > 0.0
+                };
+                corners.into_iter().filter(|place| presses(*place)).count()
+            };
+            with_field(boundary, &pressure, |field| {
+                for i in 0..6 {
+                    for j in 0..6 {
+                        assert_eq!(field.in_contact_around([i, j]), count(i, j), "{i} {j}");
+                    }
+                }
+            });
+        }
+    }
+
+    #[test]
+    fn springs_shorten_by_their_law_and_the_hardness_is_the_limit() {
+        let mut pressure = vec![0.0; SIZE * SIZE];
+        (pressure[8], pressure[27]) = (2.0, 3.0);
+        with_field(Boundary::Free, &pressure, |field| {
+            for (e, eta) in [(8, 0.33), (27, 0.52)] {
+                // h (1 − exp(−p/E)) with h = η E
+                let shortening = -eta * 2.0 * (-pressure[e] / 2.0).exp_m1();
+                let found = field.secant_of(e) * pressure[e];
+                assert!((found / shortening - 1.0).abs() < 1e-13, "{e}");
+            }
+            assert!((field.secant_of(5) / 0.3 - 1.0).abs() < 1e-14);
+            let limits = [8, 27, 5].map(|e| field.is_at_limit(e));
+            assert_eq!(limits, [false, true, false]);
+        });
+    }
+}

@@ -113,10 +113,87 @@ fn vertex(around: &impl Fn(Place) -> f64) -> Option<(f64, [f64; 2])> {
 
 #[cfg(test)]
 mod tests {
-    use pellicle_texture::{CylinderSpec, Cylinders, Lattice};
+    use std::sync::Arc;
+
+    use pellicle_influence::{Cache, RadialTables};
+    use pellicle_kernel::{Foundation, Material};
+    use pellicle_texture::{CylinderSpec, Cylinders, Grid, Lattice};
 
     use super::*;
-    use crate::{FlatPunch, Paraboloid};
+    use crate::{
+        Boundary, FlatPunch, Model, Paraboloid, grid::window::Window,
+        result::certificate::JudgedFields,
+    };
+
+    const SIZE: usize = 20;
+
+    /// The peak of `p = 9 − 4 (x − x₀)² − 2 (x − x₀)(y − y₀) − 3 (y − y₀)²` on a square of side 4, under this indenter.
+    fn peak_of(indenter: Indenter, vertex: [f64; 2], hardness: f64) -> Peak {
+        let body = Foundation::half_space(Material::new(1.0, 0.3).unwrap());
+        let model = Model {
+            tables: Arc::new(RadialTables::build(&body).unwrap()),
+            relief: Relief::Bare,
+            indenter,
+            cache: Cache::none(),
+        };
+        let (grid, window) = (Grid::new(4.0, SIZE).unwrap(), Window::whole(SIZE));
+        let pressure = grid.centres().map(|place| {
+            let [x, y] = [place[0] - vertex[0], place[1] - vertex[1]];
+            (9.0 - 4.0 * x * x - 2.0 * x * y - 3.0 * y * y).clamp(0.0, hardness)
+        });
+        let pressure: Vec<f64> = pressure.collect();
+        let largest = (0..SIZE * SIZE).max_by(|e, f| pressure[*e].total_cmp(&pressure[*f]));
+        let element = largest.unwrap();
+        let nothing = vec![0.0; SIZE * SIZE];
+        let field = ContactField {
+            model: &model,
+            grid: &grid,
+            boundary: Boundary::Free,
+            window: &window,
+            pressure: &pressure,
+            hardness,
+            initial_gap: &nothing,
+            judged: &JudgedFields::on(window),
+            mask: &[false; SIZE * SIZE],
+            compliance: &nothing,
+            coefficient: 1.0,
+        };
+        Peak::of(
+            &field,
+            [element / SIZE, element % SIZE].map(usize::cast_signed),
+        )
+    }
+
+    #[test]
+    fn the_peak_of_a_smooth_contact_is_between_the_centres_and_at_an_edge_at_one() {
+        let ball: Indenter = Paraboloid::new(1.0).unwrap().into();
+        for vertex in [[0.23, -0.41], [-0.47, 0.33], [0.0, 0.52]] {
+            let found = peak_of(ball.clone(), vertex, f64::INFINITY);
+            // A few roundings of numbers below 9.
+            assert!((found.pressure - 9.0).abs() < 1e-13, "{}", found.pressure);
+            let apart = (found.at[0] - vertex[0]).hypot(found.at[1] - vertex[1]);
+            assert!(apart < 1e-13, "{:?}", found.at);
+            assert_eq!(found.place, PeakPlace::Inside);
+            // Exactly on the axis, if there but for rounding.
+            assert_eq!(found.at[0] == 0.0, vertex[0] == 0.0);
+        }
+        let [x, y] = [0.5, -0.1];
+        let punch: Indenter = FlatPunch::new(0.55).unwrap().into();
+        let found = peak_of(punch, [0.43, -0.17], f64::INFINITY);
+        assert_eq!(found.place, PeakPlace::IndenterEdge);
+        assert!(
+            (found.at[0] - x).hypot(found.at[1] - y) < 1e-13,
+            "{:?}",
+            found.at
+        );
+        let [x, y] = [x - 0.43, y + 0.17];
+        assert!((found.pressure - (9.0 - 4.0 * x * x - 2.0 * x * y - 3.0 * y * y)).abs() < 1e-13);
+        // Cut, it is the hardness at an element; not cut at any, the vertex is no higher.
+        let cut = peak_of(ball.clone(), [0.23, -0.41], 8.0);
+        assert_eq!(cut.pressure, 8.0);
+        let below = peak_of(ball, [0.2, -0.4], 8.97);
+        assert_eq!((below.pressure, below.place), (8.97, PeakPlace::Inside));
+    }
 
     #[test]
     fn a_paraboloid_returns_its_vertex() {

@@ -77,3 +77,16 @@ impl Status {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_words_of_a_status_are_those_that_it_is_stored_by_from_good_to_bad() {
+        let all = [Status::Certified, Status::CutOff, Status::NotConverged];
+        let words = all.map(|status| serde_json::to_string(&status).unwrap());
+        assert_eq!(words, all.map(|status| format!("\"{}\"", status.word())));
+        assert!(all.is_sorted() && all[0] == Status::default());
+    }
+}

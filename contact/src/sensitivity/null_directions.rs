@@ -79,3 +79,93 @@ impl Model {
         Some((ModelParameter::Indenter(quantity), change))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::{f64::consts::FRAC_PI_3, sync::Arc};
+
+    use pellicle_influence::{Cache, ElasticParameter, RadialTables};
+    use pellicle_kernel::{Foundation, Material};
+    use pellicle_texture::Film;
+
+    use super::*;
+    use crate::{Cone, FlatPunch, Paraboloid, Pyramid};
+
+    const YOUNG: f64 = 2.0;
+
+    fn model(relief: Relief, indenter: impl Into<Indenter>) -> Model {
+        let body = Foundation::half_space(Material::new(YOUNG, 0.3).unwrap());
+        Model {
+            tables: Arc::new(RadialTables::build(&body).unwrap()),
+            relief,
+            indenter: indenter.into(),
+            cache: Cache::none(),
+        }
+    }
+
+    /// Of the direction that changes the indenter: the indenter's change, and those of the film's and of the body's
+    /// moduli as parts of them.
+    fn gauge(model: &Model) -> Option<[f64; 3]> {
+        let directions = model.null_directions();
+        let of_indenter = |direction: &&ModelDirection| {
+            let mut parts = direction.iter();
+            parts.any(|(of, _)| matches!(of, ModelParameter::Indenter(_)))
+        };
+        let direction = directions.iter().find(of_indenter)?;
+        let mut changes = [0.0; 3];
+        for (of, change) in direction {
+            match of {
+                ModelParameter::Indenter(_) => changes[0] += change,
+                ModelParameter::Relief(ReliefParameter::YoungModulus) => changes[1] += change,
+                ModelParameter::Elastic(ElasticParameter::Foundation(_)) => {
+                    changes[2] += change / YOUNG;
+                }
+                other => panic!("{other:?}"),
+            }
+        }
+        Some(changes)
+    }
+
+    #[test]
+    fn along_the_scale_of_lengths_no_closed_form_changes() {
+        // D³ ~ Q²/(R E²) under a ball
+        let radius = 0.5;
+        let [change, _, modulus] =
+            gauge(&model(Relief::Bare, Paraboloid::new(radius).unwrap())).unwrap();
+        assert!((change / radius + 2.0 * modulus).abs() < 1e-14 && modulus != 0.0);
+        // D² ~ Q cot α/E under a cone of half angle α to the axis; the same under a pyramid.
+        let cone = Cone::new(FRAC_PI_3, 0.0).unwrap();
+        let [change, _, modulus] = gauge(&model(Relief::Bare, cone)).unwrap();
+        let slope = 1.0 / FRAC_PI_3.tan();
+        let step = 1e-6;
+        let of_slope = (1.0 / (FRAC_PI_3 + step * change).tan() / slope).ln() / step;
+        assert!((of_slope - modulus).abs() < 1e-5, "{of_slope} {modulus}");
+        // A film gives way by η = H/E, times b² as R.
+        let film = Film::new(0.01, 3.0).unwrap();
+        let on_film = model(Relief::Film(film), Paraboloid::new(radius).unwrap());
+        let [change, of_film, _] = gauge(&on_film).unwrap();
+        assert!((of_film / 3.0 + change / radius).abs() < 1e-14);
+        // A length of its own leaves no scale.
+        assert!(gauge(&model(Relief::Bare, FlatPunch::new(1.0).unwrap())).is_none());
+        let berkovich = Pyramid::berkovich(0.01).unwrap();
+        assert!(gauge(&model(Relief::Bare, berkovich)).is_none());
+    }
+
+    #[test]
+    fn of_a_linear_film_thickness_and_modulus_may_grow_together() {
+        let film = Film::new(0.01, 3.0).unwrap();
+        let of_film = |film: Film| {
+            let model = model(Relief::Film(film), FlatPunch::new(1.0).unwrap());
+            let height = ModelParameter::Relief(ReliefParameter::Height);
+            let directions = model.null_directions().into_iter();
+            directions
+                .filter(|direction| direction.iter().any(|(of, _)| *of == height))
+                .collect::<Vec<_>>()
+        };
+        let found = of_film(film);
+        let modulus = ModelParameter::Relief(ReliefParameter::YoungModulus);
+        let height = ModelParameter::Relief(ReliefParameter::Height);
+        assert_eq!(found, [[(height, 0.01), (modulus, 3.0)]]);
+        assert!(of_film(film.stiffening()).is_empty());
+    }
+}

@@ -86,3 +86,6 @@ pub fn solve(
     };
     Ok(iterate)
 }
+
+#[cfg(test)]
+mod tests;

@@ -42,3 +42,81 @@ impl Observer for () {
         Signal::Continue
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        ActiveSetSolver, ContactError, GradientSolver, Load, Solver, Watch,
+        solver::tests::{RIGID, SIZE, paraboloid, problem},
+    };
+
+    /// Keeps what it is told, and cancels before a step.
+    struct Listener {
+        told: Vec<Progress>,
+        last: usize,
+    }
+
+    impl Observer for Listener {
+        fn progress(&mut self, progress: &Progress) -> Signal {
+            self.told.push(*progress);
+            if progress.iteration == self.last {
+                Signal::Cancel
+            } else {
+                Signal::Continue
+            }
+        }
+    }
+
+    fn solve(solver: &mut dyn Solver, last: usize) -> (Vec<Progress>, Option<usize>) {
+        let mut problem = problem([1.0, 0.1], paraboloid, RIGID);
+        let mut listener = Listener {
+            told: Vec::new(),
+            last,
+        };
+        let mut watch = Watch {
+            observer: &mut listener,
+            step: 2,
+            finished: 1,
+            steps: 5,
+        };
+        let start = [0.0; SIZE * SIZE];
+        let found = solver.solve(&mut problem, Load::Penetration(0.01), &start, &mut watch);
+        let pressing = match found {
+            Ok(found) => {
+                assert!(
+                    found.penetration.is_infinite()
+                        || (found.penetration / 0.01 - 1.0).abs() < 1e-12
+                );
+                Some(found.pressure.iter().filter(|p| **p > 0.0).count())
+            }
+            Err(ContactError::Cancelled { step: 2 }) => None,
+            Err(other) => panic!("{other:?}"),
+        };
+        (listener.told, pressing)
+    }
+
+    #[test]
+    fn who_watches_is_told_of_every_step_in_turn_and_may_cancel() {
+        for solver in [
+            &mut GradientSolver::default() as &mut dyn Solver,
+            &mut ActiveSetSolver::default(),
+        ] {
+            let (told, pressing) = solve(solver, usize::MAX);
+            for (iteration, progress) in told.iter().enumerate() {
+                assert_eq!(progress.iteration, iteration);
+                let place = [progress.step, progress.finished, progress.steps];
+                assert_eq!((place, progress.elements), ([2, 1, 5], SIZE));
+            }
+            let [first, .., last] = &told[..] else {
+                panic!("{told:?}")
+            };
+            assert!(last.residual < 1e-8 && first.residual > 1e-3);
+            // The set ends with what presses, begun with all of it new.
+            assert_eq!(Some(last.working_set), pressing);
+            assert_eq!(first.working_set, first.working_set_change);
+            let (told, pressing) = solve(solver, 2);
+            assert_eq!((told.len(), pressing), (3, None));
+        }
+    }
+}

@@ -207,3 +207,6 @@ impl Asked {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

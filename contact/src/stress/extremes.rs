@@ -164,3 +164,81 @@ pub fn stress_extremes(
     let interfaces = interfaces.collect();
     Ok(StressExtremes { bodies, interfaces })
 }
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use pellicle_influence::{Cache, RadialTables};
+    use pellicle_kernel::{Foundation, Material};
+    use pellicle_texture::Relief;
+
+    use super::*;
+    use crate::{
+        Domain, Load, Model, Paraboloid, SolverOptions, solve_path,
+        stress::model::{BodyPart, BodyStrengths, InterfacePart, InterfaceStrengths},
+    };
+
+    #[test]
+    fn extremes_of_a_body_and_a_plane_are_those_of_hertz_and_what_they_use_of_strengths() {
+        let body = Foundation::half_space(Material::new(1.0, 0.3).unwrap());
+        let model = Model {
+            tables: Arc::new(RadialTables::build(&body).unwrap()),
+            relief: Relief::Bare,
+            indenter: Paraboloid::new(1.0).unwrap().into(),
+            cache: Cache::none(),
+        };
+        let a: f64 = 0.3;
+        let p0 = 2.0 * a / (std::f64::consts::PI * 0.91);
+        let (load, options) = (Load::Penetration(a * a), SolverOptions::default());
+        let path = solve_path(&model, Domain::Side(1.0), 24, &[load], &options, &mut ());
+        let stress = StressModel {
+            bodies: vec![BodyPart {
+                name: "half".to_owned(),
+                top: 0.3 * a,
+                bottom: a,
+                strengths: BodyStrengths {
+                    yield_strength: Some(p0),
+                    tensile_strength: Some(p0),
+                },
+            }],
+            interfaces: vec![InterfacePart {
+                index: 3,
+                depth: a,
+                strengths: InterfaceStrengths {
+                    shear_strength: Some(2.0 * p0),
+                    tensile_strength: Some(p0),
+                },
+            }],
+            ..StressModel::default()
+        };
+        let found = stress_extremes(&path.unwrap(), 0, &stress).unwrap();
+        let [body] = &found.bodies[..] else {
+            panic!("one body")
+        };
+        let [plane] = &found.interfaces[..] else {
+            panic!("one plane")
+        };
+        // Seven elements to the radius.
+        let near = |found: f64, wanted: f64| (found / wanted - 1.0).abs() < 0.04;
+        assert!(near(body.max_von_mises.value, 0.62 * p0));
+        assert!(near(body.max_shear.value, 0.31 * p0));
+        assert!(near(body.utilisation.yielding.unwrap(), 0.62));
+        // The least principal stress is that along z on the axis, largest at the top of the range.
+        assert!(
+            near(body.min_principal.value, -p0 / (1.0 + 0.09)),
+            "{body:?}"
+        );
+        assert!(near(plane.max_compression.value, p0 / 2.0), "{plane:?}");
+        assert_eq!(
+            (plane.index, plane.depth, plane.max_tension.value),
+            (3, a, 0.0)
+        );
+        assert_eq!(plane.utilisation.tension, Some(0.0));
+        let shear = plane.max_shear_traction.value;
+        assert!(shear > 0.05 * p0 && shear < 0.3 * p0);
+        assert_eq!(plane.utilisation.shear, Some(shear / (2.0 * p0)));
+        let tension = body.utilisation.tension.unwrap();
+        assert_eq!(tension, body.max_principal.value.max(0.0) / p0);
+    }
+}

@@ -290,4 +290,94 @@ mod tests {
         );
         assert!((value([0.7, 2.0], 0.8) / there(0.7) - 1.0).abs() < 1e-9);
     }
+
+    /// A half-space of Poisson's ratio 0.3 under an indenter at a depth, on a square of side 1 and grids of up to 32
+    /// elements.
+    fn solved(indenter: impl Into<crate::Indenter>, depth: f64) -> LoadingPath {
+        let body = Foundation::half_space(Material::new(1.0, 0.3).unwrap());
+        let model = crate::Model {
+            tables: Arc::new(RadialTables::build(&body).unwrap()),
+            relief: pellicle_texture::Relief::Bare,
+            indenter: indenter.into(),
+            cache: pellicle_influence::Cache::none(),
+        };
+        let options = crate::SolverOptions {
+            coarse_pressures: true,
+            ..crate::SolverOptions::default()
+        };
+        let (domain, load) = (crate::Domain::Side(1.0), crate::Load::Penetration(depth));
+        crate::solve_path(&model, domain, 32, &[load], &options, &mut ()).unwrap()
+    }
+
+    #[test]
+    fn under_a_ball_the_largest_stresses_are_those_of_hertz_each_in_its_range() {
+        let a: f64 = 0.3;
+        let path = solved(crate::Paraboloid::new(1.0).unwrap(), a * a);
+        // p0 = 2 E* a/(π R)
+        let p0 = 2.0 * a / (std::f64::consts::PI * 0.91);
+        let body = Target {
+            top: 0.0,
+            bottom: f64::INFINITY,
+            quantities: vec![Quantity::VonMises, Quantity::MaxShear],
+        };
+        // −σ_zz = p0/(1 + z²/a²) on the axis, and no shear there.
+        let depth = 0.5 * a;
+        let interface = Target {
+            top: depth,
+            bottom: depth,
+            quantities: vec![Quantity::Compression],
+        };
+        let deep = Target {
+            top: a,
+            bottom: 2.0 * a,
+            quantities: vec![Quantity::Compression],
+        };
+        let finder = Finder::new(&path, &path.steps[0], Sliding::default());
+        let found = finder.find(&[body, interface, deep]).unwrap();
+        // Johnson 1985: 0.62 p0 and 0.31 p0 at 0.48 a.
+        for (extreme, wanted, z) in [
+            (found[0][0], 0.62, 0.481 * a),
+            (found[0][1], 0.31, 0.481 * a),
+            (found[1][0], 0.8, depth),
+            (found[2][0], 0.5, a),
+        ] {
+            // Ten elements to the radius.
+            assert!(
+                (extreme.value / p0 / wanted - 1.0).abs() < 0.02,
+                "{extreme:?}"
+            );
+            assert!((extreme.at[2] / z - 1.0).abs() < 0.05, "{extreme:?}");
+            assert_eq!(extreme.at[..2], [0.0; 2]);
+            let estimate = extreme.estimate.unwrap();
+            assert!(estimate < 0.1 * extreme.value, "{extreme:?}");
+        }
+        assert_eq!([found[0].len(), found[1].len(), found[2].len()], [2, 1, 1]);
+    }
+
+    #[test]
+    fn an_extreme_at_an_edge_near_the_surface_is_not_resolved_and_one_beside_the_axis_is_on_it() {
+        let path = solved(crate::FlatPunch::new(0.2).unwrap(), 0.01);
+        let finder = Finder::new(&path, &path.steps[0], Sliding::default());
+        let side = path.grid.element_side();
+        let values = [(8, 1.5), (16, 1.125), (32, 1.03125)];
+        let judged = |at: [f64; 3]| finder.judged(Peak { value: 1.03125, at }, &values);
+        for (at, is_resolved) in [
+            ([0.2, 0.0, 1.9 * side], false),
+            ([0.2, 0.0, 2.1 * side], true),
+            ([0.0, -0.2, 0.0], false),
+            ([0.05, 0.05, 0.0], true),
+        ] {
+            let found = judged(at);
+            assert_eq!(found.resolved, is_resolved, "{at:?}");
+            assert_eq!((found.value, found.at[2]), (1.03125, at[2]));
+            let accuracy =
+                path.steps[0].solution.certificate.worst() + path.tables.error_estimate();
+            let wanted = Estimate::of_values(&values, true, !is_resolved, accuracy);
+            assert_eq!(found.estimate, wanted.map(|wanted| wanted.estimate));
+        }
+        let snapped = judged([0.9e-3 * side, -1.1e-3 * side, 0.1]);
+        assert_eq!(snapped.at, [0.0, -1.1e-3 * side, 0.1]);
+        let snapped = judged([1.1e-3 * side, -0.9e-3 * side, 0.1]);
+        assert_eq!(snapped.at, [1.1e-3 * side, 0.0, 0.1]);
+    }
 }

@@ -210,3 +210,55 @@ fn an_index_on_the_whole_grid_counts_from_the_axes_of_a_sector() {
         }
     }
 }
+
+#[test]
+fn a_cell_across_an_axis_belongs_to_as_many_quadrants_as_it_has_images_of_one_element() {
+    for sector in [Sector::Whole, Sector::Half, Sector::Quadrant] {
+        let window = Window::all_of(sector, 10);
+        let [x, y] = sector.mirrored();
+        let half = |is_mirrored: bool| if is_mirrored { 0.5 } else { 1.0 };
+        let shares =
+            [[3, 4], [-1, 4], [3, -1], [-1, -1], [0, 0]].map(|at| window.share_of_cell(at));
+        let wanted = [1.0, half(x), half(y), half(x) * half(y), 1.0];
+        assert_eq!(shares, wanted, "{sector:?}");
+        // So the cells between all places are as many as on the whole grid.
+        let [rows, columns] = window.lengths().map(usize::cast_signed);
+        let first = |is_mirrored: bool| if is_mirrored { -1 } else { 0 };
+        let places =
+            (first(x)..rows - 1).flat_map(|i| (first(y)..columns - 1).map(move |j| [i, j]));
+        let cells: f64 = places.map(|place| window.share_of_cell(place)).sum();
+        let lines = (window.whole_grid() - 1) as f64;
+        assert_eq!(cells * sector.images() as f64, lines * lines, "{sector:?}");
+    }
+}
+
+#[test]
+fn before_an_axis_lies_the_mirror_image_and_before_the_grid_nothing() {
+    for sector in [Sector::Whole, Sector::Half, Sector::Quadrant] {
+        let window = Window::all_of(sector, 10);
+        let size = window.size();
+        let [x, y] = sector.mirrored();
+        assert_eq!(window.element([-3, 4]), x.then_some(2 * size + 4));
+        assert_eq!(window.element([4, -1]), y.then_some(4 * size));
+        let last = window.lengths()[0] - 1;
+        assert_eq!(window.element([last.cast_signed() + 1, 0]), None);
+        // Every element is found again by its first image, and that lies first.
+        for row in [0, 1, last] {
+            for column in [0, 3, size - 1] {
+                let image = window.first_image([row, column]);
+                let place = window.place_of_image(image);
+                assert_eq!(place, [row, column].map(usize::cast_signed), "{sector:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn of_two_windows_the_wider_is_taken_and_grows_by_at_least_what_there_is() {
+    let (small, large) = (window([4, 4], 6), window([2, 3], 12));
+    assert_eq!(small.wider(large), large);
+    let kept = large.wider(small);
+    assert!(kept.size() > large.size() || kept.is_whole());
+    let same = large.wider(window([5, 5], 12));
+    assert!(same.size() > large.size() || same.is_whole());
+}

@@ -5,9 +5,13 @@ use std::sync::Arc;
 
 use pellicle_influence::{Cache, RadialTables};
 use pellicle_kernel::{Foundation, Material};
-use pellicle_texture::{CylinderSpec, Cylinders, Film, Lattice, Relief};
+use pellicle_texture::{
+    CylinderSpec, Cylinders, Film, HeightMap, Lattice, MapCompliance, Relief, ReliefMap,
+};
 
-use super::{Guess, default_side, elastic_force, estimated_force, force_at, relief_volume};
+use super::{
+    Guess, default_side, default_side_at, elastic_force, estimated_force, force_at, relief_volume,
+};
 use crate::{FlatPunch, Indenter, Load, Model, Paraboloid, Profile as _};
 
 fn model(foundation: &Foundation, relief: Relief, indenter: impl Into<Indenter>) -> Model {
@@ -206,4 +210,32 @@ fn an_estimated_force_is_that_of_a_contact_as_wide_as_the_indenter_is_high() {
         [0.0, -0.1].map(|depth| estimated_force(&model, depth)),
         [0.0; 2]
     );
+}
+
+#[test]
+fn a_hardness_wants_the_area_that_it_carries_the_force_on() {
+    let model = model(&half_space(1.0), Relief::Bare, paraboloid(1.0));
+    let a = 0.2_f64;
+    let force = 4.0 / 3.0 * a.powi(3);
+    // Twice 1.5 radii of a disc of the area Q/p_max, where that is wider than the elastic contact.
+    let hardness = force / (PI * 0.3_f64.powi(2));
+    let loads = [Load::Force(force), Load::Penetration(1e-3)];
+    let side = default_side_at(&model, &loads, hardness);
+    assert!((side / 0.9 - 1.0).abs() < 1e-12, "{side}");
+    let hard = default_side_at(&model, &loads, 100.0 * hardness);
+    assert_eq!(hard, default_side(&model, &loads));
+}
+
+#[test]
+fn a_map_without_springs_is_as_bare() {
+    let map = |eta: f64| {
+        let heights = HeightMap::new(vec![0.0; 16], [4, 4], [1.0, 1.0]).unwrap();
+        Relief::Map(ReliefMap::new(heights, MapCompliance::Uniform(eta)).unwrap())
+    };
+    let on = |relief: Relief| force_at(&model(&half_space(5.0), relief, paraboloid(2.0)), 0.2);
+    assert_eq!(on(map(0.0)), on(Relief::Bare));
+    // A map of springs of even compliance is a film.
+    let film = Film::new(0.02, 0.1).unwrap();
+    let ratio = on(map(0.2)) / on(Relief::Film(film));
+    assert!((ratio - 1.0).abs() < 1e-12, "{ratio}");
 }

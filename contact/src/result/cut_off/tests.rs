@@ -5,7 +5,7 @@ use pellicle_kernel::{Foundation, Material};
 use pellicle_texture::{HeightMap, MapCompliance, ReliefMap};
 
 use super::*;
-use crate::{Certificate, FlatPunch, IndenterMap, Paraboloid};
+use crate::{Certificate, FlatPunch, IndenterMap, Paraboloid, Profile};
 
 /// A solution without residuals.
 fn solution(penetration: f64, force: f64, pressure: Vec<f64>) -> Solution {
@@ -179,4 +179,122 @@ fn a_first_look_is_clear_where_the_gap_is_a_tenth_wider_than_the_penetration() {
     // force moves them by, Q/(π E* r) or 0.036 here, must be more than 1.1 times the penetration.
     assert!(is_clear(0.125, 0.0) && is_clear(0.128, 0.0) && !is_clear(0.13, 0.0));
     assert!(is_clear(0.157, 0.06) && !is_clear(0.166, 0.06));
+}
+
+/// The elements of a square of 10 × 10 that press, under a ball of radius 1, at a penetration.
+fn pressed_by_ball(on: &[[usize; 2]], penetration: f64) -> Solution {
+    let mut pressure = vec![0.0; 100];
+    on.iter().for_each(|[i, j]| pressure[i * 10 + j] = 1e-9);
+    solution(penetration, 1e-11, pressure)
+}
+
+#[test]
+fn what_presses_at_the_rim_goes_on_where_the_gap_behind_it_is_less_than_the_penetration() {
+    let ball = model(Paraboloid::new(1.0).unwrap().into(), Relief::Bare);
+    let grid = Grid::new(0.2, 10).unwrap();
+    let around = Surroundings::of(&ball, grid);
+    // Behind the rim x = ±0.11, beside the middle y = 0.03: f = (x² + y²)/2
+    let behind = f64::midpoint(0.11 * 0.11, 0.03 * 0.03);
+    for rim in [
+        [0, 6],
+        [9, 6],
+        [6, 0],
+        [6, 9],
+        [0, 3],
+        [9, 3],
+        [3, 0],
+        [3, 9],
+    ] {
+        let goes_on = |depth: f64| around.presses_at_the_rim(&pressed_by_ball(&[rim], depth));
+        assert!(
+            goes_on(1.001 * behind) && !goes_on(0.999 * behind),
+            "{rim:?}"
+        );
+    }
+    // At a corner it is farther to what is behind; within, nothing is at the rim.
+    let corner = f64::midpoint(0.11 * 0.11, 0.09 * 0.09);
+    for rim in [[0, 0], [0, 9], [9, 0], [9, 9]] {
+        let goes_on = |depth: f64| around.presses_at_the_rim(&pressed_by_ball(&[rim], depth));
+        assert!(
+            goes_on(1.001 * corner) && !goes_on(0.999 * corner),
+            "{rim:?}"
+        );
+    }
+    let inner: Vec<[usize; 2]> = (1..9).flat_map(|i| (1..9).map(move |j| [i, j])).collect();
+    assert!(!around.presses_at_the_rim(&pressed_by_ball(&inner, 1.0)));
+}
+
+/// A ball of radius 0.1, and beside it at 0.15 along x one of radius 1 whose tip is higher by 0.01.
+#[derive(Debug)]
+struct Tips;
+
+impl Profile for Tips {
+    fn height(&self, x: f64, y: f64) -> f64 {
+        let other = 0.01 + f64::midpoint((x - 0.15) * (x - 0.15), y * y);
+        (5.0 * (x * x + y * y)).min(other)
+    }
+}
+
+#[test]
+fn what_would_touch_farther_away_cuts_a_contact_off() {
+    let tips = model(Indenter::custom(Tips), Relief::Bare);
+    let ball = model(Paraboloid::new(1.0).unwrap().into(), Relief::Bare);
+    let grid = Grid::new(0.2, 10).unwrap();
+    let middle = [[4, 4], [4, 5], [5, 4], [5, 5]];
+    let cuts = |model: &Model, depth: f64| {
+        let found = Surroundings::of(model, grid).what_cuts_off(&pressed_by_ball(&middle, depth));
+        assert!(found.is_none_or(|found| found == CutOff::Domain));
+        found.is_some()
+    };
+    // The surface hardly moves: the other tip, beyond the domain's edge, touches from a depth of 0.01 on, by the blocks
+    // that it is seen with and what counts as overlap.
+    assert!(!cuts(&tips, 0.004) && !cuts(&tips, 0.009));
+    assert!(cuts(&tips, 0.013) && cuts(&tips, 0.02));
+    // Under one ball alone nothing but what is beside the domain's edge, from 0.005 on.
+    assert!(!cuts(&ball, 0.004) && cuts(&ball, 0.02));
+    // Without contact, or without a penetration, nothing is cut off.
+    let mut around = Surroundings::of(&tips, grid);
+    assert!(!around.cut_off(&pressed_by_ball(&[], 0.02)));
+    assert!(!around.cut_off(&pressed_by_ball(&middle, f64::NAN)));
+    assert!(!around.cut_off(&pressed_by_ball(&middle, f64::INFINITY)));
+    assert!(around.cut_off(&pressed_by_ball(&middle, 0.02)));
+}
+
+#[test]
+fn a_first_square_is_the_last_where_the_indenter_is_higher_around_it() {
+    let ball = model(Paraboloid::new(1.0).unwrap().into(), Relief::Bare);
+    let frame = SquareFrame::of(&ball, 1.0);
+    assert!(frame.is_the_last(&ball, 0.12) && !frame.is_the_last(&ball, 0.13));
+    // Nothing is known of a shape of the user's own before its blocks are looked at.
+    let tips = model(Indenter::custom(Tips), Relief::Bare);
+    let frame = SquareFrame::of(&tips, 1.0);
+    assert!(!frame.is_the_last(&tips, -1.0));
+}
+
+/// A plane that leans towards −x and, twice as much, towards −y.
+#[derive(Debug)]
+struct Slant;
+
+impl Profile for Slant {
+    fn height(&self, x: f64, y: f64) -> f64 {
+        1.0 + x + 2.0 * y
+    }
+}
+
+#[test]
+fn what_lies_behind_each_side_of_the_rim_is_looked_at_there() {
+    let slant = model(Indenter::custom(Slant), Relief::Bare);
+    let around = Surroundings::of(&slant, Grid::new(0.2, 10).unwrap());
+    for (rim, x, y) in [
+        ([0, 6], -0.11, 0.03),
+        ([9, 6], 0.11, 0.03),
+        ([6, 0], 0.03, -0.11),
+        ([6, 9], 0.03, 0.11),
+    ] {
+        let goes_on = |depth: f64| around.presses_at_the_rim(&pressed_by_ball(&[rim], depth));
+        let behind = Slant.height(x, y);
+        assert!(goes_on(behind + 1e-3) && !goes_on(behind - 1e-3), "{rim:?}");
+    }
+    // The lowest of the four elements around the axis, at ±0.01.
+    assert!((lowest_height(&slant, &Grid::new(0.2, 10).unwrap()) - 0.97).abs() < 1e-15);
 }

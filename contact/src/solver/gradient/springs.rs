@@ -95,3 +95,142 @@ impl Springs {
         tangents.part_downhill(rest, &state.pressure, [slope, curvature])
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use pellicle_texture::SpringLaw;
+
+    use super::*;
+    use crate::{
+        Load,
+        solver::{
+            gradient::control::Control,
+            tests::{SIZE, problem},
+        },
+    };
+
+    /// Height and compliance at rest of springs whose modulus is 1, beside which the body hardly gives way.
+    const HEIGHT: f64 = 1e4;
+    const ELEMENTS: usize = SIZE * SIZE;
+
+    fn stiffening() -> DiscreteProblem {
+        let problem = problem([1.0, 0.1], |x, y| x * y, |_, _| HEIGHT);
+        problem.with_spring_law(SpringLaw::logarithmic(1.0).unwrap())
+    }
+
+    /// `∫ v dp − D Σ p` by the law itself at a pressure, in the units of the problem's scale; and `v`.
+    fn energy(problem: &mut DiscreteProblem, depth: f64, pressure: &[f64]) -> (f64, Vec<f64>) {
+        let scale = problem.scale();
+        let unit = scale.pressure();
+        let in_pascal: Vec<f64> = pressure.iter().map(|p| unit * p).collect();
+        let mut v = vec![0.0; pressure.len()];
+        problem.displace(&in_pascal, &mut v);
+        let mut energy = 0.0;
+        for (e, p) in in_pascal.iter().enumerate() {
+            let g0 = problem.initial_gap()[e];
+            // ∫ h (1 − exp(−p)) dp
+            energy += 0.5 * p * v[e] + HEIGHT * (p + (-p).exp_m1()) + (g0 - depth) * p;
+            v[e] = (v[e] - HEIGHT * (-p).exp_m1() + g0) / scale.length;
+        }
+        (energy / (unit * scale.length), v)
+    }
+
+    #[test]
+    fn springs_are_straightened_where_the_law_has_three_times_as_much_to_say() {
+        for (linear, by_law, wanted) in [
+            (0.29, 1.0, true),
+            (0.31, 1.0, false),
+            (2.9e-9, 1e-8, true),
+            (3.1e-9, 1e-8, false),
+            (0.0, f64::INFINITY, false),
+            (0.0, f64::NAN, false),
+        ] {
+            assert_eq!(
+                Springs::are_bent(linear, by_law),
+                wanted,
+                "{linear} {by_law}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_way_to_less_pressure_than_the_law_allows_is_gone_as_far_as_the_energy_falls() {
+        // Solved at 3 on every spring, by w* = D. From 6 the tangents, which say that they hardly give way, lead to
+        // hardly any pressure, where the energy is higher.
+        let mut problem = stiffening();
+        let depth = HEIGHT * (1.0 - (-3.0_f64).exp());
+        let scale = problem.scale();
+        let per_unit = 1.0 / scale.pressure();
+        let field = |of: &dyn Fn(f64) -> f64| -> Vec<f64> {
+            (0..ELEMENTS).map(|e| per_unit * of(e as f64)).collect()
+        };
+        let from = field(&|e| 6.0 + 0.3 * e.sin());
+        let to = field(&|e| 0.3 + 0.2 * e.cos());
+        let (before, v_before) = energy(&mut problem, depth, &from);
+        let mut springs = Springs::of(&problem).unwrap();
+        let mut state = State::new(&problem);
+        state.control = Control::of(&problem, Load::Penetration(depth));
+        problem.straighten_springs(&from);
+        springs.v_before.copy_from_slice(&v_before);
+        // By the tangents v is linear on the way.
+        let step: Vec<f64> = to.iter().zip(&from).map(|(to, from)| to - from).collect();
+        let mut image = vec![0.0; ELEMENTS];
+        let in_pascal: Vec<f64> = step.iter().map(|s| s / per_unit).collect();
+        problem.displace(&in_pascal, &mut image);
+        let tangents = problem.tangent_compliance().to_vec();
+        for e in 0..ELEMENTS {
+            let y = (image[e] + tangents[e] * in_pascal[e]) / scale.length;
+            state.v[e] = v_before[e] + y;
+        }
+        state.pressure.copy_from_slice(&to);
+
+        springs.straighten(&mut problem, &mut state);
+        let reached = problem.tangents().unwrap().at().to_vec();
+        let part = (reached[0] - from[0]) / step[0];
+        assert!(part > 0.1 && part < 0.9, "{part}");
+        for e in 0..ELEMENTS {
+            assert!((reached[e] - from[e] - part * step[e]).abs() < 1e-12 * from[e]);
+        }
+        let mut along = |part: f64| {
+            let on_way: Vec<f64> = from.iter().zip(&step).map(|(p, s)| p + part * s).collect();
+            energy(&mut problem, depth, &on_way)
+        };
+        let (there, v) = along(part);
+        assert!(there < before);
+        // To a thousandth of the way, the lowest on it.
+        assert!(there <= along(part - 0.01).0 && there <= along(part + 0.01).0);
+        // v is the law's at the pressure reached.
+        for (found, wanted) in springs.v_before.iter().zip(&v) {
+            assert!(
+                (found - wanted).abs() < 1e-10 * v[0].abs(),
+                "{found} {wanted}"
+            );
+        }
+    }
+
+    #[test]
+    fn the_residual_by_the_law_is_none_of_springs_at_its_solution() {
+        // A flat indenter on springs all but alone: p = −ln(1 − D/h).
+        let height = 1e9;
+        let mut problem = problem([1.0, 0.1], |_, _| 0.0, |_, _| height)
+            .with_spring_law(SpringLaw::logarithmic(1.0).unwrap());
+        let pressure = 1.7_f64;
+        let depth = -height * (-pressure).exp_m1();
+        let control = Control::of(&problem, Load::Penetration(depth));
+        let mut state = State::new(&problem);
+        state.start(&mut problem, control, &vec![pressure; ELEMENTS]);
+        let mut springs = Springs::of(&problem).unwrap();
+        // The start straightens the springs there, and the law says no more there.
+        springs.straighten_here(&mut problem, &mut state);
+        let by_law = springs.residual(&problem, &state);
+        assert!(by_law < 1e-6, "{by_law:e}");
+        // A tenth more pressure shortens the springs by h (e^−p − e^−1.1p), in parts of the depth.
+        state.pressure.iter_mut().for_each(|p| *p *= 1.1);
+        let own = problem.tangent_compliance()[0] / problem.scale().compliance;
+        let at = state.pressure[0];
+        state.v.iter_mut().for_each(|v| *v += own * (at - at / 1.1));
+        let wanted = height * ((-pressure).exp() - (-1.1 * pressure).exp()) / depth;
+        let found = springs.residual(&problem, &state);
+        assert!((found / wanted - 1.0).abs() < 1e-5, "{found} {wanted}");
+    }
+}

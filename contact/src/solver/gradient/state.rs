@@ -342,3 +342,6 @@ impl ResidualExtremes {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

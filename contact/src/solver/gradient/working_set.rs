@@ -234,4 +234,39 @@ mod tests {
         set.scale_within(&mut field, 3.0);
         assert!((0..SIZE * SIZE).all(|e| field[e] == if set.mask()[e] { 6.0 } else { 0.0 }));
     }
+
+    #[test]
+    fn what_is_kept_of_a_set_are_members_and_what_is_looked_at_is_forgotten() {
+        let mut problem = problem([1.0, 0.1], paraboloid, RIGID);
+        let control = Control::of(&problem, Load::Penetration(0.0));
+        let pressure: Vec<f64> = (0..SIZE * SIZE)
+            .map(|e| f64::from(u8::from(e < 9)))
+            .collect();
+        let (mut state, mut set) = begun(&mut problem, control, &pressure);
+        set.keep_pressing(&state);
+        // Element 20 belongs by what is asked, but is none of the set.
+        set.keep(&state, |element, p| {
+            (element != 4 && p > 0.5) || element == 20
+        });
+        let members = |e: usize| e < 9 && e != 4;
+        assert!((0..SIZE * SIZE).all(|e| set.mask()[e] == members(e)));
+        // Two will pull, and outside the set three overlap by more than a tenth of the penetration.
+        state.penetration = 1.0;
+        state.v.fill(1.0);
+        state.v[30..33].fill(0.85);
+        state.v[33] = 0.95;
+        let mut missing = vec![0.0; SIZE * SIZE];
+        missing[0..2].fill(-2.0 * state.pressure[0]);
+        let ahead = set.look_ahead(&state, &missing, 0.1);
+        assert_eq!((ahead.wrong, ahead.news), (5, 5));
+        let again = set.look_ahead(&state, &missing, 0.1);
+        assert_eq!((again.wrong, again.news), (5, 0));
+        set.look_away();
+        let anew = set.look_ahead(&state, &missing, 0.1);
+        assert_eq!((anew.wrong, anew.news), (5, 5));
+        // They change sides, and so does nothing else.
+        set.exchange(&state);
+        let exchanged = |e: usize| (members(e) && e > 1) || (30..33).contains(&e);
+        assert!((0..SIZE * SIZE).all(|e| set.mask()[e] == exchanged(e)));
+    }
 }

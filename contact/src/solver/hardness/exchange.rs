@@ -377,3 +377,6 @@ impl Exchange {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

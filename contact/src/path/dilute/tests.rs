@@ -1,0 +1,214 @@
+//! Three blunt tips and a needle on a window of a grid, solved among few elements.
+
+use pellicle_influence::{CoefficientTable, RadialTables, SurfaceElasticity};
+use pellicle_kernel::{Foundation, Material};
+
+use super::*;
+use crate::result::certificate::Trial;
+
+const SIZE: usize = 320;
+/// Elements that must lie in the window, along either axis.
+const WINDOW: [usize; 2] = [40, 280];
+const DEPTH: f64 = 4e-4;
+/// The needle's element, of which a start knows nothing.
+const NEEDLE: [usize; 2] = [150, 90];
+
+fn elasticity() -> Arc<SurfaceElasticity> {
+    let material = Material::new(1.0, 0.0).unwrap();
+    let body = Foundation::half_space(material);
+    let tables = RadialTables::build(&body).unwrap();
+    let table = CoefficientTable::assemble(&tables, 1.0 / SIZE as f64, SIZE).unwrap();
+    Arc::new(SurfaceElasticity::new(Arc::new(table), body))
+}
+
+/// The gap of tips of radius 0.2, and of the needle, which is as low as the tips but for a twentieth of the depth.
+fn gap([i, j]: [usize; 2]) -> f64 {
+    let apart = |[k, l]: [usize; 2]| {
+        let [x, y] = [i.abs_diff(k), j.abs_diff(l)].map(|along| along as f64 / SIZE as f64);
+        x * x + y * y
+    };
+    let tips = [[60, 70], [200, 220], [80, 230]].map(|tip| apart(tip) / 0.4);
+    let needle = DEPTH / 20.0 + apart(NEEDLE) / 1e-4;
+    tips.into_iter().fold(needle, f64::min)
+}
+
+fn field(of: impl Fn([usize; 2]) -> f64) -> Vec<f64> {
+    (0..SIZE * SIZE).map(|e| of([e / SIZE, e % SIZE])).collect()
+}
+
+fn whole(elasticity: &Arc<SurfaceElasticity>) -> DiscreteProblem {
+    let area = 1.0 / (SIZE * SIZE) as f64;
+    let (rigid, gap) = (field(|_| 0.0), field(gap));
+    DiscreteProblem::elastic(elasticity.clone(), SIZE, rigid, gap, area).unwrap()
+}
+
+fn window(problem: &DiscreteProblem) -> Window {
+    let belongs = |i: usize| (WINDOW[0]..WINDOW[1]).contains(&i);
+    let window = problem
+        .everywhere()
+        .around(|[i, j]| belongs(i) && belongs(j));
+    assert!(window.size() >= SMALLEST && !window.is_whole());
+    window
+}
+
+/// A pressure on the window under each tip, but not under the needle.
+fn start(window: &Window) -> Vec<f64> {
+    let [above, left] = window.origin();
+    let size = window.size();
+    let presses = |e: usize| {
+        let place = [above + e / size, left + e % size];
+        let is_low = gap(place) < DEPTH / 2.0;
+        is_low
+            && place[0]
+                .abs_diff(NEEDLE[0])
+                .max(place[1].abs_diff(NEEDLE[1]))
+                > 3
+    };
+    (0..size * size)
+        .map(|e| f64::from(u8::from(presses(e))))
+        .collect()
+}
+
+#[test]
+fn few_elements_give_the_answer_of_the_whole_grid_with_what_no_start_knew_of() {
+    let elasticity = elasticity();
+    let options = SolverOptions::default();
+    for load in [Load::Penetration(DEPTH), Load::Force(3e-6)] {
+        let mut problem = whole(&elasticity);
+        let window = window(&problem);
+        let mut pressure = start(&window);
+        let mut dilute = Dilute::around(&problem, &window, &pressure, &options).unwrap();
+        let known = dilute.candidates.len();
+        assert!(known < 1000);
+        let mut judged = JudgedFields::on(problem.everywhere());
+        let mut judgements = 0;
+        let (iterate, solution) = loop {
+            let watch = &mut ();
+            let mut watch = Watch::alone(watch);
+            let iterate = dilute
+                .solve(&problem, &pressure, load, options, &mut watch)
+                .unwrap();
+            let trial = Trial {
+                window: &window,
+                load,
+                expected: iterate.penetration,
+                tolerance: options.tolerance,
+            };
+            let found = iterate.pressure.clone();
+            let solution = Solution::judge_within(&mut problem, trial, found, &mut judged);
+            judgements += 1;
+            if dilute.is_done(&solution, &options) {
+                break (iterate, solution);
+            }
+            assert!(judgements < 3, "{:?}", solution.certificate);
+            assert!(dilute.learn(&problem, &judged, &solution.pressure));
+            pressure = solution.pressure;
+        };
+        assert!(solution.certificate.is_satisfied());
+        // Where nothing is a candidate there is no pressure; the needle has become one.
+        let [above, left] = window.origin();
+        let needle = [NEEDLE[0] - above, NEEDLE[1] - left];
+        assert!(dilute.candidates.at(needle).is_some());
+        assert!(solution.pressure[needle[0] * window.size() + needle[1]] > 0.0);
+        assert_eq!(solution.pressure.len(), window.elements());
+        assert!(dilute.candidates.len() >= known + 9);
+        // The work of all passes of the last solution: one residual more than steps in each.
+        assert!(iterate.contact_stiffness.is_some() && iterate.stiffness_applications > 0);
+        let passes = iterate.residuals.len() - iterate.iterations;
+        assert!((1..=dilute.passes).contains(&passes), "{passes}");
+        assert!(iterate.operator_applications > iterate.iterations);
+        // As measured, with a tenth to spare; one product on the whole grid.
+        let work = [dilute.passes, judgements, iterate.operator_applications];
+        assert!(work[..2] == [2, 1] && work[2] <= 14, "{work:?}");
+    }
+}
+
+#[test]
+fn what_products_among_candidates_lack_is_learnt_of_a_pressure_that_was_judged() {
+    let elasticity = elasticity();
+    let mut problem = whole(&elasticity);
+    let (window, options) = (window(&problem), SolverOptions::default());
+    // A pressure that is no solution, also where nothing was a candidate.
+    let mut pressure = start(&window);
+    let mut dilute = Dilute::around(&problem, &window, &pressure, &options).unwrap();
+    let [above, left] = window.origin();
+    let needle = [NEEDLE[0] - above, NEEDLE[1] - left];
+    pressure[needle[0] * window.size() + needle[1]] = 0.5;
+    pressure.iter_mut().for_each(|p| *p *= 1e-3);
+    let mut judged = JudgedFields::on(problem.everywhere());
+    let trial = Trial {
+        window: &window,
+        load: Load::Penetration(DEPTH),
+        expected: f64::INFINITY,
+        tolerance: options.tolerance,
+    };
+    let solution = Solution::judge_within(&mut problem, trial, pressure, &mut judged);
+    assert!(!dilute.is_done(&solution, &options));
+    assert!(dilute.learn(&problem, &judged, &solution.pressure));
+    // By their own products the candidates now have the gaps that the whole grid's product gives.
+    let mut displacement = vec![0.0; SIZE * SIZE];
+    problem.displace(&window.spread(solution.pressure.clone()), &mut displacement);
+    let among = dilute.candidates.gather(&solution.pressure);
+    let mut own = vec![0.0; among.len()];
+    dilute.problem.displace(&among, &mut own);
+    let gaps = dilute.problem.initial_gap();
+    for (candidate, (u, g0)) in own.iter().zip(gaps).enumerate() {
+        let [i, j] = on_grid(&window, dilute.candidates.place(candidate));
+        let wanted = displacement[i * SIZE + j] + gap([i, j]);
+        assert!((u + g0 - wanted).abs() < 1e-12, "{u} {g0} {wanted}");
+    }
+    // What would overlap has been taken in: this pressure is far too small.
+    let tip = dilute.candidates.at([60 - above, 70 - left]);
+    assert!(tip.is_some() && dilute.candidates.at(needle).is_some());
+    dilute.passes = MOST_PASSES;
+    assert!(!dilute.learn(&problem, &judged, &solution.pressure));
+}
+
+#[test]
+fn only_a_dilute_contact_on_a_large_free_grid_is_solved_among_candidates() {
+    let elasticity = elasticity();
+    let problem = whole(&elasticity);
+    let window = window(&problem);
+    let (pressure, options) = (start(&window), SolverOptions::default());
+    let is_solved = |problem: &DiscreteProblem, window: &Window, options: &SolverOptions| {
+        Dilute::around(problem, window, &pressure, options).is_some()
+    };
+    assert!(is_solved(&problem, &window, &options));
+    let dense = SolverOptions {
+        method: Method::ActiveSet,
+        ..options
+    };
+    assert!(!is_solved(&problem, &window, &dense));
+    let limited = whole(&elasticity).with_hardness(1.0).unwrap();
+    assert!(!is_solved(&limited, &window, &options));
+    let (rigid, gap) = (field(|_| 0.0), field(gap));
+    let cell = DiscreteProblem::periodic(elasticity.clone(), rigid, gap, 1e-5).unwrap();
+    assert!(!is_solved(&cell, &window, &options));
+    let small = problem.everywhere().around(|[i, j]| i.max(j) < 200);
+    assert!(small.size() < SMALLEST && !is_solved(&problem, &small, &options));
+    // Nothing that presses, and everything.
+    for value in [0.0, 1.0] {
+        let even = vec![value; window.elements()];
+        assert!(Dilute::around(&problem, &window, &even, &options).is_none());
+    }
+}
+
+#[test]
+fn the_work_of_what_came_before_is_added() {
+    let iterate = |work: usize| Iterate {
+        iterations: work,
+        operator_applications: 10 * work,
+        stiffness_applications: 100 * work,
+        residuals: vec![work as f64; work],
+        penetration: work as f64,
+        ..Iterate::of(vec![work as f64])
+    };
+    let found = after(iterate(2), iterate(3));
+    let wanted = Iterate {
+        residuals: vec![2.0, 2.0, 3.0, 3.0, 3.0],
+        pressure: vec![3.0],
+        penetration: 3.0,
+        ..iterate(5)
+    };
+    assert_eq!(found, wanted);
+}

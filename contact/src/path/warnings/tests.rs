@@ -1,0 +1,286 @@
+//! Doubts at their thresholds.
+
+use std::sync::Arc;
+
+use pellicle_influence::{Cache, RadialTables};
+use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
+use pellicle_texture::{CylinderSpec, Cylinders, Film, Lattice};
+
+use super::*;
+use crate::{Domain, Paraboloid, SolverOptions, solve_path};
+
+#[test]
+fn a_domain_is_much_larger_than_a_contact_of_few_elements_or_of_a_small_part_of_it() {
+    let body = Foundation::half_space(Material::new(1.0, 0.0).unwrap());
+    let model = Model {
+        tables: Arc::new(RadialTables::build(&body).unwrap()),
+        relief: Relief::Bare,
+        indenter: Paraboloid::new(2.0).unwrap().into(),
+        cache: Cache::none(),
+    };
+    // Of so many elements per side, the middles of so many in contact.
+    let doubt = |size: usize, across: usize| {
+        let grid = Grid::new(1.0, size).unwrap();
+        let radius = (across - 1) as f64 / (2 * size) as f64;
+        domain_much_larger(&model, &grid, &[Load::Penetration(1e-6)], radius)
+    };
+    for (size, across, is_doubted) in [
+        (1000, 19, true),
+        (1000, 20, false),
+        (64, 7, true),
+        (64, 8, false),
+        (28, 7, false),
+        (64, 1, false),
+    ] {
+        assert_eq!(doubt(size, across).is_some(), is_doubted, "{size} {across}");
+    }
+    let Some(Warning::DomainMuchLarger {
+        elements,
+        radius,
+        side,
+        wanted,
+    }) = doubt(1000, 19)
+    else {
+        panic!("a doubt")
+    };
+    assert_eq!(
+        (elements, radius, side, wanted),
+        (19, 0.009, 1.0, SIDE_PER_RADIUS * 0.009)
+    );
+    // Of fewer than eight elements the radius is estimated: a² = 2 R D.
+    let Some(Warning::DomainMuchLarger { radius, wanted, .. }) = doubt(64, 7) else {
+        panic!("a doubt")
+    };
+    assert!((radius / 2e-3 - 1.0).abs() < 0.02 && (wanted / 6e-3 - 1.0).abs() < 0.02);
+}
+
+/// A ball on a film of a height of 0.01 on a half-space, and its one step on two grids.
+fn on_film() -> (Model, Step) {
+    let body = Foundation::half_space(Material::new(1.0, 0.0).unwrap());
+    let model = Model {
+        tables: Arc::new(RadialTables::build(&body).unwrap()),
+        relief: Relief::Film(Film::new(0.01, 1.0).unwrap()),
+        indenter: Paraboloid::new(2.0).unwrap().into(),
+        cache: Cache::none(),
+    };
+    let (domain, loads) = (Domain::Side(1.0), [Load::Force(1e-2)]);
+    let options = SolverOptions::default();
+    let path = solve_path(&model, domain, 64, &loads, &options, &mut ()).unwrap();
+    let step = path.steps[0].clone();
+    (model, step)
+}
+
+/// The codes of the doubts about a step.
+fn codes(model: &Model, step: &Step) -> Vec<&'static str> {
+    let warnings = step_warnings(model, 0, step);
+    warnings.iter().map(Warning::code).collect()
+}
+
+#[test]
+fn a_step_is_doubted_by_its_certificate_its_springs_its_peak_and_its_slope() {
+    let (model, mut step) = on_film();
+    assert_eq!(codes(&model, &step), [""; 0]);
+    step.summary.largest_shortening = 0.0075;
+    assert_eq!(relative_shortening(&model, &step), Some(0.75));
+    step.summary.largest_shortening = 0.015;
+    let found = step_warnings(&model, 5, &step);
+    let [Warning::FilmShortening { step: 5, times }] = found[..] else {
+        panic!("{found:?}")
+    };
+    assert_eq!(times, 1.5);
+    // f = ρ²/4: a slope of ρ/2
+    step.summary.largest_shortening = 0.0;
+    step.summary.contact_radius = 0.5;
+    assert!((edge_slope(&model, &step).unwrap() - 0.25).abs() < 1e-6);
+    assert_eq!(codes(&model, &step), [""; 0]);
+    step.summary.contact_radius = 0.7;
+    assert_eq!(codes(&model, &step), ["steep-indenter"]);
+    step.summary.contact_radius = 0.0;
+    assert_eq!(edge_slope(&model, &step), None);
+    step.solution.certificate.overlap = 2.0 * step.solution.certificate.tolerance;
+    assert_eq!(codes(&model, &step), ["not-converged"]);
+}
+
+#[test]
+fn a_peak_that_changes_is_doubted_unless_it_is_the_hardness() {
+    let (model, mut step) = on_film();
+    let last = step.grid_error.levels.len() - 1;
+    let largest = step.grid_error.levels[last].max_pressure;
+    step.grid_error.levels[last - 1].max_pressure = 0.8 * largest;
+    assert_eq!(codes(&model, &step), [""; 0]);
+    step.grid_error.max_pressure.as_mut().unwrap().resolved = false;
+    let found = step_warnings(&model, 0, &step);
+    let [Warning::PeakNotResolved { change, .. }] = found[..] else {
+        panic!("{found:?}")
+    };
+    assert!((change - 0.2).abs() < 1e-12);
+    step.summary.area_at_limit = 1e-6;
+    assert_eq!(codes(&model, &step), [""; 0]);
+    // Nothing is said of a single grid.
+    step.summary.area_at_limit = 0.0;
+    step.grid_error.levels.truncate(1);
+    assert_eq!(codes(&model, &step), [""; 0]);
+}
+
+/// A ball on pillars of a radius of 0.05 on a body of layers, of relative stiffness and thickness from the top.
+fn on_layers(layers: &[(f64, f64)]) -> Model {
+    let spec = CylinderSpec {
+        lattice: Lattice::Square,
+        radius: 0.05,
+        height: 0.1,
+        period: 0.2,
+        offset: [0.0, 0.0],
+        young_modulus: 1.0,
+    };
+    let material = |young| Material::new(young, 0.3).unwrap();
+    let layers = layers.iter().map(|(young, thickness)| {
+        Layer::new(*thickness, material(*young), Interface::Bonded).unwrap()
+    });
+    let body = Foundation::new(layers.collect(), Base::HalfSpace(material(1.0))).unwrap();
+    Model {
+        tables: Arc::new(RadialTables::build(&body).unwrap()),
+        relief: Relief::Cylinders(Cylinders::new(spec).unwrap()),
+        indenter: Paraboloid::new(1.0).unwrap().into(),
+        cache: Cache::none(),
+    }
+}
+
+#[test]
+fn pillars_and_layers_that_elements_do_not_resolve_are_doubted() {
+    // Elements of 0.05/3.9 and of 0.05/4.1; the layer thinner than 0.02 of them.
+    let bare = on_layers(&[]);
+    let found = |model: &Model, elements_per_radius: f64| {
+        let size = 390;
+        let side = 0.05 / elements_per_radius * size as f64;
+        model_warnings(model, &Grid::new(side, size).unwrap())
+    };
+    let coarse = found(&bare, 3.9);
+    let [
+        Warning::TextureUnderResolved {
+            elements_per_radius,
+        },
+    ] = coarse[..]
+    else {
+        panic!("{coarse:?}")
+    };
+    assert!((elements_per_radius - 3.9).abs() < 1e-12);
+    assert!(found(&bare, 4.1).is_empty());
+    // Elements of 0.01, and of the two layers the second too thin: 1.9e-4.
+    let of_layers = |layers: &[(f64, f64)]| {
+        let doubts = found(&on_layers(layers), 5.0);
+        let doubts = doubts.iter().map(|warning| match warning {
+            Warning::LayerUnderResolved {
+                layer,
+                elements_per_thickness,
+            } => (*layer, *elements_per_thickness),
+            other => panic!("{other:?}"),
+        });
+        doubts.collect::<Vec<_>>()
+    };
+    let thin = of_layers(&[(4.0, 0.1), (10.0, 1.9e-4)]);
+    assert_eq!(thin.len(), 1);
+    assert!(thin[0].0 == 1 && (thin[0].1 - 0.019).abs() < 1e-12);
+    assert!(of_layers(&[(4.0, 0.1), (10.0, 2.1e-4)]).is_empty());
+    // One that is nearly as stiff as the one above or below belongs to a graded layer.
+    assert!(of_layers(&[(4.0, 0.1), (7.0, 1.9e-4)]).is_empty());
+    assert!(of_layers(&[(4.0, 1.9e-4), (2.1, 0.1)]).is_empty());
+    assert_eq!(of_layers(&[(9.0, 1.9e-4), (3.0, 0.1)]).len(), 1);
+}
+
+#[test]
+fn a_contact_near_the_edge_is_doubted_less_on_a_domain_that_was_chosen() {
+    let (_, mut step) = on_film();
+    let mut codes = |to_edge: Option<usize>, domain: Domain| {
+        step.summary.elements_to_edge = to_edge;
+        edge(domain, 4, &step)
+    };
+    let chosen = [Domain::Chosen(1.0), Domain::Automatic];
+    for (to_edge, by_side, by_choice) in [
+        (0, true, true),
+        (1, true, false),
+        (2, true, false),
+        (3, false, false),
+    ] {
+        let wanted = Warning::DomainEdge {
+            step: 4,
+            elements: to_edge,
+        };
+        let found = codes(Some(to_edge), Domain::Side(1.0));
+        assert_eq!(found, by_side.then_some(wanted), "{to_edge}");
+        for domain in chosen {
+            let found = codes(Some(to_edge), domain);
+            assert_eq!(found, by_choice.then_some(wanted), "{to_edge}");
+        }
+        assert_eq!(codes(Some(to_edge), Domain::Periodic(1.0)), None);
+    }
+    assert_eq!(codes(None, Domain::Side(1.0)), None);
+    step.cut_off = Some(crate::CutOff::Domain);
+    let cut_off = edge(Domain::Side(1.0), 4, &step);
+    let by = crate::CutOff::Domain;
+    assert_eq!(cut_off, Some(Warning::CutOff { step: 4, by }));
+}
+
+#[test]
+fn of_a_contact_that_the_grid_hardly_sees_the_peak_is_not_doubted_besides() {
+    let (model, mut step) = on_film();
+    let loads = [Load::Force(1e-2)];
+    step.grid_error.max_pressure.as_mut().unwrap().resolved = false;
+    let codes = |side: f64, domain: Domain, step: &Step| {
+        let grid = Grid::new(side, 64).unwrap();
+        let found = warnings(&model, &grid, domain, &loads, std::slice::from_ref(step));
+        found.iter().map(Warning::code).collect::<Vec<_>>()
+    };
+    assert_eq!(codes(1.0, Domain::Side(1.0), &step), ["peak-not-resolved"]);
+    // On a domain twenty times as large few elements are in contact.
+    let large = Domain::Side(20.0);
+    assert_eq!(codes(20.0, large, &step), ["domain-much-larger"]);
+    // A steep edge between few elements is none where the contact is estimated to be much smaller.
+    let radius = std::mem::replace(&mut step.summary.contact_radius, 0.7);
+    let found = codes(20.0, large, &step);
+    assert_eq!(found, ["domain-much-larger"]);
+    let steep = Model {
+        indenter: crate::Cone::new(1.1, 0.0).unwrap().into(),
+        ..model.clone()
+    };
+    let grid = Grid::new(20.0, 64).unwrap();
+    let found = warnings(&steep, &grid, large, &loads, std::slice::from_ref(&step));
+    let found: Vec<_> = found.iter().map(Warning::code).collect();
+    assert_eq!(found, ["domain-much-larger", "steep-indenter"]);
+    step.summary.contact_radius = radius;
+    assert_eq!(
+        codes(20.0, Domain::Periodic(20.0), &step),
+        ["peak-not-resolved"]
+    );
+    let widest = much_larger(
+        &model,
+        &Grid::new(20.0, 64).unwrap(),
+        &loads,
+        &[step.clone()],
+    );
+    assert!(matches!(widest, Some(Warning::DomainMuchLarger { .. })));
+}
+
+#[test]
+fn elements_are_too_large_where_none_has_its_middle_under_the_indenter() {
+    let (film, _) = on_film();
+    let pin = Model {
+        relief: Relief::Bare,
+        indenter: crate::FlatPunch::new(0.06).unwrap().into(),
+        ..film
+    };
+    let loads = [Load::Force(1e-3)];
+    assert!(check_elements(&pin, 1.6, 32, &loads).is_ok());
+    // Of sixteen the middles nearest to the axis are at (0.05, 0.05).
+    let refused = check_elements(&pin, 1.6, 16, &loads);
+    let Err(ContactError::ElementsTooLarge {
+        side,
+        element_side,
+        radius,
+        wanted,
+    }) = refused
+    else {
+        panic!("{refused:?}")
+    };
+    assert_eq!((side, wanted), (1.6, SIDE_PER_RADIUS * radius));
+    assert!((element_side - 0.1).abs() < 1e-15 && (radius / 0.06 - 1.0).abs() < 0.02);
+}

@@ -1,0 +1,120 @@
+//! What a state keeps of its pressure, and how far it is from a solution.
+
+use super::*;
+use crate::{
+    Load,
+    solver::{
+        gradient::tests::begun,
+        tests::{RIGID, SIZE, paraboloid, problem},
+    },
+};
+
+const ELEMENTS: usize = SIZE * SIZE;
+
+/// An uneven pressure on a disc in the middle.
+fn disc() -> Vec<f64> {
+    let along = |i: usize| (i as f64 - 15.5) / SIZE as f64;
+    let radius = |e: usize| along(e / SIZE).hypot(along(e % SIZE));
+    let pressure = |e: usize| {
+        if radius(e) < 0.2 {
+            1.0 + 0.3 * (e as f64).sin()
+        } else {
+            0.0
+        }
+    };
+    (0..ELEMENTS).map(pressure).collect()
+}
+
+#[test]
+fn a_scale_that_is_far_off_is_found_with_a_product_and_one_that_is_near_without() {
+    let mut problem = problem([1.0, 0.1], paraboloid, RIGID);
+    let control = Control::of(&problem, Load::Penetration(0.05));
+    let (mut state, _) = begun(&mut problem, control, &disc());
+    let (balanced, v) = (state.pressure.clone(), state.v.clone());
+    for (factor, products) in [(0.01, 1), (0.5, 0), (1.0, 0), (3.0, 0)] {
+        for e in 0..ELEMENTS {
+            state.pressure[e] = factor * balanced[e];
+            state.v[e] = state.initial_gap[e] + factor * (v[e] - state.initial_gap[e]);
+        }
+        let before = state.applications();
+        let growth = state.balance(&mut problem);
+        assert!(
+            (growth - (1.0 / factor - 1.0)).abs() < 1e-10 / factor,
+            "{factor} {growth}"
+        );
+        assert_eq!(state.applications() - before, products);
+        let largest = balanced.iter().copied().fold(0.0, f64::max);
+        for (found, wanted) in state.pressure.iter().zip(&balanced) {
+            assert!((found - wanted).abs() < 1e-11 * largest);
+        }
+        for (found, wanted) in state.v.iter().zip(&v) {
+            assert!((found - wanted).abs() < 1e-10 * state.penetration);
+        }
+    }
+    // The mean of v over the pressure is the penetration.
+    let mean = dot(&state.pressure, &state.v) / sum(&state.pressure);
+    assert!((mean / state.penetration - 1.0).abs() < 1e-12);
+}
+
+#[test]
+fn steps_keep_the_total_of_a_pressure_that_has_one_and_go_back_to_where_they_were() {
+    let mut problem = problem([1.0, 0.1], paraboloid, RIGID);
+    for load in [Load::Penetration(0.05), Load::Force(1e-3)] {
+        let control = Control::of(&problem, load);
+        let (mut state, _) = begun(&mut problem, control, &disc());
+        assert!(state.keeps_total());
+        let mut other = vec![2.0; ELEMENTS];
+        state.rescale(&mut other);
+        assert!((sum(&other) / sum(&state.pressure) - 1.0).abs() < 1e-12);
+        let (pressure, v, depth) = (state.pressure.clone(), state.v.clone(), state.penetration);
+        let energy = state.energy();
+        // Out of reach: no scale of this pressure comes to a penetration that the gap exceeds.
+        state.pressure.fill(0.0);
+        state.pressure[0] = 1.0;
+        state.refresh(&mut problem);
+        assert_eq!(state.keeps_total(), matches!(load, Load::Force(_)));
+        state.go_back(&pressure, &v, depth);
+        assert!(state.keeps_total() && state.energy() == energy);
+    }
+}
+
+#[test]
+fn where_nothing_presses_all_of_the_set_is_pressed_and_else_nothing_changes() {
+    let problem = problem([1.0, 0.1], paraboloid, RIGID);
+    let mut state = State::new(&problem);
+    let mask: Vec<bool> = (0..ELEMENTS).map(|e| e % 3 == 0).collect();
+    state.pressure[5] = -1.0;
+    state.press_somewhere(&mask);
+    let even = |e: usize| f64::from(u8::from(e.is_multiple_of(3)));
+    assert!((0..ELEMENTS).all(|e| state.pressure[e] == even(e)));
+    state.pressure.fill(0.0);
+    state.pressure[5] = 0.5;
+    state.press_somewhere(&mask);
+    assert!((0..ELEMENTS).all(|e| state.pressure[e] == if e == 5 { 0.5 } else { 0.0 }));
+}
+
+#[test]
+fn the_residual_is_the_largest_gap_under_pressure_or_overlap_in_parts_of_the_penetration() {
+    let problem = problem([1.0, 0.1], paraboloid, RIGID);
+    let mut state = State::new(&problem);
+    state.control = Control::Penetration(2.0);
+    state.pressure[3] = 1.0;
+    let of = |state: &State, changes: &[(usize, f64)]| {
+        let mut v = vec![2.5; ELEMENTS];
+        v[3] = 2.0;
+        changes.iter().for_each(|(e, value)| v[*e] = *value);
+        state.residual_of(&v, 2.0)
+    };
+    assert_eq!(of(&state, &[]), (0.0, true));
+    // A gap where it presses, an overlap where it does not.
+    assert_eq!(of(&state, &[(3, 2.25)]), (0.125, true));
+    assert_eq!(of(&state, &[(3, 1.5), (9, 1.75)]), (0.25, true));
+    assert_eq!(of(&state, &[(9, 1.0)]), (0.5, true));
+    assert_eq!(of(&state, &[(9, f64::NAN)]), (f64::INFINITY, true));
+    assert_eq!(
+        state.residual_of(&vec![2.5; ELEMENTS], f64::NAN).0,
+        f64::INFINITY
+    );
+    state.pressure[4] = -1e-9;
+    assert_eq!(of(&state, &[]), (0.0, false));
+}

@@ -1,0 +1,327 @@
+//! One exchange by its parts, on sixteen elements that all sink by the same.
+
+use pellicle_influence::ElasticOperator;
+
+use super::*;
+use crate::GradientSolver;
+
+const LIMIT: f64 = 2.0;
+const AREA: f64 = 0.25;
+
+/// By how much all elements sink for 1 Pa on one of them, in m.
+const SINKING: f64 = 0.125;
+
+/// A body of 4 × 4 elements that only moves as a whole.
+struct Raft;
+
+impl ElasticOperator for Raft {
+    fn size(&self) -> usize {
+        4
+    }
+
+    fn apply_into(&mut self, pressure: &[f64], displacement: &mut [f64]) {
+        displacement.fill(SINKING * pressure.iter().sum::<f64>());
+    }
+}
+
+/// Springs of compliance `eta` under this gap.
+fn problem(eta: f64, gap: impl Fn(usize) -> f64) -> DiscreteProblem {
+    let gap = (0..16).map(gap).collect();
+    let problem = DiscreteProblem::new(Box::new(Raft), vec![eta; 16], gap, AREA).unwrap();
+    problem.with_hardness(LIMIT).unwrap()
+}
+
+/// A field that has these values first and 0 on the others.
+fn field(values: &[f64]) -> Vec<f64> {
+    let others = std::iter::repeat_n(0.0, 16 - values.len());
+    values.iter().copied().chain(others).collect()
+}
+
+/// The exchanges of a load from a pressure that begins with these values.
+fn begun(problem: &mut DiscreteProblem, load: Load, start: &[f64]) -> Exchange {
+    Exchange::start(problem, load, &field(start), 1e-8)
+}
+
+fn held(exchange: &Exchange) -> Vec<usize> {
+    let held = exchange.held.mask.iter().enumerate();
+    held.filter_map(|(e, held)| held.then_some(e)).collect()
+}
+
+#[test]
+fn of_a_start_what_is_near_the_limit_is_held_and_the_rest_is_free() {
+    let mut problem = problem(1.0, |e| if e == 3 { f64::INFINITY } else { 0.0 });
+    let start = [1.91, 1.89, 5.0, 5.0, 0.5];
+    let exchange = begun(&mut problem, Load::Penetration(1.0), &start);
+    assert_eq!(held(&exchange), [0, 2]);
+    assert_eq!(exchange.free, field(&[0.0, 1.89, 0.0, 5.0, 0.5]));
+    assert_eq!(exchange.total.operator_applications, 0);
+    // Far from a solution nothing is solved to the last digit, and never closer than asked for.
+    assert_eq!(exchange.accuracy, COARSEST);
+    let coarse = Exchange::start(&mut problem, Load::Penetration(1.0), &field(&[]), 0.05);
+    assert_eq!(coarse.accuracy, 0.05);
+}
+
+#[test]
+fn elements_at_the_limit_that_carry_all_of_a_force_are_held_where_they_overlap_most() {
+    // v = η p + g0 is least where the gap is, at the last of those that press.
+    let mut problem = problem(1.0, |e| -0.1 * e as f64);
+    let force = |elements: f64| Load::Force(elements * LIMIT * AREA);
+    let start = [4.0; 6];
+    // Of ten elements' force six are no part too large; of four elements' force, four are held.
+    let all = begun(&mut problem, force(10.0), &start);
+    assert_eq!(held(&all), [0, 1, 2, 3, 4, 5]);
+    let most = begun(&mut problem, force(4.0), &start);
+    assert_eq!(held(&most), [2, 3, 4, 5]);
+    assert_eq!(
+        [&all, &most].map(|found| found.total.operator_applications),
+        [0, 1]
+    );
+}
+
+#[test]
+fn what_is_held_presses_once_and_leaves_the_rest_of_the_force_and_of_the_work() {
+    let mut problem = problem(1.0, |_| 0.0);
+    let load = Load::Force(7.0 * LIMIT * AREA);
+    let mut exchange = begun(&mut problem, load, &[LIMIT, LIMIT, 1.0]);
+    exchange.press(&mut problem);
+    exchange.press(&mut problem);
+    assert_eq!(exchange.total.operator_applications, 1);
+    assert_eq!(exchange.held.total, 2.0 * LIMIT);
+    // Where it is held nothing touches; the others are as much farther away as those held sink.
+    let sunk = SINKING * 2.0 * LIMIT;
+    let gaps = &exchange.held.gap;
+    assert!(gaps[..2].iter().all(|gap| *gap == f64::INFINITY));
+    assert!(gaps[2..].iter().all(|gap| *gap == sunk));
+    // K p of the whole pressure: a product, where that of what is free is not known.
+    let all = exchange.displacement(&mut problem, None);
+    assert!(all.iter().all(|u| *u == sunk + SINKING));
+    assert_eq!(exchange.total.operator_applications, 2);
+    let all = exchange.displacement(&mut problem, Some(vec![1.0; 16]));
+    assert!(all.iter().all(|u| *u == sunk + 1.0));
+    exchange.total.operator_applications = 1;
+    let rest = exchange.held.rest_of(load, problem.loaded_area());
+    assert_eq!(rest, Load::Force(5.0 * LIMIT * AREA));
+    let wanted = SolverOptions {
+        tolerance: 1e-8,
+        max_applications: 20,
+        contact_stiffness: true,
+        ..SolverOptions::default()
+    };
+    let options = exchange.options(wanted);
+    assert_eq!(
+        (options.tolerance, options.max_applications),
+        (COARSEST, 19)
+    );
+    // The stiffness of a set that is not the last is of no use.
+    assert!(!options.contact_stiffness);
+    exchange.accuracy = 1e-8;
+    assert!(exchange.options(wanted).contact_stiffness);
+    exchange.total.operator_applications = 30;
+    assert_eq!(exchange.options(wanted).max_applications, 0);
+}
+
+#[test]
+fn the_work_of_all_problems_adds_up_and_the_last_one_is_the_result() {
+    let mut problem = problem(1.0, |_| 0.0);
+    let mut exchange = begun(&mut problem, Load::Penetration(1.0), &[]);
+    let iterate = |work: usize, pressure: f64| Iterate {
+        iterations: work,
+        operator_applications: 10 * work,
+        stiffness_applications: 100 * work,
+        residuals: vec![1.0; work],
+        contact_stiffness: Some(pressure),
+        penetration: 3.0 * pressure,
+        reached_border: pressure > 0.6,
+        ..Iterate::of(field(&[pressure]))
+    };
+    assert!(!exchange.take(iterate(2, 0.5)));
+    assert!(exchange.take(iterate(3, 0.7)));
+    let found = exchange.into_iterate(LIMIT);
+    assert_eq!((found.iterations, found.operator_applications), (5, 50));
+    assert_eq!(
+        (found.stiffness_applications, found.residuals.len()),
+        (500, 5)
+    );
+    assert_eq!(found.pressure, field(&[0.7]));
+    assert_eq!(
+        (found.contact_stiffness, found.penetration),
+        (Some(0.7), 3.0 * 0.7)
+    );
+}
+
+#[test]
+fn the_penetration_is_the_mean_of_what_is_free_or_the_least_that_the_conditions_allow() {
+    let mut problem = problem(1.0, |_| 0.0);
+    let force = Load::Force(1.0);
+    let mut exchange = begun(&mut problem, Load::Penetration(9.0), &[5.0, 5.0]);
+    exchange.free = field(&[0.0, 0.0, 1.0, 3.0]);
+    let v = |first: &[f64]| -> Vec<f64> { field(first).iter().map(|v| v + 4.0).collect() };
+    let values = v(&[-3.0, -2.0, 0.5, 0.9]);
+    assert_eq!(exchange.penetration(Load::Penetration(9.0), &values), 9.0);
+    // (1 · 4.5 + 3 · 4.9)/4
+    assert!((exchange.penetration(force, &values) - 4.8).abs() < 1e-15);
+    // Where nothing is free, any between the largest of those held and the least of the others would do.
+    exchange.free = field(&[]);
+    assert_eq!(exchange.penetration(force, &values), 2.0);
+    // If a held one is higher than others, these others would overlap.
+    assert_eq!(exchange.penetration(force, &v(&[-3.0, 1.0, -0.5])), 3.5);
+}
+
+#[test]
+fn elements_above_the_limit_and_held_ones_with_a_gap_are_on_the_wrong_side() {
+    let mut problem = problem(1.0, |_| 0.0);
+    let depth = 4.0;
+    let load = Load::Penetration(depth);
+    let mut exchange = begun(&mut problem, load, &[5.0, 5.0, 5.0]);
+    exchange.accuracy = 1e-2;
+    let v = field(&[1.0, 4.01, 4.03, 4.0, 4.0]);
+    // Rounding above the limit is none, nor is a gap of half the residual solved to.
+    exchange.free = field(&[0.0, 0.0, 0.0, 2.5, LIMIT * (1.0 + 1e-15)]);
+    let wrong = exchange.wrong(&problem, load, &v);
+    assert_eq!((&wrong.above[..], &wrong.open[..]), (&[3][..], &[2][..]));
+    assert!((wrong.by - 0.25).abs() < 1e-15, "{}", wrong.by);
+    exchange.free = field(&[]);
+    let wrong = exchange.wrong(&problem, load, &v);
+    // (4.03 − D)/D
+    assert!(wrong.above.is_empty() && (wrong.by - 0.03 / depth).abs() < 1e-15);
+    assert_eq!(exchange.total.penetration, depth);
+}
+
+#[test]
+fn as_many_are_held_besides_as_carry_what_is_beyond_the_limit() {
+    let mut problem = problem(1.0, |_| 0.0);
+    let mut exchange = begun(&mut problem, Load::Penetration(1.0), &[LIMIT]);
+    // Two limits too much on the second and one and a half on the third: three others, first those that press most,
+    // then of those without pressure the one with the narrowest gap, but none that cannot touch.
+    exchange.free = field(&[0.0, 3.0 * LIMIT, 2.5 * LIMIT, 0.3, 0.9]);
+    let mut v: Vec<f64> = (0..16).map(|e| 2.0 - 0.1 * f64::from(e)).collect();
+    v[15] = f64::INFINITY;
+    let above = [1, 2];
+    assert_eq!(exchange.next(LIMIT, &above, &v), [4, 3, 14]);
+    let wrong = Wrong {
+        above: above.to_vec(),
+        ..Wrong::default()
+    };
+    exchange.exchange(LIMIT, &wrong, &v);
+    assert_eq!(held(&exchange), [0, 1, 2, 3, 4, 14]);
+    assert_eq!(exchange.free, field(&[]));
+    // Half a limit too much makes none; nor does anything once elements have been let go.
+    exchange.free = field(&[0.0, 1.5 * LIMIT]);
+    assert!(exchange.next(LIMIT, &[1], &v).is_empty());
+    exchange.let_go(LIMIT, &[3]);
+    assert_eq!(exchange.free[3], LIMIT);
+    assert!(!exchange.held.mask[3]);
+    exchange.free[1] = 4.0 * LIMIT;
+    assert!(exchange.next(LIMIT, &[1], &v).is_empty());
+}
+
+#[test]
+fn exchanges_stall_after_four_that_let_go_without_halving_what_they_are_wrong_by() {
+    let mut problem = problem(1.0, |_| 0.0);
+    let wrong = |by: f64, open: &[usize]| Wrong {
+        above: vec![1],
+        open: open.to_vec(),
+        by,
+    };
+    let mut exchange = begun(&mut problem, Load::Penetration(1.0), &[]);
+    let mut stalls = |steps: &[(f64, &[usize])]| -> Vec<bool> {
+        (exchange.milestone, exchange.since) = (f64::INFINITY, 0);
+        let steps = steps.iter();
+        steps
+            .map(|(by, open)| exchange.has_stalled(&wrong(*by, open)))
+            .collect()
+    };
+    let open: &[usize] = &[0];
+    let constant = stalls(&[(0.1, open); 5]);
+    assert_eq!(constant, [false, false, false, false, true]);
+    let halved = [0.1, 0.08, 0.06, 0.055, 0.04, 0.03, 0.03, 0.03, 0.03];
+    let halved = stalls(&halved.map(|by| (by, open)));
+    assert_eq!(halved.iter().position(|stalls| *stalls), Some(8));
+    // Those that only hold more come to an end by themselves.
+    let none: &[usize] = &[];
+    assert!(!stalls(&[(0.1, none); 9]).contains(&true));
+}
+
+#[test]
+fn where_those_held_carry_the_whole_force_nothing_is_solved() {
+    let mut problem = problem(1.0, |_| 0.0);
+    let load = Load::Force(3.0 * LIMIT * AREA);
+    let mut exchange = begun(&mut problem, load, &[LIMIT; 3]);
+    assert_eq!(held(&exchange).len(), 3);
+    exchange.press(&mut problem);
+    let (mut solver, watch) = (GradientSolver::default(), &mut ());
+    let mut watch = Watch::alone(watch);
+    let found = exchange.solve(&mut solver, &mut problem, load, &mut watch);
+    let (found, displacement) = found.unwrap();
+    assert_eq!(
+        (found.pressure, found.operator_applications),
+        (field(&[]), 0)
+    );
+    assert_eq!(displacement, Some(field(&[])));
+    // A little more, and the others carry it.
+    let more = Load::Force(3.5 * LIMIT * AREA);
+    exchange.free = field(&[]);
+    let found = exchange.solve(&mut solver, &mut problem, more, &mut watch);
+    let (found, _) = found.unwrap();
+    assert!(found.operator_applications > 0);
+    let carried: f64 = found.pressure.iter().sum();
+    assert!((carried / (0.5 * LIMIT) - 1.0).abs() < 1e-9, "{carried}");
+    assert!(found.pressure[..3].iter().all(|p| *p == 0.0));
+}
+
+#[test]
+fn a_set_that_is_right_is_solved_once_more_to_the_tolerance_and_no_further() {
+    let mut problem = problem(1.0, |_| 0.0);
+    let load = Load::Penetration(4.0);
+    let mut exchange = begun(&mut problem, load, &[1.0]);
+    let u = vec![SINKING; 16];
+    assert!(exchange.advance(&mut problem, load, 1e-6, &u));
+    assert_eq!(exchange.accuracy, 1e-6);
+    assert!(!exchange.advance(&mut problem, load, 1e-6, &u));
+    // A pressure a thousandth above the limit is wrong by that, and the next problem is solved to a part of it.
+    exchange.free[0] = 1.001 * LIMIT;
+    assert!(exchange.advance(&mut problem, load, 1e-6, &u));
+    assert_eq!(held(&exchange), [0]);
+    assert!((exchange.accuracy / (REFINEMENT * 1e-3) - 1.0).abs() < 1e-9);
+    assert!(!exchange.is_pressed);
+    // One held at v = g0 + w* + u = 5 under a penetration of 4 is let go at the limit.
+    exchange.press(&mut problem);
+    let u = vec![3.0; 16];
+    assert!(exchange.advance(&mut problem, load, 1e-6, &u));
+    assert!(held(&exchange).is_empty() && exchange.free[0] == LIMIT);
+    assert_eq!(exchange.accuracy, (REFINEMENT * 0.25_f64).min(COARSEST));
+}
+
+#[test]
+fn exchanges_that_stall_give_way_to_a_descent_from_an_admissible_pressure() {
+    let mut problem = problem(1.0, |_| 0.0);
+    let load = Load::Penetration(4.0);
+    let mut exchange = begun(&mut problem, load, &[LIMIT, 1.0]);
+    exchange.since = PATIENCE - 1;
+    exchange.milestone = 1e-9;
+    exchange.free[1] = 1.5 * LIMIT;
+    let u = vec![3.0; 16];
+    assert!(exchange.advance(&mut problem, load, 1e-6, &u));
+    let descent = exchange.descent.as_ref().unwrap();
+    assert_eq!(descent.pressure(), field(&[LIMIT, LIMIT]));
+    assert_eq!(held(&exchange), [0, 1]);
+    assert_eq!(exchange.free, field(&[]));
+    assert_eq!(exchange.total.operator_applications, 1);
+    // Nothing above the limit, and both have a gap: one of them at least is let go.
+    assert!(exchange.advance(&mut problem, load, 1e-6, &u));
+    assert_eq!(held(&exchange).len(), 1);
+    let free = held(&exchange)[0].abs_diff(1);
+    assert_eq!(exchange.free[free], LIMIT);
+    assert_eq!(exchange.total.operator_applications, 1);
+    // It presses above the limit again: held once more, at no product.
+    exchange.free[free] = 1.25 * LIMIT;
+    assert!(exchange.advance(&mut problem, load, 1e-6, &u));
+    assert_eq!(held(&exchange), [0, 1]);
+    assert_eq!(exchange.total.operator_applications, 1);
+    // Another one comes to the limit: the pressure goes there, and it is held too.
+    exchange.free[5] = 2.0 * LIMIT;
+    let u = vec![0.0; 16];
+    assert!(exchange.advance(&mut problem, load, 1e-6, &u));
+    assert_eq!(held(&exchange), [0, 1, 5]);
+    assert_eq!(exchange.free, field(&[]));
+}

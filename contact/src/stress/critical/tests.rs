@@ -1,0 +1,202 @@
+//! What strengths ask for, and the loads at which they are reached.
+
+use std::sync::Arc;
+
+use pellicle_influence::{Cache, RadialTables};
+use pellicle_kernel::{Foundation, Material};
+use pellicle_texture::Relief;
+
+use super::*;
+use crate::{
+    Load, Paraboloid, solve_path,
+    stress::{
+        extremes::{BodyUtilisation, InterfaceUtilisation, stress_extremes},
+        model::{BodyPart, BodyStrengths, InterfacePart, InterfaceStrengths},
+    },
+};
+
+fn extreme<const AXES: usize>(value: f64) -> Extreme<AXES> {
+    Extreme {
+        value,
+        at: [0.5; AXES],
+        resolved: true,
+        estimate: Some(0.1),
+    }
+}
+
+/// A coat with all strengths on a substrate with one, and the interface between.
+fn stress() -> StressModel {
+    let body = |name: &str, [top, bottom]: [f64; 2], strengths| BodyPart {
+        name: name.to_owned(),
+        top,
+        bottom,
+        strengths,
+    };
+    let all = BodyStrengths {
+        yield_strength: Some(3.0),
+        tensile_strength: Some(4.0),
+    };
+    let one = BodyStrengths {
+        tensile_strength: Some(5.0),
+        ..BodyStrengths::default()
+    };
+    StressModel {
+        bodies: vec![
+            body("layer[0]", [0.0, 0.2], all),
+            body("substrate", [0.2, f64::INFINITY], one),
+        ],
+        interfaces: vec![InterfacePart {
+            index: 0,
+            depth: 0.2,
+            strengths: InterfaceStrengths {
+                shear_strength: Some(6.0),
+                tensile_strength: Some(7.0),
+            },
+        }],
+        ..StressModel::default()
+    }
+}
+
+#[test]
+fn every_strength_asks_for_its_own_stress_in_its_own_range() {
+    let body = |value: f64| BodyStress {
+        name: String::new(),
+        max_von_mises: extreme(value),
+        max_principal: extreme(value + 1.0),
+        min_principal: extreme(-9.0),
+        max_shear: extreme(9.0),
+        utilisation: BodyUtilisation::default(),
+    };
+    let step = StressExtremes {
+        bodies: vec![body(10.0), body(20.0)],
+        interfaces: vec![InterfaceStress {
+            index: 0,
+            depth: 0.2,
+            max_shear_traction: extreme(30.0),
+            max_tension: extreme(31.0),
+            max_compression: extreme(9.0),
+            utilisation: InterfaceUtilisation::default(),
+        }],
+    };
+    let asked = criteria(&stress(), &[step]);
+    let found = asked.iter().map(|asked| {
+        let Target {
+            top,
+            bottom,
+            quantities,
+        } = &asked.target;
+        assert_eq!(asked.known[0].at.len(), 3);
+        let known = asked.known[0].value;
+        (
+            asked.name.as_str(),
+            asked.strength,
+            [*top, *bottom],
+            quantities[0],
+            known,
+        )
+    });
+    let endless = [0.2, f64::INFINITY];
+    let wanted = [
+        ("layer[0]", 3.0, [0.0, 0.2], Quantity::VonMises, 10.0),
+        ("layer[0]", 4.0, [0.0, 0.2], Quantity::MaxPrincipal, 11.0),
+        ("substrate", 5.0, endless, Quantity::MaxPrincipal, 21.0),
+        ("interface[0]", 6.0, [0.2; 2], Quantity::ShearTraction, 30.0),
+        ("interface[0]", 7.0, [0.2; 2], Quantity::Tension, 31.0),
+    ];
+    assert_eq!(found.collect::<Vec<_>>(), wanted);
+    // On an interface the depth is its own.
+    assert_eq!(asked[3].known[0].at, [0.5, 0.5, 0.2]);
+}
+
+#[test]
+fn the_error_of_a_critical_load_is_that_of_the_stress_over_how_steeply_it_grows() {
+    let asked = || Asked {
+        criterion: Criterion::Yield,
+        name: "substrate".to_owned(),
+        strength: 4.0,
+        target: Target {
+            top: 0.0,
+            bottom: 1.0,
+            quantities: vec![Quantity::VonMises],
+        },
+        known: Vec::new(),
+    };
+    let solved = |value: f64| Solved {
+        force: 6.0,
+        penetration: 0.3,
+        extreme: extreme(value),
+    };
+    let met = asked().answered(&Outcome::Met {
+        solved: solved(4.0),
+        exponent: 0.5,
+    });
+    // 6 · (0.1/4)/0.5
+    assert!((met.estimate.unwrap() - 0.3).abs() < 1e-15);
+    let numbers = (met.force, met.penetration, met.at, met.utilisation);
+    assert_eq!(numbers, (Some(6.0), Some(0.3), Some([0.5; 3]), 1.0));
+    let missed = asked().answered(&Outcome::Missed(Some(solved(1.0))));
+    let numbers = (missed.force, missed.penetration, missed.at, missed.estimate);
+    assert_eq!(numbers, (None, None, None, None));
+    assert_eq!((missed.utilisation, missed.resolved), (0.25, true));
+    let pulled = asked().answered(&Outcome::Missed(Some(solved(-1.0))));
+    assert_eq!(pulled.utilisation, 0.0);
+    let unloaded = asked().answered(&Outcome::Missed(None));
+    assert_eq!((unloaded.utilisation, unloaded.resolved), (0.0, false));
+}
+
+#[test]
+fn a_body_yields_under_a_ball_at_the_force_of_hertz() {
+    let body = Foundation::half_space(Material::new(1.0, 0.3).unwrap());
+    let model = Model {
+        tables: Arc::new(RadialTables::build(&body).unwrap()),
+        relief: Relief::Bare,
+        indenter: Paraboloid::new(1.0).unwrap().into(),
+        cache: Cache::none(),
+    };
+    // 0.62 p0 with p0³ = 6 Q E*²/(π³ R²); 0.2 of it is more than any load reaches.
+    let strength = 0.05;
+    let modulus = 1.0 / 0.91;
+    let exact = (std::f64::consts::PI * strength / 0.62).powi(3) / (6.0 * modulus * modulus);
+    let stress = StressModel {
+        bodies: vec![BodyPart {
+            name: "substrate".to_owned(),
+            top: 0.0,
+            bottom: f64::INFINITY,
+            strengths: BodyStrengths {
+                yield_strength: Some(strength),
+                tensile_strength: Some(4.0 * strength),
+            },
+        }],
+        ..StressModel::default()
+    };
+    let loads = [2.0, 0.5].map(|part| Load::Force(part * exact));
+    // Three radii under the larger load, a³ = 3 Q R/(4 E*).
+    let side = 3.0 * (1.5 * exact / modulus).cbrt();
+    let (domain, options) = (Domain::Side(side), SolverOptions::default());
+    let path = solve_path(&model, domain, 24, &loads, &options, &mut ()).unwrap();
+    let extremes = [0, 1].map(|step| stress_extremes(&path, step, &stress).unwrap());
+    let solve = |options: &SolverOptions| {
+        critical_loads(&model, &path, &extremes, domain, options, &stress, &mut ())
+    };
+    let found = solve(&options).unwrap();
+    let [yielding, tension] = &found[..] else {
+        panic!("{found:?}")
+    };
+    // Seven elements to the radius.
+    assert!(
+        (yielding.force.unwrap() / exact - 1.0).abs() < 0.1,
+        "{yielding:?}"
+    );
+    assert!((yielding.utilisation - 1.0).abs() < 1e-3);
+    // Three times the error of the stress, which coarser grids tell.
+    assert!(yielding.estimate.unwrap() > 0.0 && yielding.estimate.unwrap() < 0.5 * exact);
+    assert!(tension.force.is_none() && tension.utilisation < 0.7);
+    let cut = SolverOptions {
+        hardness: 1.0,
+        ..options
+    };
+    assert!(matches!(
+        solve(&cut),
+        Err(ContactError::WithHardness { .. })
+    ));
+}

@@ -1,0 +1,196 @@
+//! The depths of a body, and the peaks of planes at them.
+
+use std::sync::Arc;
+
+use pellicle_influence::RadialTables;
+use pellicle_kernel::{Foundation, Material};
+use pellicle_texture::Grid;
+
+use super::*;
+use crate::stress::model::Sliding;
+
+fn depths(top: f64, bottom: f64) -> Vec<f64> {
+    let target = Target {
+        top,
+        bottom,
+        quantities: Vec::new(),
+    };
+    target
+        .depths(10.0, 0.1)
+        .iter()
+        .map(|depth| depth.z)
+        .collect()
+}
+
+#[test]
+fn a_body_is_looked_at_from_top_to_bottom_densest_at_its_ends() {
+    for (top, bottom) in [
+        (0.0, 1.0),
+        (0.0, 0.01),
+        (3.0, 4.0),
+        (0.0, f64::INFINITY),
+        (5.0, f64::INFINITY),
+    ] {
+        let found = depths(top, bottom);
+        assert!(found.is_sorted_by(|one, other| one < other), "{found:?}");
+        assert_eq!(
+            (found[0], found[found.len() - 1]),
+            (top, bottom.min(top + 20.0))
+        );
+        let gaps: Vec<f64> = found.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        for (gap, next) in gaps.iter().zip(&gaps[1..]) {
+            assert!(gap / next < 2.6 && next / gap < 2.6, "{found:?}");
+        }
+        let [first, last] = [gaps[0], gaps[gaps.len() - 1]];
+        if bottom.is_finite() {
+            assert!((first / last - 1.0).abs() < 1e-9, "{found:?}");
+        } else {
+            assert!(last > 2.0 * first, "{found:?}");
+        }
+    }
+}
+
+#[test]
+fn an_interface_is_one_depth() {
+    assert_eq!(depths(2.0, 2.0), [2.0]);
+}
+
+#[test]
+fn a_value_within_two_hundredths_of_the_largest_comes_near_it() {
+    for (value, largest, wanted) in [
+        (0.981, 1.0, true),
+        (0.979, 1.0, false),
+        (-1.019, -1.0, true),
+        (-1.021, -1.0, false),
+    ] {
+        assert_eq!(is_nearly(value, largest), wanted);
+    }
+}
+
+/// Pressures that are alike in 2 × 2 elements, on a unit square of 8 × 8.
+fn field() -> StressField {
+    let body = Foundation::half_space(Material::new(1.0, 0.3).unwrap());
+    let pressed = |e: usize| match [e / 16, e % 8 / 2] {
+        [1, 1] => 1.0,
+        [1, 2] => 2.0,
+        [2, 2] => 0.5,
+        _ => 0.0,
+    };
+    let pressure: Vec<f64> = (0..64).map(pressed).collect();
+    let tables = Arc::new(RadialTables::build(&body).unwrap());
+    let grid = Grid::new(1.0, 8).unwrap();
+    StressField::of(tables, grid, &pressure, Sliding::default())
+}
+
+#[test]
+fn planes_under_blocks_have_the_stresses_of_the_field_at_the_middles_of_blocks() {
+    let (field, depth) = (field(), Depth::below(0.2));
+    for elements in [1, 2] {
+        let mut blocks = Blocks::new(&field, elements, 0.2);
+        let states = blocks.states_on(depth).unwrap();
+        let place = |k: usize| [k / blocks.shown, k % blocks.shown];
+        let point =
+            |k: usize| [0, 1].map(|axis| blocks.first[axis] + place(k)[axis] as f64 * blocks.side);
+        let points: Vec<_> = (0..states.len()).map(point).collect();
+        // Beside the loaded square, 0.3 of its side and one and a half depths at least, and no block more.
+        let [low, high] = [points[0], points[states.len() - 1]];
+        for axis in 0..2 {
+            let edges = [-low[axis], high[axis]].map(|middle| middle + blocks.side / 2.0);
+            assert!(
+                edges
+                    .iter()
+                    .all(|edge| *edge >= 0.7 && *edge < 0.7 + blocks.side)
+            );
+        }
+        let wanted = field.at_points(&points, depth).unwrap();
+        for (found, wanted) in states.iter().zip(&wanted) {
+            for (found, wanted) in found.stress.iter().zip(wanted.stress) {
+                assert!((found - wanted).abs() < 1e-10, "{elements}");
+            }
+        }
+    }
+}
+
+#[test]
+fn peaks_of_a_plane_are_the_values_near_the_largest_with_no_larger_neighbour() {
+    let blocks = Blocks::new(&field(), 1, 0.2);
+    let mut states = vec![SubsurfaceState::default(); blocks.shown.pow(2)];
+    let last = blocks.shown - 1;
+    for (i, j, stress) in [
+        (5, 3, 9.9),
+        (2, 3, 10.0),
+        (2, 2, 9.95),
+        (3, 4, 9.95),
+        (0, 7, 9.85),
+        (last, last, 9.82),
+        (8, 8, 9.7),
+    ] {
+        states[i * blocks.shown + j].stress[2] = stress;
+    }
+    let found = blocks.peaks(&states, Quantity::Tension);
+    let values: Vec<f64> = found.iter().map(|(value, _)| *value).collect();
+    assert_eq!(values, [10.0, 9.9, 9.85, 9.82]);
+    let [x, y] = blocks.first;
+    assert_eq!(found[0].1, [x + 2.0 * blocks.side, y + 3.0 * blocks.side]);
+}
+
+#[test]
+fn peaks_of_every_plane_are_the_stresses_there_under_elements_and_under_blocks() {
+    // Hertz's pressure of radius and peak 1, 32 elements across: from a depth of 1 on under blocks of two elements.
+    let size = 40;
+    let grid = Grid::new(2.5, size).unwrap();
+    let pressure = grid
+        .centres()
+        .map(|[x, y]| (1.0 - x * x - y * y).max(0.0).sqrt());
+    let body = Foundation::half_space(Material::new(1.0, 0.3).unwrap());
+    let tables = Arc::new(RadialTables::build(&body).unwrap());
+    let pressure: Vec<f64> = pressure.collect();
+    let field = StressField::of(tables, grid, &pressure, Sliding::default());
+    assert_eq!(field.loaded().size, 32);
+    let quantities = [Quantity::Compression, Quantity::VonMises];
+    let target = |top: f64, bottom: f64| Target {
+        top,
+        bottom,
+        quantities: quantities.to_vec(),
+    };
+    let targets = [target(0.0, 3.0), target(0.5, 0.5)];
+    let found = candidates(&field, &targets).unwrap();
+    assert!(found.is_sorted_by(|one, other| one.value >= other.value));
+    let element = grid.element_side();
+    for (index, of) in targets.iter().enumerate() {
+        let depths = of.depths(32.0 * element, element);
+        for quantity in quantities {
+            for (at, depth) in depths.iter().enumerate() {
+                let mut own = found.iter().filter(|candidate| {
+                    let place = (candidate.target, candidate.quantity, candidate.depth);
+                    place == (index, quantity, at)
+                });
+                let largest = own.next().unwrap();
+                assert!(own.count() < PEAKS_OF_A_PLANE);
+                let there = field.at(largest.at, *depth).unwrap();
+                let ratio = largest.value / quantity.of(&there);
+                assert!(
+                    (ratio - 1.0).abs() < 5e-3,
+                    "{quantity:?} {}: {ratio}",
+                    depth.z
+                );
+                if quantity == Quantity::Compression {
+                    // p0/(1 + z²/a²) on the axis, beside which a block's middle lies.
+                    let ratio = largest.value * (1.0 + depth.z * depth.z);
+                    assert!((ratio - 1.0).abs() < 0.02, "{}: {ratio}", depth.z);
+                    let apart = largest.at[0].hypot(largest.at[1]);
+                    assert!(apart <= element.max(depth.z / 8.0), "{}: {apart}", depth.z);
+                    // Blocks no wider than an eighth of the depth: their middles are whole blocks apart.
+                    let block = if depth.z >= 16.0 * element { 2.0 } else { 1.0 };
+                    let first = grid.centre(field.loaded().origin[0]) - element / 2.0;
+                    let middle = (largest.at[0] - first) / (block * element) - 0.5;
+                    assert!(
+                        (middle - middle.round()).abs() < 1e-9,
+                        "{}: {middle}",
+                        depth.z
+                    );
+                }
+            }
+        }
+    }
+}
