@@ -97,7 +97,7 @@ impl Secants {
         let parts = pairs.iter().rev().map(|pair| {
             let part = dot(&pair.step, &residual) / pair.curvature;
             update(&mut residual, &pair.image, |r, y| {
-                *r -= part * f64::from(*y)
+                *r -= part * f64::from(*y);
             });
             part
         });
@@ -109,7 +109,7 @@ impl Secants {
         for (pair, part) in pairs.iter().zip(parts.iter().rev()) {
             let missing = part - dot(&pair.image, &direction) / pair.curvature;
             update(&mut direction, &pair.step, |z, s| {
-                *z += missing * f64::from(*s)
+                *z += missing * f64::from(*s);
             });
         }
         self.scatter(&direction, field);
@@ -257,7 +257,7 @@ mod tests {
     #[test]
     fn the_corrected_inverse_is_symmetric_and_positive() {
         let (secants, set) = cut_to_all_but(1);
-        let (mut a, mut b) = (wave(0.31), wave(2.0));
+        let (mut a, mut b) = (wave(0.3), wave(0.75));
         set.clear_outside(&mut a);
         set.clear_outside(&mut b);
         let answers = [&a, &b].map(|residual| answer(&secants, &set, residual));
