@@ -12,7 +12,7 @@ use std::process;
 
 use super::file::Existing;
 use super::lock::Lock;
-use super::{partial_file, run_files};
+use super::{own_files, partial_file};
 use crate::failure::Failure;
 use crate::unfinished::{self, Unfinished};
 
@@ -221,7 +221,7 @@ fn contents(path: &Path) -> FolderContents {
     };
     if entries.all(|entry| entry.is_ok_and(|entry| is_hidden(&entry))) {
         FolderContents::Empty
-    } else if run_files::case_in(path).is_some() || run_files::is_fit(path) {
+    } else if own_files::case_in(path).is_some() || own_files::is_fit(path) {
         FolderContents::Results
     } else {
         FolderContents::Foreign
@@ -243,7 +243,7 @@ fn check(path: &Path, existing: Existing) -> Result<(), Failure> {
             Err(Failure::NoResults { path: path_buf() })
         }
         (FolderContents::Results, Existing::Keep) => Err(Failure::Exists { path: path_buf() }),
-        (FolderContents::Results, Existing::Replace) => match run_files::not_written(path) {
+        (FolderContents::Results, Existing::Replace) => match own_files::not_written(path) {
             Some(file) if !hidden::is_being_emptied(path) => {
                 Err(Failure::NotWritten { path: file })
             }

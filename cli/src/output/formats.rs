@@ -1,5 +1,5 @@
 //! The formats of a step's fields: each has a file of its own in this folder, its size in `disk_space.rs` and its file
-//! names in `run_files.rs`.
+//! names in `own_files.rs`.
 
 use std::path::Path;
 

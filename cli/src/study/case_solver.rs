@@ -18,7 +18,7 @@ use crate::input::units::Units;
 use crate::memory::MemoryBudget;
 use crate::output::file::Existing;
 use crate::output::folder::{Completeness, ResultsFolder};
-use crate::output::{results, run_files};
+use crate::output::{own_files, results};
 use crate::solving::{self, Resources, SolvedCase};
 use crate::stresses::Search;
 
@@ -113,7 +113,7 @@ impl CaseSolver<'_> {
             return Ok(None);
         };
         let path = folders.join(format!("case-{:04}", number + 1));
-        if run_files::case_in(&path).is_some_and(|written| !is_of(&written, case)) {
+        if own_files::case_in(&path).is_some_and(|written| !is_of(&written, case)) {
             return Err(Failure::OtherCase { path });
         }
         ResultsFolder::claim(&path, Existing::Replace).map(Some)

@@ -11,7 +11,7 @@ use super::report;
 use super::shard::Shard;
 use crate::failure::Failure;
 use crate::output::lock::Lock;
-use crate::output::{partial_file, run_files};
+use crate::output::{own_files, partial_file};
 
 /// Text of the lock's file.
 const AT_WORK: &str = "pellicle is at work on this study.\n";
@@ -278,11 +278,11 @@ fn remove(path: &Path) -> Result<(), Failure> {
 fn forget_cases(cases: &Path) -> io::Result<()> {
     for name in names(cases) {
         let case = cases.join(&name);
-        if run_files::case_in(&case).is_some()
-            && run_files::not_written(&case).is_none()
+        if own_files::case_in(&case).is_some()
+            && own_files::not_written(&case).is_none()
             && !case.is_symlink()
         {
-            run_files::remove(&case)?;
+            own_files::remove(&case)?;
         }
     }
     Ok(())

@@ -14,7 +14,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use crate::identification::result;
-use crate::output::{partial_file, run_files, summary};
+use crate::output::{own_files, partial_file, summary};
 use crate::unfinished::Unfinished;
 
 /// Beginnings of its names: being filled, complete, being emptied.
@@ -83,7 +83,7 @@ fn remove_half_written(folder: &Path) {
             .file_name()
             .to_str()
             .is_some_and(partial_file::is_partial);
-        if run_files::is_file(&entry) || run_files::is_fit_file(&entry) || is_partial {
+        if own_files::is_file(&entry) || own_files::is_fit_file(&entry) || is_partial {
             // Best effort: the next run tries again.
             drop(fs::remove_file(entry.path()));
         }
@@ -112,7 +112,7 @@ pub(super) fn empty(path: &Path, complete: &Path) -> io::Result<()> {
 
 /// Removes the results that complete ones replace.
 fn remove_older(path: &Path, complete: &Path) -> io::Result<PathBuf> {
-    run_files::remove_files(path)?;
+    own_files::remove_files(path)?;
     renamed(complete, EMPTYING)
 }
 
