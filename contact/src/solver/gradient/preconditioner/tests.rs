@@ -1,6 +1,6 @@
-//! What the choice of a preconditioner goes by.
+//! What the choice of a preconditioner goes by, and how near it comes to the inverse.
 
-use std::sync::Arc;
+use std::{f64::consts::TAU, sync::Arc};
 
 use pellicle_influence::{CoefficientTable, RadialTables, SurfaceElasticity};
 use pellicle_kernel::{Foundation, Material};
@@ -13,6 +13,8 @@ use crate::{
         tests::{RIGID, SIZE, paraboloid, problem as of_coat},
     },
 };
+
+const ELEMENTS: usize = SIZE * SIZE;
 
 #[test]
 fn neighbours_grow_with_the_grid_from_a_few_hundred_elements_up_to_a_bound() {
@@ -47,12 +49,10 @@ fn a_stiff_coat_shows_in_the_response_to_long_waves_over_that_to_short_ones() {
 fn what_is_missing_of_the_penetration_is_counted_on_the_set_alone() {
     let mut problem = of_coat([1.0, 0.1], paraboloid, RIGID);
     let control = Control::of(&problem, Load::Penetration(0.02));
-    let pressure: Vec<f64> = (0..SIZE * SIZE)
-        .map(|e| (e as f64).sin().max(0.0))
-        .collect();
+    let pressure: Vec<f64> = (0..ELEMENTS).map(|e| (e as f64).sin().max(0.0)).collect();
     let (state, mut set) = begun(&mut problem, control, &pressure);
     set.keep_pressing(&state);
-    let mut residual = vec![7.0; SIZE * SIZE];
+    let mut residual = vec![7.0; ELEMENTS];
     residual_into(&state, &set, &mut residual);
     for (e, found) in residual.iter().enumerate() {
         let wanted = if pressure[e] > 0.0 {
@@ -61,5 +61,123 @@ fn what_is_missing_of_the_penetration_is_counted_on_the_set_alone() {
             0.0
         };
         assert_eq!(*found, wanted);
+    }
+}
+
+/// A set of six hundred elements in islands, more than are solved directly.
+fn islands(problem: &mut DiscreteProblem) -> (State, WorkingSet) {
+    let control = Control::of(problem, Load::Penetration(0.0));
+    let in_set = |e: usize| {
+        let (i, j) = (e / SIZE, e % SIZE);
+        (i / 5 + j / 7) % 5 < 3
+    };
+    let pressure: Vec<f64> = (0..ELEMENTS)
+        .map(|e| f64::from(u8::from(in_set(e))) * (1.0 + (e as f64).sin() / 2.0))
+        .collect();
+    let (state, mut set) = begun(problem, control, &pressure);
+    set.keep_pressing(&state);
+    assert_eq!(set.len(), pressure.iter().filter(|p| **p > 0.0).count());
+    (state, set)
+}
+
+/// How far `M⁻¹_I (K + η)_I p` is from `p`, relative, in the norm `√(pᵀ (K + η)_I p)` in which conjugate gradients
+/// converge.
+fn distance_from_inverse(problem: &mut DiscreteProblem, times: usize) -> f64 {
+    let (state, set) = islands(problem);
+    let mut preconditioner = Preconditioner::new(problem);
+    assert!(preconditioner.turn_to_factor(problem, times));
+    preconditioner.follow(problem, &set);
+    let mut z = vec![0.0; ELEMENTS];
+    problem.deform_to_scale(&state.pressure, &mut z);
+    preconditioner.apply(&set, &mut z);
+    let error: Vec<f64> = z.iter().zip(&state.pressure).map(|(z, p)| z - p).collect();
+    let mut norm = |p: &[f64]| {
+        let mut v = vec![0.0; ELEMENTS];
+        problem.deform_to_scale(p, &mut v);
+        p.iter().zip(&v).map(|(p, v)| p * v).sum::<f64>().sqrt()
+    };
+    norm(&error) / norm(&state.pressure)
+}
+
+/// Times the usual neighbours, the last of them more than there are elements.
+const TIMES_NEIGHBOURS: [usize; 4] = [1, 2, 5, 15];
+
+#[test]
+fn the_sparse_factor_tends_to_the_inverse_with_its_neighbours() {
+    let error = |times| distance_from_inverse(&mut of_coat([10.0, 0.05], paraboloid, RIGID), times);
+    let errors = TIMES_NEIGHBOURS.map(error);
+    assert!(
+        errors.is_sorted_by(|fewer, more| more < fewer),
+        "{errors:?}"
+    );
+    // Single precision.
+    assert!(errors[3] < 1e-5, "{errors:?}");
+}
+
+/// Springs hide far elements less well behind near ones, so as many neighbours leave a larger error; with all of them
+/// that of the classes is left: the factor is `(K + η̃)⁻¹`, and `|η − η̃| ≤ (2^(1/32) − 1) η̃`.
+#[test]
+fn the_sparse_factor_tends_to_the_inverse_with_springs_of_many_kinds_too() {
+    let springs = |x: f64, y: f64| 0.01 * (2.0 + (9.0 * x).sin() + (7.0 * y).cos());
+    let error =
+        |times| distance_from_inverse(&mut of_coat([10.0, 0.05], paraboloid, springs), times);
+    let errors = TIMES_NEIGHBOURS.map(error);
+    assert!(
+        errors.is_sorted_by(|fewer, more| more < fewer),
+        "{errors:?}"
+    );
+    assert!(errors[3] < (1.0_f64 / 32.0).exp2() - 1.0, "{errors:?}");
+}
+
+#[test]
+fn a_small_set_with_springs_is_solved_exactly() {
+    let springs = |x: f64, y: f64| 0.01 * (2.0 + (9.0 * x).sin() + (7.0 * y).cos());
+    let mut problem = of_coat([10.0, 0.05], paraboloid, springs);
+    let control = Control::of(&problem, Load::Penetration(0.0));
+    let pressure: Vec<f64> = (0..ELEMENTS)
+        .map(|e| f64::from(u8::from(e % 7 == 0)) * (1.0 + (e as f64).sin() / 2.0))
+        .collect();
+    let (state, mut set) = begun(&mut problem, control, &pressure);
+    set.keep_pressing(&state);
+    let mut preconditioner = Preconditioner::new(&problem);
+    assert!(preconditioner.turn_to_factor(&problem, 1));
+    preconditioner.follow(&problem, &set);
+    let mut z = vec![0.0; ELEMENTS];
+    problem.deform_to_scale(&state.pressure, &mut z);
+    preconditioner.apply(&set, &mut z);
+    for (found, wanted) in z.iter().zip(&state.pressure) {
+        assert!((found - wanted).abs() < 1e-11, "{found} {wanted}");
+    }
+}
+
+#[test]
+fn on_all_elements_the_filter_divides_a_wave_by_its_symbol() {
+    let bare = of_coat([0.5, 0.1], paraboloid, |_, _| 0.0);
+    let symbol = bare.elasticity().unwrap().symbol(SIZE);
+    // One that the filter does not round.
+    let compliance = 1.1_f64.powi(-3) * symbol.value([SIZE / 2; 2]);
+    let problem = of_coat([0.5, 0.1], paraboloid, |_, _| compliance);
+    let control = Control::of(&problem, Load::Penetration(1.0));
+    let mut problem = problem;
+    let (state, set) = begun(&mut problem, control, &[1.0; ELEMENTS]);
+    assert_eq!(set.len(), ELEMENTS);
+    let mut preconditioner = Preconditioner::new(&problem);
+    let mut z = vec![0.0; ELEMENTS];
+    preconditioner.direction_into(&problem, &state, &set, &mut z);
+    for [a, b] in [[0, 1], [3, 0], [2, 5], [16, 16], [7, 16]] {
+        let wave = |e: usize| {
+            let phase = a * (e / SIZE) + b * (e % SIZE);
+            (TAU * phase as f64 / SIZE as f64).cos()
+        };
+        let mut field: Vec<f64> = (0..ELEMENTS).map(wave).collect();
+        preconditioner.apply(&set, &mut field);
+        let wanted = problem.scale().compliance / (symbol.value([a, b]) + compliance);
+        for (e, found) in field.iter().enumerate() {
+            // single precision, and single sums of 1024 elements
+            assert!(
+                (found - wanted * wave(e)).abs() < 1e-5 * wanted,
+                "{a} {b} {e}"
+            );
+        }
     }
 }

@@ -1,0 +1,173 @@
+//! Searches whose forces are known.
+
+use std::sync::Arc;
+
+use pellicle_influence::{Cache, RadialTables};
+use pellicle_kernel::{Foundation, Material};
+use pellicle_texture::Relief;
+
+use super::*;
+use crate::{Paraboloid, stress::quantity::Quantity};
+
+fn solved(force: f64, value: f64) -> Solved {
+    Solved {
+        force,
+        penetration: 0.0,
+        extreme: Extreme {
+            value,
+            at: [0.0; 3],
+            resolved: true,
+            estimate: None,
+        },
+    }
+}
+
+fn model() -> Model {
+    let body = Foundation::half_space(Material::new(1.0, 0.3).unwrap());
+    Model {
+        tables: Arc::new(RadialTables::build(&body).unwrap()),
+        relief: Relief::Bare,
+        indenter: Paraboloid::new(1.0).unwrap().into(),
+        cache: Cache::none(),
+    }
+}
+
+fn search<'a>(
+    (model, target): (&'a Model, &'a Target),
+    strength: f64,
+    solved: Vec<Solved>,
+    observer: &'a mut dyn Observer,
+) -> LoadSearch<'a> {
+    LoadSearch {
+        model,
+        domain: Domain::Automatic,
+        elements: 32,
+        options: SolverOptions::default(),
+        sliding: Sliding::default(),
+        target,
+        strength,
+        solved,
+        observer,
+    }
+}
+
+fn target() -> Target {
+    Target {
+        top: 0.0,
+        bottom: 1.0,
+        quantities: vec![Quantity::VonMises],
+    }
+}
+
+#[test]
+fn secants_from_either_side_find_where_a_ball_makes_a_body_yield_in_a_few_loads() {
+    let (model, target) = (model(), target());
+    // 0.62 p0 under a ball, p0³ = 6 Q E*²/(π³ R²)
+    let strength = 0.03;
+    let exact = (std::f64::consts::PI * strength / 0.6205).powi(3) * 0.91_f64.powi(2) / 6.0;
+    let at = |part: f64| solved(part * exact, strength * part.cbrt());
+    for (known, most) in [
+        (vec![at(0.6), at(1.7)], 3),
+        (vec![at(1.7)], 4),
+        (vec![at(60.0)], 7),
+    ] {
+        let before = known.len();
+        let observer = &mut ();
+        let mut search = search((&model, &target), strength, known, observer);
+        let Outcome::Met { solved, exponent } = search.search().unwrap() else {
+            panic!("the strength is reached")
+        };
+        // The grid's error of the stress, three times in the force.
+        assert!(
+            (solved.force / exact - 1.0).abs() < 0.01,
+            "{} {exact}",
+            solved.force
+        );
+        assert!((exponent - 1.0 / 3.0).abs() < 0.05, "{exponent}");
+        assert!((solved.extreme.value / strength - 1.0).abs() < 1e-4);
+        assert!(
+            search.solved.len() - before <= most,
+            "{}",
+            search.solved.len()
+        );
+        assert!(
+            search
+                .solved
+                .is_sorted_by(|one, other| one.force < other.force)
+        );
+    }
+}
+
+#[test]
+fn loads_solved_before_say_between_which_the_strength_is_reached_and_how_steeply() {
+    let (model, target) = (model(), target());
+    // σ = 2 √Q, and no less than 0 of what pulls
+    let loads = [(0.0, -1.0), (1.0, 2.0), (4.0, 4.0), (9.0, 6.0)];
+    let known = loads.map(|(force, value)| solved(force, value)).to_vec();
+    let observer = &mut ();
+    let mut search = search((&model, &target), 4.0, known, observer);
+    let [none, one, four, nine] = [0, 1, 2, 3].map(|i: usize| search.solved[i]);
+    assert_eq!(
+        [none, one, nine].map(|at| search.utilisation(&at)),
+        [0.0, 0.5, 1.5]
+    );
+    assert_eq!(search.first_reached().map(|at| at.force), Some(4.0));
+    assert_eq!(search.largest().map(|at| at.force), Some(9.0));
+    assert_eq!(
+        [0.5, 1.0, 9.0].map(|force| search.first_after(force)),
+        [1.0, 4.0, 9.0]
+    );
+    let before = |force| search.last_before(force).map(|at| at.force);
+    assert_eq!(
+        [before(9.0), before(4.5), before(1.0)],
+        [Some(4.0), Some(4.0), None]
+    );
+    let exponent = search.exponent(&one, &nine).unwrap();
+    assert!((exponent - 0.5).abs() < 1e-15);
+    assert_eq!(search.exponent(&nine, &solved(16.0, 5.0)), None);
+    assert_eq!(search.exponent(&none, &one), None);
+    assert_eq!(search.exponent(&one, &solved(4.0, 2.0)), None);
+    assert_eq!(search.nearer(one, nine).force, 9.0);
+    assert_eq!(search.nearer(four, nine).force, 4.0);
+    // A side that is given stays; one that is chosen holds the contact of the load.
+    search.domain = Domain::Side(3.0);
+    assert_eq!(search.domain_for(1e-3).unwrap(), Domain::Side(3.0));
+    search.domain = Domain::Automatic;
+    let Domain::Side(side) = search.domain_for(1e-3).unwrap() else {
+        panic!("a side")
+    };
+    // a³ = 3 Q R/(4 E*), a side of three radii
+    let radius = (0.75e-3 * 0.91_f64).cbrt();
+    assert!((side / radius - 3.0).abs() < 0.05, "{side}");
+}
+
+#[test]
+fn a_strength_hardly_missed_is_looked_for_between_the_loads_on_either_side() {
+    let (model, target) = (model(), target());
+    let strength = 0.03;
+    let exact = (std::f64::consts::PI * strength / 0.6205).powi(3) * 0.91_f64.powi(2) / 6.0;
+    // Loads whose stresses are said to be too low, but between the second and the third it is reached.
+    let loads = [(0.3, 0.2), (0.9, 0.95), (2.0, 0.3)];
+    let known = |factor: f64| {
+        let of = |(part, value): (f64, f64)| solved(part * exact, factor * value * strength);
+        loads.map(of).to_vec()
+    };
+    let observer = &mut ();
+    let mut one = search((&model, &target), strength, known(1.0), observer);
+    let found = one.reached_between().unwrap().unwrap();
+    // First halfway to the load before, √(0.3 · 0.9), where it is not; then halfway to the one after.
+    let places: Vec<f64> = one.solved.iter().map(|at| at.force / exact).collect();
+    let wanted = [0.3, 0.27_f64.sqrt(), 0.9, 2.0];
+    assert_eq!(places.len(), 5, "{places:?}");
+    assert!(
+        wanted
+            .iter()
+            .all(|wanted| places.iter().any(|found| (found - wanted).abs() < 1e-9))
+    );
+    assert!(found.force > 0.9 * exact && found.force < 2.0 * exact);
+    assert!(found.extreme.value >= strength);
+    // Where less than seven tenths of it is seen nothing is looked for.
+    let observer = &mut ();
+    let mut far = search((&model, &target), strength, known(0.7), observer);
+    assert!(far.reached_between().unwrap().is_none() && far.solved.len() == 3);
+}
