@@ -196,7 +196,7 @@ impl DiscreteProblem {
 
     /// Takes another initial gap, in m.
     pub(crate) fn take_initial_gap(&mut self, initial_gap: Vec<f64>) {
-        debug_assert_eq!(initial_gap.len(), self.elements());
+        assert_eq!(initial_gap.len(), self.elements());
         (self.initial_gap, self.identity) = (initial_gap, Identity::default());
     }
 

@@ -68,7 +68,7 @@ fn under_a_thick_coat_and_a_soft_frame_base_and_thickness_are_lost() {
 #[test]
 fn the_modulus_of_a_coat_too_thin_is_lost() {
     let thin = Coat {
-        thickness: 0.05e-6,
+        thickness: 0.1e-6,
         ..coat(10e-6)
     };
     let fit = fit(thin, 1, &[]);

@@ -84,7 +84,7 @@ pub(crate) struct QuarterTransform {
 impl QuarterTransform {
     /// For `size` × `size` offsets, no more than `half` + 1 along a side, embedded in 2`half` × 2`half`.
     pub(crate) fn new(size: usize, half: usize) -> Self {
-        debug_assert!(size <= half + 1, "no offset is taken for another");
+        assert!(size <= half + 1, "no offset is taken for another");
         let frequencies = (half + 1).next_multiple_of(LINES);
         Self {
             size,

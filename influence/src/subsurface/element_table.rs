@@ -79,7 +79,7 @@ impl ElementTable {
 
     /// Computes the fields of an element under the table's load.
     pub fn fill<L: Load<F>, const F: usize>(&mut self, element: &UnderLoad<L, F>) {
-        debug_assert!(self.load == L::LOAD, "the table is made for the load");
+        assert!(self.load == L::LOAD, "the table is made for the load");
         let (size, fields) = (self.size, self.fields());
         let tiles = self.tiles.par_chunks_exact_mut(fields).enumerate();
         tiles.for_each(|(place, values)| {

@@ -40,7 +40,7 @@ impl<T: Real> EvenLines<T> {
     /// For fields with room: `loaded` numbers along a side are given and `shown` wanted, no more than 2 · `length`
     /// together.
     pub(crate) fn padded(loaded: usize, shown: usize, length: usize) -> Self {
-        debug_assert!(loaded <= length && loaded + shown <= 2 * length, "room");
+        assert!(loaded <= length && loaded + shown <= 2 * length, "room");
         let transforms = [Frequencies::Whole, Frequencies::Half];
         Self {
             loaded,

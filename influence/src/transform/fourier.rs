@@ -219,7 +219,7 @@ impl<T: Real> Lines for FourierLines<T> {
             }
             padding.fill(T::default());
             let outcome = self.rows.process_with_scratch(reals, row, transform);
-            debug_assert!(outcome.is_ok(), "the lengths are the plan's");
+            assert!(outcome.is_ok(), "the lengths are the plan's");
         }
     }
 
@@ -244,7 +244,7 @@ impl<T: Real> Lines for FourierLines<T> {
                 row[period / 2].im = T::default();
             }
             let outcome = self.rows_back.process_with_scratch(row, reals, transform);
-            debug_assert!(outcome.is_ok(), "the lengths are the plan's");
+            assert!(outcome.is_ok(), "the lengths are the plan's");
             let numbers = reals[period - before..].iter().chain(&*reals);
             for (value, number) in values.iter_mut().zip(numbers) {
                 *value = number.widened() * scale;
