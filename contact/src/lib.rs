@@ -1,4 +1,4 @@
-//! Unilateral contact of a rigid indenter with a layered, textured elastic half-space.
+//! Unilateral contact of an indenter with a layered elastic body that carries a relief.
 //!
 #![doc = include_str!("../README.md")]
 #![cfg_attr(
@@ -44,6 +44,7 @@ pub use problem::{
     discrete_problem::{DiscreteProblem, Identity},
     load::Load,
     model::{Model, SampledModel},
+    model_parameter::ModelParameter,
 };
 pub use result::{
     certificate::{Certificate, Solution},
@@ -58,9 +59,7 @@ pub use result::{
     warning::Warning,
     work::{LevelWork, Work},
 };
-pub use sensitivity::{
-    ForceCurve, ModelDerivatives, ModelDirection, ModelParameter, Sensitivities, Sensitivity,
-};
+pub use sensitivity::{ForceCurve, ModelDerivatives, ModelDirection, Sensitivities, Sensitivity};
 pub use solver::{
     Iterate, Method, Solver, SolverOptions, Watch,
     active_set::ActiveSetSolver,

@@ -16,10 +16,10 @@ Where a hardness p_max cuts the pressure, D and these lines but the load are tho
 
 `contact` is the part of the elements in contact, `mean_gap` that of g over all elements, relative to L.
 
-Of `periodic` and `saturated` the product is one by the symbol of the cell, without a displacement of the mean. OPERATOR says by which:
-`elements`, pressures constant on each element and displacements at the centres, as of the other problems; or
-`continuum`, the half-space's own 2 / (E* |q|) at the waves that the grid has, as if pressures were waves themselves. A
-program solves one of the two, and is judged by its own.
+Of `periodic` and `saturated` the product is one by the symbol of the cell, without a displacement of the mean.
+OPERATOR says by which: `elements`, pressures constant on each element and displacements at the centres, as of the other
+problems; or `continuum`, the half-space's own 2 / (E* |q|) at the waves that the grid has, as if pressures were waves
+themselves. A program solves one of the two, and is judged by its own.
 
 With a second pressure, `difference` is the largest difference of the two over the largest of the second.
 

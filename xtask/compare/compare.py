@@ -6,8 +6,8 @@
 Needs Python, cargo, and once the network: one virtual environment per rival, since their requirements exclude each
 other. Every run is a process of its own. Each run of a rival stands beside one of Pellicle on the same problem, so that
 whatever else the machine does hits both. A rival whose runs on one problem take longer than the budget together runs
-fewer times; if it did not finish once, it is stopped and marked. `rivals.md` and `rivals.json` are rewritten after every
-problem.
+fewer times; if it did not finish once, it is stopped and marked. `rivals.md` and `rivals.json` are rewritten after
+every problem.
 """
 
 import argparse

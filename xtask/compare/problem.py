@@ -4,8 +4,8 @@ Everything is dimensionless: a rigid body on a homogeneous half-space of plane-s
 inside the square [-1/2, 1/2]^2 only, on n x n square elements, constant on each; the half-space is infinite, and only
 `periodic` and `saturated` repeat themselves.
 
-    hertz    a paraboloid of radius R = 1, g0 = r^2 / (2 R), under the force F = 4 E* a^3 / (3 R) of the Hertzian contact
-             radius a = 0.15
+    hertz    a paraboloid of radius R = 1, g0 = r^2 / (2 R), under the force F = 4 E* a^3 / (3 R) of the Hertzian
+             contact radius a = 0.15
     pillars  the same above flat-topped rigid pillars of height 0.1 d_H, so g0 is larger by that between them; their
              axes form a square lattice of period T = 16 elements, the first at (T/2, T/2) from the domain's corner;
              an element stands on a pillar if its centre lies within 0.4 T of the pillar's axis

@@ -1,4 +1,7 @@
-"""Reads the files of Gwyddion with gsffile: pressure, mask and contact in single precision, y falling from row to row, extent, units."""
+"""Reads the files of Gwyddion with gsffile.
+
+Pressure, mask and contact in single precision, y falling from row to row, extent, units.
+"""
 
 import json
 import sys

@@ -1,4 +1,7 @@
-"""Reads stress-NNN.vtr with VTK, ParaView's own reader: the points, every array along x first, and its unit; the values are those of stress-NNN.nc."""
+"""Reads stress-NNN.vtr with VTK, ParaView's own reader.
+
+The points, every array along x first, and its unit; the values are those of stress-NNN.nc.
+"""
 
 import json
 import sys

@@ -1,4 +1,7 @@
-"""Reads fields-NNN.nc with xarray, as the results of contact.engineering are read: dimensions, variables, units, attributes."""
+"""Reads fields-NNN.nc with xarray, as the results of contact.engineering are read.
+
+Dimensions, variables, units, attributes.
+"""
 
 import json
 import sys

@@ -1,4 +1,7 @@
-"""Reads stress-NNN.nc with xarray: coordinates, units, what the surface bears, what passes an interface and what jumps there, and what follows from the stresses."""
+"""Reads stress-NNN.nc with xarray.
+
+Coordinates, units, the stresses on the surface, the tractions and jumps at an interface, and the derived stresses.
+"""
 
 import json
 import sys

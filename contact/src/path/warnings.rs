@@ -72,7 +72,7 @@ pub fn model_warnings(model: &Model, grid: &Grid) -> Vec<Warning> {
     warnings
 }
 
-/// All doubts about a path.
+/// All warnings about a path.
 pub(crate) fn warnings(
     model: &Model,
     grid: &Grid,
@@ -127,7 +127,7 @@ fn much_larger(model: &Model, grid: &Grid, loads: &[Load], steps: &[Step]) -> Op
     domain_much_larger(model, grid, loads, radius)
 }
 
-/// The doubt whether a domain is far larger than its widest contact, of so large a radius (m) between the middles of
+/// The warning that a domain is far larger than its widest contact, of so large a radius (m) between the middles of
 /// elements; none where nothing touches.
 #[must_use]
 pub fn domain_much_larger(

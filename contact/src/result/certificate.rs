@@ -22,10 +22,10 @@
 //! press a single cell in. Nothing is taken from an iteration's own residual. No gap is
 //! computed where the initial one alone is too wide for an overlap.
 
-mod reach;
+mod judged_fields;
 mod surface;
 
-pub use reach::JudgedFields;
+pub use judged_fields::JudgedFields;
 use surface::Surface;
 
 use crate::{
@@ -151,8 +151,8 @@ impl Solution {
             tolerance,
         } = trial;
         let total = sum(&pressure);
-        let highest = reach::highest(expected);
-        let reach = reach::around(problem, window, highest, total);
+        let highest = judged_fields::highest(expected);
+        let reach = judged_fields::around(problem, window, highest, total);
         fields.take(reach);
         problem.displace_into([window, &reach], &pressure, &mut fields.displacement);
         fields.products += 1;

@@ -7,7 +7,7 @@ use crate::{CutOff, PeakPlace};
 /// A smaller relative change would be told as 0.0 %.
 const SMALLEST_CHANGE: f64 = 5e-4;
 
-/// A doubt about the model or the grid, with its numbers.
+/// A warning about the model or the grid, with its numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Warning {
     /// The contact comes close to the edge of the domain, so pressure may be cut off.

@@ -7,13 +7,10 @@ use pellicle_influence::{
 };
 use pellicle_texture::Grid;
 
-use super::{
-    ModelParameter,
-    springs::{SpringChange, difference},
-};
+use super::springs::{SpringChange, difference};
 use crate::{
-    ContactError, Model, SampledModel, grid::window::Window, problem::model::initial_gap,
-    vector::dot,
+    ContactError, Model, ModelParameter, SampledModel, grid::window::Window,
+    problem::model::initial_gap, vector::dot,
 };
 
 /// Relative step of the central difference by which springs and heights are differentiated: an error of 1e-10 by its

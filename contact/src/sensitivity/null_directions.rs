@@ -9,7 +9,7 @@
 
 use pellicle_texture::{Relief, ReliefParameter};
 
-use super::ModelParameter;
+use crate::ModelParameter;
 use crate::{Indenter, IndenterQuantity, Model};
 
 /// Changes `dθ/dt` of some numbers, each in its own unit.

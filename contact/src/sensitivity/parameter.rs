@@ -2,21 +2,7 @@
 
 use std::sync::Arc;
 
-use pellicle_influence::ElasticParameter;
-use pellicle_texture::ReliefParameter;
-
-use crate::{ContactError, IndenterQuantity, Model};
-
-/// One number of a [`Model`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum ModelParameter {
-    /// Of the foundation, or of an elastic indenter's material.
-    Elastic(ElasticParameter),
-    /// Of the relief's springs.
-    Relief(ReliefParameter),
-    /// Of the indenter's shape.
-    Indenter(IndenterQuantity),
-}
+use crate::{ContactError, Model, ModelParameter};
 
 impl Model {
     /// All its numbers that a solution depends on smoothly: not the outline of a relief nor the radius of a flat punch,

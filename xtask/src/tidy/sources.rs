@@ -31,11 +31,15 @@ pub(super) fn begin_with_their_job(tree: &Tree) -> Vec<Violation> {
 
 /// Every line of a comment or document that is too long; tables and code may be wider.
 pub(super) fn have_lines_of_prose_that_fit(tree: &Tree) -> Vec<Violation> {
-    let is_comment = |line: &str| line.trim_start().starts_with("//");
+    let is_prose = |ending: &str, line: &str| match ending {
+        ".rs" => line.trim_start().starts_with("//"),
+        ".toml" => line.starts_with('#'),
+        _ => true,
+    };
     let mut found = Vec::new();
-    for ending in [".rs", ".md"] {
+    for ending in [".rs", ".md", ".toml", ".py"] {
         for (path, text) in tree.texts_ending(ending) {
-            let lines = prose(text).filter(|(_, line)| ending == ".md" || is_comment(line));
+            let lines = prose(text).filter(|(_, line)| is_prose(ending, line));
             for (number, line) in lines.filter(|(_, line)| !unmarked(line).starts_with('|')) {
                 if line.chars().count() > WIDTH {
                     let message = format!("a line of prose above {WIDTH} characters");
