@@ -34,8 +34,9 @@ use self::random::Random;
 /// Foundations that the problems share: their tables take longer than a solution.
 const FOUNDATIONS: u64 = 24;
 
-/// Problems with a hardness, free and on springs that stiffen, that a descent by single elements did not solve.
-const STALLING: [u64; 2] = [144, 721];
+/// Problems with a hardness, free and on springs that stiffen, that a descent by single elements did not solve, or one
+/// that lets go few elements at once.
+const STALLING: [u64; 4] = [144, 552, 721, 819];
 
 /// The tables of all foundations; most of them have some.
 fn all_tables() -> Vec<Arc<RadialTables>> {

@@ -11,6 +11,8 @@ use crate::{
 const COARSEST: f64 = 1e-2;
 /// Residual of the next problem, as a part of what the last exchange was wrong by.
 const REFINEMENT: f64 = 0.03;
+/// The next residual, as a part of the last, where a problem of the descent leaves nothing on the wrong side.
+const CLOSER_IN_DESCENT: f64 = 0.1;
 /// Gap of a held element that does not count, as a part of the residual solved to.
 const SLACK: f64 = 0.5;
 /// Exchanges without a halving of what they are wrong by after which they give way to the descent.
@@ -186,19 +188,18 @@ impl Exchange {
         let wrong = self.wrong(problem, load, &v);
         if wrong.above.is_empty() && wrong.open.is_empty() {
             let is_done = self.accuracy <= tolerance;
-            self.accuracy = tolerance;
+            let closer = if self.descent.is_some() {
+                tolerance.max(CLOSER_IN_DESCENT * self.accuracy)
+            } else {
+                tolerance
+            };
+            self.accuracy = closer;
             return !is_done;
         }
         let accuracy = (REFINEMENT * wrong.by).clamp(tolerance, COARSEST.max(tolerance));
         self.is_pressed = false;
         if self.descent.is_some() {
-            self.descend(
-                problem,
-                load,
-                &wrong,
-                [&pressure, displacement, &v],
-                accuracy,
-            );
+            self.descend(problem, load, &wrong, [&pressure, displacement], accuracy);
         } else if self.has_stalled(&wrong) {
             self.descent = Some(Descent::begin(problem, load, &pressure));
             self.total.operator_applications += 1;
@@ -241,29 +242,26 @@ impl Exchange {
         self.hold(&wrong.above);
     }
 
-    /// One step of the descent from the solution beside the held elements: its pressure (Pa), `K p` and `v` (m).
+    /// One step of the descent from the solution beside the held elements: its pressure (Pa) and `K p` (m).
     fn descend(
         &mut self,
         problem: &mut DiscreteProblem,
         load: Load,
         wrong: &Wrong,
-        [pressure, displacement, v]: [&[f64]; 3],
+        [pressure, displacement]: [&[f64]; 2],
         accuracy: f64,
     ) {
         let limit = problem.hardness();
         let Some(descent) = &mut self.descent else {
             return;
         };
-        descent.count_problem();
         self.accuracy = accuracy.min(descent.accuracy);
         let was_at_limit = |element: &&usize| descent.pressure()[**element] >= limit;
         let returned: Vec<usize> = wrong.above.iter().filter(was_at_limit).copied().collect();
         if wrong.above.is_empty() {
-            let mut open = wrong.open.clone();
-            open.sort_by(|e, f| v[*f].total_cmp(&v[*e]));
-            open.truncate(descent.settle(pressure, displacement, open.len()));
+            descent.settle(pressure, displacement);
             (descent.accuracy, self.accuracy) = (accuracy, accuracy);
-            self.let_go(limit, &open);
+            self.let_go(limit, &wrong.open);
         } else if returned.is_empty() {
             let products = descent.step(problem, load, pressure, displacement);
             self.total.operator_applications += products;
