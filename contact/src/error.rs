@@ -52,7 +52,7 @@ pub enum ContactError {
     /// Something that is not computed where the pressure is cut at a hardness.
     #[error("found a hardness with {what}, which is computed for elastic contact alone")]
     WithHardness {
-        /// What was asked for.
+        /// The quantity asked for.
         what: &'static str,
     },
     /// Something that a periodic cell does not have, or that is not computed for one.
@@ -60,7 +60,7 @@ pub enum ContactError {
         "found {what} with a periodic cell, wanted a force, and neither stresses nor derivatives"
     )]
     Periodic {
-        /// What was asked for.
+        /// The quantity asked for.
         what: &'static str,
     },
     /// Stresses that are not numbers, so that none is the largest.

@@ -80,13 +80,13 @@ pub enum IdentifyError {
     NoStart {
         /// Starts tried.
         starts: usize,
-        /// What the model said at the last of them.
+        /// The model's error at the last of them.
         source: ForwardError,
     },
     /// Parameters of a plan at which the model has no prediction.
     #[error("found no prediction at the parameters of the plan, wanted one")]
     NoPlan {
-        /// What the model says.
+        /// The model's own error.
         source: ForwardError,
     },
     /// A surrogate that does not come near enough to its model.

@@ -1,10 +1,10 @@
 //! Whether the model follows the data, or only comes near them.
 //!
 //! Up to six tests, each with its own probability under a true model: χ² where the noise is known, runs of signs and
-//! the statistic of Durbin and Watson for residuals that hang together, the lower half of the abscissae against the
-//! whole, a smooth change of the curve that the model does not have, and the persistence of a correlated noise, which
-//! must not be long enough to hide a misfit. The misfit's probability is that of the worst, times their number
-//! (Bonferroni), so that a true model is refused no oftener than that says, whatever the tests have in common.
+//! the statistic of Durbin and Watson for correlated residuals, the lower half of the abscissae against the whole, a
+//! smooth change of the curve that the model does not have, and the persistence of a correlated noise, which must not
+//! be long enough to hide a misfit. The misfit's probability is that of the worst, times their number (Bonferroni), so
+//! that a true model is refused no oftener than that says, whatever the tests have in common.
 
 use crate::{
     Correlation, Problem,
@@ -220,7 +220,7 @@ fn score(
     [before - dot(&residual, &residual), rank as f64]
 }
 
-/// What is known of the size of the noise that a score is measured by.
+/// How the size of the noise that a score is measured by is known.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Scale {
     /// All.

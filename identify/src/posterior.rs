@@ -1,4 +1,4 @@
-//! What is believed of the unknowns after the measurement: samples of the posterior.
+//! Samples of the posterior of the unknowns.
 //!
 //! The density is that of the fit's own noise, with the linear nuisances integrated out, over the coordinates of the
 //! unknowns, in which what is unknown before is flat. An ensemble of walkers samples it (J. Goodman and J. Weare, Comm.

@@ -24,7 +24,7 @@ pub(crate) struct Refined<'p> {
     pub levels: NoiseLevels,
 }
 
-/// What stays the same in all rounds.
+/// The refinement's inputs, the same in all rounds.
 pub(crate) struct Refinement<'s, 'p> {
     pub problem: &'p Problem,
     pub options: &'s FitOptions,

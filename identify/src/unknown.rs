@@ -11,7 +11,7 @@ pub enum Coordinate {
     Linear,
 }
 
-/// What a parameter is sought for.
+/// The role of a parameter in a fit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Role {
     /// It is an answer.

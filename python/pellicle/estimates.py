@@ -43,7 +43,7 @@ class FitEstimate:
     scatter: float | None
     """Standard deviation between repeats; None without repeats."""
     known_combination: KnownCombination | None
-    """What is known instead."""
+    """The combination that is known if the number is not identifiable."""
 
     def __str__(self) -> str:
         low, high = (f"{end:.4g}" if np.isfinite(end) else "open" for end in self.interval)
@@ -52,7 +52,7 @@ class FitEstimate:
 
 @dataclass(frozen=True)
 class Expected:
-    """What is expected of a number, in SI units."""
+    """The expected estimate of a number, in SI units."""
 
     key: str
     unit: str
@@ -69,7 +69,7 @@ class Expected:
 
 @dataclass(frozen=True)
 class ExpectedDesign:
-    """One curve or several, and what they would tell."""
+    """One curve or several, and the accuracy to expect of them."""
 
     curves: Sequence[Mapping[str, Any]]
     """The curves to measure; none for what has been measured alone."""

@@ -47,7 +47,7 @@ Arrays: TypeAlias = dict[str, npt.NDArray[np.float64]]
 
 @dataclass(frozen=True)
 class Nuisances(Table):
-    """What acts on the measurements besides: a shift and a drift of each curve, the compliance of the frame in m/N, and
+    """Other influences on the measurements: a shift and a drift of each curve, the compliance of the frame in m/N, and
     numbers of the model, by their keys, that are not known exactly."""
 
     shift: bool | None = None

@@ -57,7 +57,7 @@ class Study:
 
     @property
     def title(self) -> str:
-        """What its bar is called: its name."""
+        """The title of its progress bar: its name."""
         return self.name
 
     def __len__(self) -> int:

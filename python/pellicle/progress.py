@@ -92,7 +92,7 @@ FitReport: TypeAlias = Callable[[FitProgress], object]
 
 
 Kind: TypeAlias = type[Progress] | type[FitProgress] | type[StudyProgress]
-"""What progress is told as."""
+"""The type in which progress is reported."""
 
 
 class Titled(Protocol):
@@ -100,7 +100,7 @@ class Titled(Protocol):
 
     @property
     def title(self) -> str:
-        """What the bar is called."""
+        """The title of the progress bar."""
         ...
 
 

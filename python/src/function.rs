@@ -26,7 +26,7 @@ const ANGLES: u32 = 360;
 /// of as many numbers and gives one of as many, checked by the package.
 pub type Functions = BTreeMap<String, Function>;
 
-/// What values are for.
+/// The purpose of values, which sets how strictly they are checked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Purpose {
     /// The problem itself: every value must be valid.

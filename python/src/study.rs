@@ -67,7 +67,7 @@ impl Study {
         &self.0.plan.identity.fingerprint
     }
 
-    /// What is wrong with the first invalid case among those tried; none if all are valid.
+    /// The error of the first invalid case among those tried; none if all are valid.
     #[getter]
     fn refused(&self) -> Option<String> {
         self.0.plan.refused.words()

@@ -46,7 +46,7 @@ pub struct Pyramid {
     slopes: Slopes,
 }
 
-/// What of the angles every height needs, computed once: a height took four fifths of a solution's time before.
+/// Constants of the angles, computed once: recomputed for every height, they took four fifths of a solution's time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Slopes {
     /// `sin(π/n)` and `cos(π/n)`.

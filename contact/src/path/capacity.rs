@@ -1,4 +1,4 @@
-//! What force a grid carries where the pressure is cut at a hardness.
+//! The largest force that a grid carries where the pressure is cut at a hardness.
 
 use pellicle_texture::Grid;
 

@@ -41,7 +41,7 @@ pub enum Domain {
 }
 
 impl Domain {
-    /// What lies around the square.
+    /// The boundary condition of the square.
     #[must_use]
     pub fn boundary(self) -> Boundary {
         match self {
@@ -212,7 +212,7 @@ fn elastic_force(model: &Model, a: f64) -> f64 {
     2.0 * modulus * a * a * integral
 }
 
-/// What `Q_w(a)` is made of.
+/// The factors of `Q_w(a)`, the force on the relief's springs.
 struct ReliefForce {
     /// `φ ∫₀^a (f(a) − f(ρ)) 2πρ dρ`.
     volume: f64,

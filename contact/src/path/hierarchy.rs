@@ -217,7 +217,7 @@ impl<'a> Hierarchy<'a> {
             || (self.ascend(ascent, finest, watch), clock.elapsed()),
             || Level::new(model, (side, size), around, hardness, keeps),
         );
-        // What passed beside the solution costs no time of its own.
+        // Time spent while the solution ran does not count.
         let waited = clock.elapsed().saturating_sub(ascended);
         self.coefficients_seconds += waited.as_secs_f64();
         coarser?;

@@ -1,7 +1,7 @@
 //! The start of a level: the next coarser one's solution on the finer grid.
 //!
-//! What is smooth is the foundation's displacement `u = K p`, not the pressure, and least of all the gap on a rough
-//! surface. So `u` is interpolated, and the fine grid's own `g0` tells where the indenter would overlap:
+//! The foundation's displacement `u = K p` is smooth; the pressure is not, and least of all the gap on a rough
+//! surface. So `u` is interpolated, and the fine grid's own `g0` shows where the indenter would overlap:
 //!
 //! ```text
 //! g = u + g0 − D,    I = {g < 0} ∪ {all four coarse centres around press}
@@ -101,7 +101,7 @@ struct Start<'a> {
     widest: f64,
 }
 
-/// What a coarse element's fine ones have together.
+/// The pressure that a coarse element's fine ones share.
 #[derive(Clone, Copy, Default)]
 struct Share {
     pressure: f64,

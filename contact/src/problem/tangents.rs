@@ -110,7 +110,7 @@ impl Tangents {
         f64::midpoint(low, high)
     }
 
-    /// What the law adds to the energy, and to its slope, after a part `t` of the way from `p₀` to a pressure.
+    /// The law's addition to the energy, and to its slope, after a part `t` of the way from `p₀` to a pressure.
     fn beyond_along(&self, rest: &[f64], pressure: &[f64], t: f64) -> [f64; 2] {
         let parts = by_parts(pressure.len(), |part| {
             let fields = (self.at[part.clone()].iter()).zip(&pressure[part.clone()]);

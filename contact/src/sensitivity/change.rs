@@ -1,4 +1,4 @@
-//! What one number of a model changes: coefficients, springs or heights, before any grid and on one.
+//! Derivatives of a model by one of its numbers: of coefficients, springs or heights, before any grid and on one.
 
 use std::sync::Arc;
 
@@ -137,7 +137,7 @@ impl Change {
         })
     }
 
-    /// What it changes on a window of the grid, under a pressure `p` on it.
+    /// The derivatives of displacement, energy and gap on a window of the grid, under a pressure `p` on it.
     pub fn under(&self, window: &Window, pressure: &[f64]) -> Changed {
         match self {
             Self::Coefficients(elasticity) => {

@@ -30,8 +30,8 @@
 //!
 //! **Both kinds of load.** Every step keeps the total of the pressure. Under a prescribed penetration the pressure is
 //! then scaled until the mean of `v` over it is `D`, which takes no product, and the conjugate directions are conjugate
-//! to the pressure besides. With the plain residual `D − v` a stiff coat under the paper's cylinders took eight times
-//! the products, because preconditioners answer an even residual worst.
+//! to the pressure, too. With the plain residual `D − v` a stiff coat under the paper's cylinders took eight times the
+//! products, because preconditioners answer a uniform residual worst.
 //!
 //! **Preconditioners.** The reciprocal of the symbol of `K` on the periodic grid, aliases included, whose answer is
 //! made to vanish in a narrow band around the set: without aliases or band it takes twice the products. Under a coat

@@ -45,7 +45,7 @@ impl fmt::Display for Invalidity {
     }
 }
 
-/// What a contact is like at one of the loads of a curve.
+/// The state of a contact at one of the loads of a curve.
 #[derive(Debug, Clone, Copy)]
 struct Condition {
     /// Abscissa of the curve, N or m.

@@ -15,14 +15,14 @@ use crate::{
 pub(super) struct Share {
     pub index: usize,
     pub problem: Problem,
-    /// What one unit of each common linear nuisance adds to each point.
+    /// The columns of the common linear nuisances: one unit's contribution to each point.
     pub common: Vec<Vec<f64>>,
 }
 
 /// A curve fitted alone.
 pub(super) struct CurveFit {
     pub index: usize,
-    /// What it tells of the common columns: told unknowns, then common nuisances.
+    /// Its information on the common columns: told unknowns, then common nuisances.
     pub information: Information,
     /// Its own corrections of the told unknowns.
     pub own: Vec<f64>,

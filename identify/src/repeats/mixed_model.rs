@@ -16,7 +16,7 @@ const MOST_SCATTER: f64 = 3.0;
 /// First guess of the scatter where the curves alone do not show it.
 const FIRST_SCATTER: f64 = 0.05;
 
-/// What one curve tells of the common columns.
+/// One curve's normal equations of the common columns.
 #[derive(Debug, Clone)]
 pub(super) struct Information {
     /// `A = JᵀJ`.

@@ -1,4 +1,4 @@
-//! What a fit of repeats returns.
+//! The result of a fit of repeats.
 
 use faer::Mat;
 
@@ -72,7 +72,7 @@ impl Repeats<'_> {
             degrees,
             known,
         }
-        // What all repeats have in common besides noise is the instrument's as often as the model's.
+        // A deviation common to all repeats is the instrument's as often as the model's.
         .judge(
             [
                 Scale::of(self.problem, degrees).probability([sum(0), sum(1)]),

@@ -8,7 +8,7 @@ use crate::{
     projection::{Projection, norm},
 };
 
-/// What is interpolated of a number.
+/// The function of a number that is interpolated.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Scale {
     Logarithm,
@@ -26,7 +26,7 @@ impl Scale {
         }
     }
 
-    /// What a relative error of a number refers to.
+    /// The reference of a number's relative error.
     pub fn reference(self, value: f64) -> f64 {
         match self {
             Self::Logarithm => value,

@@ -36,7 +36,7 @@ fn plan_for(unknowns: &[Unknown], truth: &[f64], more: &[LinearNuisance]) -> Pla
     }
 }
 
-/// What a curve on a coat tells.
+/// The information of a curve on a coat.
 fn information(plan: &Plan, coat: &Coat) -> Information {
     let curves = coat.curves(plan.truth.len());
     let prediction = curves.predict(&plan.truth).unwrap();

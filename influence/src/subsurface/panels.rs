@@ -1,10 +1,9 @@
 //! Functions of the radius as polynomials in r² on panels.
 //!
-//! What waves decay with the depth as `e^{−kz}` gives functions of r² that are analytic but for `r² = −z²` and beyond.
-//! In
-//! `w = r² + z²`, on panels from w to 9/8 w, the end of which lies 17 half widths from that point at most, polynomials
-//! of degree 9 leave some 1e-13 of the functions. Eight panels fill one power of two, so that the leading bits of w are
-//! the number of its panel.
+//! Waves that decay with the depth as `e^{−kz}` give functions of r² that are analytic but for `r² = −z²` and beyond.
+//! In `w = r² + z²`, on panels from w to 9/8 w, the end of which lies 17 half widths from that point at most,
+//! polynomials of degree 9 leave some 1e-13 of the functions. Eight panels fill one power of two, so that the leading
+//! bits of w are the number of its panel.
 
 use crate::numerics::chebyshev::{ChebyshevTransform, nodes, taylor_weight};
 

@@ -160,7 +160,7 @@ pub struct UnderLoad<L, const F: usize> {
 pub type UnderPressure = UnderLoad<Pressure, NORMAL>;
 pub type UnderTraction = UnderLoad<Traction, TANGENTIAL>;
 
-/// What a half-space of the top layer's material has.
+/// The fields in a half-space of the top layer's material, in closed form.
 #[derive(Clone, Debug)]
 struct Homogeneous {
     material: Material,
@@ -170,7 +170,7 @@ struct Homogeneous {
     depth: f64,
 }
 
-/// What the layers add to it, or all where there is none.
+/// The near zone: the layers' correction to the half-space, or the whole fields without one.
 #[derive(Clone, Debug)]
 struct Near<const F: usize> {
     panels: Panels<F>,

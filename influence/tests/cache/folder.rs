@@ -111,7 +111,7 @@ fn clearing_removes_the_caches_own_files_and_no_other() {
         fs::write(folder.path().join(name), "mine").unwrap();
     }
     fs::create_dir(folder.path().join(name.replace(['0', '1', '2', '3'], "f"))).unwrap();
-    // What a process that was killed leaves behind.
+    // A process that was killed leaves such a file behind.
     fs::write(folder.path().join(".pellicle-abc.partial"), "half").unwrap();
     let cache = Cache::at(folder.path());
     let usage = cache.usage().unwrap();

@@ -77,7 +77,7 @@ pub fn only_file(folder: &Path) -> PathBuf {
     file
 }
 
-/// Puts bytes in the file's place: they must be found out and told of, be replaced, and be good the next time.
+/// Replaces the file by these bytes: they must be detected, reported and replaced, and the file be good the next time.
 pub fn assert_replaced(folder: &TempDir, file: &Path, bytes: &[u8]) {
     fs::write(file, bytes).unwrap();
     let (table, origin, warnings) = coefficients(folder.path());

@@ -67,7 +67,7 @@ pub fn choose_side_at(model: &Model, loads: &[Load], hardness: f64) -> Result<f6
     let loads: Vec<Load> = largest(loads).filter(presses).collect();
     for _ in 0..MOST_TRIALS {
         let side = search.side();
-        // What one load wants larger no other can want smaller.
+        // If one load needs a larger square, no other can need a smaller one.
         let mut verdict = None;
         for load in &loads {
             let found = judge(model, side, *load, hardness)?;

@@ -6,7 +6,7 @@ use crate::{
     problem::{scale::Scale, tangents::Tangents},
 };
 
-/// What the law may say beyond its tangents at a solution, as a part of the penetration: rounding.
+/// Largest deviation of the law from its tangents at a solution, as a part of the penetration: rounding.
 const ROUNDING: f64 = 1e-14;
 /// Times that springs are straightened; more than any problem has been seen to take by far.
 const MOST_TIMES: usize = 200;

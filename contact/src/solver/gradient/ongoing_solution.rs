@@ -130,7 +130,7 @@ impl<'a> OngoingSolution<'a> {
         let knows_contact = start.iter().any(|p| *p > 0.0);
         let begins_with_newton = knows_contact && workspace.preconditioner.is_for_newton();
         if begins_with_newton {
-            // What overlaps beside the start is as uncertain as its pressures.
+            // Overlaps beside the start are as uncertain as its pressures.
             workspace.set.keep_pressing(&workspace.state);
         }
         Self {

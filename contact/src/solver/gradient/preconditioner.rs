@@ -86,7 +86,7 @@ pub struct Preconditioner {
     neighbours: usize,
     /// Whether the coat is so stiff that Newton's method comes first.
     is_for_newton: bool,
-    /// What Newton's method learned on earlier sets.
+    /// Secant pairs of Newton's method on earlier sets.
     secants: Secants,
 }
 

@@ -131,7 +131,7 @@ impl Descent {
             each(from, |value| *value *= 1.0 - part);
             add_scaled(from, part, to);
         }
-        // What comes to the limit is at it, whatever is rounded.
+        // A pressure within rounding of the limit is set to it.
         each(&mut self.pressure, |p| {
             if *p >= limit * (1.0 - ROUNDING) {
                 *p = limit;

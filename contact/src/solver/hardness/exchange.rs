@@ -38,7 +38,7 @@ pub struct Exchange {
     pub total: Iterate,
     /// Whether elements have been let go.
     has_let_go: bool,
-    /// What is to be halved next of what an exchange is wrong by, and the exchanges since.
+    /// The error of an exchange that must next be halved, and the exchanges since.
     milestone: f64,
     since: usize,
     descent: Option<Descent>,
@@ -367,7 +367,7 @@ impl Exchange {
         pressure
     }
 
-    /// What the exchanges end with: nowhere above the limit.
+    /// The result of the exchanges, with no pressure above the limit.
     pub fn into_iterate(self, limit: f64) -> Iterate {
         let mut pressure = self.pressure(limit);
         pressure.iter_mut().for_each(|p| *p = p.min(limit));

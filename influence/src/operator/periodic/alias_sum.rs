@@ -85,7 +85,7 @@ impl AliasRow {
 static HOMOGENEOUS: LazyLock<[[f64; NODES]; NODES]> =
     LazyLock::new(|| wave_nodes().map(|x| wave_nodes().map(|y| sum([x, y], f64::recip))));
 
-/// What the layers below the surface add.
+/// The layers' correction to the sums on a homogeneous body.
 struct LayeredPart<'a> {
     bodies: &'a ElasticBodies,
     half_side: f64,

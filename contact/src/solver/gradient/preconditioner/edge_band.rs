@@ -197,8 +197,8 @@ fn stencil(field: &[f64], width: usize, coefficients: &Answers) -> f64 {
     sum
 }
 
-/// Where the band's elements lie, on the grid and in the field that its stencil is laid over, which has the elements
-/// beyond a sector's axes besides.
+/// Where the band's elements lie, on the grid and in the field that its stencil is laid over, which also has the
+/// elements beyond a sector's axes.
 #[derive(Clone, Copy)]
 struct Layout {
     /// Rows, and elements of each.
@@ -244,7 +244,7 @@ impl Layout {
     fn band_in_row(self, i: usize, mask: &[bool], near: &mut [bool]) -> Vec<usize> {
         let [_, size] = self.lengths;
         near.fill(false);
-        // What lies beyond an axis is mirrored by what lies on this side, and nearer.
+        // Elements beyond an axis are images of elements on this side, which lie nearer.
         let first = i.saturating_sub(WIDTH);
         for row in mask[first * size..(i + WIDTH + 1) * size].chunks_exact(size) {
             let near = near[WIDTH..].iter_mut();
