@@ -69,7 +69,7 @@ pub enum ContactError {
     /// A field whose length is not that of the grid.
     #[error("found {found} values of the {field}, wanted {wanted}, one per element")]
     FieldLength {
-        /// Which field.
+        /// Name of the field.
         field: &'static str,
         /// Values found.
         found: usize,
@@ -79,7 +79,7 @@ pub enum ContactError {
     /// A field with a value that no surface can have.
     #[error("found {found} for the {field} of element {element}, wanted {wanted}")]
     FieldValue {
-        /// Which field.
+        /// Name of the field.
         field: &'static str,
         /// Index of the element.
         element: usize,

@@ -7,7 +7,7 @@ pub mod observer;
 
 use crate::{ContactError, DiscreteProblem, Load, Observer, Progress, Signal};
 
-/// Which algorithm solves a grid's problem.
+/// The algorithm for a grid's problem.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Method {
     /// Preconditioned projected gradients with FFT products: any grid.

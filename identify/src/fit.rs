@@ -7,7 +7,7 @@ use crate::{
     REFUSAL, Scatter, Warning, Work,
     correlation::correlation,
     global_search,
-    goodness::{Residuals, Scale, lower_half_score, smooth_score},
+    goodness::{NoiseScale, Residuals, lower_half_score, smooth_score},
     noise::restricted_likelihood::{Part, RestrictedLikelihood},
     null_direction::NullSpace,
     predictor::{Evaluation, Predictor},
@@ -239,7 +239,7 @@ impl<'p> Fitting<'p> {
             lower_half_score(problem, at.0, at.1, &self.told),
             smooth_score(problem, at.0, at.1, &self.told),
         ];
-        let scale = Scale::of(problem, least);
+        let scale = NoiseScale::of(problem, least);
         let scores = scores.map(|score| scale.probability(score));
         Residuals {
             series: problem

@@ -222,7 +222,7 @@ fn score(
 
 /// How the size of the noise that a score is measured by is known.
 #[derive(Debug, Clone, Copy)]
-pub(crate) enum Scale {
+pub(crate) enum NoiseScale {
     /// All.
     Known,
     /// It was estimated with these degrees of freedom from residuals that hold the score.
@@ -231,8 +231,8 @@ pub(crate) enum Scale {
     OfCorrelated(f64),
 }
 
-impl Scale {
-    /// That of a problem's noise.
+impl NoiseScale {
+    /// The scale of a problem's noise.
     pub fn of(problem: &Problem, degrees: f64) -> Self {
         let noise = problem.noise();
         if noise.is_known() {

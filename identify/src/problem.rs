@@ -150,7 +150,7 @@ impl Problem {
         &self.columns
     }
 
-    /// Which points are those of each curve.
+    /// The range of points of each curve.
     pub(crate) fn spans(&self) -> &[Range<usize>] {
         &self.spans
     }

@@ -12,7 +12,7 @@ pub(crate) struct Projection {
     basis: Vec<Vec<f64>>,
     /// Column `k` of `R`: `k + 1` numbers.
     triangle: Vec<Vec<f64>>,
-    /// Which columns are independent.
+    /// Indices of the independent columns.
     kept: Vec<usize>,
     columns: usize,
 }

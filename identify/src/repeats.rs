@@ -204,10 +204,7 @@ impl<'p> Repeats<'p> {
             })
         };
         MixedModel {
-            curves: curves
-                .iter()
-                .map(|curve| curve.information.clone())
-                .collect(),
+            curves: curves.iter().map(|curve| curve.equations.clone()).collect(),
             prior: self
                 .told
                 .iter()

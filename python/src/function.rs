@@ -162,7 +162,7 @@ impl ReliefShape for FunctionRelief {
         (self.compliance.as_ref()).map_or_else(|| vec![0.0; points.len()], values)
     }
 
-    /// Of what is valid: the radius may be far beyond any element.
+    /// The mean of the valid values: the radius may be far beyond any element.
     fn mean_compliance(&self, radius: f64) -> f64 {
         let Some(function) = &self.compliance else {
             return 0.0;

@@ -89,7 +89,7 @@ const GAUSS: [[f64; 2]; 3] = [
 impl Pyramid {
     /// Face angle of the Berkovich pyramid, 65.03°: three faces with the Vickers ratio of true surface area to depth².
     ///
-    /// That of the original (E. S. Berkovich, Zavodskaya Laboratoriya 16, 1950, 345–347).
+    /// The angle of the original (E. S. Berkovich, Zavodskaya Laboratoriya 16, 1950, 345–347).
     pub const BERKOVICH_FACE_ANGLE: f64 = 65.03_f64.to_radians();
 
     /// Face angle of the modified Berkovich pyramid, 65.27°: three faces with the Vickers ratio of projected area to

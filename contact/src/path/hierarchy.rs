@@ -185,7 +185,7 @@ impl<'a> Hierarchy<'a> {
         if options.coarse_pressures && index < finest && index + COARSE_PRESSURES >= finest {
             ascent.coarser.push(CoarsePressure {
                 grid: Grid::new(self.side, self.sizes[index])?,
-                pressure: result.window.spread(result.solution.pressure.clone()),
+                pressure: result.window.scatter(result.solution.pressure.clone()),
             });
         }
         ascent.levels.push(result.work);
@@ -251,7 +251,7 @@ impl<'a> Hierarchy<'a> {
             Ok(result) if is_finest => {
                 let pressure = std::mem::take(&mut result.solution.pressure);
                 result.rough = level.rough_contact(self.model, &result.window, &pressure);
-                result.solution.pressure = result.window.spread(pressure);
+                result.solution.pressure = result.window.scatter(pressure);
                 None
             }
             Ok(result) => Some(level.as_coarser(result)),

@@ -33,10 +33,10 @@
 
 mod descent;
 mod elastic_solver;
-mod exchange;
+mod limit_exchange;
 
 pub use self::elastic_solver::ElasticSolver;
-use self::exchange::Exchange;
+use self::limit_exchange::LimitExchange;
 use super::{Iterate, Watch};
 use crate::{ContactError, DiscreteProblem, Load};
 
@@ -67,7 +67,7 @@ pub fn solve(
     }
     let wanted = *solver.options();
     let tolerance = CLOSER * wanted.tolerance;
-    let mut exchange = Exchange::start(problem, load, start, tolerance);
+    let mut exchange = LimitExchange::start(problem, load, start, tolerance);
     let iterate = loop {
         exchange.press(problem);
         *solver.options() = exchange.options(wanted);

@@ -2,7 +2,7 @@
 
 use faer::Mat;
 
-use super::mixed_model::Information;
+use super::mixed_model::CurveEquations;
 use crate::{
     NoiseLevels, Problem,
     goodness::lower_half_score,
@@ -22,8 +22,8 @@ pub(super) struct Share {
 /// A curve fitted alone.
 pub(super) struct CurveFit {
     pub index: usize,
-    /// Its information on the common columns: told unknowns, then common nuisances.
-    pub information: Information,
+    /// Its normal equations of the common columns: told unknowns, then common nuisances.
+    pub equations: CurveEquations,
     /// Its own corrections of the told unknowns.
     pub own: Vec<f64>,
     /// Their variances; infinite where it does not tell alone.
@@ -61,7 +61,7 @@ impl Share {
                 .map(|column| metric.reduce(column.clone())),
         );
         let size = columns.len();
-        let information = Information {
+        let equations = CurveEquations {
             gram: Mat::from_fn(size, size, |i, k| dot(&columns[i], &columns[k])),
             pull: Mat::from_fn(size, 1, |i, _| dot(&columns[i], &system.residual)),
         };
@@ -85,7 +85,7 @@ impl Share {
         }
         CurveFit {
             index: self.index,
-            information,
+            equations,
             own_variance: (first..values.len()).map(|k| covariance[k][k]).collect(),
             nuisances: (0..first)
                 .map(|k| [values[k], covariance[k][k].sqrt()])

@@ -18,7 +18,7 @@ const FIRST_SCATTER: f64 = 0.05;
 
 /// One curve's normal equations of the common columns.
 #[derive(Debug, Clone)]
-pub(super) struct Information {
+pub(super) struct CurveEquations {
     /// `A = JᵀJ`.
     pub gram: Mat<f64>,
     /// `b = Jᵀ r`.
@@ -27,7 +27,7 @@ pub(super) struct Information {
 
 /// The curves and what was known before.
 pub(super) struct MixedModel {
-    pub curves: Vec<Information>,
+    pub curves: Vec<CurveEquations>,
     /// Prior precision of each column, and prior precision times how far the prior's centre lies above the point.
     pub prior: Vec<[f64; 2]>,
     /// The columns that scatter.
@@ -165,7 +165,7 @@ mod tests {
         MixedModel {
             curves: values
                 .iter()
-                .map(|value| Information {
+                .map(|value| CurveEquations {
                     gram: Mat::from_fn(1, 1, |_, _| 1.0 / variance),
                     pull: Mat::from_fn(1, 1, |_, _| value / variance),
                 })

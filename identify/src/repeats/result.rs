@@ -8,7 +8,7 @@ use crate::{
     KnownCombination, REFUSAL, Verdict, Warning, Work,
     correlation::correlation,
     distribution::student_quantile,
-    goodness::{Residuals, Scale},
+    goodness::{NoiseScale, Residuals},
     known_combination::{expression, not_identifiable},
     predictor::Predictor,
     profile::Open,
@@ -75,7 +75,7 @@ impl Repeats<'_> {
         // A deviation common to all repeats is the instrument's as often as the model's.
         .judge(
             [
-                Scale::of(self.problem, degrees).probability([sum(0), sum(1)]),
+                NoiseScale::of(self.problem, degrees).probability([sum(0), sum(1)]),
                 None,
             ],
             self.persistence_p(state),

@@ -18,8 +18,8 @@ use pellicle_kernel::{KernelError, Material};
 use super::depth::Depth;
 use super::homogeneous::loaded_square;
 use super::log_lattice::STEP;
-use super::panels::{Layout, Panels};
 use super::point_kernels::{Load, NORMAL, Pressure, TANGENTIAL, Traction};
+use super::radial_panels::{Layout, RadialPanels};
 use super::state::SubsurfaceState;
 use super::waves::{Sampled, Waves};
 use crate::numerics::quadrature::{Node, legendre_of};
@@ -152,8 +152,8 @@ pub struct UnderLoad<L, const F: usize> {
     depth: f64,
     homogeneous: Option<Homogeneous>,
     near: Option<Near<F>>,
-    middle: Option<Panels<F>>,
-    far: Option<Panels<F>>,
+    middle: Option<RadialPanels<F>>,
+    far: Option<RadialPanels<F>>,
 }
 
 /// Under a pressure, and under a traction.
@@ -173,7 +173,7 @@ struct Homogeneous {
 /// The near zone: the layers' correction to the half-space, or the whole fields without one.
 #[derive(Clone, Debug)]
 struct Near<const F: usize> {
-    panels: Panels<F>,
+    panels: RadialPanels<F>,
     reach: f64,
 }
 

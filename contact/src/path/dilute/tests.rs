@@ -147,7 +147,10 @@ fn what_products_among_candidates_lack_is_learnt_of_a_pressure_that_was_judged()
     assert!(dilute.learn(&problem, &judged, &solution.pressure));
     // By their own products the candidates now have the gaps that the whole grid's product gives.
     let mut displacement = vec![0.0; SIZE * SIZE];
-    problem.displace(&window.spread(solution.pressure.clone()), &mut displacement);
+    problem.displace(
+        &window.scatter(solution.pressure.clone()),
+        &mut displacement,
+    );
     let among = dilute.candidates.gather(&solution.pressure);
     let mut own = vec![0.0; among.len()];
     dilute.problem.displace(&among, &mut own);

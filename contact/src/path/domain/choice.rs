@@ -1,4 +1,4 @@
-//! Which square to solve on: the first guess, judged by a solution on a coarse grid that is the same for every grid to
+//! The choice of the square: the first guess, judged by a solution on a coarse grid that is the same for every grid to
 //! come.
 //!
 //! Tried are the first guess times powers of 1.5. A square fits where the contact of the largest load keeps clear of

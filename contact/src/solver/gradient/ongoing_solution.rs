@@ -92,7 +92,7 @@ impl Workspace {
 pub struct Judgement {
     /// The largest line of the certificate.
     pub residual: f64,
-    /// That of the linear problem, which differs where springs that are not linear have been straightened.
+    /// The same for the linear problem, which differs where springs that are not linear have been straightened.
     pub linear: f64,
     /// Whether no element pulls.
     pub is_admissible: bool,

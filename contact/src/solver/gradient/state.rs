@@ -8,7 +8,7 @@
 //! p ← c p,    v ← g0 + c (v − g0),    c = p·(D − g0) / p·(v − g0)
 //! ```
 //!
-//! So both kinds of load take the same steps. A residual that is even over the contact, which preconditioners answer
+//! So both kinds of load take the same steps. A residual uniform over the contact, which preconditioners answer
 //! worst, never comes up.
 
 use crate::solver::gradient::control::Control;

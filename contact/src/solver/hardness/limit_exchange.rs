@@ -25,8 +25,8 @@ const ROUNDING: f64 = 1e-13;
 /// was held and let go by turns.
 const ABOVE: f64 = 1e-13;
 
-/// Which elements are held, and the pressure of the others.
-pub struct Exchange {
+/// The elements held at the limit, and the pressure of the others.
+pub struct LimitExchange {
     held: HeldPressure,
     /// Whether `held` is pressed as it stands.
     is_pressed: bool,
@@ -55,7 +55,7 @@ struct Wrong {
     by: f64,
 }
 
-impl Exchange {
+impl LimitExchange {
     /// Starts from the elements near the limit of a pressure, of a prescribed force those that overlap most: one
     /// product where there are any.
     pub fn start(problem: &mut DiscreteProblem, load: Load, start: &[f64], tolerance: f64) -> Self {

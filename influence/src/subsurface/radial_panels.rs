@@ -16,7 +16,7 @@ const SHIFT: u32 = 52 - 3;
 /// Panels in one power of two.
 const PER_OCTAVE: f64 = 8.0;
 
-/// Which radii panels cover, all lengths in sides of an element.
+/// The radii that panels cover, all lengths in sides of an element.
 #[derive(Clone, Copy, Debug)]
 pub struct Layout {
     /// Depth with which the waves decay.
@@ -78,14 +78,14 @@ fn beginning(panel: u64) -> f64 {
 
 /// `F` functions of the radius.
 #[derive(Clone, Debug)]
-pub struct Panels<const F: usize> {
+pub struct RadialPanels<const F: usize> {
     reach_square: f64,
     per_lowest: f64,
     /// Of each panel, from the highest power of the place in it on.
     powers: Vec<[[f64; F]; TERMS]>,
 }
 
-impl<const F: usize> Panels<F> {
+impl<const F: usize> RadialPanels<F> {
     /// The polynomials through the values of the functions at the layout's radii.
     pub fn new(layout: &Layout, function: impl Fn(f64) -> [f64; F]) -> Self {
         let transform = ChebyshevTransform::new(TERMS, TERMS);
@@ -136,7 +136,7 @@ impl<const F: usize> Panels<F> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Layout, Panels};
+    use super::{Layout, RadialPanels};
 
     #[test]
     fn functions_of_point_loads_are_met_to_thirteen_digits() {
@@ -151,7 +151,7 @@ mod tests {
                 let rho = r.hypot(reach.max(1e-9));
                 [1.0 / rho, rho.powi(-5), rho.powi(-7)]
             };
-            let panels = Panels::new(&layout, function);
+            let panels = RadialPanels::new(&layout, function);
             for i in 0..=1000 {
                 let r = ends[0] + (ends[1] - ends[0]) * f64::from(i).powi(3) / 1e9;
                 let (found, expected) = (panels.at(r * r), function(r));
