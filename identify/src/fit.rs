@@ -77,7 +77,7 @@ fn searched(
     }
 }
 
-/// Jitter is told from here on, in units of χ²: a tenth of a standard error.
+/// Jitter is reported from here on, in units of χ²: a tenth of a standard error.
 const TOLD_JITTER: f64 = 0.01;
 /// Restarts from better fits that profiles find.
 const MOST_RESTARTS: usize = 3;
@@ -87,7 +87,7 @@ struct Fitting<'p> {
     problem: &'p Problem,
     options: &'p FitOptions,
     null_space: NullSpace,
-    /// Unknowns that the data can tell beside each other.
+    /// Unknowns that the data determine together.
     told: Vec<usize>,
     warnings: Vec<Warning>,
 }

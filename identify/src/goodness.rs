@@ -4,7 +4,7 @@
 //! the statistic of Durbin and Watson for correlated residuals, the lower half of the abscissae against the whole, a
 //! smooth change of the curve that the model does not have, and the persistence of a correlated noise, which must not
 //! be long enough to hide a misfit. The misfit's probability is that of the worst, times their number (Bonferroni), so
-//! that a true model is refused no oftener than that says, whatever the tests have in common.
+//! that a true model is refused no more often than that says, whatever the tests have in common.
 
 use crate::{
     Correlation, Problem,

@@ -80,7 +80,7 @@ pub(crate) struct NullSpace {
     unknowns: usize,
 }
 
-/// Unknowns that are held so that one unknown is told by the data, and the combination that it then stands for.
+/// Unknowns that are held so that the data determine one unknown, and the combination that it then stands for.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Hold {
     /// Indices of the unknowns held.

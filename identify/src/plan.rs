@@ -45,7 +45,7 @@ pub struct Expected {
     pub role: Role,
     /// Its true value.
     pub value: f64,
-    /// Standard error in its coordinate, of `ln θ` for a positive one; infinite where nothing is told.
+    /// Standard error in its coordinate, of `ln θ` for a positive one; infinite where the data do not determine it.
     pub standard_error: f64,
     /// Half the interval in its coordinate, as if there were no bounds.
     pub half_width: f64,

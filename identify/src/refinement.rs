@@ -28,7 +28,7 @@ pub(crate) struct Refined<'p> {
 pub(crate) struct Refinement<'s, 'p> {
     pub problem: &'p Problem,
     pub options: &'s FitOptions,
-    /// Unknowns that the data can tell beside each other.
+    /// Unknowns that the data determine together.
     pub told: &'s [usize],
 }
 

@@ -128,7 +128,7 @@ impl Unknown {
         self
     }
 
-    /// The same unknown without what is known from elsewhere.
+    /// The same unknown without its prior.
     pub(crate) fn without_prior(&self) -> Self {
         Self {
             prior: None,

@@ -1,4 +1,4 @@
-"""The numbers that fits find and plans expect, with intervals, verdicts and what is known instead."""
+"""The numbers that fits find and plans expect, with intervals, verdicts and known combinations."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ Interval = tuple[float, float]
 
 @dataclass(frozen=True)
 class KnownCombination:
-    """A product of powers of what is sought that the data tell."""
+    """A product of powers of the unknowns that the data determine."""
 
     expression: str
     value: float
@@ -59,9 +59,9 @@ class Expected:
     value: float
     """The value that is taken for true."""
     standard_error: float
-    """Of its logarithm, the relative one where it is small; NaN where nothing is told."""
+    """Of its logarithm, the relative one where it is small; NaN where the data do not determine it."""
     factor: float
-    """The factor within which the interval lies, as if there were no bounds; infinite where nothing is told."""
+    """The factor within which the interval lies, as if there were no bounds; infinite where the data give none."""
     interval: Interval
     verdict: str
     known_combination: KnownCombination | None
@@ -72,7 +72,7 @@ class ExpectedDesign:
     """One curve or several, and the accuracy to expect of them."""
 
     curves: Sequence[Mapping[str, Any]]
-    """The curves to measure; none for what has been measured alone."""
+    """The curves to measure; none for the existing measurements alone."""
     unknowns: Sequence[Expected]
     nuisances: Sequence[Expected]
 

@@ -1,4 +1,4 @@
-"""A fit: measurements, a model, and what is sought of it, which is a fit file and the arrays that it names."""
+"""A fit: measurements, a model and its unknowns, which is a fit file and the arrays that it names."""
 
 from __future__ import annotations
 
@@ -77,7 +77,7 @@ class Design(Table):
 
 @dataclass(frozen=True)
 class Report(Table):
-    """How the result is told: level and kind of the intervals, samples of the posterior, what to measure next."""
+    """How the result is reported: level and kind of the intervals, samples of the posterior, what to measure next."""
 
     level: float | None = None
     intervals: Literal["profile", "wald"] | None = None
@@ -88,7 +88,7 @@ class Report(Table):
 
 
 class Fit:
-    """Measurements, a model, and what is sought of it.
+    """Measurements, a model, and its unknowns.
 
     `model` is a case, of which fixed values and starts are taken; its loads do not matter. `unknown` has what is sought
     by its keys, such as `"foundation.layer[0].young_modulus"`, each between bounds or with a prior. A fit without `data`

@@ -1,4 +1,4 @@
-"""A fit made, and a plan of what to measure: what they found, and how they are asked for."""
+"""The results of a fit and of a plan, and the functions that ask for them."""
 
 from __future__ import annotations
 
@@ -78,7 +78,7 @@ class Identification(Result):
 
     @property
     def verdict(self) -> str:
-        """`"fitted"`, `"misfit"` or `"not-converged"`; only what is fitted may be used."""
+        """`"fitted"`, `"misfit"` or `"not-converged"`; only a fitted result may be used."""
         verdict: str = self._found["verdict"]
         return verdict
 
@@ -225,7 +225,7 @@ def identify(
 
 
 def plan(fit: Fit | str | os.PathLike[str], *, progress: bool | FitReport = False, threads: int | None = None) -> Plan:
-    """Tells what the curves of a design would tell, as `pellicle identify --plan` does; no data are needed."""
+    """Predicts the accuracy from the curves of a design, as `pellicle identify --plan` does; no data are needed."""
     fit = _fit(fit)
     run = fit.begun(is_measured=fit.is_measured).start_plan(checked_threads(threads))
     return finished(run, lambda found: Plan(*_parts(fit, found)), reporting(progress, fit, FitProgress))

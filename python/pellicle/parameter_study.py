@@ -104,7 +104,7 @@ class Study:
         return found
 
     def _gather(self, table: _pellicle.Table, ended: Any, solve: _Solver, report: Any) -> set[str]:
-        """Adds to the table what the engine hands out; the warnings heard meanwhile."""
+        """Adds the engine's results to the table; gives the warnings raised meanwhile."""
         said: set[str] = set()
         forced = time.monotonic()
         try:

@@ -33,7 +33,7 @@ class Progress:
 
     @property
     def done(self) -> tuple[int, int | None, str]:
-        """Parts of the work that are finished, parts in all, and what a part is."""
+        """Parts of the work that are finished, parts in all, and the name of a part."""
         return self.finished, self.steps, "step"
 
     def __str__(self) -> str:
@@ -56,7 +56,7 @@ class FitProgress:
 
     @property
     def done(self) -> tuple[int, int | None, str]:
-        """Parts of the work that are finished, parts in all, and what a part is."""
+        """Parts of the work that are finished, parts in all, and the name of a part."""
         return self.solved or self.planned or 0, None, "curve"
 
     def __str__(self) -> str:
@@ -79,7 +79,7 @@ class StudyProgress:
 
     @property
     def done(self) -> tuple[int, int | None, str]:
-        """Parts of the work that are finished, parts in all, and what a part is."""
+        """Parts of the work that are finished, parts in all, and the name of a part."""
         return self.finished, self.cases, "case"
 
     def __str__(self) -> str:
@@ -121,7 +121,7 @@ def reporting(
 def _telling(
     report: Callable[[Any], object], kind: Kind
 ) -> Callable[[Any], None]:
-    """Tells what is new, and nothing twice."""
+    """Reports news, and nothing twice."""
     last: Any = None
 
     def tell(raw: Any) -> None:

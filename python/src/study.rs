@@ -22,7 +22,7 @@ type SolvedRows = (usize, &'static str, String, Vec<u8>);
 /// The same, as Python has it.
 type HandedRows<'py> = (usize, &'static str, String, Bound<'py, PyBytes>);
 
-/// The cases solved so far are told.
+/// Its progress is the number of cases solved so far.
 type WatchedChunk = Watched<usize, SolvedChunk>;
 
 /// A study, read and planned.

@@ -82,7 +82,7 @@ mod tests {
             panic!("{refused}")
         };
         assert_eq!([force, hardness, area, most], [12.1, 3.0, 4.0, 12.0]);
-        // Nothing is asked of a penetration, and nothing bounds what has no hardness.
+        // A penetration is not checked, and without a hardness there is no bound.
         assert!(check(&[Load::Penetration(9.0)], 3.0).is_ok());
         assert!(check(&[Load::Force(0.0)], 3.0).is_ok());
         assert!(check(&[Load::Force(1e9)], f64::INFINITY).is_ok());

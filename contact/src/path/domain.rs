@@ -35,8 +35,8 @@ pub enum Domain {
     #[default]
     Automatic,
     /// A cell of this side (m) that repeats itself in both directions without end, with everything in it. Loads are
-    /// forces on one cell. On a half-space the mean displacement of the surface is infinite, so penetrations are told
-    /// from the mean plane of the deformed surface.
+    /// forces on one cell. On a half-space the mean displacement of the surface is infinite, so penetrations are
+    /// measured from the mean plane of the deformed surface.
     Periodic(f64),
 }
 

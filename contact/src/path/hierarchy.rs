@@ -227,7 +227,7 @@ impl<'a> Hierarchy<'a> {
         Ok(())
     }
 
-    /// Solves on one grid; returns besides what the next finer one starts from.
+    /// Solves on one grid; also returns the start of the next finer one.
     fn solve_level(
         &mut self,
         index: usize,

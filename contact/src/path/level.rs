@@ -35,7 +35,7 @@ pub struct Level {
     judged: JudgedFields,
 }
 
-/// A problem, and the solver with what it keeps of it.
+/// A problem, and the solver with its storage.
 struct Posed {
     problem: DiscreteProblem,
     solver: GradientSolver,

@@ -64,7 +64,7 @@ impl ModelDerivatives {
         &self.model
     }
 
-    /// Each number's value, and what it changes on a grid.
+    /// Each number's value, and the derivatives by it on a grid.
     pub(super) fn on(&self, grid: &Grid) -> Result<Vec<(f64, Change)>, ContactError> {
         let numbers = self.numbers.iter();
         let change = |(parameter, value, derivative): &(_, f64, Option<CoefficientDerivative>)| {

@@ -24,7 +24,7 @@
 //! **Why it ends.** After four exchanges without gain they give way to a [descent](self::descent), whose energy falls
 //! from one admissible pressure to the next. The number of products is bounded besides, and the certificate tells.
 //!
-//! **What it costs.** Random problems without a start take some 30 products, of which some 14 are for the problem
+//! **Cost.** Random problems without a start take some 30 products, of which some 14 are for the problem
 //! without a limit.
 //!
 //! **Penetration under a force.** `D` is the multiplier of the elements between the limits, `Σ p v / Σ p` over

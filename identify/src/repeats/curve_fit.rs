@@ -1,4 +1,4 @@
-//! One of several repeats, linearised about the common point: what it tells alone, and what it tells of all.
+//! One of several repeats, linearised about the common point: its own estimates, and its part in the common ones.
 
 use faer::Mat;
 

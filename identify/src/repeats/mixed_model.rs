@@ -1,6 +1,6 @@
 //! Common parameters of repeated curves, and how each curve's own scatter about them.
 //!
-//! Linearised about a common point, curve `i` tells of the common corrections β and of its own `u_i ~ N(0, T)`, `T`
+//! Linearised about a common point, curve `i` determines the common corrections β and of its own `u_i ~ N(0, T)`, `T`
 //! diagonal, through `A_i = J_iᵀJ_i` and `b_i = J_iᵀ r_i` alone. With the `u_i` integrated out,
 //! `A_i ← A_i − A_i Z (T⁻¹ + ZᵀA_iZ)⁻¹ Zᵀ A_i`, and likewise `b_i`; `Z` selects what scatters. The deviations in `T`
 //! maximise the restricted likelihood: N. M. Laird and J. H. Ware, Biometrics 38, 963 (1982). Where every curve alone
@@ -25,7 +25,7 @@ pub(super) struct CurveEquations {
     pub pull: Mat<f64>,
 }
 
-/// The curves and what was known before.
+/// The curves and the priors.
 pub(super) struct MixedModel {
     pub curves: Vec<CurveEquations>,
     /// Prior precision of each column, and prior precision times how far the prior's centre lies above the point.

@@ -83,7 +83,7 @@ fn a_disk_that_is_full_in_the_middle_of_a_file_costs_only_the_cache() {
         return;
     }
     let folder = tempfile::tempdir().unwrap();
-    // A process whose files cannot grow beyond 8 blocks, half of what the coefficients take, and that is told so by
+    // A process whose files cannot grow beyond 8 blocks, half the size of the coefficients, and that gets an error from
     // the write.
     let name = "folder::a_disk_that_is_full_in_the_middle_of_a_file_costs_only_the_cache";
     let line = format!("trap '' XFSZ; ulimit -f 8; exec \"$0\" {name} --exact");

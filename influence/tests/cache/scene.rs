@@ -51,7 +51,7 @@ pub fn bits(table: &CoefficientTable) -> Vec<u64> {
         .collect()
 }
 
-/// The coefficients of `plain` by a cache that has nothing in memory, their origin, and what it warns of.
+/// The coefficients of `plain` by a cache that has nothing in memory, their origin, and its warnings.
 pub fn coefficients(folder: &Path) -> (Arc<CoefficientTable>, Origin, Vec<CacheWarning>) {
     let cache = Cache::at(folder);
     let found = cache.coefficients(&plain(), ELEMENT_SIDE, SIZE).unwrap();

@@ -1,4 +1,4 @@
-//! Windows: what they hold, how they grow, and how fields move between them.
+//! Windows: their content and growth, and fields moved between them.
 
 use std::collections::BTreeSet;
 

@@ -31,7 +31,7 @@ const FACTOR: f64 = 1.5;
 const MOST_PRODUCTS: usize = 300;
 /// Half width of the contact under the first guess, in elements of a trial; sides are shrunk to this.
 const USUAL_EXTENT: f64 = 64.0 / 3.0;
-/// A contact of fewer elements than this from the middle wants a smaller square.
+/// A contact of fewer elements than this from the middle needs a smaller square.
 const SMALLEST_EXTENT: usize = 8;
 /// More trials than any case has been seen to take by far.
 const MOST_TRIALS: usize = 100;

@@ -220,7 +220,7 @@ fn pressed_layer(sector: Sector, poisson_ratio: f64) -> DiscreteProblem {
     .unwrap()
 }
 
-/// The contact's part of a grid is judged as the whole is, and what is not looked at does not overlap.
+/// The contact's part of a grid is judged as the whole is, and the rest does not overlap.
 #[test]
 fn where_nothing_can_overlap_nothing_is_missed() {
     for sector in [Sector::Whole, Sector::Half, Sector::Quadrant] {

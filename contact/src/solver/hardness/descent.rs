@@ -7,7 +7,7 @@
 //!   let go;
 //! - something is above that was at the limit before: it is held again, and the problem solved once more;
 //! - something else is above: the pressure goes towards `p*`, cut at the limit, as far as a part of these elements
-//!   come to it, if the energy falls on the whole way there, else as far as the first; what is at the limit is held.
+//!   come to it, if the energy falls on the whole way there, else as far as the first; elements at the limit are held.
 //!
 //! The energy falls from one admissible pressure to the next, so no set is let go twice. It is convex, so it falls on
 //! the whole way of a step `s` if it falls at the end, `s·∂E ≤ 0`, whatever the law of the springs.

@@ -9,11 +9,11 @@ use crate::{
 
 /// Largest residual to which a problem between exchanges is solved.
 const COARSEST: f64 = 1e-2;
-/// Residual of the next problem, as a part of what the last exchange was wrong by.
+/// Residual of the next problem, as a part of the last exchange's error.
 const REFINEMENT: f64 = 0.03;
 /// Gap of a held element that does not count, as a part of the residual solved to.
 const SLACK: f64 = 0.5;
-/// Exchanges without a halving of what they are wrong by after which they give way to the descent.
+/// Exchanges without a halving of their error after which they give way to the descent.
 const PATIENCE: usize = 4;
 /// Part of the limit from which on an element of a start is held.
 const NEAR: f64 = 0.95;
@@ -221,7 +221,7 @@ impl LimitExchange {
         self.since >= PATIENCE
     }
 
-    /// Holds what is at the limit of the pressure descended to, and goes on from there.
+    /// Holds the elements at the limit of the pressure descended to, and goes on from there.
     fn hold_descended(&mut self, limit: f64) {
         let Some(descent) = &self.descent else {
             return;
@@ -233,7 +233,7 @@ impl LimitExchange {
         self.held.take_from(&mut self.free);
     }
 
-    /// Holds what is above the limit and lets go what has a gap.
+    /// Holds the elements above the limit and releases those with a gap.
     fn exchange(&mut self, limit: f64, wrong: &Wrong, v: &[f64]) {
         let next = self.next(limit, &wrong.above, v);
         self.let_go(limit, &wrong.open);

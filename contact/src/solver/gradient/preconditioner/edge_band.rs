@@ -291,7 +291,7 @@ mod tests {
         island([0.0, 7.0], 5.2) || island([17.0, 2.0], 3.4) || island([24.0, 25.0], 10.3)
     }
 
-    /// The set of what is inside, moved by some columns.
+    /// The set of the inner elements, moved by some columns.
     fn set(moved: usize) -> WorkingSet {
         let presses = |e: usize| f64::from(u8::from(inside([e / SIZE, e % SIZE + moved])));
         let pressure: Vec<f64> = (0..SIZE * SIZE).map(presses).collect();
@@ -336,7 +336,7 @@ mod tests {
             band.balance(&answer, &mut again);
             assert!(written == again, "{sector:?}");
             let mirrored = |k: i64| usize::try_from(if k < 0 { -1 - k } else { k }).unwrap();
-            // All of the band, and what lies next to an axis.
+            // All of the band, and the elements next to an axis.
             let (mut missed, mut whole) = ([0.0; 2], [0.0; 2]);
             for e in 0..SIZE * SIZE {
                 let place = [e / SIZE, e % SIZE];

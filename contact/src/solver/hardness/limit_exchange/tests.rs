@@ -92,7 +92,7 @@ fn what_is_held_presses_once_and_leaves_the_rest_of_the_force_and_of_the_work() 
     let gaps = &exchange.held.gap;
     assert!(gaps[..2].iter().all(|gap| *gap == f64::INFINITY));
     assert!(gaps[2..].iter().all(|gap| *gap == sunk));
-    // K p of the whole pressure: a product, where that of what is free is not known.
+    // K p of the whole pressure: a product, where that of the free part is not known.
     let all = exchange.displacement(&mut problem, None);
     assert!(all.iter().all(|u| *u == sunk + SINKING));
     assert_eq!(exchange.total.operator_applications, 2);
