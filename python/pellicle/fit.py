@@ -132,7 +132,7 @@ class Fit:
 
     def _read(self, *state: Any) -> None:
         self._state: tuple[str, str, str, str, Arrays, dict[str, CheckedFunction], dict[str, str]] = state
-        # Faults are told where the fit is made, not where it is used.
+        # Errors are raised where the fit is made, not where it is used.
         self.begun(is_measured=self.is_measured)
 
     def begun(self, *, is_measured: bool) -> _pellicle.Fit:

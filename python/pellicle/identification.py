@@ -215,7 +215,7 @@ def identify(
 ) -> Identification:
     """Makes a fit, or that of a fit file, as `pellicle identify` does.
 
-    `progress` shows a bar, or is a function that is told a `FitProgress` some times a second. `threads` is as for
+    `progress` shows a bar, or is a function that receives a `FitProgress` a few times a second. `threads` is as for
     `Case.solve`; every number gives the same bits. Ctrl-C raises `Interrupted`, whose `result` has the best values and
     the intervals found so far. A misfit and a fit that has not converged are returned with a `FitWarning`.
     """

@@ -1,4 +1,4 @@
-"""How far a solution is, shown as a bar or told to a function."""
+"""How far a solution is, shown as a bar or passed to a function."""
 
 from __future__ import annotations
 
