@@ -52,7 +52,7 @@ pub enum ContactError {
     /// Something that is not computed where the pressure is cut at a hardness.
     #[error("found a hardness with {what}, which is computed for elastic contact alone")]
     WithHardness {
-        /// What was asked for.
+        /// The quantity asked for.
         what: &'static str,
     },
     /// Something that a periodic cell does not have, or that is not computed for one.
@@ -60,7 +60,7 @@ pub enum ContactError {
         "found {what} with a periodic cell, wanted a force, and neither stresses nor derivatives"
     )]
     Periodic {
-        /// What was asked for.
+        /// The quantity asked for.
         what: &'static str,
     },
     /// Stresses that are not numbers, so that none is the largest.
@@ -69,7 +69,7 @@ pub enum ContactError {
     /// A field whose length is not that of the grid.
     #[error("found {found} values of the {field}, wanted {wanted}, one per element")]
     FieldLength {
-        /// Which field.
+        /// Name of the field.
         field: &'static str,
         /// Values found.
         found: usize,
@@ -79,7 +79,7 @@ pub enum ContactError {
     /// A field with a value that no surface can have.
     #[error("found {found} for the {field} of element {element}, wanted {wanted}")]
     FieldValue {
-        /// Which field.
+        /// Name of the field.
         field: &'static str,
         /// Index of the element.
         element: usize,

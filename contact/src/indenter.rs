@@ -118,8 +118,7 @@ impl Indenter {
         }
     }
 
-    /// Whether the shape is its own mirror image in both axes; false of every map, and of pyramids with an odd number
-    /// of faces.
+    /// Whether the shape is symmetric in x and y; false of every map, and of pyramids with an odd number of faces.
     #[must_use]
     pub fn is_mirrored(&self) -> bool {
         match self {

@@ -63,7 +63,7 @@ pub struct LoadingPath {
     pub interrupted: bool,
     /// The foundation, with its radial tables.
     pub tables: Arc<RadialTables>,
-    /// What lies around the square.
+    /// The boundary condition of the square.
     pub boundary: Boundary,
     /// Hardness at which the pressures are cut, in Pa; infinite without one.
     pub hardness: f64,
@@ -153,8 +153,8 @@ fn displacement(
 /// Solves `model` for every one of `loads` on `elements` × `elements` elements.
 ///
 /// A step that misses its tolerance is in the path with an unsatisfied certificate and a warning, not an error. If the
-/// observer cancels, whatever load it is told of, all loads under way are cancelled, and the path holds the steps
-/// before the first that is not finished.
+/// observer cancels, on a report of any load, all loads under way are cancelled, and the path holds the steps before
+/// the first that is not finished.
 ///
 /// # Errors
 /// A load, tolerance, side or grid that makes no sense; elements so large that none is under the indenter; coefficients

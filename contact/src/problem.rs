@@ -1,4 +1,4 @@
-//! The problem: what is pressed into what, by which load, and its form on one grid.
+//! The problem: an indenter pressed into a body by a load, and its form on one grid.
 
 mod body;
 pub mod boundary;

@@ -7,7 +7,7 @@ pub mod observer;
 
 use crate::{ContactError, DiscreteProblem, Load, Observer, Progress, Signal};
 
-/// Which algorithm solves a grid's problem.
+/// The algorithm for a grid's problem.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Method {
     /// Preconditioned projected gradients with FFT products: any grid.
@@ -28,9 +28,9 @@ pub struct SolverOptions {
     pub max_applications: usize,
     /// Whether to find the contact stiffness `dQ/dD` of each solution, by one more linear system.
     pub contact_stiffness: bool,
-    /// Whether a path solves on a quadrant or a half where indenter and relief are their own mirror images and the
-    /// elements per side are even. The gradient method only; the solution is the same to rounding, in a third
-    /// to two thirds of the time.
+    /// Whether a path solves on a quadrant or a half of problems that are symmetric in x and y, or in y alone, with an
+    /// even number of elements per side. The gradient method only; the solution is the same to rounding, in a third to
+    /// two thirds of the time.
     pub mirror_symmetry: bool,
     /// Whether the steps of a path keep the pressures of its coarser grids, from which
     /// [`stress_extremes`](crate::stress_extremes) tells how far its numbers can be trusted.

@@ -1,7 +1,6 @@
 //! Stress inside the body under a solved pressure: at points, on planes, its extremes, and the loads at which a body
 //! yields or cracks or an interface comes off.
 
-mod around;
 pub mod critical;
 pub mod extreme;
 pub mod extremes;
@@ -9,6 +8,7 @@ pub mod field;
 mod finder;
 mod load_search;
 pub mod model;
+mod neighbourhood;
 mod quantity;
 mod refine;
 mod scan;

@@ -1,4 +1,4 @@
-//! Which domain is chosen, and what becomes of a contact that its domain or a map cuts off.
+//! The choice of the domain, and contacts that their domain or a map cuts off.
 
 #![expect(
     clippy::unwrap_used,

@@ -170,7 +170,7 @@ fn every_random_case_has_a_domain_that_holds_its_contact() {
                     let step = &path.steps[0];
                     let part = step.summary.contact_radius / path.grid.side();
                     let holds = step.cut_off != Some(CutOff::Domain);
-                    // What is not solved says nothing of its domain.
+                    // An unsolved step says nothing of its domain.
                     let is_solved = step.solution.certificate.is_satisfied();
                     if !is_solved || (holds && part > 0.08 && part < 0.7) {
                         return None;

@@ -181,11 +181,11 @@ fn stiffening(relief: Relief) -> Relief {
     }
 }
 
-/// One model that is its own mirror image in y, mostly in x too, on a grid of an even number of elements per side,
-/// under a force of one of five decades.
+/// One model that is symmetric in y, mostly in x too, on a grid of an even number of elements per side, under a force
+/// of one of five decades.
 fn mirrored_model(random: &mut Random, tables: &Arc<RadialTables>) -> (SampledModel, Model, Load) {
     let (side, elements) = (random.decades(1e-2, 10.0), 2 * (4 + random.below(29)));
-    // What a pressure over the whole domain meets, and one over an element.
+    // The compliance under a pressure on a patch of this size: the whole domain, or one element.
     let compliance = |length: f64| tables.foundation().compliance(1.0 / length);
     let height = side * random.decades(1e-4, 1e-1);
     let softness = compliance(side / elements as f64) * random.decades(1e-3, 1e3);

@@ -42,7 +42,7 @@ const BY_TURNS: u64 = 814;
 /// Waves of a surface.
 const WAVES: usize = 40;
 
-/// What is random of a problem that is solved under many circumstances.
+/// The random part of a problem that is solved under many circumstances.
 struct Problem {
     model: Model,
     side: f64,
@@ -144,7 +144,7 @@ fn problem(random: &mut Random, tables: &[Arc<RadialTables>], is_periodic: bool)
     } else {
         Paraboloid::new(random.decades(0.3, 100.0)).unwrap().into()
     };
-    // What a pressure of 1 over the whole side moves.
+    // The displacement by a pressure of 1 over the whole side.
     let yields = tables.foundation().compliance(TAU);
     let force = heights / yields * random.decades(1e-5, 3.0);
     Problem {

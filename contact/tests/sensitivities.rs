@@ -189,7 +189,7 @@ fn solved(model: &Model, side: f64, elements: usize, forces: &[f64]) -> LoadingP
     .unwrap()
 }
 
-/// Which elements press.
+/// Whether each element presses.
 fn contact(path: &LoadingPath) -> Vec<bool> {
     let pressure = &path.steps[0].solution.pressure;
     pressure.iter().map(|p| *p > 0.0).collect()

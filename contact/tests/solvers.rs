@@ -227,7 +227,7 @@ fn a_pressure_disturbed_by_a_millionth_fails_its_certificate() {
     );
 }
 
-/// All that one solver told of one solution.
+/// All reports of one solver on one solution.
 #[derive(Default)]
 struct Log(Vec<Progress>);
 

@@ -21,7 +21,7 @@ fn half_space() -> Foundation {
     Foundation::half_space(Material::new(STEEL.0, STEEL.1).unwrap())
 }
 
-/// A coat of this thickness, five times as stiff as what it lies on.
+/// A coat of this thickness, five times as stiff as its support.
 fn coated(thickness: f64) -> Foundation {
     let (coat, base) = (Material::new(5.0, 0.25), Material::new(STEEL.0, STEEL.1));
     Foundation::coated(thickness, coat.unwrap(), base.unwrap()).unwrap()
@@ -71,7 +71,7 @@ fn whole(strengths: BodyStrengths) -> StressModel {
     }
 }
 
-/// Stresses of a coat, what it lies on and the interface, under sliding.
+/// Stresses of a coat, its support and the interface, under sliding.
 fn sliding_coat(thickness: f64) -> StressModel {
     let none = BodyStrengths::default();
     StressModel {

@@ -33,7 +33,7 @@ const STIFFNESS_STEP: f64 = 0.03;
 pub struct ContactCurve {
     /// The model, with the values that are not sought and with those of these curves alone.
     pub model: Model,
-    /// What was measured at what.
+    /// The measured quantity and its abscissa.
     pub observable: Observable,
     /// Abscissae of all points (N or m), in the order of the measurement.
     pub abscissae: Vec<f64>,

@@ -11,7 +11,7 @@ pub enum IdentifyError {
     /// A number outside its range.
     #[error("found {found} for the {quantity}, wanted {wanted}")]
     Number {
-        /// Which number.
+        /// Name of the number.
         quantity: &'static str,
         /// Value found.
         found: f64,
@@ -23,7 +23,7 @@ pub enum IdentifyError {
     NumberOf {
         /// The unknown or the nuisance.
         name: String,
-        /// Which number.
+        /// Name of the number.
         quantity: &'static str,
         /// Value found.
         found: f64,
@@ -33,7 +33,7 @@ pub enum IdentifyError {
     /// A list of another length than the one it goes with.
     #[error("found {found} values of the {list}, wanted {wanted}")]
     Length {
-        /// Which list.
+        /// Name of the list.
         list: &'static str,
         /// Values found.
         found: usize,
@@ -43,7 +43,7 @@ pub enum IdentifyError {
     /// A value in a curve that is not a number, or a time that does not increase.
     #[error("found {found} for the {list} of point {point}, wanted {wanted}")]
     Point {
-        /// Which list.
+        /// Name of the list.
         list: &'static str,
         /// Index of the point, from 0.
         point: usize,
@@ -80,13 +80,13 @@ pub enum IdentifyError {
     NoStart {
         /// Starts tried.
         starts: usize,
-        /// What the model said at the last of them.
+        /// The model's error at the last of them.
         source: ForwardError,
     },
     /// Parameters of a plan at which the model has no prediction.
     #[error("found no prediction at the parameters of the plan, wanted one")]
     NoPlan {
-        /// What the model says.
+        /// The model's own error.
         source: ForwardError,
     },
     /// A surrogate that does not come near enough to its model.

@@ -7,7 +7,7 @@ use crate::{
     REFUSAL, Scatter, Warning, Work,
     correlation::correlation,
     global_search,
-    goodness::{Residuals, Scale, lower_half_score, smooth_score},
+    goodness::{NoiseScale, Residuals, lower_half_score, smooth_score},
     noise::restricted_likelihood::{Part, RestrictedLikelihood},
     null_direction::NullSpace,
     predictor::{Evaluation, Predictor},
@@ -77,7 +77,7 @@ fn searched(
     }
 }
 
-/// Jitter is told from here on, in units of χ²: a tenth of a standard error.
+/// Jitter is reported from here on, in units of χ²: a tenth of a standard error.
 const TOLD_JITTER: f64 = 0.01;
 /// Restarts from better fits that profiles find.
 const MOST_RESTARTS: usize = 3;
@@ -87,7 +87,7 @@ struct Fitting<'p> {
     problem: &'p Problem,
     options: &'p FitOptions,
     null_space: NullSpace,
-    /// Unknowns that the data can tell beside each other.
+    /// Unknowns that the data determine together.
     told: Vec<usize>,
     warnings: Vec<Warning>,
 }
@@ -239,7 +239,7 @@ impl<'p> Fitting<'p> {
             lower_half_score(problem, at.0, at.1, &self.told),
             smooth_score(problem, at.0, at.1, &self.told),
         ];
-        let scale = Scale::of(problem, least);
+        let scale = NoiseScale::of(problem, least);
         let scores = scores.map(|score| scale.probability(score));
         Residuals {
             series: problem

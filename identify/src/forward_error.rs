@@ -10,7 +10,7 @@ pub enum ForwardError {
     /// Parameters outside what the model covers. A fit turns back from there with a shorter step.
     #[error("the model has no prediction for these parameters")]
     OutOfRange {
-        /// What the model says.
+        /// The model's own error.
         source: Box<dyn Error + Send + Sync>,
     },
     /// Other than one finite number for each point, and for each point and unknown.

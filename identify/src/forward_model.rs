@@ -1,4 +1,4 @@
-//! What a fit needs of a model: the points of all curves and their derivatives.
+//! The interface of a model to a fit: the points of all curves and their derivatives.
 
 use crate::ForwardError;
 

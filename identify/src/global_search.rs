@@ -11,8 +11,8 @@ use crate::{
     start::start,
 };
 
-/// What a first search may leave to be gained, in units of χ²: a third of a standard error, less than what the noise's
-/// own estimate will move it.
+/// Tolerance of a first search, in units of χ²: a third of a standard error, less than the noise's own estimate will
+/// move it.
 const COARSE: f64 = 0.1;
 /// Two searches agree where they end within this many standard errors of each other.
 const AGREEMENT: f64 = 1.0;

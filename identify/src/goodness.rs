@@ -1,10 +1,10 @@
 //! Whether the model follows the data, or only comes near them.
 //!
 //! Up to six tests, each with its own probability under a true model: χ² where the noise is known, runs of signs and
-//! the statistic of Durbin and Watson for residuals that hang together, the lower half of the abscissae against the
-//! whole, a smooth change of the curve that the model does not have, and the persistence of a correlated noise, which
-//! must not be long enough to hide a misfit. The misfit's probability is that of the worst, times their number
-//! (Bonferroni), so that a true model is refused no oftener than that says, whatever the tests have in common.
+//! the statistic of Durbin and Watson for correlated residuals, the lower half of the abscissae against the whole, a
+//! smooth change of the curve that the model does not have, and the persistence of a correlated noise, which must not
+//! be long enough to hide a misfit. The misfit's probability is that of the worst, times their number (Bonferroni), so
+//! that a true model is refused no more often than that says, whatever the tests have in common.
 
 use crate::{
     Correlation, Problem,
@@ -220,9 +220,9 @@ fn score(
     [before - dot(&residual, &residual), rank as f64]
 }
 
-/// What is known of the size of the noise that a score is measured by.
+/// How the size of the noise that a score is measured by is known.
 #[derive(Debug, Clone, Copy)]
-pub(crate) enum Scale {
+pub(crate) enum NoiseScale {
     /// All.
     Known,
     /// It was estimated with these degrees of freedom from residuals that hold the score.
@@ -231,8 +231,8 @@ pub(crate) enum Scale {
     OfCorrelated(f64),
 }
 
-impl Scale {
-    /// That of a problem's noise.
+impl NoiseScale {
+    /// The scale of a problem's noise.
     pub fn of(problem: &Problem, degrees: f64) -> Self {
         let noise = problem.noise();
         if noise.is_known() {

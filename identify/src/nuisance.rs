@@ -17,7 +17,7 @@ pub enum Shape {
     Given(Vec<f64>),
 }
 
-/// Which points share one coefficient.
+/// The points that share one coefficient.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Scope {
     /// All of them.

@@ -80,7 +80,7 @@ pub(crate) struct NullSpace {
     unknowns: usize,
 }
 
-/// Unknowns that are held so that one unknown is told by the data, and the combination that it then stands for.
+/// Unknowns that are held so that the data determine one unknown, and the combination that it then stands for.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Hold {
     /// Indices of the unknowns held.
@@ -102,7 +102,7 @@ impl NullSpace {
             .any(|direction| direction[unknown].abs() > ZERO)
     }
 
-    /// What to hold so that the data tell `unknown`, with the fewest other unknowns in its combination; nothing where
+    /// The unknowns to hold so that the data determine `unknown`, with the fewest others in its combination; none where
     /// no combination with it is known.
     pub fn hold_for(&self, unknown: usize) -> Result<Option<Hold>, IdentifyError> {
         let mut best: Option<Hold> = None;
@@ -118,7 +118,7 @@ impl NullSpace {
         Ok(best)
     }
 
-    /// What to hold so that the data tell all others.
+    /// The unknowns to hold so that the data determine all others.
     pub fn hold(&self) -> Result<Vec<usize>, IdentifyError> {
         for held in subsets(self.unknowns, self.rank(), None) {
             if kernel(&self.part(&held))?.is_empty() {

@@ -1,4 +1,4 @@
-//! What a measurement will tell, before it is made.
+//! The expected accuracy of a measurement, before it is made.
 //!
 //! At the true parameters the information of a measurement is `JᵀJ` of its whitened derivatives, with the nuisances of
 //! each curve eliminated. Measurements add up, a prior is one more row, and the inverse of the sum is the covariance
@@ -19,14 +19,14 @@ use crate::{
     verdict,
 };
 
-/// What a plan takes for true.
+/// The assumptions of a plan.
 #[derive(Debug, Clone)]
 pub struct Plan {
-    /// What will be sought.
+    /// The unknowns to be sought.
     pub unknowns: Vec<Unknown>,
     /// The true values of the unknowns.
     pub truth: Vec<f64>,
-    /// What acts on the measurements besides; what is common to curves is common to all measurements.
+    /// Linear nuisances; those common to curves are common to all measurements.
     pub nuisances: Vec<LinearNuisance>,
     /// The noise of every point.
     pub noise: NoiseLevels,
@@ -36,7 +36,7 @@ pub struct Plan {
     pub degrees_of_freedom: Vec<f64>,
 }
 
-/// What is to be expected of an unknown.
+/// The expected estimate of an unknown.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Expected {
     /// Its name.
@@ -45,20 +45,20 @@ pub struct Expected {
     pub role: Role,
     /// Its true value.
     pub value: f64,
-    /// Standard error in its coordinate, of `ln θ` for a positive one; infinite where nothing is told.
+    /// Standard error in its coordinate, of `ln θ` for a positive one; infinite where the data do not determine it.
     pub standard_error: f64,
     /// Half the interval in its coordinate, as if there were no bounds.
     pub half_width: f64,
     /// The interval from the covariance; nothing on a side that is open or beyond its bound.
     pub interval: [Option<f64>; 2],
-    /// What the measurements will tell of it.
+    /// How well the measurements will determine it.
     pub verdict: Verdict,
-    /// What is known instead of an unknown that is not identifiable.
+    /// The combination that is known if the unknown is not identifiable.
     pub known_combination: Option<KnownCombination>,
 }
 
 impl Plan {
-    /// What curves tell that are expected to follow this prediction of their model, with derivatives by all unknowns.
+    /// The information of curves that follow this prediction of their model, with derivatives by all unknowns.
     ///
     /// # Errors
     ///
@@ -83,7 +83,7 @@ impl Plan {
         Information::of(self, prediction, curves)
     }
 
-    /// What is to be expected of each unknown from some measurements together, with intervals of this level.
+    /// The expected estimate of each unknown from some measurements together, with intervals of this level.
     ///
     /// `directions` are those in which none of these measurements changes.
     ///
@@ -140,7 +140,7 @@ impl Plan {
         Ok(expected)
     }
 
-    /// What is told instead: the unknown times powers of those held, with its interval while they are held.
+    /// The known combination: the unknown times powers of those held, with its interval while they are held.
     fn combination(&self, expected: &Expected, unknown: usize, hold: &Hold) -> KnownCombination {
         let factor = |&(k, exponent): &(usize, f64)| self.truth[k].powf(exponent);
         let factor: f64 = hold.exponents.iter().map(factor).product();

@@ -1,4 +1,4 @@
-//! What is believed of the unknowns after the measurement: samples of the posterior.
+//! Samples of the posterior of the unknowns.
 //!
 //! The density is that of the fit's own noise, with the linear nuisances integrated out, over the coordinates of the
 //! unknowns, in which what is unknown before is flat. An ensemble of walkers samples it (J. Goodman and J. Weare, Comm.
@@ -29,7 +29,7 @@ const BURN_IN: usize = 400;
 /// Of so many steps one is kept, or more where few samples are wanted.
 const THINNING: usize = 16;
 
-/// Fewest steps after the burn-in, some 25 autocorrelation times, so that convergence can be told.
+/// Fewest steps after the burn-in, some 25 autocorrelation times, so that convergence can be judged.
 const FEWEST_STEPS: usize = 1000;
 
 /// A sample so near a face of the surrogate's box, in half sides, counts as one at it.

@@ -90,7 +90,7 @@ impl<'a> Predictor<'a> {
         self.memory.iter().filter_map(|(_, known)| known.as_ref())
     }
 
-    /// What the model said when it last failed.
+    /// The model's latest error, handed out once.
     pub fn take_last_failure(&mut self) -> Option<ForwardError> {
         self.last_failure.take()
     }

@@ -1,4 +1,4 @@
-//! What is known of a parameter before the curve.
+//! The prior of a parameter.
 
 use crate::IdentifyError;
 

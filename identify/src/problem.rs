@@ -1,4 +1,4 @@
-//! What is to be found from which curves.
+//! The problem of a fit: curves, unknowns and nuisances.
 
 use std::ops::Range;
 
@@ -6,7 +6,7 @@ use crate::{
     Curve, IdentifyError, LinearNuisance, Noise, NullDirections, Unknown, nuisance::NuisanceColumn,
 };
 
-/// What the curves are to each other.
+/// How the parameters scatter between curves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Scatter {
     /// All have the same parameters, and differ by noise.
@@ -16,7 +16,7 @@ pub enum Scatter {
     BetweenCurves,
 }
 
-/// Measured curves, what is sought from them, and what else acts on them.
+/// Measured curves, the unknowns sought from them, and their nuisances.
 #[derive(Debug, Clone)]
 pub struct Problem {
     curves: Vec<Curve>,
@@ -150,7 +150,7 @@ impl Problem {
         &self.columns
     }
 
-    /// Which points are those of each curve.
+    /// The range of points of each curve.
     pub(crate) fn spans(&self) -> &[Range<usize>] {
         &self.spans
     }

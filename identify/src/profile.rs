@@ -35,7 +35,7 @@ const NEAR_A_KINK: f64 = 0.05;
 const AGREEMENT: f64 = 0.03;
 /// Longest stride of a scan, a factor of four for a logarithm.
 const LONGEST_STRIDE: f64 = 1.4;
-/// What the constrained fits may leave to be gained, in units of χ²; it is taken off as if the problem were linear.
+/// Tolerance of the constrained fits, in units of χ²; the gain left is taken off as if the problem were linear.
 const CONSTRAINED: f64 = 0.1;
 /// A profile lower than the best fit by this has found a better one: a twentieth of χ² at level 0.95, so that the
 /// jitter of a prediction from a grid is not taken for one.
@@ -76,7 +76,7 @@ pub(crate) struct Side {
     pub bend: Option<Bend>,
 }
 
-/// What a scan found.
+/// The result of a scan.
 pub(crate) enum Scan {
     Side(Side),
     /// A better fit than the best.
@@ -321,7 +321,7 @@ impl Profile<'_, '_> {
         if above < -BETTER {
             return Ok(Err(fit.at));
         }
-        // What a search that found no end could gain is not known.
+        // The gain left to a search that found no end is not known.
         let gain = if fit.converged { fit.remaining } else { 0.0 };
         let z = (above - gain).max(0.0).sqrt();
         let equations = NormalEquations::new(&fit.system, &search.moving(&fit));

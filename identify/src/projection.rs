@@ -1,4 +1,4 @@
-//! An orthonormal basis of a few long columns, and what it removes from others.
+//! An orthonormal basis of a few long columns, and projections off it.
 //!
 //! Modified Gram–Schmidt, each column orthogonalised twice, is orthogonal to rounding: L. Giraud, J. Langou,
 //! M. Rozložník and J. van den Eshof, Numer. Math. 101, 87 (2005).
@@ -12,7 +12,7 @@ pub(crate) struct Projection {
     basis: Vec<Vec<f64>>,
     /// Column `k` of `R`: `k + 1` numbers.
     triangle: Vec<Vec<f64>>,
-    /// Which columns are independent.
+    /// Indices of the independent columns.
     kept: Vec<usize>,
     columns: usize,
 }
@@ -42,7 +42,7 @@ impl Projection {
         self.columns += 1;
     }
 
-    /// Leaves of a column what is orthogonal to the basis, and gives its components `Qᵀ v`.
+    /// Reduces a column to its part orthogonal to the basis, and gives its components `Qᵀ v`.
     pub fn remove_from(&self, column: &mut [f64]) -> Vec<f64> {
         let mut components = vec![0.0; self.basis.len()];
         for _ in 0..2 {

@@ -24,11 +24,11 @@ pub(crate) struct Refined<'p> {
     pub levels: NoiseLevels,
 }
 
-/// What stays the same in all rounds.
+/// The refinement's inputs, the same in all rounds.
 pub(crate) struct Refinement<'s, 'p> {
     pub problem: &'p Problem,
     pub options: &'s FitOptions,
-    /// Unknowns that the data can tell beside each other.
+    /// Unknowns that the data determine together.
     pub told: &'s [usize],
 }
 

@@ -41,7 +41,7 @@ pub(crate) struct Repeats<'p> {
     problem: &'p Problem,
     options: &'p FitOptions,
     null_space: NullSpace,
-    /// Unknowns that the data can tell beside each other.
+    /// Unknowns that the data determine together.
     told: Vec<usize>,
     /// Indices of the linear nuisances that all curves share.
     shared: Vec<usize>,
@@ -204,10 +204,7 @@ impl<'p> Repeats<'p> {
             })
         };
         MixedModel {
-            curves: curves
-                .iter()
-                .map(|curve| curve.information.clone())
-                .collect(),
+            curves: curves.iter().map(|curve| curve.equations.clone()).collect(),
             prior: self
                 .told
                 .iter()

@@ -1,11 +1,11 @@
-//! What a fit returns.
+//! The result of a fit.
 
 use crate::{
     Exclusion, Goodness, KnownCombination, NoiseLevels, ProfilePoint, Role, Verdict,
     distribution::student_quantile,
 };
 
-/// What became of a fit.
+/// The verdict on a fit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FitVerdict {
     /// The model follows the data.
@@ -41,11 +41,11 @@ pub struct Estimate {
     pub wald: Option<[f64; 2]>,
     /// Degrees of freedom behind the intervals, infinite where the noise is known.
     pub degrees_of_freedom: f64,
-    /// What the data tell of it.
+    /// How well the data determine it.
     pub verdict: Verdict,
     /// Why, in a sentence.
     pub why: String,
-    /// What is known instead of an unknown that is not identifiable.
+    /// The combination that is known if the unknown is not identifiable.
     pub known_combination: Option<KnownCombination>,
     /// Its profile, in the order of its values; of the combination, with the others held, where there is one. Empty
     /// without profiles.
@@ -95,7 +95,7 @@ pub struct FittedPoints {
     pub whitened: Vec<f64>,
 }
 
-/// What a fit has cost.
+/// The cost of a fit, in predictions.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Work {
     /// Predictions of all curves, all in all.
@@ -104,7 +104,7 @@ pub struct Work {
     pub search: usize,
 }
 
-/// What a reader of a fit should know.
+/// A warning about a fit that its verdict does not carry.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Warning {
     /// Another start led to another minimum, which is worse.
@@ -121,7 +121,7 @@ pub enum Warning {
 /// The best fit and what the data tell.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fit {
-    /// What became of it.
+    /// The verdict on the fit.
     pub verdict: FitVerdict,
     /// How far it came, if its model ended it.
     pub stopped: Option<Stopped>,
@@ -142,8 +142,8 @@ pub struct Fit {
     pub excluded: Vec<Exclusion>,
     /// The points.
     pub points: FittedPoints,
-    /// What it has cost.
+    /// Its cost.
     pub work: Work,
-    /// What a reader should know.
+    /// Warnings to its reader.
     pub warnings: Vec<Warning>,
 }

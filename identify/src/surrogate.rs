@@ -35,7 +35,7 @@ const OVERSAMPLING: usize = 2;
 /// Points of the check to a dimension.
 const CHECKS: usize = 12;
 
-/// What a combination of few curves may miss of a curve, as a part of the tolerance.
+/// Largest error of a curve as a combination of few, as a part of the tolerance.
 const COMPRESSION: f64 = 1e-2;
 
 /// How a surrogate is made.

@@ -11,7 +11,7 @@ pub enum Coordinate {
     Linear,
 }
 
-/// What a parameter is sought for.
+/// The role of a parameter in a fit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Role {
     /// It is an answer.
@@ -128,7 +128,7 @@ impl Unknown {
         self
     }
 
-    /// The same unknown without what is known from elsewhere.
+    /// The same unknown without its prior.
     pub(crate) fn without_prior(&self) -> Self {
         Self {
             prior: None,

@@ -1,4 +1,4 @@
-//! What the data tell of one unknown, in one word and one sentence.
+//! The verdict on one unknown, in one word and one sentence.
 
 use std::fmt;
 
@@ -9,7 +9,7 @@ pub const IDENTIFIED_WITHIN: f64 = 1.2;
 /// An unknown whose standard deviation is above this part of its prior's has learned nothing from the data.
 pub const PRIOR_DRIVEN_ABOVE: f64 = 0.9;
 
-/// What the data tell of one unknown.
+/// How well the data determine one unknown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Verdict {
     /// The interval closes on both sides within a factor 1.2.

@@ -166,7 +166,7 @@ fn hertz_is_met_with_slope_and_derivatives() {
     }
 }
 
-/// What a load costs is products, and elements of the sector that they are of.
+/// The cost of a load: its products, times the elements of their sector.
 #[test]
 fn a_berkovich_curve_takes_hardly_more_products_than_a_paraboloids_and_those_on_half_a_grid() {
     let paraboloid = || Indenter::from(Paraboloid::new(RADIUS).unwrap());

@@ -57,7 +57,7 @@ fn element(criterion: &mut Criterion) {
     });
 }
 
-/// Prints what a plane costs in products on a grid of the same size, on one thread.
+/// Prints the cost of a plane in products on a grid of the same size, on one thread.
 #[expect(clippy::print_stdout, reason = "criterion has no ratios")]
 fn ratios(_: &mut Criterion) {
     let pool = ThreadPoolBuilder::new().num_threads(1).build();

@@ -1,4 +1,4 @@
-//! The one error type of this crate: what was wanted, what was found.
+//! The one error type of this crate, with the values wanted and found.
 
 use thiserror::Error;
 

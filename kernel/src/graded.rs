@@ -46,7 +46,7 @@ pub struct GradingOptions {
     pub most_sublayers: usize,
 }
 
-/// A graded layer split into sublayers, with what lies below.
+/// A graded layer split into sublayers, with its support.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SplitLayer {
     /// The sublayers and everything below as one foundation.
@@ -186,7 +186,7 @@ fn error_of_halves(changes: &[Vec<f64>]) -> f64 {
     })
 }
 
-/// A graded layer, what lies below it, and where the compliance is compared.
+/// A graded layer, its support, and the wavenumbers at which the compliance is compared.
 struct Problem<'a, F> {
     layer: &'a GradedLayer<F>,
     layers: &'a [Layer],

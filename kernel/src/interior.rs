@@ -32,7 +32,7 @@ use crate::{Base, Foundation, KernelError, Layer, Material};
 pub struct Interior {
     wavenumber: f64,
     bodies: Vec<Body>,
-    correction: in_plane::Wave,
+    correction: in_plane::InPlaneWave,
 }
 
 /// One layer or the base.
@@ -41,8 +41,8 @@ struct Body {
     top: f64,
     bottom: f64,
     material: Material,
-    in_plane: in_plane::Wave,
-    antiplane: antiplane::Wave,
+    in_plane: in_plane::InPlaneWave,
+    antiplane: antiplane::AntiplaneWave,
 }
 
 impl Foundation {
@@ -69,7 +69,7 @@ impl Foundation {
             return Err(KernelError::Wavenumber { found: wavenumber });
         }
         let in_plane::Waves { bodies, correction } = in_plane::Waves::new(self, wavenumber)?;
-        let antiplane = antiplane::Wave::of(self.layers(), self.base(), wavenumber);
+        let antiplane = antiplane::AntiplaneWave::of(self.layers(), self.base(), wavenumber);
         let mut bottom = 0.0;
         let body = |(i, (in_plane, antiplane))| {
             let top = bottom;

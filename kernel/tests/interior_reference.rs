@@ -83,7 +83,7 @@ fn material(case: &Case) -> Material {
     }
 }
 
-/// The error of a state and what it is measured by.
+/// The error of a state and its scale.
 struct Comparison {
     error: f64,
     size: f64,

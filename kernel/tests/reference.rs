@@ -111,7 +111,7 @@ fn stacks_differ_from_one_without_cancellation() {
         let found = case.foundation.response_minus_one(case.wavenumber);
         let s = case.wavenumber * case.foundation.thickness();
         let magnified = (1.0 + 2.0 * s) * case.minus_one.abs();
-        // What the lower layers send back cancels in part, to a rounding of the largest part,
+        // The waves reflected by the lower layers cancel in part, to a rounding of the largest one,
         // which has decayed like e^{−2s}.
         let bound = 1e-13 * magnified + 4e-16 * (-2.0 * s).exp();
         let error = (found - case.minus_one).abs();

@@ -1,4 +1,4 @@
-"""The elastic body: materials, layers and what they lie on."""
+"""The elastic body: materials, layers and their support."""
 
 from __future__ import annotations
 

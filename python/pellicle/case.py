@@ -172,8 +172,9 @@ class Case:
     def solve(self, *, progress: bool | Report = False, threads: int | None = None) -> Path:
         """Solves the case.
 
-        `progress` shows a bar, or is a function that is told a `Progress` some times a second. `threads` is the number
-        of threads; without it that of `RAYON_NUM_THREADS`, or of cores. The result has the same bits for every number.
+        `progress` shows a bar, or is a function that receives a `Progress` a few times a second. `threads` is the
+        number of threads; without it that of `RAYON_NUM_THREADS`, or of cores. The result has the same bits for every
+        number.
 
         Python's other threads go on meanwhile. Ctrl-C raises `Interrupted`, whose `path` has the steps finished so
         far. A solution that is not certified is returned with a `NotCertifiedWarning`.

@@ -44,7 +44,7 @@ Engine: TypeAlias = Submits | Maps | Calls
 
 
 def outcomes(engine: Any, function: Callable[[Task], Outcome], tasks: Sequence[Task]) -> Iterator[Outcome]:
-    """What the function makes of each task, as soon as the engine hands it out, in any order.
+    """The function's result for each task, as soon as the engine hands it out, in any order.
 
     A task that fails does not keep the others from ending: the first failure is raised last.
     """

@@ -1,4 +1,4 @@
-"""The numbers that fits find and plans expect, with intervals, verdicts and what is known instead."""
+"""The numbers that fits find and plans expect, with intervals, verdicts and known combinations."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ Interval = tuple[float, float]
 
 @dataclass(frozen=True)
 class KnownCombination:
-    """A product of powers of what is sought that the data tell."""
+    """A product of powers of the unknowns that the data determine."""
 
     expression: str
     value: float
@@ -43,7 +43,7 @@ class FitEstimate:
     scatter: float | None
     """Standard deviation between repeats; None without repeats."""
     known_combination: KnownCombination | None
-    """What is known instead."""
+    """The combination that is known if the number is not identifiable."""
 
     def __str__(self) -> str:
         low, high = (f"{end:.4g}" if np.isfinite(end) else "open" for end in self.interval)
@@ -52,16 +52,16 @@ class FitEstimate:
 
 @dataclass(frozen=True)
 class Expected:
-    """What is expected of a number, in SI units."""
+    """The expected estimate of a number, in SI units."""
 
     key: str
     unit: str
     value: float
     """The value that is taken for true."""
     standard_error: float
-    """Of its logarithm, the relative one where it is small; NaN where nothing is told."""
+    """Of its logarithm, the relative one where it is small; NaN where the data do not determine it."""
     factor: float
-    """The factor within which the interval lies, as if there were no bounds; infinite where nothing is told."""
+    """The factor within which the interval lies, as if there were no bounds; infinite where the data give none."""
     interval: Interval
     verdict: str
     known_combination: KnownCombination | None
@@ -69,10 +69,10 @@ class Expected:
 
 @dataclass(frozen=True)
 class ExpectedDesign:
-    """One curve or several, and what they would tell."""
+    """One curve or several, and the accuracy to expect of them."""
 
     curves: Sequence[Mapping[str, Any]]
-    """The curves to measure; none for what has been measured alone."""
+    """The curves to measure; none for the existing measurements alone."""
     unknowns: Sequence[Expected]
     nuisances: Sequence[Expected]
 

@@ -1,4 +1,4 @@
-"""A fit: measurements, a model, and what is sought of it, which is a fit file and the arrays that it names."""
+"""A fit: measurements, a model and its unknowns, which is a fit file and the arrays that it names."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ Arrays: TypeAlias = dict[str, npt.NDArray[np.float64]]
 
 @dataclass(frozen=True)
 class Nuisances(Table):
-    """What acts on the measurements besides: a shift and a drift of each curve, the compliance of the frame in m/N, and
+    """Other influences on the measurements: a shift and a drift of each curve, the compliance of the frame in m/N, and
     numbers of the model, by their keys, that are not known exactly."""
 
     shift: bool | None = None
@@ -77,7 +77,7 @@ class Design(Table):
 
 @dataclass(frozen=True)
 class Report(Table):
-    """How the result is told: level and kind of the intervals, samples of the posterior, what to measure next."""
+    """How the result is reported: level and kind of the intervals, samples of the posterior, what to measure next."""
 
     level: float | None = None
     intervals: Literal["profile", "wald"] | None = None
@@ -88,7 +88,7 @@ class Report(Table):
 
 
 class Fit:
-    """Measurements, a model, and what is sought of it.
+    """Measurements, a model, and its unknowns.
 
     `model` is a case, of which fixed values and starts are taken; its loads do not matter. `unknown` has what is sought
     by its keys, such as `"foundation.layer[0].young_modulus"`, each between bounds or with a prior. A fit without `data`
@@ -132,7 +132,7 @@ class Fit:
 
     def _read(self, *state: Any) -> None:
         self._state: tuple[str, str, str, str, Arrays, dict[str, CheckedFunction], dict[str, str]] = state
-        # Faults are told where the fit is made, not where it is used.
+        # Errors are raised where the fit is made, not where it is used.
         self.begun(is_measured=self.is_measured)
 
     def begun(self, *, is_measured: bool) -> _pellicle.Fit:

@@ -72,7 +72,7 @@ class ReliefFunction(Surface):
 
 @dataclass(frozen=True)
 class CheckedFunction:
-    """A function whose values are checked; what is wrong is refused by the function's name."""
+    """A function whose values are checked; a wrong one is refused by the function's name."""
 
     function: Function
     name: str

@@ -1,4 +1,4 @@
-"""A fit made, and a plan of what to measure: what they found, and how they are asked for."""
+"""The results of a fit and of a plan, and the functions that ask for them."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ Files = tuple[str, list[tuple[str, str]], list[tuple[str, list[float]]], bool]
 
 
 class Result:
-    """What a fit or a plan found, in the words of its file of results."""
+    """The result of a fit or a plan, in the words of its file of results."""
 
     def __init__(
         self, fit: Fit, found: dict[str, Any], tables: Mapping[str, str], samples: Mapping[str, Any], is_whole: bool
@@ -47,12 +47,12 @@ class Result:
 
     @cached_property
     def warnings(self) -> list[ResultWarning]:
-        """What a reader should know."""
+        """Warnings about the result."""
         return [ResultWarning(**warning) for warning in self._found["warnings"]]
 
     @property
     def work(self) -> dict[str, Any]:
-        """What it has cost: `curves_solved`, `loads_solved`, `seconds`, …"""
+        """Its cost: `curves_solved`, `loads_solved`, `seconds`, …"""
         work: dict[str, Any] = self._found["work"]
         return work
 
@@ -78,18 +78,18 @@ class Identification(Result):
 
     @property
     def verdict(self) -> str:
-        """`"fitted"`, `"misfit"` or `"not-converged"`; only what is fitted may be used."""
+        """`"fitted"`, `"misfit"` or `"not-converged"`; only a fitted result may be used."""
         verdict: str = self._found["verdict"]
         return verdict
 
     @cached_property
     def unknowns(self) -> list[FitEstimate]:
-        """What was sought."""
+        """Estimates of the unknowns, in their order."""
         return [estimate_of(found) for found in self._found["unknowns"]]
 
     @cached_property
     def nuisances(self) -> list[FitEstimate]:
-        """What was not known exactly."""
+        """Estimates of the numbers that were not known exactly."""
         return [estimate_of(found) for found in self._found["nuisances"]]
 
     def __getitem__(self, key: str) -> FitEstimate:
@@ -129,8 +129,8 @@ class Identification(Result):
 
     @property
     def taken_as_exact(self) -> list[dict[str, Any]]:
-        """What the model holds fixed: `key`, `unit`, `value`, and `exponents`, the percent by which 1 % more of it changes
-        each unknown."""
+        """Numbers that the model holds fixed: `key`, `unit`, `value`, and `exponents`, the percent by which 1 % more of
+        it changes each unknown."""
         numbers: list[dict[str, Any]] = self._found["taken_as_exact"]
         return numbers
 
@@ -154,7 +154,7 @@ class Identification(Result):
 
     @cached_property
     def design(self) -> list[ExpectedDesign]:
-        """What curves of the report's design would add, the best first."""
+        """The expected gain from curves of the report's design, the best first."""
         return [design_of(found) for found in self._found.get("design", [])]
 
     def plot(self) -> Any:
@@ -181,7 +181,7 @@ class Identification(Result):
 
 
 class Plan(Result):
-    """What designs are expected to tell, before anything is measured."""
+    """The expected accuracy of designs, before anything is measured."""
 
     @cached_property
     def designs(self) -> list[ExpectedDesign]:
@@ -190,7 +190,7 @@ class Plan(Result):
 
     @property
     def advice(self) -> str:
-        """What to measure, in a sentence or two."""
+        """Advice on the measurement, in a sentence or two."""
         advice: str = self._found["advice"]
         return advice
 
@@ -215,7 +215,7 @@ def identify(
 ) -> Identification:
     """Makes a fit, or that of a fit file, as `pellicle identify` does.
 
-    `progress` shows a bar, or is a function that is told a `FitProgress` some times a second. `threads` is as for
+    `progress` shows a bar, or is a function that receives a `FitProgress` a few times a second. `threads` is as for
     `Case.solve`; every number gives the same bits. Ctrl-C raises `Interrupted`, whose `result` has the best values and
     the intervals found so far. A misfit and a fit that has not converged are returned with a `FitWarning`.
     """
@@ -225,7 +225,7 @@ def identify(
 
 
 def plan(fit: Fit | str | os.PathLike[str], *, progress: bool | FitReport = False, threads: int | None = None) -> Plan:
-    """Tells what the curves of a design would tell, as `pellicle identify --plan` does; no data are needed."""
+    """Predicts the accuracy from the curves of a design, as `pellicle identify --plan` does; no data are needed."""
     fit = _fit(fit)
     run = fit.begun(is_measured=fit.is_measured).start_plan(checked_threads(threads))
     return finished(run, lambda found: Plan(*_parts(fit, found)), reporting(progress, fit, FitProgress))

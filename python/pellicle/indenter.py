@@ -12,7 +12,7 @@ from .table import Table
 
 @dataclass(frozen=True)
 class Indenter(Table):
-    """What presses on the body; rigid unless it has a Young's modulus (Pa) and a Poisson's ratio."""
+    """An indenter, rigid unless it has a Young's modulus (Pa) and a Poisson's ratio."""
 
     young_modulus: Quantity | None = field(default=None, kw_only=True)
     poisson_ratio: float | None = field(default=None, kw_only=True)

@@ -1,4 +1,4 @@
-"""How far a solution can be trusted, and what it took."""
+"""The certificate, the warnings and the cost of a solution."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any
 
 
 def number(value: float | None) -> float:
-    """A number of a summary, where null stands for what is not finite."""
+    """A number of a summary, where null stands for a value that is not finite."""
     return math.nan if value is None else float(value)
 
 

@@ -1,4 +1,4 @@
-"""The further tables of a case: ranges of loads, stresses, and what the program writes."""
+"""The further tables of a case: ranges of loads, stresses, and output."""
 
 from __future__ import annotations
 

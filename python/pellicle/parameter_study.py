@@ -57,7 +57,7 @@ class Study:
 
     @property
     def title(self) -> str:
-        """What its bar is called: its name."""
+        """The title of its progress bar: its name."""
         return self.name
 
     def __len__(self) -> int:
@@ -80,8 +80,8 @@ class Study:
         time, on so many `threads` each; rows are added to `results.csv` in the folder `out`, or else `results/NAME`,
         as soon as a chunk is done. Fields that the study keeps travel with them, into the files that the program would
         have written. Cases of which the table has rows are not solved again, unless it is to be `fresh`:
-        after Ctrl-C or a failure of the engine the same call goes on. `progress` shows a bar, or is a function that is
-        told a `StudyProgress`.
+        after Ctrl-C or a failure of the engine the same call goes on. `progress` shows a bar, or is a function that
+        receives a `StudyProgress`.
 
         A chunk that is lost with its worker is solved again by engines that see to it, such as Dask and Ray. Others
         break: what was finished is kept, the exception is raised, and the study can be mapped on a new executor.
@@ -104,7 +104,7 @@ class Study:
         return found
 
     def _gather(self, table: _pellicle.Table, ended: Any, solve: _Solver, report: Any) -> set[str]:
-        """Adds to the table what the engine hands out; the warnings heard meanwhile."""
+        """Adds the engine's results to the table; gives the warnings raised meanwhile."""
         said: set[str] = set()
         forced = time.monotonic()
         try:

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Judgement:
-    """What a pressure is worth as a solution: its penetration (m), its force (N) and its certificate."""
+    """The assessment of a pressure as a solution: its penetration (m), its force (N) and its certificate."""
 
     penetration: float
     force: float

@@ -1,4 +1,4 @@
-"""How far a solution is, shown as a bar or told to a function."""
+"""How far a solution is, shown as a bar or passed to a function."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class Progress:
 
     @property
     def done(self) -> tuple[int, int | None, str]:
-        """Parts of the work that are finished, parts in all, and what a part is."""
+        """Parts of the work that are finished, parts in all, and the name of a part."""
         return self.finished, self.steps, "step"
 
     def __str__(self) -> str:
@@ -56,7 +56,7 @@ class FitProgress:
 
     @property
     def done(self) -> tuple[int, int | None, str]:
-        """Parts of the work that are finished, parts in all, and what a part is."""
+        """Parts of the work that are finished, parts in all, and the name of a part."""
         return self.solved or self.planned or 0, None, "curve"
 
     def __str__(self) -> str:
@@ -79,7 +79,7 @@ class StudyProgress:
 
     @property
     def done(self) -> tuple[int, int | None, str]:
-        """Parts of the work that are finished, parts in all, and what a part is."""
+        """Parts of the work that are finished, parts in all, and the name of a part."""
         return self.finished, self.cases, "case"
 
     def __str__(self) -> str:
@@ -92,7 +92,7 @@ FitReport: TypeAlias = Callable[[FitProgress], object]
 
 
 Kind: TypeAlias = type[Progress] | type[FitProgress] | type[StudyProgress]
-"""What progress is told as."""
+"""The type in which progress is reported."""
 
 
 class Titled(Protocol):
@@ -100,7 +100,7 @@ class Titled(Protocol):
 
     @property
     def title(self) -> str:
-        """What the bar is called."""
+        """The title of the progress bar."""
         ...
 
 
@@ -121,7 +121,7 @@ def reporting(
 def _telling(
     report: Callable[[Any], object], kind: Kind
 ) -> Callable[[Any], None]:
-    """Tells what is new, and nothing twice."""
+    """Reports news, and nothing twice."""
     last: Any = None
 
     def tell(raw: Any) -> None:

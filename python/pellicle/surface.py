@@ -15,7 +15,7 @@ Law: TypeAlias = Literal["linear", "logarithmic"]
 
 @dataclass(frozen=True)
 class Surface(Table):
-    """What the indenter meets on the body."""
+    """The surface of the body: bare, or with springs or roughness."""
 
 
 @dataclass(frozen=True)

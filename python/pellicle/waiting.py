@@ -33,7 +33,7 @@ class Run(Protocol):
         ...
 
     def result(self) -> Any:
-        """What was found; None if nothing was before the work was stopped."""
+        """The result; None if the work was stopped before there was any."""
         ...
 
 
@@ -48,7 +48,7 @@ class Interrupted(KeyboardInterrupt):
 
     @property
     def result(self) -> Any:
-        """What was finished: the path of some loading steps, or a fit without some intervals; None if nothing was.
+        """The finished part: the path of some loading steps, or a fit without some intervals; None if nothing was.
 
         Waits for the iteration under way, which on large grids may take some tenths of a second.
         """
@@ -68,7 +68,7 @@ class Interrupted(KeyboardInterrupt):
 def finished(
     run: Run, made: Callable[[Any], Found], reporting: AbstractContextManager[Callable[[Any], None]]
 ) -> Found:
-    """What is made of the result of some work. Ctrl-C raises `Interrupted`."""
+    """Waits for some work and converts its result. Ctrl-C raises `Interrupted`."""
     try:
         with reporting as report:
             while not run.wait(TURN):

@@ -24,8 +24,8 @@ pub fn read_text(path: PathBuf) -> Result<String, Refusal> {
     Ok(read_source(&path)?.inner().clone())
 }
 
-/// What a case names and does not hold: maps, which are arrays by their names or else files of the folder, and shapes
-/// that are functions.
+/// The data that a case names and does not hold: maps, which are arrays by their names or else files of the folder, and
+/// shapes that are functions.
 pub fn map_sources(
     folder: &Path,
     arrays: BTreeMap<String, PyReadonlyArray2<'_, f64>>,

@@ -123,7 +123,7 @@ fn unless_stopped<T>(found: Result<T, Failure>) -> Result<Option<T>, Failure> {
     }
 }
 
-/// What a fit or a plan found, in the words of its files.
+/// The result of a fit or a plan, in the words of its files.
 #[derive(Debug)]
 struct Found {
     json: String,

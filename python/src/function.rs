@@ -26,7 +26,7 @@ const ANGLES: u32 = 360;
 /// of as many numbers and gives one of as many, checked by the package.
 pub type Functions = BTreeMap<String, Function>;
 
-/// What values are for.
+/// The purpose of values, which sets how strictly they are checked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Purpose {
     /// The problem itself: every value must be valid.
@@ -162,7 +162,7 @@ impl ReliefShape for FunctionRelief {
         (self.compliance.as_ref()).map_or_else(|| vec![0.0; points.len()], values)
     }
 
-    /// Of what is valid: the radius may be far beyond any element.
+    /// The mean of the valid values: the radius may be far beyond any element.
     fn mean_compliance(&self, radius: f64) -> f64 {
         let Some(function) = &self.compliance else {
             return 0.0;

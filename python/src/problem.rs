@@ -12,9 +12,6 @@ use crate::case::Case;
 use crate::error::Refusal;
 use crate::process::{self, Threads};
 
-/// N × N values.
-type Array<'py> = Bound<'py, PyArray2<f64>>;
-
 /// The lines of a certificate as in a summary: complementarity, gap in contact, overlap, load, smallest pressure, the
 /// worst, and whether it is satisfied.
 type Lines = (f64, f64, f64, f64, f64, f64, bool);
@@ -35,7 +32,7 @@ impl Problem {
         self.discrete.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    fn array<'py>(&self, py: Python<'py>, values: Vec<f64>) -> PyResult<Array<'py>> {
+    fn array<'py>(&self, py: Python<'py>, values: Vec<f64>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         PyArray1::from_vec(py, values).reshape([self.elements; 2])
     }
 
@@ -82,13 +79,13 @@ impl Problem {
     }
 
     /// Initial gap `g0 = f − f*`, m; infinite where nothing can touch.
-    fn initial_gap<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
+    fn initial_gap<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let values = py.detach(|| self.problem().initial_gap().to_vec());
         self.array(py, values)
     }
 
     /// Compliance `η` of the relief at rest, m/Pa.
-    fn relief_compliance<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
+    fn relief_compliance<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let values = py.detach(|| self.problem().relief_compliance().to_vec());
         self.array(py, values)
     }
@@ -99,7 +96,7 @@ impl Problem {
         &self,
         py: Python<'py>,
         pressure: PyReadonlyArray2<'py, f64>,
-    ) -> PyResult<Array<'py>> {
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let pressure = self.values(&pressure)?;
         let displacement = Threads::work(py, || {
             let mut displacement = vec![0.0; pressure.len()];

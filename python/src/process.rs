@@ -1,4 +1,4 @@
-//! What all solutions of this process share: the cache, the memory, and threads that wait for work.
+//! Resources shared by all solutions of this process: the cache, the memory, and threads that wait for work.
 //!
 //! Every solution has threads to itself while it runs. Threads shared by several solutions could take up one while they
 //! wait for a part of another, which would then wait for the first.

@@ -13,19 +13,19 @@ use crate::solution::Solution;
 use crate::work::{Watched, Work};
 
 /// The solution is none if it was stopped before it began.
-type Solving = Watched<Progress, Option<SolvedCase>>;
+type WatchedSolution = Watched<Progress, Option<SolvedCase>>;
 
 /// The observer of a solution.
-struct Watcher<'a>(&'a Solving);
+struct SolutionObserver<'a>(&'a WatchedSolution);
 
-impl Observer for Watcher<'_> {
+impl Observer for SolutionObserver<'_> {
     fn progress(&mut self, progress: &Progress) -> Signal {
         self.0.tell(*progress);
         signal(self.0)
     }
 }
 
-fn signal(watched: &Solving) -> Signal {
+fn signal(watched: &WatchedSolution) -> Signal {
     if watched.stop.is_raised() {
         Signal::Cancel
     } else {
@@ -65,7 +65,7 @@ fn solve_watched(
     case: &pellicle_cli::Case,
     shared: &Shared,
     start: Instant,
-    watched: &Solving,
+    watched: &WatchedSolution,
 ) -> Result<Option<SolvedCase>, Failure> {
     let resources = Resources {
         cache: &shared.cache,
@@ -73,7 +73,13 @@ fn solve_watched(
         writers: 0,
     };
     let search = |_| signal(watched);
-    let solved = solve(case, resources, start, &mut Watcher(watched), &search)?;
+    let solved = solve(
+        case,
+        resources,
+        start,
+        &mut SolutionObserver(watched),
+        &search,
+    )?;
     Ok(solved.map(|mut solved| {
         let warnings = shared.cache.take_warnings();
         solved

@@ -22,8 +22,8 @@ type SolvedRows = (usize, &'static str, String, Vec<u8>);
 /// The same, as Python has it.
 type HandedRows<'py> = (usize, &'static str, String, Bound<'py, PyBytes>);
 
-/// The cases solved so far are told.
-type Solving = Watched<usize, SolvedChunk>;
+/// Its progress is the number of cases solved so far.
+type WatchedChunk = Watched<usize, SolvedChunk>;
 
 /// A study, read and planned.
 #[pyclass(frozen, module = "pellicle._pellicle")]
@@ -67,7 +67,7 @@ impl Study {
         &self.0.plan.identity.fingerprint
     }
 
-    /// What is wrong with the first invalid case among those tried; none if all are valid.
+    /// The error of the first invalid case among those tried; none if all are valid.
     #[getter]
     fn refused(&self) -> Option<String> {
         self.0.plan.refused.words()
@@ -120,15 +120,15 @@ impl Study {
 }
 
 /// The observer of a case of a study.
-struct Watcher<'a>(&'a Solving);
+struct CaseObserver<'a>(&'a WatchedChunk);
 
-impl Observer for Watcher<'_> {
+impl Observer for CaseObserver<'_> {
     fn progress(&mut self, _: &Progress) -> Signal {
         signal(self.0)
     }
 }
 
-fn signal(watched: &Solving) -> Signal {
+fn signal(watched: &WatchedChunk) -> Signal {
     if watched.stop.is_raised() {
         Signal::Cancel
     } else {
@@ -147,7 +147,7 @@ fn solve(
     planned: &Planned,
     shared: &Shared,
     cases: Vec<usize>,
-    watched: &Solving,
+    watched: &WatchedChunk,
 ) -> Result<SolvedChunk, Failure> {
     let record = RecordInMemory::of(&planned.plan.identity);
     let kit = CaseSolver {
@@ -165,7 +165,7 @@ fn solve(
         let done = if is_stopped {
             None
         } else {
-            kit.solve(case, &mut Watcher(watched), &search)?
+            kit.solve(case, &mut CaseObserver(watched), &search)?
         };
         let Some(done) = done else { break };
         let kept = record.as_ref().map(RecordInMemory::take);

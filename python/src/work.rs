@@ -22,7 +22,7 @@ struct State<P, T> {
     outcome: Option<Outcome<T>>,
 }
 
-/// What the work and those who wait for it both see.
+/// The state shared by the work and those who wait for it.
 pub struct Watched<P, T> {
     state: Mutex<State<P, T>>,
     finished: Condvar,
@@ -103,7 +103,7 @@ impl<P: Copy + Send + 'static, T: Send + 'static> Work<P, T> {
         let _ = self.watched.stop.raise();
     }
 
-    /// What the work told last.
+    /// The latest progress.
     pub fn progress(&self) -> Option<P> {
         self.watched.state().progress
     }

@@ -24,7 +24,7 @@ PERIOD, TOP, HEIGHT, MODULUS = 6e-6, 2e-6, 1e-6, 3e9
 
 
 def paraboloid(x: Array, y: Array) -> Array:
-    """What `pl.Paraboloid` is, in the order of its own sums."""
+    """The heights of `pl.Paraboloid`, in the order of its own sums."""
     return (x * x + y * y) / (2 * RADIUS)
 
 

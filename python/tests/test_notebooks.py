@@ -75,7 +75,7 @@ def test_a_notebook_runs_and_draws(notebook: Path, monkeypatch: pytest.MonkeyPat
 
 
 def check(names: dict[str, Any], notebook: str) -> None:
-    """What the text of a notebook says of its numbers."""
+    """Checks the numbers that the text of a notebook states."""
     if notebook == "first-curve":
         ratio, felt = names["radius"] / 2e-6, names["felt"]
         half = felt[abs(ratio - 0.5).argmin()] / 213.3e9

@@ -20,7 +20,7 @@ CASES = sorted((Path(__file__).resolve().parents[2] / "cases").glob("*.toml"))
 
 
 def without_times(summary: dict[str, Any]) -> dict[str, Any]:
-    """A summary without what differs from run to run: times, and where coefficients came from."""
+    """A summary without the entries that differ from run to run: times, and where coefficients came from."""
     steps = [step | {"work": step["work"] | {"seconds": None}} for step in summary["steps"]]
     return summary | {"timing": None, "steps": steps}
 

@@ -18,7 +18,7 @@ DOCUMENTS = ["README.md", "docs/python.md", "python/README.md"]
 
 
 def pyright(*arguments: str, folder: Path) -> subprocess.CompletedProcess[str]:
-    """Runs pyright beside nothing but what is installed."""
+    """Runs pyright with only the installed packages."""
     environment = os.environ | {"VIRTUAL_ENV": sys.prefix, "PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"}
     command = [sys.executable, "-m", "basedpyright", *arguments]
     return subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True)

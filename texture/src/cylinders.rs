@@ -133,8 +133,7 @@ impl Cylinders {
             .area_fraction(self.spec.radius, self.spec.period)
     }
 
-    /// Whether the lattice is its own mirror image in both axes: whether they pass through a centre or halfway between
-    /// two.
+    /// Whether the lattice is symmetric in x and y: whether both axes pass through a centre or halfway between two.
     #[must_use]
     pub fn is_mirrored(&self) -> bool {
         let CylinderSpec {

@@ -51,7 +51,7 @@ pub enum TextureError {
     /// A number that must be positive and finite is not.
     #[error("found {found} for {quantity}, wanted a positive finite number")]
     NotPositive {
-        /// Which number.
+        /// The quantity.
         quantity: Quantity,
         /// Its value.
         found: f64,
@@ -59,7 +59,7 @@ pub enum TextureError {
     /// A number that must be zero or positive, and finite, is not.
     #[error("found {found} for {quantity}, wanted a finite number of zero or more")]
     Negative {
-        /// Which number.
+        /// The quantity.
         quantity: Quantity,
         /// Its value.
         found: f64,
@@ -75,7 +75,7 @@ pub enum TextureError {
     /// A number that must be finite is not.
     #[error("found {found} for {quantity}, wanted a finite number")]
     NotFinite {
-        /// Which number.
+        /// The quantity.
         quantity: Quantity,
         /// Its value.
         found: f64,

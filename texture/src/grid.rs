@@ -81,8 +81,8 @@ impl Grid {
         (first..self.size).map(|i| self.centre(i)).collect()
     }
 
-    /// A function of the point at the centres of all elements; of one that is its own mirror image in both axes at
-    /// those of a quadrant, from which the others are copied to the last bit.
+    /// A function of the point at the centres of all elements; one that is symmetric in x and y is computed in a
+    /// quadrant, from which the other values are copied to the last bit.
     pub fn sample<T: Copy + Default + Send + Sync>(
         &self,
         is_mirrored: bool,

@@ -68,7 +68,7 @@ impl Stencil {
         stencil
     }
 
-    /// That of the cubic's slope, in heights per distance between samples.
+    /// The stencil of the cubic's slope, in heights per distance between samples.
     pub(crate) fn cubic_slope(before: usize, t: f64, samples: usize) -> Self {
         let mut stencil = Self::empty(before, samples);
         // f′ = 6 t (1 − t) (f1 − f0) + (1 − t) (1 − 3t) f0′ − t (2 − 3t) f1′
@@ -81,7 +81,7 @@ impl Stencil {
         stencil
     }
 
-    /// That of the cubic's second derivative, in heights per square of the distance between samples.
+    /// The stencil of the cubic's second derivative, in heights per square of the distance between samples.
     pub(crate) fn cubic_bend(before: usize, t: f64, samples: usize) -> Self {
         let mut stencil = Self::empty(before, samples);
         // f″ = 6 (1 − 2t) (f1 − f0) + (6t − 4) f0′ + (6t − 2) f1′
@@ -119,7 +119,7 @@ impl Stencil {
         self.add_slope(after, samples, after_slope);
     }
 
-    /// That of the slope at a sample, in heights per distance between samples.
+    /// The stencil of the slope at a sample, in heights per distance between samples.
     pub(crate) fn slope(sample: usize, samples: usize) -> Self {
         let mut stencil = Self::empty(sample, samples);
         stencil.add_slope(sample, samples, 1.0);

@@ -193,7 +193,7 @@ impl Relief {
         }
     }
 
-    /// Whether the relief is its own mirror image in both axes; false of every map, and of shapes of a user's own.
+    /// Whether the relief is symmetric in x and y; false of every map, and of shapes of a user's own.
     ///
     /// Then its samples are so to the last bit, on every grid.
     #[must_use]

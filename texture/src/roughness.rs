@@ -20,7 +20,7 @@ use rayon::prelude::*;
 use crate::HeightMap;
 use spectrum::Moments;
 
-/// What lies beyond the rim of a map.
+/// How a map continues beyond its rim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MapRim {
     /// Nothing that is known: the mean plane is taken off the heights, and the spectrum is that of the heights under

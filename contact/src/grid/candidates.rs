@@ -93,7 +93,7 @@ impl Candidates {
     }
 
     /// The field on the square that has their values, and 0 elsewhere.
-    pub fn spread(&self, values: &[f64]) -> Vec<f64> {
+    pub fn scatter(&self, values: &[f64]) -> Vec<f64> {
         let mut field = vec![0.0; self.size * self.size];
         for (element, value) in self.elements.iter().zip(values) {
             field[*element as usize] = *value;
@@ -174,10 +174,10 @@ mod tests {
         assert_eq!(both.elements(), own.as_flattened());
         let values: Vec<f64> = both.elements().iter().map(|e| f64::from(*e)).collect();
         assert_eq!(both.gather(&field), values);
-        let spread = both.spread(&values);
-        assert_eq!(spread.iter().sum::<f64>(), values.iter().sum::<f64>());
+        let scattered = both.scatter(&values);
+        assert_eq!(scattered.iter().sum::<f64>(), values.iter().sum::<f64>());
         assert_eq!(
-            both.gather(&both.spread(&both.gather(&field))),
+            both.gather(&both.scatter(&both.gather(&field))),
             both.gather(&field)
         );
     }

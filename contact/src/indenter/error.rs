@@ -36,7 +36,7 @@ pub enum IndenterError {
     /// A length that must be positive and finite is not.
     #[error("found {found} for {quantity}, wanted a positive finite number")]
     NotPositive {
-        /// Which length.
+        /// The quantity.
         quantity: IndenterQuantity,
         /// Its value, m.
         found: f64,
@@ -44,7 +44,7 @@ pub enum IndenterError {
     /// A length that must be zero or positive, and finite, is not.
     #[error("found {found} for {quantity}, wanted a finite number of zero or more")]
     Negative {
-        /// Which length.
+        /// The quantity.
         quantity: IndenterQuantity,
         /// Its value, m.
         found: f64,
@@ -55,7 +55,7 @@ pub enum IndenterError {
         found.to_degrees()
     )]
     Angle {
-        /// Which angle.
+        /// The quantity.
         quantity: IndenterQuantity,
         /// Its value, rad.
         found: f64,

@@ -46,7 +46,7 @@ pub struct Pyramid {
     slopes: Slopes,
 }
 
-/// What of the angles every height needs, computed once: a height took four fifths of a solution's time before.
+/// Constants of the angles, computed once: recomputed for every height, they took four fifths of a solution's time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Slopes {
     /// `sin(π/n)` and `cos(π/n)`.
@@ -89,7 +89,7 @@ const GAUSS: [[f64; 2]; 3] = [
 impl Pyramid {
     /// Face angle of the Berkovich pyramid, 65.03°: three faces with the Vickers ratio of true surface area to depth².
     ///
-    /// That of the original (E. S. Berkovich, Zavodskaya Laboratoriya 16, 1950, 345–347).
+    /// The angle of the original (E. S. Berkovich, Zavodskaya Laboratoriya 16, 1950, 345–347).
     pub const BERKOVICH_FACE_ANGLE: f64 = 65.03_f64.to_radians();
 
     /// Face angle of the modified Berkovich pyramid, 65.27°: three faces with the Vickers ratio of projected area to

@@ -5,7 +5,7 @@ use crate::{
     path::level::LevelResult, path::start::CoarserSolution,
 };
 
-/// A load, and what is known of its solution so far.
+/// A load, and its solution so far.
 pub struct Ascent {
     pub load: Load,
     pub options: SolverOptions,

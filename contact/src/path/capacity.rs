@@ -1,4 +1,4 @@
-//! What force a grid carries where the pressure is cut at a hardness.
+//! The largest force that a grid carries where the pressure is cut at a hardness.
 
 use pellicle_texture::Grid;
 
@@ -82,7 +82,7 @@ mod tests {
             panic!("{refused}")
         };
         assert_eq!([force, hardness, area, most], [12.1, 3.0, 4.0, 12.0]);
-        // Nothing is asked of a penetration, and nothing bounds what has no hardness.
+        // A penetration is not checked, and without a hardness there is no bound.
         assert!(check(&[Load::Penetration(9.0)], 3.0).is_ok());
         assert!(check(&[Load::Force(0.0)], 3.0).is_ok());
         assert!(check(&[Load::Force(1e9)], f64::INFINITY).is_ok());

@@ -121,7 +121,7 @@ impl Dilute {
             let goes_on = is_first || !found.is_empty();
             let known = self.candidates.clone();
             if !goes_on || self.passes >= MOST_PASSES || !self.take_in(whole, &found) {
-                iterate.pressure = known.spread(&iterate.pressure);
+                iterate.pressure = known.scatter(&iterate.pressure);
                 return Ok(iterate);
             }
             let places =

@@ -35,13 +35,13 @@ pub enum Domain {
     #[default]
     Automatic,
     /// A cell of this side (m) that repeats itself in both directions without end, with everything in it. Loads are
-    /// forces on one cell. On a half-space the mean displacement of the surface is infinite, so penetrations are told
-    /// from the mean plane of the deformed surface.
+    /// forces on one cell. On a half-space the mean displacement of the surface is infinite, so penetrations are
+    /// measured from the mean plane of the deformed surface.
     Periodic(f64),
 }
 
 impl Domain {
-    /// What lies around the square.
+    /// The boundary condition of the square.
     #[must_use]
     pub fn boundary(self) -> Boundary {
         match self {
@@ -212,7 +212,7 @@ fn elastic_force(model: &Model, a: f64) -> f64 {
     2.0 * modulus * a * a * integral
 }
 
-/// What `Q_w(a)` is made of.
+/// The factors of `Q_w(a)`, the force on the relief's springs.
 struct ReliefForce {
     /// `φ ∫₀^a (f(a) − f(ρ)) 2πρ dρ`.
     volume: f64,

@@ -185,7 +185,7 @@ impl<'a> Hierarchy<'a> {
         if options.coarse_pressures && index < finest && index + COARSE_PRESSURES >= finest {
             ascent.coarser.push(CoarsePressure {
                 grid: Grid::new(self.side, self.sizes[index])?,
-                pressure: result.window.spread(result.solution.pressure.clone()),
+                pressure: result.window.scatter(result.solution.pressure.clone()),
             });
         }
         ascent.levels.push(result.work);
@@ -217,7 +217,7 @@ impl<'a> Hierarchy<'a> {
             || (self.ascend(ascent, finest, watch), clock.elapsed()),
             || Level::new(model, (side, size), around, hardness, keeps),
         );
-        // What passed beside the solution costs no time of its own.
+        // Time spent while the solution ran does not count.
         let waited = clock.elapsed().saturating_sub(ascended);
         self.coefficients_seconds += waited.as_secs_f64();
         coarser?;
@@ -227,7 +227,7 @@ impl<'a> Hierarchy<'a> {
         Ok(())
     }
 
-    /// Solves on one grid; returns besides what the next finer one starts from.
+    /// Solves on one grid; also returns the start of the next finer one.
     fn solve_level(
         &mut self,
         index: usize,
@@ -251,7 +251,7 @@ impl<'a> Hierarchy<'a> {
             Ok(result) if is_finest => {
                 let pressure = std::mem::take(&mut result.solution.pressure);
                 result.rough = level.rough_contact(self.model, &result.window, &pressure);
-                result.solution.pressure = result.window.spread(pressure);
+                result.solution.pressure = result.window.scatter(pressure);
                 None
             }
             Ok(result) => Some(level.as_coarser(result)),

@@ -35,7 +35,7 @@ pub struct Level {
     judged: JudgedFields,
 }
 
-/// A problem, and the solver with what it keeps of it.
+/// A problem, and the solver with its storage.
 struct Posed {
     problem: DiscreteProblem,
     solver: GradientSolver,
@@ -186,7 +186,7 @@ impl Level {
         })
     }
 
-    /// What is told of the last load's contact where a measured map takes part.
+    /// Islands, mean gap and histograms of the last load's contact; none without a measured map.
     pub fn rough_contact(
         &self,
         model: &Model,
@@ -352,7 +352,7 @@ impl Level {
         }
     }
 
-    /// What the next finer level starts from.
+    /// The solution that the next finer level starts from.
     pub fn as_coarser(&mut self, result: &LevelResult) -> CoarserSolution {
         let window = *self.judged.reach();
         CoarserSolution {

@@ -4,7 +4,7 @@
 //! changes with the grid.
 
 /// The coarsest grid worth a level: a contact of some four elements across the radius. A grid of 48 elements then has
-/// three levels, from which an error can be told.
+/// three levels, from which an error can be estimated.
 const COARSEST: usize = 12;
 /// Coarser grids are solved to this, or to the finest grid's tolerance if that is looser: far below their own
 /// discretisation error, so that their differences show the grid and nothing else.

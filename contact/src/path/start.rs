@@ -1,13 +1,13 @@
 //! The start of a level: the next coarser one's solution on the finer grid.
 //!
-//! What is smooth is the foundation's displacement `u = K p`, not the pressure, and least of all the gap on a rough
-//! surface. So `u` is interpolated, and the fine grid's own `g0` tells where the indenter would overlap:
+//! The foundation's displacement `u = K p` is smooth; the pressure is not, and least of all the gap on a rough
+//! surface. So `u` is interpolated, and the fine grid's own `g0` shows where the indenter would overlap:
 //!
 //! ```text
 //! g = u + g0 − D,    I = {g < 0} ∪ {all four coarse centres around press}
 //! ```
 //!
-//! The second set is what a smooth contact needs, whose gaps vanish. Pressures on `I` are interpolated between
+//! A smooth contact needs the second set, because its gaps vanish. Pressures on `I` are interpolated between
 //! elements on the same side of the relief's outline, and scaled so that the force of a coarse element stays what it
 //! was, less what lies across an outline: unscaled, bare stiff coats take half as many products more. Gaps interpolated
 //! as negative pressures, as before, made the set 2 to 20 times too large on rough surfaces.
@@ -101,7 +101,7 @@ struct Start<'a> {
     widest: f64,
 }
 
-/// What a coarse element's fine ones have together.
+/// The pressure that a coarse element's fine ones share.
 #[derive(Clone, Copy, Default)]
 struct Share {
     pressure: f64,
@@ -276,7 +276,7 @@ mod tests {
                 assert!(error.abs() < 1e-14, "{place:?}: {error}");
             }
         }
-        // Beside the contact what overlaps presses a little, and what is too far away not at all.
+        // Beside the contact overlapping elements press a little, and those too far away not at all.
         let highest = from.pressure.iter().copied().fold(0.0, f64::max);
         assert_eq!(found[FINE * FINE - 1], SMALLEST_PRESSURE * highest);
         assert_eq!(start(&from, 1.0, |_| false), vec![0.0; FINE * FINE]);

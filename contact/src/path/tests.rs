@@ -103,7 +103,7 @@ fn a_summary_is_what_can_be_read_off_the_pressures_whatever_part_of_the_grid_was
         let radii = pressing.map(|e| place(e)[0].hypot(place(e)[1]));
         let radius = radii.fold(0.0, f64::max);
         assert!((summary.contact_radius - radius).abs() < 1.5 * path.grid.element_side());
-        // What presses below the limit touches, and nothing overlaps.
+        // Elements pressed below the limit touch, and nothing overlaps.
         let slack = 1e-7 * step.solution.penetration;
         for (p, gap) in pressure.iter().zip(&surface.gap) {
             let is_free = *p > 0.0 && *p < hardness;
@@ -202,7 +202,7 @@ fn a_chosen_domain_that_its_hardness_does_not_carry_a_force_on_is_enlarged() {
     assert!((chosen.steps[0].summary.area_at_limit - 1.0).abs() < 0.05);
 }
 
-/// Cancels once it has been told of so many steps.
+/// Cancels after reports of this many steps.
 struct Patience(usize);
 
 impl Observer for Patience {
@@ -299,7 +299,7 @@ fn the_peak_is_told_between_elements_inside_a_contact_and_at_one_at_its_edge() {
         .copied()
         .fold(0.0, f64::max);
     assert_eq!(summary.peak_place, crate::PeakPlace::Inside);
-    // What is no paraboloid moves the vertex by a part of an element.
+    // The deviation from a paraboloid moves the vertex by a part of an element.
     let [x, y] = summary.max_pressure_at;
     assert!(x.hypot(y) < 5e-3 * smooth.grid.element_side());
     // Of even N the axis is a corner of elements, where the paraboloid through them is higher.

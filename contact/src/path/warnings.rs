@@ -1,4 +1,4 @@
-//! Doubts about a result: what the grid and the model cannot be trusted with.
+//! Warnings about a result: limits of the grid and of the model.
 
 use pellicle_influence::RadialTables;
 use pellicle_texture::{Grid, Relief};
@@ -23,7 +23,7 @@ pub const LARGEST_SLOPE: f64 = 0.3;
 /// it.
 pub const FEWEST_ELEMENTS: usize = 8;
 const SMALL_PART: f64 = 0.25;
-/// A contact across less than this part of the side wants a smaller domain, however many elements it has.
+/// A contact across less than this part of the side needs a smaller domain, however many elements it has.
 const SMALLEST_PART: f64 = 0.02;
 /// Side of the domain over the contact radius that suits it.
 const SIDE_PER_RADIUS: f64 = 3.0;

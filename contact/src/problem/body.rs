@@ -70,7 +70,7 @@ impl Body {
         }
     }
 
-    /// What lies around the grid.
+    /// The boundary condition of the grid.
     pub fn boundary(&self) -> Boundary {
         match self {
             Self::Operator(_) => Boundary::Free,

@@ -1,6 +1,6 @@
 //! The surroundings of the square.
 
-/// What lies around the square.
+/// The boundary condition of a square domain.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Boundary {
     /// The surface goes on without load.

@@ -222,7 +222,7 @@ impl DiscreteProblem {
         &self.identity
     }
 
-    /// What lies around the grid.
+    /// The boundary condition of the grid.
     pub(crate) fn boundary(&self) -> Boundary {
         self.body.boundary()
     }

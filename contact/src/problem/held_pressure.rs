@@ -1,4 +1,4 @@
-//! Elements held at the hardness, and what they leave of the problem for the others.
+//! Elements held at the hardness, and the remaining problem of the others.
 //!
 //! Where the elements of a set `H` have the pressure `p_max`, the others solve a problem without a limit:
 //!

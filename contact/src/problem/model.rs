@@ -142,8 +142,8 @@ impl Model {
         Ok(Cached { value, origin })
     }
 
-    /// The smallest sector that stands for all of an even grid: in its axes indenter and relief are their own mirror
-    /// images, and the solution with them.
+    /// The smallest sector that stands for all of an even grid: indenter and relief are symmetric in its axes, and so
+    /// is the solution.
     #[must_use]
     pub fn sector(&self) -> Sector {
         match (self.indenter.is_mirrored(), self.relief.is_mirrored()) {

@@ -61,7 +61,7 @@ impl Tangents {
 
     /// Adds `s` to a gap.
     pub fn add_offset(&self, rest: &[f64], gap: &mut [f64]) {
-        // s is what the law lies below the tangent at rest.
+        // s is the distance of the law below the tangent at rest.
         update_with(gap, rest, &self.at, |gap, eta, at| {
             if *at > 0.0 {
                 *gap -= self.law.beyond_tangent(self.per_compliance * eta, *at, 0.0);
@@ -69,7 +69,7 @@ impl Tangents {
         });
     }
 
-    /// Adds to `v`, computed with the tangents, what the law itself differs by at a pressure; `beyond` is a buffer.
+    /// Adds to `v`, computed with the tangents, the law's deviation from them at a pressure; `beyond` is a buffer.
     pub fn add_beyond(&self, rest: &[f64], pressure: &[f64], beyond: &mut [f64], v: &mut [f64]) {
         beyond.copy_from_slice(pressure);
         update_with(beyond, rest, &self.at, |value, eta, at| {
@@ -91,7 +91,7 @@ impl Tangents {
         pressure: &[f64],
         [slope, curvature]: [f64; 2],
     ) -> f64 {
-        // E(p₀ + t s) − E(p₀) = t s·∂E + ½ t² s·y + what the law adds
+        // E(p₀ + t s) − E(p₀) = t s·∂E + ½ t² s·y + the law's deviation
         let change = slope + curvature / 2.0 + self.beyond_along(rest, pressure, 1.0)[0];
         let is_uphill = change > DECREASE * slope;
         if !(is_uphill && slope < 0.0) {
@@ -110,7 +110,7 @@ impl Tangents {
         f64::midpoint(low, high)
     }
 
-    /// What the law adds to the energy, and to its slope, after a part `t` of the way from `p₀` to a pressure.
+    /// The law's addition to the energy, and to its slope, after a part `t` of the way from `p₀` to a pressure.
     fn beyond_along(&self, rest: &[f64], pressure: &[f64], t: f64) -> [f64; 2] {
         let parts = by_parts(pressure.len(), |part| {
             let fields = (self.at[part.clone()].iter()).zip(&pressure[part.clone()]);

@@ -176,8 +176,8 @@ impl GridError {
 
 impl Estimate {
     /// The error of the last of the values on grids of so many elements per side, coarsest first; `accuracy` is the
-    /// relative error that each has besides. None from one grid; never resolved at an edge, where values grow with the
-    /// grid.
+    /// relative error of each from other causes. None from one grid; never resolved at an edge, where values grow with
+    /// the grid.
     pub(crate) fn of_values(
         values: &[(usize, f64)],
         meets_outline: bool,

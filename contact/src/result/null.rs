@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Deserializer};
 
-/// Reads a number, or NaN where `null` stands: JSON has no other word for what is not finite. For
+/// Reads a number, or NaN where `null` stands: JSON has no other word for a number that is not finite. For
 /// `#[serde(deserialize_with)]`.
 ///
 /// # Errors

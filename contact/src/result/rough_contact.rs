@@ -1,5 +1,5 @@
-//! What is told of the contact of a rough surface beside its area: islands, perimeter, mean gap, and how pressures and
-//! gaps are distributed.
+//! The contact of a rough surface beyond its area: islands, perimeter, mean gap, and the distributions of pressures and
+//! gaps.
 //!
 //! **Nominal area.** A periodic cell is in nominal contact all over. Where the surface ends, the nominal area is the
 //! convex hull of the elements in contact.

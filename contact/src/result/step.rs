@@ -1,4 +1,4 @@
-//! One load's solution with all that is known of it, and what it may be used for.
+//! One load's solution with its numbers, and its status.
 
 use pellicle_texture::Grid;
 use serde::{Deserialize, Serialize};

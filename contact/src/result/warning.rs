@@ -4,7 +4,7 @@ use std::fmt;
 
 use crate::{CutOff, PeakPlace};
 
-/// A smaller relative change would be told as 0.0 %.
+/// A smaller relative change would be printed as 0.0 %.
 const SMALLEST_CHANGE: f64 = 5e-4;
 
 /// A warning about the model or the grid, with its numbers.
@@ -131,7 +131,7 @@ fn counted(elements: usize) -> String {
     format!("{elements} element{ending}")
 }
 
-/// A number with so many decimals, or with two digits where it would be told as nothing: `0.4`, `3.2e-5`.
+/// A number with so many decimals, or with two digits where it would be printed as zero: `0.4`, `3.2e-5`.
 fn decimals(value: f64, places: i32) -> String {
     if value.abs() < 10_f64.powi(-places) {
         format!("{value:.1e}")

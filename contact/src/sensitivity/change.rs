@@ -1,4 +1,4 @@
-//! What one number of a model changes: coefficients, springs or heights, before any grid and on one.
+//! Derivatives of a model by one of its numbers: of coefficients, springs or heights, before any grid and on one.
 
 use std::sync::Arc;
 
@@ -61,7 +61,7 @@ impl ModelDerivatives {
         &self.model
     }
 
-    /// Each number's value, and what it changes on a grid.
+    /// Each number's value, and the derivatives by it on a grid.
     pub(super) fn on(&self, grid: &Grid) -> Result<Vec<(f64, Change)>, ContactError> {
         let numbers = self.numbers.iter();
         let change = |(parameter, value, derivative): &(_, f64, Option<CoefficientDerivative>)| {
@@ -134,7 +134,7 @@ impl Change {
         })
     }
 
-    /// What it changes on a window of the grid, under a pressure `p` on it.
+    /// The derivatives of displacement, energy and gap on a window of the grid, under a pressure `p` on it.
     pub fn under(&self, window: &Window, pressure: &[f64]) -> Changed {
         match self {
             Self::Coefficients(elasticity) => {

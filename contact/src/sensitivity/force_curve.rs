@@ -3,7 +3,7 @@
 use super::spline::Spline;
 
 /// Exponent of the power of the force that is taken out before interpolating: that of the energy of a paraboloid on a
-/// homogeneous body, `E ∝ Q^(5/3)`. What is left changes slowly with `ln Q` under any indenter.
+/// homogeneous body, `E ∝ Q^(5/3)`. The remainder changes slowly with `ln Q` under any indenter.
 const EXPONENT: f64 = 5.0 / 3.0;
 
 /// A function of the force `V(Q) = Q^(5/3) f(ln Q)` with a quintic spline `f` through given values.

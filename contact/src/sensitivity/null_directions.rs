@@ -1,4 +1,4 @@
-//! What no curve of a contact can tell: changes of a model that leave every penetration under every force.
+//! Null directions of contact curves: changes of a model that leave every penetration under every force.
 //!
 //! They follow from the equations, not from data:
 //!

@@ -1,4 +1,4 @@
-//! What one number of a model changes of its springs.
+//! Derivatives of a model's springs by one of its numbers.
 
 use pellicle_texture::SpringLaw;
 

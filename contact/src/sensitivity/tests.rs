@@ -1,4 +1,4 @@
-//! Derivatives against those of scaling: what a problem does when all its moduli, or all its heights, are multiplied.
+//! Derivatives against those of scaling: a problem's response when all its moduli, or all its heights, are multiplied.
 //!
 //! On one grid with one set of elements in contact these hold to the tolerance of the solution, whatever the grid.
 

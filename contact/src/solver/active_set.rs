@@ -13,12 +13,12 @@
 //! Springs that are not linear are straightened, and again at each solution: Newton's method around all this.
 
 mod dense_system;
-mod exchange;
+mod set_exchange;
 mod springs;
 
 use self::{
     dense_system::{DenseSystem, SetSolution},
-    exchange::Exchange,
+    set_exchange::SetExchange,
     springs::DenseSprings,
 };
 use super::{
@@ -98,7 +98,7 @@ impl ActiveSetSolver {
         residuals: &mut Vec<f64>,
         watch: &mut Watch<'_>,
     ) -> Result<SetSolution, ContactError> {
-        let mut exchange = Exchange::start(system, start);
+        let mut exchange = SetExchange::start(system, start);
         let mut before = Vec::new();
         loop {
             let members = exchange.members();

@@ -25,13 +25,13 @@
 //! **Sectors.** Where indenter and relief are symmetric in x and y, so is the one solution, and a path solves on the
 //! quadrant x, y > 0 alone: `K` is the sum over an element's four images, applied by cosine transforms of half the
 //! length. All sums are a quarter of those on the whole grid. Where they are symmetric in y alone, as under a pyramid
-//! of three faces, it solves on the half y > 0. Only what looks across the axes knows of it: filter, band and sparse
-//! factor see the images beyond, and an axis is no border of a window.
+//! of three faces, it solves on the half y > 0. Only operators that reach across the axes depend on it: filter, band
+//! and sparse factor see the images beyond, and an axis is no border of a window.
 //!
 //! **Both kinds of load.** Every step keeps the total of the pressure. Under a prescribed penetration the pressure is
 //! then scaled until the mean of `v` over it is `D`, which takes no product, and the conjugate directions are conjugate
-//! to the pressure besides. With the plain residual `D − v` a stiff coat under the paper's cylinders took eight times
-//! the products, because preconditioners answer an even residual worst.
+//! to the pressure, too. With the plain residual `D − v` a stiff coat under the paper's cylinders took eight times the
+//! products, because preconditioners answer a uniform residual worst.
 //!
 //! **Preconditioners.** The reciprocal of the symbol of `K` on the periodic grid, aliases included, whose answer is
 //! made to vanish in a narrow band around the set: without aliases or band it takes twice the products. Under a coat

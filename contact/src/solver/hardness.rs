@@ -24,7 +24,7 @@
 //! **Why it ends.** After four exchanges without gain they give way to a [descent](self::descent), whose energy falls
 //! from one admissible pressure to the next. The number of products is bounded besides, and the certificate tells.
 //!
-//! **What it costs.** Random problems without a start take some 30 products, of which some 14 are for the problem
+//! **Cost.** Random problems without a start take some 30 products, of which some 14 are for the problem
 //! without a limit.
 //!
 //! **Penetration under a force.** `D` is the multiplier of the elements between the limits, `Σ p v / Σ p` over
@@ -33,10 +33,10 @@
 
 mod descent;
 mod elastic_solver;
-mod exchange;
+mod limit_exchange;
 
 pub use self::elastic_solver::ElasticSolver;
-use self::exchange::Exchange;
+use self::limit_exchange::LimitExchange;
 use super::{Iterate, Watch};
 use crate::{ContactError, DiscreteProblem, Load};
 
@@ -67,7 +67,7 @@ pub fn solve(
     }
     let wanted = *solver.options();
     let tolerance = CLOSER * wanted.tolerance;
-    let mut exchange = Exchange::start(problem, load, start, tolerance);
+    let mut exchange = LimitExchange::start(problem, load, start, tolerance);
     let iterate = loop {
         exchange.press(problem);
         *solver.options() = exchange.options(wanted);

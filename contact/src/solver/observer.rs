@@ -51,7 +51,7 @@ mod tests {
         solver::tests::{RIGID, SIZE, paraboloid, problem},
     };
 
-    /// Keeps what it is told, and cancels before a step.
+    /// Keeps the reports, and cancels before a step.
     struct Listener {
         told: Vec<Progress>,
         last: usize,

@@ -196,8 +196,7 @@ fn a_load_costs_the_same_after_another_as_alone() {
         let mut used = fresh();
         solve(&mut used, Load::Penetration(0.03), &cold);
         let after = solve(&mut used, Load::Force(2e-3), &cold);
-        // What is kept from load to load is storage and rows of the preconditioner, which may serve better than new
-        // ones.
+        // Storage and rows of the preconditioner are kept from load to load, and may serve better than new ones.
         assert!(
             after.operator_applications <= alone.operator_applications + 1,
             "{} {}",

@@ -118,7 +118,7 @@ impl StressField {
             size: 1,
             pressure: vec![0.0],
         };
-        // The planes are computed on a square that holds the pressures besides.
+        // The planes are computed on a square that also holds the pressures.
         let LoadedSquare {
             origin,
             size: loaded,

@@ -4,7 +4,7 @@ use super::extreme::Extreme;
 use super::field::StressField;
 use super::model::Sliding;
 use super::quantity::Quantity;
-use super::refine::{Peak, Search};
+use super::refine::{PeakSearch, StressPeak};
 use super::scan::{Candidate, Target, candidates, is_nearly};
 use crate::result::peak::place_near;
 use crate::{ContactError, Estimate, LoadingPath, PeakPlace, Step};
@@ -90,11 +90,11 @@ impl<'a> Finder<'a> {
             .map(|depth| depth.z)
             .collect();
         let range = [depths[0], depths[depths.len() - 1]];
-        let mut search = Search::new(&self.field, quantity, range);
-        let mut followed: Vec<(Peak, usize)> = Vec::new();
+        let mut search = PeakSearch::new(&self.field, quantity, range);
+        let mut followed: Vec<(StressPeak, usize)> = Vec::new();
         for candidate in distinct(candidates, &depths, element) {
             let peak = search.climb(candidate.at, depths[candidate.depth])?;
-            let is_new = |(other, _): &(Peak, usize)| {
+            let is_new = |(other, _): &(StressPeak, usize)| {
                 (other.value - peak.value).abs() > ALIKE * peak.value.abs()
             };
             if followed.iter().all(is_new) {
@@ -105,7 +105,7 @@ impl<'a> Finder<'a> {
             .iter()
             .map(|(peak, _)| peak.value)
             .fold(f64::NEG_INFINITY, f64::max);
-        let mut best: Option<Peak> = None;
+        let mut best: Option<StressPeak> = None;
         for (start, depth) in followed {
             if start.value < largest - (1.0 - NEARLY_AT_CENTRES) * largest.abs() {
                 continue;
@@ -136,7 +136,7 @@ impl<'a> Finder<'a> {
     }
 
     /// The extreme with its error, from its values on grids of so many elements.
-    fn judged(&self, peak: Peak, values: &[(usize, f64)]) -> Extreme<3> {
+    fn judged(&self, peak: StressPeak, values: &[(usize, f64)]) -> Extreme<3> {
         let Self { path, step, .. } = self;
         let [x, y, z] = peak.at;
         let side = path.grid.element_side();
@@ -171,7 +171,7 @@ fn coarse_value(
     field: &StressField,
     quantity: Quantity,
     [top, bottom]: [f64; 2],
-    peak: Peak,
+    peak: StressPeak,
 ) -> Result<f64, ContactError> {
     let [x, y, z] = peak.at;
     let is_at_end = z <= top || z >= bottom;
@@ -180,7 +180,7 @@ fn coarse_value(
     } else {
         [(z / DEPTH_RATIO).max(top), z, (z * DEPTH_RATIO).min(bottom)]
     };
-    Ok(Search::new(field, quantity, [top, bottom])
+    Ok(PeakSearch::new(field, quantity, [top, bottom])
         .peak([x, y], bracket)?
         .value)
 }
@@ -265,7 +265,7 @@ mod tests {
     fn a_peak_is_found_again_on_a_coarser_grid_at_its_depth_or_near_it() {
         let field = hertz(15);
         let value = |range, z| {
-            let peak = Peak {
+            let peak = StressPeak {
                 value: 1.0,
                 at: [0.1, 0.0, z],
             };
@@ -360,7 +360,7 @@ mod tests {
         let finder = Finder::new(&path, &path.steps[0], Sliding::default());
         let side = path.grid.element_side();
         let values = [(8, 1.5), (16, 1.125), (32, 1.03125)];
-        let judged = |at: [f64; 3]| finder.judged(Peak { value: 1.03125, at }, &values);
+        let judged = |at: [f64; 3]| finder.judged(StressPeak { value: 1.03125, at }, &values);
         for (at, is_resolved) in [
             ([0.2, 0.0, 1.9 * side], false),
             ([0.2, 0.0, 2.1 * side], true),

@@ -36,7 +36,7 @@ pub struct Solved {
     pub extreme: Extreme<3>,
 }
 
-/// What a search ends with.
+/// The result of a search.
 pub enum Outcome {
     /// The strength is met; the stress grows as the force to the power `exponent`.
     Met { solved: Solved, exponent: f64 },

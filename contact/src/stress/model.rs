@@ -1,4 +1,4 @@
-//! What stresses are asked for: sliding, the bodies and interfaces with their strengths.
+//! The stresses to compute: sliding, and bodies and interfaces with their strengths.
 
 use serde::{Deserialize, Serialize};
 
@@ -21,7 +21,7 @@ impl Sliding {
     }
 }
 
-/// What a body bears, in Pa; none where nothing is asked.
+/// Strengths of a body, in Pa; none where no critical load is asked for.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct BodyStrengths {
     /// Von Mises' stress at which it yields.
@@ -30,7 +30,7 @@ pub struct BodyStrengths {
     pub tensile_strength: Option<f64>,
 }
 
-/// What an interface bears, in Pa; none where nothing is asked.
+/// Strengths of an interface, in Pa; none where no critical load is asked for.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct InterfaceStrengths {
     /// Shear traction at which it comes off.
@@ -48,7 +48,7 @@ pub struct BodyPart {
     pub top: f64,
     /// Depth of its bottom, m; infinite for a substrate.
     pub bottom: f64,
-    /// What it bears.
+    /// Its strengths.
     pub strengths: BodyStrengths,
 }
 
@@ -59,7 +59,7 @@ pub struct InterfacePart {
     pub index: usize,
     /// Depth, m.
     pub depth: f64,
-    /// What it bears.
+    /// Its strengths.
     pub strengths: InterfaceStrengths,
 }
 

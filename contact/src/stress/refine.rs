@@ -9,8 +9,8 @@ use std::collections::HashMap;
 use pellicle_influence::{CentreStresses, Depth, InfluenceError, SubsurfaceState};
 use rayon::prelude::*;
 
-use super::around::Around;
 use super::field::{LoadedSquare, StressField};
+use super::neighbourhood::Neighbourhood;
 use super::quantity::Quantity;
 
 /// Depths are bracketed to this part of the bracket's first width, by so many trials at most.
@@ -30,7 +30,7 @@ const GOLDEN: f64 = 0.381_966_011_250_105_1;
 
 /// A largest value and its place.
 #[derive(Debug, Clone, Copy)]
-pub struct Peak {
+pub struct StressPeak {
     /// In Pa.
     pub value: f64,
     /// (x, y, z), in m.
@@ -38,7 +38,7 @@ pub struct Peak {
 }
 
 /// A search for the largest value of a quantity under one field.
-pub struct Search<'a> {
+pub struct PeakSearch<'a> {
     field: &'a StressField,
     quantity: Quantity,
     /// Depths that the search keeps to, in m.
@@ -75,7 +75,7 @@ impl Plane {
     }
 }
 
-impl<'a> Search<'a> {
+impl<'a> PeakSearch<'a> {
     /// A search between two depths, which lie in one body.
     pub fn new(field: &'a StressField, quantity: Quantity, range: [f64; 2]) -> Self {
         Self {
@@ -87,9 +87,9 @@ impl<'a> Search<'a> {
     }
 
     /// The value under the best centre that climbing from (x, y) leads to.
-    pub fn climb(&mut self, [x, y]: [f64; 2], z: f64) -> Result<Peak, InfluenceError> {
+    pub fn climb(&mut self, [x, y]: [f64; 2], z: f64) -> Result<StressPeak, InfluenceError> {
         let tried = self.tried(self.place([x, y]), z)?;
-        Ok(Peak {
+        Ok(StressPeak {
             value: tried.value,
             at: self.point(tried.place, z),
         })
@@ -100,7 +100,7 @@ impl<'a> Search<'a> {
         &mut self,
         [x, y]: [f64; 2],
         [before, start, after]: [f64; 3],
-    ) -> Result<Peak, InfluenceError> {
+    ) -> Result<StressPeak, InfluenceError> {
         let first = self.tried(self.place([x, y]), start)?;
         let mut bracket = Bracket::around(first, [before, after]);
         for end in [before, after] {
@@ -114,8 +114,8 @@ impl<'a> Search<'a> {
             let tried = self.tried(bracket.best[0].place, bracket.next())?;
             bracket.take(tried);
         }
-        let Trial { z, value, place } = bracket.best[0];
-        let peak = Peak {
+        let DepthTrial { z, value, place } = bracket.best[0];
+        let peak = StressPeak {
             value,
             at: self.point(place, z),
         };
@@ -129,10 +129,10 @@ impl<'a> Search<'a> {
     /// interpolation, its value by a sum over the loaded elements.
     fn between_centres(
         &mut self,
-        start: Peak,
+        start: StressPeak,
         place: [isize; 2],
         width: f64,
-    ) -> Result<Peak, InfluenceError> {
+    ) -> Result<StressPeak, InfluenceError> {
         let [low, high] = self.range;
         let apart = (DEPTH_PART * width).min((high - low) / 2.0);
         let z = start.at[2].clamp(low + apart, high - apart);
@@ -143,11 +143,11 @@ impl<'a> Search<'a> {
         } else {
             vec![z]
         };
-        let mut around = Around::new(depths);
+        let mut around = Neighbourhood::new(depths);
         for index in 0..around.depths().len() {
             let z = around.depths()[index];
-            let plane = self.plane_with(Around::places(place).to_vec(), z)?;
-            around.take(&Around::places(place).map(|place| plane.known[&place]));
+            let plane = self.plane_with(Neighbourhood::places(place).to_vec(), z)?;
+            around.take(&Neighbourhood::places(place).map(|place| plane.known[&place]));
         }
         let offset = around.largest([0.0, 0.0, start.at[2]], |state| self.quantity.of(state));
         let side = self.field.grid().element_side();
@@ -159,7 +159,7 @@ impl<'a> Search<'a> {
         let state = self.field.at([at[0], at[1]], self.depth(at[2]))?;
         let value = self.quantity.of(&state);
         Ok(if value > start.value {
-            Peak { value, at }
+            StressPeak { value, at }
         } else {
             start
         })
@@ -175,7 +175,7 @@ impl<'a> Search<'a> {
     }
 
     /// The best value that climbing at a depth leads to.
-    fn tried(&mut self, start: [isize; 2], z: f64) -> Result<Trial, InfluenceError> {
+    fn tried(&mut self, start: [isize; 2], z: f64) -> Result<DepthTrial, InfluenceError> {
         // A stress that fades away from the contact, a pressure everywhere, has no peak.
         let size = self.field.loaded().size.cast_signed();
         let depth = z / self.field.grid().element_side();
@@ -199,7 +199,7 @@ impl<'a> Search<'a> {
             } else if stride > 1 {
                 stride /= 2;
             } else {
-                return Ok(Trial { z, value, place });
+                return Ok(DepthTrial { z, value, place });
             }
         }
     }
@@ -266,7 +266,7 @@ impl<'a> Search<'a> {
 
 /// A depth that was tried, with the best value there and its element.
 #[derive(Clone, Copy)]
-struct Trial {
+struct DepthTrial {
     z: f64,
     value: f64,
     place: [isize; 2],
@@ -279,11 +279,11 @@ struct Bracket {
     /// Of the bracket at first.
     width: f64,
     /// The best three, best first.
-    best: [Trial; 3],
+    best: [DepthTrial; 3],
 }
 
 impl Bracket {
-    fn around(first: Trial, [low, high]: [f64; 2]) -> Self {
+    fn around(first: DepthTrial, [low, high]: [f64; 2]) -> Self {
         Self {
             low,
             high,
@@ -297,7 +297,7 @@ impl Bracket {
     }
 
     /// Takes a trial and narrows the bracket by it.
-    fn take(&mut self, tried: Trial) {
+    fn take(&mut self, tried: DepthTrial) {
         let [first, second, _] = self.best;
         if tried.value > first.value {
             // The best so far is an end now.

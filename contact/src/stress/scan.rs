@@ -111,7 +111,7 @@ pub fn candidates(
         let Some(deepest) = deepest.reduce(f64::max) else {
             continue;
         };
-        let mut blocks = Blocks::new(field, 1 << m, deepest);
+        let mut blocks = BlockPlanes::new(field, 1 << m, deepest);
         for (target, index, depth) in of_size {
             let states = blocks.states_on(*depth)?;
             for quantity in &targets[*target].quantities {
@@ -136,7 +136,7 @@ pub fn is_nearly(value: f64, largest: f64) -> bool {
 }
 
 /// Planes under blocks of elements.
-struct Blocks {
+struct BlockPlanes {
     fields: PlaneFields,
     /// Blocks along a side of the planes.
     shown: usize,
@@ -145,7 +145,7 @@ struct Blocks {
     side: f64,
 }
 
-impl Blocks {
+impl BlockPlanes {
     fn new(field: &StressField, elements: usize, deepest: f64) -> Self {
         let LoadedSquare {
             origin,

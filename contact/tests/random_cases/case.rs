@@ -86,7 +86,7 @@ impl Draw {
         let load = if self.random.below(3) == 0 {
             Load::Penetration(depth)
         } else {
-            // What presses the whole square that deep, or less.
+            // This force presses the whole square that deep, or less.
             let compliance = foundation.compliance(1.0 / self.side);
             Load::Force(self.side * self.side * depth / compliance)
         };

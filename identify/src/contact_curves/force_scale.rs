@@ -30,7 +30,7 @@ impl ForceScale {
         constant.map_or(1.0, |constant| constant / self.nominal)
     }
 
-    /// What is read at the abscissae that are read, from what is true there. Gives `∂y/∂k`.
+    /// Turns a prediction in true forces into one in forces as read. Gives `∂y/∂k`.
     pub(super) fn apply(
         self,
         observable: Observable,

@@ -1,4 +1,4 @@
-//! What an instrument reads, and how it follows from the penetration under a force.
+//! The quantities an instrument reads, and how they follow from the penetration under a force.
 
 use pellicle_contact::ContactError;
 use serde::{Deserialize, Serialize};
@@ -13,7 +13,7 @@ const STEP: f64 = 1e-3;
 /// Relative accuracy of that force.
 const ACCURACY: f64 = 1e-13;
 
-/// What was measured at what.
+/// The measured quantity and its abscissa.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Observable {
     /// The penetration (m) at forces (N).

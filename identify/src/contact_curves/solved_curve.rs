@@ -16,7 +16,7 @@ const SMALLEST_PART: f64 = 1e-3;
 const MOST_INTERVALS: u16 = 1000;
 /// The force at a measured depth is estimated to a factor of less.
 const ESTIMATE: f64 = 3.0;
-/// A contact within so many elements of the first domain's edge wants a larger one.
+/// A contact within so many elements of the first domain's edge needs a larger one.
 const EDGE: usize = 1;
 /// By how much, and how often.
 const ENLARGEMENT: f64 = 1.4;

@@ -15,7 +15,7 @@ use rayon::prelude::*;
 use super::{ContactCurve, ContactCurves, CurveOptions, Observable, solved_curve::held};
 use crate::{Fit, Prediction};
 
-/// The error of a prediction is told from one on a grid this much finer, with as many times more loads.
+/// The error of a prediction is estimated by one on a grid this much finer, with as many times more loads.
 const FINER: f64 = 1.5;
 /// An error above this part of a point's standard deviation is too large: it adds a quarter to the variance. Any part
 /// is arbitrary; from about here on a point tells more of the grid than of the body.
@@ -45,7 +45,7 @@ impl fmt::Display for Invalidity {
     }
 }
 
-/// What a contact is like at one of the loads of a curve.
+/// The state of a contact at one of the loads of a curve.
 #[derive(Debug, Clone, Copy)]
 struct Condition {
     /// Abscissa of the curve, N or m.

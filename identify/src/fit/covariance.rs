@@ -1,6 +1,6 @@
 //! Covariances of unknowns and of linear nuisances.
 //!
-//! That of the unknowns is `(JᵀJ)⁻¹` with the nuisances eliminated, which is their part of the inverse of the whole.
+//! The unknowns' is `(JᵀJ)⁻¹` with the nuisances eliminated, which is their part of the inverse of the whole.
 
 use super::Fitting;
 use crate::{

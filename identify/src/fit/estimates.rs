@@ -69,7 +69,7 @@ impl Fitting<'_> {
         estimate
     }
 
-    /// What is known instead: the unknown times powers of those held, with its interval while they are held.
+    /// The known combination: the unknown times powers of those held, with its interval while they are held.
     fn combination(
         &self,
         refined: &Refined,

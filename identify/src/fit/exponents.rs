@@ -1,4 +1,4 @@
-//! What a number that is taken as exact does to the answer.
+//! The effect on the answer of a number that is taken as exact.
 //!
 //! Intervals are about the noise alone. If a number `f` of the model is really `f (1 + ε)`, the best fit moves too.
 //! With the whitened derivatives `J = ∂y/∂x` by the unknowns' coordinates and `F = ∂y/∂ln f`, nuisances eliminated and

@@ -19,7 +19,7 @@ pub(super) struct Sought {
     pub unknown: usize,
     /// Its place in the best fit, in its coordinate.
     pub position: f64,
-    /// What is held so that the data tell it; nothing where no data do.
+    /// The unknowns held so that the data determine it; none where no data do.
     pub hold: Option<Hold>,
     /// The unknowns that are free beside it.
     pub others: Vec<usize>,
@@ -52,7 +52,7 @@ pub(super) enum Reach {
 /// The lower end of an interval and the upper one, with the direction outward.
 const SIDES: [(usize, f64); 2] = [(0, -1.0), (1, 1.0)];
 
-/// What the scans of all unknowns found.
+/// The result of the scans of all unknowns.
 pub(super) enum Scanned {
     All(Vec<Interval>),
     /// A better fit, by the profile of this unknown.

@@ -1,4 +1,4 @@
-//! What is left of a fit that its model ended: the best so far, without the intervals that are missing.
+//! The unfinished fit of a model that stopped: the best so far, without the missing intervals.
 
 use std::rc::Rc;
 

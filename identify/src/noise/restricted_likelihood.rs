@@ -76,7 +76,7 @@ impl<'a> RestrictedLikelihood<'a> {
     /// The probability that noise which forgets itself within a tenth of its curve looks as persistent as this one;
     /// none where its correlation is not estimated.
     ///
-    /// What hangs together for longer cannot be told from a model that does not follow the data, which an
+    /// Noise correlated for longer cannot be told from a model that does not follow the data, which an
     /// autoregression takes up as readily as noise. Twice the logarithm of the likelihood ratio, of the best
     /// persistence to the best one below `e^(−10/n)`, is zero or χ² with even chances, the limit being one-sided
     /// (H. Chernoff, Ann. Math. Stat. 25, 573 (1954)).

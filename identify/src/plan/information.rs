@@ -9,7 +9,7 @@ use crate::{
     predictor::Evaluation, projection::Projection,
 };
 
-/// What curves tell of the unknowns and of the nuisances that all measurements share.
+/// The information of curves on the unknowns and on the nuisances that all measurements share.
 #[derive(Debug, Clone)]
 pub struct Information {
     /// Columns of the shared nuisances, then of the unknowns, in their coordinates.
@@ -111,7 +111,7 @@ impl Nuisances {
     }
 }
 
-/// What one curve has of its own: nuisances, and what its parameters differ by from the common ones. One more row for
+/// One curve's own columns: its nuisances, and the differences of its parameters from the common ones. One more row for
 /// each prior.
 struct OwnColumns<'a> {
     span: &'a Range<usize>,
@@ -130,7 +130,7 @@ impl<'a> OwnColumns<'a> {
         self.columns.push((column[self.span.clone()].to_vec(), sd));
     }
 
-    /// What is left of other columns at the points of the curve.
+    /// The residual of other columns at the points of the curve, projected off its own.
     fn remove_from(self, others: &[Vec<f64>]) -> Vec<Vec<f64>> {
         let points = self.span.len();
         let rows = points + self.columns.iter().filter(|(_, sd)| sd.is_some()).count();

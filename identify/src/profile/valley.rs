@@ -65,7 +65,7 @@ impl Profile<'_, '_> {
         Ok(found)
     }
 
-    /// Whether what is held is the same there.
+    /// Whether the same unknowns are held there.
     fn is_beside(&self, known: &Evaluation) -> bool {
         let best = &self.best.at.position;
         let is_held = |j: &usize| *j != self.unknown && !self.others.contains(j);

@@ -1,8 +1,8 @@
-//! One of several repeats, linearised about the common point: what it tells alone, and what it tells of all.
+//! One of several repeats, linearised about the common point: its own estimates, and its part in the common ones.
 
 use faer::Mat;
 
-use super::mixed_model::Information;
+use super::mixed_model::CurveEquations;
 use crate::{
     NoiseLevels, Problem,
     goodness::lower_half_score,
@@ -15,15 +15,15 @@ use crate::{
 pub(super) struct Share {
     pub index: usize,
     pub problem: Problem,
-    /// What one unit of each common linear nuisance adds to each point.
+    /// The columns of the common linear nuisances: one unit's contribution to each point.
     pub common: Vec<Vec<f64>>,
 }
 
 /// A curve fitted alone.
 pub(super) struct CurveFit {
     pub index: usize,
-    /// What it tells of the common columns: told unknowns, then common nuisances.
-    pub information: Information,
+    /// Its normal equations of the common columns: told unknowns, then common nuisances.
+    pub equations: CurveEquations,
     /// Its own corrections of the told unknowns.
     pub own: Vec<f64>,
     /// Their variances; infinite where it does not tell alone.
@@ -61,7 +61,7 @@ impl Share {
                 .map(|column| metric.reduce(column.clone())),
         );
         let size = columns.len();
-        let information = Information {
+        let equations = CurveEquations {
             gram: Mat::from_fn(size, size, |i, k| dot(&columns[i], &columns[k])),
             pull: Mat::from_fn(size, 1, |i, _| dot(&columns[i], &system.residual)),
         };
@@ -85,7 +85,7 @@ impl Share {
         }
         CurveFit {
             index: self.index,
-            information,
+            equations,
             own_variance: (first..values.len()).map(|k| covariance[k][k]).collect(),
             nuisances: (0..first)
                 .map(|k| [values[k], covariance[k][k].sqrt()])

@@ -96,7 +96,7 @@ fn median(values: &[f64]) -> f64 {
     }
 }
 
-/// The limit for so many curves; none for fewer than four, of which no majority can be told.
+/// The limit for so many curves; none for fewer than four, which have no clear majority.
 fn limit(curves: usize) -> Option<f64> {
     let count = curves as f64;
     if count < LIMITS[0].0 {

@@ -1,6 +1,6 @@
 //! Common parameters of repeated curves, and how each curve's own scatter about them.
 //!
-//! Linearised about a common point, curve `i` tells of the common corrections β and of its own `u_i ~ N(0, T)`, `T`
+//! Linearised about a common point, curve `i` determines the common corrections β and of its own `u_i ~ N(0, T)`, `T`
 //! diagonal, through `A_i = J_iᵀJ_i` and `b_i = J_iᵀ r_i` alone. With the `u_i` integrated out,
 //! `A_i ← A_i − A_i Z (T⁻¹ + ZᵀA_iZ)⁻¹ Zᵀ A_i`, and likewise `b_i`; `Z` selects what scatters. The deviations in `T`
 //! maximise the restricted likelihood: N. M. Laird and J. H. Ware, Biometrics 38, 963 (1982). Where every curve alone
@@ -16,18 +16,18 @@ const MOST_SCATTER: f64 = 3.0;
 /// First guess of the scatter where the curves alone do not show it.
 const FIRST_SCATTER: f64 = 0.05;
 
-/// What one curve tells of the common columns.
+/// One curve's normal equations of the common columns.
 #[derive(Debug, Clone)]
-pub(super) struct Information {
+pub(super) struct CurveEquations {
     /// `A = JᵀJ`.
     pub gram: Mat<f64>,
     /// `b = Jᵀ r`.
     pub pull: Mat<f64>,
 }
 
-/// The curves and what was known before.
+/// The curves and the priors.
 pub(super) struct MixedModel {
-    pub curves: Vec<Information>,
+    pub curves: Vec<CurveEquations>,
     /// Prior precision of each column, and prior precision times how far the prior's centre lies above the point.
     pub prior: Vec<[f64; 2]>,
     /// The columns that scatter.
@@ -165,7 +165,7 @@ mod tests {
         MixedModel {
             curves: values
                 .iter()
-                .map(|value| Information {
+                .map(|value| CurveEquations {
                     gram: Mat::from_fn(1, 1, |_, _| 1.0 / variance),
                     pull: Mat::from_fn(1, 1, |_, _| value / variance),
                 })

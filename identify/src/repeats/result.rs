@@ -1,4 +1,4 @@
-//! What a fit of repeats returns.
+//! The result of a fit of repeats.
 
 use faer::Mat;
 
@@ -8,7 +8,7 @@ use crate::{
     KnownCombination, REFUSAL, Verdict, Warning, Work,
     correlation::correlation,
     distribution::student_quantile,
-    goodness::{Residuals, Scale},
+    goodness::{NoiseScale, Residuals},
     known_combination::{expression, not_identifiable},
     predictor::Predictor,
     profile::Open,
@@ -72,10 +72,10 @@ impl Repeats<'_> {
             degrees,
             known,
         }
-        // What all repeats have in common besides noise is the instrument's as often as the model's.
+        // A deviation common to all repeats is the instrument's as often as the model's.
         .judge(
             [
-                Scale::of(self.problem, degrees).probability([sum(0), sum(1)]),
+                NoiseScale::of(self.problem, degrees).probability([sum(0), sum(1)]),
                 None,
             ],
             self.persistence_p(state),

@@ -8,15 +8,15 @@ use crate::{
     projection::{Projection, norm},
 };
 
-/// What is interpolated of a number.
+/// The function of a number that is interpolated.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Scale {
+pub(super) enum ValueScale {
     Logarithm,
     /// The number by a typical one.
     Part(f64),
 }
 
-impl Scale {
+impl ValueScale {
     fn of(values: &[f64]) -> Self {
         let typical = norm(values) / (values.len() as f64).sqrt();
         if values.iter().all(|&v| v > 0.0) {
@@ -26,7 +26,7 @@ impl Scale {
         }
     }
 
-    /// What a relative error of a number refers to.
+    /// The reference of a number's relative error.
     pub fn reference(self, value: f64) -> f64 {
         match self {
             Self::Logarithm => value,
@@ -54,7 +54,7 @@ impl Scale {
 #[derive(Debug, Clone)]
 pub(super) struct ReducedCurves {
     pub points: usize,
-    pub scales: [Scale; 2],
+    pub scales: [ValueScale; 2],
     mean: Vec<f64>,
     basis: Vec<Vec<f64>>,
 }
@@ -68,8 +68,8 @@ impl ReducedCurves {
             samples.iter().flat_map(of).copied().collect()
         };
         let scales = [
-            Scale::of(&all(&|one| &one.value)),
-            Scale::of(&all(&|one| &one.slope)),
+            ValueScale::of(&all(&|one| &one.value)),
+            ValueScale::of(&all(&|one| &one.slope)),
         ];
         let mut rows: Vec<Vec<f64>> = samples.iter().map(|one| stacked(one, scales)).collect();
         let mean: Vec<f64> = (0..2 * points)
@@ -111,7 +111,7 @@ impl ReducedCurves {
     }
 }
 
-fn stacked(one: &Prediction, scales: [Scale; 2]) -> Vec<f64> {
+fn stacked(one: &Prediction, scales: [ValueScale; 2]) -> Vec<f64> {
     let values = one.value.iter().map(|&v| scales[0].apply(v));
     let slopes = one.slope.iter().map(|&v| scales[1].apply(v));
     values.chain(slopes).collect()
@@ -163,7 +163,7 @@ mod tests {
         ];
         let (reduced, amplitudes) = ReducedCurves::of(&samples, 1e-9);
         assert_eq!(amplitudes.len(), 2);
-        assert_eq!(reduced.scales[0], Scale::Logarithm);
+        assert_eq!(reduced.scales[0], ValueScale::Logarithm);
         for (k, sample) in samples.iter().enumerate() {
             let own: Vec<f64> = amplitudes.iter().map(|of| of[k]).collect();
             for (found, value) in reduced.expand(&own).iter().zip(&sample.value) {

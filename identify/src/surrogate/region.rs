@@ -8,7 +8,7 @@ const REACH: f64 = 2.5;
 /// Most unknowns.
 const MOST: usize = 4;
 
-/// What rounding may put a value outside a box by, in half sides.
+/// Largest distance of a value outside a box that is rounding, in half sides.
 const ROUNDING: f64 = 1e-9;
 
 /// A box about a centre.

@@ -138,7 +138,7 @@ fn the_coating_of_the_paper_is_lost_under_its_film() {
     for greatest in [0.4e-6, 30e-6, 2.3e-3] {
         let errors = of_the_paper(greatest, &[0, 1, 2, 3]);
         assert!(errors[0] > 7.7 && errors[2] > 7.7, "{errors:?}");
-        // With the coating known, base and film are told.
+        // With the coating known, the data determine base and film.
         let known = of_the_paper(greatest, &[1, 3]);
         assert!(known.iter().all(|error| *error < 0.18), "{known:?}");
     }

@@ -60,7 +60,7 @@ fn soft() -> System {
     }
 }
 
-/// A micrometre and a half of 100 GPa on 10 GPa: the moduli and the thickness, which hang together.
+/// A micrometre and a half of 100 GPa on 10 GPa: the moduli and the thickness, which are correlated.
 fn weak() -> System {
     System {
         coat: Coat {

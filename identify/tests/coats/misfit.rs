@@ -23,7 +23,7 @@ use crate::coat::{Coat, coat};
 
 const NOISE: f64 = 0.01;
 
-/// What is fitted.
+/// The coat, the unknowns and the surrogate of a fit.
 struct Fitted {
     coat: Coat,
     unknowns: Vec<Unknown>,

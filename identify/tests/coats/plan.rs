@@ -36,7 +36,7 @@ fn plan_for(unknowns: &[Unknown], truth: &[f64], more: &[LinearNuisance]) -> Pla
     }
 }
 
-/// What a curve on a coat tells.
+/// The information of a curve on a coat.
 fn information(plan: &Plan, coat: &Coat) -> Information {
     let curves = coat.curves(plan.truth.len());
     let prediction = curves.predict(&plan.truth).unwrap();
@@ -77,7 +77,7 @@ fn each_unknown_more_makes_the_others_less_certain() {
     assert_near(&of(1, &[]), &[0.010], 0.03);
     assert_near(&of(2, &[]), &[0.034, 0.018], 0.03);
     assert_near(&of(3, &[]), &[0.106, 0.096, 0.155], 0.01);
-    // Where nearly nothing is told, the grid's error in the derivatives counts.
+    // Where the data determine nearly nothing, the grid's error in the derivatives counts.
     let frame = [LinearNuisance::frame_compliance()];
     assert_near(&of(3, &frame), &[0.20, 4.26, 1.22], 0.08);
 }

@@ -1,4 +1,4 @@
-//! What a number that is taken as exact does to the answer, against fits with another value of it.
+//! The effect on the answer of a number that is taken as exact, against fits with another value of it.
 
 use pellicle_identify::{
     Fit, FitOptions, ForwardError, ForwardModel, Intervals, LinearNuisance, Noise, Prediction,

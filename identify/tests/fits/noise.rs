@@ -1,4 +1,4 @@
-//! What the residuals tell of the noise.
+//! The noise as estimated from the residuals.
 
 use approx::assert_relative_eq;
 use pellicle_identify::{

@@ -1,4 +1,4 @@
-//! What the data can tell, and what they cannot.
+//! Verdicts on unknowns that the data determine, and on those that they do not.
 
 use approx::assert_relative_eq;
 use pellicle_identify::{

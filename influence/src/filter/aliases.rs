@@ -13,7 +13,7 @@ const REACH: i32 = 4;
 const NODES: usize = 4;
 
 /// One value for each node.
-pub type Weights = [f64; NODES];
+pub type NodeWeights = [f64; NODES];
 
 /// Bodies that square elements lie between.
 pub struct GriddedBodies<'a> {
@@ -55,7 +55,7 @@ impl GriddedBodies<'_> {
 
 /// The sum over the aliases as a polynomial in the squares of both wavenumbers, in which it is smooth.
 pub struct Aliases {
-    values: [Weights; NODES],
+    values: [NodeWeights; NODES],
 }
 
 impl Aliases {
@@ -69,7 +69,7 @@ impl Aliases {
     }
 
     /// The polynomial in `k_y²` at the `k_x` of these weights.
-    pub fn along(&self, weights: &Weights) -> AliasRow {
+    pub fn along(&self, weights: &NodeWeights) -> AliasRow {
         let mut row = [0.0; NODES];
         for (weight, values) in weights.iter().zip(&self.values) {
             for (sum, value) in row.iter_mut().zip(values) {
@@ -81,17 +81,17 @@ impl Aliases {
 }
 
 /// The sum at one `k_x`.
-pub struct AliasRow(Weights);
+pub struct AliasRow(NodeWeights);
 
 impl AliasRow {
     /// The sum at the `k_y` of these weights, in m/Pa.
-    pub fn at(&self, weights: &Weights) -> f64 {
+    pub fn at(&self, weights: &NodeWeights) -> f64 {
         self.0.iter().zip(weights).map(|(v, w)| v * w).sum()
     }
 }
 
 /// Lagrange's weights of the nodes at the wavenumber that is `part` of the grid's largest, `π/2a`.
-pub fn weights(part: f64) -> Weights {
+pub fn weights(part: f64) -> NodeWeights {
     lagrange::weights(part * part)
 }
 

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use rayon::prelude::*;
 
-use super::aliases::{Aliases, GriddedBodies, Weights, weights};
+use super::aliases::{Aliases, GriddedBodies, NodeWeights, weights};
 use crate::bodies::ElasticBodies;
 
 /// `∫∫ dA/k` over a square of side 1 centred at k = 0: 4 ln(1+√2). The mean of `1/k` over the zero frequency's
@@ -40,7 +40,7 @@ impl PeriodicSymbol {
             half_side: element_side / 2.0,
         };
         let aliases = Aliases::new(&body);
-        let weights: Vec<Weights> = (0..width)
+        let weights: Vec<NodeWeights> = (0..width)
             .map(|j| weights(j as f64 * 2.0 / size as f64))
             .collect();
         let waves: Vec<f64> = (0..width).map(|i| step * i as f64).collect();

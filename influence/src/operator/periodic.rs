@@ -199,7 +199,7 @@ mod tests {
         for place in [[1, 0], [2, 0], [1, 1], [2, 2]] {
             let [w8, w16, w32] =
                 [8, 16, 32].map(|most| of_cells(most, place) - uniform(most, place));
-            // What is left falls with the first and the second power of the square's side.
+            // The remainder falls with the first and the second power of the square's side.
             let halved = [2.0 * w16 - w8, 2.0 * w32 - w16];
             let limit = (4.0 * halved[1] - halved[0]) / 3.0;
             let [x, y] = place.map(isize::unsigned_abs);

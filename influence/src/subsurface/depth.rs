@@ -37,7 +37,7 @@ impl Depth {
         self.z < bottom || (self.z <= bottom && self.side == Side::Above)
     }
 
-    /// Whether the fields are those of a half-space of the top layer's material and what the layers change.
+    /// Whether the fields are split into a half-space of the top layer's material and the layers' correction.
     ///
     /// In the lower half of a layer both would be large where a stiff coat leaves little stress, and the fields
     /// themselves are smooth over a distance of the depth.

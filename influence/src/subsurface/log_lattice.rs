@@ -39,10 +39,10 @@ const COARSE_LAST: isize = 44;
 pub const FIRST: isize = -3720;
 
 /// Weights of the integrals `∫ A(x/r) x² J_n(x) d ln x`, n = 0 to 3.
-pub type Weights = [f64; ORDERS];
+pub type HankelWeights = [f64; ORDERS];
 
 /// Weights at the lattice points of `ln x` from [`FIRST`] on in steps of [`COARSE_STRIDE`].
-pub static COARSE: LazyLock<Vec<Weights>> = LazyLock::new(|| {
+pub static COARSE: LazyLock<Vec<HankelWeights>> = LazyLock::new(|| {
     let indices = (FIRST..=COARSE_LAST).step_by(COARSE_STRIDE);
     let width = COARSE_STRIDE as f64 * STEP;
     indices
@@ -51,7 +51,7 @@ pub static COARSE: LazyLock<Vec<Weights>> = LazyLock::new(|| {
 });
 
 /// Weights at every lattice point of `ln x` from [`FINE_FIRST`] to [`LAST`].
-pub static FINE: LazyLock<Vec<Weights>> = LazyLock::new(|| {
+pub static FINE: LazyLock<Vec<HankelWeights>> = LazyLock::new(|| {
     let indices = FINE_FIRST..=LAST;
     indices
         .map(|index| weights(index, STEP * (1.0 - handover(index))))
@@ -63,7 +63,7 @@ fn handover(index: isize) -> f64 {
     libm::erfc((index as f64 * STEP - centre) / width) / 2.0
 }
 
-fn weights(index: isize, width: f64) -> Weights {
+fn weights(index: isize, width: f64) -> HankelWeights {
     let x = (index as f64 * STEP).exp();
     let [centre, taper_width] = TAPER;
     let taper = libm::erfc((x - centre) / taper_width) / 2.0;

@@ -49,8 +49,8 @@ impl PlaneFields {
     /// Loads a foundation by the `pressure` (Pa) on a square of elements of side `element_side` (m), and by a traction
     /// of `friction` times the pressure along x and y, which drags the surface with it.
     ///
-    /// Where the pressure is its own mirror image in x and in y, to the last bit, and the squares have one centre and
-    /// even numbers of elements, a quadrant is transformed: a third of the work and memory of each field.
+    /// Where the pressure is symmetric in x and y, to the last bit, and the squares have one centre and even numbers of
+    /// elements, a quadrant is transformed: a third of the work and memory of each field.
     ///
     /// # Panics
     /// If the pressure has not one value per loaded element, or the loaded square does not lie within the shown one.

@@ -34,7 +34,7 @@ pub const TANGENTIAL: usize = 9;
 
 /// A load on a point, whose fields are made of `F` functions of the radius.
 pub trait Load<const F: usize>: Sync {
-    /// Which load it is.
+    /// The load on the surface.
     const LOAD: SurfaceLoad;
 
     /// Order of the Bessel function of each.

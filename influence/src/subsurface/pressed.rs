@@ -1,7 +1,7 @@
 //! The pressure on a grid, transformed once, and the fields that are its products with spectra.
 //!
-//! Where the pressure is its own mirror image in x and in y, a quadrant stands for the grid. The part of a field of
-//! each parity is then known by its quadrant, too: even ones by cosine transforms, odd ones by sine transforms.
+//! Where the pressure is symmetric in x and y, a quadrant stands for the grid. The part of a field of each parity is
+//! then known by its quadrant, too: even ones by cosine transforms, odd ones by sine transforms.
 
 use rayon::prelude::*;
 
@@ -31,7 +31,7 @@ impl Squares {
         reach[0].max(reach[1])
     }
 
-    /// Whether a pressure and both squares are their own mirror images, and of an even number of elements.
+    /// Whether a pressure and both squares are symmetric in x and y, and of an even number of elements.
     fn are_mirrored(&self, pressure: &[f64]) -> bool {
         let Self {
             loaded,
@@ -52,7 +52,7 @@ impl Squares {
 pub enum Pressed {
     /// Any pressure.
     Whole(Transformed<FourierLines<f64>>),
-    /// One that is its own mirror image, and a buffer for a quadrant of a field.
+    /// A symmetric pressure, and a buffer for a quadrant of a field.
     Quadrant(Transformed<EvenLines<f64>>, Vec<f64>),
 }
 

@@ -18,8 +18,8 @@ use pellicle_kernel::{KernelError, Material};
 use super::depth::Depth;
 use super::homogeneous::loaded_square;
 use super::log_lattice::STEP;
-use super::panels::{Layout, Panels};
 use super::point_kernels::{Load, NORMAL, Pressure, TANGENTIAL, Traction};
+use super::radial_panels::{Layout, RadialPanels};
 use super::state::SubsurfaceState;
 use super::waves::{Sampled, Waves};
 use crate::numerics::quadrature::{Node, legendre_of};
@@ -152,15 +152,15 @@ pub struct UnderLoad<L, const F: usize> {
     depth: f64,
     homogeneous: Option<Homogeneous>,
     near: Option<Near<F>>,
-    middle: Option<Panels<F>>,
-    far: Option<Panels<F>>,
+    middle: Option<RadialPanels<F>>,
+    far: Option<RadialPanels<F>>,
 }
 
 /// Under a pressure, and under a traction.
 pub type UnderPressure = UnderLoad<Pressure, NORMAL>;
 pub type UnderTraction = UnderLoad<Traction, TANGENTIAL>;
 
-/// What a half-space of the top layer's material has.
+/// The fields in a half-space of the top layer's material, in closed form.
 #[derive(Clone, Debug)]
 struct Homogeneous {
     material: Material,
@@ -170,10 +170,10 @@ struct Homogeneous {
     depth: f64,
 }
 
-/// What the layers add to it, or all where there is none.
+/// The near zone: the layers' correction to the half-space, or the whole fields without one.
 #[derive(Clone, Debug)]
 struct Near<const F: usize> {
-    panels: Panels<F>,
+    panels: RadialPanels<F>,
     reach: f64,
 }
 

@@ -11,10 +11,10 @@ use pellicle_kernel::{Amplitudes, Foundation, Interior, KernelError};
 use rayon::prelude::*;
 
 use super::log_lattice::{
-    COARSE, COARSE_STRIDE, FINE, FINE_FIRST, FIRST, LAST, RADIUS_STRIDE, STEP, Weights,
+    COARSE, COARSE_STRIDE, FINE, FINE_FIRST, FIRST, HankelWeights, LAST, RADIUS_STRIDE, STEP,
 };
-use super::panels::{Layout, Panels};
 use super::point_kernels::Load;
+use super::radial_panels::{Layout, RadialPanels};
 
 /// Amplitudes have fallen to e^{−60} at this wavenumber over the reach's.
 const DECAYED: f64 = 60.0;
@@ -124,7 +124,7 @@ impl Sampled {
 
     /// The functions of the radius under a load, each over `rⁿ`, n being the order of its Bessel function: the integral
     /// of a unit force on each point of a unit square.
-    pub fn panels<L: Load<F>, const F: usize>(&self) -> Panels<F> {
+    pub fn panels<L: Load<F>, const F: usize>(&self) -> RadialPanels<F> {
         let [first, last] = self.radii;
         let with_factor = self.amplitudes.iter().zip(&self.factors);
         let amplitudes: Vec<[f64; F]> = with_factor
@@ -133,7 +133,7 @@ impl Sampled {
                 values.map(|value| value * factor)
             })
             .collect();
-        let weights_of = |weights: &Vec<Weights>| -> Vec<[f64; F]> {
+        let weights_of = |weights: &Vec<HankelWeights>| -> Vec<[f64; F]> {
             weights
                 .iter()
                 .map(|weights| L::ORDERS.map(|order| weights[order]))
@@ -167,7 +167,7 @@ impl Sampled {
             })
         };
         let table: Vec<[f64; F]> = (first..=last).into_par_iter().map(at_radius).collect();
-        Panels::new(&self.layout, |radius| {
+        RadialPanels::new(&self.layout, |radius| {
             interpolated(&table, radius.ln() / STRIDE - first as f64)
         })
     }

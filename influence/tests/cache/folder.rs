@@ -83,7 +83,7 @@ fn a_disk_that_is_full_in_the_middle_of_a_file_costs_only_the_cache() {
         return;
     }
     let folder = tempfile::tempdir().unwrap();
-    // A process whose files cannot grow beyond 8 blocks, half of what the coefficients take, and that is told so by
+    // A process whose files cannot grow beyond 8 blocks, half the size of the coefficients, and that gets an error from
     // the write.
     let name = "folder::a_disk_that_is_full_in_the_middle_of_a_file_costs_only_the_cache";
     let line = format!("trap '' XFSZ; ulimit -f 8; exec \"$0\" {name} --exact");
@@ -111,7 +111,7 @@ fn clearing_removes_the_caches_own_files_and_no_other() {
         fs::write(folder.path().join(name), "mine").unwrap();
     }
     fs::create_dir(folder.path().join(name.replace(['0', '1', '2', '3'], "f"))).unwrap();
-    // What a process that was killed leaves behind.
+    // A process that was killed leaves such a file behind.
     fs::write(folder.path().join(".pellicle-abc.partial"), "half").unwrap();
     let cache = Cache::at(folder.path());
     let usage = cache.usage().unwrap();

@@ -1,4 +1,4 @@
-//! The cache: what comes out is what was put in, to the bit, and whatever happens to the disk costs no more than time.
+//! The cache returns what was put in, to the bit, and damage to the disk costs no more than time.
 
 #![expect(
     clippy::unwrap_used,

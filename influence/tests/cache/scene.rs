@@ -51,7 +51,7 @@ pub fn bits(table: &CoefficientTable) -> Vec<u64> {
         .collect()
 }
 
-/// The coefficients of `plain` by a cache that has nothing in memory, their origin, and what it warns of.
+/// The coefficients of `plain` by a cache that has nothing in memory, their origin, and its warnings.
 pub fn coefficients(folder: &Path) -> (Arc<CoefficientTable>, Origin, Vec<CacheWarning>) {
     let cache = Cache::at(folder);
     let found = cache.coefficients(&plain(), ELEMENT_SIDE, SIZE).unwrap();
@@ -77,7 +77,7 @@ pub fn only_file(folder: &Path) -> PathBuf {
     file
 }
 
-/// Puts bytes in the file's place: they must be found out and told of, be replaced, and be good the next time.
+/// Replaces the file by these bytes: they must be detected, reported and replaced, and the file be good the next time.
 pub fn assert_replaced(folder: &TempDir, file: &Path, bytes: &[u8]) {
     fs::write(file, bytes).unwrap();
     let (table, origin, warnings) = coefficients(folder.path());

@@ -24,7 +24,7 @@ pub(super) struct Held {
 
 /// The wave in one body.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Wave {
+pub(super) enum AntiplaneWave {
     /// `s = k H`, what holds the bottom, and what that is to be multiplied by.
     Layer { s: f64, held: Held, scale: f64 },
     /// `T` on the top.
@@ -85,7 +85,7 @@ fn carried(r: f64, first: f64, second: f64) -> f64 {
     first * (2.0 - lost) + second * lost
 }
 
-impl Wave {
+impl AntiplaneWave {
     /// The waves of all bodies, surface first, the base last, under unit traction on the surface.
     pub(super) fn of(layers: &[Layer], base: Base, wavenumber: f64) -> Vec<Self> {
         let held = held_bottoms(layers, base, wavenumber);

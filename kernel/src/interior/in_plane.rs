@@ -21,7 +21,7 @@ pub(super) type Pair<T> = [T; 2];
 
 /// The waves of one body under both loads; states with tractions in its `2 G k`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Wave {
+pub(super) enum InPlaneWave {
     /// `s = k H` and the waves.
     Layer { s: f64, waves: Pair<LayerWave> },
     /// The states on the top.
@@ -30,7 +30,7 @@ pub(super) enum Wave {
     Rigid,
 }
 
-impl Wave {
+impl InPlaneWave {
     /// Amplitudes under both loads in a body of this material.
     pub(super) fn at(
         &self,
@@ -59,9 +59,9 @@ impl Wave {
 /// All waves of a foundation.
 pub(super) struct Waves {
     /// Of every body, surface first, the base last.
-    pub(super) bodies: Vec<Wave>,
+    pub(super) bodies: Vec<InPlaneWave>,
     /// The waves of the top layer less those of a half-space of its material.
-    pub(super) correction: Wave,
+    pub(super) correction: InPlaneWave,
 }
 
 impl Waves {
@@ -71,8 +71,8 @@ impl Waves {
         let tops = half_space_tops(&Poisson::new(surface)).map(|top| top / unit);
         if foundation.layers().is_empty() {
             return Ok(Self {
-                bodies: vec![Wave::HalfSpace(tops)],
-                correction: Wave::Rigid,
+                bodies: vec![InPlaneWave::HalfSpace(tops)],
+                correction: InPlaneWave::Rigid,
             });
         }
         let stack = Stack::new(foundation.layers(), foundation.base());
@@ -94,7 +94,7 @@ fn descend(
     foundation: &Foundation,
     wavenumber: f64,
     held: &[(HeldBottom, Minors)],
-) -> Result<Vec<Wave>, KernelError> {
+) -> Result<Vec<InPlaneWave>, KernelError> {
     let layers = foundation.layers();
     let unit = unit_traction(foundation.surface_material(), wavenumber);
     let mut pair = TopPair::TRACTIONS;
@@ -110,7 +110,7 @@ fn descend(
         let [first, second] = pair.0;
         let loads = tops.map(|top| Vector4::new(top[first], top[second], 0.0, 0.0));
         let waves = equations.solve(loads).ok_or(KernelError::Singular { s })?;
-        bodies.push(Wave::Layer { s, waves });
+        bodies.push(InPlaneWave::Layer { s, waves });
         let bottom = DepthFactors::new(s, &PlaceInLayer::bottom(s));
         let mu = body_below(foundation, i).map_or(1.0, |below| {
             layer.material().shear_modulus() / below.shear_modulus()
@@ -119,8 +119,8 @@ fn descend(
         pair = best_pair(below);
     }
     bodies.push(match foundation.base() {
-        Base::HalfSpace(_) => Wave::HalfSpace(tops),
-        Base::Rigid => Wave::Rigid,
+        Base::HalfSpace(_) => InPlaneWave::HalfSpace(tops),
+        Base::Rigid => InPlaneWave::Rigid,
     });
     Ok(bodies)
 }
@@ -145,7 +145,7 @@ fn correction(
     held: &HeldBottom,
     tops: Pair<Vector4<f64>>,
     layers: usize,
-) -> Result<Wave, KernelError> {
+) -> Result<InPlaneWave, KernelError> {
     let s = wavenumber * layer.thickness();
     let poisson = Poisson::new(layer.material());
     let equations = LayerEquations::new(&poisson, s, TopPair::TRACTIONS, rows(&held.minors));
@@ -156,7 +156,7 @@ fn correction(
         Vector4::new(0.0, 0.0, third, fourth)
     });
     let waves = equations.solve(loads).ok_or(KernelError::Singular { s })?;
-    Ok(Wave::Layer { s, waves })
+    Ok(InPlaneWave::Layer { s, waves })
 }
 
 /// The states on a half-space under unit pressure and unit traction, tractions in `2 G k`.

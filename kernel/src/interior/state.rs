@@ -1,6 +1,6 @@
 //! Amplitudes of displacements and stresses of one wave, with their phases and signs.
 
-/// Which of two bodies at an interface.
+/// One of the two bodies at an interface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Side {
     /// The body above the interface.

@@ -16,7 +16,7 @@ pub(crate) struct Stack {
     surface: Poisson,
 }
 
-/// One layer and what it stands on.
+/// One layer and its support.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct LayerStep {
     thickness: f64,

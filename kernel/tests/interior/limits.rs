@@ -111,7 +111,7 @@ fn the_homogeneous_body_and_the_correction_are_the_layered_body() {
     }
 }
 
-/// Which of [`numbers`] are displacements.
+/// Whether each of [`numbers`] is a displacement.
 const IS_DISPLACEMENT: [bool; 15] = [
     true, true, false, false, false, false, true, true, false, false, false, false, true, false,
     false,

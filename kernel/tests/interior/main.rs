@@ -58,7 +58,7 @@ fn foundations() -> Vec<Foundation> {
 
 const WAVENUMBERS: [f64; 7] = [1e-6, 1e-2, 0.3, 1.0, 5.0, 30.0, 200.0];
 
-/// Largest displacement times `2 G k` and stress: what the errors of one place are measured by.
+/// Largest displacement times `2 G k` and stress: the scale of the errors at one place.
 fn size(place: &InPlane, unit: f64) -> f64 {
     let stresses =
         place.normal_stress.abs() + place.shear_stress.abs() + place.longitudinal_stress.abs();

@@ -9,7 +9,7 @@ fn a_box_in_a_random_stack_bears_the_load_and_nothing_else() {
     let stacks = random_stacks(12).unwrap();
     stacks.par_iter().for_each(|body| {
         for ([wanted, found], error) in box_forces(body).unwrap() {
-            // What the rule of the box leaves in thick layers.
+            // The quadrature error of the box in thick layers.
             assert!(error < 1e-8, "{body:?}: {wanted} {found:e}");
         }
     });

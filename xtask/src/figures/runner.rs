@@ -45,7 +45,7 @@ pub struct Runner {
     pub program: Vec<OsString>,
     /// Elements along a side of every grid; pictures of fewer than 1024 say that they are coarse.
     pub elements: usize,
-    /// Is told of the progress.
+    /// Receives the progress.
     pub tell: fn(&str),
 }
 

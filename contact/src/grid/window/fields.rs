@@ -31,7 +31,7 @@ impl Window {
 
     /// The field of the whole grid that is `part` in the window and its mirror images, and 0 outside, where no memory
     /// is touched.
-    pub fn spread(&self, part: Vec<f64>) -> Vec<f64> {
+    pub fn scatter(&self, part: Vec<f64>) -> Vec<f64> {
         match self.sector {
             Sector::Whole if self.is_whole() => part,
             Sector::Whole => self.everywhere().take_over(self, &part),

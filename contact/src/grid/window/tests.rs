@@ -1,4 +1,4 @@
-//! Windows: what they hold, how they grow, and how fields move between them.
+//! Windows: their content and growth, and fields moved between them.
 
 use std::collections::BTreeSet;
 
@@ -23,7 +23,7 @@ fn a_window_holds_what_belongs_with_a_margin() {
         .collect();
     let part = window.cut(&mask);
     assert!(window.size() < 40 && !window.is_whole());
-    assert_eq!(window.spread(part.clone()), mask);
+    assert_eq!(window.scatter(part.clone()), mask);
     // The elements lie at the grid's end along y, but nowhere else at the window's border.
     let last = window.size() - 1;
     let border =
@@ -46,7 +46,7 @@ fn a_quadrants_window_begins_at_the_axis_and_spreads_to_four_images() {
     );
     let size = window.size();
     let part: Vec<f64> = (0..size * size).map(|e| 1.0 + e as f64).collect();
-    let whole = window.spread(part.clone());
+    let whole = window.scatter(part.clone());
     for (e, found) in whole.iter().enumerate() {
         let [i, j] = [e / 200, e % 200].map(|i| if i < 100 { 99 - i } else { i - 100 });
         let expected = window.place([i, j]).map_or(0.0, |place| part[place]);
@@ -66,7 +66,7 @@ fn a_halfs_window_begins_at_its_axis_and_spreads_to_two_images() {
     assert!(above.abs_diff(150 - (rows - 11) / 2) <= 1);
     assert_eq!(window.grown().origin()[1], 0);
     let part: Vec<f64> = (0..window.elements()).map(|e| 1.0 + e as f64).collect();
-    let whole = window.spread(part.clone());
+    let whole = window.scatter(part.clone());
     for (e, found) in whole.iter().enumerate() {
         let (i, j) = (e / 200, e % 200);
         let j = if j < 100 { 99 - j } else { j - 100 };

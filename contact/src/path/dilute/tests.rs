@@ -147,7 +147,10 @@ fn what_products_among_candidates_lack_is_learnt_of_a_pressure_that_was_judged()
     assert!(dilute.learn(&problem, &judged, &solution.pressure));
     // By their own products the candidates now have the gaps that the whole grid's product gives.
     let mut displacement = vec![0.0; SIZE * SIZE];
-    problem.displace(&window.spread(solution.pressure.clone()), &mut displacement);
+    problem.displace(
+        &window.scatter(solution.pressure.clone()),
+        &mut displacement,
+    );
     let among = dilute.candidates.gather(&solution.pressure);
     let mut own = vec![0.0; among.len()];
     dilute.problem.displace(&among, &mut own);
@@ -157,7 +160,7 @@ fn what_products_among_candidates_lack_is_learnt_of_a_pressure_that_was_judged()
         let wanted = displacement[i * SIZE + j] + gap([i, j]);
         assert!((u + g0 - wanted).abs() < 1e-12, "{u} {g0} {wanted}");
     }
-    // What would overlap has been taken in: this pressure is far too small.
+    // Overlapping elements have become candidates: this pressure is far too small.
     let tip = dilute.candidates.at([60 - above, 70 - left]);
     assert!(tip.is_some() && dilute.candidates.at(needle).is_some());
     dilute.passes = MOST_PASSES;

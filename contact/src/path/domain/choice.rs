@@ -1,4 +1,4 @@
-//! Which square to solve on: the first guess, judged by a solution on a coarse grid that is the same for every grid to
+//! The choice of the square: the first guess, judged by a solution on a coarse grid that is the same for every grid to
 //! come.
 //!
 //! Tried are the first guess times powers of 1.5. A square fits where the contact of the largest load keeps clear of
@@ -31,7 +31,7 @@ const FACTOR: f64 = 1.5;
 const MOST_PRODUCTS: usize = 300;
 /// Half width of the contact under the first guess, in elements of a trial; sides are shrunk to this.
 const USUAL_EXTENT: f64 = 64.0 / 3.0;
-/// A contact of fewer elements than this from the middle wants a smaller square.
+/// A contact of fewer elements than this from the middle needs a smaller square.
 const SMALLEST_EXTENT: usize = 8;
 /// More trials than any case has been seen to take by far.
 const MOST_TRIALS: usize = 100;
@@ -67,7 +67,7 @@ pub fn choose_side_at(model: &Model, loads: &[Load], hardness: f64) -> Result<f6
     let loads: Vec<Load> = largest(loads).filter(presses).collect();
     for _ in 0..MOST_TRIALS {
         let side = search.side();
-        // What one load wants larger no other can want smaller.
+        // If one load needs a larger square, no other can need a smaller one.
         let mut verdict = None;
         for load in &loads {
             let found = judge(model, side, *load, hardness)?;

@@ -1,4 +1,4 @@
-//! What the fields of a problem must be, and whether the gap is that of a rough surface.
+//! Checks of a problem's fields, and whether the gap is that of a rough surface.
 
 use rayon::prelude::*;
 

@@ -1,4 +1,4 @@
-//! The hardness of a problem: what it carries at most, and the elements that are held at it.
+//! The hardness of a problem: its largest force, and the elements held at it.
 
 use super::{DiscreteProblem, Identity, fields::check_hardness};
 use crate::{ContactError, Load, problem::held_pressure::HeldPressure};

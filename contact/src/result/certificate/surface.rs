@@ -149,7 +149,7 @@ struct Pressed {
     shortening: f64,
 }
 
-/// What is told of the gaps; NaN if one of them is.
+/// Sums and maxima of the gaps and pressures that break a condition; NaN if one gap is.
 #[derive(Clone, Copy, Default)]
 struct Residuals {
     weighted_gap: f64,

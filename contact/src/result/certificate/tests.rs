@@ -220,7 +220,7 @@ fn pressed_layer(sector: Sector, poisson_ratio: f64) -> DiscreteProblem {
     .unwrap()
 }
 
-/// The contact's part of a grid is judged as the whole is, and what is not looked at does not overlap.
+/// The contact's part of a grid is judged as the whole is, and the rest does not overlap.
 #[test]
 fn where_nothing_can_overlap_nothing_is_missed() {
     for sector in [Sector::Whole, Sector::Half, Sector::Quadrant] {
@@ -318,7 +318,7 @@ fn the_penetration_under_a_force_is_the_mean_of_v_weighted_by_the_pressure_below
         of([1.0, 1.0, 2.0, 0.0], f64::INFINITY),
         (2.0 + 2.5 + 7.0) / 4.0
     );
-    // What is at the limit counts for nothing where anything lies below it, and alone by its largest.
+    // Elements at the limit count only if none lies below it, and then by their largest v.
     assert_eq!(of([1.0, 3.0, 2.0, 0.0], 3.0), (2.0 + 7.0) / 3.0);
     assert_eq!(of([3.0, 3.0, 0.0, 0.0], 3.0), 3.0);
     assert_eq!(of([3.0, 0.0, 3.0, 0.0], 3.0), 3.5);

@@ -30,7 +30,7 @@ impl ElasticOperator for Rigid {
     }
 }
 
-/// What a field is like at the distance ρ from the axis.
+/// Fields as functions of the distance ρ from the axis.
 struct Fields {
     pressure: fn(f64) -> f64,
     gap: fn(f64) -> f64,

@@ -1,6 +1,6 @@
 //! The pattern of a contact: rows of elements in contact, the sides around them, and the islands that they make.
 //!
-//! An island is what hangs together by sides of elements. Two elements with a corner in common alone are two islands:
+//! An island is a set of elements connected by their sides. Two elements with only a corner in common are two islands:
 //! the two elements beside that corner are open and have it in common as well, and no pressure acts across a point. In
 //! a periodic cell islands go on at the opposite rim.
 

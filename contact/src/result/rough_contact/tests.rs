@@ -43,7 +43,7 @@ fn rough(step: &Step) -> &RoughContact {
     step.rough.as_ref().unwrap()
 }
 
-/// Two equal paraboloids of radius 1 at x = ±0.4: what a plain sum over the elements gives.
+/// Two equal paraboloids of radius 1 at x = ±0.4: the plain sum over the elements.
 #[test]
 fn two_bumps_are_two_islands_with_a_hull_around_them() {
     let bumps = map(64, 2.0, |[x, y]| -0.5 * ((x.abs() - 0.4).powi(2) + y * y));

@@ -6,12 +6,12 @@ use crate::{
     problem::{scale::Scale, tangents::Tangents},
 };
 
-/// What the law may say beyond its tangents at a solution, as a part of the penetration: rounding.
+/// Largest deviation of the law from its tangents at a solution, as a part of the penetration: rounding.
 const ROUNDING: f64 = 1e-14;
 /// Times that springs are straightened; more than any problem has been seen to take by far.
 const MOST_TIMES: usize = 200;
 
-/// Springs, the pressure where they are straightened, and what is known there.
+/// Springs, the pressure where they are straightened, and the known fields there.
 pub struct DenseSprings {
     tangents: Tangents,
     /// Compliance at rest.

@@ -1,4 +1,4 @@
-//! The best admissible pressure met so far, which is what a solver that has to give up returns.
+//! The best admissible pressure met so far, which a solver that has to give up returns.
 
 use crate::solver::gradient::state::State;
 use crate::vector::update;
@@ -20,7 +20,7 @@ impl Best {
         }
     }
 
-    /// Forgets what it kept.
+    /// Forgets the kept pressure.
     pub fn restart(&mut self) {
         self.residual = f64::INFINITY;
     }

@@ -92,7 +92,7 @@ impl Workspace {
 pub struct Judgement {
     /// The largest line of the certificate.
     pub residual: f64,
-    /// That of the linear problem, which differs where springs that are not linear have been straightened.
+    /// The same for the linear problem, which differs where springs that are not linear have been straightened.
     pub linear: f64,
     /// Whether no element pulls.
     pub is_admissible: bool,
@@ -130,7 +130,7 @@ impl<'a> OngoingSolution<'a> {
         let knows_contact = start.iter().any(|p| *p > 0.0);
         let begins_with_newton = knows_contact && workspace.preconditioner.is_for_newton();
         if begins_with_newton {
-            // What overlaps beside the start is as uncertain as its pressures.
+            // Overlaps beside the start are as uncertain as its pressures.
             workspace.set.keep_pressing(&workspace.state);
         }
         Self {

@@ -8,7 +8,7 @@
 //!   stiff that the contact breaks up into rings and edges ([`STIFF`]), or into the summits of a rough surface
 //!   ([`STIFF_IF_ROUGH`]). Its neighbours grow with the stiffness and the grid ([`neighbours`]).
 //! - Where a rough surface has springs that its shortest waves feel, the filter up to a stiffer coat
-//!   ([`STIFF_IF_SPRINGY`]): it knows even springs exactly, and the factor is worse with them than without.
+//!   ([`STIFF_IF_SPRINGY`]): it knows uniform springs exactly, and the factor is worse with them than without.
 //! - The factor too where springs stiffen, by orders of magnitude from the edge of the contact to its middle: under the
 //!   load of the paper's Fig. 5 the filter takes three times the products, in the same time.
 //! - The factor among the [candidates](crate::grid::candidates) of a dilute contact, where an FFT on the whole grid
@@ -72,21 +72,21 @@ const NEIGHBOURS_OF_CANDIDATE: usize = 30;
 /// Sides below which no spectrum tells stiff from soft.
 const SMALLEST_SPECTRUM: usize = 8;
 
-/// An approximate inverse and its answer to an even residual.
+/// An approximate inverse and its answer to a uniform residual.
 pub struct Preconditioner {
     inverse: Inverse,
     /// Factor from the units of the problem's scale to those of the inverse, whose answer is in the former again.
     unit: f64,
     /// The inverse that every load begins with, if this one has turned to another.
     usual: Option<Inverse>,
-    even: Even,
+    uniform: UniformAnswer,
     /// The revision of the set that it is adapted to.
     adapted_to: Option<u64>,
     /// Neighbours of a tile or candidate, should it be the sparse factor.
     neighbours: usize,
     /// Whether the coat is so stiff that Newton's method comes first.
     is_for_newton: bool,
-    /// What Newton's method learned on earlier sets.
+    /// Secant pairs of Newton's method on earlier sets.
     secants: Secants,
 }
 
@@ -101,7 +101,7 @@ enum Inverse {
 
 /// `w = M⁻¹_I 1`, cut to the sets met since it was made: that spares an application of the inverse for each and costs
 /// no product, as long as few elements change.
-struct Even {
+struct UniformAnswer {
     values: Vec<f64>,
     total: f64,
     /// The total on the set that it was made for.
@@ -139,7 +139,7 @@ impl Preconditioner {
             inverse,
             unit,
             usual: None,
-            even: Even {
+            uniform: UniformAnswer {
                 values: vec![0.0; problem.elements()],
                 total: 0.0,
                 exact_total: 0.0,
@@ -204,14 +204,14 @@ impl Preconditioner {
     pub fn restart(&mut self) {
         self.adapted_to = None;
         self.secants.clear();
-        self.forget_even();
+        self.forget_uniform();
     }
 
-    /// Forgets the answer to an even residual: many elements change at once.
-    pub fn forget_even(&mut self) {
-        if self.even.exact_total != 0.0 {
-            self.even.values.fill(0.0);
-            self.even.total = 0.0;
+    /// Forgets the answer to a uniform residual: many elements change at once.
+    pub fn forget_uniform(&mut self) {
+        if self.uniform.exact_total != 0.0 {
+            self.uniform.values.fill(0.0);
+            self.uniform.total = 0.0;
         }
     }
 
@@ -248,19 +248,19 @@ impl Preconditioner {
         }
         self.secants.follow(set);
         self.adapted_to = Some(set.revision());
-        set.clear_outside(&mut self.even.values);
-        self.even.total = sum(&self.even.values);
+        set.clear_outside(&mut self.uniform.values);
+        self.uniform.total = sum(&self.uniform.values);
     }
 
     fn refresh(&mut self, problem: &DiscreteProblem, set: &WorkingSet) {
         self.follow(problem, set);
-        let most_is_there = self.even.total > (self.even.exact_total / 2.0).max(0.0);
+        let most_is_there = self.uniform.total > (self.uniform.exact_total / 2.0).max(0.0);
         if !most_is_there {
-            let mut values = std::mem::take(&mut self.even.values);
+            let mut values = std::mem::take(&mut self.uniform.values);
             values.fill(1.0);
             self.apply(set, &mut values);
             let total = sum(&values);
-            self.even = Even {
+            self.uniform = UniformAnswer {
                 values,
                 total,
                 exact_total: total,
@@ -298,14 +298,14 @@ impl Preconditioner {
         if !state.keeps_total() {
             return state.penetration;
         }
-        let shift = sum(z) / self.even.total;
-        update(z, &self.even.values, |z, w| *z -= shift * w);
+        let shift = sum(z) / self.uniform.total;
+        update(z, &self.uniform.values, |z, w| *z -= shift * w);
         state.penetration - shift
     }
 
     /// `w = M⁻¹_I 1` as the last direction took it.
-    pub fn even(&self) -> &[f64] {
-        &self.even.values
+    pub fn uniform(&self) -> &[f64] {
+        &self.uniform.values
     }
 }
 

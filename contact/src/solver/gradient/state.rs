@@ -1,4 +1,4 @@
-//! The state of the iteration: a pressure, what it deforms, and how far it is from a solution.
+//! The state of the iteration: a pressure, its displacement, and its distance from a solution.
 //!
 //! Every step keeps the total of the pressure, once there is one. Under a prescribed total `D` follows, as
 //! `Σ p v / Σ p`. Under a prescribed penetration the whole pressure is scaled after each step until that mean is `D`,
@@ -8,7 +8,7 @@
 //! p ← c p,    v ← g0 + c (v − g0),    c = p·(D − g0) / p·(v − g0)
 //! ```
 //!
-//! So both kinds of load take the same steps. A residual that is even over the contact, which preconditioners answer
+//! So both kinds of load take the same steps. A residual uniform over the contact, which preconditioners answer
 //! worst, never comes up.
 
 use crate::solver::gradient::control::Control;
@@ -294,7 +294,7 @@ impl State {
             .into_iter()
             .fold(ResidualExtremes::default(), ResidualExtremes::and);
         let length = lines.largest.max(lines.overlap);
-        // `max` drops what is no number, but in a sum it stays.
+        // `max` drops a NaN, but in a sum it stays.
         let is_number = (lines.sum + penetration).is_finite();
         let residual = if !is_number {
             f64::INFINITY

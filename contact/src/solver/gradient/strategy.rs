@@ -20,7 +20,7 @@ pub enum Phase {
     Descent,
 }
 
-/// The phase and what it has gained.
+/// The phase and its gain so far.
 pub struct Strategy {
     phase: Phase,
     /// The residual that is to be halved next.
@@ -53,7 +53,7 @@ impl Strategy {
         self.phase == Phase::Fast && stalled && self.enter(Phase::Newton(0))
     }
 
-    /// Notes what a step of Newton's method did; true if the phase changes.
+    /// Notes the outcome of a step of Newton's method; true if the phase changes.
     pub fn after_newton(&mut self, residual: f64, turn: Turn) -> bool {
         match (turn, self.phase) {
             (Turn::Inner, _) => false,

@@ -208,7 +208,7 @@ fn under_a_penetration_a_pressure_is_scaled_to_the_least_energy() {
     let mut image = [0.0; ELEMENTS];
     state.image_into(&mut problem, &direction, &mut image);
     assert!(dot(&state.pressure, &image).abs() < 1e-12 * dot(&direction, &image));
-    // A step counts what the pressure grows by after it.
+    // A step counts the growth of the pressure after it.
     let mut segment = Segment::new(ELEMENTS);
     segment.clip(&state, 1e-5, &direction);
     let before = [state.pressure.clone(), state.v.clone()];

@@ -244,7 +244,7 @@ mod tests {
             .collect();
         let (mut state, mut set) = begun(&mut problem, control, &pressure);
         set.keep_pressing(&state);
-        // Element 20 belongs by what is asked, but is none of the set.
+        // Element 20 satisfies the condition, but is not in the set.
         set.keep(&state, |element, p| {
             (element != 4 && p > 0.5) || element == 20
         });

@@ -6,7 +6,7 @@
 //! - nothing is above the limit: that is the least energy with these elements held, and those with a gap are let go;
 //! - something is above that was at the limit before: it is held again, and the problem solved once more;
 //! - something else is above: the pressure goes towards `p*`, cut at the limit, as far as a part of these elements
-//!   come to it, if the energy falls on the whole way there, else as far as the first; what is at the limit is held.
+//!   come to it, if the energy falls on the whole way there, else as far as the first; elements at the limit are held.
 //!
 //! The energy falls from one admissible pressure to the next, so no set is let go twice. It is convex, so it falls on
 //! the whole way of a step `s` if it falls at the end, `s·∂E ≤ 0`, whatever the law of the springs.
@@ -106,7 +106,7 @@ impl Descent {
             each(from, |value| *value *= 1.0 - part);
             add_scaled(from, part, to);
         }
-        // What comes to the limit is at it, whatever is rounded.
+        // A pressure within rounding of the limit is set to it.
         each(&mut self.pressure, |p| {
             if *p >= limit * (1.0 - ROUNDING) {
                 *p = limit;

@@ -1,4 +1,4 @@
-//! What the exchanges ask of a solver.
+//! The interface of a solver without a limit, as the exchanges use it.
 
 use crate::{
     ContactError, DiscreteProblem, Iterate, Load, SolverOptions,

@@ -1,4 +1,4 @@
-//! What strengths ask for, and the loads at which they are reached.
+//! The stress that each strength is compared with, and the loads at which it is reached.
 
 use std::sync::Arc;
 

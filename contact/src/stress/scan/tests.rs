@@ -86,7 +86,7 @@ fn field() -> StressField {
 fn planes_under_blocks_have_the_stresses_of_the_field_at_the_middles_of_blocks() {
     let (field, depth) = (field(), Depth::below(0.2));
     for elements in [1, 2] {
-        let mut blocks = Blocks::new(&field, elements, 0.2);
+        let mut blocks = BlockPlanes::new(&field, elements, 0.2);
         let states = blocks.states_on(depth).unwrap();
         let place = |k: usize| [k / blocks.shown, k % blocks.shown];
         let point =
@@ -113,7 +113,7 @@ fn planes_under_blocks_have_the_stresses_of_the_field_at_the_middles_of_blocks()
 
 #[test]
 fn peaks_of_a_plane_are_the_values_near_the_largest_with_no_larger_neighbour() {
-    let blocks = Blocks::new(&field(), 1, 0.2);
+    let blocks = BlockPlanes::new(&field(), 1, 0.2);
     let mut states = vec![SubsurfaceState::default(); blocks.shown.pow(2)];
     let last = blocks.shown - 1;
     for (i, j, stress) in [

@@ -38,7 +38,7 @@ pub struct AliasSum {
 }
 
 /// The same for waves of one α.
-pub struct AliasRow([f64; NODES]);
+pub struct AliasSumRow([f64; NODES]);
 
 impl AliasSum {
     /// For elements of half side `a`.
@@ -63,9 +63,9 @@ impl AliasSum {
     }
 
     /// The polynomial in β² at this α.
-    pub fn along(&self, alpha: f64) -> AliasRow {
+    pub fn along(&self, alpha: f64) -> AliasSumRow {
         let weights = weights(alpha);
-        AliasRow(std::array::from_fn(|j| {
+        AliasSumRow(std::array::from_fn(|j| {
             (weights.iter().zip(&self.values))
                 .map(|(weight, row)| weight * row[j])
                 .sum()
@@ -73,7 +73,7 @@ impl AliasSum {
     }
 }
 
-impl AliasRow {
+impl AliasSumRow {
     /// The sum at this β, in m/Pa.
     pub fn at(&self, beta: f64) -> f64 {
         let terms = weights(beta).into_iter().zip(&self.0);
@@ -85,7 +85,7 @@ impl AliasRow {
 static HOMOGENEOUS: LazyLock<[[f64; NODES]; NODES]> =
     LazyLock::new(|| wave_nodes().map(|x| wave_nodes().map(|y| sum([x, y], f64::recip))));
 
-/// What the layers below the surface add.
+/// The layers' correction to the sums on a homogeneous body.
 struct LayeredPart<'a> {
     bodies: &'a ElasticBodies,
     half_side: f64,

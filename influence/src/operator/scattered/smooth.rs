@@ -101,7 +101,7 @@ impl<'a> Smooth<'a> {
         })
     }
 
-    /// What it lacks of the coefficients.
+    /// The near part: coefficients minus polynomial at the offsets within the radius.
     pub fn near(&self) -> Vec<f64> {
         let mut near = vec![0.0; RADIUS * NEAR_WIDTH];
         for (m, row) in near.chunks_exact_mut(NEAR_WIDTH).enumerate() {

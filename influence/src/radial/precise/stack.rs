@@ -71,7 +71,7 @@ impl Decay {
     }
 }
 
-/// One layer and what it stands on.
+/// One layer and its support.
 struct LayerStep {
     /// Thickness over the total thickness.
     thickness: Twofold,

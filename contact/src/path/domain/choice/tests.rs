@@ -1,4 +1,4 @@
-//! Squares tried and chosen, and what a coarse grid tells of them.
+//! Squares tried and chosen, and their verdicts from a coarse grid.
 
 use std::sync::Arc;
 

@@ -197,8 +197,8 @@ fn stencil(field: &[f64], width: usize, coefficients: &Answers) -> f64 {
     sum
 }
 
-/// Where the band's elements lie, on the grid and in the field that its stencil is laid over, which has the elements
-/// beyond a sector's axes besides.
+/// Where the band's elements lie, on the grid and in the field that its stencil is laid over, which also has the
+/// elements beyond a sector's axes.
 #[derive(Clone, Copy)]
 struct Layout {
     /// Rows, and elements of each.
@@ -244,7 +244,7 @@ impl Layout {
     fn band_in_row(self, i: usize, mask: &[bool], near: &mut [bool]) -> Vec<usize> {
         let [_, size] = self.lengths;
         near.fill(false);
-        // What lies beyond an axis is mirrored by what lies on this side, and nearer.
+        // Elements beyond an axis are images of elements on this side, which lie nearer.
         let first = i.saturating_sub(WIDTH);
         for row in mask[first * size..(i + WIDTH + 1) * size].chunks_exact(size) {
             let near = near[WIDTH..].iter_mut();
@@ -291,7 +291,7 @@ mod tests {
         island([0.0, 7.0], 5.2) || island([17.0, 2.0], 3.4) || island([24.0, 25.0], 10.3)
     }
 
-    /// The set of what is inside, moved by some columns.
+    /// The set of the inner elements, moved by some columns.
     fn set(moved: usize) -> WorkingSet {
         let presses = |e: usize| f64::from(u8::from(inside([e / SIZE, e % SIZE + moved])));
         let pressure: Vec<f64> = (0..SIZE * SIZE).map(presses).collect();
@@ -336,7 +336,7 @@ mod tests {
             band.balance(&answer, &mut again);
             assert!(written == again, "{sector:?}");
             let mirrored = |k: i64| usize::try_from(if k < 0 { -1 - k } else { k }).unwrap();
-            // All of the band, and what lies next to an axis.
+            // All of the band, and the elements next to an axis.
             let (mut missed, mut whole) = ([0.0; 2], [0.0; 2]);
             for e in 0..SIZE * SIZE {
                 let place = [e / SIZE, e % SIZE];

@@ -7,7 +7,7 @@
 //!
 //! With `X` for the inverse of `F_EE` that the band stands for, the answer to `r` is `F_II − F_IE X F_EI`. Where a coat
 //! is stiff, near coefficients of `F` all but cancel, as those of a plate do, and an `X` a tenth wrong makes that
-//! negative for even residuals. There the band answers a second time, what the first has left:
+//! negative for uniform residuals. There the band answers a second time, to what the first has left:
 //!
 //! ```text
 //! M⁻¹ = (1 − F_IE X) F (1 − X F_EI),

@@ -33,7 +33,7 @@ use pellicle_influence::{Sector, SurfaceElasticity};
 use rayon::prelude::*;
 
 use self::{
-    blocks::{Blocks, Product},
+    blocks::{FactorBlocks, Product},
     direct::DirectFactor,
     local_system::{LocalSystem, NearCoefficients, class},
     order::{COLOURS, TILE, colour, earlier_offsets, own_offsets},
@@ -71,7 +71,7 @@ pub struct SparseFactor {
     classes: Vec<u16>,
     /// The block of each pattern met so far.
     known: HashMap<Pattern, u32>,
-    blocks: Blocks,
+    blocks: FactorBlocks,
     /// Coefficients between elements of each level.
     near: Vec<NearCoefficients>,
     /// Compliance `η` of the relief (m/Pa).
@@ -124,7 +124,7 @@ impl SparseFactor {
             compliance: relief_compliance.to_vec(),
             direct: None,
             known: HashMap::new(),
-            blocks: Blocks::default(),
+            blocks: FactorBlocks::default(),
             near: (0..=top)
                 .map(|level| NearCoefficients::of(&elasticity, level))
                 .collect(),
@@ -153,7 +153,7 @@ impl SparseFactor {
         }
         if self.blocks.entries() > MOST_ENTRIES {
             self.known.clear();
-            self.blocks = Blocks::default();
+            self.blocks = FactorBlocks::default();
         }
         let found: Vec<(Tile, Option<Pattern>)> = (0..=self.top)
             .flat_map(|level| self.look_up(level, set.mask()))
@@ -171,8 +171,8 @@ impl SparseFactor {
             self.tiles.push(tile);
         }
         let fresh = fresh.par_iter().with_min_len(8);
-        let blocks: Vec<Blocks> = fresh
-            .fold(Blocks::default, |mut blocks, pattern| {
+        let blocks: Vec<FactorBlocks> = fresh
+            .fold(FactorBlocks::default, |mut blocks, pattern| {
                 self.compute(pattern, &mut blocks);
                 blocks
             })
@@ -273,7 +273,7 @@ impl SparseFactor {
     }
 
     /// Computes the block of a pattern.
-    fn compute(&self, pattern: &Pattern, blocks: &mut Blocks) {
+    fn compute(&self, pattern: &Pattern, blocks: &mut FactorBlocks) {
         let (level, colour) = (pattern[0] / COLOURS, pattern[0] % COLOURS);
         let (own, neighbours) = pattern[HEAD..].split_at(pattern[HEAD - 1] as usize);
         let place = |offsets: &[[i32; 2]], entry: &u32| offsets[(entry >> 16) as usize];

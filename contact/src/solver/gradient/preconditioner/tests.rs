@@ -1,4 +1,4 @@
-//! What the choice of a preconditioner goes by, and how near it comes to the inverse.
+//! The criteria that choose a preconditioner, and its distance from the inverse.
 
 use std::{f64::consts::TAU, sync::Arc};
 

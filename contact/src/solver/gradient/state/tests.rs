@@ -1,4 +1,4 @@
-//! What a state keeps of its pressure, and how far it is from a solution.
+//! Scale and total of a state's pressure, and its distance from a solution.
 
 use super::*;
 use crate::{

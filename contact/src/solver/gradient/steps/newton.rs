@@ -67,8 +67,8 @@ impl Newton {
     /// product, or one where elements pull.
     pub fn step(&mut self, context: &mut Context<'_>, tolerance: f64) -> Turn {
         if self.first.is_none() {
-            // Many elements change at once: an even answer cut to what is left would cost every sixth product more.
-            context.preconditioner.forget_even();
+            // Many elements change at once: the uniform answer cut to what is left would cost a sixth more products.
+            context.preconditioner.forget_uniform();
             self.conjugate.restart();
             context.set.look_away();
             self.steps = 0;

@@ -51,7 +51,7 @@ impl SpectralSteps {
         self.remember_energy(context.state.energy());
         std::mem::swap(&mut self.direction, &mut self.direction_before);
         let level = context.direction_into(&mut self.direction);
-        let alpha = self.alpha(level, context.preconditioner.even(), context.segment);
+        let alpha = self.alpha(level, context.preconditioner.uniform(), context.segment);
         self.before = Some(level);
         context.segment.clip(context.state, alpha, &self.direction);
         let downhill = context.segment.slope(context.state) < 0.0;
@@ -99,12 +99,12 @@ impl SpectralSteps {
     }
 
     /// `α = s·y / (y·M⁻¹_I y)` within its bounds, from `λ` and `M⁻¹_I 1`; 1 at first.
-    fn alpha(&self, level: f64, even: &[f64], segment: &Segment) -> f64 {
+    fn alpha(&self, level: f64, uniform: &[f64], segment: &Segment) -> f64 {
         let Some(before) = self.before else {
             return 1.0;
         };
         let y = &segment.image;
-        let metric = (level - before) * dot(y, even) + dot(y, &self.direction_before)
+        let metric = (level - before) * dot(y, uniform) + dot(y, &self.direction_before)
             - dot(y, &self.direction);
         let alpha = segment.curvature() / metric;
         if alpha > 0.0 && alpha.is_finite() {

@@ -23,7 +23,7 @@ const SMALLEST_GAIN_OF_FIELD: f64 = 1e-20;
 /// Steps after which the stiffness is held not to be found.
 const MOST_STEPS: usize = 300;
 
-/// What is wanted of `q`.
+/// The quantity to compute from `q`, with its accuracy.
 pub enum Wanted<'a> {
     /// Its sum, to some 1e-7 of itself.
     Sum,

@@ -15,7 +15,7 @@ pub type Product = [[f64; LANES]; MOST_LANES];
 
 /// Blocks of `G`, one after the other.
 #[derive(Default)]
-pub struct Blocks {
+pub struct FactorBlocks {
     heads: Vec<BlockHead>,
     /// Of each unknown of each block: its distance in the field's index from the tile's first place.
     distances: Vec<i32>,
@@ -41,7 +41,7 @@ pub struct Block<'a> {
     entries: &'a [Lane],
 }
 
-impl Blocks {
+impl FactorBlocks {
     /// Number of blocks.
     pub fn len(&self) -> usize {
         self.heads.len()
@@ -168,7 +168,7 @@ mod tests {
 
     #[test]
     fn a_block_has_as_many_numbers_as_fill_its_lanes() {
-        let mut blocks = Blocks::default();
+        let mut blocks = FactorBlocks::default();
         for (own, entries) in [(1, 5 * 4), (4, 5 * 4), (5, 5 * 8), (9, 5 * 12)] {
             let before = (blocks.len(), blocks.entries());
             blocks.push(0..5, &Mat::zeros(5, own));
@@ -183,7 +183,7 @@ mod tests {
     fn blocks_of_every_width_multiply_as_their_columns_do() {
         let distances = [-3, 0, 2, 7, 8, 11, 12, 15, 16, 20, 21, 25, 30, 31];
         let field: Vec<f64> = (0..64).map(|i| f64::from(i * i % 17) - 8.0).collect();
-        let mut blocks = Blocks::default();
+        let mut blocks = FactorBlocks::default();
         let columns = [1, 4, 5, 8, 9, 12].map(|own| {
             // Quarters, which single precision has exactly.
             Mat::from_fn(distances.len(), own, |a, b| {
@@ -192,7 +192,7 @@ mod tests {
         });
         for (number, columns) in columns.iter().enumerate() {
             // Every other one comes from another part of the work.
-            let mut others = Blocks::default();
+            let mut others = FactorBlocks::default();
             let part = if number % 2 == 0 {
                 &mut blocks
             } else {

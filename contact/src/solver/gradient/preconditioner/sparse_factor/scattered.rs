@@ -76,7 +76,7 @@ impl ScatteredFactor {
         self.rows.fill_with(Row::default);
     }
 
-    /// Computes the rows of those elements of the set whose neighbours are not what they were.
+    /// Computes the rows of those elements of the set whose neighbours have changed.
     pub fn update(&mut self, set: &WorkingSet) {
         let mut rows = std::mem::take(&mut self.rows);
         let parts = rows.par_chunks_mut(PART).enumerate();

@@ -83,7 +83,7 @@ fn error(factor: &mut ScatteredFactor, set: &WorkingSet, eta: &[f64]) -> f64 {
         .map(|(p, member)| if *member { p } else { 0.0 });
     let pressure: Vec<f64> = pressure.collect();
     let mut field = deformed(&candidates, set, eta, &pressure);
-    // What stands outside the set must not count.
+    // Values outside the set must not count.
     for (value, member) in field.iter_mut().zip(set.mask()) {
         *value = if *member { *value } else { 7.0 };
     }

@@ -38,11 +38,11 @@ fn field(values: &[f64]) -> Vec<f64> {
 }
 
 /// The exchanges of a load from a pressure that begins with these values.
-fn begun(problem: &mut DiscreteProblem, load: Load, start: &[f64]) -> Exchange {
-    Exchange::start(problem, load, &field(start), 1e-8)
+fn begun(problem: &mut DiscreteProblem, load: Load, start: &[f64]) -> LimitExchange {
+    LimitExchange::start(problem, load, &field(start), 1e-8)
 }
 
-fn held(exchange: &Exchange) -> Vec<usize> {
+fn held(exchange: &LimitExchange) -> Vec<usize> {
     let held = exchange.held.mask.iter().enumerate();
     held.filter_map(|(e, held)| held.then_some(e)).collect()
 }
@@ -57,7 +57,7 @@ fn of_a_start_what_is_near_the_limit_is_held_and_the_rest_is_free() {
     assert_eq!(exchange.total.operator_applications, 0);
     // Far from a solution nothing is solved to the last digit, and never closer than asked for.
     assert_eq!(exchange.accuracy, COARSEST);
-    let coarse = Exchange::start(&mut problem, Load::Penetration(1.0), &field(&[]), 0.05);
+    let coarse = LimitExchange::start(&mut problem, Load::Penetration(1.0), &field(&[]), 0.05);
     assert_eq!(coarse.accuracy, 0.05);
 }
 
@@ -92,7 +92,7 @@ fn what_is_held_presses_once_and_leaves_the_rest_of_the_force_and_of_the_work() 
     let gaps = &exchange.held.gap;
     assert!(gaps[..2].iter().all(|gap| *gap == f64::INFINITY));
     assert!(gaps[2..].iter().all(|gap| *gap == sunk));
-    // K p of the whole pressure: a product, where that of what is free is not known.
+    // K p of the whole pressure: a product, where that of the free part is not known.
     let all = exchange.displacement(&mut problem, None);
     assert!(all.iter().all(|u| *u == sunk + SINKING));
     assert_eq!(exchange.total.operator_applications, 2);

@@ -9,13 +9,13 @@ use crate::{
 
 /// Largest residual to which a problem between exchanges is solved.
 const COARSEST: f64 = 1e-2;
-/// Residual of the next problem, as a part of what the last exchange was wrong by.
+/// Residual of the next problem, as a part of the last exchange's error.
 const REFINEMENT: f64 = 0.03;
 /// The next residual, as a part of the last, where a problem of the descent leaves nothing on the wrong side.
 const CLOSER_IN_DESCENT: f64 = 0.1;
 /// Gap of a held element that does not count, as a part of the residual solved to.
 const SLACK: f64 = 0.5;
-/// Exchanges without a halving of what they are wrong by after which they give way to the descent.
+/// Exchanges without a halving of their error after which they give way to the descent.
 const PATIENCE: usize = 4;
 /// Part of the limit from which on an element of a start is held.
 const NEAR: f64 = 0.95;
@@ -27,8 +27,8 @@ const ROUNDING: f64 = 1e-13;
 /// was held and let go by turns.
 const ABOVE: f64 = 1e-13;
 
-/// Which elements are held, and the pressure of the others.
-pub struct Exchange {
+/// The elements held at the limit, and the pressure of the others.
+pub struct LimitExchange {
     held: HeldPressure,
     /// Whether `held` is pressed as it stands.
     is_pressed: bool,
@@ -40,7 +40,7 @@ pub struct Exchange {
     pub total: Iterate,
     /// Whether elements have been let go.
     has_let_go: bool,
-    /// What is to be halved next of what an exchange is wrong by, and the exchanges since.
+    /// The error of an exchange that must next be halved, and the exchanges since.
     milestone: f64,
     since: usize,
     descent: Option<Descent>,
@@ -57,7 +57,7 @@ struct Wrong {
     by: f64,
 }
 
-impl Exchange {
+impl LimitExchange {
     /// Starts from the elements near the limit of a pressure, of a prescribed force those that overlap most: one
     /// product where there are any.
     pub fn start(problem: &mut DiscreteProblem, load: Load, start: &[f64], tolerance: f64) -> Self {
@@ -222,7 +222,7 @@ impl Exchange {
         self.since >= PATIENCE
     }
 
-    /// Holds what is at the limit of the pressure descended to, and goes on from there.
+    /// Holds the elements at the limit of the pressure descended to, and goes on from there.
     fn hold_descended(&mut self, limit: f64) {
         let Some(descent) = &self.descent else {
             return;
@@ -234,7 +234,7 @@ impl Exchange {
         self.held.take_from(&mut self.free);
     }
 
-    /// Holds what is above the limit and lets go what has a gap.
+    /// Holds the elements above the limit and releases those with a gap.
     fn exchange(&mut self, limit: f64, wrong: &Wrong, v: &[f64]) {
         let next = self.next(limit, &wrong.above, v);
         self.let_go(limit, &wrong.open);
@@ -365,7 +365,7 @@ impl Exchange {
         pressure
     }
 
-    /// What the exchanges end with: nowhere above the limit.
+    /// The result of the exchanges, with no pressure above the limit.
     pub fn into_iterate(self, limit: f64) -> Iterate {
         let mut pressure = self.pressure(limit);
         pressure.iter_mut().for_each(|p| *p = p.min(limit));

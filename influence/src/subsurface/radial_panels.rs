@@ -1,10 +1,9 @@
 //! Functions of the radius as polynomials in r² on panels.
 //!
-//! What waves decay with the depth as `e^{−kz}` gives functions of r² that are analytic but for `r² = −z²` and beyond.
-//! In
-//! `w = r² + z²`, on panels from w to 9/8 w, the end of which lies 17 half widths from that point at most, polynomials
-//! of degree 9 leave some 1e-13 of the functions. Eight panels fill one power of two, so that the leading bits of w are
-//! the number of its panel.
+//! Waves that decay with the depth as `e^{−kz}` give functions of r² that are analytic but for `r² = −z²` and beyond.
+//! In `w = r² + z²`, on panels from w to 9/8 w, the end of which lies 17 half widths from that point at most,
+//! polynomials of degree 9 leave some 1e-13 of the functions. Eight panels fill one power of two, so that the leading
+//! bits of w are the number of its panel.
 
 use crate::numerics::chebyshev::{ChebyshevTransform, nodes, taylor_weight};
 
@@ -17,7 +16,7 @@ const SHIFT: u32 = 52 - 3;
 /// Panels in one power of two.
 const PER_OCTAVE: f64 = 8.0;
 
-/// Which radii panels cover, all lengths in sides of an element.
+/// The radii that panels cover, all lengths in sides of an element.
 #[derive(Clone, Copy, Debug)]
 pub struct Layout {
     /// Depth with which the waves decay.
@@ -79,14 +78,14 @@ fn beginning(panel: u64) -> f64 {
 
 /// `F` functions of the radius.
 #[derive(Clone, Debug)]
-pub struct Panels<const F: usize> {
+pub struct RadialPanels<const F: usize> {
     reach_square: f64,
     per_lowest: f64,
     /// Of each panel, from the highest power of the place in it on.
     powers: Vec<[[f64; F]; TERMS]>,
 }
 
-impl<const F: usize> Panels<F> {
+impl<const F: usize> RadialPanels<F> {
     /// The polynomials through the values of the functions at the layout's radii.
     pub fn new(layout: &Layout, function: impl Fn(f64) -> [f64; F]) -> Self {
         let transform = ChebyshevTransform::new(TERMS, TERMS);
@@ -137,7 +136,7 @@ impl<const F: usize> Panels<F> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Layout, Panels};
+    use super::{Layout, RadialPanels};
 
     #[test]
     fn functions_of_point_loads_are_met_to_thirteen_digits() {
@@ -152,7 +151,7 @@ mod tests {
                 let rho = r.hypot(reach.max(1e-9));
                 [1.0 / rho, rho.powi(-5), rho.powi(-7)]
             };
-            let panels = Panels::new(&layout, function);
+            let panels = RadialPanels::new(&layout, function);
             for i in 0..=1000 {
                 let r = ends[0] + (ends[1] - ends[0]) * f64::from(i).powi(3) / 1e9;
                 let (found, expected) = (panels.at(r * r), function(r));

@@ -13,13 +13,13 @@ const SMALLEST: f64 = 0.01;
 const FARTHEST: f64 = 1.0;
 
 /// The stresses around a centre.
-pub struct Around {
+pub struct Neighbourhood {
     depths: Vec<f64>,
     /// At each depth, row after row.
     states: Vec<[SubsurfaceState; CENTRES]>,
 }
 
-impl Around {
+impl Neighbourhood {
     /// Room for the stresses at one depth or at three, evenly apart.
     pub fn new(depths: Vec<f64>) -> Self {
         Self {
@@ -191,10 +191,10 @@ mod tests {
     }
 
     /// The stresses `σ_zz` around a centre at some depths.
-    fn around(depths: &[f64], stress: impl Fn([f64; 3]) -> f64) -> Around {
-        let mut around = Around::new(depths.to_vec());
+    fn around(depths: &[f64], stress: impl Fn([f64; 3]) -> f64) -> Neighbourhood {
+        let mut around = Neighbourhood::new(depths.to_vec());
         for z in depths {
-            let states = Around::places([0, 0]).map(|[i, j]| {
+            let states = Neighbourhood::places([0, 0]).map(|[i, j]| {
                 let mut state = SubsurfaceState::default();
                 state.stress[2] = stress([i as f64, j as f64, *z]);
                 state
@@ -238,7 +238,7 @@ mod tests {
 
     #[test]
     fn the_centres_around_one_are_those_of_a_square_row_after_row() {
-        let places = Around::places([3, -1]);
+        let places = Neighbourhood::places([3, -1]);
         assert_eq!(
             [places[0], places[1], places[12], places[24]],
             [[1, -3], [1, -2], [3, -1], [5, 1]]

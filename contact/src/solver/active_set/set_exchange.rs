@@ -1,4 +1,4 @@
-//! Which elements to hold in contact next.
+//! The choice of the elements to hold in contact next.
 
 use super::dense_system::{DenseSystem, SetSolution};
 use crate::Load;
@@ -7,7 +7,7 @@ use crate::Load;
 const GRACE: usize = 6;
 
 /// The working set and the memory that keeps it from cycling.
-pub struct Exchange {
+pub struct SetExchange {
     members: Vec<usize>,
     fewest_infeasible: usize,
     grace: usize,
@@ -15,7 +15,7 @@ pub struct Exchange {
     descent: Option<Vec<f64>>,
 }
 
-impl Exchange {
+impl SetExchange {
     /// Starts from the elements with pressure; from a cold start, as the paper does, from all that can touch.
     pub fn start(system: &DenseSystem, start: &[f64]) -> Self {
         let can_touch = |e: &usize| match system.load() {
@@ -124,7 +124,7 @@ fn admissible(system: &DenseSystem, pressure: &[f64]) -> Vec<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::{DenseSystem, Exchange};
+    use super::{DenseSystem, SetExchange};
     use crate::{
         Load,
         solver::tests::{RIGID, paraboloid, pillars, problem},
@@ -132,7 +132,7 @@ mod tests {
 
     /// The pressure at the end, and the exchanges it took.
     fn run(system: &DenseSystem, start: &[f64], next: Next) -> (Vec<f64>, usize) {
-        let mut exchange = Exchange::start(system, start);
+        let mut exchange = SetExchange::start(system, start);
         for exchanges in 0.. {
             let trial = system.solve_on(exchange.members()).unwrap();
             if trial.infeasible.is_empty() {
@@ -144,7 +144,7 @@ mod tests {
         unreachable!("the loop ends by itself")
     }
 
-    type Next = fn(&mut Exchange, &DenseSystem, &super::SetSolution);
+    type Next = fn(&mut SetExchange, &DenseSystem, &super::SetSolution);
 
     #[test]
     fn the_gap_of_a_set_on_springs_is_that_of_one_product_and_closed_where_it_presses() {
@@ -188,8 +188,8 @@ mod tests {
             let system = DenseSystem::new(&mut problem, load);
             let mut start = vec![0.0; system.elements()];
             start[500..520].fill(1.0);
-            let (wanted, exchanges) = run(&system, &start, Exchange::advance);
-            let (found, steps) = run(&system, &start, Exchange::descend);
+            let (wanted, exchanges) = run(&system, &start, SetExchange::advance);
+            let (found, steps) = run(&system, &start, SetExchange::descend);
             assert!(exchanges < steps, "{exchanges} {steps}");
             let peak = wanted.iter().copied().fold(0.0, f64::max);
             for (found, wanted) in found.iter().zip(&wanted) {
@@ -205,7 +205,7 @@ mod tests {
         let area = problem.loaded_area();
         let by_force = DenseSystem::new(&mut problem, Load::Force(1e-3));
         assert_eq!(by_force.total(), Some(1e-3 / area));
-        let (pressure, _) = run(&by_force, &[0.0; 1024], Exchange::advance);
+        let (pressure, _) = run(&by_force, &[0.0; 1024], SetExchange::advance);
         let members: Vec<usize> = (0..1024).filter(|e| pressure[*e] > 0.0).collect();
         let all: Vec<usize> = (0..1024).collect();
         let residual = |members: &[usize]| by_force.solve_on(members).unwrap().residual();
@@ -231,13 +231,13 @@ mod tests {
         let mut warm = vec![0.0; 1024];
         warm[40] = 1.0;
         let by_force = DenseSystem::new(&mut problem, Load::Force(1e-3));
-        assert_eq!(Exchange::start(&by_force, &warm).members(), [40]);
+        assert_eq!(SetExchange::start(&by_force, &warm).members(), [40]);
         let all: Vec<usize> = (0..1024).collect();
-        assert_eq!(Exchange::start(&by_force, &[0.0; 1024]).members(), all);
+        assert_eq!(SetExchange::start(&by_force, &[0.0; 1024]).members(), all);
         // g0 < D = 0.01 within ρ² < 0.02; the element 40 lies outside.
         let by_penetration = DenseSystem::new(&mut problem, Load::Penetration(0.01));
         let gap = by_penetration.initial_gap();
         let near: Vec<usize> = (0..1024).filter(|e| gap[*e] < 0.01).collect();
-        assert_eq!(Exchange::start(&by_penetration, &warm).members(), near);
+        assert_eq!(SetExchange::start(&by_penetration, &warm).members(), near);
     }
 }
