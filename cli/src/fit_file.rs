@@ -1,4 +1,4 @@
-//! The fit file: which measurements, what is sought from them, and what is known besides.
+//! The fit file: the measurements, the unknowns with their priors, and the nuisances.
 
 pub mod model;
 pub mod nuisance;
@@ -33,9 +33,9 @@ pub struct FitFile {
     pub model: FitModel,
     /// The measurements.
     pub data: Vec<DataTable>,
-    /// What is sought.
+    /// The unknowns.
     pub unknowns: Vec<UnknownCase>,
-    /// What acts on the measurements besides.
+    /// Frame, drift and zero of the curves, and numbers of the model that are not known exactly.
     pub nuisances: NuisanceTable,
     /// How the result is told.
     pub report: ReportTable,

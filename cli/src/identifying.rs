@@ -48,7 +48,7 @@ pub fn fit(
     })
 }
 
-/// Judges the design of a file that was begun to be read at `start`; `tell` is told of each curve.
+/// Judges the design of a file whose reading began at `start`; `tell` is called for each curve.
 ///
 /// # Errors
 ///

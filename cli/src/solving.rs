@@ -14,7 +14,7 @@ use crate::output::summary::{Clock, Summary, WarningSummary};
 use crate::sensitivities;
 use crate::stresses::{self, Search, Stresses};
 
-/// What the cases of a process share.
+/// The resources that the cases of a process share.
 #[derive(Debug, Clone, Copy)]
 pub struct Resources<'a> {
     /// The radial tables and coefficients found so far.

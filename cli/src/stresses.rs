@@ -17,7 +17,7 @@ pub struct Stresses {
     pub critical: Option<Vec<CriticalLoad>>,
 }
 
-/// What is looked for, for the user to see.
+/// The search in progress, as the user is shown it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Search {
     /// The extremes of a step, counted from 0, of so many.
@@ -26,8 +26,8 @@ pub enum Search {
     Critical,
 }
 
-/// Finds the stresses of a solved path, unless the case asks for none; `tell` is told what is being looked for, and may
-/// stop it.
+/// Finds the stresses of a solved path, unless the case asks for none; `tell` is called before each search and may
+/// cancel it.
 ///
 /// # Errors
 ///

@@ -1,4 +1,4 @@
-//! What a hardness asks of the other tables.
+//! The check that the other tables of a case go with a hardness.
 
 use super::foundation::FoundationCase;
 use super::load::LoadCase;

@@ -1,4 +1,4 @@
-//! What a periodic cell asks of the other tables.
+//! The check that the other tables of a case go with a periodic cell.
 
 use super::indenter::IndenterCase;
 use super::map::Repetition;

@@ -59,7 +59,7 @@ pub fn solve(arguments: &SolveArguments) -> Result<Outcome, Failure> {
     Ok(outcome)
 }
 
-/// What all lines share.
+/// The data common to all lines.
 struct Stream {
     base: BaseCase,
     cache: Cache,

@@ -31,11 +31,11 @@ pub struct ReportTable {
     pub seed: u64,
     /// Measurements to judge in advance.
     pub design: Design,
-    /// What is done with points at which the model does not hold.
+    /// The treatment of points at which the model does not hold.
     pub outside: OutsidePoints,
 }
 
-/// What is done with points at which the model does not hold.
+/// The treatment of points at which the model does not hold.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum OutsidePoints {
     /// The fit is made without them.

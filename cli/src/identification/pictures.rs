@@ -31,7 +31,7 @@ pub enum FitPicture {
     Corner,
     /// The values of each repeat.
     Repeats,
-    /// What a design would add.
+    /// The expected intervals with one more curve of the design.
     Designs,
 }
 
@@ -89,7 +89,7 @@ pub fn write(
     Ok(drawn.into_iter().flatten().collect())
 }
 
-/// What the pictures are of.
+/// The subject of the pictures: a problem, its fit and the result.
 struct FitSubject<'a> {
     of: &'a Identification,
     fit: &'a Fit,
@@ -179,7 +179,7 @@ impl FitSubject<'_> {
         }
     }
 
-    /// What was measured at what.
+    /// Abscissa and ordinate of the curves, each with a unit that suits its largest value.
     fn quantities(&self, curves: &[FittedCurve]) -> [Quantity; 2] {
         let observable = self.of.model.curves().first().map(|curve| curve.observable);
         let [x, y] = match observable {

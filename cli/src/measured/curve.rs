@@ -19,9 +19,9 @@ pub struct MeasuredCurve {
     pub table_rows: usize,
     /// The row of each point, from 1.
     pub rows: Vec<usize>,
-    /// What was left out.
+    /// The points left out, by reason.
     pub excluded: Vec<Exclusion>,
-    /// What is worth knowing.
+    /// Warnings about the curve.
     pub warnings: Vec<CurveWarning>,
     pub(super) channels: Vec<(Channel, Vec<f64>)>,
 }

@@ -20,7 +20,7 @@ use crate::input::table_reader::TableReader;
 use crate::input::toml_tree::{self, TomlNode, TomlTable, TomlValue};
 use crate::input::value_reader::ValueReader;
 
-/// What is compared with a model.
+/// The observable that is compared with a model.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Observe {
     /// The depth at each force.
@@ -43,7 +43,7 @@ pub struct DataTable {
     pub text: TextOptions,
     /// The part that is used.
     pub segment: Segment,
-    /// What is compared with the model.
+    /// The observable that is compared with the model.
     pub observe: Observe,
     /// The noise.
     pub noise: Noise,

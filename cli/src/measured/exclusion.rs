@@ -49,7 +49,7 @@ pub struct Exclusion {
 pub(super) struct KeptRows {
     /// Rows, from 0.
     pub(super) rows: Vec<usize>,
-    /// What is left out.
+    /// The points left out, by reason.
     pub(super) excluded: Vec<Exclusion>,
 }
 

@@ -1,11 +1,11 @@
-//! The table `noise` of a fit file: what is known of the noise of a measurement.
+//! The table `noise` of a fit file: the noise of a measurement, as far as it is known.
 
 use crate::input::diagnosis::Diagnosis;
 use crate::input::dimension::Dimension;
 use crate::input::table_reader::TableReader;
 use crate::input::value_reader::Sign;
 
-/// What is known of the noise; what is not is estimated.
+/// The noise, as far as it is known; the rest is estimated.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Noise {
     /// Standard deviation of the depth, m.

@@ -18,7 +18,7 @@ pub struct Segment {
     pub to: Option<SegmentEnd>,
     /// Loading, unloading or both.
     pub part: Part,
-    /// What ends it before `to`.
+    /// The event that ends it before `to`.
     pub until: Until,
 }
 
@@ -47,7 +47,7 @@ pub enum Part {
     Whole,
 }
 
-/// What ends a loading.
+/// The event that ends a loading.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Until {
     /// The largest force.

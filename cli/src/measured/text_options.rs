@@ -10,7 +10,7 @@ use crate::input::table_reader::TableReader;
 pub struct TextOptions {
     /// The mark between whole and fraction; a point by default.
     pub decimal: DecimalMark,
-    /// What separates columns; found from the file if not given.
+    /// The separator of columns; found from the file if not given.
     pub separator: Option<Separator>,
     /// The table begins at a line with this text, if given.
     pub skip_until: Option<String>,

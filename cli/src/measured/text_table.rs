@@ -11,7 +11,7 @@ const SHARE_OF_LONGEST: usize = 10;
 /// A table in a text.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TextTable<'t> {
-    /// What separates its columns.
+    /// The separator of its columns.
     pub separator: Separator,
     /// The heads of its columns; empty if there are none.
     pub header: Vec<HeaderField>,
@@ -23,7 +23,7 @@ pub struct TextTable<'t> {
     pub tables: usize,
 }
 
-/// What a line is to a table.
+/// The role of a line in a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Line {
     /// At least two fields are numbers.

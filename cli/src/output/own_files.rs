@@ -1,4 +1,4 @@
-//! The files that a run or a fit writes, told from somebody else's, which are never replaced.
+//! The files that a run or a fit writes, as opposed to somebody else's, which are never replaced.
 
 use std::fs::{self, DirEntry, File};
 use std::io::{self, BufReader};

@@ -37,7 +37,7 @@ pub fn formats(formats: &[Format]) -> Vec<Format> {
     formats.iter().copied().filter(is_one).collect()
 }
 
-/// What is written of the stresses of a step.
+/// The files and pictures wanted of the stresses of a step.
 #[derive(Debug, Clone)]
 struct Wanted {
     step: usize,
@@ -45,7 +45,7 @@ struct Wanted {
     is_pictured: bool,
 }
 
-/// What is written of the steps that have fields or pictures.
+/// The steps that have files or pictures of stresses.
 fn wanted(case: &Case, steps: usize) -> Vec<Wanted> {
     if case.stress.is_none() {
         return Vec::new();

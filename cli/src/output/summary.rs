@@ -80,7 +80,7 @@ pub struct GridSummary {
     /// Side `2a` of an element, m.
     #[serde(deserialize_with = "nan_from_null")]
     pub element_side: f64,
-    /// What lies around the square.
+    /// The boundary condition.
     #[serde(default, skip_serializing_if = "BoundaryCase::is_free")]
     pub boundary: BoundaryCase,
 }
@@ -233,7 +233,7 @@ impl Summary {
         ["surface", "indenter"].map(|table| self.case[table]["file"].is_string())
     }
 
-    /// Whether it tells of rough contact.
+    /// Whether a step has numbers of rough contact.
     #[must_use]
     pub fn has_rough_contact(&self) -> bool {
         self.steps.iter().any(|step| step.rough_contact.is_some())

@@ -109,7 +109,7 @@ fn between(from: f64, to: f64, count: usize) -> Vec<f64> {
         .collect()
 }
 
-/// Blue at −1, white at 0, red at 1: told apart by every kind of eye.
+/// Blue at −1, white at 0, red at 1: distinct to the colour-blind too.
 fn diverging(part: f64) -> Colour {
     let colour = colorous::RED_BLUE.eval_continuous(0.5 - 0.5 * part);
     Colour(colour.r, colour.g, colour.b)

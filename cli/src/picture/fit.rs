@@ -37,6 +37,6 @@ fn colour(i: usize) -> Colour {
 pub struct Head {
     /// The title of the fit.
     pub title: String,
-    /// What became of it, with its numbers.
+    /// Its verdict, with its numbers.
     pub numbers: String,
 }

@@ -100,7 +100,7 @@ fn along_axis(section: &StressSection) -> &'static str {
     }
 }
 
-/// What both panels share.
+/// The data that both panels share.
 struct SectionDrawing<'a> {
     subject: &'a Subject<'a>,
     section: &'a StressSection,

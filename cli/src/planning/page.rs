@@ -29,7 +29,7 @@ pub struct DesignTable {
     pub heads: Vec<String>,
     /// Names of the designs, and a width for each number.
     pub rows: Vec<(String, Vec<String>)>,
-    /// What the best design tells in place of what no data can tell.
+    /// For each number that no data determine, the product of powers that the best design does.
     pub instead: Vec<(String, String)>,
 }
 

@@ -7,7 +7,7 @@ use crate::identification::{names, units};
 use crate::picture::fit::Head;
 use crate::picture::fit::designs::{DesignedUnknown, Designs};
 
-/// What is drawn of designs; `conditions` are the noise and the number of points.
+/// The content of the picture of designs; `conditions` are the noise and the number of points.
 #[must_use]
 pub fn designs(title: &str, level: f64, conditions: &str, all: &[DesignResult]) -> Designs {
     let mut singles: Vec<(&Candidate, &DesignResult)> = all

@@ -1,4 +1,4 @@
-//! What a plan takes for true: the values of the model, or those of a fit; its noise, and the indenters.
+//! The premises of a plan: the values of the model or of a fit, the noise, and the indenters.
 
 pub mod indenter;
 mod radius;
@@ -18,14 +18,14 @@ use crate::measured::data_table::Observe;
 /// Noise over the value of what is observed, where the fit file says nothing of noise.
 const RELATIVE: f64 = 0.01;
 
-/// What a plan takes for true.
+/// The premises of a plan.
 #[derive(Debug)]
 pub struct Premises<'a> {
     /// The fit file.
     pub file: &'a FitFile,
-    /// What is sought, at which values, with which noise.
+    /// The unknowns, their assumed values, and the noise.
     pub plan: Plan,
-    /// What is observed.
+    /// The observable of every curve.
     pub observe: Observe,
     /// Where the noise is from.
     pub noise: NoiseSource,
@@ -125,7 +125,7 @@ impl<'a> Premises<'a> {
         })
     }
 
-    /// What is sought of a curve.
+    /// The unknowns and nuisances that a curve depends on.
     #[must_use]
     pub fn sought(&self) -> Vec<ModelParameter> {
         self.cases.iter().map(|case| case.parameter).collect()

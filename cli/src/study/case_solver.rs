@@ -54,7 +54,7 @@ pub struct CaseResult {
 enum CaseOutcome {
     /// Force and penetration of the last step, in these units.
     Solved(Units, Option<[f64; 2]>),
-    /// What went wrong.
+    /// The case failed, with the reason.
     Failed(String),
 }
 

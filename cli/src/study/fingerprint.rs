@@ -76,7 +76,7 @@ fn resolved(case: &Case) -> Result<Vec<u8>, Failure> {
     Ok(serde_json::to_vec(&case)?)
 }
 
-/// What is hashed so far, and the files whose contents are to be.
+/// The hash so far, and the files whose contents are still to be hashed.
 #[derive(Default)]
 struct Parts {
     hasher: blake3::Hasher,

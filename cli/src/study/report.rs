@@ -38,7 +38,7 @@ const SAMPLE: usize = 5000;
 /// Columns that are not for drawing.
 const NOT_DRAWN: [&str; 2] = ["case", "message"];
 
-/// What the page shows of the tables of a study.
+/// The content of a study's tables as the page shows it.
 struct StudyTables {
     columns: Vec<Column>,
     /// Rows of the sample; a number in the place of a word.
@@ -68,7 +68,7 @@ struct Page<'a> {
     study: &'a str,
     version: &'a str,
     counts: String,
-    /// What is on the page if not every row is.
+    /// The extent of the sample, if not every row is on the page.
     sample: Option<String>,
     columns: Vec<ColumnRow>,
     reasons: Vec<&'a Reason>,

@@ -77,7 +77,7 @@ pub fn default_threads() -> usize {
     thread::available_parallelism().map_or(1, NonZero::get)
 }
 
-/// What the workers share.
+/// The data that the workers share.
 struct Shared<'a> {
     queue: Mutex<RemainingCases>,
     is_closed: AtomicBool,

@@ -1,4 +1,4 @@
-//! How far a study is, told from its folder while other processes work on it, on this machine or on others.
+//! The progress of a study, read from its folder while other processes work on it, on this machine or on others.
 
 use std::fs;
 use std::path::Path;

@@ -2,7 +2,7 @@
 
 use crate::input::units::Units;
 
-/// A column: its name, its SI unit if it has one, and its value of what the row tells of.
+/// A column: its name, its SI unit if it has one, and the text of its cell in the row of a `T`.
 pub type Column<T> = (&'static str, Option<&'static str>, fn(&T) -> String);
 
 /// The name of a column, with its unit.

@@ -1,4 +1,4 @@
-//! What the pictures of stresses show: a section below a line on the surface, and the tractions on the interfaces.
+//! The content of the pictures of stresses: a section below a line on the surface, and the tractions on the interfaces.
 
 use super::plane_values::PlaneValues;
 use crate::case::foundation::depths::BodyPlane;

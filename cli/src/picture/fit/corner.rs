@@ -29,7 +29,7 @@ const POINTS: usize = 400;
 const BARS: usize = 40;
 const DOTS: usize = 2000;
 
-/// What is drawn.
+/// The picture of the pairs of unknowns.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Corner {
     /// The lines above.

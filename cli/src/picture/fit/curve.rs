@@ -44,9 +44,9 @@ const BAND: f64 = 2.0;
 pub struct Point {
     /// Where it was measured.
     pub abscissa: f64,
-    /// What was measured.
+    /// The measured value.
     pub observed: f64,
-    /// What the model says, shift included.
+    /// The value of the model, shift included.
     pub model: f64,
     /// The residual, whitened by the covariance of the noise.
     pub whitened: f64,
@@ -81,14 +81,14 @@ pub struct Quantity {
     pub scale: Scale,
 }
 
-/// What is drawn.
+/// The picture of the curves.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curves {
     /// The lines above.
     pub head: Head,
-    /// What the abscissa is.
+    /// The quantity on the abscissa.
     pub x: Quantity,
-    /// What was observed.
+    /// The observed quantity.
     pub y: Quantity,
     /// The curves.
     pub all: Vec<FittedCurve>,
@@ -174,7 +174,7 @@ impl Curves {
         panel.draw_mesh(svg);
         let scaled = |x: f64, y: f64| panel.at(x / self.x.scale.divisor, y / self.y.scale.divisor);
         svg.within(panel.place, |svg| {
-            // What was left out lies below the rest.
+            // Curves that were left out lie below the rest.
             let mut order: Vec<_> = self.all.iter().enumerate().collect();
             order.sort_by_key(|(_, curve)| curve.part == Part::Used);
             for (i, curve) in order {
@@ -239,7 +239,7 @@ impl Curves {
         }
     }
 
-    /// What is not shown.
+    /// The note on curves without a name and points that are not drawn.
     fn note(&self) -> Option<String> {
         let more = self.all.len().saturating_sub(NAMED);
         let stride = self.all.iter().map(|curve| self.stride(curve)).max();

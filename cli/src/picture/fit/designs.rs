@@ -28,12 +28,12 @@ const SAMPLE: f64 = 34.0;
 const WIDEST: f64 = 1000.0;
 const NARROWEST: f64 = 0.01;
 
-/// What is drawn.
+/// The picture of the designs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Designs {
     /// The lines above.
     pub head: Head,
-    /// What is told of the lines.
+    /// The note under the picture: noise and number of points.
     pub note: String,
     /// The unit of the forces.
     pub forces: Scale,
@@ -123,7 +123,7 @@ impl Designs {
         self.unknowns.iter().flat_map(|unknown| &unknown.lines)
     }
 
-    /// What the legend names.
+    /// The entries of the legend.
     fn entries(&self) -> Vec<(String, Sample)> {
         let indenters = self.indenters.iter().enumerate();
         let indenters =
@@ -213,7 +213,7 @@ const TOGETHER: Stroke = Stroke {
     width: 1.8,
 };
 
-/// What stands before a name in the legend.
+/// The sample before a name in the legend.
 enum Sample {
     Line(Stroke, Dash),
     Circle,

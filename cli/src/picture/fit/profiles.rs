@@ -26,7 +26,7 @@ const SHOWN: f64 = 2.2;
 /// Points of a parabola.
 const POINTS: usize = 120;
 
-/// What is drawn.
+/// The picture of the profiles.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Profiles {
     /// The lines above.
@@ -213,7 +213,7 @@ fn parabola(unknown: &FittedUnknown, panel: &Panel) -> Vec<[f64; 2]> {
     let half = unknown.wald.unwrap_or(0.0) * (1.2 * SHOWN).sqrt();
     let [from, to] =
         [panel.x.from, panel.x.to].map(|end| (end * scale(unknown).divisor / unknown.value).ln());
-    // What is not positive has no logarithm.
+    // A value that is not positive has no logarithm.
     let from = if from.is_finite() {
         from.max(-half)
     } else {

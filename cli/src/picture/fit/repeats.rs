@@ -23,10 +23,10 @@ const WIDTH: f64 = LEFT + PANEL_WIDTH + 50.0;
 const NAMES: f64 = 14.0;
 const ROOM: f64 = LEFT - 40.0;
 
-/// An unknown, and what each repeat says of it.
+/// An unknown, and its value in each repeat.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Repeated {
-    /// What is common.
+    /// Its value common to all repeats.
     pub unknown: FittedUnknown,
     /// Standard deviation between repeats.
     pub scatter: f64,
@@ -34,7 +34,7 @@ pub struct Repeated {
     pub values: Vec<(usize, f64)>,
 }
 
-/// What is drawn.
+/// The picture of the repeats.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Repeats {
     /// The lines above.

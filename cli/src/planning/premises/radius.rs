@@ -109,7 +109,7 @@ impl Premises<'_> {
         })
     }
 
-    /// What is not sought of a curve of this indenter.
+    /// The numbers of the model that a curve of this indenter takes as its own: its radius, where it is known.
     #[must_use]
     pub fn own(&self, indenter: &Indenter) -> Vec<ModelParameter> {
         match (indenter, self.base.radius()) {
@@ -123,7 +123,7 @@ fn is_same(one: f64, other: f64) -> bool {
     (one / other - 1.0).abs() < SAME
 }
 
-/// What is known of the radius of the model, for another indenter: the same over its radius.
+/// The unknown radius of another indenter: range and prior are those of the model's radius, scaled.
 fn scaled(case: &UnknownCase, name: String, radius: f64) -> Result<Unknown, IdentifyError> {
     let part = radius / case.start;
     let unknown = Unknown::positive(name, case.range.map(|end| part * end))?.starting_at(radius)?;

@@ -22,7 +22,7 @@ const ACCURACY: f64 = 1e-10;
 /// A millionth times ratios of moduli.
 const MILLIONTH: f64 = 1e-5;
 
-/// What fields are compared.
+/// The loads whose fields are compared.
 #[derive(Clone, Copy, PartialEq)]
 enum Loads {
     Both,
