@@ -71,7 +71,7 @@ pub mod solved {
     pub use crate::output::stress::{FIELDS, FieldName, fields::StressFields};
     pub use crate::solving::{Resources, SolvedCase, solve};
     pub use crate::source_file::read as read_source;
-    pub use crate::stresses::Search;
+    pub use crate::stresses::StressSearch;
 }
 
 /// Studies planned, solved case by case, and kept in a table, as the program does.
@@ -137,11 +137,11 @@ pub mod measurements {
     pub use crate::measured::decode::TextEncoding;
     pub use crate::measured::depth_step::DepthStep;
     pub use crate::measured::error::CurveError;
-    pub use crate::measured::exclusion::{Exclusion, ExclusionReason};
+    pub use crate::measured::exclusion::{ExcludedRows, ExclusionReason};
     pub use crate::measured::files::files;
     pub use crate::measured::header::{HeaderField, HeaderUnit};
-    pub use crate::measured::noise::{Correlation, Noise};
-    pub use crate::measured::segment::{Part, Segment, SegmentEnd, Until};
+    pub use crate::measured::noise::{MeasuredNoise, NoiseCorrelation};
+    pub use crate::measured::segment::{Branch, Segment, SegmentEnd, Until};
     pub use crate::measured::separator::{DecimalMark, Separator};
     pub use crate::measured::spring::{HeightDirection, SpringConstant, penetration};
     pub use crate::measured::text_options::TextOptions;

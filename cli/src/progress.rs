@@ -6,7 +6,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use pellicle_contact::{Observer, Progress, Signal};
 
 use crate::interrupt;
-use crate::stresses::Search;
+use crate::stresses::StressSearch;
 
 /// Shows the progress of a solution on standard error if it is a terminal, and passes Ctrl-C on.
 #[derive(Debug)]
@@ -85,7 +85,7 @@ pub struct SearchLine(Option<ProgressBar>);
 
 impl SearchLine {
     /// Shows what is being looked for.
-    pub fn tell(&self, search: Search) {
+    pub fn tell(&self, search: StressSearch) {
         if let Some(line) = &self.0 {
             line.set_message(searching(search));
         }
@@ -96,7 +96,7 @@ impl Observer for SearchLine {
     fn progress(&mut self, progress: &Progress) -> Signal {
         if let Some(line) = shown(self.0.as_ref()) {
             let message = message(progress, None);
-            let what = searching(Search::Critical);
+            let what = searching(StressSearch::Critical);
             line.set_message(format!("{what}: {message}"));
         }
         interrupt::signal()
@@ -147,10 +147,10 @@ fn message(progress: &Progress, left: Option<Duration>) -> String {
     )
 }
 
-fn searching(search: Search) -> String {
+fn searching(search: StressSearch) -> String {
     match search {
-        Search::Step(step, steps) => format!("stresses of step {}/{steps}", step + 1),
-        Search::Critical => "critical loads".into(),
+        StressSearch::Step(step, steps) => format!("stresses of step {}/{steps}", step + 1),
+        StressSearch::Critical => "critical loads".into(),
     }
 }
 

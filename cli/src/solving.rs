@@ -12,7 +12,7 @@ use crate::memory::MemoryBudget;
 use crate::output::folder::Completeness;
 use crate::output::summary::{Clock, Summary, WarningSummary};
 use crate::sensitivities;
-use crate::stresses::{self, Search, Stresses};
+use crate::stresses::{self, StressSearch, Stresses};
 
 /// The resources that the cases of a process share.
 #[derive(Debug, Clone, Copy)]
@@ -49,7 +49,7 @@ pub fn solve(
     resources: Resources<'_>,
     start: Instant,
     observer: &mut dyn Observer,
-    search: &dyn Fn(Search) -> Signal,
+    search: &dyn Fn(StressSearch) -> Signal,
 ) -> Result<Option<SolvedCase>, Failure> {
     let tables = Instant::now();
     let model = case.model(resources.cache)?;

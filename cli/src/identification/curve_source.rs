@@ -9,7 +9,7 @@ use crate::measured::channel::Channel;
 use crate::measured::curve::MeasuredCurve;
 use crate::measured::data_table::{DataTable, Observe};
 use crate::measured::error::CurveError;
-use crate::measured::noise::{self, Noise as MeasuredNoise};
+use crate::measured::noise::{MeasuredNoise, NoiseCorrelation};
 
 /// Points without which a curve is none.
 pub const FEWEST_POINTS: usize = 3;
@@ -171,8 +171,8 @@ pub fn noise(file: &FitFile) -> Result<Noise, Failure> {
         abscissa: Amount::Given(abscissa.unwrap_or(0.0)),
         relative: Amount::Given(noise.relative.unwrap_or(0.0)),
         correlation: match noise.correlation {
-            noise::Correlation::None => Correlation::None,
-            noise::Correlation::Estimate => Correlation::Estimated,
+            NoiseCorrelation::None => Correlation::None,
+            NoiseCorrelation::Estimate => Correlation::Estimated,
         },
     })
 }

@@ -15,7 +15,7 @@ use crate::planning::page::DesignTable;
 /// The page, its numbers in words.
 #[derive(Template)]
 #[template(path = "fit_report.html")]
-struct Page<'a> {
+struct FitPage<'a> {
     found: &'a FitResult,
     verdict: FitVerdict,
     misfit_p: String,
@@ -65,7 +65,7 @@ struct ExactRow {
 #[must_use]
 pub fn html(of: &Identification, fit: &Fit, found: &FitResult, drawings: &FitDrawings) -> String {
     let rows = |all: &[EstimateResult]| all.iter().map(row).collect();
-    let page = Page {
+    let page = FitPage {
         found,
         verdict: fit.verdict,
         misfit_p: significant(fit.goodness.misfit_p, 2),

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use super::channel::Channel;
 use super::error::CurveError;
-use super::exclusion::Exclusion;
+use super::exclusion::ExcludedRows;
 use super::spring::penetration;
 use super::warning::CurveWarning;
 
@@ -20,7 +20,7 @@ pub struct MeasuredCurve {
     /// The row of each point, from 1.
     pub rows: Vec<usize>,
     /// The points left out, by reason.
-    pub excluded: Vec<Exclusion>,
+    pub excluded: Vec<ExcludedRows>,
     /// Warnings about the curve.
     pub warnings: Vec<CurveWarning>,
     pub(super) channels: Vec<(Channel, Vec<f64>)>,

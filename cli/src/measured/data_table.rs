@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use super::columns::Columns;
 use super::error::CurveError;
-use super::noise::Noise;
+use super::noise::MeasuredNoise;
 use super::segment::Segment;
 use super::sources::MeasurementSources;
 use super::spring::{HeightDirection, SpringConstant};
@@ -46,7 +46,7 @@ pub struct DataTable {
     /// The observable that is compared with the model.
     pub observe: Observe,
     /// The noise.
-    pub noise: Noise,
+    pub noise: MeasuredNoise,
     /// The spring constant of a cantilever, if the penetration comes from the height of its piezo.
     pub spring_constant: Option<SpringConstant>,
     /// The direction in which that height counts.
@@ -134,7 +134,8 @@ impl DataTable {
                 .map_or(Ok(TextOptions::default()), |t| TextOptions::read(&t))?,
             segment: optional("segment")?.map_or(Ok(Segment::default()), |t| Segment::read(&t))?,
             observe: observe(&table)?,
-            noise: optional("noise")?.map_or(Ok(Noise::default()), |t| Noise::read(&t))?,
+            noise: optional("noise")?
+                .map_or(Ok(MeasuredNoise::default()), |t| MeasuredNoise::read(&t))?,
             spring_constant: spring.map(|f| SpringConstant::read(&f)).transpose()?,
             height_direction: direction.map_or(Ok(HeightDirection::default()), |f| {
                 HeightDirection::read(&f)

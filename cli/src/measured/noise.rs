@@ -7,7 +7,7 @@ use crate::input::value_reader::Sign;
 
 /// The noise, as far as it is known; the rest is estimated.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Noise {
+pub struct MeasuredNoise {
     /// Standard deviation of the depth, m.
     pub depth: Option<f64>,
     /// Standard deviation of the force, N.
@@ -15,12 +15,12 @@ pub struct Noise {
     /// Standard deviation of what is observed over its value.
     pub relative: Option<f64>,
     /// Whether neighbouring points have noise in common.
-    pub correlation: Correlation,
+    pub correlation: NoiseCorrelation,
 }
 
 /// Whether neighbouring points have noise in common.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub enum Correlation {
+pub enum NoiseCorrelation {
     /// They have none.
     None,
     /// How much is estimated.
@@ -28,7 +28,7 @@ pub enum Correlation {
     Estimate,
 }
 
-impl Noise {
+impl MeasuredNoise {
     /// Reads the table.
     ///
     /// # Errors
@@ -51,8 +51,8 @@ impl Noise {
         });
         let correlation = table.optional("correlation").map(|field| {
             field.choice(&[
-                ("none", Correlation::None),
-                ("estimate", Correlation::Estimate),
+                ("none", NoiseCorrelation::None),
+                ("estimate", NoiseCorrelation::Estimate),
             ])
         });
         Ok(Self {

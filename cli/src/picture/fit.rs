@@ -34,7 +34,7 @@ fn colour(i: usize) -> Colour {
 
 /// The lines above a picture of a fit.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Head {
+pub struct FitHeading {
     /// The title of the fit.
     pub title: String,
     /// Its verdict, with its numbers.

@@ -3,7 +3,7 @@
 
 use super::colour_bar;
 use super::colours;
-use super::contour_bands::Bands;
+use super::contour_bands::ContourBands;
 use super::contour_places::{ContourPlaces, boxed};
 use super::depth_scale::DepthScale;
 use super::heading;
@@ -155,8 +155,8 @@ impl<'a> SectionDrawing<'a> {
         );
         let [least, largest] = [least, largest].map(|value| value / pascals.divisor);
         let bands = match stress {
-            Stress::VonMises => Bands::up_to(largest, self.subject.style.colours),
-            Stress::MaxPrincipal => Bands::signed(least, largest),
+            Stress::VonMises => ContourBands::up_to(largest, self.subject.style.colours),
+            Stress::MaxPrincipal => ContourBands::signed(least, largest),
         };
         let image = field.raster(panel.place, |value| bands.colour(value / pascals.divisor));
         svg.image(panel.place, &image);

@@ -12,7 +12,7 @@ use crate::identification::names;
 /// The page, its numbers in words.
 #[derive(Template)]
 #[template(path = "plan_report.html")]
-struct Page<'a> {
+struct PlanPage<'a> {
     plan: &'a PlanResult,
     level: String,
     conditions: String,
@@ -71,7 +71,7 @@ pub fn html(plan: &PlanResult, drawing: Option<&str>) -> String {
         })
         .collect()
     });
-    let page = Page {
+    let page = PlanPage {
         plan,
         level: percent(plan.level),
         conditions: text::conditions(plan),

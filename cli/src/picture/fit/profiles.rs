@@ -1,7 +1,7 @@
 //! One panel for each unknown: how much worse the fit is with another value of it.
 
 use super::unknown::FittedUnknown;
-use super::{Head, axes};
+use super::{FitHeading, axes};
 use crate::display::Scale;
 use crate::picture::colours;
 use crate::picture::heading;
@@ -30,7 +30,7 @@ const POINTS: usize = 120;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Profiles {
     /// The lines above.
-    pub head: Head,
+    pub head: FitHeading,
     /// Level of the intervals.
     pub level: f64,
     /// The unknowns that have a profile or a covariance.
@@ -234,7 +234,7 @@ mod tests {
 
     fn profiles(unknowns: Vec<FittedUnknown>) -> Profiles {
         Profiles {
-            head: Head {
+            head: FitHeading {
                 title: "a fit".into(),
                 numbers: "fitted".into(),
             },

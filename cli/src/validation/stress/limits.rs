@@ -31,9 +31,9 @@ enum Loads {
 }
 
 /// Two bodies, wanted and found.
-type Pair = fn() -> Result<[Foundation; 2], ValidationError>;
+type FoundationPair = fn() -> Result<[Foundation; 2], ValidationError>;
 
-const LIMITS: [(&str, f64, Loads, [f64; 2], Pair); 6] = [
+const LIMITS: [(&str, f64, Loads, [f64; 2], FoundationPair); 6] = [
     (
         "coat = base: the half-space",
         ACCURACY,
