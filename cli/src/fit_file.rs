@@ -16,7 +16,7 @@ use self::unknown::{UnknownCase, read_unknowns};
 use crate::case::map_sources::MapSources;
 use crate::failure::Failure;
 use crate::input::document::Document;
-use crate::input::source::Source;
+use crate::input::span::Source;
 use crate::input::table_reader::TableReader;
 use crate::input::toml_tree;
 use crate::input::value_reader::ValueReader;

@@ -8,7 +8,6 @@ pub mod key_path;
 pub mod overrides;
 pub mod quantity;
 pub mod quantity_list;
-pub mod source;
 pub mod spacing;
 pub mod span;
 pub mod table_reader;

@@ -27,7 +27,6 @@ mod interrupt;
 mod map;
 mod measured;
 mod memory;
-mod outcome;
 mod output;
 mod picture;
 mod planning;
@@ -50,7 +49,7 @@ pub use display::{Scale, Unit, quantity};
 pub use failure::Failure;
 pub use input::{
     diagnosis::{Diagnosis, Fault},
-    source::Source,
+    span::Source,
     units::Units,
 };
 pub use program::main;

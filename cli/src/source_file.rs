@@ -7,8 +7,7 @@ use std::sync::Arc;
 
 use crate::failure::Failure;
 use crate::input::diagnosis::{Diagnosis, Fault};
-use crate::input::source::Source;
-use crate::input::span::Span;
+use crate::input::span::{Source, Span};
 
 /// A case file is some lines of text; a file of more bytes than this is not one.
 const LARGEST_FILE: u64 = 16 << 20;

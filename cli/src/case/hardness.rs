@@ -52,7 +52,7 @@ mod tests {
     use std::sync::Arc;
 
     use crate::case::Case;
-    use crate::input::source::Source;
+    use crate::input::span::Source;
 
     fn read(layer: &str, more: &str) -> Result<Case, String> {
         let text = format!(

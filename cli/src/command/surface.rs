@@ -6,8 +6,8 @@ use ndarray::ArrayView2;
 use ndarray_npy::WriteNpyExt;
 
 use crate::arguments::SurfaceArguments;
+use crate::command::Outcome;
 use crate::failure::Failure;
-use crate::outcome::Outcome;
 use crate::output::{file, gsf};
 use crate::self_affine::SelfAffine;
 use crate::terminal;

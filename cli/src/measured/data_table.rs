@@ -15,7 +15,7 @@ use super::text_options::TextOptions;
 use crate::input::diagnosis::{Diagnosis, Fault};
 use crate::input::document::Document;
 use crate::input::key_path;
-use crate::input::source::Source;
+use crate::input::span::Source;
 use crate::input::table_reader::TableReader;
 use crate::input::toml_tree::{self, TomlNode, TomlTable, TomlValue};
 use crate::input::value_reader::ValueReader;

@@ -3,7 +3,6 @@
 pub mod roughness;
 pub mod sensitivity;
 mod step;
-pub mod stress;
 mod warning;
 
 use std::time::Instant;
@@ -15,8 +14,7 @@ use serde_json::Value;
 
 use self::roughness::RoughnessSummary;
 use self::sensitivity::SensitivitySummary;
-pub use self::step::{CertificateSummary, StepSummary};
-use self::stress::StressSummary;
+pub use self::step::{CertificateSummary, StepSummary, StressSummary};
 pub use self::warning::WarningSummary;
 use crate::case::Case;
 use crate::case::grid::BoundaryCase;

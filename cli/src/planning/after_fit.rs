@@ -11,7 +11,7 @@ use super::candidate::candidates;
 use super::comparison;
 use super::design::DesignResult;
 use super::premises::Premises;
-use super::premises::indenter::Indenter;
+use super::premises::indenter::IndenterRadius;
 use super::{Judged, Planning, not_solved};
 use crate::failure::Failure;
 use crate::identification::Identification;
@@ -95,7 +95,7 @@ fn data(of: &Identification, fit: &Fit, premises: &Premises<'_>) -> Result<Judge
     let values = &premises.plan.truth[..premises.cases().len()];
     let mut prediction = of.model.predict(values).map_err(not_solved)?;
     prediction.value = without_shift(of, fit);
-    let prediction = premises.spread(prediction, &Indenter::OfModel);
+    let prediction = premises.spread(prediction, &IndenterRadius::OfModel);
     let left_out: Vec<usize> = fit.excluded.iter().map(Exclusion::curve).collect();
     let curves = of.problem.curves();
     let used = (0..curves.len()).filter(|index| !left_out.contains(index));

@@ -6,7 +6,7 @@ mod radius;
 use pellicle_contact::ModelParameter;
 use pellicle_identify::{Amount, Fit, NoiseLevels, Plan, Prediction, Unknown};
 
-use self::indenter::Indenter;
+use self::indenter::IndenterRadius;
 use super::candidate::Candidate;
 use crate::failure::Failure;
 use crate::fit_file::FitFile;
@@ -133,9 +133,9 @@ impl<'a> Premises<'a> {
 
     /// The true values for a curve of this indenter.
     #[must_use]
-    pub fn values(&self, indenter: &Indenter, radius: Option<f64>) -> Vec<f64> {
+    pub fn values(&self, indenter: &IndenterRadius, radius: Option<f64>) -> Vec<f64> {
         let mut values = self.plan.truth[..self.cases.len()].to_vec();
-        if let (Indenter::Sought(..), Some(radius), Some(place)) =
+        if let (IndenterRadius::Sought(..), Some(radius), Some(place)) =
             (indenter, radius, self.place_of_radius())
         {
             values[place] = radius;
@@ -145,11 +145,11 @@ impl<'a> Premises<'a> {
 
     /// The prediction with derivatives by all unknowns of the plan: by its own radius, and by no other one.
     #[must_use]
-    pub fn spread(&self, mut prediction: Prediction, indenter: &Indenter) -> Prediction {
+    pub fn spread(&self, mut prediction: Prediction, indenter: &IndenterRadius) -> Prediction {
         let nothing = vec![0.0; prediction.value.len()];
         let unknowns = self.plan.unknowns.len();
         prediction.derivatives.resize(unknowns, nothing);
-        if let (Indenter::Sought(own, _), Some(place)) = (indenter, self.place_of_radius()) {
+        if let (IndenterRadius::Sought(own, _), Some(place)) = (indenter, self.place_of_radius()) {
             prediction.derivatives.swap(*own, place);
         }
         prediction

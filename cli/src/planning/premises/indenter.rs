@@ -2,7 +2,7 @@
 
 /// How a plan knows the radius of an indenter.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Indenter {
+pub enum IndenterRadius {
     /// It is that of the model.
     OfModel,
     /// It is another one, and known exactly.
@@ -11,7 +11,7 @@ pub enum Indenter {
     Sought(usize, String),
 }
 
-impl Indenter {
+impl IndenterRadius {
     /// The name of its radius, if that is not the key of the model's.
     #[must_use]
     pub fn name(&self) -> Option<String> {
