@@ -37,13 +37,13 @@ pub struct FitFile {
     pub unknowns: Vec<UnknownCase>,
     /// Frame, drift and zero of the curves, and numbers of the model that are not known exactly.
     pub nuisances: NuisanceTable,
-    /// How the result is told.
+    /// The table `[report]`.
     pub report: ReportTable,
     /// The tree of the file, for diagnoses.
     pub document: Document,
 }
 
-/// Where the maps and measurements of a fit file come from.
+/// The sources of the maps and measurements of a fit file.
 #[derive(Debug, Clone, Default)]
 pub struct FitSources {
     /// The maps of the model.

@@ -15,7 +15,7 @@ use crate::planning::premises::Premises;
 use crate::planning::result::PlanResult;
 use crate::planning::{Planning, table};
 
-/// How far a fit or a plan is.
+/// The progress of a fit or a plan.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stage {
     /// So many predictions of all curves are made.

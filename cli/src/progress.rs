@@ -178,9 +178,9 @@ pub fn in_words(time: Duration) -> String {
 #[derive(Debug, Clone, Copy)]
 struct TimeLeft {
     tolerance: f64,
-    /// When the first step began.
+    /// The start of the first step.
     start: Option<Instant>,
-    /// When the present step began, and how many were finished by then; steps solved together count as one.
+    /// The start of the present step, and the number finished by then; steps solved together count as one.
     step: (Instant, usize),
     /// The first iteration on the present grid.
     level: Mark,

@@ -33,12 +33,12 @@ pub enum Switch {
     PerCurve,
 }
 
-/// How much is known of a nuisance.
+/// The prior knowledge of a nuisance.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Freedom {
     /// It is not there.
     Off,
-    /// Nothing.
+    /// It has no prior.
     Free,
     /// Mean and standard deviation.
     Normal {

@@ -18,12 +18,12 @@ const MOST_POINTS: usize = 10_000;
 /// The fewest.
 const FEWEST_POINTS: usize = 3;
 
-/// How the result is told.
+/// The table `[report]`: the intervals, the posterior, the designs, and the points left out.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ReportTable {
     /// Level of the intervals.
     pub level: f64,
-    /// How they are found.
+    /// The method that finds them.
     pub intervals: Intervals,
     /// Samples of the posterior; 0 for none.
     pub posterior: usize,
@@ -40,7 +40,7 @@ pub struct ReportTable {
 pub enum OutsidePoints {
     /// The fit is made without them.
     LeaveOut,
-    /// They stay, and are told.
+    /// They stay, and a warning counts them.
     Keep,
 }
 

@@ -33,7 +33,7 @@ pub struct UnknownCase {
     pub range: [f64; 2],
     /// Its prior, if any.
     pub prior: Option<Prior>,
-    /// Where the search begins: the value of the case, if it lies in the range.
+    /// The start of the search: the value of the case, if it lies in the range.
     pub start: f64,
 }
 

@@ -55,7 +55,7 @@ impl From<&KnownCombination> for CombinationResult {
 pub struct ExcludedResult {
     /// The reason.
     pub reason: String,
-    /// How many.
+    /// Their number.
     pub count: usize,
 }
 

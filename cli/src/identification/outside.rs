@@ -16,7 +16,7 @@ pub struct Outside {
     pub points: Vec<Vec<OutsidePoint>>,
     /// Their handling.
     pub handling: Handling,
-    /// Why they could not be looked for, if so.
+    /// The reason why they could not be looked for, if any.
     pub failure: Option<String>,
 }
 

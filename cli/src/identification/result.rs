@@ -44,7 +44,7 @@ pub struct FitResult {
     /// Numbers that the models hold fixed, and the effect of an error in each on the unknowns; empty unless the verdict
     /// is `fitted`.
     pub taken_as_exact: Vec<ExactNumber>,
-    /// How well the model follows the data.
+    /// The quality of the fit.
     pub fit: Quality,
     /// The work that it took.
     pub work: WorkResult,
@@ -63,7 +63,7 @@ pub struct FitResult {
     pub advice: String,
 }
 
-/// How well the model follows the data.
+/// The quality of a fit: how well the model follows the data.
 #[derive(Debug, Clone, Serialize)]
 pub struct Quality {
     /// Points fitted.

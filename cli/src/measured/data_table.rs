@@ -39,7 +39,7 @@ pub struct DataTable {
     pub files: Vec<PathBuf>,
     /// The columns and their units.
     pub columns: Columns,
-    /// How the text is written.
+    /// The form of the text.
     pub text: TextOptions,
     /// The part that is used.
     pub segment: Segment,
@@ -53,7 +53,7 @@ pub struct DataTable {
     pub height_direction: HeightDirection,
     /// Values of keys of the model that are others for these files, by their dotted paths.
     pub set: TomlTable,
-    /// Where their content comes from.
+    /// The source of their content.
     pub sources: MeasurementSources,
     /// The tree of the table, for diagnoses.
     document: Document,
@@ -178,7 +178,7 @@ impl DataTable {
     }
 }
 
-/// Which files are wanted.
+/// The files wanted, in words.
 const FILES: &str = "the path of a text file from the folder of the fit file, or a pattern with * and ? for several";
 
 /// The files that match, which may be none as long as nothing is read.

@@ -17,7 +17,7 @@ pub enum CurveError {
     Binary {
         /// The apparent type of the file.
         kind: &'static str,
-        /// How to make a table of it.
+        /// The way to make a table of it.
         tool: &'static str,
     },
     /// The text is not in this encoding.

@@ -23,7 +23,7 @@ pub struct MeasuredNoise {
 pub enum NoiseCorrelation {
     /// They have none.
     None,
-    /// How much is estimated.
+    /// Noise in common, whose correlation is estimated.
     #[default]
     Estimate,
 }

@@ -12,9 +12,9 @@ use crate::input::value_reader::{Sign, ValueReader};
 pub struct Segment {
     /// The value in the column of segments; all by default.
     pub value: Option<String>,
-    /// Where it begins.
+    /// Its start, if given.
     pub from: Option<SegmentEnd>,
-    /// Where it ends.
+    /// Its end, if given.
     pub to: Option<SegmentEnd>,
     /// Loading, unloading or both.
     pub part: Branch,

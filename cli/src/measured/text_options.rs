@@ -5,7 +5,7 @@ use super::separator::{DecimalMark, Separator};
 use crate::input::diagnosis::{Diagnosis, Fault};
 use crate::input::table_reader::TableReader;
 
-/// How the text of a measurement is written.
+/// The form of the text of a measurement.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TextOptions {
     /// The mark between whole and fraction; a point by default.
@@ -14,7 +14,7 @@ pub struct TextOptions {
     pub separator: Option<Separator>,
     /// The table begins at a line with this text, if given.
     pub skip_until: Option<String>,
-    /// Which of several tables is meant, from 1; the first by default.
+    /// The number of the table among several, from 1; the first by default.
     pub table: Option<usize>,
     /// The encoding.
     pub encoding: TextEncoding,

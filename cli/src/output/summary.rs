@@ -61,7 +61,7 @@ pub struct Summary {
     /// The critical loads, where strengths are given and stresses asked for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub critical: Option<Vec<CriticalLoad>>,
-    /// How long it took.
+    /// The time that it took.
     pub timing: Timing,
     /// Warnings about the numbers.
     pub warnings: Vec<WarningSummary>,
@@ -83,7 +83,7 @@ pub struct GridSummary {
     pub boundary: BoundaryCase,
 }
 
-/// How long a run took, and on how many threads.
+/// The time that a run took, and its threads.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub struct Timing {
     /// For coefficients and geometry while nothing was solved, s. The finest grid may be made beside the solution of
@@ -105,7 +105,7 @@ pub struct Timing {
 /// The times of a run that the solver does not see.
 #[derive(Debug, Clone, Copy)]
 pub struct Clock {
-    /// When the case began to be read.
+    /// The moment at which reading the case began.
     pub start: Instant,
     /// For the radial tables, s.
     pub tables_seconds: f64,

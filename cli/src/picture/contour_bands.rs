@@ -15,7 +15,7 @@ const MUCH_SMALLER: f64 = 0.4;
 /// Bands of values, each of one colour.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContourBands {
-    /// Where one band ends and the next begins, rising.
+    /// The limits between bands, rising.
     pub levels: Vec<f64>,
     /// One colour more than there are levels.
     colours: Vec<Colour>,

@@ -79,7 +79,7 @@ impl Mesh {
         }
     }
 
-    /// Where the field has the value on a side.
+    /// The point of a side at which the field has the value.
     fn place(&self, (node, is_down): GridEdge, level: f64) -> (f64, f64) {
         let other = if is_down {
             node + self.columns

@@ -330,7 +330,7 @@ impl<'a> SectionDrawing<'a> {
         svg.text(place, 15.0, Anchor::End, &self.enlargement());
     }
 
-    /// How much larger depths are drawn than lengths across.
+    /// The enlargement of depths over lengths across, in words.
     fn enlargement(&self) -> String {
         let [from, to] = self.section.ends();
         let across = PANEL_WIDTH / (to - from);

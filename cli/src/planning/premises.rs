@@ -27,7 +27,7 @@ pub struct Premises<'a> {
     pub plan: Plan,
     /// The observable of every curve.
     pub observe: Observe,
-    /// Where the noise is from.
+    /// The origin of the noise.
     pub noise: NoiseSource,
     base: ModelParameters,
     cases: Vec<UnknownCase>,
@@ -37,7 +37,7 @@ pub struct Premises<'a> {
     known: Vec<f64>,
 }
 
-/// Where the noise of a plan comes from.
+/// The origin of the noise of a plan.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum NoiseSource {
     /// The fit file or a fit.

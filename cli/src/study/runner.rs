@@ -14,7 +14,7 @@ use super::results_table::ResultsTable;
 use crate::failure::Failure;
 use crate::{interrupt, threads};
 
-/// How often results are forced to the disk: as much work is lost by a power failure.
+/// The interval at which results are forced to the disk: a power failure loses as much work.
 const FORCE_EVERY: Duration = Duration::from_secs(1);
 
 /// Solves `cases` and adds each to the table when it is done. Returns early, without an error, if the user asks to

@@ -10,7 +10,7 @@ use super::folder;
 use super::identity::StudyIdentity;
 use crate::failure::Failure;
 
-/// How far a study is.
+/// The progress of a study.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StudyStatus {
     /// Number of all cases.

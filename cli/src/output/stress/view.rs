@@ -127,12 +127,12 @@ impl SurfaceLine {
 /// The section and the tractions under way: takes plane after plane.
 pub struct ViewCollector {
     view: StressView,
-    /// Where each point of the line lies among the points of a plane.
+    /// The place of each point of the line among the points of a plane.
     samples: Vec<CellPoint>,
     reach: SectionDepths,
 }
 
-/// How deep the section reaches, and the depths of the interfaces, m.
+/// The depth of the section, and those of the interfaces, m.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SectionDepths {
     /// The depth of the section's last plane.

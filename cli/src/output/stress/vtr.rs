@@ -33,7 +33,7 @@ struct VtrLayout {
     size: usize,
     /// Planes.
     planes: usize,
-    /// Where the first array begins.
+    /// The start of the first array.
     start: usize,
 }
 

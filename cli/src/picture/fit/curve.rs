@@ -42,7 +42,7 @@ const BAND: f64 = 2.0;
 /// One measured point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FittedPoint {
-    /// Where it was measured.
+    /// The abscissa at which it was measured.
     pub abscissa: f64,
     /// The measured value.
     pub observed: f64,

@@ -1,6 +1,6 @@
 //! The indenters of a plan: that of the model, known ones, and those whose radius is sought as its is.
 
-/// How a plan knows the radius of an indenter.
+/// The knowledge that a plan has of an indenter's radius.
 #[derive(Debug, Clone, PartialEq)]
 pub enum IndenterRadius {
     /// It is that of the model.

@@ -43,7 +43,7 @@ impl Premises<'_> {
         Ok(())
     }
 
-    /// How the radius of an indenter is known.
+    /// The knowledge of an indenter's radius; none given is that of the model.
     #[must_use]
     pub fn indenter(&self, radius: Option<f64>) -> IndenterRadius {
         let Some(radius) = radius else {
