@@ -38,7 +38,7 @@ use crate::failure::Failure;
 use crate::input::diagnosis::Diagnosis;
 use crate::input::document::Document;
 use crate::input::overrides;
-use crate::input::source::Source;
+use crate::input::span::Source;
 use crate::input::table_reader::TableReader;
 use crate::input::toml_tree::{self, TomlNode};
 use crate::input::units::Units;

@@ -1,4 +1,4 @@
-//! The commands, one a file.
+//! The commands, one a file, and how one ends that does not fail.
 
 pub mod cache;
 pub mod check;
@@ -15,3 +15,18 @@ pub mod stress;
 pub mod study;
 pub mod surface;
 pub mod validate;
+
+/// The outcome of a command that did not fail.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Outcome {
+    /// Everything is done, and every solution is certified.
+    Done,
+    /// The result is written, but marked as not converged or cut off; in a study, some case has no certified result.
+    NotConverged,
+    /// The program disagrees with a reference: a row of its validation fails.
+    Refuted,
+    /// The model does not follow the measurements: the best fit is written, but marked.
+    Misfit,
+    /// The user asked to stop; finished results are written.
+    Stopped,
+}

@@ -101,7 +101,7 @@ pub enum Failure {
     /// A rough surface that cannot be made.
     #[error("{message}")]
     RoughSurface {
-        /// What was found and what is wanted.
+        /// The value found and the values allowed.
         message: String,
     },
     /// The file of a study's samples cannot be read, or a value in it is wrong.
@@ -113,7 +113,7 @@ pub enum Failure {
         place: String,
         /// The fault.
         found: String,
-        /// What is wanted.
+        /// The values allowed.
         wanted: String,
     },
     /// The environment names no task of a batch system.
@@ -221,7 +221,7 @@ pub enum Failure {
         line: usize,
         /// The fault.
         found: String,
-        /// What is wanted.
+        /// The form wanted.
         wanted: &'static str,
     },
     /// Standard output cannot be written to.

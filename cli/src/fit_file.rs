@@ -1,4 +1,4 @@
-//! The fit file: which measurements, what is sought from them, and what is known besides.
+//! The fit file: the measurements, the unknowns with their priors, and the nuisances.
 
 pub mod model;
 pub mod nuisance;
@@ -16,7 +16,7 @@ use self::unknown::{UnknownCase, read_unknowns};
 use crate::case::map_sources::MapSources;
 use crate::failure::Failure;
 use crate::input::document::Document;
-use crate::input::source::Source;
+use crate::input::span::Source;
 use crate::input::table_reader::TableReader;
 use crate::input::toml_tree;
 use crate::input::value_reader::ValueReader;
@@ -33,17 +33,17 @@ pub struct FitFile {
     pub model: FitModel,
     /// The measurements.
     pub data: Vec<DataTable>,
-    /// What is sought.
+    /// The unknowns.
     pub unknowns: Vec<UnknownCase>,
-    /// What acts on the measurements besides.
+    /// Frame, drift and zero of the curves, and numbers of the model that are not known exactly.
     pub nuisances: NuisanceTable,
-    /// How the result is told.
+    /// The table `[report]`.
     pub report: ReportTable,
     /// The tree of the file, for diagnoses.
     pub document: Document,
 }
 
-/// Where the maps and measurements of a fit file come from.
+/// The sources of the maps and measurements of a fit file.
 #[derive(Debug, Clone, Default)]
 pub struct FitSources {
     /// The maps of the model.

@@ -323,7 +323,7 @@ mod tests {
     use pellicle_influence::Cache;
 
     use super::*;
-    use crate::input::source::Source;
+    use crate::input::span::Source;
 
     /// Hertz' contact of `cases/hertz.toml`.
     fn hertz(elements: usize) -> Case {

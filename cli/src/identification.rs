@@ -48,19 +48,19 @@ pub struct Identification {
     pub tables: Vec<usize>,
     /// Their models.
     pub model: ContactCurves,
-    /// What is to be found.
+    /// The problem: unknowns, nuisances, data and noise.
     pub problem: Problem,
     /// Directions in which no curve changes.
     pub directions: NullDirections,
     /// Points at which the model does not hold.
     pub outside: Outside,
-    /// What earlier fits took, of which points had to be left out.
+    /// The work of earlier fits, after which points had to be left out.
     pub spent: Spent,
     /// The user's wish that it ends.
     pub stop: StopFlag,
 }
 
-/// What fits take.
+/// The work of fits.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Spent {
     /// Curves solved.

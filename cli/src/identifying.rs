@@ -15,7 +15,7 @@ use crate::planning::premises::Premises;
 use crate::planning::result::PlanResult;
 use crate::planning::{Planning, table};
 
-/// How far a fit or a plan is.
+/// The progress of a fit or a plan.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stage {
     /// So many predictions of all curves are made.
@@ -48,7 +48,7 @@ pub fn fit(
     })
 }
 
-/// Judges the design of a file that was begun to be read at `start`; `tell` is told of each curve.
+/// Judges the design of a file whose reading began at `start`; `tell` is called for each curve.
 ///
 /// # Errors
 ///

@@ -1,4 +1,4 @@
-//! What a user writes as TOML, a case, a study or a fit: its text and the places in it, its tree, quantities with
+//! The TOML of a case, a study or a fit file: its text and the places in it, its tree, quantities with
 //! units, and the readers of tables and values, which diagnose the first fault.
 
 pub mod diagnosis;
@@ -8,7 +8,6 @@ pub mod key_path;
 pub mod overrides;
 pub mod quantity;
 pub mod quantity_list;
-pub mod source;
 pub mod spacing;
 pub mod span;
 pub mod table_reader;

@@ -27,7 +27,6 @@ mod interrupt;
 mod map;
 mod measured;
 mod memory;
-mod outcome;
 mod output;
 mod picture;
 mod planning;
@@ -50,7 +49,7 @@ pub use display::{Scale, Unit, quantity};
 pub use failure::Failure;
 pub use input::{
     diagnosis::{Diagnosis, Fault},
-    source::Source,
+    span::Source,
     units::Units,
 };
 pub use program::main;
@@ -71,7 +70,7 @@ pub mod solved {
     pub use crate::output::stress::{FIELDS, FieldName, fields::StressFields};
     pub use crate::solving::{Resources, SolvedCase, solve};
     pub use crate::source_file::read as read_source;
-    pub use crate::stresses::Search;
+    pub use crate::stresses::StressSearch;
 }
 
 /// Studies planned, solved case by case, and kept in a table, as the program does.
@@ -137,11 +136,11 @@ pub mod measurements {
     pub use crate::measured::decode::TextEncoding;
     pub use crate::measured::depth_step::DepthStep;
     pub use crate::measured::error::CurveError;
-    pub use crate::measured::exclusion::{Exclusion, ExclusionReason};
+    pub use crate::measured::exclusion::{ExcludedRows, ExclusionReason};
     pub use crate::measured::files::files;
     pub use crate::measured::header::{HeaderField, HeaderUnit};
-    pub use crate::measured::noise::{Correlation, Noise};
-    pub use crate::measured::segment::{Part, Segment, SegmentEnd, Until};
+    pub use crate::measured::noise::{MeasuredNoise, NoiseCorrelation};
+    pub use crate::measured::segment::{Branch, Segment, SegmentEnd, Until};
     pub use crate::measured::separator::{DecimalMark, Separator};
     pub use crate::measured::spring::{HeightDirection, SpringConstant, penetration};
     pub use crate::measured::text_options::TextOptions;

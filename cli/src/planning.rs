@@ -1,4 +1,4 @@
-//! What to measure next: the intervals that curves of a design would give, alone, in pairs and together.
+//! Planning of measurements: the intervals that curves of a design would give, alone, in pairs and together.
 
 pub mod advice;
 pub mod after_fit;
@@ -31,14 +31,14 @@ use crate::measured::data_table::Observe;
 /// Time between two points of a curve, s: of a drift only the shape counts.
 const INTERVAL: f64 = 0.1;
 
-/// A measurement, made or to be made: what it tells, and the directions in which it does not change.
+/// A measurement, made or to be made: its information, and the directions in which it does not change.
 #[derive(Debug)]
 pub struct Judged {
     /// The curve; none for the data that there are.
     pub candidate: Option<Candidate>,
     /// Places of the radii that it depends on among the unknowns of the plan.
     pub radii: Vec<usize>,
-    /// What it tells.
+    /// Its information about the unknowns.
     pub information: Information,
     /// Directions in which it does not change.
     pub directions: NullDirections,
@@ -47,7 +47,7 @@ pub struct Judged {
 /// Curves of a design, each judged alone.
 #[derive(Debug)]
 pub struct Planning<'a> {
-    /// What is taken for true.
+    /// The values, the noise and the indenters that are assumed.
     pub premises: Premises<'a>,
     /// The data that there are.
     pub data: Option<Judged>,
@@ -55,12 +55,12 @@ pub struct Planning<'a> {
     pub judged: Vec<Judged>,
     /// Loads solved.
     pub loads_solved: usize,
-    /// What a reader should know.
+    /// Warnings for the reader.
     pub warnings: Vec<WarningResult>,
 }
 
 impl<'a> Planning<'a> {
-    /// Judges every candidate; `tell` is told how many are done, `stop` ends it.
+    /// Judges every candidate; `tell` gets the number done, `stop` ends it.
     ///
     /// # Errors
     ///

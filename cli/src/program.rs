@@ -6,8 +6,8 @@ use std::process::ExitCode;
 use clap::Parser;
 
 use crate::arguments::{Arguments, Command};
+use crate::command::Outcome;
 use crate::failure::Failure;
-use crate::outcome::Outcome;
 use crate::{command, interrupt, terminal};
 
 /// Runs the program with these arguments, the first being its name.

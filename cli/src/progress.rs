@@ -6,7 +6,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use pellicle_contact::{Observer, Progress, Signal};
 
 use crate::interrupt;
-use crate::stresses::Search;
+use crate::stresses::StressSearch;
 
 /// Shows the progress of a solution on standard error if it is a terminal, and passes Ctrl-C on.
 #[derive(Debug)]
@@ -85,7 +85,7 @@ pub struct SearchLine(Option<ProgressBar>);
 
 impl SearchLine {
     /// Shows what is being looked for.
-    pub fn tell(&self, search: Search) {
+    pub fn tell(&self, search: StressSearch) {
         if let Some(line) = &self.0 {
             line.set_message(searching(search));
         }
@@ -96,7 +96,7 @@ impl Observer for SearchLine {
     fn progress(&mut self, progress: &Progress) -> Signal {
         if let Some(line) = shown(self.0.as_ref()) {
             let message = message(progress, None);
-            let what = searching(Search::Critical);
+            let what = searching(StressSearch::Critical);
             line.set_message(format!("{what}: {message}"));
         }
         interrupt::signal()
@@ -147,10 +147,10 @@ fn message(progress: &Progress, left: Option<Duration>) -> String {
     )
 }
 
-fn searching(search: Search) -> String {
+fn searching(search: StressSearch) -> String {
     match search {
-        Search::Step(step, steps) => format!("stresses of step {}/{steps}", step + 1),
-        Search::Critical => "critical loads".into(),
+        StressSearch::Step(step, steps) => format!("stresses of step {}/{steps}", step + 1),
+        StressSearch::Critical => "critical loads".into(),
     }
 }
 
@@ -178,9 +178,9 @@ pub fn in_words(time: Duration) -> String {
 #[derive(Debug, Clone, Copy)]
 struct TimeLeft {
     tolerance: f64,
-    /// When the first step began.
+    /// The start of the first step.
     start: Option<Instant>,
-    /// When the present step began, and how many were finished by then; steps solved together count as one.
+    /// The start of the present step, and the number finished by then; steps solved together count as one.
     step: (Instant, usize),
     /// The first iteration on the present grid.
     level: Mark,

@@ -12,9 +12,9 @@ use crate::memory::MemoryBudget;
 use crate::output::folder::Completeness;
 use crate::output::summary::{Clock, Summary, WarningSummary};
 use crate::sensitivities;
-use crate::stresses::{self, Search, Stresses};
+use crate::stresses::{self, StressSearch, Stresses};
 
-/// What the cases of a process share.
+/// The resources that the cases of a process share.
 #[derive(Debug, Clone, Copy)]
 pub struct Resources<'a> {
     /// The radial tables and coefficients found so far.
@@ -49,7 +49,7 @@ pub fn solve(
     resources: Resources<'_>,
     start: Instant,
     observer: &mut dyn Observer,
-    search: &dyn Fn(Search) -> Signal,
+    search: &dyn Fn(StressSearch) -> Signal,
 ) -> Result<Option<SolvedCase>, Failure> {
     let tables = Instant::now();
     let model = case.model(resources.cache)?;

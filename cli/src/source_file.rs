@@ -7,8 +7,7 @@ use std::sync::Arc;
 
 use crate::failure::Failure;
 use crate::input::diagnosis::{Diagnosis, Fault};
-use crate::input::source::Source;
-use crate::input::span::Span;
+use crate::input::span::{Source, Span};
 
 /// A case file is some lines of text; a file of more bytes than this is not one.
 const LARGEST_FILE: u64 = 16 << 20;
@@ -53,7 +52,7 @@ fn bytes(path: &Path) -> io::Result<Vec<u8>> {
 fn not_utf8(name: &str, error: &std::string::FromUtf8Error) -> Diagnosis {
     let valid = error.utf8_error().valid_up_to();
     let byte = error.as_bytes().get(valid).copied().unwrap_or_default();
-    // What comes before the byte is text, and is drawn; the rest is not.
+    // Only the text before the byte is drawn.
     let before = String::from_utf8_lossy(&error.as_bytes()[..valid]).into_owned();
     let source = Arc::new(Source::new(name, before));
     let fault = Fault::Wrong {

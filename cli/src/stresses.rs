@@ -17,17 +17,17 @@ pub struct Stresses {
     pub critical: Option<Vec<CriticalLoad>>,
 }
 
-/// What is looked for, for the user to see.
+/// The search in progress, as the user is shown it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Search {
+pub enum StressSearch {
     /// The extremes of a step, counted from 0, of so many.
     Step(usize, usize),
     /// The critical loads.
     Critical,
 }
 
-/// Finds the stresses of a solved path, unless the case asks for none; `tell` is told what is being looked for, and may
-/// stop it.
+/// Finds the stresses of a solved path, unless the case asks for none; `tell` is called before each search and may
+/// cancel it.
 ///
 /// # Errors
 ///
@@ -38,7 +38,7 @@ pub fn find(
     model: &Model,
     domain: Domain,
     path: &LoadingPath,
-    tell: &dyn Fn(Search) -> Signal,
+    tell: &dyn Fn(StressSearch) -> Signal,
     observer: &mut dyn Observer,
 ) -> Result<Option<Stresses>, Failure> {
     let Some(stress) = &case.stress else {
@@ -47,7 +47,7 @@ pub fn find(
     let stress = stress.model(&case.foundation, path.tables.foundation());
     let count = path.steps.len();
     let of_step = |step| {
-        if tell(Search::Step(step, count)) == Signal::Cancel {
+        if tell(StressSearch::Step(step, count)) == Signal::Cancel {
             return Err(ContactError::Cancelled { step });
         }
         stress_extremes(path, step, &stress)
@@ -58,7 +58,7 @@ pub fn find(
         let critical = None;
         return Ok(Some(Stresses { steps, critical }));
     }
-    if tell(Search::Critical) == Signal::Cancel {
+    if tell(StressSearch::Critical) == Signal::Cancel {
         return Err(ContactError::Cancelled { step: count }.into());
     }
     let options = case.solver_options();

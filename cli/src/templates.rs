@@ -73,7 +73,7 @@ mod tests {
 
     use super::*;
     use crate::case::Case;
-    use crate::input::source::Source;
+    use crate::input::span::Source;
     use crate::input::units::Units;
 
     #[test]

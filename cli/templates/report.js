@@ -120,7 +120,7 @@ function draw(canvas, { n, heights, fills, labels }, { turn, rise, size }) {
   pen.stroke();
   pen.lineWidth = 0.6;
   face(floor, "#fafafa");
-  // What is away from the eye comes first; only the two sides that face it are seen.
+  // Columns far from the eye are drawn first; only the two sides that face it are seen.
   const order = (towards) => Array.from({ length: n }, (_, i) => (towards ? i : n - 1 - i));
   const [xs, ys] = [order(sin < 0), order(cos < 0)];
   const [di, dj] = [sin < 0 ? 1 : -1, cos < 0 ? 1 : -1];

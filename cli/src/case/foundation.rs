@@ -16,7 +16,7 @@ use self::layer::LayerCase;
 use self::strength::BodyStrengthCase;
 use self::substrate::SubstrateCase;
 use crate::input::diagnosis::Diagnosis;
-use crate::input::source::Source;
+use crate::input::span::Source;
 use crate::input::table_reader::TableReader;
 use crate::input::toml_tree;
 use crate::input::value_reader::ValueReader;

@@ -21,12 +21,12 @@ pub struct GridCase {
     pub side: Option<f64>,
     /// Elements per side.
     pub elements: usize,
-    /// What lies around the square.
+    /// The boundary condition.
     #[serde(skip_serializing_if = "BoundaryCase::is_free")]
     pub boundary: BoundaryCase,
 }
 
-/// What lies around the square.
+/// The boundary condition of the square.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum BoundaryCase {

@@ -38,7 +38,7 @@ mod tests {
 
     use crate::case::Case;
     use crate::case::map_sources::MapSources;
-    use crate::input::source::Source;
+    use crate::input::span::Source;
 
     const CASE: &str = r#"
         [foundation.substrate]

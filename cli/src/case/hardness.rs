@@ -1,4 +1,4 @@
-//! What a hardness asks of the other tables.
+//! The check that the other tables of a case go with a hardness.
 
 use super::foundation::FoundationCase;
 use super::load::LoadCase;
@@ -52,7 +52,7 @@ mod tests {
     use std::sync::Arc;
 
     use crate::case::Case;
-    use crate::input::source::Source;
+    use crate::input::span::Source;
 
     fn read(layer: &str, more: &str) -> Result<Case, String> {
         let text = format!(

@@ -43,17 +43,17 @@ pub struct MapCase {
     pub units: Units,
     #[serde(skip)]
     heights: Arc<HeightMap>,
-    /// How it repeats itself, if it does.
+    /// Its repetition, if it has one.
     #[serde(skip)]
     repeats: Option<Repetition>,
 }
 
-/// How far a map that repeats itself is needed beyond its own square.
+/// The range over which a map that repeats itself is needed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Repetition {
-    /// As far as an interpolation looks: the map lies on the cell.
+    /// The square and the reach of the interpolation: the map lies on the cell.
     InPlace,
-    /// Half of its sides and that: its lowest point is put on the axis.
+    /// Half a side more: its lowest point is put on the axis.
     Centred,
 }
 

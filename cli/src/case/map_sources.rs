@@ -1,4 +1,4 @@
-//! What a case names and does not hold: maps in the files of a folder, and what a caller hands over with the case,
+//! The data that a case names but does not hold: maps in the files of a folder, and those that a caller passes along,
 //! arrays instead of files, and shapes of its own.
 
 use std::borrow::Cow;

@@ -135,7 +135,7 @@ mod tests {
     use pellicle_influence::Cache;
 
     use super::*;
-    use crate::input::source::Source;
+    use crate::input::span::Source;
 
     const CASE: &str = r#"
 [foundation]

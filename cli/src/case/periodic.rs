@@ -1,4 +1,4 @@
-//! What a periodic cell asks of the other tables.
+//! The check that the other tables of a case go with a periodic cell.
 
 use super::indenter::IndenterCase;
 use super::map::Repetition;
@@ -6,7 +6,7 @@ use super::surface::{LatticeCase, SurfaceCase};
 use crate::input::diagnosis::Diagnosis;
 use crate::input::table_reader::TableReader;
 
-/// Why something is not there.
+/// The reason for which a key is refused.
 const BECAUSE: &str = "with grid.boundary = \"periodic\"";
 /// Part of a side by which lengths may differ: rounding of what a user divided.
 const LEEWAY: f64 = 1e-6;

@@ -31,7 +31,7 @@ pub enum SurfaceCase {
         thickness: f64,
         /// Young's modulus, Pa.
         young_modulus: f64,
-        /// How its springs shorten.
+        /// The law of its springs.
         law: LawCase,
     },
     /// A measured relief.
@@ -62,7 +62,7 @@ pub struct ReliefMapCase {
     /// Its compliance.
     #[serde(flatten)]
     pub compliance: ComplianceCase,
-    /// How its springs shorten.
+    /// The law of its springs.
     pub law: LawCase,
 }
 
@@ -91,7 +91,7 @@ pub struct CylindersCase {
     pub offset: [f64; 2],
     /// Young's modulus `E_a`, Pa; that of the surface unless given.
     pub young_modulus: f64,
-    /// How their springs shorten.
+    /// The law of their springs.
     pub law: LawCase,
 }
 

@@ -185,7 +185,7 @@ mod tests {
     use std::sync::Arc;
 
     use super::*;
-    use crate::input::source::Source;
+    use crate::input::span::Source;
     use crate::input::toml_tree;
 
     fn found(text: &str) -> Vec<String> {

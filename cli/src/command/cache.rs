@@ -6,9 +6,9 @@ use pellicle_influence::Usage;
 use serde::Serialize;
 
 use crate::arguments::CacheArguments;
+use crate::command::Outcome;
 use crate::display::significant;
 use crate::failure::Failure;
-use crate::outcome::Outcome;
 use crate::{cache, output, terminal};
 
 /// The contents of the cache, after clearing.

@@ -6,12 +6,12 @@ use crate::arguments::CaseArguments;
 use crate::case::Case;
 use crate::case::map::MapCase;
 use crate::case::surface::SurfaceCase;
+use crate::command::Outcome;
 use crate::display::{self, Unit, quantity, significant};
 use crate::failure::Failure;
 use crate::forecast::Forecast;
 use crate::input::units::Units;
 use crate::map::shortest_wave;
-use crate::outcome::Outcome;
 use crate::output::disk_space;
 use crate::{cache, terminal};
 

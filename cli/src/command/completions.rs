@@ -3,8 +3,8 @@
 use clap::CommandFactory;
 
 use crate::arguments::{Arguments, CompletionsArguments};
+use crate::command::Outcome;
 use crate::failure::Failure;
-use crate::outcome::Outcome;
 use crate::terminal::{self, NoOutput};
 
 /// Prints the completions for a shell.

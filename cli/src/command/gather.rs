@@ -1,8 +1,8 @@
 //! `pellicle gather`: merges the parts of a study.
 
 use crate::arguments::GatherArguments;
+use crate::command::Outcome;
 use crate::failure::Failure;
-use crate::outcome::Outcome;
 use crate::study::gather::{self, OtherTable};
 use crate::terminal;
 

@@ -9,12 +9,12 @@ use indicatif::ProgressBar;
 use pellicle_identify::{Fit, FitVerdict, IdentifyError};
 
 use crate::arguments::IdentifyArguments;
+use crate::command::Outcome;
 use crate::failure::Failure;
 use crate::fit_file::{FitFile, Measurements};
 use crate::identification::fitted_file::FittedFile;
 use crate::identification::{files, simulation, text};
 use crate::identifying::{self, Stage};
-use crate::outcome::Outcome;
 use crate::output::file::{self, Existing};
 use crate::output::folder::{Completeness, ResultsFolder};
 use crate::output::json;

@@ -8,9 +8,9 @@ use serde::Serialize;
 
 use crate::arguments::InfluenceArguments;
 use crate::case::Case;
+use crate::command::Outcome;
 use crate::failure::Failure;
 use crate::input::units::Units;
-use crate::outcome::Outcome;
 use crate::{cache, output, terminal};
 
 /// The coefficient at one offset.

@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use crate::arguments::InitArguments;
+use crate::command::Outcome;
 use crate::failure::Failure;
-use crate::outcome::Outcome;
 use crate::output::file;
 use crate::templates::Template;
 use crate::terminal;

@@ -4,9 +4,9 @@ use serde::Serialize;
 
 use crate::arguments::KernelArguments;
 use crate::case::Case;
+use crate::command::Outcome;
 use crate::failure::Failure;
 use crate::input::units::Units;
-use crate::outcome::Outcome;
 use crate::{output, terminal};
 
 /// Compliance and response at one wavenumber.

@@ -4,8 +4,8 @@ use std::fs;
 use std::path::Path;
 
 use crate::arguments::PlotArguments;
+use crate::command::Outcome;
 use crate::failure::Failure;
-use crate::outcome::Outcome;
 use crate::output::redraw::{self, RedrawOptions};
 use crate::output::summary::WarningSummary;
 use crate::picture::style::{Heading, Style};

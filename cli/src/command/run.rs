@@ -11,10 +11,10 @@ use pellicle_contact::{ContactError, Domain, LoadingPath, Model, Status};
 
 use crate::arguments::RunArguments;
 use crate::case::Case;
+use crate::command::Outcome;
 use crate::failure::Failure;
 use crate::forecast::Need;
 use crate::memory::MemoryBudget;
-use crate::outcome::Outcome;
 use crate::output::file::Existing;
 use crate::output::folder::{self, Completeness, ResultsFolder};
 use crate::output::summary::{Clock, Summary};

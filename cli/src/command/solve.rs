@@ -13,13 +13,12 @@ use serde_json::Value;
 
 use crate::arguments::SolveArguments;
 use crate::case::BaseCase;
+use crate::command::Outcome;
 use crate::failure::Failure;
 use crate::input::overrides;
-use crate::input::source::{self, Source};
-use crate::input::span::Span;
+use crate::input::span::{STREAM, Source, Span};
 use crate::input::toml_tree::{TomlEntry, TomlNode, TomlTable, TomlValue};
 use crate::memory::MemoryBudget;
-use crate::outcome::Outcome;
 use crate::output::folder::Completeness;
 use crate::output::summary::Summary;
 use crate::progress::ProgressLine;
@@ -59,7 +58,7 @@ pub fn solve(arguments: &SolveArguments) -> Result<Outcome, Failure> {
     Ok(outcome)
 }
 
-/// What all lines share.
+/// The data common to all lines.
 struct Stream {
     base: BaseCase,
     cache: Cache,
@@ -127,7 +126,7 @@ impl Stream {
 
 /// The keys of a line, each with its value and its place: `{"load.force": "3 mN", "grid.elements": 64}`.
 fn values(line: usize, text: &str) -> Result<Vec<(String, TomlNode, Span)>, Failure> {
-    let name = format!("{}, line {line}", source::STREAM);
+    let name = format!("{STREAM}, line {line}");
     let read = serde_json::from_str::<Value>(text);
     let span = span(&name, text.to_owned());
     let wrong = |found| Failure::Line {

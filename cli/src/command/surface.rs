@@ -6,8 +6,8 @@ use ndarray::ArrayView2;
 use ndarray_npy::WriteNpyExt;
 
 use crate::arguments::SurfaceArguments;
+use crate::command::Outcome;
 use crate::failure::Failure;
-use crate::outcome::Outcome;
 use crate::output::{file, gsf};
 use crate::self_affine::SelfAffine;
 use crate::terminal;
@@ -23,7 +23,7 @@ const LEEWAY: f64 = 1e-9;
 /// exists or cannot be written.
 pub fn surface(arguments: &SurfaceArguments) -> Result<Outcome, Failure> {
     let path = &arguments.out;
-    let format = Format::of(path)?;
+    let format = MapFormat::of(path)?;
     let surface = described(arguments)?;
     let no_wave = || {
         Failure::RoughSurface {
@@ -33,8 +33,8 @@ pub fn surface(arguments: &SurfaceArguments) -> Result<Outcome, Failure> {
     };
     let heights = surface.heights().ok_or_else(no_wave)?;
     let bytes = match format {
-        Format::Npy => npy(&heights, surface.size),
-        Format::Gsf => gsf::height_map(&heights, surface.size, arguments.side),
+        MapFormat::Npy => npy(&heights, surface.size),
+        MapFormat::Gsf => gsf::height_map(&heights, surface.size, arguments.side),
     };
     if arguments.force {
         file::write_bytes(path, &bytes)?;
@@ -44,8 +44,8 @@ pub fn surface(arguments: &SurfaceArguments) -> Result<Outcome, Failure> {
     let shown = path.display();
     let side = arguments.side;
     let keys = match format {
-        Format::Npy => format!("file = \"{shown}\", side = \"{side:e} m\", height_unit = \"m\""),
-        Format::Gsf => format!("file = \"{shown}\""),
+        MapFormat::Npy => format!("file = \"{shown}\", side = \"{side:e} m\", height_unit = \"m\""),
+        MapFormat::Gsf => format!("file = \"{shown}\""),
     };
     terminal::tell(&format!(
         "wrote {shown}; in a case: surface = {{ kind = \"rough\", {keys} }}"
@@ -55,12 +55,12 @@ pub fn surface(arguments: &SurfaceArguments) -> Result<Outcome, Failure> {
 
 /// The format of a map.
 #[derive(Debug, Clone, Copy)]
-enum Format {
+enum MapFormat {
     Npy,
     Gsf,
 }
 
-impl Format {
+impl MapFormat {
     fn of(path: &Path) -> Result<Self, Failure> {
         let ending = path.extension().unwrap_or_default().to_string_lossy();
         match ending.to_lowercase().as_str() {

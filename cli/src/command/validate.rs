@@ -5,8 +5,8 @@ use std::time::{Duration, Instant};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::arguments::ValidateArguments;
+use crate::command::Outcome;
 use crate::failure::Failure;
-use crate::outcome::Outcome;
 use crate::validation::{
     SECTIONS, SectionResult, ValidationReport, ValidationRun, ValidationSection, heading,
     section_text,

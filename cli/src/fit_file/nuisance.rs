@@ -1,4 +1,4 @@
-//! `[nuisance]` of a fit file: what acts on the measurements besides, and numbers of the model that are not known
+//! `[nuisance]` of a fit file: zero, frame and drift of the curves, and numbers of the model that are not known
 //! exactly.
 
 use pellicle_identify::{IdentifyError, LinearNuisance, Prior};
@@ -11,7 +11,7 @@ use crate::input::dimension::Dimension;
 use crate::input::table_reader::TableReader;
 use crate::input::value_reader::ValueReader;
 
-/// What acts on the measurements besides.
+/// The nuisances of a fit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NuisanceTable {
     /// Whether each curve has a zero of its own.
@@ -33,12 +33,12 @@ pub enum Switch {
     PerCurve,
 }
 
-/// How much is known of a nuisance.
+/// The prior knowledge of a nuisance.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Freedom {
     /// It is not there.
     Off,
-    /// Nothing.
+    /// It has no prior.
     Free,
     /// Mean and standard deviation.
     Normal {

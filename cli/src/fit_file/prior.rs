@@ -1,4 +1,4 @@
-//! What is known of a number before the measurement.
+//! The prior of a number: the knowledge of it before the measurement.
 
 use pellicle_identify::Prior;
 

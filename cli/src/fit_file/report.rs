@@ -18,12 +18,12 @@ const MOST_POINTS: usize = 10_000;
 /// The fewest.
 const FEWEST_POINTS: usize = 3;
 
-/// How the result is told.
+/// The table `[report]`: the intervals, the posterior, the designs, and the points left out.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ReportTable {
     /// Level of the intervals.
     pub level: f64,
-    /// How they are found.
+    /// The method that finds them.
     pub intervals: Intervals,
     /// Samples of the posterior; 0 for none.
     pub posterior: usize,
@@ -31,16 +31,16 @@ pub struct ReportTable {
     pub seed: u64,
     /// Measurements to judge in advance.
     pub design: Design,
-    /// What is done with points at which the model does not hold.
+    /// The treatment of points at which the model does not hold.
     pub outside: OutsidePoints,
 }
 
-/// What is done with points at which the model does not hold.
+/// The treatment of points at which the model does not hold.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum OutsidePoints {
     /// The fit is made without them.
     LeaveOut,
-    /// They stay, and are told.
+    /// They stay, and a warning counts them.
     Keep,
 }
 

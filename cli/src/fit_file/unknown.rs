@@ -31,14 +31,14 @@ pub struct UnknownCase {
     pub dimension: Option<Dimension>,
     /// Least and largest value, in SI units.
     pub range: [f64; 2],
-    /// What is known of it before.
+    /// Its prior, if any.
     pub prior: Option<Prior>,
-    /// Where the search begins: the value of the case, if it lies in the range.
+    /// The start of the search: the value of the case, if it lies in the range.
     pub start: f64,
 }
 
 impl UnknownCase {
-    /// What a fit seeks.
+    /// The unknown of the fit.
     ///
     /// # Errors
     ///

@@ -9,7 +9,7 @@ use crate::measured::channel::Channel;
 use crate::measured::curve::MeasuredCurve;
 use crate::measured::data_table::{DataTable, Observe};
 use crate::measured::error::CurveError;
-use crate::measured::noise::{self, Noise as MeasuredNoise};
+use crate::measured::noise::{MeasuredNoise, NoiseCorrelation};
 
 /// Points without which a curve is none.
 pub const FEWEST_POINTS: usize = 3;
@@ -21,7 +21,7 @@ pub struct CurveSource {
     pub measured: MeasuredCurve,
     /// Abscissae of the points that are fitted: forces, N, or depths, m.
     pub abscissa: Vec<f64>,
-    /// What was observed there.
+    /// The values observed there.
     pub observed: Vec<f64>,
     /// When, s, where known.
     pub time: Option<Vec<f64>>,
@@ -38,9 +38,9 @@ pub struct OutsidePoint {
     pub row: usize,
     /// Its abscissa.
     pub abscissa: f64,
-    /// What was observed there.
+    /// The value observed there.
     pub observed: f64,
-    /// Why.
+    /// The reason.
     pub reason: Invalidity,
 }
 
@@ -137,7 +137,7 @@ impl CurveSource {
     }
 }
 
-/// What is observed at what, in the words of a fit.
+/// The observable of a table as the fit has it.
 #[must_use]
 pub fn observable(observe: Observe) -> Observable {
     match observe {
@@ -149,7 +149,7 @@ pub fn observable(observe: Observe) -> Observable {
 
 /// The noise of all tables, which must agree.
 ///
-/// What is left out of it is estimated for what is observed, and none for the abscissa.
+/// A noise not given is estimated for the observed quantity and zero for the abscissa.
 ///
 /// # Errors
 ///
@@ -171,8 +171,8 @@ pub fn noise(file: &FitFile) -> Result<Noise, Failure> {
         abscissa: Amount::Given(abscissa.unwrap_or(0.0)),
         relative: Amount::Given(noise.relative.unwrap_or(0.0)),
         correlation: match noise.correlation {
-            noise::Correlation::None => Correlation::None,
-            noise::Correlation::Estimate => Correlation::Estimated,
+            NoiseCorrelation::None => Correlation::None,
+            NoiseCorrelation::Estimate => Correlation::Estimated,
         },
     })
 }

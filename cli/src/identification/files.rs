@@ -18,7 +18,7 @@ const SAMPLES: &str = "posterior.npz";
 /// The tables of a fit.
 const TABLES: [&str; 3] = ["fit.csv", "covariance.csv", "profiles.csv"];
 
-/// Whether a fit writes a file of this name, besides the page.
+/// Whether a fit writes a file of this name, the page apart.
 #[must_use]
 pub fn is_name(name: &str) -> bool {
     let is_picture = |picture: &FitPicture| {

@@ -1,4 +1,4 @@
-//! What fits and plans tell, in SI units: the parts of `fit.json` and `plan.json`.
+//! The findings of fits and plans, in SI units: the parts of `fit.json` and `plan.json`.
 
 use pellicle_identify::KnownCombination;
 use serde::Serialize;
@@ -18,18 +18,18 @@ pub struct EstimateResult {
     pub level: f64,
     /// The interval from the covariance alone.
     pub wald: [Option<f64>; 2],
-    /// What the data tell of it.
+    /// Its verdict: how well the data determine it.
     pub verdict: String,
     /// Why, in a sentence.
     pub why: String,
     /// Its standard deviation between repeats; missing without repeats.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub scatter: Option<f64>,
-    /// What is known instead.
+    /// The product of powers that is known instead, if any.
     pub known_combination: Option<CombinationResult>,
 }
 
-/// A product of powers that the data tell.
+/// A product of powers that the data determine.
 #[derive(Debug, Clone, Serialize)]
 pub struct CombinationResult {
     /// Such as `foundation.substrate.young_modulus * indenter.radius^0.5`.
@@ -55,7 +55,7 @@ impl From<&KnownCombination> for CombinationResult {
 pub struct ExcludedResult {
     /// The reason.
     pub reason: String,
-    /// How many.
+    /// Their number.
     pub count: usize,
 }
 
@@ -72,7 +72,7 @@ pub struct NoiseResult {
     pub correlation: f64,
 }
 
-/// What a reader should know.
+/// A warning for the reader.
 #[derive(Debug, Clone, Serialize)]
 pub struct WarningResult {
     /// A word for programs.

@@ -1,4 +1,4 @@
-//! A fit file fitted: the problem, the fit, and what is told of it.
+//! A fit file fitted: the problem, the fit and its result.
 
 use pellicle_identify::Fit;
 
@@ -12,7 +12,7 @@ pub struct FittedFile {
     pub identification: Identification,
     /// The fit.
     pub fit: Fit,
-    /// What it found.
+    /// Its result.
     pub found: FitResult,
 }
 

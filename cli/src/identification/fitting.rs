@@ -22,7 +22,7 @@ use crate::fit_file::report::OutsidePoints;
 const MOST_REPETITIONS: usize = 3;
 
 impl Identification {
-    /// Makes the fit; `tell` is told of each prediction how many there were. The points of the fit come with it: those
+    /// Makes the fit; `tell` gets the number of predictions after each. The points of the fit come with it: those
     /// of `self`, unless some had to be left out.
     ///
     /// # Errors
@@ -47,7 +47,7 @@ impl Identification {
             let handling = match self.file.report.outside {
                 _ if outside.points == now.outside.points => Some(Handling::LeftOut),
                 OutsidePoints::Keep => Some(Handling::Kept),
-                // What lies outside at values that are no fit is no reason to leave it out.
+                // Values that are no fit give no reason to leave out the points that lie outside at them.
                 OutsidePoints::LeaveOut if !is_fit && narrowed.is_none() => {
                     Some(Handling::NotConverged)
                 }

@@ -1,4 +1,4 @@
-//! What no data of the measurements can tell, by the keys of the case.
+//! The directions of the unknowns in which no predicted curve changes, by the keys of the case.
 
 use pellicle_contact::ModelParameter;
 use pellicle_identify::{IdentifyError, NullDirections};

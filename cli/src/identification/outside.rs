@@ -14,13 +14,13 @@ pub struct Outside {
     pub invalid: Vec<Option<Invalidity>>,
     /// The points, for each curve; empty if there are none.
     pub points: Vec<Vec<OutsidePoint>>,
-    /// What became of them.
+    /// Their handling.
     pub handling: Handling,
-    /// Why they could not be looked for, if so.
+    /// The reason why they could not be looked for, if any.
     pub failure: Option<String>,
 }
 
-/// What became of the points at which the model does not hold.
+/// The handling of the points at which the model does not hold.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Handling {
     /// They are not in the fit.

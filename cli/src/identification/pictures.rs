@@ -10,13 +10,13 @@ use super::{Identification, names, units};
 use crate::display::significant;
 use crate::failure::Failure;
 use crate::output::write_progress::WriteProgress;
-use crate::picture::fit::corner::{self, Corner};
-use crate::picture::fit::curve::{self, Curves, FittedCurve, Part, Point, Quantity};
+use crate::picture::fit::corner::{self, CornerPlot};
+use crate::picture::fit::curve::{self, AxisQuantity, CurveUse, Curves, FittedCurve, FittedPoint};
 use crate::picture::fit::designs::{self, Designs};
 use crate::picture::fit::profiles::{self, Profiles};
-use crate::picture::fit::repeats::{self, Repeated, Repeats};
+use crate::picture::fit::repeats::{self, Repeated, RepeatsPlot};
 use crate::picture::fit::unknown::{Combination, FittedUnknown};
-use crate::picture::fit::{Head, axes};
+use crate::picture::fit::{FitHeading, axes};
 use crate::picture::style::Style;
 use crate::planning;
 
@@ -31,7 +31,7 @@ pub enum FitPicture {
     Corner,
     /// The values of each repeat.
     Repeats,
-    /// What a design would add.
+    /// The expected intervals with one more curve of the design.
     Designs,
 }
 
@@ -89,7 +89,7 @@ pub fn write(
     Ok(drawn.into_iter().flatten().collect())
 }
 
-/// What the pictures are of.
+/// The subject of the pictures: a problem, its fit and the result.
 struct FitSubject<'a> {
     of: &'a Identification,
     fit: &'a Fit,
@@ -107,7 +107,7 @@ impl FitSubject<'_> {
         }
     }
 
-    fn head(&self) -> Head {
+    fn head(&self) -> FitHeading {
         let verdict = match self.fit.verdict {
             FitVerdict::Fitted => "fitted",
             FitVerdict::Misfit => "MISFIT: the model does not follow the measurements",
@@ -121,7 +121,7 @@ impl FitSubject<'_> {
             0 => String::new(),
             number => format!(", {number} of them left out"),
         };
-        Head {
+        FitHeading {
             title: self.found.title.clone(),
             numbers: format!(
                 "{}{left_out}, {}, χ²/ν = {}, {verdict}",
@@ -152,21 +152,21 @@ impl FitSubject<'_> {
         let curve = sources.map(|(index, (source, name))| {
             let span = first..first + source.abscissa.len();
             first = span.end;
-            let point = |(i, at): (usize, usize)| Point {
+            let point = |(i, at): (usize, usize)| FittedPoint {
                 abscissa: source.abscissa[i],
                 observed: source.observed[i],
                 model: points.model[at],
                 whitened: points.whitened[at],
             };
-            let part = if left_out.contains(&index) {
-                Part::LeftOut
+            let usage = if left_out.contains(&index) {
+                CurveUse::LeftOut
             } else {
-                Part::Used
+                CurveUse::Used
             };
             FittedCurve {
                 name,
                 points: span.enumerate().map(point).collect(),
-                part,
+                usage,
             }
         });
         let curves: Vec<_> = curve.collect();
@@ -179,8 +179,8 @@ impl FitSubject<'_> {
         }
     }
 
-    /// What was measured at what.
-    fn quantities(&self, curves: &[FittedCurve]) -> [Quantity; 2] {
+    /// Abscissa and ordinate of the curves, each with a unit that suits its largest value.
+    fn quantities(&self, curves: &[FittedCurve]) -> [AxisQuantity; 2] {
         let observable = self.of.model.curves().first().map(|curve| curve.observable);
         let [x, y] = match observable {
             Some(Observable::ForceAtDepth) => [("depth D", "m"), ("force Q", "N")],
@@ -190,7 +190,7 @@ impl FitSubject<'_> {
             _ => [("force Q", "N"), ("depth D", "m")],
         };
         let points = || curves.iter().flat_map(|curve| &curve.points);
-        let quantity = |(name, unit), largest: f64| Quantity {
+        let quantity = |(name, unit), largest: f64| AxisQuantity {
             name,
             scale: units::scale(largest, unit),
         };
@@ -210,13 +210,13 @@ impl FitSubject<'_> {
         }
     }
 
-    fn corner(&self) -> Corner {
+    fn corner(&self) -> CornerPlot {
         let has_covariance = |(_, estimate): &(usize, &Estimate)| estimate.wald.is_some();
         let chosen: Vec<_> = self.sought().filter(has_covariance).collect();
         let correlation = &self.fit.correlation;
         let row =
             |(i, _): &(usize, &Estimate)| chosen.iter().map(|(j, _)| correlation[*i][*j]).collect();
-        Corner {
+        CornerPlot {
             head: self.head(),
             correlation: chosen.iter().map(row).collect(),
             unknowns: (chosen.iter())
@@ -228,7 +228,7 @@ impl FitSubject<'_> {
         }
     }
 
-    fn repeats(&self) -> Repeats {
+    fn repeats(&self) -> RepeatsPlot {
         let repeated = |(index, estimate): (usize, &Estimate)| {
             let between = estimate.between_curves.as_ref()?;
             Some(Repeated {
@@ -237,7 +237,7 @@ impl FitSubject<'_> {
                 values: between.values.clone(),
             })
         };
-        Repeats {
+        RepeatsPlot {
             head: self.head(),
             names: self.names(),
             unknowns: self.sought().filter_map(repeated).collect(),

@@ -15,7 +15,7 @@ pub struct Remembered<'a> {
 }
 
 impl<'a> Remembered<'a> {
-    /// A model that remembers nothing yet and tells of each prediction.
+    /// A model that remembers nothing yet and calls `tell` after each prediction.
     pub fn new(model: &'a ContactCurves, stop: &'a StopFlag, tell: &'a (dyn Fn() + Sync)) -> Self {
         Self {
             model,
@@ -25,7 +25,7 @@ impl<'a> Remembered<'a> {
         }
     }
 
-    /// What was predicted for these parameters, if they were asked for.
+    /// The prediction for these parameters, if it is remembered.
     #[must_use]
     pub fn known(&self, parameters: &[f64]) -> Option<Prediction> {
         let memory = self.memory.lock().unwrap_or_else(PoisonError::into_inner);

@@ -15,7 +15,7 @@ use crate::planning::page::DesignTable;
 /// The page, its numbers in words.
 #[derive(Template)]
 #[template(path = "fit_report.html")]
-struct Page<'a> {
+struct FitPage<'a> {
     found: &'a FitResult,
     verdict: FitVerdict,
     misfit_p: String,
@@ -31,9 +31,9 @@ struct Page<'a> {
     tests: Vec<(&'static str, String, &'static str)>,
     /// Files, points and shifts.
     curves: Vec<(String, usize, String)>,
-    /// What would help with each unknown that is not well told.
+    /// For each unknown that is not well determined, the measurement that would help.
     help: Vec<String>,
-    /// What a design would add, if the fit file has one.
+    /// The designs, if the fit file has any.
     designs: DesignTable,
     seconds: String,
 }
@@ -55,7 +55,7 @@ struct ExactRow {
     name: String,
     key: String,
     value: String,
-    /// What 1 % more of it does to each unknown.
+    /// The change of each unknown for 1 % more of it.
     changes: Vec<String>,
     /// The error that moves an unknown as far as its interval reaches.
     tolerance: String,
@@ -65,7 +65,7 @@ struct ExactRow {
 #[must_use]
 pub fn html(of: &Identification, fit: &Fit, found: &FitResult, drawings: &FitDrawings) -> String {
     let rows = |all: &[EstimateResult]| all.iter().map(row).collect();
-    let page = Page {
+    let page = FitPage {
         found,
         verdict: fit.verdict,
         misfit_p: significant(fit.goodness.misfit_p, 2),
@@ -90,11 +90,11 @@ pub fn html(of: &Identification, fit: &Fit, found: &FitResult, drawings: &FitDra
     page.to_string()
 }
 
-/// What to do before anything is measured for a fit that is none.
+/// The first step after a fit that is none, before anything else is measured.
 const FIRST: &str = "First find out why the model does not follow the measurements: no interval holds what it says, and \
                      nothing below does.";
 
-/// What would tell more of an unknown; nothing where it is well told.
+/// The measurement that would determine an unknown better; none where it is well determined.
 fn help(of: &EstimateResult) -> Option<String> {
     let what = match of.verdict.as_str() {
         "weak" => "less noise, more loads, or an indenter of another radius",

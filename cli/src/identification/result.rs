@@ -22,7 +22,7 @@ pub const FILE: &str = "fit.json";
 /// Name and version of the layout.
 pub const SCHEMA: &str = "pellicle-fit/1";
 
-/// What a fit found.
+/// The result of a fit: `fit.json`.
 #[derive(Debug, Clone, Serialize)]
 pub struct FitResult {
     /// Name and version of this layout.
@@ -35,34 +35,35 @@ pub struct FitResult {
     pub title: String,
     /// `fitted`, `misfit` or `not-converged`.
     pub verdict: &'static str,
-    /// What was sought.
+    /// The unknowns.
     pub unknowns: Vec<EstimateResult>,
-    /// What was not known exactly.
+    /// The nuisances: numbers that were not known exactly.
     pub nuisances: Vec<EstimateResult>,
     /// Correlation of the unknowns, in their order.
     pub correlation: Vec<Vec<f64>>,
-    /// What the models hold fixed, and what an error in it does to the unknowns; empty unless the verdict is `fitted`.
+    /// Numbers that the models hold fixed, and the effect of an error in each on the unknowns; empty unless the verdict
+    /// is `fitted`.
     pub taken_as_exact: Vec<ExactNumber>,
-    /// How well the model follows the data.
+    /// The quality of the fit.
     pub fit: Quality,
-    /// What it has cost.
+    /// The work that it took.
     pub work: WorkResult,
     /// The curves.
     pub curves: Vec<CurveResult>,
-    /// What a design would add, the best first; missing unless the fit file asks for it.
+    /// The designs, the best first; missing unless the fit file asks for them.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub design: Vec<DesignResult>,
-    /// What a reader should know.
+    /// Warnings for the reader.
     pub warnings: Vec<WarningResult>,
     /// Samples of the posterior, which have a file of their own.
     #[serde(skip)]
     pub samples: Vec<Vec<f64>>,
-    /// What to measure next of the design, in a sentence or two.
+    /// The advice on the next measurement, in a sentence or two.
     #[serde(skip)]
     pub advice: String,
 }
 
-/// How well the model follows the data.
+/// The quality of a fit: how well the model follows the data.
 #[derive(Debug, Clone, Serialize)]
 pub struct Quality {
     /// Points fitted.
@@ -81,7 +82,7 @@ pub struct Quality {
     pub durbin_watson: f64,
 }
 
-/// What a fit has cost.
+/// The work that a fit took.
 #[derive(Debug, Clone, Serialize)]
 pub struct WorkResult {
     /// Predictions of all curves, derivatives included.

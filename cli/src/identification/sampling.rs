@@ -8,15 +8,15 @@ use pellicle_identify::{
 use super::Identification;
 use super::findings::WarningResult;
 
-/// Part of the samples at a face of the surrogate's box from which on that is told.
+/// Part of the samples at a face of the surrogate's box from which on there is a warning.
 const CUT_OFF: f64 = 0.01;
 
-/// Samples of the posterior, and what is to be said of them.
+/// Samples of the posterior, with the warnings about them.
 #[derive(Debug, Default)]
 pub struct Sampling {
     /// One list of values of the unknowns and nuisances, in SI units, for each sample; empty without.
     pub samples: Vec<Vec<f64>>,
-    /// What a reader should know of them.
+    /// Warnings about them.
     pub warnings: Vec<WarningResult>,
 }
 

@@ -35,7 +35,7 @@ pub fn text(result: &FitResult) -> String {
     )
 }
 
-/// What a design would add; nothing without one.
+/// The table of the designs and the advice; nothing without a design.
 fn next(result: &FitResult) -> String {
     if result.design.is_empty() {
         return String::new();

@@ -1,4 +1,4 @@
-//! Whether the model holds where a fit used it, and what is said of the points outside of it.
+//! The validity of the model where a fit used it, and the warnings about points at which it does not hold.
 
 use std::collections::BTreeMap;
 
@@ -57,8 +57,8 @@ pub fn outside(
 }
 
 impl Identification {
-    /// What a reader should know of the points at which the model does not hold: how many of each curve, between which
-    /// abscissae, and what became of them.
+    /// Warnings about the points at which the model does not hold: how many of each curve, between which
+    /// abscissae, and how they were handled.
     #[must_use]
     pub fn outside_warnings(&self) -> Vec<WarningResult> {
         let mut found = Vec::new();

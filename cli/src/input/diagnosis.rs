@@ -6,8 +6,7 @@ use std::sync::Arc;
 
 use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, LabeledSpan, SourceCode};
 
-use super::source::Source;
-use super::span::Span;
+use super::span::{Source, Span};
 use crate::terminal::clean;
 
 /// The longest line that is drawn, in bytes; a longer one was not written by a person, and is only named.

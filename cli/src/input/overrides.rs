@@ -6,8 +6,7 @@ use toml::de::DeValue;
 
 use super::diagnosis::{Diagnosis, Fault};
 use super::key_path;
-use super::source::{COMMAND_LINE, Source};
-use super::span::Span;
+use super::span::{COMMAND_LINE, Source, Span};
 use super::toml_tree::{self, TomlEntry, TomlNode, TomlTable, TomlValue};
 
 /// Replaces the value of a key in the tree by that of `argument`, `key.of.table=value`.

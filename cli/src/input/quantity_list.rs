@@ -6,7 +6,7 @@ use super::spacing::{self, Spacing};
 use super::table_reader::TableReader;
 use super::value_reader::{Sign, ValueReader};
 
-/// What the items of a list are, and how many there may be.
+/// The kind of quantity in a list, and the most items allowed.
 #[derive(Debug, Clone, Copy)]
 pub struct QuantityList {
     /// Their dimension.

@@ -1,9 +1,18 @@
-//! A place in a text that the user wrote.
+//! A text that the user wrote, a case file or one `--set` of the command line, and a place in it.
 
 use std::ops::Range;
 use std::sync::Arc;
 
-use super::source::{COMMAND_LINE, STREAM, Source};
+use miette::NamedSource;
+
+/// A text with the name it goes by in messages: the path of a case file, or `--set`.
+pub type Source = NamedSource<String>;
+
+/// The name of the command line's text.
+pub const COMMAND_LINE: &str = "--set";
+
+/// The name of the text that `solve --stream` reads, followed by its line.
+pub const STREAM: &str = "standard input";
 
 /// A range of bytes of a [`Source`].
 #[derive(Debug, Clone, PartialEq, Eq)]

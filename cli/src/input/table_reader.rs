@@ -119,7 +119,7 @@ impl<'a> ValueReader<'a> {
 pub(crate) mod tests {
     use std::sync::Arc;
 
-    use super::super::source::Source;
+    use super::super::span::Source;
     use super::super::toml_tree;
     use super::*;
 

@@ -6,8 +6,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::diagnosis::{Diagnosis, Fault};
-use super::source::Source;
-use super::span::Span;
+use super::span::{Source, Span};
 
 /// A value and its place in the text.
 #[derive(Debug, Clone, PartialEq)]

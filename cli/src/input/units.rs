@@ -70,7 +70,7 @@ fn names_a_unit(value: &TomlValue) -> bool {
 mod tests {
     use std::sync::Arc;
 
-    use super::super::source::Source;
+    use super::super::span::Source;
     use super::super::toml_tree;
     use super::*;
 

@@ -261,7 +261,7 @@ impl<'a> ValueReader<'a> {
 mod tests {
     use std::sync::Arc;
 
-    use super::super::source::Source;
+    use super::super::span::Source;
     use super::super::table_reader::TableReader;
     use super::super::toml_tree;
     use super::*;

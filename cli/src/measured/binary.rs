@@ -1,4 +1,4 @@
-//! Binary files of instruments, told by their first bytes, and the tools that make tables of them.
+//! Binary files of instruments, recognised by their first bytes, and the tools that make tables of them.
 
 use std::path::Path;
 

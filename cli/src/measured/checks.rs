@@ -1,4 +1,4 @@
-//! What a curve must and should be, before anything is fitted to it.
+//! Checks of a curve before anything is fitted to it: errors where it cannot be used, warnings where it is doubtful.
 
 use super::channel::Channel;
 use super::columns::{ColumnUnit, Columns};

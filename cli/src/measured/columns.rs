@@ -96,7 +96,7 @@ fn by_name(name: &str, key: &'static str, header: &[HeaderField]) -> Result<usiz
     Err(CurveError::NoSuchColumn { key, name, columns })
 }
 
-/// What a 1 in a column means.
+/// The unit of a column, as the fit file gives it.
 #[derive(Debug, Clone, PartialEq)]
 pub enum ColumnUnit {
     /// A unit, perhaps with a factor or a sign: its SI value and its text.

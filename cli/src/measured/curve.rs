@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use super::channel::Channel;
 use super::error::CurveError;
-use super::exclusion::Exclusion;
+use super::exclusion::ExcludedRows;
 use super::spring::penetration;
 use super::warning::CurveWarning;
 
@@ -19,9 +19,9 @@ pub struct MeasuredCurve {
     pub table_rows: usize,
     /// The row of each point, from 1.
     pub rows: Vec<usize>,
-    /// What was left out.
-    pub excluded: Vec<Exclusion>,
-    /// What is worth knowing.
+    /// The points left out, by reason.
+    pub excluded: Vec<ExcludedRows>,
+    /// Warnings about the curve.
     pub warnings: Vec<CurveWarning>,
     pub(super) channels: Vec<(Channel, Vec<f64>)>,
 }

@@ -9,7 +9,7 @@ use super::exclusion::ExclusionReason::{
 };
 use super::exclusion::KeptRows;
 use super::raw_curve::RawCurve;
-use super::segment::{Part, Segment, SegmentEnd, Until};
+use super::segment::{Branch, Segment, SegmentEnd, Until};
 use super::warning::CurveWarning;
 
 /// An unloading given as a loading has its largest force within this fraction of its rows from its first.
@@ -118,7 +118,7 @@ fn marked_row(raw: &RawCurve<'_>, end: &'static str, marker: &str) -> Result<usi
 }
 
 /// Keeps the rows up to the first largest force, or from the last one on.
-fn keep_part(kept: &mut KeptRows, forces: &[f64], part: Part) -> Result<(), CurveError> {
+fn keep_part(kept: &mut KeptRows, forces: &[f64], part: Branch) -> Result<(), CurveError> {
     let (lowest, peak) = range(kept.rows.iter().map(|row| forces[*row]));
     // A constant force has no parts; the checks refuse it.
     if lowest >= peak {
@@ -126,8 +126,8 @@ fn keep_part(kept: &mut KeptRows, forces: &[f64], part: Part) -> Result<(), Curv
     }
     let is_peak = |row: &usize| forces[*row] >= peak;
     match part {
-        Part::Whole => {}
-        Part::Loading => {
+        Branch::Whole => {}
+        Branch::Loading => {
             let end = kept
                 .rows
                 .iter()
@@ -136,7 +136,7 @@ fn keep_part(kept: &mut KeptRows, forces: &[f64], part: Part) -> Result<(), Curv
             refuse_unloading(&kept.rows, forces, end)?;
             kept.keep_places(0, end, [BeforeLargestForce, AfterLargestForce]);
         }
-        Part::Unloading => {
+        Branch::Unloading => {
             let start = kept.rows.iter().rposition(is_peak).unwrap_or(0);
             kept.keep_places(
                 start,
@@ -189,15 +189,15 @@ fn keep_between_forces(kept: &mut KeptRows, forces: &[f64], segment: &Segment) {
         rows.iter().position(outside).unwrap_or(rows.len())
     };
     let (start, length) = match segment.part {
-        Part::Loading => {
+        Branch::Loading => {
             let end = first(&kept.rows, &above);
             (behind_last(&kept.rows[..end], &below), end)
         }
-        Part::Unloading => {
+        Branch::Unloading => {
             let start = behind_last(&kept.rows, &above);
             (start, start + first(&kept.rows[start..], &below))
         }
-        Part::Whole => {
+        Branch::Whole => {
             kept.retain(BeforeSegment, |row| !below(&row));
             kept.retain(AfterSegment, |row| !above(&row));
             return;

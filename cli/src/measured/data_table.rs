@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use super::columns::Columns;
 use super::error::CurveError;
-use super::noise::Noise;
+use super::noise::MeasuredNoise;
 use super::segment::Segment;
 use super::sources::MeasurementSources;
 use super::spring::{HeightDirection, SpringConstant};
@@ -15,12 +15,12 @@ use super::text_options::TextOptions;
 use crate::input::diagnosis::{Diagnosis, Fault};
 use crate::input::document::Document;
 use crate::input::key_path;
-use crate::input::source::Source;
+use crate::input::span::Source;
 use crate::input::table_reader::TableReader;
 use crate::input::toml_tree::{self, TomlNode, TomlTable, TomlValue};
 use crate::input::value_reader::ValueReader;
 
-/// What is compared with a model.
+/// The observable that is compared with a model.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Observe {
     /// The depth at each force.
@@ -39,21 +39,21 @@ pub struct DataTable {
     pub files: Vec<PathBuf>,
     /// The columns and their units.
     pub columns: Columns,
-    /// How the text is written.
+    /// The form of the text.
     pub text: TextOptions,
     /// The part that is used.
     pub segment: Segment,
-    /// What is compared with the model.
+    /// The observable that is compared with the model.
     pub observe: Observe,
     /// The noise.
-    pub noise: Noise,
+    pub noise: MeasuredNoise,
     /// The spring constant of a cantilever, if the penetration comes from the height of its piezo.
     pub spring_constant: Option<SpringConstant>,
     /// The direction in which that height counts.
     pub height_direction: HeightDirection,
     /// Values of keys of the model that are others for these files, by their dotted paths.
     pub set: TomlTable,
-    /// Where their content comes from.
+    /// The source of their content.
     pub sources: MeasurementSources,
     /// The tree of the table, for diagnoses.
     document: Document,
@@ -134,7 +134,8 @@ impl DataTable {
                 .map_or(Ok(TextOptions::default()), |t| TextOptions::read(&t))?,
             segment: optional("segment")?.map_or(Ok(Segment::default()), |t| Segment::read(&t))?,
             observe: observe(&table)?,
-            noise: optional("noise")?.map_or(Ok(Noise::default()), |t| Noise::read(&t))?,
+            noise: optional("noise")?
+                .map_or(Ok(MeasuredNoise::default()), |t| MeasuredNoise::read(&t))?,
             spring_constant: spring.map(|f| SpringConstant::read(&f)).transpose()?,
             height_direction: direction.map_or(Ok(HeightDirection::default()), |f| {
                 HeightDirection::read(&f)
@@ -177,7 +178,7 @@ impl DataTable {
     }
 }
 
-/// Which files are wanted.
+/// The files wanted, in words.
 const FILES: &str = "the path of a text file from the folder of the fit file, or a pattern with * and ? for several";
 
 /// The files that match, which may be none as long as nothing is read.

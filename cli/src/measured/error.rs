@@ -15,9 +15,9 @@ pub enum CurveError {
     /// The file is not text.
     #[error("found {kind}, wanted a table as text: {tool}")]
     Binary {
-        /// What the file seems to be.
+        /// The apparent type of the file.
         kind: &'static str,
-        /// How to make a table of it.
+        /// The way to make a table of it.
         tool: &'static str,
     },
     /// The text is not in this encoding.
@@ -114,7 +114,7 @@ pub enum CurveError {
         name: &'static str,
         /// The header of the column.
         column: String,
-        /// What the header tells.
+        /// The quantity that the header names.
         found: String,
         /// The dimension wanted.
         wanted: &'static str,

@@ -37,7 +37,7 @@ impl fmt::Display for ExclusionReason {
 
 /// A number of rows left out for one reason.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Exclusion {
+pub struct ExcludedRows {
     /// The reason.
     pub reason: ExclusionReason,
     /// Rows, at least one.
@@ -49,8 +49,8 @@ pub struct Exclusion {
 pub(super) struct KeptRows {
     /// Rows, from 0.
     pub(super) rows: Vec<usize>,
-    /// What is left out.
-    pub(super) excluded: Vec<Exclusion>,
+    /// The points left out, by reason.
+    pub(super) excluded: Vec<ExcludedRows>,
 }
 
 impl KeptRows {
@@ -80,7 +80,7 @@ impl KeptRows {
             .find(|found| found.reason == reason)
         {
             Some(found) => found.count += count,
-            None if count > 0 => self.excluded.push(Exclusion { reason, count }),
+            None if count > 0 => self.excluded.push(ExcludedRows { reason, count }),
             None => {}
         }
     }

@@ -7,7 +7,7 @@ use crate::input::quantity;
 /// Units of what is no quantity of a contact: a column in one of them needs a calibration.
 const ELECTRICAL: [&str; 7] = ["V", "mV", "uV", "µV", "A", "mA", "nA"];
 
-/// What the head of a column says about its unit.
+/// The unit in the head of a column.
 #[derive(Debug, Clone, PartialEq)]
 pub enum HeaderUnit {
     /// Nothing that is known as a unit.
@@ -27,7 +27,7 @@ pub struct HeaderField {
     pub name: String,
     /// The text of the unit: `nm`; empty without.
     pub unit_text: String,
-    /// What kind of unit it is.
+    /// The kind of unit.
     pub unit: HeaderUnit,
 }
 

@@ -1,13 +1,13 @@
-//! The table `noise` of a fit file: what is known of the noise of a measurement.
+//! The table `noise` of a fit file: the noise of a measurement, as far as it is known.
 
 use crate::input::diagnosis::Diagnosis;
 use crate::input::dimension::Dimension;
 use crate::input::table_reader::TableReader;
 use crate::input::value_reader::Sign;
 
-/// What is known of the noise; what is not is estimated.
+/// The noise, as far as it is known; the rest is estimated.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Noise {
+pub struct MeasuredNoise {
     /// Standard deviation of the depth, m.
     pub depth: Option<f64>,
     /// Standard deviation of the force, N.
@@ -15,20 +15,20 @@ pub struct Noise {
     /// Standard deviation of what is observed over its value.
     pub relative: Option<f64>,
     /// Whether neighbouring points have noise in common.
-    pub correlation: Correlation,
+    pub correlation: NoiseCorrelation,
 }
 
 /// Whether neighbouring points have noise in common.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub enum Correlation {
+pub enum NoiseCorrelation {
     /// They have none.
     None,
-    /// How much is estimated.
+    /// Noise in common, whose correlation is estimated.
     #[default]
     Estimate,
 }
 
-impl Noise {
+impl MeasuredNoise {
     /// Reads the table.
     ///
     /// # Errors
@@ -51,8 +51,8 @@ impl Noise {
         });
         let correlation = table.optional("correlation").map(|field| {
             field.choice(&[
-                ("none", Correlation::None),
-                ("estimate", Correlation::Estimate),
+                ("none", NoiseCorrelation::None),
+                ("estimate", NoiseCorrelation::Estimate),
             ])
         });
         Ok(Self {

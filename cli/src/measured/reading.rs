@@ -115,7 +115,7 @@ fn points(raw: &RawCurve<'_>, rows: &[usize]) -> Vec<(Channel, Vec<f64>)> {
         .collect()
 }
 
-/// What the text itself gives reason to say.
+/// Warnings about the text itself: a guessed encoding, more than one table.
 fn of_text(guessed: Option<&str>, table: &TextTable<'_>, data: &DataTable) -> Vec<CurveWarning> {
     let mut warnings = Vec::new();
     if let Some(encoding) = guessed {

@@ -12,13 +12,13 @@ use crate::input::value_reader::{Sign, ValueReader};
 pub struct Segment {
     /// The value in the column of segments; all by default.
     pub value: Option<String>,
-    /// Where it begins.
+    /// Its start, if given.
     pub from: Option<SegmentEnd>,
-    /// Where it ends.
+    /// Its end, if given.
     pub to: Option<SegmentEnd>,
     /// Loading, unloading or both.
-    pub part: Part,
-    /// What ends it before `to`.
+    pub part: Branch,
+    /// The event that ends it before `to`.
     pub until: Until,
 }
 
@@ -35,9 +35,9 @@ pub enum SegmentEnd {
     Marker(String),
 }
 
-/// Which way the force goes.
+/// The branch of a curve by the way the force goes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Part {
+pub enum Branch {
     /// Up to the largest force.
     #[default]
     Loading,
@@ -47,7 +47,7 @@ pub enum Part {
     Whole,
 }
 
-/// What ends a loading.
+/// The event that ends a loading.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Until {
     /// The largest force.
@@ -84,9 +84,9 @@ impl Segment {
         };
         if let Some(field) = table.optional("part") {
             segment.part = field.choice(&[
-                ("loading", Part::Loading),
-                ("unloading", Part::Unloading),
-                ("whole", Part::Whole),
+                ("loading", Branch::Loading),
+                ("unloading", Branch::Unloading),
+                ("whole", Branch::Whole),
             ])?;
         }
         if let Some(field) = table.optional("until") {
@@ -94,7 +94,7 @@ impl Segment {
                 ("largest force", Until::LargestForce),
                 ("largest depth step", Until::LargestDepthStep),
             ])?;
-            if segment.part != Part::Loading {
+            if segment.part != Branch::Loading {
                 return Err(field.unusable(
                     &"where part is not \"loading\"",
                     "until for a loading alone",

@@ -22,7 +22,7 @@ impl DecimalMark {
     }
 }
 
-/// What stands between two fields of a line.
+/// The separator of two fields of a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Separator {
     /// One tab.

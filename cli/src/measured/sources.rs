@@ -1,4 +1,4 @@
-//! Where measurements come from: the files of a folder, and texts that a caller hands over with a fit.
+//! The sources of measurements: the files of a folder, and texts that a caller passes with a fit.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;

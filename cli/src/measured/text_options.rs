@@ -5,16 +5,16 @@ use super::separator::{DecimalMark, Separator};
 use crate::input::diagnosis::{Diagnosis, Fault};
 use crate::input::table_reader::TableReader;
 
-/// How the text of a measurement is written.
+/// The form of the text of a measurement.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TextOptions {
     /// The mark between whole and fraction; a point by default.
     pub decimal: DecimalMark,
-    /// What separates columns; found from the file if not given.
+    /// The separator of columns; found from the file if not given.
     pub separator: Option<Separator>,
     /// The table begins at a line with this text, if given.
     pub skip_until: Option<String>,
-    /// Which of several tables is meant, from 1; the first by default.
+    /// The number of the table among several, from 1; the first by default.
     pub table: Option<usize>,
     /// The encoding.
     pub encoding: TextEncoding,

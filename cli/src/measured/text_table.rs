@@ -11,7 +11,7 @@ const SHARE_OF_LONGEST: usize = 10;
 /// A table in a text.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TextTable<'t> {
-    /// What separates its columns.
+    /// The separator of its columns.
     pub separator: Separator,
     /// The heads of its columns; empty if there are none.
     pub header: Vec<HeaderField>,
@@ -23,9 +23,9 @@ pub struct TextTable<'t> {
     pub tables: usize,
 }
 
-/// What a line is to a table.
+/// The role of a line in a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Line {
+enum LineKind {
     /// At least two fields are numbers.
     Row,
     /// As many fields as in the first row, one of them a number or none a word.
@@ -38,7 +38,7 @@ enum Line {
 
 /// Lines of a text that belong together: from the first row to behind the last one.
 #[derive(Debug, Clone, Copy)]
-struct Run {
+struct RowRun {
     start: usize,
     end: usize,
     rows: usize,
@@ -60,7 +60,7 @@ impl<'t> TextTable<'t> {
             (None, Some((separator, _))) if hint.is_none() => separator,
             _ => return Err(no_table()),
         };
-        let runs = Runs {
+        let runs = RowRuns {
             lines: &lines,
             separator,
             decimal: options.decimal,
@@ -72,7 +72,7 @@ impl<'t> TextTable<'t> {
         let run = run.ok_or_else(no_table)?;
         let kept = lines.get(run.start..run.end).unwrap_or_default();
         let columns = kept.first().map_or(0, |row| separator.fields(row).len());
-        let is_row = |line: &&&str| runs.kind(line, columns) != Line::Blank;
+        let is_row = |line: &&&str| runs.kind(line, columns) != LineKind::Blank;
         Ok(Self {
             separator,
             header: header::above(
@@ -106,18 +106,18 @@ fn hint(lines: &[&str], decimal: DecimalMark, rows: usize) -> Option<&'static st
 }
 
 /// The runs of rows in the lines of a text.
-struct Runs<'a, 't> {
+struct RowRuns<'a, 't> {
     lines: &'a [&'t str],
     separator: Separator,
     decimal: DecimalMark,
 }
 
-impl Runs<'_, '_> {
+impl RowRuns<'_, '_> {
     /// The n-th table of the whole text, with the number of tables.
-    fn of_whole_text(&self, wanted: usize) -> Result<(usize, Option<Run>, usize), CurveError> {
+    fn of_whole_text(&self, wanted: usize) -> Result<(usize, Option<RowRun>, usize), CurveError> {
         let runs = self.all(0, self.lines.len());
         let longest = runs.iter().map(|run| run.rows).max().unwrap_or(0);
-        let is_long = |run: &&Run| run.rows * SHARE_OF_LONGEST >= longest;
+        let is_long = |run: &&RowRun| run.rows * SHARE_OF_LONGEST >= longest;
         let tables: Vec<_> = runs.iter().filter(is_long).copied().collect();
         let found = tables.len();
         match tables.get(wanted - 1) {
@@ -127,7 +127,11 @@ impl Runs<'_, '_> {
     }
 
     /// The first longer table at or behind the n-th line with the text, with the number of such lines.
-    fn behind(&self, text: &str, wanted: usize) -> Result<(usize, Option<Run>, usize), CurveError> {
+    fn behind(
+        &self,
+        text: &str,
+        wanted: usize,
+    ) -> Result<(usize, Option<RowRun>, usize), CurveError> {
         let words = |line: &str| line.split_whitespace().collect::<Vec<_>>().join(" ");
         let text = words(text);
         let has_text =
@@ -150,51 +154,51 @@ impl Runs<'_, '_> {
     }
 
     /// All runs between two lines.
-    fn all(&self, start: usize, end: usize) -> Vec<Run> {
-        let mut runs: Vec<Run> = Vec::new();
+    fn all(&self, start: usize, end: usize) -> Vec<RowRun> {
+        let mut runs: Vec<RowRun> = Vec::new();
         let (mut open, mut columns) = (false, 0);
         for number in start..end {
             let line = self.lines.get(number).copied().unwrap_or_default();
             match (self.kind(line, columns), open) {
-                (Line::Row, false) => {
+                (LineKind::Row, false) => {
                     open = true;
                     columns = self.separator.fields(line).len();
-                    runs.push(Run {
+                    runs.push(RowRun {
                         start: number,
                         end: number + 1,
                         rows: 1,
                     });
                 }
-                (Line::Row | Line::Broken, true) => {
+                (LineKind::Row | LineKind::Broken, true) => {
                     if let Some(run) = runs.last_mut() {
                         (run.end, run.rows) = (number + 1, run.rows + 1);
                     }
                 }
-                (Line::Other, _) => open = false,
-                (Line::Blank | Line::Broken, _) => {}
+                (LineKind::Other, _) => open = false,
+                (LineKind::Blank | LineKind::Broken, _) => {}
             }
         }
         runs
     }
 
-    fn kind(&self, line: &str, columns: usize) -> Line {
+    fn kind(&self, line: &str, columns: usize) -> LineKind {
         if line.starts_with(['#', '%']) {
-            return Line::Blank;
+            return LineKind::Blank;
         }
         let fields = self.separator.fields(line);
         let is_number = |field: &&&str| self.decimal.number(field).is_some();
         let numbers = fields.iter().filter(is_number).take(2).count();
         if numbers == 2 {
-            return Line::Row;
+            return LineKind::Row;
         }
         if fields.iter().all(|field| field.is_empty()) {
-            return Line::Blank;
+            return LineKind::Blank;
         }
         let has_word = |field: &&str| field.contains(char::is_alphabetic);
         let may_be_broken = numbers == 1 || !fields.iter().any(has_word);
         if fields.len() == columns && columns > 1 && may_be_broken {
-            return Line::Broken;
+            return LineKind::Broken;
         }
-        Line::Other
+        LineKind::Other
     }
 }

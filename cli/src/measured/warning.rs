@@ -1,4 +1,4 @@
-//! What is worth knowing about a measured curve that was read, each with a code that does not change.
+//! Warnings about a measured curve that was read, each with a code that does not change.
 
 /// A warning about a measured curve.
 #[derive(Debug, Clone, PartialEq, Eq)]

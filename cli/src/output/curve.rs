@@ -6,7 +6,7 @@ pub mod rough;
 pub mod sensitivity;
 pub mod stress;
 
-use self::column::{Column, name, number};
+use self::column::{CurveColumn, name, number};
 use self::hardness::HardnessColumns;
 use self::rough::RoughColumns;
 use self::sensitivity::SensitivityColumns;
@@ -17,7 +17,7 @@ use crate::input::units::Units;
 /// Name of the file in a results folder.
 pub const FILE: &str = "curve.csv";
 
-const COLUMNS: [Column<StepSummary>; 13] = [
+const COLUMNS: [CurveColumn<StepSummary>; 13] = [
     ("force", Some("N"), |step| number(step.force)),
     ("penetration", Some("m"), |step| number(step.penetration)),
     ("max pressure", Some("Pa"), |step| number(step.max_pressure)),

@@ -14,7 +14,7 @@ use crate::failure::Failure;
 use crate::input::units::Units;
 
 /// The field of a file.
-struct Channel<'a> {
+struct GsfChannel<'a> {
     title: &'a str,
     /// Its unit in SI, if it has one.
     unit: Option<&'static str>,
@@ -32,7 +32,7 @@ pub fn file(name: &str, step: usize) -> String {
 ///
 /// [`Failure::Write`] if a file cannot be written.
 pub fn write(folder: &Path, fields: &Fields<'_>, units: Units, step: usize) -> Result<(), Failure> {
-    let pressure = Channel {
+    let pressure = GsfChannel {
         title: "Pressure",
         unit: Some("Pa"),
     };
@@ -41,7 +41,7 @@ pub fn write(folder: &Path, fields: &Fields<'_>, units: Units, step: usize) -> R
     let path = folder.join(file("pressure", step));
     write_channel(&path, fields, units, &pressure, pressures)?;
     fields.truths().into_iter().try_for_each(|truth| {
-        let channel = Channel {
+        let channel = GsfChannel {
             title: truth.name,
             unit: None,
         };
@@ -74,7 +74,7 @@ fn write_channel(
     path: &Path,
     fields: &Fields<'_>,
     units: Units,
-    channel: &Channel<'_>,
+    channel: &GsfChannel<'_>,
     value: impl Fn(usize) -> f32,
 ) -> Result<(), Failure> {
     write_stoppable(path, |file| {
@@ -83,7 +83,7 @@ fn write_channel(
     })
 }
 
-fn head(fields: &Fields<'_>, units: Units, channel: &Channel<'_>) -> Vec<u8> {
+fn head(fields: &Fields<'_>, units: Units, channel: &GsfChannel<'_>) -> Vec<u8> {
     let (size, side, low) = (fields.size, fields.side, fields.edge(0));
     let unit = |name: &str, unit: &str| format!("{name} = {unit}\n");
     let units = match units {
@@ -137,7 +137,7 @@ mod tests {
                 profile: &[0.0],
                 mask: &[false],
             };
-            let channel = Channel {
+            let channel = GsfChannel {
                 title: "Pressure",
                 unit: Some("Pa"),
             };

@@ -1,4 +1,4 @@
-//! The files that a run or a fit writes, told from somebody else's, which are never replaced.
+//! The files that a run or a fit writes, as opposed to somebody else's, which are never replaced.
 
 use std::fs::{self, DirEntry, File};
 use std::io::{self, BufReader};
@@ -66,7 +66,7 @@ pub fn is_file(entry: &DirEntry) -> bool {
 
 /// The part of a summary that tells it from any other file of its name.
 #[derive(Deserialize)]
-struct Head {
+struct SummaryHead {
     schema: String,
     program: String,
     case: Value,
@@ -79,13 +79,13 @@ pub fn case_in(folder: &Path) -> Option<Value> {
     head(folder).map(|head| head.case)
 }
 
-fn head(folder: &Path) -> Option<Head> {
+fn head(folder: &Path) -> Option<SummaryHead> {
     let path = folder.join(summary::FILE);
     if !fs::symlink_metadata(&path).ok()?.is_file() {
         return None;
     }
     let file = BufReader::new(File::open(&path).ok()?);
-    let head: Head = serde_json::from_reader(file).ok()?;
+    let head: SummaryHead = serde_json::from_reader(file).ok()?;
     let (layout, _) = summary::SCHEMA.split_once('/')?;
     let (written, _) = head.schema.split_once('/')?;
     (written == layout && head.program == summary::PROGRAM).then_some(head)
@@ -166,12 +166,12 @@ pub fn is_fit(folder: &Path) -> bool {
 /// The files by which a folder is known to hold the results of a fit, or a plan.
 fn marks_in(folder: &Path) -> impl Iterator<Item = &'static str> {
     #[derive(Deserialize)]
-    struct Head {
+    struct ResultHead {
         schema: String,
     }
     let has_layout = |file: &str, schema: &str| {
         let text = fs::read_to_string(folder.join(file)).ok();
-        let head = text.and_then(|text| serde_json::from_str::<Head>(&text).ok());
+        let head = text.and_then(|text| serde_json::from_str::<ResultHead>(&text).ok());
         head.is_some_and(|head| layout(&head.schema) == layout(schema))
     };
     let marks = [

@@ -5,7 +5,7 @@ use std::path::Path;
 use rayon::prelude::*;
 
 use super::fields::Fields;
-use super::report::surface::Surface;
+use super::report::surface::SurfaceFigure;
 use super::stress::view::StressView;
 use super::summary::Summary;
 use super::write_progress::WriteProgress;
@@ -104,7 +104,7 @@ pub struct StepDrawings {
     /// The pictures of the stresses that were drawn, as SVG.
     pub stresses: Vec<(StressPicture, String)>,
     /// The pressure that can be turned; none if it cannot be drawn.
-    pub surface: Option<Surface>,
+    pub surface: Option<SurfaceFigure>,
 }
 
 /// The pictures of the run as a whole, as SVG.
@@ -216,7 +216,7 @@ pub fn step(
     });
     let drawn = drawn.collect::<Result<Vec<_>, Failure>>()?;
     let surface = writer.drawn(&format!("turned by hand, of step {step}"), || {
-        Ok(Surface::new(&subject))
+        Ok(SurfaceFigure::new(&subject))
     });
     Ok(StepDrawings {
         step,

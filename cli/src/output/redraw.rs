@@ -12,7 +12,7 @@ use super::write_progress::{OnProgress, WriteProgress};
 use super::{results, stress};
 use crate::case::output::Steps;
 use crate::failure::Failure;
-use crate::picture::curve::{self, Curve};
+use crate::picture::curve::{self, NamedCurve};
 use crate::picture::style::Style;
 
 /// The pictures to draw of one results folder.
@@ -147,10 +147,13 @@ pub fn draw_curves(
         return Err(Failure::damaged(&folders[other], &reason));
     }
     let names = names(folders, &summaries);
-    let curves = summaries.iter().zip(names).map(|(summary, name)| Curve {
-        name,
-        steps: &summary.steps,
-    });
+    let curves = summaries
+        .iter()
+        .zip(names)
+        .map(|(summary, name)| NamedCurve {
+            name,
+            steps: &summary.steps,
+        });
     let writer = WriteProgress::new(1, &|_, _| ());
     writer.picture(out, curve::NAME_OF_SEVERAL, || {
         curve::draw_several(curves.collect(), units, style)

@@ -23,7 +23,7 @@ pub const FILE: &str = "report.html";
 /// The page, its numbers in words.
 #[derive(Template)]
 #[template(path = "report.html")]
-struct Page<'a> {
+struct RunPage<'a> {
     summary: &'a Summary,
     run: &'a RunDrawings,
     side: String,
@@ -60,7 +60,7 @@ pub fn html(summary: &Summary, steps: &[StepDrawings], run: &RunDrawings) -> Str
     let undrawn = (!is_there).then_some(&undrawn);
     let metres = |value| quantity(value, Unit::Metre, summary.units);
     let seconds = |value| significant(value, 3);
-    let page = Page {
+    let page = RunPage {
         summary,
         run,
         side: metres(summary.grid.side),

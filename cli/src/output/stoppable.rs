@@ -18,7 +18,7 @@ const CHUNK: usize = 1 << 20;
 /// The cause of a file that was stopped.
 #[derive(Debug, thiserror::Error)]
 #[error("stopped by the user")]
-struct Stopped;
+struct WriteStopped;
 
 /// Whether a file was stopped half way, which is no failure.
 #[must_use]
@@ -28,7 +28,7 @@ pub fn was_stopped(failure: &Failure) -> bool {
     };
     let mut error = cause.get_ref().map(|inner| inner as &(dyn Error + 'static));
     while let Some(found) = error {
-        if found.is::<Stopped>() {
+        if found.is::<WriteStopped>() {
             return true;
         }
         let within = found
@@ -50,7 +50,7 @@ pub fn check(path: &Path) -> Result<(), Failure> {
     if !interrupt::is_overdue() {
         return Ok(());
     }
-    Err(Failure::write(path, io::Error::other(Stopped)))
+    Err(Failure::write(path, io::Error::other(WriteStopped)))
 }
 
 /// Hands bytes on until the user has asked to stop and [`interrupt::GRACE`] is over, then fails.
@@ -60,7 +60,7 @@ pub struct StoppableWriter<W>(pub W);
 impl<W: Write> Write for StoppableWriter<W> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         if interrupt::is_overdue() {
-            return Err(io::Error::other(Stopped));
+            return Err(io::Error::other(WriteStopped));
         }
         self.0.write(&bytes[..bytes.len().min(CHUNK)])
     }
@@ -133,7 +133,7 @@ mod tests {
             path: PathBuf::new(),
             cause,
         };
-        let stopped = || io::Error::other(Stopped);
+        let stopped = || io::Error::other(WriteStopped);
         assert!(was_stopped(&failure(stopped())));
         assert!(was_stopped(&failure(io::Error::other(stopped()))));
         let packed = zip::result::ZipError::Io(stopped());

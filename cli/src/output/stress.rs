@@ -19,7 +19,7 @@ use self::plane_file::{StressFile, StressHead};
 use self::plane_values::PlaneValues;
 pub use self::plane_values::{FIELDS, FieldName};
 use self::planes::{Wishes, block_radius};
-use self::view::{Reach, StressView, SurfaceLine, ViewCollector};
+use self::view::{SectionDepths, StressView, SurfaceLine, ViewCollector};
 use super::fields::Fields;
 use super::pictures::{self, StressDrawings};
 use super::summary::{StepSummary, Summary};
@@ -37,21 +37,21 @@ pub fn formats(formats: &[Format]) -> Vec<Format> {
     formats.iter().copied().filter(is_one).collect()
 }
 
-/// What is written of the stresses of a step.
+/// The files and pictures wanted of the stresses of a step.
 #[derive(Debug, Clone)]
-struct Wanted {
+struct WantedStresses {
     step: usize,
     formats: Vec<Format>,
     is_pictured: bool,
 }
 
-/// What is written of the steps that have fields or pictures.
-fn wanted(case: &Case, steps: usize) -> Vec<Wanted> {
+/// The steps that have files or pictures of stresses.
+fn wanted(case: &Case, steps: usize) -> Vec<WantedStresses> {
     if case.stress.is_none() {
         return Vec::new();
     }
     let output = &case.output;
-    let of_step = |step: usize| Wanted {
+    let of_step = |step: usize| WantedStresses {
         step,
         formats: if output.fields.contains(step, steps) {
             formats(&output.formats)
@@ -69,7 +69,8 @@ fn wanted(case: &Case, steps: usize) -> Vec<Wanted> {
 #[must_use]
 pub fn count(case: &Case, summary: &Summary) -> usize {
     let pictures = pictures::of_stresses(summary).len();
-    let count = |wanted: &Wanted| wanted.formats.len() + usize::from(wanted.is_pictured) * pictures;
+    let count =
+        |wanted: &WantedStresses| wanted.formats.len() + usize::from(wanted.is_pictured) * pictures;
     wanted(case, summary.steps.len()).iter().map(count).sum()
 }
 
@@ -119,9 +120,9 @@ fn write_step(
     path: &LoadingPath,
     summary: &Summary,
     case: &Case,
-    wanted: &Wanted,
+    wanted: &WantedStresses,
 ) -> Result<Option<StressView>, Failure> {
-    let Wanted { step, formats, .. } = wanted;
+    let WantedStresses { step, formats, .. } = wanted;
     let stress = case.stress.clone().unwrap_or_default();
     let Some(field) = StressField::new(path, *step, stress.sliding()) else {
         return Ok(None);
@@ -155,7 +156,7 @@ fn write_step(
     let mut files = of_fields.iter().map(begin).collect::<Result<Vec<_>, _>>()?;
     let line = section_line(&summary.steps[*step], &stress);
     let drawn = stress.drawn_planes(&case.foundation, foundation, radius);
-    let reach = Reach {
+    let reach = SectionDepths {
         deepest: drawn.last().map_or(0.0, |plane| plane.depth.z),
         bottoms: case.foundation.bottoms(foundation),
     };

@@ -3,7 +3,6 @@
 pub mod roughness;
 pub mod sensitivity;
 mod step;
-pub mod stress;
 mod warning;
 
 use std::time::Instant;
@@ -15,8 +14,7 @@ use serde_json::Value;
 
 use self::roughness::RoughnessSummary;
 use self::sensitivity::SensitivitySummary;
-pub use self::step::{CertificateSummary, StepSummary};
-use self::stress::StressSummary;
+pub use self::step::{CertificateSummary, StepSummary, StressSummary};
 pub use self::warning::WarningSummary;
 use crate::case::Case;
 use crate::case::grid::BoundaryCase;
@@ -63,7 +61,7 @@ pub struct Summary {
     /// The critical loads, where strengths are given and stresses asked for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub critical: Option<Vec<CriticalLoad>>,
-    /// How long it took.
+    /// The time that it took.
     pub timing: Timing,
     /// Warnings about the numbers.
     pub warnings: Vec<WarningSummary>,
@@ -80,12 +78,12 @@ pub struct GridSummary {
     /// Side `2a` of an element, m.
     #[serde(deserialize_with = "nan_from_null")]
     pub element_side: f64,
-    /// What lies around the square.
+    /// The boundary condition.
     #[serde(default, skip_serializing_if = "BoundaryCase::is_free")]
     pub boundary: BoundaryCase,
 }
 
-/// How long a run took, and on how many threads.
+/// The time that a run took, and its threads.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub struct Timing {
     /// For coefficients and geometry while nothing was solved, s. The finest grid may be made beside the solution of
@@ -107,7 +105,7 @@ pub struct Timing {
 /// The times of a run that the solver does not see.
 #[derive(Debug, Clone, Copy)]
 pub struct Clock {
-    /// When the case began to be read.
+    /// The moment at which reading the case began.
     pub start: Instant,
     /// For the radial tables, s.
     pub tables_seconds: f64,
@@ -233,7 +231,7 @@ impl Summary {
         ["surface", "indenter"].map(|table| self.case[table]["file"].is_string())
     }
 
-    /// Whether it tells of rough contact.
+    /// Whether a step has numbers of rough contact.
     #[must_use]
     pub fn has_rough_contact(&self) -> bool {
         self.steps.iter().any(|step| step.rough_contact.is_some())

@@ -1,4 +1,4 @@
-//! What VTK's XML files share: the descriptions of arrays that follow the text as they are, and their lengths.
+//! The common parts of VTK's XML files: descriptions of arrays that follow the text in binary, and their lengths.
 
 use std::io::{self, Write};
 

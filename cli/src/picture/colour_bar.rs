@@ -1,7 +1,7 @@
 //! The bar of a picture's colours, with the values beside it.
 
 use super::colour_map::ColourScale;
-use super::contour_bands::Bands;
+use super::contour_bands::ContourBands;
 use super::panel::LABEL;
 use super::raster::Raster;
 use super::svg::{Anchor, Rect, Stroke, Svg, TextDirection};
@@ -30,7 +30,7 @@ pub fn draw(svg: &mut Svg, place: Rect, shades: &ColourScale, title: &str) {
 }
 
 /// Draws a bar of bands of equal height, their levels beside it.
-pub fn draw_bands(svg: &mut Svg, place: Rect, bands: &Bands, title: &str) {
+pub fn draw_bands(svg: &mut Svg, place: Rect, bands: &ContourBands, title: &str) {
     let height = place.height / bands.colours().len() as f64;
     for (i, colour) in bands.colours().iter().enumerate() {
         let top = place.bottom() - height * (i + 1) as f64;

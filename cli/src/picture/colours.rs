@@ -66,7 +66,7 @@ pub const TEAL: Colour = Colour(68, 170, 153);
 /// The ground of an interval.
 pub const INTERVAL: Colour = Colour(226, 238, 247);
 
-/// What was measured, but left out of a fit.
+/// Measurements that were left out of a fit.
 pub const LEFT_OUT: Colour = Colour(190, 190, 190);
 
 impl Colour {

@@ -14,14 +14,14 @@ const MUCH_SMALLER: f64 = 0.4;
 
 /// Bands of values, each of one colour.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Bands {
-    /// Where one band ends and the next begins, rising.
+pub struct ContourBands {
+    /// The limits between bands, rising.
     pub levels: Vec<f64>,
     /// One colour more than there are levels.
     colours: Vec<Colour>,
 }
 
-impl Bands {
+impl ContourBands {
     /// Bands of values from 0 to `largest`, in the colours of a map.
     #[must_use]
     pub fn up_to(largest: f64, map: ColourMap) -> Self {
@@ -109,7 +109,7 @@ fn between(from: f64, to: f64, count: usize) -> Vec<f64> {
         .collect()
 }
 
-/// Blue at −1, white at 0, red at 1: told apart by every kind of eye.
+/// Blue at −1, white at 0, red at 1: distinct to the colour-blind too.
 fn diverging(part: f64) -> Colour {
     let colour = colorous::RED_BLUE.eval_continuous(0.5 - 0.5 * part);
     Colour(colour.r, colour.g, colour.b)
@@ -121,7 +121,7 @@ mod tests {
 
     #[test]
     fn levels_are_round_and_each_band_has_its_colour() {
-        let bands = Bands::up_to(3.3, ColourMap::Viridis);
+        let bands = ContourBands::up_to(3.3, ColourMap::Viridis);
         assert_eq!(bands.levels, [0.5, 1.0, 1.5, 2.0, 2.5, 3.0]);
         assert_eq!(bands.colour(-1.0), ColourMap::Viridis.at(0.0));
         assert_eq!(bands.colour(0.4), bands.colour(f64::NAN));
@@ -131,7 +131,7 @@ mod tests {
 
     #[test]
     fn zero_divides_blue_from_red_however_small_one_side_is() {
-        let bands = Bands::signed(-1.0, 0.1);
+        let bands = ContourBands::signed(-1.0, 0.1);
         let zero = bands.levels.iter().position(|level| *level == 0.0).unwrap();
         assert!(zero >= 4 && bands.levels.len() - zero >= 2, "{bands:?}");
         for (value, is_red) in [(-0.9, false), (-1e-9, false), (1e-9, true), (0.09, true)] {
@@ -140,18 +140,18 @@ mod tests {
         }
         // Values alike on both sides have the same steps.
         assert_eq!(
-            Bands::signed(-3.0, 2.5).levels,
+            ContourBands::signed(-3.0, 2.5).levels,
             [-2.5, -2.0, -1.5, -1.0, -0.5, 0.0, 0.5, 1.0, 1.5, 2.0]
         );
     }
 
     #[test]
     fn one_sign_or_none_has_no_level_at_zero() {
-        assert!(!Bands::signed(-2.0, -1.0).levels.contains(&0.0));
-        assert!(!Bands::signed(1.0, 2.0).levels.contains(&0.0));
-        let none = Bands::signed(0.0, 0.0);
+        assert!(!ContourBands::signed(-2.0, -1.0).levels.contains(&0.0));
+        assert!(!ContourBands::signed(1.0, 2.0).levels.contains(&0.0));
+        let none = ContourBands::signed(0.0, 0.0);
         assert_eq!((none.levels.len(), none.colours.len()), (0, 1));
-        let none = Bands::up_to(0.0, ColourMap::Viridis);
+        let none = ContourBands::up_to(0.0, ColourMap::Viridis);
         assert_eq!((none.levels.len(), none.colours.len()), (0, 1));
     }
 }

@@ -18,7 +18,7 @@ pub struct Mesh {
 const CORNERS: [(usize, usize); 4] = [(0, 0), (1, 0), (1, 1), (0, 1)];
 
 /// A side of a square, the same for the two squares that share it: its lower node, and whether it runs along a column.
-type Edge = (usize, bool);
+type GridEdge = (usize, bool);
 
 impl Mesh {
     fn rows(&self) -> usize {
@@ -35,7 +35,7 @@ impl Mesh {
                 self.cross([column - 1, row - 1], level, &mut next);
             }
         }
-        let entered: BTreeSet<Edge> = next.values().copied().collect();
+        let entered: BTreeSet<GridEdge> = next.values().copied().collect();
         // Lines that begin at the rim first, so that none is begun in its middle.
         let starts = next.keys().copied();
         let (inner, rim): (Vec<_>, Vec<_>) = starts.partition(|edge| entered.contains(edge));
@@ -55,7 +55,12 @@ impl Mesh {
     }
 
     /// The pieces of lines within a square, higher values on one side of all.
-    fn cross(&self, [column, row]: [usize; 2], level: f64, next: &mut BTreeMap<Edge, Edge>) {
+    fn cross(
+        &self,
+        [column, row]: [usize; 2],
+        level: f64,
+        next: &mut BTreeMap<GridEdge, GridEdge>,
+    ) {
         let node = |corner: usize| {
             let (right, down) = CORNERS[corner % 4];
             (row + down) * self.columns + column + right
@@ -74,8 +79,8 @@ impl Mesh {
         }
     }
 
-    /// Where the field has the value on a side.
-    fn place(&self, (node, is_down): Edge, level: f64) -> (f64, f64) {
+    /// The point of a side at which the field has the value.
+    fn place(&self, (node, is_down): GridEdge, level: f64) -> (f64, f64) {
         let other = if is_down {
             node + self.columns
         } else {

@@ -43,25 +43,25 @@ const COLOURS: [Colour; 7] = [
     colours::INK,
 ];
 
-/// One coordinate of a curve.
+/// A quantity of a loading step, on one of the axes.
 #[derive(Clone, Copy)]
-struct Coordinate {
+struct StepQuantity {
     symbol: &'static str,
     unit: Unit,
     value: fn(&StepSummary) -> f64,
 }
 
-const FORCE: Coordinate = Coordinate {
+const FORCE: StepQuantity = StepQuantity {
     symbol: "force Q",
     unit: Unit::Newton,
     value: |step| step.force,
 };
-const PENETRATION: Coordinate = Coordinate {
+const PENETRATION: StepQuantity = StepQuantity {
     symbol: "penetration D",
     unit: Unit::Metre,
     value: |step| step.penetration,
 };
-const PEAK: Coordinate = Coordinate {
+const PEAK: StepQuantity = StepQuantity {
     symbol: "largest pressure p",
     unit: Unit::Pascal,
     value: |step| step.max_pressure,
@@ -69,7 +69,7 @@ const PEAK: Coordinate = Coordinate {
 
 /// The curve of one result, and its name.
 #[derive(Debug, Clone)]
-pub struct Curve<'a> {
+pub struct NamedCurve<'a> {
     /// Its name in the legend.
     pub name: String,
     /// Its loading steps.
@@ -85,7 +85,7 @@ pub fn is_drawn(summary: &Summary) -> bool {
 /// The picture as SVG; none for a single step.
 #[must_use]
 pub fn draw(summary: &Summary, style: &Style) -> Option<String> {
-    let curve = Curve {
+    let curve = NamedCurve {
         name: summary.title.clone(),
         steps: &summary.steps,
     };
@@ -95,20 +95,20 @@ pub fn draw(summary: &Summary, style: &Style) -> Option<String> {
 
 /// The picture of several results as SVG; all are in these units.
 #[must_use]
-pub fn draw_several(curves: Vec<Curve<'_>>, units: Units, style: &Style) -> String {
+pub fn draw_several(curves: Vec<NamedCurve<'_>>, units: Units, style: &Style) -> String {
     let numbers = format!("{} results", curves.len());
     Sheet::new(curves, units).draw(&numbers, style)
 }
 
 /// The curves on one sheet, with the axes that suit them all.
 struct Sheet<'a> {
-    curves: Vec<Curve<'a>>,
+    curves: Vec<NamedCurve<'a>>,
     units: Units,
     is_logarithmic: bool,
 }
 
 impl<'a> Sheet<'a> {
-    fn new(curves: Vec<Curve<'a>>, units: Units) -> Self {
+    fn new(curves: Vec<NamedCurve<'a>>, units: Units) -> Self {
         let mut sheet = Self {
             curves,
             units,
@@ -147,7 +147,7 @@ impl<'a> Sheet<'a> {
         svg.finish()
     }
 
-    fn draw_panel(&self, svg: &mut Svg, left: f64, x: Coordinate, y: Coordinate) {
+    fn draw_panel(&self, svg: &mut Svg, left: f64, x: StepQuantity, y: StepQuantity) {
         let (x_axis, x_scale) = self.axis_of(x);
         let (y_axis, y_scale) = self.axis_of(y);
         let panel = Panel {
@@ -218,7 +218,7 @@ impl<'a> Sheet<'a> {
         all_positive && largest >= DECADES * smallest
     }
 
-    fn ends(&self, coordinate: Coordinate) -> (f64, f64) {
+    fn ends(&self, coordinate: StepQuantity) -> (f64, f64) {
         let values = self.steps().map(coordinate.value);
         let values = values.filter(|value| value.is_finite());
         values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
@@ -226,7 +226,7 @@ impl<'a> Sheet<'a> {
         })
     }
 
-    fn axis_of(&self, coordinate: Coordinate) -> (Axis, Scale) {
+    fn axis_of(&self, coordinate: StepQuantity) -> (Axis, Scale) {
         let (smallest, largest) = self.ends(coordinate);
         let scale = Scale::of(largest.max(-smallest), coordinate.unit, self.units);
         let title = labels::axis_title(coordinate.symbol, &scale.label);

@@ -42,13 +42,13 @@ impl DepthScale {
         self.ends.len() - 1
     }
 
-    /// How far down the picture a body's top and bottom are, from 0 to 1.
+    /// The places of a body's top and bottom down the picture, from 0 to 1.
     #[must_use]
     pub fn within(&self, body: usize) -> [f64; 2] {
         [self.ends[body].1, self.ends[body + 1].1]
     }
 
-    /// How far down the picture a depth of a body is.
+    /// The place of a depth of a body down the picture, from 0 to 1.
     #[must_use]
     pub fn down(&self, body: usize, depth: f64) -> f64 {
         let [(top, from), (bottom, to)] = [self.ends[body], self.ends[body + 1]];

@@ -34,9 +34,9 @@ fn colour(i: usize) -> Colour {
 
 /// The lines above a picture of a fit.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Head {
+pub struct FitHeading {
     /// The title of the fit.
     pub title: String,
-    /// What became of it, with its numbers.
+    /// Its verdict, with its numbers.
     pub numbers: String,
 }

@@ -1,4 +1,4 @@
-//! How the pressures in contact and the gaps beside it are distributed, each over its mean.
+//! Histograms of the pressures in contact and of the gaps beside it, each over its mean.
 
 use super::colours::{self, Colour};
 use super::heading;

@@ -72,7 +72,7 @@ impl Axis {
         }
     }
 
-    /// How far along the axis a value is: 0 at its first end, 1 at its last.
+    /// The place of a value along the axis: 0 at its first end, 1 at its last.
     #[must_use]
     pub fn fraction(&self, value: f64) -> f64 {
         if self.is_logarithmic {
@@ -85,7 +85,7 @@ impl Axis {
 /// A rectangle with two axes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Panel {
-    /// Where the rectangle is; labels stand outside it.
+    /// The rectangle; labels stand outside it.
     pub place: Rect,
     /// The axis below.
     pub x: Axis,
@@ -94,7 +94,7 @@ pub struct Panel {
 }
 
 impl Panel {
-    /// Where on the sheet a point is.
+    /// The place of a point on the sheet.
     #[must_use]
     pub fn at(&self, x: f64, y: f64) -> (f64, f64) {
         let Rect {

@@ -1,7 +1,7 @@
 //! A stress on a section, between its planes and points; never across an interface.
 
 use super::colours::Colour;
-use super::contour_bands::Bands;
+use super::contour_bands::ContourBands;
 use super::contour_lines::{Mesh, Polyline};
 use super::contour_places::ContourPlaces;
 use super::depth_scale::DepthScale;
@@ -115,7 +115,7 @@ impl<'a> SectionField<'a> {
         &self,
         svg: &mut Svg,
         panel: &Panel,
-        bands: &Bands,
+        bands: &ContourBands,
         divisor: f64,
         places: &mut ContourPlaces,
     ) {
@@ -143,7 +143,7 @@ impl<'a> SectionField<'a> {
         &self,
         body: usize,
         panel: &Panel,
-        bands: &Bands,
+        bands: &ContourBands,
         divisor: f64,
     ) -> Vec<(usize, Vec<Polyline>)> {
         let [top, bottom] = self.depths.within(body);

@@ -3,7 +3,7 @@
 use pellicle_contact::{Extreme, InterfaceStress};
 
 use super::colours;
-use super::contour_bands::Bands;
+use super::contour_bands::ContourBands;
 use super::contour_places::{ContourPlaces, boxed};
 use super::panel::{Axis, Panel};
 use super::raster::Raster;
@@ -42,7 +42,7 @@ pub fn name(step: usize) -> String {
 
 /// One of the two tractions.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Traction {
+enum InterfaceTraction {
     Shear,
     Normal,
 }
@@ -62,8 +62,8 @@ pub fn draw(subject: &Subject<'_>, view: &StressView) -> String {
             centres: &view.centres,
             extremes: extremes(subject, interface.index),
         };
-        map.draw(&mut svg, (0.0, top), Traction::Shear);
-        map.draw(&mut svg, (CELL, top), Traction::Normal);
+        map.draw(&mut svg, (0.0, top), InterfaceTraction::Shear);
+        map.draw(&mut svg, (CELL, top), InterfaceTraction::Normal);
     }
     svg.finish()
 }
@@ -83,18 +83,18 @@ struct InterfaceMap<'a> {
 }
 
 impl InterfaceMap<'_> {
-    fn draw(&self, svg: &mut Svg, (left, top): (f64, f64), traction: Traction) {
+    fn draw(&self, svg: &mut Svg, (left, top): (f64, f64), traction: InterfaceTraction) {
         let values = match traction {
-            Traction::Shear => &self.interface.shear,
-            Traction::Normal => &self.interface.normal,
+            InterfaceTraction::Shear => &self.interface.shear,
+            InterfaceTraction::Normal => &self.interface.normal,
         };
         let [least, largest] = extent(values);
         let units = self.subject.units;
         let pascals = Scale::of(largest.max(-least), Unit::Pascal, units);
         let [least, largest] = [least, largest].map(|value| value / pascals.divisor);
         let bands = match traction {
-            Traction::Shear => Bands::up_to(largest, self.subject.style.colours),
-            Traction::Normal => Bands::signed(least, largest),
+            InterfaceTraction::Shear => ContourBands::up_to(largest, self.subject.style.colours),
+            InterfaceTraction::Normal => ContourBands::signed(least, largest),
         };
         let (panel, metres) = self.panel((left + LEFT, top + ABOVE));
         let place = panel.place;
@@ -159,17 +159,19 @@ impl InterfaceMap<'_> {
 
     /// The extreme that is marked: the largest shear, the largest tension, or where nothing pulls the largest
     /// compression.
-    fn marked(&self, traction: Traction) -> Option<(&'static str, Extreme<2>)> {
+    fn marked(&self, traction: InterfaceTraction) -> Option<(&'static str, Extreme<2>)> {
         let found = self.extremes?;
         match traction {
-            Traction::Shear if found.max_shear_traction.value > 0.0 => {
+            InterfaceTraction::Shear if found.max_shear_traction.value > 0.0 => {
                 Some(("largest", found.max_shear_traction))
             }
-            Traction::Shear => None,
-            Traction::Normal if found.max_tension.value > 0.0 => {
+            InterfaceTraction::Shear => None,
+            InterfaceTraction::Normal if found.max_tension.value > 0.0 => {
                 Some(("largest tension", found.max_tension))
             }
-            Traction::Normal => Some(("no tension; largest compression", found.max_compression)),
+            InterfaceTraction::Normal => {
+                Some(("no tension; largest compression", found.max_compression))
+            }
         }
     }
 
@@ -177,7 +179,7 @@ impl InterfaceMap<'_> {
         &self,
         svg: &mut Svg,
         (left, top): (f64, f64),
-        traction: Traction,
+        traction: InterfaceTraction,
         marked: Option<&(&'static str, Extreme<2>)>,
     ) {
         let units = self.subject.units;
@@ -201,7 +203,7 @@ impl InterfaceMap<'_> {
     }
 }
 
-impl Traction {
+impl InterfaceTraction {
     fn symbol(self) -> &'static str {
         match self {
             Self::Shear => "shear traction τ",

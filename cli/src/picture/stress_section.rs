@@ -3,7 +3,7 @@
 
 use super::colour_bar;
 use super::colours;
-use super::contour_bands::Bands;
+use super::contour_bands::ContourBands;
 use super::contour_places::{ContourPlaces, boxed};
 use super::depth_scale::DepthScale;
 use super::heading;
@@ -100,7 +100,7 @@ fn along_axis(section: &StressSection) -> &'static str {
     }
 }
 
-/// What both panels share.
+/// The data that both panels share.
 struct SectionDrawing<'a> {
     subject: &'a Subject<'a>,
     section: &'a StressSection,
@@ -155,8 +155,8 @@ impl<'a> SectionDrawing<'a> {
         );
         let [least, largest] = [least, largest].map(|value| value / pascals.divisor);
         let bands = match stress {
-            Stress::VonMises => Bands::up_to(largest, self.subject.style.colours),
-            Stress::MaxPrincipal => Bands::signed(least, largest),
+            Stress::VonMises => ContourBands::up_to(largest, self.subject.style.colours),
+            Stress::MaxPrincipal => ContourBands::signed(least, largest),
         };
         let image = field.raster(panel.place, |value| bands.colour(value / pascals.divisor));
         svg.image(panel.place, &image);
@@ -330,7 +330,7 @@ impl<'a> SectionDrawing<'a> {
         svg.text(place, 15.0, Anchor::End, &self.enlargement());
     }
 
-    /// How much larger depths are drawn than lengths across.
+    /// The enlargement of depths over lengths across, in words.
     fn enlargement(&self) -> String {
         let [from, to] = self.section.ends();
         let across = PANEL_WIDTH / (to - from);

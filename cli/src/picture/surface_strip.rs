@@ -1,4 +1,4 @@
-//! What stands on the surface above a section: the relief, and the contact as a bar.
+//! The strip above a section: the relief on the surface, and the contact as a bar.
 
 use super::colours::{self, Colour};
 use super::svg::{Rect, Svg};

@@ -117,7 +117,7 @@ fn every_finite_solution_can_be_drawn() {
             style,
         };
         let steps: Vec<_> = u.iter().map(|value| step(value.abs())).collect();
-        let curve = curve::Curve {
+        let curve = curve::NamedCurve {
             name: "a needle".into(),
             steps: &steps,
         };

@@ -1,4 +1,4 @@
-//! What to measure, in a sentence or two.
+//! The advice on the next measurement, in a sentence or two.
 
 use pellicle_identify::IDENTIFIED_WITHIN;
 
@@ -9,7 +9,7 @@ use crate::identification::names;
 /// A design of more curves is advised only if its worst standard error is below this part of that of fewer.
 const WORTH: f64 = 0.67;
 
-/// What the advice is for.
+/// The occasion of the advice.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Advice {
     /// Nothing has been measured.

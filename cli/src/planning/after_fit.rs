@@ -1,4 +1,4 @@
-//! What to measure next: curves of a design added to the data of a fit, at its values and with its noise.
+//! The next measurement after a fit: curves of a design added to its data, at its values and with its noise.
 
 use std::ops::Range;
 
@@ -11,25 +11,26 @@ use super::candidate::candidates;
 use super::comparison;
 use super::design::DesignResult;
 use super::premises::Premises;
-use super::premises::indenter::Indenter;
+use super::premises::indenter::IndenterRadius;
 use super::{Judged, Planning, not_solved};
 use crate::failure::Failure;
 use crate::identification::Identification;
 use crate::identification::findings::WarningResult;
 
-/// What the design of a fit file would add to its data.
+/// The gain from the design of a fit file over its data.
 #[derive(Debug, Clone, Default)]
 pub struct Next {
     /// The designs, the best first, and the data alone.
     pub designs: Vec<DesignResult>,
-    /// What to measure, in a sentence or two.
+    /// The advice on the next measurement, in a sentence or two.
     pub advice: String,
-    /// What a reader should know.
+    /// Warnings for the reader.
     pub warnings: Vec<WarningResult>,
 }
 
 impl Next {
-    /// What the fit file asks for; a plan that cannot be made is a warning. `tell` is told how many curves are judged.
+    /// The designs that the fit file asks for; a plan that cannot be made is a warning. `tell` gets the number of
+    /// curves judged.
     #[must_use]
     pub fn of(of: &Identification, fit: &Fit, tell: &dyn Fn(usize)) -> Self {
         if of.file.report.design.is_empty() {
@@ -89,12 +90,12 @@ fn largest_force(of: &Identification) -> f64 {
     forces.fold(0.0, f64::max)
 }
 
-/// What the data of a fit tell.
+/// The information in the data of a fit.
 fn data(of: &Identification, fit: &Fit, premises: &Premises<'_>) -> Result<Judged, Failure> {
     let values = &premises.plan.truth[..premises.cases().len()];
     let mut prediction = of.model.predict(values).map_err(not_solved)?;
     prediction.value = without_shift(of, fit);
-    let prediction = premises.spread(prediction, &Indenter::OfModel);
+    let prediction = premises.spread(prediction, &IndenterRadius::OfModel);
     let left_out: Vec<usize> = fit.excluded.iter().map(Exclusion::curve).collect();
     let curves = of.problem.curves();
     let used = (0..curves.len()).filter(|index| !left_out.contains(index));
@@ -116,7 +117,7 @@ fn data(of: &Identification, fit: &Fit, premises: &Premises<'_>) -> Result<Judge
     })
 }
 
-/// What noise is relative to: what is read from its zero, frame and drift included.
+/// The model at each point without its shift, as relative noise refers to it; frame and drift are included.
 fn without_shift(of: &Identification, fit: &Fit) -> Vec<f64> {
     let curves = of.problem.curves().iter().enumerate();
     let shifts = curves.flat_map(|(index, curve)| {

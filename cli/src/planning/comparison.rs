@@ -38,7 +38,7 @@ pub fn designs(of: &Planning<'_>) -> Result<Vec<DesignResult>, Failure> {
 }
 
 impl Planning<'_> {
-    /// What some of the curves tell together, besides the data that there are.
+    /// The design of some of the curves, added to the data if there are any.
     fn design(&self, chosen: &[usize]) -> Result<DesignResult, Failure> {
         let chosen: Vec<&Judged> = chosen.iter().map(|i| &self.judged[*i]).collect();
         let parts: Vec<&Judged> = self.data.iter().chain(chosen.iter().copied()).collect();

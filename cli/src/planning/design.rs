@@ -18,13 +18,13 @@ const MANY: f64 = 1000.0;
 pub struct DesignResult {
     /// The curves to measure; none for what has been measured alone.
     pub curves: Vec<Candidate>,
-    /// What is sought.
+    /// The unknowns.
     pub unknowns: Vec<ExpectedResult>,
-    /// What is not known exactly.
+    /// The nuisances: numbers that are not known exactly.
     pub nuisances: Vec<ExpectedResult>,
 }
 
-/// What is expected of a number.
+/// The expected result for a number.
 #[derive(Debug, Clone, Serialize)]
 pub struct ExpectedResult {
     /// Its key.
@@ -39,9 +39,9 @@ pub struct ExpectedResult {
     pub factor: Option<f64>,
     /// The interval; null on a side that is open.
     pub interval: [Option<f64>; 2],
-    /// What the measurements will tell of it.
+    /// Its expected verdict: how well the measurements determine it.
     pub verdict: String,
-    /// What is known instead.
+    /// The product of powers that is known instead, if any.
     pub known_combination: Option<CombinationResult>,
 }
 
@@ -69,7 +69,7 @@ impl DesignResult {
         errors.fold(0.0, f64::max)
     }
 
-    /// Whether every unknown is told within a factor of 1.2.
+    /// Whether every unknown is determined within a factor of 1.2.
     #[must_use]
     pub fn is_told(&self) -> bool {
         self.unknowns.iter().all(ExpectedResult::is_told)
@@ -77,7 +77,7 @@ impl DesignResult {
 }
 
 impl ExpectedResult {
-    /// Whether nothing is told of it.
+    /// Whether the measurements do not determine it.
     #[must_use]
     pub fn is_lost(&self) -> bool {
         let lost = [Verdict::NotIdentified, Verdict::NotIdentifiable];
@@ -85,13 +85,13 @@ impl ExpectedResult {
             .any(|verdict| self.verdict == verdict.to_string())
     }
 
-    /// Whether it is told within a factor of 1.2.
+    /// Whether it is determined within a factor of 1.2.
     #[must_use]
     pub fn is_told(&self) -> bool {
         !self.is_lost() && (self.factor).is_some_and(|factor| factor <= IDENTIFIED_WITHIN)
     }
 
-    /// Whether no data can tell it.
+    /// Whether no data can determine it.
     #[must_use]
     pub fn is_never(&self) -> bool {
         self.verdict == Verdict::NotIdentifiable.to_string()
@@ -114,7 +114,7 @@ impl ExpectedResult {
         }
     }
 
-    /// What is told in place of numbers that no data can tell: `E (substrate) · R^0.5 ± 0.7 %`.
+    /// The product known in place of numbers that no data determine: `E (substrate) · R^0.5 ± 0.7 %`.
     #[must_use]
     pub fn instead(&self) -> Option<String> {
         let known = self.known_combination.as_ref()?;

@@ -1,4 +1,4 @@
-//! What is doubtful about a model under the largest load of a curve that is not measured yet.
+//! Warnings about a model under the largest load of a curve that is not measured yet.
 
 use pellicle_contact::{Domain, Load, Model, SolverOptions, Warning, solve_path};
 

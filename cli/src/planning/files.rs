@@ -14,7 +14,7 @@ use crate::picture::style::Style;
 /// The table.
 const TABLE: &str = "plan.csv";
 
-/// Whether a plan writes a file of this name, besides the page.
+/// Whether a plan writes a file of this name, the page apart.
 #[must_use]
 pub fn is_name(name: &str) -> bool {
     let ending = name.strip_prefix(designs::NAME);

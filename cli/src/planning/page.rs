@@ -12,7 +12,7 @@ use crate::identification::names;
 /// The page, its numbers in words.
 #[derive(Template)]
 #[template(path = "plan_report.html")]
-struct Page<'a> {
+struct PlanPage<'a> {
     plan: &'a PlanResult,
     level: String,
     conditions: String,
@@ -29,7 +29,7 @@ pub struct DesignTable {
     pub heads: Vec<String>,
     /// Names of the designs, and a width for each number.
     pub rows: Vec<(String, Vec<String>)>,
-    /// What the best design tells in place of what no data can tell.
+    /// For each number that no data determine, the product of powers that the best design does.
     pub instead: Vec<(String, String)>,
 }
 
@@ -71,7 +71,7 @@ pub fn html(plan: &PlanResult, drawing: Option<&str>) -> String {
         })
         .collect()
     });
-    let page = Page {
+    let page = PlanPage {
         plan,
         level: percent(plan.level),
         conditions: text::conditions(plan),

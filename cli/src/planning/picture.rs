@@ -4,10 +4,10 @@ use super::candidate::{Candidate, radius_words};
 use super::design::{DesignResult, ExpectedResult};
 use super::text::percent;
 use crate::identification::{names, units};
-use crate::picture::fit::Head;
+use crate::picture::fit::FitHeading;
 use crate::picture::fit::designs::{DesignedUnknown, Designs};
 
-/// What is drawn of designs; `conditions` are the noise and the number of points.
+/// The content of the picture of designs; `conditions` are the noise and the number of points.
 #[must_use]
 pub fn designs(title: &str, level: f64, conditions: &str, all: &[DesignResult]) -> Designs {
     let mut singles: Vec<(&Candidate, &DesignResult)> = all
@@ -48,7 +48,7 @@ pub fn designs(title: &str, level: f64, conditions: &str, all: &[DesignResult]) 
         "of one curve alone"
     };
     Designs {
-        head: Head {
+        head: FitHeading {
             title: format!("{title}: what to measure"),
             numbers: format!("expected {} intervals {added}", percent(level)),
         },

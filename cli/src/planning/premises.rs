@@ -1,4 +1,4 @@
-//! What a plan takes for true: the values of the model, or those of a fit; its noise, and the indenters.
+//! The premises of a plan: the values of the model or of a fit, the noise, and the indenters.
 
 pub mod indenter;
 mod radius;
@@ -6,7 +6,7 @@ mod radius;
 use pellicle_contact::ModelParameter;
 use pellicle_identify::{Amount, Fit, NoiseLevels, Plan, Prediction, Unknown};
 
-use self::indenter::Indenter;
+use self::indenter::IndenterRadius;
 use super::candidate::Candidate;
 use crate::failure::Failure;
 use crate::fit_file::FitFile;
@@ -18,16 +18,16 @@ use crate::measured::data_table::Observe;
 /// Noise over the value of what is observed, where the fit file says nothing of noise.
 const RELATIVE: f64 = 0.01;
 
-/// What a plan takes for true.
+/// The premises of a plan.
 #[derive(Debug)]
 pub struct Premises<'a> {
     /// The fit file.
     pub file: &'a FitFile,
-    /// What is sought, at which values, with which noise.
+    /// The unknowns, their assumed values, and the noise.
     pub plan: Plan,
-    /// What is observed.
+    /// The observable of every curve.
     pub observe: Observe,
-    /// Where the noise is from.
+    /// The origin of the noise.
     pub noise: NoiseSource,
     base: ModelParameters,
     cases: Vec<UnknownCase>,
@@ -37,7 +37,7 @@ pub struct Premises<'a> {
     known: Vec<f64>,
 }
 
-/// Where the noise of a plan comes from.
+/// The origin of the noise of a plan.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum NoiseSource {
     /// The fit file or a fit.
@@ -125,7 +125,7 @@ impl<'a> Premises<'a> {
         })
     }
 
-    /// What is sought of a curve.
+    /// The unknowns and nuisances that a curve depends on.
     #[must_use]
     pub fn sought(&self) -> Vec<ModelParameter> {
         self.cases.iter().map(|case| case.parameter).collect()
@@ -133,9 +133,9 @@ impl<'a> Premises<'a> {
 
     /// The true values for a curve of this indenter.
     #[must_use]
-    pub fn values(&self, indenter: &Indenter, radius: Option<f64>) -> Vec<f64> {
+    pub fn values(&self, indenter: &IndenterRadius, radius: Option<f64>) -> Vec<f64> {
         let mut values = self.plan.truth[..self.cases.len()].to_vec();
-        if let (Indenter::Sought(..), Some(radius), Some(place)) =
+        if let (IndenterRadius::Sought(..), Some(radius), Some(place)) =
             (indenter, radius, self.place_of_radius())
         {
             values[place] = radius;
@@ -145,11 +145,11 @@ impl<'a> Premises<'a> {
 
     /// The prediction with derivatives by all unknowns of the plan: by its own radius, and by no other one.
     #[must_use]
-    pub fn spread(&self, mut prediction: Prediction, indenter: &Indenter) -> Prediction {
+    pub fn spread(&self, mut prediction: Prediction, indenter: &IndenterRadius) -> Prediction {
         let nothing = vec![0.0; prediction.value.len()];
         let unknowns = self.plan.unknowns.len();
         prediction.derivatives.resize(unknowns, nothing);
-        if let (Indenter::Sought(own, _), Some(place)) = (indenter, self.place_of_radius()) {
+        if let (IndenterRadius::Sought(own, _), Some(place)) = (indenter, self.place_of_radius()) {
             prediction.derivatives.swap(*own, place);
         }
         prediction

@@ -18,7 +18,7 @@ pub const FILE: &str = "plan.json";
 /// Name and version of the layout.
 pub const SCHEMA: &str = "pellicle-plan/1";
 
-/// What designs are expected to tell.
+/// The result of a plan: the designs with their expected intervals.
 #[derive(Debug, Clone, Serialize)]
 pub struct PlanResult {
     /// Name and version of this layout.
@@ -35,15 +35,15 @@ pub struct PlanResult {
     pub noise: NoiseResult,
     /// The designs, the best first.
     pub designs: Vec<DesignResult>,
-    /// What to measure, in a sentence or two.
+    /// The advice on the next measurement, in a sentence or two.
     pub advice: String,
-    /// What it has cost.
+    /// The work that it took.
     pub work: PlanWork,
-    /// What a reader should know.
+    /// Warnings for the reader.
     pub warnings: Vec<WarningResult>,
 }
 
-/// What a plan has cost.
+/// The work that a plan took.
 #[derive(Debug, Clone, Serialize)]
 pub struct PlanWork {
     /// Curves solved.
@@ -100,7 +100,7 @@ impl Premises<'_> {
         }
     }
 
-    /// What was assumed.
+    /// Warnings about the assumptions of the plan.
     #[must_use]
     pub fn warnings(&self) -> Vec<WarningResult> {
         let what = match self.observe {

@@ -20,7 +20,7 @@ use crate::output::file::Existing;
 use crate::output::folder::{Completeness, ResultsFolder};
 use crate::output::{own_files, results};
 use crate::solving::{self, Resources, SolvedCase};
-use crate::stresses::Search;
+use crate::stresses::StressSearch;
 
 /// Solves the cases of a study.
 #[derive(Debug)]
@@ -54,7 +54,7 @@ pub struct CaseResult {
 enum CaseOutcome {
     /// Force and penetration of the last step, in these units.
     Solved(Units, Option<[f64; 2]>),
-    /// What went wrong.
+    /// The case failed, with the reason.
     Failed(String),
 }
 
@@ -88,7 +88,7 @@ impl CaseSolver<'_> {
         &self,
         case: usize,
         observer: &mut dyn Observer,
-        search: &dyn Fn(Search) -> Signal,
+        search: &dyn Fn(StressSearch) -> Signal,
     ) -> Result<Option<CaseResult>, Failure> {
         let solved = catch_unwind(AssertUnwindSafe(|| self.attempt(case, observer, search)));
         match solved {
@@ -140,7 +140,7 @@ impl CaseSolver<'_> {
         &self,
         number: usize,
         observer: &mut dyn Observer,
-        search: &dyn Fn(Search) -> Signal,
+        search: &dyn Fn(StressSearch) -> Signal,
     ) -> Result<Option<CaseResult>, Failure> {
         let start = Instant::now();
         let case = self.study.case(number)?;

@@ -32,39 +32,39 @@ const OUTPUT: &str = "output";
 pub fn of(study: &Study, valid: (usize, &Case), header: &str) -> Result<String, Failure> {
     let (number, case) = valid;
     let units = case.units;
-    let mut parts = Parts::default();
-    parts.add(b'v', env!("CARGO_PKG_VERSION").as_bytes());
-    parts.add(b'h', header.as_bytes());
-    parts.add(b'u', &[u8::from(units == Units::Si)]);
-    parts.add(b'c', study.case_name.as_bytes());
+    let mut hasher = FingerprintHasher::default();
+    hasher.add(b'v', env!("CARGO_PKG_VERSION").as_bytes());
+    hasher.add(b'h', header.as_bytes());
+    hasher.add(b'u', &[u8::from(units == Units::Si)]);
+    hasher.add(b'c', study.case_name.as_bytes());
     let numbering = study.numbering();
-    parts.add(b'z', format!("{numbering:?}").as_bytes());
+    hasher.add(b'z', format!("{numbering:?}").as_bytes());
     // Values of the base case that every case replaces have no part in it. All others are in every case: none may have
     // a key that it does not use.
-    parts.add(b'r', &resolved(case)?);
+    hasher.add(b'r', &resolved(case)?);
     if let Ok(tree) = study.tree(number) {
-        parts.files_in("", &tree);
+        hasher.files_in("", &tree);
     }
     // The fields of a study that kept none cannot be had without its solutions.
     for field in &study.keep {
-        parts.add(b'K', format!("{field:?}").as_bytes());
+        hasher.add(b'K', format!("{field:?}").as_bytes());
     }
     for varied in study.varied_keys() {
         let path = key_path::parts(&varied.key).unwrap_or_default();
-        parts.add(b'k', path.join(".").as_bytes());
+        hasher.add(b'k', path.join(".").as_bytes());
         let key = path.last().map_or("", String::as_str);
         for i in 0..varied.len() {
             if varied
                 .dimension
                 .is_some_and(|dimension| dimension != Dimension::Angle)
             {
-                parts.add(b'n', varied.cell(i).as_bytes());
+                hasher.add(b'n', varied.cell(i).as_bytes());
             } else {
-                parts.node(key, &varied.value(i));
+                hasher.node(key, &varied.value(i));
             }
         }
     }
-    Ok(parts.finish(&study.folder))
+    Ok(hasher.finish(&study.folder))
 }
 
 /// The case with every default filled in, but for the choice of files.
@@ -76,14 +76,14 @@ fn resolved(case: &Case) -> Result<Vec<u8>, Failure> {
     Ok(serde_json::to_vec(&case)?)
 }
 
-/// What is hashed so far, and the files whose contents are to be.
+/// The hash so far, and the files whose contents are still to be hashed.
 #[derive(Default)]
-struct Parts {
+struct FingerprintHasher {
     hasher: blake3::Hasher,
     files: BTreeSet<String>,
 }
 
-impl Parts {
+impl FingerprintHasher {
     /// Adds bytes of one kind; their number comes first, so that no two sequences of parts look alike.
     fn add(&mut self, kind: u8, bytes: &[u8]) {
         self.hasher.update(&[kind]);

@@ -22,10 +22,10 @@ const CASES: &str = "cases";
 /// Beginning of the name of a table that a fresh study replaces, until that is complete.
 const BEFORE: &str = ".pellicle-before-";
 
-/// How often, and at which intervals, a process that is nearly done is asked again.
+/// The number of attempts, and the interval between them, to wait for a process that is nearly done.
 const PATIENCE: (usize, Duration) = (100, Duration::from_millis(50));
 
-/// How a study begins with an existing table.
+/// The way in which a study begins with an existing table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Begin {
     /// Go on with it.
@@ -39,9 +39,9 @@ pub enum Begin {
 pub struct StudyFolder {
     /// The folder.
     pub folder: PathBuf,
-    /// How to begin with the part's table.
+    /// The way to begin with the part's table.
     pub begin: Begin,
-    /// Where the table is that was there before, while this study replaces it.
+    /// The path of the earlier table, while this study replaces it.
     pub before: Option<PathBuf>,
     _lock: Lock,
 }
@@ -98,7 +98,7 @@ impl StudyFolder {
         })
     }
 
-    /// Where the results folders of the cases go.
+    /// The folder for the results folders of the cases.
     #[must_use]
     pub fn cases(&self) -> PathBuf {
         self.folder.join(CASES)
@@ -227,7 +227,7 @@ fn forget(folder: &Path, other: &StudyIdentity, locked: Shard) -> Result<(), Fai
     remove(&StudyIdentity::path(folder, other.shard))
 }
 
-/// Where a table goes that a fresh study replaces.
+/// The path to which the table is moved that a fresh study replaces.
 fn before(table: &Path) -> Option<PathBuf> {
     let name = table.file_name()?.to_string_lossy();
     Some(table.with_file_name(format!("{BEFORE}{name}")))
@@ -288,7 +288,7 @@ fn forget_cases(cases: &Path) -> io::Result<()> {
     Ok(())
 }
 
-/// Which part a name is of: `results.csv` of the whole, `results-2-of-8.csv` of the second of eight.
+/// The part that a name belongs to: `results.csv` is of the whole, `results-2-of-8.csv` of the second of eight.
 fn part(name: &str, stem: &str, ending: &str) -> Option<Shard> {
     let middle = name
         .strip_prefix(stem)?

@@ -144,7 +144,7 @@ impl StudyIdentity {
     }
 }
 
-/// What every layout has.
+/// The fields that every layout has.
 #[derive(Deserialize)]
 struct Head {
     schema: String,

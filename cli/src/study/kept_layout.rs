@@ -27,7 +27,7 @@ const MOST_BYTES: usize = u32::MAX as usize - 3;
 /// Bytes of a case before its fields: its number, its status and its side.
 pub const HEAD: usize = 4 + 4 + 8;
 
-/// What the files hold.
+/// The layout of the files: fields, steps and units.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct KeptLayout {
     /// The fields, each once, in the order of the files.

@@ -15,7 +15,7 @@ use super::kept_layout::{HEAD, KeptLayout};
 use super::numbering::CaseNumbering;
 use crate::failure::Failure;
 
-/// What the records of a study's cases hold.
+/// The layout and the numbering of the records of a study's cases.
 #[derive(Debug, Clone)]
 pub struct KeptRecords {
     layout: KeptLayout,
@@ -54,7 +54,7 @@ impl KeptRecords {
 
 /// Keeps the fields of cases.
 pub trait FieldKeeper: Debug + Sync {
-    /// What is kept.
+    /// The layout and the numbering of the records.
     fn records(&self) -> &KeptRecords;
 
     /// Writes some bytes of a case, the first of them at byte `at` of its record.

@@ -15,7 +15,7 @@ pub enum Combine {
 /// The axes of a study, each a key with its values or several keys that change together, and the way they combine.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct CaseNumbering {
-    /// How the axes combine.
+    /// The combination of the axes.
     pub combine: Combine,
     /// Number of values of every axis.
     pub lengths: Vec<usize>,

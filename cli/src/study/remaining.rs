@@ -26,7 +26,7 @@ impl RemainingCases {
         }
     }
 
-    /// How many are left.
+    /// The number left.
     #[must_use]
     pub fn count_left(&self) -> usize {
         self.count

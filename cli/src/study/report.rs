@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 use askama::Template;
 use serde::Serialize;
 
-use self::column::{Column, ColumnRow};
+use self::column::{ColumnRow, StudyColumn};
 use self::reasons::{Reason, Reasons};
 use super::case_blocks::CaseBlocks;
 use super::case_status::{CaseStatus, Tally};
@@ -38,9 +38,9 @@ const SAMPLE: usize = 5000;
 /// Columns that are not for drawing.
 const NOT_DRAWN: [&str; 2] = ["case", "message"];
 
-/// What the page shows of the tables of a study.
+/// The content of a study's tables as the page shows it.
 struct StudyTables {
-    columns: Vec<Column>,
+    columns: Vec<StudyColumn>,
     /// Rows of the sample; a number in the place of a word.
     rows: Vec<SampledRow>,
     rows_read: usize,
@@ -57,18 +57,18 @@ struct SampledRow(usize, Vec<Option<f64>>);
 /// The data of the page's script.
 #[derive(Serialize)]
 struct Data<'a> {
-    columns: Vec<&'a Column>,
+    columns: Vec<&'a StudyColumn>,
     rows: Vec<SampledRow>,
 }
 
 /// The page, its numbers in words.
 #[derive(Template)]
 #[template(path = "study_report.html")]
-struct Page<'a> {
+struct StudyPage<'a> {
     study: &'a str,
     version: &'a str,
     counts: String,
-    /// What is on the page if not every row is.
+    /// The extent of the sample, if not every row is on the page.
     sample: Option<String>,
     columns: Vec<ColumnRow>,
     reasons: Vec<&'a Reason>,
@@ -132,7 +132,7 @@ impl StudyTables {
         // case, status, the keys, then the columns of a curve, which begin with the step.
         let keys = names.iter().position(|name| name == "step").unwrap_or(2);
         let columns = names.into_iter().enumerate();
-        let columns = columns.map(|(i, name)| Column::new(name, (2..keys).contains(&i)));
+        let columns = columns.map(|(i, name)| StudyColumn::new(name, (2..keys).contains(&i)));
         let most_rows = identity.rows.different().into_iter().max().unwrap_or(1);
         let rows = identity.numbering.len().saturating_mul(most_rows);
         Self {
@@ -182,7 +182,8 @@ impl StudyTables {
     }
 
     fn page(self, identity: &StudyIdentity) -> Result<String, Failure> {
-        let is_drawn = |column: &Column| !NOT_DRAWN.contains(&&*column.name) && !column.is_empty();
+        let is_drawn =
+            |column: &StudyColumn| !NOT_DRAWN.contains(&&*column.name) && !column.is_empty();
         let drawn: Vec<_> = self.columns.iter().map(is_drawn).collect();
         let of_drawn = |SampledRow(case, values)| {
             let values = values.into_iter().zip(&drawn);
@@ -198,7 +199,7 @@ impl StudyTables {
         let cases = identity.numbering.len();
         let reasons = self.reasons.sorted();
         let listed: usize = reasons.iter().map(|reason| reason.cases).sum();
-        let page = Page {
+        let page = StudyPage {
             study: &identity.study,
             version: &identity.version,
             counts: self.tally.words(cases),

@@ -14,7 +14,7 @@ use super::results_table::ResultsTable;
 use crate::failure::Failure;
 use crate::{interrupt, threads};
 
-/// How often results are forced to the disk: as much work is lost by a power failure.
+/// The interval at which results are forced to the disk: a power failure loses as much work.
 const FORCE_EVERY: Duration = Duration::from_secs(1);
 
 /// Solves `cases` and adds each to the table when it is done. Returns early, without an error, if the user asks to
@@ -37,7 +37,7 @@ pub fn run(
     if workers == 0 {
         return Ok(());
     }
-    let shared = Shared {
+    let shared = SharedWork {
         queue: Mutex::new(cases),
         is_closed: AtomicBool::new(false),
         table: Mutex::new(table),
@@ -77,8 +77,8 @@ pub fn default_threads() -> usize {
     thread::available_parallelism().map_or(1, NonZero::get)
 }
 
-/// What the workers share.
-struct Shared<'a> {
+/// The data that the workers share.
+struct SharedWork<'a> {
     queue: Mutex<RemainingCases>,
     is_closed: AtomicBool,
     table: Mutex<&'a mut ResultsTable>,
@@ -87,7 +87,7 @@ struct Shared<'a> {
     failure: Mutex<Option<Failure>>,
 }
 
-impl<'a> Shared<'a> {
+impl<'a> SharedWork<'a> {
     fn take(&self) -> Option<usize> {
         if self.is_closed.load(Ordering::SeqCst) || interrupt::is_leaving() {
             return None;
@@ -114,7 +114,11 @@ impl<'a> Shared<'a> {
     }
 }
 
-fn work(kit: &CaseSolver<'_>, shared: &Shared<'_>, lines: &StudyProgress) -> Result<(), Failure> {
+fn work(
+    kit: &CaseSolver<'_>,
+    shared: &SharedWork<'_>,
+    lines: &StudyProgress,
+) -> Result<(), Failure> {
     while let Some(case) = shared.take() {
         let mut line = lines.case(kit.study, case);
         let Some(done) = kit.solve(case, &mut line, &|_| interrupt::signal())? else {
@@ -132,7 +136,7 @@ fn work(kit: &CaseSolver<'_>, shared: &Shared<'_>, lines: &StudyProgress) -> Res
 }
 
 /// Forces the results to the disk every now and then, and at the end, while the workers write on.
-fn force_until(kit: &CaseSolver<'_>, shared: &Shared<'_>, all_done: &mpsc::Receiver<()>) {
+fn force_until(kit: &CaseSolver<'_>, shared: &SharedWork<'_>, all_done: &mpsc::Receiver<()>) {
     loop {
         // Nothing is ever sent: the channel is closed when the last worker is done.
         let is_last = all_done.recv_timeout(FORCE_EVERY) == Err(RecvTimeoutError::Disconnected);
@@ -146,7 +150,7 @@ fn force_until(kit: &CaseSolver<'_>, shared: &Shared<'_>, all_done: &mpsc::Recei
 }
 
 /// Forces the kept fields to the disk, adds the rows of their cases to the table, and forces that.
-fn force(kit: &CaseSolver<'_>, shared: &Shared<'_>) -> Result<(), Failure> {
+fn force(kit: &CaseSolver<'_>, shared: &SharedWork<'_>) -> Result<(), Failure> {
     let waiting = std::mem::take(&mut *shared.waiting());
     if let Some(kept) = kit.kept {
         kept.force()?;

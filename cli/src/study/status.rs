@@ -1,4 +1,4 @@
-//! How far a study is, told from its folder while other processes work on it, on this machine or on others.
+//! The progress of a study, read from its folder while other processes work on it, on this machine or on others.
 
 use std::fs;
 use std::path::Path;
@@ -10,7 +10,7 @@ use super::folder;
 use super::identity::StudyIdentity;
 use crate::failure::Failure;
 
-/// How far a study is.
+/// The progress of a study.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StudyStatus {
     /// Number of all cases.

@@ -25,7 +25,7 @@ use crate::failure::Failure;
 use crate::input::diagnosis::{Diagnosis, Fault};
 use crate::input::key_path::{self, dotted};
 use crate::input::overrides;
-use crate::input::source::Source;
+use crate::input::span::Source;
 use crate::input::table_reader::TableReader;
 use crate::input::toml_tree::{self, TomlNode, TomlTable, TomlValue};
 use crate::input::value_reader::ValueReader;

@@ -30,14 +30,14 @@ pub struct VariedKey {
     /// The axis on which its values are: keys that change together have the same.
     pub axis: usize,
     /// Its values, in order.
-    values: Values,
+    values: KeyValues,
     /// The common dimension of the values, if all of them are quantities.
     pub dimension: Option<Dimension>,
 }
 
 /// The values of a key.
 #[derive(Debug, Clone, PartialEq)]
-enum Values {
+enum KeyValues {
     /// Those of a list or a range.
     Listed {
         nodes: Vec<TomlNode>,
@@ -76,7 +76,7 @@ impl VariedKey {
             let field = ValueReader::new(key, odd);
             return Err(field.wanted("a quantity of the kind of the key's other values"));
         }
-        let values = Values::Listed {
+        let values = KeyValues::Listed {
             cells: values.iter().map(|node| cell(node, dimension)).collect(),
             nodes: values,
             words: OnceLock::new(),
@@ -102,7 +102,7 @@ impl VariedKey {
             key,
             key_span,
             axis: 0,
-            values: Values::Sampled(column),
+            values: KeyValues::Sampled(column),
             dimension,
         }
     }
@@ -110,15 +110,15 @@ impl VariedKey {
     /// Whether its values are a column of a file.
     #[must_use]
     pub fn is_sampled(&self) -> bool {
-        matches!(self.values, Values::Sampled(_))
+        matches!(self.values, KeyValues::Sampled(_))
     }
 
     /// Number of its values.
     #[must_use]
     pub fn len(&self) -> usize {
         match &self.values {
-            Values::Listed { nodes, .. } => nodes.len(),
-            Values::Sampled(column) => column.len(),
+            KeyValues::Listed { nodes, .. } => nodes.len(),
+            KeyValues::Sampled(column) => column.len(),
         }
     }
 
@@ -126,8 +126,8 @@ impl VariedKey {
     #[must_use]
     pub fn value(&self, i: usize) -> TomlNode {
         let value = match &self.values {
-            Values::Listed { nodes, .. } => nodes.get(i).cloned(),
-            Values::Sampled(column) => column.value(i, &self.key_span),
+            KeyValues::Listed { nodes, .. } => nodes.get(i).cloned(),
+            KeyValues::Sampled(column) => column.value(i, &self.key_span),
         };
         value.unwrap_or_else(|| TomlNode {
             value: TomlValue::Text(String::new()),
@@ -142,10 +142,10 @@ impl VariedKey {
         let is_number =
             |node: &TomlNode| matches!(node.value, TomlValue::Integer(_) | TomlValue::Float(_));
         match &self.values {
-            Values::Listed { nodes, .. } => {
+            KeyValues::Listed { nodes, .. } => {
                 self.dimension.is_none() && !nodes.iter().all(is_number)
             }
-            Values::Sampled(column) => matches!(column, SampleColumn::Words(_)),
+            KeyValues::Sampled(column) => matches!(column, SampleColumn::Words(_)),
         }
     }
 
@@ -162,11 +162,11 @@ impl VariedKey {
     #[must_use]
     pub fn cell(&self, i: usize) -> Cow<'_, str> {
         match &self.values {
-            Values::Listed { cells, .. } => cells.get(i).map_or("", String::as_str).into(),
-            Values::Sampled(column) if i < column.len() => {
+            KeyValues::Listed { cells, .. } => cells.get(i).map_or("", String::as_str).into(),
+            KeyValues::Sampled(column) if i < column.len() => {
                 cell(&self.value(i), self.dimension).into()
             }
-            Values::Sampled(_) => "".into(),
+            KeyValues::Sampled(_) => "".into(),
         }
     }
 
@@ -174,7 +174,7 @@ impl VariedKey {
     #[must_use]
     pub fn words(&self, i: usize) -> Cow<'_, str> {
         match &self.values {
-            Values::Listed {
+            KeyValues::Listed {
                 nodes,
                 words,
                 is_range,
@@ -188,7 +188,7 @@ impl VariedKey {
                 let words = words.get_or_init(all).get(i);
                 words.map_or("", String::as_str).into()
             }
-            Values::Sampled(_) => spelt(&self.value(i).value, self.dimension, true).into(),
+            KeyValues::Sampled(_) => spelt(&self.value(i).value, self.dimension, true).into(),
         }
     }
 }

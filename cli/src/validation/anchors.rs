@@ -31,9 +31,9 @@ fn rows(run: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
 
 /// Contact radius over thickness, and Poisson's ratio.
 const LAYERS: [(f64, f64); 4] = [(0.4, 0.3), (1.0, 0.5), (2.0, 0.4), (2.0, 0.5)];
-/// What the staircase leaves beside a change of the radius: of second order in the element's side, 1/96 of it.
+/// Error of the staircase boundary beyond a change of the radius: of second order in the element's side, 1/96 of it.
 const STAIRCASE: f64 = 2e-5;
-/// What extrapolation over the grids leaves; the capacity has five digits.
+/// Error left after extrapolation over the grids; the capacity has five digits.
 const EXTRAPOLATED: f64 = 3e-5;
 
 /// A layer of thickness 1 bonded to a rigid base.

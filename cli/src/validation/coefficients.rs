@@ -4,7 +4,7 @@ use pellicle_influence::direct;
 use pellicle_kernel::{Foundation, Material};
 
 use super::comparison::Comparison;
-use super::data::influence::{Coefficient, Coefficients, extreme, two_layer};
+use super::data::influence::{Coefficients, ReferenceCoefficient, extreme, two_layer};
 use super::run::{ValidationError, ValidationRun};
 use super::section::ValidationSection;
 
@@ -47,7 +47,7 @@ fn coated(
     let coating = data.cases.get(name).ok_or(ValidationError::NoSolution)?;
     let tables = run.tables(&coating.foundation()?)?;
     let at_zero = tables.foundation().response_at_zero();
-    let compared = |value: &Coefficient| {
+    let compared = |value: &ReferenceCoefficient| {
         let side = value.element_side();
         let found = 2.0 * tables.coefficient(side, [value.m, value.n]) / side;
         let error = (found - value.value).abs() / value.scale(at_zero);

@@ -19,7 +19,7 @@ pub struct Comparison {
     /// The largest error that passes; for a negative control, the certificate's tolerance, which the error must exceed.
     pub tolerance: f64,
     /// Whether the row passes.
-    pub verdict: Verdict,
+    pub verdict: RowVerdict,
 }
 
 /// A number, or a word if a judgement is compared.
@@ -35,14 +35,14 @@ pub enum ComparedValue {
 /// Whether a row passes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Verdict {
+pub enum RowVerdict {
     /// The comparison is as it should be.
     Pass,
     /// It is not.
     Fail,
 }
 
-impl Verdict {
+impl RowVerdict {
     fn of(passes: bool) -> Self {
         if passes { Self::Pass } else { Self::Fail }
     }
@@ -70,7 +70,7 @@ impl Comparison {
             computed: ComparedValue::Number(computed),
             error,
             tolerance,
-            verdict: Verdict::of(error <= tolerance),
+            verdict: RowVerdict::of(error <= tolerance),
         }
     }
 
@@ -130,7 +130,7 @@ impl Comparison {
             computed: ComparedValue::Word(found.into()),
             error: if same { 0.0 } else { 1.0 },
             tolerance: 0.0,
-            verdict: Verdict::of(same),
+            verdict: RowVerdict::of(same),
         }
     }
 
@@ -146,7 +146,7 @@ impl Comparison {
     /// Whether it passes.
     #[must_use]
     pub fn passes(&self) -> bool {
-        self.verdict == Verdict::Pass
+        self.verdict == RowVerdict::Pass
     }
 }
 

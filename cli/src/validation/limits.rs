@@ -23,10 +23,10 @@ const CERTIFIED: f64 = 1e-7;
 const MILLIONTH: f64 = 1e-5;
 
 /// Two contacts with one answer.
-type Pair = fn() -> Result<[ContactSetup; 2], ValidationError>;
+type SetupPair = fn() -> Result<[ContactSetup; 2], ValidationError>;
 
 /// The limit in words, the tolerance, and the two contacts.
-const LIMITS: [(&str, f64, Pair); 8] = [
+const LIMITS: [(&str, f64, SetupPair); 8] = [
     ("χ → 1, equal ν: the half-space", CERTIFIED, equal_materials),
     ("thick coating: the coating alone", MILLIONTH, thick),
     ("thin coating: the substrate alone", MILLIONTH, thin),
@@ -65,7 +65,7 @@ fn limit(
     run: ValidationRun,
     check: &str,
     tolerance: f64,
-    pair: Pair,
+    pair: SetupPair,
 ) -> Result<Comparison, ValidationError> {
     let [wanted, found] = pair()?;
     let reference = run.penetration(&wanted)? / wanted.side;

@@ -8,7 +8,7 @@ use super::run::{ValidationError, ValidationRun};
 pub struct ValidationSection {
     /// Its name.
     pub name: &'static str,
-    /// Where the references come from.
+    /// The source of the references.
     pub source: &'static str,
     /// The scale of the errors, and the cause of the tolerance.
     pub because: &'static str,

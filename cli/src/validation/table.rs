@@ -1,6 +1,6 @@
 //! The validation as a table for people.
 
-use super::comparison::{ComparedValue, Comparison, Verdict};
+use super::comparison::{ComparedValue, Comparison, RowVerdict};
 use super::section::{SectionResult, ValidationSection};
 use crate::display::significant;
 
@@ -32,8 +32,8 @@ pub fn section_text(section: &SectionResult) -> String {
 
 fn row(row: &Comparison) -> String {
     let verdict = match row.verdict {
-        Verdict::Pass => "pass",
-        Verdict::Fail => "FAIL",
+        RowVerdict::Pass => "pass",
+        RowVerdict::Fail => "FAIL",
     };
     let (reference, computed) = (value(&row.reference), value(&row.computed));
     // An error message gets a line of its own.

@@ -1,4 +1,4 @@
-//! What a fit says of the numbers that it takes as exact.
+//! The part of a fit's result about the numbers that it takes as exact.
 
 use std::fs;
 
@@ -72,7 +72,7 @@ fn a_modulus_follows_each_number_taken_as_exact_as_hertz_says() {
         ),
     ] {
         let found = exponent(key);
-        // What grids of 64 elements leave.
+        // The error of grids of 64 elements.
         assert!((found - wanted).abs() < 2e-3, "{key}: {found} for {wanted}");
     }
     let sentence = "taken as exact: an error of ";

@@ -1,4 +1,4 @@
-//! What to measure next: the design of a fit file, judged with the data that there are.
+//! The next measurement: the design of a fit file, judged together with its data.
 
 use std::fs;
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! What a plan leaves behind, what it refuses, and the example of its page.
+//! The files of a plan, the input that it refuses, and the example of its page.
 
 use std::fs;
 
@@ -51,7 +51,7 @@ fn a_plan_leaves_a_folder_of_its_own_that_is_whole() {
             .replace("http://www.w3.org/2000/svg", "")
             .contains("://")
     );
-    // A second plan does not replace it, unless told to.
+    // A second plan does not replace it, unless forced.
     let again = folder.run(&["identify", "fit.toml", "--plan", "--quiet"]);
     assert_eq!(again.code, Some(0), "{}", again.stderr);
     assert!(folder.path("results/fit-plan-2/plan.json").is_file());

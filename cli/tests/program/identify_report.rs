@@ -1,4 +1,4 @@
-//! What a fit leaves behind: its pictures, its page, and nothing with `--json` alone.
+//! The files of a fit: its pictures, its page, and nothing with `--json` alone.
 
 use std::fs;
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! What goes wrong around a study: the disk is full half way, a part is started twice, the clocks of two machines
+//! Faults around a study: the disk is full half way, a part is started twice, the clocks of two machines
 //! differ. Nothing is lost, nothing is there twice, and one sentence says what to do.
 
 use std::fs;

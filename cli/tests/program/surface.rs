@@ -23,7 +23,7 @@ fn a_surface_is_written_in_both_formats_and_runs_in_a_case() {
     for name in ["rough.npy", "rough.gsf"] {
         let made = folder.run(&[&["surface", "--out", name][..], &LINE].concat());
         assert_eq!(made.code, Some(0), "{}", made.stderr);
-        // What it tells to write runs.
+        // The table that it prints runs in a case.
         let (_, keys) = made.stderr.split_once("kind = \"rough\", ").unwrap();
         let keys = keys.trim_end().trim_end_matches(" }");
         fs::write(folder.path("rough.toml"), case(keys)).unwrap();

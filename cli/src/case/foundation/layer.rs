@@ -23,10 +23,10 @@ pub struct LayerCase {
     pub poisson_ratio: f64,
     /// The interface below it.
     pub interface: InterfaceCase,
-    /// What it bears.
+    /// Its strength.
     #[serde(flatten)]
     pub strength: BodyStrengthCase,
-    /// What the interface below it bears.
+    /// The strength of the interface below it.
     #[serde(flatten)]
     pub interface_strength: InterfaceStrengthCase,
 }

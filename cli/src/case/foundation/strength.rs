@@ -7,7 +7,7 @@ use crate::input::dimension::Dimension;
 use crate::input::table_reader::TableReader;
 use crate::input::value_reader::Sign;
 
-/// What a body bears; none where nothing is said.
+/// The strength of a body; each limit may be missing.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
 pub struct BodyStrengthCase {
     /// Von Mises' stress at which it yields, Pa.
@@ -21,7 +21,7 @@ pub struct BodyStrengthCase {
     pub hardness: Option<f64>,
 }
 
-/// What the interface below a layer bears; none where nothing is said.
+/// The strength of the interface below a layer; each limit may be missing.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
 pub struct InterfaceStrengthCase {
     /// The shear traction at which it comes off, Pa.

@@ -31,7 +31,7 @@ pub struct MaterialCase {
     pub young_modulus: f64,
     /// Poisson's ratio `ν`.
     pub poisson_ratio: f64,
-    /// What it bears.
+    /// Its strength.
     #[serde(flatten)]
     pub strength: BodyStrengthCase,
 }

@@ -1,4 +1,4 @@
-//! What `[stress]` may say, and the model made of it.
+//! The keys of `[stress]`, and the model made of them.
 
 use super::*;
 use crate::input::table_reader::tests::read_table;

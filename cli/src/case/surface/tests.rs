@@ -1,4 +1,4 @@
-//! What the table `[surface]` may say, and what it is told where it may not.
+//! The keys of `[surface]`, and the messages about wrong ones.
 
 use super::super::foundation::strength::BodyStrengthCase;
 use super::super::foundation::substrate::{MaterialCase, SubstrateCase};

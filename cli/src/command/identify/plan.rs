@@ -6,10 +6,10 @@ use pellicle_identify::IdentifyError;
 
 use super::{claim, progress};
 use crate::arguments::IdentifyArguments;
+use crate::command::Outcome;
 use crate::failure::Failure;
 use crate::fit_file::{FitFile, Measurements};
 use crate::identifying::{self, Stage};
-use crate::outcome::Outcome;
 use crate::output::folder::{Completeness, ResultsFolder};
 use crate::output::json;
 use crate::planning::{files, text};

@@ -1,4 +1,4 @@
-//! What a reader of a fit should know: points left out, and warnings.
+//! Notes on a fit for its reader: points left out, and warnings.
 
 use pellicle_identify::{Exclusion, Fit, Stopped, Warning};
 

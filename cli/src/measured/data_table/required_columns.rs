@@ -4,7 +4,7 @@ use super::{DataTable, Observe};
 use crate::input::diagnosis::{Diagnosis, Fault};
 use crate::input::table_reader::TableReader;
 use crate::measured::channel::Channel;
-use crate::measured::segment::{Part, SegmentEnd, Until};
+use crate::measured::segment::{Branch, SegmentEnd, Until};
 
 impl DataTable {
     /// Looks whether what is observed and what bounds the segment have their columns.
@@ -51,8 +51,8 @@ impl DataTable {
             need(Channel::Depth, "since its largest step ends the segment")?;
         }
         match self.segment.part {
-            Part::Unloading => need(Channel::Force, "since the unloading is used"),
-            Part::Loading | Part::Whole => Ok(()),
+            Branch::Unloading => need(Channel::Force, "since the unloading is used"),
+            Branch::Loading | Branch::Whole => Ok(()),
         }
     }
 

@@ -2,11 +2,11 @@
 
 use crate::input::units::Units;
 
-/// A column: its name, its SI unit if it has one, and its value of what the row tells of.
-pub type Column<T> = (&'static str, Option<&'static str>, fn(&T) -> String);
+/// A column: its name, its SI unit if it has one, and the text of its cell in the row of a `T`.
+pub type CurveColumn<T> = (&'static str, Option<&'static str>, fn(&T) -> String);
 
 /// The name of a column, with its unit.
-pub fn name<T>((name, unit, _): &Column<T>, units: Units) -> String {
+pub fn name<T>((name, unit, _): &CurveColumn<T>, units: Units) -> String {
     match unit {
         Some(unit) => format!("{name} [{}]", units.name(unit)),
         None => (*name).to_owned(),

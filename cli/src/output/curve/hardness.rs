@@ -1,11 +1,11 @@
 //! The columns of a pressure that is cut at a hardness.
 
-use super::column::{Column, name, number};
+use super::column::{CurveColumn, name, number};
 use crate::case::Case;
 use crate::input::units::Units;
 use crate::output::summary::{StepSummary, Summary};
 
-const COLUMNS: [Column<StepSummary>; 3] = [
+const COLUMNS: [CurveColumn<StepSummary>; 3] = [
     ("area at hardness", Some("m^2"), |step| {
         step.area_at_limit.map_or_else(String::new, number)
     }),
@@ -39,7 +39,7 @@ impl HardnessColumns {
         self.are_there |= case.hardness().is_some();
     }
 
-    fn columns(self) -> impl Iterator<Item = &'static Column<StepSummary>> {
+    fn columns(self) -> impl Iterator<Item = &'static CurveColumn<StepSummary>> {
         COLUMNS.iter().filter(move |_| self.are_there)
     }
 

@@ -1,12 +1,12 @@
 //! The columns of rough contact in a curve.
 
-use super::column::{Column, name, number};
+use super::column::{CurveColumn, name, number};
 use crate::case::Case;
 use crate::input::units::Units;
 use crate::output::summary::roughness::RoughContactSummary;
 use crate::output::summary::{StepSummary, Summary};
 
-const COLUMNS: [Column<RoughContactSummary>; 4] = [
+const COLUMNS: [CurveColumn<RoughContactSummary>; 4] = [
     ("contact fraction", None, |rough| {
         number(rough.contact_fraction)
     }),
@@ -36,7 +36,7 @@ impl RoughColumns {
         self.are_there |= case.surface.map().is_some() || case.indenter.map().is_some();
     }
 
-    fn columns(self) -> impl Iterator<Item = &'static Column<RoughContactSummary>> {
+    fn columns(self) -> impl Iterator<Item = &'static CurveColumn<RoughContactSummary>> {
         COLUMNS.iter().filter(move |_| self.are_there)
     }
 
@@ -50,8 +50,9 @@ impl RoughColumns {
     #[must_use]
     pub fn row(self, step: &StepSummary) -> Vec<String> {
         let rough = step.rough_contact.as_ref();
-        let cell =
-            |(_, _, value): &Column<RoughContactSummary>| rough.map_or_else(String::new, value);
+        let cell = |(_, _, value): &CurveColumn<RoughContactSummary>| {
+            rough.map_or_else(String::new, value)
+        };
         self.columns().map(cell).collect()
     }
 }

@@ -1,11 +1,11 @@
-//! How far the grid can be trusted with a number of the report.
+//! The note on the grid's error in a number of the report.
 
 use pellicle_contact::Estimate;
 
 use crate::display::{Unit, error_of};
 use crate::input::units::Units;
 
-/// How far the grid can be trusted with a number.
+/// The note on the grid's error in a number.
 #[derive(Debug, PartialEq, Eq)]
 pub enum GridErrorNote {
     /// Nobody estimates it.

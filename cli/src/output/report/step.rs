@@ -2,7 +2,7 @@
 
 use super::grid_error::GridErrorNote;
 use super::stress::StressTable;
-use super::surface::Surface;
+use super::surface::SurfaceFigure;
 use crate::display::{Unit, quantity, significant};
 use crate::output::pictures::{StepDrawings, StepPicture, StressPicture};
 use crate::output::summary::{CertificateSummary, StepSummary, Summary};
@@ -18,7 +18,7 @@ pub struct StepSection<'a> {
     /// The extremes of the stresses, where they were asked for.
     pub stresses: Option<StressTable>,
     pub stress_drawings: &'a [(StressPicture, String)],
-    pub surface: Option<&'a Surface>,
+    pub surface: Option<&'a SurfaceFigure>,
 }
 
 /// A number of a step.

@@ -5,7 +5,7 @@ use pellicle_contact::{BodyStress, Extreme, InterfaceStress};
 use super::grid_error::GridErrorNote;
 use crate::display::{Unit, error_of, quantity, significant};
 use crate::input::units::Units;
-use crate::output::summary::stress::StressSummary;
+use crate::output::summary::StressSummary;
 
 /// The table of the extremes.
 pub struct StressTable {

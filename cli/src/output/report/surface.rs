@@ -21,7 +21,7 @@ const PRESSURES: [u16; 2] = [2, u16::MAX];
 
 /// The data of a figure that the script draws.
 #[derive(Debug, Clone)]
-pub struct Surface {
+pub struct SurfaceFigure {
     /// Cells per side.
     pub cells: usize,
     /// Two bytes a cell, in base 64.
@@ -32,7 +32,7 @@ pub struct Surface {
     pub labels: String,
 }
 
-impl Surface {
+impl SurfaceFigure {
     /// The pressure of a step.
     #[must_use]
     pub fn new(subject: &Subject<'_>) -> Self {

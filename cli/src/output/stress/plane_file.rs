@@ -6,7 +6,7 @@ use crate::case::stress::StressCase;
 use crate::failure::Failure;
 use crate::output::summary::Summary;
 
-/// What the files of a step say besides the values.
+/// The header of the files of a step: all but the values.
 #[derive(Debug)]
 pub struct StressHead<'a> {
     pub summary: &'a Summary,

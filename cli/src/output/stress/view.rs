@@ -1,4 +1,4 @@
-//! What the pictures of stresses show: a section below a line on the surface, and the tractions on the interfaces.
+//! The content of the pictures of stresses: a section below a line on the surface, and the tractions on the interfaces.
 
 use super::plane_values::PlaneValues;
 use crate::case::foundation::depths::BodyPlane;
@@ -127,14 +127,14 @@ impl SurfaceLine {
 /// The section and the tractions under way: takes plane after plane.
 pub struct ViewCollector {
     view: StressView,
-    /// Where each point of the line lies among the points of a plane.
-    samples: Vec<Sample>,
-    reach: Reach,
+    /// The place of each point of the line among the points of a plane.
+    samples: Vec<CellPoint>,
+    reach: SectionDepths,
 }
 
-/// How deep the section reaches, and the depths of the interfaces, m.
+/// The depth of the section, and those of the interfaces, m.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Reach {
+pub struct SectionDepths {
     /// The depth of the section's last plane.
     pub deepest: f64,
     /// The depths of the layers' bottoms.
@@ -143,7 +143,7 @@ pub struct Reach {
 
 /// A point among four of a plane: the first of them, and the parts of the way to the next along x and y.
 #[derive(Debug, Clone, Copy)]
-struct Sample {
+struct CellPoint {
     first: [usize; 2],
     part: [f64; 2],
 }
@@ -151,7 +151,7 @@ struct Sample {
 impl ViewCollector {
     /// A view of planes whose points have these coordinates along x and y, on and below a line, moved to lie within
     /// them.
-    pub fn new(line: SurfaceLine, centres: &[f64], reach: Reach) -> Self {
+    pub fn new(line: SurfaceLine, centres: &[f64], reach: SectionDepths) -> Self {
         let [low, high] = ends(centres);
         let line = SurfaceLine {
             through: line.through.map(|along| along.clamp(low, high)),
@@ -160,7 +160,7 @@ impl ViewCollector {
         let along = coordinates(line.within(low, high), centres);
         let samples = along
             .iter()
-            .map(|along| Sample::of(line.at(*along), centres));
+            .map(|along| CellPoint::of(line.at(*along), centres));
         Self {
             samples: samples.collect(),
             reach,
@@ -211,7 +211,7 @@ impl ViewCollector {
     }
 }
 
-impl Sample {
+impl CellPoint {
     fn of(point: [f64; 2], centres: &[f64]) -> Self {
         let place = point.map(|along| {
             let above = centres.partition_point(|centre| *centre <= along);
@@ -284,7 +284,7 @@ mod tests {
 
     /// The stresses of planes whose von Mises stress is a linear function of the place.
     fn view(line: SurfaceLine, planes: &[(f64, usize)]) -> StressView {
-        let reach = Reach {
+        let reach = SectionDepths {
             deepest: 0.3,
             bottoms: vec![0.1, 0.5],
         };

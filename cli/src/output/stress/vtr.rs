@@ -22,22 +22,22 @@ pub fn file(step: usize) -> String {
 /// A file under way.
 pub struct StressVtr {
     file: LongFile,
-    layout: Layout,
+    layout: VtrLayout,
     bodies: Vec<u8>,
 }
 
 /// The places of the arrays, in bytes.
 #[derive(Debug, Clone, Copy)]
-struct Layout {
+struct VtrLayout {
     /// Points along x, and along y.
     size: usize,
     /// Planes.
     planes: usize,
-    /// Where the first array begins.
+    /// The start of the first array.
     start: usize,
 }
 
-impl Layout {
+impl VtrLayout {
     /// The offset of a coordinate's array from the first.
     fn coordinate(&self, axis: usize) -> usize {
         axis * (LENGTH + size_of::<f64>() * self.size)
@@ -72,7 +72,7 @@ impl StressVtr {
     /// Writes everything but the planes.
     pub fn begin(folder: &Path, head: &StressHead<'_>) -> Result<Self, Failure> {
         let mut file = LongFile::begin(&folder.join(file(head.step)))?;
-        let mut layout = Layout {
+        let mut layout = VtrLayout {
             size: head.centres.len(),
             planes: head.planes.len(),
             start: 0,
@@ -129,7 +129,7 @@ impl StressFile for StressVtr {
 }
 
 /// Everything before the first array.
-fn text(head: &StressHead<'_>, layout: &Layout) -> String {
+fn text(head: &StressHead<'_>, layout: &VtrLayout) -> String {
     let (last, deepest) = (
         layout.size.saturating_sub(1),
         layout.planes.saturating_sub(1),

@@ -31,13 +31,13 @@ pub struct MapRoughness {
     /// Root mean square of the mean curvature, 1/m.
     #[serde(deserialize_with = "nan_from_null")]
     pub rms_curvature: f64,
-    /// Where slopes and curvatures come from.
+    /// The source of slopes and curvatures.
     pub derivatives: Derivatives,
     /// The power spectrum, averaged over directions.
     pub spectrum: SpectrumSummary,
 }
 
-/// Where slopes and curvatures of a map come from.
+/// The source of the slopes and curvatures of a map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Derivatives {
@@ -90,7 +90,7 @@ pub struct RoughContactSummary {
 /// The islands of a contact.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct IslandsSummary {
-    /// How many.
+    /// Their number.
     pub count: usize,
     /// Area of the largest by its elements, m².
     #[serde(deserialize_with = "nan_from_null")]
@@ -98,7 +98,7 @@ pub struct IslandsSummary {
     /// Mean area by their elements, m².
     #[serde(deserialize_with = "nan_from_null")]
     pub mean_area: f64,
-    /// How many have 1 element, 2 or 3, 4 to 7, and so on.
+    /// The numbers of those with 1 element, 2 or 3, 4 to 7, and so on.
     pub counts_by_octave: Vec<usize>,
 }
 

@@ -1,11 +1,10 @@
-//! One loading step in a summary.
+//! One loading step in a summary, with its stresses.
 
-use pellicle_contact::{Certificate, GridError, Status, Step, Work, nan_from_null};
+use pellicle_contact::{Certificate, GridError, Status, Step, StressExtremes, Work, nan_from_null};
 use serde::{Deserialize, Deserializer, Serialize};
 
 use super::roughness::RoughContactSummary;
 use super::sensitivity::SensitivitySummary;
-use super::stress::StressSummary;
 
 /// One loading step: the numbers of a [`Step`] without its fields.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -92,6 +91,18 @@ pub struct CertificateSummary {
     #[serde(deserialize_with = "nan_from_null")]
     pub worst: f64,
     pub satisfied: bool,
+}
+
+/// The largest stresses of a step, and the sliding that they come with.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct StressSummary {
+    /// Coefficient of friction.
+    pub friction: f64,
+    /// Direction of sliding, degrees from +x to +y.
+    pub direction_degrees: f64,
+    /// The extremes in bodies and on interfaces.
+    #[serde(flatten)]
+    pub extremes: StressExtremes,
 }
 
 impl StepSummary {

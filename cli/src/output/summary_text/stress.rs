@@ -5,8 +5,8 @@ use pellicle_contact::{Criterion, CriticalLoad, Extreme};
 use super::columns::TextColumns;
 use crate::display::{Unit, error_of, quantity, significant};
 use crate::input::units::Units;
+use crate::output::summary::StressSummary;
 use crate::output::summary::Summary;
-use crate::output::summary::stress::StressSummary;
 
 impl TextColumns {
     /// The largest stresses in each body and on each interface.

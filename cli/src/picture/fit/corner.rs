@@ -1,7 +1,7 @@
 //! All pairs of unknowns, each unknown on the diagonal: ellipses of the covariance, or samples where there are some.
 
 use super::unknown::FittedUnknown;
-use super::{Head, axes};
+use super::{FitHeading, axes};
 use crate::picture::colours::{self, Colour};
 use crate::picture::heading;
 use crate::picture::panel::{Axis, Panel};
@@ -29,11 +29,11 @@ const POINTS: usize = 400;
 const BARS: usize = 40;
 const DOTS: usize = 2000;
 
-/// What is drawn.
+/// The picture of the pairs of unknowns.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Corner {
+pub struct CornerPlot {
     /// The lines above.
-    pub head: Head,
+    pub head: FitHeading,
     /// The unknowns, all with a covariance.
     pub unknowns: Vec<FittedUnknown>,
     /// Correlation of their logarithms.
@@ -42,7 +42,7 @@ pub struct Corner {
     pub samples: Vec<Vec<f64>>,
 }
 
-impl Corner {
+impl CornerPlot {
     /// The picture as SVG; none for a single unknown.
     #[must_use]
     pub fn draw(&self, style: &Style) -> Option<String> {
@@ -233,9 +233,9 @@ mod tests {
     use super::super::unknown::tests::unknown;
     use super::*;
 
-    fn corner(names: &[&str]) -> Corner {
-        Corner {
-            head: Head {
+    fn corner(names: &[&str]) -> CornerPlot {
+        CornerPlot {
+            head: FitHeading {
                 title: "a fit".into(),
                 numbers: "fitted".into(),
             },

@@ -1,6 +1,6 @@
 //! Measured points with the curves of the model, and the whitened residuals below.
 
-use super::{Head, axes, colour};
+use super::{FitHeading, axes, colour};
 use crate::display::Scale;
 use crate::picture::colours::{self, Colour};
 use crate::picture::heading;
@@ -41,12 +41,12 @@ const BAND: f64 = 2.0;
 
 /// One measured point.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Point {
-    /// Where it was measured.
+pub struct FittedPoint {
+    /// The abscissa at which it was measured.
     pub abscissa: f64,
-    /// What was measured.
+    /// The measured value.
     pub observed: f64,
-    /// What the model says, shift included.
+    /// The value of the model, shift included.
     pub model: f64,
     /// The residual, whitened by the covariance of the noise.
     pub whitened: f64,
@@ -58,14 +58,14 @@ pub struct FittedCurve {
     /// Its name.
     pub name: String,
     /// Its points, in the order of measurement.
-    pub points: Vec<Point>,
-    /// Whether the fit has used it.
-    pub part: Part,
+    pub points: Vec<FittedPoint>,
+    /// Whether the fit used it.
+    pub usage: CurveUse,
 }
 
 /// Whether a curve is part of a fit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Part {
+pub enum CurveUse {
     /// It is.
     Used,
     /// It was left out, as it disagrees with the others.
@@ -74,22 +74,22 @@ pub enum Part {
 
 /// A quantity on an axis.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Quantity {
+pub struct AxisQuantity {
     /// Its name and symbol.
     pub name: &'static str,
     /// Its unit.
     pub scale: Scale,
 }
 
-/// What is drawn.
+/// The picture of the curves.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curves {
     /// The lines above.
-    pub head: Head,
-    /// What the abscissa is.
-    pub x: Quantity,
-    /// What was observed.
-    pub y: Quantity,
+    pub head: FitHeading,
+    /// The quantity on the abscissa.
+    pub x: AxisQuantity,
+    /// The observed quantity.
+    pub y: AxisQuantity,
     /// The curves.
     pub all: Vec<FittedCurve>,
 }
@@ -123,7 +123,7 @@ impl Curves {
         let x = axes::ends(points().map(|point| point.abscissa))?;
         let y = axes::ends(points().flat_map(|point| [point.observed, point.model]))?;
         let both = axes::suits_logarithms(x) && y[0] > 0.0;
-        let axis = |ends, of: &Quantity, count| {
+        let axis = |ends, of: &AxisQuantity, count| {
             if both {
                 axes::logarithmic(ends, &of.scale, of.name)
             } else {
@@ -167,16 +167,16 @@ impl Curves {
 
     fn used(&self) -> impl Iterator<Item = (usize, &FittedCurve)> {
         let curves = self.all.iter().enumerate();
-        curves.filter(|(_, curve)| curve.part == Part::Used)
+        curves.filter(|(_, curve)| curve.usage == CurveUse::Used)
     }
 
     fn draw_curves(&self, svg: &mut Svg, panel: &Panel) {
         panel.draw_mesh(svg);
         let scaled = |x: f64, y: f64| panel.at(x / self.x.scale.divisor, y / self.y.scale.divisor);
         svg.within(panel.place, |svg| {
-            // What was left out lies below the rest.
+            // Curves that were left out lie below the rest.
             let mut order: Vec<_> = self.all.iter().enumerate().collect();
-            order.sort_by_key(|(_, curve)| curve.part == Part::Used);
+            order.sort_by_key(|(_, curve)| curve.usage == CurveUse::Used);
             for (i, curve) in order {
                 let shown = shown(&curve.points, self.stride(curve));
                 let places: Vec<_> = shown
@@ -207,8 +207,9 @@ impl Curves {
         svg.within(panel.place, |svg| {
             for (i, curve) in self.used() {
                 let shown = shown(&curve.points, self.stride(curve));
-                let at =
-                    |point: &Point| panel.at(point.abscissa / self.x.scale.divisor, point.whitened);
+                let at = |point: &FittedPoint| {
+                    panel.at(point.abscissa / self.x.scale.divisor, point.whitened)
+                };
                 svg.dots(&shown.map(at).collect::<Vec<_>>(), 2.4, colour(i));
             }
             svg.line(&across(0.0), Stroke::new(colours::INK, 1.4));
@@ -224,7 +225,7 @@ impl Curves {
             let x = LEFT + column * (i % COLUMNS) as f64;
             let y = HEIGHT + ENTRY * (i / COLUMNS) as f64;
             svg.dots(&[(x + 10.0, y)], 5.0, ink(i, curve));
-            let left_out = if curve.part == Part::LeftOut {
+            let left_out = if curve.usage == CurveUse::LeftOut {
                 " (left out)"
             } else {
                 ""
@@ -239,7 +240,7 @@ impl Curves {
         }
     }
 
-    /// What is not shown.
+    /// The note on curves without a name and points that are not drawn.
     fn note(&self) -> Option<String> {
         let more = self.all.len().saturating_sub(NAMED);
         let stride = self.all.iter().map(|curve| self.stride(curve)).max();
@@ -260,20 +261,20 @@ impl Curves {
 }
 
 /// One point in so many.
-fn shown(points: &[Point], stride: usize) -> impl Iterator<Item = &Point> {
+fn shown(points: &[FittedPoint], stride: usize) -> impl Iterator<Item = &FittedPoint> {
     points.iter().step_by(stride)
 }
 
 fn ink(i: usize, curve: &FittedCurve) -> Colour {
-    match curve.part {
-        Part::Used => colour(i),
-        Part::LeftOut => colours::LEFT_OUT,
+    match curve.usage {
+        CurveUse::Used => colour(i),
+        CurveUse::LeftOut => colours::LEFT_OUT,
     }
 }
 
 /// The model's curve, in the order of its abscissae: a measurement may go back and forth. None of what was left out.
 fn line(curve: &FittedCurve, at: impl Fn(f64, f64) -> (f64, f64)) -> Vec<(f64, f64)> {
-    if curve.part == Part::LeftOut {
+    if curve.usage == CurveUse::LeftOut {
         return Vec::new();
     }
     let mut points: Vec<_> = curve.points.iter().collect();
@@ -297,32 +298,35 @@ mod tests {
         };
         let point = |i: usize| {
             let abscissa = 1e-6 * (1 + i) as f64;
-            Point {
+            FittedPoint {
                 abscissa,
                 observed: abscissa.powf(2.0 / 3.0) + shift,
                 model: abscissa.powf(2.0 / 3.0),
                 whitened: (i % 3) as f64 - 1.0,
             }
         };
-        let curve = |name: &str, part| FittedCurve {
+        let curve = |name: &str, usage| FittedCurve {
             name: name.into(),
             points: (0..points).map(point).collect(),
-            part,
+            usage,
         };
         Curves {
-            head: Head {
+            head: FitHeading {
                 title: "a fit".into(),
                 numbers: "fitted".into(),
             },
-            x: Quantity {
+            x: AxisQuantity {
                 name: "force Q",
                 scale: scale(1e-6, "µN"),
             },
-            y: Quantity {
+            y: AxisQuantity {
                 name: "depth D",
                 scale: scale(1e-6, "µm"),
             },
-            all: vec![curve("one", Part::Used), curve("other", Part::LeftOut)],
+            all: vec![
+                curve("one", CurveUse::Used),
+                curve("other", CurveUse::LeftOut),
+            ],
         }
     }
 

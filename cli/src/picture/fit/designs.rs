@@ -1,6 +1,6 @@
 //! One panel for each unknown: how wide its interval will be, against the largest force of a curve.
 
-use super::{Head, axes, colour};
+use super::{FitHeading, axes, colour};
 use crate::display::Scale;
 use crate::picture::colours;
 use crate::picture::heading;
@@ -28,12 +28,12 @@ const SAMPLE: f64 = 34.0;
 const WIDEST: f64 = 1000.0;
 const NARROWEST: f64 = 0.01;
 
-/// What is drawn.
+/// The picture of the designs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Designs {
     /// The lines above.
-    pub head: Head,
-    /// What is told of the lines.
+    pub head: FitHeading,
+    /// The note under the picture: noise and number of points.
     pub note: String,
     /// The unit of the forces.
     pub forces: Scale,
@@ -70,7 +70,7 @@ impl Designs {
         let height = legend + ENTRY * entries.len().div_ceil(across) as f64 + 10.0;
         let mut svg = style.sheet(width, height);
         if style.heading == Heading::Shown {
-            let Head { title, numbers } = &self.head;
+            let FitHeading { title, numbers } = &self.head;
             heading::draw(&mut svg, LEFT, width - LEFT, title, numbers);
             heading::draw_accuracy(&mut svg, LEFT, &self.note);
         }
@@ -99,10 +99,10 @@ impl Designs {
             let left = LEFT + (i % across) as f64 * ENTRY_WIDTH;
             let y = legend + ENTRY * (i / across) as f64;
             match sample {
-                Sample::Line(stroke, dash) => {
+                LegendSample::Line(stroke, dash) => {
                     svg.broken_lines(&[[(left, y), (left + SAMPLE, y)]], *stroke, *dash);
                 }
-                Sample::Circle => {
+                LegendSample::Circle => {
                     let place = (left + 0.5 * SAMPLE, y);
                     svg.circle(place, 5.0, colours::WHITE, colours::INK);
                 }
@@ -123,22 +123,25 @@ impl Designs {
         self.unknowns.iter().flat_map(|unknown| &unknown.lines)
     }
 
-    /// What the legend names.
-    fn entries(&self) -> Vec<(String, Sample)> {
+    /// The entries of the legend.
+    fn entries(&self) -> Vec<(String, LegendSample)> {
         let indenters = self.indenters.iter().enumerate();
         let indenters =
-            indenters.map(|(i, name)| (name.clone(), Sample::Line(line(i), Dash::Solid)));
+            indenters.map(|(i, name)| (name.clone(), LegendSample::Line(line(i), Dash::Solid)));
         let is_there = |of: &dyn Fn(&DesignedUnknown) -> Option<f64>| {
             self.unknowns.iter().any(|unknown| of(unknown).is_some())
         };
         let is_lost = self.all_lines().flatten().any(|(_, width)| width.is_none());
         let entry = |name: &str, sample| (name.to_owned(), sample);
-        let together = entry("all together", Sample::Line(TOGETHER, Dash::Dashed));
-        let measured = entry("what was measured", Sample::Line(MEASURED, Dash::Solid));
+        let together = entry("all together", LegendSample::Line(TOGETHER, Dash::Dashed));
+        let measured = entry(
+            "what was measured",
+            LegendSample::Line(MEASURED, Dash::Solid),
+        );
         indenters
             .chain(is_there(&|of| of.together).then_some(together))
             .chain(is_there(&|of| of.measured).then_some(measured))
-            .chain(is_lost.then(|| entry("lost", Sample::Circle)))
+            .chain(is_lost.then(|| entry("lost", LegendSample::Circle)))
             .collect()
     }
 
@@ -213,8 +216,8 @@ const TOGETHER: Stroke = Stroke {
     width: 1.8,
 };
 
-/// What stands before a name in the legend.
-enum Sample {
+/// The sample before a name in the legend.
+enum LegendSample {
     Line(Stroke, Dash),
     Circle,
 }
@@ -229,7 +232,7 @@ mod tests {
 
     fn designs() -> Designs {
         Designs {
-            head: Head {
+            head: FitHeading {
                 title: "a plan".into(),
                 numbers: "95 % intervals".into(),
             },

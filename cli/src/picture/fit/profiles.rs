@@ -1,7 +1,7 @@
 //! One panel for each unknown: how much worse the fit is with another value of it.
 
 use super::unknown::FittedUnknown;
-use super::{Head, axes};
+use super::{FitHeading, axes};
 use crate::display::Scale;
 use crate::picture::colours;
 use crate::picture::heading;
@@ -26,11 +26,11 @@ const SHOWN: f64 = 2.2;
 /// Points of a parabola.
 const POINTS: usize = 120;
 
-/// What is drawn.
+/// The picture of the profiles.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Profiles {
     /// The lines above.
-    pub head: Head,
+    pub head: FitHeading,
     /// Level of the intervals.
     pub level: f64,
     /// The unknowns that have a profile or a covariance.
@@ -213,7 +213,7 @@ fn parabola(unknown: &FittedUnknown, panel: &Panel) -> Vec<[f64; 2]> {
     let half = unknown.wald.unwrap_or(0.0) * (1.2 * SHOWN).sqrt();
     let [from, to] =
         [panel.x.from, panel.x.to].map(|end| (end * scale(unknown).divisor / unknown.value).ln());
-    // What is not positive has no logarithm.
+    // A value that is not positive has no logarithm.
     let from = if from.is_finite() {
         from.max(-half)
     } else {
@@ -234,7 +234,7 @@ mod tests {
 
     fn profiles(unknowns: Vec<FittedUnknown>) -> Profiles {
         Profiles {
-            head: Head {
+            head: FitHeading {
                 title: "a fit".into(),
                 numbers: "fitted".into(),
             },

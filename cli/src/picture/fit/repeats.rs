@@ -1,7 +1,7 @@
 //! Each repeat's own value of every unknown, with the common value, its interval and the scatter between repeats.
 
 use super::unknown::FittedUnknown;
-use super::{Head, axes, colour};
+use super::{FitHeading, axes, colour};
 use crate::display::significant;
 use crate::picture::colours;
 use crate::picture::heading;
@@ -23,10 +23,10 @@ const WIDTH: f64 = LEFT + PANEL_WIDTH + 50.0;
 const NAMES: f64 = 14.0;
 const ROOM: f64 = LEFT - 40.0;
 
-/// An unknown, and what each repeat says of it.
+/// An unknown, and its value in each repeat.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Repeated {
-    /// What is common.
+    /// Its value common to all repeats.
     pub unknown: FittedUnknown,
     /// Standard deviation between repeats.
     pub scatter: f64,
@@ -34,18 +34,18 @@ pub struct Repeated {
     pub values: Vec<(usize, f64)>,
 }
 
-/// What is drawn.
+/// The picture of the repeats.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Repeats {
+pub struct RepeatsPlot {
     /// The lines above.
-    pub head: Head,
+    pub head: FitHeading,
     /// The names of all curves.
     pub names: Vec<String>,
     /// The unknowns that may differ between repeats.
     pub unknowns: Vec<Repeated>,
 }
 
-impl Repeats {
+impl RepeatsPlot {
     /// The picture as SVG; none without repeats.
     #[must_use]
     pub fn draw(&self, style: &Style) -> Option<String> {
@@ -177,8 +177,8 @@ mod tests {
 
     #[test]
     fn every_repeat_has_its_row_and_those_left_out_are_marked() {
-        let repeats = Repeats {
-            head: Head {
+        let repeats = RepeatsPlot {
+            head: FitHeading {
                 title: "a fit".into(),
                 numbers: "fitted".into(),
             },
@@ -192,7 +192,7 @@ mod tests {
         let svg = repeats.draw(&Style::default()).unwrap();
         assert!(svg.contains(">a.csv</text>") && svg.contains(">b.csv (left out)</text>"));
         assert!(svg.contains("scatter 1.00 GPa"), "{svg}");
-        let none = Repeats {
+        let none = RepeatsPlot {
             unknowns: Vec::new(),
             ..repeats
         };

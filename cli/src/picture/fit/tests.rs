@@ -1,10 +1,10 @@
 //! Whatever numbers a fit has, its pictures can be drawn.
 
-use super::Head;
-use super::corner::Corner;
-use super::curve::{Curves, FittedCurve, Part, Point, Quantity};
+use super::FitHeading;
+use super::corner::CornerPlot;
+use super::curve::{AxisQuantity, CurveUse, Curves, FittedCurve, FittedPoint};
 use super::profiles::Profiles;
-use super::repeats::{Repeated, Repeats};
+use super::repeats::{Repeated, RepeatsPlot};
 use super::unknown::FittedUnknown;
 use crate::display::Scale;
 use crate::picture::render;
@@ -17,8 +17,8 @@ fn scale(divisor: f64) -> Scale {
     }
 }
 
-fn head() -> Head {
-    Head {
+fn head() -> FitHeading {
+    FitHeading {
         title: "a fit".into(),
         numbers: "NOT CONVERGED".into(),
     }
@@ -42,13 +42,13 @@ fn unknown(value: f64, other: f64) -> FittedUnknown {
 
 /// All pictures of a fit with these numbers.
 fn pictures(value: f64, other: f64) -> [Option<String>; 4] {
-    let point = |abscissa, observed| Point {
+    let point = |abscissa, observed| FittedPoint {
         abscissa,
         observed,
         model: other,
         whitened: observed,
     };
-    let quantity = |divisor| Quantity {
+    let quantity = |divisor| AxisQuantity {
         name: "force Q",
         scale: scale(divisor),
     };
@@ -59,7 +59,7 @@ fn pictures(value: f64, other: f64) -> [Option<String>; 4] {
             point(other, value),
             point(1.0, f64::NAN),
         ],
-        part: Part::Used,
+        usage: CurveUse::Used,
     };
     let curves = Curves {
         head: head(),
@@ -68,7 +68,7 @@ fn pictures(value: f64, other: f64) -> [Option<String>; 4] {
         all: vec![curve],
     };
     let unknowns = vec![unknown(value, other), unknown(other, value)];
-    let repeats = Repeats {
+    let repeats = RepeatsPlot {
         head: head(),
         names: vec!["one".into(); 3],
         unknowns: vec![Repeated {
@@ -82,7 +82,7 @@ fn pictures(value: f64, other: f64) -> [Option<String>; 4] {
         level: 0.95,
         unknowns: unknowns.clone(),
     };
-    let corner = Corner {
+    let corner = CornerPlot {
         head: head(),
         unknowns,
         correlation: vec![vec![1.0, f64::NAN], vec![2.0, 1.0]],

@@ -1,4 +1,4 @@
-//! What the pictures of a fit show of one unknown.
+//! An unknown in the pictures of a fit.
 
 use crate::display::{Scale, significant};
 
@@ -25,7 +25,7 @@ pub struct FittedUnknown {
     pub threshold: f64,
     /// Values with their `Δχ²`, in the order of the values; none without a profile.
     pub profile: Vec<[f64; 2]>,
-    /// What is known in place of it, whose profile is that with the others held.
+    /// The product known in place of it; the profile is then that with the others held.
     pub combination: Option<Combination>,
 }
 

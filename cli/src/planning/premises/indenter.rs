@@ -1,8 +1,8 @@
 //! The indenters of a plan: that of the model, known ones, and those whose radius is sought as its is.
 
-/// How a plan knows the radius of an indenter.
+/// The knowledge that a plan has of an indenter's radius.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Indenter {
+pub enum IndenterRadius {
     /// It is that of the model.
     OfModel,
     /// It is another one, and known exactly.
@@ -11,7 +11,7 @@ pub enum Indenter {
     Sought(usize, String),
 }
 
-impl Indenter {
+impl IndenterRadius {
     /// The name of its radius, if that is not the key of the model's.
     #[must_use]
     pub fn name(&self) -> Option<String> {

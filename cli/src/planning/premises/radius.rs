@@ -4,7 +4,7 @@ use pellicle_contact::ModelParameter;
 use pellicle_identify::{IdentifyError, Prior, Unknown};
 
 use super::Premises;
-use super::indenter::Indenter;
+use super::indenter::IndenterRadius;
 use crate::failure::Failure;
 use crate::fit_file::model::ModelParameters;
 use crate::fit_file::unknown::UnknownCase;
@@ -21,7 +21,7 @@ impl Premises<'_> {
         };
         let radii = candidates.iter().filter_map(|candidate| candidate.radius);
         for radius in radii {
-            if self.indenter(Some(radius)) != Indenter::Known(self.name_of(radius)) {
+            if self.indenter(Some(radius)) != IndenterRadius::Known(self.name_of(radius)) {
                 continue;
             }
             if self.known.iter().any(|known| is_same(*known, radius)) {
@@ -43,20 +43,20 @@ impl Premises<'_> {
         Ok(())
     }
 
-    /// How the radius of an indenter is known.
+    /// The knowledge of an indenter's radius; none given is that of the model.
     #[must_use]
-    pub fn indenter(&self, radius: Option<f64>) -> Indenter {
+    pub fn indenter(&self, radius: Option<f64>) -> IndenterRadius {
         let Some(radius) = radius else {
-            return Indenter::OfModel;
+            return IndenterRadius::OfModel;
         };
         if self.own_radius().is_some_and(|own| is_same(own, radius)) {
-            return Indenter::OfModel;
+            return IndenterRadius::OfModel;
         }
         let name = self.name_of(radius);
         let mut others = self.others.iter();
         match others.find(|(other, _)| is_same(*other, radius)) {
-            Some((_, place)) => Indenter::Sought(*place, name),
-            None => Indenter::Known(name),
+            Some((_, place)) => IndenterRadius::Sought(*place, name),
+            None => IndenterRadius::Known(name),
         }
     }
 
@@ -85,11 +85,11 @@ impl Premises<'_> {
 
     /// The place of the radius of an indenter among the unknowns, if it is sought.
     #[must_use]
-    pub fn place(&self, indenter: &Indenter) -> Option<usize> {
+    pub fn place(&self, indenter: &IndenterRadius) -> Option<usize> {
         match indenter {
-            Indenter::OfModel => self.place_of_radius(),
-            Indenter::Sought(place, _) => Some(*place),
-            Indenter::Known(_) => None,
+            IndenterRadius::OfModel => self.place_of_radius(),
+            IndenterRadius::Sought(place, _) => Some(*place),
+            IndenterRadius::Known(_) => None,
         }
     }
 
@@ -109,11 +109,11 @@ impl Premises<'_> {
         })
     }
 
-    /// What is not sought of a curve of this indenter.
+    /// The numbers of the model that a curve of this indenter takes as its own: its radius, where it is known.
     #[must_use]
-    pub fn own(&self, indenter: &Indenter) -> Vec<ModelParameter> {
+    pub fn own(&self, indenter: &IndenterRadius) -> Vec<ModelParameter> {
         match (indenter, self.base.radius()) {
-            (Indenter::Known(_), Some(of)) => vec![of.parameter],
+            (IndenterRadius::Known(_), Some(of)) => vec![of.parameter],
             _ => Vec::new(),
         }
     }
@@ -123,7 +123,7 @@ fn is_same(one: f64, other: f64) -> bool {
     (one / other - 1.0).abs() < SAME
 }
 
-/// What is known of the radius of the model, for another indenter: the same over its radius.
+/// The unknown radius of another indenter: range and prior are those of the model's radius, scaled.
 fn scaled(case: &UnknownCase, name: String, radius: f64) -> Result<Unknown, IdentifyError> {
     let part = radius / case.start;
     let unknown = Unknown::positive(name, case.range.map(|end| part * end))?.starting_at(radius)?;

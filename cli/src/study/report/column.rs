@@ -12,12 +12,12 @@ const OTHERS: &str = "others";
 
 /// A column, and what is known of all its cells.
 #[derive(Debug, Serialize)]
-pub struct Column {
+pub struct StudyColumn {
     /// Its name, with the unit.
     pub name: String,
     /// Whether it is a key that varies.
     is_key: bool,
-    values: Values,
+    values: ColumnValues,
     /// Cells that are not empty.
     cells: usize,
 }
@@ -25,7 +25,7 @@ pub struct Column {
 /// The values of a column, as its first cell tells.
 #[derive(Debug, Serialize)]
 #[serde(rename_all = "lowercase")]
-enum Values {
+enum ColumnValues {
     /// Nothing is known yet.
     Unknown,
     /// The smallest and the largest number.
@@ -46,14 +46,14 @@ pub struct ColumnRow {
     pub values: String,
 }
 
-impl Column {
+impl StudyColumn {
     /// A column without cells.
     #[must_use]
     pub fn new(name: String, is_key: bool) -> Self {
         Self {
             name,
             is_key,
-            values: Values::Unknown,
+            values: ColumnValues::Unknown,
             cells: 0,
         }
     }
@@ -71,20 +71,20 @@ impl Column {
         }
         self.cells += 1;
         let number = cell.parse().ok().filter(|number: &f64| number.is_finite());
-        if let Values::Unknown = self.values {
+        if let ColumnValues::Unknown = self.values {
             self.values = match number {
-                Some(number) => Values::Numbers([number; 2]),
-                None => Values::Words(Vec::new()),
+                Some(number) => ColumnValues::Numbers([number; 2]),
+                None => ColumnValues::Words(Vec::new()),
             };
         }
         match &mut self.values {
-            Values::Numbers([low, high]) => {
+            ColumnValues::Numbers([low, high]) => {
                 let number = number?;
                 (*low, *high) = (low.min(number), high.max(number));
                 Some(rounded(number))
             }
-            Values::Words(words) => Some(place(words, cell) as f64),
-            Values::Unknown => None,
+            ColumnValues::Words(words) => Some(place(words, cell) as f64),
+            ColumnValues::Unknown => None,
         }
     }
 
@@ -96,14 +96,14 @@ impl Column {
             is_key: self.is_key,
             cells: self.cells,
             values: match &self.values {
-                Values::Unknown => String::new(),
-                Values::Numbers([low, high]) if low.to_bits() == high.to_bits() => {
+                ColumnValues::Unknown => String::new(),
+                ColumnValues::Numbers([low, high]) if low.to_bits() == high.to_bits() => {
                     significant(*low, 5)
                 }
-                Values::Numbers([low, high]) => {
+                ColumnValues::Numbers([low, high]) => {
                     format!("{} to {}", significant(*low, 5), significant(*high, 5))
                 }
-                Values::Words(words) => words.join(", "),
+                ColumnValues::Words(words) => words.join(", "),
             },
         }
     }
@@ -137,7 +137,7 @@ mod tests {
 
     #[test]
     fn a_column_is_of_numbers_or_of_words_as_its_first_cell_tells() {
-        let mut numbers = Column::new("force [N]".into(), true);
+        let mut numbers = StudyColumn::new("force [N]".into(), true);
         let found = ["", "2e-6", "1.23456789", "oops", "inf"].map(|cell| numbers.add(cell));
         assert_eq!(found, [None, Some(2e-6), Some(1.23457), None, None]);
         assert!(
@@ -145,13 +145,13 @@ mod tests {
             "{}",
             numbers.row().values
         );
-        let mut words = Column::new("kind".into(), false);
+        let mut words = StudyColumn::new("kind".into(), false);
         let found = ["film", "bare", "film", "3"].map(|cell| words.add(cell));
         assert_eq!(found, [Some(0.0), Some(1.0), Some(0.0), Some(2.0)]);
         for i in 0..100 {
             words.add(&format!("w{i}"));
         }
-        let Values::Words(all) = &words.values else {
+        let ColumnValues::Words(all) = &words.values else {
             panic!("words")
         };
         assert_eq!((all.len(), &*all[MOST_WORDS]), (MOST_WORDS + 1, OTHERS));

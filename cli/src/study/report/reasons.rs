@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-/// The most reasons that are told apart.
+/// The most reasons that are counted apart.
 const MOST_REASONS: usize = 200;
 
 /// The most that are listed.

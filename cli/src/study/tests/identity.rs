@@ -1,4 +1,4 @@
-//! What makes two studies the same.
+//! The identity of studies: which changes make another study.
 
 use super::*;
 

@@ -14,7 +14,7 @@ pub struct Coefficients {
     /// The coatings by name.
     pub cases: BTreeMap<String, Coating>,
     /// The coefficients.
-    pub values: Vec<Coefficient>,
+    pub values: Vec<ReferenceCoefficient>,
 }
 
 /// A coating of thickness 1 and modulus 1.
@@ -44,7 +44,7 @@ impl Coating {
 
 /// One coefficient.
 #[derive(Debug, Clone, Deserialize)]
-pub struct Coefficient {
+pub struct ReferenceCoefficient {
     /// Name of the coating.
     pub case: String,
     /// `λ = H/a`, thickness over half a side.
@@ -62,7 +62,7 @@ pub struct Coefficient {
     pub homogeneous: f64,
 }
 
-impl Coefficient {
+impl ReferenceCoefficient {
     /// Side of an element where the coating's thickness is 1.
     #[must_use]
     pub fn element_side(&self) -> f64 {

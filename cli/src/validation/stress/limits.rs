@@ -22,7 +22,7 @@ const ACCURACY: f64 = 1e-10;
 /// A millionth times ratios of moduli.
 const MILLIONTH: f64 = 1e-5;
 
-/// What fields are compared.
+/// The loads whose fields are compared.
 #[derive(Clone, Copy, PartialEq)]
 enum Loads {
     Both,
@@ -31,9 +31,9 @@ enum Loads {
 }
 
 /// Two bodies, wanted and found.
-type Pair = fn() -> Result<[Foundation; 2], ValidationError>;
+type FoundationPair = fn() -> Result<[Foundation; 2], ValidationError>;
 
-const LIMITS: [(&str, f64, Loads, [f64; 2], Pair); 6] = [
+const LIMITS: [(&str, f64, Loads, [f64; 2], FoundationPair); 6] = [
     (
         "coat = base: the half-space",
         ACCURACY,

@@ -182,7 +182,7 @@ const TWO_CIRCLES: [[f64; 5]; 17] = [
 const ELLEAS_OWN: f64 = 5e-4;
 /// Elements along a circle's diameter.
 const ELEMENTS: usize = 128;
-/// What they leave at a depth of thirteen of their sides under the rim.
+/// Error of the grid at a depth of thirteen element sides under the rim.
 const GRID: f64 = 3e-4;
 
 fn above(z: f64) -> Depth {
