@@ -5,8 +5,8 @@ pub mod after_fit;
 pub mod candidate;
 pub mod comparison;
 pub mod design;
-pub mod doubts;
 pub mod files;
+pub mod load_warnings;
 pub mod page;
 pub mod picture;
 pub mod premises;
@@ -122,7 +122,7 @@ impl<'a> Planning<'a> {
         let values = premises.values(&indenter, candidate.radius);
         let solved = curves.predict(&values).map_err(not_solved)?;
         let load = Load::Force(candidate.forces[1]);
-        let doubts = doubts::at_load(&curves.model(0, &values)?, load)?;
+        let warnings = load_warnings::at_load(&curves.model(0, &values)?, load)?;
         let (abscissae, prediction) = observed(premises.observe, candidate.loads(), solved);
         let prediction = premises.spread(prediction, &indenter);
         let curve = timed(abscissae, &prediction)?;
@@ -134,8 +134,8 @@ impl<'a> Planning<'a> {
             directions,
         });
         self.loads_solved += curves.loads_solved();
-        for doubt in doubts {
-            self.warn(doubt.code(), candidate, &doubts::words(&doubt));
+        for warning in warnings {
+            self.warn(warning.code(), candidate, &load_warnings::words(&warning));
         }
         Ok(())
     }

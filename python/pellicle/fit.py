@@ -91,8 +91,8 @@ class Fit:
     """Measurements, a model, and its unknowns.
 
     `model` is a case, of which fixed values and starts are taken; its loads do not matter. `unknown` has what is sought
-    by its keys, such as `"foundation.layer[0].young_modulus"`, each between bounds or with a prior. A fit without `data`
-    can only be planned.
+    by its keys, such as `"foundation.layer[0].young_modulus"`, each between bounds or with a prior. A fit without
+    `data` can only be planned.
     """
 
     def __init__(

@@ -108,7 +108,7 @@ class Identification(Result):
 
     @cached_property
     def curve(self) -> Curve:
-        """The columns of `fit.csv`: every point with model and residual; `pandas.DataFrame(result.curve)` is a table."""
+        """The columns of `fit.csv`: every point with model and residual; `pandas.DataFrame(result.curve)` is one."""
         return Curve.of_csv(self._tables["fit.csv"])
 
     @cached_property

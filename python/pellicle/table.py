@@ -1,4 +1,4 @@
-"""The parts of a case or a fit that are tables of its file: each a frozen dataclass whose fields are the table's keys."""
+"""The parts of a case or a fit that are tables of its file: frozen dataclasses whose fields are the table's keys."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Runs the README's example in Python, in an environment with nothing but the wheel and NumPy; for the tests of wheels."""
+"""Runs the README's example in Python, in an environment of nothing but the wheel and NumPy; for tests of wheels."""
 
 from __future__ import annotations
 

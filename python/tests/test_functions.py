@@ -1,4 +1,4 @@
-"""Shapes that are functions: asked at the elements' centres, checked, compared, pickled, and called without deadlock."""
+"""Shapes that are functions: sampled at the elements' centres, checked, compared, pickled, called without deadlock."""
 
 from __future__ import annotations
 

@@ -12,7 +12,7 @@ use crate::{
     path::ascent::Ascent,
     path::capacity,
     path::domain::Guess,
-    path::level::{Level, LevelResult, Start},
+    path::level::{Level, LevelResult, LevelStart},
     path::levels::{COARSE_TOLERANCE, coarser_sizes},
     path::start::CoarserSolution,
     result::cut_off,
@@ -174,10 +174,10 @@ impl<'a> Hierarchy<'a> {
     ) -> Result<LevelResult, ContactError> {
         let Ascent { load, options, .. } = *ascent;
         let start = match &ascent.coarser_solution {
-            Some(coarser) => Start::Coarser(coarser),
+            Some(coarser) => LevelStart::Coarser(coarser),
             // A guess is of a single contact.
-            None if self.boundary == Boundary::Periodic => Start::Nothing,
-            None => Guess::new(self.model, load).map_or(Start::Nothing, Start::Guess),
+            None if self.boundary == Boundary::Periodic => LevelStart::Nothing,
+            None => Guess::new(self.model, load).map_or(LevelStart::Nothing, LevelStart::Guess),
         };
         let index = ascent.levels.len();
         let (result, coarser) = self.solve_level(index, load, start, options, watch)?;
@@ -232,7 +232,7 @@ impl<'a> Hierarchy<'a> {
         &mut self,
         index: usize,
         load: Load,
-        start: Start<'_>,
+        start: LevelStart<'_>,
         options: SolverOptions,
         watch: &mut Watch<'_>,
     ) -> Result<(LevelResult, Option<CoarserSolution>), ContactError> {

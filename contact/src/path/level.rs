@@ -70,7 +70,7 @@ impl Posed {
 
 /// The start of a level.
 #[derive(Clone, Copy)]
-pub enum Start<'a> {
+pub enum LevelStart<'a> {
     Nothing,
     Guess(Guess),
     Coarser(&'a CoarserSolution),
@@ -151,7 +151,7 @@ impl Level {
         &mut self,
         model: &Model,
         load: Load,
-        start: Start<'_>,
+        start: LevelStart<'_>,
         options: SolverOptions,
         watch: &mut Watch<'_>,
     ) -> Result<LevelResult, ContactError> {
@@ -162,9 +162,9 @@ impl Level {
             )
         };
         let start = match start {
-            Start::Nothing => None,
-            Start::Guess(guess) => self.guessed(guess),
-            Start::Coarser(coarser) => self.prolonged(coarser),
+            LevelStart::Nothing => None,
+            LevelStart::Guess(guess) => self.guessed(guess),
+            LevelStart::Coarser(coarser) => self.prolonged(coarser),
         };
         let start = start.unwrap_or_else(nothing);
         let (solution, window, effort) = self.solve_from(start, load, options, watch)?;

@@ -48,7 +48,7 @@ pub struct HalfSpace {
 /// ```
 #[must_use]
 pub fn under_pressure(contact: &HertzContact, body: HalfSpace, point: [f64; 3]) -> SubsurfaceState {
-    let place = Place::new(point);
+    let place = CylindricalPoint::new(point);
     let waves = Waves::new(contact, &place);
     let (nu, z) = (body.poisson_ratio, place.z);
     let per_modulus = 0.5 / body.shear_modulus;
@@ -87,7 +87,7 @@ pub fn under_pressure(contact: &HertzContact, body: HalfSpace, point: [f64; 3]) 
 /// approximation: the traction does not change the pressure, which is exact for ν = ½).
 #[must_use]
 pub fn under_traction(contact: &HertzContact, body: HalfSpace, point: [f64; 3]) -> SubsurfaceState {
-    let place = Place::new(point);
+    let place = CylindricalPoint::new(point);
     let waves = Waves::new(contact, &place);
     let (nu, z) = (body.poisson_ratio, place.z);
     let per_modulus = 0.5 / body.shear_modulus;
@@ -133,13 +133,13 @@ pub fn under_traction(contact: &HertzContact, body: HalfSpace, point: [f64; 3]) 
 }
 
 /// A point in cylindrical coordinates.
-struct Place {
+struct CylindricalPoint {
     r: f64,
     z: f64,
     direction: [f64; 2],
 }
 
-impl Place {
+impl CylindricalPoint {
     fn new([x, y, z]: [f64; 3]) -> Self {
         let r = x.hypot(y);
         let direction = if r > 0.0 { [x / r, y / r] } else { [1.0, 0.0] };
@@ -154,9 +154,9 @@ struct Waves([[f64; ORDERS]; 3]);
 const ORDERS: usize = 4;
 
 impl Waves {
-    fn new(contact: &HertzContact, place: &Place) -> Self {
+    fn new(contact: &HertzContact, place: &CylindricalPoint) -> Self {
         let a = contact.contact_radius;
-        let &Place { r, z, .. } = place;
+        let &CylindricalPoint { r, z, .. } = place;
         let (end, start) = (Complex64::new(z, a), Complex64::new(z, 0.0));
         let mut waves = Self([[0.0; ORDERS]; 3]);
         let orders = if r == 0.0 { 1 } else { ORDERS };

@@ -203,7 +203,7 @@ impl Estimate {
 
 /// A change from one level to the next.
 #[derive(Clone, Copy)]
-struct Change {
+struct LevelChange {
     /// `|Δ|`.
     size: f64,
     /// Elements per side of the finer.
@@ -216,12 +216,12 @@ struct Change {
 fn estimate(values: &[(usize, f64)], convergence: Convergence) -> Option<Estimate> {
     let (finest, last) = *values.last()?;
     let finest = finest as f64;
-    let change = |pair: &[(usize, f64)]| Change {
+    let change = |pair: &[(usize, f64)]| LevelChange {
         size: (pair[1].1 - pair[0].1).abs(),
         elements: pair[1].0 as f64,
         ratio: pair[1].0 as f64 / pair[0].0 as f64,
     };
-    let changes: Vec<Change> = values.windows(2).map(change).collect();
+    let changes: Vec<LevelChange> = values.windows(2).map(change).collect();
     if changes.is_empty() {
         return None;
     }
@@ -241,7 +241,7 @@ fn estimate(values: &[(usize, f64)], convergence: Convergence) -> Option<Estimat
         .clamp(lowest_order, highest_order);
     let mut weight = 1.0;
     let mut largest = 0.0_f64;
-    for Change {
+    for LevelChange {
         size,
         elements,
         ratio,
@@ -264,7 +264,7 @@ fn estimate(values: &[(usize, f64)], convergence: Convergence) -> Option<Estimat
 }
 
 /// Minus the slope of ln |Δ| over ln N by least squares; none from fewer than two changes that are not 0.
-fn order(changes: &[Change]) -> Option<f64> {
+fn order(changes: &[LevelChange]) -> Option<f64> {
     let points: Vec<[f64; 2]> = changes
         .iter()
         .filter(|change| change.size > 0.0)

@@ -10,7 +10,8 @@ use pellicle_texture::{Film, Relief, ReliefParameter};
 
 use super::*;
 use crate::{
-    Domain, IndenterQuantity, Load, LoadingPath, Model, Paraboloid, SolverOptions, solve_path,
+    Domain, IndenterQuantity, Load, LoadingPath, Model, ModelParameter, Paraboloid, SolverOptions,
+    solve_path,
 };
 
 const FORCE: f64 = 1e-3;

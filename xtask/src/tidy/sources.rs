@@ -34,6 +34,9 @@ pub(super) fn have_lines_of_prose_that_fit(tree: &Tree) -> Vec<Violation> {
     let is_prose = |ending: &str, line: &str| match ending {
         ".rs" => line.trim_start().starts_with("//"),
         ".toml" => line.starts_with('#'),
+        ".py" => ["#", "\"\"\""]
+            .iter()
+            .any(|mark| line.trim_start().starts_with(mark)),
         _ => true,
     };
     let mut found = Vec::new();
