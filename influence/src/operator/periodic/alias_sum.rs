@@ -21,7 +21,7 @@ use crate::element::direct::sinc;
 use crate::numerics::lagrange;
 
 /// Aliases to each side.
-const REACH: i32 = 40;
+const REACH: usize = 40;
 /// Where half of an alias counts, as a part of the reach, and how steeply the others fade: 1e-16 of the last ones and
 /// of the first.
 const MIDDLE: f64 = 0.5;
@@ -122,17 +122,25 @@ impl<'a> LayeredPart<'a> {
 }
 
 /// The sum over the aliases of one wave, of a response to `q a`.
-fn sum([alpha, beta]: [f64; 2], response: impl Fn(f64) -> f64) -> f64 {
+fn sum(wave: [f64; 2], response: impl Fn(f64) -> f64) -> f64 {
+    let [along_x, along_y] = wave.map(aliases_along);
     let mut sum = 0.0;
-    for m in -REACH..=REACH {
-        for n in -REACH..=REACH {
-            if [m, n] != [0, 0] {
-                let (x, y) = (alpha + PI * f64::from(m), beta + PI * f64::from(n));
-                sum += fade(m) * fade(n) * response(x.hypot(y)) * sinc(x) * sinc(y);
+    for (m, (x, x_weight)) in along_x.iter().enumerate() {
+        for (n, (y, y_weight)) in along_y.iter().enumerate() {
+            if [m, n] != [REACH; 2] {
+                sum += x_weight * y_weight * response((x * x + y * y).sqrt());
             }
         }
     }
     sum
+}
+
+/// `α + πm` of every alias along one axis, and its factor in the sum: `sinc`, faded out.
+fn aliases_along(alpha: f64) -> [(f64, f64); 2 * REACH + 1] {
+    std::array::from_fn(|i| {
+        let x = alpha + PI * (i as f64 - REACH as f64);
+        (x, FADE[i.abs_diff(REACH)] * sinc(x))
+    })
 }
 
 /// `α` at the nodes.
@@ -141,10 +149,9 @@ fn wave_nodes() -> [f64; NODES] {
 }
 
 /// 1 for the first aliases, 0 for the last, and smooth between.
-fn fade(m: i32) -> f64 {
-    let part = f64::from(m.abs()) / f64::from(REACH);
-    erfc(STEEPNESS * (part - MIDDLE)) / 2.0
-}
+static FADE: LazyLock<[f64; REACH + 1]> = LazyLock::new(|| {
+    std::array::from_fn(|m| erfc(STEEPNESS * (m as f64 / REACH as f64 - MIDDLE)) / 2.0)
+});
 
 /// Lagrange's weights of the nodes at `x`, from 0 to π/2.
 fn weights(x: f64) -> [f64; NODES] {
