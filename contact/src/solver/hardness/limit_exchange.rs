@@ -188,12 +188,11 @@ impl LimitExchange {
         let wrong = self.wrong(problem, load, &v);
         if wrong.above.is_empty() && wrong.open.is_empty() {
             let is_done = self.accuracy <= tolerance;
-            let closer = if self.descent.is_some() {
+            self.accuracy = if self.descent.is_some() {
                 tolerance.max(CLOSER_IN_DESCENT * self.accuracy)
             } else {
                 tolerance
             };
-            self.accuracy = closer;
             return !is_done;
         }
         let accuracy = (REFINEMENT * wrong.by).clamp(tolerance, COARSEST.max(tolerance));

@@ -45,6 +45,24 @@ fn a_stiff_coat_shows_in_the_response_to_long_waves_over_that_to_short_ones() {
     assert_eq!(contrast(coated(8.0), 4), 1.0);
 }
 
+/// A bare coat takes a fifth more products by Newton's method first.
+#[test]
+fn newton_comes_first_with_the_filter_where_springs_lie_on_a_stiff_coat() {
+    let is_for_newton = |stiffness: f64, springs: f64| {
+        let problem = of_coat([stiffness, 0.1], paraboloid, |_, _| springs);
+        let symbol = problem.elasticity().unwrap().symbol(SIZE);
+        let preconditioner = Preconditioner::new(&problem);
+        assert!(matches!(preconditioner.inverse, Inverse::Filter(_)));
+        (stiffness_contrast(&symbol), preconditioner.is_for_newton())
+    };
+    for (stiffness, springs, wanted) in [(20.0, 0.0, false), (20.0, 1e-3, true), (2.0, 1e-3, false)]
+    {
+        let (contrast, found) = is_for_newton(stiffness, springs);
+        assert_eq!(contrast > STIFF_FOR_NEWTON, stiffness > 2.0, "{contrast}");
+        assert_eq!(found, wanted, "{stiffness} {springs}");
+    }
+}
+
 #[test]
 fn what_is_missing_of_the_penetration_is_counted_on_the_set_alone() {
     let mut problem = of_coat([1.0, 0.1], paraboloid, RIGID);

@@ -1,0 +1,116 @@
+//! Critical loads against closed forms and solving again.
+
+use super::*;
+
+fn critical(model: &Model, elements: usize, force: f64, stress: &StressModel) -> Vec<CriticalLoad> {
+    let path = solved(model, elements, force);
+    let options = SolverOptions::default();
+    let extremes = [stress_extremes(&path, 0, stress).unwrap()];
+    critical_loads(
+        model,
+        &path,
+        &extremes,
+        Domain::Automatic,
+        &options,
+        stress,
+        &mut (),
+    )
+    .unwrap()
+}
+
+#[test]
+fn a_homogeneous_body_yields_at_the_force_of_hertz() {
+    let yield_strength = 0.03;
+    let stress = whole(BodyStrengths {
+        yield_strength: Some(yield_strength),
+        tensile_strength: None,
+    });
+    let model = model(&half_space(), Paraboloid::new(1.0).unwrap());
+    // p0³ = 6 Q E*²/(π³ R²)
+    let plane_modulus = STEEL.0 / (1.0 - STEEL.1 * STEEL.1);
+    let peak = yield_strength / on_the_axis()[0];
+    let exact = (std::f64::consts::PI * peak).powi(3) / (6.0 * plane_modulus.powi(2));
+    // From above, and from far above.
+    for force in [1.7 * exact, 90.0 * exact] {
+        let found = critical(&model, 128, force, &stress);
+        let [
+            CriticalLoad {
+                criterion: Criterion::Yield,
+                force: Some(found),
+                estimate: Some(estimate),
+                resolved: true,
+                ..
+            },
+        ] = found[..]
+        else {
+            panic!("{found:?}")
+        };
+        assert!(
+            (found - exact).abs() < estimate + 1e-4 * exact,
+            "{found} ± {estimate}, {exact}"
+        );
+        assert!(estimate < 2e-3 * exact, "{estimate}");
+    }
+    let below = critical(&model, 64, 0.9 * exact, &stress);
+    assert_eq!(below[0].force, None);
+    // Q^⅓
+    assert_relative_eq!(below[0].utilisation, 0.9_f64.cbrt(), max_relative = 1e-3);
+}
+
+#[test]
+fn each_strength_of_a_coated_body_is_reached_under_its_own_critical_load() {
+    let thickness = 0.02;
+    let mut stress = sliding_coat(thickness);
+    stress.bodies[1].strengths.yield_strength = Some(0.03);
+    stress.interfaces[0].strengths.shear_strength = Some(0.02);
+    let model = model(&coated(thickness), Paraboloid::new(1.0).unwrap());
+    let found = critical(&model, 64, 1e-3, &stress);
+    assert_eq!(found.len(), 2);
+    for (index, load) in found.iter().enumerate() {
+        let extremes =
+            stress_extremes(&solved(&model, 64, load.force.unwrap()), 0, &stress).unwrap();
+        let utilisation = if index == 0 {
+            extremes.bodies[1].utilisation.yielding
+        } else {
+            extremes.interfaces[0].utilisation.shear
+        };
+        // Another domain, another grid: not the accuracy of the search, but the grid's.
+        assert_relative_eq!(utilisation.unwrap(), 1.0, max_relative = 2e-3);
+    }
+}
+
+#[test]
+fn a_stress_that_falls_again_under_more_load_is_critical_where_it_first_reaches_its_strength() {
+    // A thin stiff coat takes the shape of the indenter, and is bent no further.
+    let thickness = 0.02;
+    let coat = Material::new(10.0, 0.3).unwrap();
+    let base = Material::new(STEEL.0, STEEL.1).unwrap();
+    let model = model(
+        &Foundation::coated(thickness, coat, base).unwrap(),
+        Paraboloid::new(1.0).unwrap(),
+    );
+    let stress = |yield_strength| StressModel {
+        bodies: vec![body(
+            "layer[0]",
+            0.0,
+            thickness,
+            BodyStrengths {
+                yield_strength,
+                tensile_strength: None,
+            },
+        )],
+        ..StressModel::default()
+    };
+    let mises = |force: f64| {
+        let extremes = stress_extremes(&solved(&model, 128, force), 0, &stress(None)).unwrap();
+        extremes.bodies[0].max_von_mises.value
+    };
+    let [early, peak, late] = [3.5e-4, 5e-4, 1.5e-3].map(mises);
+    assert!(early < peak && late < 0.98 * early, "{early} {peak} {late}");
+    for strength in [early, 0.5 * (early + peak)] {
+        let found = critical(&model, 128, 1.5e-3, &stress(Some(strength)));
+        let force = found[0].force.unwrap();
+        assert!((3.4e-4..5e-4).contains(&force), "{found:?}");
+        assert_relative_eq!(mises(force), strength, max_relative = 1e-3);
+    }
+}
